@@ -20,7 +20,9 @@ import yaml
 DEPLOY = pathlib.Path(__file__).resolve().parent
 BIN = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else DEPLOY.parent / "build/bin")
 COMPOSE = [DEPLOY.parent / "docker-compose.yml", *sorted(DEPLOY.glob("compose.*.yml"))]
-IMAGE_PROGRAMS = {"slicefarm", "slicefarm-postgres"}
+OUR_IMAGES = {"slicefarm", "slicefarm-postgres", "slicefarm-prometheus"}
+OTHER_IMAGES = re.compile(r"docker\.io/grafana/grafana:\d+\.\d+\.\d+")  # a release, not what is the latest one
+PROFILES = {"split", "monitoring"}
 PORT, METRICS_PORT = 50051, 9464  # as deploy/Dockerfile exposes them
 problems = []
 
@@ -64,6 +66,25 @@ def interpolated(text):
     return re.sub(r"\$\{\w+:-([^}]*)\}", r"\1", text)
 
 
+def check_rights(at, service):
+    """No container may take a machine's memory, disk or rights."""
+    expect(service.get("cap_drop") == ["ALL"], f"{at}: capabilities")
+    expect("no-new-privileges:true" in service.get("security_opt", []), f"{at}: may get new privileges")
+    expect(re.fullmatch(r"\d+[mg]", interpolated(service.get("mem_limit", ""))), f"{at}: no memory limit")
+    expect(set(service["logging"].get("options", {})) == {"max-size", "max-file"}, f"{at}: logs without a bound")
+    expect(service.get("read_only") or service["image"] not in OUR_IMAGES, f"{at}: may write to its image")
+    expect(service.get("restart") == "unless-stopped", f"{at}: stays away after a failure")
+
+
+def check_split_stages():
+    """What docker-compose.yml says of the profile `split` is a command of ours."""
+    text = (DEPLOY.parent / "docker-compose.yml").read_text()
+    services = {name: PORT for name in yaml.safe_load(text)["services"]}
+    stages = re.search(r'STAGES="(.*?)"', text)[1]
+    check_command("docker-compose.yml: STAGES", ["slicefarm-coordinator", f"--listen=0.0.0.0:{PORT}",
+                                                 f"--metrics-port={METRICS_PORT}", *stages.split()], services)
+
+
 def check_compose(path):
     where = path.name
     compose = yaml.safe_load(path.read_text())
@@ -71,14 +92,22 @@ def check_compose(path):
     ours = {name: PORT for name, service in services.items() if service.get("command")}
     for name, service in services.items():
         at = f"{where}: {name}"
-        expect(service["image"] in IMAGE_PROGRAMS, f"{at}: image {service['image']}")
+        ours_at_all = service["image"] in OUR_IMAGES
+        expect(ours_at_all or OTHER_IMAGES.fullmatch(service["image"]), f"{at}: image {service['image']}")
+        expect(("build" in service) == ours_at_all, f"{at}: is built nowhere, or somewhere else")
         if build := service.get("build"):
             context = (path.parent / build["context"]).resolve()
             expect((context / build["dockerfile"]).exists(), f"{at}: no {build['dockerfile']} in {context}")
+            expect("ARG BASE=" in (context / build["dockerfile"]).read_text(), f"{at}: {build['dockerfile']} takes no BASE")
+        profiles = set(service.get("profiles", []))
+        expect(profiles <= PROFILES, f"{at}: profiles {profiles}")
         for other in service.get("depends_on", []):
             expect(other in services, f"{at}: depends on {other}")
+            expect(set(services[other].get("profiles", [])) <= profiles, f"{at}: {other} may not be started")
         for volume in service.get("volumes", []):
-            expect(volume.split(":")[0] in compose["volumes"], f"{at}: volume {volume}")
+            source = volume.split(":")[0]
+            expect(source in compose["volumes"] or (source.startswith("./") and (path.parent / source).exists()), f"{at}: volume {volume}")
+        check_rights(at, service)
         if not service.get("command"):
             continue
         values = check_command(at, interpolated(service["command"]).split(), ours)
@@ -91,8 +120,23 @@ def check_compose(path):
 def check_dockerfile():
     text = (DEPLOY / "Dockerfile").read_text()
     expect(f"EXPOSE {PORT} {METRICS_PORT}" in text, "Dockerfile: other ports than the compose files'")
+    expect("--target programs" in text, "Dockerfile: builds more than a farm's programs")
     for source in re.findall(r"^COPY (?!--from)(\S+) ", text, re.M):
         expect((DEPLOY.parent / source).exists(), f"Dockerfile: no {source}")
+
+
+def check_migration():
+    """The job that migrates runs a command of ours, with the rights and the secret that coordinators have."""
+    job, policy = yaml.safe_load_all((DEPLOY / "kubernetes/migrate/job.yaml").read_text())
+    pod = job["spec"]["template"]
+    container, = pod["spec"]["containers"]
+    run = subprocess.run([BIN / container["command"][0], *container["command"][1:], "--help"], stdout=subprocess.PIPE, text=True)
+    expect(run.returncode == 0 and "SLICEFARM_POSTGRES" in run.stdout, "kubernetes: the job `migrate` runs no program of ours")
+    expect([variable["name"] for variable in container["env"]] == ["SLICEFARM_POSTGRES"], "kubernetes: migrate: where to?")
+    rights = container["securityContext"]
+    expect(pod["spec"]["securityContext"]["runAsNonRoot"] and rights["readOnlyRootFilesystem"]
+           and rights["capabilities"] == {"drop": ["ALL"]}, "kubernetes: migrate: too many rights")
+    expect(policy["spec"]["podSelector"]["matchLabels"].items() <= pod["metadata"]["labels"].items(), "kubernetes: migrate: policy")
 
 
 def documents(folder):
@@ -251,7 +295,8 @@ def check_kubernetes_types(manifests):
 def check_monitoring():
     monitoring = DEPLOY / "monitoring"
     prometheus = yaml.safe_load((monitoring / "prometheus.yml").read_text())
-    services = {name for path in COMPOSE for name in yaml.safe_load(path.read_text())["services"]} - {"postgres"}
+    services = {name for path in COMPOSE for name, service in yaml.safe_load(path.read_text())["services"].items()
+                if service.get("command")}
     scraped = prometheus["scrape_configs"][0]["dns_sd_configs"][0]
     expect(set(scraped["names"]) == services, f"prometheus.yml: looks for {scraped['names']}")
     expect(scraped["port"] == METRICS_PORT, "prometheus.yml: port")
@@ -260,6 +305,11 @@ def check_monitoring():
     made = {rule["target_label"] for rule in in_kubernetes["relabel_configs"] if "target_label" in rule}
     expect(made >= {"service", "namespace"}, f"prometheus.kubernetes.yml: makes only {made}")
     dashboard = json.loads((monitoring / "grafana.json").read_text())
+    source, = yaml.safe_load((monitoring / "provisioning/datasources/prometheus.yml").read_text())["datasources"]
+    expect(source["url"] == "http://prometheus:9090", "grafana: asks another Prometheus than docker-compose.yml's")
+    provider, = yaml.safe_load((monitoring / "provisioning/dashboards/slicefarm.yml").read_text())["providers"]
+    compose = (DEPLOY.parent / "docker-compose.yml").read_text()
+    expect(f"grafana.json:{provider['options']['path']}/" in compose, "grafana: the dashboard is mounted elsewhere")
     queries = [target["expr"] for panel in dashboard["panels"] for target in panel.get("targets", [])]
     promtool = shutil.which("promtool")
     if not promtool:
@@ -279,7 +329,9 @@ def check_monitoring():
 def main():
     for path in COMPOSE:
         check_compose(path)
+    check_split_stages()
     check_dockerfile()
+    check_migration()
     manifests = Manifests(DEPLOY / "kubernetes")
     manifests.check()
     notes = [check_kubernetes_types(manifests), check_monitoring()]

@@ -1,11 +1,24 @@
 #!/usr/bin/env bash
-# What the container of deploy/postgres/Dockerfile runs: makes the database when its volume is empty, then serves it.
-# POSTGRES_PASSWORD is that of the user slicefarm, who owns it.
+# What the container of deploy/postgres/Dockerfile runs: makes the database when its volume has none, then serves it.
+# POSTGRES_PASSWORD is that of the user slicefarm, who owns it. It may be killed at any moment: the volume has a server's
+# files when PG_VERSION is there, which comes last, and the database when slicefarm.made is.
 set -euo pipefail
+single() { postgres --single -D "$PGDATA" postgres; }
+
+chmod 700 "$PGDATA"
 if [[ ! -s $PGDATA/PG_VERSION ]]; then
+  find "$PGDATA" -mindepth 1 ! -name lost+found -delete # of a life that was killed here
   initdb --username=slicefarm --auth-local=trust --auth-host=scram-sha-256 --encoding=UTF8 --locale=C.UTF-8 \
-    --pwfile=<(echo "${POSTGRES_PASSWORD:?the password is to be set}") >/dev/null
-  echo "host all all all scram-sha-256" >>"$PGDATA/pg_hba.conf"
-  echo "CREATE DATABASE slicefarm;" | postgres --single -D "$PGDATA" postgres >/dev/null
+    --pwfile=<(echo "${POSTGRES_PASSWORD:?the password is to be set}") "$PGDATA/new" >/dev/null
+  echo "host all all all scram-sha-256" >>"$PGDATA/new/pg_hba.conf"
+  find "$PGDATA/new" -mindepth 1 -maxdepth 1 ! -name PG_VERSION -exec mv -t "$PGDATA" {} +
+  sync -f "$PGDATA"
+  mv "$PGDATA/new/PG_VERSION" "$PGDATA"
+  rmdir "$PGDATA/new"
+fi
+if [[ ! -e $PGDATA/slicefarm.made ]]; then
+  echo "SELECT datname FROM pg_database;" | single | grep -q 'datname = "slicefarm"' ||
+    echo "CREATE DATABASE slicefarm;" | single >/dev/null
+  touch "$PGDATA/slicefarm.made"
 fi
 exec postgres -c listen_addresses='*' -c unix_socket_directories=/tmp

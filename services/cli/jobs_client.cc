@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "common/base/error.h"
-#include "common/model/limits.h"
 #include "common/base/sha256.h"
+#include "common/model/limits.h"
 #include "common/rpc/client/channel.h"
 #include "common/rpc/client/client_call.h"
 #include "common/rpc/retry_after.h"
@@ -223,8 +223,7 @@ absl::StatusOr<v1::Job> JobsClient::CreateJob(v1::CreateJobRequest request) {
       request.validate_only() ? kTransferDeadline : kUnaryDeadline);
 }
 
-absl::StatusOr<v1::CreatePlatesResponse> JobsClient::CreatePlates(
-    v1::CreatePlatesRequest request) {
+absl::StatusOr<v1::CreatePlatesResponse> JobsClient::CreatePlates(v1::CreatePlatesRequest request) {
   request.set_request_id(NewRequestId());
   // The meshes are read before it answers.
   return Call<v1::CreatePlatesResponse>(
@@ -277,6 +276,16 @@ absl::StatusOr<v1::ListProfilesResponse> JobsClient::ListProfiles(
     const v1::ListProfilesRequest& request) {
   return Call<v1::ListProfilesResponse>(
       request, [&](auto... a) { return profiles_->AsyncListProfiles(a...); });
+}
+
+absl::Status JobsClient::DeleteProfile(const v1::DeleteProfileRequest& request) {
+  int attempts = 0;
+  const absl::Status deleted = Call<google::protobuf::Empty>(request, [&](auto... a) {
+                                 ++attempts;
+                                 return profiles_->AsyncDeleteProfile(a...);
+                               }).status();
+  // One whose answer was lost on the way has deleted it all the same.
+  return absl::IsNotFound(deleted) && attempts > 1 ? absl::OkStatus() : deleted;
 }
 
 absl::StatusOr<v1::Job> JobsClient::WatchJob(const std::string& id,

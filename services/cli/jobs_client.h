@@ -9,9 +9,9 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
+#include "common/base/stopwatch.h"
 #include "common/base/trace_context.h"
 #include "common/rpc/security/client_security.h"
-#include "common/base/stopwatch.h"
 #include "services/cli/files.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"
@@ -53,6 +53,7 @@ class JobsClient {
   absl::StatusOr<v1::Profile> PutProfile(const v1::PutProfileRequest& request);
   absl::StatusOr<v1::Profile> GetProfile(const v1::GetProfileRequest& request);
   absl::StatusOr<v1::ListProfilesResponse> ListProfiles(const v1::ListProfilesRequest& request);
+  absl::Status DeleteProfile(const v1::DeleteProfileRequest& request);
 
   /// Tells each event of the job, those of the past too, and returns the job as it ended.
   absl::StatusOr<v1::Job> WatchJob(const std::string& id,

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "common/base/error.h"
 #include "common/rpc/status_mapping.h"
@@ -124,6 +125,27 @@ TEST_F(ClusterTest, AJobOutlivesTheDatabase) {
   ContinueWorkers();
   postgres_.Start();
   ExpectTheSame(AwaitEnd(*a_, id));
+}
+
+TEST_F(ClusterTest, ADatabaseThatIsAwayAtTheStartIsWaitedFor) {
+  b_.reset();
+  postgres_.Kill();
+  // It serves, which its constructor waits for, once the database is back.
+  std::thread starting([this] { Start(b_, "b"); });
+  postgres_.Start();
+  starting.join();
+  ExpectTheSame(AwaitEnd(*b_, SubmitTo(*b_)));
+}
+
+TEST_F(ClusterTest, TheSchemaIsMadeBesideWhoWorks) {
+  const std::string id = Running(*a_);
+  ChildProcess migrate("slicefarm-coordinator", {"migrate", "--postgres", database_});
+  EXPECT_EQ(migrate.Wait(), 0);
+  ContinueWorkers();
+  ExpectTheSame(AwaitEnd(*a_, id));
+  ChildProcess away("slicefarm-coordinator",
+                    {"migrate", "--wait", "0", "--postgres", "host=/none"});
+  EXPECT_EQ(away.Wait(), 1);
 }
 
 TEST_F(ClusterTest, AJobOutlivesADatabaseThatStandsStill) {

@@ -62,9 +62,22 @@ TEST_F(CoordinatorProcessesTest, ManyKillsLoseNothing) {
   ExpectTheSame(client_->Watch(id, 0));
 }
 
-TEST_F(CoordinatorProcessesTest, SigtermHandsTheJobOverToTheNextLife) {
+TEST_F(CoordinatorProcessesTest, SigtermLetsARunningJobEnd) {
+  StartCoordinator(state_, {"--drain", "600"});
+  const std::string id = SubmitToStoppedWorkers();
+  client_.reset();  // an idle channel looks for GOAWAY only every 5 s, and the server would wait
+  server_->process.Signal(SIGTERM);
+  ContinueWorkers();
+  EXPECT_EQ(server_->process.Wait(), 0);
   StopWorkers();
   StartCoordinator(state_);
+  EXPECT_EQ(client_->Get(id)->state(), v1::JOB_STATE_SUCCEEDED) << "before any worker was back";
+  ContinueWorkers();
+}
+
+TEST_F(CoordinatorProcessesTest, SigtermHandsTheJobOverToTheNextLife) {
+  StopWorkers();
+  StartCoordinator(state_, {"--drain", "6"});
   const std::string id = Submit();
   const v1::JobEvent last = client_->Watch(id, 0, IsSliced);
   client_.reset();  // an idle channel looks for GOAWAY only every 5 s, and the server would wait
@@ -175,20 +188,19 @@ TEST_F(CoordinatorProcessesTest, PlatesAreMadeOnceAndTheSameAsHere) {
 TEST_F(CoordinatorProcessesTest, SplitStagesGiveTheSameBytes) {
   const ServerProcess beading("slicefarm-beading"), infill("slicefarm-infill");
   const ServerProcess ordering("slicefarm-ordering");
-  server_.emplace(
-      "slicefarm-coordinator",
-      std::vector<std::string>{"--state-dir", state_.path(), "--slicing", slicing_.address,
-                               "--planning", planning_.address, "--motion", motion_.address,
-                               "--beading", beading.address, "--infill", infill.address,
-                               "--ordering", ordering.address});
+  server_.emplace("slicefarm-coordinator",
+                  std::vector<std::string>{
+                      "--state-dir", state_.path(), "--slicing", slicing_.address, "--planning",
+                      planning_.address, "--motion", motion_.address, "--beading", beading.address,
+                      "--infill", infill.address, "--ordering", ordering.address});
   client_.emplace(server_->address);
   ExpectTheSame(client_->Watch(Submit(), 0));
 }
 
 /// Arguments of a coordinator whose services are not there, which is no reason not to serve.
 std::vector<std::string> Alone(const TempDirectory& state) {
-  return {"--state-dir", state.path(),  "--slicing", "127.0.0.1:1", "--planning", "127.0.0.1:1",
-          "--motion",    "127.0.0.1:1", "--workers", "127.0.0.1:1"};
+  return {"--state-dir", state.path(), "--slicing",   "127.0.0.1:1", "--planning",
+          "127.0.0.1:1", "--motion",   "127.0.0.1:1", "--workers",   "127.0.0.1:1"};
 }
 
 TEST(CoordinatorProgram, EndsWellWhileItIsScraped) {
@@ -219,8 +231,8 @@ TEST(CoordinatorProgram, EndsWellWhileItIsScraped) {
 
 TEST(CoordinatorProgram, RefusesFlagsThatDoNotFit) {
   const TempDirectory state;
-  const std::vector<std::string> some = {
-      "--state-dir", state.path(), "--slicing", "a:1", "--planning", "a:1", "--motion", "a:1"};
+  const std::vector<std::string> some = {"--state-dir", state.path(), "--slicing", "a:1",
+                                         "--planning",  "a:1",        "--motion",  "a:1"};
   auto half = some;
   half.insert(half.end(), {"--beading", "a:1"});
   const auto with = [](std::vector<std::string> arguments, const std::vector<std::string>& more) {

@@ -49,17 +49,17 @@ class FarmProcessesTest : public testing::Test {
  protected:
   /// A coordinator with the fused workers, and these arguments more.
   std::vector<std::string> Arguments(std::vector<std::string> more) const {
-    std::vector<std::string> arguments = {"--slicing",  slicing_.address,
-                                          "--planning", planning_.address,
-                                          "--motion",   motion_.address,
-                                          "--workers",  first_.address + "," + second_.address};
+    std::vector<std::string> arguments = {
+        "--slicing", slicing_.address, "--planning", planning_.address,
+        "--motion",  motion_.address,  "--workers",  first_.address + "," + second_.address};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   }
 
-  void StartCoordinator(const TempDirectory& state) {
-    server_.emplace("slicefarm-coordinator",
-                    Arguments({"--state-dir", state.path(), "--metrics-port", "0"}));
+  void StartCoordinator(const TempDirectory& state, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> own = {"--state-dir", state.path(), "--metrics-port", "0"};
+    own.insert(own.end(), more.begin(), more.end());
+    server_.emplace("slicefarm-coordinator", Arguments(std::move(own)));
     client_.emplace(server_->address);
   }
 

@@ -11,8 +11,9 @@
 namespace slicefarm::rpc {
 namespace {
 
-// Streams are left out: what their caller has read of an answer cannot be taken back. So is
-// DeleteJob, of which the second attempt would find no job. CreateJob is safe with a request_id.
+// Streams are left out: what their caller has read of an answer cannot be taken back. So are
+// DeleteJob and DeleteProfile, of which the second attempt would find nothing. CreateJob is safe
+// with a request_id.
 constexpr char kServiceConfig[] = R"({
   "methodConfig": [{
     "name": [
@@ -26,7 +27,9 @@ constexpr char kServiceConfig[] = R"({
       {"service": "slicefarm.v1.Jobs", "method": "ListJobs"},
       {"service": "slicefarm.v1.Jobs", "method": "CancelJob"},
       {"service": "slicefarm.v1.Jobs", "method": "GetWebhook"},
-      {"service": "slicefarm.v1.Profiles"}
+      {"service": "slicefarm.v1.Profiles", "method": "PutProfile"},
+      {"service": "slicefarm.v1.Profiles", "method": "GetProfile"},
+      {"service": "slicefarm.v1.Profiles", "method": "ListProfiles"}
     ],
     "retryPolicy": {
       "maxAttempts": 4,

@@ -3,9 +3,8 @@
 #include <utility>
 
 #include "common/base/error.h"
-#include "common/rpc/server/call_scope.h"
-#include "common/rpc/status_mapping.h"
 #include "common/rpc/observe/trace_metadata.h"
+#include "common/rpc/status_mapping.h"
 
 namespace slicefarm::rpc {
 
@@ -15,7 +14,7 @@ CallGate::CallGate(const CallGateOptions& options, JsonLog log)
 grpc::Status CallGate::Run(const grpc::ServerContext& context, std::string_view method,
                            const std::function<absl::Status(Call&)>& work) {
   const auto start = CallScope::Clock::now();
-  const CallScope scope(context, options_.default_deadline);
+  const CallScope scope(context, options_.default_deadline, options_.longest);
   Call call;
   call.cancel = scope.Token();
   call.trace = TraceOf(context);

@@ -9,17 +9,19 @@
 
 #include "absl/status/status.h"
 #include "common/base/cancel_token.h"
-#include "common/model/layer.h"
 #include "common/base/trace_context.h"
-#include "common/rpc/server/admission.h"
+#include "common/model/layer.h"
 #include "common/rpc/observe/json_log.h"
+#include "common/rpc/server/admission.h"
+#include "common/rpc/server/call_scope.h"
 
 namespace slicefarm::rpc {
 
 struct CallGateOptions {
   int slots = 1;  ///< calls at work at once
   int queue = 8;  ///< calls that wait for their turn; more are refused with OVERLOADED
-  std::chrono::milliseconds default_deadline{300'000};  ///< where the client sent none
+  std::chrono::milliseconds default_deadline{300'000};      ///< where the client sent none
+  std::chrono::milliseconds longest = CallScope::kNoLimit;  ///< whatever the client sent
 };
 
 /// A call as its handler sees it; what the handler learns of it goes to the log.

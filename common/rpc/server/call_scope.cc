@@ -12,11 +12,12 @@ using std::chrono::milliseconds;
 constexpr milliseconds kLookEvery{1};
 
 CallScope::Clock::time_point DeadlineOf(const grpc::ServerContext& context,
-                                        milliseconds default_deadline) {
-  const auto now = CallScope::Clock::now();
-  if (!HasDeadline(context)) return now + default_deadline;
-  return now + std::chrono::duration_cast<milliseconds>(context.deadline() -
-                                                        std::chrono::system_clock::now());
+                                        milliseconds default_deadline, milliseconds longest) {
+  const auto left = HasDeadline(context)
+                        ? std::chrono::duration_cast<milliseconds>(context.deadline() -
+                                                                   std::chrono::system_clock::now())
+                        : default_deadline;
+  return CallScope::Clock::now() + std::min(left, longest);
 }
 
 }  // namespace
@@ -26,8 +27,9 @@ bool HasDeadline(const grpc::ServerContext& context) {
   return context.deadline() - std::chrono::system_clock::now() <= kFar;
 }
 
-CallScope::CallScope(const grpc::ServerContext& context, milliseconds default_deadline)
-    : context_(context), deadline_(DeadlineOf(context, default_deadline)) {}
+CallScope::CallScope(const grpc::ServerContext& context, milliseconds default_deadline,
+                     milliseconds longest)
+    : context_(context), deadline_(DeadlineOf(context, default_deadline, longest)) {}
 
 CancelToken CallScope::Token() const {
   return CancelToken([this] { return Cancelled(); });

@@ -21,8 +21,11 @@ class CallScope {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `default_deadline` holds where the client sent none.
-  CallScope(const grpc::ServerContext& context, std::chrono::milliseconds default_deadline);
+  static constexpr std::chrono::milliseconds kNoLimit = std::chrono::milliseconds::max();
+
+  /// `default_deadline` holds where the client sent none; `longest` also where it sent one.
+  CallScope(const grpc::ServerContext& context, std::chrono::milliseconds default_deadline,
+            std::chrono::milliseconds longest = kNoLimit);
 
   /// Cancelled when the client went away or gave up, the deadline passed, or the server stops.
   /// Cheap to poll: it asks gRPC once in a millisecond. Must not outlive the scope.

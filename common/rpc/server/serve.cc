@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <thread>
 
+#include "common/base/available_cpus.h"
 #include "common/base/build_info.h"
 #include "common/rpc/observe/gate_metrics.h"
 #include "common/rpc/security/certificate_metrics.h"
@@ -32,7 +32,7 @@ void Announce(std::string_view what, const std::string& host, int port) {
 
 int Concurrency(const ServeFlags& flags) {
   if (flags.max_concurrent > 0) return flags.max_concurrent;
-  return std::max(1U, std::thread::hardware_concurrency());
+  return AvailableCpus();
 }
 
 void AddTlsFlags(CLI::App& app, ServeFlags* flags) {

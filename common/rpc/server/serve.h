@@ -26,7 +26,7 @@ namespace slicefarm::rpc {
 struct ServeFlags {
   ServerOptions server;
   int metrics_port = -1;   ///< -1: no metrics are served; 0: any port
-  int max_concurrent = 0;  ///< 0: as many as the machine has cores
+  int max_concurrent = 0;  ///< 0: as many as there are CPUs for it
   int drain_s = 30;
   TlsFiles tls;  ///< all three, or none: no TLS
   ClientCerts client_certs = ClientCerts::kRequired;
@@ -50,6 +50,9 @@ class ServerProgram {
 
   const JsonLog& log() const { return log_; }
   Metrics& metrics() { return metrics_; }
+
+  /// False: there was no signal to end for so long. True: there was, and Run is not to be called.
+  bool EndsWithin(std::chrono::milliseconds time) const { return signal_.WaitFor(time); }
 
   /// The gate for heavy calls that the flags ask for.
   CallGateOptions GateOptions(const ServeFlags& flags) const;

@@ -18,4 +18,11 @@ int ShutdownSignal::Wait() const {
   return signal;
 }
 
+bool ShutdownSignal::WaitFor(std::chrono::milliseconds time) const {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
+  const std::chrono::nanoseconds rest = time - seconds;
+  const timespec limit = {seconds.count(), rest.count()};
+  return sigtimedwait(&signals_, nullptr, &limit) > 0;
+}
+
 }  // namespace slicefarm::rpc

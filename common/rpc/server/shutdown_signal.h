@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <csignal>
 
 namespace slicefarm::rpc {
@@ -12,6 +13,9 @@ class ShutdownSignal {
 
   /// Blocks until one of the signals comes; returns its number.
   int Wait() const;
+
+  /// False: none came for so long.
+  bool WaitFor(std::chrono::milliseconds time) const;
 
  private:
   sigset_t signals_;

@@ -37,7 +37,7 @@ StreamWatch::Clock::time_point StreamWatch::CutWhatIsDue() {
   Clock::time_point next = now + kFar;
   for (Entry& entry : entries_) {
     if (entry.cut) continue;
-    const Clock::time_point due = std::min(entry.deadline, entry.idle_end.load());
+    const Clock::time_point due = std::min(entry.deadline, entry.due.load());
     if (due > now) {
       next = std::min(next, due);
       continue;
@@ -66,15 +66,23 @@ StreamWatch::Guard::~Guard() {
   watch_.entries_.erase(entry_);
 }
 
-void StreamWatch::Guard::Moved() { entry_->idle_end.store(Clock::now() + watch_.times_.idle); }
+void StreamWatch::Guard::Moved(int64_t bytes) {
+  using Seconds = std::chrono::duration<double>;
+  const Seconds earned(static_cast<double>(bytes) /
+                       static_cast<double>(watch_.times_.min_bytes_per_s));
+  const Clock::time_point latest = Clock::now() + watch_.times_.idle;
+  entry_->due.store(
+      std::min(latest, entry_->due.load() + std::chrono::duration_cast<Clock::duration>(earned)));
+}
 
 absl::Status StreamWatch::Guard::Outcome(absl::Status status) const {
   const std::lock_guard lock(watch_.mutex_);
   if (!entry_->cut) return status;
   return MakeError(absl::StatusCode::kDeadlineExceeded, Reason::kDeadlineExceeded,
-                   fmt::format("nothing moved for {} ms, or the call had no deadline and took more "
-                               "than {} ms",
-                               watch_.times_.idle.count(), watch_.times_.default_deadline.count()));
+                   fmt::format("less than {} bytes a second moved for {} ms, or the call had no "
+                               "deadline and took more than {} ms",
+                               watch_.times_.min_bytes_per_s, watch_.times_.idle.count(),
+                               watch_.times_.default_deadline.count()));
 }
 
 }  // namespace slicefarm::rpc

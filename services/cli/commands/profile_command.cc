@@ -71,6 +71,15 @@ ExitCode ListProfiles(const ProfileOptions& options, Interrupt& interrupt) {
   return ExitCode::kOk;
 }
 
+ExitCode DeleteProfile(const ProfileOptions& options, Interrupt& interrupt) {
+  v1::DeleteProfileRequest request;
+  request.set_name(options.name);
+  request.set_revision(options.revision);
+  JobsClient client(ClientOptions(options.server, &interrupt));
+  const absl::Status deleted = client.DeleteProfile(request);
+  return deleted.ok() ? ExitCode::kOk : Fail(deleted);
+}
+
 CLI::App* AddTo(CLI::App& parent, const char* name, const char* about,
                 const std::shared_ptr<ProfileOptions>& options, CommandContext& context,
                 ExitCode (*run)(const ProfileOptions&, Interrupt&)) {
@@ -96,6 +105,13 @@ void AddProfile(CLI::App& app, CommandContext& context) {
       AddTo(*command, "get", "Print a revision as a config.ini", options, context, GetProfile);
   get->add_option("NAME", options->name)->required();
   get->add_option("--revision", options->revision, "Default: the newest")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  CLI::App* remove =
+      AddTo(*command, "delete", "Remove a profile; jobs made with it stay as they are", options,
+            context, DeleteProfile);
+  remove->add_option("NAME", options->name)->required();
+  remove->add_option("--revision", options->revision, "Default: all of them")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
   AddTo(*command, "list", "List the newest revisions", options, context, ListProfiles);

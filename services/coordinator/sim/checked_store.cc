@@ -204,7 +204,8 @@ absl::StatusOr<JobRecord> CheckedStore::Update(const Lease& lease, const JobUpda
       world_.Violated("{} was written in epoch {} by who held it in epoch {}", lease.job_id,
                       before.owner_epoch, lease.epoch);
     }
-    const bool ends = update.state == JobState::kQueued && before.cancel_requested;
+    const bool ends = before.cancel_requested &&
+                      (update.state == JobState::kQueued || update.state == JobState::kSucceeded);
     const JobState state = ends ? JobState::kCancelled : update.state;
     if (!after || after->state != state || after->last_sequence != before.last_sequence + 1) {
       world_.Violated("a write of {} to {} was acknowledged, and is not there", Name(state),
@@ -317,6 +318,9 @@ void CheckedStore::CheckEnd(const JobRecord& job, const Seen& seen) {
   if (cancel_came_first && job.state != JobState::kCancelled) {
     world_.Violated("{} ended as {}, claimed after it was to be cancelled", job.id,
                     Name(job.state));
+  }
+  if (job.cancel_requested && job.state == JobState::kSucceeded) {
+    world_.Violated("{} succeeded, and was to be cancelled", job.id);
   }
   if (job.state == JobState::kSucceeded && seen.claimed_us >= job.deadline_us) {
     world_.Violated("{} succeeded, claimed after its deadline", job.id);

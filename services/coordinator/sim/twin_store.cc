@@ -92,6 +92,18 @@ absl::Status TwinStore::Delete(const std::string& id) {
   return Both("Delete", [&](JobStore& store) { return store.Delete(id); });
 }
 
+absl::StatusOr<std::vector<JobRecord>> TwinStore::FindRequested(
+    const std::string& tenant, const std::vector<std::string>& request_ids,
+    const std::string& spec_digest) {
+  return Both("FindRequested", [&](JobStore& store) {
+    return store.FindRequested(tenant, request_ids, spec_digest);
+  });
+}
+
+absl::StatusOr<JobRecord> TwinStore::GetWithoutSpec(const std::string& id) {
+  return Both("GetWithoutSpec", [&](JobStore& store) { return store.GetWithoutSpec(id); });
+}
+
 absl::StatusOr<std::vector<JobEventRecord>> TwinStore::Events(const std::string& id, int64_t after,
                                                               int32_t limit) {
   return Both("Events", [&](JobStore& store) { return store.Events(id, after, limit); });

@@ -31,7 +31,7 @@ absl::StatusOr<PlacedCaller> Callers::Find(const grpc::ServerContextBase& contex
     const std::string scope(ScopeName(*one_of.begin()));
     return Denied(absl::StrCat("this needs the scope '", scope, "'"), {{"scope", scope}});
   }
-  auto place = places_.Enter(caller->tenant, CancelToken());
+  auto place = places_.Enter(caller->tenant);
   if (!place.ok()) return place.status();
   return PlacedCaller{*std::move(caller), *std::move(place)};
 }

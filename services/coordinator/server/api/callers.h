@@ -15,15 +15,15 @@ namespace slicefarm::coordinator {
 /// The tenants at the moment. None: there is one only, without a name, and each caller is it.
 using TenantsNow = std::function<std::shared_ptr<const Tenants>()>;
 
-/// How many calls may be under way at once: each holds a thread of the server.
+/// How many calls may be under way at once, uploads and downloads among them, shared as
+/// TenantPlaces says: each holds a thread of the server.
 struct CallLimits {
-  int calls = 480;           ///< of a farm without tenants
-  int calls_a_tenant = 160;  ///< uploads and downloads among them
+  int calls = 480;
 };
 
 /// Who calls, and his place among the calls that are under way, given back when this goes.
 struct PlacedCaller : Caller {
-  rpc::Admission::Ticket place;
+  TenantPlaces::Place place;
 };
 
 /// Finds out who calls: the first thing that each method of the public services does. Not gRPC's
@@ -32,9 +32,7 @@ struct PlacedCaller : Caller {
 class Callers {
  public:
   Callers(TenantsNow tenants, const CallLimits& limits, std::function<int64_t()> now_us)
-      : tenants_(std::move(tenants)),
-        now_us_(std::move(now_us)),
-        places_(limits.calls, limits.calls_a_tenant) {}
+      : tenants_(std::move(tenants)), now_us_(std::move(now_us)), places_(limits.calls) {}
 
   /// The caller, by his token, or else by his certificate (with both, they must be of one tenant).
   /// He has at least one of the scopes. Errors: UNAUTHENTICATED; PERMISSION_DENIED, with metadata

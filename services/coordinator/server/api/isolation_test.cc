@@ -221,7 +221,7 @@ class IsolationTest : public ServedCoordinatorTest {
   void Open(ResultSharing sharing = ResultSharing::kOff) {
     CoordinatorOptions options = Options();
     options.sharing = sharing;
-    options.watches.calls_a_tenant = kWatchesATenant;
+    options.watches.calls = 2 * kWatchesATenant;
     options.tenants = [this] {
       const std::lock_guard lock(mutex_);
       return std::make_shared<const Tenants>(tenants_);

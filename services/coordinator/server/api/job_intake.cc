@@ -21,11 +21,6 @@ std::string NewJobId() {
 }
 
 absl::StatusOr<ResolvedJob> JobIntake::Check(const Submission& submission) {
-  if (absl::Status ok = CheckRequestId(submission.request_id); !ok.ok()) return ok;
-  return Resolve(submission);
-}
-
-absl::StatusOr<ResolvedJob> JobIntake::Resolve(const Submission& submission) {
   const auto spec_bytes = static_cast<int64_t>(submission.spec.size());
   if (spec_bytes > limits::kMaxSpecBytes) {
     return LimitError(Reason::kRequestTooLarge, "bytes of a spec", limits::kMaxSpecBytes,
@@ -46,10 +41,9 @@ absl::StatusOr<ResolvedJob> JobIntake::Resolve(const Submission& submission) {
 }
 
 absl::StatusOr<NewJob> JobIntake::NewJobOf(Submission submission) {
-  if (absl::Status ok = CheckRequestId(submission.request_id); !ok.ok()) return ok;
   NewJob job;
   job.refusal = disk_.CheckRoom();
-  const auto resolved = Resolve(submission);
+  const auto resolved = Check(submission);
   job.refusal.Update(resolved.status());
   // A call that is made again gets its job, though there is no room any more, or no mesh.
   if (!job.refusal.ok() && submission.request_id.empty()) return job.refusal;
@@ -92,23 +86,6 @@ absl::StatusOr<std::vector<Created>> JobIntake::CreateAll(std::vector<Submission
   if (!jobs.empty())
     full_queues_.Note(jobs.front().tenant, created.status(), jobs.front().max_open);
   return created;
-}
-
-absl::StatusOr<std::vector<JobRecord>> JobIntake::FindAll(
-    const std::string& tenant, const std::string& spec_digest,
-    const std::function<std::string(size_t)>& request_id) {
-  std::vector<JobRecord> found;
-  NewJob asked;
-  asked.tenant = tenant;
-  asked.spec_digest = spec_digest;
-  asked.refusal = absl::NotFoundError("nobody used this request_id");
-  while (true) {
-    asked.request_id = request_id(found.size());
-    auto earlier = jobs_.Create(asked, now_us_());
-    if (earlier.status() == asked.refusal) return found;
-    if (!earlier.ok()) return earlier.status();
-    found.push_back(std::move(earlier->job));
-  }
 }
 
 absl::Status JobIntake::CheckMeshes(const std::string& tenant, const ResolvedJob& job) {

@@ -4,11 +4,11 @@
 #include <map>
 #include <string>
 
-#include "common/model/limits.h"
 #include "common/base/trace_context.h"
-#include "services/coordinator/server/execution/disk_guard.h"
+#include "common/model/limits.h"
 #include "services/coordinator/server/api/full_queues.h"
 #include "services/coordinator/server/api/job_request.h"
+#include "services/coordinator/server/execution/disk_guard.h"
 #include "services/coordinator/server/execution/job_results.h"
 #include "services/coordinator/store/blobs/blob_stores.h"
 #include "services/coordinator/store/jobs/job_store.h"
@@ -18,7 +18,7 @@ namespace slicefarm::coordinator {
 struct Submission {
   std::string tenant = {};
   int64_t max_open_jobs = limits::kMaxOpenJobs;  ///< of the tenant
-  std::string request_id;
+  std::string request_id;                        ///< was checked
   std::string spec_digest;  ///< of the request as it came: equal for equal requests
   std::string spec;         ///< the request as it will be kept
   JobRequest request;
@@ -52,11 +52,13 @@ class JobIntake {
   /// Makes all jobs or none. Errors: the first one of Create's.
   absl::StatusOr<std::vector<Created>> CreateAll(std::vector<Submission> submissions);
 
-  /// The jobs that an earlier call with these request ids made: `request_id(0)`, `request_id(1)`,
-  /// ..., up to the first one that nobody used. Errors: REQUEST_ID_REUSED.
-  absl::StatusOr<std::vector<JobRecord>> FindAll(
-      const std::string& tenant, const std::string& spec_digest,
-      const std::function<std::string(size_t)>& request_id);
+  /// Those of the jobs that an earlier call with these request ids made and that were not deleted.
+  /// Errors: REQUEST_ID_REUSED.
+  absl::StatusOr<std::vector<JobRecord>> FindAll(const std::string& tenant,
+                                                 const std::vector<std::string>& request_ids,
+                                                 const std::string& spec_digest) {
+    return jobs_.FindRequested(tenant, request_ids, spec_digest);
+  }
 
   /// All of that but the keeping: the job that would be made, without an id.
   absl::StatusOr<ResolvedJob> Check(const Submission& submission);
@@ -66,7 +68,6 @@ class JobIntake {
 
  private:
   absl::StatusOr<NewJob> NewJobOf(Submission submission);
-  absl::StatusOr<ResolvedJob> Resolve(const Submission& submission);
   absl::Status CheckMeshes(const std::string& tenant, const ResolvedJob& job);
 
   JobStore& jobs_;

@@ -2,23 +2,12 @@
 
 #include <utility>
 
-#include "common/base/error.h"
 #include "common/rpc/status_mapping.h"
 #include "common/wire/support/wire_error.h"
 #include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/store/jobs/job_steps.h"
 
 namespace slicefarm::coordinator {
-namespace {
-
-constexpr int32_t kReadEvents = 100;
-
-absl::Status Stopping() {
-  return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
-                   "the coordinator stops; watch again from the last sequence",
-                   {{rpc::kRetryAfterMs, "1000"}});
-}
-
-}  // namespace
 
 JobWatch::JobWatch(const JobWatches& watches) : watches_(watches) {
   context_.AsyncNotifyWhenDone(&left_tag_);
@@ -37,22 +26,27 @@ void JobWatch::Begin(bool ok) {
   }
   read_to_ = request_.after_sequence();
   ticket_ = watches_.feed.Listen(request_.id(), [this] { Wake(); });
-  // A client cannot tell a quiet job from a server that is gone: this says that the watch stands.
-  context_.AddInitialMetadata("slicefarm-watch", "open");
-  busy_ = true;
-  ++tags_;
-  writer_.SendInitialMetadata(&sent_tag_);
+  Advance();
   Release();
 }
 
 absl::Status JobWatch::Enter() {
-  if (watches_.feed.closed()) return Stopping();
+  if (watches_.feed.closed()) return CoordinatorStops();
   const auto read =
       grpc::SerializationTraits<v1::WatchJobRequest>::Deserialize(&request_bytes_, &request_);
   if (!read.ok()) return Malformed("request", "cannot be read");
-  auto place = watches_.admit(context_, request_);
-  if (place.ok()) place_.emplace(*std::move(place));
-  return place.status();
+  auto watcher = watches_.admit(context_);
+  if (watcher.ok()) watcher_.emplace(*std::move(watcher));
+  return watcher.status();
+}
+
+/// A client cannot tell a quiet job from a server that is gone: this says that the watch stands.
+void JobWatch::Opened() {
+  opened_ = true;
+  context_.AddInitialMetadata("slicefarm-watch", "open");
+  busy_ = true;
+  ++tags_;
+  writer_.SendInitialMetadata(&sent_tag_);
 }
 
 /// The feed has something new. On any thread.
@@ -64,6 +58,7 @@ void JobWatch::Wake() {
 
 void JobWatch::Woken() {
   waking_ = false;
+  wants_more_ = true;
   Advance();
   Release();
 }
@@ -77,36 +72,61 @@ void JobWatch::Sent(bool ok) {
 /// The client has all it is to get, or wants no more.
 void JobWatch::Left() {
   left_ = true;
-  place_.reset();
+  watcher_.reset();
   watches_.feed.Forget(ticket_);
   Release();
 }
 
-/// Sends the next event, ends the call, or waits for the feed.
+/// Sends the next event, ends the call, asks the store, or waits for the feed.
 void JobWatch::Advance() {
-  if (busy_ || left_) return;
+  if (busy_ || left_ || reading_) return;
   // Before the store is asked, which may be why the coordinator stops.
-  if (events_.empty() && !terminal_ && watches_.feed.closed()) return End(Stopping());
-  if (events_.empty() && !terminal_) {
-    if (const absl::Status read = Read(); !read.ok()) return End(read);
-  }
-  if (!events_.empty()) return Send();
-  if (terminal_) End(absl::OkStatus());
+  if (!steps_ && !terminal_ && watches_.feed.closed()) return End(CoordinatorStops());
+  if (steps_) return Send();
+  if (terminal_) return End(absl::OkStatus());
+  if (wants_more_) Read();
 }
 
-/// Fetches events from the store, and whether they are the last.
-absl::Status JobWatch::Read() {
-  const auto events = watches_.jobs.Events(request_.id(), read_to_, kReadEvents);
-  if (!events.ok()) return events.status();
-  auto job = watches_.jobs.Get(request_.id());
-  if (!job.ok()) return job.status();
-  events_.assign(events->begin(), events->end());
-  if (!events_.empty()) read_to_ = events_.back().sequence;
-  // The job may have gone on between the two reads: its end is reached with its last event. A
-  // watcher that starts after that has nothing to wait for.
-  terminal_ = IsTerminal(job->state) && read_to_ >= job->last_sequence;
-  job->spec.clear();  // events do without
-  if (!events_.empty()) job_ = *std::move(job);
+void JobWatch::Read() {
+  wants_more_ = false;  // what comes from now on wakes
+  reading_ = true;
+  ++tags_;
+  watches_.reads.Read(watcher_->caller.tenant, request_.id(), read_to_,
+                      [this](WatchReads::Result found) { Found(std::move(found)); });
+}
+
+/// The store has answered. On any thread.
+void JobWatch::Found(WatchReads::Result found) {
+  found_ = std::move(found);
+  found_alarm_.Set(&watches_.queue, gpr_now(GPR_CLOCK_MONOTONIC), &found_tag_);
+}
+
+void JobWatch::Take() {
+  reading_ = false;
+  if (!left_) {
+    if (const absl::Status seen = Check(); !seen.ok()) {
+      End(seen);
+    } else {
+      if (!opened_) Opened();
+      Advance();
+    }
+  }
+  Release();
+}
+
+/// Takes what was found, if the caller may know of it.
+absl::Status JobWatch::Check() {
+  if (!found_.ok()) return found_.status();
+  const std::shared_ptr<const JobSteps> found = *std::exchange(found_, nullptr);
+  const Caller& caller = watcher_->caller;
+  if (found->job.tenant != caller.tenant && !caller.may(Scope::kAdmin))
+    return JobNotFound(request_.id());
+  // A watcher that starts after the end has nothing to wait for.
+  if (!found->events.empty()) read_to_ = found->events.back().sequence;
+  terminal_ = found->EndsAt(read_to_);
+  if (std::ssize(found->events) == WatchReads::kEventsAtOnce) wants_more_ = true;
+  if (!found->events.empty()) steps_ = found;
+  sent_ = 0;
   return absl::OkStatus();
 }
 
@@ -114,10 +134,9 @@ void JobWatch::Send() {
   grpc::ByteBuffer bytes;
   bool own = false;
   const grpc::Status written = grpc::SerializationTraits<v1::JobEvent>::Serialize(
-      ToProto(events_.front(), *job_), &bytes, &own);
+      ToProto(steps_->events[sent_], steps_->job), &bytes, &own);
   if (!written.ok()) return End(absl::InternalError(written.error_message()));
-  events_.pop_front();
-  if (events_.empty()) job_.reset();
+  if (++sent_ == steps_->events.size()) steps_.reset();
   busy_ = true;
   ++tags_;
   writer_.Write(bytes, &sent_tag_);
@@ -125,7 +144,7 @@ void JobWatch::Send() {
 
 void JobWatch::End(const absl::Status& status) {
   busy_ = true;  // for good
-  place_.reset();
+  watcher_.reset();
   ++tags_;
   writer_.Finish(rpc::ToGrpc(status), &ended_tag_);
 }

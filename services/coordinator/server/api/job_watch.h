@@ -5,15 +5,16 @@
 
 #include <atomic>
 #include <cstdint>
-#include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "absl/status/statusor.h"
-#include "common/rpc/server/admission.h"
 #include "common/rpc/server/call_queue.h"
+#include "services/coordinator/server/api/callers.h"
+#include "services/coordinator/server/api/tenant_places.h"
+#include "services/coordinator/server/api/watch_reads.h"
 #include "services/coordinator/server/execution/job_feed.h"
-#include "services/coordinator/store/jobs/job_store.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::coordinator {
@@ -21,8 +22,13 @@ namespace slicefarm::coordinator {
 /// How many watches there may be at once: each takes some memory, and threads only when something
 /// happens.
 struct WatchOptions {
-  int calls = 10'000;  ///< where there is one tenant only
-  int calls_a_tenant = 5'000;
+  int calls = 10'000;  ///< shared as TenantPlaces says
+};
+
+/// Who watches, and his place among those who do.
+struct Watcher {
+  Caller caller;
+  TenantPlaces::Place place;
 };
 
 /// What watches need; everything outlives them.
@@ -32,17 +38,16 @@ struct JobWatches {
 
   Service& service;
   grpc::ServerCompletionQueue& queue;
-  JobStore& jobs;
+  WatchReads& reads;
   JobFeed& feed;
-  /// A place, if the caller may know of the job.
-  std::function<absl::StatusOr<rpc::Admission::Ticket>(const grpc::ServerContext& context,
-                                                       const v1::WatchJobRequest& request)>
-      admit;
+  /// Finds out who calls, and whether there is a place for him.
+  std::function<absl::StatusOr<Watcher>(const grpc::ServerContext& context)> admit;
 };
 
 /// One WatchJob call: sends the job's events from the store, then those that the feed announces,
 /// and ends after the terminal one. Holds no thread while nothing happens, so that a thousand may
-/// watch. All but Wake happens on the queue's thread. Deletes itself.
+/// watch. All but Wake and Found happens on the queue's thread, where nothing is waited for.
+/// Deletes itself.
 class JobWatch {
  public:
   /// Waits for the next call; when it comes, another one waits for the one after.
@@ -53,13 +58,17 @@ class JobWatch {
 
   void Begin(bool ok);
   absl::Status Enter();
+  void Opened();
   void Sent(bool ok);
   void Woken();
   void Left();
 
   void Wake();
   void Advance();
-  absl::Status Read();
+  void Read();
+  void Found(WatchReads::Result found);
+  void Take();
+  absl::Status Check();
   void Send();
   void End(const absl::Status& status);
   void Release();
@@ -69,24 +78,30 @@ class JobWatch {
   grpc::ByteBuffer request_bytes_;
   v1::WatchJobRequest request_;
   grpc::ServerAsyncWriter<grpc::ByteBuffer> writer_{&context_};
-  std::optional<rpc::Admission::Ticket> place_;
+  std::optional<Watcher> watcher_;
 
   rpc::QueueTag begun_tag_ = [this](bool ok) { Begin(ok); };
   rpc::QueueTag sent_tag_ = [this](bool ok) { Sent(ok); };
   rpc::QueueTag woken_tag_ = [this](bool) { Woken(); };
+  rpc::QueueTag found_tag_ = [this](bool) { Take(); };
   rpc::QueueTag ended_tag_ = [this](bool) { Release(); };
   rpc::QueueTag left_tag_ = [this](bool) { Left(); };
   std::atomic<int> tags_ = 1;         ///< that the queue has still to call
   std::atomic<bool> waking_ = false;  ///< woken_tag_ is one of them
   grpc::Alarm alarm_;                 ///< by which the feed gets onto the queue's thread
+  grpc::Alarm found_alarm_;           ///< by which what was read does
 
-  int64_t ticket_ = 0;                 ///< of the feed
-  int64_t read_to_ = 0;                ///< sequence of the last event that was read
-  bool terminal_ = false;              ///< that event was the job's last
-  bool busy_ = false;                  ///< something is being sent
-  bool left_ = false;                  ///< the call is over
-  std::optional<JobRecord> job_;       ///< of which the events are
-  std::deque<JobEventRecord> events_;  ///< to be sent; as messages they would be larger by far
+  int64_t ticket_ = 0;      ///< of the feed
+  int64_t read_to_ = 0;     ///< sequence of the last event that was read
+  bool opened_ = false;     ///< the client knows that the watch stands
+  bool terminal_ = false;   ///< the event at read_to_ was the job's last
+  bool wants_more_ = true;  ///< there may be events that were not there at the last read
+  bool reading_ = false;    ///< a read is under way
+  bool busy_ = false;       ///< something is being sent
+  bool left_ = false;       ///< the call is over
+  WatchReads::Result found_ = nullptr;     ///< by the last read, shared by all who watch the job
+  std::shared_ptr<const JobSteps> steps_;  ///< those that are being sent
+  size_t sent_ = 0;                        ///< of these
 };
 
 }  // namespace slicefarm::coordinator

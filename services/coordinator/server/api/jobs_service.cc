@@ -26,9 +26,6 @@ namespace {
 
 constexpr size_t kDownloadChunkBytes = 64 << 10;
 
-/// As stores keep blobs in pieces: each is fetched once.
-constexpr int64_t kDownloadPieceBytes = 1 << 20;
-
 /// Of a batch's answer, whose jobs come without their settings: less than gRPC takes in a message.
 constexpr int64_t kMaxEchoedBytes = 2 << 20;
 
@@ -60,9 +57,18 @@ absl::Status CheckPlates(const v1::CreatePlatesRequest& request) {
   return absl::OkStatus();
 }
 
-/// Of a plate, from 0; empty: the call is not idempotent.
+/// Of a plate, from 0; empty: the call is not idempotent. None that a client gives has control
+/// characters.
 std::string PlateRequestId(const std::string& request_id, size_t plate) {
-  return request_id.empty() ? "" : fmt::format("{}#{}", request_id, plate + 1);
+  return request_id.empty() ? "" : fmt::format("{}\x1f{}", request_id, plate + 1);
+}
+
+/// Of all plates that the call may have made.
+std::vector<std::string> PlateRequestIds(const std::string& request_id) {
+  std::vector<std::string> ids;
+  for (size_t plate = 0; plate < limits::kMaxBatchJobs; ++plate)
+    ids.push_back(PlateRequestId(request_id, plate));
+  return ids;
 }
 
 absl::StatusOr<std::vector<v1::Job>> ToProtos(const absl::StatusOr<std::vector<JobRecord>>& jobs) {
@@ -110,7 +116,7 @@ bool SendPiece(std::string_view piece, const Transfers::Moved& moved,
   for (size_t at = 0; at < piece.size(); at += kDownloadChunkBytes) {
     response.set_data(std::string(piece.substr(at, kDownloadChunkBytes)));
     if (!stream.Write(response)) return false;
-    moved();
+    moved(std::ssize(response.data()));
   }
   return true;
 }
@@ -151,9 +157,7 @@ grpc::Status JobsService::CreateJob(grpc::ServerContext* context,
   const auto caller = backend_.callers.Find(*context, {Scope::kSubmit});
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
   if (request->validate_only()) {
-    const auto place = preflights_of_tenants_.Enter(caller->tenant, {});
-    if (!place.ok()) return rpc::ToGrpc(place.status());
-    return preflights_.Run(*context, "CreateJob", [&](const rpc::Call& call) {
+    return Preflight(*context, *caller, "CreateJob", [&](const rpc::Call& call) {
       const auto submission = Read(*caller, *request);
       if (!submission.ok()) return submission.status();
       auto job = Validate(*submission, *request, call);
@@ -202,9 +206,7 @@ grpc::Status JobsService::CreatePlates(grpc::ServerContext* context,
                                        v1::CreatePlatesResponse* response) {
   const auto caller = backend_.callers.Find(*context, {Scope::kSubmit});
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
-  const auto place = preflights_of_tenants_.Enter(caller->tenant, {});
-  if (!place.ok()) return rpc::ToGrpc(place.status());
-  return preflights_.Run(*context, "CreatePlates", [&](const rpc::Call& call) {
+  return Preflight(*context, *caller, "CreatePlates", [&](const rpc::Call& call) {
     auto jobs = MakePlates(*caller, *request, call);
     if (!jobs.ok()) return jobs.status();
     for (v1::Job& job : *jobs) {
@@ -216,14 +218,26 @@ grpc::Status JobsService::CreatePlates(grpc::ServerContext* context,
   });
 }
 
+/// Does what takes as long as slicing does, when it is the tenant's turn.
+grpc::Status JobsService::Preflight(
+    const grpc::ServerContext& context, const Caller& caller, std::string_view method,
+    const std::function<absl::Status(const rpc::Call& call)>& work) {
+  const auto place = preflights_of_tenants_.Enter(caller.tenant);
+  if (!place.ok()) return rpc::ToGrpc(place.status());
+  return preflights_.Run(context, method, [&](const rpc::Call& call) {
+    const auto turn = preflight_turns_.Enter(caller.tenant, call.cancel);
+    return turn.ok() ? work(call) : turn.status();
+  });
+}
+
 absl::StatusOr<std::vector<v1::Job>> JobsService::MakePlates(const Caller& caller,
                                                              const v1::CreatePlatesRequest& request,
                                                              const rpc::Call& call) {
   if (absl::Status ok = CheckPlates(request); !ok.ok()) return ok;
   const std::string digest = SpecDigest(request);
-  const auto request_id = [&](size_t plate) { return PlateRequestId(request.request_id(), plate); };
   if (!request.validate_only() && !request.request_id().empty()) {
-    const auto earlier = backend_.intake.FindAll(caller.tenant, digest, request_id);
+    const auto earlier =
+        backend_.intake.FindAll(caller.tenant, PlateRequestIds(request.request_id()), digest);
     if (!earlier.ok() || !earlier->empty()) return ToProtos(earlier);
   }
   std::vector<v1::Job> checked;
@@ -233,7 +247,7 @@ absl::StatusOr<std::vector<v1::Job>> JobsService::MakePlates(const Caller& calle
         ReadPlates(caller, request.requests(i), {std::ssize(plates), limits::kMaxBatchJobs}, call);
     if (!beds.ok()) return Within("requests", i, beds.status());
     for (Submission& plate : *beds) {
-      plate.request_id = request_id(plates.size());
+      plate.request_id = PlateRequestId(request.request_id(), plates.size());
       plate.spec_digest = digest;
       plates.push_back(std::move(plate));
       if (!request.validate_only()) continue;
@@ -297,6 +311,7 @@ absl::StatusOr<JobRecord> JobsService::Create(const Caller& caller,
 
 absl::StatusOr<Submission> JobsService::Read(const Caller& caller,
                                              const v1::CreateJobRequest& request) {
+  if (absl::Status ok = CheckRequestId(request.request_id()); !ok.ok()) return ok;
   const auto spec = WithProfiles(request.spec(), caller.tenant, backend_.profiles);
   if (!spec.ok()) return spec.status();
   auto job = FromProto(*spec);
@@ -373,7 +388,7 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJ
   query->tenant = caller->tenant;
   query->all_tenants = caller->may(Scope::kAdmin);
   // The store's connections are for all, and a list may hold one for long.
-  const auto place = lists_of_tenants_.Enter(caller->tenant, {});
+  const auto place = lists_of_tenants_.Enter(caller->tenant);
   if (!place.ok()) return rpc::ToGrpc(place.status());
   const auto jobs = backend_.jobs.List(*query);
   if (jobs.ok()) *response = ToProto(*jobs, *query);
@@ -381,20 +396,17 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJ
 }
 
 void JobsService::ServeFrom(grpc::ServerCompletionQueue& queue) {
-  const auto admit = [this](const auto& context, const auto& request) {
-    return AdmitWatch(context, request);
-  };
-  watches_.emplace(JobWatches{*this, queue, backend_.jobs, backend_.feed, admit});
+  const auto admit = [this](const auto& context) { return AdmitWatch(context); };
+  watches_.emplace(JobWatches{*this, queue, watch_reads_, backend_.feed, admit});
   JobWatch::Await(*watches_);
 }
 
-absl::StatusOr<rpc::Admission::Ticket> JobsService::AdmitWatch(const grpc::ServerContext& context,
-                                                               const v1::WatchJobRequest& request) {
-  const auto caller = backend_.callers.Find(context, {Scope::kRead, Scope::kAdmin});
+absl::StatusOr<Watcher> JobsService::AdmitWatch(const grpc::ServerContext& context) {
+  auto caller = backend_.callers.Find(context, {Scope::kRead, Scope::kAdmin});
   if (!caller.ok()) return caller.status();
-  const auto job = Find(*caller, request.id(), Of::kAllForAdmins);
-  if (!job.ok()) return job.status();
-  return watches_of_tenants_.Enter(caller->tenant, {});
+  auto place = watches_of_tenants_.Enter(caller->tenant);
+  if (!place.ok()) return place.status();
+  return Watcher{*caller, *std::move(place)};
 }
 
 grpc::Status JobsService::CancelJob(grpc::ServerContext* context,
@@ -474,7 +486,7 @@ absl::Status JobsService::Send(const Caller& caller, const v1::DownloadRequest& 
   const auto reader = OpenArtifact(caller, request);
   if (!reader.ok()) return reader.status();
   for (int64_t at = request.offset(); at < (*reader)->size();) {
-    const auto piece = (*reader)->Read(at, kDownloadPieceBytes - at % kDownloadPieceBytes);
+    const auto piece = (*reader)->Read(at, kBlobPieceBytes - at % kBlobPieceBytes);
     if (!piece.ok()) return piece.status();
     at += std::ssize(*piece);
     if (!SendPiece(*piece, moved, stream)) break;

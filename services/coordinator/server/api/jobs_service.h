@@ -1,7 +1,9 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <optional>
+#include <string_view>
 
 #include "common/rpc/observe/json_log.h"
 #include "common/rpc/server/call_gate.h"
@@ -12,7 +14,9 @@
 #include "services/coordinator/server/api/job_intake.h"
 #include "services/coordinator/server/api/job_watch.h"
 #include "services/coordinator/server/api/plate_submissions.h"
+#include "services/coordinator/server/api/tenant_turns.h"
 #include "services/coordinator/server/api/transfers.h"
+#include "services/coordinator/server/api/watch_reads.h"
 #include "services/coordinator/server/execution/byte_budget.h"
 #include "services/coordinator/server/execution/job_feed.h"
 #include "services/coordinator/server/execution/job_runner.h"
@@ -50,10 +54,12 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   JobsService(JobsBackend backend, const TransferOptions& transfers, const WatchOptions& watches)
       : backend_(std::move(backend)),
         downloads_(transfers),
-        preflights_({.slots = 2, .queue = 16}, backend_.log),
-        preflights_of_tenants_(/*all=*/18, /*of_each=*/6),
-        lists_of_tenants_(/*all=*/32, /*of_each=*/4),
-        watches_of_tenants_(watches.calls, watches.calls_a_tenant) {}
+        preflights_({.slots = kPreflightCalls, .longest = kLongestPreflight}, backend_.log),
+        preflights_of_tenants_(kPreflightCalls),
+        preflight_turns_(kPreflightSlots),
+        lists_of_tenants_(kLists),
+        watches_of_tenants_(watches.calls),
+        watch_reads_(backend_.jobs, kWatchReaders) {}
 
   grpc::Status CreateJob(grpc::ServerContext* context, const v1::CreateJobRequest* request,
                          v1::Job* response) override;
@@ -76,7 +82,17 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
                         grpc::ServerWriter<v1::DownloadResponse>* stream) override;
   void ServeFrom(grpc::ServerCompletionQueue& queue) override;  // WatchJob
 
+  /// Nothing is read for watches any more, which the feed has told to end. Before the server stops.
+  void EndWatches() { watch_reads_.Stop(); }
+
  private:
+  static constexpr int kPreflightCalls = 24;  ///< at work and waiting
+  static constexpr int kPreflightSlots = 4;
+  /// What takes longer is a job's work, not that of a call.
+  static constexpr std::chrono::minutes kLongestPreflight{10};
+  static constexpr int kLists = 32;
+  static constexpr int kWatchReaders = 2;  ///< of the store's connections, which are 8 at most
+
   enum class Of { kTenant, kAllForAdmins };
   absl::StatusOr<JobRecord> Find(const Caller& caller, const std::string& id, Of of);
   absl::StatusOr<JobRecord> Find(const grpc::ServerContextBase& context, const Scopes& one_of,
@@ -84,8 +100,10 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   absl::StatusOr<Submission> Read(const Caller& caller, const v1::CreateJobRequest& request);
   absl::StatusOr<JobRecord> Create(const Caller& caller, const v1::CreateJobRequest& request,
                                    const TraceContext& trace);
-  absl::StatusOr<rpc::Admission::Ticket> AdmitWatch(const grpc::ServerContext& context,
-                                                    const v1::WatchJobRequest& request);
+  grpc::Status Preflight(const grpc::ServerContext& context, const Caller& caller,
+                         std::string_view method,
+                         const std::function<absl::Status(const rpc::Call& call)>& work);
+  absl::StatusOr<Watcher> AdmitWatch(const grpc::ServerContext& context);
   absl::StatusOr<v1::Job> Validate(const Submission& submission,
                                    const v1::CreateJobRequest& request, const rpc::Call& call);
   absl::StatusOr<std::vector<v1::Job>> MakePlates(const Caller& caller,
@@ -109,8 +127,10 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   Transfers downloads_;
   rpc::CallGate preflights_;  ///< which take as long as slicing does
   TenantPlaces preflights_of_tenants_;
+  TenantTurns preflight_turns_;
   TenantPlaces lists_of_tenants_;
   TenantPlaces watches_of_tenants_;
+  WatchReads watch_reads_;
   std::optional<JobWatches> watches_;
 };
 

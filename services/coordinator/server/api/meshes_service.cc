@@ -1,11 +1,15 @@
 #include "services/coordinator/server/api/meshes_service.h"
 
+#include <string>
+#include <string_view>
+
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 #include "common/model/limits.h"
 #include "common/rpc/status_mapping.h"
 #include "common/wire/support/wire_error.h"
 #include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/api/upload_pieces.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -35,24 +39,29 @@ absl::Status CheckChunk(const std::string& data, int64_t offset, int64_t size) {
 
 using Reader = grpc::ServerReader<v1::UploadMeshRequest>;
 
-/// Keeps chunk after chunk; a call that breaks leaves what it brought. REQUIRES: CheckFirst.
+/// Keeps what comes; a call that breaks leaves what it brought. REQUIRES: CheckFirst.
 absl::StatusOr<BlobStatus> Receive(BlobStore& blobs, const DiskGuard& disk, Reader& stream,
-                                   const Transfers::Moved& moved, v1::UploadMeshRequest& first) {
-  const std::string digest = first.sha256();
+                                   const Transfers::Moved& moved,
+                                   const v1::UploadMeshRequest& first) {
+  const std::string& digest = first.sha256();
   const int64_t size = first.size();
-  int64_t offset = first.write_offset();
+  UploadPieces pieces(first.write_offset(),
+                      [&](int64_t offset, std::string_view bytes) -> absl::StatusOr<BlobStatus> {
+                        // Each time, as others write as well.
+                        absl::Status room = disk.CheckRoom(size - offset);
+                        if (!room.ok()) return room;
+                        return blobs.Append(digest, offset, bytes);
+                      });
   v1::UploadMeshRequest chunk = first;
   do {
-    if (!chunk.data().empty()) moved();
-    if (absl::Status ok = CheckChunk(chunk.data(), offset, size); !ok.ok()) return ok;
-    // Each time, as others write as well.
-    if (absl::Status room = disk.CheckRoom(size - offset); !room.ok()) return room;
-    const auto status = blobs.Append(digest, offset, chunk.data());
-    if (!status.ok()) return status;
-    if (status->complete) return blobs.Keep(digest);  // until its job is made
-    offset += static_cast<int64_t>(chunk.data().size());
+    moved(std::ssize(chunk.data()));
+    absl::Status added = CheckChunk(chunk.data(), pieces.offset(), size);
+    if (added.ok()) added = pieces.Add(chunk.data());
+    if (!added.ok()) return added;
+    if (pieces.status().complete) return blobs.Keep(digest);  // until its job is made
   } while (stream.Read(&chunk));
-  if (offset < size) return blobs.Status(digest);
+  if (absl::Status kept = pieces.KeepRest(); !kept.ok()) return kept;
+  if (pieces.offset() < size) return blobs.Status(digest);
   return blobs.Finish(digest, size);
 }
 

@@ -103,6 +103,28 @@ TEST_F(PlatesTest, ARepeatedCallReturnsTheFirstOnesJobs) {
   EXPECT_NE(Ids(*CreatePlates(PlatesFor("xxx", 3))), Ids(*first));
 }
 
+TEST_F(PlatesTest, APlateThatWasDeletedHidesNoOther) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  const auto first = CreatePlates(PlatesFor("xxx", 3, "an id"));
+  ASSERT_TRUE(first.ok()) << first.status();
+  AwaitEnd(first->at(1).id());
+  ASSERT_TRUE(Delete(first->at(1).id()).ok());
+  const auto second = CreatePlates(PlatesFor("xxx", 3, "an id"));
+  ASSERT_TRUE(second.ok()) << second.status();
+  EXPECT_THAT(Ids(*second), testing::ElementsAre(first->at(0).id(), first->at(2).id()));
+}
+
+TEST_F(PlatesTest, NoRequestIdOfAClientIsThatOfAPlate) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  v1::CreateJobRequest own = RequestFor("xxx");
+  own.set_request_id("an id#1");
+  ASSERT_TRUE(Create(own).ok());
+  EXPECT_THAT(*CreatePlates(PlatesFor("xxx", 2, "an id")), SizeIs(2));
+  // As long as request ids may be: with a plate's number it is longer.
+  const std::string long_id(limits::kMaxNameBytes, 'r');
+  EXPECT_THAT(*CreatePlates(PlatesFor("xxx", 2, long_id)), SizeIs(2));
+}
+
 TEST_F(PlatesTest, WhatIsWrongWithOneLeavesNone) {
   ASSERT_TRUE(Upload("xxx").ok());
   ASSERT_TRUE(Upload("x!").ok());

@@ -37,6 +37,10 @@ class AnyProfile : public ProfileStore {
                                                   int32_t) override {
     return absl::UnimplementedError("");
   }
+  absl::Status Delete(const std::string&, const std::string&, int64_t, int64_t) override {
+    return absl::UnimplementedError("");
+  }
+  absl::StatusOr<int64_t> Expire(int64_t) override { return absl::UnimplementedError(""); }
 };
 
 TEST(WithProfiles, AJobHasAtMostSoMany) {

@@ -75,6 +75,16 @@ grpc::Status ProfilesService::ListProfiles(grpc::ServerContext* context,
   return rpc::ToGrpc(List(caller->tenant, *request, response));
 }
 
+grpc::Status ProfilesService::DeleteProfile(grpc::ServerContext* context,
+                                            const v1::DeleteProfileRequest* request,
+                                            google::protobuf::Empty*) {
+  const auto caller = callers_.Find(*context, {Scope::kSubmit});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  if (request->revision() < 0) return rpc::ToGrpc(Malformed("revision", "is negative"));
+  return rpc::ToGrpc(
+      profiles_.Delete(caller->tenant, request->name(), request->revision(), now_us_()));
+}
+
 absl::Status ProfilesService::List(const std::string& tenant,
                                    const v1::ListProfilesRequest& request,
                                    v1::ListProfilesResponse* response) {

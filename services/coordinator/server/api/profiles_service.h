@@ -23,6 +23,8 @@ class ProfilesService final : public v1::Profiles::Service {
                           v1::Profile* response) override;
   grpc::Status ListProfiles(grpc::ServerContext* context, const v1::ListProfilesRequest* request,
                             v1::ListProfilesResponse* response) override;
+  grpc::Status DeleteProfile(grpc::ServerContext* context, const v1::DeleteProfileRequest* request,
+                             google::protobuf::Empty* response) override;
 
  private:
   absl::Status Put(const std::string& tenant, const v1::PutProfileRequest& request,

@@ -3,36 +3,47 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "absl/status/statusor.h"
-#include "common/base/cancel_token.h"
-#include "common/rpc/server/admission.h"
 
 namespace slicefarm::coordinator {
 
-/// How many of the places that calls share one tenant may have, so that there are some for the
-/// others. None waits here. Thread-safe; must outlive its tickets.
+/// Places that calls share, of which a tenant has at most as many as are free: one tenant can take
+/// half of them, two a third each, and however many take what they can get, one place is left for
+/// who comes with none (the dynamic thresholds of A. Choudhury and E. Hahne, 1998). None waits
+/// here. Thread-safe; must outlive its places.
 class TenantPlaces {
  public:
-  /// `all`: of the tenant "", which a farm without tenants has.
-  TenantPlaces(int all, int of_each) : all_(all), of_each_(of_each) {}
+  /// Gives the place back when destroyed.
+  class Place {
+   public:
+    Place(TenantPlaces& places, std::string tenant)
+        : places_(&places), tenant_(std::move(tenant)) {}
+    Place(Place&& other) noexcept
+        : places_(std::exchange(other.places_, nullptr)), tenant_(std::move(other.tenant_)) {}
+    Place& operator=(Place&&) = delete;
+    ~Place();
 
-  /// Errors: OVERLOADED; Cancelled.
-  absl::StatusOr<rpc::Admission::Ticket> Enter(const std::string& tenant,
-                                               const CancelToken& cancel) {
-    return Of(tenant).Enter(cancel);
-  }
+   private:
+    TenantPlaces* places_;
+    std::string tenant_;
+  };
+
+  /// REQUIRES: all >= 1.
+  explicit TenantPlaces(int all) : all_(all) {}
+
+  /// The tenant "", whom a farm without tenants has, may have all. Errors: OVERLOADED, with the
+  /// time after which to try again.
+  absl::StatusOr<Place> Enter(const std::string& tenant);
 
  private:
-  rpc::Admission& Of(const std::string& tenant) {
-    const std::lock_guard lock(mutex_);
-    return by_tenant_.try_emplace(tenant, tenant.empty() ? all_ : of_each_, 0).first->second;
-  }
+  void Leave(const std::string& tenant);
 
   const int all_;
-  const int of_each_;
   std::mutex mutex_;
-  std::map<std::string, rpc::Admission> by_tenant_;
+  int used_ = 0;
+  std::map<std::string, int> by_tenant_;  ///< of those who have any
 };
 
 }  // namespace slicefarm::coordinator

@@ -57,6 +57,13 @@ void JobRunner::Cancel(const std::string& job_id) {
   leases_.Cancel(job_id);
 }
 
+void JobRunner::Drain(std::chrono::milliseconds patience) {
+  std::unique_lock lock(mutex_);
+  draining_ = true;
+  wake_.notify_all();
+  wake_.wait_for(lock, patience, [this] { return at_work_ == 0; });
+}
+
 void JobRunner::Stop() {
   {
     std::lock_guard lock(mutex_);
@@ -74,19 +81,22 @@ void JobRunner::Serve(Priority at_least) {
     int64_t seen = 0;
     {
       std::lock_guard lock(mutex_);
-      if (stopping_) return;
+      if (stopping_ || draining_) return;
       seen = wakes_;
+      ++at_work_;
     }
-    if (const auto run = Claim(at_least)) {
+    const auto run = Claim(at_least);
+    if (run) {
       run->Run();
       if (run->met_other_build() && !met_other_build_.exchange(true))
         environment_.log.Warn("stages are of another build: no job begins until they fit", {});
-      std::lock_guard lock(mutex_);
-      leases_.Remove(run->lease());
-      continue;
     }
     std::unique_lock lock(mutex_);
-    wake_.wait_for(lock, options_.poll, [&] { return stopping_ || wakes_ != seen; });
+    --at_work_;
+    if (run) leases_.Remove(run->lease());
+    if (draining_) wake_.notify_all();
+    if (run) continue;
+    wake_.wait_for(lock, options_.poll, [&] { return stopping_ || draining_ || wakes_ != seen; });
   }
 }
 

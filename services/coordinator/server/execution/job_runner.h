@@ -42,6 +42,9 @@ class JobRunner {
   /// Ends the job's run, if it runs here. The request itself stands in the store.
   void Cancel(const std::string& job_id);
 
+  /// Claims no job any more, and waits until those that run have ended, `patience` at most.
+  void Drain(std::chrono::milliseconds patience);
+
   /// Hands the running jobs back to the queue, and returns when that is written.
   void Stop();
 
@@ -67,6 +70,8 @@ class JobRunner {
   std::condition_variable wake_;
   LeaseBook leases_;         ///< of the jobs that run
   bool unanswered_ = false;  ///< the last renewal failed, or is still under way
+  int at_work_ = 0;          ///< threads that claim or run a job
+  bool draining_ = false;
   bool stopping_ = false;
   int64_t wakes_ = 0;
   std::vector<std::thread> threads_;

@@ -96,6 +96,7 @@ absl::Status Coordinator::Start() {
 /// First what others wait for.
 void Coordinator::Stop() {
   feed_.Close();
+  jobs_service_.EndWatches();
   runner_.Stop();
   changes_.reset();
   maintenance_.reset();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -68,6 +69,10 @@ class Coordinator {
 
   /// Begins to run jobs, those of an earlier life first.
   absl::Status Start();
+
+  /// Takes up no job any more, and waits until those that run have ended, `patience` at most. Calls
+  /// are answered meanwhile.
+  void Drain(std::chrono::milliseconds patience) { runner_.Drain(patience); }
 
   /// Hands running jobs back, and ends the calls that watch.
   void Stop();

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -20,9 +21,9 @@ namespace {
 constexpr int kThreads = 512;
 constexpr TransferOptions kTransfers;
 constexpr CallLimits kCalls;
-static_assert(2 * (kTransfers.slots + kTransfers.queue) <= kThreads * 2 / 3);
-static_assert(2 * kTransfers.slots_a_tenant + 32 <= kCalls.calls_a_tenant);
-static_assert(3 * kCalls.calls_a_tenant < kThreads && kCalls.calls < kThreads);
+static_assert(2 * kTransfers.slots <= kCalls.calls / 3);
+/// The others are for calls that are being refused: gRPC's own refusal tells no time to try again.
+static_assert(kCalls.calls + 32 <= kThreads);
 
 /// Whatever one connection has open, it does not take all threads.
 constexpr int kStreamsPerConnection = 128;
@@ -72,6 +73,12 @@ Maintenance::Options CoordinatorFlags::maintenance() const {
   options.sweep.keep_jobs_s = keep_jobs_days * 24 * 3600;
   options.sweep.keep_blobs_s = keep_blobs_hours * 3600;
   return options;
+}
+
+std::chrono::milliseconds CoordinatorFlags::drain_of_jobs() const {
+  constexpr std::chrono::milliseconds kHandBack{5'000};
+  const std::chrono::milliseconds drain = std::chrono::seconds(serve.drain_s);
+  return std::max(std::chrono::milliseconds(0), drain - kHandBack);
 }
 
 JobRunnerOptions CoordinatorFlags::runner_options() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 
 #include "common/rpc/server/serve.h"
@@ -39,6 +40,9 @@ struct CoordinatorFlags {
   SplitStages::Names split_names() const;
   JobRunnerOptions runner_options() const;
   Maintenance::Options maintenance() const;
+  /// How long jobs that run may go on after SIGTERM: what they leave of --drain suffices to hand
+  /// them back, and to end calls.
+  std::chrono::milliseconds drain_of_jobs() const;
 };
 
 /// Also checks that either workers or all split stages are given.

@@ -1,10 +1,12 @@
 #include "services/coordinator/server/main/coordinator_program.h"
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "common/base/build_info.h"
@@ -17,6 +19,7 @@
 #include "services/coordinator/server/execution/split_stages.h"
 #include "services/coordinator/server/main/coordinator.h"
 #include "services/coordinator/server/main/coordinator_flags.h"
+#include "services/coordinator/server/main/migrate.h"
 #include "services/coordinator/server/main/rates_file.h"
 #include "services/coordinator/server/observe/coordinator_metrics.h"
 #include "services/coordinator/server/observe/status_board.h"
@@ -41,6 +44,24 @@ bool OpenReloaded(const std::string& path, const std::string& name,
   program.log().Error("cannot use the " + name,
                       {{"error", std::string(opened.status().message())}});
   return false;
+}
+
+constexpr std::chrono::seconds kAskStoreEvery{1};
+
+/// A store that is away is waited for: it may start at the same time, or later. Errors: those of
+/// Coordinator::Open but Unavailable; Cancelled if a signal to end came first.
+absl::StatusOr<std::unique_ptr<Coordinator>> OpenPatiently(const CoordinatorOptions& options,
+                                                           const JobStages& stages,
+                                                           TaskExecutor& executor,
+                                                           const rpc::ServerProgram& program) {
+  while (true) {
+    auto coordinator = Coordinator::Open(options, stages, executor, program.log());
+    if (!absl::IsUnavailable(coordinator.status()) || options.stores.postgres.empty())
+      return coordinator;
+    program.log().Warn("the store is away: it is waited for",
+                       {{"error", std::string(coordinator.status().message())}});
+    if (program.EndsWithin(kAskStoreEvery)) return absl::CancelledError("a signal to end came");
+  }
 }
 
 int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
@@ -122,9 +143,10 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
       .metrics = &program.metrics().registry()};
   if (webhooks) options.webhooks = [&webhooks] { return webhooks->Get(); };
   if (tenants) options.tenants = [&tenants] { return tenants->Get(); };
-  auto coordinator = Coordinator::Open(
-      std::move(options), {slicing, arranging, planning, motion, exposure ? &*exposure : nullptr},
-      dispatcher, program.log());
+  const JobStages job_stages = {slicing, arranging, planning, motion,
+                                exposure ? &*exposure : nullptr};
+  auto coordinator = OpenPatiently(options, job_stages, dispatcher, program);
+  if (absl::IsCancelled(coordinator.status())) return 0;
   if (!coordinator.ok()) {
     program.log().Error("cannot open the state",
                         {{"error", std::string(coordinator.status().message())}});
@@ -148,16 +170,21 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
     program.log().Error("cannot start", {{"error", std::string(started.message())}});
     return 1;
   }
-  return program.Run(
-      flags.serve, (*coordinator)->services(), [&] { (*coordinator)->Stop(); },
-      &(*coordinator)->queued_methods());
+  const auto on_signal = [&] {
+    (*coordinator)->Drain(flags.drain_of_jobs());
+    (*coordinator)->Stop();
+  };
+  return program.Run(flags.serve, (*coordinator)->services(), on_signal,
+                     &(*coordinator)->queued_methods());
 }
 
 }  // namespace
 
 int Main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "migrate") return Migrate(argc - 1, argv + 1);
   rpc::ServerProgram program("coordinator");
   CLI::App app("slicefarm-coordinator: jobs, fan-out over workers or stages, durable state");
+  app.footer("`slicefarm-coordinator migrate` brings a PostgreSQL database to the present schema.");
   CoordinatorFlags flags;
   AddCoordinatorFlags(app, &flags);
   CLI11_PARSE(app, argc, argv);

@@ -90,6 +90,24 @@ TEST_F(CoordinatorTest, AnUploadOnWhichNothingMovesIsCutOff) {
   EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::CANCELLED);
 }
 
+// A byte a minute is no upload, and holds no place of one.
+TEST_F(CoordinatorTest, AnUploadThatBringsNextToNothingIsCutOff) {
+  Close();
+  transfers_.times.idle = std::chrono::milliseconds(200);
+  transfers_.times.min_bytes_per_s = 1 << 30;
+  Open();
+  grpc::ClientContext context;
+  Bound(context);
+  v1::Upload upload;
+  const auto stream = meshes_->UploadMesh(&context, &upload);
+  v1::UploadMeshRequest request;
+  request.set_sha256(Sha256Hex("much"));
+  request.set_size(1 << 30);
+  request.set_data("m");
+  while (stream->Write(request)) request.set_sha256("");
+  EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::CANCELLED);
+}
+
 TEST_F(CoordinatorTest, AStreamWithoutADeadlineGetsOne) {
   Close();
   transfers_.times.default_deadline = std::chrono::milliseconds(20);
@@ -135,7 +153,6 @@ TEST_F(CoordinatorTest, UploadsBeyondTheCapAreRefusedAndTheRestGoesOn) {
   const std::string id = Submit("x");
   Close();
   transfers_.slots = 2;
-  transfers_.queue = 0;
   Open();
   std::vector<std::unique_ptr<OpenUpload>> open;
   for (const char* mesh : {"one", "two"}) open.push_back(BeginUpload(mesh));
@@ -529,6 +546,19 @@ TEST_F(CoordinatorTest, DownloadsStartAnywhere) {
   EXPECT_FALSE(Download(id, v1::ARTIFACT_GCODE, -1).ok());
   EXPECT_EQ(DetailOf(Download(id, v1::ARTIFACT_UNSPECIFIED).status()).reason,
             Reason::kRequestMalformed);
+}
+
+TEST_F(CoordinatorTest, ADrainLetsRunningJobsEndAndTakesUpNoOther) {
+  ranges_->Hold();
+  const std::string running = Submit("xxxx");
+  ranges_->AwaitCall();
+  coordinator_->Drain(std::chrono::milliseconds(0));
+  const std::string waiting = Submit("yyyy");
+  std::thread drain([this] { coordinator_->Drain(std::chrono::minutes(10)); });
+  ranges_->LetGo();
+  drain.join();
+  EXPECT_EQ(Get(running)->state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_EQ(Get(waiting)->state(), v1::JOB_STATE_QUEUED);
 }
 
 TEST_F(CoordinatorTest, AStopHandsJobsBackAndTheNextLifeGoesOn) {

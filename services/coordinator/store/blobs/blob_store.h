@@ -13,6 +13,10 @@
 
 namespace slicefarm::coordinator {
 
+/// Blobs are best written and read in pieces of so many bytes that begin at multiples of it: each
+/// is then one row of a database, and one answer.
+inline constexpr int64_t kBlobPieceBytes = 1 << 20;
+
 struct BlobStatus {
   int64_t committed_size = 0;  ///< bytes that are here
   bool complete = false;       ///< all are, and their digest is the blob's name

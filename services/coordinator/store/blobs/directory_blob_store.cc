@@ -131,12 +131,14 @@ std::string DirectoryBlobStore::UploadPath(const std::string& digest) const {
   return absl::StrCat(root_, "/uploads/", digest);
 }
 
-std::mutex& DirectoryBlobStore::MutexOf(const std::string& digest) {
-  return mutexes_[std::hash<std::string>()(digest) % mutexes_.size()];
+std::mutex& DirectoryBlobStore::NameOf(const std::string& digest) {
+  return names_[std::hash<std::string>()(digest) % names_.size()];
 }
 
-absl::StatusOr<BlobStatus> DirectoryBlobStore::StatusLocked(const std::string& digest) {
-  for (const bool complete : {true, false}) {
+/// As it is now; of an upload, what is being written may be counted in.
+absl::StatusOr<BlobStatus> DirectoryBlobStore::StatusNow(const std::string& digest) {
+  // In the end once more, as an upload may have become a blob between two looks.
+  for (const bool complete : {true, false, true}) {
     const auto file = PosixFile::OpenToRead(complete ? BlobPath(digest) : UploadPath(digest));
     if (absl::IsNotFound(file.status())) continue;
     if (!file.ok()) return file.status();
@@ -152,27 +154,28 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::StatusLocked(const std::string& d
 
 absl::StatusOr<BlobStatus> DirectoryBlobStore::Status(const std::string& digest) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
-  Lock lock(MutexOf(digest));
-  return StatusLocked(digest);
+  return StatusNow(digest);
 }
 
-/// What is complete counts as used from now on.
-/// The blob counts as used just now. One that was checked stays so: only its date changes.
-absl::Status DirectoryBlobStore::Touch(const std::string& digest) {
+/// The blob counts as used just now. One that was checked stays so: only its date changes. False:
+/// it is gone.
+absl::StatusOr<bool> DirectoryBlobStore::Touch(const std::string& digest) {
   const std::string path = BlobPath(digest);
+  Lock lock(NameOf(digest));
   const auto before = PrintOf(path);
-  const bool checked = before && checked_.Holds(digest, *before);
+  if (!before) return false;
+  const bool checked = checked_.Holds(digest, *before);
   if (absl::Status touched = TouchFile(path); !touched.ok()) return touched;
   const auto after = PrintOf(path);
   if (checked && after && after->size == before->size) checked_.Add(digest, *after);
-  return absl::OkStatus();
+  return true;
 }
 
 absl::StatusOr<BlobStatus> DirectoryBlobStore::Append(const std::string& digest, int64_t offset,
                                                       std::string_view bytes) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
-  Lock lock(MutexOf(digest));
-  auto status = StatusLocked(digest);
+  const auto writing = writers_.Take(digest);
+  auto status = StatusNow(digest);
   if (!status.ok() || status->complete) return status;
   const int64_t committed = status->committed_size;
   if (offset < 0 || offset > committed) return UploadOffset(digest, committed, offset);
@@ -195,10 +198,16 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Append(const std::string& digest,
 
 /// Makes the folder if need be. Afterwards the names that it had before are on disk.
 absl::Status DirectoryBlobStore::Settle(const std::string& folder) {
-  Lock lock(doubts_mutex_);
-  if (settled_.contains(folder)) return absl::OkStatus();
+  const auto settled = [&] {
+    Lock lock(doubts_mutex_);
+    return settled_.contains(folder);
+  };
+  if (settled()) return absl::OkStatus();
+  const auto settling = folders_.Take(folder);
+  if (settled()) return absl::OkStatus();
   if (absl::Status made = MakeDirectory(folder); !made.ok()) return made;
   if (absl::Status synced = SyncDirectory(folder); !synced.ok()) return synced;
+  Lock lock(doubts_mutex_);
   settled_.insert(folder);
   return absl::OkStatus();
 }
@@ -207,9 +216,13 @@ absl::Status DirectoryBlobStore::Settle(const std::string& folder) {
 absl::Status DirectoryBlobStore::Complete(const std::string& file, const std::string& digest) {
   const std::string folder = FolderOf(digest);
   if (absl::Status settled = Settle(folder); !settled.ok()) return settled;
-  if (absl::Status renamed = RenameFile(file, BlobPath(digest)); !renamed.ok()) return renamed;
+  {
+    Lock lock(NameOf(digest));
+    if (absl::Status renamed = RenameFile(file, BlobPath(digest)); !renamed.ok()) return renamed;
+  }
   absl::Status synced = SyncDirectory(folder);
   if (!synced.ok()) {
+    const auto settling = folders_.Take(folder);  // after whoever knows nothing of this name
     Lock lock(doubts_mutex_);
     settled_.erase(folder);
   }
@@ -226,11 +239,12 @@ absl::Status DirectoryBlobStore::SyncUpload(const std::string& digest, const Pos
 
 absl::StatusOr<BlobStatus> DirectoryBlobStore::Finish(const std::string& digest, int64_t size) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
-  Lock lock(MutexOf(digest));
-  const auto status = StatusLocked(digest);
+  const auto writing = writers_.Take(digest);
+  const auto status = StatusNow(digest);
   if (!status.ok()) return status;
   if (status->complete) {
-    if (absl::Status touched = Touch(digest); !touched.ok()) return touched;
+    const auto touched = Touch(digest);
+    if (!touched.ok()) return touched.status();
     return status;
   }
   if (status->committed_size < size) return UploadOffset(digest, status->committed_size, size);
@@ -257,13 +271,12 @@ absl::StatusOr<bool> DirectoryBlobStore::HasGood(const std::string& digest) {
   const auto got = DigestOf(*file);
   if (!got.ok() || *got != digest) return false;
   if (absl::Status settled = Settle(FolderOf(digest)); !settled.ok()) return settled;
-  if (absl::Status touched = Touch(digest); !touched.ok()) return touched;
-  return true;
+  return Touch(digest);
 }
 
 /// A file whose bytes are on disk becomes the blob, unless that is there.
 absl::Status DirectoryBlobStore::Adopt(const std::string& file, const std::string& digest) {
-  Lock lock(MutexOf(digest));
+  const auto writing = writers_.Take(digest);
   const auto here = HasGood(digest);
   if (!here.ok()) return here.status();
   return *here ? RemoveFile(file) : Complete(file, digest);
@@ -280,7 +293,7 @@ absl::StatusOr<std::string> DirectoryBlobStore::PutText(const SpooledText& text)
 
 /// Puts a damaged blob aside, unless a good one has taken its place since it was read.
 absl::Status DirectoryBlobStore::Corrupt(const std::string& digest, const std::string& got) {
-  Lock lock(MutexOf(digest));
+  const auto writing = writers_.Take(digest);
   const auto file = OpenBlob(BlobPath(digest), digest);
   if (absl::IsNotFound(file.status()))
     return BlobMismatch(absl::StatusCode::kDataLoss, digest, got);
@@ -291,6 +304,7 @@ absl::Status DirectoryBlobStore::Corrupt(const std::string& digest, const std::s
     const std::string aside = absl::StrCat(root_, "/corrupt/", digest);
     // If a power cut left half of a rename, this is the same file, and to rename it does nothing.
     if (absl::Status removed = RemoveFile(aside); !removed.ok()) return removed;
+    Lock lock(NameOf(digest));
     if (absl::Status moved = RenameFile(BlobPath(digest), aside); !moved.ok()) return moved;
   }
   return BlobMismatch(absl::StatusCode::kDataLoss, digest, got);
@@ -337,16 +351,18 @@ absl::StatusOr<std::string> DirectoryBlobStore::Get(const std::string& digest) {
 
 absl::StatusOr<BlobStatus> DirectoryBlobStore::Keep(const std::string& digest) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
-  Lock lock(MutexOf(digest));
-  const auto status = StatusLocked(digest);
+  const auto status = StatusNow(digest);
   if (!status.ok() || !status->complete) return status;
-  if (absl::Status touched = Touch(digest); !touched.ok()) return touched;
-  return status;
+  const auto touched = Touch(digest);
+  if (!touched.ok()) return touched.status();
+  return *touched ? status : StatusNow(digest);
 }
 
 absl::StatusOr<bool> DirectoryBlobStore::Delete(const std::string& digest, double idle_s) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
-  Lock lock(MutexOf(digest));
+  const auto writing = writers_.TryTake(digest);
+  if (!writing) return false;  // it is in use
+  Lock lock(NameOf(digest));
   bool deleted = false;
   for (const std::string& path : {BlobPath(digest), UploadPath(digest)}) {
     const auto idle = IdleSeconds(path);

@@ -9,6 +9,7 @@
 
 #include "services/coordinator/store/blobs/blob_store.h"
 #include "services/coordinator/store/blobs/checked_blobs.h"
+#include "services/coordinator/store/blobs/name_locks.h"
 #include "services/coordinator/store/blobs/posix_file.h"
 
 namespace slicefarm::coordinator {
@@ -44,9 +45,9 @@ class DirectoryBlobStore : public BlobStore {
   std::string FolderOf(const std::string& digest) const;
   std::string BlobPath(const std::string& digest) const;
   std::string UploadPath(const std::string& digest) const;
-  std::mutex& MutexOf(const std::string& digest);
-  absl::StatusOr<BlobStatus> StatusLocked(const std::string& digest);
-  absl::Status Touch(const std::string& digest);
+  std::mutex& NameOf(const std::string& digest);
+  absl::StatusOr<BlobStatus> StatusNow(const std::string& digest);
+  absl::StatusOr<bool> Touch(const std::string& digest);
   absl::Status SyncUpload(const std::string& digest, const PosixFile& file);
   absl::StatusOr<bool> HasGood(const std::string& digest);
   absl::Status Corrupt(const std::string& digest, const std::string& got);
@@ -55,10 +56,15 @@ class DirectoryBlobStore : public BlobStore {
   absl::Status Adopt(const std::string& file, const std::string& digest);
 
   const std::string root_;
-  std::array<std::mutex, 16> mutexes_;  ///< one write to a blob at a time
+  /// Of blobs: one write to each at a time, however long it takes to hash it and to put it on disk.
+  NameLocks writers_;
+  /// Held for as long as it takes to look at a file and to rename, touch or remove it: what is kept
+  /// is not deleted. Taken after a writer's.
+  std::array<std::mutex, 16> names_;
   std::atomic<int64_t> next_tmp_ = 0;
   CheckedBlobs checked_;
 
+  NameLocks folders_;  ///< who makes sure that a folder's names are on disk
   std::mutex doubts_mutex_;
   /// Folders of blobs whose names are on disk for certain. Not so at the start, as an earlier life
   /// may have ended between a rename and its fsync; not so after an fsync that failed.

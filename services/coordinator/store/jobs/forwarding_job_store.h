@@ -53,6 +53,14 @@ class ForwardingJobStore : public JobStore {
     return store_.RequestCancel(id, now_us);
   }
   absl::Status Delete(const std::string& id) override { return store_.Delete(id); }
+  absl::StatusOr<std::vector<JobRecord>> FindRequested(const std::string& tenant,
+                                                       const std::vector<std::string>& request_ids,
+                                                       const std::string& spec_digest) override {
+    return store_.FindRequested(tenant, request_ids, spec_digest);
+  }
+  absl::StatusOr<JobRecord> GetWithoutSpec(const std::string& id) override {
+    return store_.GetWithoutSpec(id);
+  }
   absl::StatusOr<std::vector<JobEventRecord>> Events(const std::string& id, int64_t after,
                                                      int32_t limit) override {
     return store_.Events(id, after, limit);

@@ -70,7 +70,7 @@ absl::StatusOr<std::vector<JobRecord>> ListJobs(SqlConnection& db, const ListQue
 
 absl::StatusOr<std::vector<JobEventRecord>> ListEvents(SqlConnection& db, const std::string& id,
                                                        int64_t after, int32_t limit) {
-  const auto job = FindJob(db, id);
+  const auto job = FindJobWithoutSpec(db, id);
   if (!job.ok()) return job.status();
   SqlQuery query(db,
                  "SELECT sequence, time_us, state, layers_total, layers_done FROM events"

@@ -63,8 +63,8 @@ class Columns {
 };
 
 absl::StatusOr<JobRecord> SelectJob(SqlConnection& db, const std::string& id,
-                                    std::string_view locking) {
-  SqlQuery query(db, absl::StrCat("SELECT " SLICEFARM_JOB_COLUMNS " FROM jobs WHERE id = ?",
+                                    std::string_view columns, std::string_view locking) {
+  SqlQuery query(db, absl::StrCat("SELECT ", std::string(columns), " FROM jobs WHERE id = ?",
                                   std::string(locking)));
   query.Bind(id);
   if (!query.Next()) return query.status().ok() ? JobNotFound(id) : query.status();
@@ -87,15 +87,19 @@ absl::Status ReadJob(const SqlQuery& query, JobRecord& job) {
 }
 
 absl::StatusOr<JobRecord> FindJob(SqlConnection& db, const std::string& id) {
-  return SelectJob(db, id, "");
+  return SelectJob(db, id, SLICEFARM_JOB_COLUMNS, "");
+}
+
+absl::StatusOr<JobRecord> FindJobWithoutSpec(SqlConnection& db, const std::string& id) {
+  return SelectJob(db, id, SLICEFARM_JOB_COLUMNS_WITH("''"), "");
 }
 
 absl::StatusOr<JobRecord> LockJob(SqlConnection& db, const std::string& id) {
-  return SelectJob(db, id, db.dialect().for_update);
+  return SelectJob(db, id, SLICEFARM_JOB_COLUMNS, db.dialect().for_update);
 }
 
 absl::StatusOr<JobRecord> LockFreeJob(SqlConnection& db, const std::string& id) {
-  return SelectJob(db, id, db.dialect().skip_locked);
+  return SelectJob(db, id, SLICEFARM_JOB_COLUMNS, db.dialect().skip_locked);
 }
 
 absl::Status WriteStep(SqlConnection& db, JobRecord& job, int64_t now_us) {

@@ -21,8 +21,10 @@ absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& up
   if (job.owner_epoch != lease.epoch || job.owner.empty() || IsTerminal(job.state)) {
     return NotHeld(lease);
   }
-  // Who was asked to end it and puts it back instead did not know: nobody is to wait for the rest.
-  const bool ends = update.state == JobState::kQueued && job.cancel_requested;
+  // Who was asked to end it and puts it back instead, or comes to its end, did not know yet: nobody
+  // is to wait for the rest, and who was told that it will be cancelled gets no print of it.
+  const bool ends = job.cancel_requested &&
+                    (update.state == JobState::kQueued || update.state == JobState::kSucceeded);
   const JobState to = ends ? JobState::kCancelled : update.state;
   const bool begins = job.state == JobState::kQueued && to == JobState::kRunning;
   if (to != job.state && !MayFollow(job.state, to)) {
@@ -34,7 +36,7 @@ absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& up
   job.layers_total = update.layers_total;
   job.layers_done = update.layers_done;
   job.error = update.error;
-  job.result = update.result;
+  if (!ends) job.result = update.result;
   if (!update.trace_sha256.empty()) job.trace_sha256 = update.trace_sha256;
   if (update.retry) ++job.retries;
   if (update.store_failed) ++job.store_failures;

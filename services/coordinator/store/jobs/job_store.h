@@ -154,8 +154,8 @@ class JobStore {
   virtual absl::Status Release(const std::string& owner) = 0;
 
   /// Writes state and progress and appends an event. A state that may not follow is Internal. An
-  /// ended job and one that is QUEUED again are let go; one whose end was requested does not become
-  /// QUEUED but CANCELLED. A result that is not `cached` enters the
+  /// ended job and one that is QUEUED again are let go; one whose end was requested becomes neither
+  /// QUEUED nor SUCCEEDED but CANCELLED, without a result. A result that is not `cached` enters the
   /// index; one that is must still be in it (NotFound, reason BLOB_NOT_FOUND, otherwise).
   virtual absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
                                            int64_t now_us) = 0;
@@ -167,6 +167,15 @@ class JobStore {
   /// Removes an ended job with its events and its request_id. Results of whose blobs no job is left
   /// leave the index. Errors: JOB_NOT_FINISHED.
   virtual absl::Status Delete(const std::string& id) = 0;
+
+  /// The jobs that calls with these request ids made and that are still there, in that order.
+  /// Errors: REQUEST_ID_REUSED if one was for another spec.
+  virtual absl::StatusOr<std::vector<JobRecord>> FindRequested(
+      const std::string& tenant, const std::vector<std::string>& request_ids,
+      const std::string& spec_digest) = 0;
+
+  /// Get, but its spec is left out, which may be a MiB.
+  virtual absl::StatusOr<JobRecord> GetWithoutSpec(const std::string& id) = 0;
 
   /// Events with a sequence above `after`, at most `limit`.
   virtual absl::StatusOr<std::vector<JobEventRecord>> Events(const std::string& id, int64_t after,

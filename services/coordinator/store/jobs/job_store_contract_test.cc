@@ -16,9 +16,9 @@
 #include "common/base/from_environment_test.h"
 #include "common/base/temp_directory_test.h"
 #include "services/coordinator/store/jobs/memory_job_store.h"
+#include "services/coordinator/store/jobs/sql_job_store.h"
 #include "services/coordinator/store/sql/postgres_database.h"
 #include "services/coordinator/store/sql/shared_postgres_test.h"
-#include "services/coordinator/store/jobs/sql_job_store.h"
 #include "services/coordinator/store/store_place_test.h"
 
 namespace slicefarm::coordinator::job_store_contract_test {
@@ -147,7 +147,7 @@ TEST_P(JobStoreTest, GivesBackWhatWasCreated) {
   const auto created = store_->Create(JobOf("a"), 42);
   ASSERT_TRUE(created.ok()) << created.status();
   EXPECT_TRUE(created->fresh);
-  const auto job = store_->Get("a");
+  auto job = store_->Get("a");
   ASSERT_TRUE(job.ok()) << job.status();
   EXPECT_EQ(*job, created->job);
   EXPECT_EQ(job->state, kQueued);
@@ -156,6 +156,8 @@ TEST_P(JobStoreTest, GivesBackWhatWasCreated) {
   EXPECT_EQ(job->action_digest, "action-a");
   EXPECT_EQ(job->create_us, 42);
   EXPECT_EQ(job->last_sequence, 1);
+  job->spec.clear();
+  EXPECT_EQ(*store_->GetWithoutSpec("a"), *job);
 }
 
 TEST_P(JobStoreTest, SurvivesBeingOpenedAgain) {
@@ -168,7 +170,8 @@ TEST_P(JobStoreTest, SurvivesBeingOpenedAgain) {
 
 TEST_P(JobStoreTest, UnknownJobsAreNotFound) {
   for (const absl::Status& status :
-       {store_->Get("x").status(), store_->RequestCancel("x", 1).status(), store_->Delete("x"),
+       {store_->Get("x").status(), store_->GetWithoutSpec("x").status(),
+        store_->RequestCancel("x", 1).status(), store_->Delete("x"),
         store_->Events("x", 0, 9).status(), store_->Update({"x", 1}, {}, 1).status()}) {
     EXPECT_EQ(DetailOf(status).reason, Reason::kJobNotFound) << status;
   }
@@ -687,6 +690,53 @@ TEST_P(JobStoreTest, AJobThatIsToEndIsNotPutBack) {
   EXPECT_EQ(store_->Get("a")->state, kCancelled);
   EXPECT_EQ(store_->Get("a")->end_us, now_);
   EXPECT_EQ(*store_->Claim("me", 10'000'000, 20'000'000), std::nullopt);
+}
+
+// Who was told that it will be cancelled gets no print of it, and others no result.
+TEST_P(JobStoreTest, AJobThatIsToEndDoesNotSucceed) {
+  Make("a");
+  const Lease lease = Claim();
+  ASSERT_TRUE(Update(lease, kRunning).ok());
+  ASSERT_TRUE(store_->RequestCancel("a", ++now_).ok());
+  const auto ended = Succeed(lease, ResultOf("gcode", "report"));
+  ASSERT_TRUE(ended.ok()) << ended.status();
+  EXPECT_EQ(ended->state, kCancelled);
+  EXPECT_EQ(ended->result, std::nullopt);
+  EXPECT_EQ(*store_->Get("a"), *ended);
+  EXPECT_EQ(*store_->FindResult("action-a"), std::nullopt);
+}
+
+TEST_P(JobStoreTest, CallsAtTheSameTimeMakeNoMoreJobsThanThereMayBe) {
+  std::atomic<int> made = 0;
+  Race(8, [&](int thread) {
+    for (int i = 0; i < 10; ++i) {
+      NewJob job = JobOf(absl::StrCat(thread, "-", i));
+      job.max_open = 5;
+      const absl::Status created = store_->Create(job, 1).status();
+      made += created.ok();
+      EXPECT_TRUE(created.ok() || DetailOf(created).reason == Reason::kQueueFull) << created;
+    }
+  });
+  EXPECT_EQ(made, 5);
+}
+
+TEST_P(JobStoreTest, FindsWhatIsLeftOfWhatCallsMade) {
+  for (const char* id : {"a", "b", "c"}) {
+    NewJob job = JobOf(id);
+    job.request_id = absl::StrCat("request-", id);
+    job.spec_digest = "spec";
+    ASSERT_TRUE(store_->Create(job, ++now_).ok());
+  }
+  ASSERT_TRUE(store_->RequestCancel("b", ++now_).ok());
+  ASSERT_TRUE(store_->Delete("b").ok());
+  const std::vector<std::string> ids = {"request-a", "request-b", "request-c", "request-d"};
+  const auto found = store_->FindRequested("", ids, "spec");
+  ASSERT_TRUE(found.ok()) << found.status();
+  EXPECT_THAT(*found, ElementsAre(testing::Field(&JobRecord::id, "a"),
+                                  testing::Field(&JobRecord::id, "c")));
+  EXPECT_THAT(*store_->FindRequested("another", ids, "spec"), IsEmpty());
+  EXPECT_EQ(DetailOf(store_->FindRequested("", ids, "other").status()).reason,
+            Reason::kRequestIdReused);
 }
 
 TEST_P(JobStoreTest, ARequestIdGoesWithItsJob) {

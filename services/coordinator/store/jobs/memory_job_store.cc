@@ -336,6 +336,29 @@ void MemoryJobStore::ForgetUnreferenced(const std::string& tenant, const std::st
   });
 }
 
+absl::StatusOr<std::vector<JobRecord>> MemoryJobStore::FindRequested(
+    const std::string& tenant, const std::vector<std::string>& request_ids,
+    const std::string& spec_digest) {
+  Lock lock(jobs_.mutex_);
+  std::vector<JobRecord> found;
+  for (const std::string& request_id : request_ids) {
+    NewJob asked;
+    asked.tenant = tenant;
+    asked.request_id = request_id;
+    asked.spec_digest = spec_digest;
+    auto earlier = FindEarlier(asked);
+    if (!earlier.ok()) return earlier.status();
+    if (*earlier) found.push_back(std::move((*earlier)->job));
+  }
+  return found;
+}
+
+absl::StatusOr<JobRecord> MemoryJobStore::GetWithoutSpec(const std::string& id) {
+  auto job = Get(id);
+  if (job.ok()) job->spec.clear();
+  return job;
+}
+
 absl::StatusOr<std::vector<JobEventRecord>> MemoryJobStore::Events(const std::string& id,
                                                                    int64_t after, int32_t limit) {
   Lock lock(jobs_.mutex_);

@@ -71,6 +71,10 @@ class MemoryJobStore : public JobStore {
                                    int64_t now_us) override;
   absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) override;
   absl::Status Delete(const std::string& id) override;
+  absl::StatusOr<std::vector<JobRecord>> FindRequested(const std::string& tenant,
+                                                       const std::vector<std::string>& request_ids,
+                                                       const std::string& spec_digest) override;
+  absl::StatusOr<JobRecord> GetWithoutSpec(const std::string& id) override;
   absl::StatusOr<std::vector<JobEventRecord>> Events(const std::string& id, int64_t after,
                                                      int32_t limit) override;
   absl::StatusOr<std::optional<JobResult>> FindResult(const std::string& action_digest) override;

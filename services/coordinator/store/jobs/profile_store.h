@@ -26,7 +26,8 @@ struct NewProfile {
   std::string settings_digest;  ///< equal for equal settings
 };
 
-/// Settings under a name. Whatever a call acknowledged is on disk. Thread-safe; several
+/// Settings under a name. A revision that was deleted leaves its number behind, which is given to
+/// none that comes later. Whatever a call acknowledged is on disk. Thread-safe; several
 /// coordinators may share one store. Errors of all: STORE_FAILED; DISK_FULL.
 class ProfileStore {
  public:
@@ -43,6 +44,16 @@ class ProfileStore {
   virtual absl::StatusOr<std::vector<ProfileRecord>> List(const std::string& tenant,
                                                           const std::string& after,
                                                           int32_t limit) = 0;
+
+  /// `revision` 0: all of them. Errors: PROFILE_NOT_FOUND.
+  virtual absl::Status Delete(const std::string& tenant, const std::string& name, int64_t revision,
+                              int64_t now_us) = 0;
+
+  /// Removes revisions that kKeptRevisions newer ones followed before `before_us`, and what is left
+  /// of profiles that were deleted before. Returns how many.
+  virtual absl::StatusOr<int64_t> Expire(int64_t before_us) = 0;
+
+  static constexpr int64_t kKeptRevisions = 10;
 };
 
 }  // namespace slicefarm::coordinator

@@ -12,10 +12,10 @@
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 #include "common/base/temp_directory_test.h"
-#include "services/coordinator/store/sql/postgres_database.h"
 #include "services/coordinator/store/jobs/profile_store.h"
-#include "services/coordinator/store/sql/shared_postgres_test.h"
 #include "services/coordinator/store/jobs/sql_profile_store.h"
+#include "services/coordinator/store/sql/postgres_database.h"
+#include "services/coordinator/store/sql/shared_postgres_test.h"
 #include "services/coordinator/store/sql/sqlite_database.h"
 #include "services/coordinator/store/store_place_test.h"
 
@@ -109,6 +109,49 @@ TEST_P(ProfileStoreTest, ListsTheNewestOfEachByName) {
   EXPECT_EQ(all[1].settings, "");
   EXPECT_THAT(*store_->List("a", "", 2), ElementsAre(name("a"), name("b")));
   EXPECT_THAT(*store_->List("a", "b", 2), ElementsAre(name("c")));
+}
+
+TEST_P(ProfileStoreTest, WhatIsDeletedIsGoneAndItsNumberIsNotGivenAgain) {
+  const auto is_gone = [&](int64_t revision) {
+    return absl::IsNotFound(store_->Get("a", "mk4", revision).status());
+  };
+  for (const char* settings : {"1", "2", "3"}) Put("mk4", settings);
+  ASSERT_TRUE(store_->Delete("a", "mk4", 3, ++now_us_).ok());
+  EXPECT_TRUE(is_gone(3));
+  EXPECT_EQ(store_->Get("a", "mk4", 0)->revision, 2);
+  EXPECT_EQ(store_->List("a", "", 9)->front().revision, 2);
+  EXPECT_EQ(Put("mk4", "2").revision, 2);
+  EXPECT_EQ(Put("mk4", "3").revision, 4);
+  ASSERT_TRUE(store_->Delete("a", "mk4", 0, ++now_us_).ok());
+  for (int64_t revision = 0; revision <= 4; ++revision) EXPECT_TRUE(is_gone(revision));
+  EXPECT_THAT(*store_->List("a", "", 9), testing::IsEmpty());
+  EXPECT_EQ(Put("mk4", "1").revision, 5);
+}
+
+TEST_P(ProfileStoreTest, OnlyWhatIsThereIsDeleted) {
+  Put("mk4", "1");
+  Put("mk4", "1", "b");
+  EXPECT_TRUE(absl::IsNotFound(store_->Delete("a", "mk3", 0, 9)));
+  EXPECT_TRUE(absl::IsNotFound(store_->Delete("a", "mk4", 2, 9)));
+  ASSERT_TRUE(store_->Delete("a", "mk4", 0, 9).ok());
+  EXPECT_TRUE(absl::IsNotFound(store_->Delete("a", "mk4", 0, 9)));
+  EXPECT_TRUE(store_->Get("b", "mk4", 1).ok());
+}
+
+TEST_P(ProfileStoreTest, RevisionsThatManyFollowedLongAgoExpire) {
+  constexpr int64_t kKept = ProfileStore::kKeptRevisions;
+  for (int64_t i = 1; i <= kKept + 3; ++i) Put("mk4", std::to_string(i));
+  Put("alone", "1");
+  Put("deleted", "1");
+  ASSERT_TRUE(store_->Delete("a", "deleted", 1, ++now_us_).ok());
+  EXPECT_EQ(*store_->Expire(0), 0) << "long ago nothing was there";
+  const int64_t second_last_us = 1'000 + kKept + 2;
+  EXPECT_EQ(*store_->Expire(second_last_us + 1), 2);
+  EXPECT_FALSE(store_->Get("a", "mk4", 2).ok());
+  EXPECT_TRUE(store_->Get("a", "mk4", 3).ok()) << "the one that makes it too old is too new";
+  EXPECT_EQ(*store_->Expire(now_us_ + 1), 2) << "one more of them, and the deleted one";
+  EXPECT_TRUE(store_->Get("a", "alone", 1).ok()) << "however old";
+  EXPECT_EQ(*store_->Expire(now_us_ + 1), 0);
 }
 
 TEST_P(ProfileStoreTest, RevisionsOfManyWritersAreAllThere) {

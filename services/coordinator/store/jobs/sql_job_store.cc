@@ -15,16 +15,23 @@
 namespace slicefarm::coordinator {
 namespace {
 
+/// What a call says that may have been made before.
+struct Request {
+  const std::string& tenant;
+  const std::string& request_id;
+  const std::string& spec_digest;
+};
+
 /// The job that an earlier call with the same request id made, if there was one.
-absl::StatusOr<std::optional<JobRecord>> FindRequested(SqlConnection& db, const NewJob& job) {
+absl::StatusOr<std::optional<JobRecord>> FindEarlier(SqlConnection& db, const Request& request) {
   SqlQuery query(db,
                  "SELECT job_id, spec_digest FROM requests WHERE tenant = ? AND request_id = ?");
-  query.Bind(job.tenant, job.request_id);
+  query.Bind(request.tenant, request.request_id);
   if (!query.Next()) {
     if (!query.status().ok()) return query.status();
     return std::nullopt;
   }
-  if (query.Text(1) != job.spec_digest) return RequestIdReused(job.request_id);
+  if (query.Text(1) != request.spec_digest) return RequestIdReused(request.request_id);
   auto found = FindJob(db, query.Text(0));
   if (absl::IsNotFound(found.status())) return std::nullopt;  // deleted since
   if (!found.ok()) return found.status();
@@ -44,14 +51,35 @@ absl::StatusOr<bool> TakeRequestId(SqlConnection& db, const NewJob& job, int64_t
   return taken;
 }
 
-absl::Status CheckQueue(SqlConnection& db, const NewJob& job) {
-  if (job.max_open == INT64_MAX) return absl::OkStatus();
+/// Whether the tenant has so many jobs that have not ended.
+absl::StatusOr<bool> HasOpen(SqlConnection& db, const std::string& tenant, int64_t count) {
   const std::string sql = absl::StrCat("SELECT 1 FROM jobs", db.dialect().Through("jobs_open"),
                                        " WHERE tenant = ? AND " SLICEFARM_OPEN " LIMIT 1 OFFSET ?");
   SqlQuery query(db, sql);
-  const bool full = query.Bind(job.tenant, job.max_open - 1).Next();
+  const bool has = query.Bind(tenant, count - 1).Next();
   if (!query.status().ok()) return query.status();
-  return full ? QueueFull(job.max_open) : absl::OkStatus();
+  return has;
+}
+
+/// More jobs than all coordinators are about to make at a time. Who has room for so many needs no
+/// lock to be counted.
+constexpr int64_t kManyJobs = 2'500;
+
+/// Jobs of a tenant that is near its bound are made one after the other: calls that count at the
+/// same time do not see what the others make.
+absl::Status CheckQueue(SqlConnection& db, const NewJob& job) {
+  if (job.max_open == INT64_MAX) return absl::OkStatus();
+  if (const std::string_view lock = db.dialect().lock_tenant; !lock.empty()) {
+    const int64_t near = job.max_open - kManyJobs;
+    const auto close = near > 0 ? HasOpen(db, job.tenant, near) : true;
+    if (!close.ok()) return close.status();
+    SqlQuery locked(db, lock);
+    if (*close) locked.Bind(job.tenant).Next();
+    if (!locked.status().ok()) return locked.status();
+  }
+  const auto full = HasOpen(db, job.tenant, job.max_open);
+  if (!full.ok()) return full.status();
+  return *full ? QueueFull(job.max_open) : absl::OkStatus();
 }
 
 absl::Status InsertJob(SqlConnection& db, const NewJob& job, int64_t now_us) {
@@ -151,7 +179,7 @@ absl::StatusOr<Created> CreateIn(SqlConnection& db, const NewJob& job, int64_t n
   const auto taken = TakeRequestId(db, job, now_us);
   if (!taken.ok()) return taken.status();
   if (!*taken) {
-    auto earlier = FindRequested(db, job);
+    auto earlier = FindEarlier(db, {job.tenant, job.request_id, job.spec_digest});
     if (!earlier.ok()) return earlier.status();
     if (*earlier) return Created{**std::move(earlier), /*fresh=*/false};
     return StoreAway("a job with the same request_id is being removed");
@@ -349,6 +377,26 @@ absl::Status SqlJobStore::Delete(const std::string& id) {
                                return true;
                              })
       .status();
+}
+
+absl::StatusOr<std::vector<JobRecord>> SqlJobStore::FindRequested(
+    const std::string& tenant, const std::vector<std::string>& request_ids,
+    const std::string& spec_digest) {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  std::vector<JobRecord> found;
+  for (const std::string& request_id : request_ids) {
+    auto earlier = FindEarlier(**session, {tenant, request_id, spec_digest});
+    if (!earlier.ok()) return earlier.status();
+    if (*earlier) found.push_back(**std::move(earlier));
+  }
+  return found;
+}
+
+absl::StatusOr<JobRecord> SqlJobStore::GetWithoutSpec(const std::string& id) {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  return FindJobWithoutSpec(**session, id);
 }
 
 absl::StatusOr<std::vector<JobEventRecord>> SqlJobStore::Events(const std::string& id,

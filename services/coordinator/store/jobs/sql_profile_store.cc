@@ -23,7 +23,7 @@ absl::StatusOr<std::optional<ProfileRecord>> Find(SqlConnection& db, const std::
   SqlQuery query(db,
                  "SELECT revision, settings, settings_digest, create_us FROM profiles"
                  " WHERE tenant = ? AND name = ? AND (revision = ? OR ? = 0)"
-                 " ORDER BY revision DESC LIMIT 1");
+                 " AND settings_digest <> '' ORDER BY revision DESC LIMIT 1");
   if (!query.Bind(tenant, name, revision, revision).Next()) {
     if (!query.status().ok()) return query.status();
     return std::nullopt;
@@ -31,7 +31,16 @@ absl::StatusOr<std::optional<ProfileRecord>> Find(SqlConnection& db, const std::
   return ProfileRecord{name, query.Int(0), query.Text(1), query.Text(2), query.Int(3)};
 }
 
-/// Revisions stay for ever, so there is an end to them.
+/// The last number that was given; 0: none.
+absl::StatusOr<int64_t> LastRevision(SqlConnection& db, const std::string& tenant,
+                                     const std::string& name) {
+  SqlQuery query(db, "SELECT max(revision) FROM profiles WHERE tenant = ? AND name = ?");
+  const int64_t last = query.Bind(tenant, name).Next() ? query.Int(0) : 0;
+  if (!query.status().ok()) return query.status();
+  return last;
+}
+
+/// Revisions stay for long, so there is an end to them.
 absl::Status CheckRoom(SqlConnection& db, const std::string& tenant) {
   SqlQuery query(db, "SELECT count(*) FROM profiles WHERE tenant = ?");
   const int64_t count = query.Bind(tenant).Next() ? query.Int(0) : 0;
@@ -68,8 +77,9 @@ absl::StatusOr<ProfileRecord> SqlProfileStore::Put(const NewProfile& profile, in
     if (*newest && (*newest)->settings_digest == profile.settings_digest)
       return **std::move(newest);
     if (absl::Status room = CheckRoom(**session, profile.tenant); !room.ok()) return room;
-    const int64_t revision = *newest ? (*newest)->revision + 1 : 1;
-    auto made = Insert(**session, profile, revision, now_us);
+    const auto last = LastRevision(**session, profile.tenant, profile.name);
+    if (!last.ok()) return last.status();
+    auto made = Insert(**session, profile, *last + 1, now_us);
     if (!made.ok()) return made.status();
     if (*made) return **std::move(made);
   }
@@ -93,7 +103,8 @@ absl::StatusOr<std::vector<ProfileRecord>> SqlProfileStore::List(const std::stri
   SqlQuery query(**session,
                  "SELECT name, revision, settings_digest, create_us FROM profiles AS p"
                  " WHERE tenant = ? AND name > ? AND revision = (SELECT MAX(revision) FROM profiles"
-                 " WHERE tenant = p.tenant AND name = p.name) ORDER BY name LIMIT ?");
+                 " WHERE tenant = p.tenant AND name = p.name AND settings_digest <> '')"
+                 " ORDER BY name LIMIT ?");
   query.Bind(tenant, after, limit);
   std::vector<ProfileRecord> profiles;
   while (query.Next()) {
@@ -101,6 +112,36 @@ absl::StatusOr<std::vector<ProfileRecord>> SqlProfileStore::List(const std::stri
   }
   if (!query.status().ok()) return query.status();
   return profiles;
+}
+
+absl::Status SqlProfileStore::Delete(const std::string& tenant, const std::string& name,
+                                     int64_t revision, int64_t now_us) {
+  const auto session = database_->Write();
+  if (!session.ok()) return session.status();
+  SqlQuery remove(**session,
+                  "UPDATE profiles SET settings = ?, settings_digest = '', create_us = ?"
+                  " WHERE tenant = ? AND name = ? AND (revision = ? OR ? = 0)"
+                  " AND settings_digest <> '' RETURNING revision");
+  remove.Bind(Blob{""}, now_us, tenant, name, revision, revision);
+  bool removed = false;
+  while (remove.Next()) removed = true;
+  if (!remove.status().ok()) return remove.status();
+  return removed ? absl::OkStatus() : NotFound(name, revision);
+}
+
+absl::StatusOr<int64_t> SqlProfileStore::Expire(int64_t before_us) {
+  const auto session = database_->Write();
+  if (!session.ok()) return session.status();
+  SqlQuery remove(**session,
+                  "DELETE FROM profiles WHERE (settings_digest = '' AND create_us < ?) OR EXISTS"
+                  " (SELECT 1 FROM profiles AS newer WHERE newer.tenant = profiles.tenant"
+                  "  AND newer.name = profiles.name AND newer.revision = profiles.revision + ?"
+                  "  AND newer.create_us < ?) RETURNING revision");
+  remove.Bind(before_us, kKeptRevisions, before_us);
+  int64_t removed = 0;
+  while (remove.Next()) ++removed;
+  if (!remove.status().ok()) return remove.status();
+  return removed;
 }
 
 }  // namespace slicefarm::coordinator

@@ -10,6 +10,7 @@
 namespace slicefarm::coordinator {
 
 /// A ProfileStore in an SQL database that has the tables of `sqlite_schema` or `deploy/postgres`.
+/// What is left of a deleted revision is a row without a digest, created when it was deleted.
 class SqlProfileStore : public ProfileStore {
  public:
   explicit SqlProfileStore(std::shared_ptr<SqlDatabase> database)
@@ -20,6 +21,9 @@ class SqlProfileStore : public ProfileStore {
                                     int64_t revision) override;
   absl::StatusOr<std::vector<ProfileRecord>> List(const std::string& tenant,
                                                   const std::string& after, int32_t limit) override;
+  absl::Status Delete(const std::string& tenant, const std::string& name, int64_t revision,
+                      int64_t now_us) override;
+  absl::StatusOr<int64_t> Expire(int64_t before_us) override;
 
  private:
   const std::shared_ptr<SqlDatabase> database_;

@@ -21,6 +21,7 @@ constexpr SqlDialect kPostgresDialect = {
     .begin = "BEGIN",
     .for_update = " FOR UPDATE",
     .skip_locked = " FOR UPDATE SKIP LOCKED",
+    .lock_tenant = "SELECT 1 FROM pg_advisory_xact_lock(hashtextextended(?, 5117318))",
     .notify = "SELECT pg_notify('slicefarm_jobs', ?)",
     .names_indexes = false,
 };
@@ -65,11 +66,11 @@ absl::Status ErrorOf(pg_conn* connection, const pg_result* result) {
     return MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskFull,
                      Message(PQresultErrorMessage(result)));
   }
-  // Lost connections; transactions that the server gave up on (deadlock); no more connections; the
-  // server is being stopped or just starts.
+  // Lost connections; transactions that the server gave up on (deadlock); no more connections; a
+  // lock that others hold; the server is being stopped or just starts.
   const bool away = PQstatus(connection) != CONNECTION_OK || state == kIdleInTransaction ||
                     state.starts_with("08") || state.starts_with("40") || state.starts_with("53") ||
-                    state.starts_with("57");
+                    state.starts_with("57") || state == "55P03";
   const char* text = PQresultErrorMessage(result);
   if (*text == '\0') text = PQerrorMessage(connection);
   if (away) return Away(text);

@@ -18,6 +18,7 @@ struct SqlDialect {
   std::string_view begin;        ///< a transaction that will write
   std::string_view for_update;   ///< after a SELECT of rows that the transaction will write
   std::string_view skip_locked;  ///< the same, passing over rows that another one holds
+  std::string_view lock_tenant;  ///< until the transaction ends; empty: no other one writes
   std::string_view notify;       ///< tells other processes of a job; empty: there are none
   bool names_indexes;            ///< its planner knows no statistics, and needs to be told
 

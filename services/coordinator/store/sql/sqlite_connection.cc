@@ -16,6 +16,7 @@ constexpr SqlDialect kSqliteDialect = {
     .begin = "BEGIN IMMEDIATE",
     .for_update = "",
     .skip_locked = "",
+    .lock_tenant = "",
     .notify = "",
     .names_indexes = true,
 };

@@ -1,5 +1,6 @@
 #include "services/coordinator/store/sql/sqlite_database.h"
 
+#include <chrono>
 #include <utility>
 
 #include "services/coordinator/store/blobs/posix_file.h"
@@ -7,6 +8,9 @@
 
 namespace slicefarm::coordinator {
 namespace {
+
+/// Less than a lease, so that those who renew one hear of it in time.
+constexpr std::chrono::seconds kPatience{5};
 
 /// Puts the log on disk as it is read now: its end may have been written by an earlier life that
 /// ended before its fsync, or whose fsync failed. Before all else, so that no page goes into the
@@ -28,15 +32,47 @@ absl::StatusOr<std::unique_ptr<SqliteDatabase>> SqliteDatabase::Open(const std::
   if (!writer.ok()) return writer.status();
   if (absl::Status settled = SettleLog(**writer, path); !settled.ok()) return settled;
   if (absl::Status ready = MigrateSqlite(**writer); !ready.ok()) return ready;
-  auto reader = SqliteConnection::Open(path);
-  if (!reader.ok()) return reader.status();
-  return std::unique_ptr<SqliteDatabase>(
-      new SqliteDatabase(*std::move(writer), *std::move(reader)));
+  std::unique_ptr<SqliteDatabase> database(new SqliteDatabase(path, *std::move(writer)));
+  // What cannot be read is to be heard of now.
+  if (const auto readable = database->Read(); !readable.ok()) return readable.status();
+  return database;
 }
 
-SqlSession SqliteDatabase::Take(std::mutex& mutex, SqlConnection& connection) {
-  mutex.lock();
-  return SqlSession(&connection, [&mutex](SqlConnection*) { mutex.unlock(); });
+absl::StatusOr<SqlSession> SqliteDatabase::Write() {
+  write_mutex_.lock();
+  return SqlSession(writer_.get(), [this](SqlConnection*) { write_mutex_.unlock(); });
+}
+
+absl::StatusOr<SqlSession> SqliteDatabase::Read() {
+  Connection reader;
+  {
+    std::unique_lock lock(read_mutex_);
+    if (!given_back_.wait_for(lock, kPatience, [this] { return free_ > 0; }))
+      return StoreAway("SQLite: all readers are busy");
+    --free_;
+    if (!idle_.empty()) {
+      reader = std::move(idle_.back());
+      idle_.pop_back();
+    }
+  }
+  if (!reader) {
+    auto opened = SqliteConnection::Open(path_);
+    if (!opened.ok()) {
+      GiveBack(nullptr);
+      return opened.status();
+    }
+    reader = *std::move(opened);
+  }
+  return SqlSession(reader.release(), [this](SqlConnection* used) {
+    GiveBack(Connection(static_cast<SqliteConnection*>(used)));
+  });
+}
+
+void SqliteDatabase::GiveBack(Connection reader) {
+  const std::lock_guard lock(read_mutex_);
+  if (reader) idle_.push_back(std::move(reader));
+  ++free_;
+  given_back_.notify_one();
 }
 
 }  // namespace slicefarm::coordinator

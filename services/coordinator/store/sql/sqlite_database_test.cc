@@ -30,6 +30,27 @@ TEST(SqliteDatabase, RefusesWhatIsNoDatabase) {
   EXPECT_FALSE(SqliteDatabase::Open(path).ok());
 }
 
+// Or else a list over a million rows would hold up whoever wants to know of one.
+TEST(SqliteDatabase, ManyReadAtATimeAndSeeWhatWasCommitted) {
+  TempDirectory directory;
+  const auto database = *SqliteDatabase::Open(directory.path() + "/jobs.db");
+  std::vector<SqlSession> lists;
+  for (int i = 1; i < SqliteDatabase::kReaders; ++i) {
+    lists.push_back(*database->Read());
+    SqlQuery list(*lists.back(), "SELECT id FROM jobs");
+    EXPECT_FALSE(list.Next());
+  }
+  NewJob job;
+  job.id = "a";
+  SqlJobStore store(std::shared_ptr<SqlDatabase>(database.get(), [](SqlDatabase*) {}));
+  ASSERT_TRUE(store.Create(job, 5).ok());
+  EXPECT_EQ(store.Get("a")->id, "a");
+  for (const SqlSession& list : lists) {
+    SqlQuery again(*list, "SELECT id FROM jobs");
+    EXPECT_TRUE(again.Next()) << again.status();
+  }
+}
+
 TEST(SqliteSchema, MigratesOnce) {
   TempDirectory directory;
   const auto db = *SqliteConnection::Open(directory.path() + "/jobs.db");

@@ -1,0 +1,34 @@
+#include "services/coordinator/server/api/tenant_places.h"
+
+#include "common/base/error.h"
+#include "common/rpc/status_mapping.h"
+
+namespace slicefarm::coordinator {
+
+TenantPlaces::Place::~Place() {
+  if (places_ != nullptr) places_->Leave(tenant_);
+}
+
+absl::StatusOr<TenantPlaces::Place> TenantPlaces::Enter(const std::string& tenant) {
+  const std::lock_guard lock(mutex_);
+  const auto found = by_tenant_.find(tenant);
+  const int mine = found == by_tenant_.end() ? 0 : found->second;
+  const int free = all_ - used_;
+  if (tenant.empty() ? free <= 0 : mine >= free) {
+    return MakeError(absl::StatusCode::kResourceExhausted, Reason::kOverloaded,
+                     "as many calls of this kind as the tenant may have now are under way",
+                     {{"limit", std::to_string(mine)}, {rpc::kRetryAfterMs, "200"}});
+  }
+  ++used_;
+  ++by_tenant_[tenant];
+  return Place(*this, tenant);
+}
+
+void TenantPlaces::Leave(const std::string& tenant) {
+  const std::lock_guard lock(mutex_);
+  --used_;
+  const auto found = by_tenant_.find(tenant);
+  if (--found->second == 0) by_tenant_.erase(found);
+}
+
+}  // namespace slicefarm::coordinator
