@@ -245,22 +245,37 @@ bool BorderGrid::Stays(Point a, Point b, double beyond_nm) const {
          IsInsideWhereFar(Local(a), Local(b), beyond_nm);
 }
 
+/// Whether an edge has all of the segment ab beside it, no farther than that: contours that lie on
+/// the outline.
+bool BorderGrid::RunsAlongEdge(PlaneVector a, PlaneVector b, double distance_nm) const {
+  const size_t square = IndexOf(At(a));
+  const auto is_beside = [&](const Edge& edge, PlaneVector p) {
+    return std::abs(edge.LeftOf(p)) <= distance_nm && Cross(p - edge.a, edge.inward) >= -1 &&
+           Cross(p - edge.b, edge.inward) <= 1;
+  };
+  return std::any_of(items_.begin() + begin_[square], items_.begin() + begin_[square + 1],
+                     [&](int32_t i) {
+                       const Edge& edge = edges_[static_cast<size_t>(i)];
+                       return is_beside(edge, a) && is_beside(edge, b);
+                     });
+}
+
 /// What is far from the border does not cross it: it is inside if its middle is.
 bool BorderGrid::IsInsideWhereFar(PlaneVector a, PlaneVector b, double distance_nm) const {
+  if (RunsAlongEdge(a, b, distance_nm)) return true;
   const PlaneVector way = b - a;
   if (!(Dot(way, way) > 0)) return IsInside(a) || IsNearEdge(a, distance_nm);
   std::vector<Span> near;
-  const bool runs_along = !Follow(a, b, [&](size_t square) {
+  Follow(a, b, [&](size_t square) {
     for (int32_t i = begin_[square]; i < begin_[square + 1]; ++i) {
       const Edge& edge = edges_[static_cast<size_t>(items_[static_cast<size_t>(i)])];
-      if (edge.AreBeside(a, b, distance_nm)) continue;
+      const auto [low, high] = std::minmax(edge.LeftOf(a), edge.LeftOf(b));
+      if (low > distance_nm || high < -distance_nm || edge.AreBeside(a, b, distance_nm)) continue;
       const Span span = NearSpan(a, way, edge.a, edge.b, distance_nm);
-      if (span.first <= 0 && span.second >= 1) return false;
       if (span.first <= span.second) near.push_back(span);
     }
     return true;
   });
-  if (runs_along) return true;
   return AllGaps(near, [&](double t) { return IsInside({a.x + t * way.x, a.y + t * way.y}); });
 }
 

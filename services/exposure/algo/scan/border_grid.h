@@ -81,6 +81,7 @@ class BorderGrid {
   bool KeepsAlong(PlaneVector a, PlaneVector b, double distance_nm, bool& inside) const;
   bool IsInside(PlaneVector p) const;
   bool IsNearEdge(PlaneVector p, double distance_nm) const;
+  bool RunsAlongEdge(PlaneVector a, PlaneVector b, double distance_nm) const;
   /// Whether of the segment ab all that is at least that far from the border is inside.
   bool IsInsideWhereFar(PlaneVector a, PlaneVector b, double distance_nm) const;
 
