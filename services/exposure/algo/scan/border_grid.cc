@@ -269,8 +269,10 @@ bool BorderGrid::IsInsideWhereFar(PlaneVector a, PlaneVector b, double distance_
   Follow(a, b, [&](size_t square) {
     for (int32_t i = begin_[square]; i < begin_[square + 1]; ++i) {
       const Edge& edge = edges_[static_cast<size_t>(items_[static_cast<size_t>(i)])];
-      const auto [low, high] = std::minmax(edge.LeftOf(a), edge.LeftOf(b));
-      if (low > distance_nm || high < -distance_nm || edge.AreBeside(a, b, distance_nm)) continue;
+      const double left_a = edge.LeftOf(a), left_b = edge.LeftOf(b);
+      if (std::min(left_a, left_b) > distance_nm || std::max(left_a, left_b) < -distance_nm ||
+          edge.AreBeside(a, b, distance_nm))
+        continue;
       const Span span = NearSpan(a, way, edge.a, edge.b, distance_nm);
       if (span.first <= span.second) near.push_back(span);
     }

@@ -35,7 +35,7 @@ Polyline ClosedLine(const ConvexRing& ring) {
 ConvexRing Spurred(const ConvexRing& ring, int64_t k, const ConvexRing& gap, const RingFill& fill) {
   const bool has_turn = !fill.turn || (k + fill.turn->corner) % kCornerTurns == 0;
   if (!fill.corners || !has_turn) return ring;
-  if (k > 0) return WithSpurs(ring, gap, fill.spurs);
+  if (k > 0) return gap.empty() ? ring : WithSpurs(ring, gap, fill.spurs);
   if (fill.border == nullptr) return ring;
   return WithOuterSpurs(ring, fill.first_nm, *fill.border, fill.spurs);
 }
@@ -241,7 +241,8 @@ std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const Ring
     reached = distance + fill.pitch_nm / 2;
     if (line.size() < 4) break;
     rings.push_back(std::move(line));
-    if (fill.corners) gap = insets.At(reached);
+    // The next one may lie where this one has melted: nothing is open between them.
+    gap = fill.corners && k + 1 != nearer.from ? insets.At(reached) : ConvexRing{};
   }
   const ConvexRing rest = insets.At(std::max(0.0, reached));
   if (rest.size() < 3) return rings;

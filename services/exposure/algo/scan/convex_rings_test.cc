@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
@@ -158,6 +159,24 @@ TEST(ConvexRings, KeepTheirDistanceFromTheBorder) {
         EXPECT_GE(DistanceToBoundary(p, {{hull, {}}}), 40'000 - 2);
       }
     }
+  }
+}
+
+/// Whatever the turn, rings keep the first one's distance to a random piece's border, and tips of
+/// spurs do, too.
+TEST(ConvexRings, OfATurnStayInside) {
+  std::mt19937 random(11);
+  for (int i = 0; i < 400; ++i) {
+    const Polygon hull = ConvexHull(RandomStar(random, 9, Uniform(random, 0.1, 1)));
+    if (hull.size() < 3) continue;
+    RingFill fill{.pitch_nm = 8e4, .first_nm = 3e4, .corners = true, .spurs = {.spot_nm = 8e4}};
+    fill.turn = RingTurnOf(i);
+    for (const Polyline& ring : ConvexRings(hull, 1, fill))
+      for (const Point p : ring) {
+        ASSERT_TRUE(Inside(p, {{hull, {}}})) << i;
+        if (ring.size() == 2) continue;
+        ASSERT_GE(DistanceToBoundary(p, {{hull, {}}}), 29'998) << i;
+      }
   }
 }
 
