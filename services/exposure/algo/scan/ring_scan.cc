@@ -14,7 +14,7 @@
 namespace slicefarm::exposure {
 namespace {
 
-constexpr double kMayBeOpen = 0.003;
+constexpr double kMayBeOpen = 0.001;
 
 /// Turns a closed line so that it starts at its corner nearest to `from`. Not at the tip of a spur:
 /// that lies beyond the piece, and the way there may leave the region.
