@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/base/text.h"
+#include "common/config/filament_gcode.h"
 #include "common/config/table/setting_limits.h"
 #include "common/config/table/settings_table.h"
 #include "common/model/options/fill_patterns.h"
@@ -180,22 +181,6 @@ void DeriveThumbnails(Draft& draft) {
   if (const auto sizes = ParseSizes(text); sizes.ok()) thumbnails.value->text = PrintSizes(*sizes);
 }
 
-/// The filament's own G-code is the last before the layers and the first after them.
-absl::Status DeriveGcode(Draft& draft) {
-  const auto joined = [](const std::string& first, const std::string& second) {
-    const bool needs_break = !first.empty() && !second.empty() && first.back() != '\n';
-    return first + (needs_break ? "\n" : "") + second;
-  };
-  std::string& start = draft.At("start_gcode").value->text;
-  std::string& end = draft.At("end_gcode").value->text;
-  start = joined(start, draft.At("start_filament_gcode").value->text);
-  end = joined(draft.At("end_filament_gcode").value->text, end);
-  // The two together are one setting to the stages.
-  absl::Status status = CheckSettingSize("start_gcode", start);
-  status.Update(CheckSettingSize("end_gcode", end));
-  return status;
-}
-
 absl::Status CheckPercentages(const Draft& draft) {
   const auto table = SettingsTable(draft.process());
   for (const bool given : {true, false}) {  // what the user wrote is to blame before what follows
@@ -228,7 +213,7 @@ absl::Status Derive(Draft& draft) {
   DeriveLayerChange(draft);
   DeriveThumbnails(draft);
   absl::Status status = CheckPercentages(draft);
-  status.Update(DeriveGcode(draft));
+  status.Update(JoinFilamentGcode(draft));
   return status;
 }
 

@@ -13,6 +13,7 @@
 #include "common/config/check_settings.h"
 #include "common/config/derive.h"
 #include "common/config/draft.h"
+#include "common/config/filament_gcode.h"
 #include "common/config/needs.h"
 #include "common/config/setting_reader.h"
 #include "common/config/table/setting_limits.h"
@@ -215,7 +216,7 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
       told["num_extruders"] = fmt::format("{}", ToolCount(given));
     }
     const auto code = macro::ParseJobCode(result.settings.motion);
-    if (!code.ok()) return code.status();
+    if (!code.ok()) return NamingOwnGcode(code.status(), draft);
     if (!macro::NamesClock(*code)) told.erase("creation_time");
     TakeClearance(result.settings);
     TakeAdhesion(result.settings);
@@ -229,7 +230,8 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
   result.effective_text = EffectiveText(result.settings, told);
   MotionOptions& motion = result.settings.motion;
   if (process == Process::kFdm)
-    if (absl::Status ok = macro::CheckJobCode(motion, result.effective_text); !ok.ok()) return ok;
+    if (absl::Status ok = macro::CheckJobCode(motion, result.effective_text); !ok.ok())
+      return NamingOwnGcode(ok, draft);
   if (absl::Status ok = TakeLayerSettings(result.effective_text, motion); !ok.ok()) return ok;
   return result;
 }

@@ -16,6 +16,7 @@
 #include "common/config/told_settings.h"
 #include "common/model/limits.h"
 #include "common/rpc/utf8.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/field_files.h"
 #include "services/cli/files.h"
 
@@ -48,7 +49,7 @@ void AddMachineOption(CLI::App& app, Process& process) {
   for (const ProcessInfo& info : kProcesses) names[std::string(info.name)] = info.process;
   app.add_option("--machine", process,
                  "What the job is for: fdm (filament, the default) or laser (powder, resin)")
-      ->transform(CLI::CheckedTransformer(std::move(names)))
+      ->transform(OneOf(std::move(names)))
       ->type_name("MACHINE");
 }
 

@@ -87,6 +87,8 @@ absl::StatusOr<ChannelOptions> Secured(ChannelOptions options, const ClientSecur
 
 std::string ConnectionHint(const absl::Status& status, const ClientSecurity& security) {
   const absl::string_view message = status.message();
+  if (absl::IsUnavailable(status) && absl::StrContains(message, "Connection refused"))
+    return ": nothing listens there";
   if (!absl::IsUnavailable(status) ||
       !(absl::StrContains(message, "Socket closed") ||
         absl::StrContains(message, "Connection reset") || absl::StrContains(message, "andshake"))) {

@@ -31,8 +31,8 @@ void AddTokenOptions(CLI::App& app, ClientSecurity* security);
 absl::StatusOr<ChannelOptions> Secured(ChannelOptions options, const ClientSecurity& security,
                                        const std::string& server);
 
-/// What may be behind a connection that does not come about, or ends when it begins; empty if that
-/// has nothing to do with certificates. A server that refuses a client's certificate says no more
+/// What is behind a connection that does not come about, or may be behind one that ends when it
+/// begins; empty if that is neither a port where nothing listens nor to do with certificates. A server that refuses a client's certificate says no more
 /// than that (TLS 1.3).
 std::string ConnectionHint(const absl::Status& status, const ClientSecurity& security);
 

@@ -78,7 +78,8 @@ TEST_F(ClientSecurityTest, HintsFitTheFilesAtHand) {
   EXPECT_THAT(ConnectionHint(closed, security_), testing::HasSubstr("--tls-cert"));
   security_.tls.cert = "cert.pem";
   EXPECT_THAT(ConnectionHint(closed, security_), testing::HasSubstr("cert.pem"));
-  EXPECT_EQ(ConnectionHint(absl::UnavailableError("Connection refused"), security_), "");
+  EXPECT_EQ(ConnectionHint(absl::UnavailableError("Connection refused"), security_),
+            ": nothing listens there");
   EXPECT_EQ(ConnectionHint(absl::InternalError("Socket closed"), security_), "");
 }
 

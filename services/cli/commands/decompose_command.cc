@@ -49,6 +49,17 @@ std::string PiecesText(const exposure::ConvexPieces& result, int decimals) {
   return text;
 }
 
+/// With the place of rings that cross in the file's unit, which need not be mm.
+absl::Status InFileUnit(const absl::Status& status, const std::string& file, int decimals) {
+  const ErrorDetail detail = DetailOf(status);
+  const auto x = detail.metadata.find("x_nm"), y = detail.metadata.find("y_nm");
+  if (x == detail.metadata.end() || y == detail.metadata.end()) return status;
+  return MakeError(status.code(), detail.reason,
+                   fmt::format("{}: rings cross or overlap near {} {}", file,
+                               DecimalText(std::stoll(x->second), decimals),
+                               DecimalText(std::stoll(y->second), decimals)));
+}
+
 ExitCode Decompose(const DecomposeCommandOptions& options) {
   const auto text = ReadFile(options.file, kMaxPolyBytes);
   if (!text.ok()) return Fail(text.status());
@@ -61,7 +72,7 @@ ExitCode Decompose(const DecomposeCommandOptions& options) {
   const auto result = exposure::Decompose(file->islands, how);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (!result.ok()) return Fail(result.status());
+  if (!result.ok()) return Fail(InFileUnit(result.status(), options.file, file->decimals));
   const absl::Status written =
       WriteFile(options.output, PiecesText(*result, file->decimals + DigitsOf(result->scale)));
   if (!written.ok()) return Fail(written);

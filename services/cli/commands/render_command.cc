@@ -6,6 +6,7 @@
 #include <string>
 
 #include "common/base/error.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/commands/gcode_options.h"
 #include "services/cli/console.h"
@@ -109,14 +110,13 @@ void AddRender(CLI::App& app, CommandContext& context) {
           "What the colours tell: feature (the default), width, speed, flow, time (when a bead "
           "is laid, by --flavor's look-ahead), order, or energy: J/mm2 where a CLI file's "
           "labels say power and speed, else passes")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, ColourBy>{{"feature", ColourBy::kFeature},
-                                                                  {"width", ColourBy::kWidth},
-                                                                  {"speed", ColourBy::kSpeed},
-                                                                  {"flow", ColourBy::kFlow},
-                                                                  {"time", ColourBy::kTime},
-                                                                  {"order", ColourBy::kOrder},
-                                                                  {"energy", ColourBy::kEnergy}}))
+      ->transform(OneOf(std::map<std::string, ColourBy>{{"feature", ColourBy::kFeature},
+                                                        {"width", ColourBy::kWidth},
+                                                        {"speed", ColourBy::kSpeed},
+                                                        {"flow", ColourBy::kFlow},
+                                                        {"time", ColourBy::kTime},
+                                                        {"order", ColourBy::kOrder},
+                                                        {"energy", ColourBy::kEnergy}}))
       ->type_name("WHAT");
   command
       ->add_option(

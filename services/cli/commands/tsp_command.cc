@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "common/base/text.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
@@ -147,19 +148,17 @@ void AddTsp(CLI::App& app, CommandContext& context) {
       ->type_name("N");
   command->add_option("--tour", options->tour, "Where the tour goes")->type_name("FILE");
   command->add_option("--start", options->start, "nearest, greedy, insertion or christofides")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Start>{{"nearest", Start::kNearest},
-                                       {"greedy", Start::kGreedy},
-                                       {"insertion", Start::kInsertion},
-                                       {"christofides", Start::kChristofides}}))
+      ->transform(OneOf(std::map<std::string, Start>{{"nearest", Start::kNearest},
+                                                     {"greedy", Start::kGreedy},
+                                                     {"insertion", Start::kInsertion},
+                                                     {"christofides", Start::kChristofides}}))
       ->default_str("greedy")
       ->type_name("NAME");
   command->add_option("--moves", options->depth, "none, 2opt (and Or-opt), 3opt or chains")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, SearchDepth>{{"none", SearchDepth::kNone},
-                                             {"2opt", SearchDepth::kTwoOptAndOrOpt},
-                                             {"3opt", SearchDepth::kThreeOpt},
-                                             {"chains", SearchDepth::kChains}}))
+      ->transform(OneOf(std::map<std::string, SearchDepth>{{"none", SearchDepth::kNone},
+                                                           {"2opt", SearchDepth::kTwoOptAndOrOpt},
+                                                           {"3opt", SearchDepth::kThreeOpt},
+                                                           {"chains", SearchDepth::kChains}}))
       ->default_str("chains")
       ->type_name("NAME");
   command->add_flag("--local", options->local, "Only moves, no exchanges");

@@ -96,6 +96,31 @@ TEST(ExposeLayer, TheRegionIsCovered) {
   }
 }
 
+/// Where lines overlap is elsewhere in each layer: at what they end at, where cells meet, in the
+/// corners and the middle of rings.
+TEST(ExposeLayer, NoColumnIsMeltedTwiceInMostLayers) {
+  constexpr int32_t kLayers = 60;
+  for (const ScanStrategy strategy : kStrategies) {
+    // Rings leave corners of small parts to none: that would open too much of them.
+    const MultiPolygon cube =
+        MakePolygonsOrDie(IsRings(strategy) ? "(0 0, 10 0, 10 10, 0 10)" : "(0 0, 4 0, 4 4, 0 4)");
+    ExposureOptions options;
+    options.strategy = strategy;
+    options.link_rings = false;  // each ring is a line, which melts a place once
+    MeltedRaster shifted(cube, 37'000), still(cube, 37'000);
+    for (const bool shifts : {true, false}) {
+      options.shift_grids = options.turn_rings = shifts;
+      for (int32_t index = 0; index < kLayers; ++index)
+        for (const ExposureGroup& group : ExposeOrDie(cube, options, index).groups)
+          group.ForEachLine([&](std::span<const Point> line) {
+            (shifts ? shifted : still).Add(line, options.spot_nm - 2'000);
+          });
+    }
+    EXPECT_LE(shifted.Most(), 1.4 * kLayers) << static_cast<int>(strategy);
+    EXPECT_GE(still.Most(), 1.7 * kLayers) << static_cast<int>(strategy);
+  }
+}
+
 /// From one contour's width on, through those where there is room for one more line but not for
 /// two. In each layer: hatch along the wall is worst.
 TEST(ExposeLayer, WallsOfAnyWidthAreMelted) {
@@ -190,6 +215,7 @@ TEST(ExposeLayer, HatchTurnsFromLayerToLayer) {
   ExposureOptions options;
   options.strategy = ScanStrategy::kHatch;
   options.hatch_angle_deg = 10;
+  options.shift_grids = false;  // no lines along the contour
   const MultiPolygon part = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");
   for (const int32_t index : {0, 1, 2, 7, 100}) {
     const double expected = std::fmod(10 + 67.0 * index, 180);

@@ -46,8 +46,9 @@ class RegionScan {
       : region_(region), options_(options), at_(from), cancel_(cancel), counts_(counts) {}
 
   absl::StatusOr<std::vector<ExposureGroup>> Scan() {
+    FindSkins();
     if (options_.thin_walls || HatchTrim(options_) > 0)
-      narrow_ = NarrowParts(region_.outlines, NarrowDepth(options_));
+      narrow_ = NarrowParts(region_.outlines, NarrowDepth(options_, border_lines_));
     if (options_.contours_first) AddContours();
     if (absl::Status status = AddThinWalls(); !status.ok()) return status;
     if (absl::Status status = AddInside(); !status.ok()) return status;
@@ -98,7 +99,8 @@ class RegionScan {
 
   absl::Status AddThinWalls() {
     if (!options_.thin_walls) return absl::OkStatus();
-    const auto lines = MiddleLines(region_.outlines, narrow_, LineLevels(options_), cancel_);
+    const auto lines =
+        MiddleLines(region_.outlines, narrow_, LineLevels(options_, border_lines_), cancel_);
     if (!lines.ok()) return lines.status();
     ExposureGroup group = NewGroup(ExposureKind::kThinWall);
     for (const Polyline& line : *lines) group.AddLine(line);
@@ -106,20 +108,36 @@ class RegionScan {
     return absl::OkStatus();
   }
 
+  /// Skins, and how many lines along the contour the hatch has: none where there are skins, as one
+  /// line would run through several of them.
+  void FindSkins() {
+    area_ = FastOffset(region_.outlines, -InsideInset(options_));
+    if (!region_.neighbours.above.empty() || !region_.neighbours.below.empty())
+      skins_ = PartSkins(area_, region_.section, region_.neighbours, options_.skin_overlap_nm);
+    if (!skins_.downskin.empty() || !skins_.upskin.empty()) return;
+    skins_ = {};
+    border_lines_ = BorderLines(region_.layer, options_);
+    if (border_lines_ > 0)
+      area_ = FastOffset(region_.outlines, -InsideInset(options_, border_lines_));
+  }
+
+  /// From the contour inwards.
+  void AddBorderLines() {
+    ExposureGroup group = NewGroup(ExposureKind::kHatch);
+    for (const Coord inset : BorderInsets(options_, border_lines_))
+      AddRings(FastOffset(region_.outlines, -inset), group);
+    Add(std::move(group));
+  }
+
   absl::Status AddInside() {
-    const MultiPolygon area = FastOffset(region_.outlines, -InsideInset(options_));
-    if (area.empty()) return absl::OkStatus();
-    if (region_.neighbours.above.empty() && region_.neighbours.below.empty())
-      return AddArea({area, {}, narrow_}, ExposureKind::kHatch);
-    const SkinAreas skins =
-        PartSkins(area, region_.section, region_.neighbours, options_.skin_overlap_nm);
-    if (absl::Status status = AddArea({skins.core, area, narrow_}, ExposureKind::kHatch);
-        !status.ok())
-      return status;
-    if (absl::Status status = AddArea({skins.downskin, area, narrow_}, ExposureKind::kDownskin);
-        !status.ok())
-      return status;
-    return AddArea({skins.upskin, area, narrow_}, ExposureKind::kUpskin);
+    AddBorderLines();
+    if (area_.empty()) return absl::OkStatus();
+    if (skins_.downskin.empty() && skins_.upskin.empty())
+      return AddArea({area_, {}, narrow_}, ExposureKind::kHatch);
+    absl::Status status = AddArea({skins_.core, area_, narrow_}, ExposureKind::kHatch);
+    if (status.ok()) status = AddArea({skins_.downskin, area_, narrow_}, ExposureKind::kDownskin);
+    if (status.ok()) status = AddArea({skins_.upskin, area_, narrow_}, ExposureKind::kUpskin);
+    return status;
   }
 
   /// An area, and what it is part of, if it is not all.
@@ -153,6 +171,9 @@ class RegionScan {
   Point at_;
   const CancelToken& cancel_;
   CutCounts& counts_;
+  MultiPolygon area_;  ///< of rings or hatch
+  SkinAreas skins_;    ///< empty: all of the area is core
+  int32_t border_lines_ = 0;
   MultiPolygon narrow_;  ///< where lines along the outline alone melt what is inside
   std::vector<ExposureGroup> groups_;
 };

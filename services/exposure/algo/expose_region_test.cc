@@ -21,11 +21,11 @@ TEST(ExposeRegion, GroupsSayWhoseTheyAre) {
                                     .settings = 2},
                                    options, {}, {}, counts);
   ASSERT_TRUE(groups.ok());
-  ASSERT_EQ(groups->size(), 2u);
+  ASSERT_EQ(groups->size(), 3u);  // contours, hatch lines along them, hatch
   for (const ExposureGroup& group : *groups) {
     EXPECT_EQ(group.object, 7);
     EXPECT_EQ(group.settings, 2);
-    EXPECT_EQ(group.run_nm, group.kind == ExposureKind::kHatch ? 200'000 : 0);
+    EXPECT_EQ(group.run_nm, group.IsHatch() ? 200'000 : 0);
   }
 }
 

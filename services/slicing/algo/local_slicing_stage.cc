@@ -152,9 +152,18 @@ class SlicingRun {
     for (const SlicedLayer& layer : job_.layers)
       for (const ObjectSection& section : layer.sections)
         if (!section.regions.empty()) return absl::OkStatus();
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-                     "no layer has an outline: the mesh has no volume, or its openings are wider "
-                     "than open_loop_max_gap");
+    return NoOutlines();
+  }
+
+  absl::Status NoOutlines() const {
+    const bool shrinks = std::ranges::any_of(
+        options_.objects,
+        [](const ObjectSlicingOptions& object) { return object.xy_compensation_nm < 0; });
+    return MakeError(
+        absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
+        std::string("no layer has an outline: the mesh has no volume, or its openings are wider "
+                    "than open_loop_max_gap") +
+            (shrinks ? ", or xy_size_compensation takes all of it away" : ""));
   }
 
   absl::Status AdviseOrientations() {

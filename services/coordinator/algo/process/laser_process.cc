@@ -98,7 +98,8 @@ class LaserJob : public PlannedJob {
     const ExposureSummary summary = FillIn(programs);
     if (report_.exposure->Total().lines == 0)
       return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-                       "the outlines of all layers are too thin for the laser's spot");
+                       "the outlines of all layers are too thin: beam_compensation leaves nothing "
+                       "of them, and thin_wall_exposure no line");
     auto frame = Timed(report_.stage_times.exposure_s, [&] {
       const ScopedSpan span(call.spans, "frame");
       return exposure_.Envelope(call, summary, settings_.exposure);

@@ -61,7 +61,8 @@ absl::Status CannotCut(Point p, Coord scale) {
       fmt::format("the outline cannot be cut at ({:.6f}, {:.6f}) mm: its rings cross or "
                   "overlap",
                   ToMm(static_cast<double>(p.x) / static_cast<double>(scale)),
-                  ToMm(static_cast<double>(p.y) / static_cast<double>(scale))));
+                  ToMm(static_cast<double>(p.y) / static_cast<double>(scale))),
+      {{"x_nm", std::to_string(p.x / scale)}, {"y_nm", std::to_string(p.y / scale)}});
 }
 
 /// A corner of a ring that passes a point twice: the next one from which a cut parts its two

@@ -47,7 +47,7 @@ struct ConvexPieces {
 ///
 /// REQUIRES: coordinates within +-2^52.
 /// Errors:  Cancelled, polled once a cut; REQUEST_MALFORMED for rings that cross themselves or each
-///          other, or where islands overlap.
+///          other, or where islands overlap; metadata `x_nm` and `y_nm`: the place.
 /// Cost:    kBian: O(n) a reflex corner and the candidates' tests; kOptimal O(n^4) at worst;
 ///          kApproximate and kYMonotone O(n log n).
 absl::StatusOr<ConvexPieces> Decompose(const MultiPolygon& islands, const DecomposeOptions& options,

@@ -18,6 +18,7 @@ enum Rank { kBothReflex, kReflex, kConvex, kSharp };
 /// The share of A, from its first side to its other one, at which a cut without a corner to go to
 /// is tried: the bisector first.
 constexpr std::array kShares = {0.5, 0.375, 0.625, 0.25, 0.75, 0.125, 0.875, 0.0625, 0.9375};
+constexpr int32_t kVariants = 3;
 /// Cuts of this much more weight do nearly as well.
 constexpr double kNearlyAsGood = 0.3;
 /// How far beside it such a cut may end, as a share of A, for the sake of a rounder place.
@@ -177,7 +178,7 @@ std::optional<Link> LinkChoice::LinkAlong(const CutRegion& region, double share)
 
 std::optional<Link> LinkChoice::BisectorLink(const CutRegion& region, int32_t variant) {
   // The first three are the bisector and one to either side of it.
-  const auto first = static_cast<size_t>(variant % 3);
+  const auto first = static_cast<size_t>(variant);
   if (const std::optional<Link> link = LinkAlong(region, kShares[first])) return link;
   for (const double share : kShares)
     if (const std::optional<Link> link = LinkAlong(region, share)) return link;
@@ -190,11 +191,23 @@ Link LinkChoice::LinkTo(const Candidate& candidate) const {
   return link;
 }
 
+/// Beside the bisector, where there is no other corner as good: none but reflex ones are better, as
+/// their cuts save another one.
+Link LinkChoice::InsteadOf(const Candidate& best, const CutRegion& region, int32_t variant) {
+  if (best.rank == kConvex)
+    if (const std::optional<Link> link = BisectorLink(region, variant);
+        link && link->cosine <= kCosine30)
+      return *link;
+  return LinkTo(best);
+}
+
 std::optional<Link> LinkChoice::Choose(const CutRegion& region, CornerIndex from, int32_t variant) {
   Collect(region, from);
   std::sort(candidates_.begin(), candidates_.end(),
             [](const Candidate& a, const Candidate& b) { return a.Key() < b.Key(); });
+  const int32_t asked = variant % kVariants;
   bool tried_bisector = false;
+  int32_t seen = 0;
   const Candidate* best = nullptr;
   for (const Candidate& candidate : candidates_) {
     if (best != nullptr && candidate.rank != best->rank) break;
@@ -202,15 +215,15 @@ std::optional<Link> LinkChoice::Choose(const CutRegion& region, CornerIndex from
         (candidate.cosine > kCosine30 || candidate.weight > best->weight + kNearlyAsGood))
       continue;
     if (candidate.rank == kSharp && !tried_bisector) {
-      if (const std::optional<Link> link = BisectorLink(region, variant)) return link;
+      if (const std::optional<Link> link = BisectorLink(region, asked)) return link;
       tried_bisector = true;
     }
     if (!Sees(candidate.at)) continue;
     best = &candidate;
-    if (variant-- % 3 == 0) break;
+    if (seen++ == asked) return LinkTo(*best);
   }
-  if (best != nullptr) return LinkTo(*best);
-  return tried_bisector ? std::nullopt : BisectorLink(region, variant);
+  if (best != nullptr) return InsteadOf(*best, region, asked);
+  return tried_bisector ? std::nullopt : BisectorLink(region, asked);
 }
 
 }  // namespace slicefarm::exposure

@@ -44,7 +44,8 @@ class LinkChoice {
   /// not cross.
   ///
   /// variant: 0 for the best one; 1, 2 for the next ones of the same rank, as long as they make no
-  /// angle below 30 degrees, and for cuts beside the bisector.
+  /// angle below 30 degrees, for cuts beside the bisector, and for such where a convex corner is
+  /// the only one.
   std::optional<Link> Choose(const CutRegion& region, CornerIndex from, int32_t variant = 0);
 
  private:
@@ -71,6 +72,7 @@ class LinkChoice {
   void AddCandidate(const Polygon& ring, CornerIndex index, ExactVector at, bool turns);
   bool Sees(ExactVector at);
   Link LinkTo(const Candidate& candidate) const;
+  Link InsteadOf(const Candidate& best, const CutRegion& region, int32_t variant);
   std::optional<Link> BisectorLink(const CutRegion& region, int32_t variant);
   std::optional<Link> LinkAlong(const CutRegion& region, double share);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm::exposure::link_choice_test {
@@ -23,10 +24,10 @@ CornerIndex At(const CutRegion& region, double x_mm, double y_mm) {
 }
 
 /// The end of the cut from the corner at (x, y), in mm.
-Point LinkFrom(const char* text, double x_mm, double y_mm) {
+Point LinkFrom(const char* text, double x_mm, double y_mm, int32_t variant = 0) {
   const CutRegion region = RegionOf(text);
   LinkChoice choice;
-  const auto link = choice.Choose(region, At(region, x_mm, y_mm));
+  const auto link = choice.Choose(region, At(region, x_mm, y_mm), variant);
   EXPECT_TRUE(link);
   if (!link) return {};
   return link->extra.value_or(region.rings[link->end.ring][link->end.point]);
@@ -56,6 +57,17 @@ TEST(LinkChoice, SharpCornersGiveWayToTheBisector) {
   const Point end = LinkFrom("(0 0, 50 1, 100 0, 100 10, 0 10)", 50, 1);
   EXPECT_EQ(end.y, 10 * kNmPerMm);
   EXPECT_NEAR(static_cast<double>(end.x), 50e6, 2e6);
+}
+
+TEST(LinkChoice, VariantsOfTheOnlyCornerEndBesideIt) {
+  const char angle[] = "(0 0, 20 0, 20 10, 10 10, 10 20, 0 20)";
+  EXPECT_EQ(LinkFrom(angle, 10, 10), Mm(0, 0));
+  const Point left = LinkFrom(angle, 10, 10, 1), right = LinkFrom(angle, 10, 10, 2);
+  EXPECT_NE(left, right);
+  for (const Point end : {left, right}) {
+    EXPECT_TRUE(end.x == 0 || end.y == 0);
+    EXPECT_GT(Distance(end, Mm(0, 0)), 2e6);
+  }
 }
 
 TEST(LinkChoice, NothingBehindACornerIsSeen) {

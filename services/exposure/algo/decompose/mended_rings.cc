@@ -30,7 +30,8 @@ struct Edge {
 absl::Status Malformed(const char* what, Point at) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
                    fmt::format("the outline's rings {} near ({:.6f}, {:.6f}) mm", what,
-                               ToMm(static_cast<double>(at.x)), ToMm(static_cast<double>(at.y))));
+                               ToMm(static_cast<double>(at.x)), ToMm(static_cast<double>(at.y))),
+                   {{"x_nm", std::to_string(at.x)}, {"y_nm", std::to_string(at.y)}});
 }
 
 bool Cross(const Edge& e, const Edge& f) {

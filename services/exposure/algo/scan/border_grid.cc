@@ -91,6 +91,19 @@ Span LongestGap(std::vector<Span>& spans) {
   return best;
 }
 
+/// Whether `holds(t)` in the middle of each part of [0, 1] outside of all spans; sorts them.
+template <typename Holds>
+bool AllGaps(std::vector<Span>& spans, Holds holds) {
+  std::sort(spans.begin(), spans.end());
+  double at = 0;
+  for (const Span& span : spans) {
+    if (span.first > at && !holds((at + std::min(span.first, 1.0)) / 2)) return false;
+    at = std::max(at, span.second);
+    if (at >= 1) return true;
+  }
+  return holds((at + 1) / 2);
+}
+
 }  // namespace
 
 BorderGrid::BorderGrid(const MultiPolygon& region, double reach_nm) : box_(Bounds(region)) {
@@ -222,6 +235,52 @@ bool BorderGrid::KeepsOn(Point a, Point b, double distance_nm) const {
   return IsFarFromBorder(a, b) || KeepsAlong(Local(a), Local(b), distance_nm, inside);
 }
 
+bool BorderGrid::Stays(Point a, Point b, double beyond_nm) const {
+  if (Has(a) && Has(b) && IsFarFromBorder(a, b)) return true;
+  const Box around = box_.Grown(static_cast<Coord>(beyond_nm));
+  const auto may_stay = [&](Point p) {
+    return p.x >= around.min.x && p.x <= around.max.x && p.y >= around.min.y && p.y <= around.max.y;
+  };
+  return !box_.Empty() && may_stay(a) && may_stay(b) &&
+         IsInsideWhereFar(Local(a), Local(b), beyond_nm);
+}
+
+/// Whether an edge has all of the segment ab beside it, no farther than that: contours that lie on
+/// the outline.
+bool BorderGrid::RunsAlongEdge(PlaneVector a, PlaneVector b, double distance_nm) const {
+  const size_t square = IndexOf(At(a));
+  const auto is_beside = [&](const Edge& edge, PlaneVector p) {
+    return std::abs(edge.LeftOf(p)) <= distance_nm && Cross(p - edge.a, edge.inward) >= -1 &&
+           Cross(p - edge.b, edge.inward) <= 1;
+  };
+  return std::any_of(items_.begin() + begin_[square], items_.begin() + begin_[square + 1],
+                     [&](int32_t i) {
+                       const Edge& edge = edges_[static_cast<size_t>(i)];
+                       return is_beside(edge, a) && is_beside(edge, b);
+                     });
+}
+
+/// What is far from the border does not cross it: it is inside if its middle is.
+bool BorderGrid::IsInsideWhereFar(PlaneVector a, PlaneVector b, double distance_nm) const {
+  if (RunsAlongEdge(a, b, distance_nm)) return true;
+  const PlaneVector way = b - a;
+  if (!(Dot(way, way) > 0)) return IsInside(a) || IsNearEdge(a, distance_nm);
+  std::vector<Span> near;
+  Follow(a, b, [&](size_t square) {
+    for (int32_t i = begin_[square]; i < begin_[square + 1]; ++i) {
+      const Edge& edge = edges_[static_cast<size_t>(items_[static_cast<size_t>(i)])];
+      const double left_a = edge.LeftOf(a), left_b = edge.LeftOf(b);
+      if (std::min(left_a, left_b) > distance_nm || std::max(left_a, left_b) < -distance_nm ||
+          edge.AreBeside(a, b, distance_nm))
+        continue;
+      const Span span = NearSpan(a, way, edge.a, edge.b, distance_nm);
+      if (span.first <= span.second) near.push_back(span);
+    }
+    return true;
+  });
+  return AllGaps(near, [&](double t) { return IsInside({a.x + t * way.x, a.y + t * way.y}); });
+}
+
 /// Calls visit(square) for those that a segment passes, until it says false; passes over what has
 /// no border near. Returns whether visit never did.
 template <typename Visit>
@@ -294,8 +353,10 @@ bool BorderGrid::IsInside(PlaneVector p) const {
 }
 
 bool BorderGrid::IsNear(Point p, double distance_nm) const {
-  if (edges_.empty()) return false;
-  const PlaneVector at = Local(p);
+  return !edges_.empty() && IsNearEdge(Local(p), distance_nm);
+}
+
+bool BorderGrid::IsNearEdge(PlaneVector at, double distance_nm) const {
   const size_t square = IndexOf(At(at));
   return std::any_of(items_.begin() + begin_[square], items_.begin() + begin_[square + 1],
                      [&](int32_t i) {

@@ -31,6 +31,11 @@ class BorderGrid {
   /// is.
   bool KeepsOn(Point a, Point b, double distance_nm) const;
 
+  /// Whether no point of the segment ab lies outside of the region by more than `beyond_nm`: for
+  /// lines along the border itself, where roundings decide the side.
+  /// REQUIRES: 0 < beyond_nm <= reach. Cost: O(1) far from the border.
+  bool Stays(Point a, Point b, double beyond_nm) const;
+
   /// Whether the border comes nearer to p than that. REQUIRES: distance_nm <= reach.
   bool IsNear(Point p, double distance_nm) const;
 
@@ -75,6 +80,10 @@ class BorderGrid {
   /// Whether a segment keeps away; `inside`: whether it was seen where it is.
   bool KeepsAlong(PlaneVector a, PlaneVector b, double distance_nm, bool& inside) const;
   bool IsInside(PlaneVector p) const;
+  bool IsNearEdge(PlaneVector p, double distance_nm) const;
+  bool RunsAlongEdge(PlaneVector a, PlaneVector b, double distance_nm) const;
+  /// Whether of the segment ab all that is at least that far from the border is inside.
+  bool IsInsideWhereFar(PlaneVector a, PlaneVector b, double distance_nm) const;
 
   template <typename Visit>
   void ForEachSquare(const Edge& edge, double reach_nm, Visit visit) const;

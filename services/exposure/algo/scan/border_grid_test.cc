@@ -57,6 +57,24 @@ TEST(BorderGrid, TheLongestRunBesideACorner) {
   EXPECT_NEAR(static_cast<double>(part->second.y), 10e6 - std::sqrt(3e12), 2);
 }
 
+TEST(BorderGrid, StaysWhereALineRunsAlongTheBorder) {
+  const BorderGrid border(MakePolygonsOrDie(kFrame), 3'000);
+  const auto stays = [&](double x0, double y0, double x1, double y1) {
+    return border.Stays({FromMm(x0), FromMm(y0)}, {FromMm(x1), FromMm(y1)}, 3'000);
+  };
+  EXPECT_TRUE(stays(0, 0, 30, 0));
+  EXPECT_TRUE(stays(-0.002, -0.002, 30.002, -0.002));
+  EXPECT_FALSE(stays(-0.004, 0, 30, 0));
+  EXPECT_TRUE(stays(0, 10, 30, 10));      // along a side of the hole
+  EXPECT_TRUE(stays(0, 10.002, 30, 10));  // a little in it
+  EXPECT_FALSE(stays(0, 10.02, 30, 10));  // more
+  EXPECT_FALSE(stays(0, 15, 30, 15));     // over it, with both ends on the border
+  EXPECT_FALSE(stays(10, 10, 20, 20));    // from corner to corner
+  EXPECT_TRUE(stays(5, 15, 5, 15));
+  EXPECT_FALSE(stays(15, 15, 15, 15));
+  EXPECT_FALSE(stays(-9, 15, -8, 15));
+}
+
 double SegmentDistance(Point a, Point b, const MultiPolygon& region) {
   double nearest = std::min(DistanceToBoundary(a, region), DistanceToBoundary(b, region));
   ForEachRing(region, [&](const Polygon& ring) {
@@ -109,6 +127,49 @@ TEST(BorderGrid, IsWhatAllEdgesSay) {
   }
   EXPECT_GT(kept, 5000);
   EXPECT_GT(not_kept, 5000);
+}
+
+/// How far outside the farthest of many places of ab is; the way from one to the next.
+std::pair<double, double> FarthestOutside(Point a, Point b, const MultiPolygon& region) {
+  constexpr int kSteps = 200;
+  double farthest = 0;
+  for (int i = 0; i <= kSteps; ++i) {
+    const Point p{a.x + (b.x - a.x) * i / kSteps, a.y + (b.y - a.y) * i / kSteps};
+    if (!Inside(p, region)) farthest = std::max(farthest, DistanceToBoundary(p, region));
+  }
+  return {farthest, Distance(a, b) / kSteps + 2};
+}
+
+/// Random segments, many of them along an edge, against places on them.
+TEST(BorderGrid, StaysIsWhatPlacesOnTheLineSay) {
+  std::mt19937 random(8);
+  int stay = 0, stray = 0;
+  for (int i = 0; i < 200; ++i) {
+    const MultiPolygon region = RandomIsland(random, {}, Uniform(random, 0.2, 20));
+    const double beyond = Uniform(random, 1'000, 2e5);
+    const BorderGrid border(region, beyond);
+    const Box box = Bounds(region).Grown(200'000);
+    const std::vector<Polygon> rings = Rings(region);
+    for (int k = 0; k < 60; ++k) {
+      const Polygon& ring = rings[random() % rings.size()];
+      const size_t at = random() % ring.size();
+      const auto off = [&] { return std::llround(Uniform(random, -1.5, 1.5) * beyond); };
+      Point a = ring[at] + Point{off(), off()};
+      Point b = ring[(at + 1 + k % 2) % ring.size()] + Point{off(), off()};
+      if (k % 3 == 0) a = RandomPoint(random, box);
+      if (k % 9 == 0) b = RandomPoint(random, box);
+      const auto [farthest, step] = FarthestOutside(a, b, region);
+      if (farthest > beyond + 1) {
+        EXPECT_FALSE(border.Stays(a, b, beyond)) << ToText(region) << i << " " << k;
+        ++stray;
+      } else if (farthest + step < beyond) {
+        EXPECT_TRUE(border.Stays(a, b, beyond)) << ToText(region) << i << " " << k;
+        ++stay;
+      }
+    }
+  }
+  EXPECT_GT(stay, 1000);
+  EXPECT_GT(stray, 1000);
 }
 
 }  // namespace

@@ -21,4 +21,12 @@ inline Point Rounded(PlaneVector p) { return {std::llround(p.x), std::llround(p.
 
 using ConvexRing = std::vector<PlaneVector>;
 
+/// Coordinates of the piece are in 1 / `scale` nm.
+inline ConvexRing ConvexRingOf(const Polygon& piece, double scale) {
+  ConvexRing ring;
+  for (const Point p : piece)
+    ring.push_back({static_cast<double>(p.x) / scale, static_cast<double>(p.y) / scale});
+  return ring;
+}
+
 }  // namespace slicefarm::exposure

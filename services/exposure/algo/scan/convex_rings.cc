@@ -16,6 +16,9 @@ namespace {
 constexpr double kAsLong = 0.95;
 /// Lines closer to parallel than this have no corner.
 constexpr double kParallel = 1e-12;
+/// Less than this is left in the middle, as a share of the pitch: too narrow for a line.
+constexpr double kFits = 0.02;
+constexpr double kDepthNm = 1'000;
 
 /// Rounded to nm, with the first point again at the end. Less than 4 points: no ring.
 Polyline ClosedLine(const ConvexRing& ring) {
@@ -27,11 +30,13 @@ Polyline ClosedLine(const ConvexRing& ring) {
   return line;
 }
 
-ConvexRing Spurred(const ConvexRing& ring, const ConvexRing& gap, const RingFill& fill) {
-  return fill.corners ? WithSpurs(ring, gap, fill.spurs) : ring;
-}
-ConvexRing OuterSpurred(const ConvexRing& ring, const RingFill& fill) {
-  if (!fill.corners || fill.border == nullptr) return ring;
+/// Ring `k` of a piece with spurs, if it has its turn; `gap`: what it leaves open around it, except
+/// of the outermost.
+ConvexRing Spurred(const ConvexRing& ring, int64_t k, const ConvexRing& gap, const RingFill& fill) {
+  const bool has_turn = !fill.turn || (k + fill.turn->corner) % kCornerTurns == 0;
+  if (!fill.corners || !has_turn) return ring;
+  if (k > 0) return gap.empty() ? ring : WithSpurs(ring, gap, fill.spurs);
+  if (fill.border == nullptr) return ring;
   return WithOuterSpurs(ring, fill.first_nm, *fill.border, fill.spurs);
 }
 
@@ -107,6 +112,24 @@ ConvexRing ConvexInsets::At(double distance) {
   return ring;
 }
 
+double ConvexInsets::Depth() {
+  ConvexRing border = At(0);
+  double twice_area = 0, around = 0;
+  for (size_t i = 0; i < border.size(); ++i) {
+    const PlaneVector a = border[i], b = border[(i + 1) % border.size()];
+    twice_area += Cross(a - border[0], b - border[0]);
+    around += Norm(b - a);
+  }
+  if (!(around > 0)) return 0;
+  // A circle of half of the greatest depth that area and length allow fits into any convex polygon.
+  double low = twice_area / around / 2, high = 2 * low;
+  while (high - low > kDepthNm) {
+    const double middle = (low + high) / 2;
+    (At(middle).empty() ? high : low) = middle;
+  }
+  return high;
+}
+
 namespace {
 
 /// The longest side's line, and how far the polygon reaches from it.
@@ -176,25 +199,50 @@ Spine SpineOf(const ConvexRing& ring, double spot_nm) {
   return LengthOf(middle) < kAsLong * LengthOf(low) ? low : middle;
 }
 
+namespace {
+
+/// From which ring on rings are nearer, and by how much.
+struct Nearer {
+  int64_t from = 0;
+  double by_nm = 0;
+  /// Rings from here on have no spurs, which lie where all links of the middle do.
+  int64_t plain_from = std::numeric_limits<int64_t>::max();
+};
+
+/// So that the innermost ring's sides are a pitch apart, and nothing is left in the middle.
+Nearer NearerOf(const Polygon& piece, double scale, const RingFill& fill) {
+  if (!fill.turn) return {};
+  const double depth = ConvexInsets(piece, scale).Depth() - fill.first_nm;
+  if (depth < kTurnedRings * fill.pitch_nm) return {};
+  const double innermost = std::ceil(depth / fill.pitch_nm - 0.5 - kFits);
+  return {std::llround(std::floor(fill.turn->nearer * innermost)) + 1,
+          std::max(0.0, (innermost + 0.5) * fill.pitch_nm - depth), std::llround(innermost) - 2};
+}
+
+}  // namespace
+
 std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const RingFill& fill) {
   std::vector<Polyline> rings;
+  const Nearer nearer = NearerOf(piece, scale, fill);
   ConvexInsets insets(piece, scale);
   // Up to where the rings melt: what lies deeper has not been reached yet.
   double reached = fill.first_nm - fill.pitch_nm / 2;
   ConvexRing gap;  // where a ring ends to melt, around the next one
   for (int64_t k = 0;; ++k) {
     ConvexInsets before = insets;
-    const double distance = fill.first_nm + static_cast<double>(k) * fill.pitch_nm;
+    const double distance = fill.first_nm + static_cast<double>(k) * fill.pitch_nm -
+                            (k >= nearer.from ? nearer.by_nm : 0);
     const ConvexRing ring = insets.At(distance);
     if (ring.empty()) {
       insets = std::move(before);
       break;
     }
-    Polyline line = ClosedLine(k > 0 ? Spurred(ring, gap, fill) : OuterSpurred(ring, fill));
+    Polyline line = ClosedLine(k < nearer.plain_from ? Spurred(ring, k, gap, fill) : ring);
     reached = distance + fill.pitch_nm / 2;
     if (line.size() < 4) break;
     rings.push_back(std::move(line));
-    if (fill.corners) gap = insets.At(reached);
+    // The next one may lie where this one has melted: nothing is open between them.
+    gap = fill.corners && k + 1 != nearer.from ? insets.At(reached) : ConvexRing{};
   }
   const ConvexRing rest = insets.At(std::max(0.0, reached));
   if (rest.size() < 3) return rings;

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "common/geometry/polygon.h"
 #include "services/exposure/algo/scan/border_grid.h"
 #include "services/exposure/algo/scan/convex_ring.h"
 #include "services/exposure/algo/scan/corner_spurs.h"
+#include "services/exposure/algo/scan/layer_shift.h"
 
 namespace slicefarm::exposure {
 
@@ -18,6 +21,10 @@ class ConvexInsets {
 
   /// Counter-clockwise; empty if nothing is left.
   ConvexRing At(double distance_nm);
+
+  /// Of the deepest inset of which something is left, and up to a micrometre more. REQUIRES: At is
+  /// not called any more. Cost: O(n log(depth)).
+  double Depth();
 
  private:
   /// A line; the polygon is on its left.
@@ -48,14 +55,20 @@ struct RingFill {
   double least_spine = 0.05;
   bool corners = false;  ///< rings reach into corners (corner_spurs.h)
   SpurFill spurs = {};
+  /// What is melted twice lies elsewhere in each layer (layer_shift.h); nullopt: all rings reach
+  /// into corners, and the innermost overlaps itself or the line in the middle.
+  std::optional<RingTurn> turn = std::nullopt;
   /// Of the region that was cut into pieces, with a reach of SpurReach and spine_gap_nm at least;
   /// null: the piece is all of it.
   const BorderGrid* border = nullptr;
   double spine_gap_nm = 0;  ///< from the border to spines without a ring around them
 };
 
+inline constexpr double kTurnedRings = 4;
+
 /// Rings of a convex piece from its border inwards, at first + k * pitch, and the spine of what is
-/// left in the middle (two points). Rounded to nm.
+/// left in the middle (two points). With a turn, rings from one of them on are nearer by less than
+/// a pitch, if the piece has room for kTurnedRings. Rounded to nm.
 std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const RingFill& fill);
 
 }  // namespace slicefarm::exposure

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <random>
+#include <set>
 
+#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
@@ -35,6 +37,60 @@ TEST(ConvexInsets, OfASquare) {
 TEST(ConvexInsets, CoordinatesHaveAScale) {
   const Polygon square = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)")[0].outer;
   EXPECT_NEAR(AreaOf(ConvexInsets(square, 1000).At(1e3)), 64e6, 1);
+}
+
+TEST(ConvexInsets, Depth) {
+  const struct {
+    const char* polygon;
+    double depth;
+  } cases[] = {{"(0 0, 10 0, 10 10, 0 10)", 5e6},
+               {"(0 0, 30 0, 30 10, 0 10)", 5e6},
+               {"(0 0, 3 0, 0 4)", 1e6},
+               {"(0 0, 100 0, 50 0.1)", 49'999.95}};
+  for (const auto& c : cases) {
+    const double depth = ConvexInsets(MakePolygonsOrDie(c.polygon)[0].outer, 1).Depth();
+    EXPECT_GE(depth, c.depth - 1) << c.polygon;
+    EXPECT_LE(depth, c.depth + 1'001) << c.polygon;
+  }
+}
+
+/// 9.05 mm are 45 rings and a quarter: from one ring on, all lie as much nearer that the innermost
+/// one's sides are a pitch apart.
+TEST(ConvexRings, OfATurnFitTheMiddle) {
+  const Polygon block = MakePolygonsOrDie("(0 0, 9.05 0, 9.05 20, 0 20)")[0].outer;
+  RingFill fill{.pitch_nm = 1e5, .first_nm = 5e4};
+  std::set<size_t> where;
+  for (int32_t layer = 0; layer < 100; ++layer) {
+    fill.turn = RingTurnOf(layer);
+    const std::vector<Polyline> rings = ConvexRings(block, 1, fill);
+    ASSERT_EQ(rings.size(), 46u);
+    const auto left = [&](size_t k) { return static_cast<double>(Bounds(rings[k]).min.x); };
+    const Box middle = Bounds(rings.back());
+    EXPECT_NEAR(static_cast<double>(middle.max.x - middle.min.x), 1e5, 2'002);
+    size_t nearer = 0;
+    for (size_t k = 1; k < rings.size(); ++k) {
+      if (left(k) - left(k - 1) > 99'000) continue;
+      EXPECT_EQ(nearer, 0u);
+      EXPECT_NEAR(left(k) - left(k - 1), 25'000, 1'002);
+      nearer = k;
+    }
+    where.insert(nearer);
+  }
+  EXPECT_EQ(where.size(), 45u);  // each of them in its turn
+}
+
+TEST(ConvexRings, EveryFifthOfATurnReachesIntoCorners) {
+  const Polygon square = MakePolygonsOrDie("(0 0, 8 0, 8 8, 0 8)")[0].outer;
+  RingFill fill{.pitch_nm = 8e4, .first_nm = 4e4, .corners = true, .spurs = {.spot_nm = 8e4}};
+  std::vector<int> spurred(50);
+  for (int32_t layer = 0; layer < kCornerTurns; ++layer) {
+    fill.turn = RingTurnOf(layer);
+    const std::vector<Polyline> rings = ConvexRings(square, 1, fill);
+    ASSERT_EQ(rings.size(), spurred.size());
+    for (size_t k = 0; k < rings.size(); ++k) spurred[k] += rings[k].size() > 5 ? 1 : 0;
+  }
+  // Not the outermost, which has the region's border around it, nor the middle ones.
+  for (size_t k = 0; k < spurred.size(); ++k) EXPECT_EQ(spurred[k], k > 0 && k < 47 ? 1 : 0) << k;
 }
 
 /// Of random convex polygons, against the offset by Clipper.
@@ -103,6 +159,24 @@ TEST(ConvexRings, KeepTheirDistanceFromTheBorder) {
         EXPECT_GE(DistanceToBoundary(p, {{hull, {}}}), 40'000 - 2);
       }
     }
+  }
+}
+
+/// Whatever the turn, rings keep the first one's distance to a random piece's border, and tips of
+/// spurs do, too.
+TEST(ConvexRings, OfATurnStayInside) {
+  std::mt19937 random(11);
+  for (int i = 0; i < 400; ++i) {
+    const Polygon hull = ConvexHull(RandomStar(random, 9, Uniform(random, 0.1, 1)));
+    if (hull.size() < 3) continue;
+    RingFill fill{.pitch_nm = 8e4, .first_nm = 3e4, .corners = true, .spurs = {.spot_nm = 8e4}};
+    fill.turn = RingTurnOf(i);
+    for (const Polyline& ring : ConvexRings(hull, 1, fill))
+      for (const Point p : ring) {
+        ASSERT_TRUE(Inside(p, {{hull, {}}})) << i;
+        if (ring.size() == 2) continue;
+        ASSERT_GE(DistanceToBoundary(p, {{hull, {}}}), 29'998) << i;
+      }
   }
 }
 

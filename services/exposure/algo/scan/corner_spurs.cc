@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
+
+#include "common/base/portable_math.h"
 
 namespace slicefarm::exposure {
 namespace {
@@ -103,6 +106,21 @@ ConvexRing WithSpurs(const ConvexRing& ring, const ConvexRing& around, const Spu
     const double width = WidthAt(around, Along(corner.at, spur.way, spur.length), spur.way);
     return width < kOpenTip * fill.spot_nm ? Spur{spur.way, to_tip - corner.OpenNm(fill)} : spur;
   });
+}
+
+double OpenShare(const ConvexRing& piece, double pitch_nm, const SpurFill& fill) {
+  const double radius = fill.spot_nm / 2;
+  double open_nm2 = 0, around_nm = 0;
+  for (size_t i = 0; i < piece.size(); ++i) {
+    around_nm += Norm(piece[(i + 1) % piece.size()] - piece[i]);
+    const std::optional<SharpCorner> corner = SharpCornerOf(piece, i);
+    if (!corner) continue;
+    // Between both sides of the tip and the spot that touches them.
+    const double half = Atan2(corner->sine, corner->cosine);
+    open_nm2 += radius * radius * (corner->cosine / corner->sine - std::numbers::pi / 2 + half);
+  }
+  // A piece has no more than 2 * area / (length around it * pitch) rings.
+  return around_nm > 0 ? 2 * open_nm2 / (around_nm * pitch_nm) : 0;
 }
 
 double SpurReach(double gap_nm) { return std::max(gap_nm, kSpurTouchNm); }

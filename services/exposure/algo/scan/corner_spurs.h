@@ -31,6 +31,10 @@ ConvexRing WithSpurs(const ConvexRing& ring, const ConvexRing& around, const Spu
 ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const BorderGrid& border,
                           const SpurFill& fill);
 
+/// What rings without spurs leave open in the corners of a piece, as a share of it, about.
+/// REQUIRES: counter-clockwise. Cost: O(n).
+double OpenShare(const ConvexRing& piece, double pitch_nm, const SpurFill& fill);
+
 /// In gaps. A corner that asks for more is sharper than 12 degrees: nothing to be seen stays open.
 inline constexpr double kLongestSpur = 10;
 

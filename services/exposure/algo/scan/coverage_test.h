@@ -42,6 +42,14 @@ class MeltedRaster {
     return inside > 0 ? melted / inside : 1;
   }
 
+  /// How many lines melt the region's point that most melt.
+  int Most() const {
+    int most = 0;
+    for (size_t i = 0; i < inside_.size(); ++i)
+      if (inside_[i]) most = std::max(most, melted_[i]);
+    return most;
+  }
+
  private:
   double X(size_t column) const {
     return static_cast<double>(box_.min.x + static_cast<Coord>(column) * step_);

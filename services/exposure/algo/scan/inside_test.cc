@@ -23,6 +23,17 @@ TEST(InsideInset, HatchBeginsAtTheContourAndRingsBeforeTheirFirstLine) {
   EXPECT_EQ(HatchTrim(options), 0);
 }
 
+TEST(InsideInset, LinesAlongTheContourComeBeforeTheHatch) {
+  const ExposureOptions options;
+  EXPECT_EQ(BorderInsets(options, 0), std::vector<Coord>{});
+  EXPECT_EQ(BorderInsets(options, 2), (std::vector<Coord>{200'000, 280'000}));
+  EXPECT_EQ(InsideInset(options, 2), 280'000);
+  EXPECT_EQ(NarrowDepth(options, 2), 320'000);
+  EXPECT_EQ(LineLevels(options, 2).size(), 4u);
+  EXPECT_EQ(LineLevels(options, 2).back().melted_nm, 240'000);
+  EXPECT_EQ(LineLevels(options, 2).back().line_nm, 280'000);
+}
+
 TEST(NarrowDepth, WhereLinesBeginToFillTheInside) {
   ExposureOptions options;
   EXPECT_EQ(NarrowDepth(options), 160'000);

@@ -1,5 +1,6 @@
 #include "services/exposure/algo/scan/layer_shift.h"
 
+#include <array>
 #include <cmath>
 
 #include "common/geometry/line_axes.h"
@@ -12,6 +13,9 @@ namespace {
 constexpr double kGolden = 0.61803398874989485;
 constexpr double kPlastic1 = 0.75487766624669276, kPlastic2 = 0.56984029099805327;
 constexpr int32_t kVariants = 3;
+/// Those of neighbouring layers are not neighbours.
+constexpr std::array<int32_t, kBorderTurns> kBorderTurn = {0, 3, 1, 4, 2, 5};
+constexpr std::array<int32_t, kCornerTurns> kCornerTurn = {0, 2, 4, 1, 3};
 
 double Turn(int32_t layer, double step) {
   const double at = layer * step;
@@ -37,6 +41,16 @@ Point GridShift(int32_t layer, double angle_deg, const ExposureOptions& options)
   const double period = Period(options);
   return LineAxes::OfDegrees(angle_deg).At(Turn(layer, kPlastic1) * period,
                                            Turn(layer, kPlastic2) * period);
+}
+
+int32_t BorderLines(int32_t layer, const ExposureOptions& options) {
+  const bool overlaps = options.contours > 0 && 2 * options.hatch_offset_nm <= options.spot_nm;
+  if (!options.shift_grids || !overlaps || IsRings(options.strategy)) return 0;
+  return kBorderTurn[static_cast<size_t>(layer % kBorderTurns)];
+}
+
+RingTurn RingTurnOf(int32_t layer) {
+  return {kCornerTurn[static_cast<size_t>(layer % kCornerTurns)], Turn(layer, kPlastic1)};
 }
 
 double RingStart(int32_t layer) { return Turn(layer, kGolden); }

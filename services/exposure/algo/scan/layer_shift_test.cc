@@ -40,6 +40,41 @@ TEST(GridShift, NoneIfNotAskedFor) {
   EXPECT_EQ(GridShift(1, 45, options), Point{});
 }
 
+TEST(BorderLines, AllCountsComeInTurn) {
+  ExposureOptions options;
+  std::array<int, kBorderTurns> seen{};
+  for (int32_t layer = 0; layer < 10 * kBorderTurns; ++layer) {
+    const int32_t lines = BorderLines(layer, options);
+    ASSERT_TRUE(lines >= 0 && lines < kBorderTurns);
+    ++seen[static_cast<size_t>(lines)];
+    EXPECT_NE(lines, BorderLines(layer + 1, options));
+  }
+  for (const int count : seen) EXPECT_EQ(count, 10);
+}
+
+TEST(BorderLines, NoneWhereHatchDoesNotOverlapTheContour) {
+  const auto lines = [](auto change) {
+    ExposureOptions options;
+    change(options);
+    return BorderLines(1, options);
+  };
+  EXPECT_GT(lines([](ExposureOptions&) {}), 0);
+  EXPECT_EQ(lines([](ExposureOptions& o) { o.shift_grids = false; }), 0);
+  EXPECT_EQ(lines([](ExposureOptions& o) { o.contours = 0; }), 0);
+  EXPECT_EQ(lines([](ExposureOptions& o) { o.hatch_offset_nm = 41'000; }), 0);
+  EXPECT_EQ(lines([](ExposureOptions& o) { o.strategy = ScanStrategy::kRings; }), 0);
+}
+
+TEST(RingTurnOf, EachRingHasItsTurn) {
+  std::array<int, kCornerTurns> seen{};
+  for (int32_t layer = 0; layer < 100; ++layer) {
+    const RingTurn turn = RingTurnOf(layer);
+    ASSERT_TRUE(turn.nearer >= 0 && turn.nearer < 1);
+    ++seen[static_cast<size_t>(turn.corner)];
+  }
+  for (const int count : seen) EXPECT_EQ(count, 100 / kCornerTurns);
+}
+
 TEST(RingStart, AllSharesComeInTurn) {
   std::array<int, 10> seen{};
   for (int32_t layer = 0; layer < 100; ++layer) ++seen[static_cast<size_t>(10 * RingStart(layer))];

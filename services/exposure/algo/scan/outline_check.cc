@@ -1,22 +1,25 @@
 #include "services/exposure/algo/scan/outline_check.h"
 
-#include <algorithm>
+#include <cmath>
 
-#include "common/geometry/offset/clean_offset.h"
 #include "services/exposure/algo/scan/border_grid.h"
 
 namespace slicefarm::exposure {
 namespace {
 
+/// Whether a piece of a line is where it may be; `is_first` of its line.
+bool MayLie(const BorderGrid& border, Point a, Point b, double distance_nm, bool is_first) {
+  if (distance_nm < 0) return border.Stays(a, b, -distance_nm);
+  return is_first ? border.Keeps(a, b, distance_nm) : border.KeepsOn(a, b, distance_nm);
+}
+
 std::optional<StrayVector> FindStrayOf(const ExposureGroup& group, const BorderGrid& border,
                                        double distance_nm) {
   std::optional<StrayVector> stray;
   group.ForEachLine([&](std::span<const Point> line) {
-    for (size_t i = 1; i < line.size() && !stray; ++i) {
-      const bool keeps = i == 1 ? border.Keeps(line[0], line[1], distance_nm)
-                                : border.KeepsOn(line[i - 1], line[i], distance_nm);
-      if (!keeps) stray = {group.kind, line[i - 1], line[i]};
-    }
+    for (size_t i = 1; i < line.size() && !stray; ++i)
+      if (!MayLie(border, line[i - 1], line[i], distance_nm, i == 1))
+        stray = {group.kind, line[i - 1], line[i]};
   });
   return stray;
 }
@@ -26,18 +29,12 @@ std::optional<StrayVector> FindStrayOf(const ExposureGroup& group, const BorderG
 std::optional<StrayVector> FindStray(std::span<const ExposureGroup> groups,
                                      const MultiPolygon& outline, const ExposureOptions& options) {
   if (groups.empty()) return std::nullopt;
-  double kept = static_cast<double>(options.beam_compensation_nm - kStrayNm), thin_wall = 0;
-  // Contours without compensation lie on the outline itself, to a rounding.
-  const bool grown = kept < 0;
-  if (grown) {
-    kept += static_cast<double>(2 * kStrayNm);
-    thin_wall += static_cast<double>(2 * kStrayNm);
-  }
-  const BorderGrid border(grown ? FastOffset(outline, 2 * kStrayNm) : outline,
-                          std::max(kept, thin_wall));
+  // Contours without compensation lie on the outline itself, to a rounding: then it is less than 0.
+  const auto kept = static_cast<double>(options.beam_compensation_nm - kStrayNm);
+  const BorderGrid border(outline, std::abs(kept));
   for (const ExposureGroup& group : groups) {
     const bool is_thin = group.kind == ExposureKind::kThinWall;
-    if (const auto stray = FindStrayOf(group, border, is_thin ? thin_wall : kept)) return stray;
+    if (const auto stray = FindStrayOf(group, border, is_thin ? 0 : kept)) return stray;
   }
   return std::nullopt;
 }

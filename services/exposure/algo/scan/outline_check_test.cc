@@ -53,6 +53,10 @@ TEST(FindStray, WithoutCompensationContoursLieOnTheOutline) {
   EXPECT_FALSE(Strays(ExposureKind::kContour, on, options));
   EXPECT_TRUE(Strays(ExposureKind::kContour, {At(-0.004, 0), At(5, 5)}, options));
   EXPECT_TRUE(Strays(ExposureKind::kContour, {At(5, 5), At(17, 5)}, options));
+  EXPECT_TRUE(Strays(ExposureKind::kContour, {At(10, 5), At(12, 5)}, options));
+  EXPECT_FALSE(Strays(ExposureKind::kHatch, {At(0, 5), At(10, 5)}, options));
+  EXPECT_TRUE(Strays(ExposureKind::kHatch, {At(0, 5), At(22, 5)}, options));
+  EXPECT_TRUE(Strays(ExposureKind::kThinWall, {At(-0.001, 5), At(5, 6)}, options));
 }
 
 TEST(FindStray, SaysWhichVector) {

@@ -14,6 +14,8 @@
 namespace slicefarm::exposure {
 namespace {
 
+constexpr double kMayBeOpen = 0.001;
+
 /// Turns a closed line so that it starts at its corner nearest to `from`. Not at the tip of a spur:
 /// that lies beyond the piece, and the way there may leave the region.
 void StartNear(Point from, Polyline& ring) {
@@ -32,13 +34,22 @@ RingFill FillOf(const ExposureOptions& options) {
   const double pitch = static_cast<double>(options.hatch_distance_nm);
   const double first = (pitch - static_cast<double>(options.ring_overlap_nm)) / 2;
   // The region begins this much outside of where hatch would: as far from the last contour.
-  const double offset = options.contours == 0 ? 0 : static_cast<double>(options.contour_distance_nm);
+  const double offset =
+      options.contours == 0 ? 0 : static_cast<double>(options.contour_distance_nm);
   return {.pitch_nm = pitch,
           .first_nm = first,
           .corners = options.fill_corners,
           .spurs = {.spot_nm = static_cast<double>(options.spot_nm),
                     .least_nm = static_cast<double>(options.minimum_vector_nm)},
           .spine_gap_nm = std::max(0.0, first - offset)};
+}
+
+/// Rings do by turns what melts a place twice, but not where that left more than kMayBeOpen open.
+RingFill TurnedFill(const Polygon& piece, double scale, RingFill fill, int32_t layer,
+                    const ExposureOptions& options) {
+  const bool may = OpenShare(ConvexRingOf(piece, scale), fill.pitch_nm, fill.spurs) <= kMayBeOpen;
+  if (options.turn_rings && may) fill.turn = RingTurnOf(layer);
+  return fill;
 }
 
 /// Makes the lines of a piece begin near where the one before ended.
@@ -61,7 +72,8 @@ void TurnSpines(std::vector<Polyline>& rings) {
 /// The lines of one piece, in order.
 std::vector<Polyline> PieceLines(const Polygon& piece, double scale, const RingFill& fill,
                                  const ExposureOptions& options, int32_t layer) {
-  std::vector<Polyline> rings = ConvexRings(piece, scale, fill);
+  std::vector<Polyline> rings =
+      ConvexRings(piece, scale, TurnedFill(piece, scale, fill, layer, options));
   std::erase_if(rings, [&](const Polyline& ring) {
     return Length(ring) < static_cast<double>(options.minimum_vector_nm);
   });

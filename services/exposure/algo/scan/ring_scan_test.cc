@@ -14,12 +14,12 @@
 namespace slicefarm::exposure::ring_scan_test {
 namespace {
 
-ExposureGroup Scan(const MultiPolygon& region, ExposureOptions options,
-                   CutCounts* counts = nullptr) {
+ExposureGroup Scan(const MultiPolygon& region, ExposureOptions options, CutCounts* counts = nullptr,
+                   int32_t layer = 0) {
   ExposureGroup group;
   CutCounts sum;
   options.strategy = ScanStrategy::kRings;
-  EXPECT_TRUE(ScanByRings(region, options, 0, {}, {}, group, sum).ok());
+  EXPECT_TRUE(ScanByRings(region, options, layer, {}, {}, group, sum).ok());
   if (counts != nullptr) *counts = sum;
   return group;
 }
@@ -58,10 +58,12 @@ MultiPolygon Reachable(const MultiPolygon& region, Coord spot_nm) {
 
 TEST(ScanByRings, CoversWhatTheSpotCanReach) {
   std::mt19937 random(12);
-  for (int i = 0; i < 8; ++i) {
+  for (int32_t i = 0; i < 15; ++i) {
     const MultiPolygon region = RandomIsland(random, {}, 5);
     MeltedRaster raster(Reachable(region, 80'000), 11'000);
-    Scan(region, {}).ForEachLine([&](std::span<const Point> line) { raster.Add(line, 80'000); });
+    Scan(region, {}, nullptr, i).ForEachLine([&](std::span<const Point> line) {
+      raster.Add(line, 80'000);
+    });
     EXPECT_GE(raster.Share(1), 0.995) << ToText(region);
   }
 }

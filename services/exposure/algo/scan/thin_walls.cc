@@ -51,13 +51,6 @@ MultiPolygon ThinParts(const MultiPolygon& islands, Coord inset_nm) {
   return thin;
 }
 
-ConvexRing PlaceOf(const Polygon& piece, double scale) {
-  ConvexRing ring;
-  for (const Point p : piece)
-    ring.push_back({static_cast<double>(p.x) / scale, static_cast<double>(p.y) / scale});
-  return ring;
-}
-
 /// Joins lines whose ends lie within `reach` of each other, nearest first, if the way between stays
 /// in the outline.
 std::vector<Polyline> Chained(std::vector<Polyline> lines, double reach, const BorderGrid& border) {
@@ -101,7 +94,7 @@ absl::StatusOr<std::vector<Polyline>> LinesOfPart(const PolygonWithHoles& part, 
   if (!pieces.ok()) return pieces.status();
   std::vector<Polyline> lines;
   for (const Polygon& piece : pieces->pieces) {
-    const Spine spine = SpineOf(PlaceOf(piece, static_cast<double>(pieces->scale)));
+    const Spine spine = SpineOf(ConvexRingOf(piece, static_cast<double>(pieces->scale)));
     const auto run = border.LongestRun(Rounded(spine.from), Rounded(spine.to), kKeptNm);
     if (run && Distance(run->first, run->second) > spine.width_nm)
       lines.push_back({run->first, run->second});
