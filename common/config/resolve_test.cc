@@ -216,7 +216,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "infill_overlap",
                     "0.05"},
         DerivedCase{
-            "OverlapPercentOfAuto", {{"nozzle_diameter", "0.8"}}, "infill_overlap", "0.315"},
+            "OverlapPercentOfAuto", {{"nozzle_diameter", "0.8"}}, "infill_overlap", "0.225"},
         DerivedCase{"OverlapInMm", {{"infill_overlap", "0.15"}}, "infill_overlap", "0.15"}),
     [](const auto& info) { return info.param.name; });
 

@@ -154,9 +154,8 @@ std::vector<SettingSpec> InfillSettings() {
        .unit = "mm",
        .min = 0,
        .max = 5,
-       .standard = "35%",
-       .doc = "How far the infill's lines reach into the walls (PrusaSlicer's 25% leaves up "
-              "to twice the gaps beside walls)",
+       .standard = "25%",
+       .doc = "How far the infill's lines reach into the walls",
        .relative_to = "perimeter_extrusion_width",
        .field = Bind([](auto& s) -> auto& { return s.infill[0].overlap_nm; })},
       {.key = "infill_anchor",

@@ -58,7 +58,7 @@ struct InfillOptions {
   Coord solid_width_nm = 450'000;        ///< solid_infill_extrusion_width
   Coord top_width_nm = 450'000;          ///< top_infill_extrusion_width
   Coord first_layer_width_nm = 450'000;  ///< first_layer_extrusion_width
-  Coord overlap_nm = 157'500;  ///< infill_overlap: how far the lines' ends reach into the walls
+  Coord overlap_nm = 112'500;  ///< infill_overlap: how far the lines' ends reach into the walls
   double solid_below_area_mm2 =
       0;                        ///< solid_infill_below_area: smaller sparse regions become solid
   Coord anchor_nm = 2'700'000;  ///< infill_anchor: of a line's end that is not linked

@@ -59,7 +59,7 @@ TEST(RandomRegions, AreFilledInsideTheSameEachTime) {
                               .angle_rad = Uniform(random, 0, 3),
                               .layer = static_cast<int32_t>(i % 100),
                               .z_nm = FromMm(Uniform(random, 0, 50)),
-                              .overlap_nm = 157'500,
+                              .overlap_nm = 112'500,
                               .anchor_nm = 2'700'000,
                               .anchor_max_nm = 50'000'000,
                               .planned = planned};

@@ -26,9 +26,9 @@ constexpr double kMaxLinkSpacings = 8.0;
 constexpr double kMinLengthWidths = 1.0;
 /// Beside walls, ends that no link leads on from come so much of the distance nearer that the
 /// overlap leaves: gaps where a line meets the edge at a flat angle are smaller.
-constexpr double kFreeShare = 0.5;
+constexpr double kFreeShare = 0.25;
 /// Links come nearer to the edge by so much of the overlap.
-constexpr double kLinkOverlap = 0.05;
+constexpr double kLinkOverlap = 0.07;
 /// What links between curves may add to their length.
 constexpr double kMostLinkShare = 0.01;
 constexpr double kDepthPrecision = 0.001;  // of a spacing

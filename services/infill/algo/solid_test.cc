@@ -80,7 +80,7 @@ TEST(SolidOnParts, CoversThemByAnEvenFlow) {
   double area = 0, empty = 0, twice = 0, outside = 0, plastic = 0;
   for (const FillPattern pattern : {FillPattern::kMonotonic, FillPattern::kRectilinear}) {
     for (const PolygonWithHoles& region : RealFillAreas()) {
-      const SolidFill fill{.pattern = pattern, .angle_rad = 0.8, .overlap_nm = 157'500};
+      const SolidFill fill{.pattern = pattern, .angle_rad = 0.8, .overlap_nm = 112'500};
       const auto group = FillSolid(region, fill);
       ASSERT_TRUE(group.ok());
       const RasterCover cover = CoverOf(group->paths, {region}, fill.height_nm, 25'000, 200'000);
@@ -102,7 +102,7 @@ TEST(SolidOnParts, CoversThemByAnEvenFlow) {
 // degrees are one path, and the plastic is the region's.
 TEST(Solid, LinesEndingOnAFlatSlopeAreLinked) {
   const PolygonWithHoles region = Island("(0 0, 60 0, 60 1, 3 11, 0 11)");
-  const auto group = FillSolid(region, {.overlap_nm = 157'500});
+  const auto group = FillSolid(region, {.overlap_nm = 112'500});
   ASSERT_TRUE(group.ok());
   EXPECT_EQ(group->paths.size(), 1u);
   EXPECT_NEAR(VolumeArea(*group, 200'000) / Area(region), 1, 0.01);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/model/bead_section.h"
@@ -36,6 +37,15 @@ absl::StatusOr<std::vector<Piece>> PiecesOf(const SparseFill& fill, const MultiP
                                             const PatternPlace& place) {
   if (fill.field != nullptr) return PiecesOfField(area, fill.pattern, place, *fill.field);
   return PatternOf(fill.pattern)(area, place);
+}
+
+/// Where lines may lie, `inset_nm` from the region's edge: not where beads along both sides would
+/// lie on each other. Corners of what is left after that are mitered, beyond edges that it
+/// swallowed.
+MultiPolygon RoomFor(const MultiPolygon& region, Coord inset_nm, Coord width_nm) {
+  const auto half = static_cast<Coord>(kLeastApart / 2 * static_cast<double>(width_nm));
+  const MultiPolygon wide = FastOffset(FastOffset(region, -(inset_nm + half)), half);
+  return wide.empty() ? wide : Intersection(wide, FastOffset(region, -inset_nm));
 }
 
 bool IsByLaw(const SparseFill& fill) {
@@ -80,9 +90,7 @@ absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const S
   if (region.empty() || (fill.field == nullptr && fill.density <= 0)) return paths;
   const Coord spacing = Spacing(fill.width_nm, fill.height_nm);
   const Coord inset = std::max<Coord>(0, spacing / 2 - fill.overlap_nm);
-  // Where beads along both sides would lie on each other, the walls do without.
-  const auto half = static_cast<Coord>(kLeastApart / 2 * static_cast<double>(fill.width_nm));
-  const MultiPolygon area = FastOffset(FastOffset(region, -(inset + half)), half);
+  const MultiPolygon area = RoomFor(region, inset, fill.width_nm);
   if (area.empty()) return paths;
   const auto density = DensityOf(fill, area);
   if (!density.ok()) return density.status();

@@ -17,7 +17,7 @@ MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
 /// As peers do by default.
 SparseFill Linked(FillPattern pattern) {
   return {.pattern = pattern,
-          .overlap_nm = 157'500,
+          .overlap_nm = 112'500,
           .anchor_nm = 2'700'000,
           .anchor_max_nm = 50'000'000};
 }

@@ -27,6 +27,10 @@ Feature FeatureOfLink(const Path& last, const Path& next) {
              : Feature::kGapFill;
 }
 
+bool AreSparse(const Path& last, const Path& next) {
+  return last.feature == Feature::kInternalInfill && next.feature == Feature::kInternalInfill;
+}
+
 Coord NarrowerWidth(const Path& last, const Path& next) {
   return std::min(last.closed ? last.WidthAt(0) : last.WidthAt(last.points.size() - 1),
                   next.WidthAt(0));
@@ -84,13 +88,16 @@ std::optional<Path> LinkBetween(PrintedEnd last, Path& next, Coord height_nm,
   link.tool = before.tool;
   link.inset = std::max(before.inset, next.inset);
   link.reversible = false;
-  const double cut = kLinkFlow * step;
+  const bool is_even = AreSparse(before, next);
+  const double cut = is_even ? step : kLinkFlow * step;
   if (last.is_loop && CanLoseEnd(before, cut)) {
     CutEnd(cut, last.path);
   } else if (next.closed && CanLoseEnd(next, cut)) {
     CutEnd(cut, next);
   }
   link.points = {EndOf(before), to};
+  link.widths_nm = {width};
+  if (is_even) return link;
   const double strip = static_cast<double>(Spacing(width, height_nm)) * cut /
                        Distance(link.points[0], link.points[1]);
   link.widths_nm = {WidthToFill(std::max<Coord>(1, std::llround(strip)), height_nm)};

@@ -14,7 +14,8 @@ namespace slicefarm::ordering {
 /// neither the outline nor an outer wall, it keeps printing: the flow need not stop, and a step
 /// without pressure would only ooze. A link has kLinkFlow of a bead's flow. A loop beside it ends
 /// earlier by as much plastic, so that no more is laid down than without the link; where no loop is
-/// beside it (pieces of walls that end where others begin), the link is what fills the gap.
+/// beside it (pieces of walls that end where others begin), the link is what fills the gap. Between
+/// lines of sparse infill, whose flow is even, a link is a bead as wide as they are.
 ///
 /// Only walls, gap fill and infill that is not seen are linked, of one tool.
 inline constexpr double kMostLinkWidths = 2;

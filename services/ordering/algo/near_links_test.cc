@@ -129,6 +129,20 @@ TEST(LinkBetween, LoopGivesWhatTheLinkTakes) {
   }
 }
 
+TEST(LinkBetween, LinesOfSparseInfillAreLinkedByABeadOfTheirWidth) {
+  Path line = Stroke(Feature::kInternalInfill, {0, 0}, {9'000'000, 0});
+  Path next = Stroke(Feature::kInternalInfill, {9'000'000, 800'000}, {0, 800'000});
+  const auto link = LinkBetween({line}, next, kHeight, Line(false));
+  ASSERT_TRUE(link.has_value());
+  EXPECT_EQ(link->widths_nm, std::vector<Coord>{kWidth});
+  Path loop = Loop(Feature::kInternalInfill, 0, 20'000'000);
+  Path inner = Loop(Feature::kInternalInfill, 600'000, 19'400'000);
+  const auto step = LinkBetween({loop, true}, inner, kHeight, Line(false));
+  ASSERT_TRUE(step.has_value());
+  EXPECT_EQ(step->widths_nm, std::vector<Coord>{kWidth});
+  EXPECT_NEAR(PathLength(loop), 80e6 - 600'000 * std::numbers::sqrt2, 10);
+}
+
 TEST(LinkBetween, LoopOfVaryingWidthKeepsItsWidths) {
   Path last = kInner, next = kOuter;
   last.widths_nm = {400'000, 420'000, 440'000, 460'000};

@@ -22,6 +22,9 @@ namespace {
 
 constexpr Coord kWidth = 450'000;
 constexpr Coord kHeight = 200'000;
+constexpr Coord kOverlap = 112'500;
+/// Of lines from the edge of their region.
+const auto kInset = static_cast<double>(Spacing(kWidth, kHeight) / 2 - kOverlap);
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
 
@@ -70,7 +73,7 @@ SparseFill Fill(FillPattern pattern, double density) {
           .angle_rad = std::numbers::pi / 4,
           .width_nm = kWidth,
           .height_nm = kHeight,
-          .overlap_nm = 157'500,
+          .overlap_nm = kOverlap,
           .anchor_nm = 2'700'000,
           .anchor_max_nm = 50'000'000,
           .planned = SamplePlan()};
@@ -135,7 +138,7 @@ TEST_P(PatternsWithALaw, DensityIsAsAsked) {
       // Loops keep their distance from the edge: counted is a whole number of them.
       const double loops = std::ceil(2 * kWidth / pitch - 0.5) + 0.5;
       const double band =
-          GetParam() == FillPattern::kConcentric ? loops * pitch + 46'000 : 2 * kWidth;
+          GetParam() == FillPattern::kConcentric ? loops * pitch + kInset : 2 * kWidth;
       const Box inner = Bounds(FastOffset(box, -std::llround(band)));
       for (const Path& path : *paths) length += LengthIn(path, inner);
       area += static_cast<double>(inner.max.x - inner.min.x) *
@@ -163,7 +166,7 @@ TEST_P(PatternsLaidOutHere, HoldToTheEdgeByEvenBeads) {
     const auto paths = FillSparse(region, fill);
     ASSERT_TRUE(paths.ok());
     for (const Path& path : *paths) EXPECT_EQ(path.widths_nm, std::vector<Coord>{kWidth});
-    const double depth = static_cast<double>(Spacing(kWidth, kHeight)) / 2 - 157'500 + 10'000;
+    const double depth = kInset + 10'000;
     EXPECT_GE(LengthAlongEdge(*paths, region, depth), (along_edge ? 0.9 : 0.2) * EdgeOf(region))
         << density;
     fill.anchor_max_nm = 0;
@@ -179,7 +182,7 @@ TEST_P(PatternsLaidOutHere, NarrowPlacesAreNotLeftEmpty) {
   const MultiPolygon narrow = P("(0 0, 20 0, 20 0.6, 0 0.6) ; (0 3, 20 3, 20 5, 0 5)");
   const auto paths = FillSparse(narrow, Fill(GetParam(), 0.1));
   ASSERT_TRUE(paths.ok());
-  EXPECT_GE(LengthAlongEdge(*paths, narrow, 60'000), 0.85 * EdgeOf(narrow));
+  EXPECT_GE(LengthAlongEdge(*paths, narrow, kInset + 10'000), 0.85 * EdgeOf(narrow));
 }
 
 TEST_P(Patterns, StayInside) {

@@ -199,7 +199,8 @@ int Missing(const CubicOctree& full, const CubicOctree& tree, const MultiPolygon
 TEST(CubicOctree, CarriesRoofsLikeCubicInfill) {
   const CubicOctree full = FullTree(0.2);
   for (const Shape& shape : Shapes()) {
-    const auto areas = SparseAreas(shape.stack, {1'350'000, kSkins, kSkins});
+    const auto areas =
+        SparseAreas(shape.stack, InnerAreas(shape.stack, 1'350'000), {kSkins, kSkins});
     for (const bool roofs_alone : {false, true}) {
       const CubicOctree tree = TreeOf(shape.stack, roofs_alone);
       int looked_at = 0, missing = 0;

@@ -17,7 +17,7 @@ TEST(LeaveOutUnneeded, OnlyWhatCarriesSomethingIsLeft) {
   const ObjectStack stack = StackOf(30, [](int i) {
     return MakePolygonsOrDie(i < 20 ? "(0 0, 30 0, 30 10, 0 10)" : "(0 0, 10 0, 10 10, 0 10)");
   });
-  const auto areas = SparseAreas(stack, {1'000'000, 2, 2});
+  const auto areas = SparseAreas(stack, InnerAreas(stack, 1'000'000), {2, 2});
   const auto roofs = RoofsOf(areas);
   std::vector<InfillPlaces> places(stack.size());
   LeaveOutUnneeded(areas, roofs, 900'000, 500'000, places);
@@ -32,7 +32,7 @@ TEST(LeaveOutUnneeded, ConesThatWidenUpwardsNeedLittleNearTheBed) {
     const Coord right = FromMm(10 + 0.2 * i);
     return MultiPolygon{{{{0, 0}, {right, 0}, {right, FromMm(10)}, {0, FromMm(10)}}, {}}};
   });
-  const auto areas = SparseAreas(stack, {1'000'000, 2, 2});
+  const auto areas = SparseAreas(stack, InnerAreas(stack, 1'000'000), {2, 2});
   std::vector<MultiPolygon> roofs(stack.size());
   roofs[20] = MakePolygonsOrDie("(2 2, 5 2, 5 5, 2 5) ; (6 6, 6.3 6, 6.3 8, 6 8)");
   std::vector<InfillPlaces> places(stack.size());
@@ -46,7 +46,7 @@ TEST(CombineLayers, TheLastOfEachStretchPrintsWhatAllShare) {
   const ObjectStack stack = StackOf(12, [](int i) {
     return MakePolygonsOrDie(i < 6 ? "(0 0, 20 0, 20 10, 0 10)" : "(0 0, 10 0, 10 10, 0 10)");
   });
-  const auto areas = SparseAreas(stack, {1'000'000, 1, 1});
+  const auto areas = SparseAreas(stack, InnerAreas(stack, 1'000'000), {1, 1});
   std::vector<InfillPlaces> places(stack.size());
   CombineLayers(stack, areas, 3, 1'800'000, places);
   // Stretches: 1-3, 4-6, 7-9; layers 10 and 11 are too few for another one.
@@ -71,7 +71,7 @@ TEST(CombineLayers, StripsWithoutRoomForLinesGoWithWhatIsBesideThem) {
     const Coord edge = FromMm(20 - 0.3 * i);
     return MultiPolygon{{{{0, 0}, {edge, 0}, {edge, FromMm(10)}, {0, FromMm(10)}}, {}}};
   });
-  const auto areas = SparseAreas(stack, {1'000'000, 1, 1});
+  const auto areas = SparseAreas(stack, InnerAreas(stack, 1'000'000), {1, 1});
   std::vector<InfillPlaces> places(stack.size());
   CombineLayers(stack, areas, 2, 1'800'000, places);
   int stretches = 0;

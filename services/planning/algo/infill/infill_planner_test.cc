@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "common/geometry/measure.h"
 #include "services/planning/algo/layers_test.h"
 
@@ -66,6 +69,30 @@ TEST(InfillPlanner, SupportCubicIsDenserBelowTops) {
   };
   EXPECT_GT(length(support, 190), 1.5 * length(support, 20));
   EXPECT_GT(length(adaptive, 20), 1.5 * length(support, 20));
+}
+
+// PrusaSlicer's planes of one direction are 3 widths / density apart in space; by sqrt(1.5) more in
+// a layer.
+TEST(InfillPlanner, OctreesHaveTheCubesThatADensityMeansInPrusaSlicer) {
+  for (const double density : {0.2, 0.4}) {
+    InfillPlanOptions options = Options(FillPattern::kAdaptiveCubic);
+    options.density = density;
+    options.angle_rad = 0;
+    const double apart = 3 * std::sqrt(1.5) * static_cast<double>(options.width_nm) / density;
+    int next_to_each_other = 0;
+    for (const LayerPlan& layer : PlanFor(options, Block()).layers) {
+      std::vector<double> along_x;
+      for (const Polyline& line : layer.infill[0].lines)
+        if (line.front().y == line.back().y) along_x.push_back(static_cast<double>(line[0].y));
+      std::ranges::sort(along_x);
+      for (size_t i = 1; i < along_x.size(); ++i) {
+        const double planes = (along_x[i] - along_x[i - 1]) / apart;
+        EXPECT_NEAR(planes, std::round(planes), 1e-4);
+        if (std::round(planes) == 1) ++next_to_each_other;
+      }
+    }
+    EXPECT_GT(next_to_each_other, kLayers / 2);
+  }
 }
 
 TEST(InfillPlanner, SaysWhatItChoseAndWhy) {

@@ -39,8 +39,9 @@ struct Sample {
 
 Sample SampleOf(ObjectStack stack) {
   Sample sample{std::move(stack), {}, {}, {}};
-  sample.areas = HollowAreas(sample.stack, SparseAreas(sample.stack, {kWalls, kSkins, kSkins}),
-                             kWalls, std::llround(kRadius));
+  const auto inner = InnerAreas(sample.stack, kWalls);
+  sample.areas =
+      HollowAreas(inner, SparseAreas(sample.stack, inner, {kSkins, kSkins}), std::llround(kRadius));
   sample.roofs = RoofsOf(sample.areas);
   sample.lines = LightningLines(sample.stack, sample.areas, sample.roofs, {kRadius, 0});
   return sample;

@@ -29,31 +29,39 @@ MultiPolygon Covered(MultiPolygon area, const ObjectStack& stack, Outlines outli
 
 }  // namespace
 
-std::vector<MultiPolygon> SparseAreas(const ObjectStack& stack, const SkinRules& rules) {
-  const Outlines outlines = rules.of_region_alone ? &StackLayer::region : &StackLayer::whole;
-  std::vector<MultiPolygon> areas;
-  areas.reserve(stack.size());
+std::vector<MultiPolygon> InnerAreas(const ObjectStack& stack, Coord walls_nm) {
+  std::vector<MultiPolygon> inner;
+  inner.reserve(stack.size());
   for (size_t i = 0; i < stack.size(); ++i) {
-    MultiPolygon area = FastOffset(stack[i].region, -rules.walls_nm);
-    area = Covered(std::move(area), stack, outlines, i, 1, rules.top_solid_layers);
-    areas.push_back(Covered(std::move(area), stack, outlines, i, -1, rules.bottom_solid_layers));
+    const bool is_prism = i > 0 && stack[i].region == stack[i - 1].region;
+    inner.push_back(is_prism ? inner.back() : FastOffset(stack[i].region, -walls_nm));
   }
-  return areas;
+  return inner;
 }
 
-std::vector<MultiPolygon> HollowAreas(const ObjectStack& stack,
-                                      const std::vector<MultiPolygon>& areas, Coord walls_nm,
-                                      Coord least_nm) {
+std::vector<MultiPolygon> SparseAreas(const ObjectStack& stack, std::vector<MultiPolygon> inner,
+                                      const SkinRules& rules) {
+  const Outlines outlines = rules.of_region_alone ? &StackLayer::region : &StackLayer::whole;
+  for (size_t i = 0; i < stack.size(); ++i) {
+    MultiPolygon& area = inner[i];
+    area = Covered(std::move(area), stack, outlines, i, 1, rules.top_solid_layers);
+    area = Covered(std::move(area), stack, outlines, i, -1, rules.bottom_solid_layers);
+  }
+  return inner;
+}
+
+std::vector<MultiPolygon> HollowAreas(const std::vector<MultiPolygon>& inner,
+                                      const std::vector<MultiPolygon>& areas, Coord least_nm) {
   std::vector<MultiPolygon> hollow;
   hollow.reserve(areas.size());
   for (size_t i = 0; i < areas.size(); ++i) {
-    const MultiPolygon inner = FastOffset(stack[i].region, -walls_nm);
-    const MultiPolygon solid = areas[i] == inner ? MultiPolygon{} : Difference(inner, areas[i]);
+    const MultiPolygon solid =
+        areas[i] == inner[i] ? MultiPolygon{} : Difference(inner[i], areas[i]);
     const MultiPolygon core = FastOffset(solid, -least_nm / 2);
     hollow.push_back(solid.empty() ? areas[i]
                      : core.empty()
-                         ? inner
-                         : Difference(inner, FastOffset(core, least_nm / 2 + kRoundedNm)));
+                         ? inner[i]
+                         : Difference(inner[i], FastOffset(core, least_nm / 2 + kRoundedNm)));
   }
   return hollow;
 }

@@ -16,7 +16,7 @@ TEST(SparseAreas, LieInsideOfWallsAndSkins) {
   const ObjectStack stack = StackOf(20, [](int i) {
     return MakePolygonsOrDie(i < 10 ? "(0 0, 20 0, 20 10, 0 10)" : "(0 0, 10 0, 10 10, 0 10)");
   });
-  const auto areas = SparseAreas(stack, {1'000'000, 3, 2});
+  const auto areas = SparseAreas(stack, InnerAreas(stack, 1'000'000), {3, 2});
   for (const int i : {0, 1, 17, 18, 19}) EXPECT_TRUE(areas[static_cast<size_t>(i)].empty()) << i;
   for (const int i : {2, 6}) EXPECT_NEAR(Mm2(areas[static_cast<size_t>(i)]), 18 * 8, 1e-6) << i;
   for (const int i : {7, 9}) EXPECT_NEAR(Mm2(areas[static_cast<size_t>(i)]), 9 * 8, 1e-6) << i;
@@ -32,7 +32,7 @@ TEST(SparseAreas, OfARegionAloneEndBelowOtherRegions) {
   ObjectStack stack = Prism(10, "(0 0, 20 0, 20 10, 0 10)");
   for (size_t i = 5; i < 10; ++i) stack[i].region = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");
   for (const bool alone : {false, true}) {
-    const auto areas = SparseAreas(stack, {1'000'000, 2, 1, alone});
+    const auto areas = SparseAreas(stack, InnerAreas(stack, 1'000'000), {2, 1, alone});
     EXPECT_NEAR(Mm2(areas[2]), 18 * 8, 1e-6);
     EXPECT_NEAR(Mm2(areas[4]), (alone ? 9 : 18) * 8, 1e-6);
     EXPECT_NEAR(Mm2(areas[6]), 8 * 8, 1e-6);
@@ -40,9 +40,10 @@ TEST(SparseAreas, OfARegionAloneEndBelowOtherRegions) {
 }
 
 TEST(SparseAreas, WithoutSkinsAllInsideOfTheWalls) {
-  const auto areas = SparseAreas(Prism(3, "(0 0, 20 0, 20 10, 0 10)"), {1'000'000, 0, 0});
+  const ObjectStack stack = Prism(3, "(0 0, 20 0, 20 10, 0 10)");
+  const auto areas = SparseAreas(stack, InnerAreas(stack, 1'000'000), {0, 0});
   for (const MultiPolygon& area : areas) EXPECT_NEAR(Mm2(area), 18 * 8, 1e-6);
-  EXPECT_TRUE(SparseAreas({}, {}).empty());
+  EXPECT_TRUE(SparseAreas({}, {}, {}).empty());
 }
 
 // Strips of a slope are none that carry, until they are as wide as asked for.
@@ -51,9 +52,9 @@ TEST(HollowAreas, TakeInNarrowSolidInfill) {
     const MultiPolygon plate = MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)");
     return i < 20 ? plate : MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (8 8, 8 12, 10 12, 10 8)");
   });
-  const auto areas = SparseAreas(stack, {FromMm(1), 3, 3});
+  const auto areas = SparseAreas(stack, InnerAreas(stack, FromMm(1)), {3, 3});
   for (const double least_mm : {1.5, 3.0}) {
-    const auto hollow = HollowAreas(stack, areas, FromMm(1), FromMm(least_mm));
+    const auto hollow = HollowAreas(InnerAreas(stack, FromMm(1)), areas, FromMm(least_mm));
     ASSERT_EQ(hollow.size(), areas.size());
     // Under the opening, which is 2 mm wide.
     EXPECT_NEAR(Area(areas[18]) / 1e12, 18 * 18 - 8, 1e-3);
