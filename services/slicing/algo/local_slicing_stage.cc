@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "common/base/parallel.h"
 #include "common/geometry/moved.h"
 #include "common/model/limits.h"
-#include "services/slicing/algo/parallel.h"
 #include "services/slicing/algo/placement/arranging/footprint.h"
 #include "services/slicing/algo/placement/orientation/orientation_advice.h"
 #include "services/slicing/algo/placement/prepared_object.h"

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace slicefarm::slicing {
+namespace slicefarm {
 
 /// Calls body(index, worker) once for each index of [0, count), on up to `threads` threads
 /// including this one; `worker` tells them apart, from 0. Indices are handed out one by one, so
@@ -24,4 +24,4 @@ void ForEachIndex(int threads, size_t count, Body body) {
   work(0);
 }
 
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm

@@ -1,11 +1,11 @@
-#include "services/slicing/algo/parallel.h"
+#include "common/base/parallel.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-namespace slicefarm::slicing::parallel_test {
+namespace slicefarm::parallel_test {
 namespace {
 
 TEST(ForEachIndex, VisitsEachOnce) {
@@ -26,4 +26,4 @@ TEST(ForEachIndex, VisitsEachOnce) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::parallel_test
+}  // namespace slicefarm::parallel_test

@@ -1,0 +1,124 @@
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/model/limits.h"
+#include "services/cli/commands/commands.h"
+#include "services/cli/console.h"
+#include "services/cli/files.h"
+#include "services/cli/models/given_models.h"
+#include "services/milling/algo/cutter_text.h"
+#include "services/milling/algo/waterline.h"
+#include "services/slicing/algo/mesh_io/mesh_reader.h"
+
+namespace slicefarm::cli {
+namespace {
+
+struct WaterlineCommandOptions {
+  std::string model;
+  std::string output;
+  std::string cutter;
+  std::vector<double> levels_mm;
+  milling::WaterlineOptions how;
+};
+
+using WaterlineLevels = std::vector<std::vector<milling::WaterlineLoop>>;
+
+absl::StatusOr<milling::TriangleMesh> ReadTriangles(const std::string& path) {
+  const auto file = ReadModelFile(path);
+  if (!file.ok()) return file.status();
+  const auto raw = slicing::ReadMesh(file->bytes, file->format, limits::kMaxMeshCoordinateMm, {});
+  if (!raw.ok()) return InFile(path, raw.status());
+  milling::TriangleMesh mesh;
+  mesh.points_mm.reserve(raw->positions.size());
+  for (const slicing::Position& p : raw->positions) mesh.points_mm.push_back({p.x, p.y, p.z});
+  mesh.triangles = raw->triangles;
+  return mesh;
+}
+
+std::string LoopsText(const WaterlineLevels& levels) {
+  fmt::memory_buffer text;
+  const auto out = std::back_inserter(text);
+  for (const auto& loops : levels) {
+    for (const milling::WaterlineLoop& loop : loops) {
+      fmt::format_to(out, "{} {}", loop.z_mm, loop.points_mm.size());
+      for (const Eigen::Vector2d& p : loop.points_mm)
+        fmt::format_to(out, " {:.9f} {:.9f}", p.x(), p.y());
+      text.push_back('\n');
+    }
+  }
+  return fmt::to_string(text);
+}
+
+ExitCode Waterline(const WaterlineCommandOptions& options) {
+  const auto cutter = milling::ParseCutter(options.cutter);
+  if (!cutter.ok()) return Fail(cutter.status());
+  const auto mesh = ReadTriangles(options.model);
+  if (!mesh.ok()) return Fail(mesh.status());
+  const auto start = std::chrono::steady_clock::now();
+  const auto levels = milling::Waterlines(*mesh, *cutter, options.levels_mm, options.how);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!levels.ok()) return Fail(levels.status());
+  const absl::Status written = WriteFile(options.output, LoopsText(*levels));
+  if (!written.ok()) return Fail(written);
+  size_t loops = 0, outer = 0, points = 0;
+  for (const auto& level : *levels) {
+    for (const milling::WaterlineLoop& loop : level) {
+      ++loops;
+      outer += loop.outer ? 1 : 0;
+      points += loop.points_mm.size();
+    }
+  }
+  Print(fmt::format("levels {}\nloops {}\nouter_loops {}\npoints {}\nseconds {:.6f}\n",
+                    levels->size(), loops, outer, points, seconds));
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddWaterline(CLI::App& app, CommandContext& context) {
+  CLI::App* command =
+      app.add_subcommand("waterline", "Ways of a milling cutter around a model, level by level");
+  const auto options = std::make_shared<WaterlineCommandOptions>();
+  command->add_option("MODEL", options->model, "STL, OBJ or PLY, in mm")->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "Where the loops go: `z n x y x y ...` a line, closed without repeating the "
+                   "first point")
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option("--cutter", options->cutter,
+                   "cyl:D, ball:D, bull:D:CORNER, cone:D:ANGLE, ballcone:TIP:ANGLE:D, "
+                   "bullcone:TIP:CORNER:ANGLE:D or conecone:TIP:TIP_ANGLE:ANGLE:D; diameters and "
+                   "corners in mm, half angles in degrees")
+      ->required()
+      ->type_name("CUTTER");
+  command->add_option("--z", options->levels_mm, "Heights of the cutter's tip")
+      ->required()
+      ->delimiter(',')
+      ->type_name("MM,...");
+  command->add_option("--sampling", options->how.sampling_mm, "Distance of fibers")
+      ->capture_default_str()
+      ->type_name("MM");
+  command->add_option("--threads", options->how.threads, "Threads")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str()
+      ->type_name("N");
+  command->footer(
+      "At every point of a loop the cutter touches the model; its tip must not go inside. Outer\n"
+      "loops run counter-clockwise, inner ones clockwise.\n"
+      "Example:\n"
+      "  slicefarm waterline part.stl --cutter ball:4 --z 1.5,2.0 --sampling 0.2 -o loops.txt");
+  command->callback(
+      [options, &context] { context.run = [options] { return Waterline(*options); }; });
+}
+
+}  // namespace slicefarm::cli
