@@ -273,11 +273,15 @@ class FdmJob : public PlannedJob {
   int32_t LayerCount() const override { return static_cast<int32_t>(layers_.size()); }
 
   std::vector<Task> Tasks(int slots) const override {
+    return TasksFor(SplitIntoRanges(layers_, slots));
+  }
+
+  std::vector<Task> TasksFor(const std::vector<LayerRange>& ranges) const {
     const std::span<const SlicedLayer> layers = layers_;
     const std::span<const LayerPlan> plans = plan_.layers;
     const int32_t halo = HaloLayers(settings_);
     std::vector<Task> tasks;
-    for (const LayerRange& range : SplitIntoRanges(layers, slots)) {
+    for (const LayerRange& range : ranges) {
       const LayerRange grown = WithHalo(layers, range, halo);
       const auto at = [](int32_t index) { return static_cast<size_t>(index); };
       tasks.push_back(FdmTask{.range = range,
@@ -306,10 +310,8 @@ class FdmJob : public PlannedJob {
     std::vector<LayerProgram> programs = InOrder(std::move(ranges));
     if (absl::Status printable = DropEmptyTops(programs); !printable.ok()) return printable;
 
-    ProgramSummary summary = Summarize(programs);
+    ProgramSummary summary = SummaryOf(programs);
     summary.thumbnails = std::move(thumbnails_);
-    summary.copies = SummarizeCopies(std::move(facts_.copies), std::move(copies_));
-    summary.settings_text = std::move(settings_text_);
     auto frame = Timed(report_.stage_times.motion_s, [&] {
       const ScopedSpan span(call.spans, "frame");
       return motion_.Envelope(call, summary, settings_.motion);
@@ -321,6 +323,14 @@ class FdmJob : public PlannedJob {
     if (std::string warning = WallWarning(warnings); !warning.empty())
       report_.warnings.push_back(std::move(warning));
     return JobOutput{WholeProgram(*std::move(frame), std::move(programs)), std::move(report_)};
+  }
+
+  /// What the envelope of these programs looks at, thumbnails apart.
+  ProgramSummary SummaryOf(const std::vector<LayerProgram>& programs) const {
+    ProgramSummary summary = Summarize(programs);
+    summary.copies = SummarizeCopies(facts_.copies, copies_);
+    summary.settings_text = settings_text_;
+    return summary;
   }
 
  private:
@@ -368,6 +378,34 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
   if (absl::Status taken = job->Take(*std::move(sliced), *std::move(plan)); !taken.ok())
     return taken;
   return job;
+}
+
+absl::StatusOr<LayerSamples> FdmProcess::Sample(const StageCall& call, PlannedPlate plate,
+                                                std::span<const int32_t> layers,
+                                                TaskExecutor& executor) const {
+  const MotionOptions motion = plate.settings.motion;
+  FdmJob job(motion_, std::move(plate.settings), std::move(plate.settings_text), {});
+  if (absl::Status taken = job.Take(std::move(plate.sliced), std::move(plate.plan)); !taken.ok())
+    return taken;
+  std::vector<LayerRange> ranges;
+  for (const int32_t layer : layers) ranges.push_back({layer, layer + 1});
+  auto results = executor.Execute(call, job.TasksFor(ranges), [](int32_t) {});
+  if (!results.ok()) return results.status();
+  LayerSamples samples;
+  std::vector<FdmResult> made;
+  for (size_t i = 0; i < results->size(); ++i) {
+    made.push_back(std::get<FdmResult>(std::move((*results)[i])));
+    LayerSample& sample = samples.layers.emplace_back(LayerSample{layers[i]});
+    for (const LayerProgram& program : made.back().programs) {
+      sample.time_s += program.stats.TimeS();
+      sample.filament_mm += program.stats.FilamentMm();
+    }
+    samples.around_s -= sample.time_s;
+  }
+  const auto frame = motion_.Envelope(call, job.SummaryOf(InOrder(std::move(made))), motion);
+  if (!frame.ok()) return frame.status();
+  samples.around_s += frame->times.TotalS();
+  return samples;
 }
 
 }  // namespace slicefarm::coordinator
