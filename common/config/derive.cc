@@ -18,9 +18,12 @@ namespace {
 constexpr double kWidthPerNozzle = 1.125;  // of a bead whose width nobody set
 
 constexpr std::string_view kSpeeds[] = {
-    "perimeter_speed",        "external_perimeter_speed", "small_perimeter_speed", "infill_speed",
-    "solid_infill_speed",     "top_solid_infill_speed",   "gap_fill_speed",        "bridge_speed",
-    "support_material_speed", "support_material_interface_speed", "ironing_speed",
+    "perimeter_speed",        "external_perimeter_speed",
+    "small_perimeter_speed",  "infill_speed",
+    "solid_infill_speed",     "top_solid_infill_speed",
+    "gap_fill_speed",         "bridge_speed",
+    "support_material_speed", "support_material_interface_speed",
+    "ironing_speed",
 };
 
 /// Sparse infill whose lines run over each other in one layer.
@@ -134,8 +137,9 @@ void DeriveCombination(Draft& draft) {
 void DeriveFilament(Draft& draft) {
   for (const std::string_view key :
        {"retract_length", "retract_speed", "deretract_speed", "retract_restart_extra",
-        "retract_before_travel", "retract_lift", "retract_lift_above", "retract_lift_below", "wipe",
-        "retract_before_wipe", "retract_layer_change"}) {
+        "retract_before_travel", "retract_lift", "retract_lift_above", "retract_lift_below",
+        "travel_ramping_lift", "travel_max_lift", "travel_slope", "travel_lift_before_obstacle",
+        "seam_gap_distance", "wipe", "retract_before_wipe", "retract_layer_change"}) {
     const Draft::Entry& own = draft.At(fmt::format("filament_{}", key));
     if (own.value.has_value()) draft.At(key).value = own.value;
   }
@@ -168,6 +172,12 @@ void DeriveLayerChange(Draft& draft) {
     draft.SetNumber("retract_layer_change", 1);
 }
 
+/// More walls take the place of infill: where there is none, they are not looked for.
+void DeriveExtraWalls(Draft& draft) {
+  const bool filled = draft.Number("fill_density") > 0 && draft.Number("perimeters") > 0;
+  if (!filled) draft.SetNumber("extra_perimeters", 0);
+}
+
 /// Thumbnails take the format that they do not name from thumbnails_format.
 void DeriveThumbnails(Draft& draft) {
   if (draft.Number("thumbnails_format") != static_cast<int>(PictureFormat::kQoi)) return;
@@ -187,6 +197,7 @@ absl::Status CheckPercentages(const Draft& draft) {
     for (size_t i = 0; i < table.size(); ++i) {
       const Draft::Entry& entry = draft.entries()[i];
       if (table[i].kind != Kind::kNumberOrPercent || entry.given != given) continue;
+      if (table[i].standard == kNotSet) continue;  // counts where it takes another one's place
       const absl::Status status = CheckRange(table[i], entry.value->number, entry.written);
       if (!status.ok()) return status;
     }
@@ -210,6 +221,8 @@ absl::Status Derive(Draft& draft) {
   DeriveShell(draft, "bottom_solid_layers", "bottom_solid_min_thickness");
   DeriveCombination(draft);
   DeriveFilament(draft);
+  TakePercentage(draft, "seam_gap_distance");
+  DeriveExtraWalls(draft);
   DeriveLayerChange(draft);
   DeriveThumbnails(draft);
   absl::Status status = CheckPercentages(draft);

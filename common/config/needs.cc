@@ -23,10 +23,24 @@ constexpr Need kNeeds[] = {
      "filament_retract_restart_extra filament_retract_before_travel wipe filament_wipe",
      "retract_length of more than 0",
      [](const JobSettings& s) { return s.motion.retraction.length_mm > 0; }},
+    {"retract_lift filament_retract_lift", "travel_ramping_lift = 0",
+     [](const JobSettings& s) { return !s.motion.retraction.ramping; }},
+    {"travel_max_lift travel_slope travel_lift_before_obstacle filament_travel_max_lift "
+     "filament_travel_slope filament_travel_lift_before_obstacle",
+     "travel_ramping_lift = 1", [](const JobSettings& s) { return s.motion.retraction.ramping; }},
     {"retract_lift_above retract_lift_below filament_retract_lift_above "
      "filament_retract_lift_below",
-     "retract_lift of more than 0",
-     [](const JobSettings& s) { return s.motion.retraction.lift_mm > 0; }},
+     "retract_lift or, with travel_ramping_lift = 1, travel_max_lift of more than 0",
+     [](const JobSettings& s) {
+       const RetractionOptions& retraction = s.motion.retraction;
+       return (retraction.ramping ? retraction.ramp_lift_mm : retraction.lift_mm) > 0;
+     }},
+    {"travel_short_distance_acceleration", "travel_acceleration of more than 0",
+     [](const JobSettings& s) { return s.motion.travel_acceleration_mm_s2 > 0; }},
+    {"cooling_perimeter_transition_distance", "cooling_slowdown_logic = consistent_surface",
+     [](const JobSettings& s) { return s.motion.cooling.consistent_surface; }},
+    {"fuzzy_skin_thickness fuzzy_skin_point_dist", "a fuzzy_skin other than none",
+     [](const JobSettings& s) { return s.beading[0].fuzzy != FuzzySkin::kNone; }},
     {"retract_before_wipe filament_retract_before_wipe", "wipe = 1",
      [](const JobSettings& s) { return s.motion.retraction.wipe; }},
     // Accelerations are either all told to the firmware or all left to it.
@@ -46,6 +60,8 @@ constexpr Need kNeeds[] = {
      [](const JobSettings& s) { return s.motion.cooling.enabled; }},
     {"skirt_distance skirt_height min_skirt_length draft_shield", "skirts of more than 0",
      [](const JobSettings& s) { return s.planning.skirt.loops > 0; }},
+    {"brim_width", "a brim_type other than auto_brim",
+     [](const JobSettings& s) { return !s.planning.objects[0].brim.automatic.on; }},
     {"brim_width brim_separation", "a brim_type other than no_brim, and no raft",
      [](const JobSettings& s) {
        const ObjectPlanOptions& object = s.planning.objects[0];

@@ -199,8 +199,8 @@ class ObjectResolver {
       planning.raft_settings[static_cast<size_t>(layer)] = *row;
     }
     const BrimOptions& brim = planning.brim;
-    if (brim.type == BrimType::kNone || brim.width_nm <= 0 || raft_layers > 0)
-      return absl::OkStatus();
+    const bool wide = brim.automatic.on || brim.width_nm > 0;
+    if (brim.type == BrimType::kNone || !wide || raft_layers > 0) return absl::OkStatus();
     absl::StatusOr<int32_t> row = table_.RowOf(BrimRow(settings));
     if (!row.ok()) return row.status();
     planning.brim_settings = *row;
@@ -344,6 +344,27 @@ void Add(ObjectResolver::Result object, ResolvedPlate& plate) {
   settings.planning.objects.push_back(object.planning);
 }
 
+/// How far an object's brim stands out from it. That of auto_brim is not known before its shape is.
+Coord BrimReach(const ObjectPlanOptions& object) {
+  const BrimOptions& brim = object.brim;
+  const bool outside = brim.type == BrimType::kOuterOnly ||
+                       brim.type == BrimType::kOuterAndInner || brim.type == BrimType::kEars;
+  if (!outside || brim.automatic.on || object.raft.heights.layers > 0 || brim.width_nm <= 0)
+    return 0;
+  return brim.separation_nm + brim.width_nm;
+}
+
+/// Copies that are arranged stand duplicate_distance apart, brims included.
+void LeaveRoomForBrims(JobSettings& settings) {
+  Coord reach = 0;
+  for (const ObjectPlanOptions& object : settings.planning.objects)
+    reach = std::max(reach, BrimReach(object));
+  SlicingOptions& slicing = settings.slicing;
+  if (reach > 0)
+    slicing.clearance_radius_nm =
+        std::max(slicing.clearance_radius_nm, slicing.part_distance_nm + 2 * reach);
+}
+
 }  // namespace
 
 absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
@@ -383,6 +404,7 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
     plate.settings.planning.skirt_settings = *row;
   }
   table.PutInto(plate.settings);
+  LeaveRoomForBrims(plate.settings);
   // FDM is what jobs were before there were processes: its text says nothing of it.
   if (process != Process::kFdm)
     plate.effective_text += fmt::format("process = {}\n", ProcessName(process));

@@ -90,13 +90,28 @@ double Density(const ResolvedPlate& plate, int32_t row) {
 
 TEST(ResolvePlate, WarnsOnceOfWhatObjectsAskFor) {
   SceneObject a = ObjectOfFile("a", 0, {}, 1), b = ObjectOfFile("b", 1, {}, 1);
-  a.settings = b.settings = {{"fuzzy_skin", "external", Source::kProfile}};
+  a.settings = b.settings = {{"support_material", "1", Source::kProfile}};
   EXPECT_THAT(PlateOrDie({}, {a, b}).warnings,
-              testing::ElementsAre(testing::StartsWith("a: fuzzy_skin = external")));
-  const std::vector<Setting> job = {{"fuzzy_skin", "external", Source::kProfile}};
+              testing::ElementsAre(testing::StartsWith("a: support_material = 1")));
+  const std::vector<Setting> job = {{"support_material", "1", Source::kProfile}};
   const auto plate = ResolvePlate(job, std::vector<SceneObject>{a, b});
   ASSERT_TRUE(plate.ok()) << plate.status();
-  EXPECT_THAT(plate->warnings, testing::ElementsAre(testing::StartsWith("fuzzy_skin = external")));
+  EXPECT_THAT(plate->warnings, testing::ElementsAre(testing::StartsWith("support_material = 1")));
+}
+
+TEST(ResolvePlate, ArrangedCopiesLeaveRoomForTheWidestBrim) {
+  const auto clearance = [](const Pairs& job, const char* brim_of_b) {
+    SceneObject a = ObjectOfFile("a", 0, {}, 1), b = ObjectOfFile("b", 1, {}, 1);
+    b.settings = {{"brim_width", brim_of_b, Source::kProfile}};
+    return PlateOrDie(job, {a, b}).settings.slicing.clearance_radius_nm;
+  };
+  EXPECT_EQ(clearance({}, "0"), 0);
+  EXPECT_EQ(clearance({{"brim_width", "3"}}, "0"), FromMm(6 + 2 * 3));
+  EXPECT_EQ(clearance({{"brim_width", "3"}, {"brim_separation", "0.5"}}, "8"),
+            FromMm(6 + 2 * 8.5));
+  EXPECT_EQ(clearance({{"brim_type", "inner_only"}}, "8"), 0);
+  EXPECT_EQ(clearance({{"complete_objects", "1"}, {"extruder_clearance_radius", "45"}}, "8"),
+            FromMm(45));
 }
 
 TEST(ResolvePlate, TellsOfSupportsThatPartsAskFor) {

@@ -88,6 +88,30 @@ void TakeClearance(JobSettings& settings) {
       sequence.complete_objects ? sequence.clearance_radius_nm : 0;
 }
 
+/// What auto_brim knows of the material: how long a part of it may be before it warps, and how well
+/// it holds; and how fast it is printed. Figures are OrcaSlicer's.
+AutomaticBrim AutomaticBrimOf(const JobSettings& settings) {
+  struct Material {
+    std::string_view type;
+    double thermal_length_mm, adhesion;
+  };
+  constexpr Material kMaterials[] = {{"ABS", 100, 1}, {"PA-CF", 100, 1},  {"PET-CF", 100, 1},
+                                     {"PC", 40, 1},   {"TPU", 1000, 0.5}, {"PETG", 200, 2},
+                                     {"PCTG", 200, 2}};
+  AutomaticBrim brim = settings.planning.objects[0].brim.automatic;
+  const auto material =
+      std::ranges::find(kMaterials, settings.motion.filament_type, &Material::type);
+  if (material != std::end(kMaterials)) {
+    brim.thermal_length_mm = material->thermal_length_mm;
+    brim.adhesion = material->adhesion;
+  }
+  const auto& speeds = settings.motion.speeds[0].speed_mm_s;
+  for (const Feature feature : {Feature::kExternalPerimeter, Feature::kPerimeter,
+                                Feature::kInternalInfill, Feature::kSolidInfill})
+    brim.max_speed_mm_s = std::max(brim.max_speed_mm_s, speeds[static_cast<size_t>(feature)]);
+  return brim;
+}
+
 /// What skirt, brim and raft take from settings that are about other things.
 void TakeAdhesion(JobSettings& settings) {
   const Coord first_height_nm = settings.slicing.first_layer_height_nm;
@@ -99,6 +123,7 @@ void TakeAdhesion(JobSettings& settings) {
   skirt.filament_area_mm2 = std::numbers::pi * radius_mm * radius_mm;
   ObjectPlanOptions& object = settings.planning.objects[0];
   object.brim.line_width_nm = line_width_nm;
+  object.brim.automatic = AutomaticBrimOf(settings);
   RaftHeights& raft = object.raft.heights;
   raft.first_nm = first_height_nm;
   raft.others_nm = std::max(settings.slicing.objects[0].layer_height_nm,

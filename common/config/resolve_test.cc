@@ -149,6 +149,7 @@ TEST(Resolve, TakesAWholeProfile) {
   ours.planning.skirt.loops = 1;
   ours.infill[0].overlap_nm = 112'500;
   ours.infill[0].shells = ShellThickness::kPartial;
+  ours.beading[0].extra_perimeters = true;
   ours.ordering.travel.hide = false;
   ours.infill[0].pattern = FillPattern::kStars;
   ours.slicing.thumbnails.clear();
@@ -402,10 +403,8 @@ TEST(Resolve, ReportsUnknownKeysOfAProfile) {
 }
 
 TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
-  for (const auto& [key, value] : Pairs{{"support_material", "1"},
-                                        {"spiral_vase", "1"},
-                                        {"fuzzy_skin", "external"},
-                                        {"post_process", "/bin/rm"}}) {
+  for (const auto& [key, value] :
+       Pairs{{"support_material", "1"}, {"spiral_vase", "1"}, {"post_process", "/bin/rm"}}) {
     const ResolvedSettings resolved = ResolveOrDie(Settings({{key, value}}, Source::kProfile));
     EXPECT_THAT(resolved.no_effect, ElementsAre(HasSubstr(key + " = " + value))) << key;
     EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr(key + " = " + value))) << key;

@@ -139,6 +139,7 @@ v1::MeshReport ToProto(const MeshReport& report) {
   proto.set_largest_gap_closed_mm(report.largest_gap_closed_mm);
   proto.set_dropped_length_mm(report.dropped_length_mm);
   proto.set_cracks_closed_mm(report.cracks_closed_mm);
+  proto.set_copies_off_bed(report.copies_off_bed);
   proto.set_overlapping_copies(report.overlapping_copies);
   return proto;
 }
@@ -163,6 +164,7 @@ absl::StatusOr<MeshReport> FromProto(const v1::MeshReport& proto) {
   report.largest_gap_closed_mm = proto.largest_gap_closed_mm();
   report.dropped_length_mm = proto.dropped_length_mm();
   report.cracks_closed_mm = proto.cracks_closed_mm();
+  report.copies_off_bed = proto.copies_off_bed();
   report.overlapping_copies = proto.overlapping_copies();
   return report;
 }

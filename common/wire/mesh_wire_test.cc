@@ -34,7 +34,7 @@ MeshReport DistinctReport() {
   MeshReport report;
   auto& [name, triangles, vertices, bodies, open_edges, non_manifold_edges, flipped_faces,
          degenerate_faces, repeated_faces, volume, min, max, closed, dropped, gap, length,
-         overlapping, cracks] = report;
+         off_bed, overlapping, cracks] = report;
   name = "part";
   triangles = 1;
   vertices = 2;
@@ -51,6 +51,7 @@ MeshReport DistinctReport() {
   dropped = 16;
   gap = 17;
   length = 18;
+  off_bed = 22;
   overlapping = 19;
   cracks = 20;
   return report;

@@ -342,7 +342,7 @@ constexpr OrcaChoice kChoices[] = {
     {"brim_type", "outer_only", "outer_only"},
     {"brim_type", "inner_only", "inner_only"},
     {"brim_type", "outer_and_inner", "outer_and_inner"},
-    {"brim_type", "auto_brim", "no_brim", false},
+    {"brim_type", "auto_brim", "auto_brim"},
     {"brim_type", "brim_ears", "brim_ears"},
     {"brim_type", "painted", "no_brim", false},
     {"support_material_auto", "normal(auto)", "1"},

@@ -60,14 +60,14 @@ TEST(JobOfProject, WarnsOfSettingsThatMakeAnotherPrint) {
   Project project = TwoObjects();
   project.dialect = SettingsDialect::kOrca;
   project.settings = {{"no_such", "1"},
-                      {"brim_type", "auto_brim"},
+                      {"brim_type", "painted"},
                       {"hole_to_polyhole", "0"},
                       {"sparse_infill_pattern", "crosshatch"}};
   project.objects[1].settings = {{"print_flow_ratio", "0.95"}, {"sparse_infill_pattern", "grid"}};
   const auto job = JobOfProject(project, 0);
   ASSERT_TRUE(job.ok()) << job.status();
   EXPECT_THAT(job->without_effect,
-              ElementsAre("brim_type = auto_brim", "sparse_infill_pattern = crosshatch",
+              ElementsAre("brim_type = painted", "sparse_infill_pattern = crosshatch",
                           "b: print_flow_ratio = 0.95", "no_such"));
   EXPECT_EQ(job->warnings.size(), 3u);
 }

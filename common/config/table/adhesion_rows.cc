@@ -17,6 +17,14 @@ void SetWidths(Coord width_nm, JobSettings& settings) {
   infill.sparse_width_nm = infill.solid_width_nm = infill.top_width_nm = width_nm;
 }
 
+/// Nothing but the number of walls that is asked for.
+void MakePlain(BeadingOptions& beading) {
+  beading.one_on_bed = false;
+  beading.one_on_top = OneWallOnTop::kNowhere;
+  beading.extra_perimeters = false;
+  beading.fuzzy = FuzzySkin::kNone;
+}
+
 /// No skins: all of a region is filled alike.
 void FillAlike(double density, double angle_rad, InfillOptions& infill) {
   infill.top_solid_layers = infill.bottom_solid_layers = 0;
@@ -55,7 +63,7 @@ JobSettings BrimRow(JobSettings settings) {
   SetWidths(beading.first_layer_width_nm, settings);
   beading.generator = WallGenerator::kArachne;
   beading.perimeters = kAllLines;
-  beading.one_on_bed = false;
+  MakePlain(beading);
   // A brim has no narrower places: a wider line there would lie on what it keeps away from.
   beading.min_feature_nm = beading.min_bead_width_nm = beading.first_layer_width_nm / 2;
   beading.gap_fill = true;
@@ -70,6 +78,7 @@ JobSettings RaftRow(JobSettings settings, int32_t layer) {
   const RaftLayerKind kind = RaftLayerKindOf(layer, layers);
   SetWidths(raft.lines.width_nm, settings);
   BeadingOptions& beading = settings.beading.front();
+  MakePlain(beading);
   beading.generator = WallGenerator::kClassic;
   beading.perimeters = kind == RaftLayerKind::kInterface ? 0 : 1;
   beading.gap_fill = false;

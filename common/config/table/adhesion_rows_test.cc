@@ -25,6 +25,9 @@ TEST(BrimRow, IsAllLinesOfTheFirstLayersWidth) {
   const JobSettings job = Resolved({{"first_layer_extrusion_width", "0.6"},
                                     {"perimeters", "2"},
                                     {"only_one_perimeter_first_layer", "1"},
+                                    {"top_one_perimeter_type", "topmost"},
+                                    {"extra_perimeters", "1"},
+                                    {"fuzzy_skin", "all"},
                                     {"perimeter_generator", "classic"},
                                     {"fill_density", "15%"}});
   const JobSettings row = BrimRow(job);
@@ -32,6 +35,9 @@ TEST(BrimRow, IsAllLinesOfTheFirstLayersWidth) {
   EXPECT_EQ(row.beading[0].inner_width_nm, 600'000);
   EXPECT_GT(row.beading[0].perimeters, 200 / 0.6 / 2) << "the widest brim there may be";
   EXPECT_FALSE(row.beading[0].one_on_bed);
+  EXPECT_EQ(row.beading[0].one_on_top, OneWallOnTop::kNowhere);
+  EXPECT_FALSE(row.beading[0].extra_perimeters);
+  EXPECT_EQ(row.beading[0].fuzzy, FuzzySkin::kNone);
   EXPECT_EQ(row.beading[0].generator, WallGenerator::kArachne);
   EXPECT_EQ(row.infill[0].density, 1);
   EXPECT_TRUE(row.ordering.walls[0].towards_holes);

@@ -6,13 +6,14 @@
 namespace slicefarm::config {
 
 RegionTable::Walls RegionTable::WallsOf(const JobSettings& settings) {
-  const RegionSpeeds& speeds = settings.motion.speeds.front();
-  Walls walls{settings.beading.front(), settings.ordering.walls.front(), {}, speeds.scarf};
+  Walls walls{settings.beading.front(), settings.ordering.walls.front(),
+              settings.motion.speeds.front()};
   walls.beading.wall_class = 0;
-  for (const Feature feature : {Feature::kExternalPerimeter, Feature::kPerimeter,
-                                Feature::kOverhangPerimeter, Feature::kGapFill})
-    walls.speeds.push_back(speeds.speed_mm_s[static_cast<size_t>(feature)]);
-  walls.speeds.push_back(speeds.small_perimeter_speed_mm_s);
+  for (const Feature feature :
+       {Feature::kInternalInfill, Feature::kSolidInfill, Feature::kTopSolidInfill,
+        Feature::kBridgeInfill, Feature::kSkirt, Feature::kSupport, Feature::kSupportInterface,
+        Feature::kIroning, Feature::kSolidOverBridge})
+    walls.speeds.speed_mm_s[static_cast<size_t>(feature)] = 0;
   return walls;
 }
 

@@ -24,8 +24,7 @@ class RegionTable {
   struct Walls {
     BeadingOptions beading;
     WallOrder order;
-    std::vector<double> speeds;
-    ScarfOptions scarf;
+    RegionSpeeds speeds;
 
     friend bool operator==(const Walls&, const Walls&) = default;
   };

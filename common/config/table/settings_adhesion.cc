@@ -52,20 +52,38 @@ std::vector<SettingSpec> Skirt() {
   };
 }
 
+/// brim_type beyond the types.
+constexpr int kAutoBrim = 5;
+
+void SetBrimType(JobSettings& settings, const Value& value) {
+  BrimOptions& brim = settings.planning.objects[0].brim;
+  const auto type = static_cast<int>(std::lround(value.number));
+  brim.automatic.on = type == kAutoBrim;
+  brim.type = brim.automatic.on ? BrimType::kOuterOnly : static_cast<BrimType>(type);
+}
+
+Value BrimTypeOf(const JobSettings& settings) {
+  const BrimOptions& brim = settings.planning.objects[0].brim;
+  return {.number =
+              static_cast<double>(brim.automatic.on ? kAutoBrim : static_cast<int>(brim.type))};
+}
+
 std::vector<SettingSpec> Brim() {
   const auto type = [](BrimType value) { return static_cast<int>(value); };
   return {
       {.key = "brim_type",
        .kind = Kind::kChoice,
        .standard = "outer_only",
-       .doc = "Where there is a brim: around the object, in its holes, both, or as discs at sharp "
-              "corners (brim_ears)",
+       .doc = "Where there is a brim: around the object, in its holes, both, as discs at sharp "
+              "corners (brim_ears), or around the object and as wide as its shape and material "
+              "need it (auto_brim)",
        .choices = {{"no_brim", type(BrimType::kNone)},
                    {"outer_only", type(BrimType::kOuterOnly)},
                    {"inner_only", type(BrimType::kInnerOnly)},
                    {"outer_and_inner", type(BrimType::kOuterAndInner)},
-                   {"brim_ears", type(BrimType::kEars)}},
-       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].brim.type; })},
+                   {"brim_ears", type(BrimType::kEars)},
+                   {"auto_brim", kAutoBrim}},
+       .field = {SetBrimType, BrimTypeOf}},
       {.key = "brim_width",
        .unit = "mm",
        .min = 0,

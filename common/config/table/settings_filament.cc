@@ -107,6 +107,22 @@ std::vector<SettingSpec> Cooling() {
       whole("slowdown_below_layer_time", "s", 1000, "5", "Shorter layers are slowed down to this",
             Bind([](auto& s) -> auto& { return s.motion.cooling.slowdown_below_layer_time_s; })),
       PerExtruder(
+          {.key = "cooling_slowdown_logic",
+           .kind = Kind::kChoice,
+           .standard = "uniform_cooling",
+           .doc = "What is slowed down in short layers: all beads alike (uniform_cooling), or "
+                  "all but the outer walls first, so that these look alike (consistent_surface)",
+           .choices = {{"uniform_cooling", 0}, {"consistent_surface", 1}},
+           .field = Bind([](auto& s) -> auto& { return s.motion.cooling.consistent_surface; })}),
+      PerExtruder({.key = "cooling_perimeter_transition_distance",
+                   .unit = "mm",
+                   .min = 0,
+                   .max = 1000,
+                   .standard = "0",
+                   .doc = "How long before walls that are not slowed down the speed is back, with "
+                          "cooling_slowdown_logic = consistent_surface",
+                   .field = Bind([](auto& s) -> auto& { return s.motion.cooling.transition_mm; })}),
+      PerExtruder(
           {.key = "min_print_speed",
            .unit = "mm/s",
            .min = 0,

@@ -2,6 +2,26 @@
 
 namespace slicefarm::config {
 
+namespace {
+
+/// slicing_mode beyond the rules of filling.
+constexpr int kCloseHoles = 3;
+
+void SetSlicingMode(JobSettings& settings, const Value& value) {
+  ObjectSlicingOptions& object = settings.slicing.objects[0];
+  const auto mode = static_cast<int>(std::lround(value.number));
+  object.close_holes = mode == kCloseHoles;
+  object.fill_rule = object.close_holes ? FillRule::kNonZero : static_cast<FillRule>(mode);
+}
+
+Value SlicingMode(const JobSettings& settings) {
+  const ObjectSlicingOptions& object = settings.slicing.objects[0];
+  return {.number = static_cast<double>(object.close_holes ? kCloseHoles
+                                                           : static_cast<int>(object.fill_rule))};
+}
+
+}  // namespace
+
 std::vector<SettingSpec> LayerSettings() {
   const auto fill_rule = [](FillRule rule) { return static_cast<int>(rule); };
   return {
@@ -26,13 +46,13 @@ std::vector<SettingSpec> LayerSettings() {
        .standard = "regular",
        .doc =
            "What counts as inside where outlines of a part overlap: what any of them encloses "
-           "(regular), an odd number of them (even_odd), more forwards than backwards (positive)",
+           "(regular), an odd number of them (even_odd), more forwards than backwards (positive), "
+           "what any outer one encloses, whatever holes there are (close_holes)",
        .choices = {{"regular", fill_rule(FillRule::kNonZero)},
                    {"even_odd", fill_rule(FillRule::kEvenOdd)},
                    {"positive", fill_rule(FillRule::kPositive)},
-                   {"close_holes", fill_rule(FillRule::kNonZero),
-                    "not supported yet: holes stay open, as with regular"}},
-       .field = Bind([](auto& s) -> auto& { return s.slicing.objects[0].fill_rule; })},
+                   {"close_holes", kCloseHoles}},
+       .field = {SetSlicingMode, SlicingMode}},
       {.key = "slice_closing_radius",
        .unit = "mm",
        .min = 0,

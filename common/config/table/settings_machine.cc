@@ -123,6 +123,29 @@ std::vector<SettingSpec> Retraction() {
                 "Nor in layers higher than this; 0: however high",
                 Bind([](auto& s) -> auto& { return s.motion.retraction.lift_below_mm; }));
   AddRetraction(settings,
+                {.key = "travel_ramping_lift",
+                 .kind = Kind::kFlag,
+                 .standard = "0",
+                 .doc = "The nozzle rises along its way by travel_max_lift and travel_slope, in "
+                        "place of straight up by retract_lift",
+                 .field = Bind([](auto& s) -> auto& { return s.motion.retraction.ramping; })},
+                "filament_travel_ramping_lift");
+  AddRetraction(settings, "travel_max_lift", "filament_travel_max_lift", "mm", 1000, "0",
+                "How far the nozzle rises along its way; less on short ways",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.ramp_lift_mm; }));
+  AddRetraction(settings, "travel_slope", "filament_travel_slope", "degrees", 90, "0",
+                "How steeply the nozzle rises along its way; 0 and 90: straight up",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.ramp_slope_deg; }));
+  AddRetraction(
+      settings,
+      {.key = "travel_lift_before_obstacle",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Rises more steeply where the way meets an edge of the layer below before "
+              "the nozzle is up",
+       .field = Bind([](auto& s) -> auto& { return s.motion.retraction.before_obstacles; })},
+      "filament_travel_lift_before_obstacle");
+  AddRetraction(settings,
                 {.key = "wipe",
                  .kind = Kind::kFlag,
                  .standard = "0",

@@ -80,6 +80,24 @@ std::vector<SettingSpec> SeamSettings() {
               "lies inside of the outermost",
        .field = Bind([](auto& s) -> auto& { return s.ordering.walls[0].stagger_seams; })},
   };
+  SettingSpec gap{.key = "seam_gap_distance",
+                  .kind = Kind::kNumberOrPercent,
+                  .unit = "mm",
+                  .min = 0,
+                  .max = 10,
+                  .standard = "0",
+                  .doc =
+                      "How much of a loop stays open at its end, so that no blob lies on its "
+                      "beginning; scarfs close",
+                  .relative_to = "nozzle_diameter",
+                  .field = Bind([](auto& s) -> auto& { return s.motion.seam_gap_mm; })};
+  settings.push_back(gap);
+  gap.key = "filament_seam_gap_distance";
+  gap.list = List::kPerExtruder;
+  gap.standard = kNotSet;
+  gap.doc = "The filament's own value of the setting without filament_; nil: none";
+  gap.field = {};
+  settings.push_back(gap);
   for (SettingSpec& scarf : ScarfSettings()) settings.push_back(std::move(scarf));
   return settings;
 }

@@ -80,6 +80,11 @@ SettingSpec OverhangSpeed(std::string_view key, std::string_view standard, std::
 
 std::vector<SettingSpec> Overhangs() {
   return {
+      {.key = "overhangs",
+       .kind = Kind::kFlag,
+       .standard = "1",
+       .doc = "Prints walls over nothing as bridges, with their speed, fan and flow",
+       .field = Bind([](auto& s) -> auto& { return s.motion.speeds[0].bridging_walls; })},
       {.key = "enable_dynamic_overhang_speeds",
        .kind = Kind::kFlag,
        .standard = "0",
@@ -213,6 +218,10 @@ std::vector<SettingSpec> Accelerations() {
           "first_layer_acceleration_over_raft",
           "Acceleration of all beads of an object's first layer on a raft; 0: as in the others",
           Bind([](auto& s) -> auto& { return s.motion.over_raft_acceleration_mm_s2; })),
+      Acceleration("travel_short_distance_acceleration",
+                   "Acceleration of travels to outer walls that are shorter than "
+                   "retract_before_travel; 0: travel_acceleration",
+                   Bind([](auto& s) -> auto& { return s.motion.short_travel_acceleration_mm_s2; })),
       Acceleration("travel_acceleration", "Acceleration of travel; 0: the machine's limit for it",
                    Bind([](auto& s) -> auto& { return s.motion.travel_acceleration_mm_s2; })),
   };

@@ -81,6 +81,35 @@ std::vector<SettingSpec> VariableWalls() {
   };
 }
 
+std::vector<SettingSpec> FuzzySkins() {
+  return {
+      {.key = "fuzzy_skin",
+       .kind = Kind::kChoice,
+       .standard = "none",
+       .doc =
+           "Which outermost walls get a rough skin: none, those of outer rings (external), those "
+           "of holes as well (all); not on the first layer",
+       .choices = {{"none", static_cast<int>(FuzzySkin::kNone)},
+                   {"external", static_cast<int>(FuzzySkin::kContours)},
+                   {"all", static_cast<int>(FuzzySkin::kAllWalls)}},
+       .field = Bind([](auto& s) -> auto& { return s.beading[0].fuzzy; })},
+      {.key = "fuzzy_skin_thickness",
+       .unit = "mm",
+       .min = 0,
+       .max = 10,
+       .standard = "0.3",
+       .doc = "How far points of a rough skin move, outwards and inwards, at most",
+       .field = Bind([](auto& s) -> auto& { return s.beading[0].fuzzy_thickness_nm; })},
+      {.key = "fuzzy_skin_point_dist",
+       .unit = "mm",
+       .min = 0.01,
+       .max = 100,
+       .standard = "0.8",
+       .doc = "Mean distance of the points of a rough skin",
+       .field = Bind([](auto& s) -> auto& { return s.beading[0].fuzzy_point_distance_nm; })},
+  };
+}
+
 std::vector<SettingSpec> Widths() {
   SettingSpec first =
       Width("first_layer_extrusion_width",
@@ -124,6 +153,21 @@ std::vector<SettingSpec> WallSettings() {
        .standard = "0",
        .doc = "One wall in the layer on the bed, and infill inside it",
        .field = Bind([](auto& s) -> auto& { return s.beading[0].one_on_bed; })},
+      {.key = "top_one_perimeter_type",
+       .kind = Kind::kChoice,
+       .standard = "none",
+       .doc = "Where one wall is enough, with the top infill inside it: nowhere, on all surfaces "
+              "that are seen from above, or in the object's last layer only",
+       .choices = {{"none", static_cast<int>(OneWallOnTop::kNowhere)},
+                   {"top", static_cast<int>(OneWallOnTop::kSurfaces)},
+                   {"topmost", static_cast<int>(OneWallOnTop::kTopmost)}},
+       .field = Bind([](auto& s) -> auto& { return s.beading[0].one_on_top; })},
+      {.key = "extra_perimeters",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "More walls in slopes, until at least 70 % of the walls above rest on them; not "
+              "where there is no infill (PrusaSlicer's own standard is 1, its printers' is 0)",
+       .field = Bind([](auto& s) -> auto& { return s.beading[0].extra_perimeters; })},
       {.key = "external_perimeters_first",
        .kind = Kind::kFlag,
        .standard = "0",
@@ -155,6 +199,11 @@ std::vector<SettingSpec> WallSettings() {
        .standard = "0.8",
        .doc = "Wider gaps are the infill's",
        .field = Bind([](auto& s) -> auto& { return s.beading[0].max_gap_width_nm; })},
+      {.key = "prefer_clockwise_movements",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Prints loops round the outside clockwise, and those round holes the other way",
+       .field = Bind([](auto& s) -> auto& { return s.ordering.clockwise; })},
       {.key = "ordering_improvement_moves",
        .kind = Kind::kInteger,
        .min = 0,
@@ -164,6 +213,7 @@ std::vector<SettingSpec> WallSettings() {
        .field = Bind([](auto& s) -> auto& { return s.ordering.improvement_moves; })},
   };
   for (SettingSpec& wall : VariableWalls()) settings.push_back(std::move(wall));
+  for (SettingSpec& fuzzy : FuzzySkins()) settings.push_back(std::move(fuzzy));
   for (SettingSpec& width : Widths()) settings.push_back(std::move(width));
   return settings;
 }

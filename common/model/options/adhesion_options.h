@@ -37,12 +37,23 @@ enum class BrimType : uint8_t {
   kEars,           ///< discs at sharp corners of the outer rings only
 };
 
+/// brim_type = auto_brim, OrcaSlicer's: the width follows from the object's shape and these.
+struct AutomaticBrim {
+  bool on = false;
+  double thermal_length_mm = 200;  ///< of the material: shorter ones warp more
+  double adhesion = 1;             ///< of the material: brims are so many times as wide
+  double max_speed_mm_s = 0;       ///< of what is printed
+
+  friend bool operator==(const AutomaticBrim&, const AutomaticBrim&) = default;
+};
+
 /// Ears are OrcaSlicer's.
 struct BrimOptions {
   BrimType type = BrimType::kNone;  ///< brim_type
-  Coord width_nm = 0;               ///< brim_width; of ears: their radius
-  Coord separation_nm = 0;          ///< brim_separation
-  Coord line_width_nm = 400'000;    ///< of the brim's lines; below half of it nothing is left
+  AutomaticBrim automatic = {};
+  Coord width_nm = 0;             ///< brim_width; of ears: their radius
+  Coord separation_nm = 0;        ///< brim_separation
+  Coord line_width_nm = 400'000;  ///< of the brim's lines; below half of it nothing is left
   double ear_max_angle_rad =
       2.18166;  ///< brim_ears_max_angle: inner angle of a corner, 125 degrees
   Coord ear_detection_nm = 1'000'000;  ///< brim_ears_detection_length: corners are those of the

@@ -46,6 +46,10 @@ struct RetractionOptions {
   double lift_mm = 0;              ///< retract_lift
   double lift_above_mm = 0;        ///< retract_lift_above: no lift where the nozzle is lower
   double lift_below_mm = 0;        ///< retract_lift_below: nor higher than this; 0: however high
+  bool ramping = false;            ///< travel_ramping_lift: the nozzle rises on its way
+  double ramp_lift_mm = 0;         ///< travel_max_lift: in place of lift_mm
+  double ramp_slope_deg = 0;       ///< travel_slope; 0 and 90: straight up
+  bool before_obstacles = false;   ///< travel_lift_before_obstacle: steeper where edges are near
   bool wipe = false;               ///< wipe: the nozzle goes on along the path while retracting
   double before_wipe = 0;          ///< retract_before_wipe: share of the length, in place
 
@@ -62,6 +66,9 @@ struct CoolingOptions {
   double fan_below_layer_time_s = 60;      ///< fan_below_layer_time
   double slowdown_below_layer_time_s = 5;  ///< slowdown_below_layer_time
   double min_print_speed_mm_s = 10;        ///< min_print_speed
+  /// cooling_slowdown_logic = consistent_surface: outer walls are slowed down last.
+  bool consistent_surface = false;
+  double transition_mm = 10;  ///< cooling_perimeter_transition_distance, then, before outer walls
   int32_t full_fan_speed_layer = 0;  ///< full_fan_speed_layer: the fan grows up to it; 0: none
   bool dynamic_fan = false;          ///< enable_dynamic_fan_speeds
   /// overhang_fan_speed_0 to _3, by degree.
@@ -100,6 +107,10 @@ struct RegionSpeeds {
   /// overhang_speed_0 to _3, by degree.
   std::array<double, kOverhangDegrees> overhang_speed_mm_s = {15, 15, 20, 25};
   ScarfOptions scarf;
+  /// overhangs: walls over nothing are bridges, with their speed, fan and flow.
+  bool bridging_walls = false;
+  double bridge_flow = 1;     ///< bridge_flow_ratio
+  bool thick_bridges = true;  ///< thick_bridges: round threads as wide as the nozzle
 
   friend bool operator==(const RegionSpeeds&, const RegionSpeeds&) = default;
 };
@@ -146,6 +157,11 @@ struct MotionOptions {
   double over_raft_acceleration_mm_s2 = 0;    ///< first_layer_acceleration_over_raft, 0: as above
   double travel_acceleration_mm_s2 = 0;  ///< travel_acceleration, 0: the machine's travel limit
 
+  /// travel_short_distance_acceleration: of travels to outer walls that are too short for a
+  /// retraction; 0: as the others.
+  double short_travel_acceleration_mm_s2 = 0;
+  double seam_gap_mm = 0;  ///< seam_gap_distance: how much a closed path's end stays open
+
   double nozzle_diameter_mm = 0.4;       ///< nozzle_diameter
   double filament_diameter_mm = 1.75;    ///< filament_diameter
   double extrusion_multiplier = 1;       ///< extrusion_multiplier
@@ -161,8 +177,8 @@ struct MotionOptions {
   int32_t bed_temperature_c = 0;              ///< bed_temperature
   int32_t first_layer_bed_temperature_c = 0;  ///< first_layer_bed_temperature
 
-  int32_t chamber_temperature_c = 0;          ///< chamber_temperature
-  int32_t chamber_least_c = 0;                ///< chamber_minimal_temperature: waited for
+  int32_t chamber_temperature_c = 0;  ///< chamber_temperature
+  int32_t chamber_least_c = 0;        ///< chamber_minimal_temperature: waited for
   /// autoemit_temperature_commands: what start_gcode does not heat is heated around it.
   bool emit_temperatures = true;
 
@@ -185,15 +201,18 @@ struct MotionOptions {
   Coord max_print_height_nm = 0;                   ///< max_print_height, 0: unlimited
   ArcFitting arc_fitting = ArcFitting::kDisabled;  ///< arc_fitting
   Coord resolution_nm = 12'500;  ///< gcode_resolution: paths are simplified within this; 0: not
-  std::string material_field;  ///< canonical text (fields/field_text.h); empty: no mixing
+  std::string material_field;    ///< canonical text (fields/field_text.h); empty: no mixing
 
   friend bool operator==(const MotionOptions&, const MotionOptions&) = default;
 };
 
-/// Whether the speed or the fan of walls depends on what lies below them (PathBlock::below).
+/// Whether walls or travels depend on what lies below them (PathBlock::below).
 inline bool LooksBelow(const MotionOptions& options) {
   return options.cooling.dynamic_fan ||
-         std::ranges::any_of(options.speeds, &RegionSpeeds::dynamic_overhangs);
+         (options.retraction.ramping && options.retraction.before_obstacles) ||
+         std::ranges::any_of(options.speeds, [](const RegionSpeeds& region) {
+           return region.dynamic_overhangs || region.bridging_walls;
+         });
 }
 
 }  // namespace slicefarm

@@ -32,6 +32,7 @@ struct TravelOptions {
 
 struct OrderingOptions {
   bool infill_first = false;  ///< infill_first
+  bool clockwise = false;     ///< prefer_clockwise_movements: outer rings; holes the other way
   TravelOptions travel;
   int32_t improvement_moves =
       200'000;  ///< bound on the 2-opt moves tried per layer: work, not time

@@ -58,10 +58,12 @@ int32_t HaloLayers(const JobSettings& settings) {
 }
 
 int32_t BeadingHaloLayers(const JobSettings& settings) {
-  const bool arachne = std::ranges::any_of(settings.beading, [](const BeadingOptions& beading) {
-    return beading.generator == WallGenerator::kArachne;
-  });
-  return arachne ? kBeadingHaloLayers : 0;
+  int32_t halo = 0;
+  for (const BeadingOptions& beading : settings.beading) {
+    if (beading.generator == WallGenerator::kArachne) return kBeadingHaloLayers;
+    if (beading.one_on_top == OneWallOnTop::kSurfaces || beading.extra_perimeters) halo = 1;
+  }
+  return halo;
 }
 
 }  // namespace slicefarm

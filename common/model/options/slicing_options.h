@@ -17,6 +17,7 @@ namespace slicefarm {
 struct ObjectSlicingOptions {
   Coord layer_height_nm = 200'000;          ///< layer_height
   FillRule fill_rule = FillRule::kNonZero;  ///< slicing_mode: regular, even_odd, positive
+  bool close_holes = false;                 ///< slicing_mode = close_holes: outer rings alone count
   /// slice_closing_radius: cracks narrower than twice this are closed, in meshes that are not
   /// closed only.
   Coord closing_radius_nm = 49'000;
@@ -44,7 +45,9 @@ struct SlicingOptions {
   std::vector<ThumbnailSize> thumbnails = {{32, 32}, {300, 300}};  ///< thumbnails
   std::vector<ObjectSlicingOptions> objects = {{}};                ///< by object
   Coord part_distance_nm = 6'000'000;  ///< duplicate_distance: between copies that are arranged
-  Coord clearance_radius_nm = 0;       ///< extruder_clearance_radius with complete_objects, else 0
+  /// Between copies that are arranged, where it is more: extruder_clearance_radius with
+  /// complete_objects; with brims, part_distance_nm between these.
+  Coord clearance_radius_nm = 0;
 
   friend bool operator==(const SlicingOptions&, const SlicingOptions&) = default;
 };

@@ -51,6 +51,7 @@ struct MeshReport {
   int64_t open_loops_dropped = 0;  ///< loops that stayed open, and are not printed
   double largest_gap_closed_mm = 0;
   double dropped_length_mm = 0;    ///< length of the outlines that were not printed
+  int64_t copies_off_bed = 0;      ///< copies that stand beside the bed, and are left out
   int64_t overlapping_copies = 0;  ///< copies that stand on the footprint of another one
   double cracks_closed_mm = 0;     ///< cracks up to this width were closed; 0: none were looked for
 

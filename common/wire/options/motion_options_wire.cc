@@ -82,6 +82,7 @@ absl::Status CheckRanges(const v1::MotionOptions& proto) {
       return Malformed("speeds.speed_mm_s", "is negative");
     if (std::ranges::any_of(region.overhang_speed_mm_s(), is_negative))
       return Malformed("speeds.overhang_speed_mm_s", "is negative");
+    if (!(region.bridge_flow() > 0)) return Malformed("speeds.bridge_flow", "is not above 0");
     const v1::ScarfOptions& scarf = region.scarf();
     if (!(scarf.start_height_ratio() >= 0 && scarf.start_height_ratio() <= 1))
       return Malformed("speeds.scarf.start_height_ratio", "is no share");
@@ -149,6 +150,10 @@ v1::RetractionOptions ToProto(const RetractionOptions& retraction) {
   proto.set_lift_mm(retraction.lift_mm);
   proto.set_lift_above_mm(retraction.lift_above_mm);
   proto.set_lift_below_mm(retraction.lift_below_mm);
+  proto.set_ramping(retraction.ramping);
+  proto.set_ramp_lift_mm(retraction.ramp_lift_mm);
+  proto.set_ramp_slope_deg(retraction.ramp_slope_deg);
+  proto.set_before_obstacles(retraction.before_obstacles);
   proto.set_wipe(retraction.wipe);
   proto.set_before_wipe(retraction.before_wipe);
   return proto;
@@ -164,6 +169,10 @@ RetractionOptions FromProto(const v1::RetractionOptions& proto) {
   retraction.lift_mm = proto.lift_mm();
   retraction.lift_above_mm = proto.lift_above_mm();
   retraction.lift_below_mm = proto.lift_below_mm();
+  retraction.ramping = proto.ramping();
+  retraction.ramp_lift_mm = proto.ramp_lift_mm();
+  retraction.ramp_slope_deg = proto.ramp_slope_deg();
+  retraction.before_obstacles = proto.before_obstacles();
   retraction.wipe = proto.wipe();
   retraction.before_wipe = proto.before_wipe();
   return retraction;
@@ -180,6 +189,8 @@ v1::CoolingOptions ToProto(const CoolingOptions& cooling) {
   proto.set_fan_below_layer_time_s(cooling.fan_below_layer_time_s);
   proto.set_slowdown_below_layer_time_s(cooling.slowdown_below_layer_time_s);
   proto.set_min_print_speed_mm_s(cooling.min_print_speed_mm_s);
+  proto.set_consistent_surface(cooling.consistent_surface);
+  proto.set_transition_mm(cooling.transition_mm);
   proto.set_full_fan_speed_layer(cooling.full_fan_speed_layer);
   proto.set_dynamic_fan(cooling.dynamic_fan);
   Put(cooling.overhang_fan_percent, proto.mutable_overhang_fan_percent());
@@ -197,6 +208,8 @@ CoolingOptions FromProto(const v1::CoolingOptions& proto) {
   cooling.fan_below_layer_time_s = proto.fan_below_layer_time_s();
   cooling.slowdown_below_layer_time_s = proto.slowdown_below_layer_time_s();
   cooling.min_print_speed_mm_s = proto.min_print_speed_mm_s();
+  cooling.consistent_surface = proto.consistent_surface();
+  cooling.transition_mm = proto.transition_mm();
   cooling.full_fan_speed_layer = proto.full_fan_speed_layer();
   cooling.dynamic_fan = proto.dynamic_fan();
   Take(proto.overhang_fan_percent(), &cooling.overhang_fan_percent);
@@ -235,6 +248,9 @@ void PutSpeeds(const MotionOptions& options, v1::MotionOptions* proto) {
     speeds->set_dynamic_overhangs(region.dynamic_overhangs);
     Put(region.overhang_speed_mm_s, speeds->mutable_overhang_speed_mm_s());
     *speeds->mutable_scarf() = ToProto(region.scarf);
+    speeds->set_bridging_walls(region.bridging_walls);
+    speeds->set_bridge_flow(region.bridge_flow);
+    speeds->set_thick_bridges(region.thick_bridges);
   }
   proto->set_travel_speed_mm_s(options.travel_speed_mm_s);
   proto->set_travel_speed_z_mm_s(options.travel_speed_z_mm_s);
@@ -252,6 +268,8 @@ void PutSpeeds(const MotionOptions& options, v1::MotionOptions* proto) {
   proto->set_default_acceleration_mm_s2(options.default_acceleration_mm_s2);
   proto->set_first_layer_acceleration_mm_s2(options.first_layer_acceleration_mm_s2);
   proto->set_travel_acceleration_mm_s2(options.travel_acceleration_mm_s2);
+  proto->set_short_travel_acceleration_mm_s2(options.short_travel_acceleration_mm_s2);
+  proto->set_seam_gap_mm(options.seam_gap_mm);
 }
 
 void TakeSpeeds(const v1::MotionOptions& proto, MotionOptions* options) {
@@ -263,6 +281,9 @@ void TakeSpeeds(const v1::MotionOptions& proto, MotionOptions* options) {
     speeds.dynamic_overhangs = region.dynamic_overhangs();
     Take(region.overhang_speed_mm_s(), &speeds.overhang_speed_mm_s);
     speeds.scarf = FromProto(region.scarf());
+    speeds.bridging_walls = region.bridging_walls();
+    speeds.bridge_flow = region.bridge_flow();
+    speeds.thick_bridges = region.thick_bridges();
   }
   options->travel_speed_mm_s = proto.travel_speed_mm_s();
   options->travel_speed_z_mm_s = proto.travel_speed_z_mm_s();
@@ -280,6 +301,8 @@ void TakeSpeeds(const v1::MotionOptions& proto, MotionOptions* options) {
   options->default_acceleration_mm_s2 = proto.default_acceleration_mm_s2();
   options->first_layer_acceleration_mm_s2 = proto.first_layer_acceleration_mm_s2();
   options->travel_acceleration_mm_s2 = proto.travel_acceleration_mm_s2();
+  options->short_travel_acceleration_mm_s2 = proto.short_travel_acceleration_mm_s2();
+  options->seam_gap_mm = proto.seam_gap_mm();
 }
 
 void PutMaterial(const MotionOptions& options, v1::MotionOptions* proto) {

@@ -76,6 +76,10 @@ absl::StatusOr<SkirtOptions> SkirtFromProto(const v1::SkirtOptions& proto) {
 v1::BrimOptions ToProto(const BrimOptions& options) {
   v1::BrimOptions proto;
   proto.set_type(EnumToProto<v1::BrimType>(options.type));
+  proto.mutable_automatic()->set_on(options.automatic.on);
+  proto.mutable_automatic()->set_thermal_length_mm(options.automatic.thermal_length_mm);
+  proto.mutable_automatic()->set_adhesion(options.automatic.adhesion);
+  proto.mutable_automatic()->set_max_speed_mm_s(options.automatic.max_speed_mm_s);
   proto.set_width_nm(options.width_nm);
   proto.set_separation_nm(options.separation_nm);
   proto.set_line_width_nm(options.line_width_nm);
@@ -92,8 +96,15 @@ absl::StatusOr<BrimOptions> BrimFromProto(const v1::BrimOptions& proto) {
   if (!(0 <= proto.ear_max_angle_rad() && proto.ear_max_angle_rad() < 2 * std::numbers::pi)) {
     status.Update(Malformed("ear_max_angle_rad", "is out of range"));
   }
+  const v1::AutomaticBrim& automatic = proto.automatic();
+  if (!(automatic.thermal_length_mm() > 0 && automatic.adhesion() >= 0 &&
+        automatic.max_speed_mm_s() >= 0)) {
+    status.Update(Malformed("automatic", "is out of range"));
+  }
   if (!status.ok()) return status;
   return BrimOptions{.type = Known<BrimType>(proto.type()),
+                     .automatic = {automatic.on(), automatic.thermal_length_mm(),
+                                   automatic.adhesion(), automatic.max_speed_mm_s()},
                      .width_nm = proto.width_nm(),
                      .separation_nm = proto.separation_nm(),
                      .line_width_nm = proto.line_width_nm(),

@@ -22,6 +22,12 @@ static_assert(v1::FILL_RULE_EVEN_ODD == static_cast<int>(FillRule::kEvenOdd) + 1
 static_assert(v1::FILL_RULE_POSITIVE == static_cast<int>(FillRule::kPositive) + 1);
 static_assert(v1::WALL_GENERATOR_ARACHNE == static_cast<int>(WallGenerator::kArachne) + 1);
 static_assert(v1::WALL_GENERATOR_CLASSIC == static_cast<int>(WallGenerator::kClassic) + 1);
+static_assert(v1::ONE_WALL_ON_TOP_NOWHERE == static_cast<int>(OneWallOnTop::kNowhere) + 1);
+static_assert(v1::ONE_WALL_ON_TOP_TOPMOST == static_cast<int>(OneWallOnTop::kTopmost) + 1);
+static_assert(v1::ONE_WALL_ON_TOP_SURFACES == static_cast<int>(OneWallOnTop::kSurfaces) + 1);
+static_assert(v1::FUZZY_SKIN_NONE == static_cast<int>(FuzzySkin::kNone) + 1);
+static_assert(v1::FUZZY_SKIN_CONTOURS == static_cast<int>(FuzzySkin::kContours) + 1);
+static_assert(v1::FUZZY_SKIN_ALL_WALLS == static_cast<int>(FuzzySkin::kAllWalls) + 1);
 static_assert(v1::FILL_PATTERN_GRID == static_cast<int>(FillPattern::kGrid) + 1);
 static_assert(v1::FillPattern_MAX == kFillPatternCount);
 static_assert(v1::SHELL_THICKNESS_DISABLED == static_cast<int>(ShellThickness::kDisabled) + 1);
@@ -82,8 +88,10 @@ absl::Status Check(const v1::BeadingOptions& proto) {
   }
   status.Update(CheckPositive({{"external_width_nm", proto.external_width_nm()},
                                {"inner_width_nm", proto.inner_width_nm()},
-                               {"first_layer_width_nm", proto.first_layer_width_nm()}}));
-  status.Update(CheckNotNegative({{"min_gap_width_nm", proto.min_gap_width_nm()},
+                               {"first_layer_width_nm", proto.first_layer_width_nm()},
+                               {"fuzzy_point_distance_nm", proto.fuzzy_point_distance_nm()}}));
+  status.Update(CheckNotNegative({{"fuzzy_thickness_nm", proto.fuzzy_thickness_nm()},
+                                  {"min_gap_width_nm", proto.min_gap_width_nm()},
                                   {"max_gap_width_nm", proto.max_gap_width_nm()},
                                   {"transition_length_nm", proto.transition_length_nm()},
                                   {"transition_deviation_nm", proto.transition_deviation_nm()},
@@ -135,6 +143,7 @@ v1::ObjectSlicingOptions ToProto(const ObjectSlicingOptions& options) {
   v1::ObjectSlicingOptions proto;
   proto.set_layer_height_nm(options.layer_height_nm);
   proto.set_fill_rule(EnumToProto<v1::FillRule>(options.fill_rule));
+  proto.set_close_holes(options.close_holes);
   proto.set_closing_radius_nm(options.closing_radius_nm);
   proto.set_xy_compensation_nm(options.xy_compensation_nm);
   proto.set_hole_compensation_nm(options.hole_compensation_nm);
@@ -151,6 +160,7 @@ absl::StatusOr<ObjectSlicingOptions> ObjectFromProto(const v1::ObjectSlicingOpti
   ObjectSlicingOptions options;
   options.layer_height_nm = proto.layer_height_nm();
   options.fill_rule = Known<FillRule>(proto.fill_rule());
+  options.close_holes = proto.close_holes();
   options.closing_radius_nm = proto.closing_radius_nm();
   options.xy_compensation_nm = proto.xy_compensation_nm();
   options.hole_compensation_nm = proto.hole_compensation_nm();
@@ -217,6 +227,11 @@ v1::BeadingOptions ToProto(const BeadingOptions& options) {
   v1::BeadingOptions proto;
   proto.set_perimeters(options.perimeters);
   proto.set_one_on_bed(options.one_on_bed);
+  proto.set_one_on_top(EnumToProto<v1::OneWallOnTop>(options.one_on_top));
+  proto.set_extra_perimeters(options.extra_perimeters);
+  proto.set_fuzzy(EnumToProto<v1::FuzzySkin>(options.fuzzy));
+  proto.set_fuzzy_thickness_nm(options.fuzzy_thickness_nm);
+  proto.set_fuzzy_point_distance_nm(options.fuzzy_point_distance_nm);
   proto.set_external_width_nm(options.external_width_nm);
   proto.set_inner_width_nm(options.inner_width_nm);
   proto.set_first_layer_width_nm(options.first_layer_width_nm);
@@ -242,6 +257,11 @@ absl::StatusOr<BeadingOptions> FromProto(const v1::BeadingOptions& proto) {
   BeadingOptions options;
   options.perimeters = proto.perimeters();
   options.one_on_bed = proto.one_on_bed();
+  options.one_on_top = Known<OneWallOnTop>(proto.one_on_top());
+  options.extra_perimeters = proto.extra_perimeters();
+  options.fuzzy = Known<FuzzySkin>(proto.fuzzy());
+  options.fuzzy_thickness_nm = proto.fuzzy_thickness_nm();
+  options.fuzzy_point_distance_nm = proto.fuzzy_point_distance_nm();
   options.external_width_nm = proto.external_width_nm();
   options.inner_width_nm = proto.inner_width_nm();
   options.first_layer_width_nm = proto.first_layer_width_nm();
@@ -357,6 +377,7 @@ absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
 v1::OrderingOptions ToProto(const OrderingOptions& options) {
   v1::OrderingOptions proto;
   proto.set_infill_first(options.infill_first);
+  proto.set_clockwise(options.clockwise);
   proto.set_improvement_moves(options.improvement_moves);
   const TravelOptions& travel = options.travel;
   proto.mutable_travel()->set_hide(travel.hide);
@@ -386,6 +407,7 @@ absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
   }
   OrderingOptions options;
   options.infill_first = proto.infill_first();
+  options.clockwise = proto.clockwise();
   options.improvement_moves = proto.improvement_moves();
   const v1::TravelOptions& travel = proto.travel();
   options.travel = {

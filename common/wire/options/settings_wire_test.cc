@@ -40,10 +40,11 @@ RaftHeights DistinctRaft() {
 
 ObjectSlicingOptions DistinctObjectSlicing() {
   ObjectSlicingOptions options;
-  auto& [layer_height, fill_rule, closing_radius, xy_compensation, hole_compensation, elephant_foot,
-         elephant_foot_min_width, raft] = options;
+  auto& [layer_height, fill_rule, close_holes, closing_radius, xy_compensation, hole_compensation,
+         elephant_foot, elephant_foot_min_width, raft] = options;
   layer_height = 101;
   fill_rule = FillRule::kPositive;
+  close_holes = true;
   closing_radius = 104;
   xy_compensation = -106;
   hole_compensation = -107;
@@ -86,8 +87,9 @@ SkirtOptions DistinctSkirt() {
 
 BrimOptions DistinctBrim() {
   BrimOptions options;
-  auto& [type, width, separation, line_width, ear_max_angle, ear_detection] = options;
+  auto& [type, automatic, width, separation, line_width, ear_max_angle, ear_detection] = options;
   type = BrimType::kEars;
+  automatic = {true, 627, 628, 629};
   width = 622;
   separation = 623;
   line_width = 624;
@@ -153,13 +155,19 @@ PlanningOptions DistinctPlanning() {
 
 BeadingOptions DistinctBeading() {
   BeadingOptions options;
-  auto& [generator, perimeters, one_on_bed, external_width, inner_width, first_layer_width,
-         gap_fill, min_gap_width, max_gap_width, thin_walls, transition_length, transition_angle,
-         transition_deviation, distribution_count, min_feature, min_bead_width, max_bead_width,
-         lock_outer_width, wall_class] = options;
+  auto& [generator, perimeters, one_on_bed, one_on_top, extra, fuzzy, fuzzy_thickness,
+         fuzzy_distance, external_width, inner_width, first_layer_width, gap_fill, min_gap_width,
+         max_gap_width, thin_walls, transition_length, transition_angle, transition_deviation,
+         distribution_count, min_feature, min_bead_width, max_bead_width, lock_outer_width,
+         wall_class] = options;
   generator = WallGenerator::kClassic;
   perimeters = 201;
   one_on_bed = true;
+  one_on_top = OneWallOnTop::kSurfaces;
+  extra = true;
+  fuzzy = FuzzySkin::kAllWalls;
+  fuzzy_thickness = 218;
+  fuzzy_distance = 219;
   external_width = 202;
   inner_width = 203;
   first_layer_width = 204;
@@ -235,8 +243,9 @@ InfillOptions DistinctInfill() {
 
 OrderingOptions DistinctOrdering() {
   OrderingOptions options;
-  auto& [infill_first, travel, improvement_moves, walls] = options;
+  auto& [infill_first, clockwise, travel, improvement_moves, walls] = options;
   infill_first = true;
+  clockwise = true;
   auto& [hide, longest_hidden, avoid_crossing, max_detour, max_detour_ratio, layer_change] = travel;
   hide = false;
   longest_hidden = 401;
@@ -279,7 +288,7 @@ MachineLimits DistinctLimits() {
 RetractionOptions DistinctRetraction() {
   RetractionOptions retraction;
   auto& [length, speed, restart_speed, restart_extra, min_travel, lift, lift_above, lift_below,
-         wipe, before_wipe] = retraction;
+         ramping, ramp_lift, ramp_slope, before_obstacles, wipe, before_wipe] = retraction;
   length = 21;
   speed = 22;
   restart_speed = 23;
@@ -288,6 +297,10 @@ RetractionOptions DistinctRetraction() {
   lift = 26;
   lift_above = 27;
   lift_below = 28;
+  ramping = true;
+  ramp_lift = 30;
+  ramp_slope = 31;
+  before_obstacles = true;
   wipe = true;
   before_wipe = 0.29;
   return retraction;
@@ -296,7 +309,8 @@ RetractionOptions DistinctRetraction() {
 CoolingOptions DistinctCooling() {
   CoolingOptions cooling;
   auto& [enabled, always_on, min_fan, max_fan, bridge_fan, disable_first, fan_below, slowdown_below,
-         min_speed, full_fan_layer, dynamic_fan, overhang_fan] = cooling;
+         min_speed, consistent_surface, transition, full_fan_layer, dynamic_fan, overhang_fan] =
+      cooling;
   enabled = false;
   always_on = true;
   min_fan = 33;
@@ -306,6 +320,8 @@ CoolingOptions DistinctCooling() {
   fan_below = 37;
   slowdown_below = 38;
   min_speed = 39;
+  consistent_surface = true;
+  transition = 45;
   full_fan_layer = 40;
   dynamic_fan = true;
   overhang_fan = {41, 42, 43, 44};
@@ -318,21 +334,26 @@ MotionOptions DistinctMotion() {
          first_layer_speed, first_layer_speed_ratio, first_layer_infill_speed, over_raft_speed,
          over_raft_speed_ratio, max_print_speed, max_volumetric_speed, flow_rise, flow_fall,
          pressure_advance, acceleration, default_acceleration, first_layer_acceleration,
-         over_raft_acceleration, travel_acceleration, nozzle_diameter, filament_diameter,
-         extrusion_multiplier, filament_density, filament_cost, filament_type, filament_colour,
-         filament_settings_id, printer_model, temperature, first_layer_temperature, bed_temperature,
-         first_layer_bed_temperature, chamber_temperature, chamber_least, emit_temperatures, tool,
-         nozzle_heating, bed_heating, progress, z_offset, start_gcode, end_gcode,
-         before_layer_gcode, layer_gcode, layer_settings, labels, between_objects_gcode,
-         max_print_height, arc_fitting, resolution, material_field] = options;
+         over_raft_acceleration, travel_acceleration, short_travel_acceleration, seam_gap,
+         nozzle_diameter, filament_diameter, extrusion_multiplier, filament_density, filament_cost,
+         filament_type, filament_colour, filament_settings_id, printer_model, temperature,
+         first_layer_temperature, bed_temperature, first_layer_bed_temperature, chamber_temperature,
+         chamber_least, emit_temperatures, tool, nozzle_heating, bed_heating, progress, z_offset,
+         start_gcode, end_gcode, before_layer_gcode, layer_gcode, layer_settings, labels,
+         between_objects_gcode, max_print_height, arc_fitting, resolution, material_field] =
+      options;
   flavor = GcodeFlavor::kKlipper;
   limits = DistinctLimits();
   retraction = DistinctRetraction();
   cooling = DistinctCooling();
   RegionSpeeds region;
-  auto& [speed, small_perimeter_speed, dynamic_overhangs, overhang_speed, scarf] = region;
+  auto& [speed, small_perimeter_speed, dynamic_overhangs, overhang_speed, scarf, bridging_walls,
+         region_bridge_flow, region_thick_bridges] = region;
   speed = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507, 505, 508};
   small_perimeter_speed = 506;
+  bridging_walls = true;
+  region_bridge_flow = 0.8;
+  region_thick_bridges = false;
   auto& [placement, only_on_smooth, on_inner, entire_loop, start_height, length, max_segment] =
       scarf;
   placement = ScarfPlacement::kContours;
@@ -364,6 +385,8 @@ MotionOptions DistinctMotion() {
   default_acceleration = 514;
   first_layer_acceleration = 515;
   travel_acceleration = 516;
+  short_travel_acceleration = 560;
+  seam_gap = 0.561;
   nozzle_diameter = 517;
   filament_diameter = 518;
   extrusion_multiplier = 519;
@@ -426,6 +449,7 @@ constexpr char kDistinct[] = R"pb(
     objects {
       layer_height_nm: 101
       fill_rule: FILL_RULE_POSITIVE
+      close_holes: true
       closing_radius_nm: 104
       xy_compensation_nm: -106
       hole_compensation_nm: -107
@@ -445,6 +469,7 @@ constexpr char kDistinct[] = R"pb(
         line_width_nm: 624
         ear_max_angle_rad: 1.25
         ear_detection_nm: 626
+        automatic { on: true thermal_length_mm: 627 adhesion: 628 max_speed_mm_s: 629 }
       }
       brim_settings: 641
       raft {
@@ -502,6 +527,11 @@ constexpr char kDistinct[] = R"pb(
     lock_outer_width: true
     wall_class: 217
     one_on_bed: true
+    one_on_top: ONE_WALL_ON_TOP_SURFACES
+    extra_perimeters: true
+    fuzzy: FUZZY_SKIN_ALL_WALLS
+    fuzzy_thickness_nm: 218
+    fuzzy_point_distance_nm: 219
   }
   infill {
     top_solid_layers: 301
@@ -544,6 +574,7 @@ constexpr char kDistinct[] = R"pb(
   }
   ordering {
     infill_first: true
+    clockwise: true
     improvement_moves: 404
     travel {
       longest_hidden_mm: 401
@@ -580,6 +611,10 @@ constexpr char kDistinct[] = R"pb(
       lift_mm: 26
       lift_above_mm: 27
       lift_below_mm: 28
+      ramping: true
+      ramp_lift_mm: 30
+      ramp_slope_deg: 31
+      before_obstacles: true
       wipe: true
       before_wipe: 0.29
     }
@@ -593,6 +628,8 @@ constexpr char kDistinct[] = R"pb(
       fan_below_layer_time_s: 37
       slowdown_below_layer_time_s: 38
       min_print_speed_mm_s: 39
+      consistent_surface: true
+      transition_mm: 45
       full_fan_speed_layer: 40
       dynamic_fan: true
       overhang_fan_percent: [ 41, 42, 43, 44 ]
@@ -610,6 +647,8 @@ constexpr char kDistinct[] = R"pb(
       }
       dynamic_overhangs: true
       overhang_speed_mm_s: [ 541, 542, 543, 544 ]
+      bridging_walls: true
+      bridge_flow: 0.8
     }
     travel_speed_mm_s: 507
     travel_speed_z_mm_s: 508
@@ -630,6 +669,8 @@ constexpr char kDistinct[] = R"pb(
     default_acceleration_mm_s2: 514
     first_layer_acceleration_mm_s2: 515
     travel_acceleration_mm_s2: 516
+    short_travel_acceleration_mm_s2: 560
+    seam_gap_mm: 0.561
     nozzle_diameter_mm: 517
     filament_diameter_mm: 518
     extrusion_multiplier: 519

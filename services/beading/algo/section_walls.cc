@@ -1,6 +1,7 @@
 #include "services/beading/algo/section_walls.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <tuple>
@@ -8,9 +9,13 @@
 #include <vector>
 
 #include "common/geometry/boolean/boolean.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "common/model/bead_section.h"
 #include "services/beading/algo/arachne/arachne_island.h"
 #include "services/beading/algo/classic/classic_island.h"
+#include "services/beading/algo/extra_walls.h"
+#include "services/beading/algo/fuzzy_skin.h"
+#include "services/beading/algo/top_walls.h"
 #include "services/beading/algo/wall_rings.h"
 
 namespace slicefarm::beading {
@@ -25,25 +30,15 @@ absl::Status CheckWidths(bool on_bed, Coord external_nm, Coord inner_nm, Coord h
   return status;
 }
 
-/// Walls of islands by one set of options.
-class IslandWaller {
+/// Walls of islands by one plan.
+class PlanWaller {
  public:
-  static absl::StatusOr<IslandWaller> Make(const SectionPlace& place,
-                                           const BeadingOptions& options) {
-    const Coord height = place.section.height_nm;
-    const Coord external = place.on_bed ? options.first_layer_width_nm : options.external_width_nm;
-    const Coord inner = place.on_bed ? options.first_layer_width_nm : options.inner_width_nm;
-    if (absl::Status ok = CheckWidths(place.on_bed, external, inner, height); !ok.ok()) return ok;
-    IslandWaller waller;
-    const bool only_one = place.on_bed && options.one_on_bed;
-    const int32_t perimeters = only_one ? std::min(options.perimeters, 1) : options.perimeters;
-    waller.plan_ = WallPlan::Make(perimeters, external, inner, height);
-    waller.plan_.gap_fill = options.gap_fill;
-    waller.plan_.thin_walls = options.thin_walls || options.generator == WallGenerator::kArachne;
-    waller.gap_options_ = {options.min_gap_width_nm, options.max_gap_width_nm, height};
-    if (options.generator == WallGenerator::kArachne && perimeters > 0)
-      waller.UseArachne(place, options);
-    return waller;
+  /// `deciding_radius`: see VariableWallOptions; may be empty.
+  PlanWaller(const WallPlan& plan, const BeadingOptions& options, Coord height_nm,
+             std::function<double(double, double, double)> deciding_radius)
+      : plan_(plan), gap_options_{options.min_gap_width_nm, options.max_gap_width_nm, height_nm} {
+    if (options.generator == WallGenerator::kArachne && plan.perimeters > 0)
+      arachne_.emplace(options, plan_, gap_options_, std::move(deciding_radius));
   }
 
   absl::StatusOr<IslandBeads> Wall(const PolygonWithHoles& outline, const CancelToken& cancel,
@@ -57,20 +52,126 @@ class IslandWaller {
     return MakeClassicIsland(outline, plan_, gap_options_, cancel);
   }
 
- private:
-  void UseArachne(const SectionPlace& place, const BeadingOptions& options) {
-    const auto band = static_cast<double>(options.transition_deviation_nm);
-    arachne_.emplace(options, plan_, gap_options_,
-                     [&neighbours = place.neighbours, index = place.index, band](double x, double y,
-                                                                                 double radius_nm) {
-                       return neighbours.MeanRadius(index, kBeadingHaloLayers, x, y, radius_nm,
-                                                    band);
-                     });
-  }
+  const WallPlan& plan() const { return plan_; }
+  const GapFillOptions& gap_options() const { return gap_options_; }
 
+ private:
   WallPlan plan_;
   GapFillOptions gap_options_;
   std::optional<ArachneIslands> arachne_;
+};
+
+/// How many walls an island has room for at most.
+int32_t PerimetersOf(const SectionPlace& place, const BeadingOptions& options) {
+  const bool topmost = place.section.layer + 1 >= place.section.layer_count;
+  const bool only_one = (place.on_bed && options.one_on_bed) ||
+                        (topmost && options.one_on_top != OneWallOnTop::kNowhere);
+  return only_one ? std::min(options.perimeters, 1) : options.perimeters;
+}
+
+/// Walls of islands by one set of options.
+class IslandWaller {
+ public:
+  static absl::StatusOr<IslandWaller> Make(const SectionPlace& place,
+                                           const BeadingOptions& options) {
+    const Coord height = place.section.height_nm;
+    IslandWaller waller(place, options);
+    if (absl::Status ok = CheckWidths(place.on_bed, waller.external_, waller.inner_, height);
+        !ok.ok())
+      return ok;
+    waller.usual_.emplace(waller.Waller(waller.perimeters_, waller.external_));
+    return waller;
+  }
+
+  absl::StatusOr<IslandBeads> Wall(const PolygonWithHoles& outline, const CancelToken& cancel,
+                                   int32_t& plain_islands) const {
+    const int32_t extra = ExtraOf(outline);
+    const int32_t perimeters = perimeters_ + extra;
+    if (HasTop(outline)) return WallAroundTop(outline, perimeters, cancel, plain_islands);
+    if (extra > 0) return Waller(perimeters, external_).Wall(outline, cancel, plain_islands);
+    return usual_->Wall(outline, cancel, plain_islands);
+  }
+
+ private:
+  IslandWaller(const SectionPlace& place, const BeadingOptions& options)
+      : place_(place),
+        options_(options),
+        external_(place.on_bed ? options.first_layer_width_nm : options.external_width_nm),
+        inner_(place.on_bed ? options.first_layer_width_nm : options.inner_width_nm),
+        perimeters_(PerimetersOf(place, options)) {}
+
+  PlanWaller Waller(int32_t perimeters, Coord outermost_nm, bool gap_fill = true) const {
+    WallPlan plan = WallPlan::Make(perimeters, outermost_nm, inner_, place_.section.height_nm);
+    plan.gap_fill = options_.gap_fill && gap_fill;
+    plan.thin_walls = options_.thin_walls || options_.generator == WallGenerator::kArachne;
+    return PlanWaller(plan, options_, place_.section.height_nm, DecidingRadius());
+  }
+
+  /// nullptr: air.
+  const MultiPolygon* Above() const { return place_.neighbours.At(place_.index, 1); }
+
+  int32_t ExtraOf(const PolygonWithHoles& outline) const {
+    if (!options_.extra_perimeters || perimeters_ != options_.perimeters || Above() == nullptr)
+      return 0;
+    return ExtraWalls(outline, *Above(), usual_->plan());
+  }
+
+  TopParts Parts(const MultiPolygon& inside) const {
+    static const MultiPolygon kAir;
+    const MultiPolygon* below =
+        place_.section.layer > 0 ? place_.neighbours.At(place_.index, -1) : nullptr;
+    return PartByTop(inside, Above() == nullptr ? kAir : *Above(), below, usual_->plan());
+  }
+
+  /// Whether inner walls have to go round what is seen from above. What the outermost wall leaves
+  /// is about the outline less its width.
+  bool HasTop(const PolygonWithHoles& outline) const {
+    return options_.one_on_top == OneWallOnTop::kSurfaces && perimeters_ > 1 &&
+           !Parts(FastOffset({outline}, -external_)).top.empty();
+  }
+
+  absl::StatusOr<IslandBeads> WallAroundTop(const PolygonWithHoles& outline, int32_t perimeters,
+                                            const CancelToken& cancel,
+                                            int32_t& plain_islands) const {
+    // What one wall leaves is parted before gaps are looked for.
+    absl::StatusOr<IslandBeads> island =
+        Waller(1, external_, /*gap_fill=*/false).Wall(outline, cancel, plain_islands);
+    if (!island.ok()) return island;
+    TopParts parts = Parts(island->fill_area);
+    island->fill_area = std::move(parts.top);
+    const PlanWaller inner_waller = Waller(perimeters - 1, inner_);
+    if (options_.gap_fill) {
+      auto narrow = FillNarrowParts(inner_waller.gap_options(), cancel, island->fill_area);
+      if (!narrow.ok()) return narrow.status();
+      std::ranges::move(*narrow, std::back_inserter(island->walls));
+    }
+    // Beads tile from here on: no round side of an outermost one needs room.
+    const WallPlan& plan = inner_waller.plan();
+    const Coord round = (plan.external_width_nm - plan.external_spacing_nm) / 2;
+    for (const PolygonWithHoles& rest : FastOffset(parts.covered, round)) {
+      absl::StatusOr<IslandBeads> inner = inner_waller.Wall(rest, cancel, plain_islands);
+      if (!inner.ok()) return inner;
+      MakeInner(inner->walls);
+      std::ranges::move(inner->walls, std::back_inserter(island->walls));
+      island->fill_area = Union(island->fill_area, inner->fill_area);
+    }
+    return island;
+  }
+
+  std::function<double(double, double, double)> DecidingRadius() const {
+    const auto band = static_cast<double>(options_.transition_deviation_nm);
+    return [&neighbours = place_.neighbours, index = place_.index, band](double x, double y,
+                                                                         double radius_nm) {
+      return neighbours.MeanRadius(index, kBeadingHaloLayers, x, y, radius_nm, band);
+    };
+  }
+
+  const SectionPlace& place_;
+  const BeadingOptions& options_;
+  Coord external_;
+  Coord inner_;
+  int32_t perimeters_;
+  std::optional<PlanWaller> usual_;
 };
 
 /// Regions that are walled as one.
@@ -142,7 +243,12 @@ absl::StatusOr<SectionResult> WallSection(const SectionPlace& place,
     for (const PolygonWithHoles& outline : OutlinesOf(group, section)) {
       absl::StatusOr<IslandBeads> walls = waller->Wall(outline, cancel, result.plain_islands);
       if (!walls.ok()) return walls.status();
-      if (section.object != kPlate) NameRings(OutlineOf(section), walls->walls);
+      if (section.object != kPlate) {
+        NameRings(OutlineOf(section), walls->walls);
+        if (section.layer > 0)
+          Roughen(regions[static_cast<size_t>(first.settings)], {section.object, section.layer},
+                  walls->walls);
+      }
       Sign(first, walls->walls);
       result.walled.islands.push_back(
           {std::move(walls->walls), PartByRegion(std::move(walls->fill_area), group), outline});

@@ -83,6 +83,73 @@ TEST(WallSection, OneWallOnTheBed) {
   }
 }
 
+TEST(WallSection, LoopsHaveTheOutlineToTheirRight) {
+  // A frame with a thin side, so that some loops are offsets and others beads of varying width.
+  const MultiPolygon frame =
+      MakePolygonsOrDie("(0 0, 30 0, 30 30, 0 30), (1.7 8, 1.7 22, 22 22, 22 8)");
+  const ObjectSection section{0, 3, 9, 200'000, {{Role::kPart, 0, 0, frame}}, {}, 0, {}, {}};
+  for (const WallGenerator generator : {WallGenerator::kArachne, WallGenerator::kClassic}) {
+    BeadingOptions options;
+    options.generator = generator;
+    int loops = 0;
+    for (const Path& wall : Walled(section, {options}).islands[0].walls) {
+      if (!wall.closed || wall.feature == Feature::kGapFill) continue;
+      ++loops;
+      const Box box = Bounds(wall.points);
+      const bool round_hole = box.max.x < FromMm(27);
+      EXPECT_EQ(SignedArea(wall.points) < 0, round_hole)
+          << wall.inset << " " << static_cast<int>(generator);
+    }
+    EXPECT_GE(loops, 4);
+  }
+}
+
+/// A step: a square of 20 mm, of which the layer above covers the left half.
+WalledSection WalledStep(const BeadingOptions& options, int32_t layer, int32_t layer_count) {
+  ObjectSection section = Halves();
+  section.layer = layer;
+  section.layer_count = layer_count;
+  const MultiPolygon above = MakePolygonsOrDie("(0 0, 10 0, 10 20, 0 20)");
+  const NeighbourOutlines neighbours({&OutlineOf(section), &OutlineOf(section), &above});
+  auto result = WallSection({section, false, neighbours, 1}, std::vector{options, options}, {});
+  EXPECT_TRUE(result.ok()) << result.status();
+  return result->walled;
+}
+
+double FilledMm2(const WalledSection& walled) {
+  double area = 0;
+  for (const FillArea& fill : walled.islands[0].fill_areas) area += Mm2(fill.area);
+  return area;
+}
+
+TEST(WallSection, OneWallWhereNothingLiesAbove) {
+  for (const WallGenerator generator : {WallGenerator::kArachne, WallGenerator::kClassic}) {
+    BeadingOptions options;
+    options.generator = generator;
+    const double all = FilledMm2(WalledStep(options, 3, 9));
+    options.one_on_top = OneWallOnTop::kSurfaces;
+    const WalledSection step = WalledStep(options, 3, 9);
+    Coord inner_to = 0;
+    std::multiset<int32_t> insets;
+    for (const Path& wall : step.islands[0].walls) {
+      insets.insert(wall.inset);
+      EXPECT_EQ(wall.feature, wall.inset == 0 ? Feature::kExternalPerimeter : Feature::kPerimeter);
+      if (wall.inset > 0)
+        for (const Point& p : wall.points) inner_to = std::max(inner_to, p.x);
+    }
+    EXPECT_EQ(insets, (std::multiset<int32_t>{0, 1, 2}));
+    EXPECT_LT(inner_to, 10'000'000) << "inner walls stay under the layer above";
+    EXPECT_GT(inner_to, 9'000'000);
+    // Three sides of the right half lose two walls, the step gets two: 20 + 2 * 10 - 20 mm.
+    EXPECT_NEAR(FilledMm2(step) - all, 20 * 2 * 0.407, 1.5);
+    EXPECT_EQ(WalledStep(options, 8, 9).islands[0].walls.size(), 1u) << "the last layer";
+
+    options.one_on_top = OneWallOnTop::kTopmost;
+    EXPECT_NEAR(FilledMm2(WalledStep(options, 3, 9)), all, 1e-6);
+    EXPECT_EQ(WalledStep(options, 8, 9).islands[0].walls.size(), 1u);
+  }
+}
+
 TEST(WallSection, OutermostWallsNameTheirRing) {
   const ObjectSection section{
       0,

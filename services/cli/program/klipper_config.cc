@@ -114,6 +114,7 @@ absl::StatusOr<motion::CheckSetup> ReadKlipperConfig(std::string_view text) {
   ReadExtruder(values, setup);
   ReadRetraction(values, setup.machine.retraction);
   ReadSpace(values, setup);
+  setup.machine.arc_segment_mm = values.Number("gcode_arcs.resolution", 1);
   if (!values.wrong().empty()) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
                      fmt::format("{}: is missing or not a number", values.wrong()),

@@ -30,6 +30,11 @@ TEST(ReadKlipperConfig, WhatItSaysAndKlippersDefaults) {
   EXPECT_EQ(setup->bed[0], (Point{0, FromMm(-2)}));
   EXPECT_EQ(setup->bed[2], (Point{FromMm(235), FromMm(230)}));
   EXPECT_EQ(setup->max_height_mm, 240);
+  EXPECT_EQ(setup->machine.arc_segment_mm, 1);
+  const auto finer =
+      ReadKlipperConfig(std::string(kConfig) + "[gcode_arcs]\nresolution: 0.1 # mm\n");
+  ASSERT_TRUE(finer.ok()) << finer.status();
+  EXPECT_EQ(finer->machine.arc_segment_mm, 0.1);
 }
 
 TEST(ReadKlipperConfig, ErrorsNameTheKey) {

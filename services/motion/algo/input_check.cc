@@ -103,6 +103,11 @@ absl::Status CheckOptions(const MotionOptions& options) {
         Named{"retract_lift", retraction.lift_mm, kMaxLengthMm},
         Named{"retract_lift_above", retraction.lift_above_mm, kMaxLengthMm},
         Named{"retract_lift_below", retraction.lift_below_mm, kMaxLengthMm},
+        Named{"travel_max_lift", retraction.ramp_lift_mm, kMaxLengthMm},
+        Named{"travel_slope", retraction.ramp_slope_deg, 90},
+        Named{"seam_gap_distance", options.seam_gap_mm, kMaxLengthMm},
+        Named{"travel_short_distance_acceleration", options.short_travel_acceleration_mm_s2},
+        Named{"cooling_perimeter_transition_distance", cooling.transition_mm},
         Named{"retract_before_wipe", retraction.before_wipe, 1},
         Named{"retract_before_travel", retraction.min_travel_mm, kMaxLengthMm},
         Named{"slowdown_below_layer_time", cooling.slowdown_below_layer_time_s},
@@ -110,6 +115,10 @@ absl::Status CheckOptions(const MotionOptions& options) {
         Named{"min_print_speed", cooling.min_print_speed_mm_s}}) {
     if (!(named.value >= 0 && InBounds(named.value, named.most))) return OutOfRange(named);
   }
+  for (const RegionSpeeds& region : options.speeds)
+    if (const Named flow{"bridge_flow_ratio", region.bridge_flow, 100};
+        !(flow.value > 0 && InBounds(flow.value, flow.most)))
+      return OutOfRange(flow);
   for (const Named& named :
        {Named{"retract_restart_extra", retraction.restart_extra_mm, kMaxLengthMm},
         Named{"z_offset", options.z_offset_mm, kMaxLengthMm}}) {

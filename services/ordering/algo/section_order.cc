@@ -114,6 +114,7 @@ void PrintIsland(FilledIsland& island, std::optional<Point> next, const Ordering
   std::vector<Path*> walls;
   std::vector<FillBlock> gaps;
   for (Path& wall : island.walls) {
+    if (options.clockwise && wall.closed) Reverse(wall);
     if (wall.feature == Feature::kGapFill) {
       gaps.push_back({{&wall}});
     } else {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <random>
 
+#include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 #include "services/ordering/algo/route.h"
 
@@ -148,6 +149,23 @@ TEST(OrderSection, InfillFirst) {
   EXPECT_THAT(FeaturesOf(Order(section, options)),
               ElementsAre(Feature::kInternalInfill, Feature::kTopSolidInfill, Feature::kPerimeter,
                           Feature::kExternalPerimeter, Feature::kGapFill));
+}
+
+TEST(OrderSection, LoopsRunTheWayThatIsAskedFor) {
+  FilledSection section = Section();
+  Path hole = Wall(8, 3, 4, 0);  // of the second island
+  std::ranges::reverse(hole.points);
+  section.islands[1].walls.push_back(hole);
+  const auto turns = [&](bool clockwise) {
+    OrderingOptions options;
+    options.clockwise = clockwise;
+    std::vector<int> count(2, 0);
+    for (const Path& path : Order(section, options))
+      if (path.closed) ++count[SignedArea(path.points) > 0 ? 0 : 1];
+    return count;
+  };
+  EXPECT_THAT(turns(false), ElementsAre(8, 1));
+  EXPECT_THAT(turns(true), ElementsAre(1, 8));
 }
 
 TEST(OrderSection, IroningComesLast) {

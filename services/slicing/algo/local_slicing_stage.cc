@@ -88,6 +88,7 @@ class SlicingRun {
   void LayOutFrames() {
     std::map<Coord, std::vector<ObjectSection>> by_top;
     for (size_t object = 0; object < swept_.size(); ++object) {
+      if (objects_[object].shifts.empty()) continue;  // none of its copies is on the bed
       const std::vector<LayerPlane>& planes = swept_[object].planes;
       const RaftHeights& raft = options_.objects[object].raft;
       for (int32_t i = 0; i < raft.layers; ++i) by_top[raft.TopOf(i)];
@@ -232,7 +233,9 @@ class SlicingRun {
     ClosedChains closed = CloseChains(std::move(cut.chains), options_.max_gap_nm);
     swept.gaps[layer] = closed.counts;
     std::move(closed.loops.begin(), closed.loops.end(), std::back_inserter(cut.loops));
-    return RegionOf(cut.loops, SlicingOf(section).fill_rule, options_.resolution_nm);
+    const ObjectSlicingOptions& slicing = SlicingOf(section);
+    MultiPolygon region = RegionOf(cut.loops, slicing.fill_rule, options_.resolution_nm);
+    return slicing.close_holes ? WithoutHoles(region) : region;
   }
 
   /// How many copies of each object stand on the footprint of another copy.
@@ -251,6 +254,7 @@ class SlicingRun {
         if (swept.part->IsSeamSurface()) continue;
         MeshReport report = ReportOf(swept, options_.objects[i]);
         report.overlapping_copies = overlapping[i];
+        if (&swept == &swept_[i].parts.front()) report.copies_off_bed = object.copies_off_bed;
         job_.meshes.push_back(std::move(report));
       }
       for (const Point shift : object.shifts)

@@ -17,6 +17,12 @@ class NeighbourOutlines {
   explicit NeighbourOutlines(std::vector<const MultiPolygon*> layers)
       : layers_(std::move(layers)), indexes_(layers_.size()) {}
 
+  /// The outline of the layer `by` above layers[i]; below, if negative. nullptr: it is not here.
+  const MultiPolygon* At(size_t i, int by) const {
+    const size_t at = i + static_cast<size_t>(by);  // below 0 wraps to far above
+    return at < layers_.size() ? layers_[at] : nullptr;
+  }
+
   /// The mean distance from the outlines, of the layers at most `reach` from layers[i] and itself,
   /// of a place that is `radius_nm` away from those of layers[i]. Layers in which it differs from
   /// that by more than `band_nm` have another shape there and do not count.

@@ -92,6 +92,8 @@ void AddBeads(SkeletalGraph graph, const BeadingStrategy& strategy,
     if (line.is_marker) {
       if (bead.points.size() >= 3) markers.push_back(std::move(bead.points));
     } else if (bead.points.size() >= 2) {
+      // Beads are traced with the ring that they follow to their left; walls have it to their right.
+      if (bead.closed && !line.is_middle) Reverse(bead);
       walls.lines.push_back({line.inset, line.is_middle, std::move(bead)});
     }
   }

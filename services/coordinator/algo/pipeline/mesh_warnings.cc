@@ -47,6 +47,11 @@ std::vector<std::string> MeshWarnings(const MeshReport& mesh) {
     warn(absl::StrFormat("cracks of up to %.3f mm were closed (slice_closing_radius)",
                          mesh.cracks_closed_mm));
   }
+  if (mesh.copies_off_bed > 0) {
+    warn(absl::StrCat(mesh.copies_off_bed,
+                      mesh.copies_off_bed == 1 ? " copy stands beside the bed and is left out"
+                                               : " copies stand beside the bed and are left out"));
+  }
   if (mesh.overlapping_copies > 0) {
     warn(absl::StrCat(mesh.overlapping_copies,
                       mesh.overlapping_copies == 1 ? " copy stands" : " copies stand",

@@ -27,6 +27,7 @@ TEST(MeshWarnings, SaysWhatIsWrong) {
   mesh.open_loops_dropped = 1;
   mesh.dropped_length_mm = 12.34;
   mesh.cracks_closed_mm = 0.098;
+  mesh.copies_off_bed = 1;
   mesh.overlapping_copies = 2;
   EXPECT_THAT(
       MeshWarnings(mesh),
@@ -38,6 +39,7 @@ TEST(MeshWarnings, SaysWhatIsWrong) {
           "a.stl: 5 open outlines closed over gaps of up to 0.250 mm",
           "a.stl: 1 open outline of 12.3 mm together could not be closed and are not printed",
           "a.stl: cracks of up to 0.098 mm were closed (slice_closing_radius)",
+          "a.stl: 1 copy stands beside the bed and is left out",
           "a.stl: 2 copies stand on the footprint of others and may be printed through them"));
 }
 

@@ -6,8 +6,8 @@
 
 #include "absl/status/statusor.h"
 #include "common/stage/stages.h"
-#include "services/coordinator/algo/process/job_process.h"
 #include "services/coordinator/algo/pipeline/print_estimate.h"
+#include "services/coordinator/algo/process/fdm_process.h"
 
 namespace slicefarm::coordinator {
 
@@ -21,10 +21,18 @@ struct Preflight {
   std::vector<std::string> warnings;  ///< those of the settings, then what the meshes lack
 };
 
+/// Who makes single layers.
+struct Sampling {
+  const FdmProcess& fdm;
+  TaskExecutor& executor;
+};
+
 /// Slices the meshes and looks at the outlines. With complete_objects it plans the job as well, to
-/// see whether the copies have an order. Errors: those of slicing, OUT_OF_BUILD_VOLUME among them;
-/// NOTHING_TO_PRINT; those of planning, OBJECTS_COLLIDE among them.
-absl::StatusOr<Preflight> LookAt(const StageCall& call, JobInput input,
-                                 const SlicingStage& slicing, const PlanningStage& planning);
+/// see whether the copies have an order. With `sampling`, and runners there, jobs of FDM are
+/// planned and a few of their layers made, which is what the estimate is then of; without, it is
+/// of outlines alone. Errors: those of slicing, OUT_OF_BUILD_VOLUME among them; NOTHING_TO_PRINT;
+/// those of planning, OBJECTS_COLLIDE among them; those of the stages that make layers.
+absl::StatusOr<Preflight> LookAt(const StageCall& call, JobInput input, const SlicingStage& slicing,
+                                 const PlanningStage& planning, const Sampling* sampling = nullptr);
 
 }  // namespace slicefarm::coordinator

@@ -34,6 +34,7 @@ class FakeSlicing : public SlicingStage {
       job.layers.push_back(layer);
     }
     job.copies.resize(copies_);
+    job.object_names = {"part"};
     job.meshes.resize(1);
     job.meshes[0].open_edges = 4;
     if (input.advise_orientations) job.orientations.resize(1);
@@ -52,6 +53,7 @@ class FakePlanning : public PlanningStage {
                                const PlanningOptions&) const override {
     if (refuses) return absl::InvalidArgumentError("no order");
     JobPlan plan;
+    plan.layers.resize(job.layers.size());
     for (const PlacedCopy& copy : job.copies)
       plan.copies.push_back(
           {copy.object, copy.shift, static_cast<int32_t>(plan.copies.size())});
@@ -78,6 +80,75 @@ TEST(LookAt, TellsWhatThePlateIsLike) {
               ElementsAre("of a setting", HasSubstr("4 edges with one face only")));
   EXPECT_GT(found->estimate.print_time_s, 0);
   EXPECT_NEAR(found->estimate.filament.volume_mm3, 200, 1e-6) << "all of it is skin";
+}
+
+/// Layers of 3 s and 5 mm.
+class FakeRunners : public TaskExecutor {
+ public:
+  absl::StatusOr<std::vector<TaskResult>> Execute(const StageCall&, std::span<const Task> tasks,
+                                                  const std::function<void(int32_t)>&) override {
+    std::vector<TaskResult> results;
+    for (const Task& task : tasks) {
+      const FdmTask& range = std::get<FdmTask>(task);
+      EXPECT_EQ(range.range.size(), 1);
+      EXPECT_EQ(range.plans.size(), 1u);
+      LayerProgram program;
+      program.frame.index = range.range.first;
+      program.stats.features[0].time_s = 3;
+      program.stats.features[0].filament_mm = 5;
+      FdmResult result;
+      result.programs = {program};
+      results.push_back(std::move(result));
+      ++made;
+    }
+    return results;
+  }
+  int Slots(Process) const override { return slots; }
+
+  int slots = 4;
+  int made = 0;
+};
+
+/// 100 s before the layers.
+class FakeMotion : public MotionStage {
+ public:
+  absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall&, std::vector<OrderedLayer>,
+                                                    const JobFacts&,
+                                                    const MotionOptions&) const override {
+    return absl::UnimplementedError("");
+  }
+  absl::StatusOr<ProgramEnvelope> Envelope(const StageCall&, const ProgramSummary& summary,
+                                           const MotionOptions&) const override {
+    EXPECT_EQ(summary.settings_text, "text");
+    ProgramEnvelope envelope;
+    envelope.times.custom_s = 100;
+    for (const LayerSummary& layer : summary.layers) envelope.times.feature_s[0] += layer.time_s;
+    return envelope;
+  }
+};
+
+TEST(LookAt, MakesSomeLayersWhereThereIsSomebodyToMakeThem) {
+  const FakeSlicing slicing(10);
+  const FakePlanning planning;
+  const FakeMotion motion;
+  const FdmProcess fdm(slicing, planning, motion);
+  FakeRunners runners;
+  const Sampling sampling{fdm, runners};
+  JobInput input = Input();
+  input.settings_text = "text";
+  const auto found = LookAt({}, input, slicing, planning, &sampling);
+  ASSERT_TRUE(found.ok()) << found.status();
+  EXPECT_EQ(runners.made, 10) << "of few layers all";
+  EXPECT_NEAR(found->estimate.print_time_s, 130, 1e-6);
+  EXPECT_NEAR(found->estimate.filament.length_mm, 50, 1e-6);
+  EXPECT_EQ(found->layers, 10);
+
+  runners.slots = 0;
+  const auto alone = LookAt({}, input, slicing, planning, &sampling);
+  ASSERT_TRUE(alone.ok()) << alone.status();
+  EXPECT_EQ(runners.made, 10);
+  EXPECT_EQ(alone->estimate.print_time_s,
+            LookAt({}, input, slicing, planning)->estimate.print_time_s);
 }
 
 TEST(LookAt, AdvisesOrientationsOnRequest) {

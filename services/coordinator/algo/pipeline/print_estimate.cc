@@ -66,10 +66,10 @@ struct Lines {
   double stops = 0;
 };
 
-class LayerEstimate {
+class SectionEstimate {
  public:
   /// Of one section of one object, all of it with the settings of `row`.
-  LayerEstimate(const LayerShape& shape, double exposed_mm2, const LayerFrame& frame,
+  SectionEstimate(const LayerShape& shape, double exposed_mm2, const LayerFrame& frame,
                 const JobSettings& settings, size_t row)
       : shape_(shape), frame_(frame), settings_(settings), speeds_(settings.motion.speeds[row]) {
     const BeadingOptions& beading = settings.beading[row];
@@ -172,27 +172,20 @@ std::map<int32_t, int> CopiesByObject(std::span<const PlacedCopy> copies) {
   return count;
 }
 
-/// What a layer of the job takes, of all copies of all objects.
-struct LayerTotal {
-  double time_s = 0;
-  double area_mm2 = 0;
-};
-
 /// With the time that cooling asks for.
-double CooledTime(const LayerTotal& layer, const CoolingOptions& cooling) {
-  if (!cooling.enabled || layer.area_mm2 == 0) return layer.time_s;
-  return std::max(layer.time_s, cooling.slowdown_below_layer_time_s);
+double CooledTime(double time_s, double area_mm2, const CoolingOptions& cooling) {
+  if (!cooling.enabled || area_mm2 == 0) return time_s;
+  return std::max(time_s, cooling.slowdown_below_layer_time_s);
 }
 
 }  // namespace
 
-PrintEstimate EstimatePrint(const SlicedOutlines& job, const JobSettings& settings) {
+std::vector<LayerEstimate> EstimateLayers(const SlicedOutlines& job, const JobSettings& settings) {
   std::map<int32_t, int> copies = CopiesByObject(job.copies);
   const bool one_by_one = settings.planning.sequence.complete_objects;
-  PrintEstimate estimate;
-  std::vector<LayerTotal> totals(job.layers.size());
-  ProgramStats total;
-  FeatureUse& all = total.features[0];
+  const CoolingOptions& cooling = settings.motion.cooling;
+  std::vector<LayerEstimate> layers(job.layers.size());
+  std::vector<double> areas(job.layers.size(), 0);
   for (const auto& [index, object] : ShapesByObject(job.layers)) {
     const double count = copies[index];
     for (std::ptrdiff_t i = 0; i < std::ssize(object.shapes); ++i) {
@@ -200,21 +193,30 @@ PrintEstimate EstimatePrint(const SlicedOutlines& job, const JobSettings& settin
       const InfillOptions& infill = settings.infill[object.rows[at]];
       const double exposed = Exposed(object.shapes, i, 1, infill.top_solid_layers) +
                              Exposed(object.shapes, i, -1, infill.bottom_solid_layers);
-      const LayerEstimate layer(object.shapes[at], exposed, object.frames[at], settings,
-                                object.rows[at]);
-      all.volume_mm3 += count * layer.volume_mm3();
-      if (one_by_one) {
-        estimate.print_time_s +=
-            count * CooledTime({layer.time_s(), object.shapes[at].area}, settings.motion.cooling);
-        continue;
-      }
-      LayerTotal& sum = totals[static_cast<size_t>(object.frames[at].index)];
-      sum.time_s += count * layer.time_s();
-      sum.area_mm2 += object.shapes[at].area;
+      const SectionEstimate section(object.shapes[at], exposed, object.frames[at], settings,
+                                    object.rows[at]);
+      const double area = object.shapes[at].area;
+      const auto layer = static_cast<size_t>(object.frames[at].index);
+      layers[layer].time_s +=
+          count * (one_by_one ? CooledTime(section.time_s(), area, cooling) : section.time_s());
+      layers[layer].volume_mm3 += count * section.volume_mm3();
+      areas[layer] += area;
     }
   }
-  for (const LayerTotal& layer : totals)
-    estimate.print_time_s += CooledTime(layer, settings.motion.cooling);
+  if (!one_by_one)
+    for (size_t i = 0; i < layers.size(); ++i)
+      layers[i].time_s = CooledTime(layers[i].time_s, areas[i], cooling);
+  return layers;
+}
+
+PrintEstimate EstimatePrint(const SlicedOutlines& job, const JobSettings& settings) {
+  PrintEstimate estimate;
+  ProgramStats total;
+  FeatureUse& all = total.features[0];
+  for (const LayerEstimate& layer : EstimateLayers(job, settings)) {
+    estimate.print_time_s += layer.time_s;
+    all.volume_mm3 += layer.volume_mm3;
+  }
   all.filament_mm = FilamentMm(all.volume_mm3, settings.motion);
   estimate.filament = FilamentUseOf(total, settings.motion);
   return estimate;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "common/model/filament_use.h"
 #include "common/model/layer.h"
@@ -13,6 +14,15 @@ struct PrintEstimate {
   double print_time_s = 0;
   FilamentUse filament;
 };
+
+/// What a layer of the job takes, of all copies of all objects.
+struct LayerEstimate {
+  double time_s = 0;
+  double volume_mm3 = 0;
+};
+
+/// By layer, what EstimatePrint tells of all together.
+std::vector<LayerEstimate> EstimateLayers(const SlicedOutlines& job, const JobSettings& settings);
 
 /// What a print will take, from the areas and outlines of its layers alone: walls as wide as they
 /// are many, solid skins where a layer is larger than one near it, sparse infill in the rest; lines

@@ -28,6 +28,7 @@ OrderedJson ToJson(const MeshReport& mesh) {
           {"largest_gap_closed_mm", mesh.largest_gap_closed_mm},
           {"dropped_length_mm", mesh.dropped_length_mm},
           {"cracks_closed_mm", mesh.cracks_closed_mm},
+          {"copies_off_bed", mesh.copies_off_bed},
           {"overlapping_copies", mesh.overlapping_copies}};
 }
 

@@ -181,11 +181,17 @@ class FdmJob : public PlannedJob {
   int32_t LayerCount() const override { return static_cast<int32_t>(layers_.size()); }
 
   std::vector<Task> Tasks(int slots) override {
+    std::vector<Task> tasks = TasksFor(SplitIntoRanges(layers_, slots, SplitOptionsOf(settings_)));
+    ranges_.resize(tasks.size());
+    return tasks;
+  }
+
+  std::vector<Task> TasksFor(const std::vector<LayerRange>& ranges) const {
     const std::span<const SlicedLayer> layers = layers_;
     const std::span<const LayerPlan> plans = plan_.layers;
     const int32_t halo = HaloLayers(settings_);
     std::vector<Task> tasks;
-    for (const LayerRange& range : SplitIntoRanges(layers, slots, SplitOptionsOf(settings_))) {
+    for (const LayerRange& range : ranges) {
       const LayerRange grown = WithHalo(layers, range, halo);
       const auto at = [](int32_t index) { return static_cast<size_t>(index); };
       tasks.push_back(FdmTask{.range = range,
@@ -195,7 +201,6 @@ class FdmJob : public PlannedJob {
                               .facts = &facts_,
                               .settings = &settings_});
     }
-    ranges_.resize(tasks.size());
     return tasks;
   }
 
@@ -224,10 +229,8 @@ class FdmJob : public PlannedJob {
     const auto programs = InPrintOrder(std::move(all), layer_count);
     if (!programs.ok()) return programs.status();
 
-    ProgramSummary summary = Summarize(*programs);
+    ProgramSummary summary = SummaryOf(*programs);
     summary.thumbnails = std::move(thumbnails_);
-    summary.copies = SummarizeCopies(std::move(facts_.copies), std::move(copies_));
-    summary.settings_text = std::move(settings_text_);
     auto frame = Timed(report_.stage_times.motion_s, [&] {
       const ScopedSpan span(call.spans, "frame");
       return motion_.Envelope(call, summary, settings_.motion);
@@ -240,6 +243,14 @@ class FdmJob : public PlannedJob {
       report_.warnings.push_back(std::move(warning));
     return JobOutput{WholeProgram(*std::move(frame), *programs, std::move(spool_)),
                      std::move(report_)};
+  }
+
+  /// What the envelope of these programs looks at, thumbnails apart.
+  ProgramSummary SummaryOf(const std::vector<SpooledProgram>& programs) const {
+    ProgramSummary summary = Summarize(programs);
+    summary.copies = SummarizeCopies(facts_.copies, copies_);
+    summary.settings_text = settings_text_;
+    return summary;
   }
 
  private:
@@ -298,6 +309,41 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
   if (absl::Status begun = job->Begin(*std::move(sliced), *std::move(plan)); !begun.ok())
     return begun;
   return job;
+}
+
+absl::StatusOr<LayerSamples> FdmProcess::Sample(const StageCall& call, PlannedPlate plate,
+                                                std::span<const int32_t> layers,
+                                                TaskExecutor& executor) const {
+  const MotionOptions motion = plate.settings.motion;
+  FdmJob job(motion_, std::move(plate.settings), std::move(plate.settings_text), {}, nullptr);
+  if (absl::Status begun = job.Begin(std::move(plate.sliced), std::move(plate.plan)); !begun.ok())
+    return begun;
+  std::vector<LayerRange> ranges;
+  for (const int32_t layer : layers) ranges.push_back({layer, layer + 1});
+  std::vector<FdmResult> made(ranges.size());
+  const auto take = [&](size_t task, TaskResult result) {
+    made[task] = std::get<FdmResult>(std::move(result));
+    return absl::OkStatus();
+  };
+  absl::Status done = executor.Execute(call, job.TasksFor(ranges), take, [](int32_t) {});
+  if (!done.ok()) return done;
+  LayerSamples samples;
+  std::vector<SpooledProgram> programs;
+  for (size_t i = 0; i < made.size(); ++i) {
+    LayerSample& sample = samples.layers.emplace_back(LayerSample{layers[i]});
+    for (LayerProgram& program : made[i].programs) {
+      sample.time_s += program.stats.TimeS();
+      sample.filament_mm += program.stats.FilamentMm();
+      programs.push_back({std::move(program), {}});
+    }
+    samples.around_s -= sample.time_s;
+  }
+  std::ranges::stable_sort(programs, {},
+                           [](const SpooledProgram& spooled) { return spooled.program.pass; });
+  const auto frame = motion_.Envelope(call, job.SummaryOf(programs), motion);
+  if (!frame.ok()) return frame.status();
+  samples.around_s += frame->times.TotalS();
+  return samples;
 }
 
 }  // namespace slicefarm::coordinator

@@ -354,9 +354,11 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
   StageCall stage_call;
   stage_call.cancel = call.cancel;
   stage_call.trace = call.trace;
+  stage_call.claimant.tenant = submission.tenant;
+  const ResolvedPlate& plate = resolved->plate;
   const auto found = LookAt(
-      stage_call, {*std::move(meshes), resolved->plate.settings, "", resolved->plate.warnings},
-      backend_.slicing, backend_.planning);
+      stage_call, {*std::move(meshes), plate.settings, plate.effective_text, plate.warnings},
+      backend_.slicing, backend_.planning, &backend_.sampling);
   if (!found.ok()) return found.status();
   v1::Job job;
   job.mutable_spec()->ParseFromString(submission.spec);

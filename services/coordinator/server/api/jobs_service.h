@@ -10,6 +10,7 @@
 #include "common/rpc/server/call_queue.h"
 #include "common/stage/plates.h"
 #include "services/coordinator/algo/pipeline/cost.h"
+#include "services/coordinator/algo/pipeline/preflight.h"
 #include "services/coordinator/server/api/callers.h"
 #include "services/coordinator/server/api/job_intake.h"
 #include "services/coordinator/server/api/job_watch.h"
@@ -41,6 +42,7 @@ struct JobsBackend {
   const SlicingStage& slicing;  ///< for preflights
   const ArrangingStage& arranging;
   const PlanningStage& planning;  ///< for preflights
+  Sampling sampling;              ///< for preflights
   ByteBudget& mesh_memory;
   Rates rates;
   std::function<int64_t()> now_us;

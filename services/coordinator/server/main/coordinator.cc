@@ -67,7 +67,7 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
       jobs_service_(
           JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
                       *stores_.webhooks, options_.webhooks, stages.slicing, stages.arranging,
-                      stages.planning, mesh_memory_, options_.rates, NowUs, log},
+                      stages.planning, {fdm_, executor}, mesh_memory_, options_.rates, NowUs, log},
           options_.transfers, options_.watches),
       profiles_service_(callers_, *stores_.profiles, disk_, NowUs) {}
 

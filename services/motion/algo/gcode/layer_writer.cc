@@ -112,7 +112,8 @@ void LayerWriter::WriteMove(const Move& move, ShiftUm shift, GcodeText& out) {
     mix_.SetFor({mm(move.x_um + shift.x), mm(move.y_um + shift.y), mm(move.z_um)}, out);
   }
   TellWipe(move.kind == MoveKind::kWipe, out);
-  const bool climbs = move.kind == MoveKind::kPrint && z_um_ != -1 && move.z_um != z_um_;
+  const bool climbs = (move.kind == MoveKind::kPrint || move.kind == MoveKind::kTravel) &&
+                      z_um_ != -1 && move.z_um != z_um_;
   SetAcceleration(move, out);
   out << "G1";
   if (MovesInPlane(move.kind)) {
@@ -156,8 +157,9 @@ void LayerWriter::SetAcceleration(const Move& move, GcodeText& out) {
   const bool of_travel = move.kind == MoveKind::kTravel || move.kind == MoveKind::kLift;
   if (of_travel && !accelerations_.told_travel) return;
   if (of_travel && firmware_.HasTravelAcceleration()) {
-    if (!std::exchange(travels_told_, true))
-      firmware_.WriteAcceleration(0, accelerations_.travel, out);
+    if (const float told = std::exchange(travel_acceleration_, move.acceleration_mm_s2);
+        told != travel_acceleration_)
+      firmware_.WriteAcceleration(0, travel_acceleration_, out);
     return;
   }
   if (!of_travel && move.kind != MoveKind::kPrint) return;

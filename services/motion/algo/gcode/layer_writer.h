@@ -48,7 +48,7 @@ class LayerWriter {
   void Forget() {
     feed_rate_ = -1;
     acceleration_ = -1;
-    travels_told_ = false;
+    travel_acceleration_ = -1;
   }
 
  private:
@@ -76,7 +76,7 @@ class LayerWriter {
   int32_t z_um_ = -1;
   bool wipes_ = false;
   float acceleration_ = -1;
-  bool travels_told_ = false;  ///< the acceleration that they have apart
+  float travel_acceleration_ = -1;  ///< what travels have apart; -1: not told
 };
 
 /// `M106 S89`, or `M107` for 0.

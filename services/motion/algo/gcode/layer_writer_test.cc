@@ -80,8 +80,13 @@ TEST(LayerWriter, MovesOfEachKind) {
   retract.kind = MoveKind::kRetract;
   retract.filament = -80'000;
   retract.feed_rate = 2'100;
-  EXPECT_EQ(Written({retract, lift, Travel(-12'345)}),
-            "G1 E-.8 F2100\nG1 Z.7 F9000\nG1 X-12.345 Y0\n");
+  Move travel = Travel(-12'345);
+  travel.z_um = 700;
+  EXPECT_EQ(Written({retract, lift, travel}), "G1 E-.8 F2100\nG1 Z.7 F9000\nG1 X-12.345 Y0\n");
+  travel.z_um = 900;
+  EXPECT_EQ(Written({retract, lift, travel}),
+            "G1 E-.8 F2100\nG1 Z.7 F9000\nG1 X-12.345 Y0 Z.9\n")
+      << "it rises on its way";
 }
 
 TEST(LayerWriter, AStretchGoesOnUntilItIsToldToForget) {

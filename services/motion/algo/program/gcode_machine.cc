@@ -169,7 +169,9 @@ GcodeAction GcodeMachine::ArcTo(const GcodeLine& line) {
   const double radius = arc.StartRadius();
   const double rise = to[kZ] - start[kZ];
   const double length = Hypot(radius * arc.Angle(), rise);
-  const std::vector<ArcPlace> ends = ArcChords(arc, length, firmware_.ArcSegmentMm(radius, speed));
+  const double chord =
+      arc_segment_mm_ > 0 ? arc_segment_mm_ : firmware_.ArcSegmentMm(radius, speed);
+  const std::vector<ArcPlace> ends = ArcChords(arc, length, chord);
   const auto count = static_cast<double>(ends.size());
   for (size_t i = 0; i < ends.size(); ++i) {
     const double share = static_cast<double>(i + 1) / count;

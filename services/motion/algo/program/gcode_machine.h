@@ -20,6 +20,7 @@ struct MachineSetup {
   MachineLimits limits;
   RetractionOptions retraction;  ///< of G10 and G11, until M207
   HeatingRates heating;
+  double arc_segment_mm = 0;  ///< length of the chords of arcs; 0: the firmware's own
 };
 
 /// A straight move, in machine coordinates: x, y, z and the filament that went in so far.
@@ -56,7 +57,10 @@ class GcodeMachine {
  public:
   /// `firmware` must live on.
   GcodeMachine(const Firmware& firmware, const MachineSetup& setup)
-      : firmware_(firmware), limits_(setup.limits), retraction_(setup.retraction) {}
+      : firmware_(firmware),
+        limits_(setup.limits),
+        retraction_(setup.retraction),
+        arc_segment_mm_(setup.arc_segment_mm) {}
 
   GcodeAction Read(const GcodeLine& line);
 
@@ -87,6 +91,7 @@ class GcodeMachine {
   const Firmware& firmware_;
   MachineLimits limits_;
   RetractionOptions retraction_;
+  double arc_segment_mm_;
   std::array<double, 4> at_ = {};
   std::array<double, 4> origin_ = {};  ///< place of the program's zero
   double unit_mm_ = 1;

@@ -78,6 +78,12 @@ TEST(GcodeMachine, ArcsAreChordsWithTheirShareOfFilament) {
   EXPECT_EQ(machine.position(), (Place{-10, 0, 0, 3}));
 }
 
+TEST(GcodeMachine, ArcsHaveTheChordsThatTheMachineIsSetTo) {
+  GcodeMachine machine(Klipper(), {.arc_segment_mm = 0.1});
+  machine.Read(ParseGcodeLine("G1 X10 F600"));
+  EXPECT_EQ(machine.Read(ParseGcodeLine("G3 X-10 Y0 I-10 J0 E3")).moves.size(), 314);
+}
+
 TEST(GcodeMachine, LimitsByFirmware) {
   const auto limits = [](const Firmware& firmware, const char* line) {
     GcodeMachine machine(firmware, {});

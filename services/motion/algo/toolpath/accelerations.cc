@@ -48,6 +48,7 @@ Accelerations AccelerationsFor(const MotionOptions& options, Ground ground) {
   }
   if (result.told_travel) {
     result.travel = options.travel_acceleration_mm_s2;
+    result.short_travel = options.short_travel_acceleration_mm_s2;
   } else if (firmware.HasTravelAcceleration()) {
     result.travel = limits.max_acceleration_travel_mm_s2;
   }

@@ -19,6 +19,7 @@ namespace slicefarm::motion {
 struct Accelerations {
   std::array<double, kFeatureCount> print = {};
   double travel = 0;   ///< 0: what was set last
+  double short_travel = 0;  ///< of those too short for a retraction; 0: as the others
   double retract = 0;  ///< of the filament alone; 0: what was set last
   bool told = false;   ///< the G-code sets them
   bool told_travel = false;

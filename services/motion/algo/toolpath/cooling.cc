@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
+#include "common/base/portable_math.h"
+#include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 
 namespace slicefarm::motion {
@@ -14,39 +17,76 @@ constexpr int kMaxTrials = 12;
 /// The layer's time may miss the wanted one by this share.
 constexpr double kTolerance = 0.002;
 
-/// Sets the beads' feed rates to `share` of the full ones.
-void SetSpeeds(const std::vector<int32_t>& full, double share, int32_t least, Toolpath& path) {
-  for (size_t i = 0; i < full.size(); ++i) {
-    Move& move = path.moves[i];
+/// What may be slowed down: all beads, or, with consistent_surface, those that are not of the two
+/// outermost walls, nor so near before one of them, and then these.
+enum class Beads : uint8_t { kAll, kInner, kSurface };
+
+/// By move of one toolpath.
+struct FullSpeeds {
+  std::vector<int32_t> feed_rates;
+  std::vector<bool> inner;  ///< of Beads::kInner
+};
+
+/// Beads that end no more than `transition_mm` before one of the surface are taken for it: the
+/// nozzle's flow has settled there.
+std::vector<bool> InnerBeads(const Toolpath& path, double transition_mm) {
+  std::vector<bool> inner(path.moves.size(), false);
+  double to_surface_mm = std::numeric_limits<double>::infinity();
+  for (size_t i = path.moves.size(); i-- > 0;) {
+    const Move& move = path.moves[i];
     if (move.kind != MoveKind::kPrint) continue;
-    const auto slowed = static_cast<int32_t>(std::lround(full[i] * share));
-    move.feed_rate = std::max(slowed, std::min(least, full[i]));
-  }
-}
-
-using FeedRates = std::vector<std::vector<int32_t>>;  // by toolpath
-
-FeedRates FeedRatesOf(std::span<const Toolpath> paths) {
-  FeedRates rates;
-  for (const Toolpath& path : paths) {
-    std::vector<int32_t>& own = rates.emplace_back();
-    own.reserve(path.moves.size());
-    for (const Move& move : path.moves) own.push_back(move.feed_rate);
-  }
-  return rates;
-}
-
-void SetSpeeds(const FeedRates& full, double share, int32_t least, std::span<Toolpath> paths) {
-  for (size_t i = 0; i < paths.size(); ++i) SetSpeeds(full[i], share, least, paths[i]);
-}
-
-int32_t FastestBead(std::span<const Toolpath> paths) {
-  int32_t fastest = 0;
-  for (const Toolpath& path : paths) {
-    for (const Move& move : path.moves) {
-      if (move.kind == MoveKind::kPrint) fastest = std::max(fastest, move.feed_rate);
+    if (move.of_surface) {
+      to_surface_mm = 0;
+      continue;
     }
+    inner[i] = to_surface_mm >= transition_mm;
+    if (i == 0) continue;
+    const Move& before = path.moves[i - 1];
+    to_surface_mm += Hypot(move.x_um - before.x_um, move.y_um - before.y_um) / kUmPerMm;
   }
+  return inner;
+}
+
+using Layer = std::vector<FullSpeeds>;  // by toolpath
+
+Layer FullSpeedsOf(const CoolingOptions& cooling, std::span<const Toolpath> paths) {
+  Layer layer;
+  for (const Toolpath& path : paths) {
+    FullSpeeds& own = layer.emplace_back();
+    own.feed_rates.reserve(path.moves.size());
+    for (const Move& move : path.moves) own.feed_rates.push_back(move.feed_rate);
+    if (cooling.consistent_surface) own.inner = InnerBeads(path, cooling.transition_mm);
+  }
+  return layer;
+}
+
+bool IsAmong(Beads beads, const FullSpeeds& full, size_t move) {
+  return beads == Beads::kAll || full.inner[move] == (beads == Beads::kInner);
+}
+
+/// Sets the feed rates of the beads in question to `share` of the full ones.
+void SetSpeeds(const FullSpeeds& full, Beads beads, double share, int32_t least, Toolpath& path) {
+  for (size_t i = 0; i < full.feed_rates.size(); ++i) {
+    Move& move = path.moves[i];
+    if (move.kind != MoveKind::kPrint || !IsAmong(beads, full, i)) continue;
+    const int32_t rate = full.feed_rates[i];
+    const auto slowed = static_cast<int32_t>(std::lround(rate * share));
+    move.feed_rate = std::max(slowed, std::min(least, rate));
+  }
+}
+
+void SetSpeeds(const Layer& full, Beads beads, double share, int32_t least,
+               std::span<Toolpath> paths) {
+  for (size_t i = 0; i < paths.size(); ++i) SetSpeeds(full[i], beads, share, least, paths[i]);
+}
+
+int32_t FastestBead(const Layer& full, Beads beads, std::span<const Toolpath> paths) {
+  int32_t fastest = 0;
+  for (size_t p = 0; p < paths.size(); ++p)
+    for (size_t i = 0; i < paths[p].moves.size(); ++i)
+      if (const Move& move = paths[p].moves[i];
+          move.kind == MoveKind::kPrint && IsAmong(beads, full[p], i))
+        fastest = std::max(fastest, move.feed_rate);
   return fastest;
 }
 
@@ -79,30 +119,72 @@ double Sum(std::span<const double> times) {
 
 }  // namespace
 
+namespace {
+
+/// Slows a layer's beads down.
+class Slowing {
+ public:
+  Slowing(const CoolingOptions& cooling, std::span<const Stretch> program, LayerTiming& timing,
+          std::span<Toolpath> paths)
+      : program_(program),
+        timing_(timing),
+        paths_(paths),
+        full_(FullSpeedsOf(cooling, paths)),
+        least_(FeedRate(cooling.min_print_speed_mm_s)),
+        wanted_s_(cooling.slowdown_below_layer_time_s) {}
+
+  /// Until the layer, which takes `time_s`, takes the wanted time, or they are as slow as they may
+  /// be. Returns the moves' times. Time falls as the share grows. The secant in 1 / share is nearly
+  /// straight; the bounds keep it honest.
+  std::span<const double> Slow(Beads beads, double time_s) {
+    std::span<const double> times;
+    double low = 0;
+    double high = 1;
+    double share = time_s / wanted_s_;
+    for (int i = 0; i < kMaxTrials; ++i) {
+      SetSpeeds(full_, beads, share, least_, paths_);
+      times = timing_.Times(program_);
+      const double time = Sum(times);
+      if (std::abs(time - wanted_s_) <= kTolerance * wanted_s_) break;
+      if (time < wanted_s_ && FastestBead(full_, beads, paths_) <= least_) break;
+      (time > wanted_s_ ? low : high) = share;
+      const double next =
+          beads == Beads::kAll ? share * time / wanted_s_ : NextShare(time_s, share, time);
+      share = next > low && next < high ? next : (low + high) / 2;
+    }
+    return times;
+  }
+
+ private:
+  /// By the secant in 1 / share through full speed and the last trial: part of the layer's time
+  /// does not depend on the share.
+  double NextShare(double full_s, double share, double time_s) const {
+    const double slope = (time_s - full_s) / (1 / share - 1);
+    return slope > 0 ? slope / (wanted_s_ - full_s + slope) : share / 2;
+  }
+
+  const std::span<const Stretch> program_;
+  LayerTiming& timing_;
+  const std::span<Toolpath> paths_;
+  const Layer full_;
+  const int32_t least_;
+  const double wanted_s_;
+};
+
+}  // namespace
+
 std::span<const double> SlowDown(const CoolingOptions& cooling, std::span<const Stretch> program,
                                  LayerTiming& timing, std::span<Toolpath> paths) {
   std::span<const double> times = timing.Times(program);
   const double full_time = Sum(times);
   const double wanted = cooling.slowdown_below_layer_time_s;
   if (!cooling.enabled || full_time >= wanted || full_time <= 0) return times;
-  const FeedRates full = FeedRatesOf(paths);
-  const int32_t least = FeedRate(cooling.min_print_speed_mm_s);
-  // Time falls as the share grows. The secant in 1 / share is nearly straight; the bounds keep it
-  // honest.
-  double low = 0;
-  double high = 1;
-  double share = full_time / wanted;
-  for (int i = 0; i < kMaxTrials; ++i) {
-    SetSpeeds(full, share, least, paths);
-    times = timing.Times(program);
-    const double time = Sum(times);
-    if (std::abs(time - wanted) <= kTolerance * wanted) break;
-    if (time < wanted && FastestBead(paths) <= least) break;
-    (time > wanted ? low : high) = share;
-    const double next = share * time / wanted;
-    share = next > low && next < high ? next : (low + high) / 2;
-  }
-  return times;
+  Slowing slowing(cooling, program, timing, paths);
+  if (!cooling.consistent_surface) return slowing.Slow(Beads::kAll, full_time);
+  times = slowing.Slow(Beads::kInner, full_time);
+  const double time = Sum(times);
+  const bool done = time >= wanted * (1 - kTolerance);
+  return done ? times : slowing.Slow(Beads::kSurface, time);
 }
 
 int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double layer_time_s) {

@@ -15,7 +15,9 @@ using OverhangFans = std::array<double, kOverhangDegrees>;
 
 /// Slows the beads of a layer down, all by the same share, until its program takes
 /// slowdown_below_layer_time as the planner reckons, accelerations included; but none below
-/// min_print_speed. Travels keep their speed. `paths`: all that `program` is made of. Returns the
+/// min_print_speed. Travels keep their speed. With consistent_surface, the two outermost walls, and
+/// beads that end transition_mm or less before them, are slowed down only if all others at
+/// min_print_speed do not take long enough. `paths`: all that `program` is made of. Returns the
 /// time in s of each of its moves as they are then; valid as LayerTiming::Times. Cost: O(moves) if
 /// the layer is slow enough, else about ten times as much.
 std::span<const double> SlowDown(const CoolingOptions& cooling, std::span<const Stretch> program,

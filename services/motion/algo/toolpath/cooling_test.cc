@@ -57,6 +57,62 @@ TEST(SlowDown, ReachesTheTimeAsThePlannerReckons) {
   }
 }
 
+/// A line far inside, one just before the outer wall, and the wall.
+Toolpath InnerThenSurface() {
+  static const MotionOptions options;
+  ToolpathBuilder builder(options, {2, 600'000, 200'000}, 200'000);
+  Path path;
+  path.widths_nm = {450'000};
+  path.feature = Feature::kInternalInfill;
+  for (int i = 0; i < 20; ++i) {
+    path.points = {{0, i * kNmPerMm}, {30 * kNmPerMm, i * kNmPerMm}};
+    builder.Add(path);
+  }
+  path.feature = Feature::kExternalPerimeter;
+  path.closed = true;
+  path.points = {{0, 0}, {15 * kNmPerMm, 0}, {15 * kNmPerMm, 15 * kNmPerMm}};
+  builder.Add(path);
+  return builder.Finish();
+}
+
+std::vector<int32_t> FeedRates(const Toolpath& path, bool surface) {
+  std::vector<int32_t> rates;
+  for (const Move& move : path.moves)
+    if (move.kind == MoveKind::kPrint && move.of_surface == surface)
+      rates.push_back(move.feed_rate);
+  return rates;
+}
+
+TEST(SlowDown, TheSurfaceStaysAsFastAsItMay) {
+  CoolingOptions cooling;
+  cooling.consistent_surface = true;
+  cooling.transition_mm = 10;
+  cooling.min_print_speed_mm_s = 10;
+  const Toolpath full = InnerThenSurface();
+  const double full_time = Time(full);
+  cooling.slowdown_below_layer_time_s = 2 * full_time;
+  Toolpath path = full;
+  EXPECT_NEAR(Slowed(cooling, path), 2 * full_time, 0.01 * full_time);
+  EXPECT_EQ(FeedRates(path, true), FeedRates(full, true));
+  std::vector<int32_t> inner = FeedRates(path, false), inner_full = FeedRates(full, false);
+  EXPECT_EQ(inner.back(), inner_full.back()) << "just before the surface";
+  EXPECT_LT(inner.front(), inner_full.front());
+
+  // What the others cannot take long enough for, the surface does.
+  cooling.slowdown_below_layer_time_s = 9 * full_time;
+  path = full;
+  Slowed(cooling, path);
+  EXPECT_EQ(FeedRates(path, false).front(), FeedRate(10));
+  EXPECT_LT(FeedRates(path, true).front(), FeedRates(full, true).front());
+
+  // All alike otherwise.
+  cooling.consistent_surface = false;
+  cooling.slowdown_below_layer_time_s = 2 * full_time;
+  path = full;
+  Slowed(cooling, path);
+  EXPECT_LT(FeedRates(path, true).front(), FeedRates(full, true).front());
+}
+
 TEST(SlowDown, LongLayersAndSwitchedOffCoolingStayAsTheyAre) {
   CoolingOptions cooling;
   Toolpath path = Squares(20);

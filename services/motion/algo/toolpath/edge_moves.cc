@@ -25,7 +25,7 @@ const EdgeMove& MoveWalk::Go(const Move& move, ShiftUm shift) {
     at_.x_um = move.x_um + shift.x;
     at_.y_um = move.y_um + shift.y;
   }
-  if (move.kind == MoveKind::kLift) at_.z_um = move.z_um;
+  if (move.kind == MoveKind::kLift || move.kind == MoveKind::kTravel) at_.z_um = move.z_um;
   at_.filament = move.filament;
   at_.feed_rate = move.feed_rate;
   at_.feature = move.feature;

@@ -20,8 +20,8 @@ class MoveWalk {
   MoveWalk(EdgeMove start, double acceleration_mm_s2)
       : at_(start), acceleration_mm_s2_(acceleration_mm_s2) {}
 
-  /// The next move, with the acceleration that it runs with as far as that is known. Moves in the
-  /// plane keep their height, others their place.
+  /// The next move, with the acceleration that it runs with as far as that is known. Beads
+  /// keep their height, lifts their place.
   const EdgeMove& Go(const Move& move, ShiftUm shift);
 
   const EdgeMove& at() const { return at_; }

@@ -29,6 +29,20 @@ bool Crosses(Point p, Point from, Point to) {
          static_cast<double>(from.x) + share * static_cast<double>(to.x - from.x);
 }
 
+/// Where the line meets the edge, as a share of the line's length; -1: nowhere.
+double Meeting(Point from, Point to, Point a, Point b) {
+  const auto cross = [](Point u, Point v) {
+    return static_cast<double>(u.x) * static_cast<double>(v.y) -
+           static_cast<double>(u.y) * static_cast<double>(v.x);
+  };
+  const double beside_a = cross(to - from, a - from), beside_b = cross(to - from, b - from);
+  if ((beside_a > 0) == (beside_b > 0)) return -1;
+  const double whole = cross(to - from, b - a);
+  if (whole == 0) return -1;
+  const double share = cross(a - from, b - a) / whole;
+  return share >= 0 && share <= 1 ? share : -1;
+}
+
 }  // namespace
 
 LayerBelow::LayerBelow(const MultiPolygon& outlines) {
@@ -62,14 +76,32 @@ uint8_t LayerBelow::RestOf(Point point, Coord width_nm) const {
   for (size_t row = RowOf(point.y - reach); row <= RowOf(point.y + reach); ++row)
     for (const Edge& edge : rows_[row])
       nearest = std::min(nearest, SquaredDistance(point, edge.from, edge.to));
-  bool inside = false;
-  const Coord top_nm = bottom_nm_ + std::ssize(rows_) * kRowNm;
-  if (point.y >= bottom_nm_ && point.y < top_nm)
-    for (const Edge& edge : rows_[RowOf(point.y)])
-      if (Crosses(point, edge.from, edge.to)) inside = !inside;
-  const double out = std::sqrt(nearest) * (inside ? -1 : 1);
+  const double out = std::sqrt(nearest) * (Covers(point) ? -1 : 1);
   const double share = 0.5 - out / static_cast<double>(width_nm);
   return static_cast<uint8_t>(std::lround(std::clamp(share, 0.0, 1.0) * kFullRest));
+}
+
+bool LayerBelow::Covers(Point point) const {
+  const Coord top_nm = bottom_nm_ + std::ssize(rows_) * kRowNm;
+  if (rows_.empty() || point.y < bottom_nm_ || point.y >= top_nm) return false;
+  bool inside = false;
+  for (const Edge& edge : rows_[RowOf(point.y)])
+    if (Crosses(point, edge.from, edge.to)) inside = !inside;
+  return inside;
+}
+
+std::vector<double> LayerBelow::EdgesOn(Point from, Point to) const {
+  std::vector<double> shares;
+  if (rows_.empty()) return shares;
+  const auto [low, high] = std::minmax(from.y, to.y);
+  for (size_t row = RowOf(low); row <= RowOf(high); ++row)
+    for (const Edge& edge : rows_[row])
+      if (const double share = Meeting(from, to, edge.from, edge.to); share >= 0)
+        shares.push_back(share);
+  // An edge is in all rows that it passes through.
+  std::ranges::sort(shares);
+  shares.erase(std::unique(shares.begin(), shares.end()), shares.end());
+  return shares;
 }
 
 std::vector<RestingPiece> PiecesOf(Point from, Point to, Coord width_nm, const LayerBelow& below) {

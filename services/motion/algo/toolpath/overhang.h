@@ -21,6 +21,13 @@ class LayerBelow {
   /// the point).
   uint8_t RestOf(Point point, Coord width_nm) const;
 
+  /// Whether the point lies within the outlines.
+  bool Covers(Point point) const;
+
+  /// Where a line from point to point meets edges, as shares of its length, upwards. Cost: O(edges
+  /// beside the line).
+  std::vector<double> EdgesOn(Point from, Point to) const;
+
  private:
   struct Edge {
     Point from, to;

@@ -55,6 +55,7 @@ struct Move {
   MoveKind kind = MoveKind::kTravel;
   Feature feature = Feature::kPerimeter;  ///< of kPrint
   uint8_t rest = kFullRest;               ///< of a bead: how much of it has something below
+  bool of_surface = false;                ///< of a bead: of the two outermost walls
   bool on_arc = false;                    ///< of a bead: an arc may stand for it
 
   friend bool operator==(const Move&, const Move&) = default;

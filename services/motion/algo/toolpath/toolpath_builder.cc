@@ -10,7 +10,9 @@
 #include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/material_mix.h"
 #include "services/motion/algo/toolpath/arc_fit.h"
+#include "services/motion/algo/toolpath/open_seam.h"
 #include "services/motion/algo/toolpath/scarf.h"
+#include "services/motion/algo/toolpath/travel_ramp.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -34,6 +36,10 @@ bool IsWall(Feature feature) {
          feature == Feature::kOverhangPerimeter;
 }
 
+bool IsLoopOfWalls(const Path& path) {
+  return path.closed && (IsWall(path.feature) || path.feature == Feature::kSkirt);
+}
+
 bool IsSolidInfill(Feature feature) {
   return feature == Feature::kSolidInfill || feature == Feature::kTopSolidInfill ||
          feature == Feature::kSolidOverBridge;
@@ -43,7 +49,7 @@ bool IsSolidInfill(Feature feature) {
 
 bool LiftsIn(const RetractionOptions& retraction, const LayerFrame& frame) {
   const double z_mm = ToMm(static_cast<double>(frame.print_z_nm));
-  return retraction.lift_mm > 0 && retraction.length_mm > 0 && z_mm >= retraction.lift_above_mm &&
+  return LiftOf(retraction) > 0 && retraction.length_mm > 0 && z_mm >= retraction.lift_above_mm &&
          (retraction.lift_below_mm == 0 || z_mm <= retraction.lift_below_mm);
 }
 
@@ -64,7 +70,7 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
   bottom_um_ = ToUm(frame.print_z_nm - bead_height_nm + offset_nm);
   retract_units_ = Units(retraction.length_mm);
   restart_units_ = retract_units_ > 0 ? retract_units_ + Units(retraction.restart_extra_mm) : 0;
-  lift_um_ = LiftsIn(retraction, frame) ? ToUm(FromMm(retraction.lift_mm)) : 0;
+  lift_um_ = LiftsIn(retraction, frame) ? ToUm(FromMm(LiftOf(retraction))) : 0;
   path_.start_z_um = ToUm(frame.print_z_nm - frame.height_nm + offset_nm);
   at_.z_um = path_.start_z_um;
 }
@@ -83,6 +89,7 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
   print_acceleration_ = accelerations_.Print(path.feature);
   at_.feature = path.feature;
   at_.height_um = ToUm(bead_height_nm_);
+  at_.of_surface = IsWall(path.feature) && path.inset <= 1;
   flow_ = simple.flow;
   const int64_t filament_before = filament_;
   if (path_.approach == Toolpath::kNone) {
@@ -95,7 +102,8 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
     at_.on_arc = arcs;
     PrintScarf(simple.path, scarf, speed_mm_s);
   } else {
-    PrintSegments(simple, speed_mm_s);
+    PrintSegments(IsLoopOfWalls(path) ? WithOpenSeam(simple, FromMm(options_.seam_gap_mm)) : simple,
+                  speed_mm_s);
   }
   at_.on_arc = false;
   moved_on_ = scarfed;
@@ -157,13 +165,51 @@ void ToolpathBuilder::PrintScarf(const Path& path, const ScarfOptions& options, 
 /// In pieces that rest on the layer below by different shares.
 void ToolpathBuilder::PrintOverAir(const Path& path, Point from, Point to, const Bead& bead,
                                    double speed_mm_s) {
+  const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
   for (const RestingPiece& piece : PiecesOf(from, to, bead.width_nm, *below_)) {
     at_.rest = piece.rest;
-    PrintSegment(from, piece.to,
-                 BeadOf(bead.width_nm, speeds_.OverAir(path, speed_mm_s, piece.rest)));
+    const double over_air_mm_s = speeds_.OverAir(path, speed_mm_s, piece.rest);
+    if (piece.rest == 0 && region.bridging_walls) {
+      PrintBridge(path, from, piece.to, bead.width_nm, over_air_mm_s);
+    } else {
+      PrintSegment(from, piece.to, BeadOf(bead.width_nm, over_air_mm_s));
+    }
     from = piece.to;
   }
   at_.rest = kFullRest;
+}
+
+/// A piece of a wall that rests on nothing, as bridges are printed.
+void ToolpathBuilder::PrintBridge(const Path& path, Point from, Point to, Coord width_nm,
+                                  double speed_mm_s) {
+  const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
+  constexpr Feature kBridge = Feature::kOverhangPerimeter;
+  const double bridge_mm_s = region.speed_mm_s[static_cast<size_t>(kBridge)];
+  if (!region.dynamic_overhangs && bridge_mm_s > 0) speed_mm_s = bridge_mm_s;
+  Bead bead = BeadOf(width_nm, speed_mm_s);
+  double section_mm2 = SectionMm2(width_nm, bead_height_nm_) * region.bridge_flow;
+  if (region.thick_bridges) {
+    const double thread_mm = options_.nozzle_diameter_mm * std::sqrt(region.bridge_flow);
+    section_mm2 = std::numbers::pi / 4 * thread_mm * thread_mm;
+    bead.width_nm = FromMm(thread_mm);
+    at_.height_um = ToUm(bead.width_nm);
+  }
+  section_mm2 *= options_.extrusion_multiplier;
+  bead.filament_per_mm = section_mm2 / filament_area_mm2_ * kFilamentUnitsPerMm;
+  bead.feed_rate = FeedRate(speeds_.LimitedByFlow(speed_mm_s, section_mm2));
+  at_.feature = kBridge;
+  print_acceleration_ = accelerations_.Print(kBridge);
+  const int64_t before = filament_;
+  PrintSegment(from, to, bead);
+  const auto used = [&](Feature feature) -> FeatureUse& {
+    return stats_.features[static_cast<size_t>(feature)];
+  };
+  const FeatureUse use = UseOf(ToMm(Distance(from, to)), filament_ - before);
+  used(kBridge).Add(use);
+  used(path.feature).Add({0, -use.length_mm, -use.filament_mm, -use.volume_mm3});
+  at_.feature = path.feature;
+  at_.height_um = ToUm(bead_height_nm_);
+  print_acceleration_ = accelerations_.Print(path.feature);
 }
 
 /// As one move or, where materials mix, as many as the mix may change.
@@ -222,13 +268,33 @@ void ToolpathBuilder::GoTo(Point to, const Travel& travel) {
   for (const Point corner : travel.corners) add(corner);
   add(to);
   if (way.empty()) return;
+  short_way_ = at_.feature == Feature::kExternalPerimeter &&
+               WayMm(way) < options_.retraction.min_travel_mm;
   if ((!travel.hidden || moved_on_) && WayMm(way) >= options_.retraction.min_travel_mm) {
     Retract();
+    if (lift_um_ != 0 && RisesAlongTheWay(options_.retraction)) {
+      Rise(way);
+      return;
+    }
     if (lift_um_ != 0) MoveZ(z_um_ + lift_um_);
   }
   stats_.travel_mm += WayMm(way);
   ++stats_.travels;
   for (const PlaceUm place : way) MoveTo(place.x, place.y);
+}
+
+void ToolpathBuilder::Rise(std::span<const PlaceUm> way) {
+  stats_.travel_mm += WayMm(way);
+  ++stats_.travels;
+  const PlaceUm from{at_.x_um, at_.y_um};
+  for (const auto [place, up_um] : RampedWay(from, way, options_.retraction, below_)) {
+    if (place == PlaceUm{at_.x_um, at_.y_um}) {
+      MoveZ(z_um_ + up_um);
+      continue;
+    }
+    at_.z_um = z_um_ + up_um;
+    MoveTo(place.x, place.y);
+  }
 }
 
 /// From where the nozzle is.
@@ -247,7 +313,9 @@ void ToolpathBuilder::MoveTo(int32_t x_um, int32_t y_um) {
   at_.y_um = y_um;
   at_.filament = 0;
   at_.feed_rate = FeedRate(TravelSpeed(options_));
-  Push(MoveKind::kTravel, accelerations_.Travel(set_acceleration_));
+  Push(MoveKind::kTravel, short_way_ && accelerations_.short_travel > 0
+                              ? accelerations_.short_travel
+                              : accelerations_.Travel(set_acceleration_));
 }
 
 void ToolpathBuilder::MoveZ(int32_t z_um) {
@@ -317,12 +385,14 @@ void ToolpathBuilder::Push(MoveKind kind, double acceleration_mm_s2) {
   path_.moves.push_back(at_);
 }
 
-void ToolpathBuilder::Count(const Path& path, int64_t filament) {
-  FeatureUse& use = stats_.features[static_cast<size_t>(path.feature)];
+/// Without its time.
+FeatureUse ToolpathBuilder::UseOf(double length_mm, int64_t filament) const {
   const double filament_mm = static_cast<double>(filament) / kFilamentUnitsPerMm;
-  use.length_mm += ToMm(PathLength(path));
-  use.filament_mm += filament_mm;
-  use.volume_mm3 += filament_mm * filament_area_mm2_;
+  return {0, length_mm, filament_mm, filament_mm * filament_area_mm2_};
+}
+
+void ToolpathBuilder::Count(const Path& path, int64_t filament) {
+  stats_.features[static_cast<size_t>(path.feature)].Add(UseOf(ToMm(PathLength(path)), filament));
   const Coord reach = *std::max_element(path.widths_nm.begin(), path.widths_nm.end()) / 2;
   stats_.bounds.Add(Bounds(path.points).Grown(reach));
 }

@@ -65,9 +65,11 @@ class ToolpathBuilder {
   Bead BeadOf(Coord width_nm, double speed_mm_s) const;
   void Approach(Point to, const Travel& travel);
   void GoTo(Point to, const Travel& travel);
+  void Rise(std::span<const PlaceUm> way);
   void PrintSegments(const SimplifiedPath& simple, double speed_mm_s);
   void PrintScarf(const Path& path, const ScarfOptions& options, double speed_mm_s);
   void PrintOverAir(const Path& path, Point from, Point to, const Bead& bead, double speed_mm_s);
+  void PrintBridge(const Path& path, Point from, Point to, Coord width_nm, double speed_mm_s);
   void PrintSegment(Point from, Point to, const Bead& bead);
   void PrintTo(Point from, Point to, const Bead& bead);
   void MoveTo(int32_t x_um, int32_t y_um);
@@ -78,6 +80,7 @@ class ToolpathBuilder {
   void Restart();
   void MoveZ(int32_t z_um);
   void Push(MoveKind kind, double acceleration_mm_s2);
+  FeatureUse UseOf(double length_mm, int64_t filament) const;
   void Count(const Path& path, int64_t filament);
 
   const MotionOptions& options_;
@@ -101,6 +104,7 @@ class ToolpathBuilder {
   double print_acceleration_ = 0;  ///< of the path being printed
   double set_acceleration_ = 0;    ///< what the machine is set to; 0: as before the layer
   bool retracted_ = true;
+  bool short_way_ = false;  ///< to an outer wall, and too short for a retraction
   bool moved_on_ = false;  ///< beyond the end of the path before: a scarf ends over its beginning
   double owed_ = 0;        ///< filament that rounding left, in 1e-5 mm
   int64_t filament_ = 0;   ///< printed in all, in 1e-5 mm

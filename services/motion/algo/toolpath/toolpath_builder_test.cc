@@ -107,6 +107,88 @@ TEST(ToolpathBuilder, NothingToPrintHandsTheFilamentOnAsItShould) {
   EXPECT_THAT(kinds(false, true), ElementsAre(MoveKind::kLift, MoveKind::kRestart));
 }
 
+TEST(ToolpathBuilder, RisesAlongItsWay) {
+  MotionOptions options;
+  options.retraction.ramping = true;
+  options.retraction.ramp_lift_mm = 1;
+  options.retraction.ramp_slope_deg = 45;
+  using enum MoveKind;
+  // To the first path it rises straight up.
+  const Built far = Build({Line("(0 0, 10 0)"), Line("(20 0, 30 0)")}, options);
+  EXPECT_THAT(Kinds(far.path),
+              ElementsAre(kLift, kTravel, kLift, kRestart, kPrint, kRetract, kTravel, kTravel,
+                          kLift, kRestart, kPrint, kRetract));
+  EXPECT_EQ(far.path.moves[6].x_um, 11'000);
+  EXPECT_EQ(far.path.moves[6].z_um, 1'400);
+  EXPECT_EQ(far.path.moves[7].z_um, 1'400);
+  EXPECT_EQ(far.path.moves[8].z_um, 400);
+  EXPECT_EQ(far.stats.travel_mm, 10);
+  // Too near for a retraction.
+  const Built near = Build({Line("(0 0, 10 0)"), Line("(11 0, 30 0)")}, options);
+  EXPECT_THAT(Kinds(near.path), ElementsAre(kLift, kTravel, kLift, kRestart, kPrint, kTravel,
+                                            kPrint, kRetract));
+  options.retraction.ramp_slope_deg = 90;
+  const Built up = Build({Line("(0 0, 10 0)"), Line("(20 0, 30 0)")}, options);
+  EXPECT_THAT(Kinds(up.path),
+              ElementsAre(kLift, kTravel, kLift, kRestart, kPrint, kRetract, kLift, kTravel, kLift,
+                          kRestart, kPrint, kRetract));
+}
+
+TEST(ToolpathBuilder, LoopsOfWallsEndAtTheirGap) {
+  MotionOptions options;
+  options.seam_gap_mm = 0.06;
+  Path loop = Line("(0 0, 10 0, 10 10, 0 10)");
+  loop.closed = true;
+  loop.feature = Feature::kExternalPerimeter;
+  const Built closed = Build({loop}), open = Build({loop}, options);
+  const auto last_print = [](const Built& built) { return built.path.moves.end()[-2]; };
+  EXPECT_EQ(last_print(closed).y_um, 0);
+  EXPECT_EQ(last_print(open).y_um, 60);
+  EXPECT_NEAR(static_cast<double>(Printed(open.path)) / static_cast<double>(Printed(closed.path)),
+              1 - 0.06 / 40, 1e-4);
+  loop.feature = Feature::kInternalInfill;
+  EXPECT_EQ(last_print(Build({loop}, options)).y_um, 0);
+}
+
+TEST(ToolpathBuilder, WallsOverNothingAreBridges) {
+  MotionOptions options;
+  options.speeds[0].bridging_walls = true;
+  options.speeds[0].bridge_flow = 0.81;
+  options.acceleration_mm_s2[static_cast<size_t>(Feature::kOverhangPerimeter)] = 700;
+  options.default_acceleration_mm_s2 = 1000;
+  const LayerBelow below({{{{0, FromMm(-5)}, {FromMm(10), FromMm(-5)}, {FromMm(10), FromMm(5)},
+                            {0, FromMm(5)}},
+                           {}}});
+  const auto build = [&](const Path& path) {
+    ToolpathBuilder builder(options, kFrame, kFrame.height_nm, Ground::kLayers, &below);
+    builder.Add(path);
+    Toolpath toolpath = builder.Finish();
+    return Built{std::move(toolpath), builder.stats()};
+  };
+  Path wall = Line("(1 0, 30 0)");
+  wall.feature = Feature::kPerimeter;
+  const Built built = build(wall);
+  const Move& bridge = built.path.moves.end()[-2];
+  EXPECT_EQ(bridge.feature, Feature::kOverhangPerimeter);
+  EXPECT_EQ(bridge.feed_rate, 60 * 30) << "bridge_speed";
+  EXPECT_EQ(bridge.acceleration_mm_s2, 700);
+  EXPECT_EQ(bridge.width_um, 360);
+  EXPECT_EQ(bridge.height_um, 360);
+  EXPECT_EQ(built.path.moves[3].feature, Feature::kPerimeter);
+  const auto use = [&](Feature feature) {
+    return built.stats.features[static_cast<size_t>(feature)];
+  };
+  const FeatureUse over_air = use(Feature::kOverhangPerimeter), rests = use(Feature::kPerimeter);
+  EXPECT_NEAR(over_air.length_mm + rests.length_mm, 29, 1e-9);
+  EXPECT_NEAR(over_air.length_mm, 20, 1);
+  EXPECT_NEAR(over_air.volume_mm3, over_air.length_mm * std::numbers::pi / 4 * 0.16 * 0.81, 0.01);
+  options.speeds[0].thick_bridges = false;
+  const Built flat = build(wall);
+  EXPECT_EQ(flat.path.moves.end()[-2].width_um, 450);
+  options.speeds[0].bridging_walls = false;
+  EXPECT_EQ(build(wall).path.moves.end()[-2].feature, Feature::kPerimeter);
+}
+
 // Of many points near to a curve few are printed, with the filament of all; 0 prints all of them.
 TEST(ToolpathBuilder, SimplifiesWithinTheResolution) {
   Path curve = Line("(0 0)");

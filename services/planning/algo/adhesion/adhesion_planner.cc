@@ -12,6 +12,7 @@
 #include "common/geometry/moved.h"
 #include "common/geometry/offset/offset.h"
 #include "common/model/limits.h"
+#include "services/planning/algo/adhesion/automatic_brim.h"
 #include "services/planning/algo/adhesion/brim.h"
 #include "services/planning/algo/adhesion/skirt.h"
 
@@ -72,7 +73,8 @@ bool AdhesionPlanner::HasRaft(int32_t object) const {
 
 bool AdhesionPlanner::HasBrim(int32_t object) const {
   const BrimOptions& brim = options_.objects[static_cast<size_t>(object)].brim;
-  return brim.type != BrimType::kNone && brim.width_nm > 0 && !HasRaft(object);
+  return brim.type != BrimType::kNone && (brim.automatic.on || brim.width_nm > 0) &&
+         !HasRaft(object);
 }
 
 Coord AdhesionPlanner::HighestRaft() const {
@@ -101,6 +103,7 @@ void AdhesionPlanner::LookAt(const SlicedLayer& layer, const ObjectSection& sect
   const LayerFrame& frame = layer.frame;
   const auto [place, is_new] = seen_.try_emplace(section.object);
   Seen& seen = place->second;
+  seen.height_nm = section.z_nm;
   if (is_new) {
     seen.first = outline;
     seen.on_bed = frame.index == 0;
@@ -174,7 +177,11 @@ absl::StatusOr<std::vector<Region>> AdhesionPlanner::PlaceBrims(std::span<const 
     const auto seen = seen_.find(copy.object);
     if (seen == seen_.end() || !seen->second.on_bed || HasRaft(copy.object)) continue;
     const ObjectPlanOptions& own = options_.objects[static_cast<size_t>(copy.object)];
-    objects.push_back({Moved(seen->second.first, copy.shift), own.brim});
+    BrimOptions brim = own.brim;
+    if (brim.automatic.on)
+      brim.width_nm =
+          AutomaticBrimWidth(brim.automatic, seen->second.first, seen->second.height_nm);
+    objects.push_back({Moved(seen->second.first, copy.shift), brim});
     rows.push_back(own.brim_settings);
   }
   for (const PlacedLayer& raft : rafts)

@@ -44,6 +44,7 @@ class AdhesionPlanner : public Planner {
     bool on_bed = false;    ///< they are in the first layer
     MultiPolygon low;       ///< all outlines as high as rafts
     Polygon hull;           ///< of what is as high as the skirt
+    Coord height_nm = 0;    ///< of the object
   };
   /// A layer of a raft on the plate.
   struct PlacedLayer {

@@ -6,6 +6,8 @@
 #include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/moved.h"
 #include "common/model/limits.h"
 #include "services/slicing/algo/placement/arranging/copy_places.h"
 #include "services/slicing/algo/placement/build_volume.h"
@@ -38,9 +40,10 @@ absl::StatusOr<PreparedObject> Prepared(const ObjectInput& input, PlacedObject p
   object.footprint = std::move(placed.footprint);
   object.to_plate = input.to_plate;
   object.shifts = std::move(shifts);
+  const Point first = object.shifts.empty() ? Point{} : object.shifts.front();
   for (size_t i = 0; i < placed.parts.size(); ++i) {
     absl::StatusOr<PreparedPart> part =
-        Connected(input.parts[i], std::move(placed.parts[i]), object.shifts.front(), cancel);
+        Connected(input.parts[i], std::move(placed.parts[i]), first, cancel);
     if (!part.ok()) return part.status();
     if (part->report.name.empty()) part->report.name = input.name;
     object.parts.push_back(*std::move(part));
@@ -67,17 +70,50 @@ bool IsFree(const ObjectInput& object) {
   });
 }
 
-/// Finds the copies' places, and checks that each object fits there.
-absl::StatusOr<std::vector<std::vector<Point>>> ShiftsOf(const std::vector<ObjectInput>& inputs,
-                                                         const std::vector<PlacedObject>& placed,
-                                                         const SlicingOptions& options,
-                                                         const CancelToken& cancel) {
+/// Where the copies of all objects stand, by object.
+using Shifts = std::vector<std::vector<Point>>;
+
+bool IsOffBed(const Polygon& footprint, Point shift, const Polygon& bed) {
+  return bed.size() >= 3 && footprint.size() >= 3 &&
+         Intersection({{Moved(footprint, shift), {}}}, {{bed, {}}}).empty();
+}
+
+/// Copies that somebody has parked beside the bed are no part of the print, unless there would be
+/// none. Takes them out of `shifts`, and counts them by object.
+std::vector<int64_t> TakeParked(const std::vector<ObjectInput>& inputs,
+                                const std::vector<PlacedObject>& placed, const Polygon& bed,
+                                Shifts& shifts) {
+  Shifts on_bed(shifts.size());
+  std::vector<int64_t> parked(shifts.size(), 0);
+  for (size_t i = 0; i < shifts.size(); ++i) {
+    for (size_t copy = 0; copy < shifts[i].size(); ++copy) {
+      const bool has_place = inputs[i].copies[copy].place != CopyInput::Place::kAnywhere;
+      const Point shift = shifts[i][copy];
+      if (has_place && IsOffBed(placed[i].footprint, shift, bed)) {
+        ++parked[i];
+      } else {
+        on_bed[i].push_back(shift);
+      }
+    }
+  }
+  if (std::ranges::all_of(on_bed, [](const auto& own) { return own.empty(); }))
+    return std::vector<int64_t>(shifts.size(), 0);
+  shifts = std::move(on_bed);
+  return parked;
+}
+
+/// Finds the copies' places, takes out those beside the bed, counted in `parked` by object, and
+/// checks that each other one fits where it stands.
+absl::StatusOr<Shifts> ShiftsOf(const std::vector<ObjectInput>& inputs,
+                                const std::vector<PlacedObject>& placed,
+                                const SlicingOptions& options, const CancelToken& cancel,
+                                std::vector<int64_t>& parked) {
   const auto check = [&](size_t i, const std::vector<Point>& at) {
-    return OfObject(inputs, i,
-                    CheckBuildVolume({placed[i].footprint,
-                                      placed[i].top_nm + options.objects[i].raft.LiftNm(),
-                                      options.objects[i].xy_compensation_nm},
-                                     inputs[i].name, at, options));
+    return OfObject(
+        inputs, i,
+        CheckBuildVolume({placed[i].footprint, placed[i].top_nm + options.objects[i].raft.LiftNm(),
+                          options.objects[i].xy_compensation_nm},
+                         inputs[i].name, at, options));
   };
   std::vector<ObjectToPlace> objects;
   for (size_t i = 0; i < inputs.size(); ++i) {
@@ -85,10 +121,12 @@ absl::StatusOr<std::vector<std::vector<Point>>> ShiftsOf(const std::vector<Objec
     if (absl::Status ok = check(i, {BedCenter(options.bed)}); !ok.ok() && IsFree(inputs[i]))
       return ok;
     const Vertex& moved = placed[i].to_origin;
-    objects.push_back({inputs[i].name, placed[i].footprint, {-moved.x, -moved.y}, inputs[i].copies});
+    objects.push_back(
+        {inputs[i].name, placed[i].footprint, {-moved.x, -moved.y}, inputs[i].copies});
   }
   auto places = PlaceCopies(objects, options, cancel);
   if (!places.ok()) return places.status();
+  parked = TakeParked(inputs, placed, options.bed, *places);
   for (size_t i = 0; i < inputs.size(); ++i)
     if (absl::Status ok = check(i, (*places)[i]); !ok.ok()) return ok;
   return places;
@@ -140,14 +178,15 @@ absl::StatusOr<std::vector<PreparedObject>> PrepareObjects(SliceInput input,
     if (!one.ok()) return OfObject(inputs, placed.size(), one.status());
     placed.push_back(*std::move(one));
   }
-  absl::StatusOr<std::vector<std::vector<Point>>> shifts =
-      ShiftsOf(inputs, placed, options, cancel);
+  std::vector<int64_t> parked;
+  absl::StatusOr<Shifts> shifts = ShiftsOf(inputs, placed, options, cancel, parked);
   if (!shifts.ok()) return shifts.status();
   std::vector<PreparedObject> objects;
   for (size_t i = 0; i < inputs.size(); ++i) {
     absl::StatusOr<PreparedObject> object =
         Prepared(inputs[i], std::move(placed[i]), std::move((*shifts)[i]), cancel);
     if (!object.ok()) return OfObject(inputs, i, object.status());
+    object->copies_off_bed = parked[i];
     objects.push_back(*std::move(object));
   }
   return objects;

@@ -36,9 +36,10 @@ struct PreparedObject {
   std::vector<PreparedPart> parts;
   std::vector<RangeInput> ranges;
   Coord top_nm = 0;
-  Polygon footprint;          ///< convex hull of the solid parts
+  Polygon footprint;                           ///< convex hull of the solid parts
   Transform to_plate = Transform::Identity();  ///< as in the input
-  std::vector<Point> shifts;  ///< one a copy, in whole micrometres
+  std::vector<Point> shifts;   ///< one a copy, in whole micrometres; of those on the bed
+  int64_t copies_off_bed = 0;  ///< that are left out
 };
 
 /// Reads the files by `source`, then places, checks and connects the parts of each object. A file's

@@ -123,6 +123,28 @@ TEST(PrepareObjects, CopiesStandWhereTheyAreTold) {
                                                  Point{120 * kMm, 130 * kMm}));
 }
 
+TEST(PrepareObjects, CopiesParkedBesideTheBedAreLeftOut) {
+  const std::string box = ToBinaryStl(BoxMesh({0, 0, 0}, {20, 20, 9}));
+  const CopyInput on{CopyInput::Place::kMiddleAt, {50 * kMm, 60 * kMm}};
+  const CopyInput beside{CopyInput::Place::kMiddleAt, {-50 * kMm, 60 * kMm}};
+  const CopyInput half{CopyInput::Place::kMiddleAt, {-5 * kMm, 60 * kMm}};
+  std::vector<ObjectInput> given = {ObjectOf(0), ObjectOf(0)};
+  given[0].copies = {beside, on, beside};
+  given[1].copies = {beside};
+  const auto objects = Prepare({box}, given);
+  ASSERT_TRUE(objects.ok()) << objects.status();
+  EXPECT_THAT(objects->at(0).shifts, ElementsAre(Point{50 * kMm, 60 * kMm}));
+  EXPECT_EQ(objects->at(0).copies_off_bed, 2);
+  EXPECT_THAT(objects->at(1).shifts, SizeIs(0));
+  EXPECT_EQ(objects->at(1).copies_off_bed, 1);
+
+  given[1].copies = {half};
+  EXPECT_EQ(DetailOf(Prepare({box}, given).status()).reason, Reason::kOutOfBuildVolume);
+  given[0].copies = given[1].copies = {beside};
+  EXPECT_EQ(DetailOf(Prepare({box}, given).status()).reason, Reason::kOutOfBuildVolume)
+      << "nothing would be left";
+}
+
 TEST(PrepareObjects, ObjectsWithoutPlacesStandApart) {
   const auto objects = Prepare({ToBinaryStl(BoxMesh({0, 0, 0}, {50, 50, 9}))},
                                {ObjectOf(0), ObjectOf(0), ObjectOf(0)});

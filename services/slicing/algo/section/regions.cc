@@ -60,6 +60,16 @@ MultiPolygon RegionOf(const std::vector<Polygon>& loops, FillRule rule, Coord re
   return Cleaned(Union(simple, rule));
 }
 
+MultiPolygon WithoutHoles(const MultiPolygon& region) {
+  std::vector<Polygon> outers;
+  bool holes = false;
+  for (const PolygonWithHoles& island : region) {
+    holes |= !island.holes.empty();
+    outers.push_back(island.outer);
+  }
+  return holes ? Union(outers, FillRule::kNonZero) : region;
+}
+
 RegionEdits EditsFor(int32_t layer, bool closed_mesh, const ObjectSlicingOptions& options) {
   const bool on_bed = layer == 0 && options.raft.layers == 0;
   const Coord foot_nm = on_bed ? options.elephant_foot_nm : 0;

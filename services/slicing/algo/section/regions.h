@@ -17,6 +17,10 @@ namespace slicefarm::slicing {
 /// union.
 MultiPolygon RegionOf(const std::vector<Polygon>& loops, FillRule rule, Coord resolution_nm);
 
+/// What the outer rings of a region enclose, islands in its holes included. Cost: O(n) where it has
+/// no holes.
+MultiPolygon WithoutHoles(const MultiPolygon& region);
+
 /// What is done to a region after it was found, in this order.
 struct RegionEdits {
   Coord closing_radius_nm = 0;  ///< cracks up to twice this wide are closed

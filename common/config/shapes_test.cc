@@ -1,0 +1,85 @@
+// What walls, seams, travels and brims are to be like.
+#include <gtest/gtest.h>
+
+#include "common/config/resolve.h"
+#include "common/config/setting_pairs_test.h"
+
+namespace slicefarm::config::shapes_test {
+namespace {
+
+JobSettings Job(const Pairs& pairs) {
+  auto resolved = Resolve(Settings(pairs));
+  if (!resolved.ok()) {
+    ADD_FAILURE() << resolved.status();
+    return {};
+  }
+  return std::move(resolved->settings);
+}
+
+TEST(ResolveShapes, ReadsWhatShapesWalls) {
+  const JobSettings settings = Job({{"slicing_mode", "close_holes"},
+                                    {"overhangs", "0"},
+                                    {"top_one_perimeter_type", "top"},
+                                    {"fuzzy_skin", "all"},
+                                    {"fuzzy_skin_thickness", "0.2"},
+                                    {"fuzzy_skin_point_dist", "0.5"},
+                                    {"prefer_clockwise_movements", "1"},
+                                    {"seam_gap_distance", "15%"},
+                                    {"nozzle_diameter", "0.6"}});
+  EXPECT_TRUE(settings.slicing.objects[0].close_holes);
+  EXPECT_EQ(settings.slicing.objects[0].fill_rule, FillRule::kNonZero);
+  EXPECT_FALSE(settings.motion.speeds[0].bridging_walls);
+  EXPECT_EQ(settings.beading[0].one_on_top, OneWallOnTop::kSurfaces);
+  EXPECT_EQ(settings.beading[0].fuzzy, FuzzySkin::kAllWalls);
+  EXPECT_EQ(settings.beading[0].fuzzy_thickness_nm, 200'000);
+  EXPECT_EQ(settings.beading[0].fuzzy_point_distance_nm, 500'000);
+  EXPECT_TRUE(settings.ordering.clockwise);
+  EXPECT_NEAR(settings.motion.seam_gap_mm, 0.09, 1e-9);
+  EXPECT_TRUE(Job({}).motion.speeds[0].bridging_walls);
+}
+
+TEST(ResolveShapes, ExtraWallsNeedInfill) {
+  const auto extra = [](const char* density) {
+    return Job({{"extra_perimeters", "1"}, {"fill_density", density}}).beading[0].extra_perimeters;
+  };
+  EXPECT_TRUE(extra("5%"));
+  EXPECT_FALSE(extra("0"));
+}
+
+TEST(ResolveShapes, FilamentsOverrideRampsAndGaps) {
+  const JobSettings settings = Job({{"travel_ramping_lift", "0"},
+                                    {"filament_travel_ramping_lift", "1"},
+                                    {"travel_max_lift", "0.4"},
+                                    {"filament_travel_max_lift", "1.5"},
+                                    {"travel_slope", "3"},
+                                    {"filament_travel_slope", "nil"},
+                                    {"filament_travel_lift_before_obstacle", "1"},
+                                    {"seam_gap_distance", "0.1"},
+                                    {"filament_seam_gap_distance", "25%"},
+                                    {"nozzle_diameter", "0.4"}});
+  const RetractionOptions& retraction = settings.motion.retraction;
+  EXPECT_TRUE(retraction.ramping);
+  EXPECT_EQ(retraction.ramp_lift_mm, 1.5);
+  EXPECT_EQ(retraction.ramp_slope_deg, 3);
+  EXPECT_TRUE(retraction.before_obstacles);
+  EXPECT_NEAR(settings.motion.seam_gap_mm, 0.1, 1e-9);
+}
+
+TEST(ResolveShapes, AutomaticBrimsKnowTheMaterial) {
+  const auto brim = [](const char* type, const char* filament) {
+    return Job({{"brim_type", type},
+                {"filament_type", filament},
+                {"perimeter_speed", "90"},
+                {"infill_speed", "120"}})
+        .planning.objects[0]
+        .brim;
+  };
+  EXPECT_EQ(brim("auto_brim", "PLA").automatic, (AutomaticBrim{true, 200, 1, 120}));
+  EXPECT_EQ(brim("auto_brim", "ABS").automatic, (AutomaticBrim{true, 100, 1, 120}));
+  EXPECT_EQ(brim("auto_brim", "PETG").automatic, (AutomaticBrim{true, 200, 2, 120}));
+  EXPECT_EQ(brim("auto_brim", "PLA").type, BrimType::kOuterOnly);
+  EXPECT_FALSE(brim("outer_only", "PLA").automatic.on);
+}
+
+}  // namespace
+}  // namespace slicefarm::config::shapes_test

@@ -1,0 +1,34 @@
+#include "services/beading/algo/top_walls.h"
+
+#include <algorithm>
+
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/offset/offset.h"
+
+namespace slicefarm::beading {
+
+TopParts PartByTop(const MultiPolygon& inside, const MultiPolygon& above, const MultiPolygon* below,
+                   const WallPlan& plan) {
+  TopParts parts{Difference(inside, above), {}};
+  const Coord least = plan.inner_width_nm / 4;
+  const Coord reach = std::max(plan.external_spacing_nm, plan.inner_width_nm);
+  if (!parts.top.empty() && below != nullptr)
+    if (const MultiPolygon bridges = Difference(parts.top, *below); !bridges.empty())
+      parts.top = Difference(parts.top, FastOffset(bridges, reach));
+  // Narrow ends of a top go with it, as far as an inner wall is wide.
+  const MultiPolygon wide = OffsetTwice(parts.top, -least, least + plan.inner_width_nm);
+  parts.top = wide.empty() ? wide : Intersection(parts.top, wide);
+  parts.covered = parts.top.empty() ? inside : Difference(inside, parts.top);
+  return parts;
+}
+
+void MakeInner(std::vector<Path>& walls) {
+  for (Path& wall : walls) {
+    if (wall.feature == Feature::kGapFill) continue;
+    wall.feature = Feature::kPerimeter;
+    ++wall.inset;
+  }
+}
+
+}  // namespace slicefarm::beading

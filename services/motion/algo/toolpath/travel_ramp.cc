@@ -1,0 +1,77 @@
+#include "services/motion/algo/toolpath/travel_ramp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "common/base/portable_math.h"
+
+namespace slicefarm::motion {
+namespace {
+
+constexpr double kUmPerMillimetre = 1e3;
+
+double LengthUm(PlaceUm from, PlaceUm to) { return Hypot(to.x - from.x, to.y - from.y); }
+
+Point ToPoint(PlaceUm place) { return {FromUm(place.x), FromUm(place.y)}; }
+
+/// How far along the way the first edge is that the nozzle must be up for, in micrometres.
+double ObstacleUm(PlaceUm from, std::span<const PlaceUm> way, const LayerBelow& below) {
+  std::vector<double> meets;
+  double gone = 0;
+  PlaceUm last = from;
+  for (const PlaceUm next : way) {
+    const double length = LengthUm(last, next);
+    for (const double share : below.EdgesOn(ToPoint(last), ToPoint(next)))
+      meets.push_back(gone + share * length);
+    gone += length;
+    last = next;
+  }
+  const size_t own = below.Covers(ToPoint(from)) ? 1 : 0;
+  return meets.size() > own ? meets[own] : std::numeric_limits<double>::infinity();
+}
+
+PlaceUm Between(PlaceUm from, PlaceUm to, double share) {
+  return {from.x + static_cast<int32_t>(std::lround(share * (to.x - from.x))),
+          from.y + static_cast<int32_t>(std::lround(share * (to.y - from.y)))};
+}
+
+}  // namespace
+
+double LiftOf(const RetractionOptions& retraction) {
+  return retraction.ramping ? retraction.ramp_lift_mm : retraction.lift_mm;
+}
+
+bool RisesAlongTheWay(const RetractionOptions& retraction) {
+  return retraction.ramping && retraction.ramp_slope_deg > 0 && retraction.ramp_slope_deg < 90;
+}
+
+std::vector<RampPlace> RampedWay(PlaceUm from, std::span<const PlaceUm> way,
+                                 const RetractionOptions& retraction, const LayerBelow* below) {
+  const double lift_um = retraction.ramp_lift_mm * kUmPerMillimetre;
+  double ramp_um = lift_um / Tan(retraction.ramp_slope_deg * std::numbers::pi / 180);
+  if (retraction.before_obstacles && below != nullptr)
+    ramp_um = std::min(ramp_um, ObstacleUm(from, way, *below));
+  const auto up = [&](double gone_um) {
+    return static_cast<int32_t>(
+        std::lround(gone_um >= ramp_um ? lift_um : gone_um / ramp_um * lift_um));
+  };
+  std::vector<RampPlace> places;
+  if (ramp_um < 1) places.push_back({from, up(ramp_um)});
+  double gone = 0;
+  PlaceUm last = from;
+  for (const PlaceUm next : way) {
+    const double length = LengthUm(last, next);
+    if (gone < ramp_um && ramp_um < gone + length)
+      if (const PlaceUm end = Between(last, next, (ramp_um - gone) / length);
+          end != last && end != next)
+        places.push_back({end, up(ramp_um)});
+    gone += length;
+    places.push_back({next, up(gone)});
+    last = next;
+  }
+  return places;
+}
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,85 @@
+#include "services/motion/algo/toolpath/travel_ramp.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::motion::travel_ramp_test {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// 1 mm up over 10 mm.
+RetractionOptions Ramp(double slope_deg = 5.710593137499643) {
+  RetractionOptions retraction;
+  retraction.ramping = true;
+  retraction.ramp_lift_mm = 1;
+  retraction.ramp_slope_deg = slope_deg;
+  return retraction;
+}
+
+const PlaceUm kFrom{0, 0};
+
+TEST(RampedWay, RisesThenGoesOn) {
+  const PlaceUm way[] = {{40'000, 0}};
+  EXPECT_THAT(RampedWay(kFrom, way, Ramp(), nullptr),
+              ElementsAre(RampPlace{{10'000, 0}, 1'000}, RampPlace{{40'000, 0}, 1'000}));
+}
+
+TEST(RampedWay, GoesOnRisingRoundCorners) {
+  const PlaceUm way[] = {{4'000, 0}, {4'000, 40'000}};
+  EXPECT_THAT(RampedWay(kFrom, way, Ramp(), nullptr),
+              ElementsAre(RampPlace{{4'000, 0}, 400}, RampPlace{{4'000, 6'000}, 1'000},
+                          RampPlace{{4'000, 40'000}, 1'000}));
+}
+
+TEST(RampedWay, AShortWayIsNotRisenAllTheWay) {
+  const PlaceUm way[] = {{3'000, 0}};
+  EXPECT_THAT(RampedWay(kFrom, way, Ramp(), nullptr), ElementsAre(RampPlace{{3'000, 0}, 300}));
+}
+
+TEST(RampedWay, IsUpBeforeAnObstacle) {
+  RetractionOptions ramp = Ramp();
+  const PlaceUm way[] = {{40'000, 0}};
+  const LayerBelow other(MakePolygonsOrDie("(6 -1, 8 -1, 8 1, 6 1)"));
+  EXPECT_THAT(RampedWay(kFrom, way, ramp, &other),
+              ElementsAre(RampPlace{{10'000, 0}, 1'000}, RampPlace{{40'000, 0}, 1'000}))
+      << "not asked for";
+  ramp.before_obstacles = true;
+  EXPECT_THAT(RampedWay(kFrom, way, ramp, &other),
+              ElementsAre(RampPlace{{6'000, 0}, 1'000}, RampPlace{{40'000, 0}, 1'000}));
+  // It stands on an island and goes to another one.
+  const LayerBelow both(MakePolygonsOrDie("(-1 -1, 2 -1, 2 1, -1 1) (6 -1, 8 -1, 8 1, 6 1)"));
+  EXPECT_THAT(RampedWay(kFrom, way, ramp, &both),
+              ElementsAre(RampPlace{{6'000, 0}, 1'000}, RampPlace{{40'000, 0}, 1'000}));
+  // Over its own island and on, there is nothing in the way.
+  const LayerBelow own(MakePolygonsOrDie("(-1 -1, 2 -1, 2 1, -1 1)"));
+  EXPECT_THAT(RampedWay(kFrom, way, ramp, &own),
+              ElementsAre(RampPlace{{10'000, 0}, 1'000}, RampPlace{{40'000, 0}, 1'000}));
+}
+
+TEST(RampedWay, StraightUpWhereTheObstacleIsThere) {
+  RetractionOptions ramp = Ramp();
+  ramp.before_obstacles = true;
+  const PlaceUm way[] = {{40'000, 0}};
+  const LayerBelow edge(MakePolygonsOrDie("(0 -1, 8 -1, 8 1, 0 1)"));
+  const std::vector<RampPlace> places = RampedWay({-1, 0}, way, ramp, &edge);
+  EXPECT_EQ(places.front().up_um, 1'000);
+  EXPECT_LE(places.front().place.x, 0);
+}
+
+TEST(Lift, IsTheRampsIfThereIsOne) {
+  RetractionOptions retraction = Ramp();
+  retraction.lift_mm = 0.4;
+  EXPECT_EQ(LiftOf(retraction), 1);
+  EXPECT_TRUE(RisesAlongTheWay(retraction));
+  EXPECT_FALSE(RisesAlongTheWay(Ramp(0)));
+  EXPECT_FALSE(RisesAlongTheWay(Ramp(90)));
+  retraction.ramping = false;
+  EXPECT_EQ(LiftOf(retraction), 0.4);
+  EXPECT_FALSE(RisesAlongTheWay(retraction));
+}
+
+}  // namespace
+}  // namespace slicefarm::motion::travel_ramp_test
