@@ -23,6 +23,11 @@ constexpr Need kNeeds[] = {
      "filament_retract_restart_extra filament_retract_before_travel wipe filament_wipe",
      "retract_length of more than 0",
      [](const JobSettings& s) { return s.motion.retraction.length_mm > 0; }},
+    {"retract_restart_extra filament_retract_restart_extra",
+     "use_firmware_retraction = 0, as the machine pushes what it is set to",
+     [](const JobSettings& s) { return !s.motion.writing.firmware_retraction; }},
+    {"custom_gcode_per_print_z", "complete_objects = 0",
+     [](const JobSettings& s) { return !s.planning.sequence.complete_objects; }},
     {"retract_lift_above retract_lift_below filament_retract_lift_above "
      "filament_retract_lift_below",
      "retract_lift of more than 0",

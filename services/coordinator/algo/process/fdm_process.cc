@@ -12,6 +12,8 @@
 #include "common/base/error.h"
 #include "common/base/span_log.h"
 #include "common/base/stopwatch.h"
+#include "common/gcode/binary/binary_gcode.h"
+#include "common/gcode/substitutions.h"
 #include "common/geometry/boolean/boolean.h"
 #include "common/model/bead_section.h"
 #include "common/model/fields/field_notes.h"
@@ -180,24 +182,51 @@ void AddLayer(const LayerProgram& program, std::span<const std::string> code, st
   gcode.append(text.substr(done));
 }
 
-/// Prologue, prefixes and programs, epilogue. Each part is freed as soon as it is copied.
-std::string WholeProgram(ProgramEnvelope frame, std::vector<LayerProgram> programs) {
-  size_t size = frame.prologue.size() + frame.epilogue.size();
+/// Head, prologue, prefixes and programs, epilogue, tail. Each part is freed as soon as it is
+/// copied. `substitutions` are made in all but head and tail, layer by layer.
+std::string WholeProgram(ProgramEnvelope frame, std::vector<LayerProgram> programs,
+                         const gcode::Substitutions& substitutions) {
+  size_t size =
+      frame.head.size() + frame.prologue.size() + frame.epilogue.size() + frame.tail.size();
   for (const std::string& prefix : frame.layer_prefixes) size += prefix.size();
   for (const std::string& code : frame.layer_code) size += code.size();
   for (const LayerProgram& program : programs) size += program.gcode.size();
   std::string gcode;
   gcode.reserve(size);
-  gcode += frame.prologue;
+  gcode += frame.head;
+  gcode += substitutions.Apply(std::move(frame.prologue));
   for (size_t i = 0; i < programs.size(); ++i) {
+    const size_t begin = gcode.size();
     if (i < frame.layer_prefixes.size()) gcode += frame.layer_prefixes[i];
     const size_t first = std::min(i * kCodesOfALayer, frame.layer_code.size());
     const size_t count = std::min<size_t>(kCodesOfALayer, frame.layer_code.size() - first);
     AddLayer(programs[i], std::span(frame.layer_code).subspan(first, count), gcode);
     std::string().swap(programs[i].gcode);
+    if (substitutions.empty()) continue;
+    const std::string layer = substitutions.Apply(gcode.substr(begin));
+    gcode.replace(begin, std::string::npos, layer);
   }
-  gcode += frame.epilogue;
+  gcode += substitutions.Apply(std::move(frame.epilogue));
+  gcode += frame.tail;
   return gcode;
+}
+
+/// The file that the settings ask for.
+absl::StatusOr<std::string> MakeFile(ProgramEnvelope frame, std::vector<LayerProgram> programs,
+                                     const WritingOptions& writing) {
+  const auto substitutions = gcode::Substitutions::Of(gcode::TextsOfList(writing.substitutions));
+  if (!substitutions.ok())
+    return MakeError(
+        absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
+        absl::StrCat("gcode_substitutions: ", std::string(substitutions.status().message())),
+        {{"setting", "gcode_substitutions"}});
+  std::string text = WholeProgram(std::move(frame), std::move(programs), *substitutions);
+  if (!writing.binary) return text;
+  auto file = gcode::BinaryGcode(text);
+  if (file.ok()) return file;
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   absl::StrCat("binary_gcode = 1: ", std::string(file.status().message())),
+                   {{"setting", "binary_gcode"}, {"value", "1"}});
 }
 
 /// Nothing if all islands got the walls that were asked for.
@@ -232,6 +261,7 @@ void FillIn(JobReport& report, const ProgramSummary& summary, const ProgramEnvel
     if (!layer.empty) report.object_height_mm = std::max(report.object_height_mm, top_mm);
   }
   report.print_time_s = frame.times.TotalS();
+  report.file_name = frame.file_name;
   report.times = frame.times;
   report.travel_mm = frame.travel_mm;
   report.filament = FilamentUseOf(summary.total, motion);
@@ -320,7 +350,9 @@ class FdmJob : public PlannedJob {
     FillIn(report_, summary, *frame, settings_.motion);
     if (std::string warning = WallWarning(warnings); !warning.empty())
       report_.warnings.push_back(std::move(warning));
-    return JobOutput{WholeProgram(*std::move(frame), std::move(programs)), std::move(report_)};
+    auto file = MakeFile(*std::move(frame), std::move(programs), settings_.motion.writing);
+    if (!file.ok()) return file.status();
+    return JobOutput{*std::move(file), std::move(report_)};
   }
 
  private:
