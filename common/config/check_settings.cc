@@ -151,6 +151,31 @@ absl::Status CheckMixing(const Draft& draft) {
                    {{"setting", "material_field"}});
 }
 
+absl::Status RefuseWords(std::string_view key, std::string_view why) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   fmt::format("{} = 1: {}", key, why),
+                   {{"setting", std::string(key)}, {"value", "1"}});
+}
+
+/// What the firmware cannot read. A retraction that the firmware makes is not cut to a wipe.
+absl::Status CheckWords(const Draft& draft) {
+  const auto flavor = static_cast<GcodeFlavor>(std::lround(draft.Number("gcode_flavor")));
+  constexpr std::string_view kByFirmware = "use_firmware_retraction";
+  if (draft.Number(kByFirmware) != 0) {
+    if (draft.Number("wipe") != 0)
+      return RefuseWords(kByFirmware,
+                         "wipe = 1 cannot be had with it: the machine retracts by "
+                         "itself, in place");
+    if (flavor == GcodeFlavor::kPrusaBuddy || flavor == GcodeFlavor::kBambu)
+      return RefuseWords(kByFirmware,
+                         "gcode_flavor must be marlin, marlin2, klipper or "
+                         "reprapfirmware");
+  }
+  if (draft.Number("use_volumetric_e") != 0 && flavor == GcodeFlavor::kKlipper)
+    return RefuseWords("use_volumetric_e", "gcode_flavor = klipper knows no volumes of filament");
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 absl::Status CheckSettings(const Draft& draft) {
@@ -162,6 +187,7 @@ absl::Status CheckSettings(const Draft& draft) {
   if (absl::Status status = CheckRaft(draft); !status.ok()) return status;
   if (absl::Status status = CheckSkirt(draft); !status.ok()) return status;
   if (absl::Status status = CheckMixing(draft); !status.ok()) return status;
+  if (absl::Status status = CheckWords(draft); !status.ok()) return status;
 
   const double length = draft.Number("retract_length");
   if (length > 0 && draft.Number("retract_restart_extra") < -length)

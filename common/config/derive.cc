@@ -111,6 +111,16 @@ void DeriveAccelerations(Draft& draft) {
   FallBack(draft, "top_solid_infill_acceleration", "solid_infill_acceleration");
 }
 
+/// Limits that are ignored are those of no setting.
+void DeriveLimits(Draft& draft) {
+  if (draft.Number("machine_limits_usage") != kIgnoreLimits) return;
+  const auto table = SettingsTable(draft.process());
+  for (const SettingSpec& spec : table) {
+    if (!spec.key.starts_with("machine_max_") && !spec.key.starts_with("machine_min_")) continue;
+    draft.SetNumber(spec.key, *ToNumber(spec.standard));
+  }
+}
+
 /// As many layers as the shell needs to be `thickness` thick, and no fewer than `layers` says.
 void DeriveShell(Draft& draft, std::string_view layers, std::string_view thickness) {
   const double number = draft.Number(layers);
@@ -144,6 +154,9 @@ void DeriveFilament(Draft& draft) {
     if (own.value.has_value()) draft.At(key).value = own.value;
   }
   FallBack(draft, "deretract_speed", "retract_speed");
+  // How far, the machine knows; this much counts in times.
+  if (draft.Number("use_firmware_retraction") != 0 && draft.Number("retract_length") == 0)
+    draft.SetNumber("retract_length", 1);
 
   const double print_limit = draft.Number("max_volumetric_speed");
   const double filament_limit = draft.Number("filament_max_volumetric_speed");
@@ -168,6 +181,7 @@ void DeriveLayerChange(Draft& draft) {
     return draft.At(key).value->text;
   };
   if (Acts(text("before_layer_gcode")) || Acts(text("layer_gcode")) ||
+      !text("custom_gcode_per_print_z").empty() ||
       draft.Number("gcode_label_objects") != static_cast<int>(ObjectLabels::kNone))
     draft.SetNumber("retract_layer_change", 1);
 }
@@ -180,13 +194,15 @@ void DeriveExtraWalls(Draft& draft) {
 
 /// Thumbnails take the format that they do not name from thumbnails_format.
 void DeriveThumbnails(Draft& draft) {
-  if (draft.Number("thumbnails_format") != static_cast<int>(PictureFormat::kQoi)) return;
+  const auto format = static_cast<PictureFormat>(std::lround(draft.Number("thumbnails_format")));
+  if (format == PictureFormat::kPng) return;
+  const std::string_view suffix = format == PictureFormat::kQoi ? "/QOI" : "/JPG";
   Draft::Entry& thumbnails = draft.At("thumbnails");
   const std::string& written = thumbnails.given ? thumbnails.written : thumbnails.value->text;
   std::string text;
   for (const std::string_view size : Split(written, ",")) {
     const bool names_one = size.empty() || size.find('/') != size.npos;
-    text += fmt::format("{}{}{}", text.empty() ? "" : ",", size, names_one ? "" : "/QOI");
+    text += fmt::format("{}{}{}", text.empty() ? "" : ",", size, names_one ? "" : suffix);
   }
   if (const auto sizes = ParseSizes(text); sizes.ok()) thumbnails.value->text = PrintSizes(*sizes);
 }
@@ -217,6 +233,7 @@ absl::Status Derive(Draft& draft) {
     TakePercentage(draft, key);
   DeriveSpeeds(draft);
   DeriveAccelerations(draft);
+  DeriveLimits(draft);
   DeriveShell(draft, "top_solid_layers", "top_solid_min_thickness");
   DeriveShell(draft, "bottom_solid_layers", "bottom_solid_min_thickness");
   DeriveCombination(draft);

@@ -28,6 +28,11 @@ constexpr Need kNeeds[] = {
     {"travel_max_lift travel_slope travel_lift_before_obstacle filament_travel_max_lift "
      "filament_travel_slope filament_travel_lift_before_obstacle",
      "travel_ramping_lift = 1", [](const JobSettings& s) { return s.motion.retraction.ramping; }},
+    {"retract_restart_extra filament_retract_restart_extra",
+     "use_firmware_retraction = 0, as the machine pushes what it is set to",
+     [](const JobSettings& s) { return !s.motion.writing.firmware_retraction; }},
+    {"custom_gcode_per_print_z", "complete_objects = 0",
+     [](const JobSettings& s) { return !s.planning.sequence.complete_objects; }},
     {"retract_lift_above retract_lift_below filament_retract_lift_above "
      "filament_retract_lift_below",
      "retract_lift or, with travel_ramping_lift = 1, travel_max_lift of more than 0",

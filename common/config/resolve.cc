@@ -64,7 +64,11 @@ size_t ToolCount(std::span<const Setting> given) {
 /// What the G-code of each layer names goes along with its options, and no more: the rest is no
 /// part of what decides a layer.
 absl::Status TakeLayerSettings(const std::string& text, MotionOptions& options) {
-  const std::string code = options.before_layer_gcode + "\n" + options.layer_gcode;
+  std::string code = options.before_layer_gcode + "\n" + options.layer_gcode;
+  const WritingOptions& writing = options.writing;
+  if (!writing.height_code.empty())
+    code += "\n" + writing.color_change_gcode + "\n" + writing.pause_gcode + "\n" +
+            writing.template_gcode;
   options.layer_settings = LinesNamedIn(code, text);
   const auto size = static_cast<int64_t>(options.layer_settings.size());
   if (size <= limits::kMaxSettingBytes) return absl::OkStatus();
@@ -263,10 +267,11 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
 
 namespace {
 
-/// Few jobs have fields, or angles by layer: those that have none do not say so.
+/// Few jobs have fields, angles by layer, or G-code at heights: those that have none do not say so.
 bool IsRare(const SettingSpec& spec) {
   return spec.kind == Kind::kDensityField || spec.kind == Kind::kStressField ||
-         spec.kind == Kind::kMaterialField || spec.kind == Kind::kAngles;
+         spec.kind == Kind::kMaterialField || spec.kind == Kind::kAngles ||
+         spec.kind == Kind::kHeightCode || spec.kind == Kind::kSubstitutions;
 }
 
 }  // namespace

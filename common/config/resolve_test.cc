@@ -128,8 +128,8 @@ TEST(Resolve, ReadsThePeersProfile) {
   EXPECT_EQ(m.start_gcode, "G28");
   EXPECT_EQ(m.end_gcode, "M84");
   EXPECT_THAT(resolved.warnings, IsEmpty());
-  EXPECT_THAT(resolved.no_effect,
-              ElementsAre(HasSubstr("use_relative_e_distances = 0: extrusion is always relative")));
+  EXPECT_FALSE(m.writing.relative_e);
+  EXPECT_THAT(resolved.no_effect, IsEmpty());
 }
 
 // Everything PrusaSlicer 2.5 writes when it saves its own defaults.
@@ -153,6 +153,7 @@ TEST(Resolve, TakesAWholeProfile) {
   ours.ordering.travel.hide = false;
   ours.infill[0].pattern = FillPattern::kStars;
   ours.slicing.thumbnails.clear();
+  ours.motion.writing.relative_e = false;
   ours.motion.start_gcode += "; Filament gcode\n";
   ours.motion.end_gcode =
       "; Filament-specific end gcode \n;END gcode for filament\n" + ours.motion.end_gcode;
@@ -630,7 +631,7 @@ TEST(Resolve, RefusesAnglesThatAreNone) {
 }
 
 TEST(Resolve, MakesPngOfAProfilesOtherPictures) {
-  const Pairs given = {{"thumbnails", "16x16/QOI, 313x173/JPG, 640x480/PNG"}};
+  const Pairs given = {{"thumbnails", "16x16/QOI, 313x173/COLPIC, 640x480/PNG"}};
   const ResolvedSettings resolved = ResolveOrDie(Settings(given, Source::kProfile));
   EXPECT_THAT(resolved.effective_text, HasSubstr("thumbnails = 16x16/QOI,313x173,640x480\n"));
   EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("made as PNG")));
@@ -639,7 +640,7 @@ TEST(Resolve, MakesPngOfAProfilesOtherPictures) {
   const absl::Status status = Refusal(given);
   EXPECT_EQ(DetailOf(status).reason, Reason::kSettingOutOfRange);
   EXPECT_EQ(DetailOf(status).metadata.at("setting"), "thumbnails");
-  EXPECT_THAT(std::string(status.message()), HasSubstr("WIDTHxHEIGHT/PNG or /QOI"));
+  EXPECT_THAT(std::string(status.message()), HasSubstr("WIDTHxHEIGHT/PNG, /JPG or /QOI"));
 }
 
 TEST(Resolve, ThumbnailsTakeTheFormatThatTheyDoNotName) {

@@ -21,6 +21,7 @@ constexpr double kSteps = 1e6;
 constexpr double kLargest = 1e9;  // times kSteps, still an exact integer in a double
 constexpr size_t kMaxCorners = 1000;
 constexpr std::string_view kQoi = "QOI";
+constexpr std::string_view kJpg = "JPG";
 /// PrusaSlicer's.
 constexpr const char* kPictureFormats[] = {"PNG", "JPG", "QOI", "BTT_TFT", "COLPIC"};
 
@@ -44,6 +45,13 @@ bool IsPictureFormat(std::string_view name) {
          std::end(kPictureFormats);
 }
 
+/// What is made for a format that PrusaSlicer knows.
+PictureFormat MadeFormat(std::string_view name) {
+  return name == kQoi   ? PictureFormat::kQoi
+         : name == kJpg ? PictureFormat::kJpg
+                        : PictureFormat::kPng;
+}
+
 absl::StatusOr<ThumbnailSize> ParseSize(std::string_view text) {
   const std::vector<std::string_view> parts = Split(text, "/");
   if (parts.size() > 2 || (parts.size() == 2 && !IsPictureFormat(parts[1]))) {
@@ -62,8 +70,8 @@ absl::StatusOr<ThumbnailSize> ParseSize(std::string_view text) {
     }
     px[i] = static_cast<int32_t>(*side);
   }
-  const bool qoi = parts.size() == 2 && parts[1] == kQoi;
-  return ThumbnailSize{px[0], px[1], qoi ? PictureFormat::kQoi : PictureFormat::kPng};
+  return ThumbnailSize{px[0], px[1],
+                       parts.size() == 2 ? MadeFormat(parts[1]) : PictureFormat::kPng};
 }
 
 }  // namespace
@@ -199,7 +207,7 @@ bool OnlyOurFormats(std::string_view text) {
     const size_t slash = item.find('/');
     if (slash == std::string_view::npos) continue;
     const std::string_view format = Trim(item.substr(slash + 1));
-    if (format != "PNG" && format != kQoi) return false;
+    if (format != "PNG" && format != kQoi && format != kJpg) return false;
   }
   return true;
 }
@@ -209,6 +217,7 @@ std::string PrintSizes(const std::vector<ThumbnailSize>& sizes) {
   for (const auto& [width, height, format] : sizes) {
     text += fmt::format("{}{}x{}", text.empty() ? "" : ",", width, height);
     if (format == PictureFormat::kQoi) text += "/QOI";
+    if (format == PictureFormat::kJpg) text += "/JPG";
   }
   return text;
 }

@@ -156,10 +156,10 @@ TEST(ParseSizes, ReadsOldAndNewForms) {
 }
 
 TEST(ParseSizes, TakesTheSizesOfOtherFormats) {
-  const char* text = "16x16/QOI, 313x173/JPG, 640x480/PNG, 1x1";
-  EXPECT_EQ(PrintSizes(*ParseSizes(text)), "16x16/QOI,313x173,640x480,1x1");
+  const char* text = "16x16/QOI, 313x173/BTT_TFT, 640x480/JPG, 1x1";
+  EXPECT_EQ(PrintSizes(*ParseSizes(text)), "16x16/QOI,313x173,640x480/JPG,1x1");
   EXPECT_FALSE(OnlyOurFormats(text));
-  EXPECT_TRUE(OnlyOurFormats("640x480/PNG, 1x1, 16x16/QOI"));
+  EXPECT_TRUE(OnlyOurFormats("640x480/PNG, 1x1, 16x16/QOI, 1x1/JPG"));
   EXPECT_TRUE(OnlyOurFormats(""));
 }
 

@@ -1,7 +1,9 @@
 #include "common/macro/job_code.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <span>
 
 #include "common/macro/setting_variables.h"
 
@@ -18,13 +20,16 @@ bool AnyName(const Template& code, const Test& test) {
 
 bool LayersWait(const JobCode& code) {
   std::set<std::string> globals;
-  for (const Template* part : {&code.start, &code.before_layer, &code.layer, &code.between_objects})
+  for (const Template* part : {&code.start, &code.before_layer, &code.layer, &code.between_objects,
+                               &code.color_change, &code.pause, &code.at_height})
     globals.merge(GlobalsOf(*part));
   const auto waits = [&](const std::string& name) {
     // How many layers there are is known beforehand.
     return globals.contains(name) || (WaitsForLayers(name) && name != "total_layer_count");
   };
-  return AnyName(code.before_layer, waits) || AnyName(code.layer, waits);
+  return AnyName(code.before_layer, waits) || AnyName(code.layer, waits) ||
+         AnyName(code.color_change, waits) || AnyName(code.pause, waits) ||
+         AnyName(code.at_height, waits);
 }
 
 }  // namespace
@@ -41,8 +46,14 @@ absl::StatusOr<JobCode> ParseJobCode(const MotionOptions& options) {
       {"before_layer_gcode", options.before_layer_gcode, code.before_layer},
       {"layer_gcode", options.layer_gcode, code.layer},
       {"between_objects_gcode", options.between_objects_gcode, code.between_objects},
-      {"end_gcode", options.end_gcode, code.end}};
-  for (const Part& part : parts) {
+      {"end_gcode", options.end_gcode, code.end},
+      {"output_filename_format", options.writing.file_name, code.file_name},
+      {"color_change_gcode", options.writing.color_change_gcode, code.color_change},
+      {"pause_print_gcode", options.writing.pause_gcode, code.pause},
+      {"template_custom_gcode", options.writing.template_gcode, code.at_height}};
+  // The last three stand where custom_gcode_per_print_z says.
+  const size_t count = std::size(parts) - (options.writing.height_code.empty() ? 3 : 0);
+  for (const Part& part : std::span(parts).first(count)) {
     auto parsed = ParseTemplate(part.setting, part.text);
     if (!parsed.ok()) return parsed.status();
     part.parsed = *std::move(parsed);
@@ -60,7 +71,8 @@ absl::Status CheckJobCode(const MotionOptions& options, std::string_view setting
   const TemplateScope scope = {settings, print};
   TemplateMemory memory;
   for (const Template* part :
-       {&code->start, &code->before_layer, &code->layer, &code->between_objects, &code->end})
+       {&code->start, &code->before_layer, &code->layer, &code->color_change, &code->pause,
+        &code->at_height, &code->between_objects, &code->end, &code->file_name})
     if (absl::Status status = CheckTemplate(*part, scope, memory); !status.ok()) return status;
   return absl::OkStatus();
 }
@@ -71,7 +83,9 @@ bool NamesClock(const JobCode& code) {
   };
   return AnyName(code.start, is_clock) || AnyName(code.before_layer, is_clock) ||
          AnyName(code.layer, is_clock) || AnyName(code.between_objects, is_clock) ||
-         AnyName(code.end, is_clock);
+         AnyName(code.color_change, is_clock) || AnyName(code.pause, is_clock) ||
+         AnyName(code.at_height, is_clock) || AnyName(code.end, is_clock) ||
+         AnyName(code.file_name, is_clock);
 }
 
 }  // namespace slicefarm::macro

@@ -17,6 +17,10 @@ struct JobCode {
   Template layer;
   Template between_objects;
   Template end;
+  Template color_change;
+  Template pause;
+  Template at_height;  ///< template_custom_gcode
+  Template file_name;
   /// before_layer_gcode or layer_gcode depends on what was printed before, or on global variables:
   /// they are filled in when all layers are there, in their order.
   bool layers_wait = false;

@@ -270,8 +270,8 @@ struct LayerProgram {
   friend bool operator==(const LayerProgram&, const LayerProgram&) = default;
 };
 
-/// What stands around the layers: prologue, then for each layer its prefix and its program, then
-/// epilogue.
+/// What stands around the layers: head, prologue, then for each layer its prefix and its program,
+/// then epilogue and tail. Head and tail are comments for those who read files.
 struct ProgramEnvelope {
   std::string prologue;
   std::vector<std::string> layer_prefixes;  ///< one a layer (progress), most often empty
@@ -280,6 +280,9 @@ struct ProgramEnvelope {
   double travel_mm = 0;  ///< layers' and between them
   /// What goes to the places LayerProgram::code_at: two texts a layer, or none at all.
   std::vector<std::string> layer_code;
+  std::string head;
+  std::string tail;
+  std::string file_name;  ///< what the settings call the file, without a folder
 
   friend bool operator==(const ProgramEnvelope&, const ProgramEnvelope&) = default;
 };

@@ -14,9 +14,10 @@ namespace {
 
 using google::protobuf::RepeatedField;
 
-constexpr int kPictureFormats = 2;
+constexpr int kPictureFormats = 3;
 static_assert(v1::PICTURE_FORMAT_PNG == static_cast<int>(PictureFormat::kPng) + 1);
 static_assert(v1::PICTURE_FORMAT_QOI == static_cast<int>(PictureFormat::kQoi) + 1);
+static_assert(v1::PICTURE_FORMAT_JPG == static_cast<int>(PictureFormat::kJpg) + 1);
 static_assert(v1::PictureFormat_MAX == kPictureFormats);
 static_assert(v1::MESH_FORMAT_UNSPECIFIED == static_cast<int>(MeshFormat::kUnknown));
 static_assert(v1::MESH_FORMAT_STL == static_cast<int>(MeshFormat::kStl));

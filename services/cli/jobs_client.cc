@@ -316,6 +316,20 @@ absl::StatusOr<v1::Job> JobsClient::WatchJob(const std::string& id,
 }
 
 absl::Status JobsClient::Download(const v1::Job& job, v1::Artifact artifact, OutputFile& file) {
+  return Receive(job, artifact, [&](std::string_view bytes) { return file.Write(bytes); });
+}
+
+absl::StatusOr<std::string> JobsClient::DownloadText(const v1::Job& job, v1::Artifact artifact) {
+  std::string text;
+  absl::Status received = Receive(job, artifact, [&](std::string_view bytes) {
+    text += bytes;
+    return absl::OkStatus();
+  });
+  if (!received.ok()) return received;
+  return text;
+}
+
+absl::Status JobsClient::Receive(const v1::Job& job, v1::Artifact artifact, const Write& write) {
   v1::DownloadRequest request;
   request.set_id(job.id());
   request.set_artifact(artifact);
@@ -331,7 +345,7 @@ absl::Status JobsClient::Download(const v1::Job& job, v1::Artifact artifact, Out
           answered_ = true;
           request.set_offset(request.offset() + static_cast<int64_t>(response.data().size()));
           sha.Add(response.data());
-          return file.Write(response.data());
+          return write(response.data());
         });
   });
   return status.ok() ? CheckDigest(DigestOf(job.result(), artifact), sha.Hex()) : status;

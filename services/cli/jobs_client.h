@@ -63,12 +63,17 @@ class JobsClient {
   /// it is not what `job.result()` says; a trace, of which that says nothing, is taken as it comes.
   absl::Status Download(const v1::Job& job, v1::Artifact artifact, OutputFile& file);
 
+  /// The same, in memory: for what is small.
+  absl::StatusOr<std::string> DownloadText(const v1::Job& job, v1::Artifact artifact);
+
  private:
   using Attempt = std::function<absl::Status()>;
   absl::Status Persist(const Attempt& attempt);
   template <typename Response, typename Request, typename Start>
   absl::StatusOr<Response> Call(const Request& request, const Start& start,
                                 std::chrono::milliseconds deadline = std::chrono::seconds(20));
+  using Write = std::function<absl::Status(std::string_view)>;
+  absl::Status Receive(const v1::Job& job, v1::Artifact artifact, const Write& write);
   absl::Status SendFrom(int64_t offset, const std::string& sha256, std::string_view bytes,
                         const std::function<void(int64_t)>& sent);
 

@@ -217,7 +217,8 @@ TEST_F(Program, SlicesWithProfilesInTheShapeOfRealOnes) {
         "; thumbnail_QOI begin 313x173 ", "; chamber_temperature = 20\n", "\nM117 0.2\n"}},
   };
   for (const auto& [name, parts] : kProfiles) {
-    const Outcome outcome = Slice({"--config", std::string(SLICEFARM_CORPUS) + "/config/" + name});
+    const Outcome outcome = Slice(
+        {"--config", std::string(SLICEFARM_CORPUS) + "/config/" + name, "--set", "binary_gcode=0"});
     ASSERT_EQ(outcome.code, ExitCode::kOk) << name << ": " << outcome.err;
     const std::string gcode = Text("out.gcode");
     for (const std::string& part : parts) EXPECT_THAT(gcode, HasSubstr(part)) << name;
@@ -358,7 +359,10 @@ INSTANTIATE_TEST_SUITE_P(
                     ExitCode::kUsage,
                     "--banana"},
         FailureCase{"NoSuchCommand", {"frobnicate"}, ExitCode::kUsage, "no command 'frobnicate'"},
-        FailureCase{"NoOutput", {"slice", "@cube.obj"}, ExitCode::kUsage, "--output is required"},
+        FailureCase{"NoOutputOfALaser",
+                    {"slice", "@cube.obj", "--machine", "laser"},
+                    ExitCode::kUsage,
+                    "say which file the result goes to"},
         FailureCase{"NoModelFile",
                     {"slice", "@none.stl", "-o", "@out.gcode"},
                     ExitCode::kUsage,

@@ -4,12 +4,15 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
 #include "common/base/error.h"
 #include "common/rpc/utf8.h"
 #include "services/cli/files.h"
+#include "services/cli/job_options.h"
 
 namespace slicefarm::cli {
 
@@ -52,10 +55,33 @@ absl::StatusOr<std::map<std::string, std::string>> ReadLabels(
   return labels;
 }
 
+namespace {
+
+/// A folder gets the file under the name that the job's settings give it.
+absl::StatusOr<std::string> PathOf(JobsClient& client, const v1::Job& job,
+                                   const std::string& output) {
+  std::error_code error;
+  if (output.empty() || !std::filesystem::is_directory(output, error)) return output;
+  const auto text = client.DownloadText(job, v1::ARTIFACT_REPORT);
+  if (!text.ok()) return text.status();
+  const auto report = nlohmann::json::parse(*text, nullptr, /*allow_exceptions=*/false);
+  const bool named =
+      report.is_object() && report.contains("file_name") && report["file_name"].is_string();
+  const std::string name = named ? report["file_name"].get<std::string>() : "";
+  // Of an older farm, or of another machine: what the name may be is not known.
+  if (name.empty() || name.find_first_of("/\\") != std::string::npos)
+    return Malformed(fmt::format("{} is a folder, and the job does not name its file", output));
+  return (std::filesystem::path(output) / name).string();
+}
+
+}  // namespace
+
 absl::Status FetchResults(JobsClient& client, const v1::Job& job, const ResultFiles& files) {
+  const auto gcode = PathOf(client, job, files.gcode);
+  if (!gcode.ok()) return gcode.status();
   std::vector<OutputFile> complete;
   for (const auto& [path, artifact] :
-       {std::pair{files.gcode, v1::ARTIFACT_GCODE}, std::pair{files.report, v1::ARTIFACT_REPORT},
+       {std::pair{*gcode, v1::ARTIFACT_GCODE}, std::pair{files.report, v1::ARTIFACT_REPORT},
         std::pair{files.trace, v1::ARTIFACT_TRACE}}) {
     if (path.empty()) continue;
     auto file = OutputFile::Create(path);

@@ -49,6 +49,8 @@ void Frame(const v1::FrameRequest& request) {
   if (!frame.ok()) return;
   CheckGcode(frame->prologue);
   CheckGcode(frame->epilogue);
+  CheckGcode(frame->head);
+  CheckGcode(frame->tail);
   CheckRoundTrip(Encoded<v1::ProgramFrame>(*frame));
 }
 

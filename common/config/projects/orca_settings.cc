@@ -145,6 +145,7 @@ class OrcaReader {
   }
 
   Converted Convert(const OrcaRow& row, std::string_view text) const {
+    if (row.value == OrcaValue::kWhole) return {std::string(text)};
     if (row.value == OrcaValue::kPoints) return {Joined(text, ",")};
     if (row.value == OrcaValue::kPairs) return {Joined(text, ";")};
     const std::optional<std::string> first = FirstOf(text);
@@ -166,6 +167,7 @@ class OrcaReader {
                                 [this](std::string_view name) { return MeaningOf(name); }),
             MeshOfBed()))};
       case OrcaValue::kSame:
+      case OrcaValue::kWhole:
       case OrcaValue::kPoints:
       case OrcaValue::kPairs:
         break;

@@ -15,6 +15,7 @@ enum class OrcaValue {
   kPoints,     ///< a list counts as a whole
   kPairs,      ///< the same, with `;` between its items
   kChoice,     ///< one of those that OrcaChoices lists for the row's `from`
+  kWhole,      ///< the text as it is
   kGcode,      ///< G-code, whose placeholders have other names
 };
 

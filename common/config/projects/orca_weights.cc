@@ -49,7 +49,6 @@ constexpr Weighty kWeighty[] = {
     {"change_extrusion_role_gcode", ""},
     {"process_change_extrusion_role_gcode", ""},
     {"filament_change_extrusion_role_gcode", ""},
-    {"template_custom_gcode", ""},
     {"file_start_gcode", ""},
     {"post_process", ""},
 };

@@ -17,21 +17,16 @@ constexpr std::string_view kResin = "concerns resin printers";
 /// What a profile switches on and off, with the value that asks for what is done anyway.
 constexpr KnownKey kSwitches[] = {
     // These change the part or whether it prints at all.
-    {"gcode_substitutions", "not supported: the G-code is not rewritten", "", true, true, true},
     {"post_process", "scripts are never run", "", true, true, true},
     {"printer_technology", kResin, "FFF", true, true, true},
     {"single_extruder_multi_material", kNotYet, "0", true},
     {"spiral_vase", kNotYet, "0", true, true, true},
     {"support_material", kNotYet, "0", true, true, true},
-    {"use_firmware_retraction", kNotYet, "0", true, true, true},
-    {"use_volumetric_e", kNotYet, "0", true, true, true},
     // These make it better or different in detail.
     {"avoid_crossing_curled_overhangs", kNotYet, "0", true},
-    {"binary_gcode", kNotYet, "0", true},
     {"colorprint_heights", kNotYet, "", true, true, true},
     {"extruder_offset", kNotYet, "0x0", true},
     {"extrusion_axis", kNotYet, "E", true},
-    {"gcode_comments", kNotYet, "0", true},
     {"infill_extruder", kNotYet, "1", true},
     {"interlocking_beam", kNotYet, "0", true},
     {"ooze_prevention", kNotYet, "0", true},
@@ -39,7 +34,6 @@ constexpr KnownKey kSwitches[] = {
     {"solid_infill_extruder", kNotYet, "1", true},
     {"support_material_enforce_layers", kNotYet, "0", true},
     {"toolchange_gcode", kNotYet, "", true},
-    {"use_relative_e_distances", "extrusion is always relative", "1", true},
     {"wipe_into_infill", kNotYet, "0", true},
     {"wipe_into_objects", kNotYet, "0", true},
     {"wipe_tower", kNotYet, "0", true},
@@ -56,7 +50,7 @@ constexpr Group kGroups[] = {
     {kNotYet,
      "automatic_extrusion_widths "
      "bed_temperature_extruder clip_multipart_objects "
-     "color_change_gcode cooling_tube_* dont_support_bridges "
+     "cooling_tube_* dont_support_bridges "
      "extra_loading_move "
      "filament_cooling_* filament_load_time filament_loading_* "
      "filament_minimal_purge_on_wipe_tower filament_multitool_* filament_purge_multiplier "
@@ -64,24 +58,25 @@ constexpr Group kGroups[] = {
      "filament_retract_restart_extra_toolchange "
      "filament_soluble filament_stamping_* filament_toolchange_delay "
      "filament_unload_time filament_unloading_* "
-     "high_current_on_filament_swap idle_temperature "
+     "high_current_on_filament_swap "
      "interlocking_* max_layer_height "
      "min_layer_height mmu_* multimaterial_purging "
-     "parking_pos_retraction pause_print_gcode retract_length_toolchange "
+     "parking_pos_retraction retract_length_toolchange "
      "retract_restart_extra_toolchange "
      "single_extruder_multi_material_priming "
-     "standby_temperature_delta support_material_* support_tree_* template_custom_gcode "
+     "standby_temperature_delta support_material_* support_tree_* "
      "variable_layer_height "
      "wipe_tower_* wiping_volumes_*"},
     {kProfile,
      "bed_custom_model bed_custom_texture color_change_* custom_parameters_* "
      "default_filament_profile "
      "default_print_profile default_sla_* extruder_colour filament_notes filament_spool_weight "
-     "filament_abrasive filament_vendor inherits inherits_* notes output_filename_format "
+     "filament_abrasive filament_vendor inherits inherits_* notes "
      "nozzle_high_flow physical_printer_settings_id preset_name preset_names print_settings_id "
      "printer_notes "
      "printer_settings_id printer_variant printer_vendor profile_vendor profile_version "
      "silent_mode"},
+    {"decides between several tools, and one prints", "idle_temperature"},
     {kProfile, "compatible_*", false},
     {kSending, "host_type print_host printhost_* octoprint_* serial_*", false},
     {kResin, "sla_* faded_layers exposure_* pad_* hollowing_* area_fill display_* tilt_*", false},

@@ -28,8 +28,10 @@ enum class Kind {
   kDensityField,
   kStressField,
   kMaterialField,
-  kAngles,     ///< angles by layer (common/model/options/fill_angles.h); empty: none
-  kFlowTable,  ///< factors by length (common/model/options/flow_table.h)
+  kAngles,         ///< angles by layer (common/model/options/fill_angles.h); empty: none
+  kFlowTable,      ///< factors by length (common/model/options/flow_table.h)
+  kHeightCode,     ///< JSON on one line (common/model/options/height_code.h); empty: none
+  kSubstitutions,  ///< texts by fours (common/gcode/substitutions.h); empty: none
 };
 
 /// One name of a choice. PrusaSlicer's names that are not made yet stand in the table too: `note`
@@ -59,6 +61,9 @@ struct Field {
   void (*set)(JobSettings&, const Value&) = nullptr;
   Value (*get)(const JobSettings&) = nullptr;
 };
+
+/// machine_limits_usage = ignore.
+inline constexpr int kIgnoreLimits = 2;
 
 /// What a config.ini writes for "no value".
 inline constexpr std::string_view kNotSet = "nil";

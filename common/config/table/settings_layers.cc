@@ -115,7 +115,7 @@ std::vector<SettingSpec> LayerSettings() {
        .doc = "Format of the thumbnails that name none",
        .choices = {{"PNG", static_cast<int>(PictureFormat::kPng)},
                    {"QOI", static_cast<int>(PictureFormat::kQoi)},
-                   {"JPG", static_cast<int>(PictureFormat::kPng), "made as PNG"},
+                   {"JPG", static_cast<int>(PictureFormat::kJpg)},
                    {"BTT_TFT", static_cast<int>(PictureFormat::kPng), "made as PNG"},
                    {"COLPIC", static_cast<int>(PictureFormat::kPng), "made as PNG"}}},
   };

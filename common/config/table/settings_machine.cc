@@ -62,11 +62,14 @@ std::vector<SettingSpec> WholeMachineLimits() {
       {.key = "machine_limits_usage",
        .kind = Kind::kChoice,
        .standard = "time_estimate_only",
-       .doc = "Whether the limits are written to the G-code too, or only reckoned with",
-       .choices = {{"time_estimate_only", 0},
-                   {"emit_to_gcode", 1},
-                   {"ignore", 0, "the limits are reckoned with all the same"}},
-       .field = Bind([](auto& s) -> auto& { return s.motion.limits.emit_to_gcode; })},
+       .doc = "Whether the limits are written to the G-code too, or only reckoned with; "
+              "ignore: all of them are those of no setting",
+       .choices = {{"time_estimate_only", 0}, {"emit_to_gcode", 1}, {"ignore", kIgnoreLimits}},
+       .field = {
+           [](JobSettings& s, const Value& v) { s.motion.limits.emit_to_gcode = v.number == 1; },
+           [](const JobSettings& s) -> Value {
+             return {.number = s.motion.limits.emit_to_gcode ? 1.0 : 0.0};
+           }}},
   };
 }
 

@@ -15,6 +15,7 @@ std::vector<SettingSpec> AdhesionSettings();  ///< settings_adhesion.cc
 std::vector<SettingSpec> SpeedSettings();     ///< settings_speed.cc
 std::vector<SettingSpec> FilamentSettings();  ///< settings_filament.cc
 std::vector<SettingSpec> MachineSettings();   ///< settings_machine.cc
+std::vector<SettingSpec> WritingSettings();   ///< settings_writing.cc
 std::vector<SettingSpec> ExposureTable();     ///< settings_exposure.cc
 
 }  // namespace slicefarm::config

@@ -13,18 +13,21 @@
 #include "common/base/text.h"
 #include "common/config/table/setting_scope.h"
 #include "common/config/table/settings_sections.h"
+#include "common/gcode/substitutions.h"
 #include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
 #include "common/model/options/fill_angles.h"
 #include "common/model/options/flow_table.h"
+#include "common/model/options/height_code.h"
 
 namespace slicefarm::config {
 namespace {
 
 std::vector<SettingSpec> FdmSettings() {
   std::vector<SettingSpec> all;
-  for (const auto& section : {LayerSettings, WallSettings, SeamSettings, InfillSettings,
-                              AdhesionSettings, SpeedSettings, FilamentSettings, MachineSettings})
+  for (const auto& section :
+       {LayerSettings, WallSettings, SeamSettings, InfillSettings, AdhesionSettings, SpeedSettings,
+        FilamentSettings, MachineSettings, WritingSettings})
     std::ranges::move(section(), std::back_inserter(all));
   return all;
 }
@@ -133,6 +136,15 @@ absl::StatusOr<Value> ParseField(const SettingSpec& spec, std::string_view text,
   return Canonical<T>(spec, text, parse(text), print);
 }
 
+/// They stay as they are written, and are read again where G-code is put together.
+absl::StatusOr<Value> ParseSubstitutions(const SettingSpec& spec, std::string_view text) {
+  const auto read = gcode::Substitutions::Of(gcode::TextsOfList(text));
+  if (!read.ok()) return MalformedError(spec, text, std::string(read.status().message()));
+  if (std::ranges::any_of(text, IsControl))
+    return MalformedError(spec, text, "must not contain control characters");
+  return Value{.text = std::string(text)};
+}
+
 std::string_view FirstItem(const SettingSpec& spec, std::string_view text) {
   if (spec.list == List::kNone) return text;
   return Trim(text.substr(0, text.find_first_of(",;")));
@@ -181,6 +193,11 @@ absl::StatusOr<Value> ParseValue(const SettingSpec& spec, std::string_view text)
       return ParseField<std::vector<AngleStep>>(spec, text, ParseFillAngles, PrintFillAngles);
     case Kind::kFlowTable:
       return Canonical<FlowTable>(spec, text, ParseFlowTable(Unescape(text)), PrintFlowTable);
+    case Kind::kHeightCode:
+      return Canonical<std::vector<HeightCode>>(spec, text, ParseHeightCodes(text),
+                                                PrintHeightCodes);
+    case Kind::kSubstitutions:
+      return ParseSubstitutions(spec, text);
     default:
       return ParseQuantity(spec, FirstItem(spec, text));
   }
@@ -213,6 +230,8 @@ std::string PrintValue(const SettingSpec& spec, const Value& value) {
     case Kind::kMaterialField:
     case Kind::kAngles:
     case Kind::kFlowTable:
+    case Kind::kHeightCode:
+    case Kind::kSubstitutions:
       return value.text;
     case Kind::kChoice: {
       const auto meant =
@@ -252,7 +271,7 @@ std::string DescribeRange(const SettingSpec& spec) {
     case Kind::kBedShape:
       return "three or more corners XxY";
     case Kind::kSizes:
-      return fmt::format("up to {} WIDTHxHEIGHT, WIDTHxHEIGHT/PNG or /QOI, 1 to {} each",
+      return fmt::format("up to {} WIDTHxHEIGHT, WIDTHxHEIGHT/PNG, /JPG or /QOI, 1 to {} each",
                          limits::kMaxThumbnails, limits::kMaxThumbnailPx);
     case Kind::kDensityField:
     case Kind::kStressField:
@@ -262,6 +281,10 @@ std::string DescribeRange(const SettingSpec& spec) {
       return "angles by layer, as 0,90 or +30 or 45#2";
     case Kind::kFlowTable:
       return "LENGTH,FACTOR;LENGTH,FACTOR;... from 0 mm up to factor 1";
+    case Kind::kHeightCode:
+      return "a JSON list as [{\"z\":1.2,\"type\":\"pause\",\"text\":\"...\"}]";
+    case Kind::kSubstitutions:
+      return "\"pattern\";\"replacement\";\"flags\";\"notes\", and so on";
     case Kind::kNumberOrPercent:
       return fmt::format("{}, or % of {}", Range(spec),
                          spec.relative_to.empty() ? spec.percent_of : spec.relative_to);

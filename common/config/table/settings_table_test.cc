@@ -22,8 +22,10 @@ bool IsNumeric(const SettingSpec& spec) {
          spec.kind == Kind::kNumberOrPercent;
 }
 
-/// Old profiles have other names for the same value; the first one is printed.
+/// Old profiles have other names for the same value; the first one is printed. Limits that are
+/// ignored are other limits, reckoned with alone.
 bool IsOtherSpelling(const Choice& choice, const SettingSpec& spec) {
+  if (spec.key == "machine_limits_usage" && choice.value == kIgnoreLimits) return true;
   return std::ranges::any_of(spec.choices, [&](const Choice& other) {
     return &other < &choice && other.note.empty() && other.value == choice.value;
   });
@@ -63,6 +65,10 @@ std::vector<std::string> Samples(const SettingSpec& spec) {
           R"({"parts":[{"kind":"height","table":[[0,0.4]]},{"kind":"height","table":[[0,0.6]]}]})"};
     case Kind::kAngles:
       return {"", "0,90", "45#2,+30"};
+    case Kind::kHeightCode:
+      return {"", R"([{"z":1.5,"type":"pause","text":"a"}])"};
+    case Kind::kSubstitutions:
+      return {"", R"("a";"b";"r";"")"};
     case Kind::kFlowTable:
       return {"0,0.5;2,1", "0,1.25;0.5,0.75;1,1"};
     case Kind::kPercent:

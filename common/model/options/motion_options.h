@@ -128,6 +128,23 @@ enum class ArcFitting : uint8_t {
   kEmitCenter,  ///< emit_center: as arcs, G2 and G3 with I and J
 };
 
+/// How the program is put into words, and into a file.
+struct WritingOptions {
+  bool relative_e = true;            ///< use_relative_e_distances
+  bool volumetric_e = false;         ///< use_volumetric_e: filament in mm3 instead of mm
+  bool firmware_retraction = false;  ///< use_firmware_retraction: G10 and G11
+  bool comments = false;             ///< gcode_comments: what each line is for
+  bool binary = false;               ///< binary_gcode
+  std::string substitutions;         ///< gcode_substitutions, as a config.ini has them
+  std::string file_name;             ///< output_filename_format: a template
+  std::string height_code;           ///< custom_gcode_per_print_z (height_code.h); empty: none
+  std::string color_change_gcode;    ///< color_change_gcode
+  std::string pause_gcode;           ///< pause_print_gcode
+  std::string template_gcode;        ///< template_custom_gcode
+
+  friend bool operator==(const WritingOptions&, const WritingOptions&) = default;
+};
+
 struct MotionOptions {
   GcodeFlavor flavor = GcodeFlavor::kMarlin2;  ///< gcode_flavor
   MachineLimits limits;
@@ -202,6 +219,7 @@ struct MotionOptions {
   ArcFitting arc_fitting = ArcFitting::kDisabled;  ///< arc_fitting
   Coord resolution_nm = 12'500;  ///< gcode_resolution: paths are simplified within this; 0: not
   std::string material_field;    ///< canonical text (fields/field_text.h); empty: no mixing
+  WritingOptions writing;
 
   friend bool operator==(const MotionOptions&, const MotionOptions&) = default;
 };

@@ -59,7 +59,7 @@ struct MeshReport {
   friend bool operator==(const MeshReport&, const MeshReport&) = default;
 };
 
-enum class PictureFormat : uint8_t { kPng, kQoi };
+enum class PictureFormat : uint8_t { kPng, kQoi, kJpg };
 
 /// How a picture of the part is asked for.
 struct ThumbnailSize {

@@ -326,6 +326,9 @@ v1::ProgramFrame ToProto(ProgramEnvelope frame) {
   *proto.mutable_times() = ToProto(frame.times);
   proto.set_travel_mm(frame.travel_mm);
   for (std::string& code : frame.layer_code) proto.add_layer_code(std::move(code));
+  proto.set_head(std::move(frame.head));
+  proto.set_tail(std::move(frame.tail));
+  proto.set_file_name(std::move(frame.file_name));
   return proto;
 }
 
@@ -342,6 +345,9 @@ absl::StatusOr<ProgramEnvelope> FromProto(v1::ProgramFrame proto) {
   frame.times = *std::move(times);
   frame.travel_mm = proto.travel_mm();
   for (std::string& code : *proto.mutable_layer_code()) frame.layer_code.push_back(std::move(code));
+  frame.head = std::move(*proto.mutable_head());
+  frame.tail = std::move(*proto.mutable_tail());
+  frame.file_name = std::move(*proto.mutable_file_name());
   return frame;
 }
 

@@ -123,7 +123,10 @@ PrintTimes DistinctTimesOfPrint() {
 
 ProgramEnvelope DistinctFrame() {
   ProgramEnvelope program;
-  auto& [prologue, prefixes, epilogue, times, travel, layer_code] = program;
+  auto& [prologue, prefixes, epilogue, times, travel, layer_code, head, tail, file_name] = program;
+  head = "head\xff";
+  tail = "tail";
+  file_name = "name";
   layer_code = {"before", "after"};
   prologue = "start\xff";
   prefixes = {"", "M73 P1\n"};

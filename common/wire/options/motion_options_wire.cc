@@ -351,6 +351,36 @@ void TakeMaterial(const v1::MotionOptions& proto, MotionOptions* options) {
   options->tool = proto.tool();
 }
 
+void PutWriting(const WritingOptions& options, v1::WritingOptions* proto) {
+  proto->set_relative_e(options.relative_e);
+  proto->set_volumetric_e(options.volumetric_e);
+  proto->set_firmware_retraction(options.firmware_retraction);
+  proto->set_comments(options.comments);
+  proto->set_binary(options.binary);
+  proto->set_substitutions(options.substitutions);
+  proto->set_file_name(options.file_name);
+  proto->set_height_code(options.height_code);
+  proto->set_color_change_gcode(options.color_change_gcode);
+  proto->set_pause_gcode(options.pause_gcode);
+  proto->set_template_gcode(options.template_gcode);
+}
+
+WritingOptions TakeWriting(const v1::WritingOptions& proto) {
+  WritingOptions options;
+  options.relative_e = proto.relative_e();
+  options.volumetric_e = proto.volumetric_e();
+  options.firmware_retraction = proto.firmware_retraction();
+  options.comments = proto.comments();
+  options.binary = proto.binary();
+  options.substitutions = proto.substitutions();
+  options.file_name = proto.file_name();
+  options.height_code = proto.height_code();
+  options.color_change_gcode = proto.color_change_gcode();
+  options.pause_gcode = proto.pause_gcode();
+  options.template_gcode = proto.template_gcode();
+  return options;
+}
+
 }  // namespace
 
 v1::MotionOptions ToProto(const MotionOptions& options) {
@@ -374,6 +404,7 @@ v1::MotionOptions ToProto(const MotionOptions& options) {
   proto.set_arc_fitting(EnumToProto<v1::ArcFitting>(options.arc_fitting));
   proto.set_resolution_nm(options.resolution_nm);
   proto.set_material_field(options.material_field);
+  PutWriting(options.writing, proto.mutable_writing());
   return proto;
 }
 
@@ -405,6 +436,7 @@ absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto) {
   options.arc_fitting = Known<ArcFitting>(proto.arc_fitting());
   options.resolution_nm = proto.resolution_nm();
   options.material_field = proto.material_field();
+  options.writing = TakeWriting(proto.writing());
   return options;
 }
 

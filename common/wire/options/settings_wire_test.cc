@@ -340,8 +340,8 @@ MotionOptions DistinctMotion() {
          first_layer_temperature, bed_temperature, first_layer_bed_temperature, chamber_temperature,
          chamber_least, emit_temperatures, tool, nozzle_heating, bed_heating, progress, z_offset,
          start_gcode, end_gcode, before_layer_gcode, layer_gcode, layer_settings, labels,
-         between_objects_gcode, max_print_height, arc_fitting, resolution, material_field] =
-      options;
+         between_objects_gcode, max_print_height, arc_fitting, resolution, material_field,
+         writing] = options;
   flavor = GcodeFlavor::kKlipper;
   limits = DistinctLimits();
   retraction = DistinctRetraction();
@@ -417,6 +417,19 @@ MotionOptions DistinctMotion() {
   between_objects_gcode = "between";
   max_print_height = 538;
   material_field = "materials";
+  auto& [relative, volumetric, by_firmware, comments, binary, substitutions, file_name, height_code,
+         color_change, pause, at_height] = writing;
+  relative = false;
+  volumetric = true;
+  by_firmware = true;
+  comments = true;
+  binary = true;
+  substitutions = "substitutions";
+  file_name = "file";
+  height_code = "heights";
+  color_change = "color";
+  pause = "pause";
+  at_height = "template";
   return options;
 }
 
@@ -700,6 +713,18 @@ constexpr char kDistinct[] = R"pb(
     arc_fitting: ARC_FITTING_EMIT_CENTER
     resolution_nm: 539
     material_field: "materials"
+    writing {
+      volumetric_e: true
+      firmware_retraction: true
+      comments: true
+      binary: true
+      substitutions: "substitutions"
+      file_name: "file"
+      height_code: "heights"
+      color_change_gcode: "color"
+      pause_gcode: "pause"
+      template_gcode: "template"
+    }
   }
 )pb";
 

@@ -205,7 +205,10 @@ void AddGet(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand("get", "Fetch the results of a job, or show the job");
   const auto options = std::make_shared<GetOptions>();
   AddJobCommand(*command, options);
-  command->add_option("-o,--output", options->files.gcode, "Where the G-code goes; -: to stdout")
+  command
+      ->add_option("-o,--output", options->files.gcode,
+                   "Where the G-code goes; -: to stdout; a folder: a file there, called as "
+                   "output_filename_format says")
       ->type_name("OUT.gcode");
   command->add_option("--report", options->files.report, "Where the report goes; -: to stdout")
       ->type_name("REPORT.json");

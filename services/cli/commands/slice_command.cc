@@ -77,6 +77,14 @@ absl::Status WriteResults(const SliceOptions& options, const coordinator::JobOut
   return WriteFile(options.output, output.program);
 }
 
+/// What the name of a file says of it, and is not so: the setting decides.
+void WarnOfName(const std::string& output, bool binary) {
+  if (output.ends_with(".bgcode") && !binary)
+    Warn({fmt::format("{} is text: binary_gcode = 1 makes binary G-code", output)});
+  if (output.ends_with(".gcode") && binary)
+    Warn({fmt::format("{} is binary G-code, as binary_gcode = 1 asks for", output)});
+}
+
 void PrintSummary(const SliceOptions& options, const coordinator::JobReport& report,
                   const config::ResolvedPlate& resolved) {
   Warn(report.warnings);
@@ -92,9 +100,8 @@ void PrintSummary(const SliceOptions& options, const coordinator::JobReport& rep
         result_on_stdout);
 }
 
-ExitCode SlicePlate(const SliceOptions& options, std::vector<MeshFile> files,
-                    const GivenPlate& given, const std::vector<Setting>& settings,
-                    Interrupt& interrupt) {
+ExitCode SlicePlate(SliceOptions options, std::vector<MeshFile> files, const GivenPlate& given,
+                    const std::vector<Setting>& settings, size_t plate, Interrupt& interrupt) {
   Warn(given.warnings);
   const auto resolved = Resolve(given, settings, options.job.process);
   if (!resolved.ok()) return Fail(resolved.status());
@@ -104,15 +111,22 @@ ExitCode SlicePlate(const SliceOptions& options, std::vector<MeshFile> files,
     const bool one = options.job.models.size() == 1;
     return Fail(mesh && one ? InFile(options.job.models[0], output.status()) : output.status());
   }
+  options.output = NamedOutput(options.job, options.output, output->report.file_name, plate);
+  options.job.report = OutputOf(options.job, options.job.report, plate);
   if (absl::Status status = WriteResults(options, *output, *resolved); !status.ok()) {
     return Fail(status);
   }
+  WarnOfName(options.output, resolved->settings.motion.writing.binary);
   PrintSummary(options, output->report, *resolved);
   return ExitCode::kOk;
 }
 
 ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
   if (absl::Status ok = CheckOutputs(options.job, options.output); !ok.ok()) return Fail(ok);
+  if (options.job.process != Process::kFdm && IsNamedBySettings(options.output))
+    return Fail(
+        Malformed("say which file the result goes to (-o FILE): only G-code of filament "
+                  "printers is named by its settings"));
   const auto settings = GivenJobSettings(options.job, options.output);
   if (!settings.ok()) return Fail(settings.status());
   auto models = ReadModels(options.job);
@@ -123,13 +137,10 @@ ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
     if (!may.ok()) return Fail(may);
   }
   for (size_t i = 0; i < models->plates.size(); ++i) {
-    SliceOptions one = options;
-    one.output = OutputOf(options.job, options.output, i);
-    one.job.report = OutputOf(options.job, options.job.report, i);
     const bool last = i + 1 == models->plates.size();
     std::vector<MeshFile> files = last ? std::move(models->files) : models->files;
     const ExitCode code =
-        SlicePlate(one, std::move(files), models->plates[i], *settings, interrupt);
+        SlicePlate(options, std::move(files), models->plates[i], *settings, i, interrupt);
     if (code != ExitCode::kOk) return code;
   }
   return ExitCode::kOk;
@@ -144,9 +155,9 @@ void AddSlice(CLI::App& app, CommandContext& context) {
   AddJobOptions(*command, options->job);
   command
       ->add_option("-o,--output", options->output,
-                   "Where the G-code, or a laser's file, goes; -: to stdout")
-      ->type_name("OUT.gcode")
-      ->required();
+                   "Where the G-code, or a laser's file, goes; -: to stdout; a folder, or nothing "
+                   "for that of the model: a file there, called as output_filename_format says")
+      ->type_name("OUT.gcode");
   command
       ->add_option("--threads", options->threads,
                    "How many to use; the result is the same. Default: one per processor")

@@ -302,7 +302,10 @@ void AddSubmit(CLI::App& app, CommandContext& context) {
       app.add_subcommand("submit", "Have a farm make the G-code, and fetch it when it is done");
   const auto options = std::make_shared<SubmitOptions>();
   AddJobOptions(*command, options->job);
-  command->add_option("-o,--output", options->output, "Where the G-code goes; -: to stdout")
+  command
+      ->add_option("-o,--output", options->output,
+                   "Where the G-code goes; -: to stdout; a folder: a file there, called as "
+                   "output_filename_format says")
       ->type_name("OUT.gcode");
   command->add_flag("--detach", options->detach, "Do not wait; print the job's id");
   command->add_option("--label", options->labels, "Kept with the job. May be repeated")

@@ -262,8 +262,22 @@ absl::Status CheckOutputs(const JobOptions& options, const std::string& output) 
 }
 
 absl::Status CheckWritable(const JobOptions& options, const std::string& output, size_t plate) {
-  absl::Status may = CheckWritable(OutputOf(options, output, plate));
+  absl::Status may = CheckWritable(NamedOutput(options, output, "slicefarm.gcode", plate));
   return may.ok() ? CheckWritable(OutputOf(options, options.report, plate)) : may;
+}
+
+bool IsNamedBySettings(const std::string& output) {
+  std::error_code error;
+  return output.empty() || std::filesystem::is_directory(output, error);
+}
+
+std::string NamedOutput(const JobOptions& options, const std::string& output,
+                        const std::string& file_name, size_t plate) {
+  if (!IsNamedBySettings(output)) return OutputOf(options, output, plate);
+  const std::filesystem::path folder =
+      output.empty() ? std::filesystem::path(options.models.front()).parent_path()
+                     : std::filesystem::path(output);
+  return OutputOf(options, (folder / file_name).string(), plate);
 }
 
 std::string OutputOf(const JobOptions& options, const std::string& path, size_t plate) {

@@ -51,6 +51,14 @@ absl::Status CheckWritable(const JobOptions& options, const std::string& output,
 /// else as it was given. Nothing stays nothing.
 std::string OutputOf(const JobOptions& options, const std::string& path, size_t plate);
 
+/// Where the result goes if it is called `file_name` by its settings: there if `output` is a
+/// folder, beside the first model if it is empty, else where `output` says. Then as OutputOf.
+std::string NamedOutput(const JobOptions& options, const std::string& output,
+                        const std::string& file_name, size_t plate);
+
+/// Whether results are to be called as their settings say: `output` is a folder, or empty.
+bool IsNamedBySettings(const std::string& output);
+
 /// The bytes of a model file. Errors: REQUEST_MALFORMED naming the file; MESH_TOO_LARGE.
 absl::StatusOr<MeshFile> ReadModelFile(const std::string& path);
 

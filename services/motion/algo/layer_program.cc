@@ -162,7 +162,7 @@ class PassProgram {
   void Write(const CustomCode& code, const JobFacts& facts, const LayerState& state,
              std::vector<int64_t>& places, GcodeText& out) const {
     LayerWriter writer(FirmwareOf(options_.flavor), AccelerationsFor(options_, Ground::kLayers),
-                       state, materials_);
+                       state, materials_, ExtruderWords(options_), options_.writing.comments);
     for (const BlockVisit& visit : visits_) {
       const Toolpath& path = PathOf(visit);
       const ShiftUm shift = ShiftOf(visit);
@@ -172,6 +172,7 @@ class PassProgram {
       if (first) KeepPlace(code, out, places);
       if (first) out.Lines(code.after);
       if (first && code.has_after) writer.Forget();
+      if (first && code.primes && !layer_.begins_ready) writer.Prime();
       writer.Write(path, approach, approach + 1, shift, out);
       WriteCopy(visit, shift, facts, writer, out);
     }
@@ -205,7 +206,7 @@ class PassProgram {
     const auto copy = static_cast<size_t>(visit.copy);
     const bool labelled = visit.copy >= 0 && copy < facts.copies.size();
     if (labelled) BeginCopy(facts.copies[copy], copy, options_, out);
-    writer.BeginBlock();
+    writer.BeginBlock(out);
     const Toolpath& path = PathOf(visit);
     writer.Write(path, path.approach + 1, path.moves.size(), shift, out);
     writer.EndBlock(out);
@@ -249,7 +250,7 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
                                          const MotionOptions& options, const LayerCode& layer_code,
                                          const MaterialField* materials) {
   const LayerPlace place = PlaceOf(layer, visits, facts);
-  const auto code = layer_code.At(place, facts);
+  const auto code = layer_code.At(layer.frame, place, facts);
   if (!code.ok()) return code.status();
   LayerProgram program;
   program.frame = layer.frame;
@@ -281,8 +282,10 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
     KeepPlace(*code, out, program.code_at);
     out.Lines(code->after);
     const BuiltBlock idle = HandOver(layer, options);
-    LayerWriter(FirmwareOf(options.flavor), AccelerationsFor(options, Ground::kLayers), state)
-        .Write(idle.path, 0, idle.path.moves.size(), {}, out);
+    LayerWriter writer(FirmwareOf(options.flavor), AccelerationsFor(options, Ground::kLayers),
+                       state, nullptr, ExtruderWords(options), options.writing.comments);
+    writer.Write(idle.path, 0, idle.path.moves.size(), {}, out);
+    writer.EndBlock(out);
     program.stats = idle.stats;
   }
   program.gcode = out.Take();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "services/motion/algo/gcode/extruder_words.h"
 #include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/machine_setup.h"
 #include "services/motion/algo/toolpath/print_speed.h"
@@ -58,7 +59,11 @@ std::string GcodeOf(const PassChange& change, std::string_view custom,
   GcodeText out;
   out << rise;
   if (change.on_bed) WriteFirstLayerTemperatures(options, custom, out);
-  if (!custom.empty()) out.Lines(custom) << "G21\nG90\nM83\n" << rise;
+  if (!custom.empty()) {
+    out.Lines(custom);
+    ExtruderWords(options).WriteCanonicalState(out);
+    out << rise;
+  }
   out << "G1 X";
   out.Micrometers(ToUm(change.to.x)) << " Y";
   out.Micrometers(ToUm(change.to.y)) << " F";

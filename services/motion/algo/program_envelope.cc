@@ -7,11 +7,13 @@
 #include "common/macro/job_code.h"
 #include "common/model/filament_use.h"
 #include "services/motion/algo/firmware/firmware.h"
+#include "services/motion/algo/gcode/extruder_words.h"
 #include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/machine_setup.h"
 #include "services/motion/algo/gcode/object_labels.h"
 #include "services/motion/algo/gcode/print_metadata.h"
 #include "services/motion/algo/gcode/thumbnails_block.h"
+#include "services/motion/algo/macro/file_name.h"
 #include "services/motion/algo/macro/print_code.h"
 #include "services/motion/algo/pass_change.h"
 #include "services/motion/algo/program/print_clock.h"
@@ -42,26 +44,28 @@ PrintFacts FactsOf(const ProgramSummary& summary, const MotionOptions& options, 
           .bounds = summary.total.bounds};
 }
 
+/// What readers of files look for before anything else.
+std::string Head(const ProgramSummary& summary, const MotionOptions& options, double time_s) {
+  GcodeText out;
+  FirmwareOf(options.flavor).WriteHead(FactsOf(summary, options, time_s), out);
+  out << MetadataHead(summary) << ThumbnailsBlock(summary.thumbnails);
+  return out.Take();
+}
+
 std::string Prologue(const ProgramSummary& summary, const MotionOptions& options, double time_s,
                      std::string_view start_gcode) {
   const Firmware& firmware = FirmwareOf(options.flavor);
   const PrintFacts facts = FactsOf(summary, options, time_s);
   GcodeText out;
-  firmware.WriteHead(facts, out);
-  out << MetadataHead(summary) << ThumbnailsBlock(summary.thumbnails) << firmware.comments().feature
-      << "Custom\n";
+  out << firmware.comments().feature << "Custom\n";
   WriteMachineLimits(options, out);
   firmware.WriteChecks(options, facts, out);
   WriteStart(options, start_gcode, out);
   if (options.pressure_advance > 0) firmware.WritePressureAdvance(options.pressure_advance, out);
   DefineCopies(summary.copies, options, out);
-  out << "G21\nG90\nM83\n";
-  const double length_mm = options.retraction.length_mm;
-  if (length_mm > 0) {
-    out << "G1 E";
-    out.Real(-length_mm, 5) << " F";
-    out.Integer(FeedRate(options.retraction.speed_mm_s)) << '\n';
-  }
+  ExtruderWords extruder(options);
+  extruder.WriteCanonicalState(out);
+  extruder.WriteFirstRetraction(options.retraction, out);
   return out.Take();
 }
 
@@ -86,11 +90,13 @@ std::string Ending(const ProgramSummary& summary, const MotionOptions& options,
 
 /// All text around the layers, but what tells times.
 struct FrameText {
+  std::string head;
   std::string prologue;
   std::vector<PassChange> changes;
   std::vector<std::string> ways;    ///< of the changes
   std::vector<std::string> layers;  ///< ProgramEnvelope::layer_code
   std::string ending;
+  std::string file_name;
 };
 
 /// `time_s`: of the print, for templates.
@@ -100,6 +106,8 @@ absl::StatusOr<FrameText> TextOf(const macro::JobCode& code, const ProgramSummar
   text.changes = PassChanges(summary);
   auto filled = FillIn(code, summary, text.changes, options, time_s);
   if (!filled.ok()) return filled.status();
+  text.head = Head(summary, options, time_s);
+  text.file_name = FileName(filled->file_name, options.writing.binary);
   text.prologue = Prologue(summary, options, time_s, filled->start);
   for (size_t i = 0; i < text.changes.size(); ++i)
     text.ways.push_back(GcodeOf(text.changes[i], filled->between[i], options));
@@ -168,7 +176,10 @@ absl::StatusOr<ProgramEnvelope> FrameProgram(const ProgramSummary& summary,
     frame.layer_prefixes[text->changes[i].layer] += text->ways[i];
   frame.layer_code = std::move(text->layers);
   frame.prologue = std::move(text->prologue);
-  frame.epilogue = text->ending + MetadataTail(options, summary, frame.times);
+  frame.epilogue = std::move(text->ending);
+  frame.head = std::move(text->head);
+  frame.tail = MetadataTail(options, summary, frame.times);
+  frame.file_name = std::move(text->file_name);
   return frame;
 }
 

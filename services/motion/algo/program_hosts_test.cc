@@ -63,10 +63,10 @@ std::string Program(const MotionOptions& options, const std::string& name) {
   summary.settings_text = "fill_density = 20%\nlayer_height = 0.2\nnotes = " + name + "\n";
   const auto frame = FrameProgram(summary, options);
   EXPECT_TRUE(frame.ok()) << frame.status();
-  std::string gcode = frame->prologue;
+  std::string gcode = frame->head + frame->prologue;
   for (size_t i = 0; i < programs.size(); ++i)
     gcode += frame->layer_prefixes[i] + programs[i].gcode;
-  return gcode + frame->epilogue;
+  return gcode + frame->epilogue + frame->tail;
 }
 
 std::optional<std::string> Match(const std::string& text, const std::string& pattern) {

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/geometry/text_format.h"
 #include "common/base/error.h"
+#include "common/geometry/text_format.h"
 
 namespace slicefarm::coordinator::preflight_test {
 namespace {
@@ -55,8 +55,7 @@ class FakePlanning : public PlanningStage {
     JobPlan plan;
     plan.layers.resize(job.layers.size());
     for (const PlacedCopy& copy : job.copies)
-      plan.copies.push_back(
-          {copy.object, copy.shift, static_cast<int32_t>(plan.copies.size())});
+      plan.copies.push_back({copy.object, copy.shift, static_cast<int32_t>(plan.copies.size())});
     return plan;
   }
 
@@ -85,11 +84,10 @@ TEST(LookAt, TellsWhatThePlateIsLike) {
 /// Layers of 3 s and 5 mm.
 class FakeRunners : public TaskExecutor {
  public:
-  absl::StatusOr<std::vector<TaskResult>> Execute(const StageCall&, std::span<const Task> tasks,
-                                                  const std::function<void(int32_t)>&) override {
-    std::vector<TaskResult> results;
-    for (const Task& task : tasks) {
-      const FdmTask& range = std::get<FdmTask>(task);
+  absl::Status Execute(const StageCall&, std::span<const Task> tasks, const TakeResult& take,
+                       const std::function<void(int32_t)>&) override {
+    for (size_t i = 0; i < tasks.size(); ++i) {
+      const FdmTask& range = std::get<FdmTask>(tasks[i]);
       EXPECT_EQ(range.range.size(), 1);
       EXPECT_EQ(range.plans.size(), 1u);
       LayerProgram program;
@@ -98,10 +96,10 @@ class FakeRunners : public TaskExecutor {
       program.stats.features[0].filament_mm = 5;
       FdmResult result;
       result.programs = {program};
-      results.push_back(std::move(result));
+      if (absl::Status taken = take(i, std::move(result)); !taken.ok()) return taken;
       ++made;
     }
-    return results;
+    return absl::OkStatus();
   }
   int Slots(Process) const override { return slots; }
 

@@ -146,6 +146,7 @@ OrderedJson Seams(const SeamQuality& seams) {
 }
 
 void AddFdm(const JobReport& report, OrderedJson& json) {
+  json["file_name"] = report.file_name;
   json["filament"] = {{"mm", report.filament.length_mm},
                       {"mm3", report.filament.volume_mm3},
                       {"g", report.filament.mass_g},

@@ -10,6 +10,8 @@
 #include "common/base/error.h"
 #include "common/base/span_log.h"
 #include "common/base/stopwatch.h"
+#include "common/gcode/binary/binary_gcode.h"
+#include "common/gcode/substitutions.h"
 #include "common/geometry/boolean/boolean.h"
 #include "common/model/bead_section.h"
 #include "common/model/fields/field_notes.h"
@@ -107,6 +109,29 @@ RangeSplitOptions SplitOptionsOf(const JobSettings& settings) {
   return options;
 }
 
+/// The file that the settings ask for.
+absl::StatusOr<SpooledText> MakeFile(ProgramEnvelope frame,
+                                     const std::vector<SpooledProgram>& programs,
+                                     const WritingOptions& writing,
+                                     std::unique_ptr<SpoolFile> spool) {
+  const auto substitutions = gcode::Substitutions::Of(gcode::TextsOfList(writing.substitutions));
+  if (!substitutions.ok())
+    return MakeError(
+        absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
+        absl::StrCat("gcode_substitutions: ", std::string(substitutions.status().message())),
+        {{"setting", "gcode_substitutions"}});
+  auto text = WholeProgram(std::move(frame), programs, *substitutions, std::move(spool));
+  if (!text.ok() || !writing.binary) return text;
+  // Its metadata come before what they are about, and its blocks are compressed as a whole.
+  const auto whole = text->Whole();
+  if (!whole.ok()) return whole.status();
+  auto file = gcode::BinaryGcode(*whole);
+  if (file.ok()) return SpooledText(*std::move(file));
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   absl::StrCat("binary_gcode = 1: ", std::string(file.status().message())),
+                   {{"setting", "binary_gcode"}, {"value", "1"}});
+}
+
 /// Nothing if all islands got the walls that were asked for.
 std::string WallWarning(const std::vector<LayerWarning>& warnings) {
   int64_t islands = 0;
@@ -139,6 +164,7 @@ void FillIn(JobReport& report, const ProgramSummary& summary, const ProgramEnvel
     if (!layer.empty) report.object_height_mm = std::max(report.object_height_mm, top_mm);
   }
   report.print_time_s = frame.times.TotalS();
+  report.file_name = frame.file_name;
   report.times = frame.times;
   report.travel_mm = frame.travel_mm;
   report.filament = FilamentUseOf(summary.total, motion);
@@ -241,8 +267,9 @@ class FdmJob : public PlannedJob {
     FillIn(report_, summary, *frame, settings_.motion);
     if (std::string warning = WallWarning(warnings); !warning.empty())
       report_.warnings.push_back(std::move(warning));
-    return JobOutput{WholeProgram(*std::move(frame), *programs, std::move(spool_)),
-                     std::move(report_)};
+    auto file = MakeFile(*std::move(frame), *programs, settings_.motion.writing, std::move(spool_));
+    if (!file.ok()) return file.status();
+    return JobOutput{*std::move(file), std::move(report_)};
   }
 
   /// What the envelope of these programs looks at, thumbnails apart.

@@ -4,6 +4,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -76,6 +77,21 @@ void AddLayer(const SpooledProgram& layer, std::span<std::string> code, SpooledT
   add_to(layer.text.size);
 }
 
+/// The same after a prefix, as one text.
+absl::StatusOr<std::string> TextOf(const SpooledProgram& layer, std::string_view prefix,
+                                   std::span<const std::string> code, const SpoolFile& spool) {
+  std::string program(static_cast<size_t>(layer.text.size), '\0');
+  if (absl::Status read = spool.ReadAt(layer.text.offset, program); !read.ok()) return read;
+  std::string text(prefix);
+  size_t done = 0;
+  for (size_t i = 0; i < std::min(code.size(), layer.program.code_at.size()); ++i) {
+    const auto at = static_cast<size_t>(layer.program.code_at[i]);
+    absl::StrAppend(&text, std::string_view(program).substr(done, at - done), code[i]);
+    done = at;
+  }
+  return text.append(program, done);
+}
+
 }  // namespace
 
 absl::StatusOr<std::vector<SpooledProgram>> Spooled(std::vector<LayerProgram> programs,
@@ -109,17 +125,32 @@ ProgramSummary Summarize(const std::vector<SpooledProgram>& programs) {
   return summary;
 }
 
-SpooledText WholeProgram(ProgramEnvelope frame, const std::vector<SpooledProgram>& programs,
-                         std::unique_ptr<const SpoolFile> spool) {
+absl::StatusOr<SpooledText> WholeProgram(ProgramEnvelope frame,
+                                         const std::vector<SpooledProgram>& programs,
+                                         const gcode::Substitutions& substitutions,
+                                         std::unique_ptr<SpoolFile> spool) {
+  SpoolFile& file = *spool;
   SpooledText gcode(std::move(spool));
-  gcode.Add(std::move(frame.prologue));
+  gcode.Add(std::move(frame.head));
+  gcode.Add(substitutions.Apply(std::move(frame.prologue)));
+  frame.layer_prefixes.resize(programs.size());
   for (size_t i = 0; i < programs.size(); ++i) {
-    if (i < frame.layer_prefixes.size()) gcode.Add(std::move(frame.layer_prefixes[i]));
     const size_t first = std::min(i * kCodesOfALayer, frame.layer_code.size());
     const size_t count = std::min<size_t>(kCodesOfALayer, frame.layer_code.size() - first);
-    AddLayer(programs[i], std::span(frame.layer_code).subspan(first, count), gcode);
+    const auto code = std::span(frame.layer_code).subspan(first, count);
+    if (substitutions.empty()) {
+      gcode.Add(std::move(frame.layer_prefixes[i]));
+      AddLayer(programs[i], code, gcode);
+      continue;
+    }
+    auto text = TextOf(programs[i], frame.layer_prefixes[i], code, file);
+    if (!text.ok()) return text.status();
+    const auto place = file.Add(substitutions.Apply(*std::move(text)));
+    if (!place.ok()) return place.status();
+    gcode.Add(*place);
   }
-  gcode.Add(std::move(frame.epilogue));
+  gcode.Add(substitutions.Apply(std::move(frame.epilogue)));
+  gcode.Add(std::move(frame.tail));
   return gcode;
 }
 

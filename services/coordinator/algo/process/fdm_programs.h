@@ -6,6 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/spooled_text.h"
+#include "common/gcode/substitutions.h"
 #include "common/model/layer.h"
 #include "common/model/program_summary.h"
 
@@ -31,8 +32,12 @@ absl::StatusOr<std::vector<SpooledProgram>> InPrintOrder(std::vector<SpooledProg
 /// What the frame of the job is made of.
 ProgramSummary Summarize(const std::vector<SpooledProgram>& programs);
 
-/// Prologue, prefixes and programs, epilogue. The spool is that of the programs.
-SpooledText WholeProgram(ProgramEnvelope frame, const std::vector<SpooledProgram>& programs,
-                         std::unique_ptr<const SpoolFile> spool);
+/// Head, prologue, prefixes and programs, epilogue, tail. `substitutions` are made in all but head
+/// and tail, layer by layer; what they make of layers goes to the spool. The spool is that of the
+/// programs. Errors: the spool's.
+absl::StatusOr<SpooledText> WholeProgram(ProgramEnvelope frame,
+                                         const std::vector<SpooledProgram>& programs,
+                                         const gcode::Substitutions& substitutions,
+                                         std::unique_ptr<SpoolFile> spool);
 
 }  // namespace slicefarm::coordinator

@@ -29,7 +29,7 @@ class FdmProgramsTest : public testing::Test {
     return *Spooled(std::move(programs), *spool_);
   }
   std::string Whole(ProgramEnvelope frame, const std::vector<SpooledProgram>& programs) {
-    return *WholeProgram(std::move(frame), programs, std::move(spool_)).Whole();
+    return *WholeProgram(std::move(frame), programs, {}, std::move(spool_))->Whole();
   }
 
   std::unique_ptr<SpoolFile> spool_ = *SpoolFile::Make("");

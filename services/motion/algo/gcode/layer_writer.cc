@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "services/motion/algo/gcode/move_comment.h"
 #include "services/motion/algo/toolpath/overhang.h"
 
 namespace slicefarm::motion {
@@ -38,10 +39,11 @@ void LayerWriter::Write(const Toolpath& path, size_t first, size_t last, ShiftUm
       WriteArc(path, *arc, shift, out);
       i = arc++->last;
     } else {
-      WriteMove(path.moves[i++], shift, out);
+      WriteMove(path, i++, shift, out);
     }
   }
   TellWipe(false, out);
+  if (std::exchange(pulled_, false)) extruder_.Reset(out);
 }
 
 void LayerWriter::TellWipe(bool wipes, GcodeText& out) {
@@ -63,25 +65,25 @@ void LayerWriter::WriteArc(const Toolpath& path, const MoveArc& arc, ShiftUm shi
   out.Micrometers(move.y_um + shift.y) << " I";
   out.Micrometers(arc.centre.x - from.x_um) << " J";
   out.Micrometers(arc.centre.y - from.y_um);
-  WriteEnd(move, out);
+  WriteEnd(move, comments_ ? CommentOn(path, arc.first) : "", out);
 }
 
-void LayerWriter::WriteEnd(const Move& move, GcodeText& out) {
-  if (move.filament != 0) {
-    out << " E";
-    out.Filament(move.filament);
-  }
+void LayerWriter::WriteEnd(const Move& move, std::string_view comment, GcodeText& out) {
+  if (move.filament != 0) extruder_.Push(move.filament, out);
   FeedRate(move, out);
+  if (comments_) out << " ; " << comment;
   out << '\n';
 }
 
-void LayerWriter::BeginBlock() {
+void LayerWriter::BeginBlock(GcodeText& out) {
+  extruder_.Reset(out);
   Forget();
   mix_.Forget();
   type_ = -1;
 }
 
 void LayerWriter::EndBlock(GcodeText& out) {
+  extruder_.Reset(out);
   SetFan(state_.fan_percent, out);
   SetHeight(state_.height_um, out);
 }
@@ -105,13 +107,35 @@ void LayerWriter::SetHeight(int32_t height_um, GcodeText& out) {
   out.Real(static_cast<double>(height_um) / kUmPerMm, 3) << '\n';
 }
 
-void LayerWriter::WriteMove(const Move& move, ShiftUm shift, GcodeText& out) {
+/// Absolute numbers start again after what was pulled back, before the nozzle goes on.
+void LayerWriter::CountAnew(const Move& move, GcodeText& out) {
+  const bool pulls = move.kind == MoveKind::kRetract || move.kind == MoveKind::kWipe;
+  if (!pulls && pulled_) extruder_.Reset(out);
+  pulled_ = pulls;
+}
+
+/// Whether the move is one that the firmware makes by itself, or that a change of colour has made.
+bool LayerWriter::WriteByFirmware(const Move& move, GcodeText& out) {
+  const bool restarts = move.kind == MoveKind::kRestart;
+  if (restarts && std::exchange(primed_, false)) return true;
+  if (move.kind == MoveKind::kRetract || move.kind == MoveKind::kPrint) primed_ = false;
+  if (!extruder_.by_firmware() || !(restarts || move.kind == MoveKind::kRetract)) return false;
+  out << (restarts ? "G11" : "G10");
+  if (comments_) out << (restarts ? " ; unretract" : " ; retract");
+  out << '\n';
+  return true;
+}
+
+void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, GcodeText& out) {
+  const Move& move = path.moves[index];
+  CountAnew(move, out);
   if (move.kind == MoveKind::kPrint) {
     Describe(move, out);
     const auto mm = [](int32_t um) { return static_cast<double>(um) / kUmPerMm; };
     mix_.SetFor({mm(move.x_um + shift.x), mm(move.y_um + shift.y), mm(move.z_um)}, out);
   }
   TellWipe(move.kind == MoveKind::kWipe, out);
+  if (WriteByFirmware(move, out)) return;
   const bool climbs = (move.kind == MoveKind::kPrint || move.kind == MoveKind::kTravel) &&
                       z_um_ != -1 && move.z_um != z_um_;
   SetAcceleration(move, out);
@@ -126,7 +150,7 @@ void LayerWriter::WriteMove(const Move& move, ShiftUm shift, GcodeText& out) {
     out.Micrometers(move.z_um);
     z_um_ = move.z_um;
   }
-  WriteEnd(move, out);
+  WriteEnd(move, comments_ ? CommentOn(path, index) : "", out);
 }
 
 void LayerWriter::FeedRate(const Move& move, GcodeText& out) {

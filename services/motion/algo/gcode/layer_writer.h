@@ -2,6 +2,7 @@
 
 #include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
+#include "services/motion/algo/gcode/extruder_words.h"
 #include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/material_mix.h"
 #include "services/motion/algo/toolpath/accelerations.h"
@@ -25,13 +26,16 @@ struct LayerState {
 class LayerWriter {
  public:
   /// `firmware` must live on. `materials`: what is mixed where; null: nothing. It must outlive the
-  /// writer.
+  /// writer. `comments`: each line says what it is for.
   LayerWriter(const Firmware& firmware, const Accelerations& accelerations, const LayerState& state,
-              const MaterialField* materials = nullptr)
+              const MaterialField* materials = nullptr, const ExtruderWords& extruder = {},
+              bool comments = false)
       : firmware_(firmware),
         accelerations_(accelerations),
         state_(state),
         mix_(firmware, materials),
+        extruder_(extruder),
+        comments_(comments),
         height_um_(state.height_um),
         fan_percent_(state.fan_percent) {}
 
@@ -40,8 +44,12 @@ class LayerWriter {
 
   /// Around a block: its text is the same whatever comes before it, and fan and height are then as
   /// the head of the layer has told them.
-  void BeginBlock();
+  void BeginBlock(GcodeText& out);
   void EndBlock(GcodeText& out);
+
+  /// The filament is ready, whatever the moves say: a change of colour has primed it. The next
+  /// restart is left out.
+  void Prime() { primed_ = true; }
 
   /// After text of others, which may have set feed rate and acceleration: they are told anew. A fan
   /// that it sets stays as it is.
@@ -52,10 +60,12 @@ class LayerWriter {
   }
 
  private:
-  void WriteMove(const Move& move, ShiftUm shift, GcodeText& out);
+  void WriteMove(const Toolpath& path, size_t index, ShiftUm shift, GcodeText& out);
+  bool WriteByFirmware(const Move& move, GcodeText& out);
+  void CountAnew(const Move& move, GcodeText& out);
   void WriteArc(const Toolpath& path, const MoveArc& arc, ShiftUm shift, GcodeText& out);
   void TellWipe(bool wipes, GcodeText& out);
-  void WriteEnd(const Move& move, GcodeText& out);
+  void WriteEnd(const Move& move, std::string_view comment, GcodeText& out);
   int32_t FanFor(const Move& move) const;
   void SetFan(int32_t percent, GcodeText& out);
   void SetHeight(int32_t height_um, GcodeText& out);
@@ -67,6 +77,8 @@ class LayerWriter {
   Accelerations accelerations_;
   LayerState state_;
   MaterialMix mix_;
+  ExtruderWords extruder_;
+  bool comments_;
   // What has been told; -1: nothing.
   int32_t feed_rate_ = -1;
   int32_t type_ = -1;
@@ -75,6 +87,8 @@ class LayerWriter {
   int32_t fan_percent_;
   int32_t z_um_ = -1;
   bool wipes_ = false;
+  bool pulled_ = false;  ///< the filament went back, and the extruder has not counted anew since
+  bool primed_ = false;
   float acceleration_ = -1;
   float travel_acceleration_ = -1;  ///< what travels have apart; -1: not told
 };

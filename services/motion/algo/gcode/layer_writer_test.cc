@@ -147,7 +147,7 @@ TEST(LayerWriter, ABlockIsTheSameTextWhateverComesBefore) {
   LayerWriter writer(FirmwareOf(GcodeFlavor::kMarlin2), {}, {200, 35, 100});
   std::vector<std::string> texts;
   for (int i = 0; i < 2; ++i) {
-    writer.BeginBlock();
+    writer.BeginBlock(out);
     writer.Write(path, 0, 3, {}, out);
     writer.EndBlock(out);
     texts.push_back(out.Take());

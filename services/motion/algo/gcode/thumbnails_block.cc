@@ -10,7 +10,15 @@ namespace {
 constexpr size_t kCharactersPerLine = 78;
 
 std::string TagOf(PictureFormat format) {
-  return format == PictureFormat::kQoi ? "thumbnail_QOI" : "thumbnail";
+  switch (format) {
+    case PictureFormat::kPng:
+      return "thumbnail";
+    case PictureFormat::kQoi:
+      return "thumbnail_QOI";
+    case PictureFormat::kJpg:
+      return "thumbnail_JPG";
+  }
+  return "thumbnail";
 }
 
 void Append(const Thumbnail& thumbnail, std::string& block) {

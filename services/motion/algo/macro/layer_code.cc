@@ -8,7 +8,11 @@ namespace slicefarm::motion {
 
 absl::StatusOr<LayerCode> LayerCode::Of(const MotionOptions& options) {
   LayerCode layer;
-  layer.any_ = !options.before_layer_gcode.empty() || !options.layer_gcode.empty();
+  auto heights = HeightTexts::Of(options);
+  if (!heights.ok()) return heights.status();
+  layer.heights_ = *std::move(heights);
+  layer.any_ = !options.before_layer_gcode.empty() || !options.layer_gcode.empty() ||
+               !layer.heights_.empty();
   layer.names_layer_change_ =
       options.before_layer_gcode.find(";BEFORE_LAYER_CHANGE") != std::string::npos;
   layer.has_after_ = !options.layer_gcode.empty();
@@ -20,17 +24,19 @@ absl::StatusOr<LayerCode> LayerCode::Of(const MotionOptions& options) {
   return layer;
 }
 
-absl::StatusOr<CustomCode> LayerCode::At(const LayerPlace& place, const JobFacts& facts) const {
+absl::StatusOr<CustomCode> LayerCode::At(const LayerFrame& layer, const LayerPlace& place,
+                                         const JobFacts& facts) const {
   CustomCode code;
   code.waits = code_.layers_wait;
   code.names_layer_change = names_layer_change_;
-  code.has_after = has_after_;
+  code.has_after = has_after_ || heights_.IsAt(layer);
+  code.primes = heights_.PrimesAt(layer);
   if (!any_ || code.waits) return code;
   const macro::TemplateVariables now = LayerVariables(place, facts);
   macro::TemplateMemory memory;
   auto before = macro::RunTemplate(code_.before_layer, {job_, now}, memory);
   if (!before.ok()) return before.status();
-  auto after = macro::RunTemplate(code_.layer, {job_, now}, memory);
+  auto after = CodeAfterChange(layer, code_, heights_, {job_, now}, memory);
   if (!after.ok()) return after.status();
   code.before = *std::move(before);
   code.after = *std::move(after);

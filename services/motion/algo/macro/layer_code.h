@@ -7,6 +7,7 @@
 #include "common/macro/template_value.h"
 #include "common/model/job_facts.h"
 #include "common/model/options/motion_options.h"
+#include "services/motion/algo/macro/height_text.h"
 #include "services/motion/algo/toolpath/layer_place.h"
 
 namespace slicefarm::motion {
@@ -14,11 +15,12 @@ namespace slicefarm::motion {
 /// before_layer_gcode and layer_gcode, filled in.
 struct CustomCode {
   std::string before;
-  std::string after;
+  std::string after;  ///< what stands at the layer's height is the end of it
   /// They are filled in later, by FrameProgram; the layer keeps their places.
   bool waits = false;
   bool names_layer_change = false;  ///< before_layer_gcode writes ;BEFORE_LAYER_CHANGE itself
-  bool has_after = false;           ///< layer_gcode is there, filled in or not
+  bool has_after = false;           ///< `after` is there, filled in or not
+  bool primes = false;              ///< `after` leaves the filament ready to print
 };
 
 /// The templates that stand in layers, parsed once for all of them.
@@ -28,10 +30,12 @@ class LayerCode {
   static absl::StatusOr<LayerCode> Of(const MotionOptions& options);
 
   /// Errors: those of RunTemplate.
-  absl::StatusOr<CustomCode> At(const LayerPlace& place, const JobFacts& facts) const;
+  absl::StatusOr<CustomCode> At(const LayerFrame& layer, const LayerPlace& place,
+                                const JobFacts& facts) const;
 
  private:
   macro::JobCode code_;
+  HeightTexts heights_;
   macro::TemplateVariables job_;
   bool any_ = false;
   bool names_layer_change_ = false;

@@ -16,7 +16,8 @@ TEST(LayerCode, IsFilledInForEachLayer) {
   ASSERT_TRUE(layers.ok()) << layers.status();
   JobFacts facts;
   facts.layer_count = 40;
-  const auto code = layers->At({.number = 7, .print_z_nm = 1'600'000, .top_nm = 1'600'000}, facts);
+  const auto code =
+      layers->At({}, {.number = 7, .print_z_nm = 1'600'000, .top_nm = 1'600'000}, facts);
   ASSERT_TRUE(code.ok()) << code.status();
   EXPECT_EQ(code->before, ";BEFORE_LAYER_CHANGE 1.6");
   EXPECT_EQ(code->after, "7 of 40 0.2");
@@ -28,7 +29,7 @@ TEST(LayerCode, IsFilledInForEachLayer) {
 TEST(LayerCode, WaitsForSums) {
   MotionOptions options;
   options.layer_gcode = "M117 {extruded_volume_total}";
-  const auto code = LayerCode::Of(options)->At({}, {});
+  const auto code = LayerCode::Of(options)->At({}, {}, {});
   ASSERT_TRUE(code.ok()) << code.status();
   EXPECT_TRUE(code->waits);
   EXPECT_EQ(code->after, "");
@@ -39,7 +40,7 @@ TEST(LayerCode, ErrorsNameTheSetting) {
   options.layer_gcode = "{oops";
   EXPECT_EQ(DetailOf(LayerCode::Of(options).status()).metadata.at("setting"), "layer_gcode");
   options.layer_gcode = "{oops}";
-  const absl::Status status = LayerCode::Of(options)->At({}, {}).status();
+  const absl::Status status = LayerCode::Of(options)->At({}, {}, {}).status();
   EXPECT_EQ(DetailOf(status).metadata.at("variable"), "oops");
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "services/motion/algo/macro/file_name.h"
+#include "services/motion/algo/macro/height_text.h"
 #include "services/motion/algo/macro/template_variables.h"
 
 namespace slicefarm::motion {
@@ -12,10 +14,12 @@ namespace {
 class CodeWalk {
  public:
   CodeWalk(const macro::JobCode& code, const ProgramSummary& summary, const MotionOptions& options,
-           double time_s)
+           double time_s, const HeightTexts& heights)
       : code_(code),
+        heights_(heights),
         summary_(summary),
         options_(options),
+        time_s_(time_s),
         job_(JobVariables(options, summary.settings_text)),
         now_(PrintVariables(options, summary, time_s)) {}
 
@@ -27,6 +31,9 @@ class CodeWalk {
     if (absl::Status ok = AddLayers(changes, filled); !ok.ok()) return ok;
     Put(Last(), summary_.total.FilamentMm());
     if (absl::Status ok = Add(code_.end, filled.end); !ok.ok()) return ok;
+    for (const char* name : {"print_time", "normal_print_time", "silent_print_time"})
+      now_[name] = ShortTime(time_s_);
+    if (absl::Status ok = Add(code_.file_name, filled.file_name); !ok.ok()) return ok;
     return filled;
   }
 
@@ -50,11 +57,19 @@ class CodeWalk {
                 .top_nm = std::max(before.top_nm, layer.frame.print_z_nm)};
       if (code_.layers_wait) {
         Put(before, filament_mm);
-        for (const macro::Template* part : {&code_.before_layer, &code_.layer})
-          if (absl::Status ok = Add(*part, filled.layers.emplace_back()); !ok.ok()) return ok;
+        if (absl::Status ok = AddLayer(layer.frame, filled); !ok.ok()) return ok;
       }
       filament_mm += layer.filament_mm;
     }
+    return absl::OkStatus();
+  }
+
+  absl::Status AddLayer(const LayerFrame& layer, PrintCode& filled) {
+    if (absl::Status ok = Add(code_.before_layer, filled.layers.emplace_back()); !ok.ok())
+      return ok;
+    auto after = CodeAfterChange(layer, code_, heights_, {job_, now_}, memory_);
+    if (!after.ok()) return after.status();
+    filled.layers.push_back(*std::move(after));
     return absl::OkStatus();
   }
 
@@ -81,8 +96,10 @@ class CodeWalk {
   }
 
   const macro::JobCode& code_;
+  const HeightTexts& heights_;
   const ProgramSummary& summary_;
   const MotionOptions& options_;
+  const double time_s_;
   const macro::TemplateVariables job_;
   macro::TemplateVariables now_;
   macro::TemplateMemory memory_;
@@ -93,7 +110,9 @@ class CodeWalk {
 absl::StatusOr<PrintCode> FillIn(const macro::JobCode& code, const ProgramSummary& summary,
                                  std::span<const PassChange> changes, const MotionOptions& options,
                                  double time_s) {
-  return CodeWalk(code, summary, options, time_s).Run(changes);
+  const auto heights = HeightTexts::Of(options);
+  if (!heights.ok()) return heights.status();
+  return CodeWalk(code, summary, options, time_s, *heights).Run(changes);
 }
 
 }  // namespace slicefarm::motion

@@ -19,6 +19,7 @@ struct PrintCode {
   /// before_layer_gcode and layer_gcode of each layer if they wait for the others; or none.
   std::vector<std::string> layers;
   std::string end;
+  std::string file_name;  ///< output_filename_format, as it stands there
 };
 
 /// Fills them in, in the order of the print, so that global variables and sums go on from each to

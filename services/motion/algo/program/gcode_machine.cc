@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "common/base/portable_math.h"
 
@@ -89,6 +90,11 @@ GcodeAction GcodeMachine::ReadM(const GcodeLine& line) {
     case 0: case 1: case 25: case 109: case 116: case 190: case 191: case 226: case 400: case 600:
     case 601: case 701: case 702:
       return Rest();
+    case 200:
+      // Volumes of filament of this diameter; 0: lengths again.
+      if (const auto d = line['D'])
+        ScaleFilament(flow_factor_, *d > 0 ? 4 / (std::numbers::pi * *d * *d) : 1);
+      return {};
     case 207:
       retraction_.length_mm = line['S'].value_or(retraction_.length_mm);
       retraction_.lift_mm = line['Z'].value_or(retraction_.lift_mm);
@@ -106,7 +112,7 @@ GcodeAction GcodeMachine::ReadM(const GcodeLine& line) {
       if (const auto s = line['S']; s && *s > 0) speed_factor_ = *s / 100;
       return {};
     case 221:
-      if (const auto s = line['S']; s && *s > 0) ScaleFilament(*s / 100);
+      if (const auto s = line['S']; s && *s > 0) ScaleFilament(*s / 100, filament_unit_mm_);
       return {};
     default:
       firmware_.ApplyLimits(line, limits_);
@@ -124,7 +130,7 @@ std::array<double, 4> GcodeMachine::TargetOf(const GcodeLine& line) const {
   for (size_t axis = 0; axis < to.size(); ++axis) {
     const auto word = line[kWords[axis]];
     if (!word) continue;
-    const double factor = axis == kE ? filament_factor_ : 1;
+    const double factor = axis == kE ? FilamentFactor() : 1;
     const double given = *word * unit_mm_ * factor;
     const bool relative = axis == kE ? RelativeFilament() : relative_;
     to[axis] = given + (relative ? at_[axis] : origin_[axis]);
@@ -219,15 +225,17 @@ void GcodeMachine::SetPosition(const GcodeLine& line) {
   const bool all = !line.Has('X') && !line.Has('Y') && !line.Has('Z') && !line.Has('E');
   for (size_t axis = 0; axis < at_.size(); ++axis) {
     if (!all && !line[kWords[axis]]) continue;
-    const double factor = axis == kE ? filament_factor_ : 1;
+    const double factor = axis == kE ? FilamentFactor() : 1;
     origin_[axis] = at_[axis] - line[kWords[axis]].value_or(0) * unit_mm_ * factor;
   }
 }
 
-void GcodeMachine::ScaleFilament(double factor) {
-  const double told = (at_[kE] - origin_[kE]) / filament_factor_;
-  origin_[kE] = at_[kE] - told * factor;
-  filament_factor_ = factor;
+/// What the program takes for the filament's place stays.
+void GcodeMachine::ScaleFilament(double flow, double unit_mm) {
+  const double told = (at_[kE] - origin_[kE]) / FilamentFactor();
+  flow_factor_ = flow;
+  filament_unit_mm_ = unit_mm;
+  origin_[kE] = at_[kE] - told * FilamentFactor();
 }
 
 bool IsFirmwareRetraction(const GcodeLine& line) {

@@ -86,7 +86,8 @@ class GcodeMachine {
   bool RelativeFilament() const;
   std::array<double, 4> TargetOf(const GcodeLine& line) const;
   void Push(const std::array<double, 4>& to, double speed_mm_s);
-  void ScaleFilament(double factor);
+  double FilamentFactor() const { return flow_factor_ * filament_unit_mm_; }
+  void ScaleFilament(double flow, double unit_mm);
 
   const Firmware& firmware_;
   MachineLimits limits_;
@@ -100,7 +101,8 @@ class GcodeMachine {
   bool retracted_ = false;  ///< by G10
   double speed_mm_s_ = 0;   ///< as given, without the factor
   double speed_factor_ = 1;
-  double filament_factor_ = 1;
+  double flow_factor_ = 1;
+  double filament_unit_mm_ = 1;  ///< mm of filament that a unit of it stands for: of M200, a volume
   std::vector<ProgramMove> moves_;
 };
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/base/error.h"
+#include "services/slicing/algo/thumbnail/jpg_image.h"
 #include "services/slicing/algo/thumbnail/png_image.h"
 #include "services/slicing/algo/thumbnail/qoi_image.h"
 
@@ -264,6 +265,7 @@ absl::Status SizeError(const ThumbnailSize& size) {
 
 absl::StatusOr<std::string> Encode(const std::vector<Rgba>& pixels, const ThumbnailSize& size) {
   if (size.format == PictureFormat::kQoi) return EncodeQoi(pixels, size.width_px, size.height_px);
+  if (size.format == PictureFormat::kJpg) return EncodeJpg(pixels, size.width_px, size.height_px);
   return EncodePng(pixels, size.width_px, size.height_px);
 }
 

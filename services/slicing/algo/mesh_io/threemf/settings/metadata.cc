@@ -5,19 +5,24 @@
 #include <utility>
 
 #include "common/base/text.h"
+#include "services/slicing/algo/mesh_io/threemf/place.h"
+#include "services/slicing/algo/mesh_io/threemf/settings/height_codes.h"
+#include "services/slicing/algo/mesh_io/threemf/settings/setting_list.h"
 
 namespace slicefarm::slicing::threemf {
 namespace {
 
 /// Where each slicer puts what.
 struct Names {
-  std::string_view project, model, ranges;
+  std::string_view project, model, ranges, heights;
 };
 
 constexpr Names kPrusaNames = {"Metadata/Slic3r_PE.config", "Metadata/Slic3r_PE_model.config",
-                               "Metadata/Prusa_Slicer_layer_config_ranges.xml"};
+                               "Metadata/Prusa_Slicer_layer_config_ranges.xml",
+                               "Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml"};
 constexpr Names kOrcaNames = {"Metadata/project_settings.config", "Metadata/model_settings.config",
-                              "Metadata/layer_config_ranges.xml"};
+                              "Metadata/layer_config_ranges.xml",
+                              "Metadata/custom_gcode_per_layer.xml"};
 
 /// A file that has no effect, and what it is. `mark`: what it holds if there is anything in it.
 struct Idle {
@@ -29,10 +34,9 @@ struct Idle {
 constexpr std::array<Idle, 10> kIdle = {{
     {"Metadata/Slic3r_PE_layer_heights_profile.txt", "object_id", "layer heights drawn by hand"},
     {"Metadata/layer_heights_profile.txt", "object_id", "layer heights drawn by hand"},
-    {"Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml", "<code",
-     "pauses, colour changes and G-code at certain heights"},
-    {"Metadata/custom_gcode_per_layer.xml", "<layer",
-     "pauses, colour changes and G-code at certain heights"},
+    {"Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml", "type=\"2\"",
+     "changes of tool at certain heights"},
+    {"Metadata/custom_gcode_per_layer.xml", "type=\"2\"", "changes of tool at certain heights"},
     {"Metadata/Prusa_Slicer_wipe_tower_information.xml", "", "the place of the wipe tower"},
     {"Metadata/brim_ear_points.txt", "object_id", "brim ears"},
     {"Metadata/Slic3r_PE_sla_support_points.txt", "object_id", "support points of resin printers"},
@@ -52,6 +56,24 @@ absl::StatusOr<T> ReadIfThere(const Archive& archive, std::string_view name, con
 
 bool EndsWith(const ArchiveEntry& entry, std::string_view ending) {
   return entry.name.ends_with(ending);
+}
+
+/// What is done at heights is a setting of the plate, or where there are none of the project.
+absl::Status AddHeightCodes(const PlateHeightCodes& codes, Metadata& metadata) {
+  constexpr std::string_view kKey = "custom_gcode_per_print_z";
+  std::vector<PlateSettings>& plates = metadata.model.plates;
+  if (plates.empty()) {
+    const auto first = codes.find(1);
+    if (first == codes.end()) return absl::OkStatus();
+    return AddSetting(kKey, PrintHeightCodes(first->second), metadata.project.settings);
+  }
+  for (PlateSettings& plate : plates) {
+    const auto own = codes.find(plate.number);
+    if (own == codes.end()) continue;
+    absl::Status added = AddSetting(kKey, PrintHeightCodes(own->second), plate.settings);
+    if (!added.ok()) return added;
+  }
+  return absl::OkStatus();
 }
 
 }  // namespace
@@ -75,6 +97,10 @@ absl::StatusOr<Metadata> ReadMetadata(const Archive& archive) {
   metadata.project = *std::move(project);
   metadata.model = *std::move(model);
   metadata.ranges = *std::move(ranges);
+  const auto heights = ReadIfThere<PlateHeightCodes>(archive, names.heights, ReadHeightCodes);
+  if (!heights.ok()) return heights.status();
+  absl::Status added = AddHeightCodes(*heights, metadata);
+  if (!added.ok()) return PlacedAt({std::string(names.heights), 1}, added);
   return metadata;
 }
 

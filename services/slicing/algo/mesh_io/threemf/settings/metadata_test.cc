@@ -48,13 +48,13 @@ TEST(FilesWithoutEffect, AreNamedInWords) {
   files.emplace_back("Metadata/Slic3r_PE_layer_heights_profile.txt", "object_id=1|0;0.2;5;0.1\n");
   files.emplace_back("Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml",
                      "<custom_gcodes_per_print_z>\n</custom_gcodes_per_print_z>");
-  files.emplace_back("Metadata/custom_gcode_per_layer.xml", "<plate><layer top_z=\"1\"/></plate>");
+  files.emplace_back("Metadata/custom_gcode_per_layer.xml",
+                     "<plate><layer top_z=\"1\" type=\"2\"/></plate>");
   const std::string bytes = Zipped(files);
   const auto idle = FilesWithoutEffect(*Archive::Open(bytes));
   ASSERT_TRUE(idle.ok()) << idle.status();
   EXPECT_THAT(*idle, testing::ElementsAre("layer heights drawn by hand",
-                                          "pauses, colour changes and G-code at certain heights",
-                                          "pictures"));
+                                          "changes of tool at certain heights", "pictures"));
 }
 
 }  // namespace

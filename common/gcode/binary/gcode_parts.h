@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "absl/status/statusor.h"
+
+namespace slicefarm::gcode {
+
+/// A key and its value, in the order of the file.
+using Entries = std::vector<std::pair<std::string, std::string>>;
+
+/// A picture in a file of G-code.
+struct Picture {
+  uint16_t format = 0;  ///< 0: PNG, 1: JPG, 2: QOI
+  uint16_t width_px = 0;
+  uint16_t height_px = 0;
+  std::string data;
+};
+
+/// What a file of G-code is made of.
+struct GcodeParts {
+  std::string producer;     ///< "slicefarm 0.1.0"
+  std::string produced_on;  ///< the day
+  std::string objects_info;
+  std::vector<Picture> pictures;
+  Entries facts;     ///< filament used, times, ...
+  Entries settings;  ///< sorted by key, as the file has them
+  std::string program;
+};
+
+/// Takes the file apart. What is no metadata belongs to the program.
+/// Errors: InvalidArgument for pictures that are not base64. Cost: O(bytes).
+absl::StatusOr<GcodeParts> TakeApart(std::string_view gcode);
+
+}  // namespace slicefarm::gcode

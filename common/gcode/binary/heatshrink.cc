@@ -1,0 +1,144 @@
+#include "common/gcode/binary/heatshrink.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace slicefarm::gcode {
+namespace {
+
+constexpr int kWindowBits = 12;
+constexpr int kLengthBits = 4;
+constexpr size_t kWindow = size_t{1} << kWindowBits;
+constexpr size_t kLongest = size_t{1} << kLengthBits;
+constexpr uint32_t kLiteralBits = 1 + 8;
+constexpr uint32_t kMatchBits = 1 + kWindowBits + kLengthBits;
+constexpr size_t kShortest = 2;  // one byte is shorter by itself
+
+struct Match {
+  uint16_t length = 0;  ///< 0: none
+  uint16_t back = 0;
+};
+
+/// Places where some bytes stood last, by their hash, each with the one before it.
+class Chains {
+ public:
+  Chains(size_t bytes, int hash_bits)
+      : last_(size_t{1} << hash_bits, kNowhere), before_(bytes, kNowhere) {}
+
+  static constexpr int32_t kNowhere = -1;
+
+  int32_t Last(uint32_t hash) const { return last_[hash]; }
+  int32_t Before(int32_t place) const { return before_[static_cast<size_t>(place)]; }
+  void Add(uint32_t hash, int32_t place) {
+    before_[static_cast<size_t>(place)] = last_[hash];
+    last_[hash] = place;
+  }
+
+ private:
+  std::vector<int32_t> last_;
+  std::vector<int32_t> before_;
+};
+
+class Matches {
+ public:
+  explicit Matches(std::string_view bytes)
+      : bytes_(bytes), pairs_(bytes.size(), 16), triples_(bytes.size(), kTripleBits) {}
+
+  /// The longest that ends before the bytes do. To be called for each place in turn.
+  Match At(size_t place) {
+    Match best;
+    if (place + kShortest > bytes_.size()) return best;
+    const auto here = static_cast<int32_t>(place);
+    const uint32_t pair = Byte(place) << 8 | Byte(place + 1);
+    if (const int32_t from = pairs_.Last(pair); Reaches(from, place))
+      best = {kShortest, static_cast<uint16_t>(here - from)};
+    if (place + kShortest < bytes_.size()) {
+      const uint32_t triple = HashOf(pair << 8 | Byte(place + 2));
+      Longest(triple, place, best);
+      triples_.Add(triple, here);
+    }
+    pairs_.Add(pair, here);
+    return best;
+  }
+
+ private:
+  static constexpr int kTripleBits = 15;
+
+  uint32_t Byte(size_t place) const { return static_cast<unsigned char>(bytes_[place]); }
+  static uint32_t HashOf(uint32_t three) { return three * 2654435761u >> (32 - kTripleBits); }
+  static bool Reaches(int32_t from, size_t place) {
+    return from != Chains::kNowhere && place - static_cast<size_t>(from) <= kWindow;
+  }
+
+  void Longest(uint32_t triple, size_t place, Match& best) const {
+    const size_t most = std::min(kLongest, bytes_.size() - place);
+    const char* const here = bytes_.data() + place;
+    for (int32_t from = triples_.Last(triple); Reaches(from, place) && best.length < most;
+         from = triples_.Before(from)) {
+      const char* const there = bytes_.data() + from;
+      if (there[best.length] != here[best.length]) continue;
+      const auto length = static_cast<size_t>(std::mismatch(here, here + most, there).first - here);
+      if (length > best.length)
+        best = {static_cast<uint16_t>(length),
+                static_cast<uint16_t>(place - static_cast<size_t>(from))};
+    }
+  }
+
+  const std::string_view bytes_;
+  Chains pairs_;
+  Chains triples_;
+};
+
+class BitWriter {
+ public:
+  void Write(uint32_t value, int bits) {
+    kept_ = kept_ << bits | value;
+    for (count_ += bits; count_ >= 8; count_ -= 8)
+      text_ += static_cast<char>(kept_ >> (count_ - 8) & 0xff);
+  }
+  std::string Take() {
+    if (count_ > 0) Write(0, 8 - count_);
+    return std::move(text_);
+  }
+
+ private:
+  uint64_t kept_ = 0;
+  int count_ = 0;
+  std::string text_;
+};
+
+/// Leaves the matches that a shortest stream is made of: what is left of the bytes never costs more
+/// than with one byte before it, so a match is best taken as long as it is.
+void ChooseMatches(std::vector<Match>& matches) {
+  std::vector<uint32_t> bits(matches.size() + 1, 0);
+  for (size_t i = matches.size(); i-- > 0;) {
+    const uint32_t by_byte = kLiteralBits + bits[i + 1];
+    const uint32_t by_match = kMatchBits + bits[i + matches[i].length];
+    if (matches[i].length > 0 && by_match >= by_byte) matches[i].length = 0;
+    bits[i] = matches[i].length > 0 ? by_match : by_byte;
+  }
+}
+
+}  // namespace
+
+std::string Heatshrink(std::string_view bytes) {
+  std::vector<Match> matches(bytes.size());
+  Matches found(bytes);
+  for (size_t i = 0; i < bytes.size(); ++i) matches[i] = found.At(i);
+  ChooseMatches(matches);
+  BitWriter out;
+  for (size_t i = 0; i < bytes.size();) {
+    const Match& match = matches[i];
+    if (match.length == 0) {
+      out.Write(0x100u | static_cast<unsigned char>(bytes[i++]), kLiteralBits);
+      continue;
+    }
+    out.Write(static_cast<uint32_t>(match.back - 1) << kLengthBits | (match.length - 1u),
+              kMatchBits);
+    i += match.length;
+  }
+  return out.Take();
+}
+
+}  // namespace slicefarm::gcode

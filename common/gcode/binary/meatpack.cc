@@ -1,0 +1,108 @@
+#include "common/gcode/binary/meatpack.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+
+#include "common/base/text.h"
+
+namespace slicefarm::gcode {
+namespace {
+
+constexpr std::string_view kSignal = "\xff\xff";
+constexpr char kEnable = '\xfb';
+constexpr char kDisable = '\xfa';
+constexpr char kNoSpaces = '\xf7';
+
+constexpr uint8_t kWhole = 15;  // the character stands behind, as it is
+/// By their number; `E` has that of the blank, which is not packed then.
+constexpr std::string_view kPacked = "0123456789.E\nGX";
+
+uint8_t NumberOf(char c) {
+  static constexpr auto kNumbers = [] {
+    std::array<uint8_t, 256> numbers{};
+    for (uint8_t& number : numbers) number = kWhole;
+    for (size_t i = 0; i < kPacked.size(); ++i)
+      numbers[static_cast<unsigned char>(kPacked[i])] = static_cast<uint8_t>(i);
+    return numbers;
+  }();
+  return kNumbers[static_cast<unsigned char>(c)];
+}
+
+/// Whether a command is G and a number: its words need no blanks between them.
+bool IsMove(std::string_view line) {
+  return line.size() > 1 && line[0] == 'G' && std::isdigit(static_cast<unsigned char>(line[1]));
+}
+
+/// A line as firmwares need it; empty: nothing.
+std::string Command(std::string_view line) {
+  line = Trim(line.substr(0, line.find(';')));
+  std::string command(line);
+  if (IsMove(line)) std::erase(command, ' ');
+  if (!command.empty()) command += '\n';
+  if (command.size() % 2 != 0) command += '\n';
+  return command;
+}
+
+class Packer {
+ public:
+  explicit Packer(size_t bytes) {
+    text_.reserve(bytes / 2);
+    Tell(kEnable);
+    Tell(kNoSpaces);
+  }
+
+  void AddComment(std::string_view line) {
+    if (packs_) Tell(kDisable);
+    packs_ = false;
+    text_ += line;
+    text_ += '\n';
+  }
+
+  void AddCommand(std::string_view pairs) {
+    if (pairs.empty()) return;
+    if (!packs_) Tell(kEnable);
+    packs_ = true;
+    for (size_t i = 0; i < pairs.size(); i += 2) {
+      const uint8_t low = NumberOf(pairs[i]), high = NumberOf(pairs[i + 1]);
+      text_ += static_cast<char>(high << 4 | low);
+      if (low == kWhole) text_ += pairs[i];
+      if (high == kWhole) text_ += pairs[i + 1];
+    }
+  }
+
+  std::string Take() { return std::move(text_); }
+
+ private:
+  void Tell(char command) {
+    text_ += kSignal;
+    text_ += command;
+  }
+
+  std::string text_;
+  bool packs_ = true;
+};
+
+}  // namespace
+
+std::string MeatPack(std::string_view lines) {
+  std::string text(lines);
+  std::ranges::replace(text, '\xff', '?');
+  std::ranges::replace(text, '\0', '?');
+  Packer packer(text.size());
+  for (std::string_view rest = text; !rest.empty();) {
+    const size_t end = std::min(rest.find('\n'), rest.size());
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.starts_with(';')) {
+      packer.AddComment(line);
+    } else {
+      packer.AddCommand(Command(line));
+    }
+  }
+  return packer.Take();
+}
+
+}  // namespace slicefarm::gcode

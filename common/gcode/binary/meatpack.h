@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace slicefarm::gcode {
+
+/// Lines of G-code as MeatPack has them, two characters in a byte where they are among those that
+/// G-code is made of. Lines that are comments stay as they are, comments after commands go, as do
+/// empty lines and the blanks of lines of G0, G1 and their like, which firmwares do not need: the
+/// encoding "MeatPack modified to keep comment lines" of binary G-code.
+/// Each text begins anew, so that it can be read by itself. A byte 0xff, which is no text, becomes
+/// `?`. Cost: O(bytes).
+/// Source: S. Mudge, MeatPack; libbgcode's specification.
+std::string MeatPack(std::string_view lines);
+
+}  // namespace slicefarm::gcode

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "services/motion/algo/toolpath/toolpath.h"
+
+namespace slicefarm::motion {
+
+/// What a move is for, in PrusaSlicer's words: "perimeter", "move to first infill point", "lift Z",
+/// "retract". Cost: of a travel, the moves up to the next bead.
+std::string_view CommentOn(const Toolpath& path, size_t index);
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,54 @@
+#include "services/motion/algo/macro/file_name.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace slicefarm::motion::file_name_test {
+namespace {
+
+TEST(ShortTime, IsPrusaSlicers) {
+  struct Case {
+    double seconds;
+    const char* want;
+  };
+  for (const Case& c : {Case{0, "0s"}, Case{59.9, "59s"}, Case{60, "1m"}, Case{89, "1m"},
+                        Case{90, "2m"}, Case{3600, "1h0m"}, Case{3 * 3600 + 59 * 60 + 31, "4h0m"},
+                        Case{86'399, "1d0h0m"}, Case{90'000, "1d1h0m"}})
+    EXPECT_EQ(ShortTime(c.seconds), c.want) << c.seconds;
+}
+
+TEST(FileName, NamesNoFolderAndEndsAsTheFileIs) {
+  struct Case {
+    const char* given;
+    bool binary;
+    const char* want;
+  };
+  const Case cases[] = {
+      {"part.gcode", false, "part.gcode"},
+      {"part.gcode", true, "part.bgcode"},
+      {"part.BGCODE", false, "part.gcode"},
+      {"part_0.2mm_PLA_1h2m", false, "part_0.2mm_PLA_1h2m"},
+      {"part", true, "part.bgcode"},
+      {"part.gco", true, "part.gco"},
+      {"../../etc/passwd.gcode", false, ".._.._etc_passwd.gcode"},
+      {"a\\b:c*d?e\"f<g>h|i\nj", false, "a_b_c_d_e_f_g_h_i_j.gcode"},
+      {"", false, "print.gcode"},
+      {".gcode", true, "print.bgcode"},
+      {"..", false, "print.gcode"},
+      {" ä ", false, "ä.gcode"},
+  };
+  for (const Case& c : cases) EXPECT_EQ(FileName(c.given, c.binary), c.want) << c.given;
+}
+
+TEST(FileName, IsShortEnoughForAnyFileSystem) {
+  std::string umlauts;
+  for (int i = 0; i < 200; ++i) umlauts += "ä";
+  const std::string name = FileName(umlauts + ".gcode", false);
+  EXPECT_LE(name.size(), 240u);
+  EXPECT_TRUE(name.ends_with("ä.gcode"));
+  EXPECT_LE(FileName("a." + std::string(1000, 'b'), false).size(), 240u);
+}
+
+}  // namespace
+}  // namespace slicefarm::motion::file_name_test
