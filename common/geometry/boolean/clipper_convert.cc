@@ -67,13 +67,12 @@ void AppendRings(const ClipperLib::PolyNode& parent, std::vector<Polygon>& rings
 
 MultiPolygon FromRings(std::vector<Polygon> rings) {
   MultiPolygon islands;
-  const auto holes = std::ranges::stable_partition(
-      rings, [](const Polygon& ring) { return SignedArea(ring) > 0; });
-  for (auto ring = rings.begin(); ring != holes.begin(); ++ring)
-    islands.push_back({std::move(*ring), {}});
-  for (Polygon& hole : holes)
-    if (PolygonWithHoles* around = IslandAround(hole, islands); around != nullptr)
-      around->holes.push_back(std::move(hole));
+  const auto holes = std::stable_partition(
+      rings.begin(), rings.end(), [](const Polygon& ring) { return SignedArea(ring) > 0; });
+  for (auto ring = rings.begin(); ring != holes; ++ring) islands.push_back({std::move(*ring), {}});
+  for (auto hole = holes; hole != rings.end(); ++hole)
+    if (PolygonWithHoles* around = IslandAround(*hole, islands); around != nullptr)
+      around->holes.push_back(std::move(*hole));
   Canonicalize(islands);
   return islands;
 }
