@@ -86,7 +86,7 @@ absl::StatusOr<std::string> TextOf(const SpooledProgram& layer, std::string_view
   size_t done = 0;
   for (size_t i = 0; i < std::min(code.size(), layer.program.code_at.size()); ++i) {
     const auto at = static_cast<size_t>(layer.program.code_at[i]);
-    absl::StrAppend(&text, std::string_view(program).substr(done, at - done), code[i]);
+    text.append(program, done, at - done).append(code[i]);
     done = at;
   }
   return text.append(program, done);

@@ -10,7 +10,7 @@ namespace slicefarm::coordinator {
 namespace {
 
 /// Less than a lease, so that those who renew one hear of it in time.
-constexpr std::chrono::seconds kPatience{5};
+constexpr std::chrono::seconds kReaderPatience{5};
 
 /// Puts the log on disk as it is read now: its end may have been written by an earlier life that
 /// ended before its fsync, or whose fsync failed. Before all else, so that no page goes into the
@@ -47,7 +47,7 @@ absl::StatusOr<SqlSession> SqliteDatabase::Read() {
   Connection reader;
   {
     std::unique_lock lock(read_mutex_);
-    if (!given_back_.wait_for(lock, kPatience, [this] { return free_ > 0; }))
+    if (!given_back_.wait_for(lock, kReaderPatience, [this] { return free_ > 0; }))
       return StoreAway("SQLite: all readers are busy");
     --free_;
     if (!idle_.empty()) {

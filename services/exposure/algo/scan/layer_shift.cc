@@ -12,7 +12,7 @@ namespace {
 /// g = 1.3247..., which do the same in the plane.
 constexpr double kGolden = 0.61803398874989485;
 constexpr double kPlastic1 = 0.75487766624669276, kPlastic2 = 0.56984029099805327;
-constexpr int32_t kVariants = 3;
+constexpr int32_t kRingTurns = 3;
 /// Those of neighbouring layers are not neighbours.
 constexpr std::array<int32_t, kBorderTurns> kBorderTurn = {0, 3, 1, 4, 2, 5};
 constexpr std::array<int32_t, kCornerTurns> kCornerTurn = {0, 2, 4, 1, 3};
@@ -56,7 +56,7 @@ RingTurn RingTurnOf(int32_t layer) {
 double RingStart(int32_t layer) { return Turn(layer, kGolden); }
 
 int32_t CutVariant(int32_t layer, const ExposureOptions& options) {
-  return options.turn_rings ? layer % kVariants : 0;
+  return options.turn_rings ? layer % kRingTurns : 0;
 }
 
 }  // namespace slicefarm::exposure

@@ -79,7 +79,9 @@ TEST(GcodeMachine, ArcsAreChordsWithTheirShareOfFilament) {
 }
 
 TEST(GcodeMachine, ArcsHaveTheChordsThatTheMachineIsSetTo) {
-  GcodeMachine machine(Klipper(), {.arc_segment_mm = 0.1});
+  MachineSetup setup;
+  setup.arc_segment_mm = 0.1;
+  GcodeMachine machine(Klipper(), setup);
   machine.Read(ParseGcodeLine("G1 X10 F600"));
   EXPECT_EQ(machine.Read(ParseGcodeLine("G3 X-10 Y0 I-10 J0 E3")).moves.size(), 314);
 }
