@@ -86,10 +86,10 @@ void AddLayer(int32_t index, Sample* sample) {
                            {{0, {3, 4}, Point{8, index}, {{5, index}}}, {2, {6, 7}, {}, {}}},
                            {skirt},
                            {{0, 0, FillPattern::kLightning, {{{1, 2}, {3, index}}}, {}, {}, 0}}});
-  sample->ordered.push_back({frame,
-                             {{kPlate, 0, kHeightNm, {skirt}},
-                              {0, index, kHeightNm, {wall, line, line}}},
-                             {{0, -1, 0, {}}, {1, 0, 0, {1'000, -2'000}}, {1, 1, 1, {}}}});
+  sample->ordered.push_back(
+      {frame,
+       {{kPlate, 0, kHeightNm, {skirt}}, {0, index, kHeightNm, {wall, line, line}}},
+       {{0, -1, 0, {}}, {1, 0, 0, {1'000, -2'000}}, {1, 1, 1, {}}}});
   AddProgram(index, 0, sample);
   if (index == Sample::kRange.first) AddProgram(index, 1, sample);
 }
@@ -180,7 +180,8 @@ Sample MakeSample() {
   PrintTimes times;
   times.travel_s = 12.5;
   times.layer_s = {5};
-  sample.frame = {"start\n", {"", "M73 P50\n"}, "end\n", times, 30, {"", "; code\n"}};
+  sample.frame = {"start\n",        {"", "M73 P50\n"}, "end\n",  times,    30,
+                  {"", "; code\n"}, "head\n",          "tail\n", "a.gcode"};
   sample.settings = SettingsWithAll();
   sample.times = {0, 0, 1, 2, 3, 4};
   return sample;
@@ -237,10 +238,10 @@ absl::Status FakePlanning::Plan(rpc::Call& call, Stream& stream) {
   if (!status.ok()) return status;
   if (status = Begin(start->call, &fakes_); !status.ok()) return status;
   const JobPlan& plan = TheSample().plan;
-  status = WriteEach<v1::PlanResponse>(
-      stream, Answer(plan.layers, fakes_), [](const LayerPlan& layer, v1::PlanResponse* proto) {
-        return ToProto(layer, proto->mutable_layer());
-      });
+  status = WriteEach<v1::PlanResponse>(stream, Answer(plan.layers, fakes_),
+                                       [](const LayerPlan& layer, v1::PlanResponse* proto) {
+                                         return ToProto(layer, proto->mutable_layer());
+                                       });
   status.Update(WriteEach<v1::PlanResponse>(
       stream, plan.additions, [](const PlateAddition& addition, v1::PlanResponse* proto) {
         return ToProto(addition, proto->mutable_addition());
