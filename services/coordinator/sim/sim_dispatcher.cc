@@ -78,8 +78,7 @@ FanOut::JobId SimDispatcher::Execute(const Work& work, const std::string& build,
     job.ranges.push_back({first, last});
     first = last;
   }
-  const FanOut::JobId id =
-      fan_out_->Add(static_cast<int32_t>(job.ranges.size()), {}, work.process);
+  const FanOut::JobId id = fan_out_->Add(static_cast<int32_t>(job.ranges.size()), {}, work.process);
   jobs_.emplace(id, std::move(job));
   WorkNews();
   return id;
@@ -109,7 +108,8 @@ void SimDispatcher::Serve(Slot& slot) {
     if (const auto grant = fan_out_->Take(slot.runner, world_.events.now_s(), can)) {
       return Begin(slot, *grant);
     }
-    if (fan_out_->AnyQueued(can)) world_.Violated("c{}: a slot finds nothing to do", coordinator_);
+    if (fan_out_->MayTake(slot.runner, world_.events.now_s(), can))
+      world_.Violated("c{}: a slot finds nothing to do", coordinator_);
     wait_us = kHedgePollUs;
   }
   slot.waiting = true;
@@ -176,6 +176,7 @@ void SimDispatcher::Answered(int64_t call, const FanOut::Grant& grant,
   Slot& slot = *found->second.slot;
   calls_.erase(found);
   slot.busy = false;
+  fan_out_->Returned(grant);
   const bool failed = !answer.ok() && !stopped;
   slot.failures = failed ? slot.failures + 1 : 0;
   ServeLater(slot, failed ? RestUs(slot.failures) : 0);

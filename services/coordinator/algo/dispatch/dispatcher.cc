@@ -198,8 +198,8 @@ void Dispatcher::Serve(Member& member) {
 bool Dispatcher::AwaitWork(Lock& lock, Member& member) {
   const auto ended = [&] { return stopping_ || member.leaving; };
   while (!ended()) {
-    if (fan_out_.AnyQueued(member.can)) return true;
-    if (jobs_.empty() || members_.size() < 2) {
+    if (fan_out_.MayTake(member.id, clock_.Seconds(), member.can)) return true;
+    if (jobs_.empty() || (members_.size() < 2 && !fan_out_.AnySuspects())) {
       work_.wait(lock);
     } else if (work_.wait_for(lock, kPoll) == std::cv_status::timeout) {
       return !ended();  // time to look for a slow range
@@ -240,6 +240,8 @@ std::optional<Dispatcher::Assignment> Dispatcher::Take(Member& member) {
 void Dispatcher::Report(Lock& lock, const Member& member, const Assignment& assignment,
                         const absl::Status& wanted, absl::StatusOr<TaskResult> result) {
   Job& job = *assignment.job;
+  fan_out_.Returned(assignment.grant);
+  if (assignment.grant.alone) work_.notify_all();
   if (job.over) {
     // Nothing is wanted of it any more.
   } else if (result.ok()) {

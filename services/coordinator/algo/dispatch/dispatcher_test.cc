@@ -405,5 +405,57 @@ TEST(Dispatcher, JobsWaitForRunnersOfTheirProcess) {
     EXPECT_EQ(std::get<LaserResult>(result).programs.size(), 1u);
 }
 
+/// A runner that dies of one task, with all that it runs at the time, and is back at once.
+class MortalRunner {
+ public:
+  static constexpr int kPoison = 7'000;  ///< first layer of the task
+
+  Runner WithSlots(std::string name, int slots) {
+    return RunnerOf(
+        std::move(name), [this](const StageCall&, const FdmTask& task) { return Run(task); },
+        slots);
+  }
+  int deaths() const { return deaths_; }
+  int bystanders() const { return bystanders_; }  ///< tasks that died with it
+
+ private:
+  absl::Status Run(const FdmTask& task) {
+    const int life = deaths_;
+    if (task.range.first == kPoison) {
+      // The first time in company, so that there is something to take along.
+      for (int i = 0; i < 100'000 && life == 0 && others_ == 0; ++i) std::this_thread::yield();
+      ++deaths_;
+      return absl::UnavailableError("Socket closed");
+    }
+    ++others_;
+    for (int i = 0; i < 2'000 && deaths_ == life; ++i) std::this_thread::yield();
+    --others_;
+    if (deaths_ == life) return absl::OkStatus();
+    ++bystanders_;
+    return absl::UnavailableError("Socket closed");
+  }
+
+  std::atomic<int> deaths_{0}, others_{0}, bystanders_{0};
+};
+
+TEST(Dispatcher, WhatARunnerDiesOfTakesOthersWithItOnce) {
+  DispatcherOptions options = Quick();
+  options.scheduler.hedge_burst = 0;
+  Dispatcher dispatcher(options);
+  MortalRunner one, two;
+  dispatcher.Join(one.WithSlots("one", 2));
+  dispatcher.Join(two.WithSlots("two", 2));
+  FdmTask poison;
+  poison.range = {MortalRunner::kPoison, MortalRunner::kPoison + 1};
+  const std::vector<Task> killer = {poison}, others = Tasks(300);
+  absl::Status outcome;
+  std::thread killing([&] { outcome = dispatcher.Execute({}, killer, nullptr).status(); });
+  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, others, nullptr), others));
+  killing.join();
+  EXPECT_EQ(DetailOf(outcome).reason, Reason::kRangePoisoned) << outcome;
+  EXPECT_EQ(one.deaths() + two.deaths(), 3);
+  EXPECT_LE(one.bystanders() + two.bystanders(), 1) << "what the first death took along";
+}
+
 }  // namespace
 }  // namespace slicefarm::coordinator::dispatcher_test

@@ -15,6 +15,14 @@ bool IsFinal(const absl::Status& status) {
   return absl::IsInvalidArgument(status) || absl::IsOutOfRange(status);
 }
 
+/// True if the connection to the runner broke, and no server said why: as far as can be told, the
+/// runner died of what it ran. A server that stops, or is busy, says so.
+bool IsDeath(const absl::Status& status) {
+  const ErrorDetail detail = DetailOf(status);
+  return absl::IsUnavailable(status) && detail.reason == Reason::kUnavailable &&
+         detail.metadata.empty();
+}
+
 }  // namespace
 
 FanOut::JobId FanOut::Add(int32_t ranges, Claimant claimant, Process process) {
@@ -52,11 +60,43 @@ std::vector<FanOut::JobId> FanOut::Order(ProcessSet can) const {
   return order;
 }
 
+/// The job with a suspect that may go to the runner, the oldest first.
+std::optional<FanOut::JobId> FanOut::SuspectsJob(RunnerId runner, double now_s, ProcessSet can) {
+  for (auto& [id, job] : jobs_)
+    if (can.Has(job.process) && job.scheduler.MayTakeSuspect(runner, now_s)) return id;
+  return std::nullopt;
+}
+
+/// Whether the runner gets nothing more until it has nothing to do, for a suspect that could go to
+/// it then. One runner at a time.
+bool FanOut::IsKeptFree(RunnerId runner, double now_s, ProcessSet can) {
+  if (loads_.IsTaken(runner)) return true;
+  if (!AnySuspects()) kept_free_.reset();
+  if (loads_.AnyAlone() || loads_.MayTakeAlone(runner) || !SuspectsJob(runner, now_s, can))
+    return false;
+  if (!kept_free_) kept_free_ = runner;
+  return kept_free_ == runner;
+}
+
+bool FanOut::MayTake(RunnerId runner, double now_s, ProcessSet can) {
+  if (loads_.MayTakeAlone(runner) && SuspectsJob(runner, now_s, can)) return true;
+  return AnyQueued(can) && !IsKeptFree(runner, now_s, can);
+}
+
 std::optional<FanOut::Grant> FanOut::Take(RunnerId runner, double now_s, ProcessSet can) {
+  if (loads_.MayTakeAlone(runner)) {
+    if (const auto id = SuspectsJob(runner, now_s, can)) {
+      Job& job = jobs_.at(*id);
+      kept_free_.reset();
+      return Granted(*id, job, runner, *job.scheduler.NextSuspect(runner, now_s));
+    }
+  }
+  if (IsKeptFree(runner, now_s, can)) return std::nullopt;
   const std::vector<JobId> order = Order(can);
   for (const JobId id : order) {
     Job& job = jobs_.at(id);
-    if (const auto grant = job.scheduler.Next(runner, now_s)) return Granted(id, job, *grant);
+    if (const auto grant = job.scheduler.Next(runner, now_s))
+      return Granted(id, job, runner, *grant);
   }
   if (hedges_left_ < 1) return std::nullopt;
   for (const JobId id : order) {
@@ -64,17 +104,20 @@ std::optional<FanOut::Grant> FanOut::Take(RunnerId runner, double now_s, Process
     const auto grant = job.scheduler.Hedge(runner, now_s);
     if (!grant) continue;
     --hedges_left_;
-    return Granted(id, job, *grant);
+    return Granted(id, job, runner, *grant);
   }
   return std::nullopt;
 }
 
-FanOut::Grant FanOut::Granted(JobId id, Job& job, const RangeScheduler::Grant& grant) {
+FanOut::Grant FanOut::Granted(JobId id, Job& job, RunnerId runner,
+                              const RangeScheduler::Grant& grant) {
   job.last_turn = next_turn_++;
-  return {id, grant.ticket, grant.range};
+  loads_.Begin(runner, {id, grant.ticket}, grant.suspect);
+  return {id, grant.ticket, grant.range, grant.suspect};
 }
 
 RangeScheduler::Accepted FanOut::Succeeded(const Grant& grant, double now_s) {
+  Returned(grant);
   RangeScheduler* scheduler = Find(grant.job);
   if (!scheduler) return {};
   auto accepted = scheduler->Succeeded(grant.ticket, now_s);
@@ -85,6 +128,7 @@ RangeScheduler::Accepted FanOut::Succeeded(const Grant& grant, double now_s) {
 }
 
 FanOut::Verdict FanOut::Failed(const Grant& grant, const absl::Status& error) {
+  Returned(grant);
   RangeScheduler* scheduler = Find(grant.job);
   if (!scheduler) return Verdict::kGoesOn;
   if (IsFinal(error)) return Verdict::kInputAtFault;
@@ -92,17 +136,23 @@ FanOut::Verdict FanOut::Failed(const Grant& grant, const absl::Status& error) {
     scheduler->Abandoned(grant.ticket);  // says nothing of the range
     return Verdict::kGoesOn;
   }
-  scheduler->Failed(grant.ticket);
+  if (IsDeath(error))
+    scheduler->Died(grant.ticket);
+  else
+    scheduler->Failed(grant.ticket);
   if (scheduler->Poisoned() != grant.range) return Verdict::kGoesOn;
   ++counts_.poisoned;
   return Verdict::kPoisoned;
 }
 
 void FanOut::Superseded(const Grant& grant) {
+  Returned(grant);
   if (RangeScheduler* scheduler = Find(grant.job)) scheduler->Failed(grant.ticket);
 }
 
 void FanOut::RunnerGone(RunnerId runner) {
+  loads_.Gone(runner);
+  if (kept_free_ == runner) kept_free_.reset();
   for (auto& [id, job] : jobs_) job.scheduler.RunnerGone(runner);
 }
 
@@ -110,6 +160,11 @@ bool FanOut::AnyQueued(ProcessSet can) const {
   return std::ranges::any_of(jobs_, [can](const auto& job) {
     return can.Has(job.second.process) && job.second.scheduler.Queued() > 0;
   });
+}
+
+bool FanOut::AnySuspects() const {
+  return std::ranges::any_of(jobs_,
+                             [](const auto& job) { return job.second.scheduler.Suspects() > 0; });
 }
 
 DispatchCounts FanOut::Counts() const {

@@ -9,6 +9,7 @@
 #include "absl/status/status.h"
 #include "common/stage/task.h"
 #include "services/coordinator/algo/dispatch/range_scheduler.h"
+#include "services/coordinator/algo/dispatch/runner_loads.h"
 #include "services/coordinator/algo/dispatch/runner_set.h"
 
 namespace slicefarm::coordinator {
@@ -30,8 +31,11 @@ struct DispatchCounts {
 /// flight, of these to the one that has waited longest. Of a tenant's jobs those of the highest
 /// priority come first; among equals the one with the fewest ranges in flight, then the one that
 /// has waited longest. A slow range is doubled only when nothing is queued, and not more than
-/// `hedge_share` of all: when everything is slow, second copies would make it slower. Not
-/// thread-safe.
+/// `hedge_share` of all: when everything is slow, second copies would make it slower.
+///
+/// A range that a runner died of (UNAVAILABLE that no server has said) is tried alone on an idle
+/// runner, one such range of all jobs at a time. A runner whose slots are never all free is kept
+/// free for it after SchedulerOptions::elsewhere_after_s. Not thread-safe.
 class FanOut {
  public:
   using JobId = int64_t;
@@ -41,6 +45,7 @@ class FanOut {
     JobId job = 0;
     Ticket ticket = 0;  ///< of the job
     int32_t range = 0;
+    bool alone = false;  ///< nothing else goes to its runner meanwhile
   };
 
   /// What an error means for its job.
@@ -62,6 +67,13 @@ class FanOut {
   /// What a slot of the runner is to do next; `can`: the processes that the runner knows.
   std::optional<Grant> Take(RunnerId runner, double now_s, ProcessSet can = ProcessSet::All());
 
+  /// Whether Take would grant something that is queued or suspect. Slots ask this again after a
+  /// while when there are suspects, and when a call comes back.
+  bool MayTake(RunnerId runner, double now_s, ProcessSet can = ProcessSet::All());
+
+  /// The call of a grant is over, whatever came of it, and also if its job was removed.
+  void Returned(const Grant& grant) { loads_.End({grant.job, grant.ticket}); }
+
   RangeScheduler::Accepted Succeeded(const Grant& grant, double now_s);
   Verdict Failed(const Grant& grant, const absl::Status& error);
   /// The call was cancelled, as another copy of the range has made it.
@@ -73,6 +85,7 @@ class FanOut {
   bool AllDone(JobId job) const { return jobs_.at(job).scheduler.AllDone(); }
   /// Of jobs of these processes.
   bool AnyQueued(ProcessSet can = ProcessSet::All()) const;
+  bool AnySuspects() const;
   int Tries(JobId job, int32_t range) const { return jobs_.at(job).scheduler.Tries(range); }
   DispatchCounts Counts() const;
 
@@ -85,11 +98,15 @@ class FanOut {
   };
 
   std::vector<JobId> Order(ProcessSet can) const;
-  Grant Granted(JobId id, Job& job, const RangeScheduler::Grant& grant);
+  Grant Granted(JobId id, Job& job, RunnerId runner, const RangeScheduler::Grant& grant);
+  bool IsKeptFree(RunnerId runner, double now_s, ProcessSet can);
+  std::optional<JobId> SuspectsJob(RunnerId runner, double now_s, ProcessSet can);
   RangeScheduler* Find(JobId job);
 
   SchedulerOptions options_;
   std::map<JobId, Job> jobs_;
+  RunnerLoads loads_;
+  std::optional<RunnerId> kept_free_;  ///< for a suspect
   JobId next_job_ = 1;
   int64_t next_turn_ = 1;
   double hedges_left_;

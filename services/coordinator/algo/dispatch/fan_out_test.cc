@@ -83,20 +83,90 @@ TEST(FanOut, SecondCopiesHaveABudget) {
 TEST(FanOut, ErrorsEndAJobOrDoNot) {
   FanOut fan_out;
   const auto job = fan_out.Add(1);
-  const auto fail = [&](RunnerId runner, const absl::Status& error) {
-    return fan_out.Failed(*fan_out.Take(runner, 0), error);
+  const auto fail = [&](RunnerId runner, const absl::Status& error, double now_s = 0) {
+    return fan_out.Failed(*fan_out.Take(runner, now_s), error);
   };
   const auto misfit = MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch, "");
   EXPECT_EQ(fail(1, misfit), Verdict::kGoesOn);
   EXPECT_EQ(fan_out.Tries(job, 0), 0) << "says nothing of the range";
   EXPECT_EQ(fail(1, absl::UnavailableError("")), Verdict::kGoesOn);
   EXPECT_EQ(fail(1, absl::InternalError("")), Verdict::kGoesOn);
-  EXPECT_EQ(fail(2, absl::UnavailableError("")), Verdict::kPoisoned);
+  EXPECT_EQ(fail(2, absl::UnavailableError("")), Verdict::kPoisoned) << "tried there alone";
   EXPECT_EQ(fan_out.Counts().poisoned, 1);
   const auto bad = fan_out.Add(1);
   const auto grant = *fan_out.Take(1, 0);
   EXPECT_EQ(grant.job, bad);
   EXPECT_EQ(fan_out.Failed(grant, absl::InvalidArgumentError("")), Verdict::kInputAtFault);
+}
+
+const absl::Status kBroken = absl::UnavailableError("Socket closed");
+
+TEST(FanOut, WhatARunnerDiedOfRunsAlone) {
+  FanOut fan_out;
+  const auto poison = fan_out.Add(1, {"a"});
+  const auto other = fan_out.Add(9, {"b"});
+  const auto killer = *fan_out.Take(1, 0), innocent = *fan_out.Take(1, 0);
+  EXPECT_EQ(fan_out.Take(2, 0)->job, other);
+  EXPECT_EQ(killer.job, poison);
+  EXPECT_EQ(innocent.job, other);
+  EXPECT_EQ(fan_out.Failed(killer, kBroken), Verdict::kGoesOn);
+  EXPECT_EQ(fan_out.Failed(innocent, kBroken), Verdict::kGoesOn);
+  EXPECT_EQ(fan_out.Take(2, 1)->job, other) << "the other runner goes on with what is queued";
+  const auto again = *fan_out.Take(1, 1);  // it is back
+  EXPECT_TRUE(again.alone);
+  EXPECT_EQ(again.job, poison);
+  EXPECT_FALSE(fan_out.MayTake(1, 1));
+  EXPECT_FALSE(fan_out.Take(1, 1)) << "nothing beside it";
+  const auto next = *fan_out.Take(2, 9);
+  EXPECT_FALSE(next.alone) << "one suspect at a time";
+  fan_out.Failed(again, kBroken);
+  const auto cleared = *fan_out.Take(1, 9);
+  EXPECT_TRUE(cleared.alone);
+  EXPECT_EQ(cleared.job, other) << "the innocent one";
+  EXPECT_TRUE(fan_out.Succeeded(cleared, 10).first);
+  EXPECT_FALSE(fan_out.Take(1, 10)->alone);
+}
+
+TEST(FanOut, ARunnerIsKeptFreeForASuspect) {
+  FanOut fan_out;
+  fan_out.Add(9);
+  const auto killer = *fan_out.Take(1, 0);
+  const auto busy = *fan_out.Take(2, 0), more = *fan_out.Take(2, 0);
+  fan_out.Failed(killer, kBroken);
+  fan_out.RunnerGone(1);
+  fan_out.Succeeded(more, 1);
+  EXPECT_TRUE(fan_out.MayTake(2, 1)) << "runner 1 may come back";
+  fan_out.Succeeded(*fan_out.Take(2, 1), 2);
+  EXPECT_FALSE(fan_out.MayTake(2, 3.5));
+  EXPECT_FALSE(fan_out.Take(2, 3.5));
+  EXPECT_TRUE(fan_out.MayTake(3, 3.5)) << "another one that is idle has it at once";
+  fan_out.Succeeded(busy, 4);
+  EXPECT_TRUE(fan_out.MayTake(2, 4));
+  const auto suspect = *fan_out.Take(2, 4);
+  EXPECT_TRUE(suspect.alone);
+  EXPECT_EQ(suspect.range, killer.range);
+}
+
+TEST(FanOut, AServerThatSaysWhyDidNotDie) {
+  FanOut fan_out;
+  fan_out.Add(1);
+  const auto stops = MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, "it stops",
+                               {{"retry_after_ms", "100"}});
+  fan_out.Failed(*fan_out.Take(1, 0), stops);
+  EXPECT_FALSE(fan_out.AnySuspects());
+  EXPECT_FALSE(fan_out.Take(1, 0)->alone);
+}
+
+TEST(FanOut, ASuspectOfAJobThatIsGoneHoldsNothingUp) {
+  FanOut fan_out;
+  const auto job = fan_out.Add(1);
+  fan_out.Failed(*fan_out.Take(1, 0), kBroken);
+  const auto alone = *fan_out.Take(1, 0);
+  fan_out.Remove(job);
+  fan_out.Add(1);
+  EXPECT_FALSE(fan_out.Take(1, 0));
+  fan_out.Returned(alone);
+  EXPECT_TRUE(fan_out.Take(1, 0));
 }
 
 TEST(FanOut, AnswersForAJobThatIsGoneMeanNothing) {

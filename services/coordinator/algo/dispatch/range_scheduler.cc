@@ -29,13 +29,41 @@ std::optional<RangeScheduler::Grant> RangeScheduler::Hedge(RunnerId runner, doub
   for (const auto& [ticket, copy] : running_) {
     if (now_s - copy.since_s < slow_s) break;
     const Range& range = ranges_[copy.range];
-    if (range.done || copy.runner == runner || range.copies != 1) continue;
+    if (range.done || range.suspect || copy.runner == runner || range.copies != 1) continue;
     // Its last copy decides: with a new one beside each that fails, it would never come to an end.
     if (FailedTooOften(range)) continue;
     ++hedged_;
     return Start(copy.range, runner, now_s);
   }
   return std::nullopt;
+}
+
+/// The first one that may go to the runner. From here on the others' time runs.
+std::deque<int32_t>::iterator RangeScheduler::SuspectFor(RunnerId runner, double now_s) {
+  if (poisoned_) return suspects_.end();
+  return std::find_if(suspects_.begin(), suspects_.end(), [&](int32_t index) {
+    Range& range = ranges_[index];
+    if (!range.waits_since_s) range.waits_since_s = now_s;
+    const bool has_its_turn = range.alone_on.empty() ? range.failed_on.contains(runner)
+                                                     : !range.alone_on.contains(runner);
+    return has_its_turn || now_s - *range.waits_since_s >= options_.elsewhere_after_s;
+  });
+}
+
+bool RangeScheduler::MayTakeSuspect(RunnerId runner, double now_s) {
+  return SuspectFor(runner, now_s) != suspects_.end();
+}
+
+std::optional<RangeScheduler::Grant> RangeScheduler::NextSuspect(RunnerId runner, double now_s) {
+  const auto chosen = SuspectFor(runner, now_s);
+  if (chosen == suspects_.end()) return std::nullopt;
+  const int32_t range = *chosen;
+  suspects_.erase(chosen);
+  ranges_[range].waits_since_s.reset();
+  ranges_[range].alone_on.insert(runner);
+  Grant grant = Start(range, runner, now_s);
+  grant.suspect = true;
+  return grant;
 }
 
 RangeScheduler::Grant RangeScheduler::Start(int32_t range, RunnerId runner, double now_s) {
@@ -62,6 +90,7 @@ RangeScheduler::Accepted RangeScheduler::Succeeded(Ticket ticket, double now_s) 
   ranges_[range].done = true;
   ++done_;
   std::erase(queue_, range);  // where it stands again if the result is late
+  std::erase(suspects_, range);
 
   Accepted accepted{.first = true};
   for (const auto& [other, copy] : running_) {
@@ -73,26 +102,35 @@ RangeScheduler::Accepted RangeScheduler::Succeeded(Ticket ticket, double now_s) 
   return accepted;
 }
 
-void RangeScheduler::Failed(Ticket ticket) {
+/// The copy that does not run any more; nullopt: its range is done, or it was lost before.
+std::optional<RangeScheduler::Copy> RangeScheduler::Stopped(Ticket ticket) {
   lost_.erase(ticket);
   const auto found = running_.find(ticket);
-  if (found == running_.end()) return;
+  if (found == running_.end()) return std::nullopt;
   const Copy copy = found->second;
   running_.erase(found);
   --ranges_[copy.range].copies;
-  if (ranges_[copy.range].done) return;
-  CountFailure(copy.range, copy.runner);
-  Requeue(copy.range);
+  if (ranges_[copy.range].done) return std::nullopt;
+  return copy;
+}
+
+void RangeScheduler::Failed(Ticket ticket) {
+  const std::optional<Copy> copy = Stopped(ticket);
+  if (!copy) return;
+  CountFailure(copy->range, copy->runner);
+  Requeue(copy->range);
+}
+
+void RangeScheduler::Died(Ticket ticket) {
+  const std::optional<Copy> copy = Stopped(ticket);
+  if (!copy) return;
+  ranges_[copy->range].suspect = true;
+  CountFailure(copy->range, copy->runner);
+  Requeue(copy->range);
 }
 
 void RangeScheduler::Abandoned(Ticket ticket) {
-  lost_.erase(ticket);
-  const auto found = running_.find(ticket);
-  if (found == running_.end()) return;
-  const int32_t range = found->second.range;
-  running_.erase(found);
-  --ranges_[range].copies;
-  if (!ranges_[range].done) Requeue(range);
+  if (const std::optional<Copy> copy = Stopped(ticket)) Requeue(copy->range);
 }
 
 void RangeScheduler::RunnerGone(RunnerId runner) {
@@ -124,7 +162,10 @@ bool RangeScheduler::FailedTooOften(const Range& range) const {
 
 void RangeScheduler::Requeue(int32_t range) {
   if (ranges_[range].copies > 0) return;
-  queue_.push_front(range);
+  if (ranges_[range].suspect)
+    suspects_.push_back(range);
+  else
+    queue_.push_front(range);
   ++requeued_;
 }
 

@@ -15,6 +15,7 @@ struct SchedulerOptions {
   int poison_tries = 3;          ///< a range that failed this often ...
   int poison_runners = 2;        ///< ... on this many runners fails the job,
   int max_tries = 10;            ///< and so does one that failed this often on however many
+  double elsewhere_after_s = 2;  ///< what a runner died of waits this long for that one to be back
   double hedge_after_s = 1;      ///< a range is slow when it runs longer than this ...
   double hedge_after_ratio = 2;  ///< ... and than this many times the slowest range that is done
   double hedge_share = 0.05;     ///< second copies, as a part of the ranges that are done,
@@ -29,9 +30,12 @@ struct SchedulerOptions {
 ///   - When the queue is empty, a runner with nothing to do gets a second copy of a slow range that
 ///   another one runs.
 ///     The first answer wins.
+///   - A range that a runner died of is suspect: it waits beside the queue, for a runner that has
+///   nothing else to do. Those that ran on that runner with it are so, too, until they are done.
 ///   - A range that keeps failing ends the job, by the poison rule of SchedulerOptions.
 ///
-/// INVARIANT: a range is queued, or running in one or two copies, or done. Not thread-safe.
+/// INVARIANT: a range is queued, or suspect and waiting, or running in one or two copies, or done.
+/// Not thread-safe.
 class RangeScheduler {
  public:
   using Ticket = int64_t;
@@ -39,6 +43,7 @@ class RangeScheduler {
   struct Grant {
     Ticket ticket = 0;
     int32_t range = 0;
+    bool suspect = false;
   };
 
   struct Accepted {
@@ -51,6 +56,13 @@ class RangeScheduler {
   /// The next range from the queue for `runner`; nullopt: nothing queued, or the job failed.
   std::optional<Grant> Next(RunnerId runner, double now_s);
 
+  /// The first suspect range, for a runner that has nothing else to do, and gets nothing else
+  /// meanwhile. It goes to the runner that died of it, then to others, or after a while to any.
+  std::optional<Grant> NextSuspect(RunnerId runner, double now_s);
+
+  /// Whether NextSuspect would grant one.
+  bool MayTakeSuspect(RunnerId runner, double now_s);
+
   /// A second copy of the range that runs longest, if it is slow, runs elsewhere, and has not
   /// failed too often already. REQUIRES: Queued() == 0.
   std::optional<Grant> Hedge(RunnerId runner, double now_s);
@@ -61,6 +73,9 @@ class RangeScheduler {
 
   /// A copy came to nothing: back to the queue, unless another copy runs or the range is done.
   void Failed(Ticket ticket);
+
+  /// The same, and the copy's runner died, or its connection: the range becomes suspect.
+  void Died(Ticket ticket);
 
   /// A copy was given up for a reason that says nothing of the range (its runner drains): back to
   /// the queue, not counted.
@@ -73,6 +88,7 @@ class RangeScheduler {
   /// The range that the poison rule ended the job for.
   std::optional<int32_t> Poisoned() const { return poisoned_; }
   int32_t Queued() const { return static_cast<int32_t>(queue_.size()); }
+  int32_t Suspects() const { return static_cast<int32_t>(suspects_.size()); }
   int32_t Running() const { return static_cast<int32_t>(running_.size()); }
   int Tries(int32_t range) const { return ranges_[range].tries; }
   int64_t Requeued() const { return requeued_; }
@@ -83,7 +99,10 @@ class RangeScheduler {
     bool done = false;
     int copies = 0;
     int tries = 0;
-    std::set<RunnerId> failed_on;
+    bool suspect = false;
+    std::optional<double> waits_since_s = {};  ///< as a suspect, when that was first asked
+    std::set<RunnerId> failed_on = {};
+    std::set<RunnerId> alone_on = {};  ///< where it was tried as a suspect
   };
   struct Copy {
     int32_t range = 0;
@@ -92,6 +111,8 @@ class RangeScheduler {
   };
 
   Grant Start(int32_t range, RunnerId runner, double now_s);
+  std::optional<Copy> Stopped(Ticket ticket);
+  std::deque<int32_t>::iterator SuspectFor(RunnerId runner, double now_s);
   void Requeue(int32_t range);
   void CountFailure(int32_t range, RunnerId runner);
   bool FailedTooOften(const Range& range) const;
@@ -99,6 +120,7 @@ class RangeScheduler {
   SchedulerOptions options_;
   std::vector<Range> ranges_;
   std::deque<int32_t> queue_;
+  std::deque<int32_t> suspects_;
   std::map<Ticket, Copy> running_;
   std::map<Ticket, int32_t>
       lost_;  ///< copies of runners that are gone, whose results may still come

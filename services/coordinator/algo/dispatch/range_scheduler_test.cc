@@ -71,6 +71,41 @@ TEST(RangeScheduler, OneRunnerAloneGetsMoreTries) {
   EXPECT_EQ(scheduler.Poisoned(), 0);
 }
 
+TEST(RangeScheduler, WhatARunnerDiedOfWaitsBesideTheQueue) {
+  RangeScheduler scheduler(3);
+  const auto first = scheduler.Next(kA, 0);
+  scheduler.Died(first->ticket);
+  EXPECT_EQ(scheduler.Suspects(), 1);
+  EXPECT_EQ(scheduler.Next(kB, 0)->range, 1);
+  EXPECT_EQ(scheduler.Next(kA, 0)->range, 2);
+  EXPECT_FALSE(scheduler.Next(kB, 0));
+  EXPECT_FALSE(scheduler.NextSuspect(kB, 1)) << "it waits for the one that died of it";
+  const auto again = scheduler.NextSuspect(kA, 2);
+  ASSERT_TRUE(again);
+  EXPECT_TRUE(again->suspect);
+  EXPECT_EQ(again->range, 0);
+  EXPECT_FALSE(scheduler.Hedge(kB, 1e6)->range == 0) << "no second copy of a suspect";
+  EXPECT_TRUE(scheduler.Succeeded(again->ticket, 3).first);
+}
+
+TEST(RangeScheduler, ASuspectGoesElsewhereWhenItsRunnerStaysAway) {
+  RangeScheduler scheduler(1, {.elsewhere_after_s = 2});
+  scheduler.Died(scheduler.Next(kA, 0)->ticket);
+  EXPECT_FALSE(scheduler.MayTakeSuspect(kB, 10));
+  EXPECT_FALSE(scheduler.NextSuspect(kB, 11.9));
+  EXPECT_TRUE(scheduler.NextSuspect(kB, 12));
+}
+
+TEST(RangeScheduler, ASuspectIsTriedOnceOnEachRunner) {
+  RangeScheduler scheduler(1);
+  scheduler.Died(scheduler.Next(kA, 0)->ticket);
+  scheduler.Died(scheduler.NextSuspect(kA, 0)->ticket);
+  EXPECT_FALSE(scheduler.NextSuspect(kA, 1)) << "a connection may be broken for good";
+  scheduler.Died(scheduler.NextSuspect(kB, 1)->ticket);
+  EXPECT_EQ(scheduler.Poisoned(), 0) << "three tries on two runners";
+  EXPECT_FALSE(scheduler.NextSuspect(kC, 100));
+}
+
 TEST(RangeScheduler, HedgesTheOldestSlowRangeOnce) {
   RangeScheduler scheduler(2, {.hedge_after_s = 1});
   const auto old = scheduler.Next(kA, 0);

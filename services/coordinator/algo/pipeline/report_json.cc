@@ -170,6 +170,7 @@ std::string ReportJson(const JobReport& report, const ReportContext& context) {
   json["print_time"] = DurationText(report.print_time_s);
   if (report.exposure) {
     json["exposure"] = Exposure(*report.exposure);
+    json["exposure"]["layers_s"] = report.times.layer_s;
   } else {
     AddFdm(report, json);
   }

@@ -8,6 +8,7 @@
 #include "common/base/error.h"
 #include "common/base/span_log.h"
 #include "common/base/stopwatch.h"
+#include "common/geometry/measure.h"
 #include "common/stage/object_layers.h"
 #include "services/coordinator/algo/pipeline/check_printable.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
@@ -26,6 +27,28 @@ absl::Status CheckLayer(const ExposureOutput& output, size_t layers) {
        {"value", absl::StrCat(output.layer)},
        {"min", "0"},
        {"max", absl::StrCat(layers - 1)}});
+}
+
+/// Runs before and after lines, with the laser off, stay on the bed if all that is exposed lies as
+/// far from its edge as they are long.
+absl::Status CheckRuns(const JobSettings& settings, const Box& exposed) {
+  Coord run_nm = 0;
+  for (const ExposureOptions& region : settings.exposure.regions)
+    if (!IsRings(region.strategy)) run_nm = std::max(run_nm, region.skywriting_nm);
+  if (run_nm == 0 || exposed.Empty()) return absl::OkStatus();
+  const Box around = exposed.Grown(run_nm);
+  const Polygon& bed = settings.slicing.bed;
+  const Polygon corners = {
+      around.min, {around.max.x, around.min.y}, around.max, {around.min.x, around.max.y}};
+  const bool fits = std::ranges::all_of(
+      corners, [&](Point corner) { return Locate(corner, bed) != Side::kOutside; });
+  if (fits) return absl::OkStatus();
+  const double run_mm = ToMm(static_cast<double>(run_nm));
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
+                   absl::StrCat("skywriting = ", run_mm,
+                                " mm takes the scanner off the bed: what "
+                                "is exposed must lie that far from its edge"),
+                   {{"setting", "skywriting"}, {"value", absl::StrCat(run_mm)}});
 }
 
 /// A layer's part of the file, whose text is in a spool.
@@ -96,6 +119,7 @@ class LaserJob : public PlannedJob {
     }
     if (absl::Status whole = CheckPrograms(programs, layers_.size()); !whole.ok()) return whole;
     const ExposureSummary summary = FillIn(programs);
+    if (absl::Status fits = CheckRuns(settings_, summary.bounds); !fits.ok()) return fits;
     if (report_.exposure->Total().lines == 0)
       return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
                        "the outlines of all layers are too thin: beam_compensation leaves nothing "
@@ -119,7 +143,10 @@ class LaserJob : public PlannedJob {
   /// Sums up the layers, in their order.
   ExposureSummary FillIn(const std::vector<SpooledExposure>& programs) {
     ExposureReport& sum = report_.exposure.emplace();
-    for (const SpooledExposure& spooled : programs) sum.Add(spooled.program.report);
+    for (const SpooledExposure& spooled : programs) {
+      sum.Add(spooled.program.report);
+      report_.times.layer_s.push_back(spooled.program.report.TimeS());
+    }
     const LayerFrame& first = programs.front().program.frame;
     const LayerFrame& last = programs.back().program.frame;
     report_.layer_count = static_cast<int32_t>(programs.size());

@@ -113,6 +113,30 @@ TEST_F(LaserProcessTest, ReportsWhatItCameTo) {
   EXPECT_THAT(report.warnings, testing::Contains("of the settings"));
 }
 
+TEST_F(LaserProcessTest, ReportsTimesByLayer) {
+  const auto output = Run("x-x");
+  ASSERT_TRUE(output.ok()) << output.status();
+  EXPECT_EQ(output->report.times.layer_s, (std::vector<double>{0.75, 0, 0.75}));
+}
+
+/// What is exposed lies from (0, 0) to (2, 9) nm.
+TEST_F(LaserProcessTest, SkywritingStaysOnTheBed) {
+  ExposureOptions& options = settings_.exposure.regions[0];
+  options.strategy = ScanStrategy::kHatch;
+  options.skywriting_nm = 1'000'000;
+  settings_.slicing.bed = {{-1'000'000, -1'000'000},
+                           {5'000'000, -1'000'000},
+                           {5'000'000, 5'000'000},
+                           {-1'000'000, 5'000'000}};
+  EXPECT_TRUE(Run("xxx").ok());
+  options.skywriting_nm = 1'000'001;
+  const ErrorDetail detail = DetailOf(Run("xxx").status());
+  EXPECT_EQ(detail.reason, Reason::kOutOfBuildVolume);
+  EXPECT_EQ(detail.metadata.at("setting"), "skywriting");
+  options.strategy = ScanStrategy::kRings;
+  EXPECT_TRUE(Run("xxx").ok()) << "rings have no such runs";
+}
+
 TEST_F(LaserProcessTest, SameBytesForAnyNumberOfSlots) {
   settings_.exposure.regions[0].upskin_layers = 3;
   const std::string layers = std::string(200, 'x') + "--" + std::string(50, 'x');

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -19,11 +20,33 @@ enum Winding { kClockwise = 0, kCounterClockwise = 1, kOpen = 2 };
 
 bool IsBinary(const FileFacts& facts) { return facts.output.format == OutputFormat::kCliBinary; }
 
-int32_t IdOf(int32_t settings, size_t kind) {
-  return settings * kExposureKindCount + static_cast<int32_t>(kind) + 1;
+int32_t IdOf(int32_t object, int32_t settings, size_t kind, const FileFacts& facts) {
+  const auto rows = static_cast<int32_t>(facts.regions.size());
+  return (std::max(object, 0) * rows + settings) * kExposureKindCount + static_cast<int32_t>(kind) +
+         1;
 }
-int32_t IdOf(const ExposureGroup& group) {
-  return IdOf(group.settings, static_cast<size_t>(group.kind));
+
+/// A name as a label may have it: what CLI's commands are told by is left out.
+std::string LabelName(const std::string& name) {
+  constexpr size_t kMost = 80;
+  std::string text = name.substr(0, kMost);
+  for (char& c : text)
+    if (c == ',' || c == '$' || c == '/' || static_cast<unsigned char>(c) <= ' ') c = '_';
+  return text;
+}
+
+std::string Labels(const FileFacts& facts) {
+  std::string text;
+  const size_t objects = std::max<size_t>(1, facts.object_names.size());
+  for (size_t object = 0; object < objects; ++object)
+    for (size_t settings = 0; settings < facts.regions.size(); ++settings)
+      for (size_t kind = 0; kind < kExposureKindCount; ++kind)
+        text += fmt::format(
+            "$$LABEL/{},{}{}\n",
+            IdOf(static_cast<int32_t>(object), static_cast<int32_t>(settings), kind, facts),
+            StyleText(facts.regions[settings], kind),
+            objects > 1 ? " part " + LabelName(facts.object_names[object]) : "");
+  return text;
 }
 
 Winding DirectionOf(std::span<const Point> line) {
@@ -75,17 +98,19 @@ class Numbers {
   size_t first_ = 0;  ///< where the first number's comma is
 };
 
-void AppendGroup(const ExposureGroup& group, Point shift, Numbers& numbers) {
+void AppendGroup(const ExposureGroup& group, Point shift, const FileFacts& facts,
+                 Numbers& numbers) {
+  const int32_t id = IdOf(group.object, group.settings, static_cast<size_t>(group.kind), facts);
   if (group.IsHatch()) {
     numbers.Start(kHatchesLong, "$$HATCHES");
-    numbers.Integer(IdOf(group));
+    numbers.Integer(id);
     numbers.Integer(static_cast<int32_t>(group.LineCount()));
     for (const Point p : group.points) numbers.Place(p + shift);
     return numbers.End();
   }
   group.ForEachLine([&](std::span<const Point> line) {
     numbers.Start(kPolylineLong, "$$POLYLINE");
-    numbers.Integer(IdOf(group));
+    numbers.Integer(id);
     numbers.Integer(DirectionOf(line));
     numbers.Integer(static_cast<int32_t>(line.size()));
     for (const Point p : line) numbers.Place(p + shift);
@@ -98,11 +123,7 @@ void AppendGroup(const ExposureGroup& group, Point shift, Numbers& numbers) {
 std::string CliHeader(const FileFacts& facts) {
   std::string text = fmt::format("$$HEADERSTART\n{}\n$$UNITS/{:.8f}\n$$VERSION/200\n",
                                  IsBinary(facts) ? "$$BINARY" : "$$ASCII", facts.output.unit_mm);
-  for (size_t settings = 0; settings < facts.regions.size(); ++settings) {
-    for (size_t kind = 0; kind < kExposureKindCount; ++kind)
-      text += fmt::format("$$LABEL/{},{}\n", IdOf(static_cast<int32_t>(settings), kind),
-                          StyleText(facts.regions[settings], kind));
-  }
+  text += Labels(facts);
   if (!facts.bounds.Empty()) {
     text += "$$DIMENSION/";
     const Coord sides[] = {facts.bounds.min.x, facts.bounds.min.y, facts.bottom_nm,
@@ -125,7 +146,7 @@ std::string CliLayer(const ExposedLayer& layer, const FileFacts& facts) {
   numbers.End();
   for (const ExposureVisit& visit : layer.visits)
     for (const ExposureGroup& group : layer.groups)
-      if (group.object == visit.object) AppendGroup(group, visit.shift, numbers);
+      if (group.object == visit.object) AppendGroup(group, visit.shift, facts, numbers);
   return text;
 }
 

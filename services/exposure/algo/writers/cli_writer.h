@@ -12,8 +12,9 @@ namespace slicefarm::exposure {
 /// or as 32-bit floats (binary, long commands, little-endian, right behind $$HEADEREND, not
 /// aligned); $$DIMENSION is in mm; $$LAYER is the layer's upper side; closed lines repeat their
 /// first point and have direction 1 if they run counter-clockwise, else 0; other lines have 2. The
-/// id of a line is 5 * settings + kind + 1; each has a $$LABEL that says its style, as CLI has no
-/// power or speed.
+/// id of a line is 5 * (rows of settings * object + settings) + kind + 1, so parts can be told
+/// apart, but for copies of one; each has a $$LABEL that says its style, as CLI has no power or
+/// speed, and the part's name if there are several.
 std::string CliHeader(const FileFacts& facts);
 std::string CliLayer(const ExposedLayer& layer, const FileFacts& facts);
 std::string CliFooter(const FileFacts& facts);

@@ -158,9 +158,9 @@ TEST(CliWriter, IsReadBack) {
     EXPECT_EQ(file.unit, 0.001);
     EXPECT_EQ(file.layers, 2);
     EXPECT_EQ(file.dimension, (std::vector<double>{-5, -7.1, 0, 30, 6.0005, 0.1}));
-    EXPECT_EQ(file.labels.size(), 10u);
-    EXPECT_EQ(file.labels.at(2), "hatch 200 W 1200 mm/s");
-    EXPECT_EQ(file.labels.at(10), "thin wall 50 W 300.5 mm/s");
+    EXPECT_EQ(file.labels.size(), 20u);
+    EXPECT_EQ(file.labels.at(2), "hatch 200 W 1200 mm/s part bracket.stl");
+    EXPECT_EQ(file.labels.at(20), "thin wall 50 W 300.5 mm/s part a_b__c");
     ASSERT_EQ(file.lines.size(), 2u);
     const std::vector<ExposedLayer> layers = SampleLayers();
     for (size_t i = 0; i < 2; ++i) {
@@ -169,7 +169,9 @@ TEST(CliWriter, IsReadBack) {
       ASSERT_EQ(file.lines[i].size(), expected.size());
       for (size_t k = 0; k < expected.size(); ++k) {
         const ReadLine& line = file.lines[i][k];
-        EXPECT_EQ(line.id, 5 * expected[k].settings + static_cast<int>(expected[k].kind) + 1);
+        EXPECT_EQ(line.id, 5 * (2 * expected[k].object + expected[k].settings) +
+                               static_cast<int>(expected[k].kind) + 1);
+        EXPECT_TRUE(file.labels.contains(line.id));
         ASSERT_EQ(line.mm.size(), 2 * expected[k].points.size());
         // 24 bits of 30 mm in a float; a thousandth of a unit in text.
         for (size_t p = 0; p < expected[k].points.size(); ++p) {
@@ -184,6 +186,14 @@ TEST(CliWriter, IsReadBack) {
       EXPECT_EQ(file.lines[i][4].direction, 2);
     }
   }
+}
+
+TEST(CliWriter, APartThatIsAloneNeedsNoName) {
+  FileFacts facts = SampleFacts(OutputFormat::kCliAscii);
+  facts.object_names = facts.object_names.first(1);
+  const ReadFile file = Read(FileHeader(facts) + FileFooter(facts));
+  EXPECT_EQ(file.labels.size(), 10u);
+  EXPECT_EQ(file.labels.at(2), "hatch 200 W 1200 mm/s");
 }
 
 TEST(CliWriter, TextIsExactToANanometre) {

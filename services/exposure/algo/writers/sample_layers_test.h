@@ -45,7 +45,9 @@ inline FileFacts SampleFacts(OutputFormat format) {
     rows[1].styles[4] = {.power_w = 50, .speed_mm_s = 300.5};
     return rows;
   }();
+  static const std::vector<std::string> names = {"bracket.stl", "a,b/$c"};
   FileFacts facts;
+  facts.object_names = names;
   facts.layers = 2;
   facts.bounds = {{-5'000'000, -7'100'000}, {30'000'000, 6'000'500}};
   facts.top_nm = 100'000;
@@ -63,6 +65,7 @@ inline std::string SampleFile(OutputFormat format) {
 
 /// The lines of a layer as they lie on the plate, in order.
 struct PlateLine {
+  int32_t object = 0;
   int32_t settings = 0;
   ExposureKind kind = ExposureKind::kHatch;
   std::vector<Point> points;
@@ -73,7 +76,7 @@ inline std::vector<PlateLine> PlateLines(const ExposedLayer& layer) {
     for (const ExposureGroup& group : layer.groups) {
       if (group.object != visit.object) continue;
       group.ForEachLine([&](std::span<const Point> line) {
-        PlateLine& plate = lines.emplace_back(PlateLine{group.settings, group.kind, {}});
+        PlateLine& plate = lines.emplace_back(PlateLine{group.object, group.settings, group.kind, {}});
         for (const Point p : line) plate.points.push_back(p + visit.shift);
       });
     }

@@ -1,8 +1,10 @@
 #include "services/slicing/algo/topology/topology.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "common/base/error.h"
 #include "services/slicing/algo/placement/placement.h"
@@ -51,6 +53,31 @@ EdgeTable EdgesOfDistinct(IndexedMesh& mesh, int64_t& repeated) {
   if (dropped == 0) return table;
   repeated += dropped;
   return BuildEdgeTable(mesh.triangles, mesh.vertices.size());
+}
+
+/// The faces that are missing where three open half-edges run round a triangle, the other way. Not
+/// beside a face that stands for itself: all three are its own. Cost: O(open edges log).
+std::vector<Triangle> MissingFaces(const IndexedMesh& mesh, const EdgeTable& table) {
+  std::vector<bool> in_fan(table.twins.size());
+  for (const uint32_t h : table.fans) in_fan[h] = true;
+  std::map<uint32_t, std::vector<uint32_t>> from;  // open half-edges by their origin
+  for (uint32_t h = 0; h < table.twins.size(); ++h)
+    if (table.twins[h] == kNoTwin && !in_fan[h]) from[OriginOf(mesh.triangles, h)].push_back(h);
+  // The open half-edge that goes on from this one; more than one, or none: kNoTwin.
+  const auto next = [&](uint32_t h) {
+    const auto found = from.find(TargetOf(mesh.triangles, h));
+    return found == from.end() || found->second.size() != 1 ? kNoTwin : found->second.front();
+  };
+  std::vector<Triangle> missing;
+  for (const auto& [origin, edges] : from) {
+    if (edges.size() != 1) continue;
+    const uint32_t a = edges.front(), b = next(a), c = b == kNoTwin ? kNoTwin : next(b);
+    if (c == kNoTwin || next(c) != a || (FaceOf(a) == FaceOf(b) && FaceOf(b) == FaceOf(c)))
+      continue;
+    const uint32_t second = OriginOf(mesh.triangles, b), third = OriginOf(mesh.triangles, c);
+    if (origin < second && origin < third) missing.push_back({origin, third, second});
+  }
+  return missing;
 }
 
 /// Sets of faces. Source: Galler and Fischer 1964, with paths halved; a root is the least face of
@@ -106,6 +133,10 @@ absl::StatusOr<ConnectedMesh> Connect(IndexedMesh mesh, const CancelToken& cance
       std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
                     [&](const Triangle& t) { return HasNoArea(mesh, t); });
   connected.open_edges = table.open_edges;
+  if (const std::vector<Triangle> missing = MissingFaces(mesh, table); !missing.empty()) {
+    mesh.triangles.insert(mesh.triangles.end(), missing.begin(), missing.end());
+    table = BuildEdgeTable(mesh.triangles, mesh.vertices.size());
+  }
   connected.non_manifold_edges = table.fan_count();
   connected.bodies = CountBodies(table);
   connected.flipped_faces = OrientFaces(mesh, table);

@@ -11,7 +11,8 @@
 namespace slicefarm::slicing {
 
 /// A mesh whose faces know their neighbours. Faces with two equal corners are gone, and so are those
-/// that are there twice; faces that ran against their body are turned. A face with three corners on one line stays: it has no area, but
+/// that are there twice; faces that ran against their body are turned. Where three open edges of several faces make a
+/// triangle, the face that is missing there is put in. A face with three corners on one line stays: it has no area, but
 /// it joins its neighbours.
 struct ConnectedMesh {
   IndexedMesh mesh;
@@ -24,7 +25,7 @@ struct ConnectedMesh {
   int64_t degenerate_faces = 0;
   int64_t repeated_faces = 0;  ///< with the corners of another one, in the same sense
   int64_t flipped_faces = 0;
-  // Once those are gone:
+  // Once those are gone, and before missing faces are put in:
   int64_t open_edges = 0;
   int64_t non_manifold_edges = 0;
   int64_t bodies = 0;  ///< connected over edges; parts that meet in a vertex only count apart

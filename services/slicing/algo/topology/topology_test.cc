@@ -8,6 +8,7 @@
 #include "common/base/error.h"
 #include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
+#include "services/slicing/algo/topology/mesh_measure.h"
 
 namespace slicefarm::slicing::topology_test {
 namespace {
@@ -36,7 +37,7 @@ TEST(Connect, ReportsWhatTheMeshIsLike) {
   const std::vector<Case> cases = {
       {"Cube", Cube(0, 0, 0), 1, 0, 0, 0, 0, 0, true},
       {"Torus", TorusMesh({}), 1, 0, 0, 0, 0, 0, true},
-      {"OpenCube", WithoutTriangle(Cube(0, 0, 0), 5), 1, 3, 0, 0, 0, 0, false},
+      {"OpenCube", WithoutTriangle(Cube(0, 0, 0), 5), 1, 3, 0, 0, 0, 0, true},
       {"TwoCubes", Joined(Cube(0, 0, 0), Cube(20, 0, 0)), 2, 0, 0, 0, 0, 0, true},
       {"TouchingInACorner", Joined(Cube(0, 0, 0), Cube(10, 10, 10)), 2, 0, 0, 0, 0, 0, true},
       {"TouchingInAnEdge", Joined(Cube(0, 0, 0), Cube(10, 10, 0)), 1, 0, 1, 0, 0, 0, true},
@@ -66,6 +67,30 @@ TEST(Connect, ReportsWhatTheMeshIsLike) {
     EXPECT_EQ(mesh->degenerate_faces, c.degenerate) << c.name;
     EXPECT_EQ(mesh->repeated_faces, c.repeated) << c.name;
     EXPECT_EQ(mesh->closed, c.closed) << c.name;
+  }
+}
+
+TEST(Connect, PutsInAFaceThatIsMissing) {
+  for (size_t face = 0; face < 12; ++face) {
+    RawMesh mesh = Cube(0, 0, 0);
+    mesh.triangles.erase(mesh.triangles.begin() + static_cast<ptrdiff_t>(face));
+    const auto connected = Connect(*PlaceMesh(mesh), {});
+    ASSERT_TRUE(connected.ok());
+    EXPECT_TRUE(connected->closed) << face;
+    EXPECT_EQ(connected->open_edges, 3) << "as the file had it";
+    EXPECT_EQ(connected->mesh.triangles.size(), 12u);
+    EXPECT_DOUBLE_EQ(VolumeMm3(connected->mesh), 1000) << face;
+  }
+}
+
+TEST(Connect, LeavesOtherOpeningsAsTheyAre) {
+  RawMesh side = Cube(0, 0, 0);
+  side.triangles.resize(10);
+  for (const RawMesh& mesh : {side, RawMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 1}}, {{0, 1, 2}}}}) {
+    const auto connected = Connect(*PlaceMesh(mesh), {});
+    ASSERT_TRUE(connected.ok());
+    EXPECT_EQ(connected->mesh.triangles.size(), mesh.triangles.size());
+    EXPECT_FALSE(connected->closed);
   }
 }
 
