@@ -92,7 +92,8 @@ TEST(WallSection, LoopsHaveTheOutlineToTheirRight) {
     BeadingOptions options;
     options.generator = generator;
     int loops = 0;
-    for (const Path& wall : Walled(section, {options}).islands[0].walls) {
+    const WalledSection walled = Walled(section, {options});
+    for (const Path& wall : walled.islands[0].walls) {
       if (!wall.closed || wall.feature == Feature::kGapFill) continue;
       ++loops;
       const Box box = Bounds(wall.points);
