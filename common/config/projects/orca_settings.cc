@@ -104,6 +104,7 @@ class OrcaReader {
     } else if (by_key_.contains("exclude_object")) {
       known_.insert("exclude_object");
     }
+    TakeSlopes();
     for (const std::string_view key : {"pressure_advance", "enable_pressure_advance"})
       if (by_key_.contains(key)) known_.emplace(key);
     const auto advance = by_key_.find("pressure_advance");
@@ -113,6 +114,37 @@ class OrcaReader {
   }
 
  private:
+  /// The kind of lift that counts: the filament's own, or the machine's.
+  std::string LiftType() const {
+    for (const std::string_view key : {"filament_z_hop_types", "z_hop_types"}) {
+      const auto found = by_key_.find(key);
+      if (found == by_key_.end()) continue;
+      const std::string type = FirstOf(found->second->value).value_or("");
+      if (!type.empty() && type != kNotSet) return type;
+    }
+    return "";
+  }
+
+  /// A slope lift rises by z_hop at travel_slope, 3 degrees if nothing says otherwise. Others are
+  /// straight up here.
+  void TakeSlopes() {
+    const std::string type = LiftType();
+    for (const std::string_view key : {"z_hop_types", "filament_z_hop_types", "travel_slope"}) {
+      const auto found = by_key_.find(key);
+      if (found == by_key_.end()) continue;
+      known_.emplace(key);
+      if (type != "Normal Lift" && type != "Slope Lift" && key != "travel_slope")
+        inexact_.emplace(key);
+    }
+    if (type != "Slope Lift") return;
+    constexpr Source kSource = Source::kProfile;
+    Set("travel_ramping_lift", "1", kSource);
+    Set("travel_slope", PrintNumber(NumberOf("travel_slope").value_or(3)), kSource);
+    for (const auto& [from, to] : {std::pair{"z_hop", "travel_max_lift"},
+                                   std::pair{"filament_z_hop", "filament_travel_max_lift"}})
+      if (const auto height = NumberOf(from)) Set(to, PrintNumber(*height), kSource);
+  }
+
   bool IsOn(std::string_view key) const {
     const auto found = by_key_.find(key);
     return found != by_key_.end() && FirstOf(found->second->value) == "1";

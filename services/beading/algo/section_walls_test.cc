@@ -86,13 +86,14 @@ TEST(WallSection, OneWallOnTheBed) {
 TEST(WallSection, LoopsHaveTheOutlineToTheirRight) {
   // A frame with a thin side, so that some loops are offsets and others beads of varying width.
   const MultiPolygon frame =
-      MakePolygonsOrDie("(0 0, 30 0, 30 30, 0 30), (1.7 8, 1.7 22, 22 22, 22 8)");
+      MakePolygonsOrDie("(0 0, 30 0, 30 30, 0 30) (1.7 8, 1.7 22, 22 22, 22 8)");
   const ObjectSection section{0, 3, 9, 200'000, {{Role::kPart, 0, 0, frame}}, {}, 0, {}, {}};
   for (const WallGenerator generator : {WallGenerator::kArachne, WallGenerator::kClassic}) {
     BeadingOptions options;
     options.generator = generator;
     int loops = 0;
-    for (const Path& wall : Walled(section, {options}).islands[0].walls) {
+    const WalledSection walled = Walled(section, {options});
+    for (const Path& wall : walled.islands[0].walls) {
       if (!wall.closed || wall.feature == Feature::kGapFill) continue;
       ++loops;
       const Box box = Bounds(wall.points);

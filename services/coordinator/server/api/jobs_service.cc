@@ -355,7 +355,7 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
   stage_call.cancel = call.cancel;
   stage_call.trace = call.trace;
   stage_call.claimant.tenant = submission.tenant;
-  const auto& plate = resolved->plate;
+  const config::ResolvedPlate& plate = resolved->plate;
   const auto found = LookAt(
       stage_call, {*std::move(meshes), plate.settings, plate.effective_text, plate.warnings},
       backend_.slicing, backend_.planning, &backend_.sampling);

@@ -50,7 +50,7 @@ TEST(RampedWay, IsUpBeforeAnObstacle) {
   EXPECT_THAT(RampedWay(kFrom, way, ramp, &other),
               ElementsAre(RampPlace{{6'000, 0}, 1'000}, RampPlace{{40'000, 0}, 1'000}));
   // It stands on an island and goes to another one.
-  const LayerBelow both(MakePolygonsOrDie("(-1 -1, 2 -1, 2 1, -1 1) (6 -1, 8 -1, 8 1, 6 1)"));
+  const LayerBelow both(MakePolygonsOrDie("(-1 -1, 2 -1, 2 1, -1 1) ; (6 -1, 8 -1, 8 1, 6 1)"));
   EXPECT_THAT(RampedWay(kFrom, way, ramp, &both),
               ElementsAre(RampPlace{{6'000, 0}, 1'000}, RampPlace{{40'000, 0}, 1'000}));
   // Over its own island and on, there is nothing in the way.

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
 
 #include "common/base/error.h"
@@ -38,6 +39,8 @@ class ProjectBuilder {
     if (project_.objects.empty())
       return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshEmpty,
                        "the file has nothing to build");
+    if (!metadata_.has_printer && HasPlaces(package_.files.front().items))
+      notes_.Add("places on the bed (the file has no settings of a printer)", {});
     AddPlates(metadata_.model.plates, items_, project_, notes_);
     project_.without_effect = notes_.Lines();
     if (absl::Status status = CheckTextBytes(); !status.ok()) return status;
@@ -45,6 +48,13 @@ class ProjectBuilder {
   }
 
  private:
+  /// Whether several items stand where somebody has put them.
+  static bool HasPlaces(const std::vector<BuildItem>& items) {
+    return items.size() > 1 && std::ranges::any_of(items, [](const BuildItem& item) {
+             return item.transform(0, 3) != 0 || item.transform(1, 3) != 0;
+           });
+  }
+
   absl::Status Add(const BuildItem& item) {
     absl::StatusOr<ObjectKey> key = package_.Resolve(item, 0);
     if (!key.ok()) return key.status();

@@ -48,6 +48,18 @@ TEST(MakeProject, NamesAndOrdersObjects) {
   EXPECT_FALSE(project->objects[1].instances[0].placed) << "no printer, no place";
 }
 
+TEST(MakeProject, SaysThatPlacesAreNotKept) {
+  Package package = PackageOf(2);
+  EXPECT_TRUE(MakeProject(package, {})->without_effect.empty());
+  package.files[0].items[1].transform(0, 3) = 30;
+  EXPECT_THAT(MakeProject(package, {})->without_effect,
+              testing::ElementsAre(testing::StartsWith("places on the bed")));
+  Metadata metadata;
+  metadata.has_printer = true;
+  EXPECT_TRUE(MakeProject(package, metadata)->without_effect.empty());
+  EXPECT_TRUE(MakeProject(PackageOf(1), {})->without_effect.empty());
+}
+
 /// Bambu Studio's first projects: each object in a file of its own, and numbers over all of them.
 TEST(MakeProject, ObjectsOfOtherFilesHaveSettingsAndPlates) {
   Package package = PackageOf(1);

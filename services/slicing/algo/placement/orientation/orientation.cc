@@ -29,8 +29,6 @@ constexpr size_t kMostCandidates = 40;
 constexpr double kSame = 1e-6;  ///< square of an angle of 0.06 degrees
 constexpr double kHeightWeight = 0.25;
 constexpr double kContactWeight = 0.25;
-/// Of what stands on less of its footprint, tips or a facet of a ball, nobody says that it stands.
-constexpr double kLeastStand = 0.01;
 
 /// The mesh in mm, and what all candidates need of it.
 struct Body {
@@ -268,8 +266,7 @@ absl::StatusOr<OrientationSuggestion> SuggestOrientation(const IndexedMesh& give
     const bool current = rotation == Matrix3d::Identity();
     if (!candidate.stable && !current) continue;
     candidate = Judged(mesh, body, stand, std::move(candidate), options);
-    const bool stands = candidate.contact_mm2 >= kLeastStand * candidate.footprint_mm2;
-    if (candidate.stable && stands) stable.push_back(candidate);
+    if (candidate.stable) stable.push_back(candidate);
     if (current) suggestion.current = std::move(candidate);
   }
   suggestion.best = Ranked(std::move(stable), options.suggestions);

@@ -30,8 +30,7 @@ struct PrintOrientation {
 
 struct OrientationSuggestion {
   PrintOrientation current;
-  /// Stable ones that lie on a hundredth of their footprint at least, best first.
-  std::vector<PrintOrientation> best;
+  std::vector<PrintOrientation> best;  ///< stable ones, best first; empty if there are none
 };
 
 /// Ways to lay an object down so that a large face holds it and little needs support.

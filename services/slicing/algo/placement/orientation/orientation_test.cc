@@ -93,25 +93,6 @@ TEST(SuggestOrientation, PutsAConeOnItsBase) {
   EXPECT_EQ(best.overhang_mm2, 0);
 }
 
-/// Two cones base to base.
-RawMesh TwoCones(int sides) {
-  RawMesh mesh = Cone(10, 10, sides);
-  const uint32_t below = static_cast<uint32_t>(mesh.positions.size());
-  mesh.positions.push_back({0, 0, -10});
-  const auto middle = static_cast<uint32_t>(sides);
-  for (auto& [a, b, c] : mesh.triangles)
-    if (c == middle) c = below;
-  return mesh;
-}
-
-TEST(SuggestOrientation, AFacetThatIsASliverIsNoStand) {
-  const auto slivers = SuggestOrientation(Placed(TwoCones(400)), {}, {});
-  ASSERT_TRUE(slivers.ok()) << slivers.status();
-  EXPECT_TRUE(slivers->best.empty());
-  const OrientationSuggestion wide = SuggestOrDie(Placed(TwoCones(8)));
-  EXPECT_GT(wide.best[0].contact_mm2, 0.1 * wide.best[0].footprint_mm2);
-}
-
 TEST(SuggestOrientation, MeasuresOverhangsBySlope) {
   // A cone on its tip, 45 degrees steep: supported from 46 degrees on.
   const IndexedMesh mesh = Placed(Cone(20, 20, 360, true));
