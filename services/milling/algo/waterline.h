@@ -13,7 +13,7 @@ namespace slicefarm::milling {
 
 struct WaterlineOptions {
   double sampling_mm = 0.2;  ///< distance of fibers
-  bool contacts = false;            ///< wanted
+  bool contacts = false;     ///< wanted
   int threads = 1;
 };
 
