@@ -1,7 +1,9 @@
 #include "services/milling/algo/drop_cutter.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace slicefarm::milling {
 namespace {
