@@ -37,6 +37,8 @@ constexpr std::array kBenchmarks = {
     Benchmark{"rings", "DIR_OF_POLYGONS",
               "how much of outlines a laser's rings cover, and how often",
               slicefarm::bench::BenchRings},
+    Benchmark{"waterline", "DIR_OF_MODELS", "loops of a milling cutter beside OpenCAMlib's",
+              slicefarm::bench::BenchWaterline},
 };
 
 }  // namespace

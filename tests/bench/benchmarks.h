@@ -14,5 +14,6 @@ int BenchWalls(const std::string& outlines);
 int BenchExposure(const std::string& polygons);
 int BenchLattice();
 int BenchRings(const std::string& outlines);
+int BenchWaterline(const std::string& models);
 
 }  // namespace slicefarm::bench

@@ -108,6 +108,16 @@ void AddWaterline(CLI::App& app, CommandContext& context) {
   command->add_option("--sampling", options->how.sampling_mm, "Distance of fibers")
       ->capture_default_str()
       ->type_name("MM");
+  command
+      ->add_option("--tolerance", options->how.tolerance_mm,
+                   "Points are put in where a loop leaves its chords by more; 0: nowhere")
+      ->capture_default_str()
+      ->type_name("MM");
+  command
+      ->add_option("--least-sampling", options->how.least_sampling_mm,
+                   "But no points nearer than this")
+      ->capture_default_str()
+      ->type_name("MM");
   command->add_option("--threads", options->how.threads, "Threads")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str()

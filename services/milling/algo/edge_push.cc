@@ -17,27 +17,32 @@ struct HalfChord {
   double b = 0;
   double c = 0;
   double growth = 0;
+  double discriminant = 0;  ///< b^2 - 4 a c, without its cancellation
 };
 
 HalfChord HalfChordOf(const ProfilePiece& piece, const FiberPoint& from, const FiberPoint& step) {
+  const double dh = step.height, dv = step.across, h = from.height, v = from.across;
   if (piece.corner_mm > 0) {
-    const double below = piece.corner_mm - from.height;
-    return {.a = -(step.height * step.height + step.across * step.across),
-            .b = 2 * (step.height * below - from.across * step.across),
-            .c = from.height * (piece.corner_mm + below) - from.across * from.across};
+    const double r = piece.corner_mm, square = h * (2 * r - h);
+    return {.a = -(dh * dh + dv * dv),
+            .b = 2 * (dh * (r - h) - v * dv),
+            .c = square - v * v,
+            .discriminant =
+                4 * (dv * dv * square + dh * (dh * (r - v) * (r + v) - 2 * v * (r - h) * dv))};
   }
-  const double width = piece.base_mm + piece.slope * from.height;
-  const double growth = piece.slope * step.height;
-  return {.a = (growth - step.across) * (growth + step.across),
-          .b = 2 * (width * growth - from.across * step.across),
-          .c = (width - from.across) * (width + from.across),
-          .growth = growth};
+  const double width = piece.base_mm + piece.slope * h, growth = piece.slope * dh;
+  const double root = growth * v - width * dv;
+  return {.a = (growth - dv) * (growth + dv),
+          .b = 2 * (width * growth - v * dv),
+          .c = (width - v) * (width + v),
+          .growth = growth,
+          .discriminant = 4 * root * root};
 }
 
 /// Where `along` s + sqrt(Q(s)) is largest, for all s; not finite where it never stops growing.
-double LargestAt(const HalfChord& q, double discriminant, double along) {
+double LargestAt(const HalfChord& q, double along) {
   const double m = along * along - q.a;
-  const double rate = m > 0 ? std::sqrt(std::max(0.0, discriminant) / m) : 0;
+  const double rate = m > 0 ? std::sqrt(std::max(0.0, q.discriminant) / m) : 0;
   const double t = -along * rate;  // dQ/ds there
   if (q.a >= 0) {
     const double way = q.growth != 0 ? q.growth : along;
@@ -85,10 +90,9 @@ void Unite(const EdgePart& part, const SideContact& high, const SideContact& low
 
 void PushQuadratic(const ProfilePiece& piece, const EdgePart& part, Reach& reach) {
   const HalfChord q = HalfChordOf(piece, part.from, part.step);
-  const double discriminant = q.b * q.b - 4 * q.a * q.c;
-  if (q.a < 0 && discriminant <= 0) return;
+  if (q.a < 0 && q.discriminant <= 0) return;
   const auto contact = [&](double side) {
-    const double best = LargestAt(q, discriminant, side * part.step.along);
+    const double best = LargestAt(q, side * part.step.along);
     const double s = best > 0 ? std::min(best, part.length) : 0;  // of NaN too
     const FiberPoint p = On(part.from, part.step, s);
     return SideContact{s, p.along, HalfChordAt(piece, p)};

@@ -44,6 +44,12 @@ TEST(PushEdge, ReachesWhatGeometrySays) {
            PushCase{"a level edge along", "cyl:2", {-5, 0.6, 2}, {5, 0.6, 2}, -5.8, 5.8},
            PushCase{
                "a level edge at 45 degrees", "cyl:2", {-9, -9, 1}, {9, 9, 1}, -2 * root, 2 * root},
+           PushCase{"a long level edge hardly above a cone's tip",
+                    "cone:2:45",
+                    {0, -99, 1e-6},
+                    {0, 1, 1e-6},
+                    -1e-6,
+                    1e-6},
            PushCase{"a slope along, cylinder", "cyl:2", {-9, 0, -9}, {9, 0, 9}, -1, 10},
            PushCase{"a slope along, ball", "ball:2", {-9, 0, -9}, {9, 0, 9}, 1 - std::sqrt(2), 10},
            PushCase{"a slope along, bull",

@@ -7,14 +7,14 @@
 namespace slicefarm::milling {
 namespace {
 
-/// The line in which a triangle is cut at a height, its ends in the order of the corners' sides.
+/// The line in which a triangle is cut at a height or a trifle above: also along its lowest side.
 /// False: none.
 bool CutAt(double height, const std::array<FiberPoint, 3>& corners,
            std::array<FiberPoint, 2>& cut) {
   size_t found = 0;
   for (size_t k = 0; k < 3 && found < 2; ++k) {
     const FiberPoint *low = &corners[k], *high = &corners[(k + 1) % 3];
-    if ((low->height < height) == (high->height < height)) continue;
+    if ((low->height <= height) == (high->height <= height)) continue;
     if (low->height > high->height) std::swap(low, high);
     const double s = (height - low->height) / (high->height - low->height);
     cut[found++] = {low->along + s * (high->along - low->along),

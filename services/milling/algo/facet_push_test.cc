@@ -30,6 +30,14 @@ TEST(PushFacet, TouchesASlope) {
   }
 }
 
+/// A cone touches a gentle slope with its tip, on the slope's lowest side too.
+TEST(PushFacet, TouchesTheLowestSideWithItsTip) {
+  const std::array<FiberPoint, 3> corners = {FiberPoint{2, -5, 0}, {2, 5, 0}, {6, 0, 1}};
+  const FacetContact contact = PushFacet(CutterOf("cone:2:45"), corners, NormalOf(corners));
+  EXPECT_EQ(contact.side, -1);
+  EXPECT_NEAR(contact.end, 2, 1e-12);
+}
+
 TEST(PushFacet, LeavesLevelAndUprightOnesToTheirEdges) {
   const Cutter cutter = CutterOf("ball:2");
   for (const std::array<FiberPoint, 3>& corners :

@@ -11,7 +11,7 @@
 namespace slicefarm::milling {
 namespace {
 
-constexpr int32_t kFibersOfBlock = 32;
+constexpr int32_t kFibersOfBlock = 16;
 /// What is known from the level above is less by this, which is more than any rounding: ends then
 /// always come from this level's contacts.
 constexpr double kKnownMarginMm = 1e-6;
@@ -102,6 +102,17 @@ class EdgeMemory {
   uint64_t fiber_ = 0;
 };
 
+/// What is in both of two unions of intervals.
+std::vector<Interval> Intersection(const std::vector<Interval>& a, const std::vector<Interval>& b) {
+  std::vector<Interval> both;
+  for (size_t i = 0, k = 0; i < a.size() && k < b.size();) {
+    const double low = std::max(a[i].low, b[k].low), high = std::min(a[i].high, b[k].high);
+    if (low < high) both.push_back({low, high, {}, {}});
+    a[i].high < b[k].high ? ++i : ++k;
+  }
+  return both;
+}
+
 /// A triangle on one level: where it may be touched.
 struct Candidate {
   double along_low = 0, along_high = 0;
@@ -130,6 +141,7 @@ class BlockPush {
   bool Run(int32_t first, int32_t last) {
     settled_.resize(static_cast<size_t>(last - first));
     for (size_t level = 0; level < job_.levels_mm.size(); ++level) {
+      if (level > 0) KnowOfAll(job_.result[level - 1], first, last);
       Gather(job_.levels_mm[level]);
       for (int32_t fiber = first; fiber < last; ++fiber) {
         if (job_.cancel.Cancelled()) return false;
@@ -145,23 +157,37 @@ class BlockPush {
     return job_.boxes[triangle].bottom - z_mm >= job_.cutter.full_height_mm();
   }
 
+  /// What is gouged on all fibers of the block on the level above.
+  void KnowOfAll(const FiberIntervals& above, int32_t first, int32_t last) {
+    std::vector<Interval> all = above[static_cast<size_t>(first)];
+    for (int32_t fiber = first + 1; fiber < last && !all.empty(); ++fiber)
+      all = Intersection(all, above[static_cast<size_t>(fiber)]);
+    known_.Clear();
+    AddKnown(all, known_);
+  }
+
   void Gather(double z_mm) {
     while (next_ < triangles_.size() && job_.boxes[triangles_[next_]].top - z_mm > kTouchMm)
       active_.push_back(triangles_[next_++]);
     candidates_.clear();
-    for (const uint32_t t : active_) {
+    const double radius = job_.cutter.radius_mm();
+    std::erase_if(active_, [&](uint32_t t) {
       const TriangleBox& box = job_.boxes[t];
+      // The shaft is the widest: what it finds nothing beside, nothing finds on any level below.
+      if (known_.Covers(box.along_low - radius, box.along_high + radius)) return true;
       const double reach = job_.cutter.Width(box.top - z_mm);
+      if (known_.Covers(box.along_low - reach, box.along_high + reach)) return false;
       candidates_.push_back({box.along_low - reach, box.along_high + reach, box.across_low - reach,
                              box.across_high + reach, t, IsSettled(t, z_mm)});
-    }
+      return false;
+    });
   }
 
   void Push(size_t level, int32_t index, IntervalSet& settled) {
     const Fiber fiber{job_.grid.At(index), job_.levels_mm[level]};
     memory_.NextFiber();
     gouged_ = settled;
-    if (level > 0) AddKnown(job_.result[level - 1][index]);
+    if (level > 0) AddKnown(job_.result[level - 1][index], gouged_);
     for (const Candidate& c : candidates_) {
       if (!(c.across_low < fiber.across_mm && fiber.across_mm < c.across_high)) continue;
       if (gouged_.Covers(c.along_low, c.along_high)) continue;
@@ -180,11 +206,11 @@ class BlockPush {
     return job_.frame.Hull(job_.cutter, triangle, fiber, reaches);
   }
 
-  void AddKnown(const std::vector<Interval>& above) {
+  static void AddKnown(const std::vector<Interval>& above, IntervalSet& set) {
     for (Interval known : above) {
       known.low += kKnownMarginMm;
       known.high -= kKnownMarginMm;
-      if (known.low < known.high) gouged_.Add(known);
+      if (known.low < known.high) set.Add(known);
     }
   }
 
@@ -195,6 +221,7 @@ class BlockPush {
   std::vector<uint32_t> active_;
   std::vector<Candidate> candidates_;
   std::vector<IntervalSet> settled_;  ///< by fiber of the block
+  IntervalSet known_;                 ///< on all fibers
   IntervalSet gouged_;
 };
 

@@ -22,10 +22,4 @@ void IntervalSet::Add(const Interval& interval) {
   items_.erase(first + 1, last);
 }
 
-bool IntervalSet::Covers(double low, double high) const {
-  const auto after = std::partition_point(items_.begin(), items_.end(),
-                                          [&](const Interval& item) { return item.low <= low; });
-  return after != items_.begin() && (after - 1)->high >= high;
-}
-
 }  // namespace slicefarm::milling

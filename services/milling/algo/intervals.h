@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -30,7 +31,11 @@ class IntervalSet {
   /// one's source stays. Cost: O(log n) to find, O(n) to move what is behind. REQUIRES: low < high.
   void Add(const Interval& interval);
   /// Whether one of the intervals holds [low, high]. Cost: O(log n).
-  bool Covers(double low, double high) const;
+  bool Covers(double low, double high) const {
+    const auto after = std::partition_point(items_.begin(), items_.end(),
+                                            [&](const Interval& item) { return item.low <= low; });
+    return after != items_.begin() && (after - 1)->high >= high;
+  }
 
   const std::vector<Interval>& items() const { return items_; }
 

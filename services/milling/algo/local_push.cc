@@ -21,6 +21,18 @@ FlatBox FlatBoxOf(const TriangleMesh& mesh, uint32_t triangle) {
   return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
 }
 
+/// Whether the triangle's box comes as near to the fiber as the cutter is wide at its top.
+bool MayReach(const FiberFrame& frame, const Cutter& cutter, uint32_t triangle,
+              const Fiber& fiber) {
+  const auto& t = frame.mesh().triangles[triangle];
+  const FiberPoint a = frame.At(t[0], fiber), b = frame.At(t[1], fiber), c = frame.At(t[2], fiber);
+  const double top = std::max({a.height, b.height, c.height});
+  if (top <= kTouchMm) return false;
+  const double width = cutter.Width(top);
+  return std::min({a.across, b.across, c.across}) < width &&
+         std::max({a.across, b.across, c.across}) > -width;
+}
+
 }  // namespace
 
 TriangleGrid::TriangleGrid(const TriangleMesh& mesh) {
@@ -68,10 +80,7 @@ IntervalSet PushLocally(const FiberFrame& frame, const Cutter& cutter,
   const Eigen::Vector2d& y = along_x ? sides : ends;
   IntervalSet gouged;
   triangles.ForEachIn({x[0], y[0]}, {x[1], y[1]}, [&](uint32_t t) {
-    double top = -std::numeric_limits<double>::infinity();
-    for (const uint32_t p : frame.mesh().triangles[t])
-      top = std::max(top, frame.mesh().points_mm[p].z());
-    if (top - fiber.z_mm <= kTouchMm) return;
+    if (!MayReach(frame, cutter, t, fiber)) return;
     const Interval found = frame.PushTriangle(cutter, t, fiber);
     if (found.low < found.high) gouged.Add(found);
   });

@@ -12,6 +12,7 @@
 #include "common/base/parallel.h"
 #include "services/milling/algo/fiber_push.h"
 #include "services/milling/algo/local_push.h"
+#include "services/milling/algo/refine.h"
 #include "services/milling/algo/weave.h"
 
 namespace slicefarm::milling {
@@ -34,6 +35,10 @@ absl::Status CheckWaterline(const TriangleMesh& mesh, std::span<const double> le
   }
   if (!(options.sampling_mm > 0) || !std::isfinite(options.sampling_mm))
     return RangeError("sampling", "must be above 0", options.sampling_mm);
+  if (!(options.tolerance_mm >= 0) || !std::isfinite(options.tolerance_mm))
+    return RangeError("tolerance", "must be at least 0", options.tolerance_mm);
+  if (!(options.least_sampling_mm > 0))
+    return RangeError("least_sampling", "must be above 0", options.least_sampling_mm);
   for (const double z : levels_mm)
     if (!(std::abs(z) <= 1e6)) return RangeError("z", "must be a height within 1 km", z);
   return absl::OkStatus();
@@ -124,7 +129,11 @@ class WaterlineMaker {
   std::vector<WaterlineLoop> LoopsOf(const Weave& weave, double z_mm) const {
     const auto woven = WeaveLoops(weave, [&](double x, double y) { return GougedAt(x, y, z_mm); });
     std::vector<WaterlineLoop> loops;
-    for (const WovenLoop& crossings : woven) {
+    const LevelPush level{x_, y_, cutter_, triangles_, z_mm};
+    const Refinement finer{options_.tolerance_mm, options_.least_sampling_mm};
+    for (const WovenLoop& loop_of_grid : woven) {
+      const WovenLoop crossings =
+          finer.tolerance_mm > 0 ? Refined(loop_of_grid, level, finer) : loop_of_grid;
       WaterlineLoop loop{.z_mm = z_mm, .outer = true, .points_mm = {}, .contacts_mm = {}};
       for (const Crossing& c : crossings) {
         loop.points_mm.push_back({c.x, c.y});

@@ -13,6 +13,10 @@ namespace slicefarm::milling {
 
 struct WaterlineOptions {
   double sampling_mm = 0.2;  ///< distance of fibers
+  /// Fibers are put between those of the grid where a loop leaves the chord of two points by more;
+  /// 0: nowhere.
+  double tolerance_mm = 0;
+  double least_sampling_mm = 0.01;  ///< but no points nearer than this
   bool contacts = false;            ///< wanted
   int threads = 1;
 };
