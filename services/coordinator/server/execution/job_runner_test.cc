@@ -15,10 +15,10 @@
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/process/fdm_process.h"
 #include "services/coordinator/run/run_conclusion.h"
-#include "services/coordinator/server/execution/failing_job_store_test.h"
-#include "services/coordinator/server/execution/fake_stages_test.h"
 #include "services/coordinator/server/api/job_intake.h"
 #include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/execution/failing_job_store_test.h"
+#include "services/coordinator/server/execution/fake_stages_test.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 
 namespace slicefarm::coordinator::job_runner_test {
@@ -60,8 +60,8 @@ class JobRunnerTest : public testing::Test {
     v1::Object* object = spec.add_objects();
     object->set_mesh_sha256(*(*blobs_->Of(""))->Put(mesh));
     object->set_name("part");
-    const auto created = JobIntake(*jobs_, *blobs_, DiskGuard("", 0), full_queues_, build,
-                                   ResultSharing::kOff, Clock())
+    const auto created = JobIntake(*jobs_, *blobs_, DiskGuard(nullptr, 0), budgets_, full_queues_,
+                                   build, ResultSharing::kOff, Clock())
                              .Create({.request_id = {},
                                       .spec_digest = Sha256Hex(SpecBytes(spec)),
                                       .spec = SpecBytes(spec),
@@ -133,6 +133,7 @@ class JobRunnerTest : public testing::Test {
   ByteBudget mesh_memory_{3};
   JobResults results_{failing_, *blobs_, {}};
   JobFeed feed_;
+  TenantBudgets budgets_{*jobs_, *blobs_, Clock()};
   FullQueues full_queues_{Clock()};
   std::atomic<int64_t> now_us_ = 1'000 * kSecondUs;
 };

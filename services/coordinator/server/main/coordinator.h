@@ -28,7 +28,8 @@ struct CoordinatorOptions {
   Rates rates = {};
   WebhooksNow webhooks = [none = std::make_shared<const WebhookPolicy>()] { return none; };
   WebhookSender::Options webhook_sender = {};
-  int64_t min_free_bytes = 0;  ///< of the disk of stores.state_dir
+  int64_t min_free_bytes = 0;      ///< of the disk of stores.state_dir
+  int64_t max_database_bytes = 0;  ///< of stores.postgres; 0: any number
   std::string build_id;
   TransferOptions transfers = {};
   WatchOptions watches = {};
@@ -76,6 +77,10 @@ class Coordinator {
   }
   rpc::QueuedMethods& queued_methods() { return jobs_service_; }
   JobStore& jobs() { return jobs_; }
+  /// Of the database that it shares with others; or null.
+  const std::function<absl::StatusOr<DatabaseFill>()>& database_fill() const {
+    return stores_.fill;
+  }
 
  private:
   Coordinator(CoordinatorOptions options, Stores stores, const JobStages& stages,
@@ -83,6 +88,7 @@ class Coordinator {
   std::vector<const JobProcess*> Processes() const;
   void Changed(const std::optional<JobChange>& change);
   prometheus::Registry& Registry();
+  DiskGuard Guard() const;
 
   const CoordinatorOptions options_;
   const Stores stores_;
@@ -99,6 +105,7 @@ class Coordinator {
   JobResults results_;
   JobFeed feed_;
   const DiskGuard disk_;
+  TenantBudgets budgets_;
   FullQueues full_queues_;
   const Callers callers_;
   JobIntake intake_;

@@ -3,11 +3,11 @@
 #include <utility>
 
 #include "services/coordinator/store/blobs/posix_file.h"
-#include "services/coordinator/store/sql/postgres_database.h"
 #include "services/coordinator/store/jobs/postgres_job_changes.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 #include "services/coordinator/store/jobs/sql_profile_store.h"
 #include "services/coordinator/store/jobs/sql_webhook_store.h"
+#include "services/coordinator/store/sql/postgres_database.h"
 #include "services/coordinator/store/sql/sqlite_database.h"
 
 namespace slicefarm::coordinator {
@@ -27,7 +27,8 @@ absl::StatusOr<Stores> OpenDirectory(const std::string& directory) {
                 .runs = std::make_unique<SqlJobStore>(database),
                 .blobs = *std::move(blobs),
                 .profiles = std::make_unique<SqlProfileStore>(database),
-                .webhooks = std::make_unique<SqlWebhookStore>(database)};
+                .webhooks = std::make_unique<SqlWebhookStore>(database),
+                .fill = nullptr};
 }
 
 /// Runs and blobs have connections of their own, so that neither callers nor transfers keep jobs
@@ -41,7 +42,8 @@ absl::StatusOr<Stores> OpenPostgres(const std::string& conninfo) {
                 .runs = std::make_unique<SqlJobStore>(database->More()),
                 .blobs = MakePostgresBlobs(database->More()),
                 .profiles = std::make_unique<SqlProfileStore>(database),
-                .webhooks = std::make_unique<SqlWebhookStore>(database)};
+                .webhooks = std::make_unique<SqlWebhookStore>(database),
+                .fill = [database] { return FillOf(*database); }};
 }
 
 }  // namespace
