@@ -78,8 +78,9 @@ absl::StatusOr<std::string> ReadBytes(SqlConnection& db, const Key& key, int64_t
                                       int64_t limit) {
   SqlQuery query(db,
                  "SELECT at, bytes FROM blob_pieces WHERE tenant = ? AND digest = ? AND at < ?"
-                 " AND at >= (SELECT max(at) FROM blob_pieces"
-                 "  WHERE tenant = ? AND digest = ? AND at <= ?) ORDER BY at");
+                 // Not max(at), for which all pieces before it would be looked at.
+                 " AND at >= (SELECT at FROM blob_pieces WHERE tenant = ? AND digest = ?"
+                 "  AND at <= ? ORDER BY at DESC LIMIT 1) ORDER BY at");
   query.Bind(key.tenant, key.digest, offset + limit, key.tenant, key.digest, offset);
   std::string bytes;
   while (query.Next()) {
