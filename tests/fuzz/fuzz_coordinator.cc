@@ -11,8 +11,8 @@
 #include "common/rpc/server/call_queue.h"
 #include "common/wire/mesh_wire.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
-#include "services/coordinator/server/main/coordinator.h"
 #include "services/coordinator/server/execution/fake_stages_test.h"
+#include "services/coordinator/server/main/coordinator.h"
 #include "services/coordinator/store/sql/sqlite_connection.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"
@@ -262,6 +262,8 @@ void Farm::Call(const CoordinatorCall& call) {
       return (void)Make(*profiles_, &Profiles::GetProfile, call.get_profile());
     case CoordinatorCall::kListProfiles:
       return (void)Make(*profiles_, &Profiles::ListProfiles, call.list_profiles());
+    case CoordinatorCall::kDeleteProfile:
+      return (void)Make(*profiles_, &Profiles::DeleteProfile, call.delete_profile());
     case CoordinatorCall::CALL_NOT_SET:
       return;
   }

@@ -4,12 +4,15 @@
 #include <signal.h>
 
 #include <chrono>
+#include <cstdint>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <thread>
 
 #include "common/base/error.h"
 #include "common/rpc/status_mapping.h"
+#include "services/coordinator/store/sql/postgres_connection.h"
 #include "tests/integration/farm_processes_test.h"
 #include "tests/integration/postgres_server.h"
 
@@ -19,6 +22,17 @@ namespace {
 using State = v1::JobState;
 
 bool HasEnded(State state) { return state >= v1::JOB_STATE_SUCCEEDED; }
+
+/// Whether the process waits for a signal in its own time, and is not ended by it.
+bool Blocks(pid_t pid, int signal) {
+  std::ifstream status("/proc/" + std::to_string(pid) + "/status");
+  std::string word;
+  while (status >> word && word != "SigBlk:") {
+  }
+  uint64_t blocked = 0;
+  status >> std::hex >> blocked;
+  return (blocked >> (signal - 1) & 1) != 0;
+}
 
 class ClusterTest : public FarmProcessesTest {
  protected:
@@ -132,6 +146,10 @@ TEST_F(ClusterTest, ADatabaseThatIsAwayAtTheStartIsWaitedFor) {
   postgres_.Kill();
   // It serves, which its constructor waits for, once the database is back.
   std::thread starting([this] { Start(b_, "b"); });
+  ChildProcess ended("slicefarm-coordinator", Arguments({"--postgres", database_, "--name", "c"}));
+  while (!Blocks(ended.pid(), SIGTERM)) std::this_thread::yield();
+  ended.Signal(SIGTERM);
+  EXPECT_EQ(ended.Wait(), 0) << "that it waits keeps it from ending";
   postgres_.Start();
   starting.join();
   ExpectTheSame(AwaitEnd(*b_, SubmitTo(*b_)));
@@ -146,6 +164,24 @@ TEST_F(ClusterTest, TheSchemaIsMadeBesideWhoWorks) {
   ChildProcess away("slicefarm-coordinator",
                     {"migrate", "--wait", "0", "--postgres", "host=/none"});
   EXPECT_EQ(away.Wait(), 1);
+}
+
+// As in an upgrade, of which the newer build's part is its step of the schema, and on the way back.
+TEST_F(ClusterTest, ABuildGoesOnAndStartsAgainBesideTheSchemaOfANewerOne) {
+  const std::string id = Running(*a_);
+  {
+    const auto newer = coordinator::PostgresConnection::Open(database_);
+    ASSERT_TRUE(newer.ok()) << newer.status();
+    const absl::Status taken = (*newer)->Execute(
+        "ALTER TABLE jobs ADD COLUMN later BIGINT NOT NULL DEFAULT 0;"
+        "INSERT INTO slicefarm_migrations (name) VALUES ('9001_later')");
+    ASSERT_TRUE(taken.ok()) << taken;
+  }
+  a_->server.process.Signal(SIGKILL);
+  Start(a_, "a");
+  ContinueWorkers();
+  ExpectTheSame(AwaitEnd(*a_, id));
+  ExpectTheSame(AwaitEnd(*b_, id));
 }
 
 TEST_F(ClusterTest, AJobOutlivesADatabaseThatStandsStill) {

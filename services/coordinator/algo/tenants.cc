@@ -63,7 +63,10 @@ class Reader {
 
   Tenant ReadTenant(const Json& json, const std::string& place) {
     Tenant tenant;
-    if (!CheckKeys(json, place, {"tokens", "certificate_scopes", "max_open_jobs"}, {})) {
+    if (!CheckKeys(
+            json, place,
+            {"tokens", "certificate_scopes", "max_open_jobs", "max_kept_jobs", "max_kept_bytes"},
+            {})) {
       return tenant;
     }
     if (json.contains("tokens")) tenant.tokens = ReadTokens(json["tokens"], place + ".tokens");
@@ -71,17 +74,22 @@ class Reader {
       tenant.certificate_scopes =
           ReadScopes(json["certificate_scopes"], place + ".certificate_scopes");
     }
-    if (json.contains("max_open_jobs")) {
-      const Json& max = json["max_open_jobs"];
-      if (!max.is_number_integer() || max.get<int64_t>() < 1 ||
-          max.get<int64_t>() > limits::kMaxOpenJobs) {
-        Fail(place + ".max_open_jobs",
-             absl::StrCat("is not a number from 1 to ", limits::kMaxOpenJobs));
-        return tenant;
-      }
-      tenant.max_open_jobs = max.get<int64_t>();
-    }
+    ReadMost(json, place, "max_open_jobs", limits::kMaxOpenJobs, tenant.max_open_jobs);
+    ReadMost(json, place, "max_kept_jobs", INT64_MAX, tenant.max_kept_jobs);
+    ReadMost(json, place, "max_kept_bytes", INT64_MAX, tenant.max_kept_bytes);
     return tenant;
+  }
+
+  /// A bound from 1 to `most`, if it is there.
+  void ReadMost(const Json& json, const std::string& place, const std::string& key, int64_t most,
+                int64_t& value) {
+    if (!json.contains(key)) return;
+    const Json& max = json[key];
+    if (max.is_number_integer() && max.get<int64_t>() >= 1 && max.get<int64_t>() <= most) {
+      value = max.get<int64_t>();
+    } else {
+      Fail(absl::StrCat(place, ".", key), absl::StrCat("is not a number from 1 to ", most));
+    }
   }
 
   std::vector<Token> ReadTokens(const Json& json, const std::string& place) {
@@ -165,6 +173,10 @@ class Reader {
   std::set<std::string> tokens_;  ///< seen so far
 };
 
+Caller CallerOf(const std::string& name, const Tenant& tenant, const Scopes& scopes) {
+  return {name, scopes, tenant.max_open_jobs, tenant.max_kept_jobs, tenant.max_kept_bytes};
+}
+
 }  // namespace
 
 std::string_view ScopeName(Scope scope) {
@@ -203,7 +215,7 @@ std::optional<Caller> CallerWithToken(const Tenants& tenants, std::string_view t
       // To the end of the list in any case, and of the digests: time tells nothing of how close it
       // was.
       const bool same = CRYPTO_memcmp(known.sha256.data(), sha256.data(), sha256.size()) == 0;
-      if (same && now_us < known.expires_us) caller = {name, known.scopes, tenant.max_open_jobs};
+      if (same && now_us < known.expires_us) caller = CallerOf(name, tenant, known.scopes);
     }
   }
   return caller;
@@ -212,7 +224,7 @@ std::optional<Caller> CallerWithToken(const Tenants& tenants, std::string_view t
 std::optional<Caller> CallerWithCertificate(const Tenants& tenants, std::string_view tenant) {
   const auto found = tenants.find(tenant);
   if (found == tenants.end()) return std::nullopt;
-  return Caller{found->first, found->second.certificate_scopes, found->second.max_open_jobs};
+  return CallerOf(found->first, found->second, found->second.certificate_scopes);
 }
 
 }  // namespace slicefarm::coordinator

@@ -37,6 +37,8 @@ struct Tenant {
       tokens;  ///< two at most, so that a new one can be handed out before the old goes
   Scopes certificate_scopes = {Scope::kSubmit, Scope::kRead};  ///< without a token
   int64_t max_open_jobs = limits::kMaxOpenJobs;
+  int64_t max_kept_jobs = INT64_MAX;   ///< ended ones among them
+  int64_t max_kept_bytes = INT64_MAX;  ///< of meshes, results and uploads
 };
 
 using Tenants = std::map<std::string, Tenant, std::less<>>;
@@ -48,7 +50,9 @@ using Tenants = std::map<std::string, Tenant, std::less<>>;
 ///       "tokens": [{"sha256": "64 hex digits", "scopes": ["submit", "read"],
 ///                   "expires": "2027-01-31T12:00:00Z"}],
 ///       "certificate_scopes": ["read"],
-///       "max_open_jobs": 100}}}
+///       "max_open_jobs": 100,
+///       "max_kept_jobs": 100000,
+///       "max_kept_bytes": 500000000000}}}
 ///
 /// All but "sha256" and "scopes" may be left out. Errors: REQUEST_MALFORMED naming the place, also
 /// for keys that are not known or stand twice, and for a token of two tenants.
@@ -63,6 +67,8 @@ struct Caller {
   std::string tenant;
   Scopes scopes;
   int64_t max_open_jobs = limits::kMaxOpenJobs;
+  int64_t max_kept_jobs = INT64_MAX;
+  int64_t max_kept_bytes = INT64_MAX;
 
   bool may(Scope scope) const { return scopes.contains(scope); }
 };

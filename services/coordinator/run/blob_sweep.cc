@@ -90,6 +90,9 @@ absl::StatusOr<Swept> Sweep(JobStore& jobs, BlobStores& blobs, const SweepOption
     first_error.Update(store.status());
     if (!store.ok()) continue;
     first_error.Update(SweepTenant(jobs, tenant, **store, options.keep_blobs_s, cancel, swept));
+    const auto damaged = (*store)->DropDamaged(options.keep_damaged_s);
+    first_error.Update(damaged.status());
+    swept.bytes += damaged.value_or(0);
   }
   if (!first_error.ok()) return first_error;
   return swept;

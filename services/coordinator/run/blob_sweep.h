@@ -14,6 +14,8 @@ struct SweepOptions {
   /// Blobs that no job refers to are removed if they were not used for so long: longer than from an
   /// upload to its job, and from a result to its record.
   double keep_blobs_s = 24 * 3600;
+  /// Damaged blobs that were put aside, for somebody to look at.
+  double keep_damaged_s = 7 * 24 * 3600;
 };
 
 struct Swept {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <memory>
 #include <string>
 
@@ -127,6 +128,16 @@ TEST_F(BlobSweepTest, UploadsThatWereGivenUpGo) {
   EXPECT_EQ(blobs_->Status(digest)->committed_size, 0);
 }
 
+TEST_F(BlobSweepTest, DamagedBlobsStayForSomeTime) {
+  const std::string digest = *blobs_->Put("some bytes");
+  const std::string path = directory_.path() + "/blobs/" + digest.substr(0, 2) + "/" + digest;
+  std::ofstream(path) << "other bytes";
+  ASSERT_TRUE(absl::IsDataLoss(blobs_->Get(digest).status()));
+  EXPECT_EQ(Sweep({.keep_damaged_s = 3600}).bytes, 0);
+  EXPECT_EQ(Sweep({.keep_damaged_s = 0}).bytes, 11);
+  EXPECT_EQ(Sweep({.keep_damaged_s = 0}).bytes, 0);
+}
+
 /// A store one of whose blobs cannot be deleted.
 class StuckStore : public BlobStore {
  public:
@@ -143,6 +154,8 @@ class StuckStore : public BlobStore {
   absl::StatusOr<BlobStatus> Status(const std::string& digest) override {
     return store_->Status(digest);
   }
+  absl::StatusOr<int64_t> KeptBytes() override { return Unused(); }
+  absl::StatusOr<int64_t> DropDamaged(double) override { return 0; }
   absl::StatusOr<BlobStatus> Keep(const std::string&) override { return Unused(); }
   absl::StatusOr<BlobStatus> Append(const std::string&, int64_t, std::string_view) override {
     return Unused();

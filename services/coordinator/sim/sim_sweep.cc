@@ -63,6 +63,8 @@ class WaitingBlobs : public BlobStore {
     return absl::OkStatus();
   }
 
+  absl::StatusOr<int64_t> KeptBytes() override { return Unused(); }
+  absl::StatusOr<int64_t> DropDamaged(double) override { return 0; }
   absl::StatusOr<BlobStatus> Status(const std::string&) override { return Unused(); }
   absl::StatusOr<BlobStatus> Keep(const std::string&) override { return Unused(); }
   absl::StatusOr<BlobStatus> Append(const std::string&, int64_t, std::string_view) override {

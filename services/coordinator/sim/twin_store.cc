@@ -125,6 +125,10 @@ absl::StatusOr<std::map<JobState, int64_t>> TwinStore::CountByState() {
   return Both("CountByState", [](JobStore& store) { return store.CountByState(); });
 }
 
+absl::StatusOr<int64_t> TwinStore::CountOf(const std::string& tenant) {
+  return Both("CountOf", [&](JobStore& store) { return store.CountOf(tenant); });
+}
+
 absl::StatusOr<std::vector<OpenJobs>> TwinStore::CountOpen() {
   return Both("CountOpen", [](JobStore& store) { return store.CountOpen(); });
 }

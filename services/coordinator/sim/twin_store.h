@@ -45,6 +45,7 @@ class TwinStore : public JobStore {
   absl::Status ForgetResult(const std::string& action_digest) override;
   absl::Status ExpireRequestIds(int64_t now_us) override;
   absl::StatusOr<std::map<JobState, int64_t>> CountByState() override;
+  absl::StatusOr<int64_t> CountOf(const std::string& tenant) override;
   absl::StatusOr<std::vector<OpenJobs>> CountOpen() override;
   absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
                                                    const std::set<std::string>& digests) override;

@@ -86,6 +86,10 @@ class TenantClient : public CoordinatorClient {
   Seen SeeProfile(const std::string& name) {
     return See(*profiles_, &v1::Profiles::Stub::GetProfile, ByName<v1::GetProfileRequest>(name));
   }
+  Seen SeeDeleteProfile(const std::string& name) {
+    return See(*profiles_, &v1::Profiles::Stub::DeleteProfile,
+               ByName<v1::DeleteProfileRequest>(name));
+  }
   Seen SeeProfiles() {
     return See(*profiles_, &v1::Profiles::Stub::ListProfiles, v1::ListProfilesRequest());
   }
@@ -310,6 +314,9 @@ TEST_F(IsolationTest, EachTenantHasItsProfilesToItself) {
   EXPECT_EQ(before, see());
   EXPECT_EQ(before[0].reason(), Reason::kProfileNotFound);
   EXPECT_TRUE(b_->SeeProfile("pla").status().ok());
+  EXPECT_EQ(a_->SeeDeleteProfile("pla").reason(), Reason::kProfileNotFound) << "it is b's";
+  EXPECT_TRUE(b_->SeeDeleteProfile("pla").status().ok());
+  EXPECT_EQ(b_->SeeProfile("pla").reason(), Reason::kProfileNotFound);
 }
 
 TEST_F(IsolationTest, NobodySpoilsAnothersUpload) {
@@ -346,6 +353,19 @@ TEST_F(IsolationTest, ATenantsWatchesLeaveRoomForOthers) {
   EXPECT_TRUE(b_->Watch(of_b)->open);
   open.erase(open.begin());
   while (!a_->Watch(of_a)->open) std::this_thread::yield();
+}
+
+TEST_F(IsolationTest, ATenantsBudgetEndsWhatItKeeps) {
+  Change([](Tenants& tenants) {
+    tenants["a"].max_kept_jobs = 1;
+    tenants["b"].max_kept_bytes = 4;
+  });
+  EXPECT_EQ(a_->AwaitEnd(a_->Submit("xa")).state(), v1::JOB_STATE_SUCCEEDED);
+  const auto second = a_->Create(TenantClient::RequestFor("xa"));
+  EXPECT_EQ(DetailOf(second.status()).metadata["budget"], "jobs") << second.status();
+  const auto upload = b_->Upload("xxxxx");
+  EXPECT_EQ(DetailOf(upload.status()).metadata["budget"], "bytes") << upload.status();
+  EXPECT_TRUE(b_->Upload("xxxx").ok());
 }
 
 TEST_F(IsolationTest, AnothersResultIsNotTaken) {
@@ -429,6 +449,7 @@ TEST_F(IsolationTest, WhoHasNoTokenIsNobody) {
     all.push_back(nobody->SeePutProfile("pla"));
     all.push_back(nobody->SeeProfile("pla"));
     all.push_back(nobody->SeeProfiles());
+    all.push_back(nobody->SeeDeleteProfile("pla"));
     all.push_back(nobody->SeeUploadStatus(Sha256Hex("xa")));
     all.push_back(nobody->SeeCreate(TenantClient::RequestFor("xa")));
     for (const Seen& seen : all) {
@@ -458,6 +479,7 @@ TEST_F(IsolationTest, ATokenMayDoWhatItsScopesSay) {
   denied(reader->SeeCancel(of_a), "submit");
   denied(reader->SeeBatch(TenantClient::RequestFor("xa")), "submit");
   denied(reader->SeePutProfile("pla"), "submit");
+  denied(reader->SeeDeleteProfile("pla"), "submit");
   EXPECT_TRUE(reader->SeeProfiles().status().ok());
   denied(reader->SeeDelete(of_a), "submit");
   EXPECT_EQ(DetailOf(reader->Upload("xa").status()).reason, Reason::kPermissionDenied);

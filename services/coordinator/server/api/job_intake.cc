@@ -43,6 +43,9 @@ absl::StatusOr<ResolvedJob> JobIntake::Check(const Submission& submission) {
 absl::StatusOr<NewJob> JobIntake::NewJobOf(Submission submission) {
   NewJob job;
   job.refusal = disk_.CheckRoom();
+  job.refusal.Update(budgets_.CheckBytes(submission.tenant, submission.max_kept_bytes, 0));
+  if (job.refusal.ok())
+    job.refusal = budgets_.CheckJobs(submission.tenant, submission.max_kept_jobs, 1);
   const auto resolved = Check(submission);
   job.refusal.Update(resolved.status());
   // A call that is made again gets its job, though there is no room any more, or no mesh.

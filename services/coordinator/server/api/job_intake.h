@@ -8,6 +8,7 @@
 #include "common/model/limits.h"
 #include "services/coordinator/server/api/full_queues.h"
 #include "services/coordinator/server/api/job_request.h"
+#include "services/coordinator/server/api/tenant_budgets.h"
 #include "services/coordinator/server/execution/disk_guard.h"
 #include "services/coordinator/server/execution/job_results.h"
 #include "services/coordinator/store/blobs/blob_stores.h"
@@ -17,8 +18,10 @@ namespace slicefarm::coordinator {
 
 struct Submission {
   std::string tenant = {};
-  int64_t max_open_jobs = limits::kMaxOpenJobs;  ///< of the tenant
-  std::string request_id;                        ///< was checked
+  int64_t max_open_jobs = limits::kMaxOpenJobs;  ///< of the tenant, as are the next
+  int64_t max_kept_jobs = INT64_MAX;
+  int64_t max_kept_bytes = INT64_MAX;
+  std::string request_id;   ///< was checked
   std::string spec_digest;  ///< of the request as it came: equal for equal requests
   std::string spec;         ///< the request as it will be kept
   JobRequest request;
@@ -32,21 +35,23 @@ struct Submission {
 /// The edge where requests become jobs: what comes behind it has been checked.
 class JobIntake {
  public:
-  JobIntake(JobStore& jobs, BlobStores& blobs, const DiskGuard& disk, FullQueues& full_queues,
-            std::string build_id, ResultSharing sharing, std::function<int64_t()> now_us,
-            ProcessSet processes = ProcessSet::All())
+  JobIntake(JobStore& jobs, BlobStores& blobs, const DiskGuard& disk, TenantBudgets& budgets,
+            FullQueues& full_queues, std::string build_id, ResultSharing sharing,
+            std::function<int64_t()> now_us, ProcessSet processes = ProcessSet::All())
       : jobs_(jobs),
         blobs_(blobs),
         disk_(disk),
+        budgets_(budgets),
         full_queues_(full_queues),
         build_id_(std::move(build_id)),
         sharing_(sharing),
         now_us_(std::move(now_us)),
         processes_(processes) {}
 
-  /// Returns once the job is on disk. Errors: those of ResolveJob, DiskGuard and JobStore::Create;
-  /// BLOB_NOT_FOUND (FailedPrecondition, metadata `sha256`) for a mesh that the tenant has not
-  /// uploaded; PROCESS_UNAVAILABLE (FailedPrecondition) for a process whose jobs are not made here.
+  /// Returns once the job is on disk. Errors: those of ResolveJob, DiskGuard, TenantBudgets and
+  /// JobStore::Create; BLOB_NOT_FOUND (FailedPrecondition, metadata `sha256`) for a mesh that the
+  /// tenant has not uploaded; PROCESS_UNAVAILABLE (FailedPrecondition) for a process whose jobs are
+  /// not made here.
   absl::StatusOr<Created> Create(Submission submission);
 
   /// Makes all jobs or none. Errors: the first one of Create's.
@@ -73,6 +78,7 @@ class JobIntake {
   JobStore& jobs_;
   BlobStores& blobs_;
   const DiskGuard& disk_;
+  TenantBudgets& budgets_;
   FullQueues& full_queues_;
   const std::string build_id_;
   const ResultSharing sharing_;

@@ -11,6 +11,7 @@
 #include "common/rpc/status_mapping.h"
 #include "common/wire/support/wire_error.h"
 #include "services/coordinator/algo/pipeline/preflight.h"
+#include "services/coordinator/server/api/artifact.h"
 #include "services/coordinator/server/api/job_watch.h"
 #include "services/coordinator/server/api/jobs_wire.h"
 #include "services/coordinator/server/api/plate_submissions.h"
@@ -84,29 +85,6 @@ std::string SpecDigest(const v1::CreatePlatesRequest& request) {
   for (const v1::CreateJobRequest& each : request.requests())
     digests += Sha256Hex(SpecBytes(each.spec()));
   return Sha256Hex(digests);
-}
-
-absl::Status IsAQuote(const std::string& id) {
-  return MakeError(absl::StatusCode::kNotFound, Reason::kBlobNotFound,
-                   fmt::format("job {} is a quote: it has a report, and no G-code", id),
-                   {{"job", id}});
-}
-
-absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifact) {
-  if (!job.result) {
-    return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kJobNotFinished,
-                     fmt::format("job {} has no result: it is {}", job.id, JobStateName(job.state)),
-                     {{"job", job.id}, {"state", std::string(JobStateName(job.state))}});
-  }
-  switch (artifact) {
-    case v1::ARTIFACT_GCODE:
-      if (job.result->gcode_sha256.empty()) return IsAQuote(job.id);
-      return job.result->gcode_sha256;
-    case v1::ARTIFACT_REPORT:
-      return job.result->report_sha256;
-    default:
-      return Malformed("artifact", "is none of this version");
-  }
 }
 
 /// False: the client left.
@@ -321,6 +299,8 @@ absl::StatusOr<Submission> JobsService::Read(const Caller& caller,
   Submission submission;
   submission.tenant = caller.tenant;
   submission.max_open_jobs = caller.max_open_jobs;
+  submission.max_kept_jobs = caller.max_kept_jobs;
+  submission.max_kept_bytes = caller.max_kept_bytes;
   submission.request_id = request.request_id();
   submission.spec_digest = Sha256Hex(SpecBytes(request.spec()));
   submission.spec = SpecBytes(*spec);

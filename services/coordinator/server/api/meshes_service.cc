@@ -91,6 +91,9 @@ grpc::Status MeshesService::UploadMesh(grpc::ServerContext* context, Reader* str
     const auto there = (*blobs)->Status(first.sha256());
     if (there.ok() && !there->complete) {
       if (absl::Status room = full_queues_.Check(caller->tenant); !room.ok()) return room;
+      const absl::Status room = budgets_.CheckBytes(caller->tenant, caller->max_kept_bytes,
+                                                    first.size() - there->committed_size);
+      if (!room.ok()) return room;
     }
     const auto status = Receive(**blobs, disk_, *stream, moved, first);
     if (status.ok()) *response = ToProto(first.sha256(), *status);

@@ -2,9 +2,10 @@
 
 #include "absl/status/statusor.h"
 #include "services/coordinator/server/api/callers.h"
-#include "services/coordinator/server/execution/disk_guard.h"
 #include "services/coordinator/server/api/full_queues.h"
+#include "services/coordinator/server/api/tenant_budgets.h"
 #include "services/coordinator/server/api/transfers.h"
+#include "services/coordinator/server/execution/disk_guard.h"
 #include "services/coordinator/store/blobs/blob_stores.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
@@ -15,10 +16,11 @@ class MeshesService final : public v1::Meshes::Service {
  public:
   /// All but `options` must outlive it.
   MeshesService(const Callers& callers, BlobStores& blobs, const DiskGuard& disk,
-                FullQueues& full_queues, const TransferOptions& options)
+                TenantBudgets& budgets, FullQueues& full_queues, const TransferOptions& options)
       : callers_(callers),
         blobs_(blobs),
         disk_(disk),
+        budgets_(budgets),
         full_queues_(full_queues),
         uploads_(options) {}
 
@@ -33,6 +35,7 @@ class MeshesService final : public v1::Meshes::Service {
   const Callers& callers_;
   BlobStores& blobs_;
   const DiskGuard& disk_;
+  TenantBudgets& budgets_;
   FullQueues& full_queues_;
   Transfers uploads_;
 };

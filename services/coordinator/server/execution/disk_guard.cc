@@ -2,28 +2,60 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <memory>
+#include <mutex>
 #include <system_error>
 
 #include "common/base/error.h"
 #include "common/rpc/status_mapping.h"
 
 namespace slicefarm::coordinator {
+namespace {
+
+/// The last answer of a database, and when it came.
+struct Asked {
+  std::mutex mutex;
+  std::chrono::steady_clock::time_point until;
+  std::optional<int64_t> free;
+};
+
+}  // namespace
+
+FreeBytes FreeOnDisk(std::string directory) {
+  return [directory = std::move(directory)]() -> std::optional<int64_t> {
+    std::error_code error;
+    const std::filesystem::space_info space = std::filesystem::space(directory, error);
+    if (error) return std::nullopt;
+    return static_cast<int64_t>(space.available);
+  };
+}
+
+FreeBytes FreeInDatabase(std::function<absl::StatusOr<DatabaseFill>()> fill, int64_t max_bytes,
+                         std::chrono::seconds every) {
+  const auto asked = std::make_shared<Asked>();  // copies of the function have it in common
+  return [=]() -> std::optional<int64_t> {
+    const std::lock_guard lock(asked->mutex);
+    const auto now = std::chrono::steady_clock::now();
+    if (now < asked->until) return asked->free;
+    const auto is = fill();
+    asked->free = is.ok() ? std::optional(max_bytes - is->bytes) : std::nullopt;
+    asked->until = now + every;
+    return asked->free;
+  };
+}
 
 absl::Status DiskGuard::CheckRoom(int64_t bytes) const {
-  if (directory_.empty() || min_free_bytes_ == 0) return absl::OkStatus();
-  std::error_code error;
-  const std::filesystem::space_info space = std::filesystem::space(directory_, error);
-  // What cannot be asked is left to the writes, which tell better.
-  if (error || static_cast<int64_t>(space.available) - bytes >= min_free_bytes_)
-    return absl::OkStatus();
-  return MakeError(
-      absl::StatusCode::kResourceExhausted, Reason::kDiskLow,
-      fmt::format("{} MiB of the server's disk are free; it takes nothing new below {}",
-                  space.available >> 20, min_free_bytes_ >> 20),
-      {{"free_bytes", std::to_string(space.available)},
-       {"min_free_bytes", std::to_string(min_free_bytes_)},
-       {rpc::kRetryAfterMs, "30000"}});
+  if (!free_) return absl::OkStatus();
+  const std::optional<int64_t> free = free_();
+  if (!free || *free - bytes >= min_free_bytes_) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskLow,
+                   fmt::format("the server has room for {} MiB more; it takes nothing new below {}",
+                               std::max<int64_t>(0, *free) >> 20, min_free_bytes_ >> 20),
+                   {{"free_bytes", std::to_string(*free)},
+                    {"min_free_bytes", std::to_string(min_free_bytes_)},
+                    {rpc::kRetryAfterMs, "30000"}});
 }
 
 }  // namespace slicefarm::coordinator

@@ -64,8 +64,8 @@ class JobRunnerTest : public testing::Test {
     v1::Object* object = spec.add_objects();
     object->set_mesh_sha256(*(*blobs_->Of(""))->Put(mesh));
     object->set_name("part");
-    const auto created = JobIntake(*jobs_, *blobs_, DiskGuard("", 0), full_queues_, build,
-                                   ResultSharing::kOff, Clock())
+    const auto created = JobIntake(*jobs_, *blobs_, DiskGuard(nullptr, 0), budgets_, full_queues_,
+                                   build, ResultSharing::kOff, Clock())
                              .Create({.request_id = {},
                                       .spec_digest = Sha256Hex(SpecBytes(spec)),
                                       .spec = SpecBytes(spec),
@@ -137,6 +137,7 @@ class JobRunnerTest : public testing::Test {
   ByteBudget mesh_memory_{3};
   JobResults results_{failing_, *blobs_, {}};
   JobFeed feed_;
+  TenantBudgets budgets_{*jobs_, *blobs_, Clock()};
   FullQueues full_queues_{Clock()};
   std::atomic<bool> stages_fit_ = true;
   std::atomic<int> asked_ = 0;  ///< whether they fit

@@ -7,10 +7,11 @@
 
 namespace slicefarm::coordinator {
 
-Maintenance::Maintenance(JobStore& jobs, BlobStores& blobs, Options options,
+Maintenance::Maintenance(JobStore& jobs, BlobStores& blobs, ProfileStore& profiles, Options options,
                          std::function<int64_t()> now_us, rpc::JsonLog log)
     : jobs_(jobs),
       blobs_(blobs),
+      profiles_(profiles),
       options_(options),
       now_us_(std::move(now_us)),
       log_(std::move(log)),
@@ -30,6 +31,10 @@ void Maintenance::SweepOnce(const std::stop_token& stop) {
   } else if (swept->jobs + swept->blobs > 0) {
     log_.Info("swept", {{"jobs", swept->jobs}, {"blobs", swept->blobs}, {"bytes", swept->bytes}});
   }
+  const auto kept_us = static_cast<int64_t>(options_.keep_revisions_s * 1e6);
+  const auto expired = profiles_.Expire(now_us_() - kept_us);
+  if (!expired.ok())
+    log_.Warn("profiles not swept", {{"error", std::string(expired.status().message())}});
 }
 
 }  // namespace slicefarm::coordinator

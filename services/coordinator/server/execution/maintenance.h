@@ -6,6 +6,7 @@
 
 #include "common/rpc/observe/json_log.h"
 #include "services/coordinator/run/blob_sweep.h"
+#include "services/coordinator/store/jobs/profile_store.h"
 
 namespace slicefarm::coordinator {
 
@@ -14,11 +15,12 @@ class Maintenance {
  public:
   struct Options {
     SweepOptions sweep;
+    double keep_revisions_s = 90.0 * 24 * 3600;  ///< of profiles: ProfileStore::Expire
     std::chrono::seconds every{600};
   };
 
-  Maintenance(JobStore& jobs, BlobStores& blobs, Options options, std::function<int64_t()> now_us,
-              rpc::JsonLog log);
+  Maintenance(JobStore& jobs, BlobStores& blobs, ProfileStore& profiles, Options options,
+              std::function<int64_t()> now_us, rpc::JsonLog log);
   Maintenance(const Maintenance&) = delete;
   Maintenance& operator=(const Maintenance&) = delete;
 
@@ -28,6 +30,7 @@ class Maintenance {
 
   JobStore& jobs_;
   BlobStores& blobs_;
+  ProfileStore& profiles_;
   const Options options_;
   const std::function<int64_t()> now_us_;
   const rpc::JsonLog log_;

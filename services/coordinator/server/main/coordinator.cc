@@ -53,28 +53,49 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
       laser_(LaserOver(stages, options_.spool_dir)),
       pipeline_(Processes(), executor),
       results_(runs_, run_blobs_, options_.rates),
-      disk_(options_.stores.state_dir, options_.min_free_bytes),
+      disk_(Guard()),
+      budgets_(jobs_, blobs_, SteadyUs),
       full_queues_(SteadyUs),
       callers_(options_.tenants, options_.calls, NowUs),
-      intake_(jobs_, blobs_, disk_, full_queues_, options_.build_id, options_.sharing, NowUs,
-              pipeline_.processes()),
+      intake_(jobs_, blobs_, disk_, budgets_, full_queues_, options_.build_id, options_.sharing,
+              NowUs, pipeline_.processes()),
       runner_(RunEnvironment{runs_, run_blobs_, results_, pipeline_, mesh_memory_, feed_, NowUs,
                              options_.build_id, options_.sharing, log,
                              [this](const StageTimes& times) { stage_seconds_.Observe(times); },
                              options_.stages_fit},
               options_.runner),
-      meshes_service_(callers_, blobs_, disk_, full_queues_, options_.transfers),
-      jobs_service_(
-          JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
-                      *stores_.webhooks, options_.webhooks, stages.slicing, stages.arranging,
-                      stages.planning, {fdm_, executor}, mesh_memory_, options_.rates, NowUs, log},
-          options_.transfers, options_.watches),
+      meshes_service_(callers_, blobs_, disk_, budgets_, full_queues_, options_.transfers),
+      jobs_service_(JobsBackend{callers_,
+                                jobs_,
+                                blobs_,
+                                intake_,
+                                runner_,
+                                feed_,
+                                *stores_.profiles,
+                                *stores_.webhooks,
+                                options_.webhooks,
+                                stages.slicing,
+                                stages.arranging,
+                                stages.planning,
+                                {fdm_, executor},
+                                mesh_memory_,
+                                options_.rates,
+                                NowUs,
+                                log},
+                    options_.transfers, options_.watches),
       profiles_service_(callers_, *stores_.profiles, disk_, NowUs) {}
 
 std::vector<const JobProcess*> Coordinator::Processes() const {
   std::vector<const JobProcess*> processes = {&fdm_};
   if (laser_) processes.push_back(&*laser_);
   return processes;
+}
+
+DiskGuard Coordinator::Guard() const {
+  if (stores_.fill && options_.max_database_bytes > 0)
+    return {FreeInDatabase(stores_.fill, options_.max_database_bytes), 0};
+  if (stores_.fill || options_.min_free_bytes == 0) return {nullptr, 0};
+  return {FreeOnDisk(options_.stores.state_dir), options_.min_free_bytes};
 }
 
 prometheus::Registry& Coordinator::Registry() {
@@ -89,7 +110,7 @@ absl::Status Coordinator::Start() {
                               [this](const std::optional<JobChange>& change) { Changed(change); });
   webhook_sender_.emplace(*stores_.webhooks, jobs_, options_.webhooks, options_.webhook_sender,
                           NowUs, log_, Registry());
-  maintenance_.emplace(jobs_, blobs_, options_.maintenance, NowUs, log_);
+  maintenance_.emplace(jobs_, blobs_, *stores_.profiles, options_.maintenance, NowUs, log_);
   return absl::OkStatus();
 }
 

@@ -32,7 +32,8 @@ struct CoordinatorOptions {
   Rates rates = {};
   WebhooksNow webhooks = [none = std::make_shared<const WebhookPolicy>()] { return none; };
   WebhookSender::Options webhook_sender = {};
-  int64_t min_free_bytes = 0;  ///< of the disk of stores.state_dir
+  int64_t min_free_bytes = 0;      ///< of the disk of stores.state_dir
+  int64_t max_database_bytes = 0;  ///< of stores.postgres; 0: any number
   std::string build_id;
   /// Whether the stages that all jobs need are of this build, asked after a run that met others.
   std::function<bool()> stages_fit = [] { return true; };
@@ -82,6 +83,10 @@ class Coordinator {
   }
   rpc::QueuedMethods& queued_methods() { return jobs_service_; }
   JobStore& jobs() { return jobs_; }
+  /// Of the database that it shares with others; or null.
+  const std::function<absl::StatusOr<DatabaseFill>()>& database_fill() const {
+    return stores_.fill;
+  }
 
  private:
   Coordinator(CoordinatorOptions options, Stores stores, const JobStages& stages,
@@ -89,6 +94,7 @@ class Coordinator {
   std::vector<const JobProcess*> Processes() const;
   void Changed(const std::optional<JobChange>& change);
   prometheus::Registry& Registry();
+  DiskGuard Guard() const;
 
   const CoordinatorOptions options_;
   const Stores stores_;
@@ -106,6 +112,7 @@ class Coordinator {
   JobResults results_;
   JobFeed feed_;
   const DiskGuard disk_;
+  TenantBudgets budgets_;
   FullQueues full_queues_;
   const Callers callers_;
   JobIntake intake_;

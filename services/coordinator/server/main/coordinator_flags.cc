@@ -162,6 +162,11 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
       ->check(CLI::NonNegativeNumber)
       ->excludes(postgres)
       ->capture_default_str();
+  app.add_option("--max-database", flags->max_database_gib,
+                 "GiB of --postgres's database above which nothing new is taken; 0: any number")
+      ->check(CLI::NonNegativeNumber)
+      ->needs(postgres)
+      ->capture_default_str();
   app.add_option("--rates", flags->rates_file,
                  "JSON file of what the farm charges: jobs then tell what they cost")
       ->check(CLI::ExistingFile);

@@ -132,6 +132,7 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
       .runner = flags.runner_options(),
       .rates = *rates,
       .min_free_bytes = flags.min_free_mib << 20,
+      .max_database_bytes = flags.max_database_gib << 30,
       .build_id = std::string(BuildId()),
       .stages_fit =
           [&] {
@@ -152,8 +153,10 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
                         {{"error", std::string(coordinator.status().message())}});
     return 1;
   }
-  program.metrics().Show(std::make_shared<CoordinatorMetrics>(CoordinatorMetrics::Sources{
-      (*coordinator)->jobs(), dispatcher, fleet, flags.stores.state_dir}));
+  program.metrics().Show(std::make_shared<CoordinatorMetrics>(
+      CoordinatorMetrics::Sources{(*coordinator)->jobs(), dispatcher, fleet, flags.stores.state_dir,
+                                  (*coordinator)->database_fill(), flags.max_database_gib << 30,
+                                  flags.maintenance().sweep.keep_jobs_s}));
   std::map<std::string, const StagePool*> stages = {
       {"slicing", &slicing_pool}, {"planning", &planning_pool}, {"motion", &motion_pool}};
   if (exposure_pool) stages["exposure"] = &*exposure_pool;

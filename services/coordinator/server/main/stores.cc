@@ -28,7 +28,8 @@ absl::StatusOr<Stores> OpenDirectory(const std::string& directory) {
                 .blobs = *std::move(blobs),
                 .run_blobs = nullptr,
                 .profiles = std::make_unique<SqlProfileStore>(database),
-                .webhooks = std::make_unique<SqlWebhookStore>(database)};
+                .webhooks = std::make_unique<SqlWebhookStore>(database),
+                .fill = nullptr};
 }
 
 /// Runs and blobs have connections of their own, so that neither callers nor transfers keep jobs
@@ -43,7 +44,8 @@ absl::StatusOr<Stores> OpenPostgres(const std::string& conninfo, int runs) {
                 .blobs = MakePostgresBlobs(database->More()),
                 .run_blobs = MakePostgresBlobs(database->More(runs)),
                 .profiles = std::make_unique<SqlProfileStore>(database),
-                .webhooks = std::make_unique<SqlWebhookStore>(database)};
+                .webhooks = std::make_unique<SqlWebhookStore>(database),
+                .fill = [database] { return FillOf(*database); }};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "services/coordinator/store/jobs/job_store.h"
 #include "services/coordinator/store/jobs/profile_store.h"
 #include "services/coordinator/store/jobs/webhook_store.h"
+#include "services/coordinator/store/sql/database_fill.h"
 
 namespace slicefarm::coordinator {
 
@@ -31,6 +33,7 @@ struct Stores {
   std::unique_ptr<BlobStores> run_blobs;
   std::unique_ptr<ProfileStore> profiles;
   std::unique_ptr<WebhookStore> webhooks;
+  std::function<absl::StatusOr<DatabaseFill>()> fill;  ///< of a database that is shared; or null
 };
 
 /// `runs`: how many jobs run at the same time. Errors: those of the stores; Unavailable if another

@@ -108,6 +108,38 @@ void AddDisk(const std::string& directory, std::vector<MetricFamily>& families) 
                            static_cast<double>(disk->capacity)));
 }
 
+void AddDatabase(const CoordinatorMetrics::Sources& sources, std::vector<MetricFamily>& families) {
+  if (!sources.database_fill) return;
+  const auto fill = sources.database_fill();
+  if (!fill.ok()) return;
+  const auto add = [&](const char* name, const char* help, int64_t value) {
+    families.push_back(Gauge(name, help, static_cast<double>(value)));
+  };
+  add("slicefarm_database_bytes", "Bytes of the database that are in use", fill->bytes);
+  if (sources.max_database_bytes > 0)
+    add("slicefarm_database_max_bytes", "Above this nothing new is taken",
+        sources.max_database_bytes);
+  add("slicefarm_database_connections", "Connections to the database's server", fill->connections);
+  add("slicefarm_database_max_connections", "Connections that it allows", fill->max_connections);
+}
+
+int64_t NowUs() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
+}
+
+/// What is still there a day after a sweep should have removed it.
+void AddRetention(const CoordinatorMetrics::Sources& sources, std::vector<MetricFamily>& families) {
+  constexpr double kDayS = 24 * 3600;
+  if (sources.keep_jobs_s <= 0) return;
+  const auto kept_us = static_cast<int64_t>((sources.keep_jobs_s + kDayS) * 1e6);
+  const auto overdue = sources.jobs.EndedBefore(NowUs() - kept_us, 1);
+  if (!overdue.ok()) return;
+  families.push_back(Gauge("slicefarm_retention_overdue",
+                           "Whether a job is there a day after it should have gone",
+                           overdue->empty() ? 0 : 1));
+}
+
 }  // namespace
 
 std::string PriorityName(Priority priority) {
@@ -129,11 +161,7 @@ std::optional<std::filesystem::space_info> DiskOf(const std::string& directory) 
   return error ? std::nullopt : std::optional(space);
 }
 
-double SecondsSince(int64_t us) {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  const auto now_us = std::chrono::duration_cast<std::chrono::microseconds>(now).count();
-  return std::max(0.0, static_cast<double>(now_us - us) / 1e6);
-}
+double SecondsSince(int64_t us) { return std::max(0.0, static_cast<double>(NowUs() - us) / 1e6); }
 
 std::vector<MetricFamily> CoordinatorMetrics::Collect() const {
   std::vector<MetricFamily> families;
@@ -141,6 +169,8 @@ std::vector<MetricFamily> CoordinatorMetrics::Collect() const {
   families.push_back(Ranges(sources_.dispatcher.Counts()));
   AddFleet(sources_.fleet, families);
   AddDisk(sources_.state_dir, families);
+  AddDatabase(sources_, families);
+  AddRetention(sources_, families);
   return families;
 }
 

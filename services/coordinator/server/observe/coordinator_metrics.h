@@ -4,6 +4,7 @@
 #include <prometheus/metric_family.h>
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/dispatch/fleet.h"
 #include "services/coordinator/store/jobs/job_store.h"
+#include "services/coordinator/store/sql/database_fill.h"
 
 namespace slicefarm::coordinator {
 
@@ -22,6 +24,9 @@ namespace slicefarm::coordinator {
 ///   slicefarm_ranges_total{outcome}
 ///   slicefarm_workers, slicefarm_worker_slots{state}
 ///   slicefarm_disk_free_bytes, slicefarm_disk_size_bytes   of a state directory
+///   slicefarm_database_bytes, slicefarm_database_max_bytes   of a database that is shared; max: if
+///   any slicefarm_database_connections, slicefarm_database_max_connections   of its server
+///   slicefarm_retention_overdue             1: a job is there a day after it should have gone
 /// Coordinators that share a store all show what is in it: take the maximum over them, not the sum.
 class CoordinatorMetrics : public prometheus::Collectable {
  public:
@@ -30,6 +35,10 @@ class CoordinatorMetrics : public prometheus::Collectable {
     const Dispatcher& dispatcher;
     const Fleet& fleet;
     std::string state_dir;  ///< empty: there is none
+    std::function<absl::StatusOr<DatabaseFill>()> database_fill =
+        nullptr;                     ///< null: it is not shared
+    int64_t max_database_bytes = 0;  ///< 0: any number
+    double keep_jobs_s = 0;          ///< 0: for ever
   };
 
   /// The sources must outlive it.

@@ -78,6 +78,33 @@ TEST_F(CoordinatorMetricsTest, ShowsWhoIsBusy) {
   EXPECT_EQ(Value("slicefarm_worker_slots", {{"state", "busy"}}), 0);
 }
 
+TEST_F(CoordinatorMetricsTest, ShowsHowFullASharedDatabaseIs) {
+  const auto fill = [] { return absl::StatusOr<DatabaseFill>(DatabaseFill{700, 25, 100}); };
+  const CoordinatorMetrics shared({*jobs_, dispatcher_, fleet_, "", fill, 1000});
+  EXPECT_EQ(MetricValue(shared.Collect(), "slicefarm_database_bytes"), 700);
+  EXPECT_EQ(MetricValue(shared.Collect(), "slicefarm_database_max_bytes"), 1000);
+  EXPECT_EQ(MetricValue(shared.Collect(), "slicefarm_database_connections"), 25);
+  EXPECT_EQ(MetricValue(shared.Collect(), "slicefarm_database_max_connections"), 100);
+  EXPECT_EQ(Value("slicefarm_database_bytes"), std::nullopt);
+}
+
+TEST_F(CoordinatorMetricsTest, TellsOfJobsThatShouldHaveGone) {
+  constexpr double kDayS = 24 * 3600;
+  const CoordinatorMetrics kept(
+      {*jobs_, dispatcher_, fleet_, "", nullptr, 0, /*keep_jobs_s=*/2 * kDayS});
+  const auto overdue = [&] { return MetricValue(kept.Collect(), "slicefarm_retention_overdue"); };
+  const auto end = [&](const std::string& id, double age_s) {
+    Make(id, Priority::kNormal, age_s);
+    const auto then_us = NowUs() - static_cast<int64_t>(age_s * 1e6);
+    ASSERT_EQ(jobs_->RequestCancel(id, then_us)->state, JobState::kCancelled);
+  };
+  end("recent", 2.5 * kDayS);
+  EXPECT_EQ(overdue(), 0);
+  end("old", 3.5 * kDayS);
+  EXPECT_EQ(overdue(), 1);
+  EXPECT_EQ(Value("slicefarm_retention_overdue"), std::nullopt) << "jobs are kept for ever";
+}
+
 TEST_F(CoordinatorMetricsTest, ShowsTheDiskOfAStateDirectoryOnly) {
   EXPECT_GT(Value("slicefarm_disk_size_bytes"), 0);
   EXPECT_GT(Value("slicefarm_disk_free_bytes"), 0);

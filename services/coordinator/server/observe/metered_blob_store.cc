@@ -53,6 +53,10 @@ class MeteredBlobStores::Metered : public BlobStore {
   absl::StatusOr<bool> Delete(const std::string& digest, double idle_s) override {
     return store_->Delete(digest, idle_s);
   }
+  absl::StatusOr<int64_t> KeptBytes() override { return store_->KeptBytes(); }
+  absl::StatusOr<int64_t> DropDamaged(double aside_s) override {
+    return store_->DropDamaged(aside_s);
+  }
   absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit) override {
     Content content;
     absl::Status status = store_->ForEach([&](const BlobEntry& entry) {

@@ -93,6 +93,13 @@ class BlobStore {
   /// was removed.
   virtual absl::StatusOr<bool> Delete(const std::string& digest, double idle_s) = 0;
 
+  /// Of all blobs and uploads, damaged ones apart. Cost: reads the list of blobs, or a directory's
+  /// the first time only.
+  virtual absl::StatusOr<int64_t> KeptBytes() = 0;
+
+  /// Removes damaged blobs that were put aside so long ago. Returns their bytes.
+  virtual absl::StatusOr<int64_t> DropDamaged(double aside_s) = 0;
+
   /// Calls visit for each blob and upload, in no particular order; those that come or go meanwhile
   /// may be missing.
   virtual absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit) = 0;

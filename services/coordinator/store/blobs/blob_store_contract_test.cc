@@ -261,6 +261,34 @@ TEST_P(BlobStoreTest, ListsBlobsAndUploads) {
                           testing::Pair(upload, testing::Pair(4, false))));
 }
 
+TEST_P(BlobStoreTest, KnowsHowMuchItKeeps) {
+  EXPECT_EQ(*store_->KeptBytes(), 0);
+  const std::string digest = *store_->Put(bytes_);
+  ASSERT_TRUE(store_->Put(bytes_).ok()) << "which is there already";
+  ASSERT_TRUE(store_->Append(Sha256Hex("abc"), 0, "ab").ok());
+  ASSERT_TRUE(store_->Append(Sha256Hex("abc"), 1, "bc").ok());
+  const int64_t blob = std::ssize(bytes_);
+  EXPECT_EQ(*store_->KeptBytes(), blob + 3);
+  ASSERT_TRUE(store_->Finish(Sha256Hex("abc"), 3).ok());
+  EXPECT_EQ(*store_->KeptBytes(), blob + 3);
+  ASSERT_TRUE(store_->Append(Sha256Hex("xyz"), 0, "not").ok());
+  ASSERT_FALSE(store_->Finish(Sha256Hex("xyz"), 3).ok());
+  EXPECT_EQ(*store_->KeptBytes(), blob + 3);
+  store_.reset();
+  store_ = place_->Open();
+  EXPECT_EQ(*store_->KeptBytes(), blob + 3);
+  ASSERT_TRUE(*store_->Delete(digest, 0));
+  EXPECT_EQ(*store_->KeptBytes(), 3);
+}
+
+TEST_P(BlobStoreTest, OnlyDamagedBlobsAreDroppedAsSuch) {
+  const std::string good = *store_->Put(bytes_);
+  ASSERT_TRUE(store_->Append(Sha256Hex("abc"), 0, "ab").ok());
+  EXPECT_EQ(*store_->DropDamaged(0), 0);
+  EXPECT_EQ(*store_->Get(good), bytes_);
+  EXPECT_EQ(store_->Status(Sha256Hex("abc"))->committed_size, 2);
+}
+
 TEST_P(BlobStoreTest, ManyMayUploadTheSame) {
   std::vector<std::thread> threads;
   for (int i = 0; i < 8; ++i) {

@@ -193,6 +193,7 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Append(const std::string& digest,
     written_here_.insert(digest);
   }
   status->committed_size += static_cast<int64_t>(bytes.size());
+  kept_bytes_ += static_cast<int64_t>(bytes.size());
   return status;
 }
 
@@ -255,6 +256,7 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Finish(const std::string& digest,
   if (!got.ok()) return got.status();
   if (*got != digest) {
     if (absl::Status removed = RemoveFile(path); !removed.ok()) return removed;
+    kept_bytes_ -= status->committed_size;
     Lock doubts(doubts_mutex_);
     written_here_.erase(digest);
     return BlobMismatch(absl::StatusCode::kInvalidArgument, digest, *got);
@@ -275,17 +277,21 @@ absl::StatusOr<bool> DirectoryBlobStore::HasGood(const std::string& digest) {
 }
 
 /// A file whose bytes are on disk becomes the blob, unless that is there.
-absl::Status DirectoryBlobStore::Adopt(const std::string& file, const std::string& digest) {
+absl::Status DirectoryBlobStore::Adopt(const std::string& file, const std::string& digest,
+                                       int64_t size) {
   const auto writing = writers_.Take(digest);
   const auto here = HasGood(digest);
   if (!here.ok()) return here.status();
-  return *here ? RemoveFile(file) : Complete(file, digest);
+  if (*here) return RemoveFile(file);
+  absl::Status completed = Complete(file, digest);
+  if (completed.ok()) kept_bytes_ += size;
+  return completed;
 }
 
 absl::StatusOr<std::string> DirectoryBlobStore::PutText(const SpooledText& text) {
   const std::string path = absl::StrCat(root_, "/tmp/", next_tmp_++);
   const auto digest = WriteDurably(path, text);
-  const absl::Status kept = digest.ok() ? Adopt(path, *digest) : digest.status();
+  const absl::Status kept = digest.ok() ? Adopt(path, *digest, text.size()) : digest.status();
   if (kept.ok()) return digest;
   RemoveFile(path).IgnoreError();
   return kept;
@@ -306,6 +312,7 @@ absl::Status DirectoryBlobStore::Corrupt(const std::string& digest, const std::s
     if (absl::Status removed = RemoveFile(aside); !removed.ok()) return removed;
     Lock lock(NameOf(digest));
     if (absl::Status moved = RenameFile(BlobPath(digest), aside); !moved.ok()) return moved;
+    TouchFile(aside).IgnoreError();  // from now on it is kept for some time, however old it is
   }
   return BlobMismatch(absl::StatusCode::kDataLoss, digest, got);
 }
@@ -367,7 +374,10 @@ absl::StatusOr<bool> DirectoryBlobStore::Delete(const std::string& digest, doubl
   for (const std::string& path : {BlobPath(digest), UploadPath(digest)}) {
     const auto idle = IdleSeconds(path);
     if (!idle || *idle < idle_s) continue;
+    std::error_code gone;
+    const auto size = std::filesystem::file_size(path, gone);
     if (absl::Status removed = RemoveFile(path); !removed.ok()) return removed;
+    if (!gone) kept_bytes_ -= static_cast<int64_t>(size);
     deleted = true;
   }
   if (deleted) {
@@ -377,8 +387,32 @@ absl::StatusOr<bool> DirectoryBlobStore::Delete(const std::string& digest, doubl
   return deleted;
 }
 
+absl::StatusOr<int64_t> DirectoryBlobStore::KeptBytes() {
+  if (const int64_t kept = kept_bytes_; kept >= 0) return kept;
+  if (absl::Status counted = ForEach([](const BlobEntry&) {}); !counted.ok()) return counted;
+  return std::max<int64_t>(0, kept_bytes_);
+}
+
+absl::StatusOr<int64_t> DirectoryBlobStore::DropDamaged(double aside_s) {
+  namespace fs = std::filesystem;
+  int64_t bytes = 0;
+  std::error_code error;
+  fs::directory_iterator files(root_ + "/corrupt", error);
+  for (; !error && files != fs::directory_iterator(); files.increment(error)) {
+    std::error_code gone;
+    const auto size = static_cast<int64_t>(files->file_size(gone));
+    const auto idle = IdleSeconds(files->path());
+    if (gone || !idle || *idle < aside_s) continue;
+    if (absl::Status removed = RemoveFile(files->path()); !removed.ok()) return removed;
+    bytes += size;
+  }
+  if (error) return ListError(root_ + "/corrupt", error);
+  return bytes;
+}
+
 absl::Status DirectoryBlobStore::ForEach(const std::function<void(const BlobEntry&)>& visit) {
   namespace fs = std::filesystem;
+  int64_t bytes = 0;
   for (const bool complete : {true, false}) {
     std::error_code error;
     fs::recursive_directory_iterator files(root_ + (complete ? "/blobs" : "/uploads"), error);
@@ -390,10 +424,12 @@ absl::Status DirectoryBlobStore::ForEach(const std::function<void(const BlobEntr
       const auto idle = IdleSeconds(files->path());
       if (gone || !idle) continue;
       entry.idle_s = *idle;
+      bytes += entry.size;
       visit(entry);
     }
     if (error) return ListError(root_, error);
   }
+  kept_bytes_ = bytes;
   return absl::OkStatus();
 }
 

@@ -36,9 +36,13 @@ class DirectoryBlobStore : public BlobStore {
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenUnchecked(const std::string& digest) override;
   absl::StatusOr<std::string> Get(const std::string& digest) override;
   absl::StatusOr<bool> Delete(const std::string& digest, double idle_s) override;
+  absl::StatusOr<int64_t> KeptBytes() override;
+  absl::StatusOr<int64_t> DropDamaged(double aside_s) override;
   absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit) override;
 
  private:
+  static constexpr int64_t kUncounted = INT64_MIN / 2;
+
   explicit DirectoryBlobStore(std::string root) : root_(std::move(root)) {}
 
   absl::Status RemoveLeftovers() const;
@@ -53,7 +57,7 @@ class DirectoryBlobStore : public BlobStore {
   absl::Status Corrupt(const std::string& digest, const std::string& got);
   absl::Status Settle(const std::string& folder);
   absl::Status Complete(const std::string& file, const std::string& digest);
-  absl::Status Adopt(const std::string& file, const std::string& digest);
+  absl::Status Adopt(const std::string& file, const std::string& digest, int64_t size);
 
   const std::string root_;
   /// Of blobs: one write to each at a time, however long it takes to hash it and to put it on disk.
@@ -63,6 +67,9 @@ class DirectoryBlobStore : public BlobStore {
   std::array<std::mutex, 16> names_;
   std::atomic<int64_t> next_tmp_ = 0;
   CheckedBlobs checked_;
+  /// What is kept, by what was written and removed since all files were looked at; below 0: they
+  /// were not yet. ForEach sets it right again, should two at a time have miscounted.
+  std::atomic<int64_t> kept_bytes_ = kUncounted;
 
   NameLocks folders_;  ///< who makes sure that a folder's names are on disk
   std::mutex doubts_mutex_;

@@ -78,8 +78,9 @@ absl::StatusOr<std::string> ReadBytes(SqlConnection& db, const Key& key, int64_t
                                       int64_t limit) {
   SqlQuery query(db,
                  "SELECT at, bytes FROM blob_pieces WHERE tenant = ? AND digest = ? AND at < ?"
-                 " AND at >= (SELECT max(at) FROM blob_pieces"
-                 "  WHERE tenant = ? AND digest = ? AND at <= ?) ORDER BY at");
+                 // Not max(at), for which all pieces before it would be looked at.
+                 " AND at >= (SELECT at FROM blob_pieces WHERE tenant = ? AND digest = ?"
+                 "  AND at <= ? ORDER BY at DESC LIMIT 1) ORDER BY at");
   query.Bind(key.tenant, key.digest, offset + limit, key.tenant, key.digest, offset);
   std::string bytes;
   while (query.Next()) {
@@ -245,7 +246,9 @@ absl::Status PostgresBlobStore::Corrupt(const std::string& digest, const std::st
   if (!transaction.status().ok() || !SelectStatus(db, key, /*lock=*/true).ok()) return damaged;
   if (const auto now = DigestOf(db, key); !now.ok() || *now == digest) return damaged;
   const Key aside = {tenant_, "corrupt/" + digest};
-  SqlQuery move(db, "UPDATE blobs SET digest = ?, complete = 0 WHERE tenant = ? AND digest = ?");
+  SqlQuery move(db,
+                "UPDATE blobs SET digest = ?, complete = 0, touched = now()"
+                " WHERE tenant = ? AND digest = ?");
   if (Remove(db, aside).ok() && move.Bind(aside.digest, tenant_, digest).Run().ok()) {
     transaction.Commit().IgnoreError();  // the damage is what counts
   }
@@ -323,6 +326,30 @@ absl::StatusOr<bool> PostgresBlobStore::Delete(const std::string& digest, double
   if (!remove.status().ok()) return remove.status();
   if (deleted) checked_.Forget(digest);
   return deleted;
+}
+
+absl::StatusOr<int64_t> PostgresBlobStore::KeptBytes() {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  SqlQuery query(**session,
+                 "SELECT coalesce(sum(size), 0)::BIGINT FROM blobs"
+                 " WHERE tenant = ? AND digest NOT LIKE 'corrupt/%'");
+  if (!query.Bind(tenant_).Next()) return query.status();
+  return query.Int(0);
+}
+
+absl::StatusOr<int64_t> PostgresBlobStore::DropDamaged(double aside_s) {
+  const auto session = database_->Write();
+  if (!session.ok()) return session.status();
+  // No digest is between the bounds, whatever the database's order of texts is.
+  SqlQuery remove(**session,
+                  "DELETE FROM blobs WHERE tenant = ? AND digest > 'cn' AND digest < 'd'"
+                  " AND touched <= now() - ? * interval '1 microsecond' RETURNING size");
+  remove.Bind(tenant_, static_cast<int64_t>(aside_s * 1e6));
+  int64_t bytes = 0;
+  while (remove.Next()) bytes += remove.Int(0);
+  if (!remove.status().ok()) return remove.status();
+  return bytes;
 }
 
 absl::Status PostgresBlobStore::ForEach(const std::function<void(const BlobEntry&)>& visit) {

@@ -28,6 +28,8 @@ class PostgresBlobStore : public BlobStore {
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenUnchecked(const std::string& digest) override;
   absl::StatusOr<std::string> Get(const std::string& digest) override;
   absl::StatusOr<bool> Delete(const std::string& digest, double idle_s) override;
+  absl::StatusOr<int64_t> KeptBytes() override;
+  absl::StatusOr<int64_t> DropDamaged(double aside_s) override;
   absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit) override;
 
  private:

@@ -75,6 +75,9 @@ class ForwardingJobStore : public JobStore {
   absl::StatusOr<std::map<JobState, int64_t>> CountByState() override {
     return store_.CountByState();
   }
+  absl::StatusOr<int64_t> CountOf(const std::string& tenant) override {
+    return store_.CountOf(tenant);
+  }
   absl::StatusOr<std::vector<OpenJobs>> CountOpen() override { return store_.CountOpen(); }
   absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
                                                    const std::set<std::string>& digests) override {

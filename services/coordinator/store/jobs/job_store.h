@@ -190,6 +190,9 @@ class JobStore {
 
   virtual absl::StatusOr<std::map<JobState, int64_t>> CountByState() = 0;
 
+  /// Jobs of the tenant, ended ones among them. Cost: reads the index of its jobs.
+  virtual absl::StatusOr<int64_t> CountOf(const std::string& tenant) = 0;
+
   /// Those that have not ended, by state and priority; kinds of which there are none are left out.
   virtual absl::StatusOr<std::vector<OpenJobs>> CountOpen() = 0;
 

@@ -401,6 +401,12 @@ absl::StatusOr<std::map<JobState, int64_t>> MemoryJobStore::CountByState() {
   return counts;
 }
 
+absl::StatusOr<int64_t> MemoryJobStore::CountOf(const std::string& tenant) {
+  Lock lock(jobs_.mutex_);
+  return std::ranges::count_if(
+      jobs_.entries_, [&](const auto& entry) { return entry.second.job.tenant == tenant; });
+}
+
 absl::StatusOr<std::vector<OpenJobs>> MemoryJobStore::CountOpen() {
   Lock lock(jobs_.mutex_);
   std::map<std::pair<JobState, Priority>, OpenJobs> kinds;

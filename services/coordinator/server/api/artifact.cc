@@ -1,0 +1,36 @@
+#include "services/coordinator/server/api/artifact.h"
+
+#include <fmt/core.h>
+
+#include "common/base/error.h"
+#include "common/wire/support/wire_error.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+absl::Status IsAQuote(const std::string& id) {
+  return MakeError(absl::StatusCode::kNotFound, Reason::kBlobNotFound,
+                   fmt::format("job {} is a quote: it has a report, and no G-code", id),
+                   {{"job", id}});
+}
+
+}  // namespace
+
+absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifact) {
+  if (!job.result) {
+    return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kJobNotFinished,
+                     fmt::format("job {} has no result: it is {}", job.id, JobStateName(job.state)),
+                     {{"job", job.id}, {"state", std::string(JobStateName(job.state))}});
+  }
+  switch (artifact) {
+    case v1::ARTIFACT_GCODE:
+      if (job.result->gcode_sha256.empty()) return IsAQuote(job.id);
+      return job.result->gcode_sha256;
+    case v1::ARTIFACT_REPORT:
+      return job.result->report_sha256;
+    default:
+      return Malformed("artifact", "is none of this version");
+  }
+}
+
+}  // namespace slicefarm::coordinator

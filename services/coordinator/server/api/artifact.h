@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "absl/status/statusor.h"
+#include "services/coordinator/store/jobs/job_record.h"
+#include "slicefarm/v1/jobs.pb.h"
+
+namespace slicefarm::coordinator {
+
+/// The name of the blob that an artifact of the job is. Errors: JOB_NOT_FINISHED; BLOB_NOT_FOUND
+/// for the G-code of a quote; REQUEST_MALFORMED for what is no artifact that is kept.
+absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifact);
+
+}  // namespace slicefarm::coordinator
