@@ -14,6 +14,7 @@
 #include "common/model/bead_section.h"
 #include "common/model/fields/field_notes.h"
 #include "common/model/fields/field_text.h"
+#include "common/stage/job_memory.h"
 #include "common/stage/object_layers.h"
 #include "services/coordinator/algo/pipeline/bed_warnings.h"
 #include "services/coordinator/algo/pipeline/check_printable.h"
@@ -180,12 +181,14 @@ class FdmJob : public PlannedJob {
 
   int32_t LayerCount() const override { return static_cast<int32_t>(layers_.size()); }
 
-  std::vector<Task> Tasks(int slots) override {
+  absl::StatusOr<std::vector<Task>> Tasks(int slots) override {
     const std::span<const SlicedLayer> layers = layers_;
     const std::span<const LayerPlan> plans = plan_.layers;
     const int32_t halo = HaloLayers(settings_);
+    const auto ranges = SplitIntoRanges(layers, slots, SplitOptionsOf(settings_));
+    if (absl::Status fits = CheckNeighbourhoods(layers, ranges, halo); !fits.ok()) return fits;
     std::vector<Task> tasks;
-    for (const LayerRange& range : SplitIntoRanges(layers, slots, SplitOptionsOf(settings_))) {
+    for (const LayerRange& range : ranges) {
       const LayerRange grown = WithHalo(layers, range, halo);
       const auto at = [](int32_t index) { return static_cast<size_t>(index); };
       tasks.push_back(FdmTask{.range = range,
@@ -212,7 +215,9 @@ class FdmJob : public PlannedJob {
   absl::StatusOr<JobOutput> Assemble(const StageCall& call) override {
     const auto layer_count = layers_.size();
     layers_ = {};
+    HoldMemory(call, JobMemory::Kind::kOutlines, 0).IgnoreError();
     plan_ = {};
+    HoldMemory(call, JobMemory::Kind::kPlan, 0).IgnoreError();
     std::vector<SpooledProgram> all;
     std::vector<LayerWarning> warnings;
     for (Range& range : ranges_) {
@@ -273,6 +278,7 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
     return slicing_.Slice(call, std::move(input.meshes), settings.slicing);
   });
   if (!sliced.ok()) return sliced.status();
+  HoldMemory(call, JobMemory::Kind::kMeshes, 0).IgnoreError();
   if (absl::Status printable = CheckPrintable(sliced->layers); !printable.ok()) return printable;
   report.meshes = std::move(sliced->meshes);
   report.warnings = std::move(input.warnings);

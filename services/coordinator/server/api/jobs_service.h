@@ -6,6 +6,7 @@
 #include "common/rpc/observe/json_log.h"
 #include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/call_queue.h"
+#include "common/stage/memory_budget.h"
 #include "common/stage/plates.h"
 #include "services/coordinator/algo/pipeline/cost.h"
 #include "services/coordinator/server/api/callers.h"
@@ -13,7 +14,6 @@
 #include "services/coordinator/server/api/job_watch.h"
 #include "services/coordinator/server/api/plate_submissions.h"
 #include "services/coordinator/server/api/transfers.h"
-#include "services/coordinator/server/execution/byte_budget.h"
 #include "services/coordinator/server/execution/job_feed.h"
 #include "services/coordinator/server/execution/job_runner.h"
 #include "services/coordinator/server/webhooks/webhook_policy.h"
@@ -37,7 +37,7 @@ struct JobsBackend {
   const SlicingStage& slicing;  ///< for preflights
   const ArrangingStage& arranging;
   const PlanningStage& planning;  ///< for preflights
-  ByteBudget& mesh_memory;
+  MemoryBudget& memory;
   Rates rates;
   std::function<int64_t()> now_us;
   rpc::JsonLog log;

@@ -52,14 +52,16 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
       fdm_(stages.slicing, stages.planning, stages.motion, options_.spool_dir),
       laser_(LaserOver(stages, options_.spool_dir)),
       pipeline_(Processes(), executor),
+      memory_(options_.memory_bytes),
+      resolved_(options_.build_id),
       results_(runs_, run_blobs_, options_.rates),
       disk_(options_.stores.state_dir, options_.min_free_bytes),
       full_queues_(SteadyUs),
       callers_(options_.tenants, options_.calls, NowUs),
       intake_(jobs_, blobs_, disk_, full_queues_, options_.build_id, options_.sharing, NowUs,
               pipeline_.processes()),
-      runner_(RunEnvironment{runs_, run_blobs_, results_, pipeline_, mesh_memory_, feed_, NowUs,
-                             options_.build_id, options_.sharing, log,
+      runner_(RunEnvironment{runs_, run_blobs_, resolved_, results_, pipeline_, memory_, feed_,
+                             NowUs, options_.build_id, options_.sharing, log,
                              [this](const StageTimes& times) { stage_seconds_.Observe(times); },
                              options_.stages_fit},
               options_.runner),
@@ -67,7 +69,7 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
       jobs_service_(
           JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
                       *stores_.webhooks, options_.webhooks, stages.slicing, stages.arranging,
-                      stages.planning, mesh_memory_, options_.rates, NowUs, log},
+                      stages.planning, memory_, options_.rates, NowUs, log},
           options_.transfers, options_.watches),
       profiles_service_(callers_, *stores_.profiles, disk_, NowUs) {}
 

@@ -110,6 +110,7 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
       .spool_dir = flags.spool_dir,
       .runner = flags.runner_options(),
       .rates = *rates,
+      .memory_bytes = flags.memory_mib << 20,
       .min_free_bytes = flags.min_free_mib << 20,
       .build_id = std::string(BuildId()),
       .stages_fit =
