@@ -70,7 +70,7 @@ def long_program(directory):
         job = farm.await_end(3600)[0]
         seconds = time.monotonic() - begun
         yield "memory_long_program_failed", job["state"] != "JOB_STATE_SUCCEEDED", 0
-        yield "memory_long_program_mb", int(job.get("result", {}).get("gcodeSize", 0)) / 1e6, None
+        yield "memory_long_program_mb", int(job["result"].get("gcode_size") or job["result"].get("gcodeSize", 0)) / 1e6, None
         yield "memory_long_program_s", seconds, None
         yield "memory_long_program_coordinator_mib", most.stop(), 256
 
