@@ -53,8 +53,9 @@ bool MayBeGiven(const Setting& setting, Process process, Scope place, bool of_ra
 /// Resolves settings of places inside a job, each set of settings once.
 class Resolver {
  public:
-  Resolver(std::span<const Setting> job, Process process, ResolvedPlate& plate)
-      : job_(job.begin(), job.end()), process_(process), plate_(plate) {}
+  Resolver(std::span<const Setting> job, Process process, const CancelToken& cancel,
+           ResolvedPlate& plate)
+      : job_(job.begin(), job.end()), process_(process), cancel_(cancel), plate_(plate) {}
 
   absl::Status ResolveJob() {
     absl::StatusOr<ResolvedSettings> base = Resolve(job_, process_);
@@ -75,6 +76,7 @@ class Resolver {
   /// The job's settings with `own` over them.
   absl::StatusOr<JobSettings> With(const std::string& object, const Settings& own) {
     if (const auto known = known_.find(own); known != known_.end()) return known->second;
+    if (absl::Status wanted = cancel_.Check(); !wanted.ok()) return wanted;
     Settings all = job_;
     all.insert(all.end(), own.begin(), own.end());
     if (absl::Status ok = bytes_.Add(BytesOf(all)); !ok.ok()) return OfObject(object, ok);
@@ -145,6 +147,7 @@ class Resolver {
 
   const Settings job_;
   const Process process_;
+  const CancelToken& cancel_;
   ResolvedPlate& plate_;
   Growth growth_;
   std::set<std::string> told_, warned_;
@@ -369,14 +372,14 @@ void LeaveRoomForBrims(JobSettings& settings) {
 
 absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
                                            std::span<const SceneObject> given_objects,
-                                           Process process) {
+                                           Process process, const CancelToken& cancel) {
   Settings job(given_job.begin(), given_job.end());
   std::vector<SceneObject> objects(given_objects.begin(), given_objects.end());
   if (process == Process::kFdm)
     if (absl::Status ok = TakeTool(job, objects); !ok.ok()) return ok;
   if (absl::Status ok = CheckResolvedBytes(job, objects); !ok.ok()) return ok;
   ResolvedPlate plate;
-  Resolver resolver(job, process, plate);
+  Resolver resolver(job, process, cancel, plate);
   if (absl::Status ok = resolver.ResolveJob(); !ok.ok()) return ok;
   const JobSettings base = plate.settings;
   plate.settings.slicing.objects.clear();

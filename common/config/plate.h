@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/base/cancel_token.h"
 #include "common/config/resolve.h"
 #include "common/model/scene/scene.h"
 #include "common/stage/stages.h"
@@ -33,9 +34,10 @@ struct ResolvedPlate {
 /// that the place cannot have (metadata `object`, `setting`); REQUEST_TOO_LARGE for more than
 /// limits::kMaxRegionSettings different sets of settings, or for sets that take too much room
 /// (CheckResolvedBytes, before any is resolved); REQUEST_MALFORMED for ranges that are
-/// none, NOTHING_TO_PRINT if no copy is printable.
+/// none, NOTHING_TO_PRINT if no copy is printable; `cancel`'s, asked before each set.
 absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> job,
                                            std::span<const SceneObject> objects,
-                                           Process process = Process::kFdm);
+                                           Process process = Process::kFdm,
+                                           const CancelToken& cancel = {});
 
 }  // namespace slicefarm::config

@@ -359,5 +359,18 @@ TEST(ResolvePlate, RegionsThatDifferInFillingShareWalls) {
   EXPECT_NE(wall_class(part), wall_class(parts[2].changes.at(part)));
 }
 
+TEST(ResolvePlate, IsCancelledBetweenSets) {
+  SceneObject object;
+  object.parts.resize(1);
+  object.instances.resize(1);
+  for (int i = 0; i < 9; ++i)
+    object.ranges.push_back({1.0 * i, 1.0 * i + 1, {{"perimeters", std::to_string(i)}}});
+  int asked = 0;
+  const CancelToken third([&] { return ++asked == 3; });
+  const std::vector<SceneObject> objects = {object};
+  EXPECT_TRUE(absl::IsCancelled(ResolvePlate({}, objects, Process::kFdm, third).status()));
+  EXPECT_EQ(asked, 3);
+}
+
 }  // namespace
 }  // namespace slicefarm::config::plate_test

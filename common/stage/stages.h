@@ -21,6 +21,7 @@
 
 namespace slicefarm {
 
+class JobMemory;
 class SpanLog;
 
 /// The stages as the pipeline sees them. Each has a local implementation (services/<name>/algo) and
@@ -40,9 +41,10 @@ struct StageCall {
   std::string job_id;  ///< for logs
   Claimant claimant = {};
   CancelToken cancel;
-  int threads = 1;           ///< how many a stage may use; never changes the result
-  TraceContext trace = {};   ///< travels on with each call; empty: none
-  SpanLog* spans = nullptr;  ///< notes what is done when, in this process; null: nobody asks
+  int threads = 1;              ///< how many a stage may use; never changes the result
+  TraceContext trace = {};      ///< travels on with each call; empty: none
+  SpanLog* spans = nullptr;     ///< notes what is done when, in this process; null: nobody asks
+  JobMemory* memory = nullptr;  ///< what the job holds in this process; null: nobody counts
 };
 
 /// A part of an object as slicing sees it: its settings are rows of the job's tables by now.

@@ -1,6 +1,7 @@
 #include "common/wire/slicing_wire.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "common/base/error.h"
@@ -105,6 +106,10 @@ absl::Status SliceInputReader::Add(std::string_view chunk) {
     if (bytes.size() == sizes_[file_]) ++file_;
   }
   return absl::OkStatus();
+}
+
+int64_t SliceInputReader::size() const {
+  return static_cast<int64_t>(std::accumulate(sizes_.begin(), sizes_.end(), size_t{0}));
 }
 
 absl::StatusOr<SliceInput> SliceInputReader::Finish() {

@@ -32,6 +32,9 @@ class SliceInputReader {
   /// Errors: REQUEST_MALFORMED for more bytes than were announced.
   absl::Status Add(std::string_view chunk);
 
+  /// Bytes of all files, as announced.
+  int64_t size() const;
+
   /// Errors: REQUEST_MALFORMED for fewer bytes than were announced.
   absl::StatusOr<SliceInput> Finish();
 

@@ -14,6 +14,7 @@
 #include "common/rpc/event_test.h"
 #include "common/rpc/status_mapping.h"
 #include "slicefarm/v1/beading.grpc.pb.h"
+#include "common/stage/memory_budget.h"
 #include "tests/integration/fake_stages.h"
 #include "tests/integration/remote_clients.h"
 #include "tests/integration/stage_host.h"
@@ -98,6 +99,35 @@ TEST(RemoteStages, PlanningGivesAndTakesAll) {
   EXPECT_EQ(farm.fakes.placed, sample.job.copies);
   EXPECT_EQ(farm.fakes.planning_options, sample.settings.planning);
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
+}
+
+// As it comes, not when all of it is here; and that there is no room is not the stage's fault.
+TEST(RemoteStages, OutlinesAndPlansAreHeldInTheJobsMemory) {
+  Farm farm;
+  const Sample& sample = TheSample();
+  int64_t outlines = 0;
+  for (const SlicedLayer& layer : sample.job.layers) outlines += MemoryOf(layer);
+  int64_t plan = 0;
+  for (const LayerPlan& layer : sample.plan.layers) plan += MemoryOf(layer);
+  for (const PlateAddition& addition : sample.plan.additions) plan += MemoryOf(addition);
+  for (const int64_t limit : {outlines + plan, outlines + plan - 1, outlines - 1}) {
+    MemoryBudget budget(limit);
+    const auto share = budget.Take({}, "job-42", 0, {});
+    ASSERT_TRUE(share.ok());
+    StageCall call = NewCall();
+    call.memory = share->get();
+    absl::Status status =
+        farm.slicing.Slice(call, sample.input, sample.settings.slicing).status();
+    EXPECT_EQ(status.ok(), limit >= outlines) << status;
+    if (status.ok()) {
+      EXPECT_EQ(budget.used(), outlines);
+      status = farm.planning.Plan(call, TheOutlines(), sample.settings.planning).status();
+      EXPECT_EQ(status.ok(), limit >= outlines + plan) << status;
+    }
+    if (status.ok()) continue;
+    EXPECT_EQ(DetailOf(status).reason, Reason::kRequestTooLarge) << status;
+    EXPECT_EQ(DetailOf(status).metadata.at("limit"), std::to_string(limit));
+  }
 }
 
 TEST(RemoteStages, BeadingGivesAndTakesAll) {

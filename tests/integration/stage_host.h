@@ -8,6 +8,7 @@
 #include "common/rpc/observe/metrics.h"
 #include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/server.h"
+#include "common/stage/memory_budget.h"
 #include "common/stage/task.h"
 #include "services/planning/server/planning_service.h"
 #include "services/slicing/algo/placement/arranging/local_arranging_stage.h"
@@ -43,6 +44,7 @@ class StageHost {
   rpc::Metrics metrics_;
   rpc::CallMetrics call_metrics_{metrics_.registry()};
   rpc::CallGate gate_;
+  MemoryBudget memory_{int64_t{1} << 30};
   const std::unique_ptr<ArrangingStage> arranging_ = slicing::MakeLocalArranging();
   std::vector<std::unique_ptr<grpc::Service>> services_;
   std::unique_ptr<rpc::Server> server_;

@@ -5,10 +5,12 @@
 #include <string>
 
 #include "common/base/error.h"
+#include "common/stage/job_memory.h"
 
 namespace slicefarm::coordinator {
 
 absl::Status BadAnswer(std::string_view stage, const absl::Status& why) {
+  if (IsOutOfMemory(why) || absl::IsCancelled(why)) return why;
   return MakeError(
       absl::StatusCode::kInternal, Reason::kInternal,
       fmt::format("{} answered what does not fit the call: {}", stage, std::string(why.message())),

@@ -32,7 +32,8 @@ struct RemoteOptions {
 int64_t PointsIn(std::span<const SlicedLayer> layers);
 
 /// A server that answers what cannot be read or does not fit: Internal, because the input is not at
-/// fault.
+/// fault. Why an answer was not taken here stays what it is: that there is no room, or no wish for
+/// it.
 absl::Status BadAnswer(std::string_view stage, const absl::Status& why);
 
 /// `status` of a call; LostCall if it ended at our deadline or with its connection, which says

@@ -4,6 +4,7 @@
 
 #include "common/model/limits.h"
 #include "common/rpc/client/client_call.h"
+#include "common/stage/job_memory.h"
 #include "common/wire/layers/exposure_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
@@ -76,15 +77,19 @@ absl::Status WriteFiles(Stream& stream, const StageCall& call, const SliceInput&
 }
 
 template <typename Stream>
-absl::Status ReadJob(Stream& stream, SlicedJob* job, int32_t* layer_count) {
+absl::Status ReadJob(Stream& stream, const StageCall& call, SlicedJob* job, int32_t* layer_count) {
   v1::SliceResponse first;
   if (!stream.Read(&first)) return absl::OkStatus();  // the call's end says why
   absl::StatusOr<SlicedJob> summary = FromProto(first.summary());
   if (!summary.ok()) return summary.status();
   *job = *std::move(summary);
   *layer_count = first.summary().layer_count();
-  return ReadEach<v1::SliceResponse>(stream, [job](const v1::SliceResponse& response) {
-    return Append(FromProto(response.layer()), &job->layers);
+  int64_t bytes = 0;
+  return ReadEach<v1::SliceResponse>(stream, [&](const v1::SliceResponse& response) {
+    absl::Status taken = Append(FromProto(response.layer()), &job->layers);
+    if (!taken.ok()) return taken;
+    bytes += MemoryOf(job->layers.back());
+    return HoldMemory(call, JobMemory::Kind::kOutlines, bytes);
   });
 }
 
@@ -98,7 +103,7 @@ absl::StatusOr<SlicedJob> RemoteSlicing::Slice(const StageCall& call, SliceInput
       replicas_, options_.DeadlineFor(MostPoints()), call, kSlicing,
       &v1::Slicing::Stub::PrepareAsyncSlice,
       [&](auto& stream) { return WriteFiles(stream, call, input, options); },
-      [&](auto& stream) { return ReadJob(stream, &job, &layer_count); });
+      [&](auto& stream) { return ReadJob(stream, call, &job, &layer_count); });
   if (!status.ok()) return status;
   if (layer_count == 0) return job;
   absl::StatusOr<std::vector<SlicedLayer>> layers =
@@ -128,9 +133,11 @@ absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const Sliced
                                              const PlanningOptions& options) const {
   JobPlan plan;
   bool ended = false;
+  int64_t bytes = 0;
   const auto begin = [&] {
     plan = {};
     ended = false;
+    bytes = 0;
   };
   const auto write = [&](auto& stream) {
     absl::Status status = WriteStart<v1::PlanRequest>(
@@ -144,9 +151,16 @@ absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const Sliced
                                         return ToProto(layer, request->mutable_layer());
                                       });
   };
+  const auto hold = [&](absl::Status taken, auto& last) {
+    if (!taken.ok()) return taken;
+    bytes += MemoryOf(last.back());
+    return HoldMemory(call, JobMemory::Kind::kPlan, bytes);
+  };
   const auto take = [&](const v1::PlanResponse& response) -> absl::Status {
-    if (response.has_layer()) return Append(FromProto(response.layer()), &plan.layers);
-    if (response.has_addition()) return Append(FromProto(response.addition()), &plan.additions);
+    if (response.has_layer())
+      return hold(Append(FromProto(response.layer()), &plan.layers), plan.layers);
+    if (response.has_addition())
+      return hold(Append(FromProto(response.addition()), &plan.additions), plan.additions);
     ended = response.has_end();
     const absl::StatusOr<SeamQuality> seams = FromProto(response.end().seams());
     if (!seams.ok()) return seams.status();

@@ -7,6 +7,7 @@
 
 #include "common/base/error.h"
 #include "common/rpc/retry_after.h"
+#include "common/stage/job_memory.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -33,7 +34,8 @@ absl::Status LostCall(std::string_view stage, std::string_view how) {
 bool WasLost(const absl::Status& status) { return DetailOf(status).metadata.contains("lost"); }
 
 bool IsOverloaded(const absl::Status& status) {
-  return absl::IsResourceExhausted(status) && DetailOf(status).reason == Reason::kOverloaded;
+  return absl::IsResourceExhausted(status) && DetailOf(status).reason == Reason::kOverloaded &&
+         !IsOutOfMemory(status);
 }
 
 absl::Status AwaitRetry(const absl::Status& overloaded, const CancelToken& cancel) {

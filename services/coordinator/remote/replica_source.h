@@ -49,7 +49,7 @@ bool IsReplicasFault(const absl::Status& status);
 absl::Status LostCall(std::string_view stage, std::string_view how);
 bool WasLost(const absl::Status& status);
 
-/// True if the server is there and takes no more calls for now.
+/// True if the server is there and takes no more calls for now; not if this process has no room.
 bool IsOverloaded(const absl::Status& status);
 
 /// Lets pass the time that an overloaded server asked for, or less if `cancel` asks. Returns

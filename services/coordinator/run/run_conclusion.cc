@@ -10,6 +10,7 @@ namespace {
 
 constexpr int32_t kMaxRetries = 5;
 constexpr int64_t kFirstRetryUs = 500'000;
+constexpr int64_t kNoRoomPauseUs = 1'000'000;
 constexpr int64_t kUpgradePauseUs = 5'000'000;
 constexpr int64_t kDiskFullRetryUs = 10'000'000;
 constexpr int64_t kMaxRetryUs = 60'000'000;
@@ -74,6 +75,8 @@ JobUpdate Conclusion(const JobRecord& job, const RunWishes& wishes, const absl::
     // Says nothing of the job, so however often it happens, it does not end it.
     update.claimable_from_us = now_us + PauseUs(job.store_failures);
     update.store_failed = true;
+  } else if (DetailOf(error).reason == Reason::kOverloaded) {
+    update.claimable_from_us = now_us + kNoRoomPauseUs;  // it waits again when it is claimed
   } else if (DetailOf(error).reason == Reason::kBuildMismatch) {
     update.claimable_from_us = now_us + kUpgradePauseUs;  // which takes its time, and ends
   } else if (DetailOf(error).reason == Reason::kJobPoisoned && job.lost_runs < kMaxLostRuns) {

@@ -19,6 +19,7 @@ inline constexpr int32_t kMaxLostRuns = 10;
 ///   its deadline has passed                               FAILED
 ///   the disk is full                                      QUEUED, in 10 s, however often
 ///   a store failed                                        QUEUED, in 0.5 s, ever later, up to 60 s
+///   it makes room in memory for others                    QUEUED, in 1 s, however often
 ///   services are of another build                         QUEUED, in 5 s, however often
 ///   services are not there                                QUEUED, in 0.5 s, ever later, five times
 ///   the workers of a range died, each time, or a stage    the same, but once: it may have been

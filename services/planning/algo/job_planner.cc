@@ -84,6 +84,12 @@ absl::Status JobPlanner::Next(const SlicedLayer& layer) {
   return absl::OkStatus();
 }
 
+int64_t JobPlanner::HeldBytes() const {
+  int64_t bytes = 0;
+  for (const auto& planner : planners_) bytes += planner->HeldBytes();
+  return bytes;
+}
+
 std::vector<LayerPlan> JobPlanner::TakeSettled() { return layers_.TakeBelow(settled_); }
 
 absl::StatusOr<JobPlan> JobPlanner::Finish(const CancelToken& cancel) {

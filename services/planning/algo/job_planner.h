@@ -44,6 +44,9 @@ class JobPlanner {
   /// The plans that no planner will add to, but for those taken before; from the lowest layer up.
   std::vector<LayerPlan> TakeSettled();
 
+  /// What is kept of the layers so far, beyond a bounded number of them.
+  int64_t HeldBytes() const;
+
   /// The plan, but for the layers taken before. To be called once, after the last layer. Errors:
   /// those of the planners; Cancelled.
   absl::StatusOr<JobPlan> Finish(const CancelToken& cancel = {});

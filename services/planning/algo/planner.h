@@ -54,6 +54,9 @@ class Planner {
     (void)cancel, (void)layers, (void)plan;
     return absl::OkStatus();
   }
+
+  /// What it keeps of the layers that it has seen, beyond those that are open.
+  virtual int64_t HeldBytes() const { return 0; }
 };
 
 /// The plan of an object's section in a layer; made if there is none.

@@ -5,6 +5,7 @@
 
 #include "common/base/error.h"
 #include "common/rpc/server/server_stream.h"
+#include "common/stage/memory_budget.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/start_wire.h"
@@ -26,9 +27,10 @@ class PlanningService final : public v1::Planning::Service {
 
  private:
   using Stream = rpc::ServerStream<v1::PlanResponse, v1::PlanRequest>;
-  static absl::Status Plan(rpc::Call& call, Stream& stream);
+  absl::Status Plan(rpc::Call& call, Stream& stream);
 
   rpc::CallGate& gate_;
+  MemoryBudget memory_{DefaultMemoryBudget()};
 };
 
 template <typename Stream>
@@ -41,7 +43,8 @@ absl::Status AnswerLayers(const std::vector<LayerPlan>& layers, Stream& stream) 
 
 /// Plans layers as they come, and answers plans as they are settled.
 template <typename Stream>
-absl::Status PlanLayers(JobPlanner& planner, const CancelToken& cancel, Stream& stream) {
+absl::Status PlanLayers(JobPlanner& planner, MemoryBudget::Share& memory, const CancelToken& cancel,
+                        Stream& stream) {
   int32_t next = 0;
   return ReadEach<v1::PlanRequest>(stream, [&](const v1::PlanRequest& request) -> absl::Status {
     if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
@@ -49,6 +52,8 @@ absl::Status PlanLayers(JobPlanner& planner, const CancelToken& cancel, Stream& 
     if (!layer.ok()) return layer.status();
     if (layer->frame.index != next++) return Malformed("layer", "does not follow the one before");
     if (absl::Status planned = planner.Next(*layer); !planned.ok()) return planned;
+    absl::Status room = memory.Hold(JobMemory::Kind::kOutlines, planner.HeldBytes());
+    if (!room.ok()) return room;
     return AnswerLayers(planner.TakeSettled(), stream);
   });
 }
@@ -57,10 +62,10 @@ template <typename Stream>
 absl::Status AnswerRest(const JobPlan& plan, Stream& stream) {
   absl::Status status = AnswerLayers(plan.layers, stream);
   if (!status.ok()) return status;
-  status = WriteEach<v1::PlanResponse>(
-      stream, plan.additions, [](const PlateAddition& addition, v1::PlanResponse* proto) {
-        return ToProto(addition, proto->mutable_addition());
-      });
+  status = WriteEach<v1::PlanResponse>(stream, plan.additions,
+                                       [](const PlateAddition& addition, v1::PlanResponse* proto) {
+                                         return ToProto(addition, proto->mutable_addition());
+                                       });
   if (!status.ok()) return status;
   v1::PlanResponse end;
   *end.mutable_end()->mutable_seams() = ToProto(plan.seams);
@@ -86,7 +91,9 @@ absl::Status PlanningService::Plan(rpc::Call& call, Stream& stream) {
   absl::StatusOr<JobPlanner> planner =
       JobPlanner::Make(start->options, start->copies, start->object_names);
   if (!planner.ok()) return planner.status();
-  absl::Status status = PlanLayers(*planner, call.cancel, stream);
+  const auto room = memory_.Take({}, call.job_id, 0, call.cancel);
+  if (!room.ok()) return room.status();
+  absl::Status status = PlanLayers(*planner, **room, call.cancel, stream);
   status.Update(call.cancel.Check());
   if (!status.ok()) return status;
   const absl::StatusOr<JobPlan> plan = planner->Finish(call.cancel);

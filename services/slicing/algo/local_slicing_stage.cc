@@ -10,6 +10,7 @@
 #include "common/base/parallel.h"
 #include "common/geometry/moved.h"
 #include "common/model/limits.h"
+#include "common/stage/job_memory.h"
 #include "services/slicing/algo/placement/arranging/footprint.h"
 #include "services/slicing/algo/placement/orientation/orientation_advice.h"
 #include "services/slicing/algo/placement/prepared_object.h"
@@ -37,6 +38,11 @@ struct SweptObject {
   std::vector<SweptPart> parts;
 };
 
+/// A triangle, its neighbours, and half a vertex.
+constexpr int64_t kMemoryPerTriangle = 64;
+/// A point in a section and what finds it.
+constexpr int64_t kMemoryPerPoint = 24;
+
 /// One run of the stage.
 class SlicingRun {
  public:
@@ -48,6 +54,9 @@ class SlicingRun {
     auto objects = PrepareObjects(std::move(input), source_, options_, call_.cancel);
     if (!objects.ok()) return objects.status();
     objects_ = *std::move(objects);
+    absl::Status room =
+        HoldMemory(call_, JobMemory::Kind::kMeshes, kMemoryPerTriangle * Triangles());
+    if (!room.ok()) return room;
     for (auto step : {&SlicingRun::PlanLayers, &SlicingRun::CheckPointsPerLayer, &SlicingRun::Draw,
                       &SlicingRun::CutLayers, &SlicingRun::AdviseOrientations})
       if (absl::Status status = (this->*step)(); !status.ok()) return status;
@@ -67,8 +76,19 @@ class SlicingRun {
       if (!swept.ok()) return swept.status();
       swept_.push_back(*std::move(swept));
     }
+    // Before they are cut: how many points there will be is known by now.
+    absl::Status room = HoldMemory(call_, JobMemory::Kind::kOutlines, kMemoryPerPoint * points_);
+    if (!room.ok()) return room;
     LayOutFrames();
     return absl::OkStatus();
+  }
+
+  int64_t Triangles() const {
+    int64_t triangles = 0;
+    for (const PreparedObject& object : objects_)
+      for (const PreparedPart& part : object.parts)
+        triangles += std::ssize(part.connected.mesh.triangles);
+    return triangles;
   }
 
   absl::StatusOr<SweptObject> Swept(const PreparedObject& object, std::vector<LayerPlane> planes) {

@@ -4,8 +4,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -137,7 +139,14 @@ absl::StatusOr<MeshFileContents> SandboxedMeshSource::Read(std::string bytes, Me
                                                            double coordinate_limit, ReadDepth depth,
                                                            const CancelToken& cancel) const {
   const Request asked = RequestOf(bytes, depth);
-  const ReaderLimits limits = options_.limits(bytes);
+  ReaderLimits limits = options_.limits(bytes);
+  std::optional<ByteBudget::Share> room;
+  if (options_.memory != nullptr) {
+    limits.memory_bytes = std::min(limits.memory_bytes, options_.memory->limit());
+    auto taken = options_.memory->Take(limits.memory_bytes, cancel);
+    if (!taken.ok()) return taken.status();
+    room.emplace(*std::move(taken));
+  }
   const RequestHead head = {.confinement = options_.confinement,
                             .format = format,
                             .depth = depth,

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "common/base/byte_budget.h"
 #include "services/slicing/algo/mesh_io/mesh_source.h"
 #include "services/slicing/sandbox/confinement.h"
 
@@ -13,6 +14,9 @@ struct SandboxOptions {
   Confinement confinement = Confinement::kStrict;
   std::string program;  ///< path of slicefarm-mesh-reader
   std::function<ReaderLimits(std::string_view file)> limits = ReaderLimitsFor;
+  /// What all readers may take together: each waits until what it may take fits, and may take no
+  /// more than the whole. Null: as much as `limits` says, each.
+  ByteBudget* memory = nullptr;
 };
 
 /// Reads each mesh in a process of its own that is shut in (confinement.h), ends with the call, and

@@ -167,6 +167,27 @@ TEST(SandboxedMeshSource, MemoryIsBounded) {
   }
 }
 
+TEST(SandboxedMeshSource, ReadersShareTheirMemory) {
+  ByteBudget memory(128 << 20);
+  const auto source = [&](const char* program) {
+    return SandboxedMeshSource(
+        {.program = program, .limits = [](std::string_view) { return kUsual; }, .memory = &memory});
+  };
+  {
+    const auto others = memory.Take(1, {});
+    ASSERT_TRUE(others.ok());
+    int polls = 0;
+    const CancelToken soon([&polls] { return ++polls > 2; });
+    EXPECT_EQ(ReasonOf(Do(source(MISBEHAVING_READER), "eat", soon)), Reason::kCancelled)
+        << "it waits for room";
+  }
+  EXPECT_TRUE(source(MESH_READER).Probe().ok()) << source(MESH_READER).Probe();
+  if (kSanitizedBuild) return;  // memory is not limited
+  const absl::Status status = Do(source(MISBEHAVING_READER), "eat");
+  EXPECT_EQ(ReasonOf(status), Reason::kMeshTooExpensive) << status;
+  EXPECT_EQ(DetailOf(status).metadata["limit"], std::to_string(memory.limit()));
+}
+
 TEST(SandboxedMeshSource, TimeIsBounded) {
   const absl::Status status =
       Do(TakenOver(Confinement::kStrict, {.memory_bytes = 256 << 20, .cpu_s = 1}), "spin");

@@ -1,8 +1,10 @@
+#include <cstdint>
 #include <string>
 #include <utility>
 
 #include "common/rpc/server/serve.h"
 #include "common/rpc/server/stage_command_line.h"
+#include "common/stage/memory_budget.h"
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "services/slicing/algo/placement/arranging/local_arranging_stage.h"
 #include "services/slicing/server/mesh_sandbox.h"
@@ -13,9 +15,17 @@ int main(int argc, char** argv) {
   slicefarm::rpc::ServeFlags flags;
   int threads = 1;
   std::string sandbox_name = "strict";
+  // Of what there is, half for readers and three eighths for what they give.
+  const int64_t half = slicefarm::DefaultMemoryBudget() >> 20;
+  int reader_memory_mib = static_cast<int>(half);
+  int memory_mib = static_cast<int>(half * 3 / 4);
   slicefarm::rpc::StageCommandLine command_line("slicing", "meshes to outlines", &flags);
   command_line.AddConcurrency(&flags);
   command_line.AddCount("--threads", &threads, "Threads that one call may use", 1, 1024);
+  command_line.AddCount("--memory", &memory_mib,
+                        "MiB that the meshes and outlines of all calls may take", 64, 1 << 30);
+  command_line.AddCount("--reader-memory", &reader_memory_mib,
+                        "MiB that all processes that read meshes may take together", 64, 1 << 30);
   command_line.AddChoice("--mesh-sandbox", &sandbox_name,
                          "Where strangers' meshes are read: off: in this process; limits: in a "
                          "process for each, with resource limits; strict: and without system calls",
@@ -23,8 +33,10 @@ int main(int argc, char** argv) {
   if (const auto code = command_line.Parse(argc, argv)) return *code;
 
   const auto sandbox = slicefarm::slicing::MeshSandboxOf(sandbox_name);
-  auto meshes = slicefarm::slicing::MakeMeshSource(sandbox);
-  auto meshes_to_arrange = slicefarm::slicing::MakeMeshSource(sandbox);
+  slicefarm::ByteBudget reader_memory(int64_t{reader_memory_mib} << 20);
+  slicefarm::MemoryBudget memory(int64_t{memory_mib} << 20);
+  auto meshes = slicefarm::slicing::MakeMeshSource(sandbox, reader_memory);
+  auto meshes_to_arrange = slicefarm::slicing::MakeMeshSource(sandbox, reader_memory);
   for (const absl::Status& status : {meshes.status(), meshes_to_arrange.status()}) {
     if (status.ok()) continue;
     program.log().Error("cannot serve", {{"error", std::string(status.message())}});
@@ -35,6 +47,7 @@ int main(int argc, char** argv) {
   const auto arranging = slicefarm::slicing::MakeLocalArranging(*std::move(meshes_to_arrange));
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
   program.Show(gate);
-  const auto service = slicefarm::slicing::MakeSlicingService(*slicing, *arranging, gate, threads);
+  const auto service =
+      slicefarm::slicing::MakeSlicingService(*slicing, *arranging, gate, threads, memory);
   return program.Run(flags, {service.get()});
 }

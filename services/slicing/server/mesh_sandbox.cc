@@ -45,11 +45,13 @@ MeshSandbox MeshSandboxOf(std::string_view name) {
   return static_cast<MeshSandbox>(std::ranges::find(kNames, name) - kNames.begin());
 }
 
-absl::StatusOr<std::unique_ptr<const MeshSource>> MakeMeshSource(MeshSandbox sandbox) {
+absl::StatusOr<std::unique_ptr<const MeshSource>> MakeMeshSource(MeshSandbox sandbox,
+                                                                 ByteBudget& memory) {
   if (sandbox == MeshSandbox::kOff) return MakeDirectMeshSource();
   auto source = std::make_unique<SandboxedMeshSource>(SandboxOptions{
       .confinement = sandbox == MeshSandbox::kStrict ? Confinement::kStrict : Confinement::kLimits,
-      .program = ReaderProgram()});
+      .program = ReaderProgram(),
+      .memory = &memory});
   if (absl::Status status = source->Probe(); !status.ok()) return WithAdvice(sandbox, status);
   return source;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/base/byte_budget.h"
 #include "services/slicing/algo/mesh_io/mesh_source.h"
 
 namespace slicefarm::slicing {
@@ -24,7 +25,9 @@ std::vector<std::string> MeshSandboxNames();
 MeshSandbox MeshSandboxOf(std::string_view name);
 
 /// The source of meshes for `sandbox`, tried out on this machine; slicefarm-mesh-reader must lie
-/// beside this program. Errors: FailedPrecondition, Unavailable and the like, with what to do.
-absl::StatusOr<std::unique_ptr<const MeshSource>> MakeMeshSource(MeshSandbox sandbox);
+/// beside this program. `memory`, which all readers share, must outlive it. Errors:
+/// FailedPrecondition, Unavailable and the like, with what to do.
+absl::StatusOr<std::unique_ptr<const MeshSource>> MakeMeshSource(MeshSandbox sandbox,
+                                                                 ByteBudget& memory);
 
 }  // namespace slicefarm::slicing

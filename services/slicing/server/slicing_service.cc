@@ -15,8 +15,8 @@ namespace {
 class SlicingService final : public v1::Slicing::Service {
  public:
   SlicingService(const SlicingStage& slicing, const ArrangingStage& arranging, rpc::CallGate& gate,
-                 int threads)
-      : slicing_(slicing), arranging_(arranging), gate_(gate), threads_(threads) {}
+                 int threads, MemoryBudget& memory)
+      : slicing_(slicing), arranging_(arranging), gate_(gate), threads_(threads), memory_(memory) {}
 
   grpc::Status Slice(
       grpc::ServerContext* context,
@@ -36,27 +36,36 @@ class SlicingService final : public v1::Slicing::Service {
   const ArrangingStage& arranging_;
   rpc::CallGate& gate_;
   const int threads_;
+  MemoryBudget& memory_;
 };
 
+/// A file's bytes, what they are read to, and what that is connected to.
+constexpr int64_t kMemoryPerFileByte = 3;
+
 struct Request {
+  std::unique_ptr<MemoryBudget::Share> memory;
   StageCall call;
   SliceInput input;
   SlicingOptions options;
 };
 
-/// What both methods are asked with.
+/// What both methods are asked with, once there is room for it.
 template <typename Stream>
-absl::StatusOr<Request> ReadRequest(rpc::Call& call, Stream& stream) {
+absl::StatusOr<Request> ReadRequest(rpc::Call& call, Stream& stream, MemoryBudget& memory) {
   absl::StatusOr<SliceStart> start = ReadStart<v1::SliceRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
   call.job_id = start->call.job_id;
+  auto room = memory.Take({}, call.job_id, kMemoryPerFileByte * start->files.size(), call.cancel);
+  if (!room.ok()) return room.status();
   absl::Status status = ReadEach<v1::SliceRequest>(
       stream, [&](const v1::SliceRequest& request) { return start->files.Add(request.chunk()); });
   status.Update(call.cancel.Check());
   if (!status.ok()) return status;
   absl::StatusOr<SliceInput> input = start->files.Finish();
   if (!input.ok()) return input.status();
-  return Request{std::move(start->call), *std::move(input), std::move(start->options)};
+  start->call.memory = room->get();
+  return Request{*std::move(room), std::move(start->call), *std::move(input),
+                 std::move(start->options)};
 }
 
 }  // namespace
@@ -77,7 +86,7 @@ grpc::Status SlicingService::PutOnPlates(
 }
 
 absl::Status SlicingService::SliceFiles(rpc::Call& call, Stream& stream) const {
-  absl::StatusOr<Request> request = ReadRequest(call, stream);
+  absl::StatusOr<Request> request = ReadRequest(call, stream, memory_);
   if (!request.ok()) return request.status();
   request->call.threads = threads_;
   const absl::StatusOr<SlicedJob> job =
@@ -87,7 +96,7 @@ absl::Status SlicingService::SliceFiles(rpc::Call& call, Stream& stream) const {
 }
 
 absl::Status SlicingService::ArrangeFiles(rpc::Call& call, PlacesStream& stream) const {
-  absl::StatusOr<Request> request = ReadRequest(call, stream);
+  absl::StatusOr<Request> request = ReadRequest(call, stream, memory_);
   if (!request.ok()) return request.status();
   const auto places =
       arranging_.PutOnPlates(request->call, std::move(request->input), request->options);
@@ -109,8 +118,9 @@ absl::Status SlicingService::Answer(const SlicedJob& job, Stream& stream) {
 
 std::unique_ptr<grpc::Service> MakeSlicingService(const SlicingStage& slicing,
                                                   const ArrangingStage& arranging,
-                                                  rpc::CallGate& gate, int threads) {
-  return std::make_unique<SlicingService>(slicing, arranging, gate, threads);
+                                                  rpc::CallGate& gate, int threads,
+                                                  MemoryBudget& memory) {
+  return std::make_unique<SlicingService>(slicing, arranging, gate, threads, memory);
 }
 
 }  // namespace slicefarm::slicing

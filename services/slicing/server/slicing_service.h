@@ -5,15 +5,18 @@
 #include <memory>
 
 #include "common/rpc/server/call_gate.h"
+#include "common/stage/memory_budget.h"
 #include "common/stage/plates.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::slicing {
 
 /// Translates slicefarm.v1.Slicing to a SlicingStage and an ArrangingStage and back.
-/// The stages and `gate` must outlive the service. `threads`: what one call may use.
+/// The stages, `gate` and `memory` must outlive the service. `threads`: what one call may use;
+/// `memory`: what all may hold.
 std::unique_ptr<grpc::Service> MakeSlicingService(const SlicingStage& slicing,
                                                   const ArrangingStage& arranging,
-                                                  rpc::CallGate& gate, int threads);
+                                                  rpc::CallGate& gate, int threads,
+                                                  MemoryBudget& memory);
 
 }  // namespace slicefarm::slicing

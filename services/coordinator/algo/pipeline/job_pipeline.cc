@@ -18,14 +18,15 @@ absl::Status RunTasks(const StageCall& call, PlannedJob& job, Process process,
     if (progress) progress({.layers_total = total, .layers_done = done});
   };
   tell(0);
-  const std::vector<Task> tasks = job.Tasks(executor.Slots(process));
+  const auto tasks = job.Tasks(executor.Slots(process));
+  if (!tasks.ok()) return tasks.status();
   ScopedSpan span(call.spans, "ranges");
   span.Set("layers", absl::StrCat(total));
-  span.Set("ranges", absl::StrCat(tasks.size()));
+  span.Set("ranges", absl::StrCat(tasks->size()));
   const auto take = [&](size_t task, TaskResult result) {
     return job.Take(task, std::move(result));
   };
-  return executor.Execute(call, tasks, take, tell);
+  return executor.Execute(call, *tasks, take, tell);
 }
 
 }  // namespace

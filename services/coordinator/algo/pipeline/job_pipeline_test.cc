@@ -27,7 +27,7 @@ class NamedLayers : public FdmRunner {
 class Counted : public PlannedJob {
  public:
   int32_t LayerCount() const override { return 10; }
-  std::vector<Task> Tasks(int /*slots*/) override {
+  absl::StatusOr<std::vector<Task>> Tasks(int /*slots*/) override {
     std::vector<Task> tasks;
     for (int32_t i = 0; i < 10; ++i) {
       FdmTask task;

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
+
+#include "common/base/error.h"
+#include "common/stage/object_layers.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -9,13 +13,13 @@ namespace {
 /// For how many slots to cut while no worker has joined yet.
 constexpr int kSlotsToCome = 8;
 
-int64_t WorkIn(const SlicedLayer& layer, const RangeSplitOptions& options) {
-  int64_t cost = options.layer_points;
+int64_t PointsOf(const SlicedLayer& layer) {
+  int64_t points = 0;
   for (const ObjectSection& section : layer.sections) {
     for (const Region& region : section.regions)
-      cost += static_cast<int64_t>(PointCount(region.outlines));
+      points += static_cast<int64_t>(PointCount(region.outlines));
   }
-  return cost;
+  return points;
 }
 
 }  // namespace
@@ -24,7 +28,7 @@ std::vector<LayerRange> SplitIntoRanges(std::span<const SlicedLayer> layers, int
                                         const RangeSplitOptions& options) {
   std::vector<int64_t> costs(layers.size());
   std::transform(layers.begin(), layers.end(), costs.begin(),
-                 [&](const SlicedLayer& layer) { return WorkIn(layer, options); });
+                 [&](const SlicedLayer& layer) { return options.layer_points + PointsOf(layer); });
   const int shares = 2 * (slots > 0 ? slots : kSlotsToCome);
   int64_t remaining = std::accumulate(costs.begin(), costs.end(), int64_t{0});
 
@@ -45,6 +49,25 @@ std::vector<LayerRange> SplitIntoRanges(std::span<const SlicedLayer> layers, int
     first = last;
   }
   return ranges;
+}
+
+absl::Status CheckNeighbourhoods(std::span<const SlicedLayer> layers,
+                                 std::span<const LayerRange> ranges, int32_t halo,
+                                 int64_t most_points) {
+  std::vector<int64_t> below = {0};  // points below each layer
+  for (const SlicedLayer& layer : layers) below.push_back(below.back() + PointsOf(layer));
+  for (const LayerRange& range : ranges) {
+    const LayerRange grown = WithHalo(layers, range, halo);
+    const int64_t points =
+        below[static_cast<size_t>(grown.last)] - below[static_cast<size_t>(grown.first)];
+    if (points > most_points)
+      return LimitError(Reason::kRequestTooLarge,
+                        "points of outlines in layers " + std::to_string(grown.first) + " to " +
+                            std::to_string(grown.last - 1) +
+                            ", which the settings ask to look at together",
+                        most_points, points);
+  }
+  return absl::OkStatus();
 }
 
 }  // namespace slicefarm::coordinator

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "absl/status/status.h"
 #include "common/model/layer.h"
 
 namespace slicefarm::coordinator {
@@ -22,5 +24,15 @@ struct RangeSplitOptions {
 /// Cost:   O(points' rings).
 std::vector<LayerRange> SplitIntoRanges(std::span<const SlicedLayer> layers, int slots,
                                         const RangeSplitOptions& options = {});
+
+/// Of outlines: what a call for a range of layers may look at, the range's and its halo's.
+inline constexpr int64_t kMaxPointsPerRange = 20'000'000;
+
+/// Whether each range with `halo` layers on either side is small enough for a worker: the settings
+/// may ask for a halo that is the whole job. Errors: REQUEST_TOO_LARGE with `limit` and `got`, in
+/// points of outlines. Cost: O(rings + ranges).
+absl::Status CheckNeighbourhoods(std::span<const SlicedLayer> layers,
+                                 std::span<const LayerRange> ranges, int32_t halo,
+                                 int64_t most_points = kMaxPointsPerRange);
 
 }  // namespace slicefarm::coordinator

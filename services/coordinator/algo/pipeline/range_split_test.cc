@@ -7,6 +7,7 @@
 #include <random>
 #include <utility>
 
+#include "common/base/error.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm::coordinator::range_split_test {
@@ -73,6 +74,23 @@ TEST(SplitIntoRanges, LayersThatEachHaveALongTextMakeShorterRanges) {
     const auto sizes = Sizes(SplitIntoRanges(layers, 1, {.layer_points = layer_points}));
     EXPECT_EQ(*std::ranges::max_element(sizes), most) << layer_points;
   }
+}
+
+TEST(CheckNeighbourhoods, RangesAreBoundedWithWhatTheyLookAt) {
+  auto layers = Layers(100, 50);
+  for (int32_t i = 0; i < 100; ++i) {
+    layers[i].sections[0].layer = i;
+    layers[i].sections[0].layer_count = 100;
+  }
+  const std::vector<LayerRange> ranges = {{0, 10}, {10, 100}};
+  EXPECT_TRUE(CheckNeighbourhoods(layers, ranges, 0, 4'500).ok());
+  EXPECT_TRUE(CheckNeighbourhoods(layers, ranges, 5, 4'750).ok());
+  const ErrorDetail refused = DetailOf(CheckNeighbourhoods(layers, ranges, 1'000, 4'999));
+  EXPECT_EQ(refused.reason, Reason::kRequestTooLarge);
+  EXPECT_EQ(refused.metadata.at("limit"), "4999");
+  EXPECT_EQ(refused.metadata.at("got"), "5000");
+  EXPECT_TRUE(CheckNeighbourhoods(layers, ranges, 1'000, 5'000).ok());
+  EXPECT_TRUE(CheckNeighbourhoods({}, {}, 5, 0).ok());
 }
 
 TEST(SplitIntoRanges, CoversAllLayersOnce) {

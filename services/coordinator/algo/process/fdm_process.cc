@@ -16,6 +16,7 @@
 #include "common/model/bead_section.h"
 #include "common/model/fields/field_notes.h"
 #include "common/model/fields/field_text.h"
+#include "common/stage/job_memory.h"
 #include "common/stage/object_layers.h"
 #include "services/coordinator/algo/pipeline/bed_warnings.h"
 #include "services/coordinator/algo/pipeline/check_printable.h"
@@ -206,8 +207,11 @@ class FdmJob : public PlannedJob {
 
   int32_t LayerCount() const override { return static_cast<int32_t>(layers_.size()); }
 
-  std::vector<Task> Tasks(int slots) override {
-    std::vector<Task> tasks = TasksFor(SplitIntoRanges(layers_, slots, SplitOptionsOf(settings_)));
+  absl::StatusOr<std::vector<Task>> Tasks(int slots) override {
+    const auto ranges = SplitIntoRanges(layers_, slots, SplitOptionsOf(settings_));
+    absl::Status fits = CheckNeighbourhoods(layers_, ranges, HaloLayers(settings_));
+    if (!fits.ok()) return fits;
+    std::vector<Task> tasks = TasksFor(ranges);
     ranges_.resize(tasks.size());
     return tasks;
   }
@@ -243,7 +247,9 @@ class FdmJob : public PlannedJob {
   absl::StatusOr<JobOutput> Assemble(const StageCall& call) override {
     const auto layer_count = layers_.size();
     layers_ = {};
+    HoldMemory(call, JobMemory::Kind::kOutlines, 0).IgnoreError();
     plan_ = {};
+    HoldMemory(call, JobMemory::Kind::kPlan, 0).IgnoreError();
     std::vector<SpooledProgram> all;
     std::vector<LayerWarning> warnings;
     for (Range& range : ranges_) {
@@ -311,6 +317,7 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
     return slicing_.Slice(call, std::move(input.meshes), settings.slicing);
   });
   if (!sliced.ok()) return sliced.status();
+  HoldMemory(call, JobMemory::Kind::kMeshes, 0).IgnoreError();
   if (absl::Status printable = CheckPrintable(sliced->layers); !printable.ok()) return printable;
   report.meshes = std::move(sliced->meshes);
   report.warnings = std::move(input.warnings);

@@ -55,8 +55,9 @@ class PlannedJob {
   virtual int32_t LayerCount() const = 0;
 
   /// All work that is left, cut for so many slots; the result of the job does not depend on the
-  /// cut. They point into this object.
-  virtual std::vector<Task> Tasks(int slots) = 0;
+  /// cut. They point into this object. Errors: REQUEST_TOO_LARGE if a task would look at more
+  /// outlines than a worker can hold.
+  virtual absl::StatusOr<std::vector<Task>> Tasks(int slots) = 0;
 
   /// Takes the result of one of them, once; from any thread, several at a time. What is long goes
   /// to a spool. Errors: DISK_FULL, STORE_FAILED.

@@ -9,6 +9,7 @@
 #include "common/base/span_log.h"
 #include "common/base/stopwatch.h"
 #include "common/geometry/measure.h"
+#include "common/stage/job_memory.h"
 #include "common/stage/object_layers.h"
 #include "services/coordinator/algo/pipeline/check_printable.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
@@ -83,11 +84,13 @@ class LaserJob : public PlannedJob {
 
   int32_t LayerCount() const override { return static_cast<int32_t>(layers_.size()); }
 
-  std::vector<Task> Tasks(int slots) override {
+  absl::StatusOr<std::vector<Task>> Tasks(int slots) override {
     const std::span<const SlicedLayer> layers = layers_;
     const int32_t halo = HaloLayers(settings_);
+    const auto ranges = SplitIntoRanges(layers, slots);
+    if (absl::Status fits = CheckNeighbourhoods(layers, ranges, halo); !fits.ok()) return fits;
     std::vector<Task> tasks;
-    for (const LayerRange& range : SplitIntoRanges(layers, slots)) {
+    for (const LayerRange& range : ranges) {
       const LayerRange grown = WithHalo(layers, range, halo);
       tasks.push_back(LaserTask{.range = range,
                                 .layers = layers.subspan(static_cast<size_t>(grown.first),
@@ -185,6 +188,7 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> LaserProcess::Plan(const StageCall& 
     return slicing_.Slice(call, std::move(input.meshes), input.settings.slicing);
   });
   if (!sliced.ok()) return sliced.status();
+  HoldMemory(call, JobMemory::Kind::kMeshes, 0).IgnoreError();
   if (absl::Status printable = CheckPrintable(sliced->layers); !printable.ok()) return printable;
   const ExposureOutput& output = input.settings.exposure.output;
   if (absl::Status there = CheckLayer(output, sliced->layers.size()); !there.ok()) return there;

@@ -158,10 +158,11 @@ absl::Status CheckRequestId(const std::string& request_id) {
 }
 
 absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view build_id,
-                                       std::string_view result_tenant) {
+                                       std::string_view result_tenant, const CancelToken& cancel) {
   if (absl::Status ok = CheckRequest(request); !ok.ok()) return ok;
   ResolvedJob job;
-  auto settings = config::ResolvePlate(request.settings, request.scene.objects, request.process);
+  auto settings =
+      config::ResolvePlate(request.settings, request.scene.objects, request.process, cancel);
   if (!settings.ok()) return settings.status();
   settings->no_effect.insert(settings->no_effect.begin(), request.without_effect.begin(),
                              request.without_effect.end());

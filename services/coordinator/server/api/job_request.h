@@ -40,6 +40,7 @@ absl::Status CheckRequestId(const std::string& request_id);
 /// CheckRequest, and the plate resolved. `result_tenant`: whose results the job may take and
 /// leave (job_results.h). Errors also: those of config::ResolvePlate.
 absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view build_id,
-                                       std::string_view result_tenant);
+                                       std::string_view result_tenant,
+                                       const CancelToken& cancel = {});
 
 }  // namespace slicefarm::coordinator

@@ -113,6 +113,10 @@ class TextReader : public BlobReader {
   const std::string text_;
 };
 
+Claimant ClaimantOf(const Submission& submission) {
+  return {submission.tenant, static_cast<int>(submission.priority)};
+}
+
 }  // namespace
 
 /// The job, if the caller may know of it.
@@ -247,10 +251,11 @@ absl::StatusOr<std::vector<Submission>> JobsService::ReadPlates(const Caller& ca
   if (!submission.ok()) return submission.status();
   submission->trace = call.trace;
   StageCall stage_call;
+  stage_call.claimant = ClaimantOf(*submission);
   stage_call.cancel = call.cancel;
   stage_call.trace = call.trace;
   return PlatesOf(stage_call, *submission, room,
-                  {backend_.intake, backend_.blobs, backend_.arranging, backend_.mesh_memory});
+                  {backend_.intake, backend_.blobs, backend_.arranging, backend_.memory});
 }
 
 /// All, or none and why.
@@ -326,19 +331,20 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
   if (!resolved.ok()) return resolved.status();
   const auto blobs = backend_.blobs.Of(submission.tenant);
   if (!blobs.ok()) return blobs.status();
-  const auto room = RoomForMeshes(*resolved, **blobs, backend_.mesh_memory, call.cancel);
+  StageCall stage_call;
+  stage_call.claimant = ClaimantOf(submission);
+  stage_call.cancel = call.cancel;
+  stage_call.trace = call.trace;
+  const auto room = RoomForMeshes(stage_call, *resolved, **blobs, backend_.memory);
   if (!room.ok()) return room.status();
+  stage_call.memory = room->get();
   auto meshes = LoadMeshes(*resolved, **blobs);
   if (!meshes.ok()) return meshes.status();
   meshes->advise_orientations = request.advise_orientations();
-  StageCall stage_call;
-  stage_call.cancel = call.cancel;
-  stage_call.trace = call.trace;
-  stage_call.claimant.tenant = submission.tenant;
   const config::ResolvedPlate& plate = resolved->plate;
-  const auto found = LookAt(
-      stage_call, {*std::move(meshes), plate.settings, plate.effective_text, plate.warnings},
-      backend_.slicing, backend_.planning, &backend_.sampling);
+  const auto found =
+      LookAt(stage_call, {*std::move(meshes), plate.settings, plate.effective_text, plate.warnings},
+             backend_.slicing, backend_.planning, &backend_.sampling);
   if (!found.ok()) return found.status();
   v1::Job job;
   job.mutable_spec()->ParseFromString(submission.spec);

@@ -8,6 +8,7 @@
 #include "common/rpc/observe/json_log.h"
 #include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/call_queue.h"
+#include "common/stage/memory_budget.h"
 #include "common/stage/plates.h"
 #include "services/coordinator/algo/pipeline/cost.h"
 #include "services/coordinator/algo/pipeline/preflight.h"
@@ -18,7 +19,6 @@
 #include "services/coordinator/server/api/tenant_turns.h"
 #include "services/coordinator/server/api/transfers.h"
 #include "services/coordinator/server/api/watch_reads.h"
-#include "services/coordinator/server/execution/byte_budget.h"
 #include "services/coordinator/server/execution/job_feed.h"
 #include "services/coordinator/server/execution/job_runner.h"
 #include "services/coordinator/server/webhooks/webhook_policy.h"
@@ -43,7 +43,7 @@ struct JobsBackend {
   const ArrangingStage& arranging;
   const PlanningStage& planning;  ///< for preflights
   Sampling sampling;              ///< for preflights
-  ByteBudget& mesh_memory;
+  MemoryBudget& memory;
   Rates rates;
   std::function<int64_t()> now_us;
   rpc::JsonLog log;

@@ -18,7 +18,7 @@ absl::StatusOr<std::vector<std::vector<SceneObject>>> Arranged(const StageCall& 
                                                                const PlatesBackend& backend) {
   const auto blobs = backend.blobs.Of(tenant);
   if (!blobs.ok()) return blobs.status();
-  const auto room = RoomForMeshes(job, **blobs, backend.mesh_memory, call.cancel);
+  const auto room = RoomForMeshes(call, job, **blobs, backend.memory);
   if (!room.ok()) return room.status();
   auto input = LoadMeshes(job, **blobs);
   if (!input.ok()) return input.status();

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/stage/memory_budget.h"
 #include "common/stage/plates.h"
 #include "services/coordinator/server/api/job_intake.h"
-#include "services/coordinator/server/execution/byte_budget.h"
 
 namespace slicefarm::coordinator {
 
@@ -14,7 +14,7 @@ struct PlatesBackend {
   JobIntake& intake;
   BlobStores& blobs;
   const ArrangingStage& arranging;
-  ByteBudget& mesh_memory;
+  MemoryBudget& memory;
 };
 
 /// How many plates a call may make.

@@ -4,15 +4,17 @@
 
 namespace slicefarm::coordinator {
 
-absl::StatusOr<ByteBudget::Share> RoomForMeshes(const ResolvedJob& job, BlobStore& blobs,
-                                                ByteBudget& memory, const CancelToken& cancel) {
+absl::StatusOr<std::unique_ptr<MemoryBudget::Share>> RoomForMeshes(const StageCall& call,
+                                                                   const ResolvedJob& job,
+                                                                   BlobStore& blobs,
+                                                                   MemoryBudget& memory) {
   int64_t bytes = 0;
   for (const StoredMesh& mesh : job.request.scene.meshes) {
     const auto status = blobs.Status(mesh.sha256);
     if (!status.ok()) return status.status();
     bytes += status->committed_size;
   }
-  return memory.Take(bytes, cancel);
+  return memory.Take(call.claimant, call.job_id, bytes, call.cancel);
 }
 
 absl::StatusOr<SliceInput> LoadMeshes(const ResolvedJob& job, BlobStore& blobs) {

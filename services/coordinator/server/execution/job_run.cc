@@ -74,9 +74,8 @@ absl::StatusOr<bool> JobRun::Take(RunSteps::Step step, const absl::Status& error
 }
 
 absl::StatusOr<bool> JobRun::FindCached() {
-  auto request = ReadSpec(job_.spec);
-  if (!request.ok()) return request.status();
-  auto resolved = ResolveJob(*std::move(request), environment_.build_id, result_tenant_);
+  const CancelToken given_up([this] { return wishes_->GivenUp(environment_.now_us()); });
+  auto resolved = environment_.resolved.Of(job_.spec, result_tenant_, given_up);
   if (!resolved.ok()) return resolved.status();
   resolved_ = *std::move(resolved);
   std::optional<ScopedSpan> looking(std::in_place, &spans_, "cache");
@@ -98,24 +97,22 @@ absl::StatusOr<bool> JobRun::Compute() {
   const auto blobs = environment_.blobs.Of(job_.tenant);
   if (!blobs.ok()) return blobs.status();
   const CancelToken given_up([this] { return wishes_->GivenUp(environment_.now_us()); });
-  auto room = RoomForMeshes(*resolved_, **blobs, environment_.mesh_memory, given_up);
-  if (!room.ok()) return room.status();
-  auto meshes = LoadMeshes(*resolved_, **blobs);
-  if (!meshes.ok()) return meshes.status();
-  loading.reset();
   StageCall call;
   call.job_id = job_.id;
   call.claimant = {job_.tenant, static_cast<int>(job_.priority)};
   call.trace = ChildSpan(TraceOf(job_), absl::StrCat("run ", job_.owner_epoch));
   call.spans = &spans_;
   call.cancel = given_up;
+  const auto room = RoomForMeshes(call, *resolved_, **blobs, environment_.memory);
+  if (!room.ok()) return room.status();
+  call.memory = room->get();
+  auto meshes = LoadMeshes(*resolved_, **blobs);
+  if (!meshes.ok()) return meshes.status();
+  loading.reset();
   const config::ResolvedPlate& plate = resolved_->plate;
   JobInput input{*std::move(meshes), plate.settings, plate.effective_text, plate.warnings};
-  std::optional<ByteBudget::Share> room_until_sliced(*std::move(room));
-  auto output = environment_.pipeline.Run(call, std::move(input), [&](PipelineProgress progress) {
-    room_until_sliced.reset();  // progress comes when the meshes have gone
-    Progress(progress);
-  });
+  auto output = environment_.pipeline.Run(call, std::move(input),
+                                          [&](PipelineProgress progress) { Progress(progress); });
   if (!output.ok()) return output.status();
   environment_.computed(output->report.stage_times);
   output_ = OutputOf(*std::move(output), *resolved_, environment_.build_id);

@@ -9,14 +9,15 @@
 #include "common/base/span_log.h"
 #include "common/base/stopwatch.h"
 #include "common/rpc/observe/json_log.h"
+#include "common/stage/memory_budget.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
 #include "services/coordinator/run/progress_gate.h"
 #include "services/coordinator/run/run_steps.h"
 #include "services/coordinator/run/run_wishes.h"
 #include "services/coordinator/server/api/job_request.h"
-#include "services/coordinator/server/execution/byte_budget.h"
 #include "services/coordinator/server/execution/job_feed.h"
 #include "services/coordinator/server/execution/job_results.h"
+#include "services/coordinator/server/execution/resolved_jobs.h"
 
 namespace slicefarm::coordinator {
 
@@ -24,9 +25,10 @@ namespace slicefarm::coordinator {
 struct RunEnvironment {
   JobStore& jobs;
   BlobStores& blobs;
+  ResolvedJobs& resolved;
   JobResults& results;
   const JobPipeline& pipeline;
-  ByteBudget& mesh_memory;
+  MemoryBudget& memory;
   JobFeed& feed;
   std::function<int64_t()> now_us;
   std::string build_id;
@@ -75,8 +77,8 @@ class JobRun {
   const std::string result_tenant_;
   const Lease lease_;
   const std::shared_ptr<RunWishes> wishes_ = std::make_shared<RunWishes>(job_.deadline_us);
-  std::optional<ResolvedJob> resolved_;  ///< from FindCached to Compute
-  std::optional<RunOutput> output_;      ///< from Compute to Keep
+  std::shared_ptr<const ResolvedJob> resolved_;  ///< from FindCached on
+  std::optional<RunOutput> output_;              ///< from Compute to Keep
   ProgressGate progress_;
   bool met_other_build_ = false;
   Stopwatch clock_;

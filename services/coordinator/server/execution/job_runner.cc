@@ -13,15 +13,6 @@ constexpr double kRequestIdSweepS = 3600;
 constexpr int kJudgementsALease = 20;
 constexpr int32_t kMaxOverdueAtOnce = 100;
 
-absl::StatusOr<JobIdentity> IdentityOf(const JobRecord& record, const std::string& build_id,
-                                       ResultSharing sharing) {
-  auto request = ReadSpec(record.spec);
-  if (!request.ok()) return request.status();
-  auto job = ResolveJob(*std::move(request), build_id, ResultTenant(sharing, record.tenant));
-  if (!job.ok()) return job.status();
-  return JobIdentity{std::move(job->settings_digest), std::move(job->action_digest), build_id};
-}
-
 }  // namespace
 
 JobRunner::JobRunner(RunEnvironment environment, JobRunnerOptions options)
@@ -110,19 +101,22 @@ std::set<std::string> JobRunner::Busy() {
 /// the name that this build gives it. False: the same is being worked on, so the job is back in the
 /// queue; or the store failed, so it will be claimed again.
 bool JobRunner::Adopt(JobRecord& job) {
-  const auto identity = IdentityOf(job, environment_.build_id, environment_.sharing);
-  if (!identity.ok()) return true;  // the run will end with that error
+  const auto resolved =
+      environment_.resolved.Of(job.spec, ResultTenant(environment_.sharing, job.tenant));
+  if (!resolved.ok()) return true;  // the run will end with that error
+  const JobIdentity identity = {(*resolved)->settings_digest, (*resolved)->action_digest,
+                                environment_.build_id};
   const Lease lease{job.id, job.owner_epoch};
-  if (!environment_.jobs.Adopt(lease, *identity).ok()) return false;
-  if (Busy().contains(identity->action_digest)) {
+  if (!environment_.jobs.Adopt(lease, identity).ok()) return false;
+  if (Busy().contains(identity.action_digest)) {
     environment_.jobs.Update(lease, {.state = JobState::kQueued}, NowUs()).IgnoreError();
     environment_.feed.Changed(job.id);
     Wake();  // there may be others
     return false;
   }
-  job.settings_digest = identity->settings_digest;
-  job.action_digest = identity->action_digest;
-  job.build_id = identity->build_id;
+  job.settings_digest = identity.settings_digest;
+  job.action_digest = identity.action_digest;
+  job.build_id = identity.build_id;
   job.lost_runs = 0;  // as the store has it
   return true;
 }

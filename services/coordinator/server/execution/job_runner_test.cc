@@ -50,7 +50,7 @@ class JobRunnerTest : public testing::Test {
     options.owner = owner;
     options.poll = options.renew = std::chrono::milliseconds(10);
     auto runner = std::make_unique<JobRunner>(
-        RunEnvironment{failing_, *blobs_, results_, pipeline_, mesh_memory_, feed_, Clock(),
+        RunEnvironment{failing_, *blobs_, resolved_, results_, pipeline_, *memory_, feed_, Clock(),
                        "build", ResultSharing::kOff, rpc::JsonLog("test"), [](const StageTimes&) {},
                        [this] { return ++asked_, stages_fit_.load(); }},
         options);
@@ -134,7 +134,8 @@ class JobRunnerTest : public testing::Test {
   Dispatcher dispatcher_;
   FdmProcess fdm_{slicing_, planning_, motion_};
   JobPipeline pipeline_{{&fdm_}, dispatcher_};
-  ByteBudget mesh_memory_{3};
+  std::unique_ptr<MemoryBudget> memory_ = std::make_unique<MemoryBudget>(1 << 30);
+  ResolvedJobs resolved_{"build"};
   JobResults results_{failing_, *blobs_, {}};
   JobFeed feed_;
   TenantBudgets budgets_{*jobs_, *blobs_, Clock()};
@@ -250,6 +251,7 @@ TEST_F(JobRunnerTest, AJobThatKillsItsCoordinatorsFailsInTheEnd) {
 }
 
 TEST_F(JobRunnerTest, MeshesThatAreSlicedMakeRoomForOthers) {
+  memory_ = std::make_unique<MemoryBudget>(3);
   const auto runner = Runner();
   const std::string held = SubmitHeld(*runner, "xx");
   const std::string other = Submit("x!");  // which does not fit beside that, and cannot be sliced
@@ -305,6 +307,20 @@ TEST_F(JobRunnerTest, AProgramNeedNotFitIntoMemory) {
   EXPECT_GT(job.result->gcode_size, kLayers * kBytesALayer);
   // Two slots have a range each, of 128 layers at most, and what was there before.
   EXPECT_LT(Memory("VmHWM:") - before, kLayers * kBytesALayer / 2);
+}
+
+TEST_F(JobRunnerTest, AJobThatDoesNotFitIntoMemoryFails) {
+  memory_ = std::make_unique<MemoryBudget>(3);
+  const auto runner = Runner();
+  const std::string large = Submit("xxxx");
+  const std::string small = Submit("xxx");
+  runner->Wake();
+  const JobRecord job = AwaitEnd(large);
+  EXPECT_EQ(job.state, JobState::kFailed);
+  EXPECT_EQ(job.error->reason, "REQUEST_TOO_LARGE");
+  EXPECT_EQ(job.error->metadata.at("limit"), "3");
+  EXPECT_EQ(job.error->metadata.at("got"), "4");
+  EXPECT_EQ(AwaitEnd(small).state, JobState::kSucceeded);
 }
 
 TEST_F(JobRunnerTest, AJobThatWaitsEndsAtItsDeadline) {

@@ -7,13 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "common/model/limits.h"
+#include "common/stage/memory_budget.h"
 #include "services/coordinator/algo/process/fdm_process.h"
 #include "services/coordinator/algo/process/laser_process.h"
 #include "services/coordinator/server/api/jobs_service.h"
 #include "services/coordinator/server/api/meshes_service.h"
 #include "services/coordinator/server/api/profiles_service.h"
-#include "services/coordinator/server/execution/byte_budget.h"
 #include "services/coordinator/server/execution/maintenance.h"
 #include "services/coordinator/server/main/stores.h"
 #include "services/coordinator/server/observe/metered_blob_store.h"
@@ -32,8 +31,9 @@ struct CoordinatorOptions {
   Rates rates = {};
   WebhooksNow webhooks = [none = std::make_shared<const WebhookPolicy>()] { return none; };
   WebhookSender::Options webhook_sender = {};
-  int64_t min_free_bytes = 0;      ///< of the disk of stores.state_dir
-  int64_t max_database_bytes = 0;  ///< of stores.postgres; 0: any number
+  int64_t memory_bytes = DefaultMemoryBudget();  ///< that all jobs may hold together
+  int64_t min_free_bytes = 0;                    ///< of the disk of stores.state_dir
+  int64_t max_database_bytes = 0;                ///< of stores.postgres; 0: any number
   std::string build_id;
   /// Whether the stages that all jobs need are of this build, asked after a run that met others.
   std::function<bool()> stages_fit = [] { return true; };
@@ -108,7 +108,8 @@ class Coordinator {
   FdmProcess fdm_;
   std::optional<LaserProcess> laser_;
   JobPipeline pipeline_;
-  ByteBudget mesh_memory_{limits::kMaxMeshBytes};
+  MemoryBudget memory_;
+  ResolvedJobs resolved_;
   JobResults results_;
   JobFeed feed_;
   const DiskGuard disk_;

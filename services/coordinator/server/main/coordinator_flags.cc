@@ -167,6 +167,12 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
       ->check(CLI::NonNegativeNumber)
       ->needs(postgres)
       ->capture_default_str();
+  app.add_option(
+         "--memory", flags->memory_mib,
+         "MiB that the meshes, outlines and plans of all running jobs may take; default: half "
+         "of what the container or the machine has")
+      ->check(CLI::Range(int64_t{64}, int64_t{1} << 30))
+      ->type_name("MIB");
   app.add_option("--rates", flags->rates_file,
                  "JSON file of what the farm charges: jobs then tell what they cost")
       ->check(CLI::ExistingFile);

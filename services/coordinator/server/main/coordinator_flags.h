@@ -33,6 +33,7 @@ struct CoordinatorFlags {
   bool share_cache = false;
   int64_t min_free_mib = 1024;
   int64_t max_database_gib = 0;
+  int64_t memory_mib = DefaultMemoryBudget() >> 20;
   double lease_s = 10;
   double keep_jobs_days = 0;
   double keep_blobs_hours = 24;

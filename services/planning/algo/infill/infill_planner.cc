@@ -8,6 +8,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
+#include "common/stage/job_memory.h"
 #include "services/planning/algo/infill/choose_pattern.h"
 #include "services/planning/algo/infill/cubic_octree.h"
 #include "services/planning/algo/infill/lightning.h"
@@ -109,6 +110,7 @@ LinesByLayer LinesOf(FillPattern pattern, const InfillPlanOptions& options,
 
 void InfillPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
   (void)plan;
+  held_bytes_ += MemoryOf(layer);
   for (const ObjectSection& section : layer.sections) {
     if (section.object == kPlate) continue;
     ObjectStack& stack = stacks_[section.object];

@@ -34,15 +34,16 @@ class InfillPlanner : public Planner {
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
   int32_t Settle(OpenLayers& /*layers*/) override { return 0; }
   absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
+  int64_t HeldBytes() const override { return held_bytes_; }
 
  private:
   using Key = std::pair<int32_t, int32_t>;  ///< object, row
 
-  void FinishRow(const Key& key, const ObjectStack& stack, OpenLayers& layers,
-                 JobPlan& plan) const;
+  void FinishRow(const Key& key, const ObjectStack& stack, OpenLayers& layers, JobPlan& plan) const;
 
   const PlanningOptions& options_;
   const std::span<const std::string> object_names_;
+  int64_t held_bytes_ = 0;
   std::map<int32_t, ObjectStack> stacks_;                  ///< by object; `region` is not filled in
   std::map<Key, std::map<size_t, MultiPolygon>> regions_;  ///< by place in the object's stack
 };

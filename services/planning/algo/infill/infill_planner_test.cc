@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/geometry/measure.h"
+#include "common/stage/job_memory.h"
 #include "services/planning/algo/layers_test.h"
 
 namespace slicefarm::planning::infill_planner_test {
@@ -53,6 +54,22 @@ TEST(InfillPlanner, GivesLinesForPatternsOfTheWholeJob) {
     EXPECT_FALSE(plan.layers[kLayers - 4].infill[0].lines.empty()) << InfoOf(pattern).name;
     EXPECT_TRUE(plan.notes.empty());
   }
+}
+
+TEST(InfillPlanner, TellsWhatItKeeps) {
+  PlanningOptions options;
+  options.infill = {Options(FillPattern::kLightning)};
+  const std::vector<std::string> names = {"block"};
+  InfillPlanner planner(options, names);
+  OpenLayers open;
+  EXPECT_EQ(planner.HeldBytes(), 0);
+  int64_t expected = 0;
+  for (const SlicedLayer& layer : Block()) {
+    planner.Look(layer, open.Add());
+    expected += MemoryOf(layer);
+    EXPECT_EQ(planner.HeldBytes(), expected);
+  }
+  EXPECT_GT(expected, kLayers * 4 * static_cast<int64_t>(sizeof(Point)));
 }
 
 TEST(InfillPlanner, SupportCubicIsDenserBelowTops) {

@@ -9,7 +9,7 @@
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm {
 
 /// How many bytes may be in memory at a time for one purpose. Thread-safe; must outlive its shares.
 class ByteBudget {
@@ -34,6 +34,8 @@ class ByteBudget {
   /// the limit are had alone. Errors: `cancel`'s.
   absl::StatusOr<Share> Take(int64_t bytes, const CancelToken& cancel);
 
+  int64_t limit() const { return limit_; }
+
  private:
   void GiveBack(int64_t bytes);
 
@@ -45,4 +47,4 @@ class ByteBudget {
   std::set<int64_t> waiting_;  ///< turns
 };
 
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm

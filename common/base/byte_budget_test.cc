@@ -1,4 +1,4 @@
-#include "services/coordinator/server/execution/byte_budget.h"
+#include "common/base/byte_budget.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <optional>
 #include <thread>
 
-namespace slicefarm::coordinator::byte_budget_test {
+namespace slicefarm::byte_budget_test {
 namespace {
 
 TEST(ByteBudget, WhatDoesNotFitWaitsForRoom) {
@@ -63,4 +63,4 @@ TEST(ByteBudget, SmallOnesDoNotOvertakeALargeOne) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator::byte_budget_test
+}  // namespace slicefarm::byte_budget_test

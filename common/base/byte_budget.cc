@@ -1,8 +1,8 @@
-#include "services/coordinator/server/execution/byte_budget.h"
+#include "common/base/byte_budget.h"
 
 #include <chrono>
 
-namespace slicefarm::coordinator {
+namespace slicefarm {
 namespace {
 
 constexpr std::chrono::milliseconds kPollCancel{20};
@@ -42,4 +42,4 @@ void ByteBudget::GiveBack(int64_t bytes) {
   changed_.notify_all();
 }
 
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm

@@ -1,0 +1,105 @@
+"""Requests that ask for more than they look like, at the limit and beyond, one at a time: what the coordinator takes of CPU and
+memory for each, and whether a typed error or a job comes of it. Needs protoc, and curl with HTTP/2."""
+import hashlib
+import pathlib
+import re
+import struct
+import subprocess
+import tempfile
+
+from local_farm import MODELS, ROOT, running_farm
+
+PROTO = ROOT / "proto"
+MODEL = MODELS / "textbox.stl"
+# What a refusal may take.
+CPU_S, MEMORY_MIB = 0.2, 64
+
+
+def setting(key, value):
+    return f'{{key: "{key}" value: "{value}"}}'
+
+
+def field(size):
+    """A field of density of so many bytes."""
+    text = '{"kind":"constant","density":0.3' + " " * (size - 33) + "}"
+    return setting("density_field", text.replace('"', '\\"'))
+
+
+def ranges(count):
+    """Height ranges, each with settings of its own."""
+    return " ".join(
+        f"height_ranges {{from_mm: {0.02 * i:.2f} to_mm: {0.02 * (i + 1):.2f} "
+        f"settings {setting('perimeters', 1 + i % 97)} settings {setting('fill_angle', i % 89)}}}"
+        for i in range(count)
+    )
+
+
+def job(digest, objects="", settings=()):
+    listed = " ".join(f"settings {each}" for each in settings)
+    return f'spec {{objects {{mesh_sha256: "{digest}" name: "box" {objects}}} {listed}}}'
+
+
+def plates(digest, copies, settings):
+    many = " ".join(f'requests {{{job(digest, f"copies: 100", settings)}}}' for _ in range(copies))
+    return many + " validate_only: true"
+
+
+def cases(digest):
+    """Name, method, request as text."""
+    lines = setting("layer_gcode", "; " + "x" * 60_000)
+    yield "field_at_limit", "CreateJob", job(digest, ranges(80), [field(450_000)])
+    yield "field_beyond", "CreateJob", job(digest, ranges(1_000), [field(450_000)])
+    yield "field_far_beyond", "CreateJob", job(digest, ranges(10_000), [field(300_000)])
+    yield "plates_beyond", "CreatePlates", plates(digest, 10, [setting("start_gcode", "; " + "x" * 60_000)] * 3)
+    yield "layer_gcode", "CreateJob", job(digest, "", [lines])
+
+
+class Coordinator:
+    def __init__(self, service):
+        self.service = service
+
+    def call(self, method, text):
+        """gRPC's status and the reason that it tells."""
+        request = "CreatePlatesRequest" if method == "CreatePlates" else "CreateJobRequest"
+        encoded = subprocess.run(
+            ["protoc", f"-I{PROTO}", f"--encode=slicefarm.v1.{request}", "slicefarm/v1/jobs.proto"],
+            input=text.encode(), check=True, stdout=subprocess.PIPE,
+        ).stdout
+        with tempfile.NamedTemporaryFile() as body:
+            body.write(b"\0" + struct.pack(">I", len(encoded)) + encoded)
+            body.flush()
+            done = subprocess.run(
+                ["curl", "-s", "-D", "-", "-o", "/dev/null", "--http2-prior-knowledge", "-X", "POST", "-H", "te: trailers",
+                 "-H", "content-type: application/grpc", "--data-binary", f"@{body.name}",
+                 f"http://{self.service.address}/slicefarm.v1.Jobs/{method}"],
+                stdout=subprocess.PIPE, text=True,
+            )
+        status = re.search(r"^grpc-status: (\d+)", done.stdout, re.MULTILINE | re.IGNORECASE)
+        return (int(status[1]) if status else -1), len(encoded)
+
+    def most_mib(self):
+        found = re.search(r"^VmHWM:\s+(\d+)", self.service.proc("status"), re.MULTILINE)
+        return int(found[1]) / 1024
+
+    def forget_most(self):
+        pathlib.Path(f"/proc/{self.service.process.pid}/clear_refs").write_text("5")
+
+
+def measure():
+    digest = hashlib.sha256(MODEL.read_bytes()).hexdigest()
+    with running_farm() as farm:
+        farm.submit(MODEL)
+        farm.await_end()
+        coordinator = Coordinator(farm.coordinators[0])
+        for name, method, text in cases(digest):
+            coordinator.forget_most()
+            memory, cpu = farm.coordinators[0].rss_mib(), farm.coordinators[0].cpu_s()
+            status, size = coordinator.call(method, text)
+            refused = status == 3  # INVALID_ARGUMENT
+            yield f"request_{name}_kib", size / 1024, None
+            yield f"request_{name}_untyped", status not in (0, 3), 0
+            yield f"request_{name}_cpu_s", farm.coordinators[0].cpu_s() - cpu, CPU_S if refused else None
+            yield f"request_{name}_mib", coordinator.most_mib() - memory, MEMORY_MIB if refused else None
+            farm.await_end()
+        farm.submit(MODEL, "--set", "perimeters=3")
+        yield "request_jobs_that_fail_after", sum(job["state"] != "JOB_STATE_SUCCEEDED" for job in farm.await_end()[-1:]), 0
