@@ -7,9 +7,9 @@
 #include <set>
 
 #include "absl/strings/str_cat.h"
+#include "common/base/error.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
-#include "common/base/error.h"
 #include "common/stage/slice_input_test.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
@@ -123,8 +123,7 @@ class FakeRanges : public FdmRunner {
   static std::string TextOf(const SlicedLayer& layer, const LayerPlan& plan, int32_t pass) {
     std::string text = absl::StrCat("layer ", layer.frame.index, " at ", ToText(plan.entry));
     for (const ObjectSection& section : layer.sections)
-      if (section.object == kPlate)
-        absl::StrAppend(&text, ", plate ", ToMm(section.height_nm));
+      if (section.object == kPlate) absl::StrAppend(&text, ", plate ", ToMm(section.height_nm));
     if (!plan.paths.empty()) absl::StrAppend(&text, ", paths ", plan.paths.size());
     if (pass > 0) absl::StrAppend(&text, ", pass ", pass);
     return text + "\n";
@@ -139,8 +138,11 @@ class FakeMotion : public MotionStage {
     return absl::UnimplementedError("");
   }
   absl::StatusOr<ProgramEnvelope> Envelope(const StageCall&, const ProgramSummary& summary,
-                                           const MotionOptions&) const override {
+                                           const MotionOptions& options) const override {
     ProgramEnvelope frame;
+    if (!options.writing.substitutions.empty()) frame.head = "; layer head\n";
+    if (!options.writing.substitutions.empty()) frame.tail = "\n; layer tail\n";
+    frame.file_name = "thing.gcode";
     frame.prologue = "begin";
     for (const CopySummary& copy : summary.copies) {
       const CopyName& name = copy.name;
@@ -165,6 +167,7 @@ class FdmProcessTest : public testing::Test {
     input.meshes = slicefarm::InputOf({{"thing", MeshFormat::kUnknown, std::move(bytes)}});
     input.meshes.objects[0].copies.resize(copies_);
     input.settings_text = "layer_height = 0.2";
+    input.settings.motion.writing = writing_;
     return input;
   }
 
@@ -181,6 +184,7 @@ class FdmProcessTest : public testing::Test {
   FakeMotion motion_;
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
   size_t copies_ = 1;
+  WritingOptions writing_;
   std::vector<PipelineProgress> progress_;
 };
 
@@ -212,6 +216,28 @@ TEST_F(FdmProcessTest, PutsTheProgramTogether) {
             "empty 0: "
             "2: layer 2 at 2 0\n"
             "end layer_height = 0.2");
+}
+
+TEST_F(FdmProcessTest, SubstitutesInAllButHeadAndTail) {
+  writing_.substitutions = R"("^2: layer (\\d) .*\\n";"L$1\\n";r;;begin;BEGIN;;;"end layer";END;;)";
+  const auto output = Run("x0x");
+  ASSERT_TRUE(output.ok()) << output.status();
+  EXPECT_EQ(output->program,
+            "; layer head\nBEGIN thing 0/1 1\nL0\nempty 0: L2\n"
+            "END_height = 0.2\n; layer tail\n");
+  EXPECT_EQ(output->report.file_name, "thing.gcode");
+}
+
+TEST_F(FdmProcessTest, RefusesSubstitutionsThatCannotBeMade) {
+  writing_.substitutions = "(;;r;";
+  const auto output = Run("xxx");
+  EXPECT_EQ(DetailOf(output.status()).reason, Reason::kSettingMalformed);
+  EXPECT_EQ(DetailOf(output.status()).metadata.at("setting"), "gcode_substitutions");
+}
+
+TEST_F(FdmProcessTest, MakesABinaryFile) {
+  writing_.binary = true;
+  EXPECT_THAT(Run("xxx")->program, testing::StartsWith("GCDE"));
 }
 
 TEST_F(FdmProcessTest, PassesFollowEachOtherAndEndWhereTheirBeadsDo) {
@@ -289,10 +315,9 @@ TEST_F(FdmProcessTest, ReportsWhatItCameTo) {
   EXPECT_DOUBLE_EQ(report.filament.volume_mm3, 15);
   EXPECT_DOUBLE_EQ(report.filament.mass_g, 15 * 1.24e-3);
   EXPECT_DOUBLE_EQ(report.stage_times.infill_s, 1);
-  EXPECT_THAT(report.warnings,
-              ElementsAre("of the settings", HasSubstr("1 edge"),
-                          AllOf(HasSubstr("3 islands got walls of constant width"),
-                                testing::EndsWith("in layers 1"))));
+  EXPECT_THAT(report.warnings, ElementsAre("of the settings", HasSubstr("1 edge"),
+                                           AllOf(HasSubstr("3 islands got walls of constant width"),
+                                                 testing::EndsWith("in layers 1"))));
 }
 
 TEST_F(FdmProcessTest, SumsUpWhatInfillComesTo) {
