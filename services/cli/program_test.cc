@@ -278,9 +278,10 @@ TEST_F(Program, NamesFilesAsTheirSettingsSay) {
   const Outcome beside = Run({"slice", Path("cube.obj"), "--set", "binary_gcode=1"});
   ASSERT_EQ(beside.code, ExitCode::kOk) << beside.err;
   EXPECT_THAT(Text("cube.bgcode"), StartsWith("GCDE"));
-  for (const Arguments& reads : {Arguments{"check", Path("cube.bgcode"), "--flavor", "marlin"},
-                                 Arguments{"render", Path("cube.bgcode"), "-o", Path("a.png")},
-                                 Arguments{"slice", Path("cube.obj"), "-c", Path("cube.bgcode")}}) {
+  for (const Arguments& reads :
+       {Arguments{"check", Path("cube.bgcode"), "--flavor", "marlin"},
+        Arguments{"render", Path("cube.bgcode"), "--layer", "1", "-o", Path("a.png")},
+        Arguments{"slice", Path("cube.obj"), "-c", Path("cube.bgcode")}}) {
     const Outcome refused = Run(reads);
     EXPECT_EQ(refused.code, ExitCode::kUsage) << reads[0];
     EXPECT_THAT(refused.err, HasSubstr("cube.bgcode is binary G-code")) << reads[0];
