@@ -42,7 +42,7 @@ TEST(ResolveWriting, ReadsHowGcodeIsWritten) {
   EXPECT_EQ(motion.retraction.length_mm, 1);
   EXPECT_TRUE(resolved.settings.ordering.travel.retract_layer_change);
   EXPECT_THAT(resolved.effective_text,
-              HasSubstr("\ngcode_substitutions = \"M204\";\"M205\";\"\";\"\"\n"));
+              HasSubstr("\ngcode_substitutions = M204;M205;;\n"));
   EXPECT_THAT(resolved.no_effect, IsEmpty());
 }
 

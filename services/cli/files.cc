@@ -83,6 +83,15 @@ absl::StatusOr<std::string> ReadFile(const std::string& path, int64_t max_bytes)
   return bytes;
 }
 
+absl::StatusOr<std::string> ReadText(const std::string& path, int64_t max_bytes) {
+  auto text = ReadFile(path, max_bytes);
+  if (!text.ok() || !text->starts_with("GCDE")) return text;
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                   fmt::format("{} is binary G-code, and text is needed: slice with binary_gcode = "
+                               "0, or turn it into text with PrusaSlicer",
+                               path));
+}
+
 absl::Status InFile(const std::string& path, const absl::Status& status) {
   const ErrorDetail detail = DetailOf(status);
   return MakeError(status.code(), detail.reason,

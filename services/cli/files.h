@@ -16,6 +16,10 @@ constexpr int64_t kMaxConfigBytes = 512 << 20;  ///< a G-code file that quotes i
 /// REQUEST_TOO_LARGE past `max_bytes`, before they are read if the file tells its size.
 absl::StatusOr<std::string> ReadFile(const std::string& path, int64_t max_bytes);
 
+/// The same of a file that must be text: REQUEST_MALFORMED for binary G-code, which slicefarm writes
+/// and does not read.
+absl::StatusOr<std::string> ReadText(const std::string& path, int64_t max_bytes);
+
 /// The error with the file's name in front of its message.
 absl::Status InFile(const std::string& path, const absl::Status& status);
 

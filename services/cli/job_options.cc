@@ -127,7 +127,7 @@ absl::Status Malformed(const std::string& message) {
 absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions& options) {
   std::vector<config::Setting> settings;
   for (const std::string& path : options.config_files) {
-    const auto text = ReadFile(path, kMaxConfigBytes);
+    const auto text = ReadText(path, kMaxConfigBytes);
     if (!text.ok()) return text.status();
     auto read = config::ReadIni(*text);
     if (!read.ok()) return InFile(path, read.status());
@@ -167,7 +167,9 @@ bool IsOfLaser(std::string_view output) {
 std::vector<config::Setting> WithCreationTime(std::vector<config::Setting> settings, bool anyway) {
   const auto names_clock = [](const config::Setting& setting) {
     constexpr std::string_view kTime = "creation_time = now\n";
-    return setting.key.ends_with("gcode") && !config::LinesNamedIn(setting.value, kTime).empty();
+    const bool is_template =
+        setting.key.ends_with("gcode") || setting.key == "output_filename_format";
+    return is_template && !config::LinesNamedIn(setting.value, kTime).empty();
   };
   if (!anyway && std::ranges::none_of(settings, names_clock)) return settings;
   std::string now = absl::FormatTime("%Y-%m-%dT%H:%M:%SZ", absl::Now(), absl::UTCTimeZone());

@@ -56,8 +56,8 @@ void AddMachineOption(CLI::App& app, Process& process);
 /// SETTING_MALFORMED for text that is not UTF-8.
 absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions& options);
 
-/// With the time of now as `creation_time`, which all others win over, if G-code among them may
-/// name it, or `anyway`.
+/// With the time of now as `creation_time`, which all others win over, if G-code or the file's name
+/// among them may name it, or `anyway`.
 std::vector<config::Setting> WithCreationTime(std::vector<config::Setting> settings,
                                               bool anyway = false);
 

@@ -69,6 +69,7 @@ TEST(WithCreationTime, OnlyWhereGcodeMayNameIt) {
   EXPECT_EQ(first("start_gcode", "; made [timestamp]"), "creation_time");
   EXPECT_EQ(first("start_gcode", "{if hour > 12}M300{endif}"), "creation_time");
   EXPECT_EQ(first("start_gcode", "G28"), "start_gcode");
+  EXPECT_EQ(first("output_filename_format", "part_{timestamp}.gcode"), "creation_time");
   EXPECT_EQ(first("notes", "timestamp"), "notes");
   EXPECT_EQ(WithCreationTime({}, true).size(), 1u);
 }

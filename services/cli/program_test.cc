@@ -266,6 +266,38 @@ TEST_F(Program, PlacesThePart) {
   EXPECT_THAT(mesh["max_mm"], testing::ElementsAre(60, 65, 10));
 }
 
+TEST_F(Program, NamesFilesAsTheirSettingsSay) {
+  const std::string format = "output_filename_format=a/{filament_type[0]}_[input_filename_base]";
+  std::filesystem::create_directory(Path("folder"));
+  const Outcome folder = Run({"slice", Path("cube.obj"), "-o", Path("folder"), "--set", format,
+                              "--report", Path("report.json")});
+  ASSERT_EQ(folder.code, ExitCode::kOk) << folder.err;
+  EXPECT_TRUE(Exists("folder/a_PLA_cube.gcode"));
+  EXPECT_THAT(folder.out, HasSubstr("folder/a_PLA_cube.gcode"));
+  EXPECT_EQ(nlohmann::json::parse(Text("report.json"))["file_name"], "a_PLA_cube.gcode");
+  const Outcome beside = Run({"slice", Path("cube.obj"), "--set", "binary_gcode=1"});
+  ASSERT_EQ(beside.code, ExitCode::kOk) << beside.err;
+  EXPECT_THAT(Text("cube.bgcode"), StartsWith("GCDE"));
+  for (const Arguments& reads :
+       {Arguments{"check", Path("cube.bgcode"), "--flavor", "marlin"},
+        Arguments{"render", Path("cube.bgcode"), "--layer", "1", "-o", Path("a.png")},
+        Arguments{"slice", Path("cube.obj"), "-c", Path("cube.bgcode")}}) {
+    const Outcome refused = Run(reads);
+    EXPECT_EQ(refused.code, ExitCode::kUsage) << reads[0];
+    EXPECT_THAT(refused.err, HasSubstr("cube.bgcode is binary G-code")) << reads[0];
+  }
+  const Outcome plates = Run({"slice", Path("cube.obj"), "--plates", "-o", Path("folder")});
+  ASSERT_EQ(plates.code, ExitCode::kOk) << plates.err;
+  EXPECT_TRUE(Exists("folder/cube-1.gcode"));
+}
+
+TEST_F(Program, PausesAtAHeight) {
+  const Outcome outcome = Slice(
+      {"--set", R"(custom_gcode_per_print_z=[{"z":1,"type":"pause","text":"insert the nut"}])"});
+  ASSERT_EQ(outcome.code, ExitCode::kOk) << outcome.err;
+  EXPECT_THAT(Text("out.gcode"), HasSubstr("\n;PAUSE_PRINT\nM117 insert the nut\nM601\n"));
+}
+
 TEST_F(Program, SlicesAPlateOfSeveralModels) {
   Put("bar.obj", kBar);
   const Outcome outcome =

@@ -26,7 +26,12 @@ FORMS = {
     "labelled": ["gcode_label_objects=firmware", "brim_width=3", "skirts=1", "retract_restart_extra=0.05"],
     "arcs": ["arc_fitting=emit_center"],
     "wiped": ["wipe=1", "retract_before_wipe=30%", "retract_lift=0.2", "retract_lift_above=1", "retract_lift_below=5"],
+    "absolute": ["use_relative_e_distances=0", "arc_fitting=emit_center", "wipe=1"],
+    "volumes": ["use_volumetric_e=1", "use_relative_e_distances=0"],
+    "by firmware": ["use_firmware_retraction=1", "retract_lift=0.2"],
+    "commented": ["gcode_comments=1", "use_firmware_retraction=1", "use_relative_e_distances=0"],
 }
+NOT_FOR = {("volumes", "klipper")}  # it has no M200
 
 
 def run(program, *arguments):
@@ -61,6 +66,8 @@ def own_files_pass(program, corpus, folder):
             for form, settings in FORMS.items():
                 if name != MODELS[0] and form != "plain" and flavor != "klipper":
                     continue  # every form in every flavour on one model is enough
+                if (form, flavor) in NOT_FOR:
+                    continue
                 slice_model(program, corpus / "models" / f"{name}.stl", output, [f"gcode_flavor={flavor}", *settings])
                 passes(program, output, reader, f"{name}, {form}, {flavor}")
 

@@ -136,13 +136,17 @@ absl::StatusOr<Value> ParseField(const SettingSpec& spec, std::string_view text,
   return Canonical<T>(spec, text, parse(text), print);
 }
 
-/// They stay as they are written, and are read again where G-code is put together.
+/// A list of texts, which is read again where G-code is put together.
 absl::StatusOr<Value> ParseSubstitutions(const SettingSpec& spec, std::string_view text) {
-  const auto read = gcode::Substitutions::Of(gcode::TextsOfList(text));
+  const std::vector<std::string> items = gcode::TextsOfList(text);
+  const auto read = gcode::Substitutions::Of(items);
   if (!read.ok()) return MalformedError(spec, text, std::string(read.status().message()));
   if (std::ranges::any_of(text, IsControl))
     return MalformedError(spec, text, "must not contain control characters");
-  return Value{.text = std::string(text)};
+  std::string list;
+  for (const std::string& item : items)
+    list += (&item == &items.front() ? "" : ";") + QuoteText(item);
+  return Value{.text = std::move(list)};
 }
 
 std::string_view FirstItem(const SettingSpec& spec, std::string_view text) {

@@ -68,7 +68,7 @@ std::vector<std::string> Samples(const SettingSpec& spec) {
     case Kind::kHeightCode:
       return {"", R"([{"z":1.5,"type":"pause","text":"a"}])"};
     case Kind::kSubstitutions:
-      return {"", R"("a";"b";"r";"")"};
+      return {"", R"(a;"b c";r;)"};
     case Kind::kFlowTable:
       return {"0,0.5;2,1", "0,1.25;0.5,0.75;1,1"};
     case Kind::kPercent:

@@ -43,7 +43,7 @@ absl::StatusOr<GcodeFile> ReadGcode(const GcodeOptions& options) {
   if (file.firmware == nullptr) {
     return UnknownFlavor(options.flavor);
   }
-  auto gcode = ReadFile(options.gcode, kMaxGcodeBytes);
+  auto gcode = ReadText(options.gcode, kMaxGcodeBytes);
   if (!gcode.ok()) return gcode.status();
   file.gcode = *std::move(gcode);
   auto machine = ReadMachine(options.config, file.gcode);

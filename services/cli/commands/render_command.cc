@@ -73,7 +73,7 @@ absl::StatusOr<GcodeLayer> ReadLayer(const RenderOptions& options, std::string_v
 ExitCode Render(const RenderOptions& options) {
   const auto format = FormatOf(options);
   if (!format.ok()) return Fail(format.status());
-  const auto gcode = ReadFile(options.gcode, kMostRenderedBytes);
+  const auto gcode = ReadText(options.gcode, kMostRenderedBytes);
   if (!gcode.ok()) return Fail(gcode.status());
   const auto layer = IsCliFile(*gcode) ? ReadCliLayer(*gcode, options.layer, options.spot_mm)
                                        : ReadLayer(options, *gcode);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "common/base/error.h"
+#include "common/base/temp_directory_test.h"
 #include "services/cli/files.h"
 #include "services/cli/models/model_arguments.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
@@ -93,10 +94,10 @@ TEST(ReadModels, RefusesNonsenseNamingTheOption) {
     options.centers = {center};
     ExpectRefused(options, "--center");
   }
-  for (const char* copies : {"", "3", "given_models_cube.stl", "given_models_cube.stl=",
-                             "given_models_cube.stl=0", "given_models_cube.stl=-1",
-                             "given_models_cube.stl=1.5", "given_models_cube.stl=x",
-                             "given_models_cube.stl=1001", "other.stl=2"}) {
+  for (const char* copies :
+       {"", "3", "given_models_cube.stl", "given_models_cube.stl=", "given_models_cube.stl=0",
+        "given_models_cube.stl=-1", "given_models_cube.stl=1.5", "given_models_cube.stl=x",
+        "given_models_cube.stl=1001", "other.stl=2"}) {
     JobOptions options = WithModel();
     options.copies = {copies};
     ExpectRefused(options, "--copies");
@@ -142,8 +143,8 @@ TEST(ReadModels, CopiesAndSettingsAreOfTheModelThatTheyName) {
   const auto models = ReadModels(options);
   ASSERT_TRUE(models.ok()) << models.status();
   EXPECT_EQ(models->plates[0].objects[0].instances.size(), 1);
-  EXPECT_THAT(models->plates[0].objects[0].settings, ElementsAre(Setting{"fill_density", "40%"},
-                                                       Setting{"perimeters", "4"}));
+  EXPECT_THAT(models->plates[0].objects[0].settings,
+              ElementsAre(Setting{"fill_density", "40%"}, Setting{"perimeters", "4"}));
   EXPECT_EQ(models->plates[0].objects[1].instances.size(), 3);
   EXPECT_THAT(models->plates[0].objects[1].settings, ElementsAre(Setting{"seam_position", "rear"}));
 }
@@ -250,6 +251,19 @@ TEST(OutputOf, NumbersThePlates) {
   EXPECT_TRUE(CheckOutputs(options, "out.gcode").ok());
   EXPECT_FALSE(CheckOutputs(options, "-").ok());
   EXPECT_EQ(OutputOf(options, "", 0), "");
+}
+
+TEST(NamedOutput, IsAFolderOrThatOfTheModel) {
+  const TempDirectory folder;
+  JobOptions options;
+  options.models = {"models/part.stl"};
+  EXPECT_EQ(NamedOutput(options, "a/b.gcode", "name.gcode", 0), "a/b.gcode");
+  EXPECT_EQ(NamedOutput(options, "", "name.gcode", 0), "models/name.gcode");
+  EXPECT_EQ(NamedOutput(options, folder.path(), "name.gcode", 0), folder.path() + "/name.gcode");
+  EXPECT_EQ(NamedOutput(options, "-", "name.gcode", 0), "-");
+  options.plates = true;
+  EXPECT_EQ(NamedOutput(options, folder.path(), "name.bgcode", 1),
+            folder.path() + "/name-2.bgcode");
 }
 
 TEST(ReadModels, DoesNotMoveWhatAProjectHasPlaced) {

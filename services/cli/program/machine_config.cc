@@ -31,6 +31,7 @@ constexpr std::string_view kMachineKeys[] = {"bed_shape",
                                              "deretract_speed",
                                              "retract_restart_extra",
                                              "retract_lift",
+                                             "use_volumetric_e",
                                              "z_offset"};
 
 bool IsOfMachine(std::string_view key) {
@@ -61,8 +62,7 @@ absl::StatusOr<motion::CheckSetup> SetupOfSettings(std::string_view text) {
   if (!resolved.ok()) return resolved.status();
   const MotionOptions& options = resolved->settings.motion;
   motion::CheckSetup setup;
-  setup.machine = {
-      options.limits, options.retraction, {options.nozzle_heating_c_s, options.bed_heating_c_s}};
+  setup.machine = motion::SetupOf(options);
   setup.nozzle_mm = options.nozzle_diameter_mm;
   setup.filament_mm = options.filament_diameter_mm;
   setup.z_offset_mm = options.z_offset_mm;
@@ -84,7 +84,7 @@ absl::StatusOr<MachineConfig> ReadMachine(const std::string& config_file, std::s
     if (!standard.ok()) return standard.status();
     return MachineConfig{*standard, "defaults"};
   }
-  const auto text = ReadFile(config_file, kMaxConfigBytes);
+  const auto text = ReadText(config_file, kMaxConfigBytes);
   if (!text.ok()) return text.status();
   const auto setup = IsKlipperConfig(*text) ? ReadKlipperConfig(*text) : SetupOfSettings(*text);
   if (!setup.ok()) return InFile(config_file, setup.status());

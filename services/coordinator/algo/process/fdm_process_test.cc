@@ -138,8 +138,11 @@ class FakeMotion : public MotionStage {
     return absl::UnimplementedError("");
   }
   absl::StatusOr<ProgramEnvelope> Envelope(const StageCall&, const ProgramSummary& summary,
-                                           const MotionOptions&) const override {
+                                           const MotionOptions& options) const override {
     ProgramEnvelope frame;
+    if (!options.writing.substitutions.empty()) frame.head = "; layer head\n";
+    if (!options.writing.substitutions.empty()) frame.tail = "\n; layer tail\n";
+    frame.file_name = "thing.gcode";
     frame.prologue = "begin";
     for (const CopySummary& copy : summary.copies) {
       const CopyName& name = copy.name;
@@ -164,6 +167,7 @@ class FdmProcessTest : public testing::Test {
     input.meshes = slicefarm::InputOf({{"thing", MeshFormat::kUnknown, std::move(bytes)}});
     input.meshes.objects[0].copies.resize(copies_);
     input.settings_text = "layer_height = 0.2";
+    input.settings.motion.writing = writing_;
     return input;
   }
 
@@ -180,6 +184,7 @@ class FdmProcessTest : public testing::Test {
   FakeMotion motion_;
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
   size_t copies_ = 1;
+  WritingOptions writing_;
   std::vector<PipelineProgress> progress_;
 };
 
@@ -211,6 +216,28 @@ TEST_F(FdmProcessTest, PutsTheProgramTogether) {
             "empty 0: "
             "2: layer 2 at 2 0\n"
             "end layer_height = 0.2");
+}
+
+TEST_F(FdmProcessTest, SubstitutesInAllButHeadAndTail) {
+  writing_.substitutions = R"("^2: layer (\\d) .*\\n";"L$1\\n";r;;begin;BEGIN;;;"end layer";END;;)";
+  const auto output = Run("x0x");
+  ASSERT_TRUE(output.ok()) << output.status();
+  EXPECT_EQ(output->program,
+            "; layer head\nBEGIN thing 0/1 1\nL0\nempty 0: L2\n"
+            "END_height = 0.2\n; layer tail\n");
+  EXPECT_EQ(output->report.file_name, "thing.gcode");
+}
+
+TEST_F(FdmProcessTest, RefusesSubstitutionsThatCannotBeMade) {
+  writing_.substitutions = "(;;r;";
+  const auto output = Run("xxx");
+  EXPECT_EQ(DetailOf(output.status()).reason, Reason::kSettingMalformed);
+  EXPECT_EQ(DetailOf(output.status()).metadata.at("setting"), "gcode_substitutions");
+}
+
+TEST_F(FdmProcessTest, MakesABinaryFile) {
+  writing_.binary = true;
+  EXPECT_THAT(Run("xxx")->program, testing::StartsWith("GCDE"));
 }
 
 TEST_F(FdmProcessTest, PassesFollowEachOtherAndEndWhereTheirBeadsDo) {

@@ -87,13 +87,23 @@ GcodeAction GcodeMachine::ReadM(const GcodeLine& line) {
     case 83:
       relative_filament_ = line.number == 83;
       return {};
-    case 0: case 1: case 25: case 109: case 116: case 190: case 191: case 226: case 400: case 600:
-    case 601: case 701: case 702:
+    case 0:
+    case 1:
+    case 25:
+    case 109:
+    case 116:
+    case 190:
+    case 191:
+    case 226:
+    case 400:
+    case 600:
+    case 601:
+    case 701:
+    case 702:
       return Rest();
     case 200:
       // Volumes of filament of this diameter; 0: lengths again.
-      if (const auto d = line['D'])
-        ScaleFilament(flow_factor_, *d > 0 ? 4 / (std::numbers::pi * *d * *d) : 1);
+      if (const auto d = line['D']) ScaleFilament(flow_factor_, FilamentUnitMm(*d));
       return {};
     case 207:
       retraction_.length_mm = line['S'].value_or(retraction_.length_mm);
@@ -228,6 +238,17 @@ void GcodeMachine::SetPosition(const GcodeLine& line) {
     const double factor = axis == kE ? FilamentFactor() : 1;
     origin_[axis] = at_[axis] - line[kWords[axis]].value_or(0) * unit_mm_ * factor;
   }
+}
+
+double GcodeMachine::FilamentUnitMm(double diameter_mm) {
+  return diameter_mm > 0 ? 4 / (std::numbers::pi * diameter_mm * diameter_mm) : 1;
+}
+
+MachineSetup SetupOf(const MotionOptions& options) {
+  return {options.limits,
+          options.retraction,
+          {options.nozzle_heating_c_s, options.bed_heating_c_s},
+          options.writing.volumetric_e ? options.filament_diameter_mm : 0};
 }
 
 /// What the program takes for the filament's place stays.

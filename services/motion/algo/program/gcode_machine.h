@@ -21,7 +21,11 @@ struct MachineSetup {
   RetractionOptions retraction;  ///< of G10 and G11, until M207
   HeatingRates heating;
   double arc_segment_mm = 0;  ///< length of the chords of arcs; 0: the firmware's own
+  double volume_diameter_mm = 0;  ///< E is mm3 of filament of this diameter; 0: mm; until M200
 };
+
+/// That of a job's settings.
+MachineSetup SetupOf(const MotionOptions& options);
 
 /// A straight move, in machine coordinates: x, y, z and the filament that went in so far.
 struct ProgramMove {
@@ -40,9 +44,9 @@ struct GcodeAction {
   enum class Kind {
     kNone,
     kMoves,
-    kDwell,    ///< G4: rests for a time
-    kRest,     ///< comes to rest: waits for heat, homes, changes tools, ...
-    kLimits,   ///< limits may have changed
+    kDwell,   ///< G4: rests for a time
+    kRest,    ///< comes to rest: waits for heat, homes, changes tools, ...
+    kLimits,  ///< limits may have changed
   };
   Kind kind = Kind::kNone;
   std::span<const ProgramMove> moves = {};  ///< valid until the next line
@@ -51,8 +55,8 @@ struct GcodeAction {
 };
 
 /// Follows a program line by line, as its firmware would: G0 to G4, G10 and G11, G20 and G21, G28,
-/// G90 to G92, M82, M83, M207, M208, M220, M221, tools and limits. Places before G28 or the first
-/// move count from 0. Homing takes an axis to 0.
+/// G90 to G92, M82, M83, M200, M207, M208, M220, M221, tools and limits. Places before G28 or the
+/// first move count from 0. Homing takes an axis to 0.
 class GcodeMachine {
  public:
   /// `firmware` must live on.
@@ -60,6 +64,7 @@ class GcodeMachine {
       : firmware_(firmware),
         limits_(setup.limits),
         retraction_(setup.retraction),
+        filament_unit_mm_(FilamentUnitMm(setup.volume_diameter_mm)),
         arc_segment_mm_(setup.arc_segment_mm) {}
 
   GcodeAction Read(const GcodeLine& line);
@@ -75,6 +80,7 @@ class GcodeMachine {
   bool has_speed() const { return speed_mm_s_ > 0; }
 
  private:
+  static double FilamentUnitMm(double diameter_mm);
   GcodeAction ReadG(const GcodeLine& line);
   GcodeAction ReadM(const GcodeLine& line);
   GcodeAction MoveTo(const GcodeLine& line);

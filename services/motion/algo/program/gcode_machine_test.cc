@@ -68,6 +68,26 @@ TEST(GcodeMachine, FirmwareRetraction) {
   EXPECT_FALSE(IsFirmwareRetraction(ParseGcodeLine("G10 P0 S200")));
 }
 
+TEST(GcodeMachine, FilamentMayBeAVolume) {
+  constexpr double kAreaMm2 = 2.405281875;  // of 1.75 mm
+  const auto pushed = [](GcodeMachine& machine, const char* line) {
+    return machine.Read(ParseGcodeLine(line)).moves[0].Filament();
+  };
+  GcodeMachine machine(Marlin2(), {});
+  machine.Read(ParseGcodeLine("G1 X1 E4 F600"));
+  machine.Read(ParseGcodeLine("M200 D1.75"));
+  EXPECT_NEAR(pushed(machine, "G1 X2 E6"), 2 / kAreaMm2, 1e-6) << "places stay";
+  machine.Read(ParseGcodeLine("M221 S50"));
+  EXPECT_NEAR(pushed(machine, "G1 X3 E8"), 1 / kAreaMm2, 1e-6);
+  machine.Read(ParseGcodeLine("M200 D0"));
+  EXPECT_NEAR(pushed(machine, "G1 X4 E10"), 1, 1e-9);
+
+  MotionOptions options;
+  options.writing.volumetric_e = true;
+  GcodeMachine by_settings(Marlin2(), SetupOf(options));
+  EXPECT_NEAR(pushed(by_settings, "G1 X1 E4 F600"), 4 / kAreaMm2, 1e-6);
+}
+
 TEST(GcodeMachine, ArcsAreChordsWithTheirShareOfFilament) {
   GcodeMachine machine(Klipper(), {});
   machine.Read(ParseGcodeLine("G1 X10 F600"));
@@ -101,7 +121,8 @@ TEST(GcodeMachine, LimitsByFirmware) {
   EXPECT_EQ(limits(RepRap(), "M203 X6000").max_feedrate_mm_s[kX], 100);
   EXPECT_EQ(limits(RepRap(), "M566 E300").max_jerk_mm_s[kE], 5);
   EXPECT_EQ(limits(Klipper(), "SET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY=0 VELOCITY=80")
-                .square_corner_velocity_mm_s, 0);
+                .square_corner_velocity_mm_s,
+            0);
 }
 
 TEST(GcodeMachine, Stops) {

@@ -25,7 +25,7 @@ int32_t Um(double mm) { return static_cast<int32_t>(std::lround(mm * kUmPerMm));
 PrintClock::PrintClock(const ProgramSummary& summary, const MotionOptions& options)
     : summary_(summary),
       firmware_(FirmwareOf(options.flavor)),
-      machine_(firmware_, {options.limits, options.retraction, {}}),
+      machine_(firmware_, SetupOf(options)),
       heat_({options.nozzle_heating_c_s, options.bed_heating_c_s}),
       planner_(firmware_.MakePlanner(options.limits)) {
   const ProgramStats& total = summary.total;

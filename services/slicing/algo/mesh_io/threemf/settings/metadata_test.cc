@@ -32,6 +32,28 @@ TEST(ReadMetadata, KnowsTheSlicers) {
   EXPECT_EQ(bambu->ranges.at(1).size(), 1u);
 }
 
+TEST(ReadMetadata, WhatIsDoneAtHeightsIsASetting) {
+  Files prusa = PrusaFiles();
+  prusa.emplace_back("Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml",
+                     R"(<custom_gcodes_per_print_z><code print_z="1.2" type="1" extra="nut"/>)"
+                     R"(</custom_gcodes_per_print_z>)");
+  const auto of_project = Read(prusa);
+  ASSERT_TRUE(of_project.ok()) << of_project.status();
+  EXPECT_EQ(of_project->project.settings.back().key, "custom_gcode_per_print_z");
+  EXPECT_EQ(of_project->project.settings.back().value,
+            R"([{"z":1.2,"type":"pause","text":"nut"}])");
+  Files bambu = BambuFiles();
+  bambu.emplace_back("Metadata/custom_gcode_per_layer.xml",
+                     R"(<a><plate><plate_info id="2"/><layer top_z="3" type="3"/></plate></a>)");
+  const auto of_plate = Read(bambu);
+  ASSERT_TRUE(of_plate.ok()) << of_plate.status();
+  for (const PlateSettings& plate : of_plate->model.plates) {
+    const bool has =
+        !plate.settings.empty() && plate.settings.back().key == "custom_gcode_per_print_z";
+    EXPECT_EQ(has, plate.number == 2) << plate.number;
+  }
+}
+
 TEST(ReadMetadata, NamesTheFileThatIsWrong) {
   for (const std::string name : {"Metadata/Slic3r_PE.config", "Metadata/Slic3r_PE_model.config",
                                  "Metadata/Prusa_Slicer_layer_config_ranges.xml"}) {
