@@ -140,12 +140,13 @@ class Ends {
     return Joint{a, b, cut, std::llround(rank), from, to};
   }
 
-  /// Whether a bead between two pieces would lie on another one for more than its width.
+  /// Whether a bead between two pieces would lie on another one for more than its width; one
+  /// between the ends of the same piece, on that.
   bool LiesOnOthers(Point from, Point to, int32_t piece, int32_t other) const {
     bool lies = false;
     lines_.ForEachNear(from, to, options_.width_nm, [&](int32_t number) {
       const Line& line = segments_[U(number)];
-      if (line.piece == piece || line.piece == other) return;
+      if (piece != other && (line.piece == piece || line.piece == other)) return;
       lies = lies || LieTogether(from, to, line.a, line.b, options_.width_nm);
     });
     return lies;
@@ -226,6 +227,12 @@ class Matching {
     return is_free;
   }
 
+  /// The same for two at once, which must not lie on each other.
+  bool AreFree(const Joint& one, const Joint& other) const {
+    return IsFree(one) && IsFree(other) &&
+           !LieTogether(one.from, one.to, other.from, other.to, width_nm_);
+  }
+
   void Make(int32_t number) {
     const Joint& joint = joints_[U(number)];
     made_[U(joint.a)] = made_[U(joint.b)] = number;
@@ -242,7 +249,7 @@ class Matching {
       for (const int32_t other : of_[U(left)]) {
         const int32_t last = joints_[U(other)].Other(left);
         if (made_[U(last)] != kNone || last == end) continue;
-        if (!IsFree(joints_[U(wanted)]) || !IsFree(joints_[U(other)])) continue;
+        if (!AreFree(joints_[U(wanted)], joints_[U(other)])) continue;
         Make(wanted);
         Make(other);
         return;
