@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "common/base/disjoint_sets.h"
 #include "common/base/perfect_matching.h"
 
 namespace slicefarm::infill {
@@ -20,13 +20,6 @@ constexpr double kSteepest = 1e9;
 
 double CrossOf(Vec a, Vec b) { return a.u * b.v - a.v * b.u; }
 double LengthOf(Vec a) { return std::sqrt(a.u * a.u + a.v * a.v); }
-
-int32_t Root(std::vector<int32_t>& parent, int32_t i) {
-  while (parent[static_cast<size_t>(i)] != i)
-    i = parent[static_cast<size_t>(i)] =
-        parent[static_cast<size_t>(parent[static_cast<size_t>(i)])];
-  return i;
-}
 
 }  // namespace
 
@@ -90,13 +83,8 @@ void StrandTile::LayCourses() {
 /// Two curves that share a doubled edge become one where their lines there cross: on the shortest
 /// edges that will do.
 void StrandTile::JoinCourses() {
-  std::vector<int32_t> curve(tile_.edges.size());  // of an edge that is walked once
-  std::iota(curve.begin(), curve.end(), 0);
-  const auto join = [&curve](int32_t a, int32_t b) {
-    a = Root(curve, a / 2), b = Root(curve, b / 2);
-    curve[static_cast<size_t>(std::max(a, b))] = std::min(a, b);
-    return a != b;
-  };
+  DisjointSets curves(static_cast<int32_t>(tile_.edges.size()));  // of edges that are walked once
+  const auto join = [&curves](int32_t a, int32_t b) { return curves.Join(a / 2, b / 2); };
   for (const Course& course : courses_) join(course.ends[0], course.ends[1]);
   std::vector<size_t> pairs;
   for (size_t i = 0; i < courses_.size(); i += 2) pairs.push_back(i);

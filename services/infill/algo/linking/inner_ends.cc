@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
 
+#include "common/base/disjoint_sets.h"
 #include "common/geometry/edge_index.h"
 #include "common/geometry/measure.h"
 #include "services/infill/algo/lines/shortened.h"
@@ -140,12 +140,13 @@ class Ends {
     return Joint{a, b, cut, std::llround(rank), from, to};
   }
 
-  /// Whether a bead between two pieces would lie on another one for more than its width.
+  /// Whether a bead between two pieces would lie on another one for more than its width; one
+  /// between the ends of the same piece, on that.
   bool LiesOnOthers(Point from, Point to, int32_t piece, int32_t other) const {
     bool lies = false;
     lines_.ForEachNear(from, to, options_.width_nm, [&](int32_t number) {
       const Line& line = segments_[U(number)];
-      if (line.piece == piece || line.piece == other) return;
+      if (piece != other && (line.piece == piece || line.piece == other)) return;
       lies = lies || LieTogether(from, to, line.a, line.b, options_.width_nm);
     });
     return lies;
@@ -186,8 +187,7 @@ class Matching {
         lines_(BoxOf(joints), std::max(options.reach_nm, options.width_nm)),
         made_(U(ends.size()), kNone),
         of_(U(ends.size())),
-        root_(U(ends.size() / 2)) {
-    std::iota(root_.begin(), root_.end(), 0);
+        chains_(ends.size() / 2) {
     for (size_t i = 0; i < joints.size(); ++i) {
       of_[U(joints[i].a)].push_back(static_cast<int32_t>(i));
       of_[U(joints[i].b)].push_back(static_cast<int32_t>(i));
@@ -207,7 +207,7 @@ class Matching {
  private:
   bool CanMake(const Joint& joint, bool may_close) {
     return made_[U(joint.a)] == kNone && made_[U(joint.b)] == kNone &&
-           (may_close || RootOf(joint.a / 2) != RootOf(joint.b / 2)) && IsFree(joint);
+           (may_close || !chains_.AreJoined(joint.a / 2, joint.b / 2)) && IsFree(joint);
   }
 
   static Box BoxOf(const std::vector<Joint>& joints) {
@@ -226,10 +226,16 @@ class Matching {
     return is_free;
   }
 
+  /// The same for two at once, which must not lie on each other.
+  bool AreFree(const Joint& one, const Joint& other) const {
+    return IsFree(one) && IsFree(other) &&
+           !LieTogether(one.from, one.to, other.from, other.to, width_nm_);
+  }
+
   void Make(int32_t number) {
     const Joint& joint = joints_[U(number)];
     made_[U(joint.a)] = made_[U(joint.b)] = number;
-    root_[U(RootOf(joint.a / 2))] = RootOf(joint.b / 2);
+    chains_.Join(joint.a / 2, joint.b / 2);
     lines_.Add(joint.from, joint.to, number);
   }
 
@@ -242,7 +248,7 @@ class Matching {
       for (const int32_t other : of_[U(left)]) {
         const int32_t last = joints_[U(other)].Other(left);
         if (made_[U(last)] != kNone || last == end) continue;
-        if (!IsFree(joints_[U(wanted)]) || !IsFree(joints_[U(other)])) continue;
+        if (!AreFree(joints_[U(wanted)], joints_[U(other)])) continue;
         Make(wanted);
         Make(other);
         return;
@@ -250,18 +256,12 @@ class Matching {
     }
   }
 
-  /// One piece of those that are joined to a piece.
-  int32_t RootOf(int32_t piece) {
-    while (root_[U(piece)] != piece) piece = root_[U(piece)] = root_[U(root_[U(piece)])];
-    return piece;
-  }
-
   const std::vector<Joint>& joints_;
   double width_nm_;
   SegmentGrid lines_;                     ///< joints that were made
   std::vector<int32_t> made_;             ///< by end
   std::vector<std::vector<int32_t>> of_;  ///< possible ones, by end
-  std::vector<int32_t> root_;             ///< by piece
+  DisjointSets chains_;                   ///< of pieces
 };
 
 /// Puts pieces together as they are joined.

@@ -105,6 +105,21 @@ TEST(InnerEnds, PiecesWithTwoInnerEndsMayBecomeARing) {
   EXPECT_NEAR(LengthOf(joined), 60e6, 10);
 }
 
+// There and back on itself a straight line would be printed twice; a bow has its own ends' joint.
+TEST(InnerEnds, APieceIsJoinedToItselfOnlyBesideItself) {
+  const std::vector<Piece> straight = {Line(20, 20, 24, 20, false)};
+  const auto alone = JoinInnerEnds(Square(), straight, kJoints);
+  ASSERT_EQ(alone.size(), 1u);
+  EXPECT_FALSE(alone[0].closed);
+  EXPECT_EQ(alone[0].points, straight[0].points);
+  Piece bow = Line(20, 20, 30, 20, false);
+  bow.points.push_back({FromMm(30), FromMm(23)});
+  bow.points.push_back({FromMm(20), FromMm(23)});
+  const auto ring = JoinInnerEnds(Square(), std::vector<Piece>{bow}, kJoints);
+  ASSERT_EQ(ring.size(), 1u);
+  EXPECT_TRUE(ring[0].closed);
+}
+
 TEST(InnerEnds, TheOrderAndWayOfPiecesChangesNothing) {
   std::vector<Piece> lines = Comb(9, 2.3);
   const double all = LengthOf(JoinInnerEnds(Square(), lines, kJoints));

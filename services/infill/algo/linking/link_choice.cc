@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <utility>
+
+#include "common/base/disjoint_sets.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -48,19 +49,11 @@ class Chooser {
     std::stable_sort(stretches.begin(), stretches.end(), [this](int32_t a, int32_t b) {
       return ends_.LinkLength(a) < ends_.LinkLength(b);
     });
-    std::vector<int32_t> path_of(static_cast<size_t>(ends_.PieceCount()));
-    std::iota(path_of.begin(), path_of.end(), 0);
-    const auto path = [&path_of](int32_t piece) {
-      while (path_of[piece] != piece) piece = path_of[piece] = path_of[path_of[piece]];
-      return piece;
-    };
+    DisjointSets paths(ends_.PieceCount());
     for (const int32_t stretch : stretches) {
       const int32_t next = ends_.Next(stretch);
       if (Partner(stretch) != kNoEnd || Partner(next) != kNoEnd) continue;
-      const int32_t a = path(stretch / 2), b = path(next / 2);
-      if (a == b) continue;
-      path_of[a] = b;
-      links_[static_cast<size_t>(stretch)] = true;
+      if (paths.Join(stretch / 2, next / 2)) links_[static_cast<size_t>(stretch)] = true;
     }
   }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "common/base/disjoint_sets.h"
 #include "common/geometry/boolean/predicates.h"
 #include "services/infill/algo/space_filling/ring_places.h"
 
@@ -81,10 +82,7 @@ class Linker {
         places_(Points(rings), 1.5 * spacing),
         links_(places_.Extent(), 1.5 * spacing),
         bridges_at_(rings.size()),
-        family_(rings.size()),
-        families_(static_cast<int32_t>(rings.size())) {
-    std::iota(family_.begin(), family_.end(), 0);
-  }
+        families_(static_cast<int32_t>(rings.size())) {}
 
   std::vector<Polyline> Link() {
     Run({.reach = 1.3 * spacing_, .gap = spacing_, .worst = kGoodFit});
@@ -101,16 +99,11 @@ class Linker {
     return points;
   }
 
-  int32_t Family(int32_t ring) {
-    while (family_[ring] != ring) ring = family_[ring] = family_[family_[ring]];
-    return ring;
-  }
-
   void Run(const Pass& pass) {
-    if (families_ < 2) return;
+    if (families_.sets() < 2) return;
     std::vector<Pair> pairs = Pairs(pass);
     for (const Pair& pair : pairs) {
-      if (Family(pair.a) == Family(pair.b)) continue;
+      if (families_.AreJoined(pair.a, pair.b)) continue;
       if (const std::optional<Bridge> bridge = Find(pair, pass)) Build(*bridge);
     }
   }
@@ -143,9 +136,8 @@ class Linker {
   void FindSpots(int32_t b, const Pass& pass, std::vector<Spot>& spots) {
     spots.clear();
     std::vector<RingPlaces::NearRing> near;
-    const int32_t family = Family(b);
     const auto wanted = [&](int32_t a) {
-      return a < b && Family(a) != family &&
+      return a < b && !families_.AreJoined(a, b) &&
              !(pass.other_steps_only && rings_[a].step == rings_[b].step);
     };
     ForEachSample(b, [&](double place) {
@@ -305,9 +297,7 @@ class Linker {
     bridges_.push_back(bridge);
     for (const Cut& cut : bridge.cuts) bridges_at_[cut.ring].push_back(index);
     for (const End end : {4 * index, 4 * index + 1}) links_.Add(At(end), At(Across(end)), end);
-    const int32_t a = Family(bridge.cuts[0].ring), b = Family(bridge.cuts[1].ring);
-    family_[std::max(a, b)] = std::min(a, b);
-    --families_;
+    families_.Join(bridge.cuts[0].ring, bridge.cuts[1].ring);
   }
 
   // --- walking the result
@@ -394,8 +384,7 @@ class Linker {
   SegmentGrid links_;  ///< by the end on the first ring
   std::vector<Bridge> bridges_;
   std::vector<std::vector<int32_t>> bridges_at_;  ///< by ring, the oldest first
-  std::vector<int32_t> family_;                   ///< by ring: towards the family's first ring
-  int32_t families_;
+  DisjointSets families_;                         ///< of rings
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "services/ordering/algo/tours/node_sets.h"
+#include "common/base/disjoint_sets.h"
 
 namespace slicefarm::ordering {
 namespace {
@@ -50,7 +50,7 @@ class Pieces {
   }
 
   std::vector<std::array<int32_t, 2>> links_;
-  NodeSets pieces_;
+  DisjointSets pieces_;
 };
 
 struct Edge {

@@ -10,10 +10,10 @@
 #include <optional>
 #include <utility>
 
+#include "common/base/disjoint_sets.h"
 #include "common/base/error.h"
 #include "common/base/portable_math.h"
 #include "common/base/text.h"
-#include "services/ordering/algo/tours/node_sets.h"
 
 namespace slicefarm::ordering {
 namespace {
@@ -307,7 +307,7 @@ class FixedEdgesReader {
  private:
   int32_t size_;
   std::vector<int> degree_;
-  NodeSets pieces_;
+  DisjointSets pieces_;
   std::vector<NodePair> edges_;
 };
 

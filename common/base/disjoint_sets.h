@@ -1,0 +1,46 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace slicefarm {
+
+/// Disjoint sets of numbers that are joined one by one. Source: Galler and Fischer 1964; Tarjan,
+/// with halved paths. Cost: O(log n) a call, amortised.
+class DisjointSets {
+ public:
+  /// Each of 0 to count - 1 by itself.
+  explicit DisjointSets(int32_t count) : root_(static_cast<size_t>(count)), sets_(count) {
+    std::iota(root_.begin(), root_.end(), 0);
+  }
+
+  int32_t sets() const { return sets_; }
+
+  /// Makes one set of the two. False: they were one already.
+  bool Join(int32_t a, int32_t b) {
+    const int32_t root_a = RootOf(a), root_b = RootOf(b);
+    if (root_a == root_b) return false;
+    root_[static_cast<size_t>(std::max(root_a, root_b))] = std::min(root_a, root_b);
+    --sets_;
+    return true;
+  }
+
+  bool AreJoined(int32_t a, int32_t b) { return RootOf(a) == RootOf(b); }
+
+ private:
+  int32_t RootOf(int32_t number) {
+    while (root_[static_cast<size_t>(number)] != number) {
+      int32_t& up = root_[static_cast<size_t>(number)];
+      up = root_[static_cast<size_t>(up)];
+      number = up;
+    }
+    return number;
+  }
+
+  std::vector<int32_t> root_;
+  int32_t sets_;
+};
+
+}  // namespace slicefarm
