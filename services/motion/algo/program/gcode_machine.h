@@ -20,8 +20,8 @@ struct MachineSetup {
   MachineLimits limits;
   RetractionOptions retraction;  ///< of G10 and G11, until M207
   HeatingRates heating;
-  double arc_segment_mm = 0;  ///< length of the chords of arcs; 0: the firmware's own
   double volume_diameter_mm = 0;  ///< E is mm3 of filament of this diameter; 0: mm; until M200
+  double arc_segment_mm = 0;      ///< length of the chords of arcs; 0: the firmware's own
 };
 
 /// That of a job's settings.
@@ -64,8 +64,8 @@ class GcodeMachine {
       : firmware_(firmware),
         limits_(setup.limits),
         retraction_(setup.retraction),
-        filament_unit_mm_(FilamentUnitMm(setup.volume_diameter_mm)),
-        arc_segment_mm_(setup.arc_segment_mm) {}
+        arc_segment_mm_(setup.arc_segment_mm),
+        filament_unit_mm_(FilamentUnitMm(setup.volume_diameter_mm)) {}
 
   GcodeAction Read(const GcodeLine& line);
 
