@@ -449,8 +449,8 @@ TEST(Dispatcher, WhatARunnerDiesOfTakesOthersWithItOnce) {
   poison.range = {MortalRunner::kPoison, MortalRunner::kPoison + 1};
   const std::vector<Task> killer = {poison}, others = Tasks(300);
   absl::Status outcome;
-  std::thread killing([&] { outcome = dispatcher.Execute({}, killer, nullptr).status(); });
-  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, others, nullptr), others));
+  std::thread killing([&] { outcome = Results(dispatcher, {}, killer, nullptr).status(); });
+  EXPECT_TRUE(IsWhole(Results(dispatcher, {}, others, nullptr), others));
   killing.join();
   EXPECT_EQ(DetailOf(outcome).reason, Reason::kRangePoisoned) << outcome;
   EXPECT_EQ(one.deaths() + two.deaths(), 3);
