@@ -17,7 +17,7 @@ const std::string& Text(const Draft& draft, std::string_view key) {
   return draft.At(key).value->text;
 }
 
-std::string Joined(const std::string& first, const std::string& second) {
+std::string CodeOfBoth(const std::string& first, const std::string& second) {
   const bool needs_break = !first.empty() && !second.empty() && first.back() != '\n';
   return first + (needs_break ? "\n" : "") + second;
 }
@@ -44,8 +44,8 @@ absl::Status Renamed(const absl::Status& status, ErrorDetail detail, std::string
 absl::Status JoinFilamentGcode(Draft& draft) {
   std::string& start = draft.At("start_gcode").value->text;
   std::string& end = draft.At("end_gcode").value->text;
-  start = Joined(start, Text(draft, "start_filament_gcode"));
-  end = Joined(Text(draft, "end_filament_gcode"), end);
+  start = CodeOfBoth(start, Text(draft, "start_filament_gcode"));
+  end = CodeOfBoth(Text(draft, "end_filament_gcode"), end);
   // The two together are one setting to the stages.
   absl::Status status = CheckSettingSize("start_gcode", start);
   status.Update(CheckSettingSize("end_gcode", end));
