@@ -222,7 +222,7 @@ TEST_F(FdmProcessTest, SubstitutesInAllButHeadAndTail) {
   writing_.substitutions = R"("^2: layer (\\d) .*\\n";"L$1\\n";r;;begin;BEGIN;;;"end layer";END;;)";
   const auto output = Run("x0x");
   ASSERT_TRUE(output.ok()) << output.status();
-  EXPECT_EQ(output->program,
+  EXPECT_EQ(*output->program.Whole(),
             "; layer head\nBEGIN thing 0/1 1\nL0\nempty 0: L2\n"
             "END_height = 0.2\n; layer tail\n");
   EXPECT_EQ(output->report.file_name, "thing.gcode");
@@ -237,7 +237,7 @@ TEST_F(FdmProcessTest, RefusesSubstitutionsThatCannotBeMade) {
 
 TEST_F(FdmProcessTest, MakesABinaryFile) {
   writing_.binary = true;
-  EXPECT_THAT(Run("xxx")->program, testing::StartsWith("GCDE"));
+  EXPECT_THAT(*Run("xxx")->program.Whole(), testing::StartsWith("GCDE"));
 }
 
 TEST_F(FdmProcessTest, PassesFollowEachOtherAndEndWhereTheirBeadsDo) {

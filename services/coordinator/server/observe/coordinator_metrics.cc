@@ -123,7 +123,7 @@ void AddDatabase(const CoordinatorMetrics::Sources& sources, std::vector<MetricF
   add("slicefarm_database_max_connections", "Connections that it allows", fill->max_connections);
 }
 
-int64_t NowUs() {
+int64_t UnixUs() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
 }
@@ -133,7 +133,7 @@ void AddRetention(const CoordinatorMetrics::Sources& sources, std::vector<Metric
   constexpr double kDayS = 24 * 3600;
   if (sources.keep_jobs_s <= 0) return;
   const auto kept_us = static_cast<int64_t>((sources.keep_jobs_s + kDayS) * 1e6);
-  const auto overdue = sources.jobs.EndedBefore(NowUs() - kept_us, 1);
+  const auto overdue = sources.jobs.EndedBefore(UnixUs() - kept_us, 1);
   if (!overdue.ok()) return;
   families.push_back(Gauge("slicefarm_retention_overdue",
                            "Whether a job is there a day after it should have gone",
@@ -161,7 +161,7 @@ std::optional<std::filesystem::space_info> DiskOf(const std::string& directory) 
   return error ? std::nullopt : std::optional(space);
 }
 
-double SecondsSince(int64_t us) { return std::max(0.0, static_cast<double>(NowUs() - us) / 1e6); }
+double SecondsSince(int64_t us) { return std::max(0.0, static_cast<double>(UnixUs() - us) / 1e6); }
 
 std::vector<MetricFamily> CoordinatorMetrics::Collect() const {
   std::vector<MetricFamily> families;
