@@ -106,7 +106,7 @@ class ObservabilityTest : public testing::Test, protected coordinator::Coordinat
       "slicefarm-coordinator",
       {"--state-dir", state_.path(), "--slicing", slicing_.address(), "--planning",
        planning_.address(), "--motion", motion_.address(), "--workers", worker_.address(), "--name",
-       "c1", "--webhooks", WebhooksFile()}};
+       "c1", "--webhooks", WebhooksFile(), "--keep-jobs", "30"}};
   std::string id_;
 };
 
@@ -129,8 +129,12 @@ TEST_F(ObservabilityTest, DashboardsAndAlertsNameWhatThereIs) {
   const rpc::TlsFiles tls = certs.Make("worker");
   ShownProcess secure("slicefarm-worker",
                       {"--tls-cert", tls.cert, "--tls-key", tls.key, "--tls-ca", tls.ca});
-  std::set<std::string> there = {"up",                              // Prometheus' own
-                                 "slicefarm_tenants_file_usable"};  // with --tenants
+  std::set<std::string> there = {"up",                             // Prometheus' own
+                                 "slicefarm_tenants_file_usable",  // with --tenants
+                                 // with --postgres and --max-database
+                                 "slicefarm_database_bytes", "slicefarm_database_connections",
+                                 "slicefarm_database_max_bytes",
+                                 "slicefarm_database_max_connections"};
   for (const ShownProcess* process :
        {&slicing_, &planning_, &motion_, &worker_, &coordinator_, &secure}) {
     there.merge(process->MetricNames());
