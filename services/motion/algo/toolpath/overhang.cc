@@ -53,7 +53,8 @@ LayerBelow::LayerBelow(const MultiPolygon& outlines) {
   rows_.resize(static_cast<size_t>((bounds.max.y - bottom_nm_) / kRowNm) + 1);
   const auto add = [this](const Polygon& ring) {
     for (size_t i = 0; i < ring.size(); ++i) {
-      const Edge edge = {ring[i], ring[(i + 1) % ring.size()]};
+      const Point from = ring[i], to = ring[i + 1 == ring.size() ? 0 : i + 1];
+      const Edge edge = {from, to, std::min(from.x, to.x), std::max(from.x, to.x)};
       const auto [low, high] = std::minmax(edge.from.y, edge.to.y);
       for (size_t row = RowOf(low); row <= RowOf(high); ++row) rows_[row].push_back(edge);
     }
@@ -75,7 +76,8 @@ uint8_t LayerBelow::RestOf(Point point, Coord width_nm) const {
   double nearest = static_cast<double>(reach) * static_cast<double>(reach);
   for (size_t row = RowOf(point.y - reach); row <= RowOf(point.y + reach); ++row)
     for (const Edge& edge : rows_[row])
-      nearest = std::min(nearest, SquaredDistance(point, edge.from, edge.to));
+      if (edge.left <= point.x + reach && edge.right >= point.x - reach)
+        nearest = std::min(nearest, SquaredDistance(point, edge.from, edge.to));
   const double out = std::sqrt(nearest) * (Covers(point) ? -1 : 1);
   const double share = 0.5 - out / static_cast<double>(width_nm);
   return static_cast<uint8_t>(std::lround(std::clamp(share, 0.0, 1.0) * kFullRest));

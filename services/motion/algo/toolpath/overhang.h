@@ -31,6 +31,7 @@ class LayerBelow {
  private:
   struct Edge {
     Point from, to;
+    Coord left = 0, right = 0;
   };
 
   size_t RowOf(Coord y) const;
