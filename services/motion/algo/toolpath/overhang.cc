@@ -106,15 +106,25 @@ std::vector<double> LayerBelow::EdgesOn(Point from, Point to) const {
   return shares;
 }
 
-std::vector<RestingPiece> PiecesOf(Point from, Point to, Coord width_nm, const LayerBelow& below) {
+int RestAlong::RestOf(Point point, Coord width_nm) {
+  if (point != at_ || width_nm != width_nm_) {
+    at_ = point;
+    width_nm_ = width_nm;
+    rest_ = below_.RestOf(point, width_nm);
+  }
+  return rest_;
+}
+
+std::vector<RestingPiece> RestAlong::PiecesOf(Point from, Point to, Coord width_nm) {
   const auto count =
       std::max<int64_t>(1, std::llround(std::ceil(ToMm(Distance(from, to)) / kRestingPieceMm)));
   std::vector<RestingPiece> pieces;
-  int before = below.RestOf(from, width_nm);
+  int before = RestOf(from, width_nm);
   for (int64_t i = 1; i <= count; ++i) {
     const Point end = {from.x + (to.x - from.x) * i / count, from.y + (to.y - from.y) * i / count};
-    const int at_end = below.RestOf(end, width_nm);
-    const auto rest = static_cast<uint8_t>((before + at_end) / 2);
+    const int at_end = RestOf(end, width_nm);
+    auto rest = static_cast<uint8_t>((before + at_end) / 2);
+    if (steps_ == RestSteps::kAirAlone && rest > 0) rest = kFullRest;
     before = at_end;
     if (!pieces.empty() && pieces.back().rest == rest) {
       pieces.back().to = end;

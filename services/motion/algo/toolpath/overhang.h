@@ -46,8 +46,31 @@ struct RestingPiece {
   uint8_t rest = kFullRest;
 };
 
-/// A bead from point to point in pieces of at least about 1 mm, or as long as the bead.
-std::vector<RestingPiece> PiecesOf(Point from, Point to, Coord width_nm, const LayerBelow& below);
+/// What is told apart of how beads rest.
+enum class RestSteps {
+  kAll,
+  kAirAlone,  ///< nothing rests, or all of it is taken to
+};
+
+/// Looks below the beads of a wall, each of which begins where the one before ends: once at a
+/// point.
+class RestAlong {
+ public:
+  /// `below` must outlive this.
+  RestAlong(const LayerBelow& below, RestSteps steps) : below_(below), steps_(steps) {}
+
+  /// A bead from point to point in pieces of at least about 1 mm, or as long as the bead.
+  std::vector<RestingPiece> PiecesOf(Point from, Point to, Coord width_nm);
+
+ private:
+  int RestOf(Point point, Coord width_nm);
+
+  const LayerBelow& below_;
+  const RestSteps steps_;
+  Point at_;
+  Coord width_nm_ = -1;  ///< none: no point was looked at
+  int rest_ = 0;
+};
 
 /// A value that is told for rests of 0, 25, 50 and 75 %, in between and up to `full` at 100 % in
 /// proportion.

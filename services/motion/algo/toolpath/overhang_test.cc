@@ -43,10 +43,11 @@ TEST(LayerBelow, OverAirNothingRests) { EXPECT_EQ(LayerBelow({}).RestOf(Mm(0, 0)
 
 TEST(PiecesOf, CutsWhereTheRestChanges) {
   const LayerBelow below(Frame());
-  const auto within = PiecesOf(Mm(2, 5), Mm(18, 5), kWidth, below);
+  RestAlong along(below, RestSteps::kAll);
+  const auto within = along.PiecesOf(Mm(2, 5), Mm(18, 5), kWidth);
   ASSERT_EQ(within.size(), 1);
   EXPECT_EQ(within[0].to, Mm(18, 5));
-  const auto over = PiecesOf(Mm(2, 10), Mm(18, 10), kWidth, below);
+  const auto over = along.PiecesOf(Mm(2, 10), Mm(18, 10), kWidth);
   ASSERT_EQ(over.size(), 7);
   EXPECT_EQ(over[0].to, Mm(7, 10));
   EXPECT_EQ(over[0].rest, kFullRest);
@@ -55,6 +56,25 @@ TEST(PiecesOf, CutsWhereTheRestChanges) {
   EXPECT_EQ(over[3].rest, 0);
   EXPECT_EQ(over[3].to, Mm(11, 10));
   EXPECT_EQ(over[6].to, Mm(18, 10));
+}
+
+TEST(PiecesOf, CutsWhereNothingRestsIfThatIsAll) {
+  const LayerBelow below(Frame());
+  RestAlong along(below, RestSteps::kAirAlone);
+  const auto over = along.PiecesOf(Mm(2, 10), Mm(18, 10), kWidth);
+  ASSERT_EQ(over.size(), 4);
+  EXPECT_EQ(over[0].rest, kFullRest);
+  EXPECT_EQ(over[1].rest, 0);
+  EXPECT_EQ(over[1].to, Mm(11, 10));
+}
+
+TEST(PiecesOf, ForgetsNoWidth) {
+  const LayerBelow below(Frame());
+  RestAlong along(below, RestSteps::kAll);
+  const Point from = Mm(7.8, 9), to = Mm(8.2, 9);
+  along.PiecesOf(from, to, kWidth);
+  EXPECT_EQ(along.PiecesOf(to, from, 4 * kWidth).front().rest,
+            RestAlong(below, RestSteps::kAll).PiecesOf(to, from, 4 * kWidth).front().rest);
 }
 
 TEST(ByRest, GoesInProportionBetweenDegrees) {

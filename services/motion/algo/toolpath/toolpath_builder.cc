@@ -133,14 +133,17 @@ ToolpathBuilder::Bead ToolpathBuilder::BeadOf(Coord width_nm, double speed_mm_s)
 void ToolpathBuilder::PrintSegments(const SimplifiedPath& simple, double speed_mm_s) {
   const Path& path = simple.path;
   Bead bead = BeadOf(path.widths_nm.front(), speed_mm_s);
+  std::optional<RestAlong> rest = RestUnder(path);
   const size_t count = path.points.size();
   for (size_t i = 1; i < count + (path.closed ? 1 : 0); ++i) {
     const size_t to = i < count ? i : 0;
     const Coord width_nm = (path.WidthAt(i - 1) + path.WidthAt(to)) / 2;
     if (width_nm != bead.width_nm) bead = BeadOf(width_nm, speed_mm_s);
     at_.on_arc = simple.on_arc[i - 1];
-    if (below_ != nullptr && IsWall(path.feature)) {
-      PrintOverAir(path, path.points[i - 1], path.points[to], bead, speed_mm_s);
+    if (rest) {
+      PrintOverAir(path, path.points[i - 1],
+                   rest->PiecesOf(path.points[i - 1], path.points[to], width_nm), width_nm,
+                   speed_mm_s);
     } else {
       PrintSegment(path.points[i - 1], path.points[to], bead);
     }
@@ -162,17 +165,28 @@ void ToolpathBuilder::PrintScarf(const Path& path, const ScarfOptions& options, 
   }
 }
 
+/// Nothing: it is printed alike whatever lies below it.
+std::optional<RestAlong> ToolpathBuilder::RestUnder(const Path& path) const {
+  if (below_ == nullptr || !IsWall(path.feature)) return std::nullopt;
+  const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
+  if (region.dynamic_overhangs || options_.cooling.dynamic_fan)
+    return RestAlong(*below_, RestSteps::kAll);
+  if (!region.bridging_walls) return std::nullopt;
+  return RestAlong(*below_, RestSteps::kAirAlone);
+}
+
 /// In pieces that rest on the layer below by different shares.
-void ToolpathBuilder::PrintOverAir(const Path& path, Point from, Point to, const Bead& bead,
+void ToolpathBuilder::PrintOverAir(const Path& path, Point from,
+                                   const std::vector<RestingPiece>& pieces, Coord width_nm,
                                    double speed_mm_s) {
   const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
-  for (const RestingPiece& piece : PiecesOf(from, to, bead.width_nm, *below_)) {
+  for (const RestingPiece& piece : pieces) {
     at_.rest = piece.rest;
     const double over_air_mm_s = speeds_.OverAir(path, speed_mm_s, piece.rest);
     if (piece.rest == 0 && region.bridging_walls) {
-      PrintBridge(path, from, piece.to, bead.width_nm, over_air_mm_s);
+      PrintBridge(path, from, piece.to, width_nm, over_air_mm_s);
     } else {
-      PrintSegment(from, piece.to, BeadOf(bead.width_nm, over_air_mm_s));
+      PrintSegment(from, piece.to, BeadOf(width_nm, over_air_mm_s));
     }
     from = piece.to;
   }
@@ -268,8 +282,8 @@ void ToolpathBuilder::GoTo(Point to, const Travel& travel) {
   for (const Point corner : travel.corners) add(corner);
   add(to);
   if (way.empty()) return;
-  short_way_ = at_.feature == Feature::kExternalPerimeter &&
-               WayMm(way) < options_.retraction.min_travel_mm;
+  short_way_ =
+      at_.feature == Feature::kExternalPerimeter && WayMm(way) < options_.retraction.min_travel_mm;
   if ((!travel.hidden || moved_on_) && WayMm(way) >= options_.retraction.min_travel_mm) {
     Retract();
     if (lift_um_ != 0 && RisesAlongTheWay(options_.retraction)) {

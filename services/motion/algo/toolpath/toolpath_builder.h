@@ -68,7 +68,9 @@ class ToolpathBuilder {
   void Rise(std::span<const PlaceUm> way);
   void PrintSegments(const SimplifiedPath& simple, double speed_mm_s);
   void PrintScarf(const Path& path, const ScarfOptions& options, double speed_mm_s);
-  void PrintOverAir(const Path& path, Point from, Point to, const Bead& bead, double speed_mm_s);
+  std::optional<RestAlong> RestUnder(const Path& path) const;
+  void PrintOverAir(const Path& path, Point from, const std::vector<RestingPiece>& pieces,
+                    Coord width_nm, double speed_mm_s);
   void PrintBridge(const Path& path, Point from, Point to, Coord width_nm, double speed_mm_s);
   void PrintSegment(Point from, Point to, const Bead& bead);
   void PrintTo(Point from, Point to, const Bead& bead);
@@ -105,9 +107,9 @@ class ToolpathBuilder {
   double set_acceleration_ = 0;    ///< what the machine is set to; 0: as before the layer
   bool retracted_ = true;
   bool short_way_ = false;  ///< to an outer wall, and too short for a retraction
-  bool moved_on_ = false;  ///< beyond the end of the path before: a scarf ends over its beginning
-  double owed_ = 0;        ///< filament that rounding left, in 1e-5 mm
-  int64_t filament_ = 0;   ///< printed in all, in 1e-5 mm
+  bool moved_on_ = false;   ///< beyond the end of the path before: a scarf ends over its beginning
+  double owed_ = 0;         ///< filament that rounding left, in 1e-5 mm
+  int64_t filament_ = 0;    ///< printed in all, in 1e-5 mm
   ProgramStats stats_;
 };
 
