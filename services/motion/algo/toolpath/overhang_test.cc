@@ -62,10 +62,11 @@ TEST(PiecesOf, CutsWhereNothingRestsIfThatIsAll) {
   const LayerBelow below(Frame());
   RestAlong along(below, RestSteps::kAirAlone);
   const auto over = along.PiecesOf(Mm(2, 10), Mm(18, 10), kWidth);
-  ASSERT_EQ(over.size(), 4);
+  ASSERT_EQ(over.size(), 3);
   EXPECT_EQ(over[0].rest, kFullRest);
   EXPECT_EQ(over[1].rest, 0);
   EXPECT_EQ(over[1].to, Mm(11, 10));
+  EXPECT_EQ(over[2].rest, kFullRest);
 }
 
 TEST(PiecesOf, ForgetsNoWidth) {
