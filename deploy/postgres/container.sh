@@ -21,4 +21,5 @@ if [[ ! -e $PGDATA/slicefarm.made ]]; then
     echo "CREATE DATABASE slicefarm;" | single >/dev/null
   touch "$PGDATA/slicefarm.made"
 fi
-exec postgres -c listen_addresses='*' -c unix_socket_directories=/tmp
+# Each coordinator takes about 26 connections and one for each of its --jobs.
+exec postgres -c listen_addresses='*' -c max_connections="${MAX_CONNECTIONS:-300}" -c unix_socket_directories=/tmp
