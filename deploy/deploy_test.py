@@ -105,8 +105,11 @@ def check_compose(path):
             expect(other in services, f"{at}: depends on {other}")
             expect(set(services[other].get("profiles", [])) <= profiles, f"{at}: {other} may not be started")
         for volume in service.get("volumes", []):
-            source = volume.split(":")[0]
-            expect(source in compose["volumes"] or (source.startswith("./") and (path.parent / source).exists()), f"{at}: volume {volume}")
+            source, own = volume.split(":")[0], ":" not in volume and volume.startswith("/")
+            known = own or source in compose["volumes"] or (source.startswith("./") and (path.parent / source).exists())
+            expect(known, f"{at}: volume {volume}")
+        if "SLICEFARM_POSTGRES" in service.get("environment", {}):  # /tmp is memory
+            expect(any(f"--spool {volume}" in service["command"] for volume in service.get("volumes", [])), f"{at}: spool in memory")
         check_rights(at, service)
         if not service.get("command"):
             continue
