@@ -52,13 +52,11 @@ class Trickle(threading.Thread):
     def run(self):
         while not self.ended.is_set():
             begun = time.monotonic()
-            with subprocess.Popen(self.command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL) as call:
+            with subprocess.Popen(self.command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, bufsize=0) as call:
                 try:
                     call.stdin.write(self.chunk)
-                    call.stdin.flush()
                     while call.poll() is None and not self.ended.wait(1):
                         call.stdin.write(b"\0\0\0\0\x03\x22\x01x")
-                        call.stdin.flush()
                 except BrokenPipeError:
                     pass
                 call.send_signal(signal.SIGKILL)
