@@ -40,10 +40,14 @@ constexpr double kCutsMatter = 0.5;
 /// The shorter cut, at least this part of the longer: rings that bend sharply.
 constexpr double kLeastCut = 0.1;
 
+/// Cuts as long as their links are this long at least, in spacings.
+constexpr double kShortestApart = 0.25;
+
 struct Pass {
   bool other_steps_only = true;
   double reach = 0;         ///< longest link
   double gap = 0;           ///< longest cut
+  bool as_apart = false;    ///< cuts are as long as their links, so that no length changes
   double worst = INFINITY;  ///< bridges that fit less well are not built
 };
 
@@ -87,6 +91,12 @@ class Linker {
   std::vector<Polyline> Link() {
     Run({.reach = 1.3 * spacing_, .gap = spacing_, .worst = kGoodFit});
     Run({.reach = 1.3 * spacing_, .gap = spacing_});
+    if (AreOfOneStep()) {
+      Run({.other_steps_only = false,
+           .reach = 2.5 * spacing_,
+           .gap = 2.5 * spacing_,
+           .as_apart = true});
+    }
     for (const double gap : {1.0, 0.5, 0.25})
       Run({.other_steps_only = false, .reach = 2.5 * spacing_, .gap = gap * spacing_});
     return Paths();
@@ -97,6 +107,11 @@ class Linker {
     std::vector<const Polygon*> points;
     for (const StepRing& ring : rings) points.push_back(&ring.points);
     return points;
+  }
+
+  bool AreOfOneStep() const {
+    return std::ranges::all_of(
+        rings_, [this](const StepRing& ring) { return ring.step == rings_.front().step; });
   }
 
   void Run(const Pass& pass) {
@@ -163,9 +178,12 @@ class Linker {
     const int32_t from = a_longer ? pair.a : pair.b, to = a_longer ? pair.b : pair.a;
     std::optional<Bridge> best;
     double best_misfit = pass.worst + 1e-9;
-    const auto attempt = [&](double start) {
+    const auto gap_at = [&](double apart) {
+      return pass.as_apart ? std::clamp(apart, kShortestApart * spacing_, pass.gap) : pass.gap;
+    };
+    const auto attempt = [&](double start, double gap) {
       double misfit = 0;
-      const auto bridge = Fit(from, start, to, pass, misfit);
+      const auto bridge = Fit(from, start, to, gap, pass, misfit);
       if (!bridge || misfit >= best_misfit) return;
       best = bridge;
       best_misfit = misfit;
@@ -175,16 +193,24 @@ class Linker {
       // At the end of the cut that a ring has for its parent, or near it.
       const Cut& cut = CutAt(pair.a, bridges_at_[pair.a].front());
       const Point seam = places_.At(pair.a, cut.from + cut.length);
-      if (const auto start = places_.Nearest(seam, from, pass.reach)) attempt(start->place);
+      if (const auto start = places_.Nearest(seam, from, pass.reach))
+        attempt(start->place, gap_at(DistanceTo(to, start->place, from, pass)));
       if (!best || best_misfit > kGoodFit) first = NearestSpot(pair, seam);
     }
     for (size_t i = 0; i < pair.spots.size() && (!best || best_misfit > kGoodFit); ++i) {
       const Spot& spot = pair.spots[(first + i) % pair.spots.size()];
       const auto middle = places_.Nearest(places_.At(pair.b, spot.place), from, pass.reach);
-      if (middle) attempt(middle->place - pass.gap / 2);
+      const double gap = gap_at(spot.distance);
+      if (middle) attempt(middle->place - gap / 2, gap);
     }
     if (best && !a_longer) std::swap(best->cuts[0], best->cuts[1]);
     return best;
+  }
+
+  /// From a place on ring `from` to ring `to`, or the pass's reach.
+  double DistanceTo(int32_t to, double place, int32_t from, const Pass& pass) const {
+    const auto near = places_.Nearest(places_.At(from, place), to, pass.reach);
+    return near ? near->distance : pass.reach;
   }
 
   size_t NearestSpot(const Pair& pair, Point p) const {
@@ -199,9 +225,9 @@ class Linker {
 
   /// A bridge from a cut of ring `from` that starts at a place, to the part of ring `to` that faces
   /// it.
-  std::optional<Bridge> Fit(int32_t from, double start, int32_t to, const Pass& pass,
-                            double& misfit) const {
-    const double gap = std::min(pass.gap, 0.4 * places_.Length(from));
+  std::optional<Bridge> Fit(int32_t from, double start, int32_t to, double longest,
+                            const Pass& pass, double& misfit) const {
+    const double gap = std::min(longest, 0.4 * places_.Length(from));
     const double begin = Snapped(from, start), end = Snapped(from, start + gap);
     Cut cut{from, begin, places_.Wrapped(from, end - begin)};
     if (cut.length > 1.1 * gap || cut.length < 0.5 * gap || !IsFree(cut)) return std::nullopt;

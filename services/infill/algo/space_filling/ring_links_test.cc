@@ -106,5 +106,20 @@ TEST(RingLinks, RandomRings) {
   }
 }
 
+// Rings of one step may be nearer or farther than a spacing: they are cut by as much (see above).
+TEST(RingLinks, OfOneStepKeepTheLength) {
+  for (const double apart : {0.7, 1.0, 1.6}) {
+    const auto inner = FromMm(20 - apart);
+    const auto square = [](Coord low, Coord high) {
+      return Polygon{{low, low}, {high, low}, {high, high}, {low, high}};
+    };
+    const std::vector<StepRing> rings = {{square(0, FromMm(20)), 0},
+                                         {square(FromMm(apart), inner), 0}};
+    const auto paths = LinkRings(rings, 1e6);
+    ASSERT_EQ(paths.size(), 1U);
+    EXPECT_NEAR(Length(paths[0]), LengthOfRings(rings) - apart * 1e6, 100) << apart;
+  }
+}
+
 }  // namespace
 }  // namespace slicefarm::infill::ring_links_test
