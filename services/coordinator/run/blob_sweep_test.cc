@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/base/temp_directory_test.h"
+#include "services/coordinator/store/blobs/swept_blob_store.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 #include "services/coordinator/store/sql/sqlite_connection.h"
 
@@ -139,7 +140,7 @@ TEST_F(BlobSweepTest, DamagedBlobsStayForSomeTime) {
 }
 
 /// A store one of whose blobs cannot be deleted.
-class StuckStore : public BlobStore {
+class StuckStore : public SweptBlobStore {
  public:
   StuckStore(std::shared_ptr<BlobStore> store, std::string stuck)
       : store_(std::move(store)), stuck_(std::move(stuck)) {}
@@ -154,23 +155,8 @@ class StuckStore : public BlobStore {
   absl::StatusOr<BlobStatus> Status(const std::string& digest) override {
     return store_->Status(digest);
   }
-  absl::StatusOr<int64_t> KeptBytes() override { return Unused(); }
-  absl::StatusOr<int64_t> DropDamaged(double) override { return 0; }
-  absl::StatusOr<BlobStatus> Keep(const std::string&) override { return Unused(); }
-  absl::StatusOr<BlobStatus> Append(const std::string&, int64_t, std::string_view) override {
-    return Unused();
-  }
-  absl::StatusOr<BlobStatus> Finish(const std::string&, int64_t) override { return Unused(); }
-  absl::StatusOr<std::string> PutText(const SpooledText&) override { return Unused(); }
-  absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string&) override { return Unused(); }
-  absl::StatusOr<std::unique_ptr<BlobReader>> OpenUnchecked(const std::string&) override {
-    return Unused();
-  }
-  absl::StatusOr<std::string> Get(const std::string&) override { return Unused(); }
 
  private:
-  static absl::Status Unused() { return absl::UnimplementedError("a sweep has no use for it"); }
-
   const std::shared_ptr<BlobStore> store_;
   const std::string stuck_;
 };

@@ -1,5 +1,6 @@
 #include "services/coordinator/sim/sim_sweep.h"
 
+#include "services/coordinator/store/blobs/swept_blob_store.h"
 #include "services/coordinator/store/jobs/forwarding_job_store.h"
 
 namespace slicefarm::coordinator::sim {
@@ -44,7 +45,7 @@ class WaitingJobs : public ForwardingJobStore {
 };
 
 /// As much of a tenant's blob store as a sweep needs.
-class WaitingBlobs : public BlobStore {
+class WaitingBlobs : public SweptBlobStore {
  public:
   WaitingBlobs(World& world, Waiter& waiter, std::string tenant)
       : world_(world), waiter_(waiter), tenant_(std::move(tenant)) {}
@@ -63,24 +64,7 @@ class WaitingBlobs : public BlobStore {
     return absl::OkStatus();
   }
 
-  absl::StatusOr<int64_t> KeptBytes() override { return Unused(); }
-  absl::StatusOr<int64_t> DropDamaged(double) override { return 0; }
-  absl::StatusOr<BlobStatus> Status(const std::string&) override { return Unused(); }
-  absl::StatusOr<BlobStatus> Keep(const std::string&) override { return Unused(); }
-  absl::StatusOr<BlobStatus> Append(const std::string&, int64_t, std::string_view) override {
-    return Unused();
-  }
-  absl::StatusOr<BlobStatus> Finish(const std::string&, int64_t) override { return Unused(); }
-  absl::StatusOr<std::string> PutText(const SpooledText&) override { return Unused(); }
-  absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string&) override { return Unused(); }
-  absl::StatusOr<std::unique_ptr<BlobReader>> OpenUnchecked(const std::string&) override {
-    return Unused();
-  }
-  absl::StatusOr<std::string> Get(const std::string&) override { return Unused(); }
-
  private:
-  static absl::Status Unused() { return absl::UnimplementedError("no sweep calls it"); }
-
   World& world_;
   Waiter& waiter_;
   const std::string tenant_;
