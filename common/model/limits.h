@@ -41,7 +41,7 @@ inline constexpr int64_t kMaxLayerPrograms = 200'000;
 inline constexpr int64_t kMaxPointsPerLayer = 5'000'000;
 /// Over all layers and parts of a job, before simplification; copies count once.
 inline constexpr int64_t kMaxPointsPerJob = 200'000'000;
-/// A job's result, G-code or vectors: it is put together in memory.
+/// A job's result, G-code or vectors: what a spool and a store take for one job.
 inline constexpr int64_t kMaxProgramBytes = 2'000'000'000;
 inline constexpr int64_t kMaxObjects = 1'000;         ///< copies included
 inline constexpr int64_t kMaxRegionSettings = 1'000;  ///< rows of a job's tables of settings
