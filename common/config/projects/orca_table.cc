@@ -141,7 +141,7 @@ constexpr OrcaRow kRows[] = {
     {"raft_contact_distance", "raft_contact_distance"},
     {"raft_expansion", "raft_expansion"},
     {"raft_first_layer_density", "raft_first_layer_density", OrcaValue::kPercent},
-    {"raft_first_layer_expansion", "raft_first_layer_expansion"},
+    {"raft_first_layer_expansion", "raft_first_layer_expansion", OrcaValue::kOrAuto},
 
     {"enable_support", "support_material"},
     {"support_type", "support_material_auto", OrcaValue::kChoice},
@@ -318,6 +318,9 @@ constexpr OrcaChoice kChoices[] = {
     {"ensure_vertical_shell_thickness", "ensure_all", "enabled"},
     {"ensure_vertical_shell_thickness", "0", "disabled"},
     {"ensure_vertical_shell_thickness", "1", "enabled"},
+    {"ensure_vertical_shell_thickness", "disabled", "disabled"},
+    {"ensure_vertical_shell_thickness", "partial", "partial"},
+    {"ensure_vertical_shell_thickness", "enabled", "enabled"},
     {"fill_pattern", "concentric", "concentric"},
     {"fill_pattern", "zig-zag", "rectilinear"},
     {"fill_pattern", "rectilinear", "rectilinear"},
@@ -422,6 +425,12 @@ constexpr OrcaVariable kVariables[] = {
     {"initial_no_support_extruder", "initial_extruder"},
     {"initial_no_support_tool", "initial_tool"},
     {"overall_chamber_temperature", "chamber_temperature"},
+    // Of all filaments in use, which is one.
+    {"min_vitrification_temperature", "temperature_vitrification"},
+    {"long_retraction_when_cut", "long_retractions_when_cut"},
+    {"long_retraction_when_ec", "long_retractions_when_ec"},
+    {"retraction_distance_when_cut", "retraction_distances_when_cut"},
+    {"retraction_distance_when_ec", "retraction_distances_when_ec"},
 };
 
 }  // namespace
