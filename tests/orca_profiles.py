@@ -90,7 +90,7 @@ def settings_of(presets, bed):
 
 
 def centre_of(area):
-    points = [tuple(map(float, point.split("x"))) for point in area] or [(0.0, 0.0), (200.0, 200.0)]
+    points = [tuple(map(float, point.split("x"))) for point in ",".join(area).split(",") if point] or [(0.0, 0.0), (200.0, 200.0)]
     return [(min(axis) + max(axis)) / 2 for axis in zip(*points)]
 
 
