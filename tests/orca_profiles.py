@@ -56,7 +56,7 @@ class Vendor:
         for name in wanted:
             if name in self.presets[kind] or (self.library and name in self.library.presets[kind]):
                 whole = self.resolved(kind, name)
-                if machine in whole.get("compatible_printers", [machine]):
+                if machine in (whole.get("compatible_printers") or [machine]):  # an empty list is all printers
                     return whole
         for name, preset in self.presets[kind].items():
             if preset.get("instantiation") != "true":

@@ -14,6 +14,7 @@
 #include "common/config/projects/orca_placeholders.h"
 #include "common/config/projects/orca_table.h"
 #include "common/config/projects/orca_weights.h"
+#include "common/config/table/known_keys.h"
 #include "common/config/table/settings_table.h"
 #include "common/config/value.h"
 
@@ -51,6 +52,12 @@ std::string Joined(std::string_view text, std::string_view separator) {
   for (const std::string& item : *items)
     joined.append(joined.empty() ? "" : separator).append(item);
   return joined;
+}
+
+/// Pairs of numbers, which may stand in quotes in a list that is one text.
+std::string WithoutQuotes(std::string text) {
+  std::erase(text, '"');
+  return text;
 }
 
 /// A value of PrusaSlicer's, and whether it is quite the same.
@@ -183,7 +190,7 @@ class OrcaReader {
   Converted Convert(const OrcaRow& row, std::string_view text) const {
     if (row.value == OrcaValue::kWhole) return {std::string(text)};
     if (row.value == OrcaValue::kPoints) return {Joined(text, ",")};
-    if (row.value == OrcaValue::kPairs) return {Joined(text, ";")};
+    if (row.value == OrcaValue::kPairs) return {WithoutQuotes(Joined(text, ";"))};
     const std::optional<std::string> first = FirstOf(text);
     if (!first) return {};
     switch (row.value) {
@@ -192,7 +199,8 @@ class OrcaReader {
       case OrcaValue::kPercentOf:
         return {PercentOf(*first, row.detail)};
       case OrcaValue::kOrAuto:
-        return ToNumber(*first).value_or(0) < 0 ? Converted{""} : Converted{first};
+        return ToNumber(*first).value_or(0) < 0 || *first == row.detail ? Converted{""}
+                                                                        : Converted{first};
       case OrcaValue::kRest:
         return {RestOf(*first)};
       case OrcaValue::kNot:
@@ -256,7 +264,8 @@ class OrcaReader {
     }
     for (const OrcaRow& row : OrcaRows()) {
       const bool same = row.from == name && row.value == OrcaValue::kSame;
-      if (same && FindSetting(row.to) >= 0) return Placeholder{std::string(row.to)};
+      if (same && (FindSetting(row.to) >= 0 || FindKnownKey(row.to) != nullptr))
+        return Placeholder{std::string(row.to)};
     }
     const auto found = by_key_.find(name);
     if (found == by_key_.end()) return std::nullopt;

@@ -166,6 +166,13 @@ TEST(FromOrca, GivesNamesAndValuesOfPrusaSlicer) {
       {"WidestClearance",
        {{"extruder_clearance_radius", "57"}, {"extruder_clearance_max_radius", "68"}},
        {"extruder_clearance_radius = 68"}},
+      {"FlowCompensationAsOneText",
+       {{"small_area_infill_flow_compensation_model", R"(0,0;"\n0.2,0.4444";"\n10,1")"}},
+       {R"(small_area_infill_flow_compensation_model = 0,0;\n0.2,0.4444;\n10,1)"}},
+      {"NoLimitOfAnAxis", {{"machine_max_acceleration_e", R"(["0", "0"])"}}, {}},
+      {"SwitchThatHasNoEffect",
+       {{"layer_change_gcode", "{if spiral_mode}M117 vase{endif}"}},
+       {"layer_gcode = {if spiral_vase}M117 vase{endif}"}},
       {"RaftsWidth", {{"raft_first_layer_expansion", "2"}}, {"raft_first_layer_expansion = 2"}},
       // Bambu Studio 2.3 and later: the slicer chooses.
       {"RaftsWidthBySlicer", {{"raft_first_layer_expansion", "-1"}}, {}},

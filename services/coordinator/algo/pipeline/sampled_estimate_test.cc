@@ -37,9 +37,9 @@ double Time(const std::vector<LayerEstimate>& layers) {
 TEST(LayersToSample, AreTheFirstAndSpreadByTime) {
   const std::vector<int32_t> all = LayersToSample(Layers(300), {});
   EXPECT_EQ(all.front(), 0);
-  EXPECT_EQ(all.size(), 17u);
+  EXPECT_EQ(all.size(), 33u);
   // Half of the time lies above 212.
-  EXPECT_NEAR(std::ranges::count_if(all, [](int32_t layer) { return layer > 212; }), 8, 1);
+  EXPECT_NEAR(std::ranges::count_if(all, [](int32_t layer) { return layer > 212; }), 16, 1);
   EXPECT_THAT(LayersToSample(Layers(1), {}), ElementsAre(0));
   EXPECT_THAT(LayersToSample(Layers(3), {}), ElementsAre(0, 1, 2));
 }
