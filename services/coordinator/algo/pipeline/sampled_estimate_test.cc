@@ -52,10 +52,10 @@ TEST(LayersToSample, HaveRaftsAmongThem) {
     raft[static_cast<size_t>(i)].layer = i;
     raft[static_cast<size_t>(i)].regions.resize(1);
   }
-  raft.emplace_back().layer = 40;  // a skirt's
+  raft.emplace_back().layer = 5;  // a skirt's
   const std::vector<int32_t> all = LayersToSample(layers, raft);
   EXPECT_THAT(std::vector(all.begin(), all.begin() + 3), ElementsAre(0, 1, 2));
-  EXPECT_EQ(std::ranges::count(all, 40), 0);
+  EXPECT_EQ(std::ranges::count(all, 5), 0);
 }
 
 TEST(EstimateFrom, ScalesWhatWasNotMade) {
