@@ -77,8 +77,8 @@ def as_list(value):
 
 def settings_of(presets, bed):
     """One flat set as a project holds it; a filament's value is a list with an item for each filament.
-    Every project says the bed in the printer and whether pictures are taken; no vendor's file does."""
-    settings = {"curr_bed_type": bed, "timelapse_type": "0"}
+    Every project says the bed in the printer and whether pictures are taken; no vendor's file does, and some leave out more."""
+    settings = {"curr_bed_type": bed, "timelapse_type": "0", "enable_pressure_advance": ["0"]}
     for kind, preset in presets:
         for key, value in preset.items():
             if key not in OF_FILES:

@@ -254,6 +254,7 @@ class OrcaReader {
   /// A setting that has an effect here goes by its name, as somebody may set it otherwise.
   std::optional<Placeholder> MeaningOf(std::string_view name) const {
     if (name == "outer_wall_volumetric_speed") return OuterWallFlow();
+    if (name == "chamber_cooling_mode") return ChamberCooling();
     if (name == "flush_volumetric_speeds")
       return FlushOf("filament_flush_volumetric_speed", "filament_max_volumetric_speed");
     if (name == "flush_temperatures")
@@ -270,6 +271,14 @@ class OrcaReader {
     const auto found = by_key_.find(name);
     if (found == by_key_.end()) return std::nullopt;
     return ValuePlaceholder(Unescape(ItemOf(found->second->value, filament_).value_or("")));
+  }
+
+  /// Of Snapmaker's U1: 2, 1, 0 for a filament that goes soft at 50 C, at 70 C, or above.
+  std::optional<Placeholder> ChamberCooling() const {
+    const auto soft_c = NumberOf("temperature_vitrification", filament_);
+    const bool hot = NumberOf("filament_is_high_temperature", filament_).value_or(0) != 0;
+    if (!soft_c || hot) return ValuePlaceholder("0");
+    return ValuePlaceholder(*soft_c <= 50 ? "2" : *soft_c <= 70 ? "1" : "0");
   }
 
   /// In mm3/s: the outer wall's speed times its cross-section, at most what the filament stands.
