@@ -21,6 +21,7 @@ import zipfile
 
 OF_FILES = {"type", "name", "inherits", "from", "instantiation", "setting_id", "filament_id", "include", "version", "is_custom_defined",
             "compatible_printers", "compatible_printers_condition", "compatible_prints", "compatible_prints_condition", "description"}
+LIBRARY = "OrcaFilamentLibrary"
 BEDS = {"1": "Cool Plate", "2": "Engineering Plate", "3": "High Temp Plate", "4": "Textured PEI Plate"}
 
 
@@ -65,9 +66,9 @@ class Vendor:
                 whole = self.resolved(kind, name)
             except LookupError:
                 continue  # broken, and hidden by OrcaSlicer
-            if machine in whole.get("compatible_printers", []):
+            if machine in (whole.get("compatible_printers") or [machine][:self.name == LIBRARY]):
                 return whole
-        return None
+        return self.library.of_machine(kind, machine, []) if self.library else None
 
 
 def as_list(value):
@@ -115,7 +116,7 @@ def write_project(path, settings, size=10.0):
 def projects(directory, only, counts):
     """(vendor, machine, settings) of each machine."""
     names = sorted(name for name in os.listdir(directory) if os.path.isdir(os.path.join(directory, name, "machine")))
-    library = Vendor(directory, "OrcaFilamentLibrary") if os.path.isdir(os.path.join(directory, "OrcaFilamentLibrary")) else None
+    library = Vendor(directory, LIBRARY) if os.path.isdir(os.path.join(directory, LIBRARY)) else None
     for name in names:
         if only and name != only:
             continue
