@@ -137,6 +137,14 @@ class Farm:
             service.start()
         self.victims = [*self.services, *([self.postgres] if self.postgres else [])]
 
+    def await_serving(self):
+        """Until each service answers. One that ended instead is an error, with its last words: its clients would wait for it."""
+        for service in self.services:
+            while service.metric("slicefarm_") is None:
+                if service.process.poll() is not None:
+                    raise RuntimeError(f"{service.name} ended: {(self.log / f'{service.name}.log').read_text()[:1000]}")
+                time.sleep(0.05)
+
     def client(self, *arguments, coordinator=None):
         coordinator = coordinator or random.choice(self.coordinators)
         command = [BIN / "slicefarm", *arguments, "--server", coordinator.address, "--patience", "120"]
@@ -194,6 +202,7 @@ def running_farm(store="sqlite", directory=None, **options):
         directory = directory or ending.enter_context(tempfile.TemporaryDirectory(prefix="slicefarm-"))
         farm = Farm(store, directory, **options)
         ending.callback(farm.stop)
+        farm.await_serving()
         yield farm
 
 
