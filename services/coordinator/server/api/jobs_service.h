@@ -111,9 +111,12 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   absl::StatusOr<std::vector<v1::Job>> MakePlates(const Caller& caller,
                                                   const v1::CreatePlatesRequest& request,
                                                   const rpc::Call& call);
-  absl::StatusOr<std::vector<Submission>> ReadPlates(const Caller& caller,
-                                                     const v1::CreateJobRequest& request,
-                                                     const PlateRoom& room, const rpc::Call& call);
+  absl::StatusOr<std::vector<Plate>> ReadPlates(const Caller& caller,
+                                                const v1::CreatePlatesRequest& request,
+                                                const rpc::Call& call);
+  absl::StatusOr<std::vector<v1::Job>> ValidateAll(const std::vector<Plate>& plates,
+                                                   const v1::CreatePlatesRequest& request,
+                                                   const rpc::Call& call);
   absl::StatusOr<std::vector<JobRecord>> CreateAll(std::vector<Submission> plates);
   /// To be read from `offset` on.
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenResult(const JobRecord& job,
