@@ -20,7 +20,8 @@ std::string NewJobId() {
   return id;
 }
 
-absl::StatusOr<ResolvedJob> JobIntake::Check(const Submission& submission) {
+absl::StatusOr<std::shared_ptr<const ResolvedJob>> JobIntake::Check(const Submission& submission,
+                                                                    const CancelToken& cancel) {
   const auto spec_bytes = static_cast<int64_t>(submission.spec.size());
   if (spec_bytes > limits::kMaxSpecBytes) {
     return LimitError(Reason::kRequestTooLarge, "bytes of a spec", limits::kMaxSpecBytes,
@@ -33,20 +34,20 @@ absl::StatusOr<ResolvedJob> JobIntake::Check(const Submission& submission) {
                      fmt::format("this farm makes no jobs of process {}", process),
                      {{"process", std::string(process)}});
   }
-  auto resolved =
-      ResolveJob(submission.request, build_id_, ResultTenant(sharing_, submission.tenant));
+  auto resolved = resolved_.Of(submission.spec, submission.request,
+                               ResultTenant(sharing_, submission.tenant), cancel);
   if (!resolved.ok()) return resolved.status();
-  if (absl::Status ok = CheckMeshes(submission.tenant, *resolved); !ok.ok()) return ok;
+  if (absl::Status ok = CheckMeshes(submission.tenant, **resolved); !ok.ok()) return ok;
   return resolved;
 }
 
-absl::StatusOr<NewJob> JobIntake::NewJobOf(Submission submission) {
+absl::StatusOr<NewJob> JobIntake::NewJobOf(Submission submission, const CancelToken& cancel) {
   NewJob job;
   job.refusal = disk_.CheckRoom();
   job.refusal.Update(budgets_.CheckBytes(submission.tenant, submission.max_kept_bytes, 0));
   if (job.refusal.ok())
     job.refusal = budgets_.CheckJobs(submission.tenant, submission.max_kept_jobs, 1);
-  const auto resolved = Check(submission);
+  const auto resolved = Check(submission, cancel);
   job.refusal.Update(resolved.status());
   // A call that is made again gets its job, though there is no room any more, or no mesh.
   if (!job.refusal.ok() && submission.request_id.empty()) return job.refusal;
@@ -63,25 +64,27 @@ absl::StatusOr<NewJob> JobIntake::NewJobOf(Submission submission) {
   job.max_open = submission.max_open_jobs;
   job.build_id = build_id_;
   if (resolved.ok()) {
-    for (const StoredMesh& mesh : resolved->request.scene.meshes) job.inputs.push_back(mesh.sha256);
-    job.settings_digest = resolved->settings_digest;
-    job.action_digest = resolved->action_digest;
+    for (const StoredMesh& mesh : (*resolved)->request.scene.meshes)
+      job.inputs.push_back(mesh.sha256);
+    job.settings_digest = (*resolved)->settings_digest;
+    job.action_digest = (*resolved)->action_digest;
   }
   return job;
 }
 
-absl::StatusOr<Created> JobIntake::Create(Submission submission) {
-  const auto job = NewJobOf(std::move(submission));
+absl::StatusOr<Created> JobIntake::Create(Submission submission, const CancelToken& cancel) {
+  const auto job = NewJobOf(std::move(submission), cancel);
   if (!job.ok()) return job.status();
   auto created = jobs_.Create(*job, now_us_());
   full_queues_.Note(job->tenant, created.status(), job->max_open);
   return created;
 }
 
-absl::StatusOr<std::vector<Created>> JobIntake::CreateAll(std::vector<Submission> submissions) {
+absl::StatusOr<std::vector<Created>> JobIntake::CreateAll(std::vector<Submission> submissions,
+                                                          const CancelToken& cancel) {
   std::vector<NewJob> jobs;
   for (Submission& submission : submissions) {
-    auto job = NewJobOf(std::move(submission));
+    auto job = NewJobOf(std::move(submission), cancel);
     if (!job.ok()) return job.status();
     jobs.push_back(*std::move(job));
   }

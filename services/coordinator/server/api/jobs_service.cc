@@ -108,7 +108,7 @@ grpc::Status JobsService::CreateJob(grpc::ServerContext* context,
       return job.status();
     });
   }
-  const auto created = Create(*caller, *request, rpc::TraceOf(*context));
+  const auto created = Create(*caller, *request, *context);
   if (created.ok()) *response = ToProto(*created);
   return rpc::ToGrpc(created.status());
 }
@@ -130,7 +130,7 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
     const auto created =
         each.validate_only()
             ? absl::StatusOr<JobRecord>(Malformed("validate_only", "is not for batches"))
-            : Create(*caller, each, rpc::TraceOf(*context));
+            : Create(*caller, each, *context);
     v1::BatchCreateJobsResponse::Outcome& outcome = *response->add_outcomes();
     if (created.ok()) {
       *outcome.mutable_job() = ToProto(*created);
@@ -191,7 +191,7 @@ absl::StatusOr<std::vector<v1::Job>> JobsService::MakePlates(const Caller& calle
     plate.submission.spec_digest = digest;
     jobs.push_back(std::move(plate.submission));
   }
-  return ToProtos(CreateAll(std::move(jobs)));
+  return ToProtos(CreateAll(std::move(jobs), call.cancel));
 }
 
 /// A submission for each bed that each request takes. All beds are counted before a submission is
@@ -229,8 +229,9 @@ absl::StatusOr<std::vector<v1::Job>> JobsService::ValidateAll(
 }
 
 /// All, or none and why.
-absl::StatusOr<std::vector<JobRecord>> JobsService::CreateAll(std::vector<Submission> plates) {
-  auto created = backend_.intake.CreateAll(std::move(plates));
+absl::StatusOr<std::vector<JobRecord>> JobsService::CreateAll(std::vector<Submission> plates,
+                                                              const CancelToken& cancel) {
+  auto created = backend_.intake.CreateAll(std::move(plates), cancel);
   if (!created.ok()) return created.status();
   std::vector<JobRecord> jobs;
   for (Created& each : *created) {
@@ -243,12 +244,13 @@ absl::StatusOr<std::vector<JobRecord>> JobsService::CreateAll(std::vector<Submis
 
 absl::StatusOr<JobRecord> JobsService::Create(const Caller& caller,
                                               const v1::CreateJobRequest& request,
-                                              const TraceContext& trace) {
+                                              const grpc::ServerContext& context) {
   if (request.advise_orientations())
     return Malformed("advise_orientations", "is for validate_only");
   auto submission = Read(caller, request);
-  if (submission.ok()) submission->trace = trace;
-  auto created = submission.ok() ? backend_.intake.Create(*std::move(submission))
+  if (submission.ok()) submission->trace = rpc::TraceOf(context);
+  const CancelToken cancel([&] { return context.IsCancelled(); });
+  auto created = submission.ok() ? backend_.intake.Create(*std::move(submission), cancel)
                                  : absl::StatusOr<Created>(submission.status());
   if (!created.ok()) {
     backend_.log.Warn("job refused", {{"tenant", caller.tenant},
@@ -297,7 +299,7 @@ absl::StatusOr<Submission> JobsService::Read(const Caller& caller,
 absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
                                               const v1::CreateJobRequest& request,
                                               const rpc::Call& call) {
-  const auto resolved = backend_.intake.Check(submission);
+  const auto resolved = backend_.intake.Check(submission, call.cancel);
   if (!resolved.ok()) return resolved.status();
   const auto blobs = backend_.blobs.Of(submission.tenant);
   if (!blobs.ok()) return blobs.status();
@@ -305,13 +307,13 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
   stage_call.claimant = ClaimantOf(submission);
   stage_call.cancel = call.cancel;
   stage_call.trace = call.trace;
-  const auto room = RoomForMeshes(stage_call, *resolved, **blobs, backend_.memory);
+  const auto room = RoomForMeshes(stage_call, **resolved, **blobs, backend_.memory);
   if (!room.ok()) return room.status();
   stage_call.memory = room->get();
-  auto meshes = LoadMeshes(*resolved, **blobs);
+  auto meshes = LoadMeshes(**resolved, **blobs);
   if (!meshes.ok()) return meshes.status();
   meshes->advise_orientations = request.advise_orientations();
-  const config::ResolvedPlate& plate = resolved->plate;
+  const config::ResolvedPlate& plate = (*resolved)->plate;
   const auto found =
       LookAt(stage_call, {*std::move(meshes), plate.settings, plate.effective_text, plate.warnings},
              backend_.slicing, backend_.planning, &backend_.sampling);
@@ -321,12 +323,12 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
   *job.mutable_labels() = request.labels();
   job.set_priority(static_cast<v1::JobPriority>(static_cast<int>(submission.priority) + 1));
   if (request.has_deadline()) *job.mutable_deadline() = request.deadline();
-  job.set_settings_digest(resolved->settings_digest);
+  job.set_settings_digest((*resolved)->settings_digest);
   job.set_build_id(backend_.intake.build_id());
   job.mutable_warnings()->Assign(found->warnings.begin(), found->warnings.end());
   *job.mutable_preflight() = ToProto(
       *found, CostOf(backend_.rates, found->estimate.print_time_s, found->estimate.filament.mass_g,
-                     resolved->plate.settings.motion.filament_cost_per_kg));
+                     plate.settings.motion.filament_cost_per_kg));
   return job;
 }
 

@@ -92,9 +92,9 @@ std::string SpecDigest(const v1::CreatePlatesRequest& request) {
 
 absl::Status PlateRequests::Add(const StageCall& call, Submission submission,
                                 const PlatesBackend& backend) {
-  const auto resolved = backend.intake.Check(submission);
+  const auto resolved = backend.intake.Check(submission, call.cancel);
   if (!resolved.ok()) return resolved.status();
-  auto beds = OnBeds(call, submission.tenant, *resolved, backend);
+  auto beds = OnBeds(call, submission.tenant, **resolved, backend);
   if (!beds.ok()) return beds.status();
   plates_ += std::ssize(*beds);
   if (plates_ > limits::kMaxBatchJobs)

@@ -175,7 +175,7 @@ TEST_F(PlatesTest, WhatPlatesOfALongSpecTakeIsBounded) {
     for (const char* key : {"start_gcode", "end_gcode", "layer_gcode", "before_layer_gcode"}) {
       v1::Setting& setting = *request.mutable_requests(0)->mutable_spec()->add_settings();
       setting.set_key(key);
-      setting.set_value("; " + std::string(limits::kMaxSettingBytes - 2, 'x'));
+      setting.set_value("; " + std::string(60'000, 'x'));
     }
     v1::Setting& field = *request.mutable_requests(0)->mutable_spec()->add_settings();
     field.set_key("density_field");
