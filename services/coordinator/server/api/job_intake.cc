@@ -72,7 +72,20 @@ absl::StatusOr<NewJob> JobIntake::NewJobOf(Submission submission, const CancelTo
   return job;
 }
 
+/// The job that an earlier call made, or `refusal`: found without a turn among those who write.
+absl::StatusOr<Created> JobIntake::EarlierOr(const Submission& submission,
+                                             const absl::Status& refusal) {
+  if (submission.request_id.empty()) return refusal;
+  auto earlier = FindAll(submission.tenant, {submission.request_id}, submission.spec_digest);
+  if (!earlier.ok()) return earlier.status();
+  if (earlier->empty()) return refusal;
+  return Created{std::move(earlier->front()), /*fresh=*/false};
+}
+
 absl::StatusOr<Created> JobIntake::Create(Submission submission, const CancelToken& cancel) {
+  // One tenant's refused calls would hold up the writes of all others.
+  if (absl::Status full = full_queues_.Check(submission.tenant); !full.ok())
+    return EarlierOr(submission, full);
   const auto job = NewJobOf(std::move(submission), cancel);
   if (!job.ok()) return job.status();
   auto created = jobs_.Create(*job, now_us_());
@@ -82,6 +95,9 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission, const CancelTok
 
 absl::StatusOr<std::vector<Created>> JobIntake::CreateAll(std::vector<Submission> submissions,
                                                           const CancelToken& cancel) {
+  if (!submissions.empty()) {
+    if (absl::Status full = full_queues_.Check(submissions.front().tenant); !full.ok()) return full;
+  }
   std::vector<NewJob> jobs;
   for (Submission& submission : submissions) {
     auto job = NewJobOf(std::move(submission), cancel);

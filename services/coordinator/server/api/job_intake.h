@@ -79,6 +79,7 @@ class JobIntake {
   const std::string& build_id() const { return build_id_; }
 
  private:
+  absl::StatusOr<Created> EarlierOr(const Submission& submission, const absl::Status& refusal);
   absl::StatusOr<NewJob> NewJobOf(Submission submission, const CancelToken& cancel);
   absl::Status CheckMeshes(const std::string& tenant, const ResolvedJob& job);
 
