@@ -11,6 +11,7 @@
 #include "services/coordinator/server/api/full_queues.h"
 #include "services/coordinator/server/api/job_request.h"
 #include "services/coordinator/server/api/tenant_budgets.h"
+#include "services/coordinator/server/api/tenant_turns.h"
 #include "services/coordinator/server/execution/disk_guard.h"
 #include "services/coordinator/server/execution/job_results.h"
 #include "services/coordinator/server/execution/resolved_jobs.h"
@@ -79,6 +80,8 @@ class JobIntake {
   const std::string& build_id() const { return build_id_; }
 
  private:
+  static constexpr int kWritesAtOnce = 8;  ///< as a store has connections for callers
+
   absl::StatusOr<Created> EarlierOr(const Submission& submission, const absl::Status& refusal);
   absl::StatusOr<NewJob> NewJobOf(Submission submission, const CancelToken& cancel);
   absl::Status CheckMeshes(const std::string& tenant, const ResolvedJob& job);
@@ -93,6 +96,8 @@ class JobIntake {
   const ResultSharing sharing_;
   const std::function<int64_t()> now_us_;
   const ProcessSet processes_;
+  /// Of those who wait for the store, so that none of them waits for all that another tenant asks.
+  TenantTurns turns_{kWritesAtOnce};
 };
 
 /// 32 hex digits that nobody can guess. Dies without a source of randomness.
