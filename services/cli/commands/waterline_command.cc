@@ -13,8 +13,8 @@
 #include "services/cli/console.h"
 #include "services/cli/files.h"
 #include "services/cli/models/given_models.h"
-#include "services/milling/algo/cutter_text.h"
-#include "services/milling/algo/waterline.h"
+#include "services/milling/algo/cutter/cutter_text.h"
+#include "services/milling/algo/waterline/waterline.h"
 #include "services/slicing/algo/mesh_io/mesh_reader.h"
 
 namespace slicefarm::cli {

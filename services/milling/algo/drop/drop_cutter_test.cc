@@ -1,0 +1,75 @@
+#include "services/milling/algo/drop/drop_cutter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "services/milling/algo/sample_parts_test.h"
+
+namespace slicefarm::milling::drop_cutter_test {
+namespace {
+
+struct DropCase {
+  const char* name;
+  const char* cutter;
+  Eigen::Vector2d place;
+  double z;
+};
+
+TEST(DropCutter, RestsWhereGeometrySays) {
+  const TriangleMesh box = Box({0, 0, 0}, {10, 10, 5});
+  for (const DropCase& c : {
+           DropCase{"on a flat, cylinder", "cyl:4", {5, 5}, 5},
+           DropCase{"on a flat, ball", "ball:4", {5, 5}, 5},
+           DropCase{"on a flat, cone", "cone:4:45", {5, 5}, 5},
+           DropCase{"over an edge, cylinder", "cyl:4", {-1, 5}, 5},
+           DropCase{"over an edge, ball", "ball:4", {-1, 5}, 3 + std::sqrt(3)},
+           DropCase{"over an edge, bull", "bull:4:1", {-1.5, 5}, 4 + std::sqrt(0.75)},
+           DropCase{"over an edge, cone", "cone:4:45", {-1, 5}, 4},
+           DropCase{"over a corner, ball", "ball:4", {-1, -1}, 3 + std::sqrt(2)},
+       }) {
+    const auto drop = DropCutter(box, CutterOf(c.cutter)).At(c.place);
+    ASSERT_TRUE(drop.has_value()) << c.name;
+    EXPECT_NEAR(drop->z_mm, c.z, 1e-12) << c.name;
+  }
+  EXPECT_FALSE(DropCutter(box, CutterOf("ball:4")).At({-2.1, 5}).has_value());
+}
+
+/// A place is gouged with the tip at z if and only if the cutter rests higher there.
+TEST(DropCutter, IsTheDualOfThePushCutter) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> any(-3, 3);
+  for (const std::string_view text : kAllCutters) {
+    const Cutter cutter = CutterOf(text);
+    int rests = 0;
+    for (int round = 0; round < 300; ++round) {
+      TriangleMesh mesh = RandomTriangle(random, 3);
+      if (round % 4 == 0) mesh.points_mm[1].z() = mesh.points_mm[0].z();
+      if (round % 5 == 0) mesh.points_mm[1].head<2>() = mesh.points_mm[0].head<2>();
+      const MeshEdges edges = EdgesOf(mesh);
+      const FiberFrame frame(mesh, edges, FiberAxis::kX);
+      const DropCutter dropper(mesh, cutter);
+      const Eigen::Vector2d place(any(random), any(random));
+      const auto gouged = [&](double z) {
+        const Interval i = frame.PushTriangle(cutter, 0, {place.y(), z});
+        return i.low < place.x() && place.x() < i.high;
+      };
+      const auto drop = dropper.At(place);
+      if (!drop) {
+        EXPECT_FALSE(gouged(-20)) << text << round;
+        continue;
+      }
+      ++rests;
+      EXPECT_FALSE(gouged(drop->z_mm + 1e-8)) << text << " " << round;
+      EXPECT_TRUE(gouged(drop->z_mm - 1e-8)) << text << " " << round;
+      const double distance = (drop->contact_mm.head<2>() - place).norm();
+      EXPECT_NEAR(drop->contact_mm.z() - drop->z_mm,
+                  cutter.HeightAt(std::min(distance, cutter.radius_mm())), 1e-7);
+    }
+    EXPECT_GT(rests, 60) << text;
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::milling::drop_cutter_test
