@@ -84,7 +84,7 @@ ExitCode Run(int argc, char** argv) {
   for (const auto add :
        {AddSlice, AddSubmit, AddInspect, AddWatch, AddList, AddGet, AddCancel, AddDelete, AddTrace, AddWebhook,
         AddProfile, AddRender, AddBeads, AddFill, AddDecompose, AddTsp, AddTime, AddCheck, AddSettings, AddHealth,
-        AddToken, AddWaterline, AddVersion}) {
+        AddToken, AddMillProgram, AddWaterline, AddVersion}) {
     add(app, context);
   }
   if (const ExitCode parsed = Parse(app, argc, argv); parsed != ExitCode::kOk || !context.run) {

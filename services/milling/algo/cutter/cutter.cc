@@ -171,8 +171,7 @@ GrownCutter Cutter::Grown(double by_mm) const {
   std::vector<ProfilePiece> grown;
   if (first.corner_mm <= 0 && by_mm > 0) {  // a corner becomes round
     const double sine = first.slope / std::sqrt(1 + first.slope * first.slope);
-    grown.push_back(
-        {.to_mm = by_mm * (1 - sine), .corner_mm = by_mm, .flat_mm = first.base_mm});
+    grown.push_back({.to_mm = by_mm * (1 - sine), .corner_mm = by_mm, .flat_mm = first.base_mm});
   }
   for (const ProfilePiece& piece : pieces_) {
     ProfilePiece next = piece;
@@ -186,7 +185,8 @@ GrownCutter Cutter::Grown(double by_mm) const {
     next.from_mm = 0;
     if (!grown.empty()) {
       ProfilePiece& last = grown.back();
-      if (last.corner_mm <= 0) last.to_mm = (next.base_mm - last.base_mm) / (last.slope - next.slope);
+      if (last.corner_mm <= 0)
+        last.to_mm = (next.base_mm - last.base_mm) / (last.slope - next.slope);
       next.from_mm = last.to_mm;
     }
     grown.push_back(next);

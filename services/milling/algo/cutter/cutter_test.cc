@@ -89,5 +89,34 @@ TEST(Cutter, RefusesWhatIsNone) {
   }
 }
 
+/// A grown cutter's surface is as far from the cutter as it was grown; the other way round for what
+/// is left of it.
+TEST(Cutter, GrowsEvenly) {
+  for (const std::string_view text : kAllCutters) {
+    const Cutter cutter = CutterOf(text);
+    for (const double by : {0.3, 0.05, -0.04}) {
+      const GrownCutter grown = cutter.Grown(by);
+      const Cutter& outer = by > 0 ? grown.cutter : cutter;
+      const Cutter& inner = by > 0 ? cutter : grown.cutter;
+      const double lift = by > 0 ? -grown.tip_mm : grown.tip_mm;  // of the inner one's tip
+      EXPECT_NEAR(grown.cutter.radius_mm(), cutter.radius_mm() + by, 1e-12) << text;
+      double mitre = 0;
+      for (double h = 0.013; h < cutter.full_height_mm() + 2; h += 0.0371) {
+        const Eigen::Vector2d p(outer.Width(h), h);
+        double least = 1e9;  // to the inner outline, whose bottom is flat up to its width
+        least =
+            std::min(least, (p - Eigen::Vector2d(std::min(p.x(), inner.Width(0)), lift)).norm());
+        for (double g = 0; g < inner.full_height_mm() + 3; g += 0.0007)
+          least = std::min(least, (p - Eigen::Vector2d(inner.Width(g), g + lift)).norm());
+        EXPECT_GT(least, std::abs(by) - 1e-3) << text << by << " at " << h;
+        mitre = std::max(mitre, least - std::abs(by));
+      }
+      if (by > 0) {
+        EXPECT_LT(mitre, 0.5 * by) << text << by;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace slicefarm::milling::cutter_test

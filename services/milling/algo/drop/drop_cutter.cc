@@ -16,8 +16,9 @@ struct Rest {
   Eigen::Vector3d contact{0, 0, 0};
 };
 
-void Touch(const Cutter& cutter, const Eigen::Vector3d& p, Rest& rest) {
-  const double distance = p.head<2>().norm();
+/// `distance`: of p from the axis. A place on the rim is computed as one, as p's own rounding would
+/// put it beside the cutter.
+void Touch(const Cutter& cutter, const Eigen::Vector3d& p, double distance, Rest& rest) {
   if (distance > cutter.radius_mm() * (1 + 1e-15)) return;
   const double z = p.z() - cutter.HeightAt(std::min(distance, cutter.radius_mm()));
   if (z > rest.z) rest = {z, p};
@@ -47,8 +48,8 @@ double TouchAlong(const ProfilePiece& piece, double off, double rise) {
 /// A side of a triangle: all places where the outline's kinks, its pieces and its rim may rest on
 /// it.
 void TouchEdge(const Cutter& cutter, Eigen::Vector3d a, Eigen::Vector3d b, Rest& rest) {
-  Touch(cutter, a, rest);
-  Touch(cutter, b, rest);
+  Touch(cutter, a, a.head<2>().norm(), rest);
+  Touch(cutter, b, b.head<2>().norm(), rest);
   if (a.z() > b.z()) std::swap(a, b);
   const double length = (b - a).head<2>().norm();
   if (!(length > 0)) return;
@@ -58,7 +59,8 @@ void TouchEdge(const Cutter& cutter, Eigen::Vector3d a, Eigen::Vector3d b, Rest&
   if (!(off < cutter.radius_mm())) return;
   const auto touch_at = [&](double x) {
     const double along = foot + x;
-    if (along > 0 && along < length) Touch(cutter, a + (b - a) * (along / length), rest);
+    if (along > 0 && along < length)
+      Touch(cutter, a + (b - a) * (along / length), std::sqrt(off * off + x * x), rest);
   };
   touch_at(0);
   for (const ProfilePiece& piece : cutter.pieces()) {
@@ -77,8 +79,9 @@ void TouchFacet(const Cutter& cutter, const Eigen::Vector3d& a, const Eigen::Vec
   normal.normalize();
   const double flat = normal.head<2>().norm();
   Eigen::Vector2d at(0, 0);
+  double width = 0;
   if (flat > 0) {
-    const double width = cutter.Width(cutter.TouchHeight(flat, normal.z()));
+    width = cutter.Width(cutter.TouchHeight(flat, normal.z()));
     at = -width / flat * normal.head<2>();
   }
   const auto side = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
@@ -88,7 +91,7 @@ void TouchFacet(const Cutter& cutter, const Eigen::Vector3d& a, const Eigen::Vec
   if (!((u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0))) return;
   const double z =
       a.z() - (normal.x() * (at.x() - a.x()) + normal.y() * (at.y() - a.y())) / normal.z();
-  Touch(cutter, {at.x(), at.y(), z}, rest);
+  Touch(cutter, {at.x(), at.y(), z}, width, rest);
 }
 
 }  // namespace
