@@ -36,25 +36,26 @@ TEST(DropCutter, RestsWhereGeometrySays) {
   EXPECT_FALSE(DropCutter(box, CutterOf("ball:4")).At({-2.1, 5}).has_value());
 }
 
-/// On an edge along the slope of a plane, far from the origin, where the place of contact is in
-/// neither of the two triangles by rounding.
-TEST(DropCutter, RestsOnEdgesInsideAPlane) {
+/// On a ridge that runs up a slope, far from the origin: the places of contact are on the edge
+/// alone, on the cutter's rim, and rounding must not put them beside the cutter.
+TEST(DropCutter, RestsOnRidges) {
   for (const std::string_view text : kAllCutters) {
     for (const double turn : {0.0, 0.3, 1.1}) {
       const double c = std::cos(turn), s = std::sin(turn);
       const auto at = [&](double u, double v) {
-        return Eigen::Vector3d(120 + c * u - s * v, 160 + s * u + c * v, 100 + u / 4);
+        return Eigen::Vector3d(121.3 + c * u - s * v, 163.7 + s * u + c * v,
+                               100 + 0.26 * u - 1e-3 * std::abs(v));
       };
       TriangleMesh mesh;
-      mesh.points_mm = {at(-20, 0), at(20, 0), at(0, 20), at(0, -20)};
+      mesh.points_mm = {at(-19.3, 0), at(23.7, 0), at(0, 20), at(0, -20)};
       mesh.triangles = {{0, 1, 2}, {1, 0, 3}};
       const Cutter cutter = CutterOf(text);
       const DropCutter dropper(mesh, cutter);
-      const double rest = dropper.At(at(0, 1e-3).head<2>())->z_mm;
+      const double rest = dropper.At(at(0.123, 0).head<2>())->z_mm;
       for (double u = -8; u < 8; u += 0.0317) {
         const auto drop = dropper.At(at(u, 0).head<2>());
         ASSERT_TRUE(drop.has_value());
-        ASSERT_NEAR(drop->z_mm, rest + u / 4, 1e-9) << text << " " << turn << " " << u;
+        ASSERT_NEAR(drop->z_mm, rest + 0.26 * (u - 0.123), 1e-9) << text << turn << " " << u;
       }
     }
   }
