@@ -8,7 +8,9 @@
 namespace slicefarm::milling {
 namespace {
 
-constexpr int kHalvings = 60;
+constexpr int kMostSteps = 100;
+constexpr double kRootShare = 1e-10;
+constexpr double kOnSideMm = 1e-9;
 
 /// The highest rest so far of a cutter whose axis is at the origin.
 struct Rest {
@@ -24,6 +26,26 @@ void Touch(const Cutter& cutter, const Eigen::Vector3d& p, double distance, Rest
   if (z > rest.z) rest = {z, p};
 }
 
+/// Where a falling function is 0 between 0 and `high`, within kRootShare of it: false position by
+/// the rule of Illinois, and halving where that is slow. The height of a contact is off by the
+/// square of it.
+template <typename Falling>
+double RootOfFalling(const Falling& value_at, double high) {
+  double low = 0, at_low = value_at(low), at_high = value_at(high), x = high;
+  const double enough = kRootShare * high;
+  for (int i = 0; i < kMostSteps && high - low > enough; ++i) {
+    const double secant = high + (high - low) * at_high / (at_low - at_high);
+    x = i % 4 < 3 && secant > low && secant < high ? secant : (low + high) / 2;
+    const double at_x = value_at(x);
+    if (at_x > 0) {
+      low = x, at_low = at_x, at_high /= 2;
+    } else {
+      high = x, at_high = at_x, at_low /= 2;
+    }
+  }
+  return x;
+}
+
 /// How far from the foot of the axis on an edge the edge touches a piece of the outline, on the
 /// side to which it rises: both in mm along its flat image, `off` from the axis, rising by `rise`.
 /// Not finite or out of the piece: nowhere.
@@ -35,14 +57,15 @@ double TouchAlong(const ProfilePiece& piece, double off, double rise) {
   const double reach = piece.corner_mm + piece.flat_mm;
   const double most = std::sqrt(std::max(0.0, reach * reach - off * off));
   if (piece.flat_mm == 0) return most * rise / std::sqrt(1 + rise * rise);
-  double low = 0, high = most;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double x = (low + high) / 2, distance = std::sqrt(off * off + x * x);
+  // How much steeper the edge is than the outline, but for a factor: falls from 0 to `most`. The
+  // outline's slope along the edge is out / up * x / distance.
+  const auto steeper = [&](double x) {
+    const double distance = std::sqrt(off * off + x * x);
     const double out = std::max(0.0, distance - piece.flat_mm);
     const double up = std::sqrt(std::max(0.0, piece.corner_mm * piece.corner_mm - out * out));
-    (rise * distance * up > out * x ? low : high) = x;
-  }
-  return (low + high) / 2;
+    return rise * up - (distance > 0 ? out * x / distance : 0);
+  };
+  return RootOfFalling(steeper, most);
 }
 
 /// A side of a triangle: all places where the outline's kinks, its pieces and its rim may rest on
@@ -57,6 +80,11 @@ void TouchEdge(const Cutter& cutter, Eigen::Vector3d a, Eigen::Vector3d b, Rest&
   const double foot = -a.head<2>().dot(way), rise = (b.z() - a.z()) / length;
   const double off = std::abs(a.x() * way.y() - a.y() * way.x());
   if (!(off < cutter.radius_mm())) return;
+  // The highest place of the side under the cutter, at the lowest place of the outline over the
+  // side: no contact rests higher.
+  const double half = std::sqrt((cutter.radius_mm() - off) * (cutter.radius_mm() + off));
+  const double most = a.z() + rise * std::min(length, std::max(0.0, foot + half));
+  if (most - cutter.HeightAt(off) <= rest.z) return;
   const auto touch_at = [&](double x) {
     const double along = foot + x;
     if (along > 0 && along < length)
@@ -84,14 +112,18 @@ void TouchFacet(const Cutter& cutter, const Eigen::Vector3d& a, const Eigen::Vec
     width = cutter.Width(cutter.TouchHeight(flat, normal.z()));
     at = -width / flat * normal.head<2>();
   }
-  const auto side = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
-    return (q.x() - p.x()) * (at.y() - p.y()) - (q.y() - p.y()) * (at.x() - p.x());
+  // Above 0: inside of a side of a triangle that turns left. A place on a side counts: a slope that
+  // ends on the rim is under the cutter up to there.
+  const double turn = (b - a).head<2>().dot(Eigen::Vector2d(c.y() - a.y(), a.x() - c.x()));
+  const auto outside = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+    const double x = q.x() - p.x(), y = q.y() - p.y();
+    const double left = x * (at.y() - p.y()) - y * (at.x() - p.x());
+    return (turn > 0 ? left : -left) < -kOnSideMm * (std::abs(x) + std::abs(y));
   };
-  const double u = side(a, b), v = side(b, c), w = side(c, a);
-  if (!((u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0))) return;
+  if (outside(a, b) || outside(b, c) || outside(c, a)) return;
   const double z =
       a.z() - (normal.x() * (at.x() - a.x()) + normal.y() * (at.y() - a.y())) / normal.z();
-  Touch(cutter, {at.x(), at.y(), z}, width, rest);
+  Touch(cutter, {at.x(), at.y(), std::min(z, std::max({a.z(), b.z(), c.z()}))}, width, rest);
 }
 
 }  // namespace

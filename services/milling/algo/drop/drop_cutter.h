@@ -20,7 +20,8 @@ struct Drop {
 ///
 /// Over a triangle, z less the height of the cutter's outline over the distance from its axis is
 /// concave: largest where the slope of the triangle touches the outline, or on a side, at one of
-/// few places in closed form (a bull nose halves its way there). Mesh and cutter must outlive it.
+/// few places in closed form (on a bull nose, by a bracketed root). Mesh and cutter must outlive
+/// it.
 class DropCutter {
  public:
   DropCutter(const TriangleMesh& mesh, const Cutter& cutter)

@@ -61,6 +61,19 @@ TEST(DropCutter, RestsOnRidges) {
   }
 }
 
+/// A slope whose upper end is exactly on the rim: it is under the cutter up to there, also where
+/// the end is put a little beside it by rounding.
+TEST(DropCutter, RestsOnSlopesThatEndOnTheRim) {
+  TriangleMesh mesh;
+  mesh.points_mm = {{-20, 132, 14}, {20, 132, 14}, {20, 134, 13}, {-20, 134, 13}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const Cutter cutter = CutterOf("cyl:6");
+  const DropCutter dropper(mesh, cutter);
+  for (double x = -9; x < 9; x += 0.173) EXPECT_NEAR(dropper.At({x, 135})->z_mm, 14, 1e-9) << x;
+  EXPECT_LT(dropper.At({0, 135 + 1e-6})->z_mm, 14);
+  EXPECT_GT(dropper.At({0, 135 + 1e-6})->z_mm, 14 - 1e-5);
+}
+
 /// A place is gouged with the tip at z if and only if the cutter rests higher there.
 TEST(DropCutter, IsTheDualOfThePushCutter) {
   std::mt19937 random(4);
