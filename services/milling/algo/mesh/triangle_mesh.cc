@@ -8,14 +8,14 @@ namespace slicefarm::milling {
 namespace {
 
 /// A side of a triangle by its ends, lower index first.
-struct Side {
+struct MeshSide {
   uint64_t ends = 0;
   uint32_t triangle = 0;
   uint32_t corner = 0;
 };
 
-std::vector<Side> SidesOf(const TriangleMesh& mesh) {
-  std::vector<Side> sides;
+std::vector<MeshSide> SidesOf(const TriangleMesh& mesh) {
+  std::vector<MeshSide> sides;
   sides.reserve(3 * mesh.triangles.size());
   for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     for (uint32_t k = 0; k < 3; ++k) {
@@ -29,8 +29,8 @@ std::vector<Side> SidesOf(const TriangleMesh& mesh) {
 }  // namespace
 
 MeshEdges EdgesOf(const TriangleMesh& mesh) {
-  std::vector<Side> sides = SidesOf(mesh);
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+  std::vector<MeshSide> sides = SidesOf(mesh);
+  std::sort(sides.begin(), sides.end(), [](const MeshSide& a, const MeshSide& b) {
     return std::tie(a.ends, a.triangle, a.corner) < std::tie(b.ends, b.triangle, b.corner);
   });
   MeshEdges edges;

@@ -15,7 +15,7 @@
 namespace slicefarm::milling {
 namespace {
 
-constexpr int64_t kMaxSteps = 200'000;
+constexpr int64_t kMaxJobSteps = 200'000;
 /// Regions of levels are in 32 bits of nm, and the cutter's ways lie around the stock.
 constexpr double kMostCoordinateMm = 1'500;
 /// Two levels nearer than this are one.
@@ -188,8 +188,8 @@ absl::Status CheckStepCount(const MillingJob& job) {
     steps +=
         (job.part_box.sizes().y() + 2 * options.cutter.radius_mm()) / options.finish_stepover_mm;
   }
-  if (steps <= static_cast<double>(kMaxSteps)) return absl::OkStatus();
-  return LimitError(Reason::kRequestTooLarge, "levels and rows", kMaxSteps,
+  if (steps <= static_cast<double>(kMaxJobSteps)) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, "levels and rows", kMaxJobSteps,
                     static_cast<int64_t>(std::min(steps, 1e15)));
 }
 
