@@ -82,10 +82,9 @@ ExitCode Run(int argc, char** argv) {
   app.set_version_flag("--version", VersionLine());
   app.require_subcommand(1);
   for (const auto add :
-       {AddSlice,  AddSubmit,   AddInspect, AddWatch,     AddList,      AddGet,
-        AddCancel, AddDelete,   AddTrace,   AddWebhook,   AddProfile,   AddRender,
-        AddBeads,  AddFill,     AddFlatten, AddDecompose, AddTsp,       AddTime,
-        AddCheck,  AddSettings, AddHealth,  AddToken,     AddWaterline, AddVersion}) {
+       {AddSlice, AddSubmit, AddInspect, AddWatch, AddList, AddGet, AddCancel, AddDelete, AddTrace, AddWebhook,
+        AddProfile, AddRender, AddBeads, AddFill, AddFlatten, AddDecompose, AddTsp, AddTime, AddCheck, AddSettings, AddHealth,
+        AddToken, AddMillProgram, AddWaterline, AddVersion}) {
     add(app, context);
   }
   if (const ExitCode parsed = Parse(app, argc, argv); parsed != ExitCode::kOk || !context.run) {

@@ -41,6 +41,7 @@ void AddSettings(CLI::App& app, CommandContext& context);  ///< settings_command
 void AddHealth(CLI::App& app, CommandContext& context);    ///< health_command.cc
 void AddToken(CLI::App& app, CommandContext& context);     ///< token_command.cc
 void AddTsp(CLI::App& app, CommandContext& context);       ///< tsp_command.cc
+void AddMillProgram(CLI::App& app, CommandContext& context);  ///< mill_program_command.cc
 void AddWaterline(CLI::App& app, CommandContext& context);  ///< waterline_command.cc
 void AddVersion(CLI::App& app, CommandContext& context);   ///< main.cc
 

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "common/geometry/arc_fit.h"
 #include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/gcode/extruder_words.h"
 #include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/material_mix.h"
 #include "services/motion/algo/toolpath/accelerations.h"
-#include "services/motion/algo/toolpath/arc_fit.h"
 #include "services/motion/algo/toolpath/cooling.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "common/geometry/arc_fit.h"
 #include "common/model/bead_section.h"
-#include "services/motion/algo/toolpath/arc_fit.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
 namespace slicefarm::motion {
