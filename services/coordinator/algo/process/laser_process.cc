@@ -14,6 +14,7 @@
 #include "services/coordinator/algo/pipeline/check_printable.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
 #include "services/coordinator/algo/pipeline/range_split.h"
+#include "services/coordinator/algo/pipeline/scan_runs.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -28,42 +29,6 @@ absl::Status CheckLayer(const ExposureOutput& output, size_t layers) {
        {"value", absl::StrCat(output.layer)},
        {"min", "0"},
        {"max", absl::StrCat(layers - 1)}});
-}
-
-/// The longest way before and after lines with the laser off, and the setting that asks for it.
-struct LongestRun {
-  Coord run_nm = 0;
-  std::string setting;
-};
-LongestRun RunOf(std::span<const ExposureOptions> regions) {
-  LongestRun longest;
-  const auto add = [&](Coord run_nm, const char* setting) {
-    if (run_nm > longest.run_nm) longest = {run_nm, setting};
-  };
-  for (const ExposureOptions& region : regions) {
-    if (!IsRings(region.strategy)) add(region.skywriting_nm, "skywriting");
-    add(region.contour_run_nm, "contour_run");
-  }
-  return longest;
-}
-
-/// Runs stay on the bed if all that is exposed lies as far from its edge as they are long.
-absl::Status CheckRuns(const JobSettings& settings, const Box& exposed) {
-  const auto [run_nm, setting] = RunOf(settings.exposure.regions);
-  if (run_nm == 0 || exposed.Empty()) return absl::OkStatus();
-  const Box around = exposed.Grown(run_nm);
-  const Polygon& bed = settings.slicing.bed;
-  const Polygon corners = {
-      around.min, {around.max.x, around.min.y}, around.max, {around.min.x, around.max.y}};
-  const bool fits = std::ranges::all_of(
-      corners, [&](Point corner) { return Locate(corner, bed) != Side::kOutside; });
-  if (fits) return absl::OkStatus();
-  const double run_mm = ToMm(static_cast<double>(run_nm));
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
-                   absl::StrCat(setting, " = ", run_mm,
-                                " mm takes the scanner off the bed: what "
-                                "is exposed must lie that far from its edge"),
-                   {{"setting", setting}, {"value", absl::StrCat(run_mm)}});
 }
 
 /// A layer's part of the file, whose text is in a spool.
