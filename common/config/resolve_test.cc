@@ -961,11 +961,14 @@ TEST(ResolveLaser, TemplatesAreCheckedBeforeAnyWork) {
   EXPECT_EQ(fine->settings.exposure.output.recoat_s, 9);
   EXPECT_THAT(fine->no_effect, IsEmpty());
   for (const char* key : {"start_gcode", "before_layer_gcode", "layer_gcode", "end_gcode"}) {
-    const ErrorDetail detail = DetailOf(OfLaser({{key, "G4\\n[extruded_volume]"}}).status());
+    const ErrorDetail detail =
+        DetailOf(OfLaser({{key, "G4\\n[extruded_volume]"}, {"output_format", "marlin"}}).status());
     EXPECT_EQ(detail.reason, Reason::kSettingMalformed);
     EXPECT_EQ(detail.metadata.at("setting"), key);
     EXPECT_EQ(detail.metadata.at("line"), "2");
   }
+  // A profile's own, for a file that has no place for it.
+  EXPECT_TRUE(OfLaser({{"start_gcode", "[extruded_volume]"}}, Source::kProfile).ok());
 }
 
 TEST(ResolveLaser, RefusesStripesThatDoNotGetOn) {

@@ -46,6 +46,9 @@ absl::StatusOr<LaserCode> ParseLaserCode(const ExposureOutput& output) {
 }
 
 absl::Status CheckLaserCode(const ExposureOutput& output, std::string_view settings_text) {
+  const bool is_gcode =
+      output.format == OutputFormat::kGrbl || output.format == OutputFormat::kMarlin;
+  if (!is_gcode) return absl::OkStatus();
   const auto code = ParseLaserCode(output);
   if (!code.ok()) return code.status();
   TemplateVariables settings;

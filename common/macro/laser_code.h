@@ -23,6 +23,7 @@ struct LaserCode {
 absl::StatusOr<LaserCode> ParseLaserCode(const ExposureOutput& output);
 
 /// Before any work: whether each name in the templates that may be read exists, and operands fit.
+/// Of formats that are no G-code nothing is read: a profile's templates may be of another machine.
 /// `settings_text`: the effective settings. Errors: SETTING_MALFORMED naming the setting.
 absl::Status CheckLaserCode(const ExposureOutput& output, std::string_view settings_text);
 

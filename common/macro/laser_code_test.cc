@@ -10,6 +10,7 @@ namespace {
 
 TEST(CheckLaserCode, TakesWhatPrintsAndSettingsTell) {
   ExposureOutput output;
+  output.format = OutputFormat::kGrbl;
   output.start_gcode = "; [model_name]: {total_layer_count} layers, [print_time], [contours]";
   output.before_layer_gcode = "{if layer_num > 0}M100 Z{layer_z + 1}{endif}";
   output.layer_gcode = "{first_layer_print_max[0] - first_layer_print_min[0]}";
@@ -31,6 +32,8 @@ TEST(CheckLaserCode, NamesWhatIsWrongBeforeAnyWork) {
     for (const char* code : {"G4\n[oops]", "G4\n{layer_z + }", "G4\n{extruded_volume}"}) {
       ExposureOutput output;
       output.*c.text = code;
+      EXPECT_TRUE(CheckLaserCode(output, "").ok()) << "no G-code";
+      output.format = OutputFormat::kMarlin;
       const ErrorDetail detail = DetailOf(CheckLaserCode(output, ""));
       EXPECT_EQ(detail.reason, Reason::kSettingMalformed) << code;
       EXPECT_EQ(detail.metadata.at("setting"), c.setting);
