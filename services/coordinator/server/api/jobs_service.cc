@@ -9,6 +9,7 @@
 #include "common/model/limits.h"
 #include "common/rpc/observe/trace_metadata.h"
 #include "common/rpc/status_mapping.h"
+#include "common/wire/support/enum_wire.h"
 #include "common/wire/support/wire_error.h"
 #include "services/coordinator/algo/pipeline/preflight.h"
 #include "services/coordinator/server/api/artifact.h"
@@ -74,6 +75,16 @@ class TextReader : public BlobReader {
   const std::string text_;
 };
 
+/// Says of a job that has not ended if no worker is there for it.
+void TellWaiting(const TaskExecutor& executor, v1::Job& job) {
+  if (job.state() != v1::JOB_STATE_QUEUED && job.state() != v1::JOB_STATE_RUNNING) return;
+  const bool is_given = job.spec().process() != v1::PROCESS_UNSPECIFIED;
+  const Process process = is_given ? Known<Process>(job.spec().process()) : Process::kFdm;
+  if (executor.Slots(process) > 0) return;
+  job.set_waits_for(fmt::format("a worker: none is connected that runs jobs of process {}",
+                                ProcessName(process)));
+}
+
 Claimant ClaimantOf(const Submission& submission) {
   return {submission.tenant, static_cast<int>(submission.priority)};
 }
@@ -110,6 +121,7 @@ grpc::Status JobsService::CreateJob(grpc::ServerContext* context,
   }
   const auto created = Create(*caller, *request, *context);
   if (created.ok()) *response = ToProto(*created);
+  TellWaiting(backend_.sampling.executor, *response);
   return rpc::ToGrpc(created.status());
 }
 
@@ -134,6 +146,7 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
     v1::BatchCreateJobsResponse::Outcome& outcome = *response->add_outcomes();
     if (created.ok()) {
       *outcome.mutable_job() = ToProto(*created);
+      TellWaiting(backend_.sampling.executor, *outcome.mutable_job());
       ClearSettings(*outcome.mutable_job()->mutable_spec());
     } else {
       // As short as errors of calls are: there may be many in this answer.
@@ -336,6 +349,7 @@ grpc::Status JobsService::GetJob(grpc::ServerContext* context, const v1::GetJobR
                                  v1::Job* response) {
   const auto job = Find(*context, {Scope::kRead, Scope::kAdmin}, request->id(), Of::kAllForAdmins);
   if (job.ok()) *response = ToProto(*job);
+  TellWaiting(backend_.sampling.executor, *response);
   return rpc::ToGrpc(job.status());
 }
 
@@ -352,6 +366,7 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJ
   if (!place.ok()) return rpc::ToGrpc(place.status());
   const auto jobs = backend_.jobs.List(*query);
   if (jobs.ok()) *response = ToProto(*jobs, *query);
+  for (v1::Job& job : *response->mutable_jobs()) TellWaiting(backend_.sampling.executor, job);
   return rpc::ToGrpc(jobs.status());
 }
 
