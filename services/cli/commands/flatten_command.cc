@@ -13,8 +13,8 @@
 #include "services/cli/console.h"
 #include "services/cli/files.h"
 #include "services/cli/models/given_models.h"
-#include "services/slicing/algo/mesh_io/indexed_weld.h"
 #include "services/slicing/algo/mesh_io/mesh_reader.h"
+#include "services/slicing/algo/mesh_io/obj_reader.h"
 #include "services/texture/algo/map/distortion.h"
 #include "services/texture/algo/map/flatten.h"
 
@@ -26,19 +26,26 @@ struct FlattenCommandOptions {
   std::string output;
 };
 
-/// Vertices as an OBJ or PLY file numbers them; an STL file's corners are joined where they meet.
-absl::StatusOr<texture::SurfaceMesh> ReadSurface(const std::string& path) {
-  const auto file = ReadModelFile(path);
-  if (!file.ok()) return file.status();
-  auto raw = slicing::ReadMesh(file->bytes, file->format, limits::kMaxMeshCoordinateMm, {});
-  if (!raw.ok()) return InFile(path, raw.status());
-  if (file->format == MeshFormat::kStl) raw = slicing::Welded(*raw);
+texture::SurfaceMesh SurfaceOf(const slicing::RawMesh& raw) {
   texture::SurfaceMesh mesh;
-  for (const slicing::Position& p : raw->positions) mesh.points_mm.push_back({p.x, p.y, p.z});
-  for (const auto& [a, b, c] : raw->triangles)
+  for (const slicing::Position& p : raw.positions) mesh.points_mm.push_back({p.x, p.y, p.z});
+  for (const auto& [a, b, c] : raw.triangles)
     mesh.triangles.push_back(
         {static_cast<int32_t>(a), static_cast<int32_t>(b), static_cast<int32_t>(c)});
   return mesh;
+}
+
+/// An OBJ file's vertices keep their numbers, so that its other readers find their own again.
+absl::StatusOr<texture::SurfaceMesh> ReadSurface(const std::string& path) {
+  const auto file = ReadModelFile(path);
+  if (!file.ok()) return file.status();
+  const MeshFormat format =
+      file->format == MeshFormat::kUnknown ? slicing::DetectFormat(file->bytes) : file->format;
+  const auto raw = format == MeshFormat::kObj
+                       ? slicing::ReadObjAsNumbered(file->bytes, limits::kMaxMeshCoordinateMm, {})
+                       : slicing::ReadMesh(file->bytes, format, limits::kMaxMeshCoordinateMm, {});
+  if (!raw.ok()) return InFile(path, raw.status());
+  return SurfaceOf(*raw);
 }
 
 /// The surface with a `vt` for each `v`.
