@@ -7,16 +7,20 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "common/model/limits.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
 #include "services/cli/models/given_models.h"
-#include "services/slicing/algo/mesh_io/indexed_weld.h"
 #include "services/slicing/algo/mesh_io/mesh_reader.h"
+#include "services/slicing/algo/mesh_io/obj_reader.h"
 #include "services/texture/algo/map/distortion.h"
 #include "services/texture/algo/map/flatten.h"
+#include "services/texture/algo/surface/cut_open.h"
+#include "services/texture/algo/surface/disk.h"
+#include "services/texture/algo/surface/seam.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -24,32 +28,45 @@ namespace {
 struct FlattenCommandOptions {
   std::string model;
   std::string output;
+  bool no_seam = false;
 };
 
-/// Vertices as an OBJ or PLY file numbers them; an STL file's corners are joined where they meet.
-absl::StatusOr<texture::SurfaceMesh> ReadSurface(const std::string& path) {
-  const auto file = ReadModelFile(path);
-  if (!file.ok()) return file.status();
-  auto raw = slicing::ReadMesh(file->bytes, file->format, limits::kMaxMeshCoordinateMm, {});
-  if (!raw.ok()) return InFile(path, raw.status());
-  if (file->format == MeshFormat::kStl) raw = slicing::Welded(*raw);
+texture::SurfaceMesh SurfaceOf(const slicing::RawMesh& raw) {
   texture::SurfaceMesh mesh;
-  for (const slicing::Position& p : raw->positions) mesh.points_mm.push_back({p.x, p.y, p.z});
-  for (const auto& [a, b, c] : raw->triangles)
+  for (const slicing::Position& p : raw.positions) mesh.points_mm.push_back({p.x, p.y, p.z});
+  for (const auto& [a, b, c] : raw.triangles)
     mesh.triangles.push_back(
         {static_cast<int32_t>(a), static_cast<int32_t>(b), static_cast<int32_t>(c)});
   return mesh;
 }
 
-/// The surface with a `vt` for each `v`.
-std::string MapText(const texture::SurfaceMesh& mesh, const texture::FlatMap& map) {
+/// An OBJ file's vertices keep their numbers, so that its other readers find their own again.
+absl::StatusOr<texture::SurfaceMesh> ReadSurface(const std::string& path) {
+  const auto file = ReadModelFile(path);
+  if (!file.ok()) return file.status();
+  const MeshFormat format =
+      file->format == MeshFormat::kUnknown ? slicing::DetectFormat(file->bytes) : file->format;
+  const auto raw = format == MeshFormat::kObj
+                       ? slicing::ReadObjAsNumbered(file->bytes, limits::kMaxMeshCoordinateMm, {})
+                       : slicing::ReadMesh(file->bytes, format, limits::kMaxMeshCoordinateMm, {});
+  if (!raw.ok()) return InFile(path, raw.status());
+  return SurfaceOf(*raw);
+}
+
+/// The surface as it was, with a `vt` for each vertex of the opened one.
+std::string MapText(const texture::SurfaceMesh& mesh, const texture::OpenedSurface& opened,
+                    const texture::FlatMap& map) {
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   for (const Eigen::Vector3d& p : mesh.points_mm)
     fmt::format_to(out, "v {} {} {}\n", p.x(), p.y(), p.z());
   for (const Eigen::Vector2d& p : map.points_mm) fmt::format_to(out, "vt {} {}\n", p.x(), p.y());
-  for (const auto& [a, b, c] : mesh.triangles)
-    fmt::format_to(out, "f {0}/{0} {1}/{1} {2}/{2}\n", a + 1, b + 1, c + 1);
+  for (const auto& triangle : opened.mesh.triangles) {
+    text.push_back('f');
+    for (const int32_t vertex : triangle)
+      fmt::format_to(out, " {}/{}", opened.vertex_of[vertex] + 1, vertex + 1);
+    text.push_back('\n');
+  }
   return fmt::to_string(text);
 }
 
@@ -69,17 +86,23 @@ ExitCode FlattenSurface(const FlattenCommandOptions& options) {
   const auto mesh = ReadSurface(options.model);
   if (!mesh.ok()) return Fail(mesh.status());
   const auto start = std::chrono::steady_clock::now();
-  const auto map = texture::Flatten(*mesh);
+  const auto topology = texture::TopologyOf(*mesh);
+  if (!topology.ok()) return Fail(InFile(options.model, topology.status()));
+  const std::vector<texture::SeamEdge> seam =
+      options.no_seam ? std::vector<texture::SeamEdge>() : texture::SeamOf(*mesh, *topology);
+  const texture::OpenedSurface opened = texture::CutOpen(*mesh, seam);
+  const auto map = texture::Flatten(opened.mesh);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!map.ok()) return Fail(InFile(options.model, map.status()));
-  const absl::Status written = WriteFile(options.output, MapText(*mesh, *map));
+  const absl::Status written = WriteFile(options.output, MapText(*mesh, opened, *map));
   if (!written.ok()) return Fail(written);
-  // Flatten proves that a map has neither, or fails.
+  // Flatten proves that a map has no flips and no crossings, or fails.
   Print(
-      fmt::format("faces {}\nflips 0\ncrossings 0\nenergy_mean_over_4 {:.6f}\nenergy_max {:.6f}\n"
-                  "seconds {:.6f}\n",
-                  mesh->triangles.size(), map->mean_energy, GreatestEnergy(*mesh, *map), seconds));
+      fmt::format("faces {}\nseam_edges {}\nflips 0\ncrossings 0\nenergy_mean_over_4 {:.6f}\n"
+                  "energy_max {:.6f}\nseconds {:.6f}\n",
+                  mesh->triangles.size(), seam.size(), map->mean_energy,
+                  GreatestEnergy(opened.mesh, *map), seconds));
   return ExitCode::kOk;
 }
 
@@ -89,17 +112,18 @@ void AddFlatten(CLI::App& app, CommandContext& context) {
   CLI::App* command =
       app.add_subcommand("flatten", "Lay a curved surface flat, one to one and little distorted");
   const auto options = std::make_shared<FlattenCommandOptions>();
-  command
-      ->add_option("MESH", options->model,
-                   "OBJ, PLY or STL, in mm: one part with a boundary, holes as it likes")
+  command->add_option("MESH", options->model, "OBJ, PLY or STL, in mm: one part, closed or not")
       ->required();
-  command
-      ->add_option("-o,--output", options->output, "The same surface as OBJ, with a vt for each v")
+  command->add_option("-o,--output", options->output, "The same surface as OBJ, with its map as vt")
       ->required()
       ->type_name("UV.obj");
+  command->add_flag("--no-seam", options->no_seam,
+                    "Refuse a surface that has to be cut: a closed one, or one with handles");
   command->footer(
       "No part of the map lies upon another. Distortion is the symmetric Dirichlet energy over 4,\n"
-      "by area: 1 of a surface that can be laid flat as it is.\n"
+      "by area: 1 of a surface that can be laid flat as it is. A closed surface is cut along a "
+      "short\n"
+      "seam, where a vertex has several vt.\n"
       "Example:\n"
       "  slicefarm flatten mask.obj -o mask_uv.obj");
   command->callback(

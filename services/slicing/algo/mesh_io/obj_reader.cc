@@ -60,7 +60,7 @@ class ObjParser {
   absl::StatusOr<RawMesh> Finish() && {
     if (highest_ > mesh_.positions.size())
       return IndexError(static_cast<int64_t>(highest_), highest_line_);
-    return Welded(mesh_);
+    return std::move(mesh_);
   }
 
  private:
@@ -165,8 +165,8 @@ bool LooksLikeObj(std::string_view bytes) {
   return false;
 }
 
-absl::StatusOr<RawMesh> ReadObj(std::string_view bytes, double coordinate_limit,
-                                const CancelToken& cancel) {
+absl::StatusOr<RawMesh> ReadObjAsNumbered(std::string_view bytes, double coordinate_limit,
+                                          const CancelToken& cancel) {
   ObjParser parser(bytes, coordinate_limit);
   for (int64_t line = 0;; ++line) {
     if (line % kLinesPerPoll == 0 && cancel.Cancelled()) return cancel.Check();
@@ -174,6 +174,13 @@ absl::StatusOr<RawMesh> ReadObj(std::string_view bytes, double coordinate_limit,
     if (!more.ok()) return more.status();
     if (!*more) return std::move(parser).Finish();
   }
+}
+
+absl::StatusOr<RawMesh> ReadObj(std::string_view bytes, double coordinate_limit,
+                                const CancelToken& cancel) {
+  const absl::StatusOr<RawMesh> mesh = ReadObjAsNumbered(bytes, coordinate_limit, cancel);
+  if (!mesh.ok()) return mesh.status();
+  return Welded(*mesh);
 }
 
 }  // namespace slicefarm::slicing

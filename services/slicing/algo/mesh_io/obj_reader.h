@@ -19,4 +19,9 @@ bool LooksLikeObj(std::string_view bytes);
 absl::StatusOr<RawMesh> ReadObj(std::string_view bytes, double coordinate_limit,
                                 const CancelToken& cancel);
 
+/// The same with the file's own vertices, by their numbers: those at one place stay apart, those
+/// that no face uses stay.
+absl::StatusOr<RawMesh> ReadObjAsNumbered(std::string_view bytes, double coordinate_limit,
+                                          const CancelToken& cancel);
+
 }  // namespace slicefarm::slicing

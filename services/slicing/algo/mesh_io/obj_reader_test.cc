@@ -119,6 +119,15 @@ TEST(Obj, LongestAllowedFaceFitsALine) {
   EXPECT_THAT(mesh->triangles, SizeIs(1022));
 }
 
+TEST(Obj, VerticesCanStayAsTheFileNumbersThem) {
+  const std::string text = "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 0 0\nv 0 1 0\nf 4 3 5\nf 2 3 5\n";
+  const auto mesh = ReadObjAsNumbered(text, kLimit, {});
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  EXPECT_THAT(mesh->positions, SizeIs(5));
+  EXPECT_THAT(mesh->triangles, ElementsAre(Face{3, 2, 4}, Face{1, 2, 4}));
+  EXPECT_THAT(ReadObj(text, kLimit, {})->positions, SizeIs(3));
+}
+
 TEST(Obj, CanBeCancelled) {
   const auto mesh = ReadObj(kSquare, kLimit, CancelToken([] { return true; }));
   EXPECT_EQ(mesh.status().code(), absl::StatusCode::kCancelled);

@@ -154,28 +154,38 @@ Counts CountsOf(const SurfaceMesh& mesh) {
 
 }  // namespace
 
-absl::StatusOr<std::vector<BoundaryLoop>> BoundaryOfDisk(const SurfaceMesh& mesh) {
+absl::StatusOr<SurfaceTopology> TopologyOf(const SurfaceMesh& mesh) {
   if (absl::Status status = CheckNumbers(mesh); !status.ok()) return status;
   const auto sides = SidesOf(mesh);
   if (!sides.ok()) return sides.status();
   if (const auto vertex = VertexOfSeveralFans(mesh); vertex.has_value())
     return Malformed(
         fmt::format("parts of the surface touch at the vertex {} only", PlaceOf(mesh, *vertex)));
-  std::vector<int32_t> next = NextOnBoundary(mesh.points_mm.size(), *sides);
   const Counts counts = CountsOf(mesh);
   if (counts.components != 1)
     return Malformed(
         fmt::format("the surface has {} parts that do not hang together", counts.components));
+  std::vector<int32_t> next = NextOnBoundary(mesh.points_mm.size(), *sides);
   const auto bounds = std::count_if(next.begin(), next.end(), [](int32_t to) { return to >= 0; });
-  std::vector<BoundaryLoop> loops = LoopsOf(mesh, std::move(next));
-  if (loops.empty()) return Malformed("the surface is closed: it has no boundary to be cut from");
+  SurfaceTopology topology;
+  topology.loops = LoopsOf(mesh, std::move(next));
   const auto triangles = static_cast<int64_t>(mesh.triangles.size());
   const int64_t edges = (3 * triangles + bounds) / 2;
   const int64_t euler = counts.vertices - edges + triangles;
-  const int64_t handles = (2 - static_cast<int64_t>(loops.size()) - euler) / 2;
-  if (handles != 0)
-    return Malformed(fmt::format("the surface has {} handles: it cannot be laid flat", handles));
-  return loops;
+  topology.handles = (2 - static_cast<int64_t>(topology.loops.size()) - euler) / 2;
+  return topology;
+}
+
+absl::StatusOr<std::vector<BoundaryLoop>> BoundaryOfDisk(const SurfaceMesh& mesh) {
+  auto topology = TopologyOf(mesh);
+  if (!topology.ok()) return topology.status();
+  if (topology->loops.empty())
+    return Malformed("the surface is closed: a seam has to be cut before it can be laid flat");
+  if (topology->handles != 0)
+    return Malformed(
+        fmt::format("the surface has handles ({}): seams have to be cut before it can be laid flat",
+                    topology->handles));
+  return std::move(topology->loops);
 }
 
 }  // namespace slicefarm::texture

@@ -35,18 +35,27 @@ SurfaceMesh Tetrahedron() {
 }
 
 SurfaceMesh TorusWithAHole() {
-  const int n = 8;
-  SurfaceMesh mesh = GridSurface(n, [](double x, double y) {
-    const double a = 2 * std::numbers::pi * x, b = 2 * std::numbers::pi * y;
-    return Eigen::Vector3d((3 + std::cos(b)) * std::cos(a), (3 + std::cos(b)) * std::sin(a),
-                           std::sin(b));
-  });
-  for (auto& triangle : mesh.triangles) {
-    for (int32_t& vertex : triangle)
-      vertex = (vertex / (n + 1)) % n * (n + 1) + vertex % (n + 1) % n;
-  }
+  SurfaceMesh mesh = Torus(8, 8, 3, 1);
   mesh.triangles.pop_back();
   return mesh;
+}
+
+TEST(TopologyOf, CountsHandlesAndLoops) {
+  const struct {
+    SurfaceMesh mesh;
+    int64_t handles = 0;
+    size_t loops = 0;
+  } cases[] = {{FlatSquare(3, 1), 0, 1},
+               {Sphere(4, 1), 0, 0},
+               {Torus(8, 6, 3, 1), 1, 0},
+               {TorusWithAHole(), 1, 1},
+               {DoubleTorus(), 2, 0}};
+  for (const auto& c : cases) {
+    const auto topology = TopologyOf(c.mesh);
+    ASSERT_TRUE(topology.ok()) << topology.status();
+    EXPECT_EQ(topology->handles, c.handles);
+    EXPECT_EQ(topology->loops.size(), c.loops);
+  }
 }
 
 TEST(BoundaryOfDisk, SaysWhatIsNoDiskAndWhere) {
@@ -78,7 +87,7 @@ TEST(BoundaryOfDisk, SaysWhatIsNoDiskAndWhere) {
        "touch at the vertex (1.000, 1.000, 0.000)"},
       {"two parts", apart, Reason::kMeshMalformed, "2 parts"},
       {"closed", Tetrahedron(), Reason::kMeshMalformed, "closed"},
-      {"handle", TorusWithAHole(), Reason::kMeshMalformed, "1 handles"},
+      {"handle", TorusWithAHole(), Reason::kMeshMalformed, "handles (1)"},
   };
   for (const auto& c : cases) {
     const auto loops = BoundaryOfDisk(c.mesh);

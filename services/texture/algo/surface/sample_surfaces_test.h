@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 
 #include "services/texture/algo/surface/surface_mesh.h"
@@ -57,6 +58,101 @@ inline SurfaceMesh Without(SurfaceMesh mesh,
   std::erase_if(mesh.triangles, [&](const auto& t) {
     return drop((mesh.points_mm[t[0]] + mesh.points_mm[t[1]] + mesh.points_mm[t[2]]) / 3);
   });
+  return mesh;
+}
+
+/// A cube's faces of n x n squares, blown up to a sphere: closed.
+inline SurfaceMesh Sphere(int n, double radius_mm) {
+  SurfaceMesh mesh;
+  std::map<std::array<int, 3>, int32_t> numbers;
+  const auto vertex = [&](std::array<int, 3> at) {
+    const auto [entry, is_new] =
+        numbers.try_emplace(at, static_cast<int32_t>(mesh.points_mm.size()));
+    if (is_new) {
+      const Eigen::Vector3d p =
+          2 * Eigen::Vector3d(at[0], at[1], at[2]) / n - Eigen::Vector3d::Ones();
+      mesh.points_mm.push_back(radius_mm * p.normalized());
+    }
+    return entry->second;
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int side : {0, n}) {
+      for (int u = 0; u < n; ++u) {
+        for (int v = 0; v < n; ++v) {
+          const auto at = [&](int du, int dv) {
+            std::array<int, 3> place;
+            place[axis] = side;
+            place[(axis + 1) % 3] = u + du;
+            place[(axis + 2) % 3] = v + dv;
+            return vertex(place);
+          };
+          std::array<int32_t, 4> square = {at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
+          if (side == 0) std::swap(square[1], square[3]);
+          mesh.triangles.push_back({square[0], square[1], square[2]});
+          mesh.triangles.push_back({square[0], square[2], square[3]});
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+/// A ring of radius `ring_mm` and a tube of radius `tube_mm`.
+inline SurfaceMesh Torus(int around, int across, double ring_mm, double tube_mm) {
+  SurfaceMesh mesh;
+  for (int i = 0; i < around; ++i) {
+    for (int k = 0; k < across; ++k) {
+      const double a = 2 * std::numbers::pi * i / around, b = 2 * std::numbers::pi * k / across;
+      const double out = ring_mm + tube_mm * std::cos(b);
+      mesh.points_mm.push_back({out * std::cos(a), out * std::sin(a), tube_mm * std::sin(b)});
+    }
+  }
+  const auto at = [=](int i, int k) { return i % around * across + k % across; };
+  for (int i = 0; i < around; ++i) {
+    for (int k = 0; k < across; ++k) {
+      mesh.triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+      mesh.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+    }
+  }
+  return mesh;
+}
+
+/// The surface of a plate of unit cubes, 5 x 3, with two of them missing: genus 2.
+inline SurfaceMesh DoubleTorus() {
+  const auto solid = [](int x, int y, int z) {
+    return x >= 0 && x < 5 && y >= 0 && y < 3 && z == 0 && !(y == 1 && (x == 1 || x == 3));
+  };
+  SurfaceMesh mesh;
+  std::map<std::array<int, 3>, int32_t> numbers;
+  const auto vertex = [&](std::array<int, 3> p) {
+    const auto [entry, is_new] =
+        numbers.try_emplace(p, static_cast<int32_t>(mesh.points_mm.size()));
+    if (is_new) mesh.points_mm.push_back(Eigen::Vector3d(p[0], p[1], p[2]));
+    return entry->second;
+  };
+  for (int x = 0; x < 5; ++x) {
+    for (int y = 0; y < 3; ++y) {
+      if (!solid(x, y, 0)) continue;
+      for (int axis = 0; axis < 3; ++axis) {
+        for (const int side : {0, 1}) {
+          std::array<int, 3> cube = {x, y, 0}, next = cube;
+          next[axis] += 2 * side - 1;
+          if (solid(next[0], next[1], next[2])) continue;
+          const auto at = [&](int du, int dv) {
+            std::array<int, 3> place = cube;
+            place[axis] += side;
+            place[(axis + 1) % 3] += du;
+            place[(axis + 2) % 3] += dv;
+            return vertex(place);
+          };
+          std::array<int32_t, 4> square = {at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
+          if (side == 0) std::swap(square[1], square[3]);
+          mesh.triangles.push_back({square[0], square[1], square[2]});
+          mesh.triangles.push_back({square[0], square[2], square[3]});
+        }
+      }
+    }
+  }
   return mesh;
 }
 
