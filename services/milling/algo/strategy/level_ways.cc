@@ -15,8 +15,6 @@ namespace {
 constexpr double kLeastRingNm = 10'000;
 /// Rings inside lose points on straight stretches, which each inset would multiply.
 constexpr Coord kRingChordNm = 2'000;
-/// Deeper than this, rings are not followed: no stock is so many stepovers wide.
-constexpr int kMostRings = 4'000;
 
 /// Whether an outline runs along the outside of the stock somewhere, not along the part only.
 bool ReachesOutside(const Polygon& outer, const MultiPolygon& reach) {

@@ -9,6 +9,9 @@
 
 namespace slicefarm::milling {
 
+/// Rings inside each other, at most: PrepareMilling refuses stock so wide.
+inline constexpr int kMostRings = 4'000;
+
 /// One connected part of a level's free area, and the ways of the tip in it.
 struct CutArea {
   PolygonWithHoles area;
