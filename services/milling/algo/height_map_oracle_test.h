@@ -10,12 +10,12 @@
 
 namespace slicefarm::milling {
 
-/// What a height map of 0.05 mm says of a program: the cutter is put down every 0.025 mm of each
+/// What a height map of 0.05 mm says of a program: the cutter is put down every 0.04 mm of each
 /// move. It shares nothing with the product but the cutter's outline.
 class HeightMapOracle {
  public:
   static constexpr double kPixel = 0.05;
-  static constexpr double kStep = 0.025;
+  static constexpr double kStep = 0.04;
   static constexpr double kTolerance = 0.03;  ///< of pixels and steps beside walls
 
   HeightMapOracle(const MillingJob& job, std::function<double(double, double)> part)

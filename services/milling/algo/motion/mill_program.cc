@@ -10,13 +10,14 @@ namespace {
 
 absl::StatusOr<int> CutLevels(const MillingJob& job, std::span<const MilledStep> levels,
                               MoveBuilder& moves, const CancelToken& cancel) {
-  WayCutter cutter(job.options, moves);
+  WayCutter cutter(job.options, moves, cancel);
   int cut = 0;
   for (const AreaPlace& place : CutOrder(levels)) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;
     const MilledStep& level = levels[place.level];
     cut += cutter.Cut(level.areas[place.area], level.step.at_mm, level.step.stage);
   }
+  if (absl::Status status = cancel.Check(); !status.ok()) return status;
   return cut;
 }
 
@@ -25,7 +26,7 @@ absl::StatusOr<int> CutLevels(const MillingJob& job, std::span<const MilledStep>
 absl::StatusOr<MillProgram> AssembleProgram(const MillingJob& job,
                                             std::span<const MilledStep> steps,
                                             const CancelToken& cancel) {
-  MoveBuilder moves(job);
+  MoveBuilder moves(job, cancel);
   MillProgram program{.moves = {}, .safe_z_mm = moves.safe_z_mm()};
   for (size_t first = 0, last = 0; first < steps.size(); first = last) {
     const MillingStage stage = steps[first].step.stage;

@@ -40,9 +40,9 @@ std::vector<PlaceUm> PlacesInUm(std::span<const Eigen::Vector2d> line_mm) {
 
 }  // namespace
 
-MoveBuilder::MoveBuilder(const MillingJob& job)
+MoveBuilder::MoveBuilder(const MillingJob& job, const CancelToken& cancel)
     : job_(job),
-      stock_(job, StockPixelMm(job)),
+      stock_(job, StockPixelMm(job), cancel),
       safe_z_mm_(WholeMicrometres(job.stock_box.max().z() + job.options.machining.safe_height_mm)),
       at_(0, 0, safe_z_mm_) {}
 

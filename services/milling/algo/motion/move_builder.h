@@ -13,7 +13,8 @@ namespace slicefarm::milling {
 /// at the safe height.
 class MoveBuilder {
  public:
-  explicit MoveBuilder(const MillingJob& job);
+  /// Once cancelled, a stock of its own is not read to its end: ask the token.
+  explicit MoveBuilder(const MillingJob& job, const CancelToken& cancel = {});
 
   void SetStage(MillingStage stage) { stage_ = stage; }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -17,26 +18,61 @@ constexpr double kRunTouchMm = 2e-3;
 constexpr double kMostLinkRows = 2.5;
 constexpr double kLinkStepShare = 0.2;
 
-bool RunMeetsStock(const RestRun& run, const MillingJob& job, const StockMap& stock) {
+/// A place of a run: one of its points, or one between them.
+struct RunPlace {
+  Eigen::Vector3d tip{0, 0, 0};
+  bool corner = false;
+  bool in_stock = false;
+};
+
+std::vector<RunPlace> PlacesOfRun(const RestRun& run, const MillingJob& job,
+                                  const StockMap& stock) {
   const double step = kRunAskShare * job.options.cutter.radius_mm();
+  std::vector<RunPlace> places = {{.tip = run[0], .corner = true}};
   for (size_t i = 0; i + 1 < run.size(); ++i) {
     const double steps = std::max(1.0, std::ceil((run[i + 1] - run[i]).norm() / step));
-    for (double k = 0; k <= steps; ++k) {
-      Eigen::Vector3d tip = run[i] + (run[i + 1] - run[i]) * (k / steps);
-      tip.z() += kRunTouchMm;
-      if (stock.Meets(tip, stock.pixel_mm())) return true;
-    }
+    for (double k = 1; k <= steps; ++k)
+      places.push_back({.tip = run[i] + (run[i + 1] - run[i]) * (k / steps), .corner = k == steps});
   }
-  return false;
+  // Not wider, as elsewhere: along a wall that has been finished each run would meet it.
+  const Eigen::Vector3d touch(0, 0, kRunTouchMm);
+  for (RunPlace& place : places) place.in_stock = stock.Meets(place.tip + touch, 0);
+  return places;
+}
+
+/// The parts of a run that meet stock, a place longer at both ends; parts nearer to each other than
+/// the cutter is wide are one.
+std::vector<RestRun> PartsInStock(const RestRun& run, const MillingJob& job,
+                                  const StockMap& stock) {
+  const std::vector<RunPlace> places = PlacesOfRun(run, job, stock);
+  const auto gap = static_cast<size_t>(2 / kRunAskShare);
+  std::vector<RestRun> parts;
+  for (size_t i = 0; i < places.size(); ++i) {
+    if (!places[i].in_stock) continue;
+    size_t last = i;
+    for (size_t k = i + 1; k < places.size() && k <= last + gap; ++k)
+      if (places[k].in_stock) last = k;
+    const size_t from = i > 0 ? i - 1 : 0, to = std::min(places.size() - 1, last + 1);
+    RestRun& part = parts.emplace_back();
+    for (size_t k = from; k <= to; ++k)
+      if (places[k].corner || k == from || k == to) part.push_back(places[k].tip);
+    i = to;
+  }
+  return parts;
 }
 
 /// Runs not cut yet, and which of their ends is nearest.
 class OpenRuns {
  public:
-  OpenRuns(std::span<const MilledStep> rows, const MillingJob& job, const StockMap& stock) {
-    for (const MilledStep& row : rows)
-      for (const RestRun& run : row.runs)
-        if (RunMeetsStock(run, job, stock)) runs_.push_back(&run);
+  OpenRuns(std::span<const MilledStep> rows, const MillingJob& job, const StockMap& stock,
+           const CancelToken& cancel) {
+    for (const MilledStep& row : rows) {
+      if (cancel.Cancelled()) return;
+      for (const RestRun& run : row.runs) {
+        std::vector<RestRun> parts = PartsInStock(run, job, stock);
+        std::move(parts.begin(), parts.end(), std::back_inserter(runs_));
+      }
+    }
   }
 
   bool empty() const { return runs_.empty(); }
@@ -49,7 +85,7 @@ class OpenRuns {
     double least = std::numeric_limits<double>::infinity();
     for (size_t i = 0; i < runs_.size(); ++i) {
       for (const bool back : {false, true}) {
-        const Eigen::Vector3d& end = back ? runs_[i]->back() : runs_[i]->front();
+        const Eigen::Vector3d& end = back ? runs_[i].back() : runs_[i].front();
         const double distance = (end.head<2>() - at).squaredNorm();
         if (distance < least) least = distance, nearest = i, turned = back;
       }
@@ -59,13 +95,13 @@ class OpenRuns {
 
  private:
   RestRun Take(size_t index, bool turned) {
-    RestRun run = *runs_[index];
+    RestRun run = std::move(runs_[index]);
     runs_.erase(runs_.begin() + static_cast<ptrdiff_t>(index));
     if (turned) std::reverse(run.begin(), run.end());
     return run;
   }
 
-  std::vector<const RestRun*> runs_;
+  std::vector<RestRun> runs_;
 };
 
 /// From the tip along the surface to a place, or empty where that is too far or a wall stands
@@ -98,7 +134,7 @@ absl::StatusOr<int> CutRest(const MillingJob& job, std::span<const MilledStep> r
                             MoveBuilder& moves, const CancelToken& cancel) {
   const MachiningOptions& how = job.options.machining;
   const DropCutter dropper(job.part, job.options.cutter);
-  OpenRuns open(rows, job, moves.stock());
+  OpenRuns open(rows, job, moves.stock(), cancel);
   int cut = 0;
   for (bool first = true; !open.empty(); first = false) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;
@@ -113,6 +149,7 @@ absl::StatusOr<int> CutRest(const MillingJob& job, std::span<const MilledStep> r
     for (const Eigen::Vector3d& p : run) moves.LineTo(p, how.feed_mm_min);
     ++cut;
   }
+  if (absl::Status status = cancel.Check(); !status.ok()) return status;
   return cut;
 }
 

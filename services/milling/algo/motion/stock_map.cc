@@ -25,7 +25,7 @@ double StockPixelMm(const MillingJob& job) {
                    std::sqrt(size.x() * size.y() / kMostPixels)});
 }
 
-StockMap::StockMap(const MillingJob& job, double pixel_mm)
+StockMap::StockMap(const MillingJob& job, double pixel_mm, const CancelToken& cancel)
     : cutter_(job.options.cutter),
       low_(job.stock_box.min().head<2>()),
       floor_mm_(job.floor_mm),
@@ -38,7 +38,7 @@ StockMap::StockMap(const MillingJob& job, double pixel_mm)
   if (job.stock_is_box) return;
   const Cutter needle = *Cutter::Cylinder(kNeedleMm);
   const DropCutter dropper(job.stock, needle);
-  for (int row = 0; row < rows_; ++row) {
+  for (int row = 0; row < rows_ && !cancel.Cancelled(); ++row) {
     for (int column = 0; column < columns_; ++column) {
       const auto drop = dropper.At(low_ + pixel_mm_ * Eigen::Vector2d(column + 0.5, row + 0.5));
       heights_[static_cast<size_t>(row) * columns_ + column] =

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/base/cancel_token.h"
 #include "services/milling/algo/cutter/cutter.h"
 #include "services/milling/algo/strategy/milling_job.h"
 
@@ -12,8 +13,9 @@ namespace slicefarm::milling {
 /// The stock that is left, as a map of heights at the middles of square pixels.
 class StockMap {
  public:
-  /// Cost: a drop of a needle for each pixel, of a stock that is no box.
-  StockMap(const MillingJob& job, double pixel_mm);
+  /// Cost: a drop of a needle for each pixel, of a stock that is no box; once cancelled, the rest
+  /// is left as high as the box: ask the token.
+  StockMap(const MillingJob& job, double pixel_mm, const CancelToken& cancel = {});
 
   /// Takes away what the cutter meets on a straight way of its tip. A way that slopes is taken in
   /// steps of 0.02 mm at their higher ends: rather too little goes.

@@ -136,6 +136,7 @@ int WayCutter::Cut(const CutArea& area, double z_mm, MillingStage stage) {
   int cut = 0;
   std::optional<ClosedWay> air;
   for (const Polygon& ring : area.ways) {
+    if (cancel_.Cancelled()) break;
     const ClosedWay way = ClosedWayOf(ring);
     if (!MeetsStock(way, z_mm)) {
       air = way;

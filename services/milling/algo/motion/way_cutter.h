@@ -17,9 +17,11 @@ namespace slicefarm::milling {
 /// and left by arcs where these are free.
 class WayCutter {
  public:
-  WayCutter(const MillingOptions& options, MoveBuilder& moves) : options_(options), moves_(moves) {}
+  WayCutter(const MillingOptions& options, MoveBuilder& moves, const CancelToken& cancel)
+      : options_(options), moves_(moves), cancel_(cancel) {}
 
-  /// `area` must outlive the next call. The result: how many ways were cut.
+  /// `area` must outlive the next call. The result: how many ways were cut. Once cancelled, none
+  /// is: ask the token.
   int Cut(const CutArea& area, double z_mm, MillingStage stage);
 
  private:
@@ -33,6 +35,7 @@ class WayCutter {
 
   const MillingOptions& options_;
   MoveBuilder& moves_;
+  const CancelToken& cancel_;
   const PolygonWithHoles* area_ = nullptr;  ///< of now
   const PolygonWithHoles* last_ = nullptr;  ///< the one in which the tip is
   std::optional<LeadArcs> leave_;           ///< by which the tip may leave the way that it cut

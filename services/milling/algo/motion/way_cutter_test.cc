@@ -12,6 +12,8 @@ Polygon SquareRing(double low, double high) {
   return {PointOf({low, low}), PointOf({high, low}), PointOf({high, high}), PointOf({low, high})};
 }
 
+const CancelToken kNever;
+
 /// Stock from -1 to 19 mm, 10 mm high, around a low plate.
 MillingJob PlateJob() {
   return JobOf(Pillars{.heights = {{9}}, .side = 18}.Mesh(), OptionsFor("cyl:4"));
@@ -25,7 +27,7 @@ size_t CountOf(const std::vector<MillMove>& moves, MoveKind kind) {
 TEST(WayCutter, EntersFromOutsideAndStaysDown) {
   const MillingJob job = PlateJob();
   MoveBuilder moves(job);
-  WayCutter cutter(job.options, moves);
+  WayCutter cutter(job.options, moves, kNever);
   const CutArea area{.area = {SquareRing(-3.5, 21.5), {}},
                      .ways = {SquareRing(-3.5, 21.5), SquareRing(-1.9, 19.9), SquareRing(0, 18)}};
   EXPECT_EQ(cutter.Cut(area, 9.5, MillingStage::kRoughing), 2);  // the first is in air
@@ -39,7 +41,7 @@ TEST(WayCutter, GoesDownIntoAPocketByAHelixOrAlongItsWay) {
     MillingJob job = PlateJob();
     job.options.machining.entry = entry;
     MoveBuilder moves(job);
-    WayCutter cutter(job.options, moves);
+    WayCutter cutter(job.options, moves, kNever);
     const CutArea area{.area = {SquareRing(4, 14), {}}, .ways = {SquareRing(7, 11)}};
     EXPECT_EQ(cutter.Cut(area, 9.2, MillingStage::kRoughing), 1);
     const std::vector<MillMove> made = moves.TakeMoves();
@@ -56,7 +58,7 @@ TEST(WayCutter, GoesDownIntoAPocketByAHelixOrAlongItsWay) {
 TEST(WayCutter, LeavesOutWhatIsCutAlready) {
   const MillingJob job = PlateJob();
   MoveBuilder moves(job);
-  WayCutter cutter(job.options, moves);
+  WayCutter cutter(job.options, moves, kNever);
   const CutArea wide{.area = {SquareRing(4, 14), {}},
                      .ways = {SquareRing(8, 10), SquareRing(6, 12), SquareRing(4, 14)}};
   const CutArea again{.area = {SquareRing(5, 13), {}}, .ways = {SquareRing(8, 10)}};
@@ -69,7 +71,7 @@ TEST(WayCutter, MeetsFinishingWaysByArcs) {
   MillingJob job = PlateJob();
   job.options.machining.lead_in_radius_mm = 0.5;
   MoveBuilder moves(job);
-  WayCutter cutter(job.options, moves);
+  WayCutter cutter(job.options, moves, kNever);
   const CutArea rough{.area = {SquareRing(4, 14), {}},
                       .ways = {SquareRing(8, 10), SquareRing(6, 12), SquareRing(4.2, 13.8)}};
   cutter.Cut(rough, 9.2, MillingStage::kRoughing);
@@ -82,7 +84,7 @@ TEST(WayCutter, MeetsFinishingWaysByArcs) {
   EXPECT_EQ(cutter.Cut(fine, 9.2, MillingStage::kFinishing), 1);
   EXPECT_EQ(CountOf(moves.TakeMoves(), MoveKind::kCounterClockwise), 0u);  // it is near: straight
   moves.Retract();
-  WayCutter other(job.options, moves);
+  WayCutter other(job.options, moves, kNever);
   Polygon deeper = ring;
   EXPECT_EQ(other.Cut({.area = fine.area, .ways = {deeper}}, 9.1, MillingStage::kFinishing), 1);
 }

@@ -15,8 +15,6 @@ namespace {
 constexpr double kLeastRingNm = 10'000;
 /// Rings inside lose points on straight stretches, which each inset would multiply.
 constexpr Coord kRingChordNm = 2'000;
-/// Deeper than this, rings are not followed: no stock is so many stepovers wide.
-constexpr int kMostRings = 4'000;
 
 /// Whether an outline runs along the outside of the stock somewhere, not along the part only.
 bool ReachesOutside(const Polygon& outer, const MultiPolygon& reach) {
@@ -32,12 +30,12 @@ bool ReachesOutside(const Polygon& outer, const MultiPolygon& reach) {
 /// last has its stock on the right; what is cut from the outside inwards has it on the left.
 class RingMaker {
  public:
-  RingMaker(Coord stepover_nm, bool from_outside)
-      : stepover_nm_(stepover_nm), from_outside_(from_outside) {}
+  RingMaker(Coord stepover_nm, bool from_outside, const CancelToken& cancel)
+      : stepover_nm_(stepover_nm), from_outside_(from_outside), cancel_(cancel) {}
 
   void Add(const PolygonWithHoles& area, std::vector<Polygon>& ways, int depth = 0) const {
     if (from_outside_) AddRing({area.outer.rbegin(), area.outer.rend()}, ways);
-    if (depth < kMostRings) {
+    if (depth < kMostRings && !cancel_.Cancelled()) {
       const OffsetOptions round{.join = Join::kRound};
       for (const PolygonWithHoles& inner :
            Simplify(Offset({area}, -stepover_nm_, round), kRingChordNm))
@@ -54,6 +52,7 @@ class RingMaker {
 
   Coord stepover_nm_;
   bool from_outside_;
+  const CancelToken& cancel_;
 };
 
 void Turn(std::vector<Polygon>& ways, CutDirection direction) {
@@ -63,7 +62,8 @@ void Turn(std::vector<Polygon>& ways, CutDirection direction) {
 
 }  // namespace
 
-std::vector<CutArea> RoughingWays(const FreeArea& level, const MillingOptions& options) {
+std::vector<CutArea> RoughingWays(const FreeArea& level, const MillingOptions& options,
+                                  const CancelToken& cancel) {
   MultiPolygon wide = level.free;
   if (const Coord half = FromMm(options.minimum_width_mm / 2); half > 0)
     wide = Intersection(OffsetTwice(wide, -half, half), level.free);
@@ -71,7 +71,7 @@ std::vector<CutArea> RoughingWays(const FreeArea& level, const MillingOptions& o
   for (PolygonWithHoles& area : wide) {
     CutArea cut{.area = std::move(area), .ways = {}};
     const RingMaker rings(FromMm(options.stepover_mm()),
-                          ReachesOutside(cut.area.outer, level.reach));
+                          ReachesOutside(cut.area.outer, level.reach), cancel);
     rings.Add(cut.area, cut.ways);
     Turn(cut.ways, options.machining.direction);
     areas.push_back(std::move(cut));

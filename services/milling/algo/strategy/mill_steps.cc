@@ -29,10 +29,10 @@ absl::Status MillLevels(const MillingJob& job, StageSteps steps, const CancelTok
       cancelled = true;
       return;
     }
-    steps[i].areas = roughing ? RoughingWays((*levels)[i], job.options)
+    steps[i].areas = roughing ? RoughingWays((*levels)[i], job.options, cancel)
                               : FinishingWays((*levels)[i], job.options);
   });
-  return cancelled ? cancel.Check() : absl::OkStatus();
+  return cancel.Check();
 }
 
 absl::Status MillRows(const MillingJob& job, StageSteps steps, const CancelToken& cancel) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "services/milling/algo/strategy/level_ways.h"
 
 namespace slicefarm::milling {
 namespace {
@@ -181,6 +182,14 @@ std::vector<double> LevelsOver(double top, double bottom, std::vector<double> wa
 /// More steps than a job may have are counted before they are laid out.
 absl::Status CheckStepCount(const MillingJob& job) {
   const MillingOptions& options = job.options;
+  const Eigen::Vector3d size = job.stock_box.sizes();
+  const double rings = (std::min(size.x(), size.y()) / 2 + options.cutter.radius_mm() +
+                        options.machining.clearance_mm) /
+                       options.stepover_mm();
+  if (rings >= kMostRings) {
+    return LimitError(Reason::kRequestTooLarge, "rings of a level", kMostRings,
+                      static_cast<int64_t>(std::min(rings, 1e15)));
+  }
   const double depth = job.stock_box.max().z() - job.floor_mm;
   double steps = depth / options.stepdown_mm;
   if (options.finishing) {

@@ -50,7 +50,7 @@ Eigen::AlignedBox2d RestBox(const MillingJob& job);
 /// for a part that reaches out of the stock, or a stock farther than 1.5 m from the origin;
 /// SETTING_OUT_OF_RANGE for a cutter wider than the stock, for a tool shorter than the stock is to
 /// be cut deep, for a bottom above the part or below the stock; REQUEST_TOO_LARGE for too many
-/// steps. Cost: O(n log n) for n triangles.
+/// steps, or rings of a level. Cost: O(n log n) for n triangles.
 absl::StatusOr<MillingJob> PrepareMilling(TriangleMesh part, std::optional<TriangleMesh> stock,
                                           const MillingOptions& options);
 

@@ -72,6 +72,10 @@ TEST(PrepareMilling, RefusesWhatIsNoWork) {
   many.finish_stepdown_mm = 0.001;
   many.finish_stepover_mm = 0.001;
   EXPECT_TRUE(PrepareMilling(part, std::nullopt, many).ok());
+  MillingOptions dense = OptionsFor("cyl:0.1");
+  dense.stepover_share = 0.01;
+  dense.finish_stepover_mm = 0.05;
+  EXPECT_EQ(ReasonOf(part, dense), Reason::kRequestTooLarge);
   TriangleMesh high = part;
   for (Eigen::Vector3d& p : high.points_mm) p *= 120;
   EXPECT_EQ(ReasonOf(high, many), Reason::kRequestTooLarge);
