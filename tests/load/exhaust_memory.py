@@ -14,8 +14,8 @@ from local_farm import MODELS, running_farm
 
 GCODE_MB = int(os.environ.get("SLICEFARM_EXHAUST_GCODE_MB", "1900"))
 LAYER_BYTES = 120_000
-# Corners of a wavy outline, height of a layer in mm, --memory in MiB of a coordinator that has twice as much.
-OUTLINES = {"large": (4_000, 0.05, 128), "huge": (15_000, 0.02, 2_048)}
+# Corners of a wavy outline, height of a layer in mm, --memory in MiB. A corner is two points of a layer until it is simplified.
+OUTLINES = {"large": (4_000, 0.05, 128), "huge": (7_500, 0.02, 1_024)}
 ORDINARY = 8
 
 
@@ -91,8 +91,8 @@ def outlines(directory, name, corners, layer_height, budget_mib):
         yield f"memory_{name}_outlines_untyped", [job["error"]["reason"] for job in failed] != ["REQUEST_TOO_LARGE"], 0
         yield f"memory_{name}_outlines_s", time.monotonic() - begun, None
         yield f"memory_{name}_ordinary_failed", ORDINARY - sum(job["state"] == "JOB_STATE_SUCCEEDED" for job in jobs), 0
-        for service in most:
-            yield f"memory_{name}_{service.service.name}_mib", service.stop(), 2 * budget_mib
+        for service, limit_mib in zip(most, (2 * budget_mib, 4_096)):
+            yield f"memory_{name}_{service.service.name}_mib", service.stop(), limit_mib
 
 
 def measure():
