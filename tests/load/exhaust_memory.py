@@ -1,5 +1,6 @@
-"""Jobs that want more memory than there is. A program of 2 GB goes through a coordinator that never has it all; a job whose
-outlines do not fit ends with a typed error, and the ordinary ones beside it with their G-code."""
+"""Jobs that want more memory than there is. A program of 2 GB goes through a coordinator that never has it all; jobs whose
+outlines do not fit, the larger one of 150 million points in a farm for services of 4 GiB, end with a typed error, and the ordinary
+ones beside them with their G-code."""
 import math
 import os
 import pathlib
@@ -13,7 +14,8 @@ from local_farm import MODELS, running_farm
 
 GCODE_MB = int(os.environ.get("SLICEFARM_EXHAUST_GCODE_MB", "1900"))
 LAYER_BYTES = 120_000
-BUDGET_MIB = 128
+# Corners of a wavy outline, height of a layer in mm, --memory in MiB. A corner is two points of a layer until it is simplified.
+OUTLINES = {"large": (4_000, 0.05, 128), "huge": (7_500, 0.02, 1_024)}
 ORDINARY = 8
 
 
@@ -75,22 +77,26 @@ def long_program(directory):
         yield "memory_long_program_coordinator_mib", most.stop(), 256
 
 
-def large_outlines(directory):
-    model = pathlib.Path(directory) / "wavy.stl"
-    prism(model, 4_000, 60, 200, wave_mm=0.2)
-    with running_farm(extra=["--memory", str(BUDGET_MIB), "--jobs", "4"]) as farm:
-        most = Most(farm.coordinators[0])
-        farm.submit(model, "--set", "layer_height=0.05", "--set", "resolution=0")
+def outlines(directory, name, corners, layer_height, budget_mib):
+    model = pathlib.Path(directory) / f"{name}.stl"
+    prism(model, corners, 60, 200, wave_mm=0.2)
+    with running_farm(extra=["--memory", str(budget_mib), "--jobs", "4"]) as farm:
+        most = [Most(service) for service in (farm.coordinators[0], farm.services[0])]
+        begun = time.monotonic()
+        farm.submit(model, "--set", f"layer_height={layer_height}", "--set", "resolution=0")
         for i in range(ORDINARY):
             farm.submit(MODELS / "textbox.stl", "--set", f"perimeters={i + 1}")
         jobs = farm.await_end(3600)
         failed = [job for job in jobs if job["state"] == "JOB_STATE_FAILED"]
-        yield "memory_large_outlines_untyped", [job["error"]["reason"] for job in failed] != ["REQUEST_TOO_LARGE"], 0
-        yield "memory_ordinary_failed", ORDINARY - sum(job["state"] == "JOB_STATE_SUCCEEDED" for job in jobs), 0
-        yield "memory_coordinator_mib", most.stop(), 2 * BUDGET_MIB
+        yield f"memory_{name}_outlines_untyped", [job["error"]["reason"] for job in failed] != ["REQUEST_TOO_LARGE"], 0
+        yield f"memory_{name}_outlines_s", time.monotonic() - begun, None
+        yield f"memory_{name}_ordinary_failed", ORDINARY - sum(job["state"] == "JOB_STATE_SUCCEEDED" for job in jobs), 0
+        for service, limit_mib in zip(most, (2 * budget_mib, 4_096)):
+            yield f"memory_{name}_{service.service.name}_mib", service.stop(), limit_mib
 
 
 def measure():
     with tempfile.TemporaryDirectory(prefix="slicefarm-exhaust-") as directory:
-        yield from large_outlines(directory)
+        for name, sizes in OUTLINES.items():
+            yield from outlines(directory, name, *sizes)
         yield from long_program(directory)

@@ -1,5 +1,7 @@
-"""Requests that ask for more than they look like, at the limit and beyond, one at a time: what the coordinator takes of CPU and
-memory for each, and whether a typed error or a job comes of it. Needs protoc, and curl with HTTP/2."""
+"""Requests that ask for more than they look like, at the limit and beyond: what the coordinator takes of CPU and memory for each, and whether
+a typed error or a job comes of it; then sixteen of each at once, and the most that any service has in memory then. Needs protoc,
+and curl with HTTP/2."""
+import concurrent.futures
 import hashlib
 import pathlib
 import re
@@ -13,6 +15,8 @@ PROTO = ROOT / "proto"
 MODEL = MODELS / "textbox.stl"
 # What a refusal may take.
 CPU_S, MEMORY_MIB = 0.2, 64
+AT_ONCE = 16
+SERVICE_MIB = 4096
 
 
 def setting(key, value):
@@ -77,12 +81,26 @@ class Coordinator:
         status = re.search(r"^grpc-status: (\d+)", done.stdout, re.MULTILINE | re.IGNORECASE)
         return (int(status[1]) if status else -1), len(encoded)
 
-    def most_mib(self):
-        found = re.search(r"^VmHWM:\s+(\d+)", self.service.proc("status"), re.MULTILINE)
-        return int(found[1]) / 1024
 
-    def forget_most(self):
-        pathlib.Path(f"/proc/{self.service.process.pid}/clear_refs").write_text("5")
+def most_mib(service):
+    found = re.search(r"^VmHWM:\s+(\d+)", service.proc("status"), re.MULTILINE)
+    return int(found[1]) / 1024
+
+
+def forget_most(service):
+    pathlib.Path(f"/proc/{service.process.pid}/clear_refs").write_text("5")
+
+
+def at_once(farm, coordinator, name, method, text):
+    for service in farm.services:
+        forget_most(service)
+    with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as calls:
+        statuses = [call.result()[0] for call in [calls.submit(coordinator.call, method, text) for _ in range(AT_ONCE)]]
+    farm.await_end()
+    # 3: INVALID_ARGUMENT; 8: RESOURCE_EXHAUSTED
+    yield f"request_{name}_at_once_untyped", sum(status not in (0, 3, 8) for status in statuses), 0
+    for service in (farm.coordinators[0], farm.services[0]):
+        yield f"request_{name}_at_once_{service.name}_mib", most_mib(service), SERVICE_MIB
 
 
 def measure():
@@ -92,14 +110,15 @@ def measure():
         farm.await_end()
         coordinator = Coordinator(farm.coordinators[0])
         for name, method, text in cases(digest):
-            coordinator.forget_most()
+            forget_most(farm.coordinators[0])
             memory, cpu = farm.coordinators[0].rss_mib(), farm.coordinators[0].cpu_s()
             status, size = coordinator.call(method, text)
             refused = status == 3  # INVALID_ARGUMENT
             yield f"request_{name}_kib", size / 1024, None
             yield f"request_{name}_untyped", status not in (0, 3), 0
             yield f"request_{name}_cpu_s", farm.coordinators[0].cpu_s() - cpu, CPU_S if refused else None
-            yield f"request_{name}_mib", coordinator.most_mib() - memory, MEMORY_MIB if refused else None
+            yield f"request_{name}_mib", most_mib(farm.coordinators[0]) - memory, MEMORY_MIB if refused else None
             farm.await_end()
+            yield from at_once(farm, coordinator, name, method, text)
         farm.submit(MODEL, "--set", "perimeters=3")
         yield "request_jobs_that_fail_after", sum(job["state"] != "JOB_STATE_SUCCEEDED" for job in farm.await_end()[-1:]), 0
