@@ -147,7 +147,9 @@ int RestAlong::RestOf(Point point, Coord width_nm) {
   if (point != at_ || width_nm != width_nm_) {
     at_ = point;
     width_nm_ = width_nm;
-    rest_ = below_.RestOf(point, width_nm);
+    // What lies within the outlines rests by half at least, however near to their edge.
+    const bool is_enough = steps_ == RestSteps::kAirAlone && below_.Covers(point);
+    rest_ = is_enough ? kFullRest : below_.RestOf(point, width_nm);
   }
   return rest_;
 }

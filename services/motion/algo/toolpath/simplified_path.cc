@@ -57,8 +57,9 @@ struct Node {
   double along = 0;  ///< length from the start, um
   double area = 0;   ///< width times length, from the start
   /// Where a bead may end instead, outside of the curve: beads that run on either side of it are
-  /// longer. The same as `place` at corners and ends.
+  /// longer. The same as `place` at corners and ends, and where none could be longer.
   UmVector outside;
+  bool stays = true;  ///< no bead passes it
 };
 
 /// Nodes of a path, its start once more at the end of a closed one.
@@ -66,7 +67,12 @@ std::vector<Node> NodesOf(const Path& path) {
   const auto node_at = [&](size_t i, Coord width_nm, double along, double area) {
     const Point point = path.points[i];
     const UmVector place = {static_cast<double>(ToUm(point.x)), static_cast<double>(ToUm(point.y))};
-    return Node{point, place, width_nm, along, area, place};
+    return Node{.point = point,
+                .place = place,
+                .width_nm = width_nm,
+                .along = along,
+                .area = area,
+                .outside = place};
   };
   const size_t count = path.points.size();
   std::vector<Node> nodes = {node_at(0, 0, 0, 0)};
@@ -86,11 +92,25 @@ std::vector<Node> NodesOf(const Path& path) {
   return nodes;
 }
 
+/// Says which nodes no bead passes: a node and those on both sides of it lie in no strip that is
+/// twice the tolerance wide. Most of solid infill are such nodes.
+void FindStays(double tolerance_um, std::vector<Node>& nodes) {
+  for (size_t i = 1; i + 1 < nodes.size(); ++i) {
+    const UmVector in = nodes[i].place - nodes[i - 1].place;
+    const UmVector out = nodes[i + 1].place - nodes[i].place;
+    const UmVector across = nodes[i + 1].place - nodes[i - 1].place;
+    const double longest = std::max({Dot(in, in), Dot(out, out), Dot(across, across)});
+    const double turn = Cross(in, out);
+    nodes[i].stays = turn * turn > 4 * tolerance_um * tolerance_um * longest;
+  }
+}
+
 /// Says where beads may end outside of curves.
 void FindOutsides(double tolerance_um, std::vector<Node>& nodes) {
   const double away = tolerance_um - kWholeUm;
   if (away <= 0) return;
   for (size_t i = 1; i + 1 < nodes.size(); ++i) {
+    if (nodes[i - 1].stays && nodes[i + 1].stays) continue;
     const UmVector in = nodes[i].place - nodes[i - 1].place;
     const UmVector out = nodes[i + 1].place - nodes[i].place;
     const double in_length = Length(in), out_length = Length(out), turn = Cross(in, out);
@@ -284,7 +304,7 @@ class FewestBeads {
         Improve({i, false}, from, next ? 0 : reach.DeviationTo(nodes_[i].place));
       if (beads <= ways_[i][1].beads && nodes_[i].outside != nodes_[i].place)
         Improve({i, true}, from, reach.DeviationTo(nodes_[i].outside));
-      if (!reach.Pass(nodes_[i].place)) return;
+      if (nodes_[i].stays || !reach.Pass(nodes_[i].place)) return;
     }
   }
 
@@ -407,6 +427,7 @@ SimplifiedPath Simplified(const Path& path, const SimplifyOptions& options) {
   const Tolerance tolerance{static_cast<double>(options.tolerance_nm) / kNmPerUm - kSlackUm,
                             options.width_share};
   if (nodes.size() < 3 || tolerance.place_um <= 0) return Whole(path, options.keep_arcs);
+  FindStays(tolerance.place_um, nodes);
   FindOutsides(tolerance.place_um, nodes);
   const std::vector<Stop> stops =
       StopsOf(nodes, options.keep_arcs ? ArcsOf(nodes) : std::vector<NodeArc>{}, tolerance);
