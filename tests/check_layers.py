@@ -20,7 +20,7 @@ LAYERS = [
     ("gcode", r"common/gcode/", {"base", "gcode"}, f"{WIRE}|{GRPC}"),
     ("geometry", r"common/geometry/", {"base", "geometry"}, f"{WIRE}|{GRPC}"),
     ("model", r"common/model/", PURE, f"{WIRE}|{GRPC}"),
-    ("macro", r"common/macro/", {"base", "model", "macro"}, f"{WIRE}|{GRPC}"),
+    ("macro", r"common/macro/", {"base", "geometry", "model", "macro"}, f"{WIRE}|{GRPC}"),
     ("config", r"common/config/", PURE | {"config", "stage", "macro"}, f"{WIRE}|{GRPC}"),
     ("stage", r"common/stage/", PURE | {"stage"}, f"{WIRE}|{GRPC}"),
     ("wire", r"common/wire/", PURE | {"stage", "wire"}, r"\.grpc\.pb\.h$|^grpc"),

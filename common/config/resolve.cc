@@ -19,6 +19,7 @@
 #include "common/config/table/setting_limits.h"
 #include "common/config/table/settings_table.h"
 #include "common/macro/job_code.h"
+#include "common/macro/laser_code.h"
 #include "common/model/bead_section.h"
 #include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
@@ -261,6 +262,10 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
   if (process == Process::kFdm)
     if (absl::Status ok = macro::CheckJobCode(motion, result.effective_text); !ok.ok())
       return NamingOwnGcode(ok, draft);
+  if (process == Process::kLaser) {
+    const ExposureOutput& output = result.settings.exposure.output;
+    if (absl::Status ok = macro::CheckLaserCode(output, result.effective_text); !ok.ok()) return ok;
+  }
   if (absl::Status ok = TakeLayerSettings(result.effective_text, motion); !ok.ok()) return ok;
   return result;
 }

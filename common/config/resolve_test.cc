@@ -902,9 +902,17 @@ TEST(ResolveLaser, TellsWhatTheFileCannotSay) {
       {{{"upskin_power", "100"}}, {"upskin_power = 100: needs upskin_layers of more than 0"}},
       {{{"scan_strategy", "rings"}, {"skywriting", "0.1"}},
        {"skywriting = 0.1: needs scan_strategy = stripes, islands or hatch"}},
-      {{{"laser_spot", "0.1"}},
-       {"laser_spot = 0.1: needs output_format = svg, or rings with ring_corners = 1"}},
-      {{{"scan_strategy", "rings"}, {"laser_spot", "0.1"}}, {}},
+      {{{"layer_gcode", "M100"}}, {"layer_gcode = M100: needs output_format = grbl or marlin"}},
+      {{{"gas_flow", "90"}},
+       {"gas_flow = 90: needs gas_window of more than 0, or jump_order = against_gas"}},
+      {{{"gas_flow", "90"}, {"jump_order", "against_gas"}}, {}},
+      {{{"scan_strategy", "rings"}, {"gas_window", "9"}},
+       {"gas_window = 9: needs scan_strategy = stripes, islands or hatch"}},
+      {{{"upskin_distance", "0.1"}}, {"upskin_distance = 0.1: needs upskin_layers of more than 0"}},
+      {{{"contours", "0"}, {"contour_start", "rear"}},
+       {"contour_start = rear: needs contours of more than 0"}},
+      {{{"contour_run", "0.1"}, {"z_compensation_layers", "2"}, {"recoating_time", "7"}}, {}},
+      {{{"laser_spot", "0.1"}, {"contours", "0"}}, {}},  // what it leaves open is reported
       {{{"output_format", "grbl"},
         {"hatch_focus", "1"},
         {"jump_delay", "100"},
@@ -929,6 +937,11 @@ TEST(ResolveLaser, RefusesWhatCannotBeScanned) {
   const Case kCases[] = {{"stripe_width", {{"stripe_width", "0.3"}, {"hatch_distance", "0.4"}}},
                          {"island_width", {{"island_width", "0.3"}, {"hatch_distance", "0.4"}}},
                          {"ring_overlap", {{"ring_overlap", "0.1"}}},
+                         {"island_width", {{"upskin_distance", "6"}, {"stripe_width", "7"}}},
+                         {"ring_overlap", {{"downskin_distance", "0.01"}}},
+                         {"upskin_distance", {{"upskin_distance", "0.0005"}}},
+                         {"gas_window", {{"gas_window", "46"}}},
+                         {"gas_window", {{"gas_window", "23"}, {"scan_strategy", "islands"}}},
                          {"upskin_power", {{"upskin_power", "500"}, {"output_format", "grbl"}}}};
   for (const auto& [setting, given] : kCases) {
     const ErrorDetail detail = DetailOf(OfLaser(given).status());
@@ -936,6 +949,26 @@ TEST(ResolveLaser, RefusesWhatCannotBeScanned) {
     EXPECT_EQ(detail.metadata.at("setting"), setting);
   }
   EXPECT_TRUE(OfLaser({{"upskin_power", "500"}, {"output_format", "cli"}}).ok());
+}
+
+TEST(ResolveLaser, TemplatesAreCheckedBeforeAnyWork) {
+  const auto fine = OfLaser({{"output_format", "grbl"},
+                             {"start_gcode", "; [model_name]\\nG28"},
+                             {"layer_gcode", "M100 Z{layer_z} P[recoating_time]"},
+                             {"recoating_time", "9"}});
+  ASSERT_TRUE(fine.ok()) << fine.status();
+  EXPECT_EQ(fine->settings.exposure.output.start_gcode, "; [model_name]\nG28");
+  EXPECT_EQ(fine->settings.exposure.output.recoat_s, 9);
+  EXPECT_THAT(fine->no_effect, IsEmpty());
+  for (const char* key : {"start_gcode", "before_layer_gcode", "layer_gcode", "end_gcode"}) {
+    const ErrorDetail detail =
+        DetailOf(OfLaser({{key, "G4\\n[extruded_volume]"}, {"output_format", "marlin"}}).status());
+    EXPECT_EQ(detail.reason, Reason::kSettingMalformed);
+    EXPECT_EQ(detail.metadata.at("setting"), key);
+    EXPECT_EQ(detail.metadata.at("line"), "2");
+  }
+  // A profile's own, for a file that has no place for it.
+  EXPECT_TRUE(OfLaser({{"start_gcode", "[extruded_volume]"}}, Source::kProfile).ok());
 }
 
 TEST(ResolveLaser, RefusesStripesThatDoNotGetOn) {

@@ -41,6 +41,8 @@ JobSettings Settings() {
   settings.ordering.walls = {{}, {true, false}};
   settings.motion = Motion();
   settings.exposure.regions.resize(2);
+  for (ExposureOptions& region : settings.exposure.regions)
+    region.upskin_distance_nm = region.downskin_distance_nm = 90'000;
   return settings;
 }
 
@@ -157,7 +159,7 @@ TEST(StartWire, ExposureReturns) {
   ExposeStart start;
   auto& [call, settings, range, copies] = start;
   call = Call();
-  settings.regions = {{}, {}};
+  settings = Settings().exposure;
   settings.regions[1].spot_nm = 7;
   settings.output.layer = 3;
   range = kRange;

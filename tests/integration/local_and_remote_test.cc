@@ -321,7 +321,13 @@ TEST_F(LaserLocalAndRemote, RangesElsewhereGiveWhatTheWholeGivesHere) {
 }
 
 TEST_F(LaserLocalAndRemote, FramesAreTheSame) {
-  const ExposureSummary summary{LayerCount(), {{0, 0}, {9, 9}}, 0, 7, {"textbox"}};
+  ExposureSummary summary;
+  for (const SlicedLayer& layer : job_.layers) summary.layers.push_back(layer.frame);
+  summary.bounds = {{0, 0}, {9, 9}};
+  summary.object_names = {"textbox"};
+  summary.settings_text = "recoating_time = 3\n";
+  settings_.exposure.output.format = OutputFormat::kMarlin;
+  settings_.exposure.output.layer_gcode = "M100 L{layer_num} P[recoating_time]";
   const auto here = exposure_->Envelope(call_, summary, settings_.exposure);
   const auto there = remote_.exposure.Envelope(call_, summary, settings_.exposure);
   ASSERT_TRUE(here.ok()) << here.status();
@@ -364,8 +370,7 @@ TEST_F(OneAfterTheOther, ThePlanIsTheSameHereAndThere) {
 TEST_F(OneAfterTheOther, TheNamesOfWhatCollidesAreTheSameHereAndThere) {
   job_.copies[1] = job_.copies[0];
   const absl::Status here = planning_->Plan(call_, Outlines(), settings_.planning).status();
-  const absl::Status there =
-      remote_.planning.Plan(call_, Outlines(), settings_.planning).status();
+  const absl::Status there = remote_.planning.Plan(call_, Outlines(), settings_.planning).status();
   EXPECT_EQ(DetailOf(here).reason, Reason::kObjectsCollide) << here;
   EXPECT_EQ(DetailOf(here).metadata.at("first"), job_.object_names[0] + " (copy 1)");
   EXPECT_EQ(DetailOf(there).reason, Reason::kObjectsCollide) << there;

@@ -13,8 +13,8 @@
 #include "common/base/error.h"
 #include "common/rpc/event_test.h"
 #include "common/rpc/status_mapping.h"
-#include "slicefarm/v1/beading.grpc.pb.h"
 #include "common/stage/memory_budget.h"
+#include "slicefarm/v1/beading.grpc.pb.h"
 #include "tests/integration/fake_stages.h"
 #include "tests/integration/remote_clients.h"
 #include "tests/integration/stage_host.h"
@@ -116,8 +116,7 @@ TEST(RemoteStages, OutlinesAndPlansAreHeldInTheJobsMemory) {
     ASSERT_TRUE(share.ok());
     StageCall call = NewCall();
     call.memory = share->get();
-    absl::Status status =
-        farm.slicing.Slice(call, sample.input, sample.settings.slicing).status();
+    absl::Status status = farm.slicing.Slice(call, sample.input, sample.settings.slicing).status();
     EXPECT_EQ(status.ok(), limit >= outlines) << status;
     if (status.ok()) {
       EXPECT_EQ(budget.used(), outlines);
@@ -145,9 +144,8 @@ TEST(RemoteStages, BeadingGivesAndTakesAll) {
 TEST(RemoteStages, InfillGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto filled =
-      farm.infill.Fill(NewCall(), sample.walled, TheNeighbourhood(), sample.plans,
-                       sample.settings.infill);
+  const auto filled = farm.infill.Fill(NewCall(), sample.walled, TheNeighbourhood(), sample.plans,
+                                       sample.settings.infill);
   ASSERT_TRUE(filled.ok()) << filled.status();
   EXPECT_EQ(*filled, sample.filled);
   EXPECT_EQ(farm.fakes.range, Sample::kRange);
@@ -244,8 +242,7 @@ INSTANTIATE_TEST_SUITE_P(
                 }},
         AnyCall{"Bead",
                 [](const Farm& farm, const StageCall& call) {
-                  return farm.beading
-                      .Bead(call, TheNeighbourhood(), TheSample().settings.beading)
+                  return farm.beading.Bead(call, TheNeighbourhood(), TheSample().settings.beading)
                       .status();
                 }},
         AnyCall{"Fill",
@@ -303,7 +300,7 @@ TEST(RemoteStages, ExposureGivesAndTakesAll) {
   EXPECT_EQ(farm.fakes.layers, sample.outlines);
   EXPECT_EQ(farm.fakes.copies, sample.plan.copies);
   EXPECT_EQ(farm.fakes.exposure, sample.settings.exposure);
-  const ExposureSummary summary{7, {{1, 2}, {3, 4}}, 5, 6, {"a"}};
+  const ExposureSummary summary{{{0, 5, 5}}, {{1, 2}, {3, 4}}, {"a"}, 6, "contours = 1\n"};
   const auto frame = farm.exposure.Envelope(NewCall(), summary, sample.settings.exposure);
   ASSERT_TRUE(frame.ok()) << frame.status();
   EXPECT_EQ(frame->header, "header");

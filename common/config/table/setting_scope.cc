@@ -59,11 +59,14 @@ constexpr std::string_view kOfRegions[] = {
     "contour_point_distance",
     "contour_point_time",
     "contour_power",
+    "contour_run",
     "contour_speed",
+    "contour_start",
     "contours",
     "contours_first",
     "decompose_method",
     "density_field",
+    "downskin_distance",
     "downskin_focus",
     "downskin_frequency",
     "downskin_layers",
@@ -90,6 +93,7 @@ constexpr std::string_view kOfRegions[] = {
     "gap_fill_max_width",
     "gap_fill_min_width",
     "gap_fill_speed",
+    "gas_window",
     "hatch_angle",
     "hatch_distance",
     "hatch_focus",
@@ -176,6 +180,7 @@ constexpr std::string_view kOfRegions[] = {
     "top_solid_infill_speed",
     "top_solid_layers",
     "top_solid_min_thickness",
+    "upskin_distance",
     "upskin_focus",
     "upskin_frequency",
     "upskin_layers",
@@ -184,6 +189,7 @@ constexpr std::string_view kOfRegions[] = {
     "upskin_point_time",
     "upskin_power",
     "upskin_speed",
+    "z_compensation_layers",
 };
 
 }  // namespace

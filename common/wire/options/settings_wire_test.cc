@@ -763,6 +763,9 @@ TEST(SettingsWire, EveryFieldChangedAloneReturns) {
   // The next value of 100 % would be refused.
   defaults.motion.cooling.max_fan_percent = 50;
   defaults.motion.cooling.bridge_fan_percent = 50;
+  // The next value of 0, which stands for hatch_distance, would be refused.
+  defaults.exposure.regions[0].upskin_distance_nm = 90'000;
+  defaults.exposure.regions[0].downskin_distance_nm = 90'000;
   int fields = 0;
   ForEachChangedField(Proto(defaults), [&](const std::string& path, const Message& message) {
     SCOPED_TRACE(path);

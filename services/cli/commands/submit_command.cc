@@ -292,6 +292,7 @@ ExitCode Submit(const SubmitOptions& options, Interrupt& interrupt) {
   const auto created = Create(options, client, bar);
   bar.Clear();
   if (!created.ok()) return Fail(created.status());
+  Warn(WaitsOf(*created));
   if (!options.check && !options.detach) return FetchAll(options, *created, client, interrupt);
   for (const v1::Job& job : *created) {
     if (options.check) PrintPreflight(job);

@@ -10,6 +10,7 @@
 #include "services/coordinator/algo/pipeline/exposure_estimate.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
 #include "services/coordinator/algo/pipeline/pass_facts.h"
+#include "services/coordinator/algo/pipeline/scan_runs.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -29,8 +30,11 @@ absl::StatusOr<PrintEstimate> EstimateOf(const StageCall& call, SlicedJob sliced
                                          const PlanningStage& planning, const Sampling* sampling,
                                          Preflight& found) {
   const JobSettings& settings = input.settings;
-  if (settings.process == Process::kLaser)
-    return EstimateExposure({sliced.layers, sliced.copies}, settings.exposure);
+  if (settings.process == Process::kLaser) {
+    const SlicedOutlines outlines = {sliced.layers, sliced.copies};
+    if (absl::Status fits = CheckRuns(settings, outlines); !fits.ok()) return fits;
+    return EstimateExposure(outlines, settings.exposure);
+  }
   const bool samples = sampling != nullptr && sampling->executor.Slots(Process::kFdm) > 0;
   if (!samples && !settings.planning.sequence.complete_objects)
     return EstimatePrint({sliced.layers, sliced.copies}, settings);

@@ -46,12 +46,9 @@ OrderedJson Features(const ProgramStats& stats) {
 }
 
 OrderedJson ToJson(const StageTimes& times) {
-  return {{"slicing", times.slicing_s},
-          {"planning", times.planning_s},
-          {"beading", times.beading_s},
-          {"infill", times.infill_s},
-          {"ordering", times.ordering_s},
-          {"motion", times.motion_s},
+  return {{"slicing", times.slicing_s},   {"planning", times.planning_s},
+          {"beading", times.beading_s},   {"infill", times.infill_s},
+          {"ordering", times.ordering_s}, {"motion", times.motion_s},
           {"exposure", times.exposure_s}};
 }
 
@@ -61,8 +58,11 @@ OrderedJson Exposure(const ExposureReport& report) {
     const KindExposure& kind = report.kinds[static_cast<size_t>(i)];
     if (kind.lines == 0) continue;
     kinds[std::string(ExposureKindName(static_cast<ExposureKind>(i)))] = {
-        {"vectors", kind.vectors}, {"lines", kind.lines},     {"length_mm", kind.length_mm},
-        {"time_s", kind.time_s},   {"energy_j", kind.energy_j}};
+        {"vectors", kind.vectors},
+        {"lines", kind.lines},
+        {"length_mm", kind.length_mm},
+        {"time_s", kind.time_s},
+        {"energy_j", kind.energy_j}};
   }
   const KindExposure total = report.Total();
   return {{"time_s", report.TimeS()},
@@ -121,9 +121,9 @@ OrderedJson Travel(const JobReport& report) {
 
 /// Parts of print_time_s, beside those that `features` and `travel` tell, and all of it by layer.
 OrderedJson Times(const PrintTimes& times) {
-  return {{"custom_gcode_s", times.custom_s}, {"dwell_s", times.dwell_s},
-          {"heating_s", times.heating_s},     {"homings", times.homings},
-          {"heat_waits", times.heat_waits},   {"tool_changes", times.tool_changes},
+  return {{"custom_gcode_s", times.custom_s},  {"dwell_s", times.dwell_s},
+          {"heating_s", times.heating_s},      {"homings", times.homings},
+          {"heat_waits", times.heat_waits},    {"tool_changes", times.tool_changes},
           {"before_layers_s", times.before_s}, {"layers_s", times.layer_s},
           {"after_layers_s", times.after_s}};
 }
@@ -170,6 +170,7 @@ std::string ReportJson(const JobReport& report, const ReportContext& context) {
   json["print_time"] = DurationText(report.print_time_s);
   if (report.exposure) {
     json["exposure"] = Exposure(*report.exposure);
+    json["exposure"]["recoating_s"] = report.recoating_s;
     json["exposure"]["layers_s"] = report.times.layer_s;
   } else {
     AddFdm(report, json);

@@ -30,9 +30,10 @@ struct JobReport {
   int32_t layer_count = 0;
   double object_height_mm = 0;
   double print_time_s = 0;
-  PrintTimes times;       ///< of FDM: what print_time_s is spent on
-  double travel_mm = 0;   ///< between layers included
-  std::string file_name;  ///< of FDM: what the settings call the file
+  PrintTimes times;        ///< of FDM: what print_time_s is spent on
+  double recoating_s = 0;  ///< of lasers: of print_time_s
+  double travel_mm = 0;    ///< between layers included
+  std::string file_name;   ///< of FDM: what the settings call the file
   FilamentUse filament;
   std::vector<FillUse> fills;              ///< of all copies, one a kind: see AddUse
   SeamQuality seams;                       ///< of loops of objects, whatever their copies

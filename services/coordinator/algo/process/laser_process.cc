@@ -14,6 +14,7 @@
 #include "services/coordinator/algo/pipeline/check_printable.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
 #include "services/coordinator/algo/pipeline/range_split.h"
+#include "services/coordinator/algo/pipeline/scan_runs.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -28,28 +29,6 @@ absl::Status CheckLayer(const ExposureOutput& output, size_t layers) {
        {"value", absl::StrCat(output.layer)},
        {"min", "0"},
        {"max", absl::StrCat(layers - 1)}});
-}
-
-/// Runs before and after lines, with the laser off, stay on the bed if all that is exposed lies as
-/// far from its edge as they are long.
-absl::Status CheckRuns(const JobSettings& settings, const Box& exposed) {
-  Coord run_nm = 0;
-  for (const ExposureOptions& region : settings.exposure.regions)
-    if (!IsRings(region.strategy)) run_nm = std::max(run_nm, region.skywriting_nm);
-  if (run_nm == 0 || exposed.Empty()) return absl::OkStatus();
-  const Box around = exposed.Grown(run_nm);
-  const Polygon& bed = settings.slicing.bed;
-  const Polygon corners = {
-      around.min, {around.max.x, around.min.y}, around.max, {around.min.x, around.max.y}};
-  const bool fits = std::ranges::all_of(
-      corners, [&](Point corner) { return Locate(corner, bed) != Side::kOutside; });
-  if (fits) return absl::OkStatus();
-  const double run_mm = ToMm(static_cast<double>(run_nm));
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
-                   absl::StrCat("skywriting = ", run_mm,
-                                " mm takes the scanner off the bed: what "
-                                "is exposed must lie that far from its edge"),
-                   {{"setting", "skywriting"}, {"value", absl::StrCat(run_mm)}});
 }
 
 /// A layer's part of the file, whose text is in a spool.
@@ -71,10 +50,11 @@ absl::Status CheckPrograms(const std::vector<SpooledExposure>& programs, size_t 
 
 class LaserJob : public PlannedJob {
  public:
-  LaserJob(const ExposureStage& exposure, JobSettings settings, JobReport report, SlicedJob sliced,
-           std::unique_ptr<SpoolFile> spool)
+  LaserJob(const ExposureStage& exposure, JobSettings settings, std::string settings_text,
+           JobReport report, SlicedJob sliced, std::unique_ptr<SpoolFile> spool)
       : exposure_(exposure),
         settings_(std::move(settings)),
+        settings_text_(std::move(settings_text)),
         report_(std::move(report)),
         layers_(std::move(sliced.layers)),
         object_names_(std::move(sliced.object_names)),
@@ -125,13 +105,18 @@ class LaserJob : public PlannedJob {
     if (absl::Status fits = CheckRuns(settings_, summary.bounds); !fits.ok()) return fits;
     if (report_.exposure->Total().lines == 0)
       return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-                       "the outlines of all layers are too thin: beam_compensation leaves nothing "
-                       "of them, and thin_wall_exposure no line");
+                       "the outlines of all layers are too thin: beam_compensation and "
+                       "z_compensation_layers leave nothing of them, and thin_wall_exposure no "
+                       "line");
     auto frame = Timed(report_.stage_times.exposure_s, [&] {
       const ScopedSpan span(call.spans, "frame");
       return exposure_.Envelope(call, summary, settings_.exposure);
     });
     if (!frame.ok()) return frame.status();
+    if (!frame->layer_heads.empty() && frame->layer_heads.size() != programs.size())
+      return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                       absl::StrCat(frame->layer_heads.size(), " heads of ", programs.size(),
+                                    " layers came back"));
     const ScopedSpan span(call.spans, "assembly");
     return JobOutput{WholeFile(*std::move(frame), programs), std::move(report_)};
   }
@@ -146,30 +131,39 @@ class LaserJob : public PlannedJob {
   /// Sums up the layers, in their order.
   ExposureSummary FillIn(const std::vector<SpooledExposure>& programs) {
     ExposureReport& sum = report_.exposure.emplace();
+    const double recoat_s = settings_.exposure.output.recoat_s;
+    ExposureSummary summary;
     for (const SpooledExposure& spooled : programs) {
       sum.Add(spooled.program.report);
-      report_.times.layer_s.push_back(spooled.program.report.TimeS());
+      report_.times.layer_s.push_back(recoat_s + spooled.program.report.TimeS());
+      summary.layers.push_back(spooled.program.frame);
     }
-    const LayerFrame& first = programs.front().program.frame;
-    const LayerFrame& last = programs.back().program.frame;
     report_.layer_count = static_cast<int32_t>(programs.size());
-    report_.print_time_s = sum.TimeS();
+    report_.recoating_s = recoat_s * report_.layer_count;
+    report_.print_time_s = report_.recoating_s + sum.TimeS();
     report_.travel_mm = sum.jump_mm;
-    report_.object_height_mm = ToMm(static_cast<double>(last.print_z_nm));
-    return {report_.layer_count, sum.bounds, first.print_z_nm - first.height_nm, last.print_z_nm,
-            object_names_};
+    report_.object_height_mm = ToMm(static_cast<double>(summary.layers.back().print_z_nm));
+    summary.bounds = sum.bounds;
+    summary.object_names = object_names_;
+    summary.time_s = report_.print_time_s;
+    summary.settings_text = settings_text_;
+    return summary;
   }
 
   SpooledText WholeFile(ExposureEnvelope frame, const std::vector<SpooledExposure>& programs) {
     SpooledText file(std::move(spool_));
     file.Add(std::move(frame.header));
-    for (const SpooledExposure& spooled : programs) file.Add(spooled.text);
+    for (size_t i = 0; i < programs.size(); ++i) {
+      if (!frame.layer_heads.empty()) file.Add(std::move(frame.layer_heads[i]));
+      file.Add(programs[i].text);
+    }
     file.Add(std::move(frame.footer));
     return file;
   }
 
   const ExposureStage& exposure_;
   const JobSettings settings_;
+  const std::string settings_text_;
   JobReport report_;
   const std::vector<SlicedLayer> layers_;
   const std::vector<std::string> object_names_;
@@ -198,7 +192,8 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> LaserProcess::Plan(const StageCall& 
     std::ranges::move(MeshWarnings(mesh), std::back_inserter(report.warnings));
   auto spool = SpoolFile::Make(spool_directory_);
   if (!spool.ok()) return spool.status();
-  return std::make_unique<LaserJob>(exposure_, std::move(input.settings), std::move(report),
+  return std::make_unique<LaserJob>(exposure_, std::move(input.settings),
+                                    std::move(input.settings_text), std::move(report),
                                     *std::move(sliced), *std::move(spool));
 }
 
