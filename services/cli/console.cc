@@ -41,6 +41,9 @@ std::string Advice(const absl::Status& status) {
                  : "";
     case Reason::kMeshFormatUnknown:
       return "give an STL (binary or ASCII), OBJ, PLY or 3MF file";
+    case Reason::kMeshEmpty:
+      return "is a model in the file? What a slicer exports sliced (.gcode.3mf) may hold G-code "
+             "alone";
     case Reason::kMeshTruncated:
       return "the file was cut off: export or download it again";
     case Reason::kOutOfRange:

@@ -1,5 +1,7 @@
 #include "common/config/projects/orca_settings.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -122,9 +124,35 @@ class OrcaReader {
     if (advance != by_key_.end() && IsOn("enable_pressure_advance"))
       if (const auto first = FirstOf(advance->second->value); first && !first->empty())
         Set("pressure_advance", *first, advance->second->source);
+    TakeAuxiliaryFan();
   }
 
  private:
+  /// The fan beside the bed, of machines that have one: off on the first layers, then at one speed.
+  /// PrusaSlicer knows none, so the G-code of layers and of the end says it.
+  /// Source: the G-code of OrcaSlicer 2.3 and Bambu Studio 2.
+  void TakeAuxiliaryFan() {
+    const auto fan = by_key_.find("additional_cooling_fan_speed");
+    if (fan == by_key_.end()) return;
+    known_.insert("additional_cooling_fan_speed");
+    if (by_key_.contains("auxiliary_fan")) known_.insert("auxiliary_fan");
+    const double percent = NumberOf("additional_cooling_fan_speed", filament_).value_or(0);
+    if (!IsOn("auxiliary_fan") || !(percent > 0)) return;
+    const double off = NumberOf("close_fan_the_first_x_layers", filament_).value_or(0);
+    const Source source = fan->second->source;
+    const std::string on = fmt::format("{{if layer_num=={}}}M106 P2 S{}\\n{{endif}}",
+                                       std::max(0, static_cast<int>(off)),
+                                       static_cast<int>(255 * std::min(percent, 100.0) / 100));
+    Set("layer_gcode", on + Given("layer_gcode"), source);
+    Set("end_gcode", "M106 P2 S0\\n" + Given("end_gcode"), source);
+  }
+
+  /// What was set before.
+  std::string Given(std::string_view key) const {
+    const auto found = index_.find(key);
+    return found == index_.end() ? "" : settings_[found->second].value;
+  }
+
   /// The kind of lift that counts: the filament's own, or the machine's.
   std::string LiftType() const {
     for (const std::string_view key : {"filament_z_hop_types", "z_hop_types"}) {

@@ -41,7 +41,6 @@ constexpr Weighty kWeighty[] = {
     // Temperatures, fans, the machine.
     {"activate_chamber_temp_control", "0"},
     {"activate_air_filtration", "0"},
-    {"additional_cooling_fan_speed", "0"},
     {"slow_down_layers", "0"},
     {"resonance_avoidance", "0"},
     {"bed_exclude_area", "0x0|0,0"},
