@@ -23,6 +23,9 @@ LAYERS = [
     ("macro", r"common/macro/", {"base", "model", "macro"}, f"{WIRE}|{GRPC}"),
     ("config", r"common/config/", PURE | {"config", "stage", "macro"}, f"{WIRE}|{GRPC}"),
     ("stage", r"common/stage/", PURE | {"stage"}, f"{WIRE}|{GRPC}"),
+    ("settings", r"processes/(?:\w+/settings|list/settings)", PURE | {"config", "macro", "settings"}, f"{WIRE}|{GRPC}"),
+    ("task", r"processes/(?:\w+/task|list/task)", PURE | {"stage", "task"}, f"{WIRE}|{GRPC}"),
+    ("job", r"processes/(?:\w+/job|list/job)", PURE | {"stage", "task", "algo", "job"}, f"{WIRE}|{GRPC}"),
     ("wire", r"common/wire/", PURE | {"stage", "wire"}, r"\.grpc\.pb\.h$|^grpc"),
     ("rpc", r"common/rpc/", PURE | {"rpc"}, r"slicefarm/v1/(?!error_details).*\.pb\.h$"),
     ("algo", r"services/(\w+)/algo/", PURE | {"algo", "stage", "macro"}, f"{WIRE}|{GRPC}"),
@@ -116,7 +119,7 @@ def check(root, file):
 
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
-    files = [f for d in ("common", "services") for e in ("h", "cc") for f in sorted((root / d).rglob(f"*.{e}"))]
+    files = [f for d in ("common", "processes", "services") for e in ("h", "cc") for f in sorted((root / d).rglob(f"*.{e}"))]
     if not files:
         print(f"no sources under {root}")
         return 1

@@ -11,14 +11,14 @@
 
 #include "absl/strings/escaping.h"
 #include "common/base/error.h"
-#include "common/config/plate_tool.h"
 #include "common/config/resolved_bytes.h"
-#include "common/config/table/adhesion_rows.h"
 #include "common/config/table/known_keys.h"
-#include "common/config/table/region_table.h"
 #include "common/config/table/setting_scope.h"
 #include "common/config/table/settings_table.h"
 #include "common/stage/copy_groups.h"
+#include "processes/fdm/settings/adhesion_rows.h"
+#include "processes/fdm/settings/plate_tool.h"
+#include "processes/fdm/settings/region_table.h"
 
 namespace slicefarm::config {
 namespace {
@@ -350,8 +350,8 @@ void Add(ObjectResolver::Result object, ResolvedPlate& plate) {
 /// How far an object's brim stands out from it. That of auto_brim is not known before its shape is.
 Coord BrimReach(const ObjectPlanOptions& object) {
   const BrimOptions& brim = object.brim;
-  const bool outside = brim.type == BrimType::kOuterOnly ||
-                       brim.type == BrimType::kOuterAndInner || brim.type == BrimType::kEars;
+  const bool outside = brim.type == BrimType::kOuterOnly || brim.type == BrimType::kOuterAndInner ||
+                       brim.type == BrimType::kEars;
   if (!outside || brim.automatic.on || object.raft.heights.layers > 0 || brim.width_nm <= 0)
     return 0;
   return brim.separation_nm + brim.width_nm;

@@ -10,11 +10,7 @@
 
 #include "common/base/error.h"
 #include "common/base/text.h"
-#include "common/config/check_settings.h"
-#include "common/config/derive.h"
 #include "common/config/draft.h"
-#include "common/config/filament_gcode.h"
-#include "common/config/needs.h"
 #include "common/config/setting_reader.h"
 #include "common/config/table/setting_limits.h"
 #include "common/config/table/settings_table.h"
@@ -22,6 +18,10 @@
 #include "common/model/bead_section.h"
 #include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
+#include "processes/fdm/settings/check_settings.h"
+#include "processes/fdm/settings/derive.h"
+#include "processes/fdm/settings/filament_gcode.h"
+#include "processes/fdm/settings/needs.h"
 
 namespace slicefarm::config {
 namespace {

@@ -2,13 +2,13 @@
 
 #include <memory>
 
-#include "common/stage/laser_chain.h"
-#include "common/stage/layer_chain.h"
 #include "common/stage/stages.h"
+#include "processes/fdm/job/fdm_process.h"
+#include "processes/fdm/task/layer_chain.h"
+#include "processes/laser/job/laser_process.h"
+#include "processes/laser/task/laser_chain.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
-#include "services/coordinator/algo/process/fdm_process.h"
-#include "services/coordinator/algo/process/laser_process.h"
 
 namespace slicefarm::cli {
 

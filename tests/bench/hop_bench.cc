@@ -11,12 +11,12 @@
 
 #include "common/rpc/security/identity.h"
 #include "common/rpc/security/tls.h"
-#include "common/stage/layer_chain.h"
 #include "common/stage/object_layers.h"
 #include "common/stage/slice_input_test.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/layers/program_wire.h"
+#include "processes/fdm/task/layer_chain.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/coordinator/algo/pipeline/range_split.h"
 #include "services/infill/algo/local_infill_stage.h"
@@ -123,14 +123,12 @@ class CannedStages : public BeadingStage,
     return Part(job_.walled, n.range);
   }
   absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall&, std::vector<WalledLayer>,
-                                                const Neighbourhood& n,
-                                                std::span<const LayerPlan>,
+                                                const Neighbourhood& n, std::span<const LayerPlan>,
                                                 std::span<const InfillOptions>) const override {
     return Part(job_.filled, n.range);
   }
   absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall&, std::vector<FilledLayer> layers,
-                                                  std::span<const LayerPlan>,
-                                                  std::span<const Copy>,
+                                                  std::span<const LayerPlan>, std::span<const Copy>,
                                                   const OrderingOptions&) const override {
     return Part(job_.ordered, RangeOf(layers));
   }

@@ -1,9 +1,9 @@
-#include "common/stage/laser_chain.h"
-#include "common/stage/layer_chain.h"
 #include "common/wire/layers/fill_use_wire.h"
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
+#include "processes/fdm/task/layer_chain.h"
+#include "processes/laser/task/laser_chain.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/exposure/algo/local_exposure_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
@@ -38,9 +38,8 @@ void Run(const WorkCall& given) {
         .IgnoreError();
     return;
   }
-  const auto result =
-      chain.Run(start->call, {start->range, *layers, start->plans, start->copies, &start->facts,
-                              &start->settings});
+  const auto result = chain.Run(start->call, {start->range, *layers, start->plans, start->copies,
+                                              &start->facts, &start->settings});
   if (!result.ok()) return;
   for (const LayerProgram& program : result->programs) {
     CheckGcode(program.gcode);

@@ -5,11 +5,11 @@
 
 #include "common/base/error.h"
 #include "common/rpc/client/duplex_call.h"
-#include "common/stage/laser_chain.h"
-#include "common/stage/layer_chain.h"
 #include "common/stage/object_layers.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/start_wire.h"
+#include "processes/fdm/task/layer_chain.h"
+#include "processes/laser/task/laser_chain.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/exposure/algo/local_exposure_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
@@ -364,8 +364,7 @@ TEST_F(OneAfterTheOther, ThePlanIsTheSameHereAndThere) {
 TEST_F(OneAfterTheOther, TheNamesOfWhatCollidesAreTheSameHereAndThere) {
   job_.copies[1] = job_.copies[0];
   const absl::Status here = planning_->Plan(call_, Outlines(), settings_.planning).status();
-  const absl::Status there =
-      remote_.planning.Plan(call_, Outlines(), settings_.planning).status();
+  const absl::Status there = remote_.planning.Plan(call_, Outlines(), settings_.planning).status();
   EXPECT_EQ(DetailOf(here).reason, Reason::kObjectsCollide) << here;
   EXPECT_EQ(DetailOf(here).metadata.at("first"), job_.object_names[0] + " (copy 1)");
   EXPECT_EQ(DetailOf(there).reason, Reason::kObjectsCollide) << there;

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "common/stage/slice_input_test.h"
+#include "processes/fdm/job/fdm_process.h"
 #include "services/cli/local_pipeline.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
-#include "services/coordinator/algo/process/fdm_process.h"
 #include "tests/corpus_file.h"
 
 namespace slicefarm {

@@ -1,4 +1,4 @@
-#include "common/config/table/settings_sections.h"
+#include "processes/fdm/settings/table/settings_sections.h"
 
 namespace slicefarm::config {
 

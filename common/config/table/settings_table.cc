@@ -12,13 +12,13 @@
 #include "common/base/error.h"
 #include "common/base/text.h"
 #include "common/config/table/setting_scope.h"
-#include "common/config/table/settings_sections.h"
 #include "common/gcode/substitutions.h"
 #include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
 #include "common/model/options/fill_angles.h"
 #include "common/model/options/flow_table.h"
 #include "common/model/options/height_code.h"
+#include "processes/fdm/settings/table/settings_sections.h"
 
 namespace slicefarm::config {
 namespace {

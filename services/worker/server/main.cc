@@ -5,8 +5,8 @@
 
 #include "common/rpc/server/serve.h"
 #include "common/rpc/server/stage_command_line.h"
-#include "common/stage/laser_chain.h"
-#include "common/stage/layer_chain.h"
+#include "processes/fdm/task/layer_chain.h"
+#include "processes/laser/task/laser_chain.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/exposure/algo/local_exposure_stage.h"
 #include "services/infill/algo/local_infill_stage.h"

@@ -6,7 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "services/coordinator/algo/dispatch/task_executor.h"
-#include "services/coordinator/algo/process/job_process.h"
+#include "services/coordinator/algo/pipeline/job_process.h"
 
 namespace slicefarm::coordinator {
 

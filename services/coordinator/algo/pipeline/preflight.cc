@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "common/geometry/measure.h"
-#include "services/coordinator/algo/pipeline/bed_warnings.h"
+#include "processes/fdm/job/bed_warnings.h"
+#include "processes/fdm/job/pass_facts.h"
+#include "processes/laser/job/exposure_estimate.h"
 #include "services/coordinator/algo/pipeline/check_printable.h"
-#include "services/coordinator/algo/pipeline/exposure_estimate.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
-#include "services/coordinator/algo/pipeline/pass_facts.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "absl/status/statusor.h"
 #include "common/stage/stages.h"
-#include "services/coordinator/algo/pipeline/print_estimate.h"
-#include "services/coordinator/algo/process/fdm_process.h"
+#include "processes/fdm/job/fdm_process.h"
+#include "processes/fdm/job/print_estimate.h"
 
 namespace slicefarm::coordinator {
 

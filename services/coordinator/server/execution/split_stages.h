@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "common/stage/laser_chain.h"
-#include "common/stage/layer_chain.h"
+#include "processes/fdm/task/layer_chain.h"
+#include "processes/laser/task/laser_chain.h"
 #include "services/coordinator/algo/dispatch/runner_set.h"
 #include "services/coordinator/remote/remote_stages.h"
 #include "services/coordinator/remote/stage_pool.h"
@@ -32,8 +32,8 @@ class SplitStages {
               const std::function<StagePoolOptions(const std::string& stage)>& options,
               StagePool& motion, StagePool* exposure, const rpc::JsonLog& log);
 
-  /// The chain of each process as two runners of `slots` ranges at a time together, at least one each; they can be
-  /// reached when all stages can. The object must outlive the runners' calls.
+  /// The chain of each process as two runners of `slots` ranges at a time together, at least one
+  /// each; they can be reached when all stages can. The object must outlive the runners' calls.
   std::vector<Runner> AsRunners(int slots);
 
   /// The stages besides motion, by name.

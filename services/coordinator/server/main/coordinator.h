@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "common/stage/memory_budget.h"
-#include "services/coordinator/algo/process/fdm_process.h"
-#include "services/coordinator/algo/process/laser_process.h"
+#include "processes/fdm/job/fdm_process.h"
+#include "processes/laser/job/laser_process.h"
 #include "services/coordinator/server/api/jobs_service.h"
 #include "services/coordinator/server/api/meshes_service.h"
 #include "services/coordinator/server/api/profiles_service.h"

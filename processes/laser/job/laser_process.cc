@@ -1,0 +1,205 @@
+#include "processes/laser/job/laser_process.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/base/error.h"
+#include "common/base/span_log.h"
+#include "common/base/stopwatch.h"
+#include "common/geometry/measure.h"
+#include "common/stage/job_memory.h"
+#include "common/stage/object_layers.h"
+#include "services/coordinator/algo/pipeline/check_printable.h"
+#include "services/coordinator/algo/pipeline/mesh_warnings.h"
+#include "services/coordinator/algo/pipeline/range_split.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+absl::Status CheckLayer(const ExposureOutput& output, size_t layers) {
+  if (output.format != OutputFormat::kDxf || static_cast<size_t>(output.layer) < layers)
+    return absl::OkStatus();
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+      absl::StrCat("output_layer = ", output.layer, ": the part has layers 0 to ", layers - 1),
+      {{"setting", "output_layer"},
+       {"value", absl::StrCat(output.layer)},
+       {"min", "0"},
+       {"max", absl::StrCat(layers - 1)}});
+}
+
+/// Runs before and after lines, with the laser off, stay on the bed if all that is exposed lies as
+/// far from its edge as they are long.
+absl::Status CheckRuns(const JobSettings& settings, const Box& exposed) {
+  Coord run_nm = 0;
+  for (const ExposureOptions& region : settings.exposure.regions)
+    if (!IsRings(region.strategy)) run_nm = std::max(run_nm, region.skywriting_nm);
+  if (run_nm == 0 || exposed.Empty()) return absl::OkStatus();
+  const Box around = exposed.Grown(run_nm);
+  const Polygon& bed = settings.slicing.bed;
+  const Polygon corners = {
+      around.min, {around.max.x, around.min.y}, around.max, {around.min.x, around.max.y}};
+  const bool fits = std::ranges::all_of(
+      corners, [&](Point corner) { return Locate(corner, bed) != Side::kOutside; });
+  if (fits) return absl::OkStatus();
+  const double run_mm = ToMm(static_cast<double>(run_nm));
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
+                   absl::StrCat("skywriting = ", run_mm,
+                                " mm takes the scanner off the bed: what "
+                                "is exposed must lie that far from its edge"),
+                   {{"setting", "skywriting"}, {"value", absl::StrCat(run_mm)}});
+}
+
+/// A layer's part of the file, whose text is in a spool.
+struct SpooledExposure {
+  ExposedProgram program;  ///< without its text
+  SpoolFile::Place text;
+};
+
+absl::Status CheckPrograms(const std::vector<SpooledExposure>& programs, size_t layers) {
+  for (size_t i = 0; i < programs.size(); ++i)
+    if (programs[i].program.frame.index != static_cast<int32_t>(i))
+      return MakeError(
+          absl::StatusCode::kInternal, Reason::kInternal,
+          absl::StrCat("layer ", i, " came back as ", programs[i].program.frame.index));
+  if (programs.size() == layers) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                   absl::StrCat(programs.size(), " of ", layers, " layers came back"));
+}
+
+class LaserJob : public PlannedJob {
+ public:
+  LaserJob(const ExposureStage& exposure, JobSettings settings, JobReport report, SlicedJob sliced,
+           std::unique_ptr<SpoolFile> spool)
+      : exposure_(exposure),
+        settings_(std::move(settings)),
+        report_(std::move(report)),
+        layers_(std::move(sliced.layers)),
+        object_names_(std::move(sliced.object_names)),
+        spool_(std::move(spool)) {
+    for (const PlacedCopy& copy : sliced.copies) copies_.push_back({copy.object, copy.shift, 0});
+  }
+
+  int32_t LayerCount() const override { return static_cast<int32_t>(layers_.size()); }
+
+  absl::StatusOr<std::vector<Task>> Tasks(int slots) override {
+    const std::span<const SlicedLayer> layers = layers_;
+    const int32_t halo = HaloLayers(settings_);
+    const auto ranges = SplitIntoRanges(layers, slots);
+    if (absl::Status fits = CheckNeighbourhoods(layers, ranges, halo); !fits.ok()) return fits;
+    std::vector<Task> tasks;
+    for (const LayerRange& range : ranges) {
+      const LayerRange grown = WithHalo(layers, range, halo);
+      tasks.push_back(LaserTask{.range = range,
+                                .layers = layers.subspan(static_cast<size_t>(grown.first),
+                                                         static_cast<size_t>(grown.size())),
+                                .copies = copies_,
+                                .settings = &settings_});
+    }
+    ranges_.resize(tasks.size());
+    return tasks;
+  }
+
+  absl::Status Take(size_t task, TaskResult result) override {
+    auto& made = std::get<LaserResult>(result);
+    ranges_[task].times = made.times;
+    for (ExposedProgram& program : made.programs) {
+      const auto place = spool_->Add(program.text);
+      if (!place.ok()) return place.status();
+      std::string().swap(program.text);
+      ranges_[task].programs.push_back({std::move(program), *place});
+    }
+    return absl::OkStatus();
+  }
+
+  absl::StatusOr<JobOutput> Assemble(const StageCall& call) override {
+    std::vector<SpooledExposure> programs;
+    for (Range& range : ranges_) {
+      report_.stage_times.Add(range.times);
+      std::ranges::move(range.programs, std::back_inserter(programs));
+    }
+    if (absl::Status whole = CheckPrograms(programs, layers_.size()); !whole.ok()) return whole;
+    const ExposureSummary summary = FillIn(programs);
+    if (absl::Status fits = CheckRuns(settings_, summary.bounds); !fits.ok()) return fits;
+    if (report_.exposure->Total().lines == 0)
+      return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
+                       "the outlines of all layers are too thin: beam_compensation leaves nothing "
+                       "of them, and thin_wall_exposure no line");
+    auto frame = Timed(report_.stage_times.exposure_s, [&] {
+      const ScopedSpan span(call.spans, "frame");
+      return exposure_.Envelope(call, summary, settings_.exposure);
+    });
+    if (!frame.ok()) return frame.status();
+    const ScopedSpan span(call.spans, "assembly");
+    return JobOutput{WholeFile(*std::move(frame), programs), std::move(report_)};
+  }
+
+ private:
+  /// What a task came to.
+  struct Range {
+    std::vector<SpooledExposure> programs;
+    StageTimes times;
+  };
+
+  /// Sums up the layers, in their order.
+  ExposureSummary FillIn(const std::vector<SpooledExposure>& programs) {
+    ExposureReport& sum = report_.exposure.emplace();
+    for (const SpooledExposure& spooled : programs) {
+      sum.Add(spooled.program.report);
+      report_.times.layer_s.push_back(spooled.program.report.TimeS());
+    }
+    const LayerFrame& first = programs.front().program.frame;
+    const LayerFrame& last = programs.back().program.frame;
+    report_.layer_count = static_cast<int32_t>(programs.size());
+    report_.print_time_s = sum.TimeS();
+    report_.travel_mm = sum.jump_mm;
+    report_.object_height_mm = ToMm(static_cast<double>(last.print_z_nm));
+    return {report_.layer_count, sum.bounds, first.print_z_nm - first.height_nm, last.print_z_nm,
+            object_names_};
+  }
+
+  SpooledText WholeFile(ExposureEnvelope frame, const std::vector<SpooledExposure>& programs) {
+    SpooledText file(std::move(spool_));
+    file.Add(std::move(frame.header));
+    for (const SpooledExposure& spooled : programs) file.Add(spooled.text);
+    file.Add(std::move(frame.footer));
+    return file;
+  }
+
+  const ExposureStage& exposure_;
+  const JobSettings settings_;
+  JobReport report_;
+  const std::vector<SlicedLayer> layers_;
+  const std::vector<std::string> object_names_;
+  std::vector<Copy> copies_;
+  std::unique_ptr<SpoolFile> spool_;
+  std::vector<Range> ranges_;  ///< by task
+};
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<PlannedJob>> LaserProcess::Plan(const StageCall& call,
+                                                               JobInput input) const {
+  JobReport report;
+  auto sliced = Timed(report.stage_times.slicing_s, [&] {
+    const ScopedSpan span(call.spans, "slicing");
+    return slicing_.Slice(call, std::move(input.meshes), input.settings.slicing);
+  });
+  if (!sliced.ok()) return sliced.status();
+  HoldMemory(call, JobMemory::Kind::kMeshes, 0).IgnoreError();
+  if (absl::Status printable = CheckPrintable(sliced->layers); !printable.ok()) return printable;
+  const ExposureOutput& output = input.settings.exposure.output;
+  if (absl::Status there = CheckLayer(output, sliced->layers.size()); !there.ok()) return there;
+  report.meshes = std::move(sliced->meshes);
+  report.warnings = std::move(input.warnings);
+  for (const MeshReport& mesh : report.meshes)
+    std::ranges::move(MeshWarnings(mesh), std::back_inserter(report.warnings));
+  auto spool = SpoolFile::Make(spool_directory_);
+  if (!spool.ok()) return spool.status();
+  return std::make_unique<LaserJob>(exposure_, std::move(input.settings), std::move(report),
+                                    *std::move(sliced), *std::move(spool));
+}
+
+}  // namespace slicefarm::coordinator
