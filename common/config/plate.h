@@ -36,8 +36,7 @@ struct ResolvedPlate {
 /// (CheckResolvedBytes, before any is resolved); REQUEST_MALFORMED for ranges that are
 /// none, NOTHING_TO_PRINT if no copy is printable; `cancel`'s, asked before each set.
 absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> job,
-                                           std::span<const SceneObject> objects,
-                                           Process process = Process::kFdm,
+                                           std::span<const SceneObject> objects, Process process,
                                            const CancelToken& cancel = {});
 
 }  // namespace slicefarm::config

@@ -47,7 +47,7 @@ Instance StandingAt(double x_mm, double y_mm, double turn_deg = 0) {
 }
 
 ResolvedPlate PlateOrDie(const Pairs& job, const std::vector<SceneObject>& objects) {
-  auto plate = ResolvePlate(Settings(job), objects);
+  auto plate = ResolvePlate(Settings(job), objects, Process::kFdm);
   if (!plate.ok()) {
     ADD_FAILURE() << plate.status();
     return {};
@@ -56,7 +56,7 @@ ResolvedPlate PlateOrDie(const Pairs& job, const std::vector<SceneObject>& objec
 }
 
 absl::Status PlateRefusal(const Pairs& job, const std::vector<SceneObject>& objects) {
-  return ResolvePlate(Settings(job), objects).status();
+  return ResolvePlate(Settings(job), objects, Process::kFdm).status();
 }
 
 TEST(ResolvePlate, PartsAreLargerByWhatTheirFilamentShrinks) {
@@ -94,7 +94,7 @@ TEST(ResolvePlate, WarnsOnceOfWhatObjectsAskFor) {
   EXPECT_THAT(PlateOrDie({}, {a, b}).warnings,
               testing::ElementsAre(testing::StartsWith("a: support_material = 1")));
   const std::vector<Setting> job = {{"support_material", "1", Source::kProfile}};
-  const auto plate = ResolvePlate(job, std::vector<SceneObject>{a, b});
+  const auto plate = ResolvePlate(job, std::vector<SceneObject>{a, b}, Process::kFdm);
   ASSERT_TRUE(plate.ok()) << plate.status();
   EXPECT_THAT(plate->warnings, testing::ElementsAre(testing::StartsWith("support_material = 1")));
 }
@@ -107,8 +107,7 @@ TEST(ResolvePlate, ArrangedCopiesLeaveRoomForTheWidestBrim) {
   };
   EXPECT_EQ(clearance({}, "0"), 0);
   EXPECT_EQ(clearance({{"brim_width", "3"}}, "0"), FromMm(6 + 2 * 3));
-  EXPECT_EQ(clearance({{"brim_width", "3"}, {"brim_separation", "0.5"}}, "8"),
-            FromMm(6 + 2 * 8.5));
+  EXPECT_EQ(clearance({{"brim_width", "3"}, {"brim_separation", "0.5"}}, "8"), FromMm(6 + 2 * 8.5));
   EXPECT_EQ(clearance({{"brim_type", "inner_only"}}, "8"), 0);
   EXPECT_EQ(clearance({{"complete_objects", "1"}, {"extruder_clearance_radius", "45"}}, "8"),
             FromMm(45));
@@ -132,12 +131,12 @@ TEST(ResolvePlate, ANeedThatAnObjectMeetsIsMet) {
   SceneObject raft = ObjectOfFile("b", 1, {}, 1);
   raft.settings = {{"raft_layers", "2"}};
   const std::vector<SceneObject> without = {plain}, with = {plain, raft};
-  EXPECT_EQ(ResolvePlate(job, without)->no_effect.size(), 1u);
-  EXPECT_TRUE(ResolvePlate(job, with)->no_effect.empty());
+  EXPECT_EQ(ResolvePlate(job, without, Process::kFdm)->no_effect.size(), 1u);
+  EXPECT_TRUE(ResolvePlate(job, with, Process::kFdm)->no_effect.empty());
   // One that replaces the value says nothing about the job's.
   raft.settings.push_back({"raft_expansion", "5"});
   const std::vector<SceneObject> replaced = {plain, raft};
-  EXPECT_EQ(ResolvePlate(job, replaced)->no_effect.size(), 1u);
+  EXPECT_EQ(ResolvePlate(job, replaced, Process::kFdm)->no_effect.size(), 1u);
 }
 
 TEST(ResolvePlate, OneObjectWithoutSettingsOfItsOwn) {
@@ -331,7 +330,7 @@ TEST(ResolvePlate, TooManySetsOfSettings) {
         ObjectNamed("box", {{"top_infill_extrusion_width", std::to_string(0.3 + i * 0.0001)}}));
   EXPECT_EQ(DetailOf(PlateRefusal({}, objects)).reason, Reason::kRequestTooLarge);
   objects.pop_back();
-  EXPECT_TRUE(ResolvePlate({}, objects).ok());
+  EXPECT_TRUE(ResolvePlate({}, objects, Process::kFdm).ok());
 }
 
 // The text is the cache's key and the G-code's last lines: settings of objects are part of it.

@@ -28,7 +28,7 @@ using testing::IsEmpty;
 using testing::Not;
 
 ResolvedSettings ResolveOrDie(const std::vector<Setting>& given) {
-  auto resolved = Resolve(given);
+  auto resolved = Resolve(given, Process::kFdm);
   if (!resolved.ok()) {
     ADD_FAILURE() << resolved.status();
     return {};
@@ -39,7 +39,7 @@ ResolvedSettings ResolveOrDie(const std::vector<Setting>& given) {
 JobSettings Job(const Pairs& pairs) { return ResolveOrDie(Settings(pairs)).settings; }
 
 absl::Status Refusal(const Pairs& pairs, Source source = Source::kRequest) {
-  return Resolve(Settings(pairs, source)).status();
+  return Resolve(Settings(pairs, source), Process::kFdm).status();
 }
 
 std::string ReadCorpus(const std::string& name) {
@@ -603,7 +603,7 @@ TEST(Resolve, ReadsTheFlowOfShortLines) {
   EXPECT_THAT(given.no_effect, IsEmpty());
   EXPECT_THAT(ResolveOrDie(Settings({{kTable, "0,0;3,1"}})).no_effect,
               ElementsAre(HasSubstr("needs small_area_infill_flow_compensation = 1")));
-  const auto refused = Resolve(Settings({{kTable, "0,0;3,0.9"}}));
+  const auto refused = Resolve(Settings({{kTable, "0,0;3,0.9"}}), Process::kFdm);
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(DetailOf(refused.status()).reason, Reason::kSettingMalformed);
   EXPECT_EQ(DetailOf(refused.status()).metadata.at("setting"), kTable);
@@ -619,14 +619,16 @@ TEST(Resolve, LayersPrintedAtOnceAreNoHigherThanTheNozzleIsWide) {
 
 TEST(Resolve, LinesOfTheWholePartFollowNoField) {
   for (const char* pattern : {"auto", "adaptivecubic", "supportcubic", "lightning"}) {
-    const auto refused = Resolve(Settings(
-        {{"fill_pattern", pattern}, {"density_field", R"({"kind":"constant","density":0.3})"}}));
+    const auto refused =
+        Resolve(Settings({{"fill_pattern", pattern},
+                          {"density_field", R"({"kind":"constant","density":0.3})"}}),
+                Process::kFdm);
     EXPECT_EQ(DetailOf(refused.status()).reason, Reason::kSettingOutOfRange) << pattern;
   }
 }
 
 TEST(Resolve, RefusesAnglesThatAreNone) {
-  const auto refused = Resolve(Settings({{"fill_angle_template", "0,x"}}));
+  const auto refused = Resolve(Settings({{"fill_angle_template", "0,x"}}), Process::kFdm);
   EXPECT_EQ(DetailOf(refused.status()).reason, Reason::kSettingMalformed);
 }
 
@@ -767,7 +769,7 @@ TEST(Resolve, AllowsTheBounds) {
 
 TEST(Resolve, BoundsNumberAndSize) {
   const std::vector<Setting> many(limits::kMaxSettings + 1, {"perimeters", "3"});
-  EXPECT_EQ(DetailOf(Resolve(many).status()).reason, Reason::kRequestTooLarge);
+  EXPECT_EQ(DetailOf(Resolve(many, Process::kFdm).status()).reason, Reason::kRequestTooLarge);
   const std::string big(limits::kMaxSettingBytes + 1, 'x');
   EXPECT_EQ(DetailOf(Refusal({{"start_gcode", big}})).reason, Reason::kRequestTooLarge);
   EXPECT_EQ(DetailOf(Refusal({{big, "1"}})).reason, Reason::kRequestTooLarge);
@@ -862,7 +864,7 @@ TEST(ResolveLaser, SettingsOfOtherProcessesAreRefused) {
     EXPECT_EQ(detail.metadata.at("process"), "fdm");
   }
   const std::vector<Setting> laser = {{"hatch_distance", "0.1", Source::kRequest}};
-  const ErrorDetail detail = DetailOf(Resolve(laser).status());
+  const ErrorDetail detail = DetailOf(Resolve(laser, Process::kFdm).status());
   EXPECT_EQ(detail.reason, Reason::kSettingOfOtherProcess);
   EXPECT_EQ(detail.metadata.at("process"), "laser");
 }

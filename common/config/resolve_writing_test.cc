@@ -12,12 +12,14 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 ResolvedSettings ResolveOrDie(const std::vector<Setting>& settings) {
-  auto resolved = Resolve(settings);
+  auto resolved = Resolve(settings, Process::kFdm);
   EXPECT_TRUE(resolved.ok()) << resolved.status();
   return resolved.value_or(ResolvedSettings());
 }
 
-absl::Status Refusal(const Pairs& pairs) { return Resolve(Settings(pairs)).status(); }
+absl::Status Refusal(const Pairs& pairs) {
+  return Resolve(Settings(pairs), Process::kFdm).status();
+}
 
 TEST(ResolveWriting, ReadsHowGcodeIsWritten) {
   const WritingOptions none = ResolveOrDie({}).settings.motion.writing;
@@ -41,8 +43,7 @@ TEST(ResolveWriting, ReadsHowGcodeIsWritten) {
   EXPECT_EQ(motion.writing.height_code, "[{\"z\":1.0,\"type\":\"pause\"}]");
   EXPECT_EQ(motion.retraction.length_mm, 1);
   EXPECT_TRUE(resolved.settings.ordering.travel.retract_layer_change);
-  EXPECT_THAT(resolved.effective_text,
-              HasSubstr("\ngcode_substitutions = M204;M205;;\n"));
+  EXPECT_THAT(resolved.effective_text, HasSubstr("\ngcode_substitutions = M204;M205;;\n"));
   EXPECT_THAT(resolved.no_effect, IsEmpty());
 }
 
@@ -66,7 +67,7 @@ TEST(ResolveWriting, RefusesWhatNoFirmwareReads) {
   for (const Case& c : cases)
     EXPECT_EQ(DetailOf(Refusal(c.given)).metadata.at("setting"), c.setting) << c.setting;
   // Nobody runs it.
-  EXPECT_TRUE(Resolve(Settings({{"pause_print_gcode", "{oops}"}})).ok());
+  EXPECT_TRUE(Resolve(Settings({{"pause_print_gcode", "{oops}"}}), Process::kFdm).ok());
 }
 
 TEST(ResolveWriting, LimitsThatAreIgnoredAreThoseOfNoSetting) {

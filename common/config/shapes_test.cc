@@ -8,7 +8,7 @@ namespace slicefarm::config::shapes_test {
 namespace {
 
 JobSettings Job(const Pairs& pairs) {
-  auto resolved = Resolve(Settings(pairs));
+  auto resolved = Resolve(Settings(pairs), Process::kFdm);
   if (!resolved.ok()) {
     ADD_FAILURE() << resolved.status();
     return {};

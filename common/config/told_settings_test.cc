@@ -18,7 +18,7 @@ using testing::Pair;
 ResolvedSettings ResolveOrDie(std::string_view ini) {
   const auto given = ReadIni(ini);
   EXPECT_TRUE(given.ok()) << given.status();
-  auto resolved = Resolve(*given);
+  auto resolved = Resolve(*given, Process::kFdm);
   EXPECT_TRUE(resolved.ok()) << resolved.status();
   return resolved.ok() ? *std::move(resolved) : ResolvedSettings{};
 }

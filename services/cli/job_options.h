@@ -29,7 +29,7 @@ struct FieldOptions {
 /// What `slice` and `submit` are told about the job, as written on the command line.
 struct JobOptions : SettingOptions {
   std::vector<std::string> models;
-  Process process = Process::kFdm;
+  Process process = kDefaultProcess;
   std::vector<std::string> copies;       ///< MODEL=N
   std::vector<std::string> object_sets;  ///< MODEL:key=value
   std::string units = "mm";

@@ -218,7 +218,8 @@ Job JobOf(const SceneObject& object) {
   Job job;
   job.call.job_id = "seed";
   const SceneObject objects[] = {object};
-  config::ResolvedPlate plate = Must(config::ResolvePlate(Given(kSettings), objects));
+  config::ResolvedPlate plate =
+      Must(config::ResolvePlate(Given(kSettings), objects, Process::kFdm));
   job.settings = std::move(plate.settings);
   job.settings.slicing.thumbnails = {{16, 16}};
   job.input.files.push_back({"box.obj", MeshFormat::kObj, std::string(kBox)});
@@ -244,8 +245,9 @@ void WriteSliceSeed(const Seeds& seeds, const std::string& name, Job& job) {
 void WritePlanSeed(const Seeds& seeds, const std::string& name, Job& job) {
   PlanCall plan;
   v1::PlanStart& start = *plan.add_requests()->mutable_start();
-  Must(ToProto(PlanStart{job.call, job.settings.planning, job.sliced.copies,
-                          job.sliced.object_names}, &start));
+  Must(ToProto(
+      PlanStart{job.call, job.settings.planning, job.sliced.copies, job.sliced.object_names},
+      &start));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, plan.add_requests()->mutable_layer()));
@@ -257,9 +259,9 @@ void WritePlanSeed(const Seeds& seeds, const std::string& name, Job& job) {
 void WriteWorkSeed(const Seeds& seeds, const std::string& name, const Job& job) {
   WorkCall work;
   v1::WorkStart& start = *work.add_requests()->mutable_start();
-  Must(ToProto(
-      WorkStart{job.call, job.settings, job.range, job.plans(), job.plan.copies, job.facts},
-      &start));
+  Must(
+      ToProto(WorkStart{job.call, job.settings, job.range, job.plans(), job.plan.copies, job.facts},
+              &start));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, work.add_requests()->mutable_layer()));
@@ -324,12 +326,12 @@ void WriteMotionSeed(const Seeds& seeds, const std::string& name, const Job& job
   Anonymous(&start);
   for (const OrderedLayer& layer : ordered)
     Must(ToProto(layer, motion.add_requests()->mutable_layer()));
-  const auto programs = Must(motion::MakeLocalMotion()->Program(
-      job.call, std::move(ordered), job.facts, job.settings.motion));
+  const auto programs = Must(motion::MakeLocalMotion()->Program(job.call, std::move(ordered),
+                                                                job.facts, job.settings.motion));
   ProgramSummary summary;
   for (const LayerProgram& program : programs) {
-    summary.layers.push_back({program.frame, program.pass, program.entry, program.exit,
-                              program.stats.TimeS(), false});
+    summary.layers.push_back(
+        {program.frame, program.pass, program.entry, program.exit, program.stats.TimeS(), false});
     summary.total.Add(program.stats);
   }
   for (size_t i = 0; i < job.facts.copies.size(); ++i)

@@ -50,7 +50,7 @@ config::ResolvedPlate Resolved(const Settings& given) {
   object.name = "part";
   object.parts.resize(1);
   object.instances.resize(1);
-  auto plate = config::ResolvePlate(job, std::span(&object, 1));
+  auto plate = config::ResolvePlate(job, std::span(&object, 1), Process::kFdm);
   EXPECT_TRUE(plate.ok()) << plate.status();
   return plate.ok() ? *std::move(plate) : config::ResolvedPlate{};
 }

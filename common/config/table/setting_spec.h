@@ -56,6 +56,19 @@ enum class Scope {
   kRegion,  ///< so may a part, a modifier and a range of heights
 };
 
+/// "the job", "an object", "a region".
+constexpr std::string_view ScopeName(Scope scope) {
+  switch (scope) {
+    case Scope::kJob:
+      return "the job";
+    case Scope::kObject:
+      return "an object";
+    case Scope::kRegion:
+      return "a region";
+  }
+  return {};
+}
+
 /// Where a value lives in JobSettings: in the first row of its tables.
 struct Field {
   void (*set)(JobSettings&, const Value&) = nullptr;

@@ -18,7 +18,7 @@ namespace slicefarm {
 /// both at the edge). What regions have of their own stands in tables with a row for each: Region
 /// and Path name the row. INVARIANT: all tables of regions are equally long, and not empty.
 struct JobSettings {
-  Process process = Process::kFdm;  ///< options of stages of other processes have no effect
+  Process process = kDefaultProcess;  ///< options of stages of other processes have no effect
   SlicingOptions slicing;
   PlanningOptions planning;
   std::vector<BeadingOptions> beading = {{}};  ///< by region

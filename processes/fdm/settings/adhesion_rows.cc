@@ -3,7 +3,7 @@
 #include <numbers>
 #include <utility>
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 namespace {
 
 /// More than fit into any brim.
@@ -92,4 +92,4 @@ JobSettings RaftRow(JobSettings settings, int32_t layer) {
   return settings;
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

@@ -4,7 +4,7 @@
 
 #include "common/model/options/settings.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 
 /// The settings of regions that planning adds to the plate, as the settings of a job or an object
 /// come to them: rows for RegionTable. `settings`: resolved; what counts is the first region.
@@ -24,4 +24,4 @@ JobSettings BrimRow(JobSettings settings);
 /// 0.3 at the spacing of lines of layer_height, 6 % too little plastic: density 1 fills here.
 JobSettings RaftRow(JobSettings settings, int32_t layer);
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

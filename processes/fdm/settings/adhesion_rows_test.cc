@@ -8,7 +8,7 @@
 
 #include "common/config/resolve.h"
 
-namespace slicefarm::config::adhesion_rows_test {
+namespace slicefarm::config::fdm::adhesion_rows_test {
 namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2;
@@ -16,7 +16,7 @@ constexpr double kQuarter = std::numbers::pi / 2;
 JobSettings Resolved(const std::vector<std::pair<std::string, std::string>>& given) {
   std::vector<Setting> settings;
   for (const auto& [key, value] : given) settings.push_back({key, value, Source::kRequest});
-  const auto resolved = Resolve(settings);
+  const auto resolved = Resolve(settings, Process::kFdm);
   EXPECT_TRUE(resolved.ok()) << resolved.status();
   return resolved.ok() ? resolved->settings : JobSettings{};
 }
@@ -78,4 +78,4 @@ TEST(RaftRow, DensityAndAngleOfEachLayer) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config::adhesion_rows_test
+}  // namespace slicefarm::config::fdm::adhesion_rows_test

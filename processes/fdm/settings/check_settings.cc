@@ -4,32 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <string_view>
 
 #include "common/base/error.h"
+#include "common/config/setting_refusal.h"
 #include "common/config/value.h"
 #include "common/model/options/adhesion_options.h"
-#include "common/model/options/exposure_options.h"
 #include "common/model/options/motion_options.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 namespace {
-
-absl::Status Refuse(const Draft& draft, std::string_view key, std::string_view rule, double min,
-                    double max) {
-  std::map<std::string, std::string> metadata = {{"setting", std::string(key)},
-                                                 {"value", PrintNumber(draft.Number(key))}};
-  if (min > 0) metadata["min"] = PrintNumber(min);
-  if (max < std::numeric_limits<double>::infinity()) metadata["max"] = PrintNumber(max);
-  return MakeError(
-      absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-      fmt::format("{} = {} mm is out of range: {}", key, PrintNumber(draft.Number(key)), rule),
-      std::move(metadata));
-}
-
-constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 absl::Status CheckHeight(const Draft& draft, std::string_view key) {
   const double nozzle = draft.Number("nozzle_diameter");
@@ -96,52 +81,6 @@ absl::Status CheckSkirt(const Draft& draft) {
                    {{"setting", key}, {"value", draft.At(key).written}});
 }
 
-/// Stripes and islands that overlap by all of their width would not get on.
-absl::Status CheckScan(const Draft& draft) {
-  const double overlap = draft.Number("scan_overlap");
-  const double hatch = draft.Number("hatch_distance");
-  for (const std::string_view width : {"stripe_width", "island_width"}) {
-    if (draft.Number(width) <= 2 * overlap)
-      return Refuse(
-          draft, width,
-          fmt::format("it must be more than twice scan_overlap = {} mm", PrintNumber(overlap)),
-          2 * overlap, kUnbounded);
-    if (draft.Number(width) < hatch)
-      return Refuse(draft, width,
-                    fmt::format("it must be at least hatch_distance = {} mm", PrintNumber(hatch)),
-                    hatch, kUnbounded);
-  }
-  if (draft.Number("ring_overlap") <= hatch) return absl::OkStatus();
-  return Refuse(draft, "ring_overlap",
-                fmt::format("it must not exceed hatch_distance = {} mm", PrintNumber(hatch)), 0,
-                hatch);
-}
-
-/// G-code says power as a part of the laser's full power.
-absl::Status CheckPower(const Draft& draft) {
-  const auto format = static_cast<OutputFormat>(std::lround(draft.Number("output_format")));
-  if (format != OutputFormat::kGrbl && format != OutputFormat::kMarlin) return absl::OkStatus();
-  const double full = draft.Number("laser_full_power");
-  for (const std::string_view key :
-       {"contour_power", "hatch_power", "upskin_power", "downskin_power", "thin_wall_power"}) {
-    if (draft.Number(key) <= full) continue;
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                     fmt::format("{} = {} W is out of range: it must not exceed laser_full_power = "
-                                 "{} W",
-                                 key, PrintNumber(draft.Number(key)), PrintNumber(full)),
-                     {{"setting", std::string(key)},
-                      {"value", PrintNumber(draft.Number(key))},
-                      {"max", PrintNumber(full)}});
-  }
-  return absl::OkStatus();
-}
-
-absl::Status CheckLaser(const Draft& draft) {
-  absl::Status status = CheckScan(draft);
-  status.Update(CheckPower(draft));
-  return status;
-}
-
 /// Klipper has no mixing extruder.
 absl::Status CheckMixing(const Draft& draft) {
   const bool klipper = draft.Number("gcode_flavor") == static_cast<double>(GcodeFlavor::kKlipper);
@@ -179,7 +118,6 @@ absl::Status CheckWords(const Draft& draft) {
 }  // namespace
 
 absl::Status CheckSettings(const Draft& draft) {
-  if (draft.process() == Process::kLaser) return CheckLaser(draft);
   for (const std::string_view key : {"layer_height", "first_layer_height"}) {
     if (absl::Status status = CheckHeight(draft, key); !status.ok()) return status;
   }
@@ -211,4 +149,4 @@ absl::Status CheckSettings(const Draft& draft) {
   return absl::OkStatus();
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

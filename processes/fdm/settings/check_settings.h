@@ -3,7 +3,7 @@
 #include "absl/status/status.h"
 #include "common/config/draft.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 
 /// What settings ask of each other, once derived (derive.h): layers no higher than the nozzle is
 /// wide, beads at least as wide as their layer is high and narrower than three nozzles
@@ -11,4 +11,4 @@ namespace slicefarm::config {
 /// SETTING_OUT_OF_RANGE naming both settings, with metadata `setting`, `value`, `min`, `max`.
 absl::Status CheckSettings(const Draft& draft);
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

@@ -6,17 +6,18 @@
 #include <map>
 
 #include "common/base/error.h"
-#include "common/config/draft_of_test.h"
 #include "processes/fdm/settings/derive.h"
+#include "processes/fdm/settings/draft_of_test.h"
 
-namespace slicefarm::config::check_settings_test {
+namespace slicefarm::config::fdm::check_settings_test {
 namespace {
 
 using Metadata = std::map<std::string, std::string>;
 
 absl::Status Check(const Pairs& given) {
   Draft draft = DraftOf(given);
-  const absl::Status derived = Derive(draft);
+  ResolvedSettings result;
+  const absl::Status derived = Derive(draft, result);
   return derived.ok() ? CheckSettings(draft) : derived;
 }
 
@@ -119,4 +120,4 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(CheckSettings, TakesTheStandards) { EXPECT_EQ(Check({}), absl::OkStatus()); }
 
 }  // namespace
-}  // namespace slicefarm::config::check_settings_test
+}  // namespace slicefarm::config::fdm::check_settings_test

@@ -4,15 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "common/base/text.h"
-#include "common/config/table/setting_limits.h"
+#include "common/config/derive_steps.h"
 #include "common/config/table/settings_table.h"
 #include "common/model/options/fill_patterns.h"
 #include "processes/fdm/settings/filament_gcode.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 namespace {
 
 constexpr double kWidthPerNozzle = 1.125;  // of a bead whose width nobody set
@@ -30,29 +32,6 @@ constexpr std::string_view kSpeeds[] = {
 constexpr FillPattern kCrossing[] = {FillPattern::kGrid,          FillPattern::kTriangles,
                                      FillPattern::kStars,         FillPattern::kCubic,
                                      FillPattern::kAdaptiveCubic, FillPattern::kSupportCubic};
-
-/// The setting's value, a percentage taken of `whole`.
-double Absolute(const Value& value, double whole) {
-  return value.percent ? value.number / 100 * whole : value.number;
-}
-
-/// Replaces a percentage by what it comes to of the setting it relates to, which must be an
-/// absolute number by now.
-void TakePercentage(Draft& draft, std::string_view key) {
-  const std::string_view whole =
-      SettingsTable(draft.process())[FindSetting(key, draft.process())].relative_to;
-  draft.SetNumber(key, Absolute(*draft.At(key).value, draft.Number(whole)));
-}
-
-/// Replaces 0 by another setting's value.
-void FallBack(Draft& draft, std::string_view key, std::string_view to) {
-  if (draft.Number(key) == 0) draft.SetNumber(key, draft.Number(to));
-}
-
-/// Replaces what is less than another setting's value by that.
-void RaiseTo(Draft& draft, std::string_view key, std::string_view least) {
-  draft.SetNumber(key, std::max(draft.Number(key), draft.Number(least)));
-}
 
 void DeriveWidth(Draft& draft, std::string_view key, double auto_width) {
   Value width = *draft.At(key).value;
@@ -207,26 +186,30 @@ void DeriveThumbnails(Draft& draft) {
   if (const auto sizes = ParseSizes(text); sizes.ok()) thumbnails.value->text = PrintSizes(*sizes);
 }
 
-absl::Status CheckPercentages(const Draft& draft) {
-  const auto table = SettingsTable(draft.process());
-  for (const bool given : {true, false}) {  // what the user wrote is to blame before what follows
-    for (size_t i = 0; i < table.size(); ++i) {
-      const Draft::Entry& entry = draft.entries()[i];
-      if (table[i].kind != Kind::kNumberOrPercent || entry.given != given) continue;
-      if (table[i].standard == kNotSet) continue;  // counts where it takes another one's place
-      const absl::Status status = CheckRange(table[i], entry.value->number, entry.written);
-      if (!status.ok()) return status;
-    }
-  }
-  return absl::OkStatus();
+/// Between copies that are printed one after the other a skirt of one layer is all that the head
+/// can pass; profiles ask for more. What a person asks for is checked (check_settings.h). Returns
+/// what to say of it.
+std::optional<std::string> TakeSequentialSkirt(Draft& draft) {
+  if (draft.Number("complete_objects") == 0 || draft.Number("skirts") == 0) return std::nullopt;
+  const Draft::Entry& height = draft.At("skirt_height");
+  if (height.requested || draft.Number("skirt_height") <= 1) return std::nullopt;
+  std::string note = fmt::format(
+      "skirt_height = {}: with complete_objects = 1 the skirt has one "
+      "layer, or the head would meet it",
+      height.written);
+  draft.SetNumber("skirt_height", 1);
+  return note;
 }
 
 }  // namespace
 
-absl::Status Derive(Draft& draft) {
+absl::Status Derive(Draft& draft, ResolvedSettings& result) {
+  if (auto note = TakeSequentialSkirt(draft)) {
+    result.no_effect.push_back(*note);
+    result.warnings.push_back(*std::move(note));
+  }
   TakePercentage(draft, "first_layer_height");
   RaiseTo(draft, "outline_resolution", "resolution");
-  if (draft.process() == Process::kLaser) return CheckPercentages(draft);
   DeriveWidths(draft);
   DeriveVariableWalls(draft);
   for (const std::string_view key : {"infill_overlap", "infill_anchor", "infill_anchor_max"})
@@ -247,4 +230,4 @@ absl::Status Derive(Draft& draft) {
   return status;
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

@@ -2,8 +2,9 @@
 
 #include "absl/status/status.h"
 #include "common/config/draft.h"
+#include "common/config/resolve.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 
 /// Turns what refers to other settings into what it comes to, as PrusaSlicer does:
 ///   percentages of heights, widths and speeds; widths of 0 through `extrusion_width` to a multiple
@@ -11,7 +12,8 @@ namespace slicefarm::config {
 ///   more general one; outline_resolution to no less than resolution; shell thickness to a number
 ///   of layers; the filament's own retraction, G-code and volumetric limit.
 /// Afterwards every number stands for itself (but for a `first_layer_speed` in percent, which is of
-/// each feature's). Errors: SETTING_OUT_OF_RANGE for what a percentage comes to.
-absl::Status Derive(Draft& draft);
+/// each feature's). What a profile asks for and is not made is told in `result`. Errors:
+/// SETTING_OUT_OF_RANGE for what a percentage comes to.
+absl::Status Derive(Draft& draft, ResolvedSettings& result);
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

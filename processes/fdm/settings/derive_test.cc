@@ -4,11 +4,16 @@
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
-#include "common/config/draft_of_test.h"
 #include "common/model/limits.h"
+#include "processes/fdm/settings/draft_of_test.h"
 
-namespace slicefarm::config::derive_test {
+namespace slicefarm::config::fdm::derive_test {
 namespace {
+
+absl::Status Derived(Draft& draft) {
+  ResolvedSettings result;
+  return Derive(draft, result);
+}
 
 struct NumberCase {
   std::string name;
@@ -21,7 +26,7 @@ class DerivedNumber : public testing::TestWithParam<NumberCase> {};
 TEST_P(DerivedNumber, StandsForItself) {
   const NumberCase& c = GetParam();
   Draft draft = DraftOf(c.given);
-  ASSERT_TRUE(Derive(draft).ok());
+  ASSERT_TRUE(Derived(draft).ok());
   EXPECT_DOUBLE_EQ(draft.Number(c.key), c.want);
   EXPECT_FALSE(draft.At(c.key).value->percent);
 }
@@ -263,7 +268,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Derive, LeavesAFirstLayerSpeedInPercent) {
   Draft draft = DraftOf({{"first_layer_speed", "40%"}});
-  ASSERT_TRUE(Derive(draft).ok());
+  ASSERT_TRUE(Derived(draft).ok());
   EXPECT_EQ(*draft.At("first_layer_speed").value, (Value{.number = 40, .percent = true}));
 }
 
@@ -281,25 +286,25 @@ TEST(Derive, JoinsTheGcodes) {
       {"None", "", "", "", ""},
   };
   for (const GcodeCase& c : cases) {
-    Draft draft;
+    Draft draft(Process::kFdm);
     for (const char* key : {"start_gcode", "end_gcode"}) draft.At(key).value->text = c.machine;
     for (const char* key : {"start_filament_gcode", "end_filament_gcode"})
       draft.At(key).value->text = c.filament;
-    ASSERT_TRUE(Derive(draft).ok()) << c.name;
+    ASSERT_TRUE(Derived(draft).ok()) << c.name;
     EXPECT_EQ(draft.At("start_gcode").value->text, c.want_start) << c.name;
     EXPECT_EQ(draft.At("end_gcode").value->text, c.want_end) << c.name;
   }
 }
 
 TEST(Derive, GcodesMustFitTogether) {
-  Draft draft;
+  Draft draft(Process::kFdm);
   const std::string most(limits::kMaxSettingBytes - 20, 'x');
   draft.At("end_gcode").value->text = most;
-  EXPECT_TRUE(Derive(draft).ok());
-  draft = Draft();
+  EXPECT_TRUE(Derived(draft).ok());
+  draft = Draft(Process::kFdm);
   draft.At("end_gcode").value->text = most;
   draft.At("end_filament_gcode").value->text = most;
-  const absl::Status status = Derive(draft);
+  const absl::Status status = Derived(draft);
   EXPECT_EQ(DetailOf(status).reason, Reason::kRequestTooLarge) << status;
 }
 
@@ -323,7 +328,7 @@ TEST(Derive, RefusesWhatPercentagesComeTo) {
   };
   for (const RefusalCase& c : cases) {
     Draft draft = DraftOf(c.given);
-    const absl::Status status = Derive(draft);
+    const absl::Status status = Derived(draft);
     const ErrorDetail detail = DetailOf(status);
     EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange) << c.name << status;
     EXPECT_EQ(detail.metadata.at("setting"), c.blamed) << c.name;
@@ -332,4 +337,4 @@ TEST(Derive, RefusesWhatPercentagesComeTo) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config::derive_test
+}  // namespace slicefarm::config::fdm::derive_test

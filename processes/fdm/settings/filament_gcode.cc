@@ -10,7 +10,7 @@
 #include "common/base/error.h"
 #include "common/config/table/setting_limits.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 namespace {
 
 const std::string& Text(const Draft& draft, std::string_view key) {
@@ -71,4 +71,4 @@ absl::Status NamingOwnGcode(const absl::Status& status, const Draft& draft) {
   return own == 0 ? status : Renamed(status, detail, "end_gcode", line - own);
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

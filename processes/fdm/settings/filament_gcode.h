@@ -3,7 +3,7 @@
 #include "absl/status/status.h"
 #include "common/config/draft.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 
 /// The filament's own G-code is the last before the layers and the first after them: to the stages
 /// it is the end of start_gcode and the beginning of end_gcode.
@@ -14,4 +14,4 @@ absl::Status JoinFilamentGcode(Draft& draft);
 /// that the line is written in, and its line there. Other errors as they are.
 absl::Status NamingOwnGcode(const absl::Status& status, const Draft& draft);
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

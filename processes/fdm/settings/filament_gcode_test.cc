@@ -5,16 +5,16 @@
 #include <string>
 
 #include "common/base/error.h"
-#include "common/config/draft_of_test.h"
 #include "common/config/resolve.h"
+#include "processes/fdm/settings/draft_of_test.h"
 
-namespace slicefarm::config::filament_gcode_test {
+namespace slicefarm::config::fdm::filament_gcode_test {
 namespace {
 
 absl::Status Fault(const Pairs& given) {
   std::vector<Setting> settings;
   for (const auto& [key, value] : given) settings.push_back({key, value});
-  return Resolve(settings).status();
+  return Resolve(settings, Process::kFdm).status();
 }
 
 struct Case {
@@ -55,4 +55,4 @@ TEST(FilamentGcode, ErrorsNameTheSettingThatTheLineIsWrittenIn) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config::filament_gcode_test
+}  // namespace slicefarm::config::fdm::filament_gcode_test

@@ -1,16 +1,12 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "common/config/draft.h"
-#include "common/model/options/settings.h"
+#include "common/config/setting_need.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 
-/// The settings that were given and have no effect because another setting switches off what they
-/// are about, as `key = value: needs ...`. A profile gives every setting there is, so of a profile
-/// only those count that differ from their standard.
-std::vector<std::string> UnmetNeeds(const Draft& draft, const JobSettings& settings);
+/// Of settings that have an effect on filament printing.
+std::vector<Need> Needs();
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

@@ -5,7 +5,7 @@
 
 #include "common/config/resolve.h"
 
-namespace slicefarm::config::needs_test {
+namespace slicefarm::config::fdm::needs_test {
 namespace {
 
 using testing::ElementsAre;
@@ -16,7 +16,7 @@ std::vector<std::string> Notes(const std::vector<std::pair<std::string, std::str
                                Source source = Source::kRequest) {
   std::vector<Setting> settings;
   for (const auto& [key, value] : given) settings.push_back({key, value, source});
-  const auto resolved = Resolve(settings);
+  const auto resolved = Resolve(settings, Process::kFdm);
   EXPECT_TRUE(resolved.ok()) << resolved.status();
   return resolved.ok() ? resolved->no_effect : std::vector<std::string>{};
 }
@@ -135,4 +135,4 @@ TEST(UnmetNeeds, CombiningByHeightTakesThePlaceOfANumberOfLayers) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config::needs_test
+}  // namespace slicefarm::config::fdm::needs_test

@@ -12,7 +12,7 @@
 #include "common/base/error.h"
 #include "common/base/text.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 namespace {
 
 using Settings = std::vector<Setting>;
@@ -132,4 +132,4 @@ absl::Status TakeTool(std::vector<Setting>& job, std::vector<SceneObject>& objec
   return absl::OkStatus();
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

@@ -6,7 +6,7 @@
 #include "common/model/options/setting.h"
 #include "common/model/scene/scene.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 
 /// The extruder, from 1, with which all that is printed of a plate is printed: by `extruder`,
 /// `perimeter_extruder`, `infill_extruder` and `solid_infill_extruder` of the job, of objects with
@@ -16,4 +16,4 @@ namespace slicefarm::config {
 /// extruders are asked for, or one that is no number.
 absl::Status TakeTool(std::vector<Setting>& job, std::vector<SceneObject>& objects);
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

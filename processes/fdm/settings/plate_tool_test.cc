@@ -6,7 +6,7 @@
 #include "common/base/error.h"
 #include "common/config/plate.h"
 
-namespace slicefarm::config::plate_tool_test {
+namespace slicefarm::config::fdm::plate_tool_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -143,7 +143,8 @@ TEST(ResolvePlate, TakesTheFilamentOfTheTool) {
                         {"retract_length", "0.8,1.2", Source::kProfile},
                         {"filament_density", "1.24", Source::kProfile},
                         {"start_filament_gcode", "\"; one\";\"; two\"", Source::kProfile}};
-  const auto plate = ResolvePlate(job, std::vector<SceneObject>{Object("a", {Tool("2")})});
+  const auto plate =
+      ResolvePlate(job, std::vector<SceneObject>{Object("a", {Tool("2")})}, Process::kFdm);
   ASSERT_TRUE(plate.ok()) << plate.status();
   const MotionOptions& motion = plate->settings.motion;
   EXPECT_EQ(motion.nozzle_diameter_mm, 0.6);
@@ -158,4 +159,4 @@ TEST(ResolvePlate, TakesTheFilamentOfTheTool) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config::plate_tool_test
+}  // namespace slicefarm::config::fdm::plate_tool_test

@@ -3,7 +3,7 @@
 #include "common/base/error.h"
 #include "common/model/limits.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 
 RegionTable::Walls RegionTable::WallsOf(const JobSettings& settings) {
   Walls walls{settings.beading.front(), settings.ordering.walls.front(),
@@ -29,7 +29,6 @@ absl::StatusOr<int32_t> RegionTable::RowOf(const JobSettings& settings) {
   beading.wall_class = ClassOf(WallsOf(settings));
   for (size_t i = 0; i < beading_.size(); ++i) {
     if (beading_[i] == beading && infill_[i] == settings.infill.front() &&
-        exposure_[i] == settings.exposure.regions.front() &&
         order_[i] == settings.ordering.walls.front() &&
         speeds_[i] == settings.motion.speeds.front())
       return static_cast<int32_t>(i);
@@ -40,7 +39,6 @@ absl::StatusOr<int32_t> RegionTable::RowOf(const JobSettings& settings) {
                       limits::kMaxRegionSettings, rows);
   beading_.push_back(beading);
   infill_.push_back(settings.infill.front());
-  exposure_.push_back(settings.exposure.regions.front());
   order_.push_back(settings.ordering.walls.front());
   speeds_.push_back(settings.motion.speeds.front());
   return static_cast<int32_t>(rows - 1);
@@ -49,9 +47,8 @@ absl::StatusOr<int32_t> RegionTable::RowOf(const JobSettings& settings) {
 void RegionTable::PutInto(JobSettings& settings) const {
   settings.beading = beading_;
   settings.infill = infill_;
-  settings.exposure.regions = exposure_;
   settings.ordering.walls = order_;
   settings.motion.speeds = speeds_;
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

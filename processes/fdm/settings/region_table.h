@@ -6,18 +6,16 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/config/process_settings.h"
 #include "common/model/options/settings.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 
-/// The tables of a job's region settings while rows are added: equal settings share a row.
-class RegionTable {
+/// The tables of beading, infill, ordering and motion.
+class RegionTable : public RegionRows {
  public:
-  /// The row of the first region of `settings`. Errors: REQUEST_TOO_LARGE.
-  absl::StatusOr<int32_t> RowOf(const JobSettings& settings);
-
-  /// The tables, in place of those of `settings`.
-  void PutInto(JobSettings& settings) const;
+  absl::StatusOr<int32_t> RowOf(const JobSettings& settings) override;
+  void PutInto(JobSettings& settings) const override;
 
  private:
   /// All that walls depend on: regions whose walls are alike are of one class.
@@ -33,10 +31,9 @@ class RegionTable {
 
   std::vector<BeadingOptions> beading_;
   std::vector<InfillOptions> infill_;
-  std::vector<ExposureOptions> exposure_;
   std::vector<WallOrder> order_;
   std::vector<RegionSpeeds> speeds_;
   std::vector<Walls> classes_;
 };
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

@@ -1,3 +1,5 @@
+#include "processes/laser/settings/settings_exposure.h"
+
 #include <fmt/core.h>
 
 #include <deque>
@@ -5,9 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "processes/fdm/settings/table/settings_sections.h"
-
-namespace slicefarm::config {
+namespace slicefarm::config::laser {
 namespace {
 
 template <class Enum>
@@ -276,8 +276,9 @@ std::vector<SettingSpec> ExposureTable() {
   AppendStyle<3>(all);
   AppendStyle<4>(all);
   static_assert(kExposureKindCount == 5);
+  for (SettingSpec& spec : all) spec.scope = Scope::kRegion;
   std::ranges::move(OutputSettings(), std::back_inserter(all));
   return all;
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::laser

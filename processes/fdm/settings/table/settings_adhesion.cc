@@ -1,7 +1,7 @@
 #include "common/model/limits.h"
 #include "processes/fdm/settings/table/settings_sections.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 namespace {
 
 std::vector<SettingSpec> Skirt() {
@@ -194,4 +194,4 @@ std::vector<SettingSpec> AdhesionSettings() {
   return settings;
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

@@ -1,6 +1,6 @@
 #include "processes/fdm/settings/table/settings_sections.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 namespace {
 
 SettingSpec PerExtruder(SettingSpec spec) {
@@ -235,4 +235,4 @@ std::vector<SettingSpec> FilamentSettings() {
   return settings;
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

@@ -2,7 +2,7 @@
 
 #include "processes/fdm/settings/table/settings_sections.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 namespace {
 
 /// The value of fill_pattern = auto, which is no pattern.
@@ -307,4 +307,4 @@ std::vector<SettingSpec> InfillSettings() {
   return settings;
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

@@ -1,6 +1,7 @@
+#include "common/config/table/shared_settings.h"
 #include "processes/fdm/settings/table/settings_sections.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 namespace {
 
 enum Axis { kX, kY, kZ, kE };
@@ -252,25 +253,11 @@ std::vector<SettingSpec> Machine() {
                    {"smoothie", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
                    {"no-extrusion", flavor(GcodeFlavor::kMarlin2), kAsMarlin}},
        .field = Bind([](auto& s) -> auto& { return s.motion.flavor; })},
-      {.key = "bed_shape",
-       .kind = Kind::kBedShape,
-       .unit = "mm",
-       .standard = "0x0,200x0,200x200,0x200",
-       .doc = "Outline of the bed: corners XxY, by commas",
-       .field = Bind([](auto& s) -> auto& { return s.slicing.bed; })},
       {.key = "material_field",
        .kind = Kind::kMaterialField,
        .standard = "",
        .doc = "Shares of the materials that a mixing extruder takes in, by place on the plate",
        .field = Bind([](auto& s) -> auto& { return s.motion.material_field; })},
-      {.key = "max_print_height",
-       .unit = "mm",
-       .min = 0,
-       .max = 10000,
-       .standard = "200",
-       .doc = "Height that the machine can print; 0: no limit",
-       .field = Bind([](auto& s) -> auto& { return s.slicing.max_print_height_nm; }),
-       .also = Bind([](auto& s) -> auto& { return s.motion.max_print_height_nm; })},
       {.key = "nozzle_diameter",
        .unit = "mm",
        .min = 0.05,
@@ -417,15 +404,21 @@ std::vector<SettingSpec> Sequence() {
        .doc = "Height of the gantry over the nozzle: of the copies that are printed one after the "
               "other only the last may be taller",
        .field = Bind([](auto& s) -> auto& { return s.planning.sequence.clearance_height_nm; })},
-      {.key = "duplicate_distance",
-       .unit = "mm",
-       .min = 0,
-       .max = 1000,
-       .standard = "6",
-       .doc = "Distance between copies that are arranged; at least extruder_clearance_radius with "
-              "complete_objects",
-       .field = Bind([](auto& s) -> auto& { return s.slicing.part_distance_nm; })},
   };
+}
+
+/// What all machines have, and what this one does with it besides.
+std::vector<SettingSpec> Plate() {
+  std::vector<SettingSpec> settings = PlateSettings();
+  for (SettingSpec& spec : settings) {
+    if (spec.key == "max_print_height")
+      spec.also = Bind([](auto& s) -> auto& { return s.motion.max_print_height_nm; });
+    if (spec.key == "duplicate_distance")
+      spec.doc =
+          "Distance between copies that are arranged; at least extruder_clearance_radius with "
+          "complete_objects";
+  }
+  return settings;
 }
 
 }  // namespace
@@ -443,6 +436,7 @@ std::vector<SettingSpec> MachineSettings() {
                      {"12", "500", "0.2"}));
   add(AxisLimits<kE>({"machine_max_feedrate_e", "machine_max_acceleration_e", "machine_max_jerk_e"},
                      {"120", "10000", "2.5"}));
+  add(Plate());
   add(WholeMachineLimits());
   add(Retraction());
   add(Travels());
@@ -451,4 +445,4 @@ std::vector<SettingSpec> MachineSettings() {
   return settings;
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

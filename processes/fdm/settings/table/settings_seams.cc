@@ -1,7 +1,7 @@
 #include "common/config/value.h"
 #include "processes/fdm/settings/table/settings_sections.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 namespace {
 
 std::vector<SettingSpec> ScarfSettings() {
@@ -102,4 +102,4 @@ std::vector<SettingSpec> SeamSettings() {
   return settings;
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

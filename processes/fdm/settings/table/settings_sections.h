@@ -4,10 +4,10 @@
 
 #include "common/config/table/setting_spec.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 
 // The parts of the settings table, by what they are about.
-std::vector<SettingSpec> LayerSettings();     ///< settings_layers.cc
+std::vector<SettingSpec> SlicingSettings();   ///< settings_slicing.cc
 std::vector<SettingSpec> WallSettings();      ///< settings_walls.cc
 std::vector<SettingSpec> SeamSettings();      ///< settings_seams.cc
 std::vector<SettingSpec> InfillSettings();    ///< settings_infill.cc
@@ -16,6 +16,5 @@ std::vector<SettingSpec> SpeedSettings();     ///< settings_speed.cc
 std::vector<SettingSpec> FilamentSettings();  ///< settings_filament.cc
 std::vector<SettingSpec> MachineSettings();   ///< settings_machine.cc
 std::vector<SettingSpec> WritingSettings();   ///< settings_writing.cc
-std::vector<SettingSpec> ExposureTable();     ///< settings_exposure.cc
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

@@ -1,6 +1,6 @@
 #include "processes/fdm/settings/table/settings_sections.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 namespace {
 
 constexpr double kMaxSpeed = 10'000;
@@ -236,4 +236,4 @@ std::vector<SettingSpec> SpeedSettings() {
   return settings;
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

@@ -1,6 +1,6 @@
 #include "processes/fdm/settings/table/settings_sections.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 namespace {
 
 /// A width of beads: mm, a percentage of the layer's height, or 0 for what `extrusion_width` says.
@@ -218,4 +218,4 @@ std::vector<SettingSpec> WallSettings() {
   return settings;
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

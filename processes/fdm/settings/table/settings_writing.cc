@@ -1,6 +1,6 @@
 #include "processes/fdm/settings/table/settings_sections.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 namespace {
 
 SettingSpec WritingFlag(std::string_view key, std::string_view standard, std::string_view doc,
@@ -71,4 +71,4 @@ std::vector<SettingSpec> WritingSettings() {
   return settings;
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

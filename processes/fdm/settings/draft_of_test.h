@@ -9,26 +9,28 @@
 #include "common/config/draft.h"
 #include "common/config/table/settings_table.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
 /// The standards but for these, as Resolve has read them.
 inline Draft DraftOf(const Pairs& given) {
-  Draft draft;
+  Draft draft(Process::kFdm);
   for (const auto& [key, text] : given) {
     Draft::Entry& entry = draft.At(key);
     if (text == kNotSet) {
       entry.value.reset();
-    } else if (auto value = ParseValue(SettingsTable()[FindSetting(key)], text); value.ok()) {
+    } else if (auto value =
+                   ParseValue(SettingsTable(Process::kFdm)[FindSetting(key, Process::kFdm)], text);
+               value.ok()) {
       entry.value = *std::move(value);
     } else {
       ADD_FAILURE() << value.status();
     }
     entry.written = text;
-    entry.given = true;
+    entry.given = entry.requested = true;
   }
   return draft;
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm

@@ -1,8 +1,8 @@
-#include "common/config/table/setting_scope.h"
+#include "processes/fdm/settings/table/scopes.h"
 
 #include <algorithm>
 
-namespace slicefarm::config {
+namespace slicefarm::config::fdm {
 namespace {
 
 constexpr std::string_view kOfObjects[] = {
@@ -14,7 +14,6 @@ constexpr std::string_view kOfObjects[] = {
     "elefant_foot_compensation",
     "extrusion_width",
     "interface_shells",
-    "layer_height",
     "lock_outer_width",
     "max_bead_width",
     "min_bead_width",
@@ -26,8 +25,6 @@ constexpr std::string_view kOfObjects[] = {
     "raft_first_layer_expansion",
     "raft_layers",
     "seam_position",
-    "slice_closing_radius",
-    "slicing_mode",
     "support_material_angle",
     "support_material_extrusion_width",
     "support_material_interface_speed",
@@ -37,41 +34,18 @@ constexpr std::string_view kOfObjects[] = {
     "wall_transition_angle",
     "wall_transition_filter_deviation",
     "wall_transition_length",
-    "xy_hole_compensation",
-    "xy_size_compensation",
 };
 
 constexpr std::string_view kOfRegions[] = {
-    "alternate_hatch",
     "automatic_infill_combination",
     "automatic_infill_combination_max_layer_height",
-    "beam_compensation",
     "bottom_fill_pattern",
     "bottom_solid_layers",
     "bottom_solid_min_thickness",
     "bridge_angle",
     "bridge_flow_ratio",
     "bridge_speed",
-    "contour_distance",
-    "contour_focus",
-    "contour_frequency",
-    "contour_point_delay",
-    "contour_point_distance",
-    "contour_point_time",
-    "contour_power",
-    "contour_speed",
-    "contours",
-    "contours_first",
-    "decompose_method",
     "density_field",
-    "downskin_focus",
-    "downskin_frequency",
-    "downskin_layers",
-    "downskin_point_delay",
-    "downskin_point_distance",
-    "downskin_point_time",
-    "downskin_power",
-    "downskin_speed",
     "enable_dynamic_overhang_speeds",
     "ensure_vertical_shell_thickness",
     "external_perimeter_extrusion_width",
@@ -90,17 +64,6 @@ constexpr std::string_view kOfRegions[] = {
     "gap_fill_max_width",
     "gap_fill_min_width",
     "gap_fill_speed",
-    "hatch_angle",
-    "hatch_distance",
-    "hatch_focus",
-    "hatch_frequency",
-    "hatch_offset",
-    "hatch_point_delay",
-    "hatch_point_distance",
-    "hatch_point_time",
-    "hatch_power",
-    "hatch_rotation",
-    "hatch_speed",
     "infill_anchor",
     "infill_anchor_max",
     "infill_every_layers",
@@ -116,14 +79,6 @@ constexpr std::string_view kOfRegions[] = {
     "ironing_spacing",
     "ironing_speed",
     "ironing_type",
-    "island_width",
-    "jump_delay",
-    "jump_order",
-    "jump_speed",
-    "laser_spot",
-    "link_rings",
-    "mark_delay",
-    "minimum_vector",
     "only_one_perimeter_first_layer",
     "over_bridge_speed",
     "overhang_speed_0",
@@ -134,11 +89,6 @@ constexpr std::string_view kOfRegions[] = {
     "perimeter_extrusion_width",
     "perimeter_speed",
     "perimeters",
-    "polygon_delay",
-    "ring_corners",
-    "ring_overlap",
-    "scan_overlap",
-    "scan_strategy",
     "scarf_seam_entire_loop",
     "scarf_seam_length",
     "scarf_seam_max_segment_length",
@@ -146,8 +96,6 @@ constexpr std::string_view kOfRegions[] = {
     "scarf_seam_only_on_smooth",
     "scarf_seam_placement",
     "scarf_seam_start_height",
-    "skin_overlap",
-    "skywriting",
     "small_area_infill_flow_compensation",
     "small_area_infill_flow_compensation_model",
     "small_perimeter_speed",
@@ -159,16 +107,7 @@ constexpr std::string_view kOfRegions[] = {
     "solid_infill_speed",
     "staggered_inner_seams",
     "stress_field",
-    "stripe_width",
     "thick_bridges",
-    "thin_wall_exposure",
-    "thin_wall_focus",
-    "thin_wall_frequency",
-    "thin_wall_point_delay",
-    "thin_wall_point_distance",
-    "thin_wall_point_time",
-    "thin_wall_power",
-    "thin_wall_speed",
     "thin_walls",
     "top_fill_pattern",
     "top_infill_extrusion_width",
@@ -176,33 +115,15 @@ constexpr std::string_view kOfRegions[] = {
     "top_solid_infill_speed",
     "top_solid_layers",
     "top_solid_min_thickness",
-    "upskin_focus",
-    "upskin_frequency",
-    "upskin_layers",
-    "upskin_point_delay",
-    "upskin_point_distance",
-    "upskin_point_time",
-    "upskin_power",
-    "upskin_speed",
 };
 
 }  // namespace
 
-Scope ScopeOf(std::string_view key) {
-  if (std::ranges::binary_search(kOfRegions, key)) return Scope::kRegion;
-  if (std::ranges::binary_search(kOfObjects, key)) return Scope::kObject;
-  return Scope::kJob;
-}
-
-std::string_view ScopeName(Scope scope) {
-  switch (scope) {
-    case Scope::kJob:
-      return "the job";
-    case Scope::kObject:
-      return "an object";
-    default:
-      return "a region";
+void SetScopes(std::vector<SettingSpec>& table) {
+  for (SettingSpec& spec : table) {
+    if (std::ranges::binary_search(kOfRegions, spec.key)) spec.scope = Scope::kRegion;
+    if (std::ranges::binary_search(kOfObjects, spec.key)) spec.scope = Scope::kObject;
   }
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::fdm
