@@ -49,6 +49,7 @@ void RegionTable::PutInto(JobSettings& settings) const {
   settings.infill = infill_;
   settings.ordering.walls = order_;
   settings.motion.speeds = speeds_;
+  settings.exposure.regions.resize(beading_.size());  // all tables are equally long
 }
 
 }  // namespace slicefarm::config::fdm
