@@ -365,6 +365,7 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
                      "no object has a printable copy");
   if (absl::Status ok = own.FinishPlate(base, *rows, plate.settings); !ok.ok()) return ok;
+  plate.region_rows = rows->size();
   // That of jobs from before there were processes: its text says nothing of it.
   if (process != kDefaultProcess)
     plate.effective_text += fmt::format("process = {}\n", ProcessName(process));

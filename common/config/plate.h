@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ namespace slicefarm::config {
 struct ResolvedPlate {
   JobSettings settings;
   std::vector<ObjectInput> objects;
+  int64_t region_rows = 0;  ///< different sets of settings of regions
   /// ResolvedSettings::effective_text, and where objects have settings of their own a line
   /// `object_settings = ` with them as JSON.
   std::string effective_text;

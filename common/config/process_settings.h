@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,6 +26,9 @@ class RegionRows {
   /// limits::kMaxRegionSettings.
   virtual absl::StatusOr<int32_t> RowOf(const JobSettings& settings) = 0;
 
+  /// Rows so far.
+  virtual int64_t size() const = 0;
+
   /// The tables, in place of those of `settings`.
   virtual void PutInto(JobSettings& settings) const = 0;
 };
@@ -37,6 +41,14 @@ struct Settling {
   ToldSettings& told;
 };
 
+/// A format of the file that a job comes to, which the end of its name stands for.
+struct FileFormat {
+  std::string_view suffix;  ///< ".svg"
+  std::string_view key;     ///< the setting that says so
+  std::string_view value;
+  bool alone = false;  ///< no other process makes files of such a name
+};
+
 /// What the settings of one process are and what they come to. common/config reads, resolves and
 /// explains settings, and asks this for all that differs: it knows no process by name. One object a
 /// process, in processes/<name>/settings; processes/list/settings.cc lists them.
@@ -45,6 +57,8 @@ class ProcessSettings {
   virtual ~ProcessSettings() = default;
 
   // The table.
+  /// Where values get their places: settings of the process, whatever they are.
+  virtual JobSettings Standards() const = 0;
   /// All settings that have an effect, with their scopes, in any order. Called once.
   virtual std::vector<SettingSpec> Table() const = 0;
   /// Those that do nothing unless others are so.
@@ -94,6 +108,19 @@ class ProcessSettings {
     rows.PutInto(plate);
     return absl::OkStatus();
   }
+
+  // What comes out.
+  /// What names of files ask for.
+  virtual std::vector<FileFormat> FileFormats() const { return {}; }
+  /// What the name of a file says of it, and is not so.
+  virtual std::vector<std::string> NameWarnings(const JobSettings& /*settings*/,
+                                                std::string_view /*file*/) const {
+    return {};
+  }
+  /// A call of `slicefarm slice` that shows what is its own, for help; empty: none.
+  virtual std::string_view Example() const { return {}; }
+  /// What the material costs; 0: whatever the farm says.
+  virtual double MaterialCostPerKg(const JobSettings& /*settings*/) const { return 0; }
 };
 
 /// Defined by the list of processes.

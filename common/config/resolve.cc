@@ -35,8 +35,8 @@ void PutInto(JobSettings& settings, const Draft& draft) {
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process) {
   if (absl::Status status = CheckLimits(given); !status.ok()) return status;
   ResolvedSettings result;
-  result.settings.process = process;
   const ProcessSettings& own = SettingsOf(process);
+  result.settings = own.Standards();
   SettingReader reader(process, own.ListItem(given));
   for (const Setting& setting : given) {
     if (absl::Status status = reader.Read(setting); !status.ok()) return status;
@@ -68,7 +68,7 @@ bool IsRare(const SettingSpec& spec) {
 
 std::string EffectiveText(const JobSettings& settings, const ToldSettings& told) {
   ToldSettings all = told;
-  for (const SettingSpec& spec : SettingsTable(settings.process)) {
+  for (const SettingSpec& spec : SettingsTable(settings.process())) {
     if (spec.field.get == nullptr) continue;
     std::string value = PrintValue(spec, spec.field.get(settings));
     if (IsRare(spec) && value.empty()) continue;

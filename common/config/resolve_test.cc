@@ -51,23 +51,23 @@ std::string ReadCorpus(const std::string& name) {
 }
 
 double SpeedOf(const JobSettings& settings, Feature feature) {
-  return settings.motion.speeds[0].speed_mm_s[static_cast<int>(feature)];
+  return FdmOf(settings).motion.speeds[0].speed_mm_s[static_cast<int>(feature)];
 }
 
 TEST(Resolve, GivesPrusaSlicersStandardsForNothing) {
   const JobSettings s = Job({});
   EXPECT_EQ(s.slicing.objects[0].layer_height_nm, 300'000);
   EXPECT_EQ(s.slicing.first_layer_height_nm, 350'000);
-  EXPECT_EQ(s.beading[0].inner_width_nm, 450'000);
-  EXPECT_EQ(s.infill[0].top_width_nm, 400'000);
-  EXPECT_EQ(s.beading[0].first_layer_width_nm, 700'000);
+  EXPECT_EQ(FdmOf(s).beading[0].inner_width_nm, 450'000);
+  EXPECT_EQ(FdmOf(s).infill[0].top_width_nm, 400'000);
+  EXPECT_EQ(FdmOf(s).beading[0].first_layer_width_nm, 700'000);
   EXPECT_EQ(s.slicing.objects[0].elephant_foot_min_width_nm, 700'000 + 624'889);
-  EXPECT_EQ(s.infill[0].top_solid_layers, 3);
-  EXPECT_DOUBLE_EQ(s.infill[0].density, 0.2);
-  EXPECT_DOUBLE_EQ(s.infill[0].angle_rad, std::numbers::pi / 4);
+  EXPECT_EQ(FdmOf(s).infill[0].top_solid_layers, 3);
+  EXPECT_DOUBLE_EQ(FdmOf(s).infill[0].density, 0.2);
+  EXPECT_DOUBLE_EQ(FdmOf(s).infill[0].angle_rad, std::numbers::pi / 4);
   EXPECT_EQ(SpeedOf(s, Feature::kExternalPerimeter), 30);
-  EXPECT_EQ(s.motion.limits.max_feedrate_mm_s[0], 500);
-  EXPECT_EQ(s.motion.temperature_c, 200);
+  EXPECT_EQ(FdmOf(s).motion.limits.max_feedrate_mm_s[0], 500);
+  EXPECT_EQ(FdmOf(s).motion.temperature_c, 200);
 }
 
 // The file that the benchmarks run with, value by value.
@@ -87,13 +87,13 @@ TEST(Resolve, ReadsThePeersProfile) {
                                 .inner_width_nm = 450'000,
                                 .first_layer_width_nm = 450'000,
                                 .thin_walls = false};
-  EXPECT_EQ(s.beading[0], walls);
+  EXPECT_EQ(FdmOf(s).beading[0], walls);
   InfillOptions infill;  // the rest is the model's
   infill.angle_rad = std::numbers::pi / 4;
-  EXPECT_EQ(s.infill[0], infill);
-  EXPECT_EQ(s.ordering, OrderingOptions{});
+  EXPECT_EQ(FdmOf(s).infill[0], infill);
+  EXPECT_EQ(FdmOf(s).ordering, OrderingOptions{});
 
-  const MotionOptions& m = s.motion;
+  const MotionOptions& m = FdmOf(s).motion;
   EXPECT_EQ(m.flavor, GcodeFlavor::kMarlin2);
   EXPECT_THAT(m.limits.max_feedrate_mm_s, ElementsAre(300, 300, 20, 120));
   EXPECT_THAT(m.limits.max_acceleration_mm_s2, ElementsAre(3000, 3000, 500, 3000));
@@ -145,18 +145,18 @@ TEST(Resolve, TakesAWholeProfile) {
   // Where the standards differ from PrusaSlicer's, it is for a reason given in the table's
   // documentation.
   JobSettings ours = Job({});
-  ours.motion.filament_density_g_cm3 = 0;
-  ours.planning.skirt.loops = 1;
-  ours.infill[0].overlap_nm = 112'500;
-  ours.infill[0].shells = ShellThickness::kPartial;
-  ours.beading[0].extra_perimeters = true;
-  ours.ordering.travel.hide = false;
-  ours.infill[0].pattern = FillPattern::kStars;
+  FdmOf(ours).motion.filament_density_g_cm3 = 0;
+  FdmOf(ours).planning.skirt.loops = 1;
+  FdmOf(ours).infill[0].overlap_nm = 112'500;
+  FdmOf(ours).infill[0].shells = ShellThickness::kPartial;
+  FdmOf(ours).beading[0].extra_perimeters = true;
+  FdmOf(ours).ordering.travel.hide = false;
+  FdmOf(ours).infill[0].pattern = FillPattern::kStars;
   ours.slicing.thumbnails.clear();
-  ours.motion.writing.relative_e = false;
-  ours.motion.start_gcode += "; Filament gcode\n";
-  ours.motion.end_gcode =
-      "; Filament-specific end gcode \n;END gcode for filament\n" + ours.motion.end_gcode;
+  FdmOf(ours).motion.writing.relative_e = false;
+  FdmOf(ours).motion.start_gcode += "; Filament gcode\n";
+  FdmOf(ours).motion.end_gcode =
+      "; Filament-specific end gcode \n;END gcode for filament\n" + FdmOf(ours).motion.end_gcode;
   EXPECT_EQ(EffectiveText(resolved.settings), EffectiveText(ours));
   EXPECT_EQ(resolved.settings, ours);
 }
@@ -331,7 +331,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 TEST(Resolve, LetsLaterSettingsWin) {
-  EXPECT_EQ(Job({{"perimeters", "2"}, {"perimeters", "4"}}).beading[0].perimeters, 4);
+  EXPECT_EQ(FdmOf(Job({{"perimeters", "2"}, {"perimeters", "4"}})).beading[0].perimeters, 4);
 }
 
 // The text is the settings: it resolves to them, and to itself.
@@ -432,24 +432,24 @@ TEST(Resolve, SkirtBrimAndRaftTakeWidthsAndHeightsOfOtherSettings) {
                                                       {"skirts", "2"},
                                                       {"brim_width", "4"}}))
                                    .settings;
-  const SkirtOptions& skirt = settings.planning.skirt;
+  const SkirtOptions& skirt = FdmOf(settings).planning.skirt;
   EXPECT_EQ(skirt.loops, 2);
   EXPECT_EQ(skirt.width_nm, 500'000);
   EXPECT_EQ(skirt.height_nm, 250'000);
   EXPECT_DOUBLE_EQ(skirt.filament_area_mm2, 3.14159265358979323846);
-  const ObjectPlanOptions& object = settings.planning.objects[0];
+  const ObjectPlanOptions& object = FdmOf(settings).planning.objects[0];
   EXPECT_EQ(object.brim.type, BrimType::kOuterOnly);
   EXPECT_EQ(object.brim.line_width_nm, 500'000);
   EXPECT_EQ(object.raft.heights, (RaftHeights{3, 250'000, 450'000, 150'000}));
   EXPECT_EQ(object.raft.lines.width_nm, 600'000);
   EXPECT_EQ(object.raft_settings.size(), 3u);
   EXPECT_EQ(settings.slicing.objects[0].raft, object.raft.heights);
-  EXPECT_EQ(settings.planning.bed, settings.slicing.bed);
+  EXPECT_EQ(FdmOf(settings).planning.bed, settings.slicing.bed);
 }
 
 // Unlike PrusaSlicer's, whose standard is one skirt.
 TEST(Resolve, NothingIsAddedToThePlateUnasked) {
-  const PlanningOptions planning = ResolveOrDie({}).settings.planning;
+  const PlanningOptions planning = FdmOf(ResolveOrDie({}).settings).planning;
   EXPECT_EQ(planning.skirt.loops, 0);
   EXPECT_EQ(planning.objects[0].brim.width_nm, 0);
   EXPECT_EQ(planning.objects[0].raft.heights.layers, 0);
@@ -458,7 +458,7 @@ TEST(Resolve, NothingIsAddedToThePlateUnasked) {
 TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {
   const ResolvedSettings resolved =
       ResolveOrDie(Settings({{"gcode_flavor", "reprap"}}, Source::kProfile));
-  EXPECT_EQ(resolved.settings.motion.flavor, GcodeFlavor::kMarlin2);
+  EXPECT_EQ(FdmOf(resolved.settings).motion.flavor, GcodeFlavor::kMarlin2);
   EXPECT_THAT(resolved.warnings,
               ElementsAre("gcode_flavor = reprap: not supported yet: marlin2 is used"));
   EXPECT_EQ(resolved.no_effect, resolved.warnings);
@@ -467,12 +467,13 @@ TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {
 TEST(Resolve, AFieldByDistanceLooksAsManyLayersAwayAsItReaches) {
   const std::string field = R"({"kind":"surface_distance","near":0.5,"far":0.1,"length":4.1})";
   const JobSettings settings = Job({{"density_field", field}, {"layer_height", "0.2"}});
-  EXPECT_EQ(settings.infill[0].density_field, field);
-  EXPECT_EQ(settings.infill[0].field_halo_layers, 21);
-  EXPECT_GE(HaloLayers(settings), 21);
-  EXPECT_EQ(
-      Job({{"density_field", R"({"kind":"constant","density":1})"}}).infill[0].field_halo_layers,
-      0);
+  EXPECT_EQ(FdmOf(settings).infill[0].density_field, field);
+  EXPECT_EQ(FdmOf(settings).infill[0].field_halo_layers, 21);
+  EXPECT_GE(HaloLayers(FdmOf(settings)), 21);
+  EXPECT_EQ(FdmOf(Job({{"density_field", R"({"kind":"constant","density":1})"}}))
+                .infill[0]
+                .field_halo_layers,
+            0);
   const absl::Status far = Refusal({{"density_field", field}, {"layer_height", "0.02"}});
   EXPECT_EQ(DetailOf(far).reason, Reason::kSettingOutOfRange);
   EXPECT_EQ(DetailOf(far).metadata.at("setting"), "density_field");
@@ -511,7 +512,7 @@ TEST(Resolve, EveryPatternHasItsNameInSettings) {
   for (const FillPatternInfo& info : kFillPatterns) {
     const std::string name(info.name);
     if (info.sparse) {
-      EXPECT_EQ(ResolveOrDie(Settings({{"fill_pattern", name}})).settings.infill[0].pattern,
+      EXPECT_EQ(FdmOf(ResolveOrDie(Settings({{"fill_pattern", name}})).settings).infill[0].pattern,
                 info.pattern);
     }
     for (const char* key : {"top_fill_pattern", "bottom_fill_pattern", "solid_fill_pattern"})
@@ -520,20 +521,21 @@ TEST(Resolve, EveryPatternHasItsNameInSettings) {
 }
 
 TEST(Resolve, AnchorsAreSharesOfTheInfillsWidth) {
-  const InfillOptions standard = ResolveOrDie(Settings({})).settings.infill[0];
+  const InfillOptions standard = FdmOf(ResolveOrDie(Settings({})).settings).infill[0];
   EXPECT_EQ(standard.anchor_nm, 6 * standard.sparse_width_nm);
   EXPECT_EQ(standard.anchor_max_nm, 50 * kNmPerMm);
   const InfillOptions given =
-      ResolveOrDie(Settings({{"infill_anchor", "1.5"}, {"infill_anchor_max", "1000%"}}))
-          .settings.infill[0];
+      FdmOf(ResolveOrDie(Settings({{"infill_anchor", "1.5"}, {"infill_anchor_max", "1000%"}}))
+                .settings)
+          .infill[0];
   EXPECT_EQ(given.anchor_nm, FromMm(1.5));
   EXPECT_EQ(given.anchor_max_nm, 10 * given.sparse_width_nm);
 }
 
 TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
   const InfillOptions automatic =
-      ResolveOrDie(Settings({{"fill_pattern", "auto"}, {"infill_goal", "time"}}))
-          .settings.infill[0];
+      FdmOf(ResolveOrDie(Settings({{"fill_pattern", "auto"}, {"infill_goal", "time"}})).settings)
+          .infill[0];
   EXPECT_TRUE(automatic.choose_pattern);
   EXPECT_EQ(automatic.goal, FillGoal::kTime);
   const ResolvedSettings given = ResolveOrDie(Settings({{"fill_pattern", "lightning"},
@@ -550,7 +552,7 @@ TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
                                                         {"ironing_flowrate", "20%"},
                                                         {"ironing_spacing", "0.2"},
                                                         {"ironing_speed", "22"}}));
-  const InfillOptions& infill = given.settings.infill[0];
+  const InfillOptions& infill = FdmOf(given.settings).infill[0];
   EXPECT_FALSE(infill.choose_pattern);
   EXPECT_EQ(infill.pattern, FillPattern::kLightning);
   EXPECT_EQ(infill.angle_template, "0,45,+30");
@@ -561,7 +563,9 @@ TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
   EXPECT_FALSE(infill.thick_bridges);
   EXPECT_TRUE(infill.interface_shells);
   EXPECT_EQ(infill.ironing, (IroningOptions{true, IroningType::kSolid, 0.2, 200'000}));
-  EXPECT_EQ(given.settings.motion.speeds[0].speed_mm_s[static_cast<size_t>(Feature::kIroning)], 22);
+  EXPECT_EQ(
+      FdmOf(given.settings).motion.speeds[0].speed_mm_s[static_cast<size_t>(Feature::kIroning)],
+      22);
   EXPECT_THAT(given.no_effect, IsEmpty());
   // What is read back from the effective text is the same.
   EXPECT_THAT(given.effective_text, HasSubstr("\nfill_angle_template = 0,45,+30\n"));
@@ -576,18 +580,18 @@ TEST(Resolve, ReadsTheSpeedOverBridges) {
                                               {"top_solid_layers", "1"},
                                               {"perimeter_generator", "classic"}});
   const JobSettings without = ResolveOrDie(flat).settings;
-  EXPECT_FALSE(without.infill[0].over_bridges);
-  EXPECT_EQ(HaloLayers(without), 1);
+  EXPECT_FALSE(FdmOf(without).infill[0].over_bridges);
+  EXPECT_EQ(HaloLayers(FdmOf(without)), 1);
   std::vector<Setting> given = flat;
   given.push_back({"over_bridge_speed", "50%"});
   given.push_back({"solid_infill_speed", "44"});
   given.push_back({"default_acceleration", "900"});
   given.push_back({"solid_infill_acceleration", "700"});
   const ResolvedSettings with = ResolveOrDie(given);
-  EXPECT_TRUE(with.settings.infill[0].over_bridges);
-  EXPECT_EQ(HaloLayers(with.settings), 2);
-  EXPECT_EQ(with.settings.motion.speeds[0].speed_mm_s[kFeature], 22);
-  EXPECT_EQ(with.settings.motion.acceleration_mm_s2[kFeature], 700);
+  EXPECT_TRUE(FdmOf(with.settings).infill[0].over_bridges);
+  EXPECT_EQ(HaloLayers(FdmOf(with.settings)), 2);
+  EXPECT_EQ(FdmOf(with.settings).motion.speeds[0].speed_mm_s[kFeature], 22);
+  EXPECT_EQ(FdmOf(with.settings).motion.acceleration_mm_s2[kFeature], 700);
   EXPECT_THAT(with.no_effect, IsEmpty());
   EXPECT_THAT(with.effective_text, HasSubstr("\nover_bridge_speed = 22\n"));
 }
@@ -597,8 +601,8 @@ TEST(Resolve, ReadsTheFlowOfShortLines) {
   constexpr const char* kTable = "small_area_infill_flow_compensation_model";
   const ResolvedSettings given =
       ResolveOrDie(Settings({{kFlag, "1"}, {kTable, R"("0,0.50";"\n2,0.9";"\n8,1")"}}));
-  EXPECT_TRUE(given.settings.infill[0].small_area_flow);
-  EXPECT_EQ(given.settings.infill[0].small_area_flow_table, "0,0.5;2,0.9;8,1");
+  EXPECT_TRUE(FdmOf(given.settings).infill[0].small_area_flow);
+  EXPECT_EQ(FdmOf(given.settings).infill[0].small_area_flow_table, "0,0.5;2,0.9;8,1");
   EXPECT_THAT(given.effective_text, HasSubstr("_model = 0,0.5;2,0.9;8,1\n"));
   EXPECT_THAT(given.no_effect, IsEmpty());
   EXPECT_THAT(ResolveOrDie(Settings({{kTable, "0,0;3,1"}})).no_effect,
@@ -612,7 +616,7 @@ TEST(Resolve, ReadsTheFlowOfShortLines) {
 TEST(Resolve, LayersPrintedAtOnceAreNoHigherThanTheNozzleIsWide) {
   const ResolvedSettings resolved = ResolveOrDie(Settings(
       {{"infill_every_layers", "5"}, {"layer_height", "0.15"}, {"nozzle_diameter", "0.4"}}));
-  EXPECT_EQ(resolved.settings.infill[0].every_layers, 2);
+  EXPECT_EQ(FdmOf(resolved.settings).infill[0].every_layers, 2);
   EXPECT_THAT(resolved.no_effect, ElementsAre("infill_every_layers = 5: 2 is what layer_height and "
                                               "nozzle_diameter allow"));
 }
@@ -653,13 +657,14 @@ TEST(Resolve, ThumbnailsTakeTheFormatThatTheyDoNotName) {
 }
 
 TEST(Resolve, SlowsOverhangsDownByDegree) {
-  const MotionOptions motion = ResolveOrDie(Settings({{"external_perimeter_speed", "40"},
-                                                      {"enable_dynamic_overhang_speeds", "1"},
-                                                      {"overhang_speed_1", "50%"},
-                                                      {"overhang_fan_speed_3", "70"},
-                                                      {"first_layer_infill_speed", "25%"},
-                                                      {"solid_infill_speed", "60"}}))
-                                   .settings.motion;
+  const MotionOptions motion = FdmOf(ResolveOrDie(Settings({{"external_perimeter_speed", "40"},
+                                                            {"enable_dynamic_overhang_speeds", "1"},
+                                                            {"overhang_speed_1", "50%"},
+                                                            {"overhang_fan_speed_3", "70"},
+                                                            {"first_layer_infill_speed", "25%"},
+                                                            {"solid_infill_speed", "60"}}))
+                                         .settings)
+                                   .motion;
   EXPECT_TRUE(motion.speeds[0].dynamic_overhangs);
   EXPECT_EQ(motion.speeds[0].overhang_speed_mm_s, (std::array<double, 4>{15, 20, 20, 25}));
   EXPECT_EQ(motion.cooling.overhang_fan_percent, (std::array<int32_t, 4>{0, 0, 0, 70}));
@@ -697,7 +702,7 @@ TEST(Resolve, ReportsRepetitionsWithinOneSourceOnly) {
 
 TEST(Resolve, WarnsOfADensityThatLacksItsPercentSign) {
   const ResolvedSettings resolved = ResolveOrDie(Settings({{"fill_density", "0.4"}}));
-  EXPECT_DOUBLE_EQ(resolved.settings.infill[0].density, 0.004);
+  EXPECT_DOUBLE_EQ(FdmOf(resolved.settings).infill[0].density, 0.004);
   EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("for 40% write the percent sign")));
   EXPECT_THAT(ResolveOrDie(Settings({{"fill_density", "40"}})).warnings, IsEmpty());
   EXPECT_THAT(ResolveOrDie(Settings({{"fill_density", "0.4%"}})).warnings, IsEmpty());
@@ -819,8 +824,8 @@ TEST(ResolveLaser, EverySettingReachesItsOption) {
                                  {"output_format", "cli_binary"},
                                  {"layer_height", "0.03"}});
   ASSERT_TRUE(resolved.ok()) << resolved.status();
-  EXPECT_EQ(resolved->settings.process, Process::kLaser);
-  const ExposureOptions& region = resolved->settings.exposure.regions[0];
+  EXPECT_EQ(resolved->settings.process(), Process::kLaser);
+  const ExposureOptions& region = ExposureOf(resolved->settings).regions[0];
   EXPECT_EQ(region.strategy, ScanStrategy::kRings);
   EXPECT_EQ(region.hatch_distance_nm, 110'000);
   EXPECT_EQ(region.layer_rotation_deg, 90);
@@ -829,7 +834,7 @@ TEST(ResolveLaser, EverySettingReachesItsOption) {
   EXPECT_EQ(region.StyleOf(ExposureKind::kThinWall).speed_mm_s, 300);
   EXPECT_EQ(region.downskin_layers, 3);
   EXPECT_EQ(region.jump.speed_mm_s, 7000);
-  EXPECT_EQ(resolved->settings.exposure.output.format, OutputFormat::kCliBinary);
+  EXPECT_EQ(ExposureOf(resolved->settings).output.format, OutputFormat::kCliBinary);
   EXPECT_EQ(resolved->settings.slicing.objects[0].layer_height_nm, 30'000);
   // Rings do not turn, there is no upskin, and a CLI file says nothing of jumps.
   EXPECT_THAT(resolved->no_effect,
@@ -841,7 +846,7 @@ TEST(ResolveLaser, EverySettingReachesItsOption) {
 TEST(ResolveLaser, StandardsAreTheDefaults) {
   const auto resolved = OfLaser({});
   ASSERT_TRUE(resolved.ok()) << resolved.status();
-  EXPECT_EQ(resolved->settings.exposure, ExposureSettings());
+  EXPECT_EQ(ExposureOf(resolved->settings), ExposureSettings());
 }
 
 TEST(ResolveLaser, ReadsItsOwnEffectiveText) {

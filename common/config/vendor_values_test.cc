@@ -113,7 +113,7 @@ TEST(Resolve, ToldByWeight) {
 TEST(Resolve, InfillIsNoFasterThanItsFilament) {
   const auto speed = [](Pairs pairs) {
     pairs.insert(pairs.begin(), {{"infill_speed", "200"}, {"solid_infill_speed", "50%"}});
-    return Profile(pairs).settings.motion.speeds[0];
+    return FdmOf(Profile(pairs).settings).motion.speeds[0];
   };
   const auto sparse = [&](const Pairs& pairs) {
     return speed(pairs).speed_mm_s[static_cast<size_t>(Feature::kInternalInfill)];

@@ -81,7 +81,7 @@ struct Job {
 
   int32_t layer_count() const { return static_cast<int32_t>(sliced.layers.size()); }
   LayerRange Halo(LayerRange range) const {
-    return WithHalo(sliced.layers, range, HaloLayers(settings));
+    return WithHalo(sliced.layers, range, HaloLayers(FdmOf(settings)));
   }
   Neighbourhood Around(LayerRange range) const {
     const LayerRange halo = Halo(range);
@@ -93,7 +93,7 @@ struct Job {
             .plans = std::span(plan.layers).subspan(range.first, range.size()),
             .copies = plan.copies,
             .facts = &facts,
-            .settings = &settings};
+            .settings = &FdmOf(settings)};
   }
   SlicedOutlines outlines() const { return {sliced.layers, sliced.copies}; }
 };
@@ -174,18 +174,21 @@ absl::StatusOr<LocalCost> Compute(Job* job) {
   };
   const Cost cost = Measure([&] {
     keep(slicing->Slice({}, job->input, job->settings.slicing), &job->sliced);
-    keep(planning->Plan({}, job->outlines(), job->settings.planning), &job->plan);
+    keep(planning->Plan({}, job->outlines(), FdmOf(job->settings).planning), &job->plan);
     const Neighbourhood all = job->Around({0, job->layer_count()});
-    keep(beading->Bead({}, all, job->settings.beading), &job->walled);
-    keep(infill->Fill({}, job->walled, all, job->plan.layers, job->settings.infill), &job->filled);
+    keep(beading->Bead({}, all, FdmOf(job->settings).beading), &job->walled);
+    keep(infill->Fill({}, job->walled, all, job->plan.layers, FdmOf(job->settings).infill),
+         &job->filled);
     keep(ordering->Order({}, job->filled, job->plan.layers, job->plan.copies,
-                         job->settings.ordering),
+                         FdmOf(job->settings).ordering),
          &job->ordered);
     job->facts = {job->layer_count(), {}, {}};
-    keep(motion->Program({}, job->ordered, job->facts, job->settings.motion), &job->programs);
+    keep(motion->Program({}, job->ordered, job->facts, FdmOf(job->settings).motion),
+         &job->programs);
   });
-  const Cost plan = Measure(
-      [&] { keep(planning->Plan({}, job->outlines(), job->settings.planning), &job->plan); });
+  const Cost plan = Measure([&] {
+    keep(planning->Plan({}, job->outlines(), FdmOf(job->settings).planning), &job->plan);
+  });
   if (!status.ok()) return status;
   job->ranges = coordinator::SplitIntoRanges(job->sliced.layers, kSlots);
   return LocalCost{cost, plan};
@@ -248,11 +251,11 @@ class Farm {
   bool Slice() const { return remote_.slicing.Slice({}, job_.input, job_.settings.slicing).ok(); }
   /// By the planning service as it is, which has its algorithm within it.
   bool Plan() const {
-    return remote_.planning.Plan({}, job_.outlines(), job_.settings.planning).ok();
+    return remote_.planning.Plan({}, job_.outlines(), FdmOf(job_.settings).planning).ok();
   }
   bool Fused() const {
     return std::ranges::all_of(job_.ranges, [this](LayerRange range) {
-      return remote_.worker.Run({}, job_.Task(range)).ok();
+      return remote_.worker.RunTask({}, job_.Task(range)).ok();
     });
   }
   bool Split() const {

@@ -103,20 +103,20 @@ class Stages {
  public:
   /// What is printed on the plate besides the parts, in the order of printing, by layer.
   std::vector<std::vector<Path>> OnPlate(Plate& plate, const JobSettings& settings) const {
-    auto plan = planning_->Plan({}, {plate.layers, plate.copies}, settings.planning);
+    auto plan = planning_->Plan({}, {plate.layers, plate.copies}, FdmOf(settings).planning);
     EXPECT_TRUE(plan.ok()) << plan.status();
     AddToPlate(*plan, plate.layers);
     // The parts' own beads are none of this test's business: only the plate is walled.
     for (SlicedLayer& layer : plate.layers)
       std::erase_if(layer.sections, [](const auto& section) { return section.object != kPlate; });
     const LayerRange range{0, static_cast<int32_t>(plate.layers.size())};
-    auto walled = beading_->Bead({}, {range, plate.layers}, settings.beading);
+    auto walled = beading_->Bead({}, {range, plate.layers}, FdmOf(settings).beading);
     EXPECT_TRUE(walled.ok()) << walled.status();
-    auto filled =
-        infill_->Fill({}, *std::move(walled), {range, plate.layers}, plan->layers, settings.infill);
+    auto filled = infill_->Fill({}, *std::move(walled), {range, plate.layers}, plan->layers,
+                                FdmOf(settings).infill);
     EXPECT_TRUE(filled.ok()) << filled.status();
-    auto ordered =
-        ordering_->Order({}, *std::move(filled), plan->layers, plan->copies, settings.ordering);
+    auto ordered = ordering_->Order({}, *std::move(filled), plan->layers, plan->copies,
+                                    FdmOf(settings).ordering);
     EXPECT_TRUE(ordered.ok()) << ordered.status();
     std::vector<std::vector<Path>> layers;
     for (const OrderedLayer& layer : *ordered) {
@@ -306,8 +306,8 @@ TEST(AdhesionPlates, RangesDoNotMatter) {
   const JobSettings& settings = resolved.settings;
   std::mt19937 random(34);
   Plate plate = PlateOf(RandomIsland(random, {}, 9), RandomPlaces(random), 8, settings);
-  auto plan =
-      planning::MakeLocalPlanning()->Plan({}, {plate.layers, plate.copies}, settings.planning);
+  auto plan = planning::MakeLocalPlanning()->Plan({}, {plate.layers, plate.copies},
+                                                  FdmOf(settings).planning);
   ASSERT_TRUE(plan.ok()) << plan.status();
   AddToPlate(*plan, plate.layers);
   const auto beading = beading::MakeLocalBeading();
@@ -321,7 +321,7 @@ TEST(AdhesionPlates, RangesDoNotMatter) {
     std::string gcode;
     for (int32_t first = 0; first < count; first += size) {
       const LayerRange range{first, std::min(count, first + size)};
-      const LayerRange halo = WithHalo(plate.layers, range, HaloLayers(settings));
+      const LayerRange halo = WithHalo(plate.layers, range, HaloLayers(FdmOf(settings)));
       const FdmTask task{
           range,
           std::span(plate.layers)
@@ -330,7 +330,7 @@ TEST(AdhesionPlates, RangesDoNotMatter) {
               .subspan(static_cast<size_t>(range.first), static_cast<size_t>(range.size())),
           plan->copies,
           &facts,
-          &settings};
+          &FdmOf(settings)};
       const auto result = chain.Run({}, task);
       EXPECT_TRUE(result.ok()) << result.status();
       if (!result.ok()) return gcode;

@@ -1,4 +1,5 @@
 #include "common/config/table/shared_settings.h"
+#include "common/config/table/shared_view.h"
 
 namespace slicefarm::config {
 

@@ -11,6 +11,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 #include "common/base/text.h"
+#include "common/config/process_settings.h"
 #include "common/config/table/known_keys.h"
 
 namespace slicefarm::config::settings_table_test {
@@ -139,7 +140,7 @@ TEST_P(EverySetting, ReachesItsFieldsAndComesBack) {
   for (const std::string& sample : Samples(spec())) {
     const auto value = ParseValue(spec(), sample);
     ASSERT_TRUE(value.ok()) << value.status();
-    JobSettings settings;
+    JobSettings settings = SettingsOf(GetParam().process).Standards();
     spec().field.set(settings, *value);
     EXPECT_EQ(PrintValue(spec(), spec().field.get(settings)),
               sample == "0" && spec().key.starts_with("first_layer_speed") ? "100%" : sample);
@@ -219,8 +220,8 @@ TEST_P(EveryTable, HasNoTwoSettingsForOneField) {
   // Each setting changes its own text and no other's.
   for (const SettingSpec& changed : SettingsTable(GetParam())) {
     if (changed.field.set == nullptr) continue;
-    JobSettings settings;
-    const JobSettings before;
+    JobSettings settings = SettingsOf(GetParam()).Standards();
+    const JobSettings before = settings;
     for (const std::string& sample : Samples(changed)) {
       changed.field.set(settings, *ParseValue(changed, sample));
       if (changed.also.set) changed.also.set(settings, *ParseValue(changed, sample));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -20,7 +21,10 @@
 #include "common/stage/object_layers.h"
 #include "processes/fdm/job/bed_warnings.h"
 #include "processes/fdm/job/fdm_programs.h"
+#include "processes/fdm/job/fdm_report.h"
 #include "processes/fdm/job/pass_facts.h"
+#include "processes/fdm/job/print_estimate.h"
+#include "processes/fdm/task/fdm_task.h"
 #include "services/coordinator/algo/pipeline/check_printable.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
 #include "services/coordinator/algo/pipeline/range_split.h"
@@ -41,7 +45,7 @@ std::vector<std::string> FieldNotesOf(const JobSettings& settings) {
   std::vector<std::string> notes;
   if (settings.slicing.objects.empty()) return notes;
   const Coord height = settings.slicing.objects.front().layer_height_nm;
-  for (const InfillOptions& options : settings.infill) {
+  for (const InfillOptions& options : FdmOf(settings).infill) {
     if (options.density_field.empty() || options.choose_pattern) continue;
     const auto field = ParseDensityField(options.density_field);
     if (!field.ok()) continue;  // the infill stage says so
@@ -103,7 +107,7 @@ std::vector<CopyName> NamesOf(const std::vector<std::string>& objects,
 constexpr int64_t kBytesAPoint = 40;
 
 /// Texts that each layer has do not make a range's programs longer than others.
-RangeSplitOptions SplitOptionsOf(const JobSettings& settings) {
+RangeSplitOptions SplitOptionsOf(const FdmSettings& settings) {
   const MotionOptions& motion = settings.motion;
   RangeSplitOptions options;
   options.layer_points += std::ssize(motion.before_layer_gcode + motion.layer_gcode) / kBytesAPoint;
@@ -152,13 +156,15 @@ std::string WallWarning(const std::vector<LayerWarning>& warnings) {
       layers.size() > named ? absl::StrCat(" and ", layers.size() - named, " more") : "");
 }
 
-void FillIn(JobReport& report, const ProgramSummary& summary, const ProgramEnvelope& frame,
-            const MotionOptions& motion) {
-  report.stats = summary.total;
+void FillIn(JobReport& report, FdmReport& own, const ProgramSummary& summary,
+            const ProgramEnvelope& frame, const MotionOptions& motion) {
+  own.stats = summary.total;
   for (size_t i = 0; i < frame.times.feature_s.size(); ++i)
-    report.stats.features[i].time_s = frame.times.feature_s[i];
-  report.stats.retract_time_s = frame.times.retract_s;
-  report.stats.travel_time_s = frame.times.travel_s + frame.times.retract_s;
+    own.stats.features[i].time_s = frame.times.feature_s[i];
+  own.stats.retract_time_s = frame.times.retract_s;
+  own.stats.travel_time_s = frame.times.travel_s + frame.times.retract_s;
+  own.times = frame.times;
+  own.travel_mm = frame.travel_mm;
   report.layer_count = static_cast<int32_t>(summary.layers.size());
   for (const LayerSummary& layer : summary.layers) {
     const double top_mm = ToMm(static_cast<double>(layer.frame.print_z_nm));
@@ -166,9 +172,9 @@ void FillIn(JobReport& report, const ProgramSummary& summary, const ProgramEnvel
   }
   report.print_time_s = frame.times.TotalS();
   report.file_name = frame.file_name;
-  report.times = frame.times;
-  report.travel_mm = frame.travel_mm;
   report.filament = FilamentUseOf(summary.total, motion);
+  own.file_name = report.file_name;
+  own.filament = report.filament;
   for (const MeshReport& mesh : report.meshes) {
     for (std::string& warning : MeshWarnings(mesh)) report.warnings.push_back(std::move(warning));
   }
@@ -185,13 +191,15 @@ std::vector<CopySummary> SummarizeCopies(std::vector<CopyName> names,
 
 class FdmJob : public PlannedJob {
  public:
-  FdmJob(const MotionStage& motion, JobSettings settings, std::string settings_text,
-         JobReport report, std::unique_ptr<SpoolFile> spool)
+  FdmJob(const MotionStage& motion, FdmSettings settings, std::string settings_text,
+         JobReport report, SeamQuality seams, std::unique_ptr<SpoolFile> spool)
       : motion_(motion),
         settings_(std::move(settings)),
         settings_text_(std::move(settings_text)),
         report_(std::move(report)),
-        spool_(std::move(spool)) {}
+        spool_(std::move(spool)) {
+    own_.seams = seams;
+  }
 
   absl::Status Begin(SlicedJob sliced, JobPlan plan) {
     layers_ = std::move(sliced.layers);
@@ -205,7 +213,7 @@ class FdmJob : public PlannedJob {
     return absl::OkStatus();
   }
 
-  int32_t LayerCount() const override { return static_cast<int32_t>(layers_.size()); }
+  int32_t Weight() const override { return static_cast<int32_t>(layers_.size()); }
 
   absl::StatusOr<std::vector<Task>> Tasks(int slots) override {
     const auto ranges = SplitIntoRanges(layers_, slots, SplitOptionsOf(settings_));
@@ -235,7 +243,7 @@ class FdmJob : public PlannedJob {
   }
 
   absl::Status Take(size_t task, TaskResult result) override {
-    auto& made = std::get<FdmResult>(result);
+    auto& made = result.As<FdmResult>();
     Range& range = ranges_[task];
     auto spooled = Spooled(std::move(made.programs), *spool_);
     if (!spooled.ok()) return spooled.status();
@@ -256,21 +264,22 @@ class FdmJob : public PlannedJob {
       std::ranges::move(range.programs, std::back_inserter(all));
       report_.stage_times.Add(range.rest.times);
       std::ranges::copy(range.rest.warnings, std::back_inserter(warnings));
-      for (const FillUse& use : range.rest.fills) AddUse(use, 1, report_.fills);
+      for (const FillUse& use : range.rest.fills) AddUse(use, 1, own_.fills);
     }
     const auto programs = InPrintOrder(std::move(all), layer_count);
     if (!programs.ok()) return programs.status();
 
     ProgramSummary summary = SummaryOf(*programs);
     summary.thumbnails = std::move(thumbnails_);
-    auto frame = Timed(report_.stage_times.motion_s, [&] {
+    auto frame = Timed(report_.stage_times[Stage::kMotion], [&] {
       const ScopedSpan span(call.spans, "frame");
       return motion_.Envelope(call, summary, settings_.motion);
     });
     if (!frame.ok()) return frame.status();
 
     const ScopedSpan span(call.spans, "assembly");
-    FillIn(report_, summary, *frame, settings_.motion);
+    FillIn(report_, own_, summary, *frame, settings_.motion);
+    report_.own = std::make_unique<FdmReport>(std::move(own_));
     if (std::string warning = WallWarning(warnings); !warning.empty())
       report_.warnings.push_back(std::move(warning));
     auto file = MakeFile(*std::move(frame), *programs, settings_.motion.writing, std::move(spool_));
@@ -294,9 +303,10 @@ class FdmJob : public PlannedJob {
   };
 
   const MotionStage& motion_;
-  const JobSettings settings_;
+  const FdmSettings settings_;
   std::string settings_text_;
   JobReport report_;
+  FdmReport own_;
   std::unique_ptr<SpoolFile> spool_;
   std::vector<Range> ranges_;  ///< by task
   std::vector<SlicedLayer> layers_;
@@ -312,7 +322,7 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
                                                              JobInput input) const {
   JobReport report;
   const JobSettings& settings = input.settings;
-  auto sliced = Timed(report.stage_times.slicing_s, [&] {
+  auto sliced = Timed(report.stage_times[Stage::kSlicing], [&] {
     const ScopedSpan span(call.spans, "slicing");
     return slicing_.Slice(call, std::move(input.meshes), settings.slicing);
   });
@@ -322,24 +332,24 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
   report.meshes = std::move(sliced->meshes);
   report.warnings = std::move(input.warnings);
 
-  auto plan = Timed(report.stage_times.planning_s, [&] {
+  auto plan = Timed(report.stage_times[Stage::kPlanning], [&] {
     const ScopedSpan span(call.spans, "planning");
-    PlanningOptions options = settings.planning;
-    options.infill = InfillPlansOf(settings);
+    PlanningOptions options = FdmOf(settings).planning;
+    options.infill = InfillPlansOf(FdmOf(settings));
     return planning_.Plan(call, {sliced->layers, sliced->copies, sliced->object_names}, options);
   });
   if (!plan.ok()) return plan.status();
-  report.seams = plan->seams;
-  std::ranges::move(
-      BedWarnings(plan->additions, settings.planning.bed, sliced->copies, sliced->object_names),
-      std::back_inserter(report.warnings));
+  const SeamQuality seams = plan->seams;
+  std::ranges::move(BedWarnings(plan->additions, FdmOf(settings).planning.bed, sliced->copies,
+                                sliced->object_names),
+                    std::back_inserter(report.warnings));
   report.notes = std::move(plan->notes);
   std::ranges::move(FieldNotesOf(settings), std::back_inserter(report.notes));
   auto spool = SpoolFile::Make(spool_directory_);
   if (!spool.ok()) return spool.status();
-  auto job =
-      std::make_unique<FdmJob>(motion_, std::move(input.settings), std::move(input.settings_text),
-                               std::move(report), *std::move(spool));
+  auto job = std::make_unique<FdmJob>(motion_, std::move(FdmOf(input.settings)),
+                                      std::move(input.settings_text), std::move(report), seams,
+                                      *std::move(spool));
   if (absl::Status begun = job->Begin(*std::move(sliced), *std::move(plan)); !begun.ok())
     return begun;
   return job;
@@ -349,14 +359,14 @@ absl::StatusOr<LayerSamples> FdmProcess::Sample(const StageCall& call, PlannedPl
                                                 std::span<const int32_t> layers,
                                                 TaskExecutor& executor) const {
   const MotionOptions motion = plate.settings.motion;
-  FdmJob job(motion_, std::move(plate.settings), std::move(plate.settings_text), {}, nullptr);
+  FdmJob job(motion_, std::move(plate.settings), std::move(plate.settings_text), {}, {}, nullptr);
   if (absl::Status begun = job.Begin(std::move(plate.sliced), std::move(plate.plan)); !begun.ok())
     return begun;
   std::vector<LayerRange> ranges;
   for (const int32_t layer : layers) ranges.push_back({layer, layer + 1});
   std::vector<FdmResult> made(ranges.size());
   const auto take = [&](size_t task, TaskResult result) {
-    made[task] = std::get<FdmResult>(std::move(result));
+    made[task] = std::move(result.As<FdmResult>());
     return absl::OkStatus();
   };
   absl::Status done = executor.Execute(call, job.TasksFor(ranges), take, [](int32_t) {});
@@ -378,6 +388,46 @@ absl::StatusOr<LayerSamples> FdmProcess::Sample(const StageCall& call, PlannedPl
   if (!frame.ok()) return frame.status();
   samples.around_s += frame->times.TotalS();
   return samples;
+}
+
+absl::StatusOr<JobEstimate> FdmProcess::Estimate(const StageCall& call, SlicedJob sliced,
+                                                 JobInput input, TaskExecutor& executor) const {
+  FdmSettings& settings = FdmOf(input.settings);
+  const bool samples = executor.Slots(Process::kFdm) > 0;
+  const bool one_by_one = settings.planning.sequence.complete_objects;
+  if (!samples && !one_by_one) return EstimatePrint({sliced.layers, sliced.copies}, settings);
+  PlanningOptions options = settings.planning;
+  options.infill = InfillPlansOf(settings);
+  auto plan = planning_.Plan(call, {sliced.layers, sliced.copies, sliced.object_names}, options);
+  if (!plan.ok()) return plan.status();
+  std::optional<int32_t> layers;
+  if (one_by_one) layers = PassesOf(sliced.layers, plan->copies).layer_count;
+  if (!samples) {
+    JobEstimate estimate = EstimatePrint({sliced.layers, sliced.copies}, settings);
+    estimate.layers = layers;
+    return estimate;
+  }
+  auto warnings = BedWarnings(plan->additions, options.bed, sliced.copies, sliced.object_names);
+  const std::vector<LayerEstimate> rough = EstimateLayers({sliced.layers, sliced.copies}, settings);
+  const std::vector<int32_t> chosen = LayersToSample(rough, plan->additions);
+  const MotionOptions motion = settings.motion;
+  const auto made = Sample(
+      call,
+      {std::move(sliced), *std::move(plan), std::move(settings), std::move(input.settings_text)},
+      chosen, executor);
+  if (!made.ok()) return made.status();
+  JobEstimate estimate = EstimateFrom(*made, rough, motion);
+  estimate.layers = layers;
+  estimate.warnings = std::move(warnings);
+  return estimate;
+}
+
+std::unique_ptr<JobProcess> FdmProcess::Over(const Stages& stages,
+                                             const std::string& spool_directory) {
+  if (stages.slicing == nullptr || stages.planning == nullptr || stages.motion == nullptr)
+    return nullptr;
+  return std::make_unique<FdmProcess>(*stages.slicing, *stages.planning, *stages.motion,
+                                      spool_directory);
 }
 
 }  // namespace slicefarm::coordinator

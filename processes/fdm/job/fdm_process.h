@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -14,7 +15,7 @@ namespace slicefarm::coordinator {
 struct PlannedPlate {
   SlicedJob sliced;
   JobPlan plan;
-  JobSettings settings;
+  FdmSettings settings;
   std::string settings_text;  ///< see JobInput
 };
 
@@ -31,9 +32,16 @@ class FdmProcess : public JobProcess {
         motion_(motion),
         spool_directory_(std::move(spool_directory)) {}
 
+  /// Null: a stage is missing.
+  static std::unique_ptr<JobProcess> Over(const Stages& stages, const std::string& spool_directory);
+
   Process process() const override { return Process::kFdm; }
   absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
                                                    JobInput input) const override;
+  /// Plates that are printed one copy after the other, and those of which layers are made, are
+  /// planned.
+  absl::StatusOr<JobEstimate> Estimate(const StageCall& call, SlicedJob sliced, JobInput input,
+                                       TaskExecutor& executor) const override;
 
   /// Makes these layers alone, to see what they take. Errors: those of the stages and of the
   /// executor.

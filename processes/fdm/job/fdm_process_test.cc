@@ -11,11 +11,17 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 #include "common/stage/slice_input_test.h"
+#include "processes/fdm/job/fdm_report.h"
+#include "processes/fdm/task/fdm_task.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
 
 namespace slicefarm::coordinator::fdm_process_test {
 namespace {
+
+const FdmReport& OwnOf(const JobOutput& output) {
+  return dynamic_cast<const FdmReport&>(*output.report.own);
+}
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -92,7 +98,7 @@ class FakeRanges : public FdmRunner {
     std::set<int32_t> passes;
     for (const Copy& copy : task.copies) passes.insert(copy.pass);
     FdmResult result;
-    result.times.infill_s = 1;
+    result.times[Stage::kInfill] = 1;
     for (int i = task.range.first; i < task.range.last; ++i) {
       if (i == lost) continue;
       const SlicedLayer& layer = task.layers[i - task.layers.front().frame.index];
@@ -167,15 +173,16 @@ class FdmProcessTest : public testing::Test {
     input.meshes = slicefarm::InputOf({{"thing", MeshFormat::kUnknown, std::move(bytes)}});
     input.meshes.objects[0].copies.resize(copies_);
     input.settings_text = "layer_height = 0.2";
-    input.settings.motion.writing = writing_;
+    FdmOf(input.settings).motion.writing = writing_;
     return input;
   }
 
   absl::StatusOr<JobOutput> Run(std::string bytes, int slots = 2, const StageCall& call = {}) {
     Dispatcher dispatcher;
     dispatcher.Join({.name = "here", .tasks = ranges_, .slots = slots});
-    const FdmProcess process(slicing_, planning_, motion_);
-    return JobPipeline({&process}, dispatcher)
+    std::vector<std::unique_ptr<JobProcess>> processes;
+    processes.push_back(std::make_unique<FdmProcess>(slicing_, planning_, motion_));
+    return JobPipeline(std::move(processes), dispatcher)
         .Run(call, JobOf(std::move(bytes)), [this](PipelineProgress p) { progress_.push_back(p); });
   }
 
@@ -311,11 +318,11 @@ TEST_F(FdmProcessTest, ReportsWhatItCameTo) {
   EXPECT_EQ(report.layer_count, 3);
   EXPECT_DOUBLE_EQ(report.object_height_mm, 0.6);
   EXPECT_DOUBLE_EQ(report.print_time_s, 106);
-  EXPECT_DOUBLE_EQ(report.travel_mm, 50);
+  EXPECT_DOUBLE_EQ(OwnOf(*output).travel_mm, 50);
   EXPECT_DOUBLE_EQ(report.filament.length_mm, 12);
   EXPECT_DOUBLE_EQ(report.filament.volume_mm3, 15);
   EXPECT_DOUBLE_EQ(report.filament.mass_g, 15 * 1.24e-3);
-  EXPECT_DOUBLE_EQ(report.stage_times.infill_s, 1);
+  EXPECT_DOUBLE_EQ(report.stage_times[Stage::kInfill], 1);
   EXPECT_THAT(report.warnings, ElementsAre("of the settings", HasSubstr("1 edge"),
                                            AllOf(HasSubstr("3 islands got walls of constant width"),
                                                  testing::EndsWith("in layers 1"))));
@@ -324,7 +331,7 @@ TEST_F(FdmProcessTest, ReportsWhatItCameTo) {
 TEST_F(FdmProcessTest, SumsUpWhatInfillComesTo) {
   const auto output = Run("xxxxx0");
   ASSERT_TRUE(output.ok()) << output.status();
-  const std::vector<FillUse>& fills = output->report.fills;
+  const std::vector<FillUse>& fills = OwnOf(*output).fills;
   ASSERT_EQ(fills.size(), 2u);
   EXPECT_EQ(fills[0].paths, 3);
   EXPECT_DOUBLE_EQ(fills[0].area_mm2, 0.6);
@@ -335,11 +342,11 @@ TEST_F(FdmProcessTest, SumsUpWhatInfillComesTo) {
 TEST_F(FdmProcessTest, TellsItsProgress) {
   ASSERT_TRUE(Run(std::string(100, 'x')).ok());
   ASSERT_GE(progress_.size(), 2u);
-  EXPECT_EQ(progress_.front().layers_done, 0);
-  EXPECT_EQ(progress_.back().layers_done, 100);
+  EXPECT_EQ(progress_.front().done, 0);
+  EXPECT_EQ(progress_.back().done, 100);
   for (size_t i = 1; i < progress_.size(); ++i) {
-    EXPECT_EQ(progress_[i].layers_total, 100);
-    EXPECT_LE(progress_[i - 1].layers_done, progress_[i].layers_done);
+    EXPECT_EQ(progress_[i].total, 100);
+    EXPECT_LE(progress_[i - 1].done, progress_[i].done);
   }
 }
 
@@ -353,7 +360,7 @@ TEST_F(FdmProcessTest, SameBytesForAnyNumberOfSlots) {
     for (const int slots : {2, 3, 8, 64}) {
       const auto many = Run(layers, slots);
       EXPECT_EQ(*many->program.Whole(), *one->program.Whole()) << slots;
-      EXPECT_EQ(many->report.fills, one->report.fills) << slots;
+      EXPECT_EQ(OwnOf(*many).fills, OwnOf(*one).fills) << slots;
     }
   }
 }

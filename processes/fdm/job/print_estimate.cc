@@ -70,7 +70,7 @@ class SectionEstimate {
  public:
   /// Of one section of one object, all of it with the settings of `row`.
   SectionEstimate(const LayerShape& shape, double exposed_mm2, const LayerFrame& frame,
-                  const JobSettings& settings, size_t row)
+                  const FdmSettings& settings, size_t row)
       : shape_(shape), frame_(frame), settings_(settings), speeds_(settings.motion.speeds[row]) {
     const BeadingOptions& beading = settings.beading[row];
     const InfillOptions& infill = settings.infill[row];
@@ -134,7 +134,7 @@ class SectionEstimate {
 
   const LayerShape& shape_;
   const LayerFrame& frame_;
-  const JobSettings& settings_;
+  const FdmSettings& settings_;
   const RegionSpeeds& speeds_;
   double time_s_ = 0;
   double volume_mm3_ = 0;
@@ -180,7 +180,7 @@ double CooledTime(double time_s, double area_mm2, const CoolingOptions& cooling)
 
 }  // namespace
 
-std::vector<LayerEstimate> EstimateLayers(const SlicedOutlines& job, const JobSettings& settings) {
+std::vector<LayerEstimate> EstimateLayers(const SlicedOutlines& job, const FdmSettings& settings) {
   std::map<int32_t, int> copies = CopiesByObject(job.copies);
   const bool one_by_one = settings.planning.sequence.complete_objects;
   const CoolingOptions& cooling = settings.motion.cooling;
@@ -209,8 +209,8 @@ std::vector<LayerEstimate> EstimateLayers(const SlicedOutlines& job, const JobSe
   return layers;
 }
 
-PrintEstimate EstimatePrint(const SlicedOutlines& job, const JobSettings& settings) {
-  PrintEstimate estimate;
+JobEstimate EstimatePrint(const SlicedOutlines& job, const FdmSettings& settings) {
+  JobEstimate estimate;
   ProgramStats total;
   FeatureUse& all = total.features[0];
   for (const LayerEstimate& layer : EstimateLayers(job, settings)) {

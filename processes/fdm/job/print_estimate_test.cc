@@ -60,8 +60,8 @@ void AddCube(Plate& plate, int layers) {
 }
 
 /// Settings with a second row like the first.
-JobSettings TwoRows() {
-  JobSettings settings;
+FdmSettings TwoRows() {
+  FdmSettings settings;
   settings.beading.resize(2);
   settings.infill.resize(2);
   settings.ordering.walls.resize(2);
@@ -69,18 +69,18 @@ JobSettings TwoRows() {
   return settings;
 }
 
-PrintEstimate Estimate(const Plate& plate, const JobSettings& settings) {
+JobEstimate Estimate(const Plate& plate, const FdmSettings& settings) {
   return EstimatePrint({plate.layers, plate.copies}, settings);
 }
 
 TEST(EstimatePrint, ASolidCubeTakesItsVolume) {
-  JobSettings settings;
+  FdmSettings settings;
   settings.infill[0].density = 1;
   EXPECT_NEAR(Estimate(Cube(100), settings).filament.volume_mm3, 20 * 20 * 20, 1e-6);
 }
 
 TEST(EstimatePrint, SkinsAndWallsAreSolidAndTheRestIsAsDenseAsAskedFor) {
-  JobSettings settings;
+  FdmSettings settings;
   const double wall = 0.45 - 0.2 * (1 - 3.14159265358979 / 4);
   const double wall_area = 3 * wall * 80;
   const double all = 20 * 20 * 20;
@@ -91,7 +91,7 @@ TEST(EstimatePrint, SkinsAndWallsAreSolidAndTheRestIsAsDenseAsAskedFor) {
 TEST(EstimatePrint, AStepIsCoveredBySkins) {
   std::vector<std::string> stair(60, "(0 0, 20 0, 20 20, 0 20)");
   std::fill(stair.begin() + 30, stair.end(), "(0 0, 10 0, 10 20, 0 20)");
-  JobSettings settings;
+  FdmSettings settings;
   settings.beading[0].perimeters = 0;
   settings.infill[0].density = 0;
   const double skins = 0.2 * kSkins * (400 + 200 + 200);
@@ -99,16 +99,16 @@ TEST(EstimatePrint, AStepIsCoveredBySkins) {
 }
 
 TEST(EstimatePrint, WallsAreNeverMoreThanThereIsRoomFor) {
-  JobSettings settings;
+  FdmSettings settings;
   settings.beading[0].perimeters = 1000;
   EXPECT_NEAR(Estimate(Cube(100), settings).filament.volume_mm3, 8000, 1e-6);
 }
 
 TEST(EstimatePrint, TimeGrowsWithWhatIsPrintedAndFallsWithSpeed) {
-  const JobSettings usual;
-  JobSettings denser = usual;
+  const FdmSettings usual;
+  FdmSettings denser = usual;
   denser.infill[0].density = 0.8;
-  JobSettings faster = usual;
+  FdmSettings faster = usual;
   faster.motion.speeds[0].speed_mm_s.fill(200);
   const double time = Estimate(Cube(100), usual).print_time_s;
   EXPECT_GT(Estimate(Cube(100), denser).print_time_s, 1.2 * time);
@@ -117,7 +117,7 @@ TEST(EstimatePrint, TimeGrowsWithWhatIsPrintedAndFallsWithSpeed) {
 }
 
 TEST(EstimatePrint, SmallLayersTakeAsLongAsCoolingWants) {
-  JobSettings settings;
+  FdmSettings settings;
   settings.motion.cooling.slowdown_below_layer_time_s = 30;
   const auto needle = Layers(std::vector<std::string>(10, "(0 0, 1 0, 1 1, 0 1)"));
   EXPECT_DOUBLE_EQ(Estimate(needle, settings).print_time_s, 300);
@@ -125,16 +125,16 @@ TEST(EstimatePrint, SmallLayersTakeAsLongAsCoolingWants) {
 
 TEST(EstimatePrint, EachCopyTakesAsMuch) {
   Plate plate = Cube(100);
-  const PrintEstimate one = Estimate(plate, {});
+  const JobEstimate one = Estimate(plate, {});
   plate.copies.resize(3);
-  const PrintEstimate three = Estimate(plate, {});
+  const JobEstimate three = Estimate(plate, {});
   EXPECT_NEAR(three.filament.volume_mm3, 3 * one.filament.volume_mm3, 1e-6);
   EXPECT_NEAR(three.print_time_s, 3 * one.print_time_s, 1e-6);
 }
 
 // The copies are printed in turn, and each cools while the others are printed.
 TEST(EstimatePrint, CoolingWantsItsTimeOfTheLayerAndNotOfEachCopy) {
-  JobSettings settings;
+  FdmSettings settings;
   settings.motion.cooling.slowdown_below_layer_time_s = 30;
   Plate needles = Layers(std::vector<std::string>(10, "(0 0, 1 0, 1 1, 0 1)"));
   needles.copies.resize(5);
@@ -149,7 +149,7 @@ TEST(EstimatePrint, ObjectsOfAPlateAddUp) {
 }
 
 TEST(EstimatePrint, AnObjectIsAsDenseAsItsOwnSettingsSay) {
-  JobSettings settings = TwoRows();
+  FdmSettings settings = TwoRows();
   settings.infill[1].density = 1;
   Plate plate = Cube(100);
   const double sparse = Estimate(plate, settings).filament.volume_mm3;
@@ -159,7 +159,7 @@ TEST(EstimatePrint, AnObjectIsAsDenseAsItsOwnSettingsSay) {
 
 // A lower object ends in a skin of its own, whatever goes on beside it.
 TEST(EstimatePrint, SkinsAreThoseOfTheObject) {
-  JobSettings settings = TwoRows();
+  FdmSettings settings = TwoRows();
   for (BeadingOptions& beading : settings.beading) beading.perimeters = 0;
   for (InfillOptions& infill : settings.infill) infill.density = 0;
   Plate plate = Cube(100);

@@ -72,8 +72,8 @@ std::vector<int32_t> LayersToSample(std::span<const LayerEstimate> layers,
   return {chosen.begin(), chosen.end()};
 }
 
-PrintEstimate EstimateFrom(const LayerSamples& samples, std::span<const LayerEstimate> layers,
-                           const MotionOptions& motion) {
+JobEstimate EstimateFrom(const LayerSamples& samples, std::span<const LayerEstimate> layers,
+                         const MotionOptions& motion) {
   std::vector<double> times, volumes, got_times, got_filaments;
   for (const LayerEstimate& layer : layers) {
     times.push_back(layer.time_s);
@@ -83,7 +83,7 @@ PrintEstimate EstimateFrom(const LayerSamples& samples, std::span<const LayerEst
     got_times.push_back(sample.time_s);
     got_filaments.push_back(sample.filament_mm);
   }
-  PrintEstimate estimate;
+  JobEstimate estimate;
   estimate.print_time_s = samples.around_s + Total(samples.layers, times, got_times);
   ProgramStats total;
   FeatureUse& all = total.features[0];

@@ -31,7 +31,7 @@ std::vector<int32_t> LayersToSample(std::span<const LayerEstimate> layers,
 
 /// What all layers take: by how much the samples are off the rough estimate, so much, between
 /// samples in proportion, the others are taken to be. Cost: O(layers).
-PrintEstimate EstimateFrom(const LayerSamples& samples, std::span<const LayerEstimate> layers,
-                           const MotionOptions& motion);
+JobEstimate EstimateFrom(const LayerSamples& samples, std::span<const LayerEstimate> layers,
+                         const MotionOptions& motion);
 
 }  // namespace slicefarm::coordinator

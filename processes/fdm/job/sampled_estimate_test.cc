@@ -63,7 +63,7 @@ TEST(EstimateFrom, ScalesWhatWasNotMade) {
   LayerSamples samples = SamplesOf(layers, {0, 20, 70}, 1.5);
   samples.around_s = 7;
   const MotionOptions motion;
-  const PrintEstimate estimate = EstimateFrom(samples, layers, motion);
+  const JobEstimate estimate = EstimateFrom(samples, layers, motion);
   EXPECT_NEAR(estimate.print_time_s, 1.5 * Time(layers) + 7, 1e-6);
   EXPECT_NEAR(estimate.filament.length_mm, 15 * Time(layers), 1e-6);
 }

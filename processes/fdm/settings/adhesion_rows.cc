@@ -11,9 +11,9 @@ constexpr int32_t kAllLines = 1'000;
 
 /// Beads of one width in place of what the part's walls and infill have.
 void SetWidths(Coord width_nm, JobSettings& settings) {
-  BeadingOptions& beading = settings.beading.front();
+  BeadingOptions& beading = FdmOf(settings).beading.front();
   beading.external_width_nm = beading.inner_width_nm = width_nm;
-  InfillOptions& infill = settings.infill.front();
+  InfillOptions& infill = FdmOf(settings).infill.front();
   infill.sparse_width_nm = infill.solid_width_nm = infill.top_width_nm = width_nm;
 }
 
@@ -59,7 +59,7 @@ double DensityOf(RaftLayerKind kind, const RaftLines& lines) {
 }  // namespace
 
 JobSettings BrimRow(JobSettings settings) {
-  BeadingOptions& beading = settings.beading.front();
+  BeadingOptions& beading = FdmOf(settings).beading.front();
   SetWidths(beading.first_layer_width_nm, settings);
   beading.generator = WallGenerator::kArachne;
   beading.perimeters = kAllLines;
@@ -67,17 +67,17 @@ JobSettings BrimRow(JobSettings settings) {
   // A brim has no narrower places: a wider line there would lie on what it keeps away from.
   beading.min_feature_nm = beading.min_bead_width_nm = beading.first_layer_width_nm / 2;
   beading.gap_fill = true;
-  FillAlike(1, 0, settings.infill.front());
-  settings.ordering.walls.front() = {.towards_holes = true};
+  FillAlike(1, 0, FdmOf(settings).infill.front());
+  FdmOf(settings).ordering.walls.front() = {.towards_holes = true};
   return settings;
 }
 
 JobSettings RaftRow(JobSettings settings, int32_t layer) {
-  const RaftOptions& raft = settings.planning.objects.front().raft;
+  const RaftOptions& raft = FdmOf(settings).planning.objects.front().raft;
   const int32_t layers = raft.heights.layers;
   const RaftLayerKind kind = RaftLayerKindOf(layer, layers);
   SetWidths(raft.lines.width_nm, settings);
-  BeadingOptions& beading = settings.beading.front();
+  BeadingOptions& beading = FdmOf(settings).beading.front();
   MakePlain(beading);
   beading.generator = WallGenerator::kClassic;
   beading.perimeters = kind == RaftLayerKind::kInterface ? 0 : 1;
@@ -86,9 +86,9 @@ JobSettings RaftRow(JobSettings settings, int32_t layer) {
   const bool across =
       kind == RaftLayerKind::kInterface || (kind == RaftLayerKind::kFirst && two_bases);
   FillAlike(DensityOf(kind, raft.lines), raft.lines.angle_rad + (across ? std::numbers::pi / 2 : 0),
-            settings.infill.front());
-  if (beading.perimeters == 0) settings.infill.front().overlap_nm = 0;
-  settings.ordering.walls.front() = {};
+            FdmOf(settings).infill.front());
+  if (beading.perimeters == 0) FdmOf(settings).infill.front().overlap_nm = 0;
+  FdmOf(settings).ordering.walls.front() = {};
   return settings;
 }
 

@@ -31,16 +31,16 @@ TEST(BrimRow, IsAllLinesOfTheFirstLayersWidth) {
                                     {"perimeter_generator", "classic"},
                                     {"fill_density", "15%"}});
   const JobSettings row = BrimRow(job);
-  EXPECT_EQ(row.beading[0].external_width_nm, 600'000);
-  EXPECT_EQ(row.beading[0].inner_width_nm, 600'000);
-  EXPECT_GT(row.beading[0].perimeters, 200 / 0.6 / 2) << "the widest brim there may be";
-  EXPECT_FALSE(row.beading[0].one_on_bed);
-  EXPECT_EQ(row.beading[0].one_on_top, OneWallOnTop::kNowhere);
-  EXPECT_FALSE(row.beading[0].extra_perimeters);
-  EXPECT_EQ(row.beading[0].fuzzy, FuzzySkin::kNone);
-  EXPECT_EQ(row.beading[0].generator, WallGenerator::kArachne);
-  EXPECT_EQ(row.infill[0].density, 1);
-  EXPECT_TRUE(row.ordering.walls[0].towards_holes);
+  EXPECT_EQ(FdmOf(row).beading[0].external_width_nm, 600'000);
+  EXPECT_EQ(FdmOf(row).beading[0].inner_width_nm, 600'000);
+  EXPECT_GT(FdmOf(row).beading[0].perimeters, 200 / 0.6 / 2) << "the widest brim there may be";
+  EXPECT_FALSE(FdmOf(row).beading[0].one_on_bed);
+  EXPECT_EQ(FdmOf(row).beading[0].one_on_top, OneWallOnTop::kNowhere);
+  EXPECT_FALSE(FdmOf(row).beading[0].extra_perimeters);
+  EXPECT_EQ(FdmOf(row).beading[0].fuzzy, FuzzySkin::kNone);
+  EXPECT_EQ(FdmOf(row).beading[0].generator, WallGenerator::kArachne);
+  EXPECT_EQ(FdmOf(row).infill[0].density, 1);
+  EXPECT_TRUE(FdmOf(row).ordering.walls[0].towards_holes);
 }
 
 struct Layer {
@@ -64,15 +64,15 @@ TEST(RaftRow, DensityAndAngleOfEachLayer) {
                                       {"support_material_extrusion_width", "0.4"}});
     for (size_t i = 0; i < raft.size(); ++i) {
       const JobSettings row = RaftRow(job, static_cast<int32_t>(i));
-      const InfillOptions& infill = row.infill[0];
+      const InfillOptions& infill = FdmOf(row).infill[0];
       EXPECT_DOUBLE_EQ(infill.density, raft[i].density) << raft.size() << " " << i;
       EXPECT_DOUBLE_EQ(infill.angle_rad, std::numbers::pi / 6 + kQuarter * raft[i].turn);
       EXPECT_EQ(infill.pattern, FillPattern::kAlignedRectilinear);
       EXPECT_EQ(infill.top_solid_layers, 0);
       EXPECT_EQ(infill.sparse_width_nm, 400'000);
       EXPECT_EQ(infill.solid_width_nm, 400'000);
-      EXPECT_EQ(infill.first_layer_width_nm, job.infill[0].first_layer_width_nm);
-      EXPECT_EQ(row.beading[0].perimeters, raft[i].walls);
+      EXPECT_EQ(infill.first_layer_width_nm, FdmOf(job).infill[0].first_layer_width_nm);
+      EXPECT_EQ(FdmOf(row).beading[0].perimeters, raft[i].walls);
     }
   }
 }

@@ -1,5 +1,7 @@
 #include "processes/fdm/settings/fdm_settings.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -18,8 +20,9 @@
 namespace slicefarm::config::fdm {
 namespace {
 
-class FdmSettings : public ProcessSettings {
+class OfFdm : public ProcessSettings {
  public:
+  JobSettings Standards() const override { return {.slicing = {}, .own = FdmSettings()}; }
   std::vector<SettingSpec> Table() const override {
     std::vector<SettingSpec> all;
     for (const auto& section :
@@ -47,27 +50,40 @@ class FdmSettings : public ProcessSettings {
                             std::vector<SceneObject>& objects) const override {
     return TakeTool(job, objects);
   }
-  void BeginPlate(JobSettings& plate) const override { plate.planning.objects.clear(); }
+  void BeginPlate(JobSettings& plate) const override { FdmOf(plate).planning.objects.clear(); }
   std::unique_ptr<RegionRows> NewRows() const override { return std::make_unique<RegionTable>(); }
   absl::Status AddRows(JobSettings& object, RegionRows& rows) const override {
     return AddAdhesionRows(object, rows);
   }
   bool AreAlike(const JobSettings& plate, size_t object, const JobSettings& other) const override {
-    return plate.planning.objects[object] == other.planning.objects.front();
+    return FdmOf(plate).planning.objects[object] == FdmOf(other).planning.objects.front();
   }
   void AddObject(const JobSettings& object, JobSettings& plate) const override {
-    plate.planning.objects.push_back(object.planning.objects.front());
+    FdmOf(plate).planning.objects.push_back(FdmOf(object).planning.objects.front());
   }
   absl::Status FinishPlate(const JobSettings& job, RegionRows& rows,
                            JobSettings& plate) const override {
     return fdm::FinishPlate(job, rows, plate);
+  }
+
+  std::vector<std::string> NameWarnings(const JobSettings& settings,
+                                        std::string_view file) const override {
+    const bool binary = FdmOf(settings).motion.writing.binary;
+    if (file.ends_with(".bgcode") && !binary)
+      return {fmt::format("{} is text: binary_gcode = 1 makes binary G-code", file)};
+    if (file.ends_with(".gcode") && binary)
+      return {fmt::format("{} is binary G-code, as binary_gcode = 1 asks for", file)};
+    return {};
+  }
+  double MaterialCostPerKg(const JobSettings& settings) const override {
+    return FdmOf(settings).motion.filament_cost_per_kg;
   }
 };
 
 }  // namespace
 
 const ProcessSettings& Settings() {
-  static const FdmSettings settings;
+  static const OfFdm settings;
   return settings;
 }
 

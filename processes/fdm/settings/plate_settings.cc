@@ -20,7 +20,7 @@ Coord BrimReach(const ObjectPlanOptions& object) {
 /// Copies that are arranged stand duplicate_distance apart, brims included.
 void LeaveRoomForBrims(JobSettings& settings) {
   Coord reach = 0;
-  for (const ObjectPlanOptions& object : settings.planning.objects)
+  for (const ObjectPlanOptions& object : FdmOf(settings).planning.objects)
     reach = std::max(reach, BrimReach(object));
   SlicingOptions& slicing = settings.slicing;
   if (reach > 0)
@@ -31,7 +31,7 @@ void LeaveRoomForBrims(JobSettings& settings) {
 }  // namespace
 
 absl::Status AddAdhesionRows(JobSettings& object, RegionRows& rows) {
-  ObjectPlanOptions& planning = object.planning.objects.front();
+  ObjectPlanOptions& planning = FdmOf(object).planning.objects.front();
   const int32_t raft_layers = planning.raft.heights.layers;
   for (int32_t layer = 0; layer < raft_layers; ++layer) {
     absl::StatusOr<int32_t> row = rows.RowOf(RaftRow(object, layer));
@@ -48,10 +48,10 @@ absl::Status AddAdhesionRows(JobSettings& object, RegionRows& rows) {
 }
 
 absl::Status FinishPlate(const JobSettings& job, RegionRows& rows, JobSettings& plate) {
-  if (plate.planning.skirt.loops > 0) {
+  if (FdmOf(plate).planning.skirt.loops > 0) {
     const absl::StatusOr<int32_t> row = rows.RowOf(BrimRow(job));
     if (!row.ok()) return row.status();
-    plate.planning.skirt_settings = *row;
+    FdmOf(plate).planning.skirt_settings = *row;
   }
   rows.PutInto(plate);
   LeaveRoomForBrims(plate);

@@ -146,7 +146,7 @@ TEST(ResolvePlate, TakesTheFilamentOfTheTool) {
   const auto plate =
       ResolvePlate(job, std::vector<SceneObject>{Object("a", {Tool("2")})}, Process::kFdm);
   ASSERT_TRUE(plate.ok()) << plate.status();
-  const MotionOptions& motion = plate->settings.motion;
+  const MotionOptions& motion = FdmOf(plate->settings).motion;
   EXPECT_EQ(motion.nozzle_diameter_mm, 0.6);
   EXPECT_EQ(motion.temperature_c, 245);
   EXPECT_EQ(motion.first_layer_temperature_c, 250);

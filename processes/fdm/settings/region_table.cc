@@ -6,8 +6,8 @@
 namespace slicefarm::config::fdm {
 
 RegionTable::Walls RegionTable::WallsOf(const JobSettings& settings) {
-  Walls walls{settings.beading.front(), settings.ordering.walls.front(),
-              settings.motion.speeds.front()};
+  Walls walls{FdmOf(settings).beading.front(), FdmOf(settings).ordering.walls.front(),
+              FdmOf(settings).motion.speeds.front()};
   walls.beading.wall_class = 0;
   for (const Feature feature :
        {Feature::kInternalInfill, Feature::kSolidInfill, Feature::kTopSolidInfill,
@@ -25,12 +25,12 @@ int32_t RegionTable::ClassOf(const Walls& walls) {
 }
 
 absl::StatusOr<int32_t> RegionTable::RowOf(const JobSettings& settings) {
-  BeadingOptions beading = settings.beading.front();
+  BeadingOptions beading = FdmOf(settings).beading.front();
   beading.wall_class = ClassOf(WallsOf(settings));
   for (size_t i = 0; i < beading_.size(); ++i) {
-    if (beading_[i] == beading && infill_[i] == settings.infill.front() &&
-        order_[i] == settings.ordering.walls.front() &&
-        speeds_[i] == settings.motion.speeds.front())
+    if (beading_[i] == beading && infill_[i] == FdmOf(settings).infill.front() &&
+        order_[i] == FdmOf(settings).ordering.walls.front() &&
+        speeds_[i] == FdmOf(settings).motion.speeds.front())
       return static_cast<int32_t>(i);
   }
   const int64_t rows = std::ssize(beading_) + 1;
@@ -38,18 +38,17 @@ absl::StatusOr<int32_t> RegionTable::RowOf(const JobSettings& settings) {
     return LimitError(Reason::kRequestTooLarge, "different sets of settings of regions",
                       limits::kMaxRegionSettings, rows);
   beading_.push_back(beading);
-  infill_.push_back(settings.infill.front());
-  order_.push_back(settings.ordering.walls.front());
-  speeds_.push_back(settings.motion.speeds.front());
+  infill_.push_back(FdmOf(settings).infill.front());
+  order_.push_back(FdmOf(settings).ordering.walls.front());
+  speeds_.push_back(FdmOf(settings).motion.speeds.front());
   return static_cast<int32_t>(rows - 1);
 }
 
 void RegionTable::PutInto(JobSettings& settings) const {
-  settings.beading = beading_;
-  settings.infill = infill_;
-  settings.ordering.walls = order_;
-  settings.motion.speeds = speeds_;
-  settings.exposure.regions.resize(beading_.size());  // all tables are equally long
+  FdmOf(settings).beading = beading_;
+  FdmOf(settings).infill = infill_;
+  FdmOf(settings).ordering.walls = order_;
+  FdmOf(settings).motion.speeds = speeds_;
 }
 
 }  // namespace slicefarm::config::fdm

@@ -15,6 +15,7 @@ namespace slicefarm::config::fdm {
 class RegionTable : public RegionRows {
  public:
   absl::StatusOr<int32_t> RowOf(const JobSettings& settings) override;
+  int64_t size() const override { return std::ssize(beading_); }
   void PutInto(JobSettings& settings) const override;
 
  private:

@@ -53,7 +53,7 @@ absl::Status TakeLayerSettings(const std::string& text, MotionOptions& options) 
 /// What elefant_foot_compensation leaves of thin places: room for the first layer's outer wall and
 /// its neighbour, as PrusaSlicer has it.
 void TakeFootWidth(JobSettings& settings) {
-  const Coord width_nm = settings.beading[0].first_layer_width_nm;
+  const Coord width_nm = FdmOf(settings).beading[0].first_layer_width_nm;
   const Coord spacing_nm = Spacing(width_nm, settings.slicing.first_layer_height_nm);
   settings.slicing.objects[0].elephant_foot_min_width_nm =
       width_nm + std::max<Coord>(spacing_nm, 0);
@@ -61,7 +61,7 @@ void TakeFootWidth(JobSettings& settings) {
 
 /// Copies that are arranged to be printed one after the other leave room for the head.
 void TakeClearance(JobSettings& settings) {
-  const SequencePlanOptions& sequence = settings.planning.sequence;
+  const SequencePlanOptions& sequence = FdmOf(settings).planning.sequence;
   settings.slicing.clearance_radius_nm =
       sequence.complete_objects ? sequence.clearance_radius_nm : 0;
 }
@@ -76,14 +76,14 @@ AutomaticBrim AutomaticBrimOf(const JobSettings& settings) {
   constexpr Material kMaterials[] = {{"ABS", 100, 1}, {"PA-CF", 100, 1},  {"PET-CF", 100, 1},
                                      {"PC", 40, 1},   {"TPU", 1000, 0.5}, {"PETG", 200, 2},
                                      {"PCTG", 200, 2}};
-  AutomaticBrim brim = settings.planning.objects[0].brim.automatic;
+  AutomaticBrim brim = FdmOf(settings).planning.objects[0].brim.automatic;
   const auto material =
-      std::ranges::find(kMaterials, settings.motion.filament_type, &Material::type);
+      std::ranges::find(kMaterials, FdmOf(settings).motion.filament_type, &Material::type);
   if (material != std::end(kMaterials)) {
     brim.thermal_length_mm = material->thermal_length_mm;
     brim.adhesion = material->adhesion;
   }
-  const auto& speeds = settings.motion.speeds[0].speed_mm_s;
+  const auto& speeds = FdmOf(settings).motion.speeds[0].speed_mm_s;
   for (const Feature feature : {Feature::kExternalPerimeter, Feature::kPerimeter,
                                 Feature::kInternalInfill, Feature::kSolidInfill})
     brim.max_speed_mm_s = std::max(brim.max_speed_mm_s, speeds[static_cast<size_t>(feature)]);
@@ -93,28 +93,28 @@ AutomaticBrim AutomaticBrimOf(const JobSettings& settings) {
 /// What skirt, brim and raft take from settings that are about other things.
 void TakeAdhesion(JobSettings& settings) {
   const Coord first_height_nm = settings.slicing.first_layer_height_nm;
-  const Coord line_width_nm = settings.beading[0].first_layer_width_nm;
-  SkirtOptions& skirt = settings.planning.skirt;
+  const Coord line_width_nm = FdmOf(settings).beading[0].first_layer_width_nm;
+  SkirtOptions& skirt = FdmOf(settings).planning.skirt;
   skirt.width_nm = line_width_nm;
   skirt.height_nm = first_height_nm;
-  const double radius_mm = settings.motion.filament_diameter_mm / 2;
+  const double radius_mm = FdmOf(settings).motion.filament_diameter_mm / 2;
   skirt.filament_area_mm2 = std::numbers::pi * radius_mm * radius_mm;
-  ObjectPlanOptions& object = settings.planning.objects[0];
+  ObjectPlanOptions& object = FdmOf(settings).planning.objects[0];
   object.brim.line_width_nm = line_width_nm;
   object.brim.automatic = AutomaticBrimOf(settings);
   RaftHeights& raft = object.raft.heights;
   raft.first_nm = first_height_nm;
   raft.others_nm = std::max(settings.slicing.objects[0].layer_height_nm,
-                            FromMm(0.75 * settings.motion.nozzle_diameter_mm));
+                            FromMm(0.75 * FdmOf(settings).motion.nozzle_diameter_mm));
   settings.slicing.objects[0].raft = raft;
   object.raft_settings.assign(static_cast<size_t>(raft.layers), 0);
-  settings.planning.bed = settings.slicing.bed;
+  FdmOf(settings).planning.bed = settings.slicing.bed;
 }
 
 /// A density that depends on the distance to the surface looks as many layers up and down as it
 /// reaches.
 absl::Status TakeDensityField(JobSettings& settings) {
-  InfillOptions& infill = settings.infill[0];
+  InfillOptions& infill = FdmOf(settings).infill[0];
   if (infill.density_field.empty()) return absl::OkStatus();
   const auto field = ParseDensityField(infill.density_field);
   if (!field.ok()) return field.status();
@@ -157,9 +157,9 @@ Growth GrowthOf(const Draft& draft) {
 
 /// Beads are not higher than the nozzle is wide. Returns what to say of it.
 std::optional<std::string> TakeEveryLayers(JobSettings& settings) {
-  int32_t& every = settings.infill[0].every_layers;
+  int32_t& every = FdmOf(settings).infill[0].every_layers;
   const Coord height_nm = settings.slicing.objects[0].layer_height_nm;
-  const Coord nozzle_nm = FromMm(settings.motion.nozzle_diameter_mm);
+  const Coord nozzle_nm = FromMm(FdmOf(settings).motion.nozzle_diameter_mm);
   const auto most = static_cast<int32_t>(std::max<Coord>(1, nozzle_nm / height_nm));
   if (every <= most) return std::nullopt;
   const int32_t asked = std::exchange(every, most);
@@ -171,7 +171,7 @@ std::optional<std::string> TakeEveryLayers(JobSettings& settings) {
 void TakeTool(const Settling& settling) {
   const size_t tools = ToolCount(settling.given);
   if (tools <= 1) return;
-  settling.result.settings.motion.tool = static_cast<int32_t>(ToolOf(settling.given));
+  FdmOf(settling.result.settings).motion.tool = static_cast<int32_t>(ToolOf(settling.given));
   settling.told["num_extruders"] = fmt::format("{}", tools);
 }
 
@@ -193,19 +193,19 @@ absl::Status Settle(const Settling& settling) {
   settling.result.growth = GrowthOf(settling.draft);
   TakeFootWidth(settings);
   TakeTool(settling);
-  const auto code = macro::ParseJobCode(settings.motion);
+  const auto code = macro::ParseJobCode(FdmOf(settings).motion);
   if (!code.ok()) return NamingOwnGcode(code.status(), settling.draft);
   if (!macro::NamesClock(*code)) settling.told.erase("creation_time");
   TakeClearance(settings);
   TakeAdhesion(settings);
   if (absl::Status ok = TakeDensityField(settings); !ok.ok()) return ok;
-  if (absl::Status ok = CheckPlannedPattern(settings.infill[0]); !ok.ok()) return ok;
+  if (absl::Status ok = CheckPlannedPattern(FdmOf(settings).infill[0]); !ok.ok()) return ok;
   if (auto note = TakeEveryLayers(settings)) settling.result.no_effect.push_back(*std::move(note));
   return absl::OkStatus();
 }
 
 absl::Status TakeGcode(const Draft& draft, ResolvedSettings& result) {
-  MotionOptions& motion = result.settings.motion;
+  MotionOptions& motion = FdmOf(result.settings).motion;
   if (absl::Status ok = macro::CheckJobCode(motion, result.effective_text); !ok.ok())
     return NamingOwnGcode(ok, draft);
   return TakeLayerSettings(result.effective_text, motion);

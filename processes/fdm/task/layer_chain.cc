@@ -58,30 +58,42 @@ std::vector<FillUse> TakeUses(std::vector<FilledLayer>& layers, std::span<const 
 
 }  // namespace
 
+std::shared_ptr<const LayerChain> LayerChain::Over(const Stages& stages) {
+  if (stages.beading == nullptr || stages.infill == nullptr || stages.ordering == nullptr ||
+      stages.motion == nullptr)
+    return nullptr;
+  return std::make_shared<LayerChain>(*stages.beading, *stages.infill, *stages.ordering,
+                                      *stages.motion);
+}
+
+std::vector<Stage> LayerChain::StagesOf() {
+  return {Stage::kBeading, Stage::kInfill, Stage::kOrdering, Stage::kMotion};
+}
+
 absl::StatusOr<FdmResult> LayerChain::Run(const StageCall& call, const FdmTask& task) const {
   FdmResult result;
   const Neighbourhood neighbourhood{task.range, task.layers};
-  const JobSettings& settings = *task.settings;
+  const FdmSettings& settings = *task.settings;
   if (absl::Status ok = CheckHalo(task.layers, task.range, HaloLayers(settings)); !ok.ok())
     return ok;
 
-  auto walled = Timed(result.times.beading_s, [&] {
+  auto walled = Timed(result.times[Stage::kBeading], [&] {
     return beading_.Bead(call, Trimmed(neighbourhood, BeadingHaloLayers(settings)),
                          settings.beading);
   });
   if (!walled.ok()) return walled.status();
   NoteWarnings(*walled, result.warnings);
-  auto filled = Timed(result.times.infill_s, [&] {
+  auto filled = Timed(result.times[Stage::kInfill], [&] {
     return infill_.Fill(call, *std::move(walled), neighbourhood, task.plans, settings.infill);
   });
   if (!filled.ok()) return filled.status();
   result.fills = TakeUses(*filled, task.copies);
-  auto ordered = Timed(result.times.ordering_s, [&] {
+  auto ordered = Timed(result.times[Stage::kOrdering], [&] {
     return ordering_.Order(call, *std::move(filled), task.plans, task.copies, settings.ordering);
   });
   if (!ordered.ok()) return ordered.status();
   if (LooksBelow(settings.motion)) AddBelow(task.layers, *ordered);
-  auto programs = Timed(result.times.motion_s, [&] {
+  auto programs = Timed(result.times[Stage::kMotion], [&] {
     return motion_.Program(call, *std::move(ordered), *task.facts, settings.motion);
   });
   if (!programs.ok()) return programs.status();

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "common/stage/task.h"
+#include <memory>
+#include <vector>
+
+#include "processes/fdm/task/fdm_task.h"
 
 namespace slicefarm {
 
@@ -11,6 +14,10 @@ class LayerChain : public FdmRunner {
   LayerChain(const BeadingStage& beading, const InfillStage& infill, const OrderingStage& ordering,
              const MotionStage& motion)
       : beading_(beading), infill_(infill), ordering_(ordering), motion_(motion) {}
+
+  /// Null: one of them is missing.
+  static std::shared_ptr<const LayerChain> Over(const Stages& stages);
+  static std::vector<Stage> StagesOf();
 
   absl::StatusOr<FdmResult> Run(const StageCall& call, const FdmTask& task) const override;
 

@@ -115,7 +115,7 @@ class LayerChainTest : public testing::Test {
   std::vector<LayerPlan> plans_;
   std::vector<Copy> copies_;
   JobFacts facts_;
-  JobSettings settings_;
+  FdmSettings settings_;
   Beading beading_;
   Infill infill_;
   Ordering ordering_;

@@ -27,8 +27,8 @@ double TimeS(const Region& region, const ExposureOptions& options) {
 
 }  // namespace
 
-PrintEstimate EstimateExposure(const SlicedOutlines& job, const ExposureSettings& settings) {
-  PrintEstimate estimate;
+JobEstimate EstimateExposure(const SlicedOutlines& job, const ExposureSettings& settings) {
+  JobEstimate estimate;
   for (const SlicedLayer& layer : job.layers) {
     for (const ObjectSection& section : layer.sections) {
       const auto copies = std::ranges::count(job.copies, section.object, &PlacedCopy::object);

@@ -20,7 +20,7 @@ TEST(EstimateExposure, IsAreaByHatchAndPerimeterByContours) {
       {.outlines = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)")});
   const std::vector<SlicedLayer> layers(3, layer);
   const std::vector<PlacedCopy> copies(2);
-  const PrintEstimate estimate = EstimateExposure({layers, copies}, settings);
+  const JobEstimate estimate = EstimateExposure({layers, copies}, settings);
   EXPECT_NEAR(estimate.print_time_s, 3 * 2 * 1.08, 1e-9);
   EXPECT_EQ(EstimateExposure({}, settings).print_time_s, 0);
 }

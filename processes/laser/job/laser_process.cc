@@ -11,6 +11,9 @@
 #include "common/geometry/measure.h"
 #include "common/stage/job_memory.h"
 #include "common/stage/object_layers.h"
+#include "processes/laser/job/exposure_estimate.h"
+#include "processes/laser/job/laser_report.h"
+#include "processes/laser/task/laser_task.h"
 #include "services/coordinator/algo/pipeline/check_printable.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
 #include "services/coordinator/algo/pipeline/range_split.h"
@@ -32,13 +35,12 @@ absl::Status CheckLayer(const ExposureOutput& output, size_t layers) {
 
 /// Runs before and after lines, with the laser off, stay on the bed if all that is exposed lies as
 /// far from its edge as they are long.
-absl::Status CheckRuns(const JobSettings& settings, const Box& exposed) {
+absl::Status CheckRuns(const ExposureSettings& settings, const Polygon& bed, const Box& exposed) {
   Coord run_nm = 0;
-  for (const ExposureOptions& region : settings.exposure.regions)
+  for (const ExposureOptions& region : settings.regions)
     if (!IsRings(region.strategy)) run_nm = std::max(run_nm, region.skywriting_nm);
   if (run_nm == 0 || exposed.Empty()) return absl::OkStatus();
   const Box around = exposed.Grown(run_nm);
-  const Polygon& bed = settings.slicing.bed;
   const Polygon corners = {
       around.min, {around.max.x, around.min.y}, around.max, {around.min.x, around.max.y}};
   const bool fits = std::ranges::all_of(
@@ -71,10 +73,11 @@ absl::Status CheckPrograms(const std::vector<SpooledExposure>& programs, size_t 
 
 class LaserJob : public PlannedJob {
  public:
-  LaserJob(const ExposureStage& exposure, JobSettings settings, JobReport report, SlicedJob sliced,
-           std::unique_ptr<SpoolFile> spool)
+  LaserJob(const ExposureStage& exposure, ExposureSettings settings, Polygon bed, JobReport report,
+           SlicedJob sliced, std::unique_ptr<SpoolFile> spool)
       : exposure_(exposure),
         settings_(std::move(settings)),
+        bed_(std::move(bed)),
         report_(std::move(report)),
         layers_(std::move(sliced.layers)),
         object_names_(std::move(sliced.object_names)),
@@ -82,7 +85,7 @@ class LaserJob : public PlannedJob {
     for (const PlacedCopy& copy : sliced.copies) copies_.push_back({copy.object, copy.shift, 0});
   }
 
-  int32_t LayerCount() const override { return static_cast<int32_t>(layers_.size()); }
+  int32_t Weight() const override { return static_cast<int32_t>(layers_.size()); }
 
   absl::StatusOr<std::vector<Task>> Tasks(int slots) override {
     const std::span<const SlicedLayer> layers = layers_;
@@ -103,7 +106,7 @@ class LaserJob : public PlannedJob {
   }
 
   absl::Status Take(size_t task, TaskResult result) override {
-    auto& made = std::get<LaserResult>(result);
+    auto& made = result.As<LaserResult>();
     ranges_[task].times = made.times;
     for (ExposedProgram& program : made.programs) {
       const auto place = spool_->Add(program.text);
@@ -122,17 +125,18 @@ class LaserJob : public PlannedJob {
     }
     if (absl::Status whole = CheckPrograms(programs, layers_.size()); !whole.ok()) return whole;
     const ExposureSummary summary = FillIn(programs);
-    if (absl::Status fits = CheckRuns(settings_, summary.bounds); !fits.ok()) return fits;
-    if (report_.exposure->Total().lines == 0)
+    if (absl::Status fits = CheckRuns(settings_, bed_, summary.bounds); !fits.ok()) return fits;
+    if (own_.exposure.Total().lines == 0)
       return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
                        "the outlines of all layers are too thin: beam_compensation leaves nothing "
                        "of them, and thin_wall_exposure no line");
-    auto frame = Timed(report_.stage_times.exposure_s, [&] {
+    auto frame = Timed(report_.stage_times[Stage::kExposure], [&] {
       const ScopedSpan span(call.spans, "frame");
-      return exposure_.Envelope(call, summary, settings_.exposure);
+      return exposure_.Envelope(call, summary, settings_);
     });
     if (!frame.ok()) return frame.status();
     const ScopedSpan span(call.spans, "assembly");
+    report_.own = std::make_unique<LaserReport>(std::move(own_));
     return JobOutput{WholeFile(*std::move(frame), programs), std::move(report_)};
   }
 
@@ -145,16 +149,15 @@ class LaserJob : public PlannedJob {
 
   /// Sums up the layers, in their order.
   ExposureSummary FillIn(const std::vector<SpooledExposure>& programs) {
-    ExposureReport& sum = report_.exposure.emplace();
+    ExposureReport& sum = own_.exposure;
     for (const SpooledExposure& spooled : programs) {
       sum.Add(spooled.program.report);
-      report_.times.layer_s.push_back(spooled.program.report.TimeS());
+      own_.layer_s.push_back(spooled.program.report.TimeS());
     }
     const LayerFrame& first = programs.front().program.frame;
     const LayerFrame& last = programs.back().program.frame;
     report_.layer_count = static_cast<int32_t>(programs.size());
     report_.print_time_s = sum.TimeS();
-    report_.travel_mm = sum.jump_mm;
     report_.object_height_mm = ToMm(static_cast<double>(last.print_z_nm));
     return {report_.layer_count, sum.bounds, first.print_z_nm - first.height_nm, last.print_z_nm,
             object_names_};
@@ -169,8 +172,10 @@ class LaserJob : public PlannedJob {
   }
 
   const ExposureStage& exposure_;
-  const JobSettings settings_;
+  const ExposureSettings settings_;
+  const Polygon bed_;
   JobReport report_;
+  LaserReport own_;
   const std::vector<SlicedLayer> layers_;
   const std::vector<std::string> object_names_;
   std::vector<Copy> copies_;
@@ -183,14 +188,14 @@ class LaserJob : public PlannedJob {
 absl::StatusOr<std::unique_ptr<PlannedJob>> LaserProcess::Plan(const StageCall& call,
                                                                JobInput input) const {
   JobReport report;
-  auto sliced = Timed(report.stage_times.slicing_s, [&] {
+  auto sliced = Timed(report.stage_times[Stage::kSlicing], [&] {
     const ScopedSpan span(call.spans, "slicing");
     return slicing_.Slice(call, std::move(input.meshes), input.settings.slicing);
   });
   if (!sliced.ok()) return sliced.status();
   HoldMemory(call, JobMemory::Kind::kMeshes, 0).IgnoreError();
   if (absl::Status printable = CheckPrintable(sliced->layers); !printable.ok()) return printable;
-  const ExposureOutput& output = input.settings.exposure.output;
+  const ExposureOutput& output = ExposureOf(input.settings).output;
   if (absl::Status there = CheckLayer(output, sliced->layers.size()); !there.ok()) return there;
   report.meshes = std::move(sliced->meshes);
   report.warnings = std::move(input.warnings);
@@ -198,8 +203,21 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> LaserProcess::Plan(const StageCall& 
     std::ranges::move(MeshWarnings(mesh), std::back_inserter(report.warnings));
   auto spool = SpoolFile::Make(spool_directory_);
   if (!spool.ok()) return spool.status();
-  return std::make_unique<LaserJob>(exposure_, std::move(input.settings), std::move(report),
+  return std::make_unique<LaserJob>(exposure_, std::move(ExposureOf(input.settings)),
+                                    std::move(input.settings.slicing.bed), std::move(report),
                                     *std::move(sliced), *std::move(spool));
+}
+
+absl::StatusOr<JobEstimate> LaserProcess::Estimate(const StageCall& /*call*/, SlicedJob sliced,
+                                                   JobInput input,
+                                                   TaskExecutor& /*executor*/) const {
+  return EstimateExposure({sliced.layers, sliced.copies}, ExposureOf(input.settings));
+}
+
+std::unique_ptr<JobProcess> LaserProcess::Over(const Stages& stages,
+                                               const std::string& spool_directory) {
+  if (stages.slicing == nullptr || stages.exposure == nullptr) return nullptr;
+  return std::make_unique<LaserProcess>(*stages.slicing, *stages.exposure, spool_directory);
 }
 
 }  // namespace slicefarm::coordinator

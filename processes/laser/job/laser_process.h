@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -17,10 +18,15 @@ class LaserProcess : public JobProcess {
                std::string spool_directory = "")
       : slicing_(slicing), exposure_(exposure), spool_directory_(std::move(spool_directory)) {}
 
+  /// Null: a stage is missing.
+  static std::unique_ptr<JobProcess> Over(const Stages& stages, const std::string& spool_directory);
+
   Process process() const override { return Process::kLaser; }
   /// Errors also: SETTING_OUT_OF_RANGE if the one layer that is asked for is not there.
   absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
                                                    JobInput input) const override;
+  absl::StatusOr<JobEstimate> Estimate(const StageCall& call, SlicedJob sliced, JobInput input,
+                                       TaskExecutor& executor) const override;
 
  private:
   const SlicingStage& slicing_;

@@ -9,6 +9,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 #include "common/geometry/text_format.h"
+#include "processes/laser/job/laser_report.h"
 #include "processes/laser/task/laser_chain.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
@@ -80,11 +81,12 @@ class LaserProcessTest : public testing::Test {
     dispatcher.Join({.name = "here", .tasks = chain_, .slots = slots});
     JobInput input;
     input.settings = settings_;
-    input.settings.process = Process::kLaser;
+    input.settings.own = ExposureSettings();
     input.warnings = {"of the settings"};
     input.meshes.files = {{"thing", MeshFormat::kStl, std::move(layers)}};
-    const LaserProcess process(slicing_, exposure_);
-    return JobPipeline({&process}, dispatcher).Run({}, std::move(input), nullptr);
+    std::vector<std::unique_ptr<JobProcess>> processes;
+    processes.push_back(std::make_unique<LaserProcess>(slicing_, exposure_));
+    return JobPipeline(std::move(processes), dispatcher).Run({}, std::move(input), nullptr);
   }
 
   JobSettings settings_;
@@ -106,22 +108,22 @@ TEST_F(LaserProcessTest, ReportsWhatItCameTo) {
   EXPECT_EQ(report.layer_count, 3);
   EXPECT_DOUBLE_EQ(report.object_height_mm, 3);
   EXPECT_DOUBLE_EQ(report.print_time_s, 1.5);
-  EXPECT_DOUBLE_EQ(report.travel_mm, 40);
-  ASSERT_TRUE(report.exposure.has_value());
-  EXPECT_EQ(report.exposure->Total().lines, 2);
-  EXPECT_DOUBLE_EQ(report.exposure->EnergyDensityJmm3(), 2);
+  const auto& own = dynamic_cast<const LaserReport&>(*report.own);
+  EXPECT_EQ(own.exposure.Total().lines, 2);
+  EXPECT_DOUBLE_EQ(own.exposure.EnergyDensityJmm3(), 2);
   EXPECT_THAT(report.warnings, testing::Contains("of the settings"));
 }
 
 TEST_F(LaserProcessTest, ReportsTimesByLayer) {
   const auto output = Run("x-x");
   ASSERT_TRUE(output.ok()) << output.status();
-  EXPECT_EQ(output->report.times.layer_s, (std::vector<double>{0.75, 0, 0.75}));
+  EXPECT_EQ(dynamic_cast<const LaserReport&>(*output->report.own).layer_s,
+            (std::vector<double>{0.75, 0, 0.75}));
 }
 
 /// What is exposed lies from (0, 0) to (2, 9) nm.
 TEST_F(LaserProcessTest, SkywritingStaysOnTheBed) {
-  ExposureOptions& options = settings_.exposure.regions[0];
+  ExposureOptions& options = ExposureOf(settings_).regions[0];
   options.strategy = ScanStrategy::kHatch;
   options.skywriting_nm = 1'000'000;
   settings_.slicing.bed = {{-1'000'000, -1'000'000},
@@ -138,7 +140,7 @@ TEST_F(LaserProcessTest, SkywritingStaysOnTheBed) {
 }
 
 TEST_F(LaserProcessTest, SameBytesForAnyNumberOfSlots) {
-  settings_.exposure.regions[0].upskin_layers = 3;
+  ExposureOf(settings_).regions[0].upskin_layers = 3;
   const std::string layers = std::string(200, 'x') + "--" + std::string(50, 'x');
   const auto one = Run(layers, 1);
   ASSERT_TRUE(one.ok()) << one.status();
@@ -160,10 +162,10 @@ TEST_F(LaserProcessTest, ALayerThatDoesNotComeBackIsAnError) {
 }
 
 TEST_F(LaserProcessTest, ADrawingOfALayerThatIsNotThereIsAnError) {
-  settings_.exposure.output.format = OutputFormat::kDxf;
-  settings_.exposure.output.layer = 2;
+  ExposureOf(settings_).output.format = OutputFormat::kDxf;
+  ExposureOf(settings_).output.layer = 2;
   EXPECT_TRUE(Run("xxx").ok());
-  settings_.exposure.output.layer = 3;
+  ExposureOf(settings_).output.layer = 3;
   const ErrorDetail detail = DetailOf(Run("xxx").status());
   EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange);
   EXPECT_EQ(detail.metadata.at("setting"), "output_layer");

@@ -8,7 +8,7 @@
 namespace slicefarm::config::laser {
 
 absl::StatusOr<int32_t> ExposureRows::RowOf(const JobSettings& settings) {
-  const ExposureOptions& region = settings.exposure.regions.front();
+  const ExposureOptions& region = ExposureOf(settings).regions.front();
   const auto found = std::ranges::find(rows_, region);
   if (found != rows_.end()) return static_cast<int32_t>(found - rows_.begin());
   const int64_t rows = std::ssize(rows_) + 1;

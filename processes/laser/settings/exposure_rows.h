@@ -10,14 +10,8 @@ namespace slicefarm::config::laser {
 class ExposureRows : public RegionRows {
  public:
   absl::StatusOr<int32_t> RowOf(const JobSettings& settings) override;
-  void PutInto(JobSettings& settings) const override {
-    settings.exposure.regions = rows_;
-    // All tables are equally long.
-    settings.beading.resize(rows_.size());
-    settings.infill.resize(rows_.size());
-    settings.ordering.walls.resize(rows_.size());
-    settings.motion.speeds.resize(rows_.size());
-  }
+  int64_t size() const override { return std::ssize(rows_); }
+  void PutInto(JobSettings& settings) const override { ExposureOf(settings).regions = rows_; }
 
  private:
   std::vector<ExposureOptions> rows_;

@@ -27,6 +27,7 @@ std::vector<SettingSpec> ThinLayers() {
 
 class LaserSettings : public ProcessSettings {
  public:
+  JobSettings Standards() const override { return {.slicing = {}, .own = ExposureSettings()}; }
   std::vector<SettingSpec> Table() const override {
     std::vector<SettingSpec> all;
     for (const auto& section : {ExposureTable, ThinLayers, PlateSettings})
@@ -39,6 +40,17 @@ class LaserSettings : public ProcessSettings {
   }
   absl::Status Check(const Draft& draft) const override { return CheckSettings(draft); }
   std::unique_ptr<RegionRows> NewRows() const override { return std::make_unique<ExposureRows>(); }
+  std::string_view Example() const override {
+    return "slicefarm slice part.stl -o part.cli --machine laser --set scan_strategy=stripes";
+  }
+  std::vector<FileFormat> FileFormats() const override {
+    constexpr std::string_view kKey = "output_format";
+    return {{".cli", kKey, "cli", true},
+            {".nc", kKey, "grbl"},
+            {".gcode", kKey, "marlin"},
+            {".svg", kKey, "svg", true},
+            {".dxf", kKey, "dxf", true}};
+  }
 };
 
 }  // namespace

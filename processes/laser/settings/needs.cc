@@ -6,19 +6,19 @@ namespace slicefarm::config::laser {
 namespace {
 
 bool IsRings(const JobSettings& s) {
-  const ScanStrategy strategy = s.exposure.regions[0].strategy;
+  const ScanStrategy strategy = ExposureOf(s).regions[0].strategy;
   return strategy == ScanStrategy::kRings || strategy == ScanStrategy::kRingsInward;
 }
 bool IsHatched(const JobSettings& s) { return !IsRings(s); }
 bool IsGcode(const JobSettings& s) {
-  const OutputFormat format = s.exposure.output.format;
+  const OutputFormat format = ExposureOf(s).output.format;
   return format == OutputFormat::kGrbl || format == OutputFormat::kMarlin;
 }
 bool IsCli(const JobSettings& s) {
-  const OutputFormat format = s.exposure.output.format;
+  const OutputFormat format = ExposureOf(s).output.format;
   return format == OutputFormat::kCliAscii || format == OutputFormat::kCliBinary;
 }
-bool HasContours(const JobSettings& s) { return s.exposure.regions[0].contours > 0; }
+bool HasContours(const JobSettings& s) { return ExposureOf(s).regions[0].contours > 0; }
 
 constexpr Need kNeeds[] = {
     {"decompose_method ring_overlap link_rings ring_corners",
@@ -26,12 +26,16 @@ constexpr Need kNeeds[] = {
     {"hatch_angle hatch_rotation alternate_hatch skywriting",
      "scan_strategy = stripes, islands or hatch", IsHatched},
     {"stripe_width", "scan_strategy = stripes",
-     [](const JobSettings& s) { return s.exposure.regions[0].strategy == ScanStrategy::kStripes; }},
+     [](const JobSettings& s) {
+       return ExposureOf(s).regions[0].strategy == ScanStrategy::kStripes;
+     }},
     {"island_width", "scan_strategy = islands",
-     [](const JobSettings& s) { return s.exposure.regions[0].strategy == ScanStrategy::kIslands; }},
+     [](const JobSettings& s) {
+       return ExposureOf(s).regions[0].strategy == ScanStrategy::kIslands;
+     }},
     {"scan_overlap", "scan_strategy = stripes or islands",
      [](const JobSettings& s) {
-       const ScanStrategy strategy = s.exposure.regions[0].strategy;
+       const ScanStrategy strategy = ExposureOf(s).regions[0].strategy;
        return strategy == ScanStrategy::kStripes || strategy == ScanStrategy::kIslands;
      }},
     {"hatch_offset", "scan_strategy = stripes, islands or hatch, and contours of more than 0",
@@ -40,21 +44,21 @@ constexpr Need kNeeds[] = {
      "contour_point_distance contour_point_time contour_point_delay",
      "contours of more than 0", HasContours},
     {"contour_distance", "contours of more than 1, or of 1 and rings",
-     [](const JobSettings& s) { return s.exposure.regions[0].contours > (IsRings(s) ? 0 : 1); }},
+     [](const JobSettings& s) { return ExposureOf(s).regions[0].contours > (IsRings(s) ? 0 : 1); }},
     {"skin_overlap", "upskin_layers or downskin_layers of more than 0",
-     [](const JobSettings& s) { return s.exposure.regions[0].Halo() > 0; }},
+     [](const JobSettings& s) { return ExposureOf(s).regions[0].Halo() > 0; }},
     {"upskin_power upskin_speed upskin_focus upskin_frequency upskin_point_distance "
      "upskin_point_time upskin_point_delay",
      "upskin_layers of more than 0",
-     [](const JobSettings& s) { return s.exposure.regions[0].upskin_layers > 0; }},
+     [](const JobSettings& s) { return ExposureOf(s).regions[0].upskin_layers > 0; }},
     {"downskin_power downskin_speed downskin_focus downskin_frequency downskin_point_distance "
      "downskin_point_time downskin_point_delay",
      "downskin_layers of more than 0",
-     [](const JobSettings& s) { return s.exposure.regions[0].downskin_layers > 0; }},
+     [](const JobSettings& s) { return ExposureOf(s).regions[0].downskin_layers > 0; }},
     {"thin_wall_power thin_wall_speed thin_wall_focus thin_wall_frequency "
      "thin_wall_point_distance thin_wall_point_time thin_wall_point_delay",
      "thin_wall_exposure = 1",
-     [](const JobSettings& s) { return s.exposure.regions[0].thin_walls; }},
+     [](const JobSettings& s) { return ExposureOf(s).regions[0].thin_walls; }},
     {"contour_frequency hatch_frequency upskin_frequency downskin_frequency thin_wall_frequency "
      "contour_point_distance hatch_point_distance upskin_point_distance downskin_point_distance "
      "thin_wall_point_distance contour_point_time hatch_point_time upskin_point_time "
@@ -69,14 +73,14 @@ constexpr Need kNeeds[] = {
     {"jump_delay mark_delay polygon_delay",
      "output_format = grbl or marlin, or only the report heeds it", IsGcode},
     {"jump_speed", "output_format = marlin, or only the report heeds it",
-     [](const JobSettings& s) { return s.exposure.output.format == OutputFormat::kMarlin; }},
+     [](const JobSettings& s) { return ExposureOf(s).output.format == OutputFormat::kMarlin; }},
     {"laser_spot", "output_format = svg, or rings with ring_corners = 1",
      [](const JobSettings& s) {
-       return s.exposure.output.format == OutputFormat::kSvg ||
-              (IsRings(s) && s.exposure.regions[0].fill_corners);
+       return ExposureOf(s).output.format == OutputFormat::kSvg ||
+              (IsRings(s) && ExposureOf(s).regions[0].fill_corners);
      }},
     {"output_layer", "output_format = dxf",
-     [](const JobSettings& s) { return s.exposure.output.format == OutputFormat::kDxf; }},
+     [](const JobSettings& s) { return ExposureOf(s).output.format == OutputFormat::kDxf; }},
     {"cli_unit", "output_format = cli or cli_binary", IsCli},
     {"laser_full_power laser_full_s laser_dynamic_power", "output_format = grbl or marlin",
      IsGcode},

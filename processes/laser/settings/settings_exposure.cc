@@ -10,6 +10,19 @@
 namespace slicefarm::config::laser {
 namespace {
 
+/// What the settings of exposure may set.
+template <class Job>
+struct View {
+  explicit View(Job& job) : exposure(ExposureOf(job)) {}
+
+  Like<ExposureSettings, Job>& exposure;
+};
+
+template <class Member>
+Field Bind(Member member) {
+  return BindTo<View, Scale::kSame>(member);
+}
+
 template <class Enum>
 Choice Named(std::string_view name, Enum value) {
   return {name, static_cast<int>(value)};

@@ -30,8 +30,7 @@ struct Exposure : ExposureStage {
 class LaserChainTest : public testing::Test {
  protected:
   LaserChainTest() {
-    settings_.process = Process::kLaser;
-    settings_.exposure.regions[0].downskin_layers = 2;
+    settings_.regions[0].downskin_layers = 2;
     for (int32_t i = 0; i < 10; ++i) {
       SlicedLayer& layer = layers_.emplace_back();
       layer.frame.index = i;
@@ -48,7 +47,7 @@ class LaserChainTest : public testing::Test {
   }
 
   Exposure exposure_;
-  JobSettings settings_;
+  ExposureSettings settings_;
   std::vector<SlicedLayer> layers_;
   std::vector<Copy> copies_ = std::vector<Copy>(3);
 };

@@ -56,14 +56,14 @@ std::vector<SettingSpec> Skirt() {
 constexpr int kAutoBrim = 5;
 
 void SetBrimType(JobSettings& settings, const Value& value) {
-  BrimOptions& brim = settings.planning.objects[0].brim;
+  BrimOptions& brim = FdmOf(settings).planning.objects[0].brim;
   const auto type = static_cast<int>(std::lround(value.number));
   brim.automatic.on = type == kAutoBrim;
   brim.type = brim.automatic.on ? BrimType::kOuterOnly : static_cast<BrimType>(type);
 }
 
 Value BrimTypeOf(const JobSettings& settings) {
-  const BrimOptions& brim = settings.planning.objects[0].brim;
+  const BrimOptions& brim = FdmOf(settings).planning.objects[0].brim;
   return {.number =
               static_cast<double>(brim.automatic.on ? kAutoBrim : static_cast<int>(brim.type))};
 }

@@ -17,14 +17,14 @@ std::vector<Choice> SparsePatterns() {
 }
 
 void SetPattern(JobSettings& settings, const Value& value) {
-  InfillOptions& infill = settings.infill[0];
+  InfillOptions& infill = FdmOf(settings).infill[0];
   infill.choose_pattern = value.number == kAutoPattern;
   infill.pattern = infill.choose_pattern ? InfillOptions{}.pattern
                                          : static_cast<FillPattern>(std::lround(value.number));
 }
 
 Value GetPattern(const JobSettings& settings) {
-  const InfillOptions& infill = settings.infill[0];
+  const InfillOptions& infill = FdmOf(settings).infill[0];
   return {.number = infill.choose_pattern ? kAutoPattern : static_cast<double>(infill.pattern)};
 }
 

@@ -66,11 +66,12 @@ std::vector<SettingSpec> WholeMachineLimits() {
        .doc = "Whether the limits are written to the G-code too, or only reckoned with; "
               "ignore: all of them are those of no setting",
        .choices = {{"time_estimate_only", 0}, {"emit_to_gcode", 1}, {"ignore", kIgnoreLimits}},
-       .field = {
-           [](JobSettings& s, const Value& v) { s.motion.limits.emit_to_gcode = v.number == 1; },
-           [](const JobSettings& s) -> Value {
-             return {.number = s.motion.limits.emit_to_gcode ? 1.0 : 0.0};
-           }}},
+       .field = {[](JobSettings& s, const Value& v) {
+                   FdmOf(s).motion.limits.emit_to_gcode = v.number == 1;
+                 },
+                 [](const JobSettings& s) -> Value {
+                   return {.number = FdmOf(s).motion.limits.emit_to_gcode ? 1.0 : 0.0};
+                 }}},
   };
 }
 
@@ -183,11 +184,11 @@ std::vector<SettingSpec> Retraction() {
 /// Millimetres, or a percentage of the straight way.
 SettingSpec MaxDetour() {
   const auto set = [](JobSettings& s, const Value& v) {
-    s.ordering.travel.max_detour_mm = v.percent ? 0 : v.number;
-    s.ordering.travel.max_detour_ratio = v.percent ? v.number / 100 : 0;
+    FdmOf(s).ordering.travel.max_detour_mm = v.percent ? 0 : v.number;
+    FdmOf(s).ordering.travel.max_detour_ratio = v.percent ? v.number / 100 : 0;
   };
   const auto get = [](const JobSettings& s) -> Value {
-    const TravelOptions& travel = s.ordering.travel;
+    const TravelOptions& travel = FdmOf(s).ordering.travel;
     if (travel.max_detour_ratio == 0) return {.number = travel.max_detour_mm};
     return {.number = Quantise(travel.max_detour_ratio * 100), .percent = true};
   };

@@ -53,12 +53,12 @@ SettingSpec Acceleration(std::string_view key, std::string_view doc, Field field
 template <double MotionOptions::*kSpeed, double MotionOptions::*kRatio>
 SettingSpec LayerSpeed(std::string_view key, std::string_view doc) {
   const auto set = [](JobSettings& s, const Value& v) {
-    s.motion.*kSpeed = v.percent ? 0 : v.number;
-    s.motion.*kRatio = v.percent && v.number > 0 ? v.number / 100 : 1;
+    FdmOf(s).motion.*kSpeed = v.percent ? 0 : v.number;
+    FdmOf(s).motion.*kRatio = v.percent && v.number > 0 ? v.number / 100 : 1;
   };
   const auto get = [](const JobSettings& s) -> Value {
-    if (s.motion.*kSpeed != 0) return {.number = s.motion.*kSpeed};
-    return {.number = Quantise(s.motion.*kRatio * 100), .percent = true};
+    if (FdmOf(s).motion.*kSpeed != 0) return {.number = FdmOf(s).motion.*kSpeed};
+    return {.number = Quantise(FdmOf(s).motion.*kRatio * 100), .percent = true};
   };
   return {.key = key,
           .kind = Kind::kNumberOrPercent,
@@ -117,8 +117,9 @@ SettingSpec OverBridgeSpeed() {
       RelativeSpeed("over_bridge_speed", "0", "solid_infill_speed",
                     "Speed of the solid infill of the layer above a bridge; 0: solid_infill_speed",
                     SpeedOf<Feature::kSolidOverBridge>());
-  spec.also = {[](JobSettings& s, const Value& v) { s.infill[0].over_bridges = v.number > 0; },
-               spec.field.get};
+  spec.also = {
+      [](JobSettings& s, const Value& v) { FdmOf(s).infill[0].over_bridges = v.number > 0; },
+      spec.field.get};
   return spec;
 }
 

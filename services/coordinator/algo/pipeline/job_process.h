@@ -2,16 +2,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/base/spooled_text.h"
-#include "common/model/exposed_layer.h"
 #include "common/model/filament_use.h"
-#include "common/model/job_plan.h"
 #include "common/stage/task.h"
+#include "services/coordinator/algo/dispatch/task_executor.h"
 
 namespace slicefarm::coordinator {
 
@@ -23,23 +23,34 @@ struct JobInput {
   std::vector<std::string> warnings = {};  ///< of the settings: the report begins with them
 };
 
+/// What a report tells of one process alone.
+class OwnReport {
+ public:
+  virtual ~OwnReport() = default;
+
+  virtual void AddTo(nlohmann::ordered_json& json) const = 0;
+};
+
 /// What a job came to, besides its program.
 struct JobReport {
   std::vector<MeshReport> meshes;
-  ProgramStats stats;  ///< of all layers
   int32_t layer_count = 0;
   double object_height_mm = 0;
   double print_time_s = 0;
-  PrintTimes times;       ///< of FDM: what print_time_s is spent on
-  double travel_mm = 0;   ///< between layers included
-  std::string file_name;  ///< of FDM: what the settings call the file
-  FilamentUse filament;
-  std::vector<FillUse> fills;              ///< of all copies, one a kind: see AddUse
-  SeamQuality seams;                       ///< of loops of objects, whatever their copies
-  std::optional<ExposureReport> exposure;  ///< of lasers
+  std::string file_name;           ///< what the settings call the file; empty: nothing
+  FilamentUse filament;            ///< none: the process takes none
+  std::unique_ptr<OwnReport> own;  ///< of the process; null: nothing
   StageTimes stage_times;
   std::vector<std::string> warnings;  ///< such as what a mesh lacks
   std::vector<std::string> notes;     ///< what planning chose, and why
+};
+
+/// What a job will take, before it is made.
+struct JobEstimate {
+  double print_time_s = 0;
+  FilamentUse filament;
+  std::optional<int32_t> layers = {};      ///< if they are not those that were sliced
+  std::vector<std::string> warnings = {};  ///< about what is planned
 };
 
 struct JobOutput {
@@ -52,7 +63,8 @@ class PlannedJob {
  public:
   virtual ~PlannedJob() = default;
 
-  virtual int32_t LayerCount() const = 0;
+  /// What all its tasks weigh together.
+  virtual int32_t Weight() const = 0;
 
   /// All work that is left, cut for so many slots; the result of the job does not depend on the
   /// cut. They point into this object. Errors: REQUEST_TOO_LARGE if a task would look at more
@@ -80,6 +92,11 @@ class JobProcess {
   /// The stages that see the whole job. Errors: theirs; NOTHING_TO_PRINT.
   virtual absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
                                                            JobInput input) const = 0;
+
+  /// What the job will take, by its outlines; where the process can, and `executor` has slots for
+  /// it, by a few tasks that are made. Errors: those of stages that see the whole job.
+  virtual absl::StatusOr<JobEstimate> Estimate(const StageCall& call, SlicedJob sliced,
+                                               JobInput input, TaskExecutor& executor) const = 0;
 };
 
 }  // namespace slicefarm::coordinator

@@ -6,6 +6,7 @@
 
 #include "common/base/error.h"
 #include "common/base/sha256.h"
+#include "common/config/process_settings.h"
 #include "common/model/limits.h"
 #include "common/rpc/observe/trace_metadata.h"
 #include "common/rpc/status_mapping.h"
@@ -344,7 +345,7 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
   const config::ResolvedPlate& plate = resolved->plate;
   const auto found =
       LookAt(stage_call, {*std::move(meshes), plate.settings, plate.effective_text, plate.warnings},
-             backend_.slicing, backend_.planning, &backend_.sampling);
+             backend_.slicing, backend_.pipeline);
   if (!found.ok()) return found.status();
   v1::Job job;
   job.mutable_spec()->ParseFromString(submission.spec);
@@ -355,8 +356,9 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
   job.set_build_id(backend_.intake.build_id());
   job.mutable_warnings()->Assign(found->warnings.begin(), found->warnings.end());
   *job.mutable_preflight() = ToProto(
-      *found, CostOf(backend_.rates, found->estimate.print_time_s, found->estimate.filament.mass_g,
-                     resolved->plate.settings.motion.filament_cost_per_kg));
+      *found,
+      CostOf(backend_.rates, found->print_time_s, found->filament.mass_g,
+             config::SettingsOf(plate.settings.process()).MaterialCostPerKg(plate.settings)));
   return job;
 }
 

@@ -158,7 +158,8 @@ class FakeRanges : public FdmRunner {
       return wanted;
     }
     FdmResult result;
-    result.times.beading_s = result.times.infill_s = result.times.ordering_s = 0.001;
+    for (const Stage stage : {Stage::kBeading, Stage::kInfill, Stage::kOrdering})
+      result.times[stage] = 0.001;
     for (int i = task.range.first; i < task.range.last; ++i) {
       LayerProgram program;
       program.frame.index = i;

@@ -1,17 +1,10 @@
-#include "common/model/options/settings.h"
+#include "common/model/options/fdm_settings.h"
 
 #include <algorithm>
 
 namespace slicefarm {
 
 namespace {
-
-int32_t LaserHaloLayers(const JobSettings& settings) {
-  int32_t halo = 0;
-  for (const ExposureOptions& region : settings.exposure.regions)
-    halo = std::max(halo, region.Halo());
-  return halo;
-}
 
 bool NeedsPlan(const InfillOptions& infill) {
   return infill.choose_pattern || InfoOf(infill.pattern).planned || infill.every_layers > 1 ||
@@ -26,7 +19,7 @@ Coord WallsOf(const BeadingOptions& beading) {
 
 }  // namespace
 
-std::vector<InfillPlanOptions> InfillPlansOf(const JobSettings& settings) {
+std::vector<InfillPlanOptions> InfillPlansOf(const FdmSettings& settings) {
   std::vector<InfillPlanOptions> plans;
   if (std::ranges::none_of(settings.infill, NeedsPlan)) return plans;
   for (size_t row = 0; row < settings.infill.size(); ++row) {
@@ -47,8 +40,7 @@ std::vector<InfillPlanOptions> InfillPlansOf(const JobSettings& settings) {
   return plans;
 }
 
-int32_t HaloLayers(const JobSettings& settings) {
-  if (settings.process == Process::kLaser) return LaserHaloLayers(settings);
+int32_t HaloLayers(const FdmSettings& settings) {
   int32_t halo = BeadingHaloLayers(settings);
   for (const InfillOptions& infill : settings.infill)
     halo = std::max({halo, infill.top_solid_layers, infill.bottom_solid_layers,
@@ -57,7 +49,7 @@ int32_t HaloLayers(const JobSettings& settings) {
   return halo;
 }
 
-int32_t BeadingHaloLayers(const JobSettings& settings) {
+int32_t BeadingHaloLayers(const FdmSettings& settings) {
   int32_t halo = 0;
   for (const BeadingOptions& beading : settings.beading) {
     if (beading.generator == WallGenerator::kArachne) return kBeadingHaloLayers;

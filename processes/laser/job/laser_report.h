@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "common/model/exposed_layer.h"
+#include "services/coordinator/algo/pipeline/job_process.h"
+
+namespace slicefarm::coordinator {
+
+/// What a report tells of lasers: `exposure`, with the times by layer as `layers_s`.
+struct LaserReport : OwnReport {
+  ExposureReport exposure;
+  std::vector<double> layer_s;
+
+  void AddTo(nlohmann::ordered_json& json) const override;
+};
+
+}  // namespace slicefarm::coordinator
