@@ -36,7 +36,9 @@ using ToCoordinator = Pipe<v1::WorkRequest, v1::WorkResponse>;
 
 /// A layer, and what a task of each process makes of it.
 struct Sample {
-  std::vector<SlicedLayer> layers = std::vector<SlicedLayer>(1);
+  static constexpr LayerFrame kFrame = {0, 200'000, 200'000};
+
+  std::vector<SlicedLayer> layers = {{kFrame, {}}};
   std::vector<LayerPlan> plans = std::vector<LayerPlan>(1);
   std::vector<Copy> copies = {{0, {1'000, 2'000}, 0}};
   JobFacts facts = {1, {{"a", 0, 0, 1}}, {{}}};
@@ -58,6 +60,7 @@ struct Sample {
       case Process::kFdm: {
         FdmResult result;
         result.programs.resize(1);
+        result.programs[0].frame = kFrame;
         result.programs[0].gcode = "G1 X1\n";
         result.times[Stage::kBeading] = 0.5;
         return result;
@@ -65,6 +68,7 @@ struct Sample {
       case Process::kLaser: {
         LaserResult result;
         result.programs.resize(1);
+        result.programs[0].frame = kFrame;
         result.programs[0].text = "$$POLYLINE";
         result.times[Stage::kExposure] = 0.5;
         return result;

@@ -81,7 +81,6 @@ class LaserProcessTest : public testing::Test {
     dispatcher.Join({.name = "here", .tasks = chain_, .slots = slots});
     JobInput input;
     input.settings = settings_;
-    input.settings.own = ExposureSettings();
     input.warnings = {"of the settings"};
     input.meshes.files = {{"thing", MeshFormat::kStl, std::move(layers)}};
     std::vector<std::unique_ptr<JobProcess>> processes;
@@ -89,7 +88,7 @@ class LaserProcessTest : public testing::Test {
     return JobPipeline(std::move(processes), dispatcher).Run({}, std::move(input), nullptr);
   }
 
-  JobSettings settings_;
+  JobSettings settings_ = {.slicing = {}, .own = ExposureSettings()};
   FakeSlicing slicing_;
   FakeExposure exposure_;
   std::shared_ptr<LaserChain> chain_ = std::make_shared<LaserChain>(exposure_);

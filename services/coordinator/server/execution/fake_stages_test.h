@@ -12,6 +12,7 @@
 #include "common/geometry/text_format.h"
 #include "common/stage/plates.h"
 #include "common/stage/task.h"
+#include "processes/fdm/task/fdm_task.h"
 
 namespace slicefarm::coordinator {
 
