@@ -9,7 +9,7 @@ set -euo pipefail
 build=(
   build-essential cmake ninja-build ccache pkg-config python3 python3-yaml
   libgrpc++-dev protobuf-compiler-grpc libprotobuf-dev protobuf-compiler libabsl-dev
-  libboost-dev libpolyclipping-dev libeigen3-dev libcgal-dev liblemon-dev libexpat1-dev libzip-dev
+  libboost-dev libpolyclipping-dev libeigen3-dev libcgal-dev liblemon-dev libsuitesparse-dev libexpat1-dev libzip-dev
   libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev prometheus-cpp-dev libcivetweb-dev
   libsqlite3-dev sqlite3 libpq-dev postgresql-15 libcurl4-openssl-dev libssl-dev libpng-dev libjpeg-dev zlib1g-dev libcairo2-dev libseccomp-dev
   libjemalloc-dev libre2-dev
@@ -19,7 +19,7 @@ build=(
 runtime=(
   libgrpc++1.51 libprotobuf32 libpolyclipping22 libspdlog1.10 libprometheus-cpp-core1.0 libcivetweb1
   ca-certificates libsqlite3-0 sqlite3 libpq5 libcurl4 libssl3 libpng16-16 libjpeg62-turbo zlib1g libcairo2 libseccomp2 libjemalloc2
-  libexpat1 libzip4 libre2-9
+  libexpat1 libzip4 libre2-9 libcholmod3
 )
 
 packages=("${build[@]}")

@@ -22,7 +22,7 @@ LAYERS = [
     ("gcode", r"common/gcode/", {"base", "gcode"}, f"{WIRE}|{GRPC}"),
     ("geometry", r"common/geometry/", {"base", "geometry"}, f"{WIRE}|{GRPC}"),
     ("model", r"common/model/", PURE, f"{WIRE}|{GRPC}"),
-    ("macro", r"common/macro/", {"base", "model", "macro"}, f"{WIRE}|{GRPC}"),
+    ("macro", r"common/macro/", {"base", "geometry", "model", "macro"}, f"{WIRE}|{GRPC}"),
     ("config", r"common/config/", PURE | {"config", "stage", "macro"}, f"{WIRE}|{GRPC}"),
     ("stage", r"common/stage/", PURE | {"stage"}, f"{WIRE}|{GRPC}"),
     ("settings", r"processes/\w+/settings(?:[/.]|_test)", PURE | {"config", "macro", "settings"}, f"{WIRE}|{GRPC}"),
@@ -44,8 +44,8 @@ LAYERS = [
 COMPOSITION_ROOTS = {"worker", "cli"}
 JOBS_OF = "coordinator"  # the service that puts jobs together, whose interfaces processes/*/job implements
 PROCESSES = re.compile(r"processes/(\w+)/")
-# Beside its folders: the enumerators, and the exposure of layers: a stage, its options and what it makes.
-LASER_FILES = re.compile(r"processes/(laser|list)/|processes/CMakeLists.txt|services/exposure/|common/model/process\.h|common/model/(options/)?expos\w+\.h")
+# Beside its folders: the enumerators, and the exposure of layers: a stage, its options, its G-code and what it makes.
+LASER_FILES = re.compile(r"processes/(laser|list)/|processes/CMakeLists.txt|services/exposure/|common/model/process\.h|common/(model/(options/)?expos|macro/laser_code)\w*\.")
 CLIPPER = re.compile(r"^(polyclipping/)?clipper")  # only inside common/geometry
 IMPURE = re.compile(r"\b(getenv|std::cout|std::cerr|printf|exit|rand|system_clock|steady_clock)\s*[\(:<]")
 # libm's results depend on the CPU (FMA or not), those of common/base/portable_math.h do not.

@@ -36,10 +36,10 @@ def free_port():
 class Service:
     """A program, on the same address in every life."""
 
-    def __init__(self, name, log, *arguments):
+    def __init__(self, name, log, *arguments, programs=BIN):
         self.name, self.log, self.port, self.metrics_port = name, log, free_port(), free_port()
         self.address = f"127.0.0.1:{self.port}"
-        program = BIN / f"slicefarm-{name.split('-')[0]}"
+        program = programs / f"slicefarm-{name.split('-')[0]}"
         self.command = [program, "--listen", self.address, "--metrics-port", str(self.metrics_port), *arguments]
         self.process = None
 
@@ -108,34 +108,45 @@ class Postgres:
 
 class Farm:
     """Workers of one slot each, on one coordinator with SQLite or on two with PostgreSQL. `split`: so many replicas of each
-    layer stage instead. `extra`: arguments of the coordinators."""
+    layer stage instead. `extra`: arguments of the coordinators. `postgres`: a server that is there, of several farms.
+    `programs`: where those of its build are."""
 
-    def __init__(self, store, directory, workers=2, split=False, extra=()):
+    def __init__(self, store, directory, workers=2, split=False, extra=(), postgres=None, programs=BIN):
         directory = pathlib.Path(directory)
         directory.chmod(0o755)  # PostgreSQL's user goes through it
         self.log = directory / "log"
         self.log.mkdir()
-        singles = [Service(name, self.log) for name in ("slicing", "planning", "motion", "exposure")]
+        name_of = f"{directory.name}-" if postgres else ""
+        singles = [Service(name, self.log, programs=programs) for name in ("slicing", "planning", "motion", "exposure")]
         stages = ("beading", "infill", "ordering") if split else ("worker",)
         slots = [] if split else ["--slots", "1"]
-        self.workers = [Service(f"{name}-{i + 1}", self.log, *slots) for name in stages for i in range(workers)]
+        self.workers = [Service(f"{name}-{i + 1}", self.log, *slots, programs=programs) for name in stages for i in range(workers)]
         arguments = [part for service in singles for part in (f"--{service.name}", service.address)]
         for name in stages if workers else ():
             addresses = [service.address for service in self.workers if service.name.startswith(name)]
             arguments += ["--workers" if name == "worker" else f"--{name}", ",".join(addresses)]
-        self.postgres = Postgres(directory / "postgres") if store == "postgres" else None
+        self.postgres = postgres or (Postgres(directory / "postgres") if store == "postgres" else None)
+        self.owns_postgres = postgres is None
         if self.postgres:
             state = ["--postgres", self.postgres.connection]
         else:
             state = ["--state-dir", str(directory / "state")]
         self.coordinators = [
-            Service(f"coordinator-{i}", self.log, "--name", f"coordinator-{i}", *state, *arguments, *extra)
+            Service(f"coordinator-{i}", self.log, "--name", f"{name_of}coordinator-{i}", *state, *arguments, *extra, programs=programs)
             for i in range(1, 3 if self.postgres else 2)
         ]
         self.services = [*singles, *self.workers, *self.coordinators]
         for service in self.services:
             service.start()
         self.victims = [*self.services, *([self.postgres] if self.postgres else [])]
+
+    def await_serving(self):
+        """Until each service answers. One that ended instead is an error, with its last words: its clients would wait for it."""
+        for service in self.services:
+            while service.metric("slicefarm_") is None:
+                if service.process.poll() is not None:
+                    raise RuntimeError(f"{service.name} ended: {(self.log / f'{service.name}.log').read_text()[:1000]}")
+                time.sleep(0.05)
 
     def client(self, *arguments, coordinator=None):
         coordinator = coordinator or random.choice(self.coordinators)
@@ -183,7 +194,7 @@ class Farm:
     def stop(self):
         for service in reversed(self.services):
             service.stop()
-        if self.postgres:
+        if self.postgres and self.owns_postgres:
             self.postgres.stop()
 
 
@@ -194,6 +205,7 @@ def running_farm(store="sqlite", directory=None, **options):
         directory = directory or ending.enter_context(tempfile.TemporaryDirectory(prefix="slicefarm-"))
         farm = Farm(store, directory, **options)
         ending.callback(farm.stop)
+        farm.await_serving()
         yield farm
 
 

@@ -21,6 +21,7 @@ import zipfile
 
 OF_FILES = {"type", "name", "inherits", "from", "instantiation", "setting_id", "filament_id", "include", "version", "is_custom_defined",
             "compatible_printers", "compatible_printers_condition", "compatible_prints", "compatible_prints_condition", "description"}
+LIBRARY = "OrcaFilamentLibrary"
 BEDS = {"1": "Cool Plate", "2": "Engineering Plate", "3": "High Temp Plate", "4": "Textured PEI Plate"}
 
 
@@ -56,7 +57,7 @@ class Vendor:
         for name in wanted:
             if name in self.presets[kind] or (self.library and name in self.library.presets[kind]):
                 whole = self.resolved(kind, name)
-                if machine in whole.get("compatible_printers", [machine]):
+                if machine in (whole.get("compatible_printers") or [machine]):  # an empty list is all printers
                     return whole
         for name, preset in self.presets[kind].items():
             if preset.get("instantiation") != "true":
@@ -65,9 +66,9 @@ class Vendor:
                 whole = self.resolved(kind, name)
             except LookupError:
                 continue  # broken, and hidden by OrcaSlicer
-            if machine in whole.get("compatible_printers", []):
+            if machine in (whole.get("compatible_printers") or [machine][:self.name == LIBRARY]):
                 return whole
-        return None
+        return self.library.of_machine(kind, machine, []) if self.library else None
 
 
 def as_list(value):
@@ -77,8 +78,8 @@ def as_list(value):
 
 def settings_of(presets, bed):
     """One flat set as a project holds it; a filament's value is a list with an item for each filament.
-    Every project says the bed in the printer and whether pictures are taken; no vendor's file does."""
-    settings = {"curr_bed_type": bed, "timelapse_type": "0"}
+    Every project says the bed in the printer and whether pictures are taken; no vendor's file does, and some leave out more."""
+    settings = {"curr_bed_type": bed, "timelapse_type": "0", "enable_pressure_advance": ["0"]}
     for kind, preset in presets:
         for key, value in preset.items():
             if key not in OF_FILES:
@@ -90,7 +91,7 @@ def settings_of(presets, bed):
 
 
 def centre_of(area):
-    points = [tuple(map(float, point.split("x"))) for point in area] or [(0.0, 0.0), (200.0, 200.0)]
+    points = [tuple(map(float, point.split("x"))) for point in ",".join(area).split(",") if point] or [(0.0, 0.0), (200.0, 200.0)]
     return [(min(axis) + max(axis)) / 2 for axis in zip(*points)]
 
 
@@ -115,7 +116,7 @@ def write_project(path, settings, size=10.0):
 def projects(directory, only, counts):
     """(vendor, machine, settings) of each machine."""
     names = sorted(name for name in os.listdir(directory) if os.path.isdir(os.path.join(directory, name, "machine")))
-    library = Vendor(directory, "OrcaFilamentLibrary") if os.path.isdir(os.path.join(directory, "OrcaFilamentLibrary")) else None
+    library = Vendor(directory, LIBRARY) if os.path.isdir(os.path.join(directory, LIBRARY)) else None
     for name in names:
         if only and name != only:
             continue

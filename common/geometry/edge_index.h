@@ -41,12 +41,14 @@ class EdgeIndex {
   const Box& bounds() const { return box_; }
   int32_t size() const { return static_cast<int32_t>(edges_.size()); }
 
+  /// The square in which a place lies; of places outside of the bounds the nearest one.
+  int32_t Column(Coord x) const { return SquareOf(x, box_.min.x, box_.max.x); }
+  int32_t Row(Coord y) const { return SquareOf(y, box_.min.y, box_.max.y); }
+
   /// Whether the open segment ab meets an edge anywhere. Exact.
   bool Meets(Point a, Point b) const;
 
  private:
-  int32_t Column(Coord x) const { return SquareOf(x, box_.min.x, box_.max.x); }
-  int32_t Row(Coord y) const { return SquareOf(y, box_.min.y, box_.max.y); }
   int32_t SquareOf(Coord at, Coord least, Coord most) const {
     return static_cast<int32_t>((std::clamp(at, least, most) - least) >> square_bits_);
   }

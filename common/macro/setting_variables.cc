@@ -226,18 +226,43 @@ void AddBed(std::string_view bed_shape, TemplateVariables& variables) {
   variables["print_bed_size"] = TemplateVariable::List({most[0] - least[0], most[1] - least[1]});
 }
 
-/// What Bambu Studio and OrcaSlicer tell besides, of a plate with one filament.
+/// Bambu Studio's and OrcaSlicer's names of the filament in use, which is number `tool`, from 0,
+/// and of the one extruder and nozzle that print it. A hotend's -1 is one that no rack of them
+/// holds.
+void AddBambuTools(int64_t tool, TemplateVariables& variables) {
+  for (const char* name : {"initial_filament_id", "initial_no_support_filament_id",
+                           "current_filament_id", "next_filament_id"})
+    variables.try_emplace(name, tool);
+  for (const char* name :
+       {"first_filaments", "first_tools", "first_non_support_filaments", "first_non_support_tools"})
+    variables.try_emplace(name, TemplateVariable::List({tool}));
+  for (const char* name :
+       {"curr_physical_extruder_id", "most_used_physical_extruder_id", "initial_extruder_id",
+        "initial_no_support_extruder_id", "current_extruder_id", "next_extruder_id",
+        "initial_nozzle_id", "initial_no_support_nozzle_id", "current_nozzle_id", "next_nozzle_id"})
+    variables.try_emplace(name, int64_t{0});
+  for (const char* name : {"current_hotend", "next_hotend", "initial_no_support_hotend"})
+    variables.try_emplace(name, int64_t{-1});
+  variables.try_emplace("first_non_support_hotend", TemplateVariable::List({int64_t{-1}}));
+  variables.try_emplace("filament_map", TemplateVariable::List({int64_t{1}}));
+  if (const auto nozzles = variables.find("nozzle_diameter"); nozzles != variables.end())
+    variables.try_emplace("nozzle_diameter_at_nozzle_id", nozzles->second);
+  variables.try_emplace("nozzle_volume_types", TemplateVariable::List({std::string("Standard")}));
+}
+
+/// What both tell besides, of a plate with one filament.
 void AddBambuNames(TemplateVariables& variables) {
   for (const char* name :
-       {"bbl_bed_temperature_gcode", "has_tpu_in_first_layer", "in_head_wrap_detect_zone",
-        "is_all_bbl_filament", "wipe_avoid_perimeter"})
+       {"bbl_bed_temperature_gcode", "farthest_point_timelapse_enabled", "has_tpu_in_first_layer",
+        "hold_chamber_temp_for_flat_print", "in_head_wrap_detect_zone", "is_all_bbl_filament",
+        "is_prime_tower_interface", "timelapse_inline_photo", "wipe_avoid_perimeter",
+        "wipe_tower_center_pos_valid"})
     variables.try_emplace(name, false);
-  for (const char* name :
-       {"curr_physical_extruder_id", "max_additional_fan", "most_used_physical_extruder_id"})
-    variables.try_emplace(name, int64_t{0});
+  for (const char* name : {"wipe_tower_center_pos_x", "wipe_tower_center_pos_y"})
+    variables.try_emplace(name, 0.0);
+  variables.try_emplace("max_additional_fan", int64_t{0});
   variables.try_emplace("plate_number", int64_t{1});
   variables.try_emplace("plate_name", std::string());
-  variables.try_emplace("filament_map", TemplateVariable::List({int64_t{1}}));
 }
 
 /// The tool in use is number `extruder`, from 1.
@@ -258,6 +283,7 @@ void AddTool(TemplateVariables& variables) {
   used[static_cast<size_t>(tool)] = true;
   variables["is_extruder_used"] = TemplateVariable::List(std::move(used));
   variables["has_wipe_tower"] = false;
+  AddBambuTools(tool, variables);
   AddBambuNames(variables);
   variables["has_single_extruder_multi_material_priming"] = false;
   variables["zhop"] = 0.0;

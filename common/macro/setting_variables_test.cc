@@ -80,6 +80,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"extruder = 3\nnum_extruders = 5\n",
              "T[initial_tool] {is_extruder_used[0]} {is_extruder_used[2]} {num_extruders}",
              "T2 false true 5"},
+        Case{"extruder = 3\nnozzle_diameter = 0.6\n",
+             "T[initial_filament_id] {first_non_support_filaments[0]} [next_extruder_id] "
+             "H[initial_no_support_hotend] {nozzle_diameter_at_nozzle_id[initial_nozzle_id]} "
+             "{wipe_tower_center_pos_valid}",
+             "T2 2 0 H-1 0.6 false"},
         Case{"creation_time = 2026-11-25T10:37:01Z\n", "{timestamp} {year} {month} {second}",
              "20261125-103701 2026 11 1"},
         Case{"filament_type = PETG;PLA\n", "{initial_filament_type} {size(filament_type)}",

@@ -20,17 +20,19 @@ struct ExposedProgram {
 
 /// What stands before and after the layers depends on this.
 struct ExposureSummary {
-  int32_t layers = 0;
-  Box bounds;           ///< of what is exposed, on the plate
-  Coord bottom_nm = 0;  ///< the first layer's lower side
-  Coord top_nm = 0;     ///< the last layer's upper side
+  std::vector<LayerFrame> layers;
+  Box bounds;                             ///< of what is exposed, on the plate
   std::vector<std::string> object_names;  ///< by object
+  double time_s = 0;                      ///< of all layers, recoating included
+  std::string settings_text;              ///< effective settings, for templates
 
   friend bool operator==(const ExposureSummary&, const ExposureSummary&) = default;
 };
 
 struct ExposureEnvelope {
   std::string header;
+  /// What stands before each layer's text, where the format has such; else empty.
+  std::vector<std::string> layer_heads;
   std::string footer;
 
   friend bool operator==(const ExposureEnvelope&, const ExposureEnvelope&) = default;

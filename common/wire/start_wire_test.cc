@@ -124,7 +124,7 @@ TEST(StartWire, ExposureReturns) {
   ExposeStart start;
   auto& [call, settings, range, copies] = start;
   call = Call();
-  settings.regions = {{}, {}};
+  settings = Settings().exposure;
   settings.regions[1].spot_nm = 7;
   settings.output.layer = 3;
   range = kRange;

@@ -83,8 +83,8 @@ ExitCode Run(int argc, char** argv) {
   app.require_subcommand(1);
   for (const auto add :
        {AddSlice, AddSubmit, AddInspect, AddWatch, AddList, AddGet, AddCancel, AddDelete, AddTrace, AddWebhook,
-        AddProfile, AddRender, AddBeads, AddFill, AddDecompose, AddTsp, AddTime, AddCheck, AddSettings, AddHealth,
-        AddToken, AddWaterline, AddVersion}) {
+        AddProfile, AddRender, AddBeads, AddFill, AddFlatten, AddDecompose, AddTsp, AddTime, AddCheck, AddSettings, AddHealth,
+        AddToken, AddMillProgram, AddWaterline, AddVersion}) {
     add(app, context);
   }
   if (const ExitCode parsed = Parse(app, argc, argv); parsed != ExitCode::kOk || !context.run) {

@@ -7,17 +7,38 @@
 #include <cstdio>
 
 #include "common/base/error.h"
+#include "common/config/table/settings_table.h"
 
 namespace slicefarm::cli {
 
+namespace {
+
+/// `detail`: of an error about the value of a setting.
+std::string AdviceOnValue(const ErrorDetail& detail) {
+  if (detail.metadata.contains("objects"))
+    return "give all of them the same extruder, or print them as jobs of their own";
+  const auto setting = detail.metadata.find("setting");
+  if (setting == detail.metadata.end() || config::FindSetting(setting->second) < 0) return "";
+  return fmt::format("`slicefarm settings {0}` says what it means; --set {0}=VALUE replaces it",
+                     setting->second);
+}
+
+}  // namespace
+
 std::string Advice(const absl::Status& status) {
   if (absl::IsUnimplemented(status)) return "is a coordinator of this version at that address?";
-  switch (DetailOf(status).reason) {
+  const ErrorDetail detail = DetailOf(status);
+  switch (detail.reason) {
     case Reason::kSettingUnknown:
-    case Reason::kSettingMalformed:
-    case Reason::kSettingOutOfRange:
     case Reason::kSettingMisplaced:
       return "`slicefarm settings` lists every setting with its range";
+    case Reason::kSettingMalformed:
+    case Reason::kSettingOutOfRange:
+      return AdviceOnValue(detail);
+    case Reason::kRequestMalformed:
+      return detail.metadata.contains("plates")
+                 ? "--plate N takes one of them, --plates makes a job of each"
+                 : "";
     case Reason::kMeshFormatUnknown:
       return "give an STL (binary or ASCII), OBJ, PLY or 3MF file";
     case Reason::kMeshTruncated:

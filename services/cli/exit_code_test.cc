@@ -1,6 +1,10 @@
 #include "services/cli/exit_code.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <map>
+#include <string>
 
 #include "common/base/error.h"
 #include "services/cli/console.h"
@@ -9,6 +13,8 @@
 
 namespace slicefarm::cli::exit_code_test {
 namespace {
+
+using testing::HasSubstr;
 
 absl::Status ErrorOf(Reason reason) {
   return MakeError(absl::StatusCode::kInternal, reason, "message");
@@ -59,6 +65,22 @@ TEST(Advice, SaysWhatToDo) {
   EXPECT_NE(Advice(ErrorOf(Reason::kSettingUnknown)), "");
   EXPECT_NE(Advice(ErrorOf(Reason::kOutOfBuildVolume)), "");
   EXPECT_EQ(Advice(absl::DataLossError("cannot write")), "");
+}
+
+TEST(Advice, FitsTheError) {
+  const auto advice = [](Reason reason, std::map<std::string, std::string> metadata) {
+    return Advice(
+        MakeError(absl::StatusCode::kInvalidArgument, reason, "wrong", std::move(metadata)));
+  };
+  EXPECT_THAT(advice(Reason::kSettingOutOfRange, {{"setting", "skirts"}}),
+              HasSubstr("--set skirts=VALUE"));
+  EXPECT_THAT(
+      advice(Reason::kSettingOutOfRange, {{"setting", "extruder"}, {"objects", "\"a\"; \"b\""}}),
+      HasSubstr("the same extruder"));
+  EXPECT_EQ(advice(Reason::kSettingMalformed, {}), "");
+  EXPECT_THAT(advice(Reason::kRequestMalformed, {{"field", "plate"}, {"plates", "2"}}),
+              HasSubstr("--plate N"));
+  EXPECT_EQ(advice(Reason::kRequestMalformed, {{"field", "copies"}}), "");
 }
 
 TEST(SummaryText, SaysWhatMatters) {

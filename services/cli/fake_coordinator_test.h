@@ -21,8 +21,8 @@
 
 #include "common/base/error.h"
 #include "common/base/sha256.h"
-#include "common/rpc/status_mapping.h"
 #include "common/rpc/observe/trace_metadata.h"
+#include "common/rpc/status_mapping.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::cli {
@@ -86,7 +86,7 @@ class FakeCoordinator : public v1::Meshes::Service,
   bool hold_watches = false;                      ///< they tell nothing until they are cancelled
   std::deque<grpc::Status> refused_gets;          ///< what GetJob answers first
   bool forget_completion = false;  ///< says of a whole mesh that its end is still to come
-  std::string mesh;                           ///< the one that is sent, or was last
+  std::string mesh;                ///< the one that is sent, or was last
   std::map<std::string, std::string> meshes;  ///< whole ones, by digest
   std::vector<int64_t> upload_offsets;
   std::vector<int64_t> watch_sequences;
@@ -101,6 +101,7 @@ class FakeCoordinator : public v1::Meshes::Service,
   v1::JobState state_after_cancel = v1::JOB_STATE_CANCELLED;
   std::atomic<int> watches = 0;
   int listed_jobs = 0;
+  std::string waits_for;  ///< of jobs that are made or listed
 
   grpc::Status GetUpload(grpc::ServerContext*, const v1::GetUploadRequest* request,
                          v1::Upload* response) override {
@@ -144,6 +145,7 @@ class FakeCoordinator : public v1::Meshes::Service,
     response->set_state(v1::JOB_STATE_QUEUED);
     *response->mutable_spec() = request->spec();
     *response->mutable_labels() = request->labels();
+    response->set_waits_for(waits_for);
     return grpc::Status::OK;
   }
 
@@ -175,7 +177,11 @@ class FakeCoordinator : public v1::Meshes::Service,
                         v1::ListJobsResponse* response) override {
     int next = request->page_token().empty() ? 0 : std::stoi(request->page_token());
     const int end = std::min(next + request->page_size(), listed_jobs);
-    for (; next < end; ++next) response->add_jobs()->set_id("job-" + std::to_string(next));
+    for (; next < end; ++next) {
+      v1::Job& job = *response->add_jobs();
+      job.set_id("job-" + std::to_string(next));
+      if (next > 0) job.set_waits_for(waits_for);
+    }
     if (next < listed_jobs) response->set_next_page_token(std::to_string(next));
     return grpc::Status::OK;
   }

@@ -717,6 +717,17 @@ TEST_F(Program, ListsAllPages) {
   EXPECT_EQ(json["jobs"].size(), 120);
 }
 
+TEST_F(Program, TellsWhatJobsWaitFor) {
+  FakeCoordinator server;
+  server.listed_jobs = 3;
+  EXPECT_EQ(Run({"list", "--server", server.address()}).err, "");
+  server.waits_for = "a worker";
+  // Once for all that wait for the same.
+  EXPECT_EQ(Run({"list", "--server", server.address()}).err, "warning: 2 jobs wait for a worker\n");
+  EXPECT_EQ(Run({"submit", Path("cube.obj"), "--detach", "--server", server.address()}).err,
+            "warning: 1 job waits for a worker\n");
+}
+
 TEST_F(Program, AsksForHealth) {
   FakeCoordinator server;
   EXPECT_EQ(Run({"health", server.address()}).code, ExitCode::kOk);

@@ -42,6 +42,19 @@ struct ResultFiles {
 /// says they are.
 absl::Status FetchResults(JobsClient& client, const v1::Job& job, const ResultFiles& files);
 
+/// What jobs wait for, a line for all that wait for the same: "2 jobs wait for a worker: ...".
+template <typename Jobs>
+std::vector<std::string> WaitsOf(const Jobs& jobs) {
+  std::map<std::string, int> counts;
+  for (const v1::Job& job : jobs)
+    if (!job.waits_for().empty()) ++counts[job.waits_for()];
+  std::vector<std::string> lines;
+  for (const auto& [what, count] : counts)
+    lines.push_back(std::to_string(count) + (count == 1 ? " job waits for " : " jobs wait for ") +
+                    what);
+  return lines;
+}
+
 /// Shows how far a job is.
 void ShowProgress(ProgressBar& bar, const v1::Job& job);
 

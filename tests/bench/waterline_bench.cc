@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "common/model/limits.h"
-#include "services/milling/algo/cutter_text.h"
-#include "services/milling/algo/waterline.h"
+#include "services/milling/algo/cutter/cutter_text.h"
+#include "services/milling/algo/waterline/waterline.h"
 #include "services/slicing/algo/mesh_io/mesh_reader.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/thread_seconds.h"

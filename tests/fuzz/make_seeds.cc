@@ -362,7 +362,8 @@ void WriteExposureSeeds(const Seeds& seeds, const std::string& name, const Job& 
     Anonymous(&start);
     for (const SlicedLayer& layer : job.sliced.layers)
       Must(ToProto(layer, call.add_requests()->mutable_layer()));
-    Must(ToProto(ExposureSummary{3, {{0, 0}, {9, 9}}, 0, 9, {"box"}}, call.mutable_frame()));
+    Must(ToProto(ExposureSummary{{{0, 9, 9}}, {{0, 0}, {9, 9}}, {"box"}, 3, "contours = 1\n"},
+                 call.mutable_frame()));
     *call.mutable_frame()->mutable_settings() = ToProto(settings);
     const std::string seed = name + std::to_string(static_cast<int>(strategy));
     seeds.Write("exposure", seed, call);

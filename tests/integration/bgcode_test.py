@@ -3,11 +3,12 @@
 
 - the program is that of the text file, line by line, but for blanks in lines of G1 and comments after commands;
 - metadata are those of the text file, thumbnails its pictures;
-- the bytes are the same for any number of threads.
+- the bytes are the same for any number of threads, and from a farm of real processes, at once or fetched later.
 
 usage: bgcode_test.py SLICEFARM CORPUS
 """
 import base64
+import os
 import pathlib
 import re
 import subprocess
@@ -99,6 +100,27 @@ def names_tell(program, model, folder):
     assert slice_model(program, model, folder / "d.gcode", ["layer_height=0.3"]) == ""
 
 
+def comes_from_a_farm(program, model, folder):
+    os.environ["SLICEFARM_BIN"] = str(pathlib.Path(program).resolve().parent)
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+    from local_farm import running_farm
+
+    settings = ["--set", "layer_height=0.3", "--set", "binary_gcode=1"]
+    slice_model(program, model, folder / "here.bgcode", settings[1::2])
+    here = (folder / "here.bgcode").read_bytes()
+    assert here.startswith(b"GCDE")
+    with running_farm() as farm:
+        done = farm.client("submit", model, "-o", folder / "there.bgcode", *settings)
+        assert done.returncode == 0, done.stderr
+        job = farm.client("submit", model, "--detach", *settings).stdout.strip()
+        assert farm.client("watch", job).returncode == 0
+        for output in (folder / "fetched.bgcode", str(folder / "named") + "/"):
+            done = farm.client("get", job, "-o", output)
+            assert done.returncode == 0, done.stderr
+    for file in (folder / "there.bgcode", folder / "fetched.bgcode", folder / "named" / f"{pathlib.Path(model).stem}.bgcode"):
+        assert file.read_bytes() == here, file
+
+
 def main():
     program, corpus = sys.argv[1], pathlib.Path(sys.argv[2])
     with tempfile.TemporaryDirectory() as name:
@@ -107,6 +129,8 @@ def main():
             text, binary = agrees(program, corpus / "thin_walls.stl", folder, form, settings)
             print(f"{form}: {text} bytes of text, {binary} of binary G-code")
         names_tell(program, corpus / "thin_walls.stl", folder)
+        (folder / "named").mkdir()
+        comes_from_a_farm(program, corpus / "thin_walls.stl", folder)
 
 
 main()

@@ -324,7 +324,7 @@ absl::StatusOr<ExposureEnvelope> FakeExposure::Envelope(const StageCall& call,
   fakes_.exposure_summary = summary;
   fakes_.exposure = settings;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
-  return ExposureEnvelope{"header", "footer"};
+  return ExposureEnvelope{"header", {"head"}, "footer"};
 }
 
 absl::StatusOr<FdmResult> RunFdm(const TaskRunner& runner, const StageCall& call,

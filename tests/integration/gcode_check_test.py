@@ -93,7 +93,7 @@ FAULTS = {
     "thick bead": (r"G1 X.*E", lambda line: [re.sub(r"E\S+", "E50", line)], "a bead of"),
     "no restart": (r"G1 E\.?\d", lambda line: [], "retracted by"),
     "no retraction": (r"G1 E-", lambda line: [], "without a retraction"),
-    "malformed": (r"G1 X.*E", lambda line: [line.replace("Y", "Y-.")], "cannot be read"),
+    "malformed": (r"G1 X\S+ Y.*E", lambda line: [line.replace("Y", "Y-.")], "cannot be read"),
     "no speed": (r"G1 X.*E", lambda line: [line + " F0"], "F0"),
     "bad arc": (r"G1 X.*E", lambda line: ["G2 X100 Y100 I3 J0", line], "an arc begins"),
 }

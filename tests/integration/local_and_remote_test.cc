@@ -336,7 +336,13 @@ TEST_F(LaserLocalAndRemote, RangesElsewhereGiveWhatTheWholeGivesHere) {
 }
 
 TEST_F(LaserLocalAndRemote, FramesAreTheSame) {
-  const ExposureSummary summary{LayerCount(), {{0, 0}, {9, 9}}, 0, 7, {"textbox"}};
+  ExposureSummary summary;
+  for (const SlicedLayer& layer : job_.layers) summary.layers.push_back(layer.frame);
+  summary.bounds = {{0, 0}, {9, 9}};
+  summary.object_names = {"textbox"};
+  summary.settings_text = "recoating_time = 3\n";
+  exposure_settings_.output.format = OutputFormat::kMarlin;
+  exposure_settings_.output.layer_gcode = "M100 L{layer_num} P[recoating_time]";
   const auto here = exposure_->Envelope(call_, summary, exposure_settings_);
   const auto there = remote_.exposure.Envelope(call_, summary, exposure_settings_);
   ASSERT_TRUE(here.ok()) << here.status();

@@ -217,6 +217,11 @@ def check_what_has_no_effect(program, folder):
     told = "\n".join(json.loads((folder / "report.json").read_text())["settings_without_effect"])
     assert "scripts" in told and "no_such_setting" in told, told
     assert "evil" not in (folder / "out.gcode").read_text()
+    files = painted_files(lambda x, y, z: 1 if x < 1e-6 else 0, "slic3rpe:custom_supports")
+    files["Metadata/Slic3r_PE.config"] += "; support_material = 1\n; host_type = prusalink\n"
+    files["Metadata/thumbnail.png"] = "no picture"
+    lines = run(program, "slice", write(folder / "weights.3mf", files), "-o", folder / "out.gcode").stderr.splitlines()
+    assert [line.split(":")[1].split()[0] for line in lines] == ["support_material", "painted"], lines
 
 
 def painted_files(state, attribute):

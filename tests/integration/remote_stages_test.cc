@@ -302,7 +302,7 @@ TEST(RemoteStages, ExposureGivesAndTakesAll) {
   EXPECT_EQ(farm.fakes.layers, sample.outlines);
   EXPECT_EQ(farm.fakes.copies, sample.plan.copies);
   EXPECT_EQ(farm.fakes.exposure, sample.exposure_settings);
-  const ExposureSummary summary{7, {{1, 2}, {3, 4}}, 5, 6, {"a"}};
+  const ExposureSummary summary{{{0, 5, 5}}, {{1, 2}, {3, 4}}, {"a"}, 6, "contours = 1\n"};
   const auto frame = farm.exposure.Envelope(NewCall(), summary, sample.exposure_settings);
   ASSERT_TRUE(frame.ok()) << frame.status();
   EXPECT_EQ(frame->header, "header");

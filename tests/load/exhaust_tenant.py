@@ -1,5 +1,6 @@
-"""One tenant takes every place that it can get, uploads that bring next to nothing, downloads and jobs, and another one goes on
-beside it: what the other's calls take then, against what they took alone. Needs curl with HTTP/2 for the uploads."""
+"""One tenant takes every place that it can get: uploads that bring next to nothing, downloads that are hardly read, watches of
+jobs, checks, and more jobs than the farm can make. Another one goes on beside it: what its calls take then, against what they
+took alone, and whether the first one was refused at all. Needs curl with HTTP/2."""
 import json
 import os
 import pathlib
@@ -13,9 +14,18 @@ import time
 from local_farm import BIN, MODELS, percentile, running_farm
 
 SECONDS = int(os.environ.get("SLICEFARM_EXHAUST_SECONDS", "60"))
-UPLOADS = 80  # more than there are places for
-WATCHES = 40
-MODEL = sorted(MODELS.glob("*.stl"))[0]
+UPLOADS = DOWNLOADS = 80  # more than there are places for
+WATCHERS = 1000  # of each of the greedy tenant's watched jobs
+CHECKS = 8
+OPEN_JOBS = {"hog": 500, "calm": 10_000}
+MODEL = MODELS / "textbox.stl"
+# A program that no client takes in before it reads.
+LONG = [part for key in ("before_layer_gcode", "layer_gcode") for part in ("--set", f"{key}=; " + "x" * 60_000)]
+LONG += ["--set", "layer_height=0.05", "--set", "first_layer_height=0.1"]
+TAKEN = ("UploadMesh", "Download", "CreateJob", "WatchJob")  # what all places are taken of
+STEPS = ("Upload", "CreateJob", "WatchOpen", "WatchJob", "Download")
+# p99 under which a doubling is not told from what the machine's scheduler does.
+LEAST_S = 0.05
 
 
 def make_tenants(path):
@@ -24,29 +34,30 @@ def make_tenants(path):
         made = subprocess.run([BIN / "slicefarm", "token"], check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
         tokens[name] = path.with_name(f"{name}.token")
         tokens[name].write_text(made[0])
-        tenants[name] = {"tokens": [json.loads(made[1])], "max_open_jobs": 100_000}
+        tenants[name] = {"tokens": [json.loads(made[1])], "max_open_jobs": OPEN_JOBS[name]}
     path.write_text(json.dumps({"tenants": tenants}))
     return tokens
+
+
+def framed(message):
+    return b"\0" + struct.pack(">I", len(message)) + message
 
 
 def first_chunk(number):
     """UploadMeshRequest of a mesh of 1 GB: sha256 = 1, size = 2, data = 4 with a byte."""
     digest = f"{number:064x}".encode()
-    size = 1 << 30
-    varint = bytes((size >> shift & 0x7F) | (0x80 if size >> shift + 7 else 0) for shift in range(0, 35, 7))
-    message = b"\x0a" + bytes([len(digest)]) + digest + b"\x10" + varint.rstrip(b"\0") + b"\x22\x01x"
-    return b"\0" + struct.pack(">I", len(message)) + message
+    return framed(b"\x0a" + bytes([len(digest)]) + digest + b"\x10\x80\x80\x80\x80\x04" + b"\x22\x01x")
 
 
-class Trickle(threading.Thread):
-    """An upload of a byte now and then, begun anew whenever it ends: how long it held its place, at most."""
+class Slow(threading.Thread):
+    """A call that moves next to nothing, begun anew whenever it ends: how long it held its place, at most."""
 
-    def __init__(self, address, token, number, ended):
+    def __init__(self, address, token, method, first, more, ended):
         super().__init__()
-        self.command = ["curl", "-s", "--http2-prior-knowledge", "-T", "-", "-X", "POST", "-H", "te: trailers",
-                        "-H", "content-type: application/grpc", "-H", f"authorization: Bearer {token}",
-                        f"http://{address}/slicefarm.v1.Meshes/UploadMesh"]
-        self.chunk, self.ended, self.longest_s = first_chunk(number), ended, 0.0
+        self.command = ["curl", "-s", "--http2-prior-knowledge", "--limit-rate", "1", "-T", "-", "-X", "POST",
+                        "-H", "te: trailers", "-H", "content-type: application/grpc", "-H", f"authorization: Bearer {token}",
+                        f"http://{address}/slicefarm.v1.{method}"]
+        self.first, self.more, self.ended, self.longest_s = first, more, ended, 0.0
         self.start()
 
     def run(self):
@@ -54,9 +65,12 @@ class Trickle(threading.Thread):
             begun = time.monotonic()
             with subprocess.Popen(self.command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, bufsize=0) as call:
                 try:
-                    call.stdin.write(self.chunk)
+                    call.stdin.write(self.first)
+                    if not self.more:
+                        call.stdin.close()
                     while call.poll() is None and not self.ended.wait(1):
-                        call.stdin.write(b"\0\0\0\0\x03\x22\x01x")
+                        if self.more:
+                            call.stdin.write(self.more)
                 except BrokenPipeError:
                     pass
                 call.send_signal(signal.SIGKILL)
@@ -64,55 +78,101 @@ class Trickle(threading.Thread):
             self.ended.wait(0.5)
 
 
-def call_s(farm, token, *arguments):
-    begun = time.monotonic()
-    done = farm.client(*arguments, "--token-file", token)
-    return time.monotonic() - begun, done.returncode
+class Calm(threading.Thread):
+    """The calls of the other tenant that slicefarm-load does not make, one after the other."""
+
+    CALLS = {"List": ("list", "--limit", "1"), "Check": ("submit", MODEL, "--check", "-q")}
+
+    def __init__(self, farm, token):
+        super().__init__()
+        self.farm, self.token, self.ended = farm, token, threading.Event()
+        self.times, self.failed = {kind: [] for kind in self.CALLS}, 0
+        self.start()
+
+    def run(self):
+        while not self.ended.wait(0.5):
+            for kind, arguments in self.CALLS.items():
+                begun = time.monotonic()
+                done = self.farm.client(*arguments, "--token-file", self.token)
+                self.times[kind].append(time.monotonic() - begun)
+                self.failed += done.returncode != 0
 
 
-def calm_calls(farm, token, seconds):
-    """Seconds that each kind of call takes, and how many fail."""
-    times, failed = {"submit": [], "list": [], "check": []}, 0
-    until = time.monotonic() + seconds
-    while time.monotonic() < until:
-        for kind, arguments in (("submit", ("submit", MODEL, "-q", "-o", os.devnull)), ("list", ("list", "--limit", "1")),
-                                ("check", ("check", MODEL))):
-            took, code = call_s(farm, token, *arguments)
-            times[kind].append(took)
-            failed += code != 0
-    return times, failed
+def calm_calls(farm, token):
+    """p99 in seconds of each kind of call, and how many fail."""
+    others = Calm(farm, token)
+    report = farm.load("--token-file", token, "--rate", "2", "--seconds", str(SECONDS), "--mix", "tiny")
+    others.ended.set()
+    others.join()
+    p99 = {step: report["steps"][step]["p99"] / 1e9 for step in STEPS}
+    p99 |= {kind: percentile(times, 0.99) for kind, times in others.times.items()}
+    return p99, others.failed + report["arrivals"] - report["succeeded"]
 
 
-def hog(farm, tokens, ended):
-    token = tokens["hog"].read_text().strip()
-    address = farm.coordinators[0].address
-    trickles = [Trickle(address, token, n, ended) for n in range(UPLOADS)]
-    flood = subprocess.Popen([BIN / "slicefarm-load", "--server", address, "--token-file", tokens["hog"], "--rate", "50",
-                              "--seconds", "3600", "--in-flight", "2048", "--mix", "tiny"], stdout=subprocess.DEVNULL)
-    checks = [threading.Thread(target=lambda: [call_s(farm, tokens["hog"], "check", MODEL) for _ in iter(ended.is_set, True)])
-              for _ in range(8)]
-    for check in checks:
-        check.start()
-    return trickles, flood, checks
+class Hog:
+    def __init__(self, farm, token):
+        self.farm, self.token_file, self.ended = farm, token, threading.Event()
+        text, address = token.read_text().strip(), farm.coordinators[0].address
+        job = farm.submit(MODEL, *LONG, "--token-file", token)
+        farm.client("watch", job, "--token-file", token)
+        download = framed(b"\x0a" + bytes([len(job)]) + job.encode() + b"\x10\x01")  # id = 1, artifact = 2
+        self.loads = [
+            self.load("--scenario", "submit", "--rate", "100", "--in-flight", "2048"),
+            self.load("--scenario", "watch", "--rate", "0.5", "--watchers", str(WATCHERS)),
+        ]
+        self.await_uploads()
+        self.uploads = [Slow(address, text, "Meshes/UploadMesh", first_chunk(n), framed(b"\x22\x01x"), self.ended) for n in range(UPLOADS)]
+        self.downloads = [Slow(address, text, "Jobs/Download", download, b"", self.ended) for _ in range(DOWNLOADS)]
+        self.checks = [threading.Thread(target=self.check) for _ in range(CHECKS)]
+        for check in self.checks:
+            check.start()
+
+    def await_uploads(self):
+        """Its jobs need some, and it takes all places for uploads then."""
+        while not refused(self.farm.coordinators[0], "CreateJob"):
+            time.sleep(0.1)
+
+    def load(self, *arguments):
+        command = [BIN / "slicefarm-load", "--server", self.farm.coordinators[0].address, "--token-file", self.token_file]
+        return subprocess.Popen([*command, "--seconds", "7200", "--mix", "tiny", *arguments], stdout=subprocess.DEVNULL)
+
+    def check(self):
+        command = [BIN / "slicefarm", "submit", MODEL, "--check", "-q", "--token-file", self.token_file,
+                   "--server", self.farm.coordinators[0].address, "--patience", "10"]
+        while not self.ended.is_set():
+            subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def stop(self):
+        self.ended.set()
+        for load in self.loads:
+            load.kill()
+            load.wait()
+        for thread in (*self.uploads, *self.downloads, *self.checks):
+            thread.join()
+        # What a download's client has not read yet may be on its own side.
+        return max(upload.longest_s for upload in self.uploads)
+
+
+def refused(coordinator, method):
+    return coordinator.metric(f'grpc_server_handled_total{{grpc_code="RESOURCE_EXHAUSTED",grpc_method="{method}"') or 0
 
 
 def measure():
     with tempfile.TemporaryDirectory(prefix="slicefarm-exhaust-") as directory:
         file = pathlib.Path(directory) / "tenants.json"
         tokens = make_tenants(file)
-        with running_farm(directory=directory, extra=["--tenants", str(file)]) as farm:
-            alone, failed_alone = calm_calls(farm, tokens["calm"], SECONDS)
-            ended = threading.Event()
-            trickles, flood, checks = hog(farm, tokens, ended)
+        with running_farm(directory=directory, extra=["--tenants", str(file), "--jobs", "8"]) as farm:
+            alone, failed_alone = calm_calls(farm, tokens["calm"])
+            hog = Hog(farm, tokens["hog"])
             time.sleep(5)
-            beside, failed = calm_calls(farm, tokens["calm"], SECONDS)
-            ended.set()
-            flood.kill()
-            for thread in (*trickles, *checks):
-                thread.join()
-            for kind, times in beside.items():
-                before = percentile(alone[kind], 0.99)
+            beside, failed = calm_calls(farm, tokens["calm"])
+            held_s = hog.stop()
+            for kind, before in alone.items():
                 yield f"tenant_{kind}_alone_p99_ms", 1000 * before, None
-                yield f"tenant_{kind}_beside_p99_ms", 1000 * percentile(times, 0.99), 2000 * before
+                yield f"tenant_{kind}_beside_p99_ms", 1000 * beside[kind], 2000 * max(before, LEAST_S)
             yield "tenant_calm_calls_failed", failed + failed_alone, 0
-            yield "tenant_trickle_held_s", max(t.longest_s for t in trickles), 65
+            yield "tenant_slow_upload_held_s", held_s, 65
+            for method in TAKEN:
+                count = refused(farm.coordinators[0], method)
+                yield f"tenant_{method}_refused", count, None
+                yield f"tenant_{method}_never_refused", count == 0, 0

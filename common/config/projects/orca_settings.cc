@@ -14,6 +14,7 @@
 #include "common/config/projects/orca_placeholders.h"
 #include "common/config/projects/orca_table.h"
 #include "common/config/projects/orca_weights.h"
+#include "common/config/table/known_keys.h"
 #include "common/config/table/settings_table.h"
 #include "common/config/value.h"
 
@@ -33,12 +34,16 @@ std::optional<std::vector<std::string>> ItemsOf(std::string_view text) {
   return items;
 }
 
-/// The value, or the first item of a list of them; nothing for a list without any.
-std::optional<std::string> FirstOf(std::string_view text) {
+/// The value, or an item of a list of them, the first one where there is none at `index`; nothing
+/// for a list without any.
+std::optional<std::string> ItemOf(std::string_view text, size_t index) {
   const std::optional<std::vector<std::string>> items = ItemsOf(text);
   if (!items) return std::string(text);
-  return items->empty() ? std::nullopt : std::optional(items->front());
+  if (items->empty()) return std::nullopt;
+  return (*items)[index < items->size() ? index : 0];
 }
+
+std::optional<std::string> FirstOf(std::string_view text) { return ItemOf(text, 0); }
 
 std::string Joined(std::string_view text, std::string_view separator) {
   const std::optional<std::vector<std::string>> items = ItemsOf(text);
@@ -49,6 +54,12 @@ std::string Joined(std::string_view text, std::string_view separator) {
   return joined;
 }
 
+/// Pairs of numbers, which may stand in quotes in a list that is one text.
+std::string WithoutQuotes(std::string text) {
+  std::erase(text, '"');
+  return text;
+}
+
 /// A value of PrusaSlicer's, and whether it is quite the same.
 struct Converted {
   std::optional<std::string> text;
@@ -57,7 +68,7 @@ struct Converted {
 
 class OrcaReader {
  public:
-  explicit OrcaReader(std::span<const Setting> settings) {
+  OrcaReader(std::span<const Setting> settings, size_t filament) : filament_(filament) {
     for (const Setting& setting : settings) by_key_[setting.key] = &setting;
     TakeTemperaturesOfBed();
   }
@@ -179,7 +190,7 @@ class OrcaReader {
   Converted Convert(const OrcaRow& row, std::string_view text) const {
     if (row.value == OrcaValue::kWhole) return {std::string(text)};
     if (row.value == OrcaValue::kPoints) return {Joined(text, ",")};
-    if (row.value == OrcaValue::kPairs) return {Joined(text, ";")};
+    if (row.value == OrcaValue::kPairs) return {WithoutQuotes(Joined(text, ";"))};
     const std::optional<std::string> first = FirstOf(text);
     if (!first) return {};
     switch (row.value) {
@@ -187,6 +198,9 @@ class OrcaReader {
         return {first->empty() || first->ends_with('%') ? *first : *first + "%"};
       case OrcaValue::kPercentOf:
         return {PercentOf(*first, row.detail)};
+      case OrcaValue::kOrAuto:
+        return ToNumber(*first).value_or(0) < 0 || *first == row.detail ? Converted{""}
+                                                                        : Converted{first};
       case OrcaValue::kRest:
         return {RestOf(*first)};
       case OrcaValue::kNot:
@@ -232,7 +246,7 @@ class OrcaReader {
   /// Bambu Studio's lists of what flushes: the first of these settings that says so.
   std::optional<Placeholder> FlushOf(std::string_view own, std::string_view otherwise) const {
     for (const std::string_view key : {own, otherwise})
-      if (const auto number = NumberOf(key); number && *number > 0)
+      if (const auto number = NumberOf(key, filament_); number && *number > 0)
         return ValuePlaceholder(PrintNumber(*number));
     return std::nullopt;
   }
@@ -240,6 +254,7 @@ class OrcaReader {
   /// A setting that has an effect here goes by its name, as somebody may set it otherwise.
   std::optional<Placeholder> MeaningOf(std::string_view name) const {
     if (name == "outer_wall_volumetric_speed") return OuterWallFlow();
+    if (name == "chamber_cooling_mode") return ChamberCooling();
     if (name == "flush_volumetric_speeds")
       return FlushOf("filament_flush_volumetric_speed", "filament_max_volumetric_speed");
     if (name == "flush_temperatures")
@@ -250,11 +265,20 @@ class OrcaReader {
     }
     for (const OrcaRow& row : OrcaRows()) {
       const bool same = row.from == name && row.value == OrcaValue::kSame;
-      if (same && FindSetting(row.to, Process::kFdm) >= 0) return Placeholder{std::string(row.to)};
+      if (same && (FindSetting(row.to, Process::kFdm) >= 0 || FindKnownKey(row.to) != nullptr))
+        return Placeholder{std::string(row.to)};
     }
     const auto found = by_key_.find(name);
     if (found == by_key_.end()) return std::nullopt;
-    return ValuePlaceholder(Unescape(FirstOf(found->second->value).value_or("")));
+    return ValuePlaceholder(Unescape(ItemOf(found->second->value, filament_).value_or("")));
+  }
+
+  /// Of Snapmaker's U1: 2, 1, 0 for a filament that goes soft at 50 C, at 70 C, or above.
+  std::optional<Placeholder> ChamberCooling() const {
+    const auto soft_c = NumberOf("temperature_vitrification", filament_);
+    const bool hot = NumberOf("filament_is_high_temperature", filament_).value_or(0) != 0;
+    if (!soft_c || hot) return ValuePlaceholder("0");
+    return ValuePlaceholder(*soft_c <= 50 ? "2" : *soft_c <= 70 ? "1" : "0");
   }
 
   /// In mm3/s: the outer wall's speed times its cross-section, at most what the filament stands.
@@ -264,15 +288,15 @@ class OrcaReader {
     const auto height = NumberOf("layer_height");
     if (!speed || !width || !height) return std::nullopt;
     const double flow = *speed * *height * (*width - *height * (1 - std::numbers::pi / 4));
-    const double most = NumberOf("filament_max_volumetric_speed").value_or(0);
+    const double most = NumberOf("filament_max_volumetric_speed", filament_).value_or(0);
     return ValuePlaceholder(PrintNumber(Quantise(most > 0 ? std::min(flow, most) : flow)));
   }
 
   /// Percentages are those of the nozzle.
-  std::optional<double> NumberOf(std::string_view key) const {
+  std::optional<double> NumberOf(std::string_view key, size_t index = 0) const {
     const auto found = by_key_.find(key);
     if (found == by_key_.end()) return std::nullopt;
-    const std::optional<std::string> first = FirstOf(found->second->value);
+    const std::optional<std::string> first = ItemOf(found->second->value, index);
     const std::optional<std::string> text =
         first ? PercentOf(*first, "nozzle_diameter") : std::nullopt;
     return text ? ToNumber(*text) : std::nullopt;
@@ -347,6 +371,7 @@ class OrcaReader {
     settings_[at->second] = {std::string(key), value, source};
   }
 
+  const size_t filament_;
   ByKey by_key_;
   std::vector<Setting> settings_;
   std::map<std::string, size_t, std::less<>> index_;  ///< into settings_
@@ -356,8 +381,9 @@ class OrcaReader {
 
 }  // namespace
 
-std::vector<Setting> FromOrca(std::span<const Setting> settings, OrcaUnused* unused) {
-  OrcaReader reader(settings);
+std::vector<Setting> FromOrca(std::span<const Setting> settings, OrcaUnused* unused,
+                              size_t filament) {
+  OrcaReader reader(settings, filament);
   for (const OrcaRow& row : OrcaRows()) reader.Apply(row);
   reader.TakePairs();
   if (unused != nullptr) *unused = reader.Unused(settings);

@@ -22,7 +22,9 @@ struct OrcaUnused {
 /// they are percentages of must be among `settings`. Of the temperatures of several beds that of
 /// `curr_bed_type` counts. Placeholders in G-code become PrusaSlicer's, or, where it has none, the
 /// value that `settings` have; others stay, and are an error when the G-code is made.
-/// `unused`: takes what has no effect. Cost: O(n log n).
-std::vector<Setting> FromOrca(std::span<const Setting> settings, OrcaUnused* unused);
+/// `unused`: takes what has no effect. `filament`: which one prints, from 0: of its values those
+/// that placeholders become; of fewer values the first one. Cost: O(n log n).
+std::vector<Setting> FromOrca(std::span<const Setting> settings, OrcaUnused* unused,
+                              size_t filament = 0);
 
 }  // namespace slicefarm::config

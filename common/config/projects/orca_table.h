@@ -10,6 +10,7 @@ enum class OrcaValue {
   kSame,
   kPercent,    ///< a number is a percentage, with or without its sign
   kPercentOf,  ///< a percentage is one of `detail`, which is another setting of OrcaSlicer's
+  kOrAuto,     ///< a number; a negative one, or `detail`, leaves the choice to the slicer
   kRest,       ///< a percentage, of which PrusaSlicer says what is missing to 100%
   kNot,        ///< a flag that means the opposite
   kPoints,     ///< a list counts as a whole

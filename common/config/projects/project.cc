@@ -9,6 +9,7 @@
 
 #include "absl/strings/escaping.h"
 #include "common/base/error.h"
+#include "common/base/text.h"
 #include "common/config/projects/orca_settings.h"
 
 namespace slicefarm::config {
@@ -23,7 +24,8 @@ void SetSource(Source source, Settings& settings) {
 /// Translates settings of a project in OrcaSlicer's dialect.
 class Translator {
  public:
-  explicit Translator(Project& project) : project_(project), project_settings_(project.settings) {
+  Translator(Project& project, size_t filament)
+      : filament_(filament), project_(project), project_settings_(project.settings) {
     SetSource(Source::kProfile, project_settings_);
   }
 
@@ -48,7 +50,7 @@ class Translator {
  private:
   Settings OfProject() {
     OrcaUnused unused;
-    Settings settings = FromOrca(project_settings_, &unused);
+    Settings settings = FromOrca(project_settings_, &unused, filament_);
     Tell("", unused);
     for (const auto* texts : {&unused.of_print, &unused.others})
       told_.insert(texts->begin(), texts->end());
@@ -63,7 +65,7 @@ class Translator {
     Settings all = project_settings_;
     all.insert(all.end(), own.begin(), own.end());
     OrcaUnused unused;
-    own = FromOrca(all, &unused);
+    own = FromOrca(all, &unused, filament_);
     for (auto* texts : {&unused.of_print, &unused.others})
       std::erase_if(*texts, [this](const std::string& text) { return told_.contains(text); });
     Tell(place, unused);
@@ -78,6 +80,7 @@ class Translator {
     for (const std::string& text : unused.others) add(text, others_);
   }
 
+  const size_t filament_;                       ///< that prints, from 0
   std::vector<std::string> of_print_, others_;  ///< without effect
   Project& project_;
   Settings project_settings_;
@@ -152,10 +155,33 @@ std::vector<SceneObject> ObjectsOn(const Project& project, size_t plate) {
   return objects;
 }
 
-/// Returns what makes another print.
-std::vector<std::string> TakePrusaNames(Project& project) {
+/// The filament that all of `objects` are printed with, from 0. Of several the first one: such a
+/// plate is refused (plate_tool.h).
+size_t FilamentOf(const std::vector<SceneObject>& objects) {
+  double least = 0;
+  const auto look = [&least](const Settings& settings) {
+    for (const Setting& setting : settings) {
+      const double number = setting.key == "extruder" ? ToNumber(setting.value).value_or(0) : 0;
+      if (number >= 1 && (least == 0 || number < least)) least = number;
+    }
+  };
+  for (const SceneObject& object : objects) {
+    const bool says_itself = std::ranges::all_of(object.parts, [](const Part& part) {
+      return std::ranges::any_of(part.settings, [](const Setting& setting) {
+        return setting.key == "extruder" && !IsUsualTool(setting);
+      });
+    });
+    if (object.parts.empty() || !says_itself) look(object.settings);
+    for (const Part& part : object.parts) look(part.settings);
+  }
+  return least < 1 ? 0 : static_cast<size_t>(least) - 1;
+}
+
+/// `printed`: what the job consists of. Returns what makes another print.
+std::vector<std::string> TakePrusaNames(const std::vector<SceneObject>& printed, Project& project) {
   std::vector<std::string> of_print;
-  if (project.dialect == SettingsDialect::kOrca) of_print = Translator(project).Run();
+  if (project.dialect == SettingsDialect::kOrca)
+    of_print = Translator(project, FilamentOf(printed)).Run();
   project.dialect = SettingsDialect::kPrusa;
   MakeProfiles(project);
   return of_print;
@@ -164,7 +190,7 @@ std::vector<std::string> TakePrusaNames(Project& project) {
 }  // namespace
 
 Project InPrusaNames(Project project) {
-  TakePrusaNames(project);
+  TakePrusaNames(project.objects, project);
   return project;
 }
 
@@ -172,7 +198,7 @@ absl::StatusOr<ProjectJob> JobOfProject(const Project& given, int plate) {
   const absl::StatusOr<size_t> chosen = ChosenPlate(given, plate);
   if (!chosen.ok()) return chosen.status();
   Project project = given;
-  const std::vector<std::string> of_print = TakePrusaNames(project);
+  const std::vector<std::string> of_print = TakePrusaNames(ObjectsOn(given, *chosen), project);
   ProjectJob job;
   job.objects = ObjectsOn(project, *chosen);
   if (job.objects.empty()) {

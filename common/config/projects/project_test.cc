@@ -72,6 +72,33 @@ TEST(JobOfProject, WarnsOfSettingsThatMakeAnotherPrint) {
   EXPECT_EQ(job->warnings.size(), 3u);
 }
 
+TEST(JobOfProject, PlaceholdersAreThoseOfTheFilamentInUse) {
+  struct Case {
+    const char* name;
+    const char* of_object;
+    const char* of_part;
+    const char* want;
+  };
+  for (const Case& c :
+       {Case{"None", "0", "0", "V{180}"}, Case{"First", "1", "0", "V{180}"},
+        Case{"OfObject", "2", "0", "V{100}"}, Case{"OfPart", "0", "2", "V{100}"},
+        Case{"OfPartAlone", "1", "2", "V{100}"}, Case{"Beyond", "9", "0", "V{180}"}}) {
+    Project project = TwoObjects();
+    project.dialect = SettingsDialect::kOrca;
+    project.settings = {{"machine_start_gcode", "V[min_vitrification_temperature]"},
+                        {"temperature_vitrification", R"(["180", "100"])"}};
+    for (SceneObject& object : project.objects) {
+      object.settings = {{"extruder", c.of_object}};
+      object.parts.resize(1);
+      object.parts[0].settings = {{"extruder", c.of_part}};
+    }
+    const auto job = JobOfProject(project, 0);
+    ASSERT_TRUE(job.ok()) << job.status();
+    EXPECT_THAT(job->settings, Contains(Setting{"start_gcode", c.want, Source::kProfile}))
+        << c.name;
+  }
+}
+
 TEST(JobOfProject, NothingToPrintIsAnError) {
   Project project = TwoObjects();
   for (SceneObject& object : project.objects)

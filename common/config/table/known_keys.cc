@@ -48,7 +48,6 @@ struct Group {
 /// Settings of features that are not there yet, and those that no slicing ever looks at.
 constexpr Group kGroups[] = {
     {kNotYet,
-     "automatic_extrusion_widths "
      "bed_temperature_extruder clip_multipart_objects "
      "cooling_tube_* dont_support_bridges "
      "extra_loading_move "
@@ -77,6 +76,7 @@ constexpr Group kGroups[] = {
      "printer_settings_id printer_variant printer_vendor profile_vendor profile_version "
      "silent_mode"},
     {"decides between several tools, and one prints", "idle_temperature"},
+    {"the widths that it has led to are written beside it", "automatic_extrusion_widths"},
     {kProfile, "compatible_*", false},
     {kSending, "host_type print_host printhost_* octoprint_* serial_*", false},
     {kResin, "sla_* faded_layers exposure_* pad_* hollowing_* area_fill display_* tilt_*", false},

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "common/geometry/point.h"
@@ -34,6 +36,14 @@ enum class JumpOrder : uint8_t {
   kNearest,       ///< least way with the laser off
   kChequerboard,  ///< first every other one, then the rest: neighbours cool down between
   kFarthest,      ///< as far as can be from what was scanned before
+  kAgainstGas,    ///< from where the gas flows to: smoke blows over what is done
+};
+
+/// Where contours begin and end.
+enum class ContourStart : uint8_t {
+  kScattered,  ///< elsewhere in each layer, so that no seam runs up the part
+  kNearest,    ///< at the corner nearest to where the laser is
+  kRear,       ///< at the corner farthest back
 };
 
 enum class OutputFormat : uint8_t {
@@ -86,6 +96,10 @@ struct JumpOptions {
   friend bool operator==(const JumpOptions&, const JumpOptions&) = default;
 };
 
+/// Within this of the gas's direction a quarter turn takes a line out of the window for sure; half
+/// of it for islands, whose lines run both ways.
+inline constexpr double kWidestGasWindowDeg = 45;
+
 /// How the sections of one region are scanned. Defaults are those of PySLM, and Netfabb's where
 /// PySLM has none.
 struct ExposureOptions {
@@ -94,10 +108,16 @@ struct ExposureOptions {
   JumpOrder jump_order = JumpOrder::kNearest;
 
   Coord hatch_distance_nm = 80'000;  ///< between lines, and between rings
+  Coord upskin_distance_nm = 0;      ///< between lines of upskins; 0: hatch_distance
+  Coord downskin_distance_nm = 0;    ///< between lines of downskins; 0: hatch_distance
   double hatch_angle_deg = 45;       ///< of layer 0
   double layer_rotation_deg = 67;    ///< from each layer to the next
   bool alternate_directions = true;  ///< every other line backwards
-  Coord minimum_vector_nm = 0;       ///< shorter hatch lines and rings are left out
+  double gas_flow_deg = 0;           ///< where the gas flows to, from the x axis
+  /// Hatch lines that run with or against the flow, but for this, run across it: at 90 degrees to
+  /// their own direction; at 45 if they are islands', which have lines both ways.
+  double gas_window_deg = 0;
+  Coord minimum_vector_nm = 0;  ///< shorter hatch lines and rings are left out
 
   Coord stripe_width_nm = 5'000'000;  ///< of stripes
   Coord island_width_nm = 5'000'000;  ///< of islands
@@ -116,11 +136,19 @@ struct ExposureOptions {
   Coord contour_distance_nm = 80'000;  ///< between contours, and from the last one to rings
   Coord hatch_offset_nm = 40'000;      ///< from the last contour to the ends of hatch lines
   bool contours_first = true;
+  ContourStart contour_start = ContourStart::kScattered;
+  /// The scanner comes to and leaves each contour and thin wall on this length along its direction,
+  /// with the laser off, so that the laser begins and ends at full speed.
+  Coord contour_run_nm = 0;
   bool thin_walls = true;  ///< what is too thin for a contour is exposed once along its middle
 
   int32_t upskin_layers = 0;    ///< upskin: no part this many layers above; 0: none
   int32_t downskin_layers = 0;  ///< downskin: powder within this many layers below; 0: none
   Coord skin_overlap_nm = 0;    ///< how far skins reach into the rest
+
+  /// The laser melts this many layers deeper than the one it draws on: where so many layers below
+  /// are not all part, nothing is exposed.
+  int32_t z_compensation_layers = 0;
 
   /// The scanner runs up and out on this length beyond each hatch line with the laser off, so that
   /// it draws at full speed. Longer way, and no mark delay.
@@ -133,7 +161,14 @@ struct ExposureOptions {
     return styles[static_cast<size_t>(kind)];
   }
   /// How many layers above and below a section its exposure depends on.
-  int32_t Halo() const { return upskin_layers > downskin_layers ? upskin_layers : downskin_layers; }
+  int32_t Halo() const { return std::max(upskin_layers, downskin_layers + z_compensation_layers); }
+  /// Of vectors of that kind: skins may have one of their own.
+  Coord HatchDistanceNm(ExposureKind kind) const {
+    const Coord own = kind == ExposureKind::kUpskin     ? upskin_distance_nm
+                      : kind == ExposureKind::kDownskin ? downskin_distance_nm
+                                                        : 0;
+    return own > 0 ? own : hatch_distance_nm;
+  }
   friend bool operator==(const ExposureOptions&, const ExposureOptions&) = default;
 };
 
@@ -145,6 +180,9 @@ struct ExposureOutput {
   double full_power_w = 400;  ///< G-code: at `full_power_s`
   double full_power_s = 1000;
   bool dynamic_power = true;  ///< G-code of grbl: M4, less power where the head is slower
+  double recoat_s = 0;        ///< before each layer: until there is new powder or resin
+  /// Of G-code: templates before all layers, before and after each layer's move in Z, after all.
+  std::string start_gcode = {}, before_layer_gcode = {}, layer_gcode = {}, end_gcode = {};
 
   friend bool operator==(const ExposureOutput&, const ExposureOutput&) = default;
 };

@@ -52,7 +52,7 @@ struct MeshReport {
   double largest_gap_closed_mm = 0;
   double dropped_length_mm = 0;    ///< length of the outlines that were not printed
   int64_t copies_off_bed = 0;      ///< copies that stand beside the bed, and are left out
-  int64_t overlapping_copies = 0;  ///< copies that stand on the footprint of another one
+  int64_t overlapping_copies = 0;  ///< copies that share room with another one
   double cracks_closed_mm = 0;     ///< cracks up to this width were closed; 0: none were looked for
 
   bool Closed() const { return open_edges == 0 && non_manifold_edges == 0; }

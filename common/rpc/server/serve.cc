@@ -109,6 +109,7 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
     return 1;
   }
   options.credentials = *std::move(credentials);
+  options.log = log_;
   if (flags.tls.has_certificate()) metrics_.Show(std::make_shared<CertificateMetrics>(flags.tls));
   absl::StatusOr<std::unique_ptr<Server>> server =
       Server::Start(options, services, call_metrics_, queued);

@@ -8,6 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/rpc/client/health.h"
+#include "common/rpc/server/storage_errors.h"
 #include "common/rpc/server/unreadable_request.h"
 
 namespace slicefarm::rpc {
@@ -58,6 +59,7 @@ absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& optio
   for (grpc::Service* service : services) builder.RegisterService(service);
   std::vector<std::unique_ptr<grpc::experimental::ServerInterceptorFactoryInterface>> interceptors;
   interceptors.push_back(std::make_unique<UnreadableRequestFactory>());  // before it is counted
+  if (options.log) interceptors.push_back(std::make_unique<StorageErrorsFactory>(*options.log));
   interceptors.push_back(std::make_unique<CallMetricsFactory>(metrics));
   builder.experimental().SetInterceptorCreators(std::move(interceptors));
   auto queue = queued == nullptr ? nullptr : std::make_unique<CallQueue>(builder);

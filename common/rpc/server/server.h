@@ -6,12 +6,14 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/model/limits.h"
 #include "common/rpc/observe/call_metrics.h"
+#include "common/rpc/observe/json_log.h"
 #include "common/rpc/server/call_queue.h"
 
 namespace slicefarm::rpc {
@@ -27,6 +29,7 @@ struct ServerOptions {
   /// Calls that one connection may have open; more wait in the client. 0: any number.
   int max_streams_per_connection = 0;
   std::shared_ptr<grpc::ServerCredentials> credentials = nullptr;  ///< null: no TLS
+  std::optional<JsonLog> log = {};  ///< of errors of storage, which are not for clients
 };
 
 /// A gRPC server with health checking, reflection, limits, keepalive and metrics.

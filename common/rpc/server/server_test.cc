@@ -167,6 +167,36 @@ TEST_F(ServerTest, MethodsThatNobodyHasGetNoLabelsOfTheirOwn) {
                                             testing::Not(testing::HasSubstr("stranger"))));
 }
 
+TEST_F(ServerTest, WhatStorageSaysIsForTheLogAlone) {
+  ServerOptions options;
+  options.log = log_;
+  Start({}, options);
+  struct Case {
+    absl::StatusCode code;
+    Reason reason;
+    bool is_told;
+  };
+  for (const Case& c : {Case{absl::StatusCode::kInternal, Reason::kStoreFailed, false},
+                        Case{absl::StatusCode::kUnavailable, Reason::kStoreFailed, false},
+                        Case{absl::StatusCode::kResourceExhausted, Reason::kDiskFull, false},
+                        Case{absl::StatusCode::kDataLoss, Reason::kStoreFailed, true},
+                        Case{absl::StatusCode::kInternal, Reason::kInternal, true}}) {
+    const std::string error = "fsync /var/lib/slicefarm/blobs: no luck";
+    service_->OnCall([&](Call&) {
+      return MakeError(c.code, c.reason, error, {{"retry_after_ms", "1500"}, {"job", "7"}});
+    });
+    log_text_.str("");
+    const absl::Status status = CallFrame();
+    EXPECT_EQ(status.code(), c.code);
+    EXPECT_EQ(DetailOf(status).reason, c.reason);
+    EXPECT_EQ(DetailOf(status).metadata["job"], "7");
+    EXPECT_EQ(DetailOf(status).metadata["retry_after_ms"], "1500");
+    EXPECT_EQ(status.message().find("/var/lib") != std::string::npos, c.is_told) << status;
+    EXPECT_EQ(log_text_.str().find("storage failed") == std::string::npos, c.is_told);
+    EXPECT_THAT(log_text_.str(), testing::HasSubstr(error));
+  }
+}
+
 // Bytes that are no message, and a string field that is not UTF-8.
 TEST_F(ServerTest, WhatCannotBeReadHasAReason) {
   Start();

@@ -7,6 +7,7 @@
 #include "common/wire/support/amounts.h"
 #include "common/wire/support/box_wire.h"
 #include "common/wire/support/object_names.h"
+#include "common/wire/support/repeated_wire.h"
 #include "common/wire/support/wire_error.h"
 
 namespace slicefarm {
@@ -69,11 +70,8 @@ absl::StatusOr<MeltedSample> MeltedOf(const v1::MeltedSample& proto) {
 }
 
 absl::Status CheckSummary(const v1::ExposureFrameRequest& proto) {
-  if (proto.layers() < 0 || proto.layers() > limits::kMaxLayers)
-    return Malformed("layers", "is out of range");
-  for (const int64_t height_nm : {proto.bottom_nm(), proto.top_nm()})
-    if (height_nm < -limits::kMaxCoord || height_nm > limits::kMaxCoord)
-      return Malformed("bottom_nm, top_nm", "out of range");
+  if (proto.layers_size() > limits::kMaxLayers) return Malformed("layers", "too many");
+  if (!IsAmount(proto.time_s())) return Malformed("time_s", "is no amount");
   return CheckObjectNames(proto.object_names());
 }
 
@@ -135,33 +133,42 @@ absl::StatusOr<ExposedProgram> FromProto(v1::ExposedProgram proto) {
 }
 
 absl::Status ToProto(const ExposureSummary& summary, v1::ExposureFrameRequest* proto) {
-  proto->set_layers(summary.layers);
-  proto->set_bottom_nm(summary.bottom_nm);
-  proto->set_top_nm(summary.top_nm);
+  for (const LayerFrame& layer : summary.layers) ToProto(layer, proto->add_layers());
   proto->mutable_object_names()->Assign(summary.object_names.begin(), summary.object_names.end());
+  proto->set_time_s(summary.time_s);
+  proto->set_settings_text(summary.settings_text);
   return BoxToProto(summary.bounds, proto);
 }
 
 absl::StatusOr<ExposureSummary> FromProto(const v1::ExposureFrameRequest& proto) {
   if (absl::Status status = CheckSummary(proto); !status.ok()) return status;
+  ExposureSummary summary;
+  if (absl::Status status = AllFromProto(proto.layers(), "layers", &summary.layers); !status.ok())
+    return status;
   const absl::StatusOr<Box> bounds = BoxFromProto(proto);
   if (!bounds.ok()) return bounds.status();
-  return ExposureSummary{proto.layers(),
-                         *bounds,
-                         proto.bottom_nm(),
-                         proto.top_nm(),
-                         {proto.object_names().begin(), proto.object_names().end()}};
+  summary.bounds = *bounds;
+  summary.object_names.assign(proto.object_names().begin(), proto.object_names().end());
+  summary.time_s = proto.time_s();
+  summary.settings_text = proto.settings_text();
+  return summary;
 }
 
 v1::ExposureFrame ToProto(ExposureEnvelope frame) {
   v1::ExposureFrame proto;
   proto.set_header(std::move(frame.header));
+  for (std::string& head : frame.layer_heads) proto.add_layer_heads(std::move(head));
   proto.set_footer(std::move(frame.footer));
   return proto;
 }
 
 absl::StatusOr<ExposureEnvelope> FromProto(v1::ExposureFrame proto) {
-  return ExposureEnvelope{std::move(*proto.mutable_header()), std::move(*proto.mutable_footer())};
+  ExposureEnvelope frame;
+  frame.header = std::move(*proto.mutable_header());
+  for (std::string& head : *proto.mutable_layer_heads())
+    frame.layer_heads.push_back(std::move(head));
+  frame.footer = std::move(*proto.mutable_footer());
+  return frame;
 }
 
 }  // namespace slicefarm

@@ -58,12 +58,12 @@ ExposedProgram DistinctProgram() {
 
 ExposureSummary DistinctSummary() {
   ExposureSummary summary;
-  auto& [layers, bounds, bottom, top, names] = summary;
-  layers = 12;
+  auto& [layers, bounds, names, time_s, settings_text] = summary;
+  layers = {{0, 50, 50}, {1, 100, 50}};
   bounds = {{1, 2}, {3, 4}};
-  bottom = 5;
-  top = 6;
   names = {"a", "b"};
+  time_s = 5.5;
+  settings_text = "hatch_distance = 0.1\n";
   return summary;
 }
 
@@ -82,14 +82,22 @@ ExposureStyle DistinctStyle(int n) {
 
 ExposureOptions DistinctOptions() {
   ExposureOptions options;
-  auto& [strategy, decompose, jump_order, hatch_distance, hatch_angle, rotation, alternate,
-         minimum_vector, stripe_width, island_width, overlap, ring_overlap, link_rings,
-         fill_corners, shift_grids, turn_rings, spot, compensation, contours, contour_distance, hatch_offset, contours_first,
-         thin_walls, upskin_layers, downskin_layers, skin_overlap, skywriting, styles, jump] =
-      options;
+  auto& [strategy, decompose, jump_order, hatch_distance, upskin_distance, downskin_distance,
+         hatch_angle, rotation, alternate, gas_flow, gas_window, minimum_vector, stripe_width,
+         island_width, overlap, ring_overlap, link_rings, fill_corners, shift_grids, turn_rings,
+         spot, compensation, contours, contour_distance, hatch_offset, contours_first,
+         contour_start, contour_run, thin_walls, upskin_layers, downskin_layers, skin_overlap,
+         z_compensation, skywriting, styles, jump] = options;
   strategy = ScanStrategy::kIslands;
   decompose = DecomposeMethod::kYMonotone;
-  jump_order = JumpOrder::kFarthest;
+  jump_order = JumpOrder::kAgainstGas;
+  upskin_distance = 1'051;
+  downskin_distance = 1'052;
+  gas_flow = -53.5;
+  gas_window = 20.5;
+  contour_start = ContourStart::kRear;
+  contour_run = 55;
+  z_compensation = 56;
   hatch_distance = 1'001;
   hatch_angle = -2.5;
   rotation = 3.5;
@@ -127,7 +135,14 @@ ExposureOptions DistinctOptions() {
 ExposureSettings DistinctSettings() {
   ExposureSettings settings;
   settings.regions = {DistinctOptions(), {}};
-  auto& [format, layer, unit, full_power, full_s, dynamic] = settings.output;
+  settings.regions[1].upskin_distance_nm = settings.regions[1].downskin_distance_nm = 90'000;
+  auto& [format, layer, unit, full_power, full_s, dynamic, recoat, start, before_layer, per_layer,
+         end] = settings.output;
+  recoat = 34.5;
+  start = "start";
+  before_layer = "before";
+  per_layer = "layer";
+  end = "end";
   format = OutputFormat::kMarlin;
   layer = 31;
   unit = 0.5;
@@ -143,7 +158,7 @@ TEST(ExposureWire, ProgramsAndFramesReturn) {
   ExpectReturns<v1::ExposedProgram>(DistinctProgram());
   ExpectReturns<v1::ExposureFrameRequest>(DistinctSummary());
   ExpectReturns<v1::ExposureFrameRequest>(ExposureSummary());
-  const ExposureEnvelope frame{std::string("a\0b", 3), "c"};
+  const ExposureEnvelope frame{std::string("a\0b", 3), {"x", "y"}, "c"};
   EXPECT_EQ(*FromProto(ToProto(frame)), frame);
 }
 
@@ -174,12 +189,12 @@ TEST(ExposureWire, RefusesWhatNoLayerComesTo) {
 
 TEST(ExposureWire, RefusesSummariesThatNoJobHas) {
   auto summary = ProtoOf<v1::ExposureFrameRequest>(DistinctSummary());
-  summary.set_layers(-1);
-  ExpectMalformed(FromProto(summary).status(), "layers");
-  summary.set_layers(1);
-  summary.set_top_nm(INT64_MAX);
-  ExpectMalformed(FromProto(summary).status(), "bottom_nm, top_nm");
-  summary.set_top_nm(0);
+  summary.set_time_s(-1);
+  ExpectMalformed(FromProto(summary).status(), "time_s");
+  summary.set_time_s(1);
+  summary.mutable_layers(1)->set_index(-1);
+  EXPECT_FALSE(FromProto(summary).ok());
+  summary.mutable_layers(1)->set_index(1);
   summary.add_object_names(std::string(limits::kMaxNameBytes + 1, 'x'));
   EXPECT_EQ(DetailOf(FromProto(summary).status()).reason, Reason::kRequestTooLarge);
 }
@@ -235,6 +250,14 @@ TEST(ExposureWire, RefusesSettingsThatNoResolverMakes) {
       {"regions[0].skywriting_nm", [](auto& s) { s.mutable_regions(0)->set_skywriting_nm(-1); }},
       {"regions[0].contours or skin layers",
        [](auto& s) { s.mutable_regions(0)->set_downskin_layers(1'001); }},
+      {"regions[0].contours or skin layers",
+       [](auto& s) { s.mutable_regions(0)->set_z_compensation_layers(-1); }},
+      {"regions[0].upskin_distance_nm, downskin_distance_nm",
+       [](auto& s) { s.mutable_regions(0)->set_downskin_distance_nm(999); }},
+      {"regions[0].gas_window_deg", [](auto& s) { s.mutable_regions(0)->set_gas_window_deg(23); }},
+      {"regions[1].gas_window_deg", [](auto& s) { s.mutable_regions(1)->set_gas_window_deg(46); }},
+      {"regions[0].contour_run_nm", [](auto& s) { s.mutable_regions(0)->set_contour_run_nm(-1); }},
+      {"output.recoat_s", [](auto& s) { s.mutable_output()->set_recoat_s(-1); }},
       {"regions[0].hatch_angle_deg",
        [](auto& s) {
          s.mutable_regions(0)->set_hatch_angle_deg(std::numeric_limits<double>::quiet_NaN());

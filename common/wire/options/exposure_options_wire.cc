@@ -19,7 +19,8 @@ constexpr int32_t kMaxCount = 1'000;  ///< of contours, and of layers that skins
 static_assert(v1::SCAN_STRATEGY_RINGS == static_cast<int>(ScanStrategy::kRings) + 1);
 static_assert(v1::SCAN_STRATEGY_HATCH == static_cast<int>(ScanStrategy::kHatch) + 1);
 static_assert(v1::DECOMPOSE_METHOD_Y_MONOTONE == static_cast<int>(DecomposeMethod::kYMonotone) + 1);
-static_assert(v1::JUMP_ORDER_FARTHEST == static_cast<int>(JumpOrder::kFarthest) + 1);
+static_assert(v1::JUMP_ORDER_AGAINST_GAS == static_cast<int>(JumpOrder::kAgainstGas) + 1);
+static_assert(v1::CONTOUR_START_REAR == static_cast<int>(ContourStart::kRear) + 1);
 static_assert(v1::OUTPUT_FORMAT_DXF == static_cast<int>(OutputFormat::kDxf) + 1);
 
 absl::Status IsPositive(std::string_view field, double value) {
@@ -50,12 +51,22 @@ absl::Status Check(const v1::ExposureOptions& proto) {
                                   {"beam_compensation_nm", proto.beam_compensation_nm()},
                                   {"hatch_offset_nm", proto.hatch_offset_nm()},
                                   {"skin_overlap_nm", proto.skin_overlap_nm()},
-                                  {"skywriting_nm", proto.skywriting_nm()}}));
-  for (const int32_t count : {proto.contours(), proto.upskin_layers(), proto.downskin_layers()})
+                                  {"skywriting_nm", proto.skywriting_nm()},
+                                  {"contour_run_nm", proto.contour_run_nm()}}));
+  for (const Coord distance : {proto.upskin_distance_nm(), proto.downskin_distance_nm()})
+    if (distance != 0 && distance < kLeastHatchNm)
+      status.Update(Malformed("upskin_distance_nm, downskin_distance_nm", "too small"));
+  const bool both_ways = proto.strategy() == v1::SCAN_STRATEGY_ISLANDS;
+  const double widest = both_ways ? kWidestGasWindowDeg / 2 : kWidestGasWindowDeg;
+  if (proto.gas_window_deg() < 0 || proto.gas_window_deg() > widest)
+    status.Update(Malformed("gas_window_deg", "out of range"));
+  for (const int32_t count : {proto.contours(), proto.upskin_layers(), proto.downskin_layers(),
+                              proto.z_compensation_layers()})
     if (count < 0 || count > kMaxCount)
       status.Update(Malformed("contours or skin layers", "out of range"));
   const Coord narrowest = std::min(proto.stripe_width_nm(), proto.island_width_nm());
-  if (narrowest < proto.hatch_distance_nm())
+  if (narrowest < std::max({proto.hatch_distance_nm(), proto.upskin_distance_nm(),
+                            proto.downskin_distance_nm()}))
     status.Update(Malformed("stripe_width_nm, island_width_nm", "less than the hatch distance"));
   // Cells that reach into the next but one would be scanned thrice.
   if (proto.overlap_nm() > narrowest / 2)
@@ -77,6 +88,7 @@ absl::Status Check(const v1::ExposureOutput& proto) {
   status.Update(IsPositive("full_power_w", proto.full_power_w()));
   status.Update(IsPositive("full_power_s", proto.full_power_s()));
   if (proto.layer() < 0) status.Update(Malformed("layer", "is negative"));
+  if (!(proto.recoat_s() >= 0)) status.Update(Malformed("recoat_s", "is negative"));
   return status;
 }
 
@@ -140,6 +152,13 @@ v1::ExposureOptions ToProto(const ExposureOptions& options) {
   proto.set_fill_corners(options.fill_corners);
   proto.set_shift_grids(options.shift_grids);
   proto.set_turn_rings(options.turn_rings);
+  proto.set_upskin_distance_nm(options.upskin_distance_nm);
+  proto.set_downskin_distance_nm(options.downskin_distance_nm);
+  proto.set_gas_flow_deg(options.gas_flow_deg);
+  proto.set_gas_window_deg(options.gas_window_deg);
+  proto.set_contour_start(EnumToProto<v1::ContourStart>(options.contour_start));
+  proto.set_contour_run_nm(options.contour_run_nm);
+  proto.set_z_compensation_layers(options.z_compensation_layers);
   proto.set_spot_nm(options.spot_nm);
   proto.set_beam_compensation_nm(options.beam_compensation_nm);
   proto.set_contours(options.contours);
@@ -174,6 +193,13 @@ ExposureOptions OptionsOf(const v1::ExposureOptions& proto) {
   options.fill_corners = proto.fill_corners();
   options.shift_grids = proto.shift_grids();
   options.turn_rings = proto.turn_rings();
+  options.upskin_distance_nm = proto.upskin_distance_nm();
+  options.downskin_distance_nm = proto.downskin_distance_nm();
+  options.gas_flow_deg = proto.gas_flow_deg();
+  options.gas_window_deg = proto.gas_window_deg();
+  options.contour_start = Known<ContourStart>(proto.contour_start());
+  options.contour_run_nm = proto.contour_run_nm();
+  options.z_compensation_layers = proto.z_compensation_layers();
   options.spot_nm = proto.spot_nm();
   options.beam_compensation_nm = proto.beam_compensation_nm();
   options.contours = proto.contours();
@@ -199,6 +225,11 @@ v1::ExposureOutput ToProto(const ExposureOutput& options) {
   proto.set_full_power_w(options.full_power_w);
   proto.set_full_power_s(options.full_power_s);
   proto.set_dynamic_power(options.dynamic_power);
+  proto.set_recoat_s(options.recoat_s);
+  proto.set_start_gcode(options.start_gcode);
+  proto.set_before_layer_gcode(options.before_layer_gcode);
+  proto.set_layer_gcode(options.layer_gcode);
+  proto.set_end_gcode(options.end_gcode);
   return proto;
 }
 
@@ -210,6 +241,11 @@ ExposureOutput OutputOf(const v1::ExposureOutput& proto) {
   options.full_power_w = proto.full_power_w();
   options.full_power_s = proto.full_power_s();
   options.dynamic_power = proto.dynamic_power();
+  options.recoat_s = proto.recoat_s();
+  options.start_gcode = proto.start_gcode();
+  options.before_layer_gcode = proto.before_layer_gcode();
+  options.layer_gcode = proto.layer_gcode();
+  options.end_gcode = proto.end_gcode();
   return options;
 }
 

@@ -7,7 +7,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-constexpr int kSamples = 16;
+constexpr int kSamples = 32;
 constexpr size_t kMostAdded = 8;
 
 /// What a sample is by the rough estimate's measure; 0 where that says nothing of the layer.

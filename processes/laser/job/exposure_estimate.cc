@@ -29,6 +29,7 @@ double TimeS(const Region& region, const ExposureOptions& options) {
 
 JobEstimate EstimateExposure(const SlicedOutlines& job, const ExposureSettings& settings) {
   JobEstimate estimate;
+  estimate.print_time_s = settings.output.recoat_s * static_cast<double>(job.layers.size());
   for (const SlicedLayer& layer : job.layers) {
     for (const ObjectSection& section : layer.sections) {
       const auto copies = std::ranges::count(job.copies, section.object, &PlacedCopy::object);

@@ -6,8 +6,8 @@
 namespace slicefarm::coordinator {
 
 /// What scanning will take, from areas and perimeters alone: each area by hatch distance and speed,
-/// each contour by its speed. Jumps, delays and the recoater are left out; there is no filament.
-/// Cost: O(points).
+/// each contour by its speed, and recoating before each layer. Jumps and delays are left out; there
+/// is no filament. Cost: O(points).
 JobEstimate EstimateExposure(const SlicedOutlines& job, const ExposureSettings& settings);
 
 }  // namespace slicefarm::coordinator

@@ -23,6 +23,9 @@ TEST(EstimateExposure, IsAreaByHatchAndPerimeterByContours) {
   const JobEstimate estimate = EstimateExposure({layers, copies}, settings);
   EXPECT_NEAR(estimate.print_time_s, 3 * 2 * 1.08, 1e-9);
   EXPECT_EQ(EstimateExposure({}, settings).print_time_s, 0);
+  settings.output.recoat_s = 8;
+  EXPECT_NEAR(EstimateExposure({layers, copies}, settings).print_time_s, 3 * 8 + 3 * 2 * 1.08,
+              1e-9);
 }
 
 }  // namespace

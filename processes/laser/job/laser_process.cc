@@ -8,11 +8,11 @@
 #include "common/base/error.h"
 #include "common/base/span_log.h"
 #include "common/base/stopwatch.h"
-#include "common/geometry/measure.h"
 #include "common/stage/job_memory.h"
 #include "common/stage/object_layers.h"
 #include "processes/laser/job/exposure_estimate.h"
 #include "processes/laser/job/laser_report.h"
+#include "processes/laser/job/scan_runs.h"
 #include "processes/laser/task/laser_task.h"
 #include "services/coordinator/algo/pipeline/check_printable.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
@@ -31,27 +31,6 @@ absl::Status CheckLayer(const ExposureOutput& output, size_t layers) {
        {"value", absl::StrCat(output.layer)},
        {"min", "0"},
        {"max", absl::StrCat(layers - 1)}});
-}
-
-/// Runs before and after lines, with the laser off, stay on the bed if all that is exposed lies as
-/// far from its edge as they are long.
-absl::Status CheckRuns(const ExposureSettings& settings, const Polygon& bed, const Box& exposed) {
-  Coord run_nm = 0;
-  for (const ExposureOptions& region : settings.regions)
-    if (!IsRings(region.strategy)) run_nm = std::max(run_nm, region.skywriting_nm);
-  if (run_nm == 0 || exposed.Empty()) return absl::OkStatus();
-  const Box around = exposed.Grown(run_nm);
-  const Polygon corners = {
-      around.min, {around.max.x, around.min.y}, around.max, {around.min.x, around.max.y}};
-  const bool fits = std::ranges::all_of(
-      corners, [&](Point corner) { return Locate(corner, bed) != Side::kOutside; });
-  if (fits) return absl::OkStatus();
-  const double run_mm = ToMm(static_cast<double>(run_nm));
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
-                   absl::StrCat("skywriting = ", run_mm,
-                                " mm takes the scanner off the bed: what "
-                                "is exposed must lie that far from its edge"),
-                   {{"setting", "skywriting"}, {"value", absl::StrCat(run_mm)}});
 }
 
 /// A layer's part of the file, whose text is in a spool.
@@ -73,11 +52,13 @@ absl::Status CheckPrograms(const std::vector<SpooledExposure>& programs, size_t 
 
 class LaserJob : public PlannedJob {
  public:
-  LaserJob(const ExposureStage& exposure, ExposureSettings settings, Polygon bed, JobReport report,
-           SlicedJob sliced, std::unique_ptr<SpoolFile> spool)
+  LaserJob(const ExposureStage& exposure, ExposureSettings settings, Polygon bed,
+           std::string settings_text, JobReport report, SlicedJob sliced,
+           std::unique_ptr<SpoolFile> spool)
       : exposure_(exposure),
         settings_(std::move(settings)),
         bed_(std::move(bed)),
+        settings_text_(std::move(settings_text)),
         report_(std::move(report)),
         layers_(std::move(sliced.layers)),
         object_names_(std::move(sliced.object_names)),
@@ -135,6 +116,10 @@ class LaserJob : public PlannedJob {
       return exposure_.Envelope(call, summary, settings_);
     });
     if (!frame.ok()) return frame.status();
+    if (!frame->layer_heads.empty() && frame->layer_heads.size() != programs.size())
+      return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                       absl::StrCat(frame->layer_heads.size(), " heads of ", programs.size(),
+                                    " layers came back"));
     const ScopedSpan span(call.spans, "assembly");
     report_.own = std::make_unique<LaserReport>(std::move(own_));
     return JobOutput{WholeFile(*std::move(frame), programs), std::move(report_)};
@@ -150,23 +135,31 @@ class LaserJob : public PlannedJob {
   /// Sums up the layers, in their order.
   ExposureSummary FillIn(const std::vector<SpooledExposure>& programs) {
     ExposureReport& sum = own_.exposure;
+    const double recoat_s = settings_.output.recoat_s;
+    ExposureSummary summary;
     for (const SpooledExposure& spooled : programs) {
       sum.Add(spooled.program.report);
-      own_.layer_s.push_back(spooled.program.report.TimeS());
+      own_.layer_s.push_back(recoat_s + spooled.program.report.TimeS());
+      summary.layers.push_back(spooled.program.frame);
     }
-    const LayerFrame& first = programs.front().program.frame;
-    const LayerFrame& last = programs.back().program.frame;
     report_.layer_count = static_cast<int32_t>(programs.size());
-    report_.print_time_s = sum.TimeS();
-    report_.object_height_mm = ToMm(static_cast<double>(last.print_z_nm));
-    return {report_.layer_count, sum.bounds, first.print_z_nm - first.height_nm, last.print_z_nm,
-            object_names_};
+    own_.recoating_s = recoat_s * report_.layer_count;
+    report_.print_time_s = own_.recoating_s + sum.TimeS();
+    report_.object_height_mm = ToMm(static_cast<double>(summary.layers.back().print_z_nm));
+    summary.bounds = sum.bounds;
+    summary.object_names = object_names_;
+    summary.time_s = report_.print_time_s;
+    summary.settings_text = settings_text_;
+    return summary;
   }
 
   SpooledText WholeFile(ExposureEnvelope frame, const std::vector<SpooledExposure>& programs) {
     SpooledText file(std::move(spool_));
     file.Add(std::move(frame.header));
-    for (const SpooledExposure& spooled : programs) file.Add(spooled.text);
+    for (size_t i = 0; i < programs.size(); ++i) {
+      if (!frame.layer_heads.empty()) file.Add(std::move(frame.layer_heads[i]));
+      file.Add(programs[i].text);
+    }
     file.Add(std::move(frame.footer));
     return file;
   }
@@ -174,6 +167,7 @@ class LaserJob : public PlannedJob {
   const ExposureStage& exposure_;
   const ExposureSettings settings_;
   const Polygon bed_;
+  const std::string settings_text_;
   JobReport report_;
   LaserReport own_;
   const std::vector<SlicedLayer> layers_;
@@ -203,15 +197,19 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> LaserProcess::Plan(const StageCall& 
     std::ranges::move(MeshWarnings(mesh), std::back_inserter(report.warnings));
   auto spool = SpoolFile::Make(spool_directory_);
   if (!spool.ok()) return spool.status();
-  return std::make_unique<LaserJob>(exposure_, std::move(ExposureOf(input.settings)),
-                                    std::move(input.settings.slicing.bed), std::move(report),
-                                    *std::move(sliced), *std::move(spool));
+  return std::make_unique<LaserJob>(
+      exposure_, std::move(ExposureOf(input.settings)), std::move(input.settings.slicing.bed),
+      std::move(input.settings_text), std::move(report), *std::move(sliced), *std::move(spool));
 }
 
 absl::StatusOr<JobEstimate> LaserProcess::Estimate(const StageCall& /*call*/, SlicedJob sliced,
                                                    JobInput input,
                                                    TaskExecutor& /*executor*/) const {
-  return EstimateExposure({sliced.layers, sliced.copies}, ExposureOf(input.settings));
+  const ExposureSettings& settings = ExposureOf(input.settings);
+  const SlicedOutlines outlines = {sliced.layers, sliced.copies};
+  if (absl::Status fits = CheckRuns(settings, input.settings.slicing.bed, outlines); !fits.ok())
+    return fits;
+  return EstimateExposure(outlines, settings);
 }
 
 std::unique_ptr<JobProcess> LaserProcess::Over(const Stages& stages,

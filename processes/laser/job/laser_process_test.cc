@@ -65,12 +65,14 @@ class FakeExposure : public ExposureStage {
   absl::StatusOr<ExposureEnvelope> Envelope(const StageCall&, const ExposureSummary& summary,
                                             const ExposureSettings&) const override {
     return ExposureEnvelope{
-        absl::StrCat(summary.object_names[0], " ", summary.layers, " ", summary.bounds.max.x, " ",
-                     ToMm(summary.bottom_nm), "-", ToMm(summary.top_nm), ": "),
-        "end"};
+        absl::StrCat(summary.object_names[0], " ", summary.layers.size(), " ", summary.bounds.max.x,
+                     " ", ToMm(summary.layers.back().print_z_nm), " ", summary.time_s, " ",
+                     summary.settings_text, ": "),
+        heads, "end"};
   }
 
   int lost = -1;
+  std::vector<std::string> heads;
   bool dark = false;
 };
 
@@ -81,6 +83,7 @@ class LaserProcessTest : public testing::Test {
     dispatcher.Join({.name = "here", .tasks = chain_, .slots = slots});
     JobInput input;
     input.settings = settings_;
+    input.settings_text = "contours";
     input.warnings = {"of the settings"};
     input.meshes.files = {{"thing", MeshFormat::kStl, std::move(layers)}};
     std::vector<std::unique_ptr<JobProcess>> processes;
@@ -97,7 +100,29 @@ class LaserProcessTest : public testing::Test {
 TEST_F(LaserProcessTest, PutsTheFileTogether) {
   const auto output = Run("x-x");
   ASSERT_TRUE(output.ok()) << output.status();
-  EXPECT_EQ(*output->program.Whole(), "thing 3 2 0-3: 0x2 1x2 2x2 end");
+  EXPECT_EQ(*output->program.Whole(), "thing 3 2 3 1.5 contours: 0x2 1x2 2x2 end");
+}
+
+TEST_F(LaserProcessTest, LayersComeAfterTheirHeads) {
+  exposure_.heads = {"a", "b", "c"};
+  const auto output = Run("x-x");
+  ASSERT_TRUE(output.ok()) << output.status();
+  EXPECT_EQ(*output->program.Whole(), "thing 3 2 3 1.5 contours: a0x2 b1x2 c2x2 end");
+  exposure_.heads = {"a", "b"};
+  EXPECT_EQ(DetailOf(Run("x-x").status()).reason, Reason::kInternal);
+}
+
+TEST_F(LaserProcessTest, RecoatingIsPartOfEachLayersTime) {
+  ExposureOf(settings_).output.recoat_s = 10;
+  const auto output = Run("x-x");
+  ASSERT_TRUE(output.ok()) << output.status();
+  const JobReport& report = output->report;
+  const auto& own = dynamic_cast<const LaserReport&>(*report.own);
+  EXPECT_EQ(own.layer_s, (std::vector<double>{10.75, 10, 10.75}));
+  EXPECT_DOUBLE_EQ(own.recoating_s, 30);
+  EXPECT_DOUBLE_EQ(report.print_time_s, 31.5);
+  EXPECT_DOUBLE_EQ(own.exposure.TimeS(), 1.5);
+  EXPECT_TRUE(output->program.Whole()->starts_with("thing 3 2 3 31.5 "));
 }
 
 TEST_F(LaserProcessTest, ReportsWhatItCameTo) {
@@ -136,6 +161,8 @@ TEST_F(LaserProcessTest, SkywritingStaysOnTheBed) {
   EXPECT_EQ(detail.metadata.at("setting"), "skywriting");
   options.strategy = ScanStrategy::kRings;
   EXPECT_TRUE(Run("xxx").ok()) << "rings have no such runs";
+  options.contour_run_nm = 1'000'001;
+  EXPECT_EQ(DetailOf(Run("xxx").status()).metadata.at("setting"), "contour_run");
 }
 
 TEST_F(LaserProcessTest, SameBytesForAnyNumberOfSlots) {

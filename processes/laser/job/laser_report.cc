@@ -49,6 +49,7 @@ OrderedJson Exposure(const ExposureReport& report) {
 
 void LaserReport::AddTo(nlohmann::ordered_json& json) const {
   json["exposure"] = Exposure(exposure);
+  json["exposure"]["recoating_s"] = recoating_s;
   json["exposure"]["layers_s"] = layer_s;
 }
 

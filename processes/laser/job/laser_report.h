@@ -7,10 +7,12 @@
 
 namespace slicefarm::coordinator {
 
-/// What a report tells of lasers: `exposure`, with the times by layer as `layers_s`.
+/// What a report tells of lasers: `exposure`, with `recoating_s` and the times by layer as
+/// `layers_s`.
 struct LaserReport : OwnReport {
   ExposureReport exposure;
-  std::vector<double> layer_s;
+  double recoating_s = 0;       ///< of print_time_s
+  std::vector<double> layer_s;  ///< recoating included
 
   void AddTo(nlohmann::ordered_json& json) const override;
 };

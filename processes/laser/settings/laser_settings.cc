@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "common/config/table/shared_settings.h"
+#include "common/macro/laser_code.h"
 #include "processes/laser/settings/check_settings.h"
 #include "processes/laser/settings/derive.h"
 #include "processes/laser/settings/exposure_rows.h"
@@ -39,6 +40,9 @@ class LaserSettings : public ProcessSettings {
     return laser::Derive(draft);
   }
   absl::Status Check(const Draft& draft) const override { return CheckSettings(draft); }
+  absl::Status Finish(const Draft& /*draft*/, ResolvedSettings& result) const override {
+    return macro::CheckLaserCode(ExposureOf(result.settings).output, result.effective_text);
+  }
   std::unique_ptr<RegionRows> NewRows() const override { return std::make_unique<ExposureRows>(); }
   std::string_view Example() const override {
     return "slicefarm slice part.stl -o part.cli --machine laser --set scan_strategy=stripes";

@@ -23,8 +23,13 @@ bool HasContours(const JobSettings& s) { return ExposureOf(s).regions[0].contour
 constexpr Need kNeeds[] = {
     {"decompose_method ring_overlap link_rings ring_corners",
      "scan_strategy = rings or rings_inward", IsRings},
-    {"hatch_angle hatch_rotation alternate_hatch skywriting",
+    {"hatch_angle hatch_rotation alternate_hatch skywriting gas_window",
      "scan_strategy = stripes, islands or hatch", IsHatched},
+    {"gas_flow", "gas_window of more than 0, or jump_order = against_gas",
+     [](const JobSettings& s) {
+       const ExposureOptions& region = ExposureOf(s).regions[0];
+       return region.gas_window_deg > 0 || region.jump_order == JumpOrder::kAgainstGas;
+     }},
     {"stripe_width", "scan_strategy = stripes",
      [](const JobSettings& s) {
        return ExposureOf(s).regions[0].strategy == ScanStrategy::kStripes;
@@ -40,18 +45,25 @@ constexpr Need kNeeds[] = {
      }},
     {"hatch_offset", "scan_strategy = stripes, islands or hatch, and contours of more than 0",
      [](const JobSettings& s) { return HasContours(s) && !IsRings(s); }},
-    {"contours_first contour_power contour_speed contour_focus contour_frequency "
+    {"contour_start contours_first contour_power contour_speed contour_focus contour_frequency "
      "contour_point_distance contour_point_time contour_point_delay",
      "contours of more than 0", HasContours},
+    {"contour_run", "contours of more than 0, or thin_wall_exposure = 1",
+     [](const JobSettings& s) { return HasContours(s) || ExposureOf(s).regions[0].thin_walls; }},
     {"contour_distance", "contours of more than 1, or of 1 and rings",
      [](const JobSettings& s) { return ExposureOf(s).regions[0].contours > (IsRings(s) ? 0 : 1); }},
     {"skin_overlap", "upskin_layers or downskin_layers of more than 0",
-     [](const JobSettings& s) { return ExposureOf(s).regions[0].Halo() > 0; }},
-    {"upskin_power upskin_speed upskin_focus upskin_frequency upskin_point_distance "
+     [](const JobSettings& s) {
+       const ExposureOptions& region = ExposureOf(s).regions[0];
+       return region.upskin_layers > 0 || region.downskin_layers > 0;
+     }},
+    {"upskin_distance upskin_power upskin_speed upskin_focus upskin_frequency "
+     "upskin_point_distance "
      "upskin_point_time upskin_point_delay",
      "upskin_layers of more than 0",
      [](const JobSettings& s) { return ExposureOf(s).regions[0].upskin_layers > 0; }},
-    {"downskin_power downskin_speed downskin_focus downskin_frequency downskin_point_distance "
+    {"downskin_distance downskin_power downskin_speed downskin_focus downskin_frequency "
+     "downskin_point_distance "
      "downskin_point_time downskin_point_delay",
      "downskin_layers of more than 0",
      [](const JobSettings& s) { return ExposureOf(s).regions[0].downskin_layers > 0; }},
@@ -74,16 +86,12 @@ constexpr Need kNeeds[] = {
      "output_format = grbl or marlin, or only the report heeds it", IsGcode},
     {"jump_speed", "output_format = marlin, or only the report heeds it",
      [](const JobSettings& s) { return ExposureOf(s).output.format == OutputFormat::kMarlin; }},
-    {"laser_spot", "output_format = svg, or rings with ring_corners = 1",
-     [](const JobSettings& s) {
-       return ExposureOf(s).output.format == OutputFormat::kSvg ||
-              (IsRings(s) && ExposureOf(s).regions[0].fill_corners);
-     }},
     {"output_layer", "output_format = dxf",
      [](const JobSettings& s) { return ExposureOf(s).output.format == OutputFormat::kDxf; }},
     {"cli_unit", "output_format = cli or cli_binary", IsCli},
-    {"laser_full_power laser_full_s laser_dynamic_power", "output_format = grbl or marlin",
-     IsGcode},
+    {"laser_full_power laser_full_s laser_dynamic_power start_gcode before_layer_gcode "
+     "layer_gcode end_gcode",
+     "output_format = grbl or marlin", IsGcode},
 };
 
 }  // namespace

@@ -66,6 +66,10 @@ SettingSpec Delay(std::string_view key, std::string_view doc, Field field) {
       .key = key, .unit = "us", .min = 0, .max = 1e6, .standard = "0", .doc = doc, .field = field};
 }
 
+SettingSpec Gcode(std::string_view key, std::string_view doc, Field field) {
+  return {.key = key, .kind = Kind::kGcode, .doc = doc, .field = field};
+}
+
 std::vector<SettingSpec> ScanSettings() {
   return {
       {.key = "scan_strategy",
@@ -93,10 +97,13 @@ std::vector<SettingSpec> ScanSettings() {
        .kind = Kind::kChoice,
        .standard = "nearest",
        .doc = "Which piece, stripe or island comes next: the nearest, every other one first "
-              "(chequerboard), or the farthest, so that heat spreads",
+              "(chequerboard), the farthest, so that heat spreads, or the one farthest along "
+              "gas_flow (against_gas), so that smoke blows over what is done; copies, contours and "
+              "the lines of a stripe then come in that order, too",
        .choices = {Named("nearest", JumpOrder::kNearest),
                    Named("chequerboard", JumpOrder::kChequerboard),
-                   Named("farthest", JumpOrder::kFarthest)},
+                   Named("farthest", JumpOrder::kFarthest),
+                   Named("against_gas", JumpOrder::kAgainstGas)},
        .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].jump_order; })},
       {.key = "hatch_distance",
        .unit = "mm",
@@ -119,6 +126,21 @@ std::vector<SettingSpec> ScanSettings() {
        .standard = "67",
        .doc = "By how much the lines turn from each layer to the next",
        .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].layer_rotation_deg; })},
+      {.key = "gas_flow",
+       .unit = "degrees",
+       .min = -360,
+       .max = 360,
+       .standard = "0",
+       .doc = "Where the gas flows to, from the x axis",
+       .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].gas_flow_deg; })},
+      {.key = "gas_window",
+       .unit = "degrees",
+       .min = 0,
+       .max = kWidestGasWindowDeg,
+       .standard = "0",
+       .doc = "Hatch lines that run nearer to gas_flow or against it than this are turned by 90 "
+              "degrees, those of islands by 45; 0: none are",
+       .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].gas_window_deg; })},
       Flag("alternate_hatch", "1", "Every other line runs backwards",
            Bind([](auto& s) -> auto& { return s.exposure.regions[0].alternate_directions; })),
       Length("minimum_vector", 10, "0", "Shorter hatch lines and rings are left out",
@@ -172,6 +194,19 @@ std::vector<SettingSpec> ScanSettings() {
           "From the innermost contour to the ends of hatch lines; lines along the contour may lie "
           "half a spot nearer to it",
           Bind([](auto& s) -> auto& { return s.exposure.regions[0].hatch_offset_nm; })),
+      {.key = "contour_start",
+       .kind = Kind::kChoice,
+       .standard = "scattered",
+       .doc = "Where contours begin and end: elsewhere in each layer, so that no seam runs up the "
+              "part (scattered), at the corner nearest to where the laser is, or at the corner "
+              "farthest back (rear)",
+       .choices = {Named("scattered", ContourStart::kScattered),
+                   Named("nearest", ContourStart::kNearest), Named("rear", ContourStart::kRear)},
+       .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].contour_start; })},
+      Length("contour_run", 10, "0",
+             "The scanner comes to and leaves each contour and thin wall on this length along its "
+             "direction, with the laser off",
+             Bind([](auto& s) -> auto& { return s.exposure.regions[0].contour_run_nm; })),
       Flag("contours_first", "1", "Contours before the inside; 0: after it",
            Bind([](auto& s) -> auto& { return s.exposure.regions[0].contours_first; })),
       Flag("thin_wall_exposure", "1",
@@ -185,6 +220,16 @@ std::vector<SettingSpec> ScanSettings() {
             "Where powder lies within this many layers below, the style of downskin holds; 0: "
             "nowhere",
             Bind([](auto& s) -> auto& { return s.exposure.regions[0].downskin_layers; })),
+      Length("upskin_distance", 10, "0",
+             "Distance of neighbouring lines of upskins, and of rings; 0: hatch_distance",
+             Bind([](auto& s) -> auto& { return s.exposure.regions[0].upskin_distance_nm; })),
+      Length("downskin_distance", 10, "0",
+             "Distance of neighbouring lines of downskins, and of rings; 0: hatch_distance",
+             Bind([](auto& s) -> auto& { return s.exposure.regions[0].downskin_distance_nm; })),
+      Count("z_compensation_layers", 100, "0",
+            "By how many layers the laser melts deeper than the one it draws on: where powder lies "
+            "within as many layers below, nothing is exposed",
+            Bind([](auto& s) -> auto& { return s.exposure.regions[0].z_compensation_layers; })),
       Length("skin_overlap", 10, "0", "How far skins reach into the rest",
              Bind([](auto& s) -> auto& { return s.exposure.regions[0].skin_overlap_nm; })),
       Length("skywriting", 10, "0",
@@ -276,6 +321,21 @@ std::vector<SettingSpec> OutputSettings() {
       Flag("laser_dynamic_power", "1",
            "M4: the power follows the head's speed; 0: M3, constant power",
            Bind([](auto& s) -> auto& { return s.exposure.output.dynamic_power; })),
+      {.key = "recoating_time",
+       .unit = "s",
+       .min = 0,
+       .max = 3600,
+       .standard = "0",
+       .doc = "How long it takes before each layer until there is new powder or resin",
+       .field = Bind([](auto& s) -> auto& { return s.exposure.output.recoat_s; })},
+      Gcode("start_gcode", "G-code before all layers",
+            Bind([](auto& s) -> auto& { return s.exposure.output.start_gcode; })),
+      Gcode("before_layer_gcode", "G-code before each layer's move in Z",
+            Bind([](auto& s) -> auto& { return s.exposure.output.before_layer_gcode; })),
+      Gcode("layer_gcode", "G-code after each layer's move in Z, such as for the recoater",
+            Bind([](auto& s) -> auto& { return s.exposure.output.layer_gcode; })),
+      Gcode("end_gcode", "G-code after all layers",
+            Bind([](auto& s) -> auto& { return s.exposure.output.end_gcode; })),
   };
 }
 
@@ -289,7 +349,9 @@ std::vector<SettingSpec> ExposureTable() {
   AppendStyle<3>(all);
   AppendStyle<4>(all);
   static_assert(kExposureKindCount == 5);
-  for (SettingSpec& spec : all) spec.scope = Scope::kRegion;
+  // Gas flows one way over the whole bed.
+  for (SettingSpec& spec : all)
+    if (spec.key != "gas_flow") spec.scope = Scope::kRegion;
   std::ranges::move(OutputSettings(), std::back_inserter(all));
   return all;
 }

@@ -17,6 +17,8 @@ LaserWork Work() {
   LaserWork work;
   auto& [settings, range, copies] = work;
   settings.regions = {{}, {}};
+  for (ExposureOptions& region : settings.regions)
+    region.upskin_distance_nm = region.downskin_distance_nm = 90'000;
   settings.regions[1].spot_nm = 7;
   settings.output.layer = 3;
   range = kRange;

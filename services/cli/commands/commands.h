@@ -30,6 +30,7 @@ void AddDelete(CLI::App& app, CommandContext& context);
 void AddTrace(CLI::App& app, CommandContext& context);
 void AddWebhook(CLI::App& app, CommandContext& context);
 void AddBeads(CLI::App& app, CommandContext& context);     ///< beads_command.cc
+void AddFlatten(CLI::App& app, CommandContext& context);   ///< flatten_command.cc
 void AddFill(CLI::App& app, CommandContext& context);      ///< fill_command.cc
 void AddDecompose(CLI::App& app, CommandContext& context);  ///< decompose_command.cc
 void AddTime(CLI::App& app, CommandContext& context);      ///< time_command.cc
@@ -40,6 +41,7 @@ void AddSettings(CLI::App& app, CommandContext& context);  ///< settings_command
 void AddHealth(CLI::App& app, CommandContext& context);    ///< health_command.cc
 void AddToken(CLI::App& app, CommandContext& context);     ///< token_command.cc
 void AddTsp(CLI::App& app, CommandContext& context);       ///< tsp_command.cc
+void AddMillProgram(CLI::App& app, CommandContext& context);  ///< mill_program_command.cc
 void AddWaterline(CLI::App& app, CommandContext& context);  ///< waterline_command.cc
 void AddVersion(CLI::App& app, CommandContext& context);   ///< main.cc
 

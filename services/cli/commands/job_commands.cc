@@ -166,6 +166,7 @@ ExitCode List(const ListOptions& options, Interrupt& interrupt) {
   }
   if (!all->next_page_token().empty()) text += "there are more: --limit N\n";
   Print(text);
+  Warn(WaitsOf(all->jobs()));
   return ExitCode::kOk;
 }
 

@@ -79,9 +79,17 @@ absl::Status WriteResults(const SliceOptions& options, const coordinator::JobOut
   return WriteFile(options.output, output.program);
 }
 
+/// What was found while the job ran; of the settings it was told before.
+void WarnOfRest(std::vector<std::string> warnings, const std::vector<std::string>& told) {
+  std::erase_if(warnings, [&told](const std::string& warning) {
+    return std::ranges::find(told, warning) != told.end();
+  });
+  Warn(warnings);
+}
+
 void PrintSummary(const SliceOptions& options, const coordinator::JobReport& report,
                   const config::ResolvedPlate& resolved) {
-  Warn(report.warnings);
+  WarnOfRest(report.warnings, resolved.warnings);
   if (options.job.quiet) return;
   const bool result_on_stdout = options.output == "-" || options.job.report == "-";
   Print(SummaryText({.output = options.output == "-" ? "" : options.output,
@@ -96,8 +104,9 @@ void PrintSummary(const SliceOptions& options, const coordinator::JobReport& rep
 
 ExitCode SlicePlate(SliceOptions options, std::vector<MeshFile> files, const GivenPlate& given,
                     const std::vector<Setting>& settings, size_t plate, Interrupt& interrupt) {
-  Warn(given.warnings);
   const auto resolved = Resolve(given, settings, options.job.process);
+  if (resolved.ok()) Warn(resolved->warnings);
+  Warn(given.warnings);
   if (!resolved.ok()) return Fail(resolved.status());
   auto output = Run(options, InputOf(std::move(files), *resolved), interrupt);
   if (!output.ok()) {

@@ -2,6 +2,7 @@
 #include <google/protobuf/util/time_util.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -209,6 +210,10 @@ absl::Status CheckWishes(const SubmitOptions& options) {
 
 /// An object that would print better another way round.
 std::string AdviceText(const v1::OrientationAdvice& advice) {
+  // 0.001 degrees lift the end of a part of 100 mm by 2 um.
+  const auto angle = [&](int axis) {
+    return std::round(advice.rotate_deg(axis) * 1000) / 1000 + 0.0;
+  };
   const auto describe = [](const v1::Lying& lying) {
     return fmt::format("{:.1f} cm2 on the bed, {:.1f} cm2 of overhangs, {:.1f} mm high{}",
                        lying.contact_mm2() / 100, lying.overhang_mm2() / 100, lying.height_mm(),
@@ -216,8 +221,8 @@ std::string AdviceText(const v1::OrientationAdvice& advice) {
   };
   return fmt::format(
       "{} would print better turned by {},{},{} degrees about x, y, z: {}; now: {}\n",
-      advice.object(), advice.rotate_deg(0), advice.rotate_deg(1), advice.rotate_deg(2),
-      describe(advice.advised()), describe(advice.asked()));
+      advice.object(), angle(0), angle(1), angle(2), describe(advice.advised()),
+      describe(advice.asked()));
 }
 
 void PrintPreflight(const v1::Job& job) {
@@ -287,6 +292,7 @@ ExitCode Submit(const SubmitOptions& options, Interrupt& interrupt) {
   const auto created = Create(options, client, bar);
   bar.Clear();
   if (!created.ok()) return Fail(created.status());
+  Warn(WaitsOf(*created));
   if (!options.check && !options.detach) return FetchAll(options, *created, client, interrupt);
   for (const v1::Job& job : *created) {
     if (options.check) PrintPreflight(job);

@@ -8,14 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "common/model/limits.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
-#include "services/cli/models/given_models.h"
-#include "services/milling/algo/cutter_text.h"
-#include "services/milling/algo/waterline.h"
-#include "services/slicing/algo/mesh_io/mesh_reader.h"
+#include "services/cli/models/mill_mesh.h"
+#include "services/milling/algo/cutter/cutter_text.h"
+#include "services/milling/algo/waterline/waterline.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -29,18 +27,6 @@ struct WaterlineCommandOptions {
 };
 
 using WaterlineLevels = std::vector<std::vector<milling::WaterlineLoop>>;
-
-absl::StatusOr<milling::TriangleMesh> ReadTriangles(const std::string& path) {
-  const auto file = ReadModelFile(path);
-  if (!file.ok()) return file.status();
-  const auto raw = slicing::ReadMesh(file->bytes, file->format, limits::kMaxMeshCoordinateMm, {});
-  if (!raw.ok()) return InFile(path, raw.status());
-  milling::TriangleMesh mesh;
-  mesh.points_mm.reserve(raw->positions.size());
-  for (const slicing::Position& p : raw->positions) mesh.points_mm.push_back({p.x, p.y, p.z});
-  mesh.triangles = raw->triangles;
-  return mesh;
-}
 
 std::string LoopsText(const WaterlineLevels& levels) {
   fmt::memory_buffer text;

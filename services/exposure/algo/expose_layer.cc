@@ -10,6 +10,7 @@
 #include "common/model/region_check.h"
 #include "services/exposure/algo/expose_region.h"
 #include "services/exposure/algo/scan/block_order.h"
+#include "services/exposure/algo/scan/deep_outlines.h"
 #include "services/exposure/algo/scan/melted_sample.h"
 
 namespace slicefarm::exposure {
@@ -20,18 +21,14 @@ struct Neighbours {
   std::vector<const MultiPolygon*> above, below;
 };
 
-Neighbours NeighboursOf(const ObjectSection& section, const ObjectLayers& objects,
-                        const ExposureOptions& options) {
+Neighbours NeighboursOf(const ObjectSection& section, const ExposureOptions& options,
+                        DeepOutlines& outlines) {
   Neighbours neighbours;
-  const auto outline = [&](int32_t layer) {
-    const ObjectSection* other = objects.Find(section.object, layer);
-    return other == nullptr ? nullptr : &OutlineOf(*other);
-  };
   for (int32_t i = 1; i <= options.upskin_layers; ++i)
-    neighbours.above.push_back(outline(section.layer + i));
+    neighbours.above.push_back(outlines.Find(section.object, section.layer + i));
   // Below the object's lowest layer is the plate.
   for (int32_t i = 1; i <= std::min(options.downskin_layers, section.layer); ++i)
-    neighbours.below.push_back(outline(section.layer - i));
+    neighbours.below.push_back(outlines.Find(section.object, section.layer - i));
   return neighbours;
 }
 
@@ -47,9 +44,11 @@ absl::Status AppendSection(const ObjectSection& section, int32_t layer, const Ob
   for (const Region& region : section.regions) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;
     const ExposureOptions& options = regions[static_cast<size_t>(region.settings)];
-    const Neighbours neighbours = NeighboursOf(section, objects, options);
-    auto groups = ExposeRegion({.outlines = region.outlines,
-                                .section = OutlineOf(section),
+    DeepOutlines deep(objects, options.z_compensation_layers);
+    const MultiPolygon outlines = deep.Of(section, region.outlines);
+    const Neighbours neighbours = NeighboursOf(section, options, deep);
+    auto groups = ExposeRegion({.outlines = outlines,
+                                .section = *deep.Find(section.object, section.layer),
                                 .neighbours = {neighbours.above, neighbours.below},
                                 .layer = layer,
                                 .object = section.object,
@@ -57,29 +56,41 @@ absl::Status AppendSection(const ObjectSection& section, int32_t layer, const Ob
                                 .shift = ShiftOf(section.object, copies)},
                                options, at, cancel, result.cuts);
     if (!groups.ok()) return groups.status();
-    result.melted.Add(SampleMelted(*groups, region.outlines, options, layer));
+    result.melted.Add(SampleMelted(*groups, outlines, options, layer));
     if (!groups->empty()) at = groups->back().points.back();
     std::move(groups->begin(), groups->end(), std::back_inserter(result.groups));
   }
   return absl::OkStatus();
 }
 
-/// Where an object's scan starts and ends, by object, around its own origin.
+/// Where an object's scan starts, ends and lies, by object, around its own origin.
 std::map<int32_t, ScanBlock> ObjectBlocks(const std::vector<ExposureGroup>& groups) {
   std::map<int32_t, ScanBlock> blocks;
+  std::map<int32_t, Box> boxes;
   for (const ExposureGroup& group : groups) {
-    ScanBlock& block = blocks
-                           .try_emplace(group.object, ScanBlock{.start = group.points.front(),
-                                                                .end = group.points.back()})
-                           .first->second;
-    block.end = group.points.back();
+    const auto [block, is_new] = blocks.try_emplace(group.object);
+    if (is_new) block->second.start = group.points.front();
+    block->second.end = group.points.back();
+    Box& box = boxes[group.object];
+    box.Add(Bounds(group.points));
+    block->second.middle = MiddleOf(box);
   }
   return blocks;
 }
 
-/// The copies of the objects that have something here, nearest first.
+/// Against the flow of gas if a region asks for it.
+std::vector<BlockTurn> Ordered(const std::vector<ScanBlock>& blocks,
+                               std::span<const ExposureOptions> regions) {
+  for (const ExposureOptions& options : regions)
+    if (options.jump_order == JumpOrder::kAgainstGas)
+      return OrderBlocks(blocks, JumpOrder::kAgainstGas, {}, options.gas_flow_deg);
+  return OrderBlocks(blocks, JumpOrder::kNearest, {});
+}
+
+/// The copies of the objects that have something here, in order.
 std::vector<ExposureVisit> Visits(const std::vector<ExposureGroup>& groups,
-                                  std::span<const Copy> copies) {
+                                  std::span<const Copy> copies,
+                                  std::span<const ExposureOptions> regions) {
   const std::map<int32_t, ScanBlock> objects = ObjectBlocks(groups);
   std::vector<ExposureVisit> visits;
   std::vector<ScanBlock> blocks;
@@ -87,14 +98,15 @@ std::vector<ExposureVisit> Visits(const std::vector<ExposureGroup>& groups,
     const auto found = objects.find(object);
     if (found == objects.end()) return;
     visits.push_back({object, copy, shift});
-    blocks.push_back({.start = found->second.start + shift, .end = found->second.end + shift});
+    blocks.push_back({.start = found->second.start + shift,
+                      .end = found->second.end + shift,
+                      .middle = found->second.middle + shift});
   };
   add(kPlate, -1, {});
   for (size_t i = 0; i < copies.size(); ++i)
     add(copies[i].object, static_cast<int32_t>(i), copies[i].shift);
   std::vector<ExposureVisit> ordered;
-  for (const BlockTurn& turn : OrderBlocks(blocks, JumpOrder::kNearest, {}))
-    ordered.push_back(visits[turn.block]);
+  for (const BlockTurn& turn : Ordered(blocks, regions)) ordered.push_back(visits[turn.block]);
   return ordered;
 }
 
@@ -121,7 +133,7 @@ absl::StatusOr<ExposedLayer> ExposeLayer(const SlicedLayer& layer, const ObjectL
         AppendSection(section, layer.frame.index, objects, regions, copies, cancel, result);
     if (!status.ok()) return status;
   }
-  result.visits = Visits(result.groups, copies);
+  result.visits = Visits(result.groups, copies, regions);
   result.area_mm2 = AreaOfVisits(layer, result.visits);
   return result;
 }

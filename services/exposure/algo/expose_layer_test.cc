@@ -258,6 +258,128 @@ TEST(ExposeLayer, SkinsAreWhatNeighboursDoNotCover) {
   EXPECT_EQ(KindLengthMm(*last, ExposureKind::kHatch), 0);
 }
 
+/// Each kind is as dense as its own distance says, by lines and by rings.
+TEST(ExposeLayer, SkinsHaveDistancesOfTheirOwn) {
+  const MultiPolygon wide = MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)");
+  const std::vector<SlicedLayer> layers = {
+      LayerOf(MakePolygonsOrDie("(0 0, 20 0, 20 12, 0 12)"), 0), LayerOf(wide, 1),
+      LayerOf(MakePolygonsOrDie("(0 0, 8 0, 8 20, 0 20)"), 2)};
+  for (const ScanStrategy strategy : kStrategies) {
+    ExposureOptions options;
+    options.strategy = strategy;
+    options.fill_corners = false;
+    options.overlap_nm = 0;
+    options.ring_overlap_nm = 0;
+    options.upskin_layers = options.downskin_layers = 1;
+    options.upskin_distance_nm = 50'000;
+    options.downskin_distance_nm = 120'000;
+    const auto layer = Expose(layers, 1, {options});
+    ASSERT_TRUE(layer.ok()) << layer.status();
+    const double down = 20 * 8, up = 12 * 12, core = 8 * 12;
+    const auto share = [&](ExposureKind kind, double distance, double mm2) {
+      return KindLengthMm(*layer, kind) * distance / mm2;
+    };
+    EXPECT_NEAR(share(ExposureKind::kDownskin, 0.12, down), 0.97, 0.025);
+    EXPECT_NEAR(share(ExposureKind::kUpskin, 0.05, up), 0.97, 0.025);
+    EXPECT_NEAR(share(ExposureKind::kHatch, 0.08, core), 0.97, 0.025);
+  }
+}
+
+/// Rings of skins keep contour_distance from the innermost contour, whatever their own distance.
+TEST(ExposeLayer, RingsOfSkinsKeepOffTheContour) {
+  ExposureOptions options;
+  options.strategy = ScanStrategy::kRings;
+  options.fill_corners = false;
+  options.upskin_layers = 1;
+  const MultiPolygon square = MakePolygonsOrDie("(0 0, 4 0, 4 4, 0 4)");
+  for (const Coord distance : {40'000, 80'000, 110'000}) {
+    options.upskin_distance_nm = distance;
+    const auto top = Expose({LayerOf(square)}, 0, {options});
+    ASSERT_TRUE(top.ok()) << top.status();
+    Coord left = INT64_MAX;
+    ForEachLineOf(*top, ExposureKind::kUpskin,
+                  [&](std::span<const Point> line) { left = std::min(left, Bounds(line).min.x); });
+    EXPECT_EQ(left, 200'000) << distance;
+  }
+}
+
+/// A table of 10 x 10 mm on a leg of 2 x 10 mm from layer 3 on.
+TEST(ExposeLayer, ZCompensationLeavesOutWhatLiesOverPowder) {
+  std::vector<SlicedLayer> layers;
+  for (int32_t i = 0; i < 8; ++i)
+    layers.push_back(LayerOf(
+        MakePolygonsOrDie(i < 3 ? "(0 0, 2 0, 2 10, 0 10)" : "(0 0, 10 0, 10 10, 0 10)"), i));
+  ExposureOptions options;
+  options.z_compensation_layers = 2;
+  options.downskin_layers = 1;
+  EXPECT_EQ(options.Halo(), 3);
+  for (int32_t i = 0; i < 8; ++i) {
+    const auto layer = Expose(layers, static_cast<size_t>(i), {options});
+    ASSERT_TRUE(layer.ok()) << layer.status();
+    Coord right = 0;
+    for (const ExposureGroup& group : layer->groups)
+      right = std::max(right, Bounds(group.points).max.x);
+    EXPECT_EQ(right, i < 5 ? 1'960'000 : 9'960'000) << i;
+    // What is below the downskin is what was melted below.
+    EXPECT_EQ(KindLengthMm(*layer, ExposureKind::kDownskin) > 0, i == 5) << i;
+  }
+}
+
+TEST(ExposeLayer, ContoursBeginElsewhereInEachLayer) {
+  const MultiPolygon square = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");
+  const auto starts = [&](ContourStart start) {
+    ExposureOptions options;
+    options.contour_start = start;
+    options.contours = 1;
+    std::vector<Point> points;
+    for (int32_t index = 0; index < 100; ++index)
+      points.push_back(ExposeOrDie(square, options, index).groups[0].points[0]);
+    return points;
+  };
+  // The nearest two of 100 starts on 40 mm are a part of a fair share apart.
+  const std::vector<Point> scattered = starts(ContourStart::kScattered);
+  for (size_t i = 0; i < scattered.size(); ++i)
+    for (size_t k = 0; k < i; ++k) EXPECT_GT(Distance(scattered[i], scattered[k]), 100'000);
+  for (const Point start : starts(ContourStart::kRear))
+    EXPECT_EQ(start, (Point{9'960'000, 9'960'000}));
+  for (const Point start : starts(ContourStart::kNearest))
+    EXPECT_EQ(start, (Point{40'000, 40'000}));
+}
+
+/// Gas flows to +x: copies and contours come from the right, and no hatch line has one that is
+/// scanned after it on its lee side.
+TEST(ExposeLayer, AgainstTheFlowOfGas) {
+  ExposureOptions options;
+  options.jump_order = JumpOrder::kAgainstGas;
+  options.gas_window_deg = 30;
+  options.hatch_angle_deg = options.layer_rotation_deg = 0;
+  options.contours = 1;
+  options.stripe_width_nm = 1'000'000;
+  const MultiPolygon pair = MakePolygonsOrDie("(0 0, 9 0, 9 9, 0 9) ; (20 0, 29 0, 29 9, 20 9)");
+  const std::vector<SlicedLayer> layers = {LayerOf(pair, 2)};
+  const std::vector<Copy> copies = {{0, {0, 0}}, {0, {80'000'000, 0}}, {0, {40'000'000, 0}}};
+  const auto layer = Expose(layers, 0, {options}, copies);
+  ASSERT_TRUE(layer.ok()) << layer.status();
+  ASSERT_EQ(layer->visits.size(), 3u);
+  EXPECT_EQ(layer->visits[0].copy, 1);
+  EXPECT_EQ(layer->visits[1].copy, 2);
+  EXPECT_EQ(layer->visits[2].copy, 0);
+  EXPECT_GT(layer->groups[0].points.front().x, 20'000'000);
+  for (const ExposureGroup& group : layer->groups) {
+    if (group.kind != ExposureKind::kHatch || !group.IsHatch()) continue;
+    const std::vector<Point>& ends = group.points;
+    for (size_t i = 0; i < ends.size(); i += 2)
+      for (size_t k = 0; k < i; k += 2) {
+        const Coord low =
+            std::max(std::min(ends[i].y, ends[i + 1].y), std::min(ends[k].y, ends[k + 1].y));
+        const Coord high =
+            std::min(std::max(ends[i].y, ends[i + 1].y), std::max(ends[k].y, ends[k + 1].y));
+        if (high - low < 150'000) continue;  // stripes overlap
+        EXPECT_LT(ends[i].x + ends[i + 1].x, ends[k].x + ends[k + 1].x);
+      }
+  }
+}
+
 TEST(ExposeLayer, AThinWallIsOneLineAlongItsMiddle) {
   const ExposedLayer layer = ExposeOrDie(MakePolygonsOrDie("(0 0, 10 0, 10 0.06, 0 0.06)"), {});
   ASSERT_EQ(layer.groups.size(), 1u);

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -11,7 +10,9 @@
 #include "common/geometry/moved.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "services/exposure/algo/scan/block_order.h"
+#include "services/exposure/algo/scan/contour_starts.h"
 #include "services/exposure/algo/scan/hatch.h"
+#include "services/exposure/algo/scan/hatch_angle.h"
 #include "services/exposure/algo/scan/inside.h"
 #include "services/exposure/algo/scan/layer_shift.h"
 #include "services/exposure/algo/scan/outline_check.h"
@@ -20,12 +21,6 @@
 
 namespace slicefarm::exposure {
 namespace {
-
-/// Of layer `layer`, in [0, 360).
-double AngleOf(const ExposureOptions& options, int32_t layer) {
-  const double angle = options.hatch_angle_deg + options.layer_rotation_deg * layer;
-  return angle - 360 * std::floor(angle / 360);
-}
 
 absl::Status Strayed(const StrayVector& stray, const RegionInput& region) {
   const Point at = stray.from + region.shift;
@@ -73,26 +68,31 @@ class RegionScan {
     groups_.push_back(std::move(group));
   }
 
-  /// Closed lines, nearest first.
-  void AddRings(const MultiPolygon& area, ExposureGroup& group) {
-    const std::vector<Polygon> rings = Rings(area);
+  /// Closed lines, nearest first or against the flow of gas. `share`: where they begin, if that is
+  /// scattered.
+  void AddRings(const MultiPolygon& area, double share, ExposureGroup& group) {
+    std::vector<Polyline> rings;
     std::vector<ScanBlock> blocks;
-    for (const Polygon& ring : rings)
-      blocks.push_back({.start = ring.front(), .end = ring.front()});
-    for (const BlockTurn& turn : OrderBlocks(blocks, JumpOrder::kNearest, at_)) {
-      Polyline line = rings[turn.block];
-      line.push_back(line.front());
-      group.AddLine(line);
-      at_ = line.back();
+    for (const Polygon& ring : Rings(area)) {
+      rings.push_back(StartedContour(ring, options_.contour_start, share, at_));
+      const Point start = rings.back().front();
+      blocks.push_back({.start = start, .end = start, .middle = MiddleOf(Bounds(rings.back()))});
+    }
+    const JumpOrder order = options_.jump_order == JumpOrder::kAgainstGas ? JumpOrder::kAgainstGas
+                                                                          : JumpOrder::kNearest;
+    for (const BlockTurn& turn : OrderBlocks(blocks, order, at_, options_.gas_flow_deg)) {
+      group.AddLine(rings[turn.block]);
+      at_ = rings[turn.block].back();
     }
   }
 
   /// From the innermost to the outermost, which is drawn over settled ground.
   void AddContours() {
     ExposureGroup group = NewGroup(ExposureKind::kContour);
+    group.run_nm = options_.contour_run_nm;
     for (int32_t i = options_.contours - 1; i >= 0; --i) {
       const Coord inset = options_.beam_compensation_nm + i * options_.contour_distance_nm;
-      AddRings(FastOffset(region_.outlines, -inset), group);
+      AddRings(FastOffset(region_.outlines, -inset), ContourShare(region_.layer, i), group);
     }
     Add(std::move(group));
   }
@@ -103,6 +103,7 @@ class RegionScan {
         MiddleLines(region_.outlines, narrow_, LineLevels(options_, border_lines_), cancel_);
     if (!lines.ok()) return lines.status();
     ExposureGroup group = NewGroup(ExposureKind::kThinWall);
+    group.run_nm = options_.contour_run_nm;
     for (const Polyline& line : *lines) group.AddLine(line);
     Add(std::move(group));
     return absl::OkStatus();
@@ -113,7 +114,9 @@ class RegionScan {
   void FindSkins() {
     area_ = FastOffset(region_.outlines, -InsideInset(options_));
     if (!region_.neighbours.above.empty() || !region_.neighbours.below.empty())
-      skins_ = PartSkins(area_, region_.section, region_.neighbours, options_.skin_overlap_nm);
+      skins_ =
+          PartSkins({area_, InsideOf(ExposureKind::kUpskin), InsideOf(ExposureKind::kDownskin)},
+                    region_.section, region_.neighbours, options_.skin_overlap_nm);
     if (!skins_.downskin.empty() || !skins_.upskin.empty()) return;
     skins_ = {};
     border_lines_ = BorderLines(region_.layer, options_);
@@ -121,11 +124,24 @@ class RegionScan {
       area_ = FastOffset(region_.outlines, -InsideInset(options_, border_lines_));
   }
 
+  /// The options with the kind's own hatch distance.
+  ExposureOptions OptionsOf(ExposureKind kind) const {
+    ExposureOptions options = options_;
+    options.hatch_distance_nm = options_.HatchDistanceNm(kind);
+    return options;
+  }
+
+  MultiPolygon InsideOf(ExposureKind kind) const {
+    const Coord inset = InsideInset(OptionsOf(kind));
+    return inset == InsideInset(options_) ? area_ : FastOffset(region_.outlines, -inset);
+  }
+
   /// From the contour inwards.
   void AddBorderLines() {
     ExposureGroup group = NewGroup(ExposureKind::kHatch);
+    int32_t number = options_.contours;
     for (const Coord inset : BorderInsets(options_, border_lines_))
-      AddRings(FastOffset(region_.outlines, -inset), group);
+      AddRings(FastOffset(region_.outlines, -inset), ContourShare(region_.layer, number++), group);
     Add(std::move(group));
   }
 
@@ -144,23 +160,24 @@ class RegionScan {
   absl::Status AddArea(HatchRegion region, ExposureKind kind) {
     if (absl::Status status = cancel_.Check(); !status.ok()) return status;
     ExposureGroup group = NewGroup(kind);
-    if (IsRings(options_.strategy)) {
+    const ExposureOptions options = OptionsOf(kind);
+    if (IsRings(options.strategy)) {
       if (absl::Status status =
-              ScanByRings(region.area, options_, region_.layer, at_, cancel_, group, counts_);
+              ScanByRings(region.area, options, region_.layer, at_, cancel_, group, counts_);
           !status.ok())
         return status;
     } else {
-      const double angle = AngleOf(options_, region_.layer);
-      const Point shift = GridShift(region_.layer, angle, options_);
+      const double angle = HatchAngle(options, region_.layer);
+      const Point shift = GridShift(region_.layer, angle, options);
       region = {Moved(std::move(region.area), Point{} - shift),
                 Moved(std::move(region.whole), Point{} - shift),
                 Moved(std::move(region.narrow), Point{} - shift),
-                static_cast<double>(HatchTrim(options_))};
-      auto points = Hatch(region, angle, options_, at_ - shift);
+                static_cast<double>(HatchTrim(options))};
+      auto points = Hatch(region, angle, options, at_ - shift);
       if (!points.ok()) return points.status();
       for (Point& p : *points) p = p + shift;
       group.points = *std::move(points);
-      group.run_nm = options_.skywriting_nm;
+      group.run_nm = options.skywriting_nm;
     }
     Add(std::move(group));
     return absl::OkStatus();

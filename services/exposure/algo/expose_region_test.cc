@@ -12,6 +12,7 @@ TEST(ExposeRegion, GroupsSayWhoseTheyAre) {
   const MultiPolygon square = MakePolygonsOrDie("(0 0, 4 0, 4 4, 0 4)");
   ExposureOptions options;
   options.skywriting_nm = 200'000;
+  options.contour_run_nm = 300'000;
   CutCounts counts;
   const auto groups = ExposeRegion({.outlines = square,
                                     .section = square,
@@ -25,7 +26,8 @@ TEST(ExposeRegion, GroupsSayWhoseTheyAre) {
   for (const ExposureGroup& group : *groups) {
     EXPECT_EQ(group.object, 7);
     EXPECT_EQ(group.settings, 2);
-    EXPECT_EQ(group.run_nm, group.IsHatch() ? 200'000 : 0);
+    const bool is_contour = group.kind == ExposureKind::kContour;
+    EXPECT_EQ(group.run_nm, is_contour ? 300'000 : group.IsHatch() ? 200'000 : 0);
   }
 }
 
@@ -40,8 +42,7 @@ TEST(ExposeRegion, HatchKeepsItsOffsetFromTheLastContour) {
     const auto groups = ExposeRegion({.outlines = square, .section = square, .neighbours = {}},
                                      options, {}, {}, counts);
     ASSERT_TRUE(groups.ok());
-    EXPECT_EQ(Bounds(groups->back().points).min.x,
-              contours == 0 ? 40'000 : 80'000 * contours);
+    EXPECT_EQ(Bounds(groups->back().points).min.x, contours == 0 ? 40'000 : 80'000 * contours);
   }
 }
 

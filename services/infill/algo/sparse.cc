@@ -1,6 +1,8 @@
 #include "services/infill/algo/sparse.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "common/geometry/boolean/boolean.h"
@@ -39,13 +41,38 @@ absl::StatusOr<std::vector<Piece>> PiecesOf(const SparseFill& fill, const MultiP
   return PatternOf(fill.pattern)(area, place);
 }
 
+/// An island's room, if nothing happens to it `half_nm` farther in than there but that its edges
+/// become shorter: it is narrow nowhere.
+std::optional<PolygonWithHoles> WideRoom(const PolygonWithHoles& island, Coord inset_nm,
+                                         Coord half_nm) {
+  const auto core = TryOffset({island}, -(inset_nm + half_nm));
+  if (!core || core->has_tips) return std::nullopt;
+  auto room = TryOffset({island}, -inset_nm);
+  if (!room) return std::nullopt;
+  const auto corners = [](const CleanOffset& offset) {
+    size_t count = 0;
+    ForEachRing(offset.polygons, [&](const Polygon& ring) { count += ring.size(); });
+    return count;
+  };
+  if (corners(*core) != corners(*room)) return std::nullopt;
+  return std::move(room->polygons[0]);
+}
+
 /// Where lines may lie, `inset_nm` from the region's edge: not where beads along both sides would
 /// lie on each other. Corners of what is left after that are mitered, beyond edges that it
 /// swallowed.
 MultiPolygon RoomFor(const MultiPolygon& region, Coord inset_nm, Coord width_nm) {
   const auto half = static_cast<Coord>(kLeastApart / 2 * static_cast<double>(width_nm));
-  const MultiPolygon wide = FastOffset(FastOffset(region, -(inset_nm + half)), half);
-  return wide.empty() ? wide : Intersection(wide, FastOffset(region, -inset_nm));
+  MultiPolygon room, others;
+  for (const PolygonWithHoles& island : region) {
+    auto wide = WideRoom(island, inset_nm, half);
+    wide ? room.push_back(*std::move(wide)) : others.push_back(island);
+  }
+  const MultiPolygon wide = FastOffset(FastOffset(others, -(inset_nm + half)), half);
+  if (!wide.empty())
+    std::ranges::move(Intersection(wide, FastOffset(others, -inset_nm)), std::back_inserter(room));
+  Canonicalize(room);
+  return room;
 }
 
 bool IsByLaw(const SparseFill& fill) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "common/geometry/measure.h"
@@ -65,6 +66,35 @@ TEST(Sparse, NoLoneDots) {
     ASSERT_TRUE(paths.ok());
     for (const Path& path : *paths) EXPECT_GE(PathLength(path), 2.5 * 450'000) << x;
   }
+}
+
+// A neck of 0.4 mm has no room for lines that do not lie double, also beside an island that is wide
+// everywhere; one of 0.6 mm has.
+TEST(Sparse, NarrowPlacesStayEmpty) {
+  const auto two_squares = [](double neck_mm) {
+    const auto mm = [](double x, double y) { return Point{FromMm(x), FromMm(y)}; };
+    const double low = 10 - neck_mm / 2, high = 10 + neck_mm / 2;
+    return MultiPolygon{
+        {{mm(0, 0), mm(20, 0), mm(20, low), mm(30, low), mm(30, 0), mm(50, 0), mm(50, 20),
+          mm(30, 20), mm(30, high), mm(20, high), mm(20, 20), mm(0, 20)},
+         {}}};
+  };
+  const auto neck_mm = [](const MultiPolygon& region) {
+    double length = 0;
+    const auto paths = FillSparse(region, Linked(FillPattern::kGrid));
+    for (const Path& path : *paths)
+      for (size_t i = 1; i < path.points.size(); ++i) {
+        const Point a = path.points[i - 1], b = path.points[i];
+        if (std::min(a.x, b.x) > FromMm(21) && std::max(a.x, b.x) < FromMm(29))
+          length += ToMm(Distance(a, b));
+      }
+    return length;
+  };
+  EXPECT_EQ(neck_mm(two_squares(0.4)), 0);
+  EXPECT_GT(neck_mm(two_squares(0.6)), 5);
+  MultiPolygon both = two_squares(0.4);
+  both.push_back(P("(60 0, 90 0, 90 25, 60 30)")[0]);
+  EXPECT_EQ(neck_mm(both), 0);
 }
 
 TEST(Sparse, NothingIsLinkedIfNoLinkIsAllowed) {

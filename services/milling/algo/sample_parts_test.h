@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "services/milling/algo/cutter.h"
-#include "services/milling/algo/cutter_text.h"
-#include "services/milling/algo/triangle_mesh.h"
+#include "services/milling/algo/cutter/cutter.h"
+#include "services/milling/algo/cutter/cutter_text.h"
+#include "services/milling/algo/mesh/triangle_mesh.h"
 
 namespace slicefarm::milling {
 

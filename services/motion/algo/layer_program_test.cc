@@ -109,7 +109,8 @@ Printed Print(const std::string& gcode) {
     const double way = std::hypot(x - p.x, y - p.y);
     if (value.contains('F')) p.least_feed_rate = std::min(p.least_feed_rate, value['F']);
     if (value.contains('Z')) p.z = value['Z'];
-    if (value.contains('X') && value.contains('E')) {
+    const bool moves = value.contains('X') || value.contains('Y');
+    if (moves && value.contains('E')) {
       p.filament_mm += value['E'];
       p.extruded_mm += way;
       p.extruded_while_retracted |= p.retracted_mm > 1e-9;
@@ -117,10 +118,10 @@ Printed Print(const std::string& gcode) {
       p.max_y = std::max(p.max_y, y);
     } else if (value.contains('E')) {
       p.retracted_mm -= value['E'];
-    } else if (value.contains('X') && known) {
+    } else if (moves && known) {
       p.travel_mm += way;
     }
-    known = known || value.contains('X');
+    known = known || moves;
     p.max_retracted_mm = std::max(p.max_retracted_mm, p.retracted_mm);
     p.x = x;
     p.y = y;
@@ -143,9 +144,9 @@ TEST(ProgramLayer, ASquareAsText) {
             ";WIDTH:0.45\n"
             "M204 P1000\n"
             "G1 X30 Y10 E.67698 F2400\n"
-            "G1 X30 Y30 E.67697\n"
-            "G1 X10 Y30 E.67698\n"
-            "G1 X10 Y10 E.67697\n"
+            "G1 Y30 E.67697\n"
+            "G1 X10 E.67698\n"
+            "G1 Y10 E.67697\n"
             "G1 E-.8 F2100\n"
             "G1 X12 Y12 F7800\n"
             "G1 E.8 F2100\n"
@@ -384,9 +385,9 @@ TEST(ProgramLayer, CopiesAsText) {
             ";WIDTH:0.45\n"
             "M204 P1000\n"
             "G1 X30 Y10 E.67698 F2400\n"
-            "G1 X30 Y30 E.67697\n"
-            "G1 X10 Y30 E.67698\n"
-            "G1 X10 Y10 E.67697\n"
+            "G1 Y30 E.67697\n"
+            "G1 X10 E.67698\n"
+            "G1 Y10 E.67697\n"
             "G1 E-.8 F2100\n"
             "; stop printing object a id:0 copy 0\n"
             "G1 X60 Y10 F7800\n"
@@ -396,9 +397,9 @@ TEST(ProgramLayer, CopiesAsText) {
             ";WIDTH:0.45\n"
             "M204 P1000\n"
             "G1 X80 Y10 E.67698 F2400\n"
-            "G1 X80 Y30 E.67697\n"
-            "G1 X60 Y30 E.67698\n"
-            "G1 X60 Y10 E.67697\n"
+            "G1 Y30 E.67697\n"
+            "G1 X60 E.67698\n"
+            "G1 Y10 E.67697\n"
             "G1 E-.8 F2100\n"
             "; stop printing object a id:0 copy 1\n");
 }

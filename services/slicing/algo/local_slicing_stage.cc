@@ -12,6 +12,7 @@
 #include "common/model/limits.h"
 #include "common/stage/job_memory.h"
 #include "services/slicing/algo/placement/arranging/footprint.h"
+#include "services/slicing/algo/placement/arranging/overlaps.h"
 #include "services/slicing/algo/placement/orientation/orientation_advice.h"
 #include "services/slicing/algo/placement/prepared_object.h"
 #include "services/slicing/algo/section/layer_heights.h"
@@ -57,8 +58,9 @@ class SlicingRun {
     absl::Status room =
         HoldMemory(call_, JobMemory::Kind::kMeshes, kMemoryPerTriangle * Triangles());
     if (!room.ok()) return room;
-    for (auto step : {&SlicingRun::PlanLayers, &SlicingRun::CheckPointsPerLayer, &SlicingRun::Draw,
-                      &SlicingRun::CutLayers, &SlicingRun::AdviseOrientations})
+    for (auto step :
+         {&SlicingRun::PlanLayers, &SlicingRun::CheckPointsPerLayer, &SlicingRun::Draw,
+          &SlicingRun::CutLayers, &SlicingRun::CountOverlaps, &SlicingRun::AdviseOrientations})
       if (absl::Status status = (this->*step)(); !status.ok()) return status;
     return Result();
   }
@@ -258,23 +260,26 @@ class SlicingRun {
     return slicing.close_holes ? WithoutHoles(region) : region;
   }
 
-  /// How many copies of each object stand on the footprint of another copy.
-  std::vector<int64_t> Overlapping() const {
+  absl::Status CountOverlaps() {
     std::vector<Copies> all;
     for (const PreparedObject& object : objects_) all.push_back({&object.footprint, object.shifts});
-    return CountOverlapping(all);
+    absl::StatusOr<std::vector<int64_t>> counts = CountOverlapping(job_.layers, all, call_.cancel);
+    if (!counts.ok()) return counts.status();
+    overlapping_ = *std::move(counts);
+    return absl::OkStatus();
   }
 
   SlicedJob Result() {
-    const std::vector<int64_t> overlapping = Overlapping();
     for (size_t i = 0; i < objects_.size(); ++i) {
       PreparedObject& object = objects_[i];
       for (SweptPart& swept : swept_[i].parts) {
         // What would be defects of a body are none of a surface.
         if (swept.part->IsSeamSurface()) continue;
         MeshReport report = ReportOf(swept, options_.objects[i]);
-        report.overlapping_copies = overlapping[i];
-        if (&swept == &swept_[i].parts.front()) report.copies_off_bed = object.copies_off_bed;
+        if (&swept == &swept_[i].parts.front()) {
+          report.overlapping_copies = overlapping_[i];
+          report.copies_off_bed = object.copies_off_bed;
+        }
         job_.meshes.push_back(std::move(report));
       }
       for (const Point shift : object.shifts)
@@ -302,8 +307,9 @@ class SlicingRun {
   bool advise_orientations_ = false;
   SlicedJob job_;
   std::vector<PreparedObject> objects_;
-  int64_t points_ = 0;              ///< of the parts that are swept
-  std::vector<SweptObject> swept_;  ///< by object
+  std::vector<int64_t> overlapping_;  ///< by object: CountOverlapping
+  int64_t points_ = 0;                ///< of the parts that are swept
+  std::vector<SweptObject> swept_;    ///< by object
 };
 
 class LocalSlicing : public SlicingStage {

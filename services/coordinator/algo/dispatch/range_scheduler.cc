@@ -44,9 +44,11 @@ std::deque<int32_t>::iterator RangeScheduler::SuspectFor(RunnerId runner, double
   return std::find_if(suspects_.begin(), suspects_.end(), [&](int32_t index) {
     Range& range = ranges_[index];
     if (!range.waits_since_s) range.waits_since_s = now_s;
+    if (range.away == runner) range.away.reset();
     const bool has_its_turn = range.alone_on.empty() ? range.failed_on.contains(runner)
                                                      : !range.alone_on.contains(runner);
-    return has_its_turn || now_s - *range.waits_since_s >= options_.elsewhere_after_s;
+    return (has_its_turn && !range.away) ||
+           now_s - *range.waits_since_s >= options_.elsewhere_after_s;
   });
 }
 
@@ -125,6 +127,7 @@ void RangeScheduler::Died(Ticket ticket) {
   const std::optional<Copy> copy = Stopped(ticket);
   if (!copy) return;
   ranges_[copy->range].suspect = true;
+  ranges_[copy->range].away = copy->runner;
   CountFailure(copy->range, copy->runner);
   Requeue(copy->range);
 }

@@ -57,7 +57,8 @@ class RangeScheduler {
   std::optional<Grant> Next(RunnerId runner, double now_s);
 
   /// The first suspect range, for a runner that has nothing else to do, and gets nothing else
-  /// meanwhile. It goes to the runner that died of it, then to others, or after a while to any.
+  /// meanwhile. It goes to the runner that died of it, then, when that is back, to others, or after
+  /// a while to any.
   std::optional<Grant> NextSuspect(RunnerId runner, double now_s);
 
   /// Whether NextSuspect would grant one.
@@ -103,6 +104,9 @@ class RangeScheduler {
     std::optional<double> waits_since_s = {};  ///< as a suspect, when that was first asked
     std::set<RunnerId> failed_on = {};
     std::set<RunnerId> alone_on = {};  ///< where it was tried as a suspect
+    /// What died of it last, and has not asked for work since: while that is away, no other one is
+    /// to go down as well.
+    std::optional<RunnerId> away = {};
   };
   struct Copy {
     int32_t range = 0;

@@ -106,6 +106,15 @@ TEST(RangeScheduler, ASuspectIsTriedOnceOnEachRunner) {
   EXPECT_FALSE(scheduler.NextSuspect(kC, 100));
 }
 
+TEST(RangeScheduler, ASuspectGoesElsewhereWhenWhatDiedOfItIsBack) {
+  RangeScheduler scheduler(1, {.elsewhere_after_s = 2});
+  scheduler.Died(scheduler.Next(kA, 0)->ticket);
+  scheduler.Died(scheduler.NextSuspect(kA, 0)->ticket);
+  EXPECT_FALSE(scheduler.MayTakeSuspect(kB, 1)) << "both would be down";
+  EXPECT_FALSE(scheduler.MayTakeSuspect(kA, 1.5)) << "it had its turn, and is back";
+  EXPECT_TRUE(scheduler.NextSuspect(kB, 1.5));
+}
+
 TEST(RangeScheduler, HedgesTheOldestSlowRangeOnce) {
   RangeScheduler scheduler(2, {.hedge_after_s = 1});
   const auto old = scheduler.Next(kA, 0);

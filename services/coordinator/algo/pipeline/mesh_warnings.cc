@@ -48,14 +48,14 @@ std::vector<std::string> MeshWarnings(const MeshReport& mesh) {
                          mesh.cracks_closed_mm));
   }
   if (mesh.copies_off_bed > 0) {
-    warn(absl::StrCat(mesh.copies_off_bed,
-                      mesh.copies_off_bed == 1 ? " copy stands beside the bed and is left out"
+    warn(absl::StrCat(mesh.copies_off_bed, mesh.copies_off_bed == 1
+                                               ? " copy stands beside the bed and is left out"
                                                : " copies stand beside the bed and are left out"));
   }
   if (mesh.overlapping_copies > 0) {
     warn(absl::StrCat(mesh.overlapping_copies,
-                      mesh.overlapping_copies == 1 ? " copy stands" : " copies stand",
-                      " on the footprint of others and may be printed through them"));
+                      mesh.overlapping_copies == 1 ? " copy shares" : " copies share",
+                      " room with others: they are printed through one another"));
   }
   return warnings;
 }

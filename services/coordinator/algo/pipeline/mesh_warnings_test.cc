@@ -40,7 +40,7 @@ TEST(MeshWarnings, SaysWhatIsWrong) {
           "a.stl: 1 open outline of 12.3 mm together could not be closed and are not printed",
           "a.stl: cracks of up to 0.098 mm were closed (slice_closing_radius)",
           "a.stl: 1 copy stands beside the bed and is left out",
-          "a.stl: 2 copies stand on the footprint of others and may be printed through them"));
+          "a.stl: 2 copies share room with others: they are printed through one another"));
 }
 
 TEST(MeshWarnings, NeedsNoName) {

@@ -20,7 +20,8 @@ std::string NewJobId() {
   return id;
 }
 
-absl::StatusOr<ResolvedJob> JobIntake::Check(const Submission& submission) {
+absl::StatusOr<std::shared_ptr<const ResolvedJob>> JobIntake::Check(const Submission& submission,
+                                                                    const CancelToken& cancel) {
   const auto spec_bytes = static_cast<int64_t>(submission.spec.size());
   if (spec_bytes > limits::kMaxSpecBytes) {
     return LimitError(Reason::kRequestTooLarge, "bytes of a spec", limits::kMaxSpecBytes,
@@ -33,20 +34,20 @@ absl::StatusOr<ResolvedJob> JobIntake::Check(const Submission& submission) {
                      fmt::format("this farm makes no jobs of process {}", process),
                      {{"process", std::string(process)}});
   }
-  auto resolved =
-      ResolveJob(submission.request, build_id_, ResultTenant(sharing_, submission.tenant));
+  auto resolved = resolved_.Of(submission.spec, submission.request,
+                               ResultTenant(sharing_, submission.tenant), cancel);
   if (!resolved.ok()) return resolved.status();
-  if (absl::Status ok = CheckMeshes(submission.tenant, *resolved); !ok.ok()) return ok;
+  if (absl::Status ok = CheckMeshes(submission.tenant, **resolved); !ok.ok()) return ok;
   return resolved;
 }
 
-absl::StatusOr<NewJob> JobIntake::NewJobOf(Submission submission) {
+absl::StatusOr<NewJob> JobIntake::NewJobOf(Submission submission, const CancelToken& cancel) {
   NewJob job;
   job.refusal = disk_.CheckRoom();
   job.refusal.Update(budgets_.CheckBytes(submission.tenant, submission.max_kept_bytes, 0));
   if (job.refusal.ok())
     job.refusal = budgets_.CheckJobs(submission.tenant, submission.max_kept_jobs, 1);
-  const auto resolved = Check(submission);
+  const auto resolved = Check(submission, cancel);
   job.refusal.Update(resolved.status());
   // A call that is made again gets its job, though there is no room any more, or no mesh.
   if (!job.refusal.ok() && submission.request_id.empty()) return job.refusal;
@@ -63,28 +64,52 @@ absl::StatusOr<NewJob> JobIntake::NewJobOf(Submission submission) {
   job.max_open = submission.max_open_jobs;
   job.build_id = build_id_;
   if (resolved.ok()) {
-    for (const StoredMesh& mesh : resolved->request.scene.meshes) job.inputs.push_back(mesh.sha256);
-    job.settings_digest = resolved->settings_digest;
-    job.action_digest = resolved->action_digest;
+    for (const StoredMesh& mesh : (*resolved)->request.scene.meshes)
+      job.inputs.push_back(mesh.sha256);
+    job.settings_digest = (*resolved)->settings_digest;
+    job.action_digest = (*resolved)->action_digest;
   }
   return job;
 }
 
-absl::StatusOr<Created> JobIntake::Create(Submission submission) {
-  const auto job = NewJobOf(std::move(submission));
+/// The job that an earlier call made, or `refusal`: found without a turn among those who write.
+absl::StatusOr<Created> JobIntake::EarlierOr(const Submission& submission,
+                                             const absl::Status& refusal) {
+  if (submission.request_id.empty()) return refusal;
+  auto earlier = FindAll(submission.tenant, {submission.request_id}, submission.spec_digest);
+  if (!earlier.ok()) return earlier.status();
+  if (earlier->empty()) return refusal;
+  return Created{std::move(earlier->front()), /*fresh=*/false};
+}
+
+absl::StatusOr<Created> JobIntake::Create(Submission submission, const CancelToken& cancel) {
+  // One tenant's refused calls would hold up the writes of all others.
+  if (absl::Status full = full_queues_.Check(submission.tenant); !full.ok())
+    return EarlierOr(submission, full);
+  const auto job = NewJobOf(std::move(submission), cancel);
   if (!job.ok()) return job.status();
+  const auto turn = turns_.Enter(job->tenant, cancel);
+  if (!turn.ok()) return turn.status();
+  if (absl::Status full = full_queues_.Check(job->tenant); !full.ok() && job->request_id.empty())
+    return full;  // meanwhile
   auto created = jobs_.Create(*job, now_us_());
   full_queues_.Note(job->tenant, created.status(), job->max_open);
   return created;
 }
 
-absl::StatusOr<std::vector<Created>> JobIntake::CreateAll(std::vector<Submission> submissions) {
+absl::StatusOr<std::vector<Created>> JobIntake::CreateAll(std::vector<Submission> submissions,
+                                                          const CancelToken& cancel) {
+  if (!submissions.empty()) {
+    if (absl::Status full = full_queues_.Check(submissions.front().tenant); !full.ok()) return full;
+  }
   std::vector<NewJob> jobs;
   for (Submission& submission : submissions) {
-    auto job = NewJobOf(std::move(submission));
+    auto job = NewJobOf(std::move(submission), cancel);
     if (!job.ok()) return job.status();
     jobs.push_back(*std::move(job));
   }
+  const auto turn = turns_.Enter(jobs.empty() ? "" : jobs.front().tenant, cancel);
+  if (!turn.ok()) return turn.status();
   auto created = jobs_.CreateAll(jobs, now_us_());
   if (!jobs.empty())
     full_queues_.Note(jobs.front().tenant, created.status(), jobs.front().max_open);

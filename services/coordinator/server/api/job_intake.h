@@ -2,15 +2,19 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 
+#include "common/base/cancel_token.h"
 #include "common/base/trace_context.h"
 #include "common/model/limits.h"
 #include "services/coordinator/server/api/full_queues.h"
 #include "services/coordinator/server/api/job_request.h"
 #include "services/coordinator/server/api/tenant_budgets.h"
+#include "services/coordinator/server/api/tenant_turns.h"
 #include "services/coordinator/server/execution/disk_guard.h"
 #include "services/coordinator/server/execution/job_results.h"
+#include "services/coordinator/server/execution/resolved_jobs.h"
 #include "services/coordinator/store/blobs/blob_stores.h"
 #include "services/coordinator/store/jobs/job_store.h"
 
@@ -36,26 +40,29 @@ struct Submission {
 class JobIntake {
  public:
   JobIntake(JobStore& jobs, BlobStores& blobs, const DiskGuard& disk, TenantBudgets& budgets,
-            FullQueues& full_queues, std::string build_id, ResultSharing sharing,
-            std::function<int64_t()> now_us, ProcessSet processes = ProcessSet::All())
+            FullQueues& full_queues, ResolvedJobs& resolved, std::string build_id,
+            ResultSharing sharing, std::function<int64_t()> now_us,
+            ProcessSet processes = ProcessSet::All())
       : jobs_(jobs),
         blobs_(blobs),
         disk_(disk),
         budgets_(budgets),
         full_queues_(full_queues),
+        resolved_(resolved),
         build_id_(std::move(build_id)),
         sharing_(sharing),
         now_us_(std::move(now_us)),
         processes_(processes) {}
 
-  /// Returns once the job is on disk. Errors: those of ResolveJob, DiskGuard, TenantBudgets and
-  /// JobStore::Create; BLOB_NOT_FOUND (FailedPrecondition, metadata `sha256`) for a mesh that the
-  /// tenant has not uploaded; PROCESS_UNAVAILABLE (FailedPrecondition) for a process whose jobs are
-  /// not made here.
-  absl::StatusOr<Created> Create(Submission submission);
+  /// Returns once the job is on disk. Errors: those of ResolveJob, `cancel`'s among them,
+  /// DiskGuard, TenantBudgets and JobStore::Create; BLOB_NOT_FOUND (FailedPrecondition, metadata
+  /// `sha256`) for a mesh that the tenant has not uploaded; PROCESS_UNAVAILABLE
+  /// (FailedPrecondition) for a process whose jobs are not made here.
+  absl::StatusOr<Created> Create(Submission submission, const CancelToken& cancel = {});
 
   /// Makes all jobs or none. Errors: the first one of Create's.
-  absl::StatusOr<std::vector<Created>> CreateAll(std::vector<Submission> submissions);
+  absl::StatusOr<std::vector<Created>> CreateAll(std::vector<Submission> submissions,
+                                                 const CancelToken& cancel = {});
 
   /// Those of the jobs that an earlier call with these request ids made and that were not deleted.
   /// Errors: REQUEST_ID_REUSED.
@@ -66,13 +73,17 @@ class JobIntake {
   }
 
   /// All of that but the keeping: the job that would be made, without an id.
-  absl::StatusOr<ResolvedJob> Check(const Submission& submission);
+  absl::StatusOr<std::shared_ptr<const ResolvedJob>> Check(const Submission& submission,
+                                                           const CancelToken& cancel);
 
   /// The build that would make it.
   const std::string& build_id() const { return build_id_; }
 
  private:
-  absl::StatusOr<NewJob> NewJobOf(Submission submission);
+  static constexpr int kWritesAtOnce = 8;  ///< as a store has connections for callers
+
+  absl::StatusOr<Created> EarlierOr(const Submission& submission, const absl::Status& refusal);
+  absl::StatusOr<NewJob> NewJobOf(Submission submission, const CancelToken& cancel);
   absl::Status CheckMeshes(const std::string& tenant, const ResolvedJob& job);
 
   JobStore& jobs_;
@@ -80,10 +91,13 @@ class JobIntake {
   const DiskGuard& disk_;
   TenantBudgets& budgets_;
   FullQueues& full_queues_;
+  ResolvedJobs& resolved_;
   const std::string build_id_;
   const ResultSharing sharing_;
   const std::function<int64_t()> now_us_;
   const ProcessSet processes_;
+  /// Of those who wait for the store, so that none of them waits for all that another tenant asks.
+  TenantTurns turns_{kWritesAtOnce};
 };
 
 /// 32 hex digits that nobody can guess. Dies without a source of randomness.

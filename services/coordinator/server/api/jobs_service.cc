@@ -10,6 +10,7 @@
 #include "common/model/limits.h"
 #include "common/rpc/observe/trace_metadata.h"
 #include "common/rpc/status_mapping.h"
+#include "common/wire/support/enum_wire.h"
 #include "common/wire/support/wire_error.h"
 #include "services/coordinator/algo/pipeline/preflight.h"
 #include "services/coordinator/server/api/artifact.h"
@@ -42,50 +43,11 @@ int64_t EchoedBytes(const v1::BatchCreateJobsRequest& batch) {
   return bytes;
 }
 
-absl::Status CheckPlates(const v1::CreatePlatesRequest& request) {
-  if (absl::Status ok = CheckRequestId(request.request_id()); !ok.ok()) return ok;
-  if (request.requests().empty()) return Malformed("requests", "there are none");
-  if (request.requests_size() > limits::kMaxBatchJobs)
-    return LimitError(Reason::kRequestTooLarge, "requests", limits::kMaxBatchJobs,
-                      request.requests_size());
-  for (int i = 0; i < request.requests_size(); ++i) {
-    const v1::CreateJobRequest& each = request.requests(i);
-    if (!each.request_id().empty() || each.validate_only())
-      return Within("requests", i,
-                    Malformed("request_id, validate_only", "are those of all plates"));
-    if (each.advise_orientations() && !request.validate_only())
-      return Within("requests", i, Malformed("advise_orientations", "is for validate_only"));
-  }
-  return absl::OkStatus();
-}
-
-/// Of a plate, from 0; empty: the call is not idempotent. None that a client gives has control
-/// characters.
-std::string PlateRequestId(const std::string& request_id, size_t plate) {
-  return request_id.empty() ? "" : fmt::format("{}\x1f{}", request_id, plate + 1);
-}
-
-/// Of all plates that the call may have made.
-std::vector<std::string> PlateRequestIds(const std::string& request_id) {
-  std::vector<std::string> ids;
-  for (size_t plate = 0; plate < limits::kMaxBatchJobs; ++plate)
-    ids.push_back(PlateRequestId(request_id, plate));
-  return ids;
-}
-
 absl::StatusOr<std::vector<v1::Job>> ToProtos(const absl::StatusOr<std::vector<JobRecord>>& jobs) {
   if (!jobs.ok()) return jobs.status();
   std::vector<v1::Job> protos;
   for (const JobRecord& job : *jobs) protos.push_back(ToProto(job));
   return protos;
-}
-
-/// Equal for equal specs in the same order.
-std::string SpecDigest(const v1::CreatePlatesRequest& request) {
-  std::string digests;
-  for (const v1::CreateJobRequest& each : request.requests())
-    digests += Sha256Hex(SpecBytes(each.spec()));
-  return Sha256Hex(digests);
 }
 
 /// False: the client left.
@@ -113,6 +75,16 @@ class TextReader : public BlobReader {
 
   const std::string text_;
 };
+
+/// Says of a job that has not ended if no worker is there for it.
+void TellWaiting(const TaskExecutor& executor, v1::Job& job) {
+  if (job.state() != v1::JOB_STATE_QUEUED && job.state() != v1::JOB_STATE_RUNNING) return;
+  const bool is_given = job.spec().process() != v1::PROCESS_UNSPECIFIED;
+  const Process process = is_given ? Known<Process>(job.spec().process()) : kDefaultProcess;
+  if (executor.Slots(process) > 0) return;
+  job.set_waits_for(fmt::format("a worker: none is connected that runs jobs of process {}",
+                                ProcessName(process)));
+}
 
 Claimant ClaimantOf(const Submission& submission) {
   return {submission.tenant, static_cast<int>(submission.priority)};
@@ -148,8 +120,9 @@ grpc::Status JobsService::CreateJob(grpc::ServerContext* context,
       return job.status();
     });
   }
-  const auto created = Create(*caller, *request, rpc::TraceOf(*context));
+  const auto created = Create(*caller, *request, *context);
   if (created.ok()) *response = ToProto(*created);
+  TellWaiting(backend_.pipeline.executor(), *response);
   return rpc::ToGrpc(created.status());
 }
 
@@ -170,10 +143,11 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
     const auto created =
         each.validate_only()
             ? absl::StatusOr<JobRecord>(Malformed("validate_only", "is not for batches"))
-            : Create(*caller, each, rpc::TraceOf(*context));
+            : Create(*caller, each, *context);
     v1::BatchCreateJobsResponse::Outcome& outcome = *response->add_outcomes();
     if (created.ok()) {
       *outcome.mutable_job() = ToProto(*created);
+      TellWaiting(backend_.pipeline.executor(), *outcome.mutable_job());
       ClearSettings(*outcome.mutable_job()->mutable_spec());
     } else {
       // As short as errors of calls are: there may be many in this answer.
@@ -223,45 +197,55 @@ absl::StatusOr<std::vector<v1::Job>> JobsService::MakePlates(const Caller& calle
         backend_.intake.FindAll(caller.tenant, PlateRequestIds(request.request_id()), digest);
     if (!earlier.ok() || !earlier->empty()) return ToProtos(earlier);
   }
-  std::vector<v1::Job> checked;
-  std::vector<Submission> plates;
-  for (int i = 0; i < request.requests_size(); ++i) {
-    auto beds =
-        ReadPlates(caller, request.requests(i), {std::ssize(plates), limits::kMaxBatchJobs}, call);
-    if (!beds.ok()) return Within("requests", i, beds.status());
-    for (Submission& plate : *beds) {
-      plate.request_id = PlateRequestId(request.request_id(), plates.size());
-      plate.spec_digest = digest;
-      plates.push_back(std::move(plate));
-      if (!request.validate_only()) continue;
-      auto job = Validate(plates.back(), request.requests(i), call);
-      if (!job.ok()) return Within("requests", i, job.status());
-      checked.push_back(*std::move(job));
-    }
+  auto plates = ReadPlates(caller, request, call);
+  if (!plates.ok()) return plates.status();
+  if (request.validate_only()) return ValidateAll(*plates, request, call);
+  std::vector<Submission> jobs;
+  for (Plate& plate : *plates) {
+    plate.submission.spec_digest = digest;
+    jobs.push_back(std::move(plate.submission));
   }
-  if (request.validate_only()) return checked;
-  return ToProtos(CreateAll(std::move(plates)));
+  return ToProtos(CreateAll(std::move(jobs), call.cancel));
 }
 
-/// A submission for each bed that the request takes.
-absl::StatusOr<std::vector<Submission>> JobsService::ReadPlates(const Caller& caller,
-                                                                const v1::CreateJobRequest& request,
-                                                                const PlateRoom& room,
-                                                                const rpc::Call& call) {
-  auto submission = Read(caller, request);
-  if (!submission.ok()) return submission.status();
-  submission->trace = call.trace;
-  StageCall stage_call;
-  stage_call.claimant = ClaimantOf(*submission);
-  stage_call.cancel = call.cancel;
-  stage_call.trace = call.trace;
-  return PlatesOf(stage_call, *submission, room,
-                  {backend_.intake, backend_.blobs, backend_.arranging, backend_.memory});
+/// A submission for each bed that each request takes. All beds are counted before a submission is
+/// copied for each.
+absl::StatusOr<std::vector<Plate>> JobsService::ReadPlates(const Caller& caller,
+                                                           const v1::CreatePlatesRequest& request,
+                                                           const rpc::Call& call) {
+  const PlatesBackend backend = {backend_.intake, backend_.blobs, backend_.arranging,
+                                 backend_.memory};
+  PlateRequests requests(request.request_id());
+  for (int i = 0; i < request.requests_size(); ++i) {
+    auto submission = Read(caller, request.requests(i));
+    if (!submission.ok()) return Within("requests", i, submission.status());
+    submission->trace = call.trace;
+    StageCall stage_call;
+    stage_call.claimant = ClaimantOf(*submission);
+    stage_call.cancel = call.cancel;
+    stage_call.trace = call.trace;
+    const absl::Status added = requests.Add(stage_call, *std::move(submission), backend);
+    if (!added.ok()) return Within("requests", i, added);
+  }
+  return std::move(requests).Plates();
+}
+
+absl::StatusOr<std::vector<v1::Job>> JobsService::ValidateAll(
+    const std::vector<Plate>& plates, const v1::CreatePlatesRequest& request,
+    const rpc::Call& call) {
+  std::vector<v1::Job> checked;
+  for (const Plate& plate : plates) {
+    auto job = Validate(plate.submission, request.requests(plate.request), call);
+    if (!job.ok()) return Within("requests", plate.request, job.status());
+    checked.push_back(*std::move(job));
+  }
+  return checked;
 }
 
 /// All, or none and why.
-absl::StatusOr<std::vector<JobRecord>> JobsService::CreateAll(std::vector<Submission> plates) {
-  auto created = backend_.intake.CreateAll(std::move(plates));
+absl::StatusOr<std::vector<JobRecord>> JobsService::CreateAll(std::vector<Submission> plates,
+                                                              const CancelToken& cancel) {
+  auto created = backend_.intake.CreateAll(std::move(plates), cancel);
   if (!created.ok()) return created.status();
   std::vector<JobRecord> jobs;
   for (Created& each : *created) {
@@ -274,12 +258,13 @@ absl::StatusOr<std::vector<JobRecord>> JobsService::CreateAll(std::vector<Submis
 
 absl::StatusOr<JobRecord> JobsService::Create(const Caller& caller,
                                               const v1::CreateJobRequest& request,
-                                              const TraceContext& trace) {
+                                              const grpc::ServerContext& context) {
   if (request.advise_orientations())
     return Malformed("advise_orientations", "is for validate_only");
   auto submission = Read(caller, request);
-  if (submission.ok()) submission->trace = trace;
-  auto created = submission.ok() ? backend_.intake.Create(*std::move(submission))
+  if (submission.ok()) submission->trace = rpc::TraceOf(context);
+  const CancelToken cancel([&] { return context.IsCancelled(); });
+  auto created = submission.ok() ? backend_.intake.Create(*std::move(submission), cancel)
                                  : absl::StatusOr<Created>(submission.status());
   if (!created.ok()) {
     backend_.log.Warn("job refused", {{"tenant", caller.tenant},
@@ -328,7 +313,7 @@ absl::StatusOr<Submission> JobsService::Read(const Caller& caller,
 absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
                                               const v1::CreateJobRequest& request,
                                               const rpc::Call& call) {
-  const auto resolved = backend_.intake.Check(submission);
+  const auto resolved = backend_.intake.Check(submission, call.cancel);
   if (!resolved.ok()) return resolved.status();
   const auto blobs = backend_.blobs.Of(submission.tenant);
   if (!blobs.ok()) return blobs.status();
@@ -336,13 +321,13 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
   stage_call.claimant = ClaimantOf(submission);
   stage_call.cancel = call.cancel;
   stage_call.trace = call.trace;
-  const auto room = RoomForMeshes(stage_call, *resolved, **blobs, backend_.memory);
+  const auto room = RoomForMeshes(stage_call, **resolved, **blobs, backend_.memory);
   if (!room.ok()) return room.status();
   stage_call.memory = room->get();
-  auto meshes = LoadMeshes(*resolved, **blobs);
+  auto meshes = LoadMeshes(**resolved, **blobs);
   if (!meshes.ok()) return meshes.status();
   meshes->advise_orientations = request.advise_orientations();
-  const config::ResolvedPlate& plate = resolved->plate;
+  const config::ResolvedPlate& plate = (*resolved)->plate;
   const auto found =
       LookAt(stage_call, {*std::move(meshes), plate.settings, plate.effective_text, plate.warnings},
              backend_.slicing, backend_.pipeline);
@@ -352,7 +337,7 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
   *job.mutable_labels() = request.labels();
   job.set_priority(static_cast<v1::JobPriority>(static_cast<int>(submission.priority) + 1));
   if (request.has_deadline()) *job.mutable_deadline() = request.deadline();
-  job.set_settings_digest(resolved->settings_digest);
+  job.set_settings_digest((*resolved)->settings_digest);
   job.set_build_id(backend_.intake.build_id());
   job.mutable_warnings()->Assign(found->warnings.begin(), found->warnings.end());
   *job.mutable_preflight() = ToProto(
@@ -366,6 +351,7 @@ grpc::Status JobsService::GetJob(grpc::ServerContext* context, const v1::GetJobR
                                  v1::Job* response) {
   const auto job = Find(*context, {Scope::kRead, Scope::kAdmin}, request->id(), Of::kAllForAdmins);
   if (job.ok()) *response = ToProto(*job);
+  TellWaiting(backend_.pipeline.executor(), *response);
   return rpc::ToGrpc(job.status());
 }
 
@@ -382,6 +368,7 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJ
   if (!place.ok()) return rpc::ToGrpc(place.status());
   const auto jobs = backend_.jobs.List(*query);
   if (jobs.ok()) *response = ToProto(*jobs, *query);
+  for (v1::Job& job : *response->mutable_jobs()) TellWaiting(backend_.pipeline.executor(), job);
   return rpc::ToGrpc(jobs.status());
 }
 

@@ -100,7 +100,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
                                  const std::string& id, Of of);
   absl::StatusOr<Submission> Read(const Caller& caller, const v1::CreateJobRequest& request);
   absl::StatusOr<JobRecord> Create(const Caller& caller, const v1::CreateJobRequest& request,
-                                   const TraceContext& trace);
+                                   const grpc::ServerContext& context);
   grpc::Status Preflight(const grpc::ServerContext& context, const Caller& caller,
                          std::string_view method,
                          const std::function<absl::Status(const rpc::Call& call)>& work);
@@ -110,10 +110,14 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   absl::StatusOr<std::vector<v1::Job>> MakePlates(const Caller& caller,
                                                   const v1::CreatePlatesRequest& request,
                                                   const rpc::Call& call);
-  absl::StatusOr<std::vector<Submission>> ReadPlates(const Caller& caller,
-                                                     const v1::CreateJobRequest& request,
-                                                     const PlateRoom& room, const rpc::Call& call);
-  absl::StatusOr<std::vector<JobRecord>> CreateAll(std::vector<Submission> plates);
+  absl::StatusOr<std::vector<Plate>> ReadPlates(const Caller& caller,
+                                                const v1::CreatePlatesRequest& request,
+                                                const rpc::Call& call);
+  absl::StatusOr<std::vector<v1::Job>> ValidateAll(const std::vector<Plate>& plates,
+                                                   const v1::CreatePlatesRequest& request,
+                                                   const rpc::Call& call);
+  absl::StatusOr<std::vector<JobRecord>> CreateAll(std::vector<Submission> plates,
+                                                   const CancelToken& cancel);
   /// To be read from `offset` on.
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenResult(const JobRecord& job,
                                                          v1::Artifact artifact, int64_t offset);

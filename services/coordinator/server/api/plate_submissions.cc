@@ -1,8 +1,12 @@
 #include "services/coordinator/server/api/plate_submissions.h"
 
+#include <fmt/core.h>
+
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/base/sha256.h"
+#include "common/model/limits.h"
 #include "common/wire/scene_wire.h"
 #include "common/wire/support/wire_error.h"
 #include "services/coordinator/server/api/jobs_wire.h"
@@ -11,11 +15,17 @@
 namespace slicefarm::coordinator {
 namespace {
 
+/// Of a plate, from 0; empty: the call is not idempotent. None that a client gives has control
+/// characters.
+std::string PlateRequestId(const std::string& request_id, size_t plate) {
+  return request_id.empty() ? "" : fmt::format("{}\x1f{}", request_id, plate + 1);
+}
+
 /// The scene's objects on the beds that they take.
-absl::StatusOr<std::vector<std::vector<SceneObject>>> Arranged(const StageCall& call,
-                                                               const std::string& tenant,
-                                                               const ResolvedJob& job,
-                                                               const PlatesBackend& backend) {
+absl::StatusOr<std::vector<std::vector<SceneObject>>> OnBeds(const StageCall& call,
+                                                             const std::string& tenant,
+                                                             const ResolvedJob& job,
+                                                             const PlatesBackend& backend) {
   const auto blobs = backend.blobs.Of(tenant);
   if (!blobs.ok()) return blobs.status();
   const auto room = RoomForMeshes(call, job, **blobs, backend.memory);
@@ -49,21 +59,63 @@ absl::StatusOr<Submission> WithObjects(const Submission& submission,
 
 }  // namespace
 
-absl::StatusOr<std::vector<Submission>> PlatesOf(const StageCall& call,
-                                                 const Submission& submission,
-                                                 const PlateRoom& room,
-                                                 const PlatesBackend& backend) {
-  const auto resolved = backend.intake.Check(submission);
+absl::Status CheckPlates(const v1::CreatePlatesRequest& request) {
+  if (absl::Status ok = CheckRequestId(request.request_id()); !ok.ok()) return ok;
+  if (request.requests().empty()) return Malformed("requests", "there are none");
+  if (request.requests_size() > limits::kMaxBatchJobs)
+    return LimitError(Reason::kRequestTooLarge, "requests", limits::kMaxBatchJobs,
+                      request.requests_size());
+  for (int i = 0; i < request.requests_size(); ++i) {
+    const v1::CreateJobRequest& each = request.requests(i);
+    if (!each.request_id().empty() || each.validate_only())
+      return Within("requests", i,
+                    Malformed("request_id, validate_only", "are those of all plates"));
+    if (each.advise_orientations() && !request.validate_only())
+      return Within("requests", i, Malformed("advise_orientations", "is for validate_only"));
+  }
+  return absl::OkStatus();
+}
+
+std::vector<std::string> PlateRequestIds(const std::string& request_id) {
+  std::vector<std::string> ids;
+  for (size_t plate = 0; plate < limits::kMaxBatchJobs; ++plate)
+    ids.push_back(PlateRequestId(request_id, plate));
+  return ids;
+}
+
+std::string SpecDigest(const v1::CreatePlatesRequest& request) {
+  std::string digests;
+  for (const v1::CreateJobRequest& each : request.requests())
+    digests += Sha256Hex(SpecBytes(each.spec()));
+  return Sha256Hex(digests);
+}
+
+absl::Status PlateRequests::Add(const StageCall& call, Submission submission,
+                                const PlatesBackend& backend) {
+  const auto resolved = backend.intake.Check(submission, call.cancel);
   if (!resolved.ok()) return resolved.status();
-  const auto beds = Arranged(call, submission.tenant, *resolved, backend);
+  auto beds = OnBeds(call, submission.tenant, **resolved, backend);
   if (!beds.ok()) return beds.status();
-  if (const int64_t count = room.made + std::ssize(*beds); count > room.most)
-    return LimitError(Reason::kRequestTooLarge, "plates", room.most, count);
-  std::vector<Submission> plates;
-  for (const std::vector<SceneObject>& objects : *beds) {
-    auto plate = WithObjects(submission, objects);
-    if (!plate.ok()) return plate.status();
-    plates.push_back(*std::move(plate));
+  plates_ += std::ssize(*beds);
+  if (plates_ > limits::kMaxBatchJobs)
+    return LimitError(Reason::kRequestTooLarge, "plates", limits::kMaxBatchJobs, plates_);
+  bytes_ += std::ssize(*beds) * std::ssize(submission.spec);
+  if (bytes_ > kMaxPlatesBytes)
+    return LimitError(Reason::kRequestTooLarge, "bytes of all plates' specs", kMaxPlatesBytes,
+                      bytes_);
+  requests_.push_back({std::move(submission), *std::move(beds)});
+  return absl::OkStatus();
+}
+
+absl::StatusOr<std::vector<Plate>> PlateRequests::Plates() && {
+  std::vector<Plate> plates;
+  for (size_t i = 0; i < requests_.size(); ++i) {
+    for (const std::vector<SceneObject>& objects : requests_[i].beds) {
+      auto plate = WithObjects(requests_[i].submission, objects);
+      if (!plate.ok()) return Within("requests", static_cast<int>(i), plate.status());
+      plate->request_id = PlateRequestId(request_id_, plates.size());
+      plates.push_back({static_cast<int>(i), *std::move(plate)});
+    }
   }
   return plates;
 }

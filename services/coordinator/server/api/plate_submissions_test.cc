@@ -1,4 +1,6 @@
 // As many jobs as plates, over a real server and real stores, with fake stages.
+#include "services/coordinator/server/api/plate_submissions.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -164,6 +166,26 @@ TEST_F(PlatesTest, RefusesWhatIsNoRequest) {
   v1::CreatePlatesRequest many;
   for (int i = 0; i <= limits::kMaxBatchJobs; ++i) *many.add_requests() = RequestFor("xxx");
   EXPECT_EQ(RefusalOf(many), Reason::kRequestTooLarge);
+}
+
+TEST_F(PlatesTest, WhatPlatesOfALongSpecTakeIsBounded) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  const auto of_long_texts = [](int copies) {
+    v1::CreatePlatesRequest request = PlatesFor("xxx", copies);
+    for (const char* key : {"start_gcode", "end_gcode", "layer_gcode", "before_layer_gcode"}) {
+      v1::Setting& setting = *request.mutable_requests(0)->mutable_spec()->add_settings();
+      setting.set_key(key);
+      setting.set_value("; " + std::string(60'000, 'x'));
+    }
+    v1::Setting& field = *request.mutable_requests(0)->mutable_spec()->add_settings();
+    field.set_key("density_field");
+    field.set_value(R"({"kind": "constant", "density": 0.3)" + std::string(600'000, ' ') + "}");
+    return request;
+  };
+  EXPECT_THAT(*CreatePlates(of_long_texts(2)), SizeIs(2));
+  const absl::Status refused = CreatePlates(of_long_texts(limits::kMaxBatchJobs)).status();
+  EXPECT_EQ(DetailOf(refused).reason, Reason::kRequestTooLarge);
+  EXPECT_EQ(DetailOf(refused).metadata.at("limit"), std::to_string(kMaxPlatesBytes));
 }
 
 TEST_F(PlatesTest, ACheckMakesNothingAndTellsOfEachPlate) {

@@ -39,6 +39,8 @@ struct RunEnvironment {
   /// Whether the stages that all jobs need are of this build: asked before a job is claimed, once a
   /// run has met others.
   std::function<bool()> stages_fit = [] { return true; };
+  /// Whether what a run makes can be kept: asked before a job is claimed.
+  std::function<bool()> room = [] { return true; };
 };
 
 /// One claimed job, from the claim to what it came to: takes the steps of RunSteps.

@@ -130,9 +130,18 @@ bool JobRunner::StagesFit() {
   return true;
 }
 
+/// A run whose result cannot be kept would be made again, and again.
+bool JobRunner::HasRoom() {
+  const bool room = environment_.room();
+  if (!room && !without_room_.exchange(true))
+    environment_.log.Warn("the disk is nearly full: no job begins until there is room", {});
+  if (room) without_room_ = false;
+  return room;
+}
+
 std::unique_ptr<JobRun> JobRunner::Claim(Priority at_least) {
   std::lock_guard claiming(claim_mutex_);
-  if (!StagesFit()) return nullptr;
+  if (!StagesFit() || !HasRoom()) return nullptr;
   const int64_t now_us = NowUs();
   auto job =
       environment_.jobs.Claim(options_.owner, now_us, leases_.UntilUs(now_us), Busy(), at_least);

@@ -58,6 +58,7 @@ class JobRunner {
   int32_t EndOverdue();
   std::set<std::string> Busy();
   bool StagesFit();
+  bool HasRoom();
   std::unique_ptr<JobRun> Claim(Priority at_least);
   bool Adopt(JobRecord& job);
   int64_t NowUs() const { return environment_.now_us(); }
@@ -65,6 +66,7 @@ class JobRunner {
   RunEnvironment environment_;
   const JobRunnerOptions options_;
   std::atomic<bool> met_other_build_ = false;  ///< a run did, and stages were not seen to fit since
+  std::atomic<bool> without_room_ = false;     ///< and said so
   std::mutex claim_mutex_;  ///< one claim at a time, so that each knows what the last one took
   std::mutex mutex_;
   std::condition_variable wake_;

@@ -52,7 +52,8 @@ class JobRunnerTest : public testing::Test {
     auto runner = std::make_unique<JobRunner>(
         RunEnvironment{failing_, *blobs_, resolved_, results_, pipeline_, *memory_, feed_, Clock(),
                        "build", ResultSharing::kOff, rpc::JsonLog("test"), [](const StageTimes&) {},
-                       [this] { return ++asked_, stages_fit_.load(); }},
+                       [this] { return ++asked_, stages_fit_.load(); },
+                       [this] { return ++asked_for_room_, room_.load(); }},
         options);
     EXPECT_TRUE(runner->Start().ok());
     return runner;
@@ -64,8 +65,9 @@ class JobRunnerTest : public testing::Test {
     v1::Object* object = spec.add_objects();
     object->set_mesh_sha256(*(*blobs_->Of(""))->Put(mesh));
     object->set_name("part");
+    ResolvedJobs resolved(build);
     const auto created = JobIntake(*jobs_, *blobs_, DiskGuard(nullptr, 0), budgets_, full_queues_,
-                                   build, ResultSharing::kOff, Clock())
+                                   resolved, build, ResultSharing::kOff, Clock())
                              .Create({.request_id = {},
                                       .spec_digest = Sha256Hex(SpecBytes(spec)),
                                       .spec = SpecBytes(spec),
@@ -142,7 +144,9 @@ class JobRunnerTest : public testing::Test {
   TenantBudgets budgets_{*jobs_, *blobs_, Clock()};
   FullQueues full_queues_{Clock()};
   std::atomic<bool> stages_fit_ = true;
+  std::atomic<bool> room_ = true;
   std::atomic<int> asked_ = 0;  ///< whether they fit
+  std::atomic<int> asked_for_room_ = 0;
   std::atomic<int64_t> now_us_ = 1'000 * kSecondUs;
 };
 
@@ -278,6 +282,18 @@ TEST_F(JobRunnerTest, NoJobBeginsAsLongAsStagesAreOfAnotherBuild) {
   stages_fit_ = true;
   EXPECT_EQ(AwaitEnd(other).state, JobState::kSucceeded);
   EXPECT_EQ(AwaitEnd(met).state, JobState::kSucceeded);
+}
+
+TEST_F(JobRunnerTest, NoJobBeginsWithoutRoomForItsResult) {
+  room_ = false;
+  const auto runner = Runner();
+  const std::string job = Submit("xx");
+  runner->Wake();
+  for (const int until = asked_for_room_ + 5; asked_for_room_ < until;) std::this_thread::yield();
+  EXPECT_EQ(jobs_->Get(job)->state, JobState::kQueued);
+  EXPECT_EQ(slicing_.runs(), 0);
+  room_ = true;
+  EXPECT_EQ(AwaitEnd(job).state, JobState::kSucceeded);
 }
 
 /// Of this process, in bytes: what it has and the most that it had since the last call of

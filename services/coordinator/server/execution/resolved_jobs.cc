@@ -17,9 +17,24 @@ constexpr int64_t kMostRows = 32;
 absl::StatusOr<std::shared_ptr<const ResolvedJob>> ResolvedJobs::Of(const std::string& spec,
                                                                     std::string_view result_tenant,
                                                                     const CancelToken& cancel) {
+  return FindOrResolve(
+      spec, [&] { return ReadSpec(spec); }, result_tenant, cancel);
+}
+
+absl::StatusOr<std::shared_ptr<const ResolvedJob>> ResolvedJobs::Of(const std::string& spec,
+                                                                    const JobRequest& request,
+                                                                    std::string_view result_tenant,
+                                                                    const CancelToken& cancel) {
+  return FindOrResolve(
+      spec, [&] { return request; }, result_tenant, cancel);
+}
+
+absl::StatusOr<std::shared_ptr<const ResolvedJob>> ResolvedJobs::FindOrResolve(
+    const std::string& spec, const Request& read, std::string_view result_tenant,
+    const CancelToken& cancel) {
   std::string key = Sha256Hex(spec) + std::string(result_tenant);
   if (auto found = Find(key)) return found;
-  auto request = ReadSpec(spec);
+  auto request = read();
   if (!request.ok()) return request.status();
   auto resolved = ResolveJob(*std::move(request), build_id_, result_tenant, cancel);
   if (!resolved.ok()) return resolved.status();

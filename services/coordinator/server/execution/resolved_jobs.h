@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -26,6 +27,12 @@ class ResolvedJobs {
                                                         std::string_view result_tenant,
                                                         const CancelToken& cancel = {});
 
+  /// The same where the spec was read already.
+  absl::StatusOr<std::shared_ptr<const ResolvedJob>> Of(const std::string& spec,
+                                                        const JobRequest& request,
+                                                        std::string_view result_tenant,
+                                                        const CancelToken& cancel = {});
+
   int64_t resolved() const;  ///< that were not found
 
  private:
@@ -34,6 +41,11 @@ class ResolvedJobs {
     std::shared_ptr<const ResolvedJob> job;  // shared with those who use it
   };
 
+  using Request = std::function<absl::StatusOr<JobRequest>()>;
+  absl::StatusOr<std::shared_ptr<const ResolvedJob>> FindOrResolve(const std::string& spec,
+                                                                   const Request& request,
+                                                                   std::string_view result_tenant,
+                                                                   const CancelToken& cancel);
   std::shared_ptr<const ResolvedJob> Find(const std::string& key);
   void Keep(std::string key, std::shared_ptr<const ResolvedJob> job);
 

@@ -1,5 +1,6 @@
 #include "services/coordinator/server/main/coordinator.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -7,6 +8,9 @@
 
 namespace slicefarm::coordinator {
 namespace {
+
+/// For the results of runs: no run begins with less.
+constexpr int64_t kRoomForResults = 256 << 20;
 
 int64_t NowUs() {
   return std::chrono::duration_cast<std::chrono::microseconds>(
@@ -54,12 +58,12 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
       budgets_(jobs_, blobs_, SteadyUs),
       full_queues_(SteadyUs),
       callers_(options_.tenants, options_.calls, NowUs),
-      intake_(jobs_, blobs_, disk_, budgets_, full_queues_, options_.build_id, options_.sharing,
-              NowUs, pipeline_.processes()),
+      intake_(jobs_, blobs_, disk_, budgets_, full_queues_, resolved_, options_.build_id,
+              options_.sharing, NowUs, pipeline_.processes()),
       runner_(RunEnvironment{runs_, run_blobs_, resolved_, results_, pipeline_, memory_, feed_,
                              NowUs, options_.build_id, options_.sharing, log,
                              [this](const StageTimes& times) { stage_seconds_.Observe(times); },
-                             options_.stages_fit},
+                             options_.stages_fit, [this] { return RunsHaveRoom(); }},
               options_.runner),
       meshes_service_(callers_, blobs_, disk_, budgets_, full_queues_, options_.transfers),
       jobs_service_(JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
@@ -73,6 +77,18 @@ DiskGuard Coordinator::Guard() const {
     return {FreeInDatabase(stores_.fill, options_.max_database_bytes), 0};
   if (stores_.fill || options_.min_free_bytes == 0) return {nullptr, 0};
   return {FreeOnDisk(options_.stores.state_dir), options_.min_free_bytes};
+}
+
+/// On the disks of the state and of the spool. Less is asked for than where something new is taken
+/// in, so that what was taken in can be ended.
+bool Coordinator::RunsHaveRoom() const {
+  const int64_t least = std::min(options_.min_free_bytes, kRoomForResults);
+  for (const std::string& directory : {options_.stores.state_dir, options_.spool_dir}) {
+    if (directory.empty()) continue;
+    const auto free = FreeOnDisk(directory)();
+    if (free && *free < least) return false;
+  }
+  return true;
 }
 
 prometheus::Registry& Coordinator::Registry() {

@@ -89,6 +89,7 @@ class Coordinator {
   void Changed(const std::optional<JobChange>& change);
   prometheus::Registry& Registry();
   DiskGuard Guard() const;
+  bool RunsHaveRoom() const;
 
   const CoordinatorOptions options_;
   const Stores stores_;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <tuple>
 
+#include "common/geometry/line_axes.h"
 #include "common/geometry/measure.h"
 
 namespace slicefarm::exposure {
@@ -128,10 +130,20 @@ std::vector<BlockTurn> Farthest(const std::vector<ScanBlock>& blocks, Point from
   return turns;
 }
 
+std::vector<BlockTurn> AgainstGas(const std::vector<ScanBlock>& blocks, double gas_flow_deg) {
+  const LineAxes gas = LineAxes::OfDegrees(gas_flow_deg);
+  std::vector<BlockTurn> turns(blocks.size());
+  for (size_t i = 0; i < blocks.size(); ++i)
+    turns[i] = {i, blocks[i].reversible && gas.U(blocks[i].end) > gas.U(blocks[i].start)};
+  std::ranges::stable_sort(turns, std::greater<>(),
+                           [&](const BlockTurn& turn) { return gas.U(blocks[turn.block].middle); });
+  return turns;
+}
+
 }  // namespace
 
 std::vector<BlockTurn> OrderBlocks(const std::vector<ScanBlock>& blocks, JumpOrder order,
-                                   Point from) {
+                                   Point from, double gas_flow_deg) {
   std::vector<BlockTurn> turns;
   switch (order) {
     case JumpOrder::kNearest:
@@ -147,8 +159,14 @@ std::vector<BlockTurn> OrderBlocks(const std::vector<ScanBlock>& blocks, JumpOrd
       break;
     case JumpOrder::kFarthest:
       return Farthest(blocks, from);
+    case JumpOrder::kAgainstGas:
+      return AgainstGas(blocks, gas_flow_deg);
   }
   return turns;
+}
+
+Point MiddleOf(const Box& box) {
+  return {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
 }
 
 }  // namespace slicefarm::exposure

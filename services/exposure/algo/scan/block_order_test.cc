@@ -70,11 +70,36 @@ TEST(OrderBlocks, ChequerboardDoesOneColourFirst) {
 TEST(OrderBlocks, EachBlockOnce) {
   std::mt19937_64 random(3);
   const auto blocks = RandomBlocks(333, random, true);
-  for (const JumpOrder order :
-       {JumpOrder::kNearest, JumpOrder::kChequerboard, JumpOrder::kFarthest}) {
+  for (const JumpOrder order : {JumpOrder::kNearest, JumpOrder::kChequerboard, JumpOrder::kFarthest,
+                                JumpOrder::kAgainstGas}) {
     std::set<size_t> seen;
     for (const BlockTurn& turn : OrderBlocks(blocks, order, {})) seen.insert(turn.block);
     EXPECT_EQ(seen.size(), blocks.size());
+  }
+}
+
+/// Of 50 flows: each block's middle lies as far along the flow as the next one's, or farther, and
+/// a block that may be reversed ends where the gas comes from.
+TEST(OrderBlocks, AgainstGasGoesUpTheFlow) {
+  std::mt19937_64 random(5);
+  for (const bool reversible : {false, true}) {
+    std::vector<ScanBlock> blocks = RandomBlocks(80, random, reversible);
+    for (ScanBlock& block : blocks) block.middle = block.start;
+    for (double gas = -360; gas < 360; gas += 15) {
+      const auto along = [&](Point p) {
+        return std::cos(gas * M_PI / 180) * static_cast<double>(p.x) +
+               std::sin(gas * M_PI / 180) * static_cast<double>(p.y);
+      };
+      const auto turns = OrderBlocks(blocks, JumpOrder::kAgainstGas, {}, gas);
+      ASSERT_EQ(turns.size(), blocks.size());
+      for (size_t i = 0; i < turns.size(); ++i) {
+        const ScanBlock& block = blocks[turns[i].block];
+        const bool ends_down = along(block.end) > along(block.start) + 1;
+        EXPECT_EQ(turns[i].reversed, reversible && ends_down);
+        const ScanBlock& before = blocks[turns[i == 0 ? 0 : i - 1].block];
+        EXPECT_GE(along(before.middle), along(block.middle) - 1);
+      }
+    }
   }
 }
 

@@ -114,7 +114,8 @@ BorderGrid::BorderGrid(const MultiPolygon& region, double reach_nm) : box_(Bound
       const PlaneVector a = Local(ring[i]), b = Local(ring[i + 1 == ring.size() ? 0 : i + 1]);
       const PlaneVector way = b - a;
       const double length = Norm(way);
-      if (length > 0) edges_.push_back({a, b, {-way.y / length, way.x / length}});
+      const PlaneVector inward{-way.y / length, way.x / length};
+      if (length > 0) edges_.push_back({inward, Dot(inward, a), a, b});
     }
   });
   ChooseSquares(reach_nm);
@@ -260,9 +261,26 @@ bool BorderGrid::RunsAlongEdge(PlaneVector a, PlaneVector b, double distance_nm)
                      });
 }
 
+bool BorderGrid::IsInsideButEnds(PlaneVector a, PlaneVector b, double ends_nm) const {
+  const PlaneVector way = b - a;
+  const double length = Norm(way);
+  if (length <= 2 * ends_nm) return false;
+  const PlaneVector end{way.x * (ends_nm / length), way.y * (ends_nm / length)};
+  const PlaneVector from{a.x + end.x, a.y + end.y}, to = b - end;
+  const auto crosses_none = [&](size_t square) {
+    return std::none_of(items_.begin() + begin_[square], items_.begin() + begin_[square + 1],
+                        [&](int32_t i) {
+                          const Edge& edge = edges_[static_cast<size_t>(i)];
+                          return (edge.LeftOf(from) > 0) != (edge.LeftOf(to) > 0) &&
+                                 DoCross(from, to, edge.a, edge.b);
+                        });
+  };
+  return Follow(from, to, crosses_none) && IsInside({(from.x + to.x) / 2, (from.y + to.y) / 2});
+}
+
 /// What is far from the border does not cross it: it is inside if its middle is.
 bool BorderGrid::IsInsideWhereFar(PlaneVector a, PlaneVector b, double distance_nm) const {
-  if (RunsAlongEdge(a, b, distance_nm)) return true;
+  if (RunsAlongEdge(a, b, distance_nm) || IsInsideButEnds(a, b, distance_nm)) return true;
   const PlaneVector way = b - a;
   if (!(Dot(way, way) > 0)) return IsInside(a) || IsNearEdge(a, distance_nm);
   std::vector<Span> near;

@@ -45,11 +45,12 @@ class BorderGrid {
  private:
   /// An edge of the border; the region is to its left.
   struct Edge {
-    PlaneVector a, b;    ///< from the grid's corner
     PlaneVector inward;  ///< of length 1, at a right angle
+    double offset = 0;   ///< of the edge's line along it
+    PlaneVector a, b;    ///< from the grid's corner
 
     /// How far p lies to the left of the edge's line.
-    double LeftOf(PlaneVector p) const { return Dot(inward, p - a); }
+    double LeftOf(PlaneVector p) const { return Dot(inward, p) - offset; }
     /// Whether both places lie that far before the edge, or both behind it: a first look that
     /// settles most.
     bool AreBeside(PlaneVector p, PlaneVector q, double distance) const {
@@ -82,6 +83,9 @@ class BorderGrid {
   bool IsInside(PlaneVector p) const;
   bool IsNearEdge(PlaneVector p, double distance_nm) const;
   bool RunsAlongEdge(PlaneVector a, PlaneVector b, double distance_nm) const;
+  /// Whether of the segment ab all but its ends, that long, is inside; false if that takes more
+  /// than a look at the edges beside it.
+  bool IsInsideButEnds(PlaneVector a, PlaneVector b, double ends_nm) const;
   /// Whether of the segment ab all that is at least that far from the border is inside.
   bool IsInsideWhereFar(PlaneVector a, PlaneVector b, double distance_nm) const;
 

@@ -55,6 +55,11 @@ RingTurn RingTurnOf(int32_t layer) {
 
 double RingStart(int32_t layer) { return Turn(layer, kGolden); }
 
+double ContourShare(int32_t layer, int32_t number) {
+  const double share = Turn(layer, kGolden) + Turn(number, kPlastic1);
+  return share - std::floor(share);
+}
+
 int32_t CutVariant(int32_t layer, const ExposureOptions& options) {
   return options.turn_rings ? layer % kRingTurns : 0;
 }

@@ -36,6 +36,9 @@ inline constexpr int32_t kCornerTurns = 5;
 /// At which share of a piece's outermost ring its rings begin, in [0, 1).
 double RingStart(int32_t layer);
 
+/// At which share of its length contour `number`, from 0, begins in a layer, in [0, 1).
+double ContourShare(int32_t layer, int32_t number);
+
 /// Which choice of cuts into convex pieces is taken: DecomposeOptions::variant.
 int32_t CutVariant(int32_t layer, const ExposureOptions& options);
 

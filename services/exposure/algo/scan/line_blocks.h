@@ -16,7 +16,8 @@ struct LineBlocks {
 };
 
 /// The lines block by block, in the order that options.jump_order asks for. With alternating
-/// directions a block may be scanned from its end.
+/// directions a block may be scanned from its end; against the flow of gas any block, where lines
+/// that all run one way keep their directions.
 std::vector<Point> InOrder(const LineBlocks& blocks, const ExposureOptions& options, Point from);
 
 }  // namespace slicefarm::exposure

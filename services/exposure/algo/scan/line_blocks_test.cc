@@ -29,6 +29,23 @@ TEST(InOrder, DirectionsStayWhereTheyMust) {
   EXPECT_EQ(points[2], (Point{0, 0}));
 }
 
+/// Gas flows to +x: the block farther that way first, each from its end that way.
+TEST(InOrder, AgainstTheFlowOfGas) {
+  ExposureOptions options;
+  options.jump_order = JumpOrder::kAgainstGas;
+  EXPECT_EQ(InOrder(TwoBlocks(), options, {}),
+            (std::vector<Point>{{510, 0}, {500, 0}, {0, 0}, {10, 0}, {10, 1}, {0, 1}}));
+  options.gas_flow_deg = 180;
+  EXPECT_EQ(InOrder(TwoBlocks(), options, {}),
+            (std::vector<Point>{{0, 0}, {10, 0}, {10, 1}, {0, 1}, {500, 0}, {510, 0}}));
+  // Lines that run one way: the last first, each as it was.
+  options.gas_flow_deg = 90;
+  options.alternate_directions = false;
+  const LineBlocks one_way = {
+      .points = {{0, 0}, {10, 0}, {0, 1}, {10, 1}}, .begin = {0, 4}, .odd = {false}};
+  EXPECT_EQ(InOrder(one_way, options, {}), (std::vector<Point>{{0, 1}, {10, 1}, {0, 0}, {10, 0}}));
+}
+
 TEST(InOrder, OfNothing) { EXPECT_TRUE(InOrder({}, {}, {}).empty()); }
 
 }  // namespace

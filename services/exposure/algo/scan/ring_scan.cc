@@ -102,15 +102,17 @@ absl::Status ScanByRings(const MultiPolygon& region, const ExposureOptions& opti
   const double scale = static_cast<double>(pieces->scale);
   std::vector<std::vector<Polyline>> scans;
   std::vector<ScanBlock> blocks;
+  blocks.reserve(pieces->pieces.size());
   for (const Polygon& piece : pieces->pieces) {
     std::vector<Polyline> lines = PieceLines(piece, scale, fill, options, layer);
     if (lines.empty()) continue;
     blocks.push_back({.start = lines.front().front(),
                       .end = lines.back().back(),
+                      .middle = MiddleOf(Bounds(piece)),
                       .odd = blocks.size() % 2 == 1});
     scans.push_back(std::move(lines));
   }
-  for (const BlockTurn& turn : OrderBlocks(blocks, options.jump_order, from))
+  for (const BlockTurn& turn : OrderBlocks(blocks, options.jump_order, from, options.gas_flow_deg))
     for (const Polyline& line : scans[turn.block]) group.AddLine(line);
   return absl::OkStatus();
 }

@@ -17,27 +17,29 @@ MultiPolygon Uncovered(const MultiPolygon& outline, std::span<const MultiPolygon
   return uncovered;
 }
 
-MultiPolygon Skin(const MultiPolygon& area, const MultiPolygon& outline,
-                  std::span<const MultiPolygon* const> layers, Coord overlap_nm) {
+MultiPolygon Skin(const MultiPolygon& outline, std::span<const MultiPolygon* const> layers,
+                  Coord overlap_nm) {
   MultiPolygon skin = Uncovered(outline, layers);
-  if (skin.empty()) return skin;
-  if (overlap_nm > 0) skin = Offset(skin, overlap_nm);
-  return Intersection(area, skin);
+  return skin.empty() || overlap_nm == 0 ? skin : Offset(skin, overlap_nm);
 }
 
 }  // namespace
 
-SkinAreas PartSkins(const MultiPolygon& area, const MultiPolygon& outline,
+SkinAreas PartSkins(const SkinAreas& insides, const MultiPolygon& outline,
                     const SkinNeighbours& neighbours, Coord overlap_nm) {
+  const MultiPolygon down = Skin(outline, neighbours.below, overlap_nm);
+  const MultiPolygon up = Skin(outline, neighbours.above, overlap_nm);
   SkinAreas areas;
-  areas.downskin = Skin(area, outline, neighbours.below, overlap_nm);
-  areas.upskin = Skin(area, outline, neighbours.above, overlap_nm);
-  areas.core = area;
-  if (!areas.downskin.empty()) {
-    areas.core = Difference(areas.core, areas.downskin);
-    areas.upskin = Difference(areas.upskin, areas.downskin);
+  areas.core = insides.core;
+  if (!up.empty()) {
+    areas.upskin = Intersection(insides.upskin, up);
+    areas.core = Difference(areas.core, up);
   }
-  if (!areas.upskin.empty()) areas.core = Difference(areas.core, areas.upskin);
+  if (!down.empty()) {
+    areas.downskin = Intersection(insides.downskin, down);
+    areas.upskin = Difference(areas.upskin, down);
+    areas.core = Difference(areas.core, down);
+  }
   return areas;
 }
 

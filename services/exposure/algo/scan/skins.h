@@ -19,9 +19,10 @@ struct SkinNeighbours {
   std::span<const MultiPolygon* const> below;
 };
 
-/// Parts `area`, the inside of a section with `outline`: what is not covered by all layers above is
-/// upskin, by all below downskin. Skins reach `overlap_nm` into the rest.
-SkinAreas PartSkins(const MultiPolygon& area, const MultiPolygon& outline,
+/// Parts the inside of a section with `outline`: what is not covered by all layers above is upskin,
+/// by all below downskin. Skins reach `overlap_nm` into the rest. `insides`: what each kind may
+/// fill of the section; the same, but for rings, whose distance decides where the outermost lies.
+SkinAreas PartSkins(const SkinAreas& insides, const MultiPolygon& outline,
                     const SkinNeighbours& neighbours, Coord overlap_nm);
 
 }  // namespace slicefarm::exposure

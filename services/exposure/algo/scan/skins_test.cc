@@ -17,9 +17,11 @@ const MultiPolygon kSquare = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");
 const MultiPolygon kLeft = MakePolygonsOrDie("(0 0, 4 0, 4 10, 0 10)");
 const MultiPolygon kLow = MakePolygonsOrDie("(0 0, 10 0, 10 7, 0 7)");
 
+SkinAreas All(const MultiPolygon& inside) { return {inside, inside, inside}; }
+
 TEST(PartSkins, TheRestIsCore) {
   const std::vector<const MultiPolygon*> above = {&kSquare, &kLeft}, below = {&kLow};
-  const SkinAreas areas = PartSkins(kSquare, kSquare, {above, below}, 0);
+  const SkinAreas areas = PartSkins(All(kSquare), kSquare, {above, below}, 0);
   EXPECT_NEAR(Mm2(areas.downskin), 30, 1e-6);
   EXPECT_NEAR(Mm2(areas.upskin), 42, 1e-6);
   EXPECT_NEAR(Mm2(areas.core), 28, 1e-6);
@@ -29,23 +31,32 @@ TEST(PartSkins, TheRestIsCore) {
 
 TEST(PartSkins, ReachIntoTheRest) {
   const std::vector<const MultiPolygon*> above = {&kLeft};
-  const SkinAreas areas = PartSkins(kSquare, kSquare, {above, {}}, 500'000);
+  const SkinAreas areas = PartSkins(All(kSquare), kSquare, {above, {}}, 500'000);
   EXPECT_NEAR(Mm2(areas.upskin), 65, 1e-6);
   EXPECT_NEAR(Mm2(areas.core), 35, 1e-6);
 }
 
 TEST(PartSkins, NoLayerIsAir) {
   const std::vector<const MultiPolygon*> above = {nullptr};
-  const SkinAreas areas = PartSkins(kSquare, kSquare, {above, {}}, 0);
+  const SkinAreas areas = PartSkins(All(kSquare), kSquare, {above, {}}, 0);
   EXPECT_NEAR(Mm2(areas.upskin), 100, 1e-6);
   EXPECT_TRUE(areas.core.empty());
 }
 
 TEST(PartSkins, APrismHasNone) {
   const std::vector<const MultiPolygon*> same = {&kSquare, &kSquare};
-  const SkinAreas areas = PartSkins(kLeft, kSquare, {same, same}, 1000);
+  const SkinAreas areas = PartSkins(All(kLeft), kSquare, {same, same}, 1000);
   EXPECT_EQ(areas.core, kLeft);
   EXPECT_TRUE(areas.upskin.empty() && areas.downskin.empty());
+}
+
+TEST(PartSkins, EachKindKeepsToItsOwnInside) {
+  const std::vector<const MultiPolygon*> above = {&kLeft}, below = {&kLow};
+  const MultiPolygon inner = MakePolygonsOrDie("(1 1, 9 1, 9 9, 1 9)");
+  const SkinAreas areas = PartSkins({kSquare, inner, inner}, kSquare, {above, below}, 0);
+  EXPECT_NEAR(Mm2(areas.downskin), 16, 1e-6);
+  EXPECT_NEAR(Mm2(areas.upskin), 30, 1e-6);
+  EXPECT_NEAR(Mm2(areas.core), 28, 1e-6);
 }
 
 }  // namespace

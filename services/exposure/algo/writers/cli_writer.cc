@@ -49,11 +49,6 @@ std::string Labels(const FileFacts& facts) {
   return text;
 }
 
-Winding DirectionOf(std::span<const Point> line) {
-  if (line.size() < 4 || line.front() != line.back()) return kOpen;
-  return SignedArea(Polygon(line.begin(), line.end() - 1)) < 0 ? kClockwise : kCounterClockwise;
-}
-
 /// One after the other in the file's units.
 class Numbers {
  public:
@@ -66,10 +61,14 @@ class Numbers {
     AppendDecimal(text_, value, 0);
   }
   void Length(Coord nm) {
-    const double units = static_cast<double>(nm) * per_nm_;
-    if (binary_) return Bytes(std::bit_cast<uint32_t>(static_cast<float>(units)), 4);
+    if (binary_) return Bytes(std::bit_cast<uint32_t>(static_cast<float>(Units(nm))), 4);
     text_ += ',';
-    AppendDecimal(text_, std::llround(units * 1000), 3);
+    AppendDecimal(text_, Thousandths(nm), 3);
+  }
+  /// The length that a reader finds, in thousandths of a unit.
+  double Read(Coord nm) const {
+    return binary_ ? 1000 * static_cast<double>(static_cast<float>(Units(nm)))
+                   : static_cast<double>(Thousandths(nm));
   }
   void Place(Point p) {
     Length(p.x);
@@ -88,6 +87,9 @@ class Numbers {
   }
 
  private:
+  double Units(Coord nm) const { return static_cast<double>(nm) * per_nm_; }
+  int64_t Thousandths(Coord nm) const { return std::llround(Units(nm) * 1000); }
+
   void Bytes(uint32_t value, int count) {
     for (int i = 0; i < count; ++i) text_ += static_cast<char>(value >> (8 * i) & 0xff);
   }
@@ -97,6 +99,17 @@ class Numbers {
   std::string& text_;
   size_t first_ = 0;  ///< where the first number's comma is
 };
+
+/// As a reader finds it: rounding may turn a sliver over.
+Winding DirectionOf(std::span<const Point> line, Point shift, const Numbers& numbers) {
+  if (line.size() < 4 || line.front() != line.back()) return kOpen;
+  const auto x = [&](size_t i) { return numbers.Read(line[i].x + shift.x); };
+  const auto y = [&](size_t i) { return numbers.Read(line[i].y + shift.y); };
+  double area = 0;
+  for (size_t i = 1; i + 1 < line.size(); ++i)
+    area += (x(i) - x(0)) * (y(i + 1) - y(0)) - (x(i + 1) - x(0)) * (y(i) - y(0));
+  return area == 0 ? kOpen : area < 0 ? kClockwise : kCounterClockwise;
+}
 
 void AppendGroup(const ExposureGroup& group, Point shift, const FileFacts& facts,
                  Numbers& numbers) {
@@ -111,7 +124,7 @@ void AppendGroup(const ExposureGroup& group, Point shift, const FileFacts& facts
   group.ForEachLine([&](std::span<const Point> line) {
     numbers.Start(kPolylineLong, "$$POLYLINE");
     numbers.Integer(id);
-    numbers.Integer(DirectionOf(line));
+    numbers.Integer(DirectionOf(line, shift, numbers));
     numbers.Integer(static_cast<int32_t>(line.size()));
     for (const Point p : line) numbers.Place(p + shift);
     numbers.End();

@@ -196,6 +196,37 @@ TEST(CliWriter, APartThatIsAloneNeedsNoName) {
   EXPECT_EQ(file.labels.at(2), "hatch 200 W 1200 mm/s");
 }
 
+/// Far from the origin binary numbers are 8 nm apart: slivers may turn over, or have no area left.
+TEST(CliWriter, DirectionsAreThoseOfTheNumbersInTheFile) {
+  for (const OutputFormat format : {OutputFormat::kCliBinary, OutputFormat::kCliAscii}) {
+    FileFacts facts = SampleFacts(format);
+    facts.output.unit_mm = format == OutputFormat::kCliAscii ? 0.01 : 0.001;
+    ExposedLayer layer = SampleLayers()[0];
+    layer.groups.resize(1);
+    layer.visits = {{0, 0, {94'000'000, 101'000'000}}};
+    ExposureGroup& group = layer.groups[0];
+    group = {};
+    group.kind = ExposureKind::kContour;
+    for (Coord k = 0; k < 60; ++k)
+      group.AddLine(Polyline{{0, 0}, {1'000'003 + k, 3 * k}, {2'000'006, 7 * (k % 13)}, {0, 0}});
+    facts.layers = 1;
+    const ReadFile file = Read(FileHeader(facts) + LayerText(layer, facts) + FileFooter(facts));
+    ASSERT_EQ(file.lines[0].size(), 60u);
+    std::map<int, int> counts;
+    for (const ReadLine& line : file.lines[0]) {
+      double area = 0;
+      for (size_t i = 2; i + 3 < line.mm.size(); i += 2)
+        area += (line.mm[i] - line.mm[0]) * (line.mm[i + 3] - line.mm[1]) -
+                (line.mm[i + 2] - line.mm[0]) * (line.mm[i + 1] - line.mm[1]);
+      ++counts[line.direction];
+      const int direction = std::abs(area) < 1e-11 ? 2 : area > 0;
+      EXPECT_EQ(line.direction, direction) << area;
+    }
+    EXPECT_GT(counts[0], 0);
+    EXPECT_GT(counts[1], 0);
+  }
+}
+
 TEST(CliWriter, TextIsExactToANanometre) {
   const std::string file = SampleFile(OutputFormat::kCliAscii);
   EXPECT_NE(file.find("$$HATCHES/2,2,1000.001,80,9000,80,9000,160,1234.567,160\n"),

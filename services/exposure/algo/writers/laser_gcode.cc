@@ -143,16 +143,21 @@ std::string LaserGcodeHeader(const FileFacts& facts) {
   for (size_t settings = 0; settings < facts.regions.size(); ++settings)
     for (size_t kind = 0; kind < kExposureKindCount; ++kind)
       text += fmt::format("; settings {} {}\n", settings, StyleText(facts.regions[settings], kind));
+  text += facts.start_code;
   text += "G21\nG90\n";
   if (!IsMarlin(facts)) text += "G94\n";
   return text + OffCommand(facts);
 }
 
-std::string LaserGcodeLayer(const ExposedLayer& layer, const FileFacts& facts) {
-  std::string text = fmt::format("; layer {}\nG0 Z", layer.frame.index);
-  AppendMm(text, layer.frame.print_z_nm, kDecimals);
+std::string LaserGcodeLayerHead(const LayerFrame& layer, const LayerCode& code) {
+  std::string text = code.before + fmt::format("; layer {}\nG0 Z", layer.index);
+  AppendMm(text, layer.print_z_nm, kDecimals);
   text += '\n';
-  text += OnCommand(facts);
+  return text + code.after;
+}
+
+std::string LaserGcodeLayer(const ExposedLayer& layer, const FileFacts& facts) {
+  std::string text = OnCommand(facts);
   MoveText moves(facts, layer.frame.print_z_nm, text);
   for (const ExposureVisit& visit : layer.visits) {
     for (const ExposureGroup& group : layer.groups) {
@@ -166,7 +171,9 @@ std::string LaserGcodeLayer(const ExposedLayer& layer, const FileFacts& facts) {
 }
 
 std::string LaserGcodeFooter(const FileFacts& facts) {
-  return std::string(OffCommand(facts)) + (IsMarlin(facts) ? "" : "M2\n");
+  std::string text = OffCommand(facts);
+  text += facts.end_code;
+  return text + (IsMarlin(facts) ? "" : "M2\n");
 }
 
 }  // namespace slicefarm::exposure

@@ -128,6 +128,19 @@ TEST(LaserGcode, IsReadBackByAStrictMachine) {
   }
 }
 
+/// With the laser off, in absolute mm; the machine's own words come after the start's.
+TEST(LaserGcode, OwnCodeStandsAroundTheMoveInZ) {
+  FileFacts facts = SampleFacts(OutputFormat::kGrbl);
+  facts.start_code = "G28\n";
+  facts.end_code = "M30\n";
+  const std::string header = FileHeader(facts), footer = FileFooter(facts);
+  EXPECT_LT(header.find("G28\n"), header.find("G21\nG90\nG94\nM5\n"));
+  EXPECT_EQ(footer, "M5\nM30\nM2\n");
+  const ExposedLayer layer = SampleLayers()[1];
+  EXPECT_EQ(LayerHead(layer.frame, {"M100\n", "M101\n"}), "M100\n; layer 1\nG0 Z0.1\nM101\n");
+  EXPECT_TRUE(LayerText(layer, facts).starts_with("M4 S0\n"));
+}
+
 TEST(LaserGcode, ConstantPowerIsM3) {
   FileFacts facts = SampleFacts(OutputFormat::kGrbl);
   facts.output.dynamic_power = false;
@@ -139,8 +152,8 @@ TEST(LaserGcode, ConstantPowerIsM3) {
 /// A hatch of two lines and a triangle: 3 jumps and ends of lines, 2 corners.
 std::string WithDelays(OutputFormat format, bool dynamic_power, Coord run_nm, Machine& machine) {
   std::vector<ExposureOptions> regions(1);
-  regions[0].jump = {.speed_mm_s = 2000, .delay_us = 250, .mark_delay_us = 1500,
-                     .polygon_delay_us = 40};
+  regions[0].jump = {
+      .speed_mm_s = 2000, .delay_us = 250, .mark_delay_us = 1500, .polygon_delay_us = 40};
   FileFacts facts = SampleFacts(format);
   facts.regions = regions;
   facts.output.dynamic_power = dynamic_power;
@@ -188,7 +201,8 @@ TEST(LaserGcode, FocusRaisesTheHead) {
   FileFacts facts = SampleFacts(OutputFormat::kGrbl);
   facts.regions = regions;
   Machine machine;
-  machine.Run("G21\nG90\n" + LayerText(SampleLayers()[0], facts));
+  const ExposedLayer layer = SampleLayers()[0];
+  machine.Run("G21\nG90\n" + LayerHead(layer.frame, {}) + LayerText(layer, facts));
   // Contours and hatch of a copy, a thin wall, and another copy.
   EXPECT_EQ(machine.heights, (std::vector<double>{0.05, 1.55, -0.2, 0.05, 1.55}));
 }

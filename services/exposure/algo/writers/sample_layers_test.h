@@ -59,7 +59,10 @@ inline FileFacts SampleFacts(OutputFormat format) {
 inline std::string SampleFile(OutputFormat format) {
   const FileFacts facts = SampleFacts(format);
   std::string file = FileHeader(facts);
-  for (const ExposedLayer& layer : SampleLayers()) file += LayerText(layer, facts);
+  for (const ExposedLayer& layer : SampleLayers()) {
+    if (HasLayerHeads(format)) file += LayerHead(layer.frame, {});
+    file += LayerText(layer, facts);
+  }
   return file + FileFooter(facts);
 }
 
@@ -76,7 +79,8 @@ inline std::vector<PlateLine> PlateLines(const ExposedLayer& layer) {
     for (const ExposureGroup& group : layer.groups) {
       if (group.object != visit.object) continue;
       group.ForEachLine([&](std::span<const Point> line) {
-        PlateLine& plate = lines.emplace_back(PlateLine{group.object, group.settings, group.kind, {}});
+        PlateLine& plate =
+            lines.emplace_back(PlateLine{group.object, group.settings, group.kind, {}});
         for (const Point p : line) plate.points.push_back(p + visit.shift);
       });
     }

@@ -35,6 +35,12 @@ Writer WriterOf(OutputFormat format) {
 std::string FileHeader(const FileFacts& facts) {
   return WriterOf(facts.output.format).header(facts);
 }
+bool HasLayerHeads(OutputFormat format) {
+  return format == OutputFormat::kGrbl || format == OutputFormat::kMarlin;
+}
+std::string LayerHead(const LayerFrame& layer, const LayerCode& code) {
+  return LaserGcodeLayerHead(layer, code);
+}
 std::string LayerText(const ExposedLayer& layer, const FileFacts& facts) {
   return WriterOf(facts.output.format).layer(layer, facts);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
@@ -16,11 +17,34 @@ constexpr double kRampPitches = 0.25;
 /// No ramp is longer than so many of these steps.
 constexpr int kRampSteps = 5;
 
+/// By point of a bead, how far along it the next point is whose strip is not the bead's first one:
+/// behind it, or before it with `backwards`.
+std::vector<double> WaysToChange(const std::vector<StripPoint>& bead, bool backwards) {
+  const size_t count = bead.size();
+  std::vector<double> ways(count, std::numeric_limits<double>::infinity());
+  for (size_t k = 0; k < count; ++k) {
+    const size_t i = backwards ? k : count - 1 - k;
+    if (bead[i].strip_nm != bead[0].strip_nm) {
+      ways[i] = 0;
+    } else if (k > 0) {
+      const size_t last = backwards ? i - 1 : i + 1;
+      if (std::isfinite(ways[last])) ways[i] = ways[last] + Distance(bead[i].at, bead[last].at);
+    }
+  }
+  return ways;
+}
+
 /// The bead with points wherever its strip changes or may have to, by how far they lie apart.
 std::vector<StripPoint> WithRampPoints(const std::vector<StripPoint>& bead, double step_nm) {
+  const std::vector<double> before = WaysToChange(bead, true), behind = WaysToChange(bead, false);
+  const double longest = kRampSteps * step_nm;
   std::vector<StripPoint> fine = {bead.front()};
   for (size_t i = 1; i < bead.size(); ++i) {
     const StripPoint &a = bead[i - 1], &b = bead[i];
+    if (before[i - 1] > longest && behind[i] > longest) {
+      if (b != a) fine.push_back(b);
+      continue;
+    }
     const double steps = Distance(a.at, b.at) / step_nm;
     const bool even = a.strip_nm == b.strip_nm;
     for (int k = 1; k < steps; ++k) {

@@ -12,9 +12,9 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Along a path of varying width, changes below this are not worth a line. PrusaSlicer's beads of
-/// varying width change in steps of 0.05 mm.
-constexpr int32_t kWidthStepUm = 25;
+/// Along a path of varying width, changes below this are not worth a line: PrusaSlicer's beads of
+/// varying width change in steps of 0.05 mm. The filament is exact.
+constexpr int32_t kWidthStepUm = 50;
 
 bool NeedsBridgeFan(Feature feature) {
   return feature == Feature::kBridgeInfill || feature == Feature::kOverhangPerimeter;
@@ -33,6 +33,7 @@ void WriteFan(int32_t percent, GcodeText& out) {
 
 void LayerWriter::Write(const Toolpath& path, size_t first, size_t last, ShiftUm shift,
                         GcodeText& out) {
+  at_.reset();
   auto arc = std::ranges::lower_bound(path.arcs, first, {}, &MoveArc::first);
   for (size_t i = first; i < last;) {
     if (arc != path.arcs.end() && arc->first == i) {
@@ -65,7 +66,16 @@ void LayerWriter::WriteArc(const Toolpath& path, const MoveArc& arc, ShiftUm shi
   out.Micrometers(move.y_um + shift.y) << " I";
   out.Micrometers(arc.centre.x - from.x_um) << " J";
   out.Micrometers(arc.centre.y - from.y_um);
+  at_ = PlaceUm{move.x_um + shift.x, move.y_um + shift.y};
   WriteEnd(move, comments_ ? CommentOn(path, arc.first) : "", out);
+}
+
+/// Only what changes: a coordinate that stays is an eighth of a line.
+void LayerWriter::WritePlace(PlaceUm to, GcodeText& out) {
+  const bool stays = at_ == to;
+  if (!at_ || stays || at_->x != to.x) (out << " X").Micrometers(to.x);
+  if (!at_ || stays || at_->y != to.y) (out << " Y").Micrometers(to.y);
+  at_ = to;
 }
 
 void LayerWriter::WriteEnd(const Move& move, std::string_view comment, GcodeText& out) {
@@ -140,11 +150,7 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
                       z_um_ != -1 && move.z_um != z_um_;
   SetAcceleration(move, out);
   out << "G1";
-  if (MovesInPlane(move.kind)) {
-    out << " X";
-    out.Micrometers(move.x_um + shift.x) << " Y";
-    out.Micrometers(move.y_um + shift.y);
-  }
+  if (MovesInPlane(move.kind)) WritePlace({move.x_um + shift.x, move.y_um + shift.y}, out);
   if (move.kind == MoveKind::kLift || climbs) {
     out << " Z";
     out.Micrometers(move.z_um);

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <optional>
+
+#include "common/geometry/arc_fit.h"
 #include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/gcode/extruder_words.h"
 #include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/material_mix.h"
 #include "services/motion/algo/toolpath/accelerations.h"
-#include "services/motion/algo/toolpath/arc_fit.h"
 #include "services/motion/algo/toolpath/cooling.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
@@ -15,14 +17,15 @@ namespace slicefarm::motion {
 /// What the head of a layer has told already, and what its fan is to be.
 struct LayerState {
   int32_t height_um = -1;
-  int32_t fan_percent = 0;         ///< told
-  int32_t bridge_fan_percent = 0;  ///< for bridges and overhangs
+  int32_t fan_percent = 0;                                ///< told
+  int32_t bridge_fan_percent = 0;                         ///< for bridges and overhangs
   std::optional<OverhangFans> overhang_fan_percent = {};  ///< for walls over air
 };
 
 /// Writes moves as G-code, with what previewers and the firmware have to be told on the way:
 /// `;TYPE:`, `;WIDTH:` and `;HEIGHT:` where they change, accelerations, fan. Feed rates stand only
-/// where they change. The toolpath's arcs are written as such, with the sum of their filament.
+/// where they change, and so do coordinates within a stretch. The toolpath's arcs are written as
+/// such, with the sum of their filament.
 class LayerWriter {
  public:
   /// `firmware` must live on. `materials`: what is mixed where; null: nothing. It must outlive the
@@ -39,7 +42,9 @@ class LayerWriter {
         height_um_(state.height_um),
         fan_percent_(state.fan_percent) {}
 
-  /// Appends the moves [first, last), shifted. May be called for one stretch after the other.
+  /// Appends the moves [first, last), shifted. May be called for one stretch after the other: the
+  /// first move of each says its whole place, whatever text of others stands before it, and whether
+  /// or not the machine has left out the copy before.
   void Write(const Toolpath& path, size_t first, size_t last, ShiftUm shift, GcodeText& out);
 
   /// Around a block: its text is the same whatever comes before it, and fan and height are then as
@@ -65,6 +70,7 @@ class LayerWriter {
   void CountAnew(const Move& move, GcodeText& out);
   void WriteArc(const Toolpath& path, const MoveArc& arc, ShiftUm shift, GcodeText& out);
   void TellWipe(bool wipes, GcodeText& out);
+  void WritePlace(PlaceUm to, GcodeText& out);
   void WriteEnd(const Move& move, std::string_view comment, GcodeText& out);
   int32_t FanFor(const Move& move) const;
   void SetFan(int32_t percent, GcodeText& out);
@@ -86,6 +92,7 @@ class LayerWriter {
   int32_t height_um_;
   int32_t fan_percent_;
   int32_t z_um_ = -1;
+  std::optional<PlaceUm> at_;
   bool wipes_ = false;
   bool pulled_ = false;  ///< the filament went back, and the extruder has not counted anew since
   bool primed_ = false;

@@ -54,8 +54,8 @@ TEST(LayerWriter, TellsWhatChanges) {
   EXPECT_EQ(Written({Print(1'000, Feature::kExternalPerimeter), Print(2'000, Feature::kPerimeter),
                      wide, wider, thick}),
             ";TYPE:External perimeter\n;WIDTH:0.45\n;HEIGHT:0.2\nG1 X1 Y0 E.03 F1800\n"
-            ";TYPE:Perimeter\n;WIDTH:0.45\nG1 X2 Y0 E.03\n"
-            ";WIDTH:0.6\nG1 X3 Y0 E.03\nG1 X4 Y0 E.03\n;HEIGHT:0.3\nG1 X5 Y0 E.03\n");
+            ";TYPE:Perimeter\n;WIDTH:0.45\nG1 X2 E.03\n"
+            ";WIDTH:0.6\nG1 X3 E.03\nG1 X4 E.03\n;HEIGHT:0.3\nG1 X5 E.03\n");
 }
 
 TEST(LayerWriter, WipesAreTold) {
@@ -65,11 +65,10 @@ TEST(LayerWriter, WipesAreTold) {
   Move rest = wipe;
   rest.kind = MoveKind::kRetract;
   rest.filament = -1'000;
-  EXPECT_EQ(
-      Written({Travel(0), wipe, wipe, rest}),
-      "G1 X0 Y0 F9000\n;WIPE_START\nG1 X2 Y0 E-.3 F1800\nG1 X2 Y0 E-.3\n;WIPE_END\nG1 E-.01\n");
+  EXPECT_EQ(Written({Travel(0), wipe, wipe, rest}),
+            "G1 X0 Y0 F9000\n;WIPE_START\nG1 X2 E-.3 F1800\nG1 X2 Y0 E-.3\n;WIPE_END\nG1 E-.01\n");
   EXPECT_EQ(Written({Travel(0), wipe}, GcodeFlavor::kBambu),
-            "G1 X0 Y0 F9000\n; WIPE_START\nG1 X2 Y0 E-.3 F1800\n; WIPE_END\n");
+            "G1 X0 Y0 F9000\n; WIPE_START\nG1 X2 E-.3 F1800\n; WIPE_END\n");
 }
 
 TEST(LayerWriter, MovesOfEachKind) {
@@ -84,9 +83,19 @@ TEST(LayerWriter, MovesOfEachKind) {
   travel.z_um = 700;
   EXPECT_EQ(Written({retract, lift, travel}), "G1 E-.8 F2100\nG1 Z.7 F9000\nG1 X-12.345 Y0\n");
   travel.z_um = 900;
-  EXPECT_EQ(Written({retract, lift, travel}),
-            "G1 E-.8 F2100\nG1 Z.7 F9000\nG1 X-12.345 Y0 Z.9\n")
+  EXPECT_EQ(Written({retract, lift, travel}), "G1 E-.8 F2100\nG1 Z.7 F9000\nG1 X-12.345 Y0 Z.9\n")
       << "it rises on its way";
+}
+
+TEST(LayerWriter, ACoordinateThatStaysIsNotSaid) {
+  const auto to = [](int32_t x_um, int32_t y_um) {
+    Move move = Travel(x_um);
+    move.y_um = y_um;
+    return move;
+  };
+  EXPECT_EQ(Written({to(1'000, 2'000), to(1'000, 3'000), to(2'000, 3'000), to(4'000, 5'000)}),
+            "G1 X1 Y2 F9000\nG1 Y3\nG1 X2\nG1 X4 Y5\n");
+  EXPECT_EQ(Written({to(1'000, 2'000), to(1'000, 2'000)}), "G1 X1 Y2 F9000\nG1 X1 Y2\n");
 }
 
 TEST(LayerWriter, AStretchGoesOnUntilItIsToldToForget) {
@@ -116,7 +125,7 @@ TEST(LayerWriter, WhatOthersMayHaveSetIsSaidAnew) {
   writer.Write(path, 1, 3, {}, out);
   EXPECT_EQ(out.text(),
             ";TYPE:Perimeter\n;WIDTH:0.45\nM204 P1000\nG1 X1 Y0 E.03 F1800\n"
-            "M204 T3000\nG1 X2 Y0 F9000\nM204 P1000\nG1 X3 Y0 E.03 F1800\n");
+            "M204 T3000\nG1 X2 Y0 F9000\nM204 P1000\nG1 X3 E.03 F1800\n");
 }
 
 TEST(LayerWriter, FanForBridges) {
@@ -126,9 +135,9 @@ TEST(LayerWriter, FanForBridges) {
               GcodeFlavor::kMarlin2, {}, {200, 35, 100});
   EXPECT_EQ(text,
             ";TYPE:Perimeter\n;WIDTH:0.45\nG1 X1 Y0 E.03 F1800\n"
-            ";TYPE:Bridge infill\nM106 S255\n;WIDTH:0.45\nG1 X2 Y0 E.03\n"
-            ";TYPE:Overhang perimeter\n;WIDTH:0.45\nG1 X3 Y0 E.03\n"
-            ";TYPE:Perimeter\nM106 S89\n;WIDTH:0.45\nG1 X4 Y0 E.03\n");
+            ";TYPE:Bridge infill\nM106 S255\n;WIDTH:0.45\nG1 X2 E.03\n"
+            ";TYPE:Overhang perimeter\n;WIDTH:0.45\nG1 X3 E.03\n"
+            ";TYPE:Perimeter\nM106 S89\n;WIDTH:0.45\nG1 X4 E.03\n");
 }
 
 TEST(LayerWriter, FanIsOnFromTheStartOfABridge) {
@@ -153,8 +162,8 @@ TEST(LayerWriter, ABlockIsTheSameTextWhateverComesBefore) {
     texts.push_back(out.Take());
   }
   EXPECT_EQ(texts[0],
-            "G1 X.5 Y0 F9000\n;TYPE:Perimeter\n;WIDTH:0.45\nG1 X1 Y0 E.03 F1800\n"
-            ";TYPE:Bridge infill\nM106 S255\n;WIDTH:0.45\n;HEIGHT:0.3\nG1 X2 Y0 E.03\n"
+            "G1 X.5 Y0 F9000\n;TYPE:Perimeter\n;WIDTH:0.45\nG1 X1 E.03 F1800\n"
+            ";TYPE:Bridge infill\nM106 S255\n;WIDTH:0.45\n;HEIGHT:0.3\nG1 X2 E.03\n"
             "M106 S89\n;HEIGHT:0.2\n");
   EXPECT_EQ(texts[1], texts[0]);
 }

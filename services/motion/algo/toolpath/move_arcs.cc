@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "services/motion/algo/toolpath/arc_fit.h"
+#include "common/geometry/arc_fit.h"
 
 namespace slicefarm::motion {
 namespace {

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "common/geometry/measure.h"
 
 namespace slicefarm::motion {
 namespace {
 
-constexpr Coord kRowNm = kNmPerMm;
+constexpr Coord kSquareNm = kNmPerMm / 2;
 constexpr double kRestingPieceMm = 1;
+/// A share of a nanometre that is no simple fraction.
+constexpr double kAside = 0.3183;
 
 /// Squared distance from a point to an edge, nm^2.
 double SquaredDistance(Point p, Point from, Point to) {
@@ -21,12 +24,17 @@ double SquaredDistance(Point p, Point from, Point to) {
   return dx * dx + dy * dy;
 }
 
-/// Whether a ray from the point to the right crosses the edge.
-bool Crosses(Point p, Point from, Point to) {
-  if ((from.y > p.y) == (to.y > p.y)) return false;
-  const double share = static_cast<double>(p.y - from.y) / static_cast<double>(to.y - from.y);
-  return static_cast<double>(p.x) <
-         static_cast<double>(from.x) + share * static_cast<double>(to.x - from.x);
+/// Where the edge passes a height; nothing if it does not. Of its two ends one counts.
+std::optional<double> XAt(double y, Point from, Point to) {
+  const auto from_y = static_cast<double>(from.y), to_y = static_cast<double>(to.y);
+  if ((from_y > y) == (to_y > y)) return std::nullopt;
+  return static_cast<double>(from.x) +
+         (y - from_y) / (to_y - from_y) * static_cast<double>(to.x - from.x);
+}
+
+/// The same with x and y in each other's place.
+std::optional<double> YAt(double x, Point from, Point to) {
+  return XAt(x, {from.y, from.x}, {to.y, to.x});
 }
 
 /// Where the line meets the edge, as a share of the line's length; -1: nowhere.
@@ -45,62 +53,91 @@ double Meeting(Point from, Point to, Point a, Point b) {
 
 }  // namespace
 
-LayerBelow::LayerBelow(const MultiPolygon& outlines) {
-  Box bounds;
-  for (const PolygonWithHoles& island : outlines) bounds.Add(Bounds(island.outer));
-  if (bounds.Empty()) return;
-  bottom_nm_ = bounds.min.y;
-  rows_.resize(static_cast<size_t>((bounds.max.y - bottom_nm_) / kRowNm) + 1);
-  const auto add = [this](const Polygon& ring) {
-    for (size_t i = 0; i < ring.size(); ++i) {
-      const Point from = ring[i], to = ring[i + 1 == ring.size() ? 0 : i + 1];
-      const Edge edge = {from, to, std::min(from.x, to.x), std::max(from.x, to.x)};
-      const auto [low, high] = std::minmax(edge.from.y, edge.to.y);
-      for (size_t row = RowOf(low); row <= RowOf(high); ++row) rows_[row].push_back(edge);
-    }
-  };
-  for (const PolygonWithHoles& island : outlines) {
-    add(island.outer);
-    for (const Polygon& hole : island.holes) add(hole);
-  }
+LayerBelow::LayerBelow(const MultiPolygon& outlines) : edges_(outlines, kSquareNm) {
+  if (edges_.size() > 0) FindMiddlesInside();
 }
 
-size_t LayerBelow::RowOf(Coord y) const {
-  const Coord row = (y - bottom_nm_) / kRowNm;
-  return static_cast<size_t>(std::clamp<Coord>(row, 0, std::ssize(rows_) - 1));
+/// The middle of a square, aside of whole nanometres: no corner of an outline lies on lines through
+/// it.
+LayerBelow::Middle LayerBelow::MiddleOf(int32_t row, int32_t column) const {
+  const auto square = static_cast<double>(edges_.square_nm());
+  const Point least = edges_.bounds().min;
+  return {static_cast<double>(least.x) + (column + 0.5) * square + kAside,
+          static_cast<double>(least.y) + (row + 0.5) * square + kAside};
+}
+
+/// Counts what lies to the left of middles, row by row.
+void LayerBelow::FindMiddlesInside() {
+  const Box& box = edges_.bounds();
+  columns_ = edges_.Column(box.max.x) + 1;
+  const int32_t rows = edges_.Row(box.max.y) + 1;
+  middle_inside_.assign(static_cast<size_t>(rows) * columns_, false);
+  for (int32_t i = 0; i < edges_.size(); ++i) {
+    const Edge& edge = edges_.At(i);
+    const int32_t last = edges_.Row(std::max(edge.a.y, edge.b.y));
+    for (int32_t row = edges_.Row(std::min(edge.a.y, edge.b.y)); row <= last; ++row) {
+      const auto x = XAt(MiddleOf(row, 0).y, edge.a, edge.b);
+      if (!x) continue;
+      int32_t column = edges_.Column(static_cast<Coord>(*x));
+      if (MiddleOf(row, column).x < *x) ++column;
+      if (column == columns_) continue;
+      const auto square = static_cast<size_t>(row) * columns_ + column;
+      middle_inside_[square] = !middle_inside_[square];
+    }
+  }
+  for (size_t square = 1; square < middle_inside_.size(); ++square)
+    if (square % columns_ != 0)
+      middle_inside_[square] = middle_inside_[square] != middle_inside_[square - 1];
 }
 
 uint8_t LayerBelow::RestOf(Point point, Coord width_nm) const {
-  if (rows_.empty()) return 0;
+  if (edges_.size() == 0) return 0;
   const Coord reach = width_nm / 2;
+  const Box near = {{point.x - reach, point.y - reach}, {point.x + reach, point.y + reach}};
   double nearest = static_cast<double>(reach) * static_cast<double>(reach);
-  for (size_t row = RowOf(point.y - reach); row <= RowOf(point.y + reach); ++row)
-    for (const Edge& edge : rows_[row])
-      if (edge.left <= point.x + reach && edge.right >= point.x - reach)
-        nearest = std::min(nearest, SquaredDistance(point, edge.from, edge.to));
+  edges_.ForEachNear(near, [&](int32_t i) {
+    const Edge& edge = edges_.At(i);
+    if (std::max(edge.a.x, edge.b.x) < near.min.x || std::min(edge.a.x, edge.b.x) > near.max.x ||
+        std::max(edge.a.y, edge.b.y) < near.min.y || std::min(edge.a.y, edge.b.y) > near.max.y)
+      return;
+    nearest = std::min(nearest, SquaredDistance(point, edge.a, edge.b));
+  });
   const double out = std::sqrt(nearest) * (Covers(point) ? -1 : 1);
   const double share = 0.5 - out / static_cast<double>(width_nm);
   return static_cast<uint8_t>(std::lround(std::clamp(share, 0.0, 1.0) * kFullRest));
 }
 
+/// By what lies between the point and the middle of its square: upwards or downwards first, then
+/// sideways.
 bool LayerBelow::Covers(Point point) const {
-  const Coord top_nm = bottom_nm_ + std::ssize(rows_) * kRowNm;
-  if (rows_.empty() || point.y < bottom_nm_ || point.y >= top_nm) return false;
-  bool inside = false;
-  for (const Edge& edge : rows_[RowOf(point.y)])
-    if (Crosses(point, edge.from, edge.to)) inside = !inside;
+  const Box& box = edges_.bounds();
+  if (edges_.size() == 0 || point.x < box.min.x || point.x > box.max.x || point.y < box.min.y ||
+      point.y > box.max.y)
+    return false;
+  const int32_t row = edges_.Row(point.y), column = edges_.Column(point.x);
+  const Middle middle = MiddleOf(row, column);
+  const double x = static_cast<double>(point.x) + kAside, y = static_cast<double>(point.y);
+  bool inside = middle_inside_[static_cast<size_t>(row) * columns_ + column];
+  edges_.ForEachNear({point, point}, [&](int32_t i) {
+    const Edge& edge = edges_.At(i);
+    if (const auto at = YAt(x, edge.a, edge.b); at && (*at > y) != (*at > middle.y))
+      inside = !inside;
+    if (const auto at = XAt(middle.y, edge.a, edge.b); at && (*at > x) != (*at > middle.x))
+      inside = !inside;
+  });
   return inside;
 }
 
 std::vector<double> LayerBelow::EdgesOn(Point from, Point to) const {
   std::vector<double> shares;
-  if (rows_.empty()) return shares;
-  const auto [low, high] = std::minmax(from.y, to.y);
-  for (size_t row = RowOf(low); row <= RowOf(high); ++row)
-    for (const Edge& edge : rows_[row])
-      if (const double share = Meeting(from, to, edge.from, edge.to); share >= 0)
-        shares.push_back(share);
-  // An edge is in all rows that it passes through.
+  if (edges_.size() == 0) return shares;
+  const Box box = {{std::min(from.x, to.x), std::min(from.y, to.y)},
+                   {std::max(from.x, to.x), std::max(from.y, to.y)}};
+  edges_.ForEachNear(box, [&](int32_t i) {
+    const double share = Meeting(from, to, edges_.At(i).a, edges_.At(i).b);
+    if (share >= 0) shares.push_back(share);
+  });
+  // An edge is in all squares that it passes.
   std::ranges::sort(shares);
   shares.erase(std::unique(shares.begin(), shares.end()), shares.end());
   return shares;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/geometry/edge_index.h"
 #include "common/geometry/polygon.h"
 #include "common/model/options/motion_options.h"
 #include "services/motion/algo/toolpath/toolpath.h"
@@ -13,7 +14,7 @@ namespace slicefarm::motion {
 /// What lies below a layer's beads.
 class LayerBelow {
  public:
-  /// `outlines`: disjoint polygons. Cost: O(edges).
+  /// `outlines`: disjoint polygons. Cost: O(edges + squares).
   explicit LayerBelow(const MultiPolygon& outlines);
 
   /// The share of a bead of `width_nm` around a point of its middle that rests: all of it half a
@@ -21,7 +22,7 @@ class LayerBelow {
   /// the point).
   uint8_t RestOf(Point point, Coord width_nm) const;
 
-  /// Whether the point lies within the outlines.
+  /// Whether the point lies within the outlines. Cost: O(edges beside the point).
   bool Covers(Point point) const;
 
   /// Where a line from point to point meets edges, as shares of its length, upwards. Cost: O(edges
@@ -29,15 +30,17 @@ class LayerBelow {
   std::vector<double> EdgesOn(Point from, Point to) const;
 
  private:
-  struct Edge {
-    Point from, to;
-    Coord left = 0, right = 0;
+  using Edge = EdgeIndex::Edge;
+  struct Middle {
+    double x = 0, y = 0;
   };
 
-  size_t RowOf(Coord y) const;
+  Middle MiddleOf(int32_t row, int32_t column) const;
+  void FindMiddlesInside();
 
-  Coord bottom_nm_ = 0;
-  std::vector<std::vector<Edge>> rows_;  ///< by y: all edges that pass through
+  EdgeIndex edges_;
+  int32_t columns_ = 0;
+  std::vector<bool> middle_inside_;  ///< by square: whether its middle lies within the outlines
 };
 
 /// A piece of a straight bead that rests alike.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "common/geometry/measure.h"
+
 namespace slicefarm::motion::overhang_test {
 namespace {
 
@@ -37,6 +39,40 @@ TEST(LayerBelow, BeadsRestByTheirPlace) {
   EXPECT_EQ(below.RestOf(Mm(50, 50), kWidth), 0);
   EXPECT_EQ(below.RestOf(Mm(10, -0.1), kWidth), 5);
   EXPECT_EQ(below.RestOf(Mm(10, 20.1), kWidth), 5);
+}
+
+/// Teeth, a slanted hole and an island in it; corners in whole quarters of a millimetre.
+MultiPolygon Comb() {
+  Polygon outer = {{FromMm(-3), FromMm(-2)}, {FromMm(33), FromMm(-2)}};
+  for (int tooth = 10; tooth >= 0; --tooth) {
+    outer.push_back(Mm(3 * tooth + 2, 12.25));
+    outer.push_back(Mm(3 * tooth + 0.25, tooth % 2 == 0 ? 8 : 10.5));
+  }
+  const Polygon hole = {Mm(0, 0), Mm(2, 5), Mm(20, 6), Mm(28, 0)};
+  const Polygon island = {Mm(4, 1), Mm(20, 1.25), Mm(10, 4.5)};
+  return {{outer, {hole}}, {island, {}}};
+}
+
+TEST(LayerBelow, CoversWhatLiesInTheOutlines) {
+  for (const MultiPolygon& outlines : {Frame(), Comb()}) {
+    const LayerBelow below(outlines);
+    int inside = 0, outside = 0;
+    for (Coord x = FromMm(-5); x < FromMm(36); x += 93'750) {
+      for (Coord y = FromMm(-4); y < FromMm(22); y += 125'000) {
+        bool is_inside = false, on_edge = false;
+        for (const PolygonWithHoles& island : outlines) {
+          const Side side = Locate({x, y}, island);
+          is_inside |= side == Side::kInside;
+          on_edge |= side == Side::kBoundary;
+        }
+        if (on_edge) continue;
+        EXPECT_EQ(below.Covers({x, y}), is_inside) << ToMm(x) << " " << ToMm(y);
+        ++(is_inside ? inside : outside);
+      }
+    }
+    EXPECT_GT(inside, 10'000);
+    EXPECT_GT(outside, 10'000);
+  }
 }
 
 TEST(LayerBelow, OverAirNothingRests) { EXPECT_EQ(LayerBelow({}).RestOf(Mm(0, 0), kWidth), 0); }

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "common/geometry/arc_fit.h"
 #include "common/model/bead_section.h"
-#include "services/motion/algo/toolpath/arc_fit.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
 namespace slicefarm::motion {
@@ -43,6 +43,10 @@ UmVector operator-(UmVector a, UmVector b) { return {a.x - b.x, a.y - b.y}; }
 double Cross(UmVector a, UmVector b) { return a.x * b.y - a.y * b.x; }
 double Dot(UmVector a, UmVector b) { return a.x * b.x + a.y * b.y; }
 double Length(UmVector a) { return std::sqrt(Dot(a, a)); }
+/// As std::round, without a call.
+double Rounded(double um) {
+  return static_cast<double>(static_cast<int64_t>(um < 0 ? um - 0.5 : um + 0.5));
+}
 
 /// A place to which the path leads in the text. What leads there is said of the way from the node
 /// before.
@@ -94,12 +98,13 @@ void FindOutsides(double tolerance_um, std::vector<Node>& nodes) {
     const UmVector mean = {in.x / in_length + out.x / out_length,
                            in.y / in_length + out.y / out_length};
     const double share = away / Length(mean) * (turn > 0 ? 1 : -1);
-    nodes[i].outside.x += std::round(mean.y * share);
-    nodes[i].outside.y -= std::round(mean.x * share);
+    nodes[i].outside.x += Rounded(mean.y * share);
+    nodes[i].outside.y -= Rounded(mean.x * share);
   }
 }
 
-/// The directions of rays from a point that pass discs.
+/// The directions of rays from a point that pass discs. Told by cross products: there are as many
+/// discs as a bead could stand for nodes, for each node, and divisions would be most of the work.
 class Cone {
  public:
   /// Leaves those that pass the disc around `centre`, seen from the point, which lies outside.
@@ -110,34 +115,41 @@ class Cone {
     const double c = std::sqrt(Dot(centre, centre) - radius * radius);
     const UmVector right = {centre.x * c + centre.y * radius, centre.y * c - centre.x * radius};
     const UmVector left = {centre.x * c - centre.y * radius, centre.y * c + centre.x * radius};
-    least_ = std::max(least_, SlopeOf(right));
-    most_ = std::min(most_, SlopeOf(left));
+    const Slope least = SlopeOf(right), most = SlopeOf(left);
+    if (least_ < least) least_ = least;
+    if (most < most_) most_ = most;
   }
 
-  bool Empty() const { return !(least_ < most_); }
+  bool Empty() const { return told_ && !(least_ < most_); }
 
   bool Holds(UmVector direction) const {
     if (!told_) return true;
-    const double ahead = Dot(axis_, direction);
-    const double slope = Cross(axis_, direction) / ahead;
-    return ahead > 0 && least_ <= slope && slope <= most_;
+    const Slope slope = {Cross(axis_, direction), Dot(axis_, direction)};
+    return slope.ahead > 0 && !(slope < least_) && !(most_ < slope);
   }
 
  private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  /// Tangent of the angle from the axis, as a fraction; without end where `ahead` is 0.
+  struct Slope {
+    double aside = 0;
+    double ahead = 0;  ///< not less than 0
 
-  /// Tangent of the angle from the axis, without end where that is a right one or more. So a cone
-  /// that lies behind leaves nothing.
-  double SlopeOf(UmVector direction) const {
+    friend bool operator<(const Slope& a, const Slope& b) {
+      return a.aside * b.ahead < b.aside * a.ahead;
+    }
+  };
+
+  /// Without end where the angle is a right one or more. So a cone that lies behind leaves nothing.
+  Slope SlopeOf(UmVector direction) const {
     const double ahead = Dot(axis_, direction), aside = Cross(axis_, direction);
-    if (ahead > 0) return aside / ahead;
-    return aside > 0 ? kInfinity : -kInfinity;
+    if (ahead > 0) return {aside, ahead};
+    return {aside > 0 ? 1.0 : -1.0, 0};
   }
 
   bool told_ = false;
   UmVector axis_;  ///< the first disc's direction, which all others are seen from
-  double least_ = -kInfinity;
-  double most_ = kInfinity;
+  Slope least_ = {-1, 0};
+  Slope most_ = {1, 0};
 };
 
 /// How far beads may lie from the path's.
@@ -146,8 +158,9 @@ struct Tolerance {
   double width_share = 0;
 
   Coord OfWidth(Coord width_nm) const {
-    return std::max<Coord>(kWidthToleranceNm,
-                           std::llround(width_share * static_cast<double>(width_nm)));
+    if (width_share == 0) return kWidthToleranceNm;
+    return std::max(kWidthToleranceNm,
+                    static_cast<Coord>(width_share * static_cast<double>(width_nm) + 0.5));
   }
 };
 
@@ -165,9 +178,11 @@ class Reach {
     length_ = to.along - from_.along;
     even_ = widest_ == narrowest_;
     if (even_) return;
-    const Coord width = std::llround((to.area - from_.area) / length_);
-    even_ = widest_ - width <= tolerance_.OfWidth(widest_) &&
-            width - narrowest_ <= tolerance_.OfWidth(narrowest_);
+    // Of the mean width, which is rounded to whole nanometres.
+    const double area = to.area - from_.area;
+    const auto least = static_cast<double>(widest_ - tolerance_.OfWidth(widest_)) - 0.5;
+    const auto most = static_cast<double>(narrowest_ + tolerance_.OfWidth(narrowest_)) + 0.5;
+    even_ = area >= least * length_ && area < most * length_;
   }
 
   /// The squared deviations of the nodes passed from a bead to `end`, at or beside the node taken
@@ -192,7 +207,8 @@ class Reach {
     xy_ += way.x * way.y;
     yy_ += way.y * way.y;
     return !cone_.Empty() &&
-           widest_ - narrowest_ <= tolerance_.OfWidth(widest_) + tolerance_.OfWidth(narrowest_);
+           (widest_ == narrowest_ ||
+            widest_ - narrowest_ <= tolerance_.OfWidth(widest_) + tolerance_.OfWidth(narrowest_));
   }
 
  private:

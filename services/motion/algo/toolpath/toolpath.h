@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
+#include "common/geometry/arc_fit.h"
 #include "common/model/path.h"
-#include "services/motion/algo/toolpath/arc_fit.h"
 
 namespace slicefarm::motion {
 

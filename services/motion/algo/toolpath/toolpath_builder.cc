@@ -5,11 +5,11 @@
 #include <numbers>
 
 #include "common/base/portable_math.h"
+#include "common/geometry/arc_fit.h"
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
 #include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/material_mix.h"
-#include "services/motion/algo/toolpath/arc_fit.h"
 #include "services/motion/algo/toolpath/open_seam.h"
 #include "services/motion/algo/toolpath/scarf.h"
 #include "services/motion/algo/toolpath/travel_ramp.h"

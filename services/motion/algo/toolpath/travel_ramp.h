@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "common/geometry/arc_fit.h"
 #include "common/model/options/motion_options.h"
-#include "services/motion/algo/toolpath/arc_fit.h"
 #include "services/motion/algo/toolpath/overhang.h"
 
 namespace slicefarm::motion {

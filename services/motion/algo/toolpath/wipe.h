@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "common/geometry/arc_fit.h"
 #include "common/model/options/motion_options.h"
 #include "common/model/path.h"
-#include "services/motion/algo/toolpath/arc_fit.h"
 
 namespace slicefarm::motion {
 

@@ -35,7 +35,7 @@ constexpr double kWorthOfRetractionNm = 20.0 * kNmPerMm;
 constexpr double kLongestToSeenNm = 5.0 * kNmPerMm;
 
 /// The seam of a wall and the starts of its loops lie no further from each other.
-constexpr double kAtSeamNm = 2.5 * kNmPerMm;
+constexpr double kAtSeamNm = 1.5 * kNmPerMm;
 
 class IslandTravels {
  public:

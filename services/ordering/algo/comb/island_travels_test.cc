@@ -127,8 +127,7 @@ TEST(IslandTravels, RoundALongSlotIsInSight) {
 }
 
 TEST(IslandTravels, OverATopThatIsToComeIsHidden) {
-  const auto travels =
-      Travels({Sparse("(1 2, 5 2)"), Sparse("(19 2, 23 2)"), Top("(12 1, 12 3)")});
+  const auto travels = Travels({Sparse("(1 2, 5 2)"), Sparse("(19 2, 23 2)"), Top("(12 1, 12 3)")});
   EXPECT_TRUE(travels[1].hidden);
 }
 
@@ -176,6 +175,24 @@ TEST(IslandTravels, TheWayFromTheLayerBelowLeadsOverTheSeam) {
   ASSERT_FALSE(beside.empty()) << "no path starts there";
   EXPECT_LT(beside.front().x, FromMm(24) - 225'000) << "inside of the outer wall";
   EXPECT_LT(Distance(beside.front(), {FromMm(24), FromMm(20)}), FromMm(1));
+}
+
+// The seam is in the slot's corner, and the inner walls of two layers start on either side of it.
+TEST(IslandTravels, TheWayOverAChangeOfLayerKeepsInside) {
+  const Point seam{FromMm(10), FromMm(10)};
+  const Path in_arm = PathOf(Feature::kPerimeter, "(9.3 12, 9.3 18, 5 18)", true);
+  const Path at_foot = PathOf(Feature::kPerimeter, "(12 9.2, 12 5, 9 5)", true);
+  const Leave leave = *Ways({in_arm, OuterWall()}, {{}, seam}).leave;
+  const Travel arrival = Ways({at_foot, OuterWall()}, {seam, {}}).travels.front();
+  const Point from = leave.way.corners.empty() ? leave.to : leave.way.corners.back();
+  FilledIsland island;
+  island.outline = MakePolygonsOrDie(kFork).front();
+  island.walls = {OuterWall()};
+  const IslandEdges edges(island);
+  ASSERT_FALSE(edges.Parts(from, leave.to));
+  ASSERT_FALSE(arrival.corners.empty());
+  EXPECT_FALSE(edges.Parts(leave.to, arrival.corners.front()));
+  EXPECT_FALSE(edges.Parts(arrival.corners.back(), StartOf(at_foot)));
 }
 
 TEST(IslandTravels, GoesToWhereTheLayerAboveGoesOn) {

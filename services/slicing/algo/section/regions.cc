@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/offset/offset.h"
 #include "common/geometry/rings/ring_cleaning.h"
 #include "common/geometry/rings/simplify.h"
@@ -83,7 +84,7 @@ RegionEdits EditsFor(int32_t layer, bool closed_mesh, const ObjectSlicingOptions
 MultiPolygon Edited(MultiPolygon region, const RegionEdits& edits, Coord resolution_nm) {
   if (edits == RegionEdits{} || region.empty()) return region;
   if (edits.closing_radius_nm > 0)
-    region = OffsetTwice(region, edits.closing_radius_nm, -edits.closing_radius_nm);
+    region = FastOffset(FastOffset(region, edits.closing_radius_nm), -edits.closing_radius_nm);
   region = Offset(region, edits.grow_nm);
   region = ElephantFootCompensated(region, edits.foot_nm, edits.foot_min_width_nm);
   if (edits.widen_holes_nm != 0) region = WithWiderHoles(region, edits.widen_holes_nm);

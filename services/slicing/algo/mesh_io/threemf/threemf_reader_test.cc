@@ -93,8 +93,7 @@ TEST(Read3mf, ReadsAProjectOfPrusaSlicer) {
   ASSERT_EQ(block.ranges.size(), 1u);
   EXPECT_THAT(block.ranges[0].settings,
               ElementsAre(Of("layer_height", "0.1"), Of("extruder", "0")));
-  EXPECT_THAT(project.without_effect,
-              ElementsAre("scripts (post_process), which are never run", "pictures"));
+  EXPECT_THAT(project.without_effect, ElementsAre("scripts (post_process), which are never run"));
 }
 
 TEST(Read3mf, ReadsAProjectOfBambuStudio) {
@@ -125,7 +124,7 @@ TEST(Read3mf, ReadsAProjectOfBambuStudio) {
   EXPECT_THAT(project.plates[1].settings, ElementsAre(Of("spiral_mode", "1")));
   EXPECT_THAT(project.without_effect,
               ElementsAre("scripts (post_process), which are never run",
-                          "G-code that was made before: the parts are sliced anew", "pictures"));
+                          "G-code that was made before: the parts are sliced anew"));
 }
 
 /// OrcaSlicer's files differ from Bambu Studio's in what does not matter here.

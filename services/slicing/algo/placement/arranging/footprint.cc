@@ -37,10 +37,9 @@ Octagon ExtremePoints(std::span<const IndexedMesh* const> meshes) {
 }
 
 struct Copy {
-  size_t part = 0;
+  CopyOf which;
   Point center;
   Box box;
-  bool overlaps = false;
 };
 
 std::vector<Copy> AllCopies(std::span<const Copies> parts) {
@@ -48,8 +47,10 @@ std::vector<Copy> AllCopies(std::span<const Copies> parts) {
   for (size_t part = 0; part < parts.size(); ++part) {
     if (parts[part].footprint->size() < 3) continue;
     const Box box = Bounds(*parts[part].footprint);
-    for (const Point center : parts[part].centers)
-      copies.push_back({part, center, {box.min + center, box.max + center}});
+    for (size_t copy = 0; copy < parts[part].centers.size(); ++copy) {
+      const Point center = parts[part].centers[copy];
+      copies.push_back({{part, copy}, center, {box.min + center, box.max + center}});
+    }
   }
   std::sort(copies.begin(), copies.end(),
             [](const Copy& a, const Copy& b) { return a.box.min < b.box.min; });
@@ -58,8 +59,8 @@ std::vector<Copy> AllCopies(std::span<const Copies> parts) {
 
 bool Overlap(const Copy& a, const Copy& b, std::span<const Copies> parts) {
   if (a.box.max.y <= b.box.min.y || b.box.max.y <= a.box.min.y) return false;
-  const MultiPolygon common = Intersection({{Moved(*parts[a.part].footprint, a.center), {}}},
-                                           {{Moved(*parts[b.part].footprint, b.center), {}}});
+  const MultiPolygon common = Intersection({{Moved(*parts[a.which.part].footprint, a.center), {}}},
+                                           {{Moved(*parts[b.which.part].footprint, b.center), {}}});
   return Area(common) > 0;
 }
 
@@ -78,17 +79,16 @@ Polygon Footprint(std::span<const IndexedMesh* const> meshes) {
   return points.front() == Point{INT64_MAX, INT64_MAX} ? Polygon{} : ConvexHull(std::move(points));
 }
 
-std::vector<int64_t> CountOverlapping(std::span<const Copies> parts) {
-  std::vector<Copy> copies = AllCopies(parts);
+std::vector<std::pair<CopyOf, CopyOf>> OverlappingFootprints(std::span<const Copies> parts) {
+  const std::vector<Copy> copies = AllCopies(parts);
+  std::vector<std::pair<CopyOf, CopyOf>> pairs;
   for (size_t i = 0; i < copies.size(); ++i) {
-    for (size_t j = i + 1; j < copies.size() && copies[j].box.min.x < copies[i].box.max.x; ++j) {
-      if (copies[i].overlaps && copies[j].overlaps) continue;
-      if (Overlap(copies[i], copies[j], parts)) copies[i].overlaps = copies[j].overlaps = true;
-    }
+    for (size_t j = i + 1; j < copies.size() && copies[j].box.min.x < copies[i].box.max.x; ++j)
+      if (Overlap(copies[i], copies[j], parts))
+        pairs.push_back(std::minmax(copies[i].which, copies[j].which));
   }
-  std::vector<int64_t> counts(parts.size(), 0);
-  for (const Copy& copy : copies) counts[copy.part] += copy.overlaps;
-  return counts;
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 }  // namespace slicefarm::slicing

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <compare>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "common/geometry/polygon.h"
@@ -18,10 +20,18 @@ struct Copies {
   std::span<const Point> centers;
 };
 
-/// For each of `parts`, how many of its copies stand on the footprint of another copy or part.
-/// Hulls may overlap where parts do not, such as two brackets one in the corner of the other: this
-/// is for a warning. Footprints that only touch do not overlap. Cost: O(c log c) for c copies in a
-/// row whose boxes are apart; a boolean operation for each two whose boxes overlap.
-std::vector<int64_t> CountOverlapping(std::span<const Copies> parts);
+/// A copy: which of the parts it belongs to, and which of that part's copies it is.
+struct CopyOf {
+  size_t part = 0;
+  size_t copy = 0;
+
+  friend auto operator<=>(const CopyOf&, const CopyOf&) = default;
+};
+
+/// Every two copies whose footprints have area in common, each two in ascending order, all of them
+/// sorted. Hulls may overlap where parts do not, such as two brackets one in the corner of the
+/// other. Cost: O(c log c) for c copies in a row whose boxes are apart; a boolean operation for
+/// each two whose boxes overlap.
+std::vector<std::pair<CopyOf, CopyOf>> OverlappingFootprints(std::span<const Copies> parts);
 
 }  // namespace slicefarm::slicing

@@ -49,28 +49,30 @@ TEST(Footprint, OfSeveralMeshesAndOfNone) {
   EXPECT_TRUE(HullOf({}).empty());
 }
 
-TEST(CountOverlapping, CountsCopiesThatStandOnOthers) {
-  const std::vector<Point> row = {At(0, 0), At(20, 0), At(29, 9), At(60, 0)};
-  EXPECT_THAT(CountOverlapping(std::vector<Copies>{{&kSquare, row}}), ElementsAre(2));
+using Pairs = std::vector<std::pair<CopyOf, CopyOf>>;
+
+TEST(OverlappingFootprints, OfCopiesThatStandOnOthers) {
+  const std::vector<Point> row = {At(0, 0), At(29, 9), At(20, 0), At(60, 0)};
+  EXPECT_EQ(OverlappingFootprints(std::vector<Copies>{{&kSquare, row}}), (Pairs{{{0, 1}, {0, 2}}}));
 }
 
-TEST(CountOverlapping, TouchingIsNotOverlapping) {
+TEST(OverlappingFootprints, TouchingIsNotOverlapping) {
   const std::vector<Point> grid = {At(0, 0), At(10, 0), At(0, 10), At(10, 10)};
-  EXPECT_THAT(CountOverlapping(std::vector<Copies>{{&kSquare, grid}}), ElementsAre(0));
+  EXPECT_TRUE(OverlappingFootprints(std::vector<Copies>{{&kSquare, grid}}).empty());
 }
 
-TEST(CountOverlapping, LooksAtHullsAndNotAtBoxes) {
+TEST(OverlappingFootprints, AreHullsAndNotBoxes) {
   const std::vector<Point> corner = {At(0, 0), At(6, 6)};
-  EXPECT_THAT(CountOverlapping(std::vector<Copies>{{&kDiamond, corner}}), ElementsAre(0));
-  EXPECT_THAT(CountOverlapping(std::vector<Copies>{{&kSquare, corner}}), ElementsAre(2));
+  EXPECT_TRUE(OverlappingFootprints(std::vector<Copies>{{&kDiamond, corner}}).empty());
+  EXPECT_EQ(OverlappingFootprints(std::vector<Copies>{{&kSquare, corner}}).size(), 1u);
 }
 
-TEST(CountOverlapping, CountsForEachPart) {
-  const std::vector<Point> squares = {At(0, 0), At(50, 0)}, diamonds = {At(3, 0), At(3, 1)};
+TEST(OverlappingFootprints, OfSeveralParts) {
+  const std::vector<Point> squares = {At(50, 0), At(0, 0)}, diamonds = {At(3, 1), At(3, 0)};
   const Polygon line = {At(0, 0), At(9, 0)};
-  EXPECT_THAT(CountOverlapping(std::vector<Copies>{
-                  {&kSquare, squares}, {&line, squares}, {&kDiamond, diamonds}}),
-              ElementsAre(1, 0, 2));
+  EXPECT_EQ(OverlappingFootprints(
+                std::vector<Copies>{{&kSquare, squares}, {&line, squares}, {&kDiamond, diamonds}}),
+            (Pairs{{{0, 1}, {2, 0}}, {{0, 1}, {2, 1}}, {{2, 0}, {2, 1}}}));
 }
 
 }  // namespace

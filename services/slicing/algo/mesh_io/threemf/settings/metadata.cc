@@ -31,13 +31,12 @@ struct Idle {
   std::string_view words;
 };
 
-constexpr std::array<Idle, 10> kIdle = {{
+constexpr std::array<Idle, 9> kIdle = {{
     {"Metadata/Slic3r_PE_layer_heights_profile.txt", "object_id", "layer heights drawn by hand"},
     {"Metadata/layer_heights_profile.txt", "object_id", "layer heights drawn by hand"},
     {"Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml", "type=\"2\"",
      "changes of tool at certain heights"},
     {"Metadata/custom_gcode_per_layer.xml", "type=\"2\"", "changes of tool at certain heights"},
-    {"Metadata/Prusa_Slicer_wipe_tower_information.xml", "", "the place of the wipe tower"},
     {"Metadata/brim_ear_points.txt", "object_id", "brim ears"},
     {"Metadata/Slic3r_PE_sla_support_points.txt", "object_id", "support points of resin printers"},
     {"Metadata/Slic3r_PE_sla_drain_holes.txt", "object_id", "drain holes of resin printers"},
@@ -52,10 +51,6 @@ absl::StatusOr<T> ReadIfThere(const Archive& archive, std::string_view name, con
   const absl::StatusOr<std::string> text = archive.ReadAll(*entry);
   if (!text.ok()) return text.status();
   return read(*text, entry->name);
-}
-
-bool EndsWith(const ArchiveEntry& entry, std::string_view ending) {
-  return entry.name.ends_with(ending);
 }
 
 /// What is done at heights is a setting of the plate, or where there are none of the project.
@@ -113,13 +108,9 @@ absl::StatusOr<std::vector<std::string>> FilesWithoutEffect(const Archive& archi
     if (!text.ok()) return text.status();
     if (text->find(idle.mark) != std::string::npos) words.emplace_back(idle.words);
   }
-  const auto any = [&archive](std::string_view ending) {
-    const std::vector<ArchiveEntry>& all = archive.entries();
-    return std::any_of(all.begin(), all.end(),
-                       [ending](const ArchiveEntry& entry) { return EndsWith(entry, ending); });
-  };
-  if (any(".gcode")) words.emplace_back("G-code that was made before: the parts are sliced anew");
-  if (any(".png") || any(".jpg") || any(".webp")) words.emplace_back("pictures");
+  const auto is_gcode = [](const ArchiveEntry& entry) { return entry.name.ends_with(".gcode"); };
+  if (std::ranges::any_of(archive.entries(), is_gcode))
+    words.emplace_back("G-code that was made before: the parts are sliced anew");
   return words;
 }
 

@@ -22,7 +22,8 @@ struct Metadata {
 /// Errors: those of the readers of each.
 absl::StatusOr<Metadata> ReadMetadata(const Archive& archive);
 
-/// What the archive has besides that nobody makes anything of, in words of people who use slicers.
+/// What the archive has besides that would make another print and has no effect, in words of people
+/// who use slicers. Pictures of the parts and the place of a wipe tower are none of that.
 /// Errors: those of the archive.
 absl::StatusOr<std::vector<std::string>> FilesWithoutEffect(const Archive& archive);
 

@@ -12,15 +12,20 @@ std::string CleanName(std::string_view text) {
 }
 
 std::string EscapedText(std::string_view text) {
+  const std::string clean = ToUtf8(text, text.size());
   std::string escaped;
-  for (const char c : ToUtf8(text, text.size())) {
+  for (size_t i = 0; i < clean.size(); ++i) {
+    const char c = clean[i];
+    const bool last = i + 1 == clean.size();
     if (c == '\n')
       escaped += "\\n";
     else if (c == '\r')
       escaped += "\\r";
-    else if (c == '\\')
+    else if (c == '\\' && last)
       escaped += "\\\\";
-    else if (!IsControl(c) || c == '\t')
+    else if (c == '\\' && !IsControl(clean[i + 1]))
+      escaped += {c, clean[++i]};
+    else if (c != '\\' && (!IsControl(c) || c == '\t'))
       escaped += c;
   }
   return escaped;

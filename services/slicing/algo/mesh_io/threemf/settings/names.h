@@ -9,7 +9,8 @@ namespace slicefarm::slicing::threemf {
 /// cut to limits::kMaxNameBytes at the border of a character.
 std::string CleanName(std::string_view text);
 
-/// A text as a config.ini has it: UTF-8, and `\n`, `\r` and `\\` for line ends and backslashes.
+/// A text of OrcaSlicer's as a config.ini has it: UTF-8, with `\n` and `\r` for line ends. What the
+/// text has in such escapes is read as OrcaSlicer does: two vendors write their G-code on one line.
 std::string EscapedText(std::string_view text);
 
 }  // namespace slicefarm::slicing::threemf

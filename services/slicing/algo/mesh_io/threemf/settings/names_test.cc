@@ -18,7 +18,9 @@ TEST(CleanName, IsShortCleanText) {
 }
 
 TEST(EscapedText, IsAsAConfigHasIt) {
-  EXPECT_EQ(EscapedText("G28\r\nG1\tX\\1"), "G28\\r\\nG1\tX\\\\1");
+  EXPECT_EQ(EscapedText("G28\r\nG1\tX"), "G28\\r\\nG1\tX");
+  EXPECT_EQ(EscapedText("a\\nb\\\"c\\\"\\\\"), "a\\nb\\\"c\\\"\\\\");
+  EXPECT_EQ(EscapedText("a\\\nb\\"), "a\\nb\\\\");
   EXPECT_EQ(EscapedText(std::string("a\0b\xff", 4)), "ab?");
 }
 

@@ -9,11 +9,11 @@ namespace {
 TEST(Notes, NameTheFirstObjects) {
   Notes notes;
   notes.Add("painted seams", "a");
-  notes.Add("pictures", "");
+  notes.Add("drain holes", "");
   notes.Add("painted seams", "b");
   for (int i = 0; i < 10; ++i) notes.Add("parts", std::to_string(i));
   EXPECT_THAT(notes.Lines(),
-              testing::ElementsAre("painted seams of `a`, `b`", "pictures",
+              testing::ElementsAre("painted seams of `a`, `b`", "drain holes",
                                    "parts of `0`, `1`, `2`, `3`, `4`, `5`, `6`, `7` and 2 more"));
 }
 

@@ -1,0 +1,111 @@
+#include "common/geometry/arc_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "common/base/portable_math.h"
+
+namespace slicefarm {
+namespace {
+
+constexpr size_t kFewestSegments = 3;
+/// What rounding of the centre leaves is taken off the tolerance.
+constexpr double kRoundingUm = 1.5;
+constexpr double kLengthShare = 0.001;
+/// Straighter curves gain nothing, and their centres lie too far away.
+constexpr double kGreatestRadiusUm = 1e6;
+constexpr double kLeastRadiusUm = 100;
+/// Ends too near to each other do not say which way round an arc goes.
+constexpr double kMostTurn = 1.9 * std::numbers::pi;
+
+struct ArcVector {
+  double x, y;
+};
+
+ArcVector FromTo(PlaceUm from, PlaceUm to) {
+  return {static_cast<double>(to.x) - from.x, static_cast<double>(to.y) - from.y};
+}
+
+double Cross(ArcVector a, ArcVector b) { return a.x * b.y - a.y * b.x; }
+double Dot(ArcVector a, ArcVector b) { return a.x * b.x + a.y * b.y; }
+double Length(ArcVector a) { return Hypot(a.x, a.y); }
+
+/// Centre of the circle through three points; nothing if they lie on a line, nearly.
+std::optional<PlaceUm> CentreThrough(PlaceUm a, PlaceUm b, PlaceUm c) {
+  const ArcVector u = FromTo(a, b), v = FromTo(a, c);
+  const double twice = 2 * Cross(u, v);
+  if (twice == 0) return std::nullopt;
+  const double uu = Dot(u, u), vv = Dot(v, v);
+  const double x = (v.y * uu - u.y * vv) / twice, y = (u.x * vv - v.x * uu) / twice;
+  if (!(Hypot(x, y) <= kGreatestRadiusUm)) return std::nullopt;
+  return PlaceUm{a.x + static_cast<int32_t>(std::lround(x)),
+                 a.y + static_cast<int32_t>(std::lround(y))};
+}
+
+/// The arc for points[first] to points[last], if it fits.
+std::optional<CurvePiece> ArcOf(std::span<const PlaceUm> points, size_t first, size_t last,
+                                double tolerance_um) {
+  const double reach_um = tolerance_um - kRoundingUm;
+  const PlaceUm from = points[first], to = points[last];
+  const auto centre = CentreThrough(from, points[(first + last) / 2], to);
+  if (!centre) return std::nullopt;
+  const double radius = Length(FromTo(*centre, from));
+  if (radius < kLeastRadiusUm) return std::nullopt;
+  if (std::abs(Length(FromTo(*centre, to)) - radius) > kRoundingUm) return std::nullopt;
+  const bool clockwise = Cross(FromTo(*centre, from), FromTo(*centre, points[first + 1])) < 0;
+  double turn = 0, length = 0;
+  for (size_t i = first; i < last; ++i) {
+    const ArcVector a = FromTo(*centre, points[i]), b = FromTo(*centre, points[i + 1]);
+    const double cross = Cross(a, b);
+    if (cross == 0 || (cross < 0) != clockwise) return std::nullopt;
+    if (std::abs(Length(b) - radius) > reach_um) return std::nullopt;
+    // The arc is farthest from a segment at its middle.
+    if (std::abs(radius - Length({(a.x + b.x) / 2, (a.y + b.y) / 2})) > reach_um)
+      return std::nullopt;
+    turn += std::abs(Atan2(cross, Dot(a, b)));
+    length += Length(FromTo(points[i], points[i + 1]));
+  }
+  if (turn > kMostTurn || std::abs(turn * radius - length) > kLengthShare * length)
+    return std::nullopt;
+  return CurvePiece{last, true, *centre, clockwise};
+}
+
+/// The longest arc from points[first] on that is found by doubling its number of segments, then
+/// halving the step.
+std::optional<CurvePiece> LongestArc(std::span<const PlaceUm> points, size_t first,
+                                     double tolerance_um) {
+  std::optional<CurvePiece> best;
+  const size_t most = points.size() - 1 - first;
+  size_t segments = 0, step = kFewestSegments;
+  bool grows = true;
+  while (step > 0) {
+    const size_t next = segments + step;
+    const auto arc = next <= most ? ArcOf(points, first, first + next, tolerance_um) : std::nullopt;
+    if (arc) {
+      best = arc;
+      segments = next;
+    } else if (segments == 0) {
+      return std::nullopt;
+    }
+    grows = grows && arc.has_value();
+    step = grows ? 2 * step : step / 2;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<CurvePiece> FitArcs(std::span<const PlaceUm> points, double tolerance_um) {
+  std::vector<CurvePiece> pieces;
+  for (size_t at = 0; at + 1 < points.size();) {
+    std::optional<CurvePiece> arc;
+    if (at + kFewestSegments < points.size()) arc = LongestArc(points, at, tolerance_um);
+    pieces.push_back(arc ? *arc : CurvePiece{at + 1, false, {}, false});
+    at = pieces.back().last;
+  }
+  return pieces;
+}
+
+}  // namespace slicefarm

@@ -1,0 +1,33 @@
+#include "services/exposure/algo/scan/hatch_angle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slicefarm::exposure {
+namespace {
+
+/// In [0, period).
+double Remainder(double deg, double period) { return deg - period * std::floor(deg / period); }
+
+/// After it lines, either way, are the same.
+double PeriodOf(const ExposureOptions& options) {
+  return options.strategy == ScanStrategy::kIslands ? 90 : 180;
+}
+
+}  // namespace
+
+double HatchAngle(const ExposureOptions& options, int32_t layer) {
+  double angle = options.hatch_angle_deg + options.layer_rotation_deg * layer;
+  const double period = PeriodOf(options);
+  double beside = Remainder(angle - options.gas_flow_deg, period);
+  if (std::min(beside, period - beside) < options.gas_window_deg) {
+    angle += period / 2;
+    beside = Remainder(beside + period / 2, period);
+  }
+  // From 90 to 270 degrees beside the flow is against it.
+  if (options.jump_order == JumpOrder::kAgainstGas && !options.alternate_directions)
+    angle = options.gas_flow_deg + (beside < 90 ? beside + period : beside);
+  return Remainder(angle, 360);
+}
+
+}  // namespace slicefarm::exposure

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+
+#include "absl/status/statusor.h"
+#include "services/milling/algo/cutter/cutter.h"
+
+namespace slicefarm::milling {
+
+/// A cutter by its name and measures, in mm and degrees: cyl:DIAMETER, ball:DIAMETER,
+/// bull:DIAMETER:CORNER, cone:DIAMETER:ANGLE, ballcone:TIP:ANGLE:DIAMETER,
+/// bullcone:TIP:CORNER:ANGLE:DIAMETER, conecone:TIP:TIP_ANGLE:ANGLE:DIAMETER. TIP is the diameter
+/// at which the upper cone begins, of a ball or a bull nose that of the whole of it. Errors:
+/// SETTING_MALFORMED, and those of Cutter.
+absl::StatusOr<Cutter> ParseCutter(std::string_view text);
+
+}  // namespace slicefarm::milling

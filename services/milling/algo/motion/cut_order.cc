@@ -1,0 +1,76 @@
+#include "services/milling/algo/motion/cut_order.h"
+
+#include <algorithm>
+
+#include "common/geometry/measure.h"
+
+namespace slicefarm::milling {
+namespace {
+
+bool HasPointOf(const PolygonWithHoles& area, const Polygon& ring) {
+  return std::any_of(ring.begin(), ring.end(),
+                     [&](Point p) { return Locate(p, area) != Side::kOutside; });
+}
+
+bool Overlap(const PolygonWithHoles& a, const PolygonWithHoles& b) {
+  if (!Bounds(a.outer).Intersects(Bounds(b.outer))) return false;
+  return HasPointOf(a, b.outer) || HasPointOf(b, a.outer);
+}
+
+/// The areas of all levels, and which lie below which.
+class AreaGraph {
+ public:
+  explicit AreaGraph(std::span<const MilledStep> levels) {
+    for (uint32_t level = 0; level < levels.size(); ++level) {
+      nodes_.emplace_back(levels[level].areas.size());
+      for (uint32_t area = 0; level > 0 && area < nodes_[level].size(); ++area) {
+        for (uint32_t above = 0; above < nodes_[level - 1].size(); ++above) {
+          if (!Overlap(levels[level].areas[area].area, levels[level - 1].areas[above].area))
+            continue;
+          nodes_[level - 1][above].below.push_back(area);
+          ++nodes_[level][area].waits_for;
+        }
+      }
+    }
+  }
+
+  std::vector<AreaPlace> Order() {
+    std::vector<AreaPlace> order;
+    for (uint32_t level = 0; level < nodes_.size(); ++level)
+      for (uint32_t area = 0; area < nodes_[level].size(); ++area) Visit({level, area}, order);
+    return order;
+  }
+
+ private:
+  struct Node {
+    std::vector<uint32_t> below;  ///< areas of the next level
+    uint32_t waits_for = 0;
+    bool done = false;
+  };
+
+  void Visit(AreaPlace first, std::vector<AreaPlace>& order) {
+    std::vector<AreaPlace> open = {first};
+    while (!open.empty()) {
+      const AreaPlace place = open.back();
+      open.pop_back();
+      Node& node = nodes_[place.level][place.area];
+      if (node.done || node.waits_for > 0) continue;
+      node.done = true;
+      order.push_back(place);
+      for (size_t i = node.below.size(); i-- > 0;) {
+        --nodes_[place.level + 1][node.below[i]].waits_for;
+        open.push_back({place.level + 1, node.below[i]});
+      }
+    }
+  }
+
+  std::vector<std::vector<Node>> nodes_;
+};
+
+}  // namespace
+
+std::vector<AreaPlace> CutOrder(std::span<const MilledStep> levels) {
+  return AreaGraph(levels).Order();
+}
+
+}  // namespace slicefarm::milling

@@ -1,0 +1,153 @@
+#include "services/milling/algo/motion/way_cutter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "services/milling/algo/motion/inside_area.h"
+#include "services/milling/algo/strategy/plane.h"
+
+namespace slicefarm::milling {
+namespace {
+
+/// A shorter way has no room for a ramp.
+constexpr double kLeastRampWayMm = 0.5;
+/// Distance of the places at which a way is asked whether it meets stock, as a share of the radius.
+constexpr double kAskShare = 0.25;
+
+ClosedWay ClosedWayOf(const Polygon& ring) {
+  ClosedWay way;
+  for (const Point p : ring) way.push_back(PlaceOf(p));
+  return way;
+}
+
+size_t NearestOf(const ClosedWay& way, const Eigen::Vector2d& place) {
+  size_t nearest = 0;
+  for (size_t i = 1; i < way.size(); ++i)
+    if ((way[i] - place).squaredNorm() < (way[nearest] - place).squaredNorm()) nearest = i;
+  return nearest;
+}
+
+double LengthOfWay(const ClosedWay& way) {
+  double length = 0;
+  for (size_t i = 0; i < way.size(); ++i) length += (way[(i + 1) % way.size()] - way[i]).norm();
+  return length;
+}
+
+}  // namespace
+
+bool WayCutter::MeetsStock(const ClosedWay& way, double z_mm) const {
+  const double step = kAskShare * options_.cutter.radius_mm();
+  double since = step;
+  for (size_t i = 0; i < way.size(); ++i) {
+    const Eigen::Vector2d leg = way[(i + 1) % way.size()] - way[i];
+    const double length = leg.norm();
+    for (double along = step - since; along < length; along += step) {
+      const Eigen::Vector2d p = way[i] + leg * (along / length);
+      if (moves_.stock().Meets({p.x(), p.y(), z_mm}, moves_.stock().pixel_mm())) return true;
+      since = -along;
+    }
+    since += length;
+  }
+  return false;
+}
+
+void WayCutter::RapidTo(const Eigen::Vector2d& place, double z_mm) {
+  if (leave_) {
+    moves_.ArcTo({leave_->to.x(), leave_->to.y(), moves_.at().z()}, leave_->centre,
+                 leave_->clockwise, options_.machining.feed_mm_min);
+    leave_.reset();
+  }
+  moves_.RapidTo(place, z_mm);
+}
+
+/// Straight to the start, where that stays in the area in which the tip is.
+bool WayCutter::LinkTo(const Eigen::Vector2d& start, double z_mm) {
+  if (last_ == nullptr || moves_.at().z() < z_mm - 1e-3) return false;
+  const Eigen::Vector2d at = moves_.at().head<2>();
+  const bool same_level = last_ == area_;
+  if (!same_level && (start - at).norm() > 2 * options_.cutter.radius_mm()) return false;
+  if (!InsideArea(*last_, std::array{at, start})) return false;
+  moves_.LineTo({start.x(), start.y(), moves_.at().z()}, options_.machining.feed_mm_min);
+  leave_.reset();
+  return true;
+}
+
+/// From a way that meets no stock, down beside the stock and in.
+bool WayCutter::EnterFromAir(const Eigen::Vector2d& start, const ClosedWay& air, double z_mm) {
+  const Eigen::Vector2d outside = air[NearestOf(air, start)];
+  if (moves_.stock().Meets({outside.x(), outside.y(), z_mm}, moves_.stock().pixel_mm()))
+    return false;
+  if (!InsideArea(*area_, std::array{outside, start})) return false;
+  RapidTo(outside, z_mm);
+  moves_.LineTo({outside.x(), outside.y(), z_mm}, options_.machining.plunge_feed_mm_min);
+  moves_.LineTo({start.x(), start.y(), z_mm}, options_.machining.feed_mm_min);
+  return true;
+}
+
+bool WayCutter::LeadIn(const ClosedWay& way, double z_mm) {
+  const auto arcs =
+      LeadArcsOf(way, *area_, options_.machining.lead_in_radius_mm, options_.machining.direction);
+  if (!arcs) return false;
+  const Eigen::Vector3d from(arcs->from.x(), arcs->from.y(), z_mm);
+  if (moves_.stock().Meets(from, moves_.stock().pixel_mm())) return false;
+  RapidTo(arcs->from, z_mm);
+  moves_.LineTo(from, options_.machining.plunge_feed_mm_min);
+  moves_.ArcTo({way[0].x(), way[0].y(), z_mm}, arcs->centre, arcs->clockwise,
+               options_.machining.feed_mm_min);
+  leave_ = arcs;
+  return true;
+}
+
+/// From above a way's start down to it, through what stands there.
+ClosedWay WayCutter::GoDown(const ClosedWay& way, double z_mm, MillingStage stage) {
+  const double plunge = options_.machining.plunge_feed_mm_min;
+  const EntryKind entry = options_.machining.entry;
+  const Eigen::Vector2d at = moves_.at().head<2>();
+  const double pixel = moves_.stock().pixel_mm();
+  const double top = std::clamp(moves_.stock().RestHeight(at, pixel), z_mm, moves_.at().z());
+  moves_.LineTo({at.x(), at.y(), top}, plunge);
+  if (top <= z_mm) return way;
+  if (entry == EntryKind::kHelix && stage == MillingStage::kRoughing &&
+      HelixDown(way, *area_, z_mm, options_, moves_))
+    return way;
+  if (entry != EntryKind::kPlunge && LengthOfWay(way) >= kLeastRampWayMm)
+    return RampDown(way, z_mm, options_, moves_);
+  moves_.LineTo({at.x(), at.y(), z_mm}, plunge);
+  return way;
+}
+
+ClosedWay WayCutter::Approach(ClosedWay way, const ClosedWay* air, double z_mm,
+                              MillingStage stage) {
+  const size_t nearest = moves_.placed() ? NearestOf(way, moves_.at().head<2>()) : 0;
+  std::rotate(way.begin(), way.begin() + static_cast<ptrdiff_t>(nearest), way.end());
+  if (LinkTo(way[0], z_mm)) return GoDown(way, z_mm, stage);
+  if (stage == MillingStage::kRoughing) {
+    if (air != nullptr && EnterFromAir(way[0], *air, z_mm)) return way;
+  } else if (LeadIn(way, z_mm)) {
+    return way;
+  }
+  RapidTo(way[0], z_mm);
+  return GoDown(way, z_mm, stage);
+}
+
+int WayCutter::Cut(const CutArea& area, double z_mm, MillingStage stage) {
+  area_ = &area.area;
+  int cut = 0;
+  std::optional<ClosedWay> air;
+  for (const Polygon& ring : area.ways) {
+    const ClosedWay way = ClosedWayOf(ring);
+    if (!MeetsStock(way, z_mm)) {
+      air = way;
+      continue;
+    }
+    ClosedWay started = Approach(way, air ? &*air : nullptr, z_mm, stage);
+    last_ = area_;
+    started.push_back(started.front());
+    moves_.FeedAlong(started, options_.machining.feed_mm_min);
+    ++cut;
+  }
+  return cut;
+}
+
+}  // namespace slicefarm::milling

@@ -1,0 +1,31 @@
+#include "services/milling/algo/output/level_svg.h"
+
+#include <gtest/gtest.h>
+
+#include "services/milling/algo/sample_jobs_test.h"
+
+namespace slicefarm::milling::level_svg_test {
+namespace {
+
+size_t CountOf(const std::string& text, std::string_view what) {
+  size_t count = 0;
+  for (size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++count;
+  return count;
+}
+
+TEST(LevelSvg, DrawsStockAreasAndWays) {
+  const MillingJob job = JobOf(PocketPart().Mesh(), OptionsFor("cyl:1.5"));
+  for (const MilledStep& level : AllSteps(job)) {
+    const std::string svg = LevelSvg(job, level);
+    size_t ways = 0;
+    for (const CutArea& area : level.areas) ways += area.ways.size();
+    EXPECT_EQ(CountOf(svg, "<path fill=\"none\""), ways);
+    EXPECT_EQ(CountOf(svg, "<path fill=\"#bfd\""), level.areas.size());
+    EXPECT_EQ(CountOf(svg, "<rect"), 1u);
+    EXPECT_EQ(svg.find("nan"), svg.npos);
+    EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n");
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::milling::level_svg_test

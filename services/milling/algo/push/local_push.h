@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "services/milling/algo/push/fiber_frame.h"
+
+namespace slicefarm::milling {
+
+/// Triangles by where they are, seen from above.
+class TriangleGrid {
+ public:
+  explicit TriangleGrid(const TriangleMesh& mesh);
+
+  /// Calls visit(triangle) for those that may have a point in the box, for some more than once.
+  template <typename Visit>
+  void ForEachIn(const Eigen::Vector2d& low, const Eigen::Vector2d& high, Visit visit) const {
+    const Cell a = CellOf(low), b = CellOf(high);
+    for (int32_t row = a.row; row <= b.row; ++row) {
+      for (int32_t column = a.column; column <= b.column; ++column) {
+        const size_t cell = static_cast<size_t>(row) * columns_ + column;
+        for (size_t i = starts_[cell]; i < starts_[cell + 1]; ++i) visit(triangles_[i]);
+      }
+    }
+  }
+
+ private:
+  struct Cell {
+    int32_t column = 0;
+    int32_t row = 0;
+  };
+  Cell CellOf(const Eigen::Vector2d& p) const;  ///< the nearest one
+
+  Eigen::Vector2d low_{0, 0};
+  double cell_mm_ = 1;
+  int32_t columns_ = 1;
+  int32_t rows_ = 1;
+  std::vector<size_t> starts_;
+  std::vector<uint32_t> triangles_;
+};
+
+/// A piece of a fiber on which to look: what is gouged there.
+/// Cost: 0.2 us for each triangle that the cutter on it may reach.
+IntervalSet PushLocally(const FiberFrame& frame, const Cutter& cutter,
+                        const TriangleGrid& triangles, const Fiber& fiber, double from_mm,
+                        double to_mm);
+
+}  // namespace slicefarm::milling

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/base/cancel_token.h"
+#include "services/milling/algo/strategy/level_ways.h"
+#include "services/milling/algo/strategy/milling_job.h"
+#include "services/milling/algo/strategy/rest_rows.h"
+
+namespace slicefarm::milling {
+
+/// What became of a step: areas of a level, or runs of a row.
+struct MilledStep {
+  MillingStep step;
+  std::vector<CutArea> areas;
+  std::vector<RestRun> runs;
+};
+
+/// The ways of the steps [first, last) of a job. A step's ways depend neither on the other steps of
+/// the range nor on the number of threads. REQUIRES: first <= last <= job.steps.size().
+/// Errors: those of Waterlines; Cancelled.
+absl::StatusOr<std::vector<MilledStep>> MillSteps(const MillingJob& job, size_t first, size_t last,
+                                                  const CancelToken& cancel = {});
+
+}  // namespace slicefarm::milling

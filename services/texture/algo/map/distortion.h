@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <limits>
+
+namespace slicefarm::texture {
+
+/// A triangle at rest, for maps of it into the plane.
+struct RestTriangle {
+  Eigen::Matrix2d inverse_edges = Eigen::Matrix2d::Identity();  ///< of the columns p1-p0, p2-p0
+  double area = 0;
+};
+
+/// Laid flat with its first edge along x. REQUIRES: it has an area.
+RestTriangle RestOf(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1,
+                    const Eigen::Vector3d& p2);
+/// REQUIRES: counter-clockwise.
+RestTriangle RestOf(const Eigen::Vector2d& p0, const Eigen::Vector2d& p1,
+                    const Eigen::Vector2d& p2);
+/// Equilateral.
+RestTriangle EquilateralRest(double area);
+
+/// The Jacobian of the linear map that takes the triangle at rest to these corners.
+inline Eigen::Matrix2d JacobianOf(const RestTriangle& rest, const Eigen::Vector2d& u0,
+                                  const Eigen::Vector2d& u1, const Eigen::Vector2d& u2) {
+  Eigen::Matrix2d edges;
+  edges << u1 - u0, u2 - u0;
+  return edges * rest.inverse_edges;
+}
+
+/// Symmetric Dirichlet energy: |J|^2 + |J^-1|^2, 4 of an isometry; infinite of a flat or flipped
+/// triangle.
+inline double SymmetricDirichlet(const Eigen::Matrix2d& jacobian) {
+  const double det = jacobian.determinant();
+  if (!(det > 0)) return std::numeric_limits<double>::infinity();
+  return jacobian.squaredNorm() * (1 + 1 / (det * det));
+}
+
+/// Its gradient and a positive semi-definite Hessian by the corners' coordinates (x0 y0 x1 y1 x2
+/// y2).
+struct LocalModel {
+  Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
+  Eigen::Matrix<double, 6, 6> hessian = Eigen::Matrix<double, 6, 6>::Zero();
+};
+
+/// The Hessian's one eigenvalue that can be negative, that of twisting, is cut at 0. Exact for
+/// conformal maps too. REQUIRES: det J > 0. Source: Smith, de Goes, Kim, "Analytic Eigensystems for
+/// Isotropic Distortion Energies", ACM TOG 38 (2019).
+LocalModel ModelOf(const Eigen::Matrix2d& jacobian, const RestTriangle& rest);
+
+/// The same gradient, with the Hessian of the squared distance to the nearest rotation, weighted so
+/// that it has this gradient: longer steps where a triangle is far from its shape. Source:
+/// Rabinovich et al., "Scalable Locally Injective Mappings", ACM TOG 36 (2017).
+LocalModel ProxyOf(const Eigen::Matrix2d& jacobian, const RestTriangle& rest);
+
+/// The triangle at rest, bent towards its present shape until each of its stretches costs at most
+/// half of `bound`. REQUIRES: det J > 0, bound >= 4.
+RestTriangle NearerRest(const RestTriangle& rest, const Eigen::Matrix2d& jacobian, double bound);
+
+}  // namespace slicefarm::texture

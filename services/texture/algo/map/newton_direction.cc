@@ -1,0 +1,111 @@
+#include "services/texture/algo/map/newton_direction.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace slicefarm::texture {
+namespace {
+
+constexpr double kHold = 1e-9;  // of the mean diagonal: nothing else holds the map's place
+
+void AddPlaces(int32_t a, int32_t b, std::vector<SparseCholesky::Place>* places) {
+  for (int32_t i = 0; i < 2; ++i) {
+    for (int32_t k = 0; k < 2; ++k) places->emplace_back(2 * a + i, 2 * b + k);
+  }
+}
+
+std::vector<SparseCholesky::Place> PlacesOf(const FlatProblem& problem) {
+  std::vector<SparseCholesky::Place> places;
+  for (const Corners& t : problem.triangles()) {
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k <= i; ++k) AddPlaces(t[i], t[k], &places);
+    }
+  }
+  for (const int32_t a : problem.frame()) {
+    for (const int32_t b : problem.frame()) {
+      if (a <= b) AddPlaces(a, b, &places);
+    }
+  }
+  return places;
+}
+
+/// Rows of the 6 x 6 block of three corners.
+int32_t RowOf(const Corners& corners, int i) { return 2 * corners[i / 2] + i % 2; }
+
+std::array<int32_t, 21> EntriesOf(const SparseCholesky& system, const Corners& corners) {
+  std::array<int32_t, 21> entries;
+  int at = 0;
+  for (int i = 0; i < 6; ++i) {
+    for (int k = 0; k <= i; ++k)
+      entries[at++] = system.IndexOf(RowOf(corners, i), RowOf(corners, k));
+  }
+  return entries;
+}
+
+}  // namespace
+
+NewtonDirection::NewtonDirection(const FlatProblem& problem)
+    : system_(2 * problem.point_count(), PlacesOf(problem)) {
+  entries_.reserve(problem.triangles().size());
+  for (const Corners& t : problem.triangles()) entries_.push_back(EntriesOf(system_, t));
+  for (int32_t i = 0; i < 2 * problem.point_count(); ++i)
+    diagonal_.push_back(system_.IndexOf(i, i));
+}
+
+void NewtonDirection::Add(const LocalModel& model, const Corners& corners,
+                          const std::array<int32_t, 21>& entries, double weight) {
+  const std::span<double> values = system_.values();
+  int at = 0;
+  for (int i = 0; i < 6; ++i) {
+    gradient_[RowOf(corners, i)] += weight * model.gradient[i];
+    for (int k = 0; k <= i; ++k) values[entries[at++]] += weight * model.hessian(i, k);
+  }
+}
+
+void NewtonDirection::Assemble(const FlatProblem& problem, const MapPoints& points, Model model) {
+  const std::span<double> values = system_.values();
+  std::fill(values.begin(), values.end(), 0);
+  gradient_.setZero(static_cast<Eigen::Index>(diagonal_.size()));
+  for (size_t t = 0; t < problem.triangles().size(); ++t) {
+    const RestTriangle& rest = problem.references()[t];
+    const Eigen::Matrix2d jacobian = problem.JacobianAt(points, t, rest);
+    Add(model == Model::kProxy ? ProxyOf(jacobian, rest) : ModelOf(jacobian, rest),
+        problem.triangles()[t], entries_[t], problem.WeightOf(t));
+  }
+  for (const FrameBarrier::Term& term : problem.barrier().Terms(problem.FrameOf(points))) {
+    const auto& [a, b, point] = term.pair;
+    const Corners corners = {problem.frame()[a], problem.frame()[b], problem.frame()[point]};
+    Add(term.model, corners, EntriesOf(system_, corners), problem.BarrierWeight());
+  }
+  double trace = 0;
+  for (const int32_t entry : diagonal_) trace += values[entry];
+  const double hold = kHold * trace / static_cast<double>(diagonal_.size());
+  for (const int32_t entry : diagonal_) values[entry] += hold;
+}
+
+/// Polak and Ribiere's part of the way before, with the factored Hessian as the metric.
+Eigen::VectorXd NewtonDirection::Conjugate(const Eigen::VectorXd& newton, Model model) {
+  Eigen::VectorXd way = newton;
+  if (model == Model::kConjugate && last_decrement_ > 0) {
+    const double part = -gradient_.dot(newton - last_newton_) / last_decrement_;
+    if (part > 0) way += part * last_way_;
+    if (gradient_.dot(way) >= 0) way = newton;
+  }
+  last_newton_ = newton;
+  last_way_ = way;
+  last_decrement_ = model == Model::kConjugate ? -gradient_.dot(newton) : 0;
+  return way;
+}
+
+absl::StatusOr<NewtonDirection::Way> NewtonDirection::At(const FlatProblem& problem,
+                                                         const MapPoints& points, Model model) {
+  Assemble(problem, points, model);
+  if (absl::Status status = system_.Factor(); !status.ok()) return status;
+  const Eigen::VectorXd solved = Conjugate(system_.Solve(-gradient_), model);
+  Way way{.direction = MapPoints(points.size()), .slope = gradient_.dot(solved)};
+  for (size_t i = 0; i < points.size(); ++i)
+    way.direction[i] = solved.segment<2>(2 * static_cast<Eigen::Index>(i));
+  return way;
+}
+
+}  // namespace slicefarm::texture
