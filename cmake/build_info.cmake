@@ -9,7 +9,7 @@
 set(folders
   common/base common/geometry common/macro common/model common/config common/stage common/wire
   services/slicing services/planning services/beading services/infill services/ordering services/motion services/exposure services/worker
-  services/coordinator/algo/pipeline services/coordinator/algo/process)
+  services/coordinator/algo/pipeline processes)
 set(files "")
 foreach(folder ${folders})
   file(GLOB_RECURSE found RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/${folder}/*.h ${SOURCE_DIR}/${folder}/*.cc)

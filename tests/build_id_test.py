@@ -14,7 +14,7 @@ CHANGES = [
     ("services/infill/algo/section_fill.cc", True),
     ("services/slicing/algo/section/sweep.h", True),
     ("services/slicing/sandbox/reader_side.cc", True),
-    ("services/coordinator/algo/process/fdm_programs.cc", True),
+    ("processes/fdm/job/fdm_programs.cc", True),
     ("services/coordinator/algo/pipeline/report_json.cc", True),
     ("common/base/portable_math.cc", True),
     ("common/config/resolve.cc", True),

@@ -11,7 +11,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-SOURCES = ["common", "services", "tests"]
+SOURCES = ["common", "processes", "services", "tests"]
 
 
 def read(path):

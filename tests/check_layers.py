@@ -5,7 +5,8 @@ usage: check_layers.py [repo root]        exit 1 and one line per violation
 
 The way is base <- gcode, geometry <- model <- macro <- config, stage, algo <- wire, rpc, sandbox <- remote, store <- run <- server, sim, client;
 a service never includes another one, except in the two places where whole programs are put together: services/worker and
-services/cli.
+services/cli. What is of one process lies in processes/<name>, a folder for each side that asks for it (settings, task, wire,
+job); the others reach it through processes/list alone, and name no process but in common/model/process.h.
 """
 import pathlib
 import re
@@ -14,6 +15,7 @@ import sys
 WIRE, GRPC = r"\.pb\.h$", r"^grpc"
 PURE = {"base", "gcode", "model", "geometry"}
 EDGE = PURE | {"config", "stage", "wire", "rpc", "algo"}
+PROCESS = {"settings", "task", "task_wire", "job"}  # a process's own, and the lists of them
 # layer: (path pattern, layers it may include, system and generated headers it must not include)
 LAYERS = [
     ("base", r"common/base/", {"base"}, f"{WIRE}|{GRPC}"),
@@ -23,19 +25,27 @@ LAYERS = [
     ("macro", r"common/macro/", {"base", "geometry", "model", "macro"}, f"{WIRE}|{GRPC}"),
     ("config", r"common/config/", PURE | {"config", "stage", "macro"}, f"{WIRE}|{GRPC}"),
     ("stage", r"common/stage/", PURE | {"stage"}, f"{WIRE}|{GRPC}"),
+    ("settings", r"processes/\w+/settings(?:[/.]|_test)", PURE | {"config", "macro", "settings"}, f"{WIRE}|{GRPC}"),
+    ("task", r"processes/\w+/tasks?(?:[/.]|_test)", PURE | {"stage", "task"}, f"{WIRE}|{GRPC}"),
+    ("task_wire", r"processes/\w+/wire(?:[/.]|_test)", PURE | {"stage", "wire", "task", "task_wire"}, r"\.grpc\.pb\.h$|^grpc"),
+    ("job", r"processes/\w+/jobs?(?:[/.]|_test)", PURE | {"stage", "task", "algo", "job"}, f"{WIRE}|{GRPC}"),
     ("wire", r"common/wire/", PURE | {"stage", "wire"}, r"\.grpc\.pb\.h$|^grpc"),
     ("rpc", r"common/rpc/", PURE | {"rpc"}, r"slicefarm/v1/(?!error_details).*\.pb\.h$"),
     ("algo", r"services/(\w+)/algo/", PURE | {"algo", "stage", "macro"}, f"{WIRE}|{GRPC}"),
     ("sandbox", r"services/(\w+)/sandbox/", PURE | {"algo", "sandbox"}, f"{WIRE}|{GRPC}"),
-    ("remote", r"services/(\w+)/remote/", EDGE | {"remote"}, None),
+    ("remote", r"services/(\w+)/remote/", EDGE | {"remote", "task_wire"}, None),
     ("store", r"services/(\w+)/store/", PURE | {"store", "algo", "rpc", "wire"}, GRPC),
     ("run", r"services/(\w+)/run/", PURE | {"run", "algo", "store"}, f"{WIRE}|{GRPC}"),
-    ("server", r"services/(\w+)/server/", EDGE | {"remote", "sandbox", "store", "run", "server"}, None),
+    ("server", r"services/(\w+)/server/", EDGE | {"remote", "sandbox", "store", "run", "server"} | PROCESS, None),
     ("sim", r"services/(\w+)/sim/", PURE | {"sim", "run", "algo", "store"}, f"{WIRE}|{GRPC}"),
-    ("cli", r"services/(cli)/", EDGE | {"remote", "cli"}, None),
+    ("cli", r"services/(cli)/", EDGE | {"remote", "cli"} | PROCESS, None),
     ("client", r"services/(\w+)/client/", EDGE | {"client"}, None),
 ]
 COMPOSITION_ROOTS = {"worker", "cli"}
+JOBS_OF = "coordinator"  # the service that puts jobs together, whose interfaces processes/*/job implements
+PROCESSES = re.compile(r"processes/(\w+)/")
+# Beside its folders: the enumerators, and the exposure of layers: a stage, its options, its G-code and what it makes.
+LASER_FILES = re.compile(r"processes/(laser|list)/|processes/CMakeLists.txt|services/exposure/|common/model/process\.h|common/(model/(options/)?expos|macro/laser_code)\w*\.")
 CLIPPER = re.compile(r"^(polyclipping/)?clipper")  # only inside common/geometry
 IMPURE = re.compile(r"\b(getenv|std::cout|std::cerr|printf|exit|rand|system_clock|steady_clock)\s*[\(:<]")
 # libm's results depend on the CPU (FMA or not), those of common/base/portable_math.h do not.
@@ -49,7 +59,7 @@ LIBM = re.compile(
 SUBRANGE = re.compile(
     r"\bstd::(views::\w+|ranges::(?:views|subrange|unique|equal_range|rotate|remove|remove_if|partition|stable_partition|search|find_end)\b)"
 )
-LIBM_FREE = {"base", "gcode", "geometry", "model", "macro", "config", "stage", "algo"}
+LIBM_FREE = {"base", "gcode", "geometry", "model", "macro", "config", "stage", "algo", "settings", "task", "job"}
 NO_GCODE = {"load"}  # services that make none
 MAX_LINES, MAX_TEST_LINES = 500, 1000
 TEST_FILE = re.compile(r"_test\.(cc|h)$")  # as in cmake/build_info.cmake
@@ -69,10 +79,13 @@ def check_includes(path, text, layer, service, is_test):
         included = match.group(1)
         where = f"{path}:{text[: match.start()].count(chr(10)) + 1}"
         to, to_service = layer_of(included)
-        if to and to not in allowed:
+        if to and to not in allowed and not (is_test and to in PROCESS):
             yield f"{where}: {layer} must not include {to} ({included})"
-        if to_service and to_service != service and service not in COMPOSITION_ROOTS:
+        roots = COMPOSITION_ROOTS if layer != "job" or to_service != JOBS_OF else {service}
+        if to_service and to_service != service and service not in roots:
             yield f"{where}: service {service} must not include service {to_service}"
+        if not is_test:
+            yield from check_process(path, where, included)
         if included.startswith("tests/") and not is_test:
             yield f"{where}: product code must not include tests/"
         if TEST_ONLY.search(included) and not is_test:
@@ -81,6 +94,21 @@ def check_includes(path, text, layer, service, is_test):
             yield f"{where}: {layer} must not include {included}"
         if CLIPPER.match(included) and layer != "geometry":
             yield f"{where}: Clipper is private to common/geometry"
+
+
+def check_process(path, where, included):
+    """A process is reached through the list, and knows no other one."""
+    to, own = PROCESSES.match(included), PROCESSES.match(path)
+    if to and to[1] != "list" and (own is None or own[1] not in ("list", to[1])):
+        yield f"{where}: only the list of processes may include {included}"
+
+
+def check_names(path, text):
+    if LASER_FILES.match(path):
+        return
+    for number, line in enumerate(text.splitlines(), 1):
+        if "laser" in line.lower():
+            yield f"{path}:{number}: names a process; ask the process instead"
 
 
 def check(root, file):
@@ -95,9 +123,11 @@ def check(root, file):
         yield f"{path}: in no known layer"
         return
     yield from check_includes(path, text, layer, service, is_test)
+    if not is_test:
+        yield from check_names(path, text)
     if re.search(r"^(TYPED_)?TEST(_[FP])?\(", text, re.M) and not re.search(rf"^namespace slicefarm\S*::{file.stem} {{$", text, re.M):
         yield f"{path}: no namespace of its own, slicefarm::..::{file.stem}: files compiled as one share names"
-    if layer in ("algo", "geometry", "model", "config", "run") and not is_test:
+    if layer in ("algo", "geometry", "model", "config", "run", "settings", "task", "job") and not is_test:
         for m in IMPURE.finditer(text):
             # A literal for tests may die; nothing else in pure code may touch the world.
             if "OrDie" not in text:
@@ -116,7 +146,7 @@ def check(root, file):
 
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
-    files = [f for d in ("common", "services") for e in ("h", "cc") for f in sorted((root / d).rglob(f"*.{e}"))]
+    files = [f for d in ("common", "processes", "services") for e in ("h", "cc") for f in sorted((root / d).rglob(f"*.{e}"))]
     if not files:
         print(f"no sources under {root}")
         return 1

@@ -38,6 +38,18 @@ TREE = {
     "common/base/shared_test.cc": ("namespace slicefarm {\nTEST(Shared, A) {}\n}\n", ["no namespace of its own"]),
     "common/base/fixture_test.cc": ("namespace slicefarm::other {\nTEST_P(Fixture, A) {}\n}\n", ["no namespace of its own"]),
     "common/base/helper_test.cc": ("namespace slicefarm {\nint Help() { return 1; }\n}\n", []),
+    "processes/fdm/task/chain.h": (OWN % "common/stage/far.h", []),
+    "processes/fdm/job/job.h": (OWN % "services/coordinator/algo/plan.h", []),
+    "processes/fdm/job/stage.h": (OWN % "services/infill/algo/other.h", ["must not include service infill"]),
+    "processes/fdm/job/mine.h": (OWN % "processes/laser/job/theirs.h", ["only the list of processes may include", "names a process"]),
+    "processes/fdm/settings/words.h": ("// as lasers do\n", ["names a process"]),
+    "processes/laser/settings/words.h": ("// as lasers do\n", []),
+    "processes/list/jobs.h": (OWN % "processes/fdm/job/job.h" + OWN % "processes/laser/job/theirs.h", []),
+    "services/coordinator/algo/plan.h": ("// not of a laser\n", ["names a process"]),
+    "services/coordinator/algo/ask_test.cc": (OWN % "processes/fdm/task/chain.h", []),
+    "services/coordinator/server/ask.h": (OWN % "processes/list/jobs.h", []),
+    "services/coordinator/server/name.h": (OWN % "processes/fdm/job/job.h", ["only the list of processes may include"]),
+    "services/coordinator/algo/up.h": (OWN % "processes/list/jobs.h", ["algo must not include job"]),
     "services/infill/algo/long.h": ("\n" * 501, ["501 lines, at most 500"]),
 }
 

@@ -18,8 +18,8 @@ std::string_view InsteadOf(const SettingSpec& spec, std::string_view value) {
 }
 
 void Add(const std::string& key, std::string_view value, Coverage& coverage) {
-  if (const int index = FindSetting(key); index >= 0) {
-    const std::string_view instead = InsteadOf(SettingsTable()[index], value);
+  if (const int index = FindSetting(key, Process::kFdm); index >= 0) {
+    const std::string_view instead = InsteadOf(SettingsTable(Process::kFdm)[index], value);
     ++coverage.keys;
     ++(instead.empty() ? coverage.effect : coverage.partial);
     if (!instead.empty())

@@ -15,7 +15,7 @@ namespace slicefarm::config {
 class Draft {
  public:
   /// Every setting of the process at its standard.
-  explicit Draft(Process process = Process::kFdm);
+  explicit Draft(Process process);
 
   struct Entry {
     std::optional<Value> value = {};  ///< none: `nil`

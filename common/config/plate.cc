@@ -11,12 +11,8 @@
 
 #include "absl/strings/escaping.h"
 #include "common/base/error.h"
-#include "common/config/plate_tool.h"
+#include "common/config/process_settings.h"
 #include "common/config/resolved_bytes.h"
-#include "common/config/table/adhesion_rows.h"
-#include "common/config/table/known_keys.h"
-#include "common/config/table/region_table.h"
-#include "common/config/table/setting_scope.h"
 #include "common/config/table/settings_table.h"
 #include "common/stage/copy_groups.h"
 
@@ -36,10 +32,15 @@ absl::Status OfObject(const std::string& name, const absl::Status& status) {
                    std::move(detail.metadata));
 }
 
-absl::Status Misplaced(const Setting& setting, Scope place) {
+/// REQUIRES: the process has the setting.
+Scope ScopeOf(const Setting& setting, Process process) {
+  return SettingsTable(process)[FindSetting(setting.key, process)].scope;
+}
+
+absl::Status Misplaced(const Setting& setting, Process process, Scope place) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMisplaced,
                    fmt::format("{} is a setting of {} and cannot be given to {}", setting.key,
-                               ScopeName(ScopeOf(setting.key)), ScopeName(place)),
+                               ScopeName(ScopeOf(setting, process)), ScopeName(place)),
                    {{"setting", setting.key}});
 }
 
@@ -47,7 +48,7 @@ absl::Status Misplaced(const Setting& setting, Scope place) {
 bool MayBeGiven(const Setting& setting, Process process, Scope place, bool of_range) {
   if (FindSetting(setting.key, process) < 0) return true;  // Resolve says what it is
   if (of_range && setting.key == "layer_height") return true;
-  return ScopeOf(setting.key) >= place;
+  return ScopeOf(setting, process) >= place;
 }
 
 /// Resolves settings of places inside a job, each set of settings once.
@@ -72,6 +73,7 @@ class Resolver {
   }
 
   const Growth& growth() const { return growth_; }
+  const ProcessSettings& process() const { return SettingsOf(process_); }
 
   /// The job's settings with `own` over them.
   absl::StatusOr<JobSettings> With(const std::string& object, const Settings& own) {
@@ -108,11 +110,11 @@ class Resolver {
       if (MayBeGiven(setting, process_, place, of_range)) {
         fitting.push_back(setting);
       } else if (setting.source == Source::kRequest) {
-        return OfObject(object, Misplaced(setting, place));
+        return OfObject(object, Misplaced(setting, process_, place));
       } else {
         plate_.no_effect.push_back(fmt::format("{}: {} = {}: is a setting of {}", object,
                                                setting.key, setting.value,
-                                               ScopeName(ScopeOf(setting.key))));
+                                               ScopeName(ScopeOf(setting, process_))));
       }
     }
     return fitting;
@@ -166,13 +168,12 @@ using RowSettings = std::map<int32_t, Settings>;
 /// Resolves one object.
 class ObjectResolver {
  public:
-  ObjectResolver(const SceneObject& object, Resolver& resolver, RegionTable& table)
-      : object_(object), resolver_(resolver), table_(table) {}
+  ObjectResolver(const SceneObject& object, Resolver& resolver, RegionRows& rows)
+      : object_(object), resolver_(resolver), process_(resolver.process()), rows_of_job_(rows) {}
 
   struct Result {
     ObjectInput input;  ///< without copies
-    ObjectSlicingOptions slicing;
-    ObjectPlanOptions planning;
+    JobSettings settings;
   };
 
   absl::StatusOr<Result> Resolve() {
@@ -182,34 +183,16 @@ class ObjectResolver {
     absl::StatusOr<JobSettings> settings = resolver_.With(object_.name, own_);
     if (!settings.ok()) return settings.status();
     Result result;
-    result.slicing = settings->slicing.objects.front();
-    result.planning = settings->planning.objects.front();
     result.input.name = object_.name;
     if (absl::Status ok = AddRanges(result.input); !ok.ok()) return ok;
     for (const Part& part : object_.parts)
       if (absl::Status ok = AddPart(part, result.input); !ok.ok()) return ok;
-    if (absl::Status ok = AddAdhesionRows(*settings, result.planning); !ok.ok()) return ok;
+    result.settings = *std::move(settings);
+    if (absl::Status ok = process_.AddRows(result.settings, rows_of_job_); !ok.ok()) return ok;
     return result;
   }
 
  private:
-  /// The rows of the object's brim and raft.
-  absl::Status AddAdhesionRows(const JobSettings& settings, ObjectPlanOptions& planning) {
-    const int32_t raft_layers = planning.raft.heights.layers;
-    for (int32_t layer = 0; layer < raft_layers; ++layer) {
-      absl::StatusOr<int32_t> row = table_.RowOf(RaftRow(settings, layer));
-      if (!row.ok()) return row.status();
-      planning.raft_settings[static_cast<size_t>(layer)] = *row;
-    }
-    const BrimOptions& brim = planning.brim;
-    const bool wide = brim.automatic.on || brim.width_nm > 0;
-    if (brim.type == BrimType::kNone || !wide || raft_layers > 0) return absl::OkStatus();
-    absl::StatusOr<int32_t> row = table_.RowOf(BrimRow(settings));
-    if (!row.ok()) return row.status();
-    planning.brim_settings = *row;
-    return absl::OkStatus();
-  }
-
   absl::Status AddRanges(ObjectInput& input) {
     for (const HeightRange& range : object_.ranges) {
       if (!(0 <= range.from_mm && range.from_mm < range.to_mm && range.to_mm < 1e4))
@@ -278,12 +261,13 @@ class ObjectResolver {
   absl::StatusOr<int32_t> RowOf(const Settings& own) {
     absl::StatusOr<JobSettings> settings = resolver_.With(object_.name, own);
     if (!settings.ok()) return settings.status();
-    return table_.RowOf(*settings);
+    return rows_of_job_.RowOf(*settings);
   }
 
   const SceneObject& object_;
   Resolver& resolver_;
-  RegionTable& table_;
+  const ProcessSettings& process_;
+  RegionRows& rows_of_job_;
   Settings own_;
   std::vector<Settings> ranges_;
   RowSettings rows_;
@@ -329,43 +313,22 @@ void Grow(const Growth& growth, std::vector<Instance>& copies) {
 }
 
 /// Adds the object, or its copies to an equal one.
-void Add(ObjectResolver::Result object, ResolvedPlate& plate) {
+void Add(ObjectResolver::Result object, const ProcessSettings& process, ResolvedPlate& plate) {
   JobSettings& settings = plate.settings;
   for (size_t i = 0; i < plate.objects.size(); ++i) {
     std::vector<CopyInput> copies = plate.objects[i].copies;
     plate.objects[i].copies = object.input.copies;
     const bool equal = plate.objects[i] == object.input &&
-                       settings.slicing.objects[i] == object.slicing &&
-                       settings.planning.objects[i] == object.planning;
+                       settings.slicing.objects[i] == object.settings.slicing.objects.front() &&
+                       process.AreAlike(settings, i, object.settings);
     plate.objects[i].copies = std::move(copies);
     if (!equal) continue;
     std::ranges::move(object.input.copies, std::back_inserter(plate.objects[i].copies));
     return;
   }
   plate.objects.push_back(std::move(object.input));
-  settings.slicing.objects.push_back(object.slicing);
-  settings.planning.objects.push_back(object.planning);
-}
-
-/// How far an object's brim stands out from it. That of auto_brim is not known before its shape is.
-Coord BrimReach(const ObjectPlanOptions& object) {
-  const BrimOptions& brim = object.brim;
-  const bool outside = brim.type == BrimType::kOuterOnly ||
-                       brim.type == BrimType::kOuterAndInner || brim.type == BrimType::kEars;
-  if (!outside || brim.automatic.on || object.raft.heights.layers > 0 || brim.width_nm <= 0)
-    return 0;
-  return brim.separation_nm + brim.width_nm;
-}
-
-/// Copies that are arranged stand duplicate_distance apart, brims included.
-void LeaveRoomForBrims(JobSettings& settings) {
-  Coord reach = 0;
-  for (const ObjectPlanOptions& object : settings.planning.objects)
-    reach = std::max(reach, BrimReach(object));
-  SlicingOptions& slicing = settings.slicing;
-  if (reach > 0)
-    slicing.clearance_radius_nm =
-        std::max(slicing.clearance_radius_nm, slicing.part_distance_nm + 2 * reach);
+  settings.slicing.objects.push_back(object.settings.slicing.objects.front());
+  process.AddObject(object.settings, settings);
 }
 
 }  // namespace
@@ -375,41 +338,36 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
                                            Process process, const CancelToken& cancel) {
   Settings job(given_job.begin(), given_job.end());
   std::vector<SceneObject> objects(given_objects.begin(), given_objects.end());
-  if (process == Process::kFdm)
-    if (absl::Status ok = TakeTool(job, objects); !ok.ok()) return ok;
+  const ProcessSettings& own = SettingsOf(process);
+  if (absl::Status ok = own.TakeTogether(job, objects); !ok.ok()) return ok;
   if (absl::Status ok = CheckResolvedBytes(job, objects); !ok.ok()) return ok;
   ResolvedPlate plate;
   Resolver resolver(job, process, cancel, plate);
   if (absl::Status ok = resolver.ResolveJob(); !ok.ok()) return ok;
   const JobSettings base = plate.settings;
   plate.settings.slicing.objects.clear();
-  plate.settings.planning.objects.clear();
-  RegionTable table;
+  own.BeginPlate(plate.settings);
+  const std::unique_ptr<RegionRows> rows = own.NewRows();
   for (SceneObject& object : objects) {
     Grow(resolver.growth(), object.instances);
     absl::StatusOr<ObjectResolver::Result> resolved =
-        ObjectResolver(object, resolver, table).Resolve();
+        ObjectResolver(object, resolver, *rows).Resolve();
     if (!resolved.ok()) return resolved.status();
     for (const CopyGroup& group : GroupsOf(object.instances)) {
       ObjectResolver::Result one = *resolved;
       one.input.sunk_mm = 0;
       one.input.to_plate = group.to_plate;
       one.input.copies = CopiesOf(group);
-      Add(std::move(one), plate);
+      Add(std::move(one), own, plate);
     }
   }
   if (plate.objects.empty())
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
                      "no object has a printable copy");
-  if (plate.settings.planning.skirt.loops > 0) {
-    const absl::StatusOr<int32_t> row = table.RowOf(BrimRow(base));
-    if (!row.ok()) return row.status();
-    plate.settings.planning.skirt_settings = *row;
-  }
-  table.PutInto(plate.settings);
-  LeaveRoomForBrims(plate.settings);
-  // FDM is what jobs were before there were processes: its text says nothing of it.
-  if (process != Process::kFdm)
+  if (absl::Status ok = own.FinishPlate(base, *rows, plate.settings); !ok.ok()) return ok;
+  plate.region_rows = rows->size();
+  // That of jobs from before there were processes: its text says nothing of it.
+  if (process != kDefaultProcess)
     plate.effective_text += fmt::format("process = {}\n", ProcessName(process));
   plate.effective_text += ObjectsText(objects);
   return plate;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ namespace slicefarm::config {
 struct ResolvedPlate {
   JobSettings settings;
   std::vector<ObjectInput> objects;
+  int64_t region_rows = 0;  ///< different sets of settings of regions
   /// ResolvedSettings::effective_text, and where objects have settings of their own a line
   /// `object_settings = ` with them as JSON.
   std::string effective_text;
@@ -36,8 +38,7 @@ struct ResolvedPlate {
 /// (CheckResolvedBytes, before any is resolved); REQUEST_MALFORMED for ranges that are
 /// none, NOTHING_TO_PRINT if no copy is printable; `cancel`'s, asked before each set.
 absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> job,
-                                           std::span<const SceneObject> objects,
-                                           Process process = Process::kFdm,
+                                           std::span<const SceneObject> objects, Process process,
                                            const CancelToken& cancel = {});
 
 }  // namespace slicefarm::config

@@ -47,7 +47,7 @@ Instance StandingAt(double x_mm, double y_mm, double turn_deg = 0) {
 }
 
 ResolvedPlate PlateOrDie(const Pairs& job, const std::vector<SceneObject>& objects) {
-  auto plate = ResolvePlate(Settings(job), objects);
+  auto plate = ResolvePlate(Settings(job), objects, Process::kFdm);
   if (!plate.ok()) {
     ADD_FAILURE() << plate.status();
     return {};
@@ -56,7 +56,7 @@ ResolvedPlate PlateOrDie(const Pairs& job, const std::vector<SceneObject>& objec
 }
 
 absl::Status PlateRefusal(const Pairs& job, const std::vector<SceneObject>& objects) {
-  return ResolvePlate(Settings(job), objects).status();
+  return ResolvePlate(Settings(job), objects, Process::kFdm).status();
 }
 
 TEST(ResolvePlate, PartsAreLargerByWhatTheirFilamentShrinks) {
@@ -85,7 +85,7 @@ TEST(ResolvePlate, PartsAreLargerByWhatTheirFilamentShrinks) {
 }
 
 double Density(const ResolvedPlate& plate, int32_t row) {
-  return plate.settings.infill[static_cast<size_t>(row)].density;
+  return FdmOf(plate.settings).infill[static_cast<size_t>(row)].density;
 }
 
 TEST(ResolvePlate, WarnsOnceOfWhatObjectsAskFor) {
@@ -94,7 +94,7 @@ TEST(ResolvePlate, WarnsOnceOfWhatObjectsAskFor) {
   EXPECT_THAT(PlateOrDie({}, {a, b}).warnings,
               testing::ElementsAre(testing::StartsWith("a: support_material = 1")));
   const std::vector<Setting> job = {{"support_material", "1", Source::kProfile}};
-  const auto plate = ResolvePlate(job, std::vector<SceneObject>{a, b});
+  const auto plate = ResolvePlate(job, std::vector<SceneObject>{a, b}, Process::kFdm);
   ASSERT_TRUE(plate.ok()) << plate.status();
   EXPECT_THAT(plate->warnings, testing::ElementsAre(testing::StartsWith("support_material = 1")));
 }
@@ -107,8 +107,7 @@ TEST(ResolvePlate, ArrangedCopiesLeaveRoomForTheWidestBrim) {
   };
   EXPECT_EQ(clearance({}, "0"), 0);
   EXPECT_EQ(clearance({{"brim_width", "3"}}, "0"), FromMm(6 + 2 * 3));
-  EXPECT_EQ(clearance({{"brim_width", "3"}, {"brim_separation", "0.5"}}, "8"),
-            FromMm(6 + 2 * 8.5));
+  EXPECT_EQ(clearance({{"brim_width", "3"}, {"brim_separation", "0.5"}}, "8"), FromMm(6 + 2 * 8.5));
   EXPECT_EQ(clearance({{"brim_type", "inner_only"}}, "8"), 0);
   EXPECT_EQ(clearance({{"complete_objects", "1"}, {"extruder_clearance_radius", "45"}}, "8"),
             FromMm(45));
@@ -132,12 +131,12 @@ TEST(ResolvePlate, ANeedThatAnObjectMeetsIsMet) {
   SceneObject raft = ObjectOfFile("b", 1, {}, 1);
   raft.settings = {{"raft_layers", "2"}};
   const std::vector<SceneObject> without = {plain}, with = {plain, raft};
-  EXPECT_EQ(ResolvePlate(job, without)->no_effect.size(), 1u);
-  EXPECT_TRUE(ResolvePlate(job, with)->no_effect.empty());
+  EXPECT_EQ(ResolvePlate(job, without, Process::kFdm)->no_effect.size(), 1u);
+  EXPECT_TRUE(ResolvePlate(job, with, Process::kFdm)->no_effect.empty());
   // One that replaces the value says nothing about the job's.
   raft.settings.push_back({"raft_expansion", "5"});
   const std::vector<SceneObject> replaced = {plain, raft};
-  EXPECT_EQ(ResolvePlate(job, replaced)->no_effect.size(), 1u);
+  EXPECT_EQ(ResolvePlate(job, replaced, Process::kFdm)->no_effect.size(), 1u);
 }
 
 TEST(ResolvePlate, OneObjectWithoutSettingsOfItsOwn) {
@@ -145,7 +144,7 @@ TEST(ResolvePlate, OneObjectWithoutSettingsOfItsOwn) {
   ASSERT_THAT(plate.objects, SizeIs(1));
   EXPECT_EQ(plate.objects[0].name, "box");
   EXPECT_THAT(plate.objects[0].parts[0].regions, ElementsAre(0));
-  ASSERT_THAT(plate.settings.infill, SizeIs(1));
+  ASSERT_THAT(FdmOf(plate.settings).infill, SizeIs(1));
   EXPECT_DOUBLE_EQ(Density(plate, 0), 0.3);
   EXPECT_THAT(plate.settings.slicing.objects, SizeIs(1));
   EXPECT_THAT(plate.effective_text, Not(HasSubstr("object_settings")));
@@ -180,7 +179,7 @@ TEST(ResolvePlate, AModifierChangesWhatItLiesIn) {
   EXPECT_DOUBLE_EQ(Density(plate, thick), 0.1);
   EXPECT_DOUBLE_EQ(Density(plate, both), 0.6);
   const auto walls = [&](int32_t row) {
-    return plate.settings.beading[static_cast<size_t>(row)].perimeters;
+    return FdmOf(plate.settings).beading[static_cast<size_t>(row)].perimeters;
   };
   EXPECT_EQ(walls(part), 2);
   EXPECT_EQ(walls(dense), 2);
@@ -201,12 +200,13 @@ TEST(ResolvePlate, SkirtBrimAndRaftHaveRowsOfTheirOwn) {
       {{"skirts", "1"}, {"support_material_speed", "50"}},
       {ObjectNamed("brim", {{"brim_width", "5"}, {"support_material_speed", "20"}}),
        ObjectNamed("raft", {{"raft_layers", "3"}, {"brim_width", "5"}}), ObjectNamed("plain")});
-  const PlanningOptions& planning = plate.settings.planning;
+  const PlanningOptions& planning = FdmOf(plate.settings).planning;
   const auto towards_holes = [&](int32_t row) {
-    return plate.settings.ordering.walls[static_cast<size_t>(row)].towards_holes;
+    return FdmOf(plate.settings).ordering.walls[static_cast<size_t>(row)].towards_holes;
   };
   const auto speed = [&](int32_t row, Feature feature) {
-    return plate.settings.motion.speeds[static_cast<size_t>(row)]
+    return FdmOf(plate.settings)
+        .motion.speeds[static_cast<size_t>(row)]
         .speed_mm_s[static_cast<size_t>(feature)];
   };
   EXPECT_FALSE(towards_holes(0));
@@ -223,7 +223,7 @@ TEST(ResolvePlate, SkirtBrimAndRaftHaveRowsOfTheirOwn) {
   EXPECT_EQ(planning.objects[2].brim_settings, 0);
   EXPECT_EQ(plate.settings.slicing.objects[1].raft.layers, 3);
   EXPECT_EQ(plate.settings.slicing.objects[2].raft.layers, 0);
-  EXPECT_THAT(plate.settings.beading, SizeIs(6));  // two parts, brim, two of the raft, skirt
+  EXPECT_THAT(FdmOf(plate.settings).beading, SizeIs(6));  // two parts, brim, two of the raft, skirt
 }
 
 TEST(ResolvePlate, EachObjectHasItsOwnLayerHeightAndSeam) {
@@ -234,8 +234,8 @@ TEST(ResolvePlate, EachObjectHasItsOwnLayerHeightAndSeam) {
   ASSERT_THAT(plate.settings.slicing.objects, SizeIs(2));
   EXPECT_EQ(plate.settings.slicing.objects[0].layer_height_nm, 100'000);
   EXPECT_EQ(plate.settings.slicing.objects[1].layer_height_nm, 300'000);
-  EXPECT_EQ(plate.settings.planning.objects[0].seam, SeamPosition::kRear);
-  EXPECT_EQ(plate.settings.planning.objects[1].seam, SeamPosition::kNearest);
+  EXPECT_EQ(FdmOf(plate.settings).planning.objects[0].seam, SeamPosition::kRear);
+  EXPECT_EQ(FdmOf(plate.settings).planning.objects[1].seam, SeamPosition::kNearest);
 }
 
 TEST(ResolvePlate, CopiesOfAnObjectAreOneObject) {
@@ -331,7 +331,7 @@ TEST(ResolvePlate, TooManySetsOfSettings) {
         ObjectNamed("box", {{"top_infill_extrusion_width", std::to_string(0.3 + i * 0.0001)}}));
   EXPECT_EQ(DetailOf(PlateRefusal({}, objects)).reason, Reason::kRequestTooLarge);
   objects.pop_back();
-  EXPECT_TRUE(ResolvePlate({}, objects).ok());
+  EXPECT_TRUE(ResolvePlate({}, objects, Process::kFdm).ok());
 }
 
 // The text is the cache's key and the G-code's last lines: settings of objects are part of it.
@@ -351,7 +351,7 @@ TEST(ResolvePlate, RegionsThatDifferInFillingShareWalls) {
   object.parts.push_back(PartOf(2, PartRole::kModifier, {{"perimeters", "7"}}));
   const ResolvedPlate plate = PlateOrDie({}, {object});
   const auto wall_class = [&](int32_t row) {
-    return plate.settings.beading[static_cast<size_t>(row)].wall_class;
+    return FdmOf(plate.settings).beading[static_cast<size_t>(row)].wall_class;
   };
   const auto& parts = plate.objects[0].parts;
   const int32_t part = parts[0].regions[0];

@@ -2,27 +2,14 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <optional>
 #include <utility>
 
-#include "common/base/error.h"
-#include "common/base/text.h"
-#include "common/config/check_settings.h"
-#include "common/config/derive.h"
 #include "common/config/draft.h"
-#include "common/config/filament_gcode.h"
-#include "common/config/needs.h"
+#include "common/config/process_settings.h"
+#include "common/config/setting_need.h"
 #include "common/config/setting_reader.h"
 #include "common/config/table/setting_limits.h"
 #include "common/config/table/settings_table.h"
-#include "common/macro/job_code.h"
-#include "common/macro/laser_code.h"
-#include "common/model/bead_section.h"
-#include "common/model/fields/field_text.h"
-#include "common/model/limits.h"
 
 namespace slicefarm::config {
 namespace {
@@ -35,180 +22,12 @@ absl::Status CheckLimits(std::span<const Setting> given) {
   return status;
 }
 
-/// How many tools a machine can have.
-constexpr double kMostTools = 255;
-
-/// The tool that prints, from 0: the last `extruder` that is given, 0 being none of its own.
-size_t ToolOf(std::span<const Setting> given) {
-  size_t tool = 0;
-  for (const Setting& setting : given) {
-    if (setting.key != "extruder") continue;
-    const auto number = ToNumber(Trim(setting.value));
-    const bool valid = number && *number >= 1 && *number <= kMostTools;
-    tool = valid ? static_cast<size_t>(*number) - 1 : 0;
-  }
-  return tool;
-}
-
-/// How many extruders the machine has, by its nozzles, or as effective settings tell it.
-size_t ToolCount(std::span<const Setting> given) {
-  size_t nozzles = 1, told = 0;
-  for (const Setting& setting : given) {
-    if (setting.key == "nozzle_diameter") nozzles = Split(setting.value, ",;").size();
-    const auto number = ToNumber(Trim(setting.value));
-    if (setting.key == "num_extruders" && number && *number >= 1 && *number <= kMostTools)
-      told = static_cast<size_t>(*number);
-  }
-  return std::max(nozzles, told);
-}
-
-/// What the G-code of each layer names goes along with its options, and no more: the rest is no
-/// part of what decides a layer.
-absl::Status TakeLayerSettings(const std::string& text, MotionOptions& options) {
-  std::string code = options.before_layer_gcode + "\n" + options.layer_gcode;
-  const WritingOptions& writing = options.writing;
-  if (!writing.height_code.empty())
-    code += "\n" + writing.color_change_gcode + "\n" + writing.pause_gcode + "\n" +
-            writing.template_gcode;
-  options.layer_settings = LinesNamedIn(code, text);
-  const auto size = static_cast<int64_t>(options.layer_settings.size());
-  if (size <= limits::kMaxSettingBytes) return absl::OkStatus();
-  return LimitError(Reason::kRequestTooLarge, "bytes of the settings that layer_gcode names",
-                    limits::kMaxSettingBytes, size);
-}
-
-/// What elefant_foot_compensation leaves of thin places: room for the first layer's outer wall and
-/// its neighbour, as PrusaSlicer has it.
-void TakeFootWidth(JobSettings& settings) {
-  const Coord width_nm = settings.beading[0].first_layer_width_nm;
-  const Coord spacing_nm = Spacing(width_nm, settings.slicing.first_layer_height_nm);
-  settings.slicing.objects[0].elephant_foot_min_width_nm =
-      width_nm + std::max<Coord>(spacing_nm, 0);
-}
-
-/// Copies that are arranged to be printed one after the other leave room for the head.
-void TakeClearance(JobSettings& settings) {
-  const SequencePlanOptions& sequence = settings.planning.sequence;
-  settings.slicing.clearance_radius_nm =
-      sequence.complete_objects ? sequence.clearance_radius_nm : 0;
-}
-
-/// What auto_brim knows of the material: how long a part of it may be before it warps, and how well
-/// it holds; and how fast it is printed. Figures are OrcaSlicer's.
-AutomaticBrim AutomaticBrimOf(const JobSettings& settings) {
-  struct Material {
-    std::string_view type;
-    double thermal_length_mm, adhesion;
-  };
-  constexpr Material kMaterials[] = {{"ABS", 100, 1}, {"PA-CF", 100, 1},  {"PET-CF", 100, 1},
-                                     {"PC", 40, 1},   {"TPU", 1000, 0.5}, {"PETG", 200, 2},
-                                     {"PCTG", 200, 2}};
-  AutomaticBrim brim = settings.planning.objects[0].brim.automatic;
-  const auto material =
-      std::ranges::find(kMaterials, settings.motion.filament_type, &Material::type);
-  if (material != std::end(kMaterials)) {
-    brim.thermal_length_mm = material->thermal_length_mm;
-    brim.adhesion = material->adhesion;
-  }
-  const auto& speeds = settings.motion.speeds[0].speed_mm_s;
-  for (const Feature feature : {Feature::kExternalPerimeter, Feature::kPerimeter,
-                                Feature::kInternalInfill, Feature::kSolidInfill})
-    brim.max_speed_mm_s = std::max(brim.max_speed_mm_s, speeds[static_cast<size_t>(feature)]);
-  return brim;
-}
-
-/// What skirt, brim and raft take from settings that are about other things.
-void TakeAdhesion(JobSettings& settings) {
-  const Coord first_height_nm = settings.slicing.first_layer_height_nm;
-  const Coord line_width_nm = settings.beading[0].first_layer_width_nm;
-  SkirtOptions& skirt = settings.planning.skirt;
-  skirt.width_nm = line_width_nm;
-  skirt.height_nm = first_height_nm;
-  const double radius_mm = settings.motion.filament_diameter_mm / 2;
-  skirt.filament_area_mm2 = std::numbers::pi * radius_mm * radius_mm;
-  ObjectPlanOptions& object = settings.planning.objects[0];
-  object.brim.line_width_nm = line_width_nm;
-  object.brim.automatic = AutomaticBrimOf(settings);
-  RaftHeights& raft = object.raft.heights;
-  raft.first_nm = first_height_nm;
-  raft.others_nm = std::max(settings.slicing.objects[0].layer_height_nm,
-                            FromMm(0.75 * settings.motion.nozzle_diameter_mm));
-  settings.slicing.objects[0].raft = raft;
-  object.raft_settings.assign(static_cast<size_t>(raft.layers), 0);
-  settings.planning.bed = settings.slicing.bed;
-}
-
-/// A density that depends on the distance to the surface looks as many layers up and down as it
-/// reaches.
-absl::Status TakeDensityField(JobSettings& settings) {
-  InfillOptions& infill = settings.infill[0];
-  if (infill.density_field.empty()) return absl::OkStatus();
-  const auto field = ParseDensityField(infill.density_field);
-  if (!field.ok()) return field.status();
-  if (field->dither != Dither::kNone && !infill.stress_field.empty()) {
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                     "density_field: dither has no effect on the streamlines of stress_field",
-                     {{"setting", "density_field"}});
-  }
-  const double height_mm = ToMm(settings.slicing.objects[0].layer_height_nm);
-  const double layers = std::ceil(field->ReachMm() / height_mm);
-  if (layers > static_cast<double>(limits::kMaxFieldHaloLayers)) {
-    return MakeError(
-        absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-        fmt::format("density_field: length = {} mm is out of range: it must be at most "
-                    "{} layers of layer_height = {} mm",
-                    PrintNumber(field->ReachMm()), limits::kMaxFieldHaloLayers,
-                    PrintNumber(height_mm)),
-        {{"setting", "density_field"}});
-  }
-  infill.field_halo_layers = static_cast<int32_t>(layers);
-  return absl::OkStatus();
-}
-
-/// Lines that planning lays out do not follow a field.
-absl::Status CheckPlannedPattern(const InfillOptions& infill) {
-  const bool planned = infill.choose_pattern || InfoOf(infill.pattern).planned;
-  if (!planned || infill.density_field.empty()) return absl::OkStatus();
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   fmt::format("density_field: fill_pattern = {} is laid out over the whole part, "
-                               "and cannot follow a field",
-                               infill.choose_pattern ? "auto" : InfoOf(infill.pattern).name),
-                   {{"setting", "density_field"}});
-}
-
-/// Between copies that are printed one after the other a skirt of one layer is all that the head
-/// can pass; profiles ask for more. What a person asks for is checked (check_settings.h). Returns
-/// what to say of it.
-std::optional<std::string> TakeSequentialSkirt(Draft& draft) {
-  if (draft.process() != Process::kFdm || draft.Number("complete_objects") == 0 ||
-      draft.Number("skirts") == 0)
-    return std::nullopt;
-  const Draft::Entry& height = draft.At("skirt_height");
-  if (height.requested || draft.Number("skirt_height") <= 1) return std::nullopt;
-  std::string note = fmt::format(
-      "skirt_height = {}: with complete_objects = 1 the skirt has one "
-      "layer, or the head would meet it",
-      height.written);
-  draft.SetNumber("skirt_height", 1);
-  return note;
-}
-
-Growth GrowthOf(const Draft& draft) {
-  const auto growth = [&](std::string_view key) { return 100 / (100 - draft.Number(key)); };
-  return {growth("filament_shrinkage_compensation_xy"),
-          growth("filament_shrinkage_compensation_z")};
-}
-
-/// Beads are not higher than the nozzle is wide. Returns what to say of it.
-std::optional<std::string> TakeEveryLayers(JobSettings& settings) {
-  int32_t& every = settings.infill[0].every_layers;
-  const Coord height_nm = settings.slicing.objects[0].layer_height_nm;
-  const Coord nozzle_nm = FromMm(settings.motion.nozzle_diameter_mm);
-  const auto most = static_cast<int32_t>(std::max<Coord>(1, nozzle_nm / height_nm));
-  if (every <= most) return std::nullopt;
-  const int32_t asked = std::exchange(every, most);
-  return fmt::format("infill_every_layers = {}: {} is what layer_height and nozzle_diameter allow",
-                     asked, most);
+/// Gives each value its place.
+void PutInto(JobSettings& settings, const Draft& draft) {
+  const auto table = SettingsTable(draft.process());
+  for (size_t i = 0; i < table.size(); ++i)
+    for (const Field& field : {table[i].field, table[i].also})
+      if (field.set != nullptr) field.set(settings, *draft.entries()[i].value);
 }
 
 }  // namespace
@@ -216,57 +35,23 @@ std::optional<std::string> TakeEveryLayers(JobSettings& settings) {
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process) {
   if (absl::Status status = CheckLimits(given); !status.ok()) return status;
   ResolvedSettings result;
-  result.settings.process = process;
-  const size_t tool = ToolOf(given);
-  SettingReader reader(process, tool);
+  const ProcessSettings& own = SettingsOf(process);
+  result.settings = own.Standards();
+  SettingReader reader(process, own.ListItem(given));
   for (const Setting& setting : given) {
     if (absl::Status status = reader.Read(setting); !status.ok()) return status;
   }
   ToldSettings told = reader.Told();
   Draft draft = reader.Finish(result);
   TellDerived(draft, told);
-  if (auto note = TakeSequentialSkirt(draft)) {
-    result.no_effect.push_back(*note);
-    result.warnings.push_back(*std::move(note));
-  }
-  if (absl::Status status = Derive(draft); !status.ok()) return status;
-  if (absl::Status status = CheckSettings(draft); !status.ok()) return status;
-
-  const auto table = SettingsTable(process);
-  for (size_t i = 0; i < table.size(); ++i) {
-    for (const Field& field : {table[i].field, table[i].also}) {
-      if (field.set != nullptr) field.set(result.settings, *draft.entries()[i].value);
-    }
-  }
-  if (process == Process::kFdm) {
-    result.growth = GrowthOf(draft);
-    TakeFootWidth(result.settings);
-    if (ToolCount(given) > 1) {
-      result.settings.motion.tool = static_cast<int32_t>(tool);
-      told["num_extruders"] = fmt::format("{}", ToolCount(given));
-    }
-    const auto code = macro::ParseJobCode(result.settings.motion);
-    if (!code.ok()) return NamingOwnGcode(code.status(), draft);
-    if (!macro::NamesClock(*code)) told.erase("creation_time");
-    TakeClearance(result.settings);
-    TakeAdhesion(result.settings);
-    if (absl::Status ok = TakeDensityField(result.settings); !ok.ok()) return ok;
-    if (absl::Status ok = CheckPlannedPattern(result.settings.infill[0]); !ok.ok()) return ok;
-    if (auto note = TakeEveryLayers(result.settings)) result.no_effect.push_back(*std::move(note));
-  }
-  for (std::string& note : UnmetNeeds(draft, result.settings)) {
+  if (absl::Status status = own.Derive(draft, result); !status.ok()) return status;
+  if (absl::Status status = own.Check(draft); !status.ok()) return status;
+  PutInto(result.settings, draft);
+  if (absl::Status status = own.Settle({draft, given, result, told}); !status.ok()) return status;
+  for (std::string& note : UnmetNeeds(own.Needs(), draft, result.settings))
     result.no_effect.push_back(std::move(note));
-  }
   result.effective_text = EffectiveText(result.settings, told);
-  MotionOptions& motion = result.settings.motion;
-  if (process == Process::kFdm)
-    if (absl::Status ok = macro::CheckJobCode(motion, result.effective_text); !ok.ok())
-      return NamingOwnGcode(ok, draft);
-  if (process == Process::kLaser) {
-    const ExposureOutput& output = result.settings.exposure.output;
-    if (absl::Status ok = macro::CheckLaserCode(output, result.effective_text); !ok.ok()) return ok;
-  }
-  if (absl::Status ok = TakeLayerSettings(result.effective_text, motion); !ok.ok()) return ok;
+  if (absl::Status status = own.Finish(draft, result); !status.ok()) return status;
   return result;
 }
 
@@ -283,7 +68,7 @@ bool IsRare(const SettingSpec& spec) {
 
 std::string EffectiveText(const JobSettings& settings, const ToldSettings& told) {
   ToldSettings all = told;
-  for (const SettingSpec& spec : SettingsTable(settings.process)) {
+  for (const SettingSpec& spec : SettingsTable(settings.process())) {
     if (spec.field.get == nullptr) continue;
     std::string value = PrintValue(spec, spec.field.get(settings));
     if (IsRare(spec) && value.empty()) continue;

@@ -40,8 +40,7 @@ struct ResolvedSettings {
 /// `setting` and, where one comes near, `suggestion`); SETTING_OF_OTHER_PROCESS for a kRequest key
 /// of another process (metadata `setting`, `process`); SETTING_MALFORMED; SETTING_OUT_OF_RANGE
 /// (metadata `setting`, `value`, `min`, `max`), also where settings do not fit each other.
-absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given,
-                                         Process process = Process::kFdm);
+absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process);
 
 /// All settings that have an effect on the job's process, and those that are told, as `key = value`
 /// lines, sorted by key: equal texts for equal settings, and the other way round.

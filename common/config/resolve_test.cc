@@ -28,7 +28,7 @@ using testing::IsEmpty;
 using testing::Not;
 
 ResolvedSettings ResolveOrDie(const std::vector<Setting>& given) {
-  auto resolved = Resolve(given);
+  auto resolved = Resolve(given, Process::kFdm);
   if (!resolved.ok()) {
     ADD_FAILURE() << resolved.status();
     return {};
@@ -39,7 +39,7 @@ ResolvedSettings ResolveOrDie(const std::vector<Setting>& given) {
 JobSettings Job(const Pairs& pairs) { return ResolveOrDie(Settings(pairs)).settings; }
 
 absl::Status Refusal(const Pairs& pairs, Source source = Source::kRequest) {
-  return Resolve(Settings(pairs, source)).status();
+  return Resolve(Settings(pairs, source), Process::kFdm).status();
 }
 
 std::string ReadCorpus(const std::string& name) {
@@ -51,23 +51,23 @@ std::string ReadCorpus(const std::string& name) {
 }
 
 double SpeedOf(const JobSettings& settings, Feature feature) {
-  return settings.motion.speeds[0].speed_mm_s[static_cast<int>(feature)];
+  return FdmOf(settings).motion.speeds[0].speed_mm_s[static_cast<int>(feature)];
 }
 
 TEST(Resolve, GivesPrusaSlicersStandardsForNothing) {
   const JobSettings s = Job({});
   EXPECT_EQ(s.slicing.objects[0].layer_height_nm, 300'000);
   EXPECT_EQ(s.slicing.first_layer_height_nm, 350'000);
-  EXPECT_EQ(s.beading[0].inner_width_nm, 450'000);
-  EXPECT_EQ(s.infill[0].top_width_nm, 400'000);
-  EXPECT_EQ(s.beading[0].first_layer_width_nm, 700'000);
+  EXPECT_EQ(FdmOf(s).beading[0].inner_width_nm, 450'000);
+  EXPECT_EQ(FdmOf(s).infill[0].top_width_nm, 400'000);
+  EXPECT_EQ(FdmOf(s).beading[0].first_layer_width_nm, 700'000);
   EXPECT_EQ(s.slicing.objects[0].elephant_foot_min_width_nm, 700'000 + 624'889);
-  EXPECT_EQ(s.infill[0].top_solid_layers, 3);
-  EXPECT_DOUBLE_EQ(s.infill[0].density, 0.2);
-  EXPECT_DOUBLE_EQ(s.infill[0].angle_rad, std::numbers::pi / 4);
+  EXPECT_EQ(FdmOf(s).infill[0].top_solid_layers, 3);
+  EXPECT_DOUBLE_EQ(FdmOf(s).infill[0].density, 0.2);
+  EXPECT_DOUBLE_EQ(FdmOf(s).infill[0].angle_rad, std::numbers::pi / 4);
   EXPECT_EQ(SpeedOf(s, Feature::kExternalPerimeter), 30);
-  EXPECT_EQ(s.motion.limits.max_feedrate_mm_s[0], 500);
-  EXPECT_EQ(s.motion.temperature_c, 200);
+  EXPECT_EQ(FdmOf(s).motion.limits.max_feedrate_mm_s[0], 500);
+  EXPECT_EQ(FdmOf(s).motion.temperature_c, 200);
 }
 
 // The file that the benchmarks run with, value by value.
@@ -87,13 +87,13 @@ TEST(Resolve, ReadsThePeersProfile) {
                                 .inner_width_nm = 450'000,
                                 .first_layer_width_nm = 450'000,
                                 .thin_walls = false};
-  EXPECT_EQ(s.beading[0], walls);
+  EXPECT_EQ(FdmOf(s).beading[0], walls);
   InfillOptions infill;  // the rest is the model's
   infill.angle_rad = std::numbers::pi / 4;
-  EXPECT_EQ(s.infill[0], infill);
-  EXPECT_EQ(s.ordering, OrderingOptions{});
+  EXPECT_EQ(FdmOf(s).infill[0], infill);
+  EXPECT_EQ(FdmOf(s).ordering, OrderingOptions{});
 
-  const MotionOptions& m = s.motion;
+  const MotionOptions& m = FdmOf(s).motion;
   EXPECT_EQ(m.flavor, GcodeFlavor::kMarlin2);
   EXPECT_THAT(m.limits.max_feedrate_mm_s, ElementsAre(300, 300, 20, 120));
   EXPECT_THAT(m.limits.max_acceleration_mm_s2, ElementsAre(3000, 3000, 500, 3000));
@@ -145,18 +145,18 @@ TEST(Resolve, TakesAWholeProfile) {
   // Where the standards differ from PrusaSlicer's, it is for a reason given in the table's
   // documentation.
   JobSettings ours = Job({});
-  ours.motion.filament_density_g_cm3 = 0;
-  ours.planning.skirt.loops = 1;
-  ours.infill[0].overlap_nm = 112'500;
-  ours.infill[0].shells = ShellThickness::kPartial;
-  ours.beading[0].extra_perimeters = true;
-  ours.ordering.travel.hide = false;
-  ours.infill[0].pattern = FillPattern::kStars;
+  FdmOf(ours).motion.filament_density_g_cm3 = 0;
+  FdmOf(ours).planning.skirt.loops = 1;
+  FdmOf(ours).infill[0].overlap_nm = 112'500;
+  FdmOf(ours).infill[0].shells = ShellThickness::kPartial;
+  FdmOf(ours).beading[0].extra_perimeters = true;
+  FdmOf(ours).ordering.travel.hide = false;
+  FdmOf(ours).infill[0].pattern = FillPattern::kStars;
   ours.slicing.thumbnails.clear();
-  ours.motion.writing.relative_e = false;
-  ours.motion.start_gcode += "; Filament gcode\n";
-  ours.motion.end_gcode =
-      "; Filament-specific end gcode \n;END gcode for filament\n" + ours.motion.end_gcode;
+  FdmOf(ours).motion.writing.relative_e = false;
+  FdmOf(ours).motion.start_gcode += "; Filament gcode\n";
+  FdmOf(ours).motion.end_gcode =
+      "; Filament-specific end gcode \n;END gcode for filament\n" + FdmOf(ours).motion.end_gcode;
   EXPECT_EQ(EffectiveText(resolved.settings), EffectiveText(ours));
   EXPECT_EQ(resolved.settings, ours);
 }
@@ -331,7 +331,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 TEST(Resolve, LetsLaterSettingsWin) {
-  EXPECT_EQ(Job({{"perimeters", "2"}, {"perimeters", "4"}}).beading[0].perimeters, 4);
+  EXPECT_EQ(FdmOf(Job({{"perimeters", "2"}, {"perimeters", "4"}})).beading[0].perimeters, 4);
 }
 
 // The text is the settings: it resolves to them, and to itself.
@@ -432,24 +432,24 @@ TEST(Resolve, SkirtBrimAndRaftTakeWidthsAndHeightsOfOtherSettings) {
                                                       {"skirts", "2"},
                                                       {"brim_width", "4"}}))
                                    .settings;
-  const SkirtOptions& skirt = settings.planning.skirt;
+  const SkirtOptions& skirt = FdmOf(settings).planning.skirt;
   EXPECT_EQ(skirt.loops, 2);
   EXPECT_EQ(skirt.width_nm, 500'000);
   EXPECT_EQ(skirt.height_nm, 250'000);
   EXPECT_DOUBLE_EQ(skirt.filament_area_mm2, 3.14159265358979323846);
-  const ObjectPlanOptions& object = settings.planning.objects[0];
+  const ObjectPlanOptions& object = FdmOf(settings).planning.objects[0];
   EXPECT_EQ(object.brim.type, BrimType::kOuterOnly);
   EXPECT_EQ(object.brim.line_width_nm, 500'000);
   EXPECT_EQ(object.raft.heights, (RaftHeights{3, 250'000, 450'000, 150'000}));
   EXPECT_EQ(object.raft.lines.width_nm, 600'000);
   EXPECT_EQ(object.raft_settings.size(), 3u);
   EXPECT_EQ(settings.slicing.objects[0].raft, object.raft.heights);
-  EXPECT_EQ(settings.planning.bed, settings.slicing.bed);
+  EXPECT_EQ(FdmOf(settings).planning.bed, settings.slicing.bed);
 }
 
 // Unlike PrusaSlicer's, whose standard is one skirt.
 TEST(Resolve, NothingIsAddedToThePlateUnasked) {
-  const PlanningOptions planning = ResolveOrDie({}).settings.planning;
+  const PlanningOptions planning = FdmOf(ResolveOrDie({}).settings).planning;
   EXPECT_EQ(planning.skirt.loops, 0);
   EXPECT_EQ(planning.objects[0].brim.width_nm, 0);
   EXPECT_EQ(planning.objects[0].raft.heights.layers, 0);
@@ -458,7 +458,7 @@ TEST(Resolve, NothingIsAddedToThePlateUnasked) {
 TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {
   const ResolvedSettings resolved =
       ResolveOrDie(Settings({{"gcode_flavor", "reprap"}}, Source::kProfile));
-  EXPECT_EQ(resolved.settings.motion.flavor, GcodeFlavor::kMarlin2);
+  EXPECT_EQ(FdmOf(resolved.settings).motion.flavor, GcodeFlavor::kMarlin2);
   EXPECT_THAT(resolved.warnings,
               ElementsAre("gcode_flavor = reprap: not supported yet: marlin2 is used"));
   EXPECT_EQ(resolved.no_effect, resolved.warnings);
@@ -467,12 +467,13 @@ TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {
 TEST(Resolve, AFieldByDistanceLooksAsManyLayersAwayAsItReaches) {
   const std::string field = R"({"kind":"surface_distance","near":0.5,"far":0.1,"length":4.1})";
   const JobSettings settings = Job({{"density_field", field}, {"layer_height", "0.2"}});
-  EXPECT_EQ(settings.infill[0].density_field, field);
-  EXPECT_EQ(settings.infill[0].field_halo_layers, 21);
-  EXPECT_GE(HaloLayers(settings), 21);
-  EXPECT_EQ(
-      Job({{"density_field", R"({"kind":"constant","density":1})"}}).infill[0].field_halo_layers,
-      0);
+  EXPECT_EQ(FdmOf(settings).infill[0].density_field, field);
+  EXPECT_EQ(FdmOf(settings).infill[0].field_halo_layers, 21);
+  EXPECT_GE(HaloLayers(FdmOf(settings)), 21);
+  EXPECT_EQ(FdmOf(Job({{"density_field", R"({"kind":"constant","density":1})"}}))
+                .infill[0]
+                .field_halo_layers,
+            0);
   const absl::Status far = Refusal({{"density_field", field}, {"layer_height", "0.02"}});
   EXPECT_EQ(DetailOf(far).reason, Reason::kSettingOutOfRange);
   EXPECT_EQ(DetailOf(far).metadata.at("setting"), "density_field");
@@ -511,7 +512,7 @@ TEST(Resolve, EveryPatternHasItsNameInSettings) {
   for (const FillPatternInfo& info : kFillPatterns) {
     const std::string name(info.name);
     if (info.sparse) {
-      EXPECT_EQ(ResolveOrDie(Settings({{"fill_pattern", name}})).settings.infill[0].pattern,
+      EXPECT_EQ(FdmOf(ResolveOrDie(Settings({{"fill_pattern", name}})).settings).infill[0].pattern,
                 info.pattern);
     }
     for (const char* key : {"top_fill_pattern", "bottom_fill_pattern", "solid_fill_pattern"})
@@ -520,20 +521,21 @@ TEST(Resolve, EveryPatternHasItsNameInSettings) {
 }
 
 TEST(Resolve, AnchorsAreSharesOfTheInfillsWidth) {
-  const InfillOptions standard = ResolveOrDie(Settings({})).settings.infill[0];
+  const InfillOptions standard = FdmOf(ResolveOrDie(Settings({})).settings).infill[0];
   EXPECT_EQ(standard.anchor_nm, 6 * standard.sparse_width_nm);
   EXPECT_EQ(standard.anchor_max_nm, 50 * kNmPerMm);
   const InfillOptions given =
-      ResolveOrDie(Settings({{"infill_anchor", "1.5"}, {"infill_anchor_max", "1000%"}}))
-          .settings.infill[0];
+      FdmOf(ResolveOrDie(Settings({{"infill_anchor", "1.5"}, {"infill_anchor_max", "1000%"}}))
+                .settings)
+          .infill[0];
   EXPECT_EQ(given.anchor_nm, FromMm(1.5));
   EXPECT_EQ(given.anchor_max_nm, 10 * given.sparse_width_nm);
 }
 
 TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
   const InfillOptions automatic =
-      ResolveOrDie(Settings({{"fill_pattern", "auto"}, {"infill_goal", "time"}}))
-          .settings.infill[0];
+      FdmOf(ResolveOrDie(Settings({{"fill_pattern", "auto"}, {"infill_goal", "time"}})).settings)
+          .infill[0];
   EXPECT_TRUE(automatic.choose_pattern);
   EXPECT_EQ(automatic.goal, FillGoal::kTime);
   const ResolvedSettings given = ResolveOrDie(Settings({{"fill_pattern", "lightning"},
@@ -550,7 +552,7 @@ TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
                                                         {"ironing_flowrate", "20%"},
                                                         {"ironing_spacing", "0.2"},
                                                         {"ironing_speed", "22"}}));
-  const InfillOptions& infill = given.settings.infill[0];
+  const InfillOptions& infill = FdmOf(given.settings).infill[0];
   EXPECT_FALSE(infill.choose_pattern);
   EXPECT_EQ(infill.pattern, FillPattern::kLightning);
   EXPECT_EQ(infill.angle_template, "0,45,+30");
@@ -561,7 +563,9 @@ TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
   EXPECT_FALSE(infill.thick_bridges);
   EXPECT_TRUE(infill.interface_shells);
   EXPECT_EQ(infill.ironing, (IroningOptions{true, IroningType::kSolid, 0.2, 200'000}));
-  EXPECT_EQ(given.settings.motion.speeds[0].speed_mm_s[static_cast<size_t>(Feature::kIroning)], 22);
+  EXPECT_EQ(
+      FdmOf(given.settings).motion.speeds[0].speed_mm_s[static_cast<size_t>(Feature::kIroning)],
+      22);
   EXPECT_THAT(given.no_effect, IsEmpty());
   // What is read back from the effective text is the same.
   EXPECT_THAT(given.effective_text, HasSubstr("\nfill_angle_template = 0,45,+30\n"));
@@ -576,18 +580,18 @@ TEST(Resolve, ReadsTheSpeedOverBridges) {
                                               {"top_solid_layers", "1"},
                                               {"perimeter_generator", "classic"}});
   const JobSettings without = ResolveOrDie(flat).settings;
-  EXPECT_FALSE(without.infill[0].over_bridges);
-  EXPECT_EQ(HaloLayers(without), 1);
+  EXPECT_FALSE(FdmOf(without).infill[0].over_bridges);
+  EXPECT_EQ(HaloLayers(FdmOf(without)), 1);
   std::vector<Setting> given = flat;
   given.push_back({"over_bridge_speed", "50%"});
   given.push_back({"solid_infill_speed", "44"});
   given.push_back({"default_acceleration", "900"});
   given.push_back({"solid_infill_acceleration", "700"});
   const ResolvedSettings with = ResolveOrDie(given);
-  EXPECT_TRUE(with.settings.infill[0].over_bridges);
-  EXPECT_EQ(HaloLayers(with.settings), 2);
-  EXPECT_EQ(with.settings.motion.speeds[0].speed_mm_s[kFeature], 22);
-  EXPECT_EQ(with.settings.motion.acceleration_mm_s2[kFeature], 700);
+  EXPECT_TRUE(FdmOf(with.settings).infill[0].over_bridges);
+  EXPECT_EQ(HaloLayers(FdmOf(with.settings)), 2);
+  EXPECT_EQ(FdmOf(with.settings).motion.speeds[0].speed_mm_s[kFeature], 22);
+  EXPECT_EQ(FdmOf(with.settings).motion.acceleration_mm_s2[kFeature], 700);
   EXPECT_THAT(with.no_effect, IsEmpty());
   EXPECT_THAT(with.effective_text, HasSubstr("\nover_bridge_speed = 22\n"));
 }
@@ -597,13 +601,13 @@ TEST(Resolve, ReadsTheFlowOfShortLines) {
   constexpr const char* kTable = "small_area_infill_flow_compensation_model";
   const ResolvedSettings given =
       ResolveOrDie(Settings({{kFlag, "1"}, {kTable, R"("0,0.50";"\n2,0.9";"\n8,1")"}}));
-  EXPECT_TRUE(given.settings.infill[0].small_area_flow);
-  EXPECT_EQ(given.settings.infill[0].small_area_flow_table, "0,0.5;2,0.9;8,1");
+  EXPECT_TRUE(FdmOf(given.settings).infill[0].small_area_flow);
+  EXPECT_EQ(FdmOf(given.settings).infill[0].small_area_flow_table, "0,0.5;2,0.9;8,1");
   EXPECT_THAT(given.effective_text, HasSubstr("_model = 0,0.5;2,0.9;8,1\n"));
   EXPECT_THAT(given.no_effect, IsEmpty());
   EXPECT_THAT(ResolveOrDie(Settings({{kTable, "0,0;3,1"}})).no_effect,
               ElementsAre(HasSubstr("needs small_area_infill_flow_compensation = 1")));
-  const auto refused = Resolve(Settings({{kTable, "0,0;3,0.9"}}));
+  const auto refused = Resolve(Settings({{kTable, "0,0;3,0.9"}}), Process::kFdm);
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(DetailOf(refused.status()).reason, Reason::kSettingMalformed);
   EXPECT_EQ(DetailOf(refused.status()).metadata.at("setting"), kTable);
@@ -612,21 +616,23 @@ TEST(Resolve, ReadsTheFlowOfShortLines) {
 TEST(Resolve, LayersPrintedAtOnceAreNoHigherThanTheNozzleIsWide) {
   const ResolvedSettings resolved = ResolveOrDie(Settings(
       {{"infill_every_layers", "5"}, {"layer_height", "0.15"}, {"nozzle_diameter", "0.4"}}));
-  EXPECT_EQ(resolved.settings.infill[0].every_layers, 2);
+  EXPECT_EQ(FdmOf(resolved.settings).infill[0].every_layers, 2);
   EXPECT_THAT(resolved.no_effect, ElementsAre("infill_every_layers = 5: 2 is what layer_height and "
                                               "nozzle_diameter allow"));
 }
 
 TEST(Resolve, LinesOfTheWholePartFollowNoField) {
   for (const char* pattern : {"auto", "adaptivecubic", "supportcubic", "lightning"}) {
-    const auto refused = Resolve(Settings(
-        {{"fill_pattern", pattern}, {"density_field", R"({"kind":"constant","density":0.3})"}}));
+    const auto refused =
+        Resolve(Settings({{"fill_pattern", pattern},
+                          {"density_field", R"({"kind":"constant","density":0.3})"}}),
+                Process::kFdm);
     EXPECT_EQ(DetailOf(refused.status()).reason, Reason::kSettingOutOfRange) << pattern;
   }
 }
 
 TEST(Resolve, RefusesAnglesThatAreNone) {
-  const auto refused = Resolve(Settings({{"fill_angle_template", "0,x"}}));
+  const auto refused = Resolve(Settings({{"fill_angle_template", "0,x"}}), Process::kFdm);
   EXPECT_EQ(DetailOf(refused.status()).reason, Reason::kSettingMalformed);
 }
 
@@ -651,13 +657,14 @@ TEST(Resolve, ThumbnailsTakeTheFormatThatTheyDoNotName) {
 }
 
 TEST(Resolve, SlowsOverhangsDownByDegree) {
-  const MotionOptions motion = ResolveOrDie(Settings({{"external_perimeter_speed", "40"},
-                                                      {"enable_dynamic_overhang_speeds", "1"},
-                                                      {"overhang_speed_1", "50%"},
-                                                      {"overhang_fan_speed_3", "70"},
-                                                      {"first_layer_infill_speed", "25%"},
-                                                      {"solid_infill_speed", "60"}}))
-                                   .settings.motion;
+  const MotionOptions motion = FdmOf(ResolveOrDie(Settings({{"external_perimeter_speed", "40"},
+                                                            {"enable_dynamic_overhang_speeds", "1"},
+                                                            {"overhang_speed_1", "50%"},
+                                                            {"overhang_fan_speed_3", "70"},
+                                                            {"first_layer_infill_speed", "25%"},
+                                                            {"solid_infill_speed", "60"}}))
+                                         .settings)
+                                   .motion;
   EXPECT_TRUE(motion.speeds[0].dynamic_overhangs);
   EXPECT_EQ(motion.speeds[0].overhang_speed_mm_s, (std::array<double, 4>{15, 20, 20, 25}));
   EXPECT_EQ(motion.cooling.overhang_fan_percent, (std::array<int32_t, 4>{0, 0, 0, 70}));
@@ -695,7 +702,7 @@ TEST(Resolve, ReportsRepetitionsWithinOneSourceOnly) {
 
 TEST(Resolve, WarnsOfADensityThatLacksItsPercentSign) {
   const ResolvedSettings resolved = ResolveOrDie(Settings({{"fill_density", "0.4"}}));
-  EXPECT_DOUBLE_EQ(resolved.settings.infill[0].density, 0.004);
+  EXPECT_DOUBLE_EQ(FdmOf(resolved.settings).infill[0].density, 0.004);
   EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("for 40% write the percent sign")));
   EXPECT_THAT(ResolveOrDie(Settings({{"fill_density", "40"}})).warnings, IsEmpty());
   EXPECT_THAT(ResolveOrDie(Settings({{"fill_density", "0.4%"}})).warnings, IsEmpty());
@@ -767,7 +774,7 @@ TEST(Resolve, AllowsTheBounds) {
 
 TEST(Resolve, BoundsNumberAndSize) {
   const std::vector<Setting> many(limits::kMaxSettings + 1, {"perimeters", "3"});
-  EXPECT_EQ(DetailOf(Resolve(many).status()).reason, Reason::kRequestTooLarge);
+  EXPECT_EQ(DetailOf(Resolve(many, Process::kFdm).status()).reason, Reason::kRequestTooLarge);
   const std::string big(limits::kMaxSettingBytes + 1, 'x');
   EXPECT_EQ(DetailOf(Refusal({{"start_gcode", big}})).reason, Reason::kRequestTooLarge);
   EXPECT_EQ(DetailOf(Refusal({{big, "1"}})).reason, Reason::kRequestTooLarge);
@@ -796,187 +803,6 @@ TEST(Resolve, ShortensLongValuesInReports) {
       ResolveOrDie(Settings({{"notes", std::string(1000, 'n')}}, Source::kProfile));
   ASSERT_EQ(resolved.no_effect.size(), 1);
   EXPECT_LT(resolved.no_effect[0].size(), 150);
-}
-
-// Lasers.
-
-absl::StatusOr<ResolvedSettings> OfLaser(const Pairs& given, Source source = Source::kRequest) {
-  std::vector<Setting> settings;
-  for (const auto& [key, value] : given) settings.push_back({key, value, source});
-  return Resolve(settings, Process::kLaser);
-}
-
-TEST(ResolveLaser, EverySettingReachesItsOption) {
-  const auto resolved = OfLaser({{"scan_strategy", "rings"},
-                                 {"hatch_distance", "0.11"},
-                                 {"hatch_rotation", "90"},
-                                 {"upskin_power", "150"},
-                                 {"thin_wall_speed", "300"},
-                                 {"downskin_layers", "3"},
-                                 {"jump_speed", "7000"},
-                                 {"output_format", "cli_binary"},
-                                 {"layer_height", "0.03"}});
-  ASSERT_TRUE(resolved.ok()) << resolved.status();
-  EXPECT_EQ(resolved->settings.process, Process::kLaser);
-  const ExposureOptions& region = resolved->settings.exposure.regions[0];
-  EXPECT_EQ(region.strategy, ScanStrategy::kRings);
-  EXPECT_EQ(region.hatch_distance_nm, 110'000);
-  EXPECT_EQ(region.layer_rotation_deg, 90);
-  EXPECT_EQ(region.StyleOf(ExposureKind::kUpskin).power_w, 150);
-  EXPECT_EQ(region.StyleOf(ExposureKind::kHatch).power_w, 200);
-  EXPECT_EQ(region.StyleOf(ExposureKind::kThinWall).speed_mm_s, 300);
-  EXPECT_EQ(region.downskin_layers, 3);
-  EXPECT_EQ(region.jump.speed_mm_s, 7000);
-  EXPECT_EQ(resolved->settings.exposure.output.format, OutputFormat::kCliBinary);
-  EXPECT_EQ(resolved->settings.slicing.objects[0].layer_height_nm, 30'000);
-  // Rings do not turn, there is no upskin, and a CLI file says nothing of jumps.
-  EXPECT_THAT(resolved->no_effect,
-              ElementsAre(HasSubstr("hatch_rotation = 90: "), HasSubstr("upskin_power = 150: "),
-                          HasSubstr("jump_speed = 7000: ")));
-}
-
-// The table's standards are the options' own defaults.
-TEST(ResolveLaser, StandardsAreTheDefaults) {
-  const auto resolved = OfLaser({});
-  ASSERT_TRUE(resolved.ok()) << resolved.status();
-  EXPECT_EQ(resolved->settings.exposure, ExposureSettings());
-}
-
-TEST(ResolveLaser, ReadsItsOwnEffectiveText) {
-  const auto first = OfLaser({{"scan_strategy", "islands"}, {"contour_focus", "-1.5"}});
-  ASSERT_TRUE(first.ok()) << first.status();
-  const auto lines = ReadIni(first->effective_text);
-  ASSERT_TRUE(lines.ok()) << lines.status();
-  const auto second = Resolve(*lines, Process::kLaser);
-  ASSERT_TRUE(second.ok()) << second.status();
-  EXPECT_EQ(second->settings, first->settings);
-  EXPECT_EQ(second->effective_text, first->effective_text);
-  EXPECT_THAT(second->no_effect, IsEmpty());
-}
-
-TEST(ResolveLaser, SettingsOfOtherProcessesAreRefused) {
-  for (const char* key : {"perimeters", "fill_density", "temperature"}) {
-    const ErrorDetail detail = DetailOf(OfLaser({{key, "1"}}).status());
-    EXPECT_EQ(detail.reason, Reason::kSettingOfOtherProcess) << key;
-    EXPECT_EQ(detail.metadata.at("setting"), key);
-    EXPECT_EQ(detail.metadata.at("process"), "fdm");
-  }
-  const std::vector<Setting> laser = {{"hatch_distance", "0.1", Source::kRequest}};
-  const ErrorDetail detail = DetailOf(Resolve(laser).status());
-  EXPECT_EQ(detail.reason, Reason::kSettingOfOtherProcess);
-  EXPECT_EQ(detail.metadata.at("process"), "laser");
-}
-
-TEST(ResolveLaser, ThoseOfAProfileAreTold) {
-  const auto resolved = OfLaser({{"perimeters", "3"}}, Source::kProfile);
-  ASSERT_TRUE(resolved.ok()) << resolved.status();
-  EXPECT_THAT(resolved->no_effect, ElementsAre("perimeters = 3: a setting of process fdm"));
-}
-
-TEST(ResolveLaser, TellsWhatHasNoEffect) {
-  const auto resolved =
-      OfLaser({{"scan_strategy", "hatch"}, {"stripe_width", "4"}, {"output_layer", "2"}});
-  ASSERT_TRUE(resolved.ok()) << resolved.status();
-  EXPECT_THAT(resolved->no_effect, ElementsAre("stripe_width = 4: needs scan_strategy = stripes",
-                                               "output_layer = 2: needs output_format = dxf"));
-}
-
-TEST(ResolveLaser, TellsWhatTheFileCannotSay) {
-  struct Case {
-    Pairs given;
-    std::vector<std::string> notes;
-  };
-  const Case kCases[] = {
-      {{{"jump_delay", "100"}},
-       {"jump_delay = 100: needs output_format = grbl or marlin, or only the report heeds it"}},
-      {{{"output_format", "grbl"}, {"hatch_frequency", "20"}},
-       {"hatch_frequency = 20: needs output_format = cli or cli_binary, or only the report heeds "
-        "it"}},
-      {{{"output_format", "grbl"}, {"jump_speed", "3000"}},
-       {"jump_speed = 3000: needs output_format = marlin, or only the report heeds it"}},
-      {{{"output_format", "svg"}, {"hatch_focus", "1"}},
-       {"hatch_focus = 1: needs output_format = cli, cli_binary, grbl or marlin, or only the "
-        "report heeds it"}},
-      {{{"contours", "0"}, {"contour_power", "100"}},
-       {"contour_power = 100: needs contours of more than 0"}},
-      {{{"upskin_power", "100"}}, {"upskin_power = 100: needs upskin_layers of more than 0"}},
-      {{{"scan_strategy", "rings"}, {"skywriting", "0.1"}},
-       {"skywriting = 0.1: needs scan_strategy = stripes, islands or hatch"}},
-      {{{"layer_gcode", "M100"}}, {"layer_gcode = M100: needs output_format = grbl or marlin"}},
-      {{{"gas_flow", "90"}},
-       {"gas_flow = 90: needs gas_window of more than 0, or jump_order = against_gas"}},
-      {{{"gas_flow", "90"}, {"jump_order", "against_gas"}}, {}},
-      {{{"scan_strategy", "rings"}, {"gas_window", "9"}},
-       {"gas_window = 9: needs scan_strategy = stripes, islands or hatch"}},
-      {{{"upskin_distance", "0.1"}}, {"upskin_distance = 0.1: needs upskin_layers of more than 0"}},
-      {{{"contours", "0"}, {"contour_start", "rear"}},
-       {"contour_start = rear: needs contours of more than 0"}},
-      {{{"contour_run", "0.1"}, {"z_compensation_layers", "2"}, {"recoating_time", "7"}}, {}},
-      {{{"laser_spot", "0.1"}, {"contours", "0"}}, {}},  // what it leaves open is reported
-      {{{"output_format", "grbl"},
-        {"hatch_focus", "1"},
-        {"jump_delay", "100"},
-        {"laser_dynamic_power", "0"}},
-       {}},
-      {{{"output_format", "marlin"}, {"jump_speed", "3000"}, {"laser_dynamic_power", "0"}}, {}},
-      {{{"hatch_frequency", "20"}, {"hatch_focus", "1"}, {"hatch_power", "100"}}, {}},
-  };
-  for (const Case& c : kCases) {
-    SCOPED_TRACE(c.given.back().first);
-    const auto resolved = OfLaser(c.given);
-    ASSERT_TRUE(resolved.ok()) << resolved.status();
-    EXPECT_EQ(resolved->no_effect, c.notes);
-  }
-}
-
-TEST(ResolveLaser, RefusesWhatCannotBeScanned) {
-  struct Case {
-    const char* setting;
-    Pairs given;
-  };
-  const Case kCases[] = {{"stripe_width", {{"stripe_width", "0.3"}, {"hatch_distance", "0.4"}}},
-                         {"island_width", {{"island_width", "0.3"}, {"hatch_distance", "0.4"}}},
-                         {"ring_overlap", {{"ring_overlap", "0.1"}}},
-                         {"island_width", {{"upskin_distance", "6"}, {"stripe_width", "7"}}},
-                         {"ring_overlap", {{"downskin_distance", "0.01"}}},
-                         {"upskin_distance", {{"upskin_distance", "0.0005"}}},
-                         {"gas_window", {{"gas_window", "46"}}},
-                         {"gas_window", {{"gas_window", "23"}, {"scan_strategy", "islands"}}},
-                         {"upskin_power", {{"upskin_power", "500"}, {"output_format", "grbl"}}}};
-  for (const auto& [setting, given] : kCases) {
-    const ErrorDetail detail = DetailOf(OfLaser(given).status());
-    EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange) << setting;
-    EXPECT_EQ(detail.metadata.at("setting"), setting);
-  }
-  EXPECT_TRUE(OfLaser({{"upskin_power", "500"}, {"output_format", "cli"}}).ok());
-}
-
-TEST(ResolveLaser, TemplatesAreCheckedBeforeAnyWork) {
-  const auto fine = OfLaser({{"output_format", "grbl"},
-                             {"start_gcode", "; [model_name]\\nG28"},
-                             {"layer_gcode", "M100 Z{layer_z} P[recoating_time]"},
-                             {"recoating_time", "9"}});
-  ASSERT_TRUE(fine.ok()) << fine.status();
-  EXPECT_EQ(fine->settings.exposure.output.start_gcode, "; [model_name]\nG28");
-  EXPECT_EQ(fine->settings.exposure.output.recoat_s, 9);
-  EXPECT_THAT(fine->no_effect, IsEmpty());
-  for (const char* key : {"start_gcode", "before_layer_gcode", "layer_gcode", "end_gcode"}) {
-    const ErrorDetail detail =
-        DetailOf(OfLaser({{key, "G4\\n[extruded_volume]"}, {"output_format", "marlin"}}).status());
-    EXPECT_EQ(detail.reason, Reason::kSettingMalformed);
-    EXPECT_EQ(detail.metadata.at("setting"), key);
-    EXPECT_EQ(detail.metadata.at("line"), "2");
-  }
-  // A profile's own, for a file that has no place for it.
-  EXPECT_TRUE(OfLaser({{"start_gcode", "[extruded_volume]"}}, Source::kProfile).ok());
-}
-
-TEST(ResolveLaser, RefusesStripesThatDoNotGetOn) {
-  for (const char* key : {"stripe_width", "island_width"}) {
-    const ErrorDetail detail = DetailOf(OfLaser({{key, "0.2"}, {"scan_overlap", "0.1"}}).status());
-    EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange) << key;
-    EXPECT_EQ(detail.metadata.at("setting"), key);
-  }
 }
 
 }  // namespace

@@ -12,15 +12,17 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 ResolvedSettings ResolveOrDie(const std::vector<Setting>& settings) {
-  auto resolved = Resolve(settings);
+  auto resolved = Resolve(settings, Process::kFdm);
   EXPECT_TRUE(resolved.ok()) << resolved.status();
   return resolved.value_or(ResolvedSettings());
 }
 
-absl::Status Refusal(const Pairs& pairs) { return Resolve(Settings(pairs)).status(); }
+absl::Status Refusal(const Pairs& pairs) {
+  return Resolve(Settings(pairs), Process::kFdm).status();
+}
 
 TEST(ResolveWriting, ReadsHowGcodeIsWritten) {
-  const WritingOptions none = ResolveOrDie({}).settings.motion.writing;
+  const WritingOptions none = FdmOf(ResolveOrDie({}).settings).motion.writing;
   EXPECT_TRUE(none.relative_e);
   EXPECT_EQ(none.file_name, "[input_filename_base].gcode");
   EXPECT_EQ(none.color_change_gcode, "M600");
@@ -34,15 +36,14 @@ TEST(ResolveWriting, ReadsHowGcodeIsWritten) {
                              {"gcode_substitutions", "\"M204\";\"M205\";\"\";\"\""},
                              {"custom_gcode_per_print_z", "[{\"type\":\"pause\",\"z\":1}]"},
                              {"output_filename_format", "{layer_height}.gcode"}}));
-  const MotionOptions& motion = resolved.settings.motion;
+  const MotionOptions& motion = FdmOf(resolved.settings).motion;
   EXPECT_FALSE(motion.writing.relative_e);
   EXPECT_TRUE(motion.writing.volumetric_e && motion.writing.firmware_retraction);
   EXPECT_TRUE(motion.writing.comments && motion.writing.binary);
   EXPECT_EQ(motion.writing.height_code, "[{\"z\":1.0,\"type\":\"pause\"}]");
   EXPECT_EQ(motion.retraction.length_mm, 1);
-  EXPECT_TRUE(resolved.settings.ordering.travel.retract_layer_change);
-  EXPECT_THAT(resolved.effective_text,
-              HasSubstr("\ngcode_substitutions = M204;M205;;\n"));
+  EXPECT_TRUE(FdmOf(resolved.settings).ordering.travel.retract_layer_change);
+  EXPECT_THAT(resolved.effective_text, HasSubstr("\ngcode_substitutions = M204;M205;;\n"));
   EXPECT_THAT(resolved.no_effect, IsEmpty());
 }
 
@@ -66,7 +67,7 @@ TEST(ResolveWriting, RefusesWhatNoFirmwareReads) {
   for (const Case& c : cases)
     EXPECT_EQ(DetailOf(Refusal(c.given)).metadata.at("setting"), c.setting) << c.setting;
   // Nobody runs it.
-  EXPECT_TRUE(Resolve(Settings({{"pause_print_gcode", "{oops}"}})).ok());
+  EXPECT_TRUE(Resolve(Settings({{"pause_print_gcode", "{oops}"}}), Process::kFdm).ok());
 }
 
 TEST(ResolveWriting, LimitsThatAreIgnoredAreThoseOfNoSetting) {
@@ -75,11 +76,11 @@ TEST(ResolveWriting, LimitsThatAreIgnoredAreThoseOfNoSetting) {
                        {"machine_min_travel_rate", "3"}};
   Pairs ignored = given;
   ignored.emplace_back("machine_limits_usage", "ignore");
-  const MachineLimits none = ResolveOrDie({}).settings.motion.limits;
-  EXPECT_NE(ResolveOrDie(Settings(given)).settings.motion.limits, none);
-  EXPECT_EQ(ResolveOrDie(Settings(ignored)).settings.motion.limits, none);
+  const MachineLimits none = FdmOf(ResolveOrDie({}).settings).motion.limits;
+  EXPECT_NE(FdmOf(ResolveOrDie(Settings(given)).settings).motion.limits, none);
+  EXPECT_EQ(FdmOf(ResolveOrDie(Settings(ignored)).settings).motion.limits, none);
   ignored.back().second = "emit_to_gcode";
-  EXPECT_TRUE(ResolveOrDie(Settings(ignored)).settings.motion.limits.emit_to_gcode);
+  EXPECT_TRUE(FdmOf(ResolveOrDie(Settings(ignored)).settings).motion.limits.emit_to_gcode);
 }
 
 }  // namespace

@@ -64,7 +64,8 @@ TEST(CheckResolvedBytes, WhatModifiersMakeIsCountedWhenItIsMade) {
                         "infill_speed", "perimeter_speed", "bridge_speed", "bottom_solid_layers"};
   for (size_t i = 0; i < std::size(keys); ++i) objects[0].parts[i + 1].settings = {{keys[i], "7"}};
   ASSERT_TRUE(CheckResolvedBytes(job, objects).ok());
-  EXPECT_EQ(DetailOf(ResolvePlate(job, objects).status()).reason, Reason::kRequestTooLarge);
+  EXPECT_EQ(DetailOf(ResolvePlate(job, objects, Process::kFdm).status()).reason,
+            Reason::kRequestTooLarge);
 }
 
 }  // namespace

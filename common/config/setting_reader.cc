@@ -8,6 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/base/text.h"
+#include "common/config/process_settings.h"
 #include "common/config/suggest.h"
 #include "common/config/table/settings_table.h"
 
@@ -33,9 +34,9 @@ std::string ItemOf(const SettingSpec& spec, std::string_view value, size_t tool)
 std::string_view OwnerOf(std::string_view key, Process process) {
   for (const ProcessInfo& info : kProcesses)
     if (info.process != process && FindSetting(key, info.process) >= 0) return info.name;
-  // What PrusaSlicer knows is about FDM.
-  const bool of_fdm = process != Process::kFdm && FindKnownKey(key) != nullptr;
-  return of_fdm ? ProcessName(Process::kFdm) : std::string_view();
+  for (const ProcessInfo& info : kProcesses)
+    if (info.process != process && SettingsOf(info.process).Knows(key)) return info.name;
+  return {};
 }
 
 absl::Status OfOtherProcess(const std::string& key, std::string_view owner, Process process) {

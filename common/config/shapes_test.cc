@@ -8,7 +8,7 @@ namespace slicefarm::config::shapes_test {
 namespace {
 
 JobSettings Job(const Pairs& pairs) {
-  auto resolved = Resolve(Settings(pairs));
+  auto resolved = Resolve(Settings(pairs), Process::kFdm);
   if (!resolved.ok()) {
     ADD_FAILURE() << resolved.status();
     return {};
@@ -28,19 +28,21 @@ TEST(ResolveShapes, ReadsWhatShapesWalls) {
                                     {"nozzle_diameter", "0.6"}});
   EXPECT_TRUE(settings.slicing.objects[0].close_holes);
   EXPECT_EQ(settings.slicing.objects[0].fill_rule, FillRule::kNonZero);
-  EXPECT_FALSE(settings.motion.speeds[0].bridging_walls);
-  EXPECT_EQ(settings.beading[0].one_on_top, OneWallOnTop::kSurfaces);
-  EXPECT_EQ(settings.beading[0].fuzzy, FuzzySkin::kAllWalls);
-  EXPECT_EQ(settings.beading[0].fuzzy_thickness_nm, 200'000);
-  EXPECT_EQ(settings.beading[0].fuzzy_point_distance_nm, 500'000);
-  EXPECT_TRUE(settings.ordering.clockwise);
-  EXPECT_NEAR(settings.motion.seam_gap_mm, 0.09, 1e-9);
-  EXPECT_TRUE(Job({}).motion.speeds[0].bridging_walls);
+  EXPECT_FALSE(FdmOf(settings).motion.speeds[0].bridging_walls);
+  EXPECT_EQ(FdmOf(settings).beading[0].one_on_top, OneWallOnTop::kSurfaces);
+  EXPECT_EQ(FdmOf(settings).beading[0].fuzzy, FuzzySkin::kAllWalls);
+  EXPECT_EQ(FdmOf(settings).beading[0].fuzzy_thickness_nm, 200'000);
+  EXPECT_EQ(FdmOf(settings).beading[0].fuzzy_point_distance_nm, 500'000);
+  EXPECT_TRUE(FdmOf(settings).ordering.clockwise);
+  EXPECT_NEAR(FdmOf(settings).motion.seam_gap_mm, 0.09, 1e-9);
+  EXPECT_TRUE(FdmOf(Job({})).motion.speeds[0].bridging_walls);
 }
 
 TEST(ResolveShapes, ExtraWallsNeedInfill) {
   const auto extra = [](const char* density) {
-    return Job({{"extra_perimeters", "1"}, {"fill_density", density}}).beading[0].extra_perimeters;
+    return FdmOf(Job({{"extra_perimeters", "1"}, {"fill_density", density}}))
+        .beading[0]
+        .extra_perimeters;
   };
   EXPECT_TRUE(extra("5%"));
   EXPECT_FALSE(extra("0"));
@@ -57,20 +59,20 @@ TEST(ResolveShapes, FilamentsOverrideRampsAndGaps) {
                                     {"seam_gap_distance", "0.1"},
                                     {"filament_seam_gap_distance", "25%"},
                                     {"nozzle_diameter", "0.4"}});
-  const RetractionOptions& retraction = settings.motion.retraction;
+  const RetractionOptions& retraction = FdmOf(settings).motion.retraction;
   EXPECT_TRUE(retraction.ramping);
   EXPECT_EQ(retraction.ramp_lift_mm, 1.5);
   EXPECT_EQ(retraction.ramp_slope_deg, 3);
   EXPECT_TRUE(retraction.before_obstacles);
-  EXPECT_NEAR(settings.motion.seam_gap_mm, 0.1, 1e-9);
+  EXPECT_NEAR(FdmOf(settings).motion.seam_gap_mm, 0.1, 1e-9);
 }
 
 TEST(ResolveShapes, AutomaticBrimsKnowTheMaterial) {
   const auto brim = [](const char* type, const char* filament) {
-    return Job({{"brim_type", type},
-                {"filament_type", filament},
-                {"perimeter_speed", "90"},
-                {"infill_speed", "120"}})
+    return FdmOf(Job({{"brim_type", type},
+                      {"filament_type", filament},
+                      {"perimeter_speed", "90"},
+                      {"infill_speed", "120"}}))
         .planning.objects[0]
         .brim;
   };

@@ -13,6 +13,6 @@ int EditDistance(std::string_view a, std::string_view b);
 
 /// The setting of the process that `key` most likely means (settings_table.h), or "": none comes
 /// near.
-std::string NearestSetting(std::string_view key, Process process = Process::kFdm);
+std::string NearestSetting(std::string_view key, Process process);
 
 }  // namespace slicefarm::config

@@ -35,24 +35,24 @@ TEST(NearestSetting, FindsWhatWasMeant) {
       {"nozzle_diametre", "nozzle_diameter"},
       {"external_perimeter_sped", "external_perimeter_speed"},
   };
-  for (const auto& [key, want] : kCases) EXPECT_EQ(NearestSetting(key), want) << key;
+  for (const auto& [key, want] : kCases) EXPECT_EQ(NearestSetting(key, Process::kFdm), want) << key;
 }
 
 TEST(NearestSetting, FindsOneLetterAnywhereInAnyKey) {
-  for (const SettingSpec& spec : SettingsTable()) {
+  for (const SettingSpec& spec : SettingsTable(Process::kFdm)) {
     const std::string key(spec.key);
     for (size_t i = 0; i < key.size(); ++i) {
       std::string wrong = key;
       wrong[i] = '#';
-      EXPECT_NE(NearestSetting(wrong), "") << wrong;
+      EXPECT_NE(NearestSetting(wrong, Process::kFdm), "") << wrong;
     }
   }
 }
 
 TEST(NearestSetting, SaysNothingWhereNothingComesNear) {
-  EXPECT_EQ(NearestSetting("banana"), "");
-  EXPECT_EQ(NearestSetting(""), "");
-  EXPECT_EQ(NearestSetting(std::string(100'000, 'a')), "");
+  EXPECT_EQ(NearestSetting("banana", Process::kFdm), "");
+  EXPECT_EQ(NearestSetting("", Process::kFdm), "");
+  EXPECT_EQ(NearestSetting(std::string(100'000, 'a'), Process::kFdm), "");
 }
 
 }  // namespace

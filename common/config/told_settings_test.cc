@@ -18,7 +18,7 @@ using testing::Pair;
 ResolvedSettings ResolveOrDie(std::string_view ini) {
   const auto given = ReadIni(ini);
   EXPECT_TRUE(given.ok()) << given.status();
-  auto resolved = Resolve(*given);
+  auto resolved = Resolve(*given, Process::kFdm);
   EXPECT_TRUE(resolved.ok()) << resolved.status();
   return resolved.ok() ? *std::move(resolved) : ResolvedSettings{};
 }
@@ -84,10 +84,11 @@ TEST(ToldSettings, ResolveToThemselves) {
 
 TEST(ToldSettings, GoWithTheLayersThatNameThem) {
   const std::string given = "notes = n\nspiral_vase = 0\n";
-  EXPECT_EQ(ResolveOrDie(given).settings.motion.layer_settings, "");
-  EXPECT_EQ(ResolveOrDie(given + "layer_gcode = {if spiral_vase}[layer_height]{endif}\n")
-                .settings.motion.layer_settings,
-            "layer_height = 0.3\nspiral_vase = 0\n");
+  EXPECT_EQ(FdmOf(ResolveOrDie(given).settings).motion.layer_settings, "");
+  EXPECT_EQ(
+      FdmOf(ResolveOrDie(given + "layer_gcode = {if spiral_vase}[layer_height]{endif}\n").settings)
+          .motion.layer_settings,
+      "layer_height = 0.3\nspiral_vase = 0\n");
 }
 
 TEST(LinesNamedIn, TakesWordsIndicesAndAliases) {

@@ -47,8 +47,8 @@ absl::StatusOr<Polygon> ParseBedShape(std::string_view text);
 std::string PrintBedShape(const Polygon& bed);
 
 /// `32x32, 300x300/QOI`, pixels; empty: none. The format may be any of PrusaSlicer's; what is made
-/// is QOI or JPG where it says so, else PNG. Errors: another format, more than limits::kMaxThumbnails
-/// pictures, a side beyond limits::kMaxThumbnailPx.
+/// is QOI or JPG where it says so, else PNG. Errors: another format, more than
+/// limits::kMaxThumbnails pictures, a side beyond limits::kMaxThumbnailPx.
 absl::StatusOr<std::vector<ThumbnailSize>> ParseSizes(std::string_view text);
 /// Whether `text`, as ParseSizes takes it, asks for no format but PNG, JPG and QOI.
 bool OnlyOurFormats(std::string_view text);

@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 ResolvedSettings Profile(const Pairs& pairs) {
-  auto resolved = Resolve(Settings(pairs, Source::kProfile));
+  auto resolved = Resolve(Settings(pairs, Source::kProfile), Process::kFdm);
   EXPECT_TRUE(resolved.ok()) << resolved.status();
   return resolved.ok() ? *std::move(resolved) : ResolvedSettings();
 }
@@ -57,7 +57,7 @@ TEST(Resolve, APersonMayNotWriteSo) {
                                         {"deretract_speed", "40 mm"},
                                         {"filament_cost", ""},
                                         {"bed_shape", "0x0,235-0,235x235,0x235"}})
-    EXPECT_EQ(DetailOf(Resolve(Settings({{key, value}})).status()).reason,
+    EXPECT_EQ(DetailOf(Resolve(Settings({{key, value}}), Process::kFdm).status()).reason,
               Reason::kSettingMalformed)
         << key;
 }
@@ -67,19 +67,21 @@ TEST(Resolve, ASequentialSkirtHasOneLayer) {
   const ResolvedSettings resolved = Profile(profile);
   EXPECT_THAT(resolved.effective_text, HasSubstr("\nskirt_height = 1\n"));
   EXPECT_THAT(resolved.warnings, Contains(HasSubstr("skirt_height = 3")));
-  EXPECT_FALSE(Resolve(Settings(profile)).ok()) << "of a person";
+  EXPECT_FALSE(Resolve(Settings(profile), Process::kFdm).ok()) << "of a person";
 }
 
 TEST(Resolve, TemplatesAreCheckedBeforeAnyWork) {
   const auto refusal = [](const char* key, const char* code) {
-    return DetailOf(Resolve(Settings({{key, code}})).status());
+    return DetailOf(Resolve(Settings({{key, code}}), Process::kFdm).status());
   };
   EXPECT_EQ(refusal("layer_gcode", "{if layer_num > 9}[oops]{endif}").metadata.at("variable"),
             "oops");
   EXPECT_EQ(refusal("end_gcode", "M104 {").metadata.at("setting"), "end_gcode");
   EXPECT_EQ(refusal("start_filament_gcode", "[oops]").metadata.at("variable"), "oops");
-  EXPECT_TRUE(Resolve(Settings({{"start_gcode", "{if false}[oops]{endif}"}})).ok());
-  EXPECT_TRUE(Resolve(Settings({{"mine", "3"}, {"layer_gcode", "[mine]"}}, Source::kProfile)).ok());
+  EXPECT_TRUE(Resolve(Settings({{"start_gcode", "{if false}[oops]{endif}"}}), Process::kFdm).ok());
+  EXPECT_TRUE(
+      Resolve(Settings({{"mine", "3"}, {"layer_gcode", "[mine]"}}, Source::kProfile), Process::kFdm)
+          .ok());
 }
 
 // Equal jobs have equal texts, and so equal bytes, unless they name the time.
@@ -89,7 +91,7 @@ TEST(Resolve, CreationTimeCountsOnlyIfItIsNamed) {
   Pairs named = early;
   named.push_back({"start_gcode", "; [timestamp]"});
   EXPECT_THAT(Profile(named).effective_text, HasSubstr("creation_time = 2026-01-02T03:04:05Z"));
-  EXPECT_EQ(DetailOf(Resolve(Settings({{"start_gcode", "; [timestamp]"}})).status())
+  EXPECT_EQ(DetailOf(Resolve(Settings({{"start_gcode", "; [timestamp]"}}), Process::kFdm).status())
                 .metadata.at("variable"),
             "timestamp");
 }
@@ -111,7 +113,7 @@ TEST(Resolve, ToldByWeight) {
 TEST(Resolve, InfillIsNoFasterThanItsFilament) {
   const auto speed = [](Pairs pairs) {
     pairs.insert(pairs.begin(), {{"infill_speed", "200"}, {"solid_infill_speed", "50%"}});
-    return Profile(pairs).settings.motion.speeds[0];
+    return FdmOf(Profile(pairs).settings).motion.speeds[0];
   };
   const auto sparse = [&](const Pairs& pairs) {
     return speed(pairs).speed_mm_s[static_cast<size_t>(Feature::kInternalInfill)];

@@ -14,7 +14,7 @@ enum class Process : uint8_t {
 };
 
 struct ProcessInfo {
-  Process process = Process::kFdm;
+  Process process;
   std::string_view name;  ///< as jobs, workers and command lines write it
   std::string_view doc;
 };
@@ -24,6 +24,9 @@ inline constexpr ProcessInfo kProcesses[] = {
     {Process::kFdm, "fdm", "Filament is laid down in beads; the result is G-code"},
     {Process::kLaser, "laser", "A laser scans each layer's area, in powder or resin"},
 };
+
+/// That of jobs that name none.
+inline constexpr Process kDefaultProcess = Process::kFdm;
 
 inline constexpr int kProcessCount = static_cast<int>(std::size(kProcesses));
 

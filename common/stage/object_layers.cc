@@ -108,4 +108,13 @@ absl::Status CheckHalo(std::span<const SlicedLayer> layers, LayerRange range, in
   return absl::OkStatus();
 }
 
+int64_t PointsIn(std::span<const SlicedLayer> layers) {
+  int64_t points = 0;
+  for (const SlicedLayer& layer : layers)
+    for (const ObjectSection& section : layer.sections)
+      for (const Region& region : section.regions)
+        points += static_cast<int64_t>(PointCount(region.outlines));
+  return points;
+}
+
 }  // namespace slicefarm

@@ -35,4 +35,7 @@ LayerRange WithHalo(std::span<const SlicedLayer> layers, LayerRange range, int32
 /// as far as the object has them.
 absl::Status CheckHalo(std::span<const SlicedLayer> layers, LayerRange range, int32_t halo);
 
+/// How many points the outlines have. Cost: O(rings).
+int64_t PointsIn(std::span<const SlicedLayer> layers);
+
 }  // namespace slicefarm

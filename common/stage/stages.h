@@ -196,7 +196,7 @@ class MotionStage {
                                                    const MotionOptions& options) const = 0;
 };
 
-/// Of lasers: what beading, infill, ordering and motion are of FDM.
+/// Layers to vectors that expose them: all that is done to a layer.
 class ExposureStage {
  public:
   virtual ~ExposureStage() = default;
@@ -207,6 +207,18 @@ class ExposureStage {
   virtual absl::StatusOr<ExposureEnvelope> Envelope(const StageCall& call,
                                                     const ExposureSummary& summary,
                                                     const ExposureSettings& settings) const = 0;
+};
+
+/// The stages that somebody has, local or remote; null: not this one. What they are must outlive
+/// who is given them.
+struct Stages {
+  const SlicingStage* slicing = nullptr;
+  const PlanningStage* planning = nullptr;
+  const BeadingStage* beading = nullptr;
+  const InfillStage* infill = nullptr;
+  const OrderingStage* ordering = nullptr;
+  const MotionStage* motion = nullptr;
+  const ExposureStage* exposure = nullptr;
 };
 
 }  // namespace slicefarm

@@ -1,110 +1,113 @@
 #pragma once
 
+#include <any>
+#include <cstddef>
 #include <cstdint>
-#include <span>
-#include <variant>
+#include <map>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/model/layer.h"
 #include "common/model/process.h"
+#include "common/stage/stage_list.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm {
 
-/// What each stage took, in seconds of wall time as the caller sees it.
-struct StageTimes {
-  double slicing_s = 0;
-  double planning_s = 0;
-  double beading_s = 0;
-  double infill_s = 0;
-  double ordering_s = 0;
-  double motion_s = 0;
-  double exposure_s = 0;
+/// What people and logs are told of a task.
+struct TaskLabel {
+  std::string text;                        ///< "layers 3 to 9"
+  std::map<std::string, int64_t> numbers;  ///< the same for programs: layer_first, layer_last
 
-  void Add(const StageTimes& other);
+  friend bool operator==(const TaskLabel&, const TaskLabel&) = default;
 };
 
-/// A range of layers to print, with everything they depend on.
-struct FdmTask {
-  static constexpr Process kProcess = Process::kFdm;
+/// Of a task that makes a range of layers.
+TaskLabel LabelOf(LayerRange layers);
 
-  LayerRange range;
-  std::span<const SlicedLayer> layers;  ///< the range and its halo
-  std::span<const LayerPlan> plans;     ///< one for each layer of the range
-  std::span<const Copy> copies;         ///< of the whole job
-  const JobFacts* facts = nullptr;
-  const JobSettings* settings = nullptr;
+/// A piece of a job's work: what one call of a runner makes, whole or not at all. Who hands tasks
+/// out sees their process, weight and label, and nothing else of them: the payload is what the
+/// process made it (processes/<name>/task).
+class Task {
+ public:
+  Task() = default;  ///< nothing to do
+
+  /// `payload`: a value with kProcess, Weight() and Label(). Implicit, as a payload is a task.
+  template <class Payload>
+  requires requires { Payload::kProcess; }
+  Task(Payload payload)  // NOLINT(google-explicit-constructor)
+      : process_(Payload::kProcess),
+        weight_(payload.Weight()),
+        label_(payload.Label()),
+        payload_(std::move(payload)) {}
+
+  Process process() const { return process_; }
+  int32_t weight() const { return weight_; }  ///< what it adds to the progress when it is made
+  const TaskLabel& label() const { return label_; }
+
+  /// REQUIRES: it was made of one.
+  template <class Payload>
+  const Payload& As() const {
+    return *std::any_cast<Payload>(&payload_);
+  }
+
+ private:
+  Process process_ = kDefaultProcess;
+  int32_t weight_ = 0;
+  TaskLabel label_;
+  std::any payload_;
 };
 
-/// What a stage could not do as it was asked to, in one layer.
-struct LayerWarning {
-  int32_t layer = 0;
-  int32_t plain_islands = 0;  ///< islands that fell back to walls of constant width
+/// What a task came to, of whatever process.
+class TaskResult {
+ public:
+  TaskResult() = default;  ///< nothing
 
-  friend bool operator==(const LayerWarning&, const LayerWarning&) = default;
+  /// `result`: a value with `times`, Print() and ProgramBytes(). Implicit, as for tasks.
+  template <class Result>
+  requires requires(const Result& result) { result.ProgramBytes(); }
+  TaskResult(Result result)  // NOLINT(google-explicit-constructor)
+      : made_(std::make_unique<Of<Result>>(std::move(result))) {}
+
+  // REQUIRES, of all that follow: it is not nothing.
+
+  const StageTimes& times() const { return made_->times(); }
+  /// A number that two runs of a task have in common if their programs are the same; times may
+  /// differ. Good within this process only. Cost: O(bytes).
+  size_t Print() const { return made_->Print(); }
+  /// What it adds to the job's program.
+  int64_t ProgramBytes() const { return made_->ProgramBytes(); }
+
+  /// REQUIRES: it was made of one.
+  template <class Result>
+  Result& As() const {
+    return static_cast<Of<Result>&>(*made_).result;
+  }
+
+ private:
+  struct Made {
+    virtual ~Made() = default;
+    virtual const StageTimes& times() const = 0;
+    virtual size_t Print() const = 0;
+    virtual int64_t ProgramBytes() const = 0;
+  };
+  template <class Result>
+  struct Of : Made {
+    explicit Of(Result made) : result(std::move(made)) {}
+    const StageTimes& times() const override { return result.times; }
+    size_t Print() const override { return result.Print(); }
+    int64_t ProgramBytes() const override { return result.ProgramBytes(); }
+    Result result;
+  };
+
+  std::unique_ptr<Made> made_;
 };
 
-struct FdmResult {
-  std::vector<LayerProgram> programs;
-  std::vector<LayerWarning> warnings;
-  std::vector<FillUse> fills;  ///< by layer, of all copies; within a layer see AddUse
-  StageTimes times;
-
-  size_t Print() const;
-  int64_t ProgramBytes() const;
-};
-
-/// A range of layers to scan, with everything they depend on.
-struct LaserTask {
-  static constexpr Process kProcess = Process::kLaser;
-
-  LayerRange range;
-  std::span<const SlicedLayer> layers;  ///< the range and its halo
-  std::span<const Copy> copies;         ///< of the whole job
-  const JobSettings* settings = nullptr;
-};
-
-struct LaserResult {
-  std::vector<ExposedProgram> programs;
-  StageTimes times;
-
-  size_t Print() const;
-  int64_t ProgramBytes() const;
-};
-
-/// A piece of a job's work: what one call of a runner makes, whole or not at all. One alternative a
-/// process, in the order of Process. Who hands tasks out sees their process and their layers, and
-/// nothing else of them.
-using Task = std::variant<FdmTask, LaserTask>;
-using TaskResult = std::variant<FdmResult, LaserResult>;
-
-static_assert(std::variant_size_v<Task> == kProcessCount &&
-              std::variant_size_v<TaskResult> == kProcessCount);
-
-inline Process ProcessOf(const Task& task) {
-  return std::visit([](const auto& of) { return of.kProcess; }, task);
-}
-
-inline const LayerRange& LayersOf(const Task& task) {
-  return std::visit([](const auto& of) -> const LayerRange& { return of.range; }, task);
-}
-
-inline const StageTimes& TimesOf(const TaskResult& result) {
-  return std::visit([](const auto& of) -> const StageTimes& { return of.times; }, result);
-}
-
-/// A number that two runs of a task have in common if their programs are the same; times may
-/// differ. Good within this process only. Cost: O(bytes).
-inline size_t PrintOf(const TaskResult& result) {
-  return std::visit([](const auto& of) { return of.Print(); }, result);
-}
-
-/// What a result adds to the job's program.
-inline int64_t ProgramBytesOf(const TaskResult& result) {
-  return std::visit([](const auto& of) { return of.ProgramBytes(); }, result);
-}
-
-/// Makes tasks: a chain of stages (LayerChain), or a worker that runs one elsewhere.
+/// Makes tasks: a chain of stages, or a worker that runs one elsewhere.
 class TaskRunner {
  public:
   virtual ~TaskRunner() = default;
@@ -124,26 +127,24 @@ class RunnerOf : public TaskRunner {
 
   ProcessSet processes() const final { return {OneTask::kProcess}; }
   absl::StatusOr<TaskResult> RunTask(const StageCall& call, const Task& task) const final {
-    absl::StatusOr<OneResult> result = Run(call, std::get<OneTask>(task));
+    absl::StatusOr<OneResult> result = Run(call, task.As<OneTask>());
     if (!result.ok()) return result.status();
-    return *std::move(result);
+    return TaskResult(*std::move(result));
   }
 };
-
-using FdmRunner = RunnerOf<FdmTask, FdmResult>;
-using LaserRunner = RunnerOf<LaserTask, LaserResult>;
 
 /// Runners of several processes as one.
 class ProcessRunners : public TaskRunner {
  public:
-  /// One of each process at most; they must outlive this.
-  explicit ProcessRunners(std::vector<const TaskRunner*> runners) : runners_(std::move(runners)) {}
+  /// One of each process at most.
+  explicit ProcessRunners(std::vector<std::shared_ptr<const TaskRunner>> runners)
+      : runners_(std::move(runners)) {}
 
   ProcessSet processes() const override;
   absl::StatusOr<TaskResult> RunTask(const StageCall& call, const Task& task) const override;
 
  private:
-  const std::vector<const TaskRunner*> runners_;
+  const std::vector<std::shared_ptr<const TaskRunner>> runners_;
 };
 
 }  // namespace slicefarm

@@ -2,82 +2,109 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "common/base/error.h"
 
 namespace slicefarm::task_test {
 namespace {
 
-class Fdm : public FdmRunner {
+/// Text to be made longer: of a process that makes no layers.
+template <Process kOf>
+struct Words {
+  static constexpr Process kProcess = kOf;
+  std::string text;
+  int32_t Weight() const { return static_cast<int32_t>(text.size()); }
+  TaskLabel Label() const { return {"words " + text, {{"letters", Weight()}}}; }
+};
+
+struct Made {
+  std::string text;
+  StageTimes times;
+  size_t Print() const { return text.size(); }
+  int64_t ProgramBytes() const { return std::ssize(text); }
+};
+
+template <Process kOf>
+class Maker : public RunnerOf<Words<kOf>, Made> {
  public:
-  absl::StatusOr<FdmResult> Run(const StageCall&, const FdmTask& task) const override {
-    FdmResult result;
-    result.programs.resize(static_cast<size_t>(task.range.size()));
-    return result;
+  absl::StatusOr<Made> Run(const StageCall&, const Words<kOf>& task) const override {
+    if (task.text.empty()) return absl::UnavailableError("silent");
+    return Made{task.text + "!", {}};
   }
 };
 
-class Laser : public LaserRunner {
- public:
-  absl::StatusOr<LaserResult> Run(const StageCall&, const LaserTask&) const override {
-    return absl::UnavailableError("dark");
+using First = Words<kProcesses[0].process>;
+using Second = Words<kProcesses[1].process>;
+
+TEST(Task, TellsItsProcessWeightAndLabel) {
+  const Task task = First{"abc"};
+  EXPECT_EQ(task.process(), kProcesses[0].process);
+  EXPECT_EQ(task.weight(), 3);
+  EXPECT_EQ(task.label(), (TaskLabel{"words abc", {{"letters", 3}}}));
+  EXPECT_EQ(task.As<First>().text, "abc");
+  const Task other = Second{};
+  EXPECT_EQ(other.process(), kProcesses[1].process);
+  EXPECT_EQ(Task().weight(), 0);
+}
+
+TEST(Task, OfLayersIsCalledByThem) {
+  const TaskLabel label = LabelOf({3, 10});
+  EXPECT_EQ(label.text, "layers 3 to 9");
+  EXPECT_EQ(label.numbers, (std::map<std::string, int64_t>{{"layer_first", 3}, {"layer_last", 9}}));
+}
+
+TEST(TaskResult, IsWhatItWasMadeOf) {
+  Made made{"abcd", {}};
+  made.times[Stage::kMotion] = 2;
+  TaskResult result = made;
+  EXPECT_EQ(result.Print(), 4u);
+  EXPECT_EQ(result.ProgramBytes(), 4);
+  EXPECT_EQ(result.times()[Stage::kMotion], 2);
+  result.As<Made>().text = "x";
+  EXPECT_EQ(result.ProgramBytes(), 1);
+}
+
+TEST(StageTimes, AddUpByStage) {
+  StageTimes times, more;
+  double seconds = 1;
+  for (const StageInfo& info : kStages) {
+    times[info.stage] = seconds;
+    more[info.stage] = 10 * seconds++;
   }
-};
-
-FdmTask OfFdm(LayerRange range) {
-  FdmTask task;
-  task.range = range;
-  return task;
+  times.Add(more);
+  seconds = 1;
+  for (const StageInfo& info : kStages) EXPECT_EQ(times[info.stage], 11 * seconds++) << info.name;
 }
 
-TEST(Task, TellsItsProcessAndLayers) {
-  const Task fdm = OfFdm({3, 5});
-  EXPECT_EQ(ProcessOf(fdm), Process::kFdm);
-  EXPECT_EQ(LayersOf(fdm), (LayerRange{3, 5}));
-  EXPECT_EQ(ProcessOf(Task(LaserTask())), Process::kLaser);
+TEST(Stages, AreFoundByName) {
+  for (const StageInfo& info : kStages) {
+    EXPECT_EQ(StageName(info.stage), info.name) << "in the order of Stage";
+    EXPECT_EQ(FindStage(info.name), info.stage);
+  }
+  EXPECT_EQ(FindStage("no such stage"), std::nullopt);
 }
 
-TEST(Task, ResultsHaveTheSamePrintIfTheirProgramsAreTheSame) {
-  FdmResult a;
-  a.programs.resize(2);
-  FdmResult b = a;
-  b.times.infill_s = 1;
-  EXPECT_EQ(PrintOf(a), PrintOf(b));
-  b.programs[0].gcode = "G1";
-  EXPECT_NE(PrintOf(a), PrintOf(b));
-  a.programs[1].gcode = "G1";
-  EXPECT_NE(PrintOf(a), PrintOf(b)) << "of another layer";
-  LaserResult c;
-  c.programs.resize(1);
-  LaserResult d = c;
-  EXPECT_EQ(PrintOf(c), PrintOf(d));
-  d.programs[0].report.jump_time_s = 1;
-  EXPECT_NE(PrintOf(c), PrintOf(d));
-}
-
-TEST(Task, TimesAddUp) {
-  StageTimes times{1, 2, 3, 4, 5, 6, 7};
-  times.Add({10, 20, 30, 40, 50, 60, 70});
-  EXPECT_EQ(times.slicing_s, 11);
-  EXPECT_EQ(times.motion_s, 66);
-  EXPECT_EQ(times.exposure_s, 77);
+std::vector<std::shared_ptr<const TaskRunner>> Both() {
+  return {std::make_shared<Maker<kProcesses[0].process>>(),
+          std::make_shared<Maker<kProcesses[1].process>>()};
 }
 
 TEST(ProcessRunners, GiveEachTaskToItsRunner) {
-  const Fdm fdm;
-  const Laser laser;
-  const ProcessRunners both({&fdm, &laser});
-  EXPECT_EQ(both.processes(), ProcessSet::All());
-  const auto result = both.RunTask({}, OfFdm({0, 4}));
+  const ProcessRunners both(Both());
+  EXPECT_EQ(both.processes(), (ProcessSet{kProcesses[0].process, kProcesses[1].process}));
+  const auto result = both.RunTask({}, Second{"hey"});
   ASSERT_TRUE(result.ok()) << result.status();
-  EXPECT_EQ(std::get<FdmResult>(*result).programs.size(), 4u);
-  EXPECT_EQ(both.RunTask({}, LaserTask()).status(), absl::UnavailableError("dark"));
+  EXPECT_EQ(result->As<Made>().text, "hey!");
+  EXPECT_EQ(both.RunTask({}, First{}).status(), absl::UnavailableError("silent"));
 }
 
 TEST(ProcessRunners, WhatNobodyMakesIsAnError) {
-  const Fdm fdm;
-  const ProcessRunners one({&fdm});
-  EXPECT_EQ(one.processes(), ProcessSet{Process::kFdm});
-  EXPECT_EQ(DetailOf(one.RunTask({}, LaserTask()).status()).reason, Reason::kInternal);
+  const ProcessRunners one({Both().front()});
+  EXPECT_EQ(one.processes(), ProcessSet{kProcesses[0].process});
+  EXPECT_EQ(DetailOf(one.RunTask({}, Second{"x"}).status()).reason, Reason::kInternal);
 }
 
 }  // namespace

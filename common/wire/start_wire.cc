@@ -141,38 +141,4 @@ absl::StatusOr<ExposeStart> FromProto(const v1::ExposeStart& proto) {
   return start;
 }
 
-absl::Status ToProto(const WorkStart& start, v1::WorkStart* proto) {
-  *proto->mutable_call() = ToProto(start.call);
-  *proto->mutable_range() = ToProto(start.range);
-  *proto->mutable_facts() = ToProto(start.facts);
-  absl::Status status = ToProto(start.settings, proto->mutable_settings());
-  if (!status.ok()) return Within("settings", status);
-  status.Update(AllToProto(start.plans, "plans", proto->mutable_plans()));
-  status.Update(AllToProto(start.copies, "copies", proto->mutable_copies()));
-  return status;
-}
-
-absl::StatusOr<WorkStart> FromProto(const v1::WorkStart& proto) {
-  absl::Status status = CheckCopyCount(proto.copies_size(), "copies");
-  if (!status.ok()) return status;
-  absl::StatusOr<StageCall> call = FromProto(proto.call());
-  if (!call.ok()) return call.status();
-  absl::StatusOr<JobSettings> settings = FromProto(proto.settings());
-  if (!settings.ok()) return Within("settings", settings.status());
-  const absl::StatusOr<LayerRange> range = FromProto(proto.range());
-  if (!range.ok()) return range.status();
-  absl::StatusOr<JobFacts> facts = FromProto(proto.facts());
-  if (!facts.ok()) return Within("facts", facts.status());
-  const Process process = settings->process;
-  WorkStart start{*std::move(call), *std::move(settings), *range, {}, {}, *std::move(facts)};
-  const int planned = process == Process::kFdm ? range->size() : 0;
-  if (proto.plans_size() != planned) {
-    return Malformed("plans", "not one for each layer of the range of FDM");
-  }
-  status = AllFromProto(proto.plans(), "plans", &start.plans);
-  status.Update(AllFromProto(proto.copies(), "copies", &start.copies));
-  if (!status.ok()) return status;
-  return start;
-}
-
 }  // namespace slicefarm

@@ -13,13 +13,12 @@
 #include "slicefarm/v1/motion.pb.h"
 #include "slicefarm/v1/ordering.pb.h"
 #include "slicefarm/v1/planning.pb.h"
-#include "slicefarm/v1/worker.pb.h"
 
 namespace slicefarm {
 
 /// What begins the stream of a call: who calls, with which options, and for the stages that look at
-/// neighbours, about which layers. Errors: those of stage_call_wire.h, layer_wire.h, plan_wire.h and
-/// settings_wire.h, with the way to the field.
+/// neighbours, about which layers. Errors: those of stage_call_wire.h, layer_wire.h, plan_wire.h
+/// and settings_wire.h, with the way to the field.
 
 /// Options by region.
 template <typename Options>
@@ -57,16 +56,6 @@ struct ExposeStart {
   std::vector<Copy> copies;
 };
 
-/// Of a range of any process.
-struct WorkStart {
-  StageCall call;
-  JobSettings settings;
-  LayerRange range;
-  std::vector<LayerPlan> plans;  ///< of FDM: one for each layer of the range
-  std::vector<Copy> copies;
-  JobFacts facts;  ///< of FDM
-};
-
 absl::Status ToProto(const BeadStart& start, v1::BeadStart* proto);
 absl::StatusOr<BeadStart> FromProto(const v1::BeadStart& proto);
 
@@ -84,9 +73,6 @@ absl::StatusOr<ProgramStart> FromProto(const v1::ProgramStart& proto);
 
 absl::Status ToProto(const ExposeStart& start, v1::ExposeStart* proto);
 absl::StatusOr<ExposeStart> FromProto(const v1::ExposeStart& proto);
-
-absl::Status ToProto(const WorkStart& start, v1::WorkStart* proto);
-absl::StatusOr<WorkStart> FromProto(const v1::WorkStart& proto);
 
 namespace v1 {
 using slicefarm::FromProto;  // so that templates find it by the message's namespace

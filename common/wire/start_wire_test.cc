@@ -32,20 +32,6 @@ MotionOptions Motion() {
   return options;
 }
 
-JobSettings Settings() {
-  JobSettings settings;
-  settings.beading.resize(2);
-  settings.beading[1].perimeters = 7;
-  settings.infill.resize(2);
-  settings.infill[1].density = 0.7;
-  settings.ordering.walls = {{}, {true, false}};
-  settings.motion = Motion();
-  settings.exposure.regions.resize(2);
-  for (ExposureOptions& region : settings.exposure.regions)
-    region.upskin_distance_nm = region.downskin_distance_nm = 90'000;
-  return settings;
-}
-
 // The bindings name every member: a new one does not compile until it is sent here, and so on the
 // wire.
 template <typename Start>
@@ -99,19 +85,6 @@ ProgramStart Program() {
   return start;
 }
 
-WorkStart Work() {
-  WorkStart start;
-  auto& [call, settings, range, plans, copies, facts] = start;
-  call = Call();
-  settings = Settings();
-  range = kRange;
-  plans = {{{1, 2}, false, true, {{0, {3, 4}, Point{9, 9}, {{5, 6}}}}, {}, {}},
-           {{7, 8}, true, false, {}, {MakePathOrDie("(0 0, 9 0)")}, {}}};
-  copies = Copies();
-  facts = Facts();
-  return start;
-}
-
 TEST(StartWire, BeadAndFillReturn) {
   const absl::StatusOr<BeadStart> bead = FromProto(ProtoOf<v1::BeadStart>(Bead()));
   ASSERT_TRUE(bead.ok()) << bead.status();
@@ -139,20 +112,12 @@ TEST(StartWire, PlanAndOrderReturn) {
   EXPECT_EQ(order->copies, Copies());
 }
 
-TEST(StartWire, ProgramAndWorkReturn) {
+TEST(StartWire, ProgramReturns) {
   const absl::StatusOr<ProgramStart> program = FromProto(ProtoOf<v1::ProgramStart>(Program()));
   ASSERT_TRUE(program.ok()) << program.status();
   EXPECT_EQ(program->call.job_id, "job-1");
   EXPECT_EQ(program->options, Motion());
   EXPECT_EQ(program->facts, Facts());
-  const absl::StatusOr<WorkStart> work = FromProto(ProtoOf<v1::WorkStart>(Work()));
-  ASSERT_TRUE(work.ok()) << work.status();
-  EXPECT_EQ(work->call.job_id, "job-1");
-  EXPECT_EQ(work->settings, Settings());
-  EXPECT_EQ(work->range, kRange);
-  EXPECT_EQ(work->plans, Work().plans);
-  EXPECT_EQ(work->copies, Copies());
-  EXPECT_EQ(work->facts, Facts());
 }
 
 TEST(StartWire, ExposureReturns) {
@@ -174,18 +139,6 @@ TEST(StartWire, ExposureReturns) {
                                                          {"build_id", "shift"});
 }
 
-TEST(StartWire, OnlyWorkOfFdmIsPlanned) {
-  WorkStart start = Work();
-  start.settings.process = Process::kLaser;
-  ExpectMalformed(FromProto(ProtoOf<v1::WorkStart>(start)).status(), "plans");
-  start.plans.clear();
-  const absl::StatusOr<WorkStart> laser = FromProto(ProtoOf<v1::WorkStart>(start));
-  ASSERT_TRUE(laser.ok()) << laser.status();
-  EXPECT_EQ(laser->settings, start.settings);
-  start.settings.process = Process::kFdm;
-  ExpectMalformed(FromProto(ProtoOf<v1::WorkStart>(start)).status(), "plans");
-}
-
 TEST(StartWire, EveryFieldChangedAloneReturns) {
   ExpectEveryChangeReturns<v1::BeadStart, BeadStart>(ProtoOf<v1::BeadStart>(Bead()), {"build_id"});
   ExpectEveryChangeReturns<v1::FillStart, FillStart>(ProtoOf<v1::FillStart>(Fill()), {"build_id"});
@@ -197,10 +150,6 @@ TEST(StartWire, EveryFieldChangedAloneReturns) {
   // The only copy of "a" has no second one.
   ExpectEveryChangeReturns<v1::ProgramStart, ProgramStart>(ProtoOf<v1::ProgramStart>(Program()),
                                                            {"build_id", "facts.copies[0].copy"});
-  // Another range has another number of plans, and other processes have none.
-  ExpectEveryChangeReturns<v1::WorkStart, WorkStart>(
-      ProtoOf<v1::WorkStart>(Work()),
-      {"build_id", "range", "shift", "facts.copies[0].copy", "process"});
 }
 
 template <typename Start, typename Proto>
@@ -218,7 +167,6 @@ TEST(StartWire, AnotherBuildIsRefused) {
   ExpectAnotherBuildIsRefused<PlanStart, v1::PlanStart>(Plan());
   ExpectAnotherBuildIsRefused<OrderStart, v1::OrderStart>(Order());
   ExpectAnotherBuildIsRefused<ProgramStart, v1::ProgramStart>(Program());
-  ExpectAnotherBuildIsRefused<WorkStart, v1::WorkStart>(Work());
 }
 
 TEST(StartWire, RefusesRangesAndTablesThatNoJobHas) {
@@ -249,7 +197,6 @@ Reason WithManyCopies(Start message) {
 TEST(StartWire, RefusesMoreCopiesThanAJobMayHave) {
   EXPECT_EQ(WithManyCopies(ProtoOf<v1::PlanStart>(Plan())), Reason::kRequestTooLarge);
   EXPECT_EQ(WithManyCopies(ProtoOf<v1::OrderStart>(Order())), Reason::kRequestTooLarge);
-  EXPECT_EQ(WithManyCopies(ProtoOf<v1::WorkStart>(Work())), Reason::kRequestTooLarge);
 }
 
 TEST(StartWire, RefusesNamesThatNoJobHas) {
@@ -274,32 +221,6 @@ TEST(StartWire, RefusesCopiesAndFactsThatNoJobHas) {
   auto program = ProtoOf<v1::ProgramStart>(Program());
   program.mutable_facts()->set_layer_count(-1);
   ExpectMalformed(FromProto(program).status(), "facts.layer_count");
-}
-
-TEST(StartWire, RefusesWorkThatDoesNotAddUp) {
-  auto work = ProtoOf<v1::WorkStart>(Work());
-  work.mutable_plans()->RemoveLast();
-  ExpectMalformed(FromProto(work).status(), "plans");
-  work = ProtoOf<v1::WorkStart>(Work());
-  work.mutable_plans(1)->mutable_paths(0)->clear_feature();
-  ExpectMalformed(FromProto(work).status(), "plans[1].paths[0].feature");
-  work = ProtoOf<v1::WorkStart>(Work());
-  work.mutable_settings()->mutable_infill()->RemoveLast();
-  ExpectMalformed(FromProto(work).status(), "settings.settings");
-  work = ProtoOf<v1::WorkStart>(Work());
-  work.mutable_copies(0)->set_object(1'000);
-  ExpectMalformed(FromProto(work).status(), "copies[0].object");
-  work = ProtoOf<v1::WorkStart>(Work());
-  work.mutable_facts()->mutable_copies(0)->set_copies(0);
-  ExpectMalformed(FromProto(work).status(), "facts.copies[0].copy");
-}
-
-// A huge range must not be paid for before its plans are counted.
-TEST(StartWire, ARangeWithoutItsPlansIsRefused) {
-  auto work = ProtoOf<v1::WorkStart>(Work());
-  work.mutable_range()->set_first(0);
-  work.mutable_range()->set_last(20'000);
-  ExpectMalformed(FromProto(work).status(), "plans");
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <map>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "absl/time/time.h"
 #include "common/base/error.h"
 #include "common/base/text.h"
+#include "common/config/process_settings.h"
 #include "common/config/projects/ini.h"
 #include "common/config/told_settings.h"
 #include "common/model/limits.h"
@@ -46,9 +46,13 @@ void AddSettingOptions(CLI::App& app, SettingOptions& options) {
 
 void AddMachineOption(CLI::App& app, Process& process) {
   std::map<std::string, Process> names;
-  for (const ProcessInfo& info : kProcesses) names[std::string(info.name)] = info.process;
-  app.add_option("--machine", process,
-                 "What the job is for: fdm (filament, the default) or laser (powder, resin)")
+  std::string words = "What the job is for:";
+  for (const ProcessInfo& info : kProcesses) {
+    names[std::string(info.name)] = info.process;
+    words += fmt::format(" {}{}: {}.", info.name,
+                         info.process == kDefaultProcess ? " (the default)" : "", info.doc);
+  }
+  app.add_option("--machine", process, words)
       ->transform(OneOf(std::move(names)))
       ->type_name("MACHINE");
 }
@@ -146,20 +150,26 @@ absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions&
 
 namespace {
 
-/// The format that the name of a laser's file stands for, unless one is set.
-void AddOutputFormat(const std::string& output, std::vector<config::Setting>& settings) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kFormats = {
-      {{".cli", "cli"}, {".nc", "grbl"}, {".gcode", "marlin"}, {".svg", "svg"}, {".dxf", "dxf"}}};
-  const auto given = std::ranges::find(settings, "output_format", &config::Setting::key);
-  if (given != settings.end()) return;
-  for (const auto& [suffix, format] : kFormats)
-    if (output.ends_with(suffix))
-      settings.push_back({"output_format", std::string(format), config::Source::kRequest});
+/// The format that the name of the file stands for, unless one is set.
+void AddFileFormat(const std::string& output, Process process,
+                   std::vector<config::Setting>& settings) {
+  for (const config::FileFormat& format : config::SettingsOf(process).FileFormats()) {
+    const bool given =
+        std::ranges::find(settings, format.key, &config::Setting::key) != settings.end();
+    if (!given && output.ends_with(format.suffix))
+      settings.push_back(
+          {std::string(format.key), std::string(format.value), config::Source::kRequest});
+  }
 }
 
-/// Whether nothing but a laser's file has such a name.
-bool IsOfLaser(std::string_view output) {
-  return output.ends_with(".cli") || output.ends_with(".svg") || output.ends_with(".dxf");
+/// Another process, if it alone makes files of such a name.
+const ProcessInfo* OwnerOf(std::string_view output, Process process) {
+  for (const ProcessInfo& info : kProcesses) {
+    if (info.process == process) continue;
+    for (const config::FileFormat& format : config::SettingsOf(info.process).FileFormats())
+      if (format.alone && output.ends_with(format.suffix)) return &info;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -179,8 +189,9 @@ std::vector<config::Setting> WithCreationTime(std::vector<config::Setting> setti
 
 absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& options,
                                                               const std::string& output) {
-  if (options.process != Process::kLaser && IsOfLaser(output))
-    return Malformed(fmt::format("--output {}: --machine laser makes such files", output));
+  if (const ProcessInfo* owner = OwnerOf(output, options.process))
+    return Malformed(
+        fmt::format("--output {}: --machine {} makes such files", output, owner->name));
   auto settings = GivenSettings(options);
   if (!settings.ok()) return settings.status();
   const FieldOptions& fields = options.fields;
@@ -192,7 +203,7 @@ absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& 
     if (!setting.ok()) return setting.status();
     settings->push_back(*std::move(setting));
   }
-  if (options.process == Process::kLaser) AddOutputFormat(output, *settings);
+  AddFileFormat(output, options.process, *settings);
   return settings;
 }
 

@@ -29,7 +29,7 @@ struct FieldOptions {
 /// What `slice` and `submit` are told about the job, as written on the command line.
 struct JobOptions : SettingOptions {
   std::vector<std::string> models;
-  Process process = Process::kFdm;
+  Process process = kDefaultProcess;
   std::vector<std::string> copies;       ///< MODEL=N
   std::vector<std::string> object_sets;  ///< MODEL:key=value
   std::string units = "mm";
@@ -61,9 +61,9 @@ absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions&
 std::vector<config::Setting> WithCreationTime(std::vector<config::Setting> settings,
                                               bool anyway = false);
 
-/// All of them: those, the fields, and of lasers the output_format that the name of `output` stands
-/// for, unless one is set: .cli, .nc, .gcode, .svg, .dxf. Errors: those of ReadFieldFile too;
-/// REQUEST_MALFORMED for such a name (.cli, .svg, .dxf) where the job is not of lasers.
+/// All of them: those, the fields, and what the name of `output` stands for (config::FileFormat),
+/// unless it is set. Errors: those of ReadFieldFile too; REQUEST_MALFORMED for a name that files of
+/// another process have.
 absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& options,
                                                               const std::string& output);
 

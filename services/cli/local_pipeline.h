@@ -1,14 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
-#include "common/stage/laser_chain.h"
-#include "common/stage/layer_chain.h"
-#include "common/stage/stages.h"
+#include "services/cli/local_stages.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
-#include "services/coordinator/algo/process/fdm_process.h"
-#include "services/coordinator/algo/process/laser_process.h"
 
 namespace slicefarm::cli {
 
@@ -22,20 +19,10 @@ class LocalPipeline {
 
  private:
   // In this order: the pipeline refers to the stages and the dispatcher, whose threads run the
-  // chain.
-  std::unique_ptr<SlicingStage> slicing_;
-  std::unique_ptr<PlanningStage> planning_;
-  std::unique_ptr<BeadingStage> beading_;
-  std::unique_ptr<InfillStage> infill_;
-  std::unique_ptr<OrderingStage> ordering_;
-  std::unique_ptr<MotionStage> motion_;
-  std::unique_ptr<ExposureStage> exposure_;
-  LayerChain fdm_chain_;
-  LaserChain laser_chain_;
+  // chains.
+  const LocalStages stages_;
   coordinator::Dispatcher dispatcher_;
-  coordinator::FdmProcess fdm_;
-  coordinator::LaserProcess laser_;
-  coordinator::JobPipeline pipeline_;
+  const coordinator::JobPipeline pipeline_;
 };
 
 }  // namespace slicefarm::cli

@@ -10,7 +10,7 @@ std::string SummaryText(const Summary& summary) {
   std::string text = summary.output.empty() ? "" : summary.output + ": ";
   text += fmt::format("{} {}, {} to print", summary.layers,
                       summary.layers == 1 ? "layer" : "layers", DurationText(summary.print_time_s));
-  // A laser needs none.
+  // Not every process needs any.
   if (summary.filament_mm > 0)
     text += fmt::format(", {:.2f} m of filament", summary.filament_mm / 1000);
   if (summary.filament_g > 0) text += fmt::format(" ({:.1f} g)", summary.filament_g);

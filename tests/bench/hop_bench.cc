@@ -11,12 +11,12 @@
 
 #include "common/rpc/security/identity.h"
 #include "common/rpc/security/tls.h"
-#include "common/stage/layer_chain.h"
 #include "common/stage/object_layers.h"
 #include "common/stage/slice_input_test.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/layers/program_wire.h"
+#include "processes/fdm/task/layer_chain.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/coordinator/algo/pipeline/range_split.h"
 #include "services/infill/algo/local_infill_stage.h"
@@ -81,7 +81,7 @@ struct Job {
 
   int32_t layer_count() const { return static_cast<int32_t>(sliced.layers.size()); }
   LayerRange Halo(LayerRange range) const {
-    return WithHalo(sliced.layers, range, HaloLayers(settings));
+    return WithHalo(sliced.layers, range, HaloLayers(FdmOf(settings)));
   }
   Neighbourhood Around(LayerRange range) const {
     const LayerRange halo = Halo(range);
@@ -93,7 +93,7 @@ struct Job {
             .plans = std::span(plan.layers).subspan(range.first, range.size()),
             .copies = plan.copies,
             .facts = &facts,
-            .settings = &settings};
+            .settings = &FdmOf(settings)};
   }
   SlicedOutlines outlines() const { return {sliced.layers, sliced.copies}; }
 };
@@ -123,14 +123,12 @@ class CannedStages : public BeadingStage,
     return Part(job_.walled, n.range);
   }
   absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall&, std::vector<WalledLayer>,
-                                                const Neighbourhood& n,
-                                                std::span<const LayerPlan>,
+                                                const Neighbourhood& n, std::span<const LayerPlan>,
                                                 std::span<const InfillOptions>) const override {
     return Part(job_.filled, n.range);
   }
   absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall&, std::vector<FilledLayer> layers,
-                                                  std::span<const LayerPlan>,
-                                                  std::span<const Copy>,
+                                                  std::span<const LayerPlan>, std::span<const Copy>,
                                                   const OrderingOptions&) const override {
     return Part(job_.ordered, RangeOf(layers));
   }
@@ -176,18 +174,21 @@ absl::StatusOr<LocalCost> Compute(Job* job) {
   };
   const Cost cost = Measure([&] {
     keep(slicing->Slice({}, job->input, job->settings.slicing), &job->sliced);
-    keep(planning->Plan({}, job->outlines(), job->settings.planning), &job->plan);
+    keep(planning->Plan({}, job->outlines(), FdmOf(job->settings).planning), &job->plan);
     const Neighbourhood all = job->Around({0, job->layer_count()});
-    keep(beading->Bead({}, all, job->settings.beading), &job->walled);
-    keep(infill->Fill({}, job->walled, all, job->plan.layers, job->settings.infill), &job->filled);
+    keep(beading->Bead({}, all, FdmOf(job->settings).beading), &job->walled);
+    keep(infill->Fill({}, job->walled, all, job->plan.layers, FdmOf(job->settings).infill),
+         &job->filled);
     keep(ordering->Order({}, job->filled, job->plan.layers, job->plan.copies,
-                         job->settings.ordering),
+                         FdmOf(job->settings).ordering),
          &job->ordered);
     job->facts = {job->layer_count(), {}, {}};
-    keep(motion->Program({}, job->ordered, job->facts, job->settings.motion), &job->programs);
+    keep(motion->Program({}, job->ordered, job->facts, FdmOf(job->settings).motion),
+         &job->programs);
   });
-  const Cost plan = Measure(
-      [&] { keep(planning->Plan({}, job->outlines(), job->settings.planning), &job->plan); });
+  const Cost plan = Measure([&] {
+    keep(planning->Plan({}, job->outlines(), FdmOf(job->settings).planning), &job->plan);
+  });
   if (!status.ok()) return status;
   job->ranges = coordinator::SplitIntoRanges(job->sliced.layers, kSlots);
   return LocalCost{cost, plan};
@@ -250,11 +251,11 @@ class Farm {
   bool Slice() const { return remote_.slicing.Slice({}, job_.input, job_.settings.slicing).ok(); }
   /// By the planning service as it is, which has its algorithm within it.
   bool Plan() const {
-    return remote_.planning.Plan({}, job_.outlines(), job_.settings.planning).ok();
+    return remote_.planning.Plan({}, job_.outlines(), FdmOf(job_.settings).planning).ok();
   }
   bool Fused() const {
     return std::ranges::all_of(job_.ranges, [this](LayerRange range) {
-      return remote_.worker.Run({}, job_.Task(range)).ok();
+      return remote_.worker.RunTask({}, job_.Task(range)).ok();
     });
   }
   bool Split() const {

@@ -1,9 +1,15 @@
-#include "common/stage/laser_chain.h"
-#include "common/stage/layer_chain.h"
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include "common/wire/layers/fill_use_wire.h"
 #include "common/wire/layers/program_wire.h"
-#include "common/wire/start_wire.h"
-#include "common/wire/support/message_stream.h"
+#include "common/wire/stage_call_wire.h"
+#include "processes/fdm/task/fdm_task.h"
+#include "processes/fdm/wire/fdm_work.h"
+#include "processes/laser/wire/laser_work.h"
+#include "processes/list/tasks.h"
+#include "processes/list/wire.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/exposure/algo/local_exposure_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
@@ -16,32 +22,54 @@
 namespace slicefarm::fuzz {
 namespace {
 
+/// What comes from a client that reads nothing.
+class OneWay : public WorkerEnd {
+ public:
+  explicit OneWay(Requests<v1::WorkRequest>& requests) : requests_(requests) {}
+  bool Read(v1::WorkRequest* message) override { return requests_.Read(message); }
+  bool Write(const v1::WorkResponse&) override { return false; }
+
+ private:
+  Requests<v1::WorkRequest>& requests_;
+};
+
+ProcessRunners RunnersOver(const Stages& stages) {
+  std::vector<std::shared_ptr<const TaskRunner>> runners;
+  for (TaskChain& chain : ChainsOver(stages)) runners.push_back(std::move(chain.runner));
+  return ProcessRunners(std::move(runners));
+}
+
 void Run(const WorkCall& given) {
   static const auto beading = beading::MakeLocalBeading();
   static const auto infill = infill::MakeLocalInfill();
   static const auto ordering = ordering::MakeLocalOrdering();
   static const auto motion = motion::MakeLocalMotion();
-  static const LayerChain chain(*beading, *infill, *ordering, *motion);
+  static const auto exposure = exposure::MakeLocalExposure();
+  static const ProcessRunners runners = RunnersOver({.beading = beading.get(),
+                                                     .infill = infill.get(),
+                                                     .ordering = ordering.get(),
+                                                     .motion = motion.get(),
+                                                     .exposure = exposure.get()});
   for (const v1::WorkRequest& request : given.requests()) {
-    CheckRoundTrip(request.start());
+    CheckRoundTrip(request.start().fdm());
+    CheckRoundTrip(request.start().laser());
     CheckRoundTrip(request.layer());
   }
   Requests<v1::WorkRequest> requests(given.requests());
-  const auto start = ReadStart<v1::WorkRequest>(requests, WithDeadline());
-  if (!start.ok()) return;
-  const auto layers = ReadNeighbourhood<v1::WorkRequest>(requests, *start);
-  if (!layers.ok()) return;
-  if (start->settings.process == Process::kLaser) {
-    static const auto exposure = exposure::MakeLocalExposure();
-    LaserChain(*exposure)
-        .Run(start->call, {start->range, *layers, start->copies, &start->settings})
-        .IgnoreError();
-    return;
-  }
-  const auto result =
-      chain.Run(start->call, {start->range, *layers, start->plans, start->copies, &start->facts,
-                              &start->settings});
-  if (!result.ok()) return;
+  OneWay end(requests);
+  v1::WorkRequest first;
+  if (!end.Read(&first)) return;
+  const TaskWire* wire = WireOf(first.start());
+  if (wire == nullptr || !FromProto(first.start().call()).ok()) return;
+  const CancelToken cancel = WithDeadline();
+  const auto received = wire->Receive(first.start(), cancel, end);
+  if (!received.ok()) return;
+  StageCall call;
+  call.cancel = cancel;
+  const Task task = (*received)->task();
+  const auto made = runners.RunTask(call, task);
+  if (!made.ok() || task.process() != Process::kFdm) return;
+  const FdmResult* result = &made->As<FdmResult>();
   for (const LayerProgram& program : result->programs) {
     CheckGcode(program.gcode);
     CheckRoundTrip(Encoded<v1::LayerProgram>(program));

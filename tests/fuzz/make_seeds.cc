@@ -23,6 +23,8 @@
 #include "common/wire/scene_wire.h"
 #include "common/wire/slicing_wire.h"
 #include "common/wire/start_wire.h"
+#include "processes/fdm/wire/fdm_work.h"
+#include "processes/laser/wire/laser_work.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
@@ -218,7 +220,8 @@ Job JobOf(const SceneObject& object) {
   Job job;
   job.call.job_id = "seed";
   const SceneObject objects[] = {object};
-  config::ResolvedPlate plate = Must(config::ResolvePlate(Given(kSettings), objects));
+  config::ResolvedPlate plate =
+      Must(config::ResolvePlate(Given(kSettings), objects, Process::kFdm));
   job.settings = std::move(plate.settings);
   job.settings.slicing.thumbnails = {{16, 16}};
   job.input.files.push_back({"box.obj", MeshFormat::kObj, std::string(kBox)});
@@ -245,22 +248,22 @@ void WritePlanSeed(const Seeds& seeds, const std::string& name, Job& job) {
   PlanCall plan;
   v1::PlanStart& start = *plan.add_requests()->mutable_start();
   Must(ToProto(
-      PlanStart{job.call, job.settings.planning, job.sliced.copies, job.sliced.object_names},
+      PlanStart{job.call, FdmOf(job.settings).planning, job.sliced.copies, job.sliced.object_names},
       &start));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, plan.add_requests()->mutable_layer()));
   seeds.Write("planning", name, plan);
   job.plan = Must(planning::MakeLocalPlanning()->Plan(
-      job.call, {job.sliced.layers, job.sliced.copies}, job.settings.planning));
+      job.call, {job.sliced.layers, job.sliced.copies}, FdmOf(job.settings).planning));
 }
 
 void WriteWorkSeed(const Seeds& seeds, const std::string& name, const Job& job) {
   WorkCall work;
   v1::WorkStart& start = *work.add_requests()->mutable_start();
-  Must(
-      ToProto(WorkStart{job.call, job.settings, job.range, job.plans(), job.plan.copies, job.facts},
-              &start));
+  *start.mutable_call() = ToProto(job.call);
+  Must(ToProto(FdmWork{FdmOf(job.settings), job.range, job.plans(), job.plan.copies, job.facts},
+               start.mutable_fdm()));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, work.add_requests()->mutable_layer()));
@@ -271,7 +274,7 @@ std::vector<WalledLayer> WriteBeadSeeds(const Seeds& seeds, const std::string& n
                                         const Job& job) {
   BeadCall bead;
   v1::BeadStart& start = *bead.add_requests()->mutable_start();
-  Must(ToProto(BeadStart{job.call, job.settings.beading, job.range}, &start));
+  Must(ToProto(BeadStart{job.call, FdmOf(job.settings).beading, job.range}, &start));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, bead.add_requests()->mutable_layer()));
@@ -281,15 +284,15 @@ std::vector<WalledLayer> WriteBeadSeeds(const Seeds& seeds, const std::string& n
     options.set_generator(v1::WALL_GENERATOR_CLASSIC);
   }
   seeds.Write("beading", name + "_classic", bead);
-  return Must(
-      beading::MakeLocalBeading()->Bead(job.call, job.neighbourhood(), job.settings.beading));
+  return Must(beading::MakeLocalBeading()->Bead(job.call, job.neighbourhood(),
+                                                FdmOf(job.settings).beading));
 }
 
 std::vector<FilledLayer> WriteFillSeed(const Seeds& seeds, const std::string& name, const Job& job,
                                        std::vector<WalledLayer> walled) {
   FillCall fill;
   v1::FillStart& start = *fill.add_requests()->mutable_start();
-  Must(ToProto(FillStart{job.call, job.settings.infill, job.range}, &start));
+  Must(ToProto(FillStart{job.call, FdmOf(job.settings).infill, job.range}, &start));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, fill.add_requests()->mutable_neighbour()));
@@ -297,14 +300,14 @@ std::vector<FilledLayer> WriteFillSeed(const Seeds& seeds, const std::string& na
     Must(ToProto(layer, fill.add_requests()->mutable_layer()));
   seeds.Write("infill", name, fill);
   return Must(infill::MakeLocalInfill()->Fill(job.call, std::move(walled), job.neighbourhood(),
-                                              job.settings.infill));
+                                              FdmOf(job.settings).infill));
 }
 
 std::vector<OrderedLayer> WriteOrderSeed(const Seeds& seeds, const std::string& name,
                                          const Job& job, std::vector<FilledLayer> filled) {
   OrderCall order;
   v1::OrderStart& start = *order.add_requests()->mutable_start();
-  Must(ToProto(OrderStart{job.call, job.settings.ordering, job.plan.copies}, &start));
+  Must(ToProto(OrderStart{job.call, FdmOf(job.settings).ordering, job.plan.copies}, &start));
   Anonymous(&start);
   const std::vector<LayerPlan> plans = job.plans();
   for (size_t i = 0; i < filled.size(); ++i) {
@@ -314,19 +317,19 @@ std::vector<OrderedLayer> WriteOrderSeed(const Seeds& seeds, const std::string& 
   }
   seeds.Write("ordering", name, order);
   return Must(ordering::MakeLocalOrdering()->Order(job.call, std::move(filled), plans,
-                                                   job.plan.copies, job.settings.ordering));
+                                                   job.plan.copies, FdmOf(job.settings).ordering));
 }
 
 void WriteMotionSeed(const Seeds& seeds, const std::string& name, const Job& job,
                      std::vector<OrderedLayer> ordered) {
   MotionCall motion;
   v1::ProgramStart& start = *motion.add_requests()->mutable_start();
-  Must(ToProto(ProgramStart{job.call, job.settings.motion, job.facts}, &start));
+  Must(ToProto(ProgramStart{job.call, FdmOf(job.settings).motion, job.facts}, &start));
   Anonymous(&start);
   for (const OrderedLayer& layer : ordered)
     Must(ToProto(layer, motion.add_requests()->mutable_layer()));
-  const auto programs = Must(motion::MakeLocalMotion()->Program(job.call, std::move(ordered),
-                                                                job.facts, job.settings.motion));
+  const auto programs = Must(motion::MakeLocalMotion()->Program(
+      job.call, std::move(ordered), job.facts, FdmOf(job.settings).motion));
   ProgramSummary summary;
   for (const LayerProgram& program : programs) {
     summary.layers.push_back(
@@ -337,36 +340,37 @@ void WriteMotionSeed(const Seeds& seeds, const std::string& name, const Job& job
     summary.copies.push_back({job.facts.copies[i], job.sliced.copies[i].footprint});
   summary.settings_text = "layer_height = 1\n";
   Must(ToProto(summary, motion.mutable_frame()));
-  *motion.mutable_frame()->mutable_options() = ToProto(job.settings.motion);
+  *motion.mutable_frame()->mutable_options() = ToProto(FdmOf(job.settings).motion);
   seeds.Write("motion", name, motion);
 }
 
 /// A laser's calls over the same outlines: by its own stage, and by a worker.
-void WriteExposureSeeds(const Seeds& seeds, const std::string& name, Job job) {
-  job.settings.process = Process::kLaser;
-  job.settings.exposure.regions.resize(job.settings.infill.size());
+void WriteExposureSeeds(const Seeds& seeds, const std::string& name, const Job& job) {
+  ExposureSettings settings;
+  settings.regions.resize(FdmOf(job.settings).infill.size());
   constexpr ScanStrategy kStrategies[] = {ScanStrategy::kRings, ScanStrategy::kStripes,
                                           ScanStrategy::kIslands, ScanStrategy::kHatch};
   for (const ScanStrategy strategy : kStrategies) {
-    for (ExposureOptions& region : job.settings.exposure.regions) {
+    for (ExposureOptions& region : settings.regions) {
       region.strategy = strategy;
       region.hatch_distance_nm = 500'000;
       region.downskin_layers = 1;
     }
     ExposeCall call;
     v1::ExposeStart& start = *call.add_requests()->mutable_start();
-    Must(ToProto(ExposeStart{job.call, job.settings.exposure, job.range, job.plan.copies}, &start));
+    Must(ToProto(ExposeStart{job.call, settings, job.range, job.plan.copies}, &start));
     Anonymous(&start);
     for (const SlicedLayer& layer : job.sliced.layers)
       Must(ToProto(layer, call.add_requests()->mutable_layer()));
     Must(ToProto(ExposureSummary{{{0, 9, 9}}, {{0, 0}, {9, 9}}, {"box"}, 3, "contours = 1\n"},
                  call.mutable_frame()));
-    *call.mutable_frame()->mutable_settings() = ToProto(job.settings.exposure);
+    *call.mutable_frame()->mutable_settings() = ToProto(settings);
     const std::string seed = name + std::to_string(static_cast<int>(strategy));
     seeds.Write("exposure", seed, call);
     WorkCall work;
     v1::WorkStart& whole = *work.add_requests()->mutable_start();
-    Must(ToProto(WorkStart{job.call, job.settings, job.range, {}, job.plan.copies, {}}, &whole));
+    *whole.mutable_call() = ToProto(job.call);
+    Must(ToProto(LaserWork{settings, job.range, job.plan.copies}, whole.mutable_laser()));
     Anonymous(&whole);
     for (const SlicedLayer& layer : job.sliced.layers)
       Must(ToProto(layer, work.add_requests()->mutable_layer()));
@@ -394,7 +398,7 @@ int main(int argc, char** argv) {
   slicefarm::fuzz::WriteCoordinatorSeeds(seeds);
   slicefarm::fuzz::WriteStageSeeds(seeds, "box", slicefarm::fuzz::JobOf(slicefarm::fuzz::Box()));
   slicefarm::fuzz::Job boxes = slicefarm::fuzz::JobOf(slicefarm::fuzz::BoxesWithModifier());
-  boxes.settings.motion.labels = slicefarm::ObjectLabels::kFirmware;
+  FdmOf(boxes.settings).motion.labels = slicefarm::ObjectLabels::kFirmware;
   slicefarm::fuzz::WriteStageSeeds(seeds, "boxes", std::move(boxes));
   return 0;
 }

@@ -14,8 +14,8 @@
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/convex.h"
 #include "common/model/bead_section.h"
-#include "common/stage/layer_chain.h"
 #include "common/stage/object_layers.h"
+#include "processes/fdm/task/layer_chain.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
@@ -50,7 +50,7 @@ config::ResolvedPlate Resolved(const Settings& given) {
   object.name = "part";
   object.parts.resize(1);
   object.instances.resize(1);
-  auto plate = config::ResolvePlate(job, std::span(&object, 1));
+  auto plate = config::ResolvePlate(job, std::span(&object, 1), Process::kFdm);
   EXPECT_TRUE(plate.ok()) << plate.status();
   return plate.ok() ? *std::move(plate) : config::ResolvedPlate{};
 }
@@ -103,20 +103,20 @@ class Stages {
  public:
   /// What is printed on the plate besides the parts, in the order of printing, by layer.
   std::vector<std::vector<Path>> OnPlate(Plate& plate, const JobSettings& settings) const {
-    auto plan = planning_->Plan({}, {plate.layers, plate.copies}, settings.planning);
+    auto plan = planning_->Plan({}, {plate.layers, plate.copies}, FdmOf(settings).planning);
     EXPECT_TRUE(plan.ok()) << plan.status();
     AddToPlate(*plan, plate.layers);
     // The parts' own beads are none of this test's business: only the plate is walled.
     for (SlicedLayer& layer : plate.layers)
       std::erase_if(layer.sections, [](const auto& section) { return section.object != kPlate; });
     const LayerRange range{0, static_cast<int32_t>(plate.layers.size())};
-    auto walled = beading_->Bead({}, {range, plate.layers}, settings.beading);
+    auto walled = beading_->Bead({}, {range, plate.layers}, FdmOf(settings).beading);
     EXPECT_TRUE(walled.ok()) << walled.status();
-    auto filled = infill_->Fill({}, *std::move(walled), {range, plate.layers},
-                                plan->layers, settings.infill);
+    auto filled = infill_->Fill({}, *std::move(walled), {range, plate.layers}, plan->layers,
+                                FdmOf(settings).infill);
     EXPECT_TRUE(filled.ok()) << filled.status();
-    auto ordered =
-        ordering_->Order({}, *std::move(filled), plan->layers, plan->copies, settings.ordering);
+    auto ordered = ordering_->Order({}, *std::move(filled), plan->layers, plan->copies,
+                                    FdmOf(settings).ordering);
     EXPECT_TRUE(ordered.ok()) << ordered.status();
     std::vector<std::vector<Path>> layers;
     for (const OrderedLayer& layer : *ordered) {
@@ -155,8 +155,8 @@ struct Reach {
     constexpr int kDirections = 32;
     for (int i = 0; i < kDirections; ++i) {
       const double t = 2 * std::numbers::pi * i / kDirections;
-      const Point edge = middle + Point{std::llround(half * std::cos(t)),
-                                        std::llround(half * std::sin(t))};
+      const Point edge =
+          middle + Point{std::llround(half * std::cos(t)), std::llround(half * std::sin(t))};
       most = std::max(most, DistanceToRegion(edge, region));
     }
   }
@@ -188,9 +188,12 @@ TEST(AdhesionPlates, SkirtsAndBrimsAreWhereTheSettingsSay) {
     const double skirt_mm = Uniform(random, 0, 6), width_mm = Uniform(random, 0.4, 0.6);
     const int loops = 1 + trial % 3;
     const config::ResolvedPlate resolved =
-        Resolved({{"brim_width", Mm(brim_mm)}, {"brim_separation", Mm(separation_mm)},
-                  {"skirts", std::to_string(loops)}, {"skirt_distance", Mm(skirt_mm)},
-                  {"first_layer_height", "0.2"}, {"first_layer_extrusion_width", Mm(width_mm)}});
+        Resolved({{"brim_width", Mm(brim_mm)},
+                  {"brim_separation", Mm(separation_mm)},
+                  {"skirts", std::to_string(loops)},
+                  {"skirt_distance", Mm(skirt_mm)},
+                  {"first_layer_height", "0.2"},
+                  {"first_layer_extrusion_width", Mm(width_mm)}});
     const MultiPolygon part = RandomIsland(random, {}, Uniform(random, 4, 12));
     Plate plate = PlateOf(part, RandomPlaces(random), 2, resolved.settings);
     const std::vector<std::vector<Path>> layers = stages.OnPlate(plate, resolved.settings);
@@ -239,10 +242,12 @@ TEST(AdhesionPlates, BrimsOfAllKindsKeepTheirDistances) {
     SCOPED_TRACE(trial);
     const double brim_mm = Uniform(random, 0.9, 5), separation_mm = Uniform(random, 0, 0.5);
     const std::string& type = types[static_cast<size_t>(trial) % types.size()];
-    const config::ResolvedPlate resolved =
-        Resolved({{"brim_width", Mm(brim_mm)}, {"brim_separation", Mm(separation_mm)},
-                  {"brim_type", type}, {"brim_ears_detection_length", "0.1"},
-                  {"first_layer_height", "0.2"}, {"first_layer_extrusion_width", "0.45"}});
+    const config::ResolvedPlate resolved = Resolved({{"brim_width", Mm(brim_mm)},
+                                                     {"brim_separation", Mm(separation_mm)},
+                                                     {"brim_type", type},
+                                                     {"brim_ears_detection_length", "0.1"},
+                                                     {"first_layer_height", "0.2"},
+                                                     {"first_layer_extrusion_width", "0.45"}});
     Plate plate = PlateOf(RandomIsland(random, {}, Uniform(random, 4, 12)), RandomPlaces(random), 1,
                           resolved.settings);
     const std::vector<std::vector<Path>> layers = stages.OnPlate(plate, resolved.settings);
@@ -267,10 +272,12 @@ TEST(AdhesionPlates, RaftsReachAsFarAsTheSettingsSay) {
     SCOPED_TRACE(trial);
     const int count = 1 + trial % 5;
     const double expansion_mm = Uniform(random, 0.5, 2), first_mm = Uniform(random, 0.6, 3);
-    const config::ResolvedPlate resolved =
-        Resolved({{"raft_layers", std::to_string(count)}, {"raft_expansion", Mm(expansion_mm)},
-                  {"raft_first_layer_expansion", Mm(first_mm)}, {"layer_height", "0.2"},
-                  {"first_layer_height", "0.2"}, {"first_layer_extrusion_width", "0.45"}});
+    const config::ResolvedPlate resolved = Resolved({{"raft_layers", std::to_string(count)},
+                                                     {"raft_expansion", Mm(expansion_mm)},
+                                                     {"raft_first_layer_expansion", Mm(first_mm)},
+                                                     {"layer_height", "0.2"},
+                                                     {"first_layer_height", "0.2"},
+                                                     {"first_layer_extrusion_width", "0.45"}});
     Plate plate = PlateOf(RandomIsland(random, {}, Uniform(random, 4, 8)), RandomPlaces(random), 2,
                           resolved.settings);
     const std::vector<std::vector<Path>> layers = stages.OnPlate(plate, resolved.settings);
@@ -294,13 +301,13 @@ TEST(AdhesionPlates, RaftsReachAsFarAsTheSettingsSay) {
 
 // As a job runs: each range comes with its halo alone, and gives the bytes of the whole.
 TEST(AdhesionPlates, RangesDoNotMatter) {
-  const config::ResolvedPlate resolved = Resolved({{"raft_layers", "4"}, {"skirts", "2"},
-                                                   {"skirt_height", "6"}, {"layer_height", "0.2"}});
+  const config::ResolvedPlate resolved = Resolved(
+      {{"raft_layers", "4"}, {"skirts", "2"}, {"skirt_height", "6"}, {"layer_height", "0.2"}});
   const JobSettings& settings = resolved.settings;
   std::mt19937 random(34);
   Plate plate = PlateOf(RandomIsland(random, {}, 9), RandomPlaces(random), 8, settings);
   auto plan = planning::MakeLocalPlanning()->Plan({}, {plate.layers, plate.copies},
-                                                  settings.planning);
+                                                  FdmOf(settings).planning);
   ASSERT_TRUE(plan.ok()) << plan.status();
   AddToPlate(*plan, plate.layers);
   const auto beading = beading::MakeLocalBeading();
@@ -314,7 +321,7 @@ TEST(AdhesionPlates, RangesDoNotMatter) {
     std::string gcode;
     for (int32_t first = 0; first < count; first += size) {
       const LayerRange range{first, std::min(count, first + size)};
-      const LayerRange halo = WithHalo(plate.layers, range, HaloLayers(settings));
+      const LayerRange halo = WithHalo(plate.layers, range, HaloLayers(FdmOf(settings)));
       const FdmTask task{
           range,
           std::span(plate.layers)
@@ -323,7 +330,7 @@ TEST(AdhesionPlates, RangesDoNotMatter) {
               .subspan(static_cast<size_t>(range.first), static_cast<size_t>(range.size())),
           plan->copies,
           &facts,
-          &settings};
+          &FdmOf(settings)};
       const auto result = chain.Run({}, task);
       EXPECT_TRUE(result.ok()) << result.status();
       if (!result.ok()) return gcode;

@@ -120,21 +120,19 @@ JobSettings SettingsWithAll() {
   JobSettings settings;
   settings.slicing.objects.resize(3);
   settings.slicing.objects[2].layer_height_nm = 123'000;
-  settings.planning.objects.resize(3);
-  settings.planning.objects[2].seam = SeamPosition::kRear;
-  settings.beading.resize(2);
-  settings.beading[1].perimeters = 7;
-  settings.infill.resize(2);
-  settings.infill[1].density = 0.33;
-  settings.exposure.regions.resize(2);
-  settings.exposure.regions[1].spot_nm = 77;
-  settings.ordering.infill_first = true;
-  settings.ordering.walls.resize(2);
-  settings.ordering.walls[1].inner_outer_inner = true;
-  settings.motion.speeds.resize(2);
-  settings.motion.speeds[1].small_perimeter_speed_mm_s = 7;
-  settings.motion.start_gcode = "G28\n";
-  settings.motion.labels = ObjectLabels::kFirmware;
+  FdmOf(settings).planning.objects.resize(3);
+  FdmOf(settings).planning.objects[2].seam = SeamPosition::kRear;
+  FdmOf(settings).beading.resize(2);
+  FdmOf(settings).beading[1].perimeters = 7;
+  FdmOf(settings).infill.resize(2);
+  FdmOf(settings).infill[1].density = 0.33;
+  FdmOf(settings).ordering.infill_first = true;
+  FdmOf(settings).ordering.walls.resize(2);
+  FdmOf(settings).ordering.walls[1].inner_outer_inner = true;
+  FdmOf(settings).motion.speeds.resize(2);
+  FdmOf(settings).motion.speeds[1].small_perimeter_speed_mm_s = 7;
+  FdmOf(settings).motion.start_gcode = "G28\n";
+  FdmOf(settings).motion.labels = ObjectLabels::kFirmware;
   return settings;
 }
 
@@ -183,7 +181,11 @@ Sample MakeSample() {
   sample.frame = {"start\n",        {"", "M73 P50\n"}, "end\n",  times,    30,
                   {"", "; code\n"}, "head\n",          "tail\n", "a.gcode"};
   sample.settings = SettingsWithAll();
-  sample.times = {0, 0, 1, 2, 3, 4};
+  sample.exposure_settings.regions.resize(2);
+  sample.exposure_settings.regions[1].spot_nm = 77;
+  double seconds = 0;
+  for (const Stage stage : {Stage::kBeading, Stage::kInfill, Stage::kOrdering, Stage::kMotion})
+    sample.times[stage] = ++seconds;
   return sample;
 }
 
@@ -325,12 +327,19 @@ absl::StatusOr<ExposureEnvelope> FakeExposure::Envelope(const StageCall& call,
   return ExposureEnvelope{"header", {"head"}, "footer"};
 }
 
+absl::StatusOr<FdmResult> RunFdm(const TaskRunner& runner, const StageCall& call,
+                                 const FdmTask& task) {
+  absl::StatusOr<TaskResult> result = runner.RunTask(call, task);
+  if (!result.ok()) return result.status();
+  return std::move(result->As<FdmResult>());
+}
+
 absl::StatusOr<FdmResult> FakeRunner::Run(const StageCall& call, const FdmTask& task) const {
   Note({task.range, task.layers}, &fakes_);
   fakes_.plans.assign(task.plans.begin(), task.plans.end());
   fakes_.copies.assign(task.copies.begin(), task.copies.end());
   fakes_.facts = *task.facts;
-  fakes_.settings = *task.settings;
+  fakes_.fdm_settings = *task.settings;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   const Sample& sample = TheSample();
   return FdmResult{Answer(sample.programs, fakes_), sample.warnings, sample.fills, sample.times};

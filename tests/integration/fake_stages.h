@@ -9,6 +9,7 @@
 #include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/server_stream.h"
 #include "common/stage/task.h"
+#include "processes/fdm/task/fdm_task.h"
 #include "slicefarm/v1/planning.grpc.pb.h"
 
 namespace slicefarm {
@@ -43,7 +44,7 @@ struct FakeStages {
   ProgramSummary summary;
   ExposureSettings exposure;
   ExposureSummary exposure_summary;
-  JobSettings settings;
+  FdmSettings fdm_settings;
 };
 
 /// A small job in every state of its way: two layers to work on, [3, 5), of ten, with a halo of
@@ -67,7 +68,8 @@ struct Sample {
   std::vector<ExposedProgram> exposed;
   ProgramSummary summary;
   ProgramEnvelope frame;
-  JobSettings settings;  ///< of no default
+  JobSettings settings;                ///< of no default
+  ExposureSettings exposure_settings;  ///< of no default
   StageTimes times;
 };
 const Sample& TheSample();
@@ -102,10 +104,9 @@ class FakePlanning final : public v1::Planning::Service {
 class FakeBeading : public BeadingStage {
  public:
   explicit FakeBeading(FakeStages& fakes) : fakes_(fakes) {}
-  absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall& call,
-                                                const Neighbourhood& neighbourhood,
-                                                std::span<const BeadingOptions> regions)
-      const override;
+  absl::StatusOr<std::vector<WalledLayer>> Bead(
+      const StageCall& call, const Neighbourhood& neighbourhood,
+      std::span<const BeadingOptions> regions) const override;
 
  private:
   FakeStages& fakes_;
@@ -114,12 +115,9 @@ class FakeBeading : public BeadingStage {
 class FakeInfill : public InfillStage {
  public:
   explicit FakeInfill(FakeStages& fakes) : fakes_(fakes) {}
-  absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall& call,
-                                                std::vector<WalledLayer> walled,
-                                                const Neighbourhood& neighbourhood,
-                                                std::span<const LayerPlan> plans,
-                                                std::span<const InfillOptions> regions)
-      const override;
+  absl::StatusOr<std::vector<FilledLayer>> Fill(
+      const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
+      std::span<const LayerPlan> plans, std::span<const InfillOptions> regions) const override;
 
  private:
   FakeStages& fakes_;
@@ -164,6 +162,10 @@ class FakeExposure : public ExposureStage {
  private:
   FakeStages& fakes_;
 };
+
+/// What a runner makes of a task of filament printing.
+absl::StatusOr<FdmResult> RunFdm(const TaskRunner& runner, const StageCall& call,
+                                 const FdmTask& task);
 
 class FakeRunner : public FdmRunner {
  public:

@@ -5,11 +5,11 @@
 
 #include "common/base/error.h"
 #include "common/rpc/client/duplex_call.h"
-#include "common/stage/laser_chain.h"
-#include "common/stage/layer_chain.h"
 #include "common/stage/object_layers.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/start_wire.h"
+#include "processes/fdm/task/layer_chain.h"
+#include "processes/laser/task/laser_chain.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/exposure/algo/local_exposure_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
@@ -19,6 +19,7 @@
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "services/slicing/algo/placement/arranging/local_arranging_stage.h"
 #include "slicefarm/v1/planning.grpc.pb.h"
+#include "tests/integration/fake_stages.h"
 #include "tests/integration/remote_clients.h"
 #include "tests/integration/stage_host.h"
 #include "tests/integration/whole_job.h"
@@ -33,7 +34,7 @@ class LocalAndRemote : public testing::Test {
     auto job = slicing_->Slice(call_, TextBox(), settings_.slicing);
     EXPECT_TRUE(job.ok()) << job.status();
     job_ = *std::move(job);
-    auto plan = planning_->Plan(call_, {job_.layers, job_.copies}, settings_.planning);
+    auto plan = planning_->Plan(call_, {job_.layers, job_.copies}, FdmOf(settings_).planning);
     EXPECT_TRUE(plan.ok()) << plan.status();
     plan_ = *std::move(plan);
     EXPECT_GT(LayerCount(), 20);
@@ -44,13 +45,13 @@ class LocalAndRemote : public testing::Test {
   int32_t LayerCount() const { return static_cast<int32_t>(job_.layers.size()); }
 
   FdmTask TaskOf(LayerRange range) const {
-    const LayerRange halo = WithHalo(job_.layers, range, HaloLayers(settings_));
+    const LayerRange halo = WithHalo(job_.layers, range, HaloLayers(FdmOf(settings_)));
     return {range,
             std::span(job_.layers).subspan(halo.first, halo.size()),
             std::span(plan_.layers).subspan(range.first, range.size()),
             plan_.copies,
             &facts_,
-            &settings_};
+            &FdmOf(settings_)};
   }
 
   const std::unique_ptr<SlicingStage> slicing_ = slicing::MakeLocalSlicing();
@@ -66,9 +67,12 @@ class LocalAndRemote : public testing::Test {
   }
 
   const std::unique_ptr<ExposureStage> exposure_ = exposure::MakeLocalExposure();
-  const LayerChain chain_{*beading_, *infill_, *ordering_, *motion_};
-  const LaserChain laser_{*exposure_};
-  const ProcessRunners both_{{&chain_, &laser_}};
+  const std::shared_ptr<const LayerChain> fdm_chain_ =
+      std::make_shared<LayerChain>(*beading_, *infill_, *ordering_, *motion_);
+  const std::shared_ptr<const LaserChain> laser_chain_ = std::make_shared<LaserChain>(*exposure_);
+  const LayerChain& chain_ = *fdm_chain_;
+  const LaserChain& laser_ = *laser_chain_;
+  const ProcessRunners both_{{fdm_chain_, laser_chain_}};
   StageHost host_{Hosted()};
   const RemoteClients remote_{host_.Address()};
   const StageCall call_;
@@ -89,29 +93,30 @@ TEST_F(LocalAndRemote, EachStageGivesTheSame) {
   EXPECT_EQ(remote_job->thumbnails, job_.thumbnails);
 
   const SlicedOutlines outlines{job_.layers, job_.copies};
-  const auto remote_plan = remote_.planning.Plan(call_, outlines, settings_.planning);
+  const auto remote_plan = remote_.planning.Plan(call_, outlines, FdmOf(settings_).planning);
   ASSERT_TRUE(remote_plan.ok()) << remote_plan.status();
   EXPECT_EQ(*remote_plan, plan_);
 
   const Neighbourhood all{task_.range, task_.layers};
-  const auto walled = beading_->Bead(call_, all, settings_.beading);
+  const auto walled = beading_->Bead(call_, all, FdmOf(settings_).beading);
   ASSERT_TRUE(walled.ok()) << walled.status();
-  EXPECT_EQ(*remote_.beading.Bead(call_, all, settings_.beading), *walled);
+  EXPECT_EQ(*remote_.beading.Bead(call_, all, FdmOf(settings_).beading), *walled);
 
-  const auto filled = infill_->Fill(call_, *walled, all, task_.plans, settings_.infill);
+  const auto filled = infill_->Fill(call_, *walled, all, task_.plans, FdmOf(settings_).infill);
   ASSERT_TRUE(filled.ok()) << filled.status();
-  EXPECT_EQ(*remote_.infill.Fill(call_, *walled, all, task_.plans, settings_.infill), *filled);
+  EXPECT_EQ(*remote_.infill.Fill(call_, *walled, all, task_.plans, FdmOf(settings_).infill),
+            *filled);
 
   const auto order = [&](const OrderingStage& stage) {
-    return stage.Order(call_, *filled, plan_.layers, plan_.copies, settings_.ordering);
+    return stage.Order(call_, *filled, plan_.layers, plan_.copies, FdmOf(settings_).ordering);
   };
   const auto ordered = order(*ordering_);
   ASSERT_TRUE(ordered.ok()) << ordered.status();
   EXPECT_EQ(*order(remote_.ordering), *ordered);
 
-  const auto programs = motion_->Program(call_, *ordered, facts_, settings_.motion);
+  const auto programs = motion_->Program(call_, *ordered, facts_, FdmOf(settings_).motion);
   ASSERT_TRUE(programs.ok()) << programs.status();
-  EXPECT_EQ(*remote_.motion.Program(call_, *ordered, facts_, settings_.motion), *programs);
+  EXPECT_EQ(*remote_.motion.Program(call_, *ordered, facts_, FdmOf(settings_).motion), *programs);
 }
 
 // The service plans layers as they come, and knows no number of them before.
@@ -124,16 +129,16 @@ TEST_F(LocalAndRemote, PlanningRefusesTheSameHereAndThere) {
   };
   std::vector<PlacedCopy> copies = job_.copies;
   copies.push_back({.object = 1, .shift = {}, .footprint = {}});
-  refusals({job_.layers, copies}, settings_.planning);
+  refusals({job_.layers, copies}, FdmOf(settings_).planning);
   std::vector<SlicedLayer> layers = job_.layers;
   layers[7].sections[0].object = 1;
-  refusals({layers, job_.copies}, settings_.planning);
+  refusals({layers, job_.copies}, FdmOf(settings_).planning);
 }
 
 TEST_F(LocalAndRemote, PlanningRefusesLayersThatDoNotFollowEachOther) {
   const SlicedOutlines without_first{std::span(job_.layers).subspan(1), job_.copies};
   const absl::Status status =
-      remote_.planning.Plan(call_, without_first, settings_.planning).status();
+      remote_.planning.Plan(call_, without_first, FdmOf(settings_).planning).status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
   EXPECT_EQ(DetailOf(status).metadata["field"], "message[0].layer");
 }
@@ -157,8 +162,8 @@ std::vector<SlicedLayer> ManyIslands(int32_t layers) {
 TEST_F(LocalAndRemote, PlansOfManyLayersAreTheSameHereAndThere) {
   const std::vector<SlicedLayer> layers = ManyIslands(4'000);
   const SlicedOutlines outlines{layers, job_.copies};
-  const auto here = planning_->Plan(call_, outlines, settings_.planning);
-  const auto there = remote_.planning.Plan(call_, outlines, settings_.planning);
+  const auto here = planning_->Plan(call_, outlines, FdmOf(settings_).planning);
+  const auto there = remote_.planning.Plan(call_, outlines, FdmOf(settings_).planning);
   ASSERT_TRUE(here.ok() && there.ok()) << there.status();
   EXPECT_EQ(*there, *here);
 }
@@ -175,7 +180,7 @@ TEST_F(LocalAndRemote, PlansComeWhileLayersAreSent) {
         plans += response.has_layer();
         return absl::OkStatus();
       });
-  PlanningOptions options = settings_.planning;
+  PlanningOptions options = FdmOf(settings_).planning;
   for (ObjectPlanOptions& object : options.objects) object.seam = SeamPosition::kNearest;
   v1::PlanRequest request;
   ASSERT_TRUE(ToProto(PlanStart{call_, options, job_.copies, {}}, request.mutable_start()).ok());
@@ -214,39 +219,40 @@ TEST_F(LocalAndRemote, PlanningStopsWhenItIsCancelled) {
   StageCall call;
   call.cancel = CancelToken([] { return true; });
   const SlicedOutlines outlines{job_.layers, job_.copies};
-  EXPECT_TRUE(absl::IsCancelled(planning_->Plan(call, outlines, settings_.planning).status()));
   EXPECT_TRUE(
-      absl::IsCancelled(remote_.planning.Plan(call, outlines, settings_.planning).status()));
+      absl::IsCancelled(planning_->Plan(call, outlines, FdmOf(settings_).planning).status()));
+  EXPECT_TRUE(
+      absl::IsCancelled(remote_.planning.Plan(call, outlines, FdmOf(settings_).planning).status()));
 }
 
 TEST_F(LocalAndRemote, AWorkerGivesWhatTheChainGives) {
   const auto local = chain_.Run(call_, task_);
   ASSERT_TRUE(local.ok()) << local.status();
-  const auto remote = remote_.worker.Run(call_, task_);
+  const auto remote = RunFdm(remote_.worker, call_, task_);
   ASSERT_TRUE(remote.ok()) << remote.status();
   EXPECT_EQ(remote->programs, local->programs);
   EXPECT_EQ(remote->warnings, local->warnings);
   EXPECT_EQ(remote->fills, local->fills);
   EXPECT_FALSE(local->fills.empty());
-  EXPECT_GT(remote->times.beading_s, 0);
+  EXPECT_GT(remote->times[Stage::kBeading], 0);
 }
 
 // Of a field by the distance to the surface, the halo is a part.
 TEST_F(LocalAndRemote, FieldsGiveTheSameHereAndThereAndInRanges) {
-  InfillOptions& infill = settings_.infill[0];
+  InfillOptions& infill = FdmOf(settings_).infill[0];
   infill.density_field = R"({"kind":"surface_distance","near":0.6,"far":0.1,"length":1.5})";
   infill.field_halo_layers = 8;
-  settings_.motion.material_field =
+  FdmOf(settings_).motion.material_field =
       R"({"parts":[{"kind":"height","table":[[0,0],[9,1]]},{"kind":"height","table":[[0,1],[9,0]]}]})";
   const auto whole = chain_.Run(call_, task_);
   ASSERT_TRUE(whole.ok()) << whole.status();
-  const auto remote = remote_.worker.Run(call_, task_);
+  const auto remote = RunFdm(remote_.worker, call_, task_);
   ASSERT_TRUE(remote.ok()) << remote.status();
   EXPECT_EQ(remote->programs, whole->programs);
   infill.density_field.clear();
   infill.stress_field = R"({"kind":"constant","stress":[1,0,0.5]})";
   const LayerRange some{7, 11};
-  const auto all = chain_.Run(call_, task_), part = remote_.worker.Run(call_, TaskOf(some));
+  const auto all = chain_.Run(call_, task_), part = RunFdm(remote_.worker, call_, TaskOf(some));
   ASSERT_TRUE(all.ok()) << all.status();
   ASSERT_TRUE(part.ok()) << part.status();
   for (int32_t i = some.first; i < some.last; ++i)
@@ -261,7 +267,8 @@ TEST_F(LocalAndRemote, ARangeWithoutAllTheLayersAroundItIsRefused) {
   for (const auto& some : {all.subspan(1), all.first(all.size() - 1), all.subspan(all.size())}) {
     task.layers = some;
     EXPECT_EQ(DetailOf(chain_.Run(call_, task).status()).reason, Reason::kRequestMalformed);
-    EXPECT_EQ(DetailOf(remote_.worker.Run(call_, task).status()).reason, Reason::kRequestMalformed);
+    EXPECT_EQ(DetailOf(RunFdm(remote_.worker, call_, task).status()).reason,
+              Reason::kRequestMalformed);
   }
 }
 
@@ -273,7 +280,7 @@ TEST_F(LocalAndRemote, RangesGiveWhatTheWholeGives) {
     std::vector<FillUse> fills;
     for (int32_t first = 0; first < LayerCount(); first += size) {
       const auto part =
-          remote_.worker.Run(call_, TaskOf({first, std::min(first + size, LayerCount())}));
+          RunFdm(remote_.worker, call_, TaskOf({first, std::min(first + size, LayerCount())}));
       ASSERT_TRUE(part.ok()) << part.status();
       programs.insert(programs.end(), part->programs.begin(), part->programs.end());
       fills.insert(fills.end(), part->fills.begin(), part->fills.end());
@@ -283,20 +290,28 @@ TEST_F(LocalAndRemote, RangesGiveWhatTheWholeGives) {
   }
 }
 
+absl::StatusOr<LaserResult> RunLaser(const TaskRunner& worker, const StageCall& call,
+                                     const LaserTask& task) {
+  absl::StatusOr<TaskResult> result = worker.RunTask(call, task);
+  if (!result.ok()) return result.status();
+  return std::move(result->As<LaserResult>());
+}
+
 /// The same outlines, scanned.
 class LaserLocalAndRemote : public LocalAndRemote {
  protected:
   LaserLocalAndRemote() {
-    settings_.process = Process::kLaser;
-    settings_.exposure.regions[0].downskin_layers = 2;
-    settings_.exposure.regions[0].strategy = ScanStrategy::kIslands;
+    exposure_settings_.regions[0].downskin_layers = 2;
+    exposure_settings_.regions[0].strategy = ScanStrategy::kIslands;
   }
 
   LaserTask LaserTaskOf(LayerRange range) const {
-    const LayerRange halo = WithHalo(job_.layers, range, HaloLayers(settings_));
+    const LayerRange halo = WithHalo(job_.layers, range, HaloLayers(exposure_settings_));
     return {range, std::span(job_.layers).subspan(halo.first, halo.size()), plan_.copies,
-            &settings_};
+            &exposure_settings_};
   }
+
+  ExposureSettings exposure_settings_;
 };
 
 TEST_F(LaserLocalAndRemote, RangesElsewhereGiveWhatTheWholeGivesHere) {
@@ -308,7 +323,7 @@ TEST_F(LaserLocalAndRemote, RangesElsewhereGiveWhatTheWholeGivesHere) {
     std::vector<ExposedProgram> by_stage;
     for (int32_t first = 0; first < LayerCount(); first += size) {
       const LaserTask task = LaserTaskOf({first, std::min(first + size, LayerCount())});
-      const auto part = remote_.worker.Run(call_, task);
+      const auto part = RunLaser(remote_.worker, call_, task);
       ASSERT_TRUE(part.ok()) << part.status();
       programs.insert(programs.end(), part->programs.begin(), part->programs.end());
       const auto staged = LaserChain(remote_.exposure).Run(call_, task);
@@ -326,10 +341,10 @@ TEST_F(LaserLocalAndRemote, FramesAreTheSame) {
   summary.bounds = {{0, 0}, {9, 9}};
   summary.object_names = {"textbox"};
   summary.settings_text = "recoating_time = 3\n";
-  settings_.exposure.output.format = OutputFormat::kMarlin;
-  settings_.exposure.output.layer_gcode = "M100 L{layer_num} P[recoating_time]";
-  const auto here = exposure_->Envelope(call_, summary, settings_.exposure);
-  const auto there = remote_.exposure.Envelope(call_, summary, settings_.exposure);
+  exposure_settings_.output.format = OutputFormat::kMarlin;
+  exposure_settings_.output.layer_gcode = "M100 L{layer_num} P[recoating_time]";
+  const auto here = exposure_->Envelope(call_, summary, exposure_settings_);
+  const auto there = remote_.exposure.Envelope(call_, summary, exposure_settings_);
   ASSERT_TRUE(here.ok()) << here.status();
   ASSERT_TRUE(there.ok()) << there.status();
   EXPECT_EQ(*there, *here);
@@ -339,14 +354,15 @@ TEST_F(LaserLocalAndRemote, RefusesTheSameHereAndThere) {
   LaserTask task = LaserTaskOf({10, 12});
   task.layers = task.layers.subspan(1);
   EXPECT_EQ(DetailOf(laser_.Run(call_, task).status()).reason, Reason::kRequestMalformed);
-  EXPECT_EQ(DetailOf(remote_.worker.Run(call_, task).status()).reason, Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(RunLaser(remote_.worker, call_, task).status()).reason,
+            Reason::kRequestMalformed);
 }
 
 /// Two text boxes, one after the other.
 class OneAfterTheOther : public LocalAndRemote {
  protected:
   OneAfterTheOther() {
-    settings_.planning.sequence.complete_objects = true;
+    FdmOf(settings_).planning.sequence.complete_objects = true;
     job_.copies.push_back(job_.copies[0]);
     PlacedCopy& second = job_.copies[1];
     second.shift = second.shift + kAway;
@@ -359,8 +375,8 @@ class OneAfterTheOther : public LocalAndRemote {
 };
 
 TEST_F(OneAfterTheOther, ThePlanIsTheSameHereAndThere) {
-  const auto here = planning_->Plan(call_, Outlines(), settings_.planning);
-  const auto there = remote_.planning.Plan(call_, Outlines(), settings_.planning);
+  const auto here = planning_->Plan(call_, Outlines(), FdmOf(settings_).planning);
+  const auto there = remote_.planning.Plan(call_, Outlines(), FdmOf(settings_).planning);
   ASSERT_TRUE(here.ok()) << here.status();
   ASSERT_TRUE(there.ok()) << there.status();
   EXPECT_EQ(here->copies[0].pass + here->copies[1].pass, 1);
@@ -369,8 +385,9 @@ TEST_F(OneAfterTheOther, ThePlanIsTheSameHereAndThere) {
 
 TEST_F(OneAfterTheOther, TheNamesOfWhatCollidesAreTheSameHereAndThere) {
   job_.copies[1] = job_.copies[0];
-  const absl::Status here = planning_->Plan(call_, Outlines(), settings_.planning).status();
-  const absl::Status there = remote_.planning.Plan(call_, Outlines(), settings_.planning).status();
+  const absl::Status here = planning_->Plan(call_, Outlines(), FdmOf(settings_).planning).status();
+  const absl::Status there =
+      remote_.planning.Plan(call_, Outlines(), FdmOf(settings_).planning).status();
   EXPECT_EQ(DetailOf(here).reason, Reason::kObjectsCollide) << here;
   EXPECT_EQ(DetailOf(here).metadata.at("first"), job_.object_names[0] + " (copy 1)");
   EXPECT_EQ(DetailOf(there).reason, Reason::kObjectsCollide) << there;
@@ -378,8 +395,8 @@ TEST_F(OneAfterTheOther, TheNamesOfWhatCollidesAreTheSameHereAndThere) {
 }
 
 TEST_F(OneAfterTheOther, RangesElsewhereGiveWhatTheWholeGivesHere) {
-  plan_ = *planning_->Plan(call_, Outlines(), settings_.planning);
-  settings_.motion.layer_gcode = ";{layer_num} of {total_layer_count}, {max_layer_z}";
+  plan_ = *planning_->Plan(call_, Outlines(), FdmOf(settings_).planning);
+  FdmOf(settings_).motion.layer_gcode = ";{layer_num} of {total_layer_count}, {max_layer_z}";
   facts_ = {2 * LayerCount(), {}, {{}, {LayerCount(), 0, 5'000'000}}};
   const auto whole = chain_.Run(call_, TaskOf({0, LayerCount()}));
   ASSERT_TRUE(whole.ok()) << whole.status();
@@ -388,7 +405,7 @@ TEST_F(OneAfterTheOther, RangesElsewhereGiveWhatTheWholeGivesHere) {
     std::vector<LayerProgram> programs;
     for (int32_t first = 0; first < LayerCount(); first += size) {
       const auto part =
-          remote_.worker.Run(call_, TaskOf({first, std::min(first + size, LayerCount())}));
+          RunFdm(remote_.worker, call_, TaskOf({first, std::min(first + size, LayerCount())}));
       ASSERT_TRUE(part.ok()) << part.status();
       programs.insert(programs.end(), part->programs.begin(), part->programs.end());
     }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "common/rpc/client/channel.h"
-#include "common/stage/layer_chain.h"
 #include "common/wire/slicing_wire.h"
+#include "processes/fdm/task/layer_chain.h"
 #include "services/coordinator/remote/remote_stages.h"
 #include "services/coordinator/remote/stage_pool.h"
 #include "services/coordinator/remote/worker_pool.h"

@@ -64,7 +64,7 @@ SlicedOutlines TheOutlines() { return {TheSample().job.layers, TheSample().job.c
 FdmTask TheTask() {
   const Sample& sample = TheSample();
   return {Sample::kRange,     sample.outlines, sample.plans,
-          sample.plan.copies, &sample.facts,   &sample.settings};
+          sample.plan.copies, &sample.facts,   &FdmOf(sample.settings)};
 }
 
 TEST(RemoteStages, SlicingGivesAndTakesAll) {
@@ -92,12 +92,12 @@ TEST(RemoteStages, SlicingGivesAndTakesAll) {
 TEST(RemoteStages, PlanningGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto plan = farm.planning.Plan(NewCall(), TheOutlines(), sample.settings.planning);
+  const auto plan = farm.planning.Plan(NewCall(), TheOutlines(), FdmOf(sample.settings).planning);
   ASSERT_TRUE(plan.ok()) << plan.status();
   EXPECT_EQ(*plan, sample.plan);
   EXPECT_EQ(farm.fakes.layers, sample.job.layers);
   EXPECT_EQ(farm.fakes.placed, sample.job.copies);
-  EXPECT_EQ(farm.fakes.planning_options, sample.settings.planning);
+  EXPECT_EQ(farm.fakes.planning_options, FdmOf(sample.settings).planning);
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
 }
 
@@ -120,7 +120,7 @@ TEST(RemoteStages, OutlinesAndPlansAreHeldInTheJobsMemory) {
     EXPECT_EQ(status.ok(), limit >= outlines) << status;
     if (status.ok()) {
       EXPECT_EQ(budget.used(), outlines);
-      status = farm.planning.Plan(call, TheOutlines(), sample.settings.planning).status();
+      status = farm.planning.Plan(call, TheOutlines(), FdmOf(sample.settings).planning).status();
       EXPECT_EQ(status.ok(), limit >= outlines + plan) << status;
     }
     if (status.ok()) continue;
@@ -132,12 +132,13 @@ TEST(RemoteStages, OutlinesAndPlansAreHeldInTheJobsMemory) {
 TEST(RemoteStages, BeadingGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto walled = farm.beading.Bead(NewCall(), TheNeighbourhood(), sample.settings.beading);
+  const auto walled =
+      farm.beading.Bead(NewCall(), TheNeighbourhood(), FdmOf(sample.settings).beading);
   ASSERT_TRUE(walled.ok()) << walled.status();
   EXPECT_EQ(*walled, sample.walled);
   EXPECT_EQ(farm.fakes.range, Sample::kRange);
   EXPECT_EQ(farm.fakes.layers, sample.outlines);
-  EXPECT_EQ(farm.fakes.beading_options, sample.settings.beading);
+  EXPECT_EQ(farm.fakes.beading_options, FdmOf(sample.settings).beading);
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
 }
 
@@ -145,13 +146,13 @@ TEST(RemoteStages, InfillGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
   const auto filled = farm.infill.Fill(NewCall(), sample.walled, TheNeighbourhood(), sample.plans,
-                                       sample.settings.infill);
+                                       FdmOf(sample.settings).infill);
   ASSERT_TRUE(filled.ok()) << filled.status();
   EXPECT_EQ(*filled, sample.filled);
   EXPECT_EQ(farm.fakes.range, Sample::kRange);
   EXPECT_EQ(farm.fakes.layers, sample.outlines);
   EXPECT_EQ(farm.fakes.walled, sample.walled);
-  EXPECT_EQ(farm.fakes.infill_options, sample.settings.infill);
+  EXPECT_EQ(farm.fakes.infill_options, FdmOf(sample.settings).infill);
   ASSERT_EQ(farm.fakes.infill_plans.size(), sample.plans.size());
   for (size_t i = 0; i < sample.plans.size(); ++i)
     EXPECT_EQ(farm.fakes.infill_plans[i].infill, sample.plans[i].infill);
@@ -161,7 +162,7 @@ TEST(RemoteStages, OrderingGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
   const auto ordered = farm.ordering.Order(NewCall(), sample.filled, sample.plans,
-                                           sample.plan.copies, sample.settings.ordering);
+                                           sample.plan.copies, FdmOf(sample.settings).ordering);
   ASSERT_TRUE(ordered.ok()) << ordered.status();
   EXPECT_EQ(*ordered, sample.ordered);
   EXPECT_EQ(farm.fakes.filled, sample.filled);
@@ -169,48 +170,48 @@ TEST(RemoteStages, OrderingGivesAndTakesAll) {
   for (LayerPlan& plan : plans) plan.infill.clear();  // it is done
   EXPECT_EQ(farm.fakes.plans, plans);
   EXPECT_EQ(farm.fakes.copies, sample.plan.copies);
-  EXPECT_EQ(farm.fakes.ordering_options, sample.settings.ordering);
+  EXPECT_EQ(farm.fakes.ordering_options, FdmOf(sample.settings).ordering);
 }
 
 TEST(RemoteStages, MotionGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
   const auto programs =
-      farm.motion.Program(NewCall(), sample.ordered, sample.facts, sample.settings.motion);
+      farm.motion.Program(NewCall(), sample.ordered, sample.facts, FdmOf(sample.settings).motion);
   ASSERT_TRUE(programs.ok()) << programs.status();
   EXPECT_EQ(*programs, sample.programs);
   EXPECT_EQ(farm.fakes.ordered, sample.ordered);
   EXPECT_EQ(farm.fakes.facts, sample.facts);
-  EXPECT_EQ(farm.fakes.motion_options, sample.settings.motion);
+  EXPECT_EQ(farm.fakes.motion_options, FdmOf(sample.settings).motion);
 }
 
 TEST(RemoteStages, FrameGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto frame = farm.motion.Envelope(NewCall(), sample.summary, sample.settings.motion);
+  const auto frame = farm.motion.Envelope(NewCall(), sample.summary, FdmOf(sample.settings).motion);
   ASSERT_TRUE(frame.ok()) << frame.status();
   EXPECT_EQ(*frame, sample.frame);
   EXPECT_EQ(farm.fakes.summary, sample.summary);
-  EXPECT_EQ(farm.fakes.motion_options, sample.settings.motion);
+  EXPECT_EQ(farm.fakes.motion_options, FdmOf(sample.settings).motion);
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
 }
 
 TEST(RemoteStages, WorkerGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto result = farm.worker.Run(NewCall(), TheTask());
+  const auto result = RunFdm(farm.worker, NewCall(), TheTask());
   ASSERT_TRUE(result.ok()) << result.status();
   EXPECT_EQ(result->programs, sample.programs);
   EXPECT_EQ(result->warnings, sample.warnings);
   EXPECT_EQ(result->fills, sample.fills);
-  EXPECT_EQ(result->times.beading_s, sample.times.beading_s);
-  EXPECT_EQ(result->times.motion_s, sample.times.motion_s);
+  EXPECT_EQ(result->times[Stage::kBeading], sample.times[Stage::kBeading]);
+  EXPECT_EQ(result->times[Stage::kMotion], sample.times[Stage::kMotion]);
   EXPECT_EQ(farm.fakes.range, Sample::kRange);
   EXPECT_EQ(farm.fakes.layers, sample.outlines);
   EXPECT_EQ(farm.fakes.plans, sample.plans);
   EXPECT_EQ(farm.fakes.copies, sample.plan.copies);
   EXPECT_EQ(farm.fakes.facts, sample.facts);
-  EXPECT_EQ(farm.fakes.settings, sample.settings);
+  EXPECT_EQ(farm.fakes.fdm_settings, FdmOf(sample.settings));
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
 }
 
@@ -242,7 +243,8 @@ INSTANTIATE_TEST_SUITE_P(
                 }},
         AnyCall{"Bead",
                 [](const Farm& farm, const StageCall& call) {
-                  return farm.beading.Bead(call, TheNeighbourhood(), TheSample().settings.beading)
+                  return farm.beading
+                      .Bead(call, TheNeighbourhood(), FdmOf(TheSample().settings).beading)
                       .status();
                 }},
         AnyCall{"Fill",
@@ -250,7 +252,7 @@ INSTANTIATE_TEST_SUITE_P(
                   const Sample& sample = TheSample();
                   return farm.infill
                       .Fill(call, sample.walled, TheNeighbourhood(), sample.plans,
-                            sample.settings.infill)
+                            FdmOf(sample.settings).infill)
                       .status();
                 }},
         AnyCall{"Order",
@@ -275,17 +277,17 @@ INSTANTIATE_TEST_SUITE_P(
                   const Sample& sample = TheSample();
                   return farm.exposure
                       .Expose(call, TheNeighbourhood(), sample.plan.copies,
-                              sample.settings.exposure)
+                              sample.exposure_settings)
                       .status();
                 }},
         AnyCall{"FrameExposure",
                 [](const Farm& farm, const StageCall& call) {
-                  return farm.exposure.Envelope(call, {}, TheSample().settings.exposure).status();
+                  return farm.exposure.Envelope(call, {}, TheSample().exposure_settings).status();
                 },
                 false},
         AnyCall{"Work",
                 [](const Farm& farm, const StageCall& call) {
-                  return farm.worker.Run(call, TheTask()).status();
+                  return RunFdm(farm.worker, call, TheTask()).status();
                 }}),
     [](const auto& info) { return info.param.name; });
 
@@ -293,15 +295,15 @@ TEST(RemoteStages, ExposureGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
   const auto programs = farm.exposure.Expose(NewCall(), TheNeighbourhood(), sample.plan.copies,
-                                             sample.settings.exposure);
+                                             sample.exposure_settings);
   ASSERT_TRUE(programs.ok()) << programs.status();
   EXPECT_EQ(*programs, sample.exposed);
   EXPECT_EQ(farm.fakes.range, Sample::kRange);
   EXPECT_EQ(farm.fakes.layers, sample.outlines);
   EXPECT_EQ(farm.fakes.copies, sample.plan.copies);
-  EXPECT_EQ(farm.fakes.exposure, sample.settings.exposure);
+  EXPECT_EQ(farm.fakes.exposure, sample.exposure_settings);
   const ExposureSummary summary{{{0, 5, 5}}, {{1, 2}, {3, 4}}, {"a"}, 6, "contours = 1\n"};
-  const auto frame = farm.exposure.Envelope(NewCall(), summary, sample.settings.exposure);
+  const auto frame = farm.exposure.Envelope(NewCall(), summary, sample.exposure_settings);
   ASSERT_TRUE(frame.ok()) << frame.status();
   EXPECT_EQ(frame->header, "header");
   EXPECT_EQ(farm.fakes.exposure_summary, summary);
@@ -445,7 +447,7 @@ TEST(StageServices, NameTheFieldOfALayerThatIsMalformed) {
   std::vector<SlicedLayer> outlines = TheSample().outlines;
   outlines[2].frame.height_nm = 0;
   const absl::Status status =
-      farm.beading.Bead(NewCall(), {Sample::kRange, outlines}, TheSample().settings.beading)
+      farm.beading.Bead(NewCall(), {Sample::kRange, outlines}, FdmOf(TheSample().settings).beading)
           .status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
   EXPECT_EQ(DetailOf(status).metadata["field"], "message[2].frame.height_nm");
@@ -461,11 +463,12 @@ TEST(StageServices, RefuseACallWithoutSettingsOfAnyRegion) {
 
 TEST(StageServices, RefuseTablesOfDifferentLengths) {
   Farm farm;
-  JobSettings settings = TheSample().settings;
+  FdmSettings settings = FdmOf(TheSample().settings);
   settings.infill.pop_back();
   FdmTask task = TheTask();
   task.settings = &settings;
-  EXPECT_EQ(DetailOf(farm.worker.Run(NewCall(), task).status()).reason, Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(RunFdm(farm.worker, NewCall(), task).status()).reason,
+            Reason::kRequestMalformed);
 }
 
 TEST(RemoteStages, AnInputBeyondTheWireIsRefusedBeforeItIsSent) {
@@ -473,7 +476,7 @@ TEST(RemoteStages, AnInputBeyondTheWireIsRefusedBeforeItIsSent) {
   std::vector<SlicedLayer> outlines = TheSample().outlines;
   outlines[1].sections[1].regions[0].outlines[0].outer[0].x = Coord{1} << 31;
   const absl::Status status =
-      farm.beading.Bead(NewCall(), {Sample::kRange, outlines}, TheSample().settings.beading)
+      farm.beading.Bead(NewCall(), {Sample::kRange, outlines}, FdmOf(TheSample().settings).beading)
           .status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfRange) << status;
 }

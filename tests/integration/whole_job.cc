@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "common/stage/slice_input_test.h"
+#include "processes/list/jobs.h"
 #include "services/cli/local_pipeline.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
-#include "services/coordinator/algo/process/fdm_process.h"
 #include "tests/corpus_file.h"
 
 namespace slicefarm {
@@ -20,7 +20,7 @@ absl::StatusOr<std::string> GcodeBy(const coordinator::JobPipeline& pipeline,
   absl::StatusOr<coordinator::JobOutput> output =
       pipeline.Run(call, {TextBox(), {}, "perimeters = 3\n"},
                    [&](const coordinator::PipelineProgress& progress) {
-                     if (layers_done) layers_done(progress.layers_done);
+                     if (layers_done) layers_done(progress.done);
                    });
   if (!output.ok()) return output.status();
   return output->program.Whole();
@@ -44,8 +44,8 @@ SliceInput TextBox() {
 absl::StatusOr<std::string> GcodeOf(const SlicingStage& slicing, const PlanningStage& planning,
                                     const MotionStage& motion, coordinator::Dispatcher& dispatcher,
                                     const std::function<void(int32_t)>& layers_done) {
-  const coordinator::FdmProcess process(slicing, planning, motion);
-  return GcodeBy(coordinator::JobPipeline({&process}, dispatcher), layers_done);
+  const Stages stages = {.slicing = &slicing, .planning = &planning, .motion = &motion};
+  return GcodeBy(coordinator::JobPipeline(JobsOver(stages, ""), dispatcher), layers_done);
 }
 
 const std::string& GcodeOfThisProcess() {

@@ -198,11 +198,11 @@ class OrcaReader {
 
   /// Of a list with an item for each extruder, all of them, as PrusaSlicer writes lists.
   Converted ConvertAll(const OrcaRow& row, std::string_view text) const {
-    const int to = FindSetting(row.to);
-    const bool is_list = to >= 0 && SettingsTable()[to].list == List::kPerExtruder;
+    const int to = FindSetting(row.to, Process::kFdm);
+    const bool is_list = to >= 0 && SettingsTable(Process::kFdm)[to].list == List::kPerExtruder;
     const std::optional<std::vector<std::string>> items = ItemsOf(text);
     if (!is_list || !items || items->empty()) return Convert(row, text);
-    const Kind kind = SettingsTable()[to].kind;
+    const Kind kind = SettingsTable(Process::kFdm)[to].kind;
     const bool is_text = kind == Kind::kText || kind == Kind::kGcode;
     Converted all = {""};
     for (size_t i = 0; i < items->size(); ++i) {
@@ -293,7 +293,7 @@ class OrcaReader {
     }
     for (const OrcaRow& row : OrcaRows()) {
       const bool same = row.from == name && row.value == OrcaValue::kSame;
-      if (same && (FindSetting(row.to) >= 0 || FindKnownKey(row.to) != nullptr))
+      if (same && (FindSetting(row.to, Process::kFdm) >= 0 || FindKnownKey(row.to) != nullptr))
         return Placeholder{std::string(row.to)};
     }
     const auto found = by_key_.find(name);

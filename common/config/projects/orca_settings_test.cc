@@ -232,7 +232,7 @@ TEST(FromOrca, KeepsWhoAsks) {
 TEST(OrcaTable, LeadsToKnownKeys) {
   const std::set<std::string_view> of_objects = {"extruder"};  // in no config.ini
   for (const OrcaRow& row : OrcaRows()) {
-    const bool known = FindSetting(row.to) >= 0 || FindKnownKey(row.to) != nullptr;
+    const bool known = FindSetting(row.to, Process::kFdm) >= 0 || FindKnownKey(row.to) != nullptr;
     EXPECT_TRUE(known || of_objects.contains(row.to)) << row.to;
   }
 }

@@ -12,7 +12,7 @@ struct KnownKey {
   /// such value.
   std::string_view neutral = {};
   bool has_neutral = false;
-  bool of_print = true;  ///< concerns the print at all, not profiles, hosts or other machines
+  bool of_print = true;        ///< concerns the print at all, not profiles, hosts or other machines
   bool changes_print = false;  ///< the part comes out otherwise than asked: worth a warning
   /// Templates may name it, and the G-code quotes it. Not so for what is nobody's business who gets
   /// the file, such as a print host's password.

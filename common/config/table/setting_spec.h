@@ -56,6 +56,19 @@ enum class Scope {
   kRegion,  ///< so may a part, a modifier and a range of heights
 };
 
+/// "the job", "an object", "a region".
+constexpr std::string_view ScopeName(Scope scope) {
+  switch (scope) {
+    case Scope::kJob:
+      return "the job";
+    case Scope::kObject:
+      return "an object";
+    case Scope::kRegion:
+      return "a region";
+  }
+  return {};
+}
+
 /// Where a value lives in JobSettings: in the first row of its tables.
 struct Field {
   void (*set)(JobSettings&, const Value&) = nullptr;
@@ -131,15 +144,25 @@ Value Load(const T& member, double divisor) {
 
 }  // namespace internal
 
-/// The field that `member` names, which takes its type's own conversion: Coord from mm,
-/// enumerations by number.
-///     Bind([](auto& s) -> auto& { return s.slicing.objects[0].layer_height_nm; })
-template <Scale kScale = Scale::kSame, class Member>
-Field Bind(Member) {
+/// `T`, const if `Job` is: for views of JobSettings.
+template <class T, class Job>
+using Like = std::conditional_t<std::is_const_v<Job>, const T, T>;
+
+/// The field that `member` names of a view of the job's settings, which takes its type's own
+/// conversion: Coord from mm, enumerations by number. View<Job> is what a process lets its table
+/// see, made from a JobSettings& or a const one.
+template <template <class Job> class View, Scale kScale, class Member>
+Field BindTo(Member) {
   static_assert(std::is_empty_v<Member>, "the lambda must not capture");
   constexpr double kDivisor = internal::Divisor(kScale);
-  return {[](JobSettings& s, const Value& v) { internal::Store(Member{}(s), v, kDivisor); },
-          [](const JobSettings& s) { return internal::Load(Member{}(s), kDivisor); }};
+  return {[](JobSettings& s, const Value& v) {
+            View<JobSettings> view(s);
+            internal::Store(Member{}(view), v, kDivisor);
+          },
+          [](const JobSettings& s) {
+            View<const JobSettings> view(s);
+            return internal::Load(Member{}(view), kDivisor);
+          }};
 }
 
 }  // namespace slicefarm::config

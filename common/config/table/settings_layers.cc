@@ -1,4 +1,5 @@
-#include "common/config/table/settings_sections.h"
+#include "common/config/table/shared_settings.h"
+#include "common/config/table/shared_view.h"
 
 namespace slicefarm::config {
 
@@ -31,6 +32,7 @@ std::vector<SettingSpec> LayerSettings() {
        .max = 5,
        .standard = "0.3",
        .doc = "Height of a layer; at most the nozzle's diameter",
+       .scope = Scope::kObject,
        .field = Bind([](auto& s) -> auto& { return s.slicing.objects[0].layer_height_nm; })},
       {.key = "first_layer_height",
        .kind = Kind::kNumberOrPercent,
@@ -52,6 +54,7 @@ std::vector<SettingSpec> LayerSettings() {
                    {"even_odd", fill_rule(FillRule::kEvenOdd)},
                    {"positive", fill_rule(FillRule::kPositive)},
                    {"close_holes", kCloseHoles}},
+       .scope = Scope::kObject,
        .field = {SetSlicingMode, SlicingMode}},
       {.key = "slice_closing_radius",
        .unit = "mm",
@@ -59,6 +62,7 @@ std::vector<SettingSpec> LayerSettings() {
        .max = 10,
        .standard = "0.049",
        .doc = "Cracks narrower than twice this are closed, in meshes that are not closed",
+       .scope = Scope::kObject,
        .field = Bind([](auto& s) -> auto& { return s.slicing.objects[0].closing_radius_nm; })},
       {.key = "open_loop_max_gap",
        .unit = "mm",
@@ -74,6 +78,7 @@ std::vector<SettingSpec> LayerSettings() {
        .max = 5,
        .standard = "0",
        .doc = "Grows the outlines of every layer; negative: shrinks them",
+       .scope = Scope::kObject,
        .field = Bind([](auto& s) -> auto& { return s.slicing.objects[0].xy_compensation_nm; })},
       {.key = "xy_hole_compensation",
        .unit = "mm",
@@ -81,14 +86,8 @@ std::vector<SettingSpec> LayerSettings() {
        .max = 5,
        .standard = "0",
        .doc = "Grows the holes, besides xy_size_compensation",
+       .scope = Scope::kObject,
        .field = Bind([](auto& s) -> auto& { return s.slicing.objects[0].hole_compensation_nm; })},
-      {.key = "elefant_foot_compensation",
-       .unit = "mm",
-       .min = 0,
-       .max = 5,
-       .standard = "0",
-       .doc = "Shrinks the first layer, which spreads under its weight",
-       .field = Bind([](auto& s) -> auto& { return s.slicing.objects[0].elephant_foot_nm; })},
       {.key = "outline_resolution",
        .unit = "mm",
        .min = 0,
@@ -102,22 +101,6 @@ std::vector<SettingSpec> LayerSettings() {
        .max = 1,
        .standard = "0",
        .doc = "Outlines are simplified to this tolerance if it is greater than outline_resolution"},
-      {.key = "thumbnails",
-       .kind = Kind::kSizes,
-       .unit = "pixels",
-       .standard = "32x32,300x300",
-       .doc = "Pictures of the part at the head of the G-code: WIDTHxHEIGHT or WIDTHxHEIGHT/FORMAT "
-              "(PNG, QOI), by commas",
-       .field = Bind([](auto& s) -> auto& { return s.slicing.thumbnails; })},
-      {.key = "thumbnails_format",
-       .kind = Kind::kChoice,
-       .standard = "PNG",
-       .doc = "Format of the thumbnails that name none",
-       .choices = {{"PNG", static_cast<int>(PictureFormat::kPng)},
-                   {"QOI", static_cast<int>(PictureFormat::kQoi)},
-                   {"JPG", static_cast<int>(PictureFormat::kJpg)},
-                   {"BTT_TFT", static_cast<int>(PictureFormat::kPng), "made as PNG"},
-                   {"COLPIC", static_cast<int>(PictureFormat::kPng), "made as PNG"}}},
   };
 }
 

@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <vector>
 
 #include "absl/strings/str_join.h"
 #include "common/base/error.h"
 #include "common/base/text.h"
-#include "common/config/table/setting_scope.h"
-#include "common/config/table/settings_sections.h"
+#include "common/config/process_settings.h"
 #include "common/gcode/substitutions.h"
 #include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
@@ -23,41 +21,8 @@
 namespace slicefarm::config {
 namespace {
 
-std::vector<SettingSpec> FdmSettings() {
-  std::vector<SettingSpec> all;
-  for (const auto& section :
-       {LayerSettings, WallSettings, SeamSettings, InfillSettings, AdhesionSettings, SpeedSettings,
-        FilamentSettings, MachineSettings, WritingSettings})
-    std::ranges::move(section(), std::back_inserter(all));
-  return all;
-}
-
-/// What a laser shares with other machines: how meshes become layers, and where these have room.
-bool IsShared(const SettingSpec& spec) {
-  constexpr std::string_view kPlate[] = {"bed_shape", "max_print_height", "duplicate_distance"};
-  constexpr std::string_view kBeads[] = {"elefant_foot_compensation", "thumbnails"};
-  for (const SettingSpec& of_layers : LayerSettings())
-    if (of_layers.key == spec.key) return std::ranges::find(kBeads, spec.key) == std::end(kBeads);
-  return std::ranges::find(kPlate, spec.key) != std::end(kPlate);
-}
-
-std::vector<SettingSpec> LaserSettings() {
-  std::vector<SettingSpec> all = ExposureTable();
-  for (SettingSpec& spec : FdmSettings()) {
-    if (!IsShared(spec)) continue;
-    if (spec.key == "layer_height" || spec.key == "first_layer_height") {
-      spec.standard = "0.05";
-      spec.doc = spec.key == "layer_height" ? "Height of a layer" : "Height of the first layer";
-      spec.min = 0.001;
-    }
-    all.push_back(std::move(spec));
-  }
-  return all;
-}
-
 std::vector<SettingSpec> MakeTable(Process process) {
-  std::vector<SettingSpec> table = process == Process::kLaser ? LaserSettings() : FdmSettings();
-  for (SettingSpec& spec : table) spec.scope = ScopeOf(spec.key);
+  std::vector<SettingSpec> table = SettingsOf(process).Table();
   std::sort(table.begin(), table.end(),
             [](const SettingSpec& a, const SettingSpec& b) { return a.key < b.key; });
   return table;

@@ -11,10 +11,10 @@ namespace slicefarm::config {
 
 /// All settings that have an effect on jobs of the process, sorted by key. Made once; cheap to
 /// call.
-std::span<const SettingSpec> SettingsTable(Process process = Process::kFdm);
+std::span<const SettingSpec> SettingsTable(Process process);
 
 /// Index into SettingsTable(process), or -1.
-int FindSetting(std::string_view key, Process process = Process::kFdm);
+int FindSetting(std::string_view key, Process process);
 
 /// Reads one value as a config.ini writes it. Of a list, the first item.
 /// Errors: SETTING_MALFORMED, SETTING_OUT_OF_RANGE with metadata `setting`, `value`, `min`, `max`.

@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 #include "common/base/text.h"
+#include "common/config/process_settings.h"
 #include "common/config/table/known_keys.h"
 
 namespace slicefarm::config::settings_table_test {
@@ -82,9 +84,23 @@ std::vector<std::string> Samples(const SettingSpec& spec) {
   }
 }
 
-class EverySetting : public testing::TestWithParam<int> {
+/// A setting of a process.
+struct Row {
+  Process process;
+  int index = 0;
+};
+
+std::vector<Row> AllRows() {
+  std::vector<Row> rows;
+  for (const ProcessInfo& info : kProcesses)
+    for (int i = 0; i < std::ssize(SettingsTable(info.process)); ++i)
+      rows.push_back({info.process, i});
+  return rows;
+}
+
+class EverySetting : public testing::TestWithParam<Row> {
  protected:
-  const SettingSpec& spec() const { return SettingsTable()[GetParam()]; }
+  const SettingSpec& spec() const { return SettingsTable(GetParam().process)[GetParam().index]; }
 };
 
 TEST_P(EverySetting, IsDescribed) {
@@ -99,7 +115,7 @@ TEST_P(EverySetting, IsDescribed) {
 }
 
 TEST_P(EverySetting, IsFoundByItsKeyAndByNoOtherTable) {
-  EXPECT_EQ(FindSetting(spec().key), GetParam());
+  EXPECT_EQ(FindSetting(spec().key, GetParam().process), GetParam().index);
   const KnownKey* known = FindKnownKey(spec().key);
   EXPECT_TRUE(known == nullptr || known->key.ends_with('*')) << "claims to have no effect";
 }
@@ -124,7 +140,7 @@ TEST_P(EverySetting, ReachesItsFieldsAndComesBack) {
   for (const std::string& sample : Samples(spec())) {
     const auto value = ParseValue(spec(), sample);
     ASSERT_TRUE(value.ok()) << value.status();
-    JobSettings settings;
+    JobSettings settings = SettingsOf(GetParam().process).Standards();
     spec().field.set(settings, *value);
     EXPECT_EQ(PrintValue(spec(), spec().field.get(settings)),
               sample == "0" && spec().key.starts_with("first_layer_speed") ? "100%" : sample);
@@ -177,34 +193,39 @@ TEST_P(EverySetting, TakesTheFirstOfAList) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, EverySetting,
-                         testing::Range(0, static_cast<int>(SettingsTable().size())),
-                         [](const auto& info) {
-                           return std::string(SettingsTable()[info.param].key);
-                         });
+INSTANTIATE_TEST_SUITE_P(Table, EverySetting, testing::ValuesIn(AllRows()), [](const auto& info) {
+  return absl::StrCat(std::string(ProcessName(info.param.process)), "_",
+                      std::string(SettingsTable(info.param.process)[info.param.index].key));
+});
 
 TEST(SettingsTable, IsSortedWithoutRepetition) {
-  const auto table = SettingsTable();
-  for (size_t i = 1; i < table.size(); ++i) EXPECT_LT(table[i - 1].key, table[i].key);
-}
-
-TEST(SettingsTable, RelatesToSettingsOfItsOwn) {
-  for (const SettingSpec& spec : SettingsTable()) {
-    if (spec.relative_to.empty()) continue;
-    EXPECT_GE(FindSetting(spec.relative_to), 0) << spec.key;
+  for (const ProcessInfo& info : kProcesses) {
+    const auto table = SettingsTable(info.process);
+    for (size_t i = 1; i < table.size(); ++i) EXPECT_LT(table[i - 1].key, table[i].key);
   }
 }
 
-TEST(SettingsTable, HasNoTwoSettingsForOneField) {
+TEST(SettingsTable, RelatesToSettingsOfItsOwn) {
+  for (const ProcessInfo& info : kProcesses) {
+    for (const SettingSpec& spec : SettingsTable(info.process)) {
+      if (spec.relative_to.empty()) continue;
+      EXPECT_GE(FindSetting(spec.relative_to, info.process), 0) << spec.key;
+    }
+  }
+}
+
+class EveryTable : public testing::TestWithParam<Process> {};
+
+TEST_P(EveryTable, HasNoTwoSettingsForOneField) {
   // Each setting changes its own text and no other's.
-  for (const SettingSpec& changed : SettingsTable()) {
+  for (const SettingSpec& changed : SettingsTable(GetParam())) {
     if (changed.field.set == nullptr) continue;
-    JobSettings settings;
-    const JobSettings before;
+    JobSettings settings = SettingsOf(GetParam()).Standards();
+    const JobSettings before = settings;
     for (const std::string& sample : Samples(changed)) {
       changed.field.set(settings, *ParseValue(changed, sample));
       if (changed.also.set) changed.also.set(settings, *ParseValue(changed, sample));
-      for (const SettingSpec& other : SettingsTable()) {
+      for (const SettingSpec& other : SettingsTable(GetParam())) {
         if (other.field.get == nullptr || other.key == changed.key) continue;
         EXPECT_EQ(other.field.get(settings), other.field.get(before))
             << changed.key << " changes " << other.key;
@@ -213,14 +234,22 @@ TEST(SettingsTable, HasNoTwoSettingsForOneField) {
   }
 }
 
+INSTANTIATE_TEST_SUITE_P(Table, EveryTable, testing::ValuesIn([] {
+                           std::vector<Process> all;
+                           for (const ProcessInfo& info : kProcesses) all.push_back(info.process);
+                           return all;
+                         }()),
+                         [](const auto& info) { return std::string(ProcessName(info.param)); });
+
 TEST(FindSetting, KnowsOnlyTheTable) {
-  EXPECT_EQ(FindSetting(""), -1);
-  EXPECT_EQ(FindSetting("zzz"), -1);
-  EXPECT_EQ(FindSetting("layer_heigh"), -1);
+  EXPECT_EQ(FindSetting("", Process::kFdm), -1);
+  EXPECT_EQ(FindSetting("zzz", Process::kFdm), -1);
+  EXPECT_EQ(FindSetting("layer_heigh", Process::kFdm), -1);
 }
 
 TEST(ParseValue, ShortensWhatItQuotes) {
-  const SettingSpec& spec = SettingsTable()[FindSetting("layer_height")];
+  const SettingSpec& spec =
+      SettingsTable(Process::kFdm)[FindSetting("layer_height", Process::kFdm)];
   const auto value = ParseValue(spec, std::string(100'000, '9'));
   ASSERT_FALSE(value.ok());
   EXPECT_LT(value.status().message().size(), 300);
@@ -229,13 +258,19 @@ TEST(ParseValue, ShortensWhatItQuotes) {
 TEST(ParseValue, RefusesNewlinesInNames) {
   // Such a text is quoted in a comment of the G-code: what follows a newline would be a command.
   for (const char* key : {"filament_type", "filament_colour", "filament_settings_id"}) {
-    EXPECT_FALSE(ParseValue(SettingsTable()[FindSetting(key)], "\"PLA\\nM112\"").ok()) << key;
+    EXPECT_FALSE(
+        ParseValue(SettingsTable(Process::kFdm)[FindSetting(key, Process::kFdm)], "\"PLA\\nM112\"")
+            .ok())
+        << key;
   }
-  EXPECT_FALSE(ParseValue(SettingsTable()[FindSetting("printer_model")], "MK4\\nM112").ok());
+  EXPECT_FALSE(ParseValue(SettingsTable(Process::kFdm)[FindSetting("printer_model", Process::kFdm)],
+                          "MK4\\nM112")
+                   .ok());
 }
 
 TEST(ParseValue, ReadsPercentWithAndWithoutItsSign) {
-  const SettingSpec& spec = SettingsTable()[FindSetting("fill_density")];
+  const SettingSpec& spec =
+      SettingsTable(Process::kFdm)[FindSetting("fill_density", Process::kFdm)];
   EXPECT_EQ(ParseValue(spec, "20%")->number, 20);
   EXPECT_EQ(ParseValue(spec, "20")->number, 20);
 }

@@ -1,42 +1,39 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include <variant>
 
-#include "common/model/options/beading_options.h"
 #include "common/model/options/exposure_settings.h"
-#include "common/model/options/infill_options.h"
-#include "common/model/options/motion_options.h"
-#include "common/model/options/ordering_options.h"
-#include "common/model/options/planning_options.h"
+#include "common/model/options/fdm_settings.h"
 #include "common/model/options/slicing_options.h"
 #include "common/model/process.h"
 
 namespace slicefarm {
 
-/// What a job is to be made with: one struct a stage, complete and validated (common/config does
-/// both at the edge). What regions have of their own stands in tables with a row for each: Region
-/// and Path name the row. INVARIANT: all tables of regions are equally long, and not empty.
+/// What each process has of its own. One alternative a process, in the order of Process.
+using OwnSettings = std::variant<FdmSettings, ExposureSettings>;
+
+static_assert(std::variant_size_v<OwnSettings> == kProcessCount);
+
+/// What a job is to be made with: complete and validated (common/config does both at the edge).
 struct JobSettings {
-  Process process = Process::kFdm;  ///< options of stages of other processes have no effect
   SlicingOptions slicing;
-  PlanningOptions planning;
-  std::vector<BeadingOptions> beading = {{}};  ///< by region
-  std::vector<InfillOptions> infill = {{}};    ///< by region
-  OrderingOptions ordering;
-  MotionOptions motion;
-  ExposureSettings exposure;
+  OwnSettings own;  ///< of its process
+
+  Process process() const { return static_cast<Process>(own.index()); }
 
   friend bool operator==(const JobSettings&, const JobSettings&) = default;
 };
 
-/// How many of an object's own layers on each side a layer's result depends on.
-int32_t HaloLayers(const JobSettings& settings);
-
-/// What planning is told of the infill of each region; empty if it has nothing to decide.
-std::vector<InfillPlanOptions> InfillPlansOf(const JobSettings& settings);
-
-/// Of those, how many the walls depend on.
-int32_t BeadingHaloLayers(const JobSettings& settings);
+/// REQUIRES: the job is of that process.
+inline const FdmSettings& FdmOf(const JobSettings& settings) {
+  return std::get<FdmSettings>(settings.own);
+}
+inline FdmSettings& FdmOf(JobSettings& settings) { return std::get<FdmSettings>(settings.own); }
+inline const ExposureSettings& ExposureOf(const JobSettings& settings) {
+  return std::get<ExposureSettings>(settings.own);
+}
+inline ExposureSettings& ExposureOf(JobSettings& settings) {
+  return std::get<ExposureSettings>(settings.own);
+}
 
 }  // namespace slicefarm

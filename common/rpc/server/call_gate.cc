@@ -33,6 +33,7 @@ void CallGate::Log(std::string_view method, const Call& call, double seconds,
     fields.push_back({"layer_first", int64_t{call.layers.first}});
     fields.push_back({"layer_last", int64_t{call.layers.last - 1}});
   }
+  fields.insert(fields.end(), call.about.begin(), call.about.end());
   fields.push_back({"seconds", seconds});
   if (status.ok()) return log_.Info("call", fields);
   fields.push_back({"code", absl::StatusCodeToString(status.code())});

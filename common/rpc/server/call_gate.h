@@ -30,6 +30,7 @@ struct Call {
   TraceContext trace;  ///< what the client gave
   std::string job_id;
   LayerRange layers;  ///< empty: the call is about no layers
+  LogFields about;    ///< what else it is about
 };
 
 /// The way of every heavy call: wait for a turn, work, log one line, answer with a typed status.

@@ -7,7 +7,7 @@
 
 namespace slicefarm {
 
-/// Programs of lasers and what stands around them. Texts are moved, not copied. Errors:
+/// Programs of exposure and what stands around them. Texts are moved, not copied. Errors:
 /// OUT_OF_RANGE, REQUEST_MALFORMED, REQUEST_TOO_LARGE naming the field.
 
 absl::Status ToProto(const ExposureReport& report, v1::ExposureReport* proto);

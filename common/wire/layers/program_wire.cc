@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "common/model/limits.h"
@@ -235,23 +237,20 @@ absl::StatusOr<LayerProgram> FromProto(v1::LayerProgram proto) {
 
 v1::StageTimes ToProto(const StageTimes& times) {
   v1::StageTimes proto;
-  proto.set_slicing_s(times.slicing_s);
-  proto.set_beading_s(times.beading_s);
-  proto.set_infill_s(times.infill_s);
-  proto.set_ordering_s(times.ordering_s);
-  proto.set_motion_s(times.motion_s);
-  proto.set_planning_s(times.planning_s);
-  proto.set_exposure_s(times.exposure_s);
+  for (const StageInfo& info : kStages)
+    if (times[info.stage] != 0)
+      (*proto.mutable_seconds())[std::string(info.name)] = times[info.stage];
   return proto;
 }
 
 absl::StatusOr<StageTimes> FromProto(const v1::StageTimes& proto) {
-  if (!AreAmounts({proto.slicing_s(), proto.planning_s(), proto.beading_s(), proto.infill_s(),
-                   proto.ordering_s(), proto.motion_s(), proto.exposure_s()})) {
-    return Malformed("times", "not all are times");
+  StageTimes times;
+  for (const auto& [name, seconds] : proto.seconds()) {
+    const std::optional<Stage> stage = FindStage(name);
+    if (!stage || !AreAmounts({seconds})) return Malformed("times", "not all are times of stages");
+    times[*stage] = seconds;
   }
-  return StageTimes{proto.slicing_s(),  proto.planning_s(), proto.beading_s(), proto.infill_s(),
-                    proto.ordering_s(), proto.motion_s(),   proto.exposure_s()};
+  return times;
 }
 
 v1::LayerWarning ToProto(const LayerWarning& warning) {

@@ -138,14 +138,8 @@ ProgramEnvelope DistinctFrame() {
 
 StageTimes DistinctTimes() {
   StageTimes times;
-  auto& [slicing, planning, beading, infill, ordering, motion, exposure] = times;
-  slicing = 1;
-  beading = 2;
-  infill = 3;
-  ordering = 4;
-  motion = 5;
-  planning = 6;
-  exposure = 7;
+  double seconds = 0;
+  for (const StageInfo& info : kStages) times[info.stage] = ++seconds;
   return times;
 }
 
@@ -205,15 +199,15 @@ TEST(ProgramWire, FrameReturns) {
 }
 
 TEST(ProgramWire, TimesReturn) {
-  const v1::StageTimes proto = ToProto(DistinctTimes());
-  EXPECT_EQ(proto.slicing_s(), 1);
-  EXPECT_EQ(proto.beading_s(), 2);
-  EXPECT_EQ(proto.infill_s(), 3);
-  EXPECT_EQ(proto.ordering_s(), 4);
-  EXPECT_EQ(proto.motion_s(), 5);
-  EXPECT_EQ(proto.planning_s(), 6);
-  ExpectEveryFieldReturns<v1::StageTimes, StageTimes>(
-      proto, [](const StageTimes& times) { return ToProto(times); });
+  v1::StageTimes proto = ToProto(DistinctTimes());
+  EXPECT_EQ(proto.seconds_size(), static_cast<int>(kStageCount));
+  EXPECT_EQ(proto.seconds().at("planning"), 2);
+  EXPECT_EQ(*FromProto(proto), DistinctTimes());
+  (*proto.mutable_seconds())["milling"] = 1;
+  EXPECT_FALSE(FromProto(proto).ok());
+  v1::StageTimes negative;
+  (*negative.mutable_seconds())["motion"] = -1;
+  EXPECT_FALSE(FromProto(negative).ok());
 }
 
 TEST(ProgramWire, EachMemberIsTheFieldOfItsName) {

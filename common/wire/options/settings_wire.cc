@@ -6,7 +6,6 @@
 #include "common/base/error.h"
 #include "common/model/limits.h"
 #include "common/wire/geometry_wire.h"
-#include "common/wire/options/exposure_options_wire.h"
 #include "common/wire/options/motion_options_wire.h"
 #include "common/wire/options/planning_options_wire.h"
 #include "common/wire/options/settings_check.h"
@@ -36,7 +35,6 @@ static_assert(v1::FILL_GOAL_STRENGTH == static_cast<int>(FillGoal::kStrength) + 
 static_assert(v1::FILL_GOAL_FLEXIBILITY == static_cast<int>(FillGoal::kFlexibility) + 1);
 static_assert(v1::IRONING_TYPE_TOP == static_cast<int>(IroningType::kTop) + 1);
 static_assert(v1::IRONING_TYPE_SOLID == static_cast<int>(IroningType::kSolid) + 1);
-static_assert(v1::PROCESS_LASER == static_cast<int>(Process::kLaser) + 1);
 static_assert(v1::Process_MAX == kProcessCount);
 
 constexpr double kMaxTransitionAngle = 1.6;  // radians: a right angle
@@ -420,44 +418,31 @@ absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
   return options;
 }
 
-absl::Status ToProto(const JobSettings& settings, v1::JobSettings* proto) {
-  proto->set_process(EnumToProto<v1::Process>(settings.process));
-  *proto->mutable_exposure() = ToProto(settings.exposure);
+absl::Status ToProto(const FdmSettings& settings, v1::FdmSettings* proto) {
   for (const BeadingOptions& row : settings.beading) *proto->add_beading() = ToProto(row);
   for (const InfillOptions& row : settings.infill) *proto->add_infill() = ToProto(row);
   *proto->mutable_ordering() = ToProto(settings.ordering);
   *proto->mutable_motion() = ToProto(settings.motion);
-  absl::Status status = ToProto(settings.planning, proto->mutable_planning());
-  if (!status.ok()) return Within("planning", status);
-  status = ToProto(settings.slicing, proto->mutable_slicing());
-  return status.ok() ? status : Within("slicing", status);
+  const absl::Status status = ToProto(settings.planning, proto->mutable_planning());
+  return status.ok() ? status : Within("planning", status);
 }
 
-absl::StatusOr<JobSettings> FromProto(const v1::JobSettings& proto) {
-  absl::StatusOr<SlicingOptions> slicing = FromProto(proto.slicing());
-  if (!slicing.ok()) return Within("slicing", slicing.status());
+absl::StatusOr<FdmSettings> FromProto(const v1::FdmSettings& proto) {
   absl::StatusOr<PlanningOptions> planning = FromProto(proto.planning());
   if (!planning.ok()) return Within("planning", planning.status());
   absl::StatusOr<OrderingOptions> ordering = FromProto(proto.ordering());
   if (!ordering.ok()) return Within("ordering", ordering.status());
   absl::StatusOr<MotionOptions> motion = FromProto(proto.motion());
   if (!motion.ok()) return Within("motion", motion.status());
-  absl::StatusOr<ExposureSettings> exposure = FromProto(proto.exposure());
-  if (!exposure.ok()) return Within("exposure", exposure.status());
-  const absl::StatusOr<Process> process =
-      EnumFromProto<Process>(proto.process(), kProcessCount, "process");
-  if (!process.ok()) return process.status();
-  JobSettings settings{*process, *std::move(slicing),  *std::move(planning), {},
-                       {},       *std::move(ordering), *std::move(motion),   *std::move(exposure)};
+  FdmSettings settings{*std::move(planning), {}, {}, *std::move(ordering), *std::move(motion)};
   absl::Status status = CheckRows(proto.beading_size(), "beading");
   status.Update(AllFromProto(proto.beading(), "beading", &settings.beading));
   status.Update(AllFromProto(proto.infill(), "infill", &settings.infill));
   if (!status.ok()) return status;
   const size_t rows = settings.beading.size();
   if (settings.infill.size() != rows || settings.ordering.walls.size() != rows ||
-      settings.motion.speeds.size() != rows || settings.exposure.regions.size() != rows) {
+      settings.motion.speeds.size() != rows)
     return Malformed("settings", "the tables of regions are not equally long");
-  }
   return settings;
 }
 

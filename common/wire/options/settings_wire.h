@@ -25,8 +25,8 @@ absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto);
 v1::OrderingOptions ToProto(const OrderingOptions& options);
 absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto);
 
-absl::Status ToProto(const JobSettings& settings, v1::JobSettings* proto);
-absl::StatusOr<JobSettings> FromProto(const v1::JobSettings& proto);
+absl::Status ToProto(const FdmSettings& settings, v1::FdmSettings* proto);
+absl::StatusOr<FdmSettings> FromProto(const v1::FdmSettings& proto);
 
 /// The number of rows of a table of regions, or of options by object.
 absl::Status CheckRows(int rows, std::string_view field);

@@ -20,8 +20,8 @@ using google::protobuf::Message;
 using google::protobuf::TextFormat;
 using google::protobuf::util::MessageDifferencer;
 
-v1::JobSettings Proto(const JobSettings& settings) {
-  v1::JobSettings proto;
+v1::FdmSettings Proto(const FdmSettings& settings) {
+  v1::FdmSettings proto;
   EXPECT_TRUE(ToProto(settings, &proto).ok());
   return proto;
 }
@@ -36,38 +36,6 @@ RaftHeights DistinctRaft() {
   others = 603;
   contact_distance = 604;
   return heights;
-}
-
-ObjectSlicingOptions DistinctObjectSlicing() {
-  ObjectSlicingOptions options;
-  auto& [layer_height, fill_rule, close_holes, closing_radius, xy_compensation, hole_compensation,
-         elephant_foot, elephant_foot_min_width, raft] = options;
-  layer_height = 101;
-  fill_rule = FillRule::kPositive;
-  close_holes = true;
-  closing_radius = 104;
-  xy_compensation = -106;
-  hole_compensation = -107;
-  elephant_foot = -108;
-  elephant_foot_min_width = 110;
-  raft = DistinctRaft();
-  return options;
-}
-
-SlicingOptions DistinctSlicing() {
-  SlicingOptions options;
-  auto& [first_layer_height, max_gap, resolution, bed, max_print_height, thumbnails, objects,
-         part_distance, clearance_radius] = options;
-  first_layer_height = 102;
-  max_gap = 105;
-  resolution = 109;
-  bed = {{0, 1}, {2, 3}, {4, 2'100'000'000}};
-  max_print_height = 111;
-  thumbnails = {{12, 13, PictureFormat::kQoi}};
-  part_distance = 112;
-  clearance_radius = 113;
-  objects = {DistinctObjectSlicing(), {}};
-  return options;
 }
 
 SkirtOptions DistinctSkirt() {
@@ -433,44 +401,18 @@ MotionOptions DistinctMotion() {
   return options;
 }
 
-JobSettings Distinct() {
-  JobSettings settings;
-  auto& [process, slicing, planning, beading, infill, ordering, motion, exposure] = settings;
-  process = Process::kLaser;
-  slicing = DistinctSlicing();
+FdmSettings Distinct() {
+  FdmSettings settings;
+  auto& [planning, beading, infill, ordering, motion] = settings;
   planning = DistinctPlanning();
   beading = {DistinctBeading(), {}};
   infill = {DistinctInfill(), {}};
   ordering = DistinctOrdering();
   motion = DistinctMotion();
-  exposure.regions = {{}, {}};
-  exposure.regions[1].spot_nm = 701;
   return settings;
 }
 
 constexpr char kDistinct[] = R"pb(
-  process: PROCESS_LASER
-  slicing {
-    first_layer_height_nm: 102
-    max_gap_nm: 105
-    resolution_nm: 109
-    bed_xy_nm: [ 0, 1, 2, 3, 4, 2100000000 ]
-    max_print_height_nm: 111
-    part_distance_nm: 112
-    clearance_radius_nm: 113
-    thumbnails { width_px: 12 height_px: 13 format: PICTURE_FORMAT_QOI }
-    objects {
-      layer_height_nm: 101
-      fill_rule: FILL_RULE_POSITIVE
-      close_holes: true
-      closing_radius_nm: 104
-      xy_compensation_nm: -106
-      hole_compensation_nm: -107
-      elephant_foot_nm: -108
-      elephant_foot_min_width_nm: 110
-      raft { layers: 2 first_nm: 602 others_nm: 603 contact_distance_nm: 604 }
-    }
-  }
   planning {
     sequence { complete_objects: true clearance_radius_nm: 151 clearance_height_nm: 152 }
     objects {
@@ -729,9 +671,7 @@ constexpr char kDistinct[] = R"pb(
 )pb";
 
 /// The first row of each table; what is in the others needs no text of its own.
-v1::JobSettings WithoutLastRows(v1::JobSettings proto) {
-  proto.clear_exposure();  // exposure_wire_test.cc has it
-  proto.mutable_slicing()->mutable_objects()->RemoveLast();
+v1::FdmSettings WithoutLastRows(v1::FdmSettings proto) {
   proto.mutable_planning()->mutable_objects()->RemoveLast();
   proto.mutable_beading()->RemoveLast();
   proto.mutable_infill()->RemoveLast();
@@ -742,7 +682,7 @@ v1::JobSettings WithoutLastRows(v1::JobSettings proto) {
 
 // Sees fields that are swapped in both directions, which no round trip does.
 TEST(SettingsWire, EachMemberIsTheFieldOfItsName) {
-  v1::JobSettings want;
+  v1::FdmSettings want;
   ASSERT_TRUE(TextFormat::ParseFromString(kDistinct, &want));
   MessageDifferencer differencer;
   std::string difference;
@@ -751,63 +691,59 @@ TEST(SettingsWire, EachMemberIsTheFieldOfItsName) {
 }
 
 TEST(SettingsWire, DefaultsAndDistinctValuesReturn) {
-  for (const JobSettings& settings : {JobSettings{}, Distinct()}) {
-    const absl::StatusOr<JobSettings> back = FromProto(Proto(settings));
+  for (const FdmSettings& settings : {FdmSettings{}, Distinct()}) {
+    const absl::StatusOr<FdmSettings> back = FromProto(Proto(settings));
     ASSERT_TRUE(back.ok()) << back.status();
     EXPECT_EQ(*back, settings);
   }
 }
 
 TEST(SettingsWire, EveryFieldChangedAloneReturns) {
-  JobSettings defaults;
+  FdmSettings defaults;
   // The next value of 100 % would be refused.
   defaults.motion.cooling.max_fan_percent = 50;
   defaults.motion.cooling.bridge_fan_percent = 50;
-  // The next value of 0, which stands for hatch_distance, would be refused.
-  defaults.exposure.regions[0].upskin_distance_nm = 90'000;
-  defaults.exposure.regions[0].downskin_distance_nm = 90'000;
   int fields = 0;
   ForEachChangedField(Proto(defaults), [&](const std::string& path, const Message& message) {
     SCOPED_TRACE(path);
     ++fields;
-    const auto& changed = dynamic_cast<const v1::JobSettings&>(message);
-    const absl::StatusOr<JobSettings> settings = FromProto(changed);
+    const auto& changed = dynamic_cast<const v1::FdmSettings&>(message);
+    const absl::StatusOr<FdmSettings> settings = FromProto(changed);
     ASSERT_TRUE(settings.ok()) << settings.status();
     EXPECT_FALSE(*settings == defaults);
     EXPECT_TRUE(MessageDifferencer::Equals(Proto(*settings), changed));
   });
-  EXPECT_GT(fields, 120);
+  EXPECT_GT(fields, 100);
 }
 
 // Objects and regions are counted apart; tables of regions are not.
 TEST(SettingsWire, TablesOfRegionsAreEquallyLong) {
-  const auto expect_refused = [](const v1::JobSettings& proto) {
+  const auto expect_refused = [](const v1::FdmSettings& proto) {
     const absl::Status status = FromProto(proto).status();
     EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed) << status;
     EXPECT_EQ(DetailOf(status).metadata["field"], "settings") << status;
   };
-  JobSettings beading, infill, walls, speeds;
+  FdmSettings beading, infill, walls, speeds;
   beading.beading.resize(2);
   infill.infill.resize(2);
   walls.ordering.walls.resize(2);
   speeds.motion.speeds.resize(2);
-  for (const JobSettings& settings : {beading, infill, walls, speeds})
+  for (const FdmSettings& settings : {beading, infill, walls, speeds})
     expect_refused(Proto(settings));
-  JobSettings objects;
-  objects.slicing.objects.resize(3);
+  FdmSettings objects;
+  objects.planning.objects.resize(3);
   EXPECT_TRUE(FromProto(Proto(objects)).ok());
 }
 
 TEST(SettingsWire, RefusesTablesOfMoreRowsThanAJobMayHave) {
-  const std::vector<std::function<void(JobSettings&)>> spoils = {
-      [](auto& s) { s.slicing.objects.resize(1'001); },
+  const std::vector<std::function<void(FdmSettings&)>> spoils = {
       [](auto& s) { s.planning.objects.resize(1'001); },
       [](auto& s) { s.beading.resize(1'001); },
       [](auto& s) { s.ordering.walls.resize(1'001); },
       [](auto& s) { s.motion.speeds.resize(1'001); },
   };
   for (const auto& spoil : spoils) {
-    JobSettings settings;
+    FdmSettings settings;
     spoil(settings);
     const absl::Status status = FromProto(Proto(settings)).status();
     EXPECT_EQ(DetailOf(status).reason, Reason::kRequestTooLarge) << status;
@@ -817,7 +753,7 @@ TEST(SettingsWire, RefusesTablesOfMoreRowsThanAJobMayHave) {
 
 struct Refused {
   std::string name;
-  std::function<void(v1::JobSettings&)> spoil;
+  std::function<void(v1::FdmSettings&)> spoil;
   std::string field;
   Reason reason = Reason::kRequestMalformed;
 };
@@ -825,7 +761,7 @@ struct Refused {
 class SettingsWireRefuses : public testing::TestWithParam<Refused> {};
 
 TEST_P(SettingsWireRefuses, NamingTheField) {
-  v1::JobSettings proto = Proto(JobSettings{});
+  v1::FdmSettings proto = Proto(FdmSettings{});
   GetParam().spoil(proto);
   const absl::Status status = FromProto(proto).status();
   EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument) << status;
@@ -841,9 +777,6 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Refused{"NoMotion", [](auto& p) { p.clear_motion(); }, "motion.flavor"},
         Refused{"NoLimits", [](auto& p) { p.mutable_motion()->clear_limits(); }, "motion.limits"},
-        Refused{"NoFillRule",
-                [](auto& p) { p.mutable_slicing()->mutable_objects(0)->clear_fill_rule(); },
-                "slicing.objects[0].fill_rule"},
         Refused{"UnknownSeam",
                 [](auto& p) {
                   p.mutable_planning()->mutable_objects(0)->set_seam(v1::SeamPosition(77));
@@ -858,8 +791,6 @@ INSTANTIATE_TEST_SUITE_P(
             "NegativeClearance",
             [](auto& p) { p.mutable_planning()->mutable_sequence()->set_clearance_height_nm(-1); },
             "planning.clearance_height_nm"},
-        Refused{"NegativeDistance", [](auto& p) { p.mutable_slicing()->set_part_distance_nm(-1); },
-                "slicing.part_distance_nm"},
         Refused{"NegativePrintHeight",
                 [](auto& p) { p.mutable_motion()->set_max_print_height_nm(-1); },
                 "motion.max_print_height_nm"},
@@ -892,18 +823,6 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"BrimRow",
                 [](auto& p) { p.mutable_planning()->mutable_objects(0)->set_brim_settings(-1); },
                 "planning.objects[0].brim_settings"},
-        Refused{"RaftTooHigh",
-                [](auto& p) {
-                  p.mutable_slicing()->mutable_objects(0)->mutable_raft()->set_layers(101);
-                },
-                "slicing.objects[0].raft.layers"},
-        Refused{"RaftOfNoHeight",
-                [](auto& p) {
-                  p.mutable_slicing()->mutable_objects(0)->mutable_raft()->set_others_nm(0);
-                },
-                "slicing.objects[0].raft.others_nm"},
-        Refused{"NoSlicedObjects", [](auto& p) { p.mutable_slicing()->clear_objects(); },
-                "slicing.objects"},
         Refused{"NoBeading", [](auto& p) { p.clear_beading(); }, "beading"},
         Refused{"NoInfill", [](auto& p) { p.clear_infill(); }, "settings"},
         Refused{"NoWallOrder", [](auto& p) { p.mutable_ordering()->clear_walls(); },
@@ -961,20 +880,6 @@ INSTANTIATE_TEST_SUITE_P(
                       std::numeric_limits<int32_t>::min());
                 },
                 "motion.cooling"},
-        Refused{"NoLayerHeight",
-                [](auto& p) { p.mutable_slicing()->mutable_objects(0)->set_layer_height_nm(0); },
-                "slicing.objects[0].layer_height_nm"},
-        Refused{"NoFirstLayerHeight",
-                [](auto& p) { p.mutable_slicing()->set_first_layer_height_nm(0); },
-                "slicing.first_layer_height_nm"},
-        Refused{"BedOfTwoPoints",
-                [](auto& p) { p.mutable_slicing()->mutable_bed_xy_nm()->Truncate(4); },
-                "slicing.bed_xy_nm"},
-        Refused{"BedOfOddCoordinates", [](auto& p) { p.mutable_slicing()->add_bed_xy_nm(1); },
-                "slicing.bed_xy_nm"},
-        Refused{"HugeThumbnail",
-                [](auto& p) { p.mutable_slicing()->mutable_thumbnails(0)->set_width_px(1 << 20); },
-                "slicing.thumbnails"},
         Refused{"NegativePerimeters", [](auto& p) { p.mutable_beading(0)->set_perimeters(-1); },
                 "beading[0].perimeters"},
         Refused{"NoWidth", [](auto& p) { p.mutable_beading(0)->set_inner_width_nm(0); },
@@ -986,15 +891,6 @@ INSTANTIATE_TEST_SUITE_P(
                 },
                 "motion", Reason::kRequestTooLarge}),
     [](const auto& info) { return info.param.name; });
-
-TEST(SettingsWire, RefusesABedBeyondTheWire) {
-  JobSettings settings;
-  settings.slicing.bed[1].x = int64_t{1} << 31;
-  v1::JobSettings proto;
-  const absl::Status status = ToProto(settings, &proto);
-  EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfRange);
-  EXPECT_EQ(DetailOf(status).metadata["field"], "slicing.bed_xy_nm");
-}
 
 }  // namespace
 }  // namespace slicefarm::settings_wire_test

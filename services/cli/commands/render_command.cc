@@ -91,7 +91,7 @@ ExitCode Render(const RenderOptions& options) {
 
 void AddRender(CLI::App& app, CommandContext& context) {
   CLI::App* command =
-      app.add_subcommand("render", "Draw a layer of a G-code file, or of a laser's CLI file");
+      app.add_subcommand("render", "Draw a layer of a G-code file, or of a CLI file (Common Layer Interface)");
   const auto options = std::make_shared<RenderOptions>();
   command->add_option("GCODE", options->gcode, "G-code by slicefarm or PrusaSlicer, or a CLI file")
       ->required();

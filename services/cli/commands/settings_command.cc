@@ -18,7 +18,7 @@ namespace {
 struct SettingsOptions {
   std::string pattern;
   std::string coverage;
-  Process process = Process::kFdm;
+  Process process = kDefaultProcess;
   bool json = false;
   bool ini = false;
 };

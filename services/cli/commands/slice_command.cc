@@ -10,6 +10,8 @@
 #include "common/base/build_info.h"
 #include "common/base/sha256.h"
 #include "common/config/plate.h"
+#include "common/config/process_settings.h"
+#include "common/config/table/settings_table.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
@@ -61,7 +63,7 @@ absl::StatusOr<coordinator::JobOutput> Run(const SliceOptions& options, coordina
   ProgressBar bar(!options.job.quiet);
   bar.Show("reading", 0, 0);
   return local.pipeline().Run(call, std::move(input), [&](coordinator::PipelineProgress progress) {
-    bar.Show("layers", progress.layers_done, progress.layers_total);
+    bar.Show("layers", progress.done, progress.total);
   });
 }
 
@@ -75,14 +77,6 @@ absl::Status WriteResults(const SliceOptions& options, const coordinator::JobOut
     if (absl::Status status = WriteFile(options.job.report, json); !status.ok()) return status;
   }
   return WriteFile(options.output, output.program);
-}
-
-/// What the name of a file says of it, and is not so: the setting decides.
-void WarnOfName(const std::string& output, bool binary) {
-  if (output.ends_with(".bgcode") && !binary)
-    Warn({fmt::format("{} is text: binary_gcode = 1 makes binary G-code", output)});
-  if (output.ends_with(".gcode") && binary)
-    Warn({fmt::format("{} is binary G-code, as binary_gcode = 1 asks for", output)});
 }
 
 /// What was found while the job ran; of the settings it was told before.
@@ -125,17 +119,19 @@ ExitCode SlicePlate(SliceOptions options, std::vector<MeshFile> files, const Giv
   if (absl::Status status = WriteResults(options, *output, *resolved); !status.ok()) {
     return Fail(status);
   }
-  WarnOfName(options.output, resolved->settings.motion.writing.binary);
+  Warn(config::SettingsOf(options.job.process).NameWarnings(resolved->settings, options.output));
   PrintSummary(options, output->report, *resolved);
   return ExitCode::kOk;
 }
 
 ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
   if (absl::Status ok = CheckOutputs(options.job, options.output); !ok.ok()) return Fail(ok);
-  if (options.job.process != Process::kFdm && IsNamedBySettings(options.output))
-    return Fail(
-        Malformed("say which file the result goes to (-o FILE): only G-code of filament "
-                  "printers is named by its settings"));
+  const bool named = config::FindSetting("output_filename_format", options.job.process) >= 0;
+  if (!named && IsNamedBySettings(options.output))
+    return Fail(Malformed(
+        fmt::format("say which file the result goes to (-o FILE): the settings of --machine {} "
+                    "name none",
+                    ProcessName(options.job.process))));
   const auto settings = GivenJobSettings(options.job, options.output);
   if (!settings.ok()) return Fail(settings.status());
   auto models = ReadModels(options.job);
@@ -164,7 +160,8 @@ void AddSlice(CLI::App& app, CommandContext& context) {
   AddJobOptions(*command, options->job);
   command
       ->add_option("-o,--output", options->output,
-                   "Where the G-code, or a laser's file, goes; -: to stdout; a folder, or nothing "
+                   "Where the G-code, or what else the machine reads, goes; -: to stdout; a "
+                   "folder, or nothing "
                    "for that of the model: a file there, called as output_filename_format says")
       ->type_name("OUT.gcode");
   command
@@ -172,6 +169,11 @@ void AddSlice(CLI::App& app, CommandContext& context) {
                    "How many to use; the result is the same. Default: one per processor")
       ->check(CLI::Range(1, kMaxThreads))
       ->type_name("N");
+  std::string of_processes;
+  for (const ProcessInfo& info : kProcesses)
+    if (const std::string_view example = config::SettingsOf(info.process).Example();
+        !example.empty())
+      of_processes += fmt::format("\n  {}", example);
   command->footer(
       "The output appears when it is complete, or not at all. Ctrl-C stops the work (exit code "
       "7).\n"
@@ -179,8 +181,8 @@ void AddSlice(CLI::App& app, CommandContext& context) {
       "  slicefarm slice part.stl -o part.gcode --config prusa.ini\n"
       "  slicefarm slice project.3mf -o plate2.gcode --plate 2\n"
       "  slicefarm slice part.obj -o part.gcode --set layer_height=0.15 --set fill_density=30%\n"
-      "  slicefarm slice part.stl -o part.cli --machine laser --set scan_strategy=stripes\n"
-      "  slicefarm slice bracket.stl -o - --units inch --rotate 90,0,0 | gzip > bracket.gcode.gz");
+      "  slicefarm slice bracket.stl -o - --units inch --rotate 90,0,0 | gzip > bracket.gcode.gz" +
+      of_processes);
   command->callback([options, &context] {
     context.run = [options, &context] { return Slice(*options, *context.interrupt); };
   });

@@ -52,7 +52,7 @@ TraceContext TraceOf(const SubmitOptions& options) {
 v1::JobSpec SpecOf(const SubmitOptions& submit, const GivenPlate& plate,
                    const std::vector<Setting>& settings) {
   v1::JobSpec spec;
-  if (submit.job.process != Process::kFdm)
+  if (submit.job.process != kDefaultProcess)
     spec.set_process(EnumToProto<v1::Process>(submit.job.process));
   spec.mutable_profiles()->Assign(submit.profiles.begin(), submit.profiles.end());
   if (submit.quote) spec.set_mode(v1::JOB_MODE_QUOTE);

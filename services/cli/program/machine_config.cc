@@ -58,9 +58,9 @@ absl::StatusOr<motion::CheckSetup> SetupOfSettings(std::string_view text) {
   // No layer is made of them, but the usual ones would be refused for fine nozzles.
   given->push_back({"layer_height", std::string(kFinestLayer)});
   given->push_back({"first_layer_height", std::string(kFinestLayer)});
-  const auto resolved = config::Resolve(*given);
+  const auto resolved = config::Resolve(*given, Process::kFdm);
   if (!resolved.ok()) return resolved.status();
-  const MotionOptions& options = resolved->settings.motion;
+  const MotionOptions& options = FdmOf(resolved->settings).motion;
   motion::CheckSetup setup;
   setup.machine = motion::SetupOf(options);
   setup.nozzle_mm = options.nozzle_diameter_mm;

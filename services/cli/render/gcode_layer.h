@@ -23,7 +23,7 @@ struct BeadRun {
   std::vector<PointMm> points;  ///< at least two
   double speed_mm_s = 0;        ///< as the G-code asks for it; 0: it does not
   double flow_mm3_s = 0;        ///< at that speed
-  double energy_j_mm = 0;       ///< of a laser, on a mm of way; 0: not known
+  double energy_j_mm = 0;       ///< of exposure, on a mm of way; 0: not known
   double time_s = 0;  ///< when it is laid, from the layer's first bead on; by `line_end_s`
 };
 

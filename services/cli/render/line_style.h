@@ -6,12 +6,12 @@
 
 namespace slicefarm::cli {
 
-/// How a laser draws the lines of one id of a CLI file.
+/// How the lines of one id of a CLI file are exposed.
 struct LineStyle {
   std::string kind;       ///< "contour", "upskin" ...: the label's words before the power
   double power_w = 0;     ///< 0: not known
   double speed_mm_s = 0;  ///< 0: not known
-  double point_distance_um = 0;  ///< of pulsed lasers; 0: a continuous line
+  double point_distance_um = 0;  ///< of pulsed light; 0: a continuous line
   double point_time_us = 0;
 
   /// What a mm of way gets, in J; 0: not known.

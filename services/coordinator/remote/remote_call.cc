@@ -17,15 +17,6 @@ absl::Status BadAnswer(std::string_view stage, const absl::Status& why) {
       {{"stage", std::string(stage)}});
 }
 
-int64_t PointsIn(std::span<const SlicedLayer> layers) {
-  int64_t points = 0;
-  for (const SlicedLayer& layer : layers)
-    for (const ObjectSection& section : layer.sections)
-      for (const Region& region : section.regions)
-        points += static_cast<int64_t>(PointCount(region.outlines));
-  return points;
-}
-
 absl::Status OutcomeOf(std::string_view stage, std::chrono::milliseconds deadline,
                        absl::Status status) {
   if (absl::IsDeadlineExceeded(status))

@@ -9,6 +9,7 @@
 #include "absl/status/status.h"
 #include "common/rpc/client/client_call.h"
 #include "common/rpc/client/duplex_call.h"
+#include "common/stage/object_layers.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/remote/replica_source.h"
 
@@ -27,9 +28,6 @@ struct RemoteOptions {
     return std::chrono::duration_cast<std::chrono::milliseconds>(deadline * times);
   }
 };
-
-/// Of the outlines that a call is about.
-int64_t PointsIn(std::span<const SlicedLayer> layers);
 
 /// A server that answers what cannot be read or does not fit: Internal, because the input is not at
 /// fault. Why an answer was not taken here stays what it is: that there is no room, or no wish for

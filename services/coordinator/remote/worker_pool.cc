@@ -36,8 +36,7 @@ absl::Status CheckInfo(const v1::WorkerInfo& info) {
                      "the worker is of build " + info.build_id());
   }
   if (ProcessesOf(info).empty()) {
-    return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
-                     "the worker knows no process");
+    return MakeError(absl::StatusCode::kInternal, Reason::kInternal, "the worker knows no process");
   }
   if (info.slots() < 1) {
     return MakeError(absl::StatusCode::kInternal, Reason::kInternal, "the worker has no slots");
@@ -90,11 +89,11 @@ class WorkerPool::Tasks : public TaskRunner {
   absl::StatusOr<TaskResult> RunTask(const StageCall& call, const Task& task) const override {
     auto result = member_->worker.RunTask(call, task);
     if (IsReplicasFault(result.status())) {
-      log_.Warn("worker failed", {{"address", member_->address},
-                                  {"job", call.job_id},
-                                  {"layer_first", int64_t{LayersOf(task).first}},
-                                  {"layer_last", int64_t{LayersOf(task).last - 1}},
-                                  {"error", std::string(result.status().message())}});
+      rpc::LogFields fields = {{"address", member_->address},
+                               {"job", call.job_id},
+                               {"error", std::string(result.status().message())}};
+      for (const auto& [name, number] : task.label().numbers) fields.push_back({name, number});
+      log_.Warn("worker failed", fields);
     }
     if (DetailOf(result.status()).reason != Reason::kBuildMismatch || misfit_.exchange(true)) {
       return result;

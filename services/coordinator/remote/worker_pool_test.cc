@@ -9,6 +9,7 @@
 
 #include "common/base/error.h"
 #include "common/rpc/status_mapping.h"
+#include "processes/fdm/task/fdm_task.h"
 #include "services/coordinator/remote/fake_replica_test.h"
 
 namespace slicefarm::coordinator::worker_pool_test {
@@ -183,7 +184,7 @@ TEST_F(WorkerPoolTest, AWorkerThatBecameOneOfAnotherBuildLeavesWhenItRefusesARan
   a.Restart();
   ASSERT_TRUE(runner.await_ready(seconds(60)));
   const JobFacts facts;
-  const JobSettings settings;
+  const FdmSettings settings;
   const FdmTask task{{0, 1}, {}, {}, {}, &facts, &settings};
   for (int i = 0; i < 2; ++i) {
     absl::Status refused;
@@ -238,7 +239,7 @@ TEST_F(WorkerPoolTest, RunnersOutliveTheirMembership) {
   const Runner runner = runners_.Await(1)[0];
   pool_.reset();
   const JobFacts facts;
-  const JobSettings settings;
+  const FdmSettings settings;
   const FdmTask task{{0, 1}, {}, {}, {}, &facts, &settings};
   EXPECT_FALSE(runner.tasks->RunTask({}, task).ok());  // the fake implements no WorkRange
 }

@@ -9,9 +9,9 @@ constexpr int32_t kSteps = 100;
 }  // namespace
 
 bool ProgressGate::Passes(const PipelineProgress& progress, double now_s) {
-  const int32_t step = progress.layers_total / kSteps + 1;
-  const bool first = told_.layers_total == 0;
-  if (!first && (now_s - told_at_s_ < kEveryS || progress.layers_done - told_.layers_done < step)) {
+  const int32_t step = progress.total / kSteps + 1;
+  const bool first = told_.total == 0;
+  if (!first && (now_s - told_at_s_ < kEveryS || progress.done - told_.done < step)) {
     return false;
   }
   told_ = progress;

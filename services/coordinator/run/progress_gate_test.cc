@@ -7,18 +7,18 @@ namespace {
 
 TEST(ProgressGate, TheFirstPassesAtOnce) {
   ProgressGate gate;
-  EXPECT_TRUE(gate.Passes({.layers_total = 500, .layers_done = 0}, 0));
-  EXPECT_EQ(gate.told().layers_total, 500);
+  EXPECT_TRUE(gate.Passes({.total = 500, .done = 0}, 0));
+  EXPECT_EQ(gate.told().total, 500);
 }
 
 TEST(ProgressGate, LaterOnesPassBySteps) {
   ProgressGate gate;
-  gate.Passes({.layers_total = 500, .layers_done = 0}, 0);
-  EXPECT_FALSE(gate.Passes({.layers_total = 500, .layers_done = 50}, 0.1)) << "too early";
-  EXPECT_FALSE(gate.Passes({.layers_total = 500, .layers_done = 5}, 0.3)) << "too little";
-  EXPECT_TRUE(gate.Passes({.layers_total = 500, .layers_done = 6}, 0.3));
-  EXPECT_EQ(gate.told().layers_done, 6);
-  EXPECT_FALSE(gate.Passes({.layers_total = 500, .layers_done = 60}, 0.4));
+  gate.Passes({.total = 500, .done = 0}, 0);
+  EXPECT_FALSE(gate.Passes({.total = 500, .done = 50}, 0.1)) << "too early";
+  EXPECT_FALSE(gate.Passes({.total = 500, .done = 5}, 0.3)) << "too little";
+  EXPECT_TRUE(gate.Passes({.total = 500, .done = 6}, 0.3));
+  EXPECT_EQ(gate.told().done, 6);
+  EXPECT_FALSE(gate.Passes({.total = 500, .done = 60}, 0.4));
 }
 
 }  // namespace

@@ -59,15 +59,15 @@ JobUpdate Conclusion(const JobRecord& job, const RunWishes& wishes, const absl::
                      const PipelineProgress& told, int64_t now_us) {
   JobUpdate update;
   update.state = JobState::kQueued;
-  update.layers_total = told.layers_total;
+  update.layers_total = told.total;
   if (wishes.cancelled()) {
     update.state = JobState::kCancelled;
-    update.layers_done = told.layers_done;
+    update.layers_done = told.done;
   } else if (wishes.handed_back()) {
     update.claimable_from_us = now_us;
   } else if (wishes.Overdue(now_us)) {
     update.state = JobState::kFailed;
-    update.layers_done = told.layers_done;
+    update.layers_done = told.done;
     update.error = DeadlinePassed();
   } else if (DetailOf(error).reason == Reason::kDiskFull) {
     update.claimable_from_us = now_us + kDiskFullRetryUs;
@@ -86,7 +86,7 @@ JobUpdate Conclusion(const JobRecord& job, const RunWishes& wishes, const absl::
     update.retry = true;
   } else {
     update.state = JobState::kFailed;
-    update.layers_done = told.layers_done;
+    update.layers_done = told.done;
     update.error = JobErrorOf(error);
   }
   return update;

@@ -82,15 +82,14 @@ void MakeCast(Random& random, Scenario& scenario) {
 /// Jobs of two processes, on a farm where some workers run those of one alone, and each process has
 /// a worker.
 void MixProcesses(Random& random, Scenario& scenario) {
-  constexpr slicefarm::Process kBoth[] = {slicefarm::Process::kFdm, slicefarm::Process::kLaser};
   // Equal work is of one process.
   const uint64_t pattern = static_cast<uint64_t>(random.Below(1 << 20));
   for (ClientPlan& client : scenario.clients)
-    client.work.process = kBoth[pattern >> (client.work.id % 20) & 1];
+    client.work.process = slicefarm::kProcesses[pattern >> (client.work.id % 20) & 1].process;
   std::vector<WorkerPlan>& workers = scenario.workers;
   if (workers.size() < 2) return;
   for (size_t i = 0; i < workers.size(); ++i) {
-    if (i < 2 || random.Chance(300)) workers[i].can = {kBoth[i % 2]};
+    if (i < 2 || random.Chance(300)) workers[i].can = {slicefarm::kProcesses[i % 2].process};
   }
 }
 

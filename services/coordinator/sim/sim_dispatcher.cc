@@ -78,7 +78,7 @@ FanOut::JobId SimDispatcher::Execute(const Work& work, const std::string& build,
     job.ranges.push_back({first, last});
     first = last;
   }
-  const FanOut::JobId id = fan_out_->Add(static_cast<int32_t>(job.ranges.size()), {}, work.process);
+  const FanOut::JobId id = fan_out_->Add(static_cast<int32_t>(job.ranges.size()), work.process);
   jobs_.emplace(id, std::move(job));
   WorkNews();
   return id;

@@ -22,7 +22,7 @@ struct Work {
   int32_t layers = 1;
   int64_t layer_us = 1000;  ///< of a worker of speed 1
   Fault fault = Fault::kNone;
-  slicefarm::Process process = slicefarm::Process::kFdm;
+  slicefarm::Process process = slicefarm::kDefaultProcess;
 
   /// Whether the layer in the middle is one of these.
   bool InMiddle(int32_t first, int32_t last) const {

@@ -13,11 +13,11 @@ struct RunReport {
   std::string server;
   std::string build_id;  ///< of the generator
   std::string mix;
-  std::string process = {};  ///< of the jobs: "fdm", "laser" or "both"
-  bool same = false;        ///< one part for all requests, which the server's cache may answer
-  bool retry = false;       ///< refused calls came again when the server said so
-  double intended_rps = 0;  ///< 0: closed loop
-  int in_flight = 0;        ///< how many requests there may be at once
+  std::string process = {};  ///< of the jobs: a name, or "both"
+  bool same = false;         ///< one part for all requests, which the server's cache may answer
+  bool retry = false;        ///< refused calls came again when the server said so
+  double intended_rps = 0;   ///< 0: closed loop
+  int in_flight = 0;         ///< how many requests there may be at once
   int connections = 0;
   double seconds = 0;     ///< during which requests were started
   double deadline_s = 0;  ///< of each request

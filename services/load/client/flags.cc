@@ -21,10 +21,16 @@ const std::map<std::string, ScenarioKind>& Scenarios() {
   return scenarios;
 }
 
-const std::map<std::string, JobProcesses>& Processes() {
-  static const std::map<std::string, JobProcesses> processes = {{"fdm", JobProcesses::kFdm},
-                                                                {"laser", JobProcesses::kLaser},
-                                                                {"both", JobProcesses::kBoth}};
+/// Names of processes, and `both`: of all.
+const std::map<std::string, std::vector<Process>>& Processes() {
+  static const std::map<std::string, std::vector<Process>> processes = [] {
+    std::map<std::string, std::vector<Process>> names;
+    for (const ProcessInfo& info : kProcesses) {
+      names[std::string(info.name)] = {info.process};
+      names["both"].push_back(info.process);
+    }
+    return names;
+  }();
   return processes;
 }
 
@@ -43,7 +49,7 @@ void AddWhat(CLI::App& app, LoadFlags* flags) {
   app.add_option("--mix", flags->mix, "Parts: mixed is 80 % tiny, 18 % medium, 2 % huge")
       ->check(CLI::IsMember({"tiny", "medium", "huge", "mixed"}))
       ->capture_default_str();
-  app.add_option("--process", flags->process, "Of the jobs; both: by turns")
+  app.add_option("--process", flags->process, "Of the jobs; both: of all, by turns")
       ->check(CLI::IsMember(Processes()))
       ->capture_default_str();
   app.add_flag("--same", flags->same, "The same part each time: the server's cache may answer");

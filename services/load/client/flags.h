@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "common/model/process.h"
 #include "common/rpc/security/client_security.h"
 #include "services/load/client/run.h"
 #include "services/load/client/scenario.h"
@@ -20,7 +21,7 @@ struct LoadFlags {
   rpc::ClientSecurity security;
   std::string scenario = "print";
   std::string mix = "tiny";
-  std::string process = "fdm";
+  std::string process = std::string(ProcessName(kDefaultProcess));
   bool same = false;
   bool retry = false;
   std::vector<double> rates;

@@ -117,7 +117,8 @@ TEST_F(LoadTest, PrintUploadsCreatesWatchesAndDownloads) {
 }
 
 TEST_F(LoadTest, JobsOfBothProcessesByTurns) {
-  RunIt({.kind = ScenarioKind::kSubmit, .processes = JobProcesses::kBoth}, Rate(100, 0.3));
+  RunIt({.kind = ScenarioKind::kSubmit, .processes = {Process::kFdm, Process::kLaser}},
+        Rate(100, 0.3));
   ASSERT_GE(fake_.created.size(), 4u);
   const auto lasers = std::count_if(
       fake_.created.begin(), fake_.created.end(),

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/wire/support/enum_wire.h"
 #include "services/load/algo/seeded.h"
 #include "services/load/client/print_request.h"
 
@@ -23,7 +24,7 @@ absl::Status Await(const Start& start) {
 /// What jobs have of their own.
 struct JobNote {
   std::string request_id;  ///< that no other request of this run has
-  v1::Process process = v1::PROCESS_FDM;
+  v1::Process process = EnumToProto<v1::Process>(kDefaultProcess);
 };
 
 class Numbering {
@@ -32,14 +33,13 @@ class Numbering {
       : seed_(options.parts.seed), processes_(options.processes) {}
 
   JobNote Next() {
-    const bool laser = processes_ == JobProcesses::kLaser ||
-                       (processes_ == JobProcesses::kBoth && next_ % 2 == 1);
-    return {RequestId(seed_, next_++), laser ? v1::PROCESS_LASER : v1::PROCESS_FDM};
+    const Process process = processes_[next_ % processes_.size()];
+    return {RequestId(seed_, next_++), EnumToProto<v1::Process>(process)};
   }
 
  private:
   const uint64_t seed_;
-  const JobProcesses processes_;
+  const std::vector<Process> processes_;
   uint64_t next_ = 0;
 };
 
@@ -150,9 +150,8 @@ class GetScenario final : public Scenario {
   absl::Status AddJob(const PartPtr& part, const CallContext& context) {
     const JobNote note = numbers_.Next();
     absl::Status status = Await([&](Done done) {
-      StartPrint(farm_,
-                 {.part = part, .request_id = note.request_id, .process = note.process}, context,
-                 std::move(done));
+      StartPrint(farm_, {.part = part, .request_id = note.request_id, .process = note.process},
+                 context, std::move(done));
     });
     if (!status.ok()) return status;
     // The same request again brings the same job, and so its name.

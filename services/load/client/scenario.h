@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "absl/status/status.h"
+#include "common/model/process.h"
 #include "services/load/algo/loop.h"
 #include "services/load/client/farm.h"
 #include "services/load/client/part_supply.h"
@@ -17,18 +19,11 @@ enum class ScenarioKind {
   kWatch,   ///< upload a part, create its job, watch it to its end many times at once
 };
 
-/// Of which process the jobs are.
-enum class JobProcesses {
-  kFdm,
-  kLaser,
-  kBoth,  ///< by turns
-};
-
 struct ScenarioOptions {
   ScenarioKind kind = ScenarioKind::kPrint;
   PartSupplyOptions parts = {};
-  int watchers = 1;  ///< of each job, for kWatch
-  JobProcesses processes = JobProcesses::kFdm;
+  int watchers = 1;                                    ///< of each job, for kWatch
+  std::vector<Process> processes = {kDefaultProcess};  ///< of the jobs, by turns
 };
 
 /// A kind of request. Outlives its requests.

@@ -1,12 +1,12 @@
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "common/rpc/server/serve.h"
 #include "common/rpc/server/stage_command_line.h"
-#include "common/stage/laser_chain.h"
-#include "common/stage/layer_chain.h"
+#include "processes/list/tasks.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/exposure/algo/local_exposure_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
@@ -18,14 +18,11 @@ namespace {
 
 /// The runners of the processes that are named; of all if none is.
 slicefarm::ProcessRunners RunnersOf(const std::vector<std::string>& names,
-                                    const slicefarm::TaskRunner& fdm,
-                                    const slicefarm::TaskRunner& laser) {
-  using slicefarm::Process;
-  std::vector<const slicefarm::TaskRunner*> runners;
-  for (const auto& [process, runner] :
-       {std::pair(Process::kFdm, &fdm), std::pair(Process::kLaser, &laser)}) {
-    const bool named = std::ranges::find(names, ProcessName(process)) != names.end();
-    if (names.empty() || named) runners.push_back(runner);
+                                    const slicefarm::Stages& stages) {
+  std::vector<std::shared_ptr<const slicefarm::TaskRunner>> runners;
+  for (slicefarm::TaskChain& chain : slicefarm::ChainsOver(stages)) {
+    const bool named = std::ranges::find(names, ProcessName(chain.process)) != names.end();
+    if (names.empty() || named) runners.push_back(std::move(chain.runner));
   }
   return slicefarm::ProcessRunners(std::move(runners));
 }
@@ -35,13 +32,14 @@ slicefarm::ProcessRunners RunnersOf(const std::vector<std::string>& names,
 int main(int argc, char** argv) {
   slicefarm::rpc::ServerProgram program("worker");
   slicefarm::rpc::ServeFlags flags;
-  std::vector<std::string> names;
+  std::vector<std::string> names, all;
+  for (const slicefarm::ProcessInfo& info : slicefarm::kProcesses) all.emplace_back(info.name);
   slicefarm::rpc::StageCommandLine command_line("worker", "the layer stages in one process",
                                                 &flags);
   command_line.AddCount("--slots", &flags.max_concurrent,
                         "Ranges worked on at once; 0: one for each core", 0, 1024);
   command_line.AddChoices("--processes", &names, "Whose ranges it makes, by commas; default: all",
-                          {"fdm", "laser"});
+                          all);
   if (const auto code = command_line.Parse(argc, argv)) return *code;
 
   const auto beading = slicefarm::beading::MakeLocalBeading();
@@ -49,9 +47,11 @@ int main(int argc, char** argv) {
   const auto ordering = slicefarm::ordering::MakeLocalOrdering();
   const auto motion = slicefarm::motion::MakeLocalMotion();
   const auto exposure = slicefarm::exposure::MakeLocalExposure();
-  const slicefarm::LayerChain fdm(*beading, *infill, *ordering, *motion);
-  const slicefarm::LaserChain laser(*exposure);
-  const slicefarm::ProcessRunners runners = RunnersOf(names, fdm, laser);
+  const slicefarm::ProcessRunners runners = RunnersOf(names, {.beading = beading.get(),
+                                                              .infill = infill.get(),
+                                                              .ordering = ordering.get(),
+                                                              .motion = motion.get(),
+                                                              .exposure = exposure.get()});
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
   program.Show(gate);
   const auto service = slicefarm::worker::MakeWorkerService(runners, gate);

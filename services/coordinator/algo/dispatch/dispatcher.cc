@@ -21,15 +21,15 @@ constexpr std::chrono::milliseconds kReadyWait{200};
 using Flag =
     std::shared_ptr<std::atomic<bool>>;  // shared by a call's token and the job that stops it
 
-absl::Status PoisonedError(const LayerRange& range, int tries, const std::string& runner,
+absl::Status PoisonedError(const TaskLabel& task, int tries, const std::string& runner,
                            const absl::Status& last) {
+  std::map<std::string, std::string> metadata = {
+      {"tries", absl::StrCat(tries)}, {"cause", std::string(ReasonName(DetailOf(last).reason))}};
+  for (const auto& [name, number] : task.numbers) metadata[name] = absl::StrCat(number);
   return MakeError(absl::StatusCode::kInternal, Reason::kRangePoisoned,
-                   absl::StrCat("layers ", range.first, " to ", range.last - 1, " failed ", tries,
-                                " times, the last time on ", runner, ": ", last.message()),
-                   {{"layer_first", absl::StrCat(range.first)},
-                    {"layer_last", absl::StrCat(range.last - 1)},
-                    {"tries", absl::StrCat(tries)},
-                    {"cause", std::string(ReasonName(DetailOf(last).reason))}});
+                   absl::StrCat(task.text, " failed ", tries, " times, the last time on ", runner,
+                                ": ", last.message()),
+                   std::move(metadata));
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ struct Dispatcher::Job {
   std::map<int32_t, size_t> prints = {};      ///< of results that may come again, by range
   std::map<FanOut::Ticket, Flag> calls = {};  ///< in flight, those of runners that left included
   size_t taken = 0;                           ///< results
-  int32_t layers_done = 0;
+  int32_t weight_done = 0;
   int64_t program_bytes = 0;
   bool over = false;
   absl::Status status = absl::OkStatus();
@@ -135,20 +135,21 @@ DispatchCounts Dispatcher::Counts() const {
 
 absl::Status Dispatcher::Execute(const StageCall& call, std::span<const Task> tasks,
                                  const TakeResult& take,
-                                 const std::function<void(int32_t)>& layers_done) {
+                                 const std::function<void(int32_t)>& weight_done) {
+  if (tasks.empty()) return absl::OkStatus();
   Lock lock(mutex_);
-  const Process process = tasks.empty() ? Process::kFdm : ProcessOf(tasks.front());
-  Job job{fan_out_.Add(static_cast<int32_t>(tasks.size()), call.claimant, process), call, tasks,
+  const Process process = tasks.front().process();
+  Job job{fan_out_.Add(static_cast<int32_t>(tasks.size()), process, call.claimant), call, tasks,
           take};
   jobs_[job.id] = &job;
   work_.notify_all();
   int32_t told = 0;
-  while (!job.over && (!job.Whole() || told < job.layers_done)) {
-    if (told == job.layers_done) AwaitEnd(lock, job);
-    if (told == job.layers_done) continue;
-    told = job.layers_done;
+  while (!job.over && (!job.Whole() || told < job.weight_done)) {
+    if (told == job.weight_done) AwaitEnd(lock, job);
+    if (told == job.weight_done) continue;
+    told = job.weight_done;
     lock.unlock();
-    if (layers_done) layers_done(told);
+    if (weight_done) weight_done(told);
     lock.lock();
   }
   fan_out_.Remove(job.id);
@@ -265,15 +266,15 @@ void Dispatcher::Accept(Lock& lock, const Assignment& assignment, TaskResult res
   const auto accepted = fan_out_.Succeeded(assignment.grant, clock_.Seconds());
   if (!accepted.first) {
     const auto first = job.prints.find(range);
-    if (first != job.prints.end() && first->second != PrintOf(result)) fan_out_.Differed();
+    if (first != job.prints.end() && first->second != result.Print()) fan_out_.Differed();
     return;
   }
   for (const FanOut::Ticket ticket : accepted.superfluous) {
     if (const auto call = job.calls.find(ticket); call != job.calls.end())
       call->second->store(true);
   }
-  if (!accepted.superfluous.empty()) job.prints[range] = PrintOf(result);
-  job.program_bytes += ProgramBytesOf(result);
+  if (!accepted.superfluous.empty()) job.prints[range] = result.Print();
+  job.program_bytes += result.ProgramBytes();
   if (job.program_bytes > options_.most_program_bytes)
     return End(job, LimitError(Reason::kRequestTooLarge, "bytes of the job's program",
                                options_.most_program_bytes, job.program_bytes));
@@ -283,7 +284,7 @@ void Dispatcher::Accept(Lock& lock, const Assignment& assignment, TaskResult res
   if (job.over) return;
   if (!taken.ok()) return End(job, std::move(taken));
   ++job.taken;
-  job.layers_done += LayersOf(job.tasks[range]).size();
+  job.weight_done += job.tasks[range].weight();
 }
 
 void Dispatcher::Reject(Job& job, const Member& member, const Assignment& assignment,
@@ -296,7 +297,7 @@ void Dispatcher::Reject(Job& job, const Member& member, const Assignment& assign
     case FanOut::Verdict::kInputAtFault:
       return End(job, error);
     case FanOut::Verdict::kPoisoned:
-      return End(job, PoisonedError(LayersOf(job.tasks[range]), fan_out_.Tries(job.id, range),
+      return End(job, PoisonedError(job.tasks[range].label(), fan_out_.Tries(job.id, range),
                                     member.runner.name, error));
   }
 }

@@ -31,7 +31,7 @@ struct DispatcherOptions {
 /// A runner gets tasks of its processes only.
 ///
 /// Errors: a stage's own where it says that the input is at fault (INVALID_ARGUMENT, OUT_OF_RANGE);
-/// RANGE_POISONED naming the layers where a range failed too often; REQUEST_TOO_LARGE where the
+/// RANGE_POISONED with the label of a task that failed too often; REQUEST_TOO_LARGE where the
 /// results come to more bytes than a program may have; CANCELLED. BUILD_MISMATCH is
 /// the runner's fault and no try of the range. With no runner for their process, Execute waits for
 /// one to join. Thread-safe. REQUIRES: no Execute runs any more when it is destroyed.
@@ -44,7 +44,7 @@ class Dispatcher : public TaskExecutor, public RunnerSet {
   void Leave(RunnerId id) override;
 
   absl::Status Execute(const StageCall& call, std::span<const Task> tasks, const TakeResult& take,
-                       const std::function<void(int32_t)>& layers_done) override;
+                       const std::function<void(int32_t)>& weight_done) override;
   int Slots(Process process) const override;
 
   DispatchCounts Counts() const;

@@ -11,6 +11,8 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
+#include "processes/fdm/task/fdm_task.h"
+#include "processes/laser/task/laser_task.h"
 
 namespace slicefarm::coordinator::dispatcher_test {
 namespace {
@@ -96,9 +98,9 @@ testing::AssertionResult IsWhole(const absl::StatusOr<std::vector<TaskResult>>& 
   if (!results.ok()) return testing::AssertionFailure() << results.status();
   if (results->size() != tasks.size()) return testing::AssertionFailure() << results->size();
   for (size_t i = 0; i < tasks.size(); ++i) {
-    const auto& programs = std::get<FdmResult>((*results)[i]).programs;
-    if (static_cast<int>(programs.size()) != LayersOf(tasks[i]).size() ||
-        programs[0].frame.index != LayersOf(tasks[i]).first) {
+    const auto& programs = (*results)[i].As<FdmResult>().programs;
+    if (static_cast<int>(programs.size()) != tasks[i].As<FdmTask>().range.size() ||
+        programs[0].frame.index != tasks[i].As<FdmTask>().range.first) {
       return testing::AssertionFailure() << "range " << i;
     }
   }
@@ -401,8 +403,7 @@ TEST(Dispatcher, JobsWaitForRunnersOfTheirProcess) {
   dispatcher.Join({.name = "laser", .tasks = std::make_shared<FakeLaser>(), .await_ready = {}});
   waits.join();
   ASSERT_TRUE(scanned.ok()) << scanned.status();
-  for (const TaskResult& result : *scanned)
-    EXPECT_EQ(std::get<LaserResult>(result).programs.size(), 1u);
+  for (const TaskResult& result : *scanned) EXPECT_EQ(result.As<LaserResult>().programs.size(), 1u);
 }
 
 /// A runner that dies of one task, with all that it runs at the time, and is back at once.

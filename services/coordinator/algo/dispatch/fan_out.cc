@@ -25,7 +25,7 @@ bool IsDeath(const absl::Status& status) {
 
 }  // namespace
 
-FanOut::JobId FanOut::Add(int32_t ranges, Claimant claimant, Process process) {
+FanOut::JobId FanOut::Add(int32_t ranges, Process process, Claimant claimant) {
   const JobId id = next_job_++;
   jobs_.emplace(id, Job{RangeScheduler(ranges, options_), std::move(claimant), process});
   return id;

@@ -59,7 +59,7 @@ class FanOut {
       : options_(options), hedges_left_(options.hedge_burst) {}
 
   /// A job with so many ranges to run, by runners that know its process.
-  JobId Add(int32_t ranges, Claimant claimant = {}, Process process = Process::kFdm);
+  JobId Add(int32_t ranges, Process process, Claimant claimant = {});
 
   /// Nothing of the job is wanted any more.
   void Remove(JobId job);
@@ -93,7 +93,7 @@ class FanOut {
   struct Job {
     RangeScheduler scheduler;
     Claimant claimant;
-    Process process = Process::kFdm;
+    Process process;
     int64_t last_turn = 0;
   };
 

@@ -12,8 +12,8 @@ using Verdict = FanOut::Verdict;
 
 TEST(FanOut, JobsTakeTurns) {
   FanOut fan_out;
-  const auto first = fan_out.Add(3);
-  const auto second = fan_out.Add(3);
+  const auto first = fan_out.Add(3, Process::kFdm);
+  const auto second = fan_out.Add(3, Process::kFdm);
   std::vector<FanOut::JobId> order;
   for (int i = 0; i < 6; ++i) order.push_back(fan_out.Take(1, 0)->job);
   EXPECT_EQ(order, (std::vector<FanOut::JobId>{first, second, first, second, first, second}));
@@ -23,18 +23,18 @@ TEST(FanOut, JobsTakeTurns) {
 
 TEST(FanOut, TheJobWithTheFewestRangesInFlightComesFirst) {
   FanOut fan_out;
-  const auto first = fan_out.Add(9);
+  const auto first = fan_out.Add(9, Process::kFdm);
   for (int i = 0; i < 3; ++i) fan_out.Take(1, 0);
-  const auto late = fan_out.Add(9);
+  const auto late = fan_out.Add(9, Process::kFdm);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(fan_out.Take(1, 0)->job, late);
   EXPECT_EQ(fan_out.Take(1, 0)->job, first);
 }
 
 TEST(FanOut, TenantsShareEvenlyHoweverManyJobsTheyHave) {
   FanOut fan_out;
-  for (int i = 0; i < 7; ++i) fan_out.Add(9, {"many"});
+  for (int i = 0; i < 7; ++i) fan_out.Add(9, Process::kFdm, {"many"});
   for (int i = 0; i < 4; ++i) fan_out.Take(1, 0);
-  const auto one = fan_out.Add(9, {"one"});
+  const auto one = fan_out.Add(9, Process::kFdm, {"one"});
   int of_one = 0;
   for (int i = 0; i < 12; ++i) of_one += fan_out.Take(1, 0)->job == one;
   EXPECT_EQ(of_one, 8) << "as many as the other tenant then has";
@@ -42,10 +42,10 @@ TEST(FanOut, TenantsShareEvenlyHoweverManyJobsTheyHave) {
 
 TEST(FanOut, ATenantsUrgentJobComesBeforeItsOthers) {
   FanOut fan_out;
-  const auto bulk = fan_out.Add(9, {"a", 0});
+  const auto bulk = fan_out.Add(9, Process::kFdm, {"a", 0});
   fan_out.Take(1, 0);
-  const auto urgent = fan_out.Add(3, {"a", 2});
-  const auto others = fan_out.Add(9, {"b", 0});
+  const auto urgent = fan_out.Add(3, Process::kFdm, {"a", 2});
+  const auto others = fan_out.Add(9, Process::kFdm, {"b", 0});
   std::vector<FanOut::JobId> order;
   for (int i = 0; i < 8; ++i) order.push_back(fan_out.Take(1, 0)->job);
   EXPECT_EQ(order, (std::vector<FanOut::JobId>{others, urgent, others, urgent, others, urgent,
@@ -54,9 +54,9 @@ TEST(FanOut, ATenantsUrgentJobComesBeforeItsOthers) {
 
 TEST(FanOut, NothingIsDoubledWhileAnythingIsQueued) {
   FanOut fan_out;
-  const auto slow = fan_out.Add(1);
+  const auto slow = fan_out.Add(1, Process::kFdm);
   fan_out.Take(1, 0);
-  const auto other = fan_out.Add(1);
+  const auto other = fan_out.Add(1, Process::kFdm);
   EXPECT_EQ(fan_out.Take(2, 100)->job, other);
   EXPECT_EQ(fan_out.Take(2, 100)->job, slow) << "a second copy of what runner 1 does not end";
   EXPECT_EQ(fan_out.Counts().hedged, 1);
@@ -64,7 +64,7 @@ TEST(FanOut, NothingIsDoubledWhileAnythingIsQueued) {
 
 TEST(FanOut, SecondCopiesHaveABudget) {
   FanOut fan_out({.hedge_after_s = 1, .hedge_share = 0.5, .hedge_burst = 1});
-  fan_out.Add(4);
+  fan_out.Add(4, Process::kFdm);
   const auto first = *fan_out.Take(1, 0);
   const auto second = *fan_out.Take(1, 0);
   const auto third = *fan_out.Take(1, 0);
@@ -82,7 +82,7 @@ TEST(FanOut, SecondCopiesHaveABudget) {
 
 TEST(FanOut, ErrorsEndAJobOrDoNot) {
   FanOut fan_out;
-  const auto job = fan_out.Add(1);
+  const auto job = fan_out.Add(1, Process::kFdm);
   const auto fail = [&](RunnerId runner, const absl::Status& error, double now_s = 0) {
     return fan_out.Failed(*fan_out.Take(runner, now_s), error);
   };
@@ -93,7 +93,7 @@ TEST(FanOut, ErrorsEndAJobOrDoNot) {
   EXPECT_EQ(fail(1, absl::InternalError("")), Verdict::kGoesOn);
   EXPECT_EQ(fail(2, absl::UnavailableError("")), Verdict::kPoisoned) << "tried there alone";
   EXPECT_EQ(fan_out.Counts().poisoned, 1);
-  const auto bad = fan_out.Add(1);
+  const auto bad = fan_out.Add(1, Process::kFdm);
   const auto grant = *fan_out.Take(1, 0);
   EXPECT_EQ(grant.job, bad);
   EXPECT_EQ(fan_out.Failed(grant, absl::InvalidArgumentError("")), Verdict::kInputAtFault);
@@ -103,8 +103,8 @@ const absl::Status kBroken = absl::UnavailableError("Socket closed");
 
 TEST(FanOut, WhatARunnerDiedOfRunsAlone) {
   FanOut fan_out;
-  const auto poison = fan_out.Add(1, {"a"});
-  const auto other = fan_out.Add(9, {"b"});
+  const auto poison = fan_out.Add(1, Process::kFdm, {"a"});
+  const auto other = fan_out.Add(9, Process::kFdm, {"b"});
   const auto killer = *fan_out.Take(1, 0), innocent = *fan_out.Take(1, 0);
   EXPECT_EQ(fan_out.Take(2, 0)->job, other);
   EXPECT_EQ(killer.job, poison);
@@ -129,7 +129,7 @@ TEST(FanOut, WhatARunnerDiedOfRunsAlone) {
 
 TEST(FanOut, ARunnerIsKeptFreeForASuspect) {
   FanOut fan_out;
-  fan_out.Add(9);
+  fan_out.Add(9, Process::kFdm);
   const auto killer = *fan_out.Take(1, 0);
   const auto busy = *fan_out.Take(2, 0), more = *fan_out.Take(2, 0);
   fan_out.Failed(killer, kBroken);
@@ -149,7 +149,7 @@ TEST(FanOut, ARunnerIsKeptFreeForASuspect) {
 
 TEST(FanOut, AServerThatSaysWhyDidNotDie) {
   FanOut fan_out;
-  fan_out.Add(1);
+  fan_out.Add(1, Process::kFdm);
   const auto stops = MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, "it stops",
                                {{"retry_after_ms", "100"}});
   fan_out.Failed(*fan_out.Take(1, 0), stops);
@@ -159,11 +159,11 @@ TEST(FanOut, AServerThatSaysWhyDidNotDie) {
 
 TEST(FanOut, ASuspectOfAJobThatIsGoneHoldsNothingUp) {
   FanOut fan_out;
-  const auto job = fan_out.Add(1);
+  const auto job = fan_out.Add(1, Process::kFdm);
   fan_out.Failed(*fan_out.Take(1, 0), kBroken);
   const auto alone = *fan_out.Take(1, 0);
   fan_out.Remove(job);
-  fan_out.Add(1);
+  fan_out.Add(1, Process::kFdm);
   EXPECT_FALSE(fan_out.Take(1, 0));
   fan_out.Returned(alone);
   EXPECT_TRUE(fan_out.Take(1, 0));
@@ -171,7 +171,7 @@ TEST(FanOut, ASuspectOfAJobThatIsGoneHoldsNothingUp) {
 
 TEST(FanOut, AnswersForAJobThatIsGoneMeanNothing) {
   FanOut fan_out;
-  const auto job = fan_out.Add(2);
+  const auto job = fan_out.Add(2, Process::kFdm);
   const auto one = *fan_out.Take(1, 0);
   const auto two = *fan_out.Take(1, 0);
   fan_out.Remove(job);
@@ -183,7 +183,7 @@ TEST(FanOut, AnswersForAJobThatIsGoneMeanNothing) {
 
 TEST(FanOut, RequeuedRangesAreCountedAfterTheirJobAsWell) {
   FanOut fan_out;
-  const auto job = fan_out.Add(2);
+  const auto job = fan_out.Add(2, Process::kFdm);
   fan_out.Take(1, 0);
   fan_out.RunnerGone(1);
   EXPECT_EQ(fan_out.Counts().requeued, 1);
@@ -202,8 +202,8 @@ TEST(FanOut, RestsDoubleUpToTheMaximum) {
 
 TEST(FanOut, ARunnerGetsTasksOfItsProcessesOnly) {
   FanOut fan_out;
-  const auto fdm = fan_out.Add(2, {}, Process::kFdm);
-  const auto laser = fan_out.Add(2, {}, Process::kLaser);
+  const auto fdm = fan_out.Add(2, Process::kFdm);
+  const auto laser = fan_out.Add(2, Process::kLaser);
   EXPECT_TRUE(fan_out.AnyQueued({Process::kLaser}));
   for (int i = 0; i < 2; ++i) {
     const auto grant = fan_out.Take(1, 0, {Process::kLaser});
@@ -222,7 +222,7 @@ TEST(FanOut, ARunnerGetsTasksOfItsProcessesOnly) {
 // Slow ranges are doubled by those who know how to make them.
 TEST(FanOut, DoublesGoToRunnersOfTheProcessOnly) {
   FanOut fan_out({.hedge_after_s = 0});
-  const auto laser = fan_out.Add(2, {}, Process::kLaser);
+  const auto laser = fan_out.Add(2, Process::kLaser);
   const auto first = fan_out.Take(1, 0);
   ASSERT_TRUE(first.has_value());
   const auto second = fan_out.Take(2, 0);

@@ -20,13 +20,9 @@ void NoteOutcome(const absl::StatusOr<TaskResult>& result, ScopedSpan& span) {
     return;
   }
   span.Set("outcome", "ok");
-  const StageTimes& times = TimesOf(*result);
-  for (const auto& [stage, seconds] :
-       {std::pair{"beading_s", times.beading_s}, std::pair{"infill_s", times.infill_s},
-        std::pair{"ordering_s", times.ordering_s}, std::pair{"motion_s", times.motion_s},
-        std::pair{"exposure_s", times.exposure_s}}) {
-    if (seconds > 0) span.Set(stage, absl::StrCat(seconds));
-  }
+  for (const StageInfo& info : kStages)
+    if (const double seconds = result->times()[info.stage]; seconds > 0)
+      span.Set(absl::StrCat(std::string(info.name), "_s"), absl::StrCat(seconds));
 }
 
 }  // namespace
@@ -39,8 +35,7 @@ class Fleet::Watched : public TaskRunner {
   ProcessSet processes() const override { return runner_.tasks->processes(); }
 
   absl::StatusOr<TaskResult> RunTask(const StageCall& call, const Task& task) const override {
-    const LayerRange& layers = LayersOf(task);
-    const std::string name = absl::StrCat("layers ", layers.first, "-", layers.last - 1);
+    const std::string& name = task.label().text;
     const int64_t turn = Begin(call, task);
     StageCall traced = call;
     traced.trace = ChildSpan(call.trace, absl::StrCat(name, " ", member_, "/", turn));
@@ -56,7 +51,7 @@ class Fleet::Watched : public TaskRunner {
     RunnerAtWork now = {runner_.name, runner_.slots, {}};
     const std::lock_guard lock(mutex_);
     for (const auto& [turn, at_work] : at_work_) {
-      now.ranges.push_back({at_work.job_id, at_work.layers, at_work.clock.Seconds()});
+      now.tasks.push_back({at_work.job_id, at_work.task, at_work.clock.Seconds()});
     }
     return now;
   }
@@ -64,13 +59,13 @@ class Fleet::Watched : public TaskRunner {
  private:
   struct AtWork {
     std::string job_id;
-    LayerRange layers;
+    std::string task;
     Stopwatch clock = {};
   };
 
   int64_t Begin(const StageCall& call, const Task& task) const {
     const std::lock_guard lock(mutex_);
-    at_work_.emplace(++turns_, AtWork{call.job_id, LayersOf(task)});
+    at_work_.emplace(++turns_, AtWork{call.job_id, task.label().text});
     return turns_;
   }
 

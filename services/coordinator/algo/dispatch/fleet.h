@@ -7,15 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "common/model/layer.h"
 #include "services/coordinator/algo/dispatch/runner_set.h"
 
 namespace slicefarm::coordinator {
 
-/// A range that is being worked on.
-struct RangeAtWork {
+/// A task that is being worked on.
+struct TaskAtWork {
   std::string job_id;
-  LayerRange layers;
+  std::string task;    ///< its label
   double since_s = 0;  ///< for how long
 };
 
@@ -23,7 +22,7 @@ struct RangeAtWork {
 struct RunnerAtWork {
   std::string name;
   int slots = 0;
-  std::vector<RangeAtWork> ranges;
+  std::vector<TaskAtWork> tasks;
 };
 
 /// Stands before the runners and sees each of their calls: who has what to do now, and, in the span

@@ -7,6 +7,7 @@
 
 #include "common/base/error.h"
 #include "common/base/span_log.h"
+#include "processes/fdm/task/fdm_task.h"
 
 namespace slicefarm::coordinator::fleet_test {
 namespace {
@@ -77,11 +78,11 @@ TEST_F(FleetTest, ShowsWhatIsBeingWorkedOn) {
   ASSERT_THAT(seen, SizeIs(1));
   EXPECT_EQ(seen[0].name, "w:1");
   EXPECT_EQ(seen[0].slots, 3);
-  ASSERT_THAT(seen[0].ranges, SizeIs(1));
-  EXPECT_EQ(seen[0].ranges[0].job_id, "j1");
-  EXPECT_EQ(seen[0].ranges[0].layers, (LayerRange{8, 16}));
-  EXPECT_GE(seen[0].ranges[0].since_s, 0);
-  EXPECT_THAT(fleet_.Runners()[0].ranges, IsEmpty());
+  ASSERT_THAT(seen[0].tasks, SizeIs(1));
+  EXPECT_EQ(seen[0].tasks[0].job_id, "j1");
+  EXPECT_EQ(seen[0].tasks[0].task, "layers 8 to 15");
+  EXPECT_GE(seen[0].tasks[0].since_s, 0);
+  EXPECT_THAT(fleet_.Runners()[0].tasks, IsEmpty());
   fleet_.Leave(id);
   EXPECT_THAT(fleet_.Runners(), IsEmpty());
   EXPECT_THAT(kept_.runners, IsEmpty());
@@ -92,7 +93,7 @@ TEST_F(FleetTest, EachCallIsASpanOfItsJob) {
   const RunnerId good = Join("w:1", [&](const StageCall& call) {
     traces.push_back(call.trace);
     FdmResult result;
-    result.times.infill_s = 0.5;
+    result.times[Stage::kInfill] = 0.5;
     return result;
   });
   const RunnerId bad = Join("w:2", [&](const StageCall& call) -> absl::StatusOr<FdmResult> {
@@ -105,7 +106,7 @@ TEST_F(FleetTest, EachCallIsASpanOfItsJob) {
 
   const auto spans = spans_.spans();
   ASSERT_THAT(spans, SizeIs(3));
-  EXPECT_EQ(spans[0].name, "layers 0-7");
+  EXPECT_EQ(spans[0].name, "layers 0 to 7");
   EXPECT_EQ(spans[0].track, "w:2");
   EXPECT_THAT(spans[0].facts, ElementsAre(Pair("error", "gone"), Pair("outcome", "UNAVAILABLE"),
                                           Pair("span_id", traces[0].span_id)));

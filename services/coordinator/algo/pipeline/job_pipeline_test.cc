@@ -5,9 +5,12 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
+#include "processes/fdm/task/fdm_task.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 
 namespace slicefarm::coordinator::job_pipeline_test {
@@ -26,7 +29,7 @@ class NamedLayers : public FdmRunner {
 /// Ten layers, a task each; joined, they count.
 class Counted : public PlannedJob {
  public:
-  int32_t LayerCount() const override { return 10; }
+  int32_t Weight() const override { return 10; }
   absl::StatusOr<std::vector<Task>> Tasks(int /*slots*/) override {
     std::vector<Task> tasks;
     for (int32_t i = 0; i < 10; ++i) {
@@ -37,7 +40,7 @@ class Counted : public PlannedJob {
     return tasks;
   }
   absl::Status Take(size_t task, TaskResult result) override {
-    texts_[task] = std::get<FdmResult>(result).programs[0].gcode;
+    texts_[task] = result.As<FdmResult>().programs[0].gcode;
     return absl::OkStatus();
   }
   absl::StatusOr<JobOutput> Assemble(const StageCall&) override {
@@ -57,6 +60,10 @@ class CountedProcess : public JobProcess {
     if (!fails.ok()) return fails;
     return std::make_unique<Counted>();
   }
+  absl::StatusOr<JobEstimate> Estimate(const StageCall&, SlicedJob, JobInput,
+                                       TaskExecutor&) const override {
+    return JobEstimate();
+  }
 
   absl::Status fails;
 };
@@ -67,15 +74,23 @@ class JobPipelineTest : public testing::Test {
     dispatcher_.Join({.name = "here", .tasks = std::make_shared<NamedLayers>(), .slots = 3});
   }
 
+  /// Of a process whose plans fail with this.
+  JobPipeline Pipeline(const absl::Status& fails = {}) {
+    auto process = std::make_unique<CountedProcess>();
+    process->fails = fails;
+    std::vector<std::unique_ptr<JobProcess>> processes;
+    processes.push_back(std::move(process));
+    return {std::move(processes), dispatcher_};
+  }
+
   Dispatcher dispatcher_;
-  CountedProcess process_;
 };
 
 TEST_F(JobPipelineTest, PutsResultsTogetherInTheirOrder) {
   std::vector<int32_t> done;
-  const auto output = JobPipeline({&process_}, dispatcher_).Run({}, {}, [&](PipelineProgress p) {
-    EXPECT_EQ(p.layers_total, 10);
-    done.push_back(p.layers_done);
+  const auto output = Pipeline().Run({}, {}, [&](PipelineProgress p) {
+    EXPECT_EQ(p.total, 10);
+    done.push_back(p.done);
   });
   ASSERT_TRUE(output.ok()) << output.status();
   EXPECT_EQ(*output->program.Whole(), "0 1 2 3 4 5 6 7 8 9 ");
@@ -84,8 +99,8 @@ TEST_F(JobPipelineTest, PutsResultsTogetherInTheirOrder) {
 }
 
 TEST_F(JobPipelineTest, ErrorsOfThePlanEndTheJob) {
-  process_.fails = absl::UnavailableError("no plan");
-  EXPECT_EQ(JobPipeline({&process_}, dispatcher_).Run({}, {}, nullptr).status(), process_.fails);
+  const absl::Status fails = absl::UnavailableError("no plan");
+  EXPECT_EQ(Pipeline(fails).Run({}, {}, nullptr).status(), fails);
 }
 
 TEST_F(JobPipelineTest, AProcessThatIsNotThereIsAnError) {

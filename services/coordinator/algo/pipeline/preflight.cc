@@ -5,12 +5,8 @@
 #include <utility>
 
 #include "common/geometry/measure.h"
-#include "services/coordinator/algo/pipeline/bed_warnings.h"
 #include "services/coordinator/algo/pipeline/check_printable.h"
-#include "services/coordinator/algo/pipeline/exposure_estimate.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
-#include "services/coordinator/algo/pipeline/pass_facts.h"
-#include "services/coordinator/algo/pipeline/scan_runs.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -25,44 +21,12 @@ double AreaMm2(const SlicedLayer& layer, const std::vector<PlacedCopy>& copies) 
   return nm2 * 1e-12;
 }
 
-/// Plates of FDM are planned, and some of their layers made, where there is somebody to make them.
-absl::StatusOr<PrintEstimate> EstimateOf(const StageCall& call, SlicedJob sliced, JobInput input,
-                                         const PlanningStage& planning, const Sampling* sampling,
-                                         Preflight& found) {
-  const JobSettings& settings = input.settings;
-  if (settings.process == Process::kLaser) {
-    const SlicedOutlines outlines = {sliced.layers, sliced.copies};
-    if (absl::Status fits = CheckRuns(settings, outlines); !fits.ok()) return fits;
-    return EstimateExposure(outlines, settings.exposure);
-  }
-  const bool samples = sampling != nullptr && sampling->executor.Slots(Process::kFdm) > 0;
-  if (!samples && !settings.planning.sequence.complete_objects)
-    return EstimatePrint({sliced.layers, sliced.copies}, settings);
-  PlanningOptions options = settings.planning;
-  options.infill = InfillPlansOf(settings);
-  auto plan = planning.Plan(call, {sliced.layers, sliced.copies, sliced.object_names}, options);
-  if (!plan.ok()) return plan.status();
-  if (settings.planning.sequence.complete_objects)
-    found.layers = PassesOf(sliced.layers, plan->copies).layer_count;
-  if (!samples) return EstimatePrint({sliced.layers, sliced.copies}, settings);
-  std::ranges::move(BedWarnings(plan->additions, options.bed, sliced.copies, sliced.object_names),
-                    std::back_inserter(found.warnings));
-  const std::vector<LayerEstimate> rough = EstimateLayers({sliced.layers, sliced.copies}, settings);
-  const std::vector<int32_t> layers = LayersToSample(rough, plan->additions);
-  const MotionOptions motion = settings.motion;
-  const auto made =
-      sampling->fdm.Sample(call,
-                           {std::move(sliced), *std::move(plan), std::move(input.settings),
-                            std::move(input.settings_text)},
-                           layers, sampling->executor);
-  if (!made.ok()) return made.status();
-  return EstimateFrom(*made, rough, motion);
-}
-
 }  // namespace
 
 absl::StatusOr<Preflight> LookAt(const StageCall& call, JobInput input, const SlicingStage& slicing,
-                                 const PlanningStage& planning, const Sampling* sampling) {
+                                 const JobPipeline& pipeline) {
+  const JobProcess* process = pipeline.Find(input.settings.process());
+  if (process == nullptr) return ProcessUnavailable(input.settings.process());
   auto sliced = slicing.Slice(call, std::move(input.meshes), input.settings.slicing);
   if (!sliced.ok()) return sliced.status();
   if (absl::Status printable = CheckPrintable(sliced->layers); !printable.ok()) return printable;
@@ -75,9 +39,13 @@ absl::StatusOr<Preflight> LookAt(const StageCall& call, JobInput input, const Sl
   for (const MeshReport& mesh : found.meshes) {
     for (std::string& warning : MeshWarnings(mesh)) found.warnings.push_back(std::move(warning));
   }
-  auto estimate = EstimateOf(call, *std::move(sliced), std::move(input), planning, sampling, found);
+  auto estimate =
+      process->Estimate(call, *std::move(sliced), std::move(input), pipeline.executor());
   if (!estimate.ok()) return estimate.status();
-  found.estimate = *estimate;
+  found.layers = estimate->layers.value_or(found.layers);
+  found.print_time_s = estimate->print_time_s;
+  found.filament = estimate->filament;
+  std::ranges::move(estimate->warnings, std::back_inserter(found.warnings));
   return found;
 }
 

@@ -6,8 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/stage/stages.h"
-#include "services/coordinator/algo/pipeline/print_estimate.h"
-#include "services/coordinator/algo/process/fdm_process.h"
+#include "services/coordinator/algo/pipeline/job_pipeline.h"
 
 namespace slicefarm::coordinator {
 
@@ -16,23 +15,17 @@ struct Preflight {
   std::vector<MeshReport> meshes;
   int32_t layers = 0;  ///< of all copies, if they are printed one after the other
   double first_layer_area_mm2 = 0;
-  PrintEstimate estimate;
+  double print_time_s = 0;
+  FilamentUse filament;
   std::vector<OrientationAdvice> orientations;  ///< if the input asks for them
   std::vector<std::string> warnings;  ///< those of the settings, then what the meshes lack
 };
 
-/// Who makes single layers.
-struct Sampling {
-  const FdmProcess& fdm;
-  TaskExecutor& executor;
-};
-
-/// Slices the meshes and looks at the outlines. With complete_objects it plans the job as well, to
-/// see whether the copies have an order. With `sampling`, and runners there, jobs of FDM are
-/// planned and a few of their layers made, which is what the estimate is then of; without, it is
-/// of outlines alone. Errors: those of slicing, OUT_OF_BUILD_VOLUME among them; NOTHING_TO_PRINT;
-/// those of planning, OBJECTS_COLLIDE among them; those of the stages that make layers.
+/// Slices the meshes and looks at the outlines; the job's process estimates what it will take, and
+/// may make some of its tasks to see. Errors: those of slicing, OUT_OF_BUILD_VOLUME among them;
+/// NOTHING_TO_PRINT; those of planning, OBJECTS_COLLIDE among them; those of the stages that make
+/// layers; PROCESS_UNAVAILABLE.
 absl::StatusOr<Preflight> LookAt(const StageCall& call, JobInput input, const SlicingStage& slicing,
-                                 const PlanningStage& planning, const Sampling* sampling = nullptr);
+                                 const JobPipeline& pipeline);
 
 }  // namespace slicefarm::coordinator

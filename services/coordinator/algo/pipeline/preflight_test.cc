@@ -5,6 +5,8 @@
 
 #include "common/base/error.h"
 #include "common/geometry/text_format.h"
+#include "processes/fdm/job/fdm_process.h"
+#include "processes/fdm/task/fdm_task.h"
 
 namespace slicefarm::coordinator::preflight_test {
 namespace {
@@ -69,25 +71,13 @@ JobInput Input() {
   return input;
 }
 
-TEST(LookAt, TellsWhatThePlateIsLike) {
-  const auto found = LookAt({}, Input(), FakeSlicing(10), FakePlanning());
-  ASSERT_TRUE(found.ok()) << found.status();
-  EXPECT_EQ(found->layers, 10);
-  EXPECT_DOUBLE_EQ(found->first_layer_area_mm2, 100);
-  EXPECT_EQ(found->meshes.size(), 1);
-  EXPECT_THAT(found->warnings,
-              ElementsAre("of a setting", HasSubstr("4 edges with one face only")));
-  EXPECT_GT(found->estimate.print_time_s, 0);
-  EXPECT_NEAR(found->estimate.filament.volume_mm3, 200, 1e-6) << "all of it is skin";
-}
-
 /// Layers of 3 s and 5 mm.
 class FakeRunners : public TaskExecutor {
  public:
   absl::Status Execute(const StageCall&, std::span<const Task> tasks, const TakeResult& take,
                        const std::function<void(int32_t)>&) override {
     for (size_t i = 0; i < tasks.size(); ++i) {
-      const FdmTask& range = std::get<FdmTask>(tasks[i]);
+      const FdmTask& range = tasks[i].As<FdmTask>();
       EXPECT_EQ(range.range.size(), 1);
       EXPECT_EQ(range.plans.size(), 1u);
       LayerProgram program;
@@ -125,71 +115,102 @@ class FakeMotion : public MotionStage {
   }
 };
 
+/// LookAt, over the process of filament with these stages.
+absl::StatusOr<Preflight> Look(const StageCall& call, JobInput input, const SlicingStage& slicing,
+                               const PlanningStage& planning, FakeRunners& runners) {
+  const FakeMotion motion;
+  std::vector<std::unique_ptr<JobProcess>> processes;
+  processes.push_back(std::make_unique<FdmProcess>(slicing, planning, motion));
+  return LookAt(call, std::move(input), slicing, JobPipeline(std::move(processes), runners));
+}
+
+/// Where nobody makes layers.
+absl::StatusOr<Preflight> Look(const StageCall& call, JobInput input, const SlicingStage& slicing,
+                               const PlanningStage& planning) {
+  FakeRunners none;
+  none.slots = 0;
+  return Look(call, std::move(input), slicing, planning, none);
+}
+
+TEST(LookAt, TellsWhatThePlateIsLike) {
+  const auto found = Look({}, Input(), FakeSlicing(10), FakePlanning());
+  ASSERT_TRUE(found.ok()) << found.status();
+  EXPECT_EQ(found->layers, 10);
+  EXPECT_DOUBLE_EQ(found->first_layer_area_mm2, 100);
+  EXPECT_EQ(found->meshes.size(), 1);
+  EXPECT_THAT(found->warnings,
+              ElementsAre("of a setting", HasSubstr("4 edges with one face only")));
+  EXPECT_GT(found->print_time_s, 0);
+  EXPECT_NEAR(found->filament.volume_mm3, 200, 1e-6) << "all of it is skin";
+}
+
 TEST(LookAt, MakesSomeLayersWhereThereIsSomebodyToMakeThem) {
   const FakeSlicing slicing(10);
   const FakePlanning planning;
-  const FakeMotion motion;
-  const FdmProcess fdm(slicing, planning, motion);
   FakeRunners runners;
-  const Sampling sampling{fdm, runners};
   JobInput input = Input();
   input.settings_text = "text";
-  const auto found = LookAt({}, input, slicing, planning, &sampling);
+  const auto found = Look({}, input, slicing, planning, runners);
   ASSERT_TRUE(found.ok()) << found.status();
   EXPECT_EQ(runners.made, 10) << "of few layers all";
-  EXPECT_NEAR(found->estimate.print_time_s, 130, 1e-6);
-  EXPECT_NEAR(found->estimate.filament.length_mm, 50, 1e-6);
+  EXPECT_NEAR(found->print_time_s, 130, 1e-6);
+  EXPECT_NEAR(found->filament.length_mm, 50, 1e-6);
   EXPECT_EQ(found->layers, 10);
 
   runners.slots = 0;
-  const auto alone = LookAt({}, input, slicing, planning, &sampling);
+  const auto alone = Look({}, input, slicing, planning, runners);
   ASSERT_TRUE(alone.ok()) << alone.status();
   EXPECT_EQ(runners.made, 10);
-  EXPECT_EQ(alone->estimate.print_time_s,
-            LookAt({}, input, slicing, planning)->estimate.print_time_s);
+  EXPECT_EQ(alone->print_time_s, Look({}, input, slicing, planning)->print_time_s);
 }
 
 TEST(LookAt, AdvisesOrientationsOnRequest) {
   JobInput input = Input();
-  EXPECT_TRUE(LookAt({}, input, FakeSlicing(10), FakePlanning())->orientations.empty());
+  EXPECT_TRUE(Look({}, input, FakeSlicing(10), FakePlanning())->orientations.empty());
   input.meshes.advise_orientations = true;
-  EXPECT_EQ(LookAt({}, input, FakeSlicing(10), FakePlanning())->orientations.size(), 1);
+  EXPECT_EQ(Look({}, input, FakeSlicing(10), FakePlanning())->orientations.size(), 1);
 }
 
 TEST(LookAt, CountsCopies) {
-  const auto found = LookAt({}, Input(), FakeSlicing(10, 3), FakePlanning());
+  const auto found = Look({}, Input(), FakeSlicing(10, 3), FakePlanning());
   ASSERT_TRUE(found.ok()) << found.status();
   EXPECT_EQ(found->layers, 10);
   EXPECT_DOUBLE_EQ(found->first_layer_area_mm2, 300);
-  EXPECT_NEAR(found->estimate.filament.volume_mm3, 600, 1e-6);
+  EXPECT_NEAR(found->filament.volume_mm3, 600, 1e-6);
 }
 
 TEST(LookAt, CompleteObjectsNeedAnOrderAndCoolEachByItself) {
   JobInput input = Input();
-  input.settings.motion.cooling.slowdown_below_layer_time_s = 1'000;
-  const auto together = LookAt({}, input, FakeSlicing(10, 3), FakePlanning());
-  input.settings.planning.sequence.complete_objects = true;
-  const auto apart = LookAt({}, input, FakeSlicing(10, 3), FakePlanning());
+  FdmOf(input.settings).motion.cooling.slowdown_below_layer_time_s = 1'000;
+  const auto together = Look({}, input, FakeSlicing(10, 3), FakePlanning());
+  FdmOf(input.settings).planning.sequence.complete_objects = true;
+  const auto apart = Look({}, input, FakeSlicing(10, 3), FakePlanning());
   ASSERT_TRUE(apart.ok()) << apart.status();
   EXPECT_EQ(apart->layers, 30);
-  EXPECT_DOUBLE_EQ(together->estimate.print_time_s, 10'000);
-  EXPECT_DOUBLE_EQ(apart->estimate.print_time_s, 30'000);
-  EXPECT_DOUBLE_EQ(apart->estimate.filament.volume_mm3, together->estimate.filament.volume_mm3);
+  EXPECT_DOUBLE_EQ(together->print_time_s, 10'000);
+  EXPECT_DOUBLE_EQ(apart->print_time_s, 30'000);
+  EXPECT_DOUBLE_EQ(apart->filament.volume_mm3, together->filament.volume_mm3);
   FakePlanning planning;
   planning.refuses = true;
-  EXPECT_TRUE(LookAt({}, Input(), FakeSlicing(10), planning).ok());
-  EXPECT_EQ(LookAt({}, input, FakeSlicing(10), planning).status().message(), "no order");
+  EXPECT_TRUE(Look({}, Input(), FakeSlicing(10), planning).ok());
+  EXPECT_EQ(Look({}, input, FakeSlicing(10), planning).status().message(), "no order");
 }
 
 TEST(LookAt, NothingToPrintIsAnError) {
-  EXPECT_EQ(DetailOf(LookAt({}, Input(), FakeSlicing(0), FakePlanning()).status()).reason,
+  EXPECT_EQ(DetailOf(Look({}, Input(), FakeSlicing(0), FakePlanning()).status()).reason,
             Reason::kNothingToPrint);
 }
 
 TEST(LookAt, CanBeCancelled) {
   StageCall call;
   call.cancel = CancelToken([] { return true; });
-  EXPECT_TRUE(absl::IsCancelled(LookAt(call, Input(), FakeSlicing(1), FakePlanning()).status()));
+  EXPECT_TRUE(absl::IsCancelled(Look(call, Input(), FakeSlicing(1), FakePlanning()).status()));
+}
+
+TEST(LookAt, AProcessThatIsNotMadeHereIsAnError) {
+  FakeRunners runners;
+  const auto found = LookAt({}, Input(), FakeSlicing(1), JobPipeline({}, runners));
+  EXPECT_EQ(DetailOf(found.status()).reason, Reason::kProcessUnavailable);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "services/coordinator/algo/process/job_process.h"
+#include "services/coordinator/algo/pipeline/job_process.h"
 
 namespace slicefarm::coordinator {
 
@@ -15,12 +15,9 @@ struct ReportContext {
   std::string build_id = {};
 };
 
-/// The report as JSON: `meshes`, `layers`, `print_time_s` and `print_time`, `file_name`, `filament` (mm, mm3, g,
-/// cost), `features` (time, length, volume by feature), `infill` (density or coverage asked and
-/// got, paths; by row of region settings, feature and pattern), `travel`, `times` (what else
-/// print_time_s is spent on, and all of it by layer), `seams`, `stage_times_s`, `warnings`,
-/// `settings_without_effect`. Names that are no UTF-8 get replacement characters. Units stand in
-/// the names.
+/// The report as JSON: `meshes`, `layers`, `print_time_s` and `print_time`, what is of the process
+/// alone (OwnReport), `stage_times_s`, `warnings`, `settings_without_effect`. Names that are no
+/// UTF-8 get replacement characters. Units stand in the names.
 std::string ReportJson(const JobReport& report, const ReportContext& context);
 
 }  // namespace slicefarm::coordinator

@@ -16,7 +16,7 @@ enum class JobMode { kPrint, kQuote };
 /// What a client asks for: objects, and settings as text.
 struct JobRequest {
   JobMode mode = JobMode::kPrint;
-  Process process = Process::kFdm;
+  Process process = kDefaultProcess;
   SubmittedScene scene;
   std::vector<config::Setting> settings;
   std::vector<std::string> without_effect = {};  ///< as the client knows: the report names it

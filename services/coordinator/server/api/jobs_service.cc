@@ -6,6 +6,7 @@
 
 #include "common/base/error.h"
 #include "common/base/sha256.h"
+#include "common/config/process_settings.h"
 #include "common/model/limits.h"
 #include "common/rpc/observe/trace_metadata.h"
 #include "common/rpc/status_mapping.h"
@@ -79,7 +80,7 @@ class TextReader : public BlobReader {
 void TellWaiting(const TaskExecutor& executor, v1::Job& job) {
   if (job.state() != v1::JOB_STATE_QUEUED && job.state() != v1::JOB_STATE_RUNNING) return;
   const bool is_given = job.spec().process() != v1::PROCESS_UNSPECIFIED;
-  const Process process = is_given ? Known<Process>(job.spec().process()) : Process::kFdm;
+  const Process process = is_given ? Known<Process>(job.spec().process()) : kDefaultProcess;
   if (executor.Slots(process) > 0) return;
   job.set_waits_for(fmt::format("a worker: none is connected that runs jobs of process {}",
                                 ProcessName(process)));
@@ -121,7 +122,7 @@ grpc::Status JobsService::CreateJob(grpc::ServerContext* context,
   }
   const auto created = Create(*caller, *request, *context);
   if (created.ok()) *response = ToProto(*created);
-  TellWaiting(backend_.sampling.executor, *response);
+  TellWaiting(backend_.pipeline.executor(), *response);
   return rpc::ToGrpc(created.status());
 }
 
@@ -146,7 +147,7 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
     v1::BatchCreateJobsResponse::Outcome& outcome = *response->add_outcomes();
     if (created.ok()) {
       *outcome.mutable_job() = ToProto(*created);
-      TellWaiting(backend_.sampling.executor, *outcome.mutable_job());
+      TellWaiting(backend_.pipeline.executor(), *outcome.mutable_job());
       ClearSettings(*outcome.mutable_job()->mutable_spec());
     } else {
       // As short as errors of calls are: there may be many in this answer.
@@ -329,7 +330,7 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
   const config::ResolvedPlate& plate = (*resolved)->plate;
   const auto found =
       LookAt(stage_call, {*std::move(meshes), plate.settings, plate.effective_text, plate.warnings},
-             backend_.slicing, backend_.planning, &backend_.sampling);
+             backend_.slicing, backend_.pipeline);
   if (!found.ok()) return found.status();
   v1::Job job;
   job.mutable_spec()->ParseFromString(submission.spec);
@@ -340,8 +341,9 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
   job.set_build_id(backend_.intake.build_id());
   job.mutable_warnings()->Assign(found->warnings.begin(), found->warnings.end());
   *job.mutable_preflight() = ToProto(
-      *found, CostOf(backend_.rates, found->estimate.print_time_s, found->estimate.filament.mass_g,
-                     plate.settings.motion.filament_cost_per_kg));
+      *found,
+      CostOf(backend_.rates, found->print_time_s, found->filament.mass_g,
+             config::SettingsOf(plate.settings.process()).MaterialCostPerKg(plate.settings)));
   return job;
 }
 
@@ -349,7 +351,7 @@ grpc::Status JobsService::GetJob(grpc::ServerContext* context, const v1::GetJobR
                                  v1::Job* response) {
   const auto job = Find(*context, {Scope::kRead, Scope::kAdmin}, request->id(), Of::kAllForAdmins);
   if (job.ok()) *response = ToProto(*job);
-  TellWaiting(backend_.sampling.executor, *response);
+  TellWaiting(backend_.pipeline.executor(), *response);
   return rpc::ToGrpc(job.status());
 }
 
@@ -366,7 +368,7 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJ
   if (!place.ok()) return rpc::ToGrpc(place.status());
   const auto jobs = backend_.jobs.List(*query);
   if (jobs.ok()) *response = ToProto(*jobs, *query);
-  for (v1::Job& job : *response->mutable_jobs()) TellWaiting(backend_.sampling.executor, job);
+  for (v1::Job& job : *response->mutable_jobs()) TellWaiting(backend_.pipeline.executor(), job);
   return rpc::ToGrpc(jobs.status());
 }
 

@@ -41,8 +41,7 @@ struct JobsBackend {
   const WebhooksNow& webhook_policy;
   const SlicingStage& slicing;  ///< for preflights
   const ArrangingStage& arranging;
-  const PlanningStage& planning;  ///< for preflights
-  Sampling sampling;              ///< for preflights
+  const JobPipeline& pipeline;  ///< for preflights
   MemoryBudget& memory;
   Rates rates;
   std::function<int64_t()> now_us;

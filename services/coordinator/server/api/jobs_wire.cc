@@ -171,9 +171,9 @@ v1::Preflight ToProto(const Preflight& preflight, const Cost& cost) {
   for (const MeshReport& mesh : preflight.meshes) *proto.add_meshes() = slicefarm::ToProto(mesh);
   proto.set_layers(preflight.layers);
   proto.set_first_layer_area_mm2(preflight.first_layer_area_mm2);
-  proto.set_print_time_s(preflight.estimate.print_time_s);
-  proto.set_filament_mm(preflight.estimate.filament.length_mm);
-  proto.set_filament_g(preflight.estimate.filament.mass_g);
+  proto.set_print_time_s(preflight.print_time_s);
+  proto.set_filament_mm(preflight.filament.length_mm);
+  proto.set_filament_g(preflight.filament.mass_g);
   *proto.mutable_cost() = ToProto(cost);
   for (const OrientationAdvice& advice : preflight.orientations)
     *proto.add_orientations() = slicefarm::ToProto(advice);

@@ -19,11 +19,11 @@ namespace {
 
 absl::Status CheckSettings(const google::protobuf::RepeatedPtrField<v1::Setting>& settings) {
   const std::vector<Setting> given = SettingsFromProto(settings);
-  const absl::Status of_fdm = config::Resolve(given).status();
-  if (of_fdm.ok()) return of_fdm;
+  const absl::Status of_most = config::Resolve(given, kDefaultProcess).status();
+  if (of_most.ok()) return of_most;
   for (const ProcessInfo& info : kProcesses)
     if (config::Resolve(given, info.process).ok()) return absl::OkStatus();
-  return of_fdm;
+  return of_most;
 }
 
 }  // namespace

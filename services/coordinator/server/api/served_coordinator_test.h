@@ -12,8 +12,8 @@
 #include "common/rpc/server/server.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/dispatch/fleet.h"
-#include "services/coordinator/server/main/coordinator.h"
 #include "services/coordinator/server/execution/fake_stages_test.h"
+#include "services/coordinator/server/main/coordinator.h"
 
 namespace slicefarm::coordinator {
 
@@ -42,9 +42,9 @@ class ServedCoordinatorTest : public testing::Test {
   }
 
   void Serve(const CoordinatorOptions& options) {
-    auto coordinator =
-        Coordinator::Open(options, {slicing_, arranging_, planning_, motion_}, dispatcher_,
-                          rpc::JsonLog("test"));
+    auto coordinator = Coordinator::Open(
+        options, {{.slicing = &slicing_, .planning = &planning_, .motion = &motion_}, arranging_},
+        dispatcher_, rpc::JsonLog("test"));
     ASSERT_TRUE(coordinator.ok()) << coordinator.status();
     coordinator_ = *std::move(coordinator);
     auto server =

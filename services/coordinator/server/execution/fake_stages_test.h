@@ -12,6 +12,7 @@
 #include "common/geometry/text_format.h"
 #include "common/stage/plates.h"
 #include "common/stage/task.h"
+#include "processes/fdm/task/fdm_task.h"
 
 namespace slicefarm::coordinator {
 
@@ -158,7 +159,8 @@ class FakeRanges : public FdmRunner {
       return wanted;
     }
     FdmResult result;
-    result.times.beading_s = result.times.infill_s = result.times.ordering_s = 0.001;
+    for (const Stage stage : {Stage::kBeading, Stage::kInfill, Stage::kOrdering})
+      result.times[stage] = 0.001;
     for (int i = task.range.first; i < task.range.last; ++i) {
       LayerProgram program;
       program.frame.index = i;

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "common/config/process_settings.h"
+
 namespace slicefarm::coordinator {
 namespace {
 
@@ -85,8 +87,9 @@ absl::StatusOr<bool> JobResults::Complete(const JobResult& result) {
 }
 
 Cost JobResults::CostOfJob(const ResolvedJob& job, const JobResult& result) const {
+  const JobSettings& settings = job.plate.settings;
   return CostOf(rates_, result.print_time_s, result.filament_g,
-                job.plate.settings.motion.filament_cost_per_kg);
+                config::SettingsOf(settings.process()).MaterialCostPerKg(settings));
 }
 
 }  // namespace slicefarm::coordinator

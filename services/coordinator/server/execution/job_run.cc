@@ -155,9 +155,7 @@ rpc::LogFields JobRun::Fields(const rpc::LogFields& more) const {
 void JobRun::Progress(PipelineProgress progress) {
   if (!progress_.Passes(progress, clock_.Seconds())) return;
   // Progress that cannot be written is not worth ending the job for.
-  Write({.state = JobState::kRunning,
-         .layers_total = progress.layers_total,
-         .layers_done = progress.layers_done})
+  Write({.state = JobState::kRunning, .layers_total = progress.total, .layers_done = progress.done})
       .IgnoreError();
 }
 

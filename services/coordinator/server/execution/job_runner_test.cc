@@ -15,8 +15,8 @@
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 #include "common/base/temp_directory_test.h"
+#include "processes/list/jobs.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
-#include "services/coordinator/algo/process/fdm_process.h"
 #include "services/coordinator/run/run_conclusion.h"
 #include "services/coordinator/server/api/job_intake.h"
 #include "services/coordinator/server/api/jobs_wire.h"
@@ -134,8 +134,9 @@ class JobRunnerTest : public testing::Test {
   FakeMotion motion_;
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
   Dispatcher dispatcher_;
-  FdmProcess fdm_{slicing_, planning_, motion_};
-  JobPipeline pipeline_{{&fdm_}, dispatcher_};
+  JobPipeline pipeline_{
+      JobsOver({.slicing = &slicing_, .planning = &planning_, .motion = &motion_}, ""),
+      dispatcher_};
   std::unique_ptr<MemoryBudget> memory_ = std::make_unique<MemoryBudget>(1 << 30);
   ResolvedJobs resolved_{"build"};
   JobResults results_{failing_, *blobs_, {}};

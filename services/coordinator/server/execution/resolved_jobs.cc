@@ -10,7 +10,7 @@ namespace {
 
 constexpr size_t kMostKept = 32;
 /// Of a job's tables: larger ones may take megabytes each.
-constexpr size_t kMostRows = 32;
+constexpr int64_t kMostRows = 32;
 
 }  // namespace
 
@@ -59,7 +59,7 @@ std::shared_ptr<const ResolvedJob> ResolvedJobs::Find(const std::string& key) {
 void ResolvedJobs::Keep(std::string key, std::shared_ptr<const ResolvedJob> job) {
   const std::lock_guard lock(mutex_);
   ++resolved_;
-  if (job->plate.settings.infill.size() > kMostRows) return;
+  if (job->plate.region_rows > kMostRows) return;
   kept_.push_front({std::move(key), std::move(job)});
   if (kept_.size() > kMostKept) kept_.pop_back();
 }

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "processes/list/jobs.h"
+
 namespace slicefarm::coordinator {
 namespace {
 
@@ -20,11 +22,6 @@ int64_t SteadyUs() {
   return std::chrono::duration_cast<std::chrono::microseconds>(
              std::chrono::steady_clock::now().time_since_epoch())
       .count();
-}
-
-std::optional<LaserProcess> LaserOver(const JobStages& stages, const std::string& spool_dir) {
-  if (stages.exposure == nullptr) return std::nullopt;
-  return LaserProcess(stages.slicing, *stages.exposure, spool_dir);
 }
 
 }  // namespace
@@ -53,9 +50,7 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
       blobs_(*stores_.blobs, Registry()),
       run_blobs_(stores_.run_blobs ? *stores_.run_blobs : *stores_.blobs, Registry()),
       stage_seconds_(Registry()),
-      fdm_(stages.slicing, stages.planning, stages.motion, options_.spool_dir),
-      laser_(LaserOver(stages, options_.spool_dir)),
-      pipeline_(Processes(), executor),
+      pipeline_(JobsOver(stages.stages, options_.spool_dir), executor),
       memory_(options_.memory_bytes),
       resolved_(options_.build_id),
       results_(runs_, run_blobs_, options_.rates),
@@ -71,31 +66,11 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
                              options_.stages_fit, [this] { return RunsHaveRoom(); }},
               options_.runner),
       meshes_service_(callers_, blobs_, disk_, budgets_, full_queues_, options_.transfers),
-      jobs_service_(JobsBackend{callers_,
-                                jobs_,
-                                blobs_,
-                                intake_,
-                                runner_,
-                                feed_,
-                                *stores_.profiles,
-                                *stores_.webhooks,
-                                options_.webhooks,
-                                stages.slicing,
-                                stages.arranging,
-                                stages.planning,
-                                {fdm_, executor},
-                                memory_,
-                                options_.rates,
-                                NowUs,
-                                log},
+      jobs_service_(JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
+                                *stores_.webhooks, options_.webhooks, *stages.stages.slicing,
+                                stages.arranging, pipeline_, memory_, options_.rates, NowUs, log},
                     options_.transfers, options_.watches),
       profiles_service_(callers_, *stores_.profiles, disk_, NowUs) {}
-
-std::vector<const JobProcess*> Coordinator::Processes() const {
-  std::vector<const JobProcess*> processes = {&fdm_};
-  if (laser_) processes.push_back(&*laser_);
-  return processes;
-}
 
 DiskGuard Coordinator::Guard() const {
   if (stores_.fill && options_.max_database_bytes > 0)

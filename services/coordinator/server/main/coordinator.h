@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "common/stage/memory_budget.h"
-#include "services/coordinator/algo/process/fdm_process.h"
-#include "services/coordinator/algo/process/laser_process.h"
 #include "services/coordinator/server/api/jobs_service.h"
 #include "services/coordinator/server/api/meshes_service.h"
 #include "services/coordinator/server/api/profiles_service.h"
@@ -46,14 +44,11 @@ struct CoordinatorOptions {
   prometheus::Registry* metrics = nullptr;  ///< outlives the coordinator; null: nobody looks
 };
 
-/// The stages that a job goes through once, besides those of its ranges. They outlive the
-/// coordinator.
+/// The stages that jobs go through, besides those of their tasks: slicing at least. They outlive
+/// the coordinator.
 struct JobStages {
-  const SlicingStage& slicing;
+  Stages stages;  ///< jobs are made of processes whose stages are there
   const ArrangingStage& arranging;
-  const PlanningStage& planning;
-  const MotionStage& motion;
-  const ExposureStage* exposure = nullptr;  ///< null: no jobs of lasers are made
 };
 
 /// The coordinator put together: stores, intake, runner and services over given stages. Several may
@@ -91,7 +86,6 @@ class Coordinator {
  private:
   Coordinator(CoordinatorOptions options, Stores stores, const JobStages& stages,
               TaskExecutor& executor, const rpc::JsonLog& log);
-  std::vector<const JobProcess*> Processes() const;
   void Changed(const std::optional<JobChange>& change);
   prometheus::Registry& Registry();
   DiskGuard Guard() const;
@@ -106,8 +100,6 @@ class Coordinator {
   MeteredBlobStores blobs_;
   MeteredBlobStores run_blobs_;
   StageSeconds stage_seconds_;
-  FdmProcess fdm_;
-  std::optional<LaserProcess> laser_;
   JobPipeline pipeline_;
   MemoryBudget memory_;
   ResolvedJobs resolved_;

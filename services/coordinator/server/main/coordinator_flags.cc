@@ -56,8 +56,10 @@ void Check(const CoordinatorFlags& flags) {
   if (flags.stores.state_dir.empty() == flags.stores.postgres.empty()) {
     throw CLI::ValidationError("one of --state-dir and --postgres is needed");
   }
-  const bool all = !flags.beading.empty() && !flags.infill.empty() && !flags.ordering.empty();
-  const bool any = !flags.beading.empty() || !flags.infill.empty() || !flags.ordering.empty();
+  constexpr Stage kOfLayers[] = {Stage::kBeading, Stage::kInfill, Stage::kOrdering};
+  const auto there = [&](Stage stage) { return flags.Has(stage); };
+  const bool all = std::ranges::all_of(kOfLayers, there);
+  const bool any = std::ranges::any_of(kOfLayers, there);
   if (any && !all) {
     throw CLI::ValidationError("--beading, --infill and --ordering go together");
   }
@@ -90,9 +92,41 @@ JobRunnerOptions CoordinatorFlags::runner_options() const {
   return options;
 }
 
-SplitStages::Names CoordinatorFlags::split_names() const {
-  return {SplitAddresses(beading), SplitAddresses(infill), SplitAddresses(ordering)};
+std::map<Stage, std::vector<std::string>> CoordinatorFlags::stage_names() const {
+  std::map<Stage, std::vector<std::string>> names;
+  for (const auto& [stage, addresses] : stages)
+    if (!addresses.empty()) names[stage] = SplitAddresses(addresses);
+  return names;
 }
+
+namespace {
+
+/// How addresses of a stage's services are given.
+struct StageFlag {
+  Stage stage;
+  std::string_view doc;
+  bool required = false;
+};
+
+constexpr StageFlag kStageFlags[] = {
+    {Stage::kSlicing, "Addresses of slicing services, host:port,...", true},
+    {Stage::kPlanning, "Addresses of planning services", true},
+    {Stage::kMotion, "Addresses of motion services", true},
+    {Stage::kBeading, "Addresses of beading services, for split stages"},
+    {Stage::kInfill, "Addresses of infill services"},
+    {Stage::kOrdering, "Addresses of ordering services"},
+    {Stage::kExposure, "Addresses of exposure services; without, no jobs that need it are made"},
+};
+static_assert(std::size(kStageFlags) == kStageCount);
+
+void AddStageFlags(CLI::App& app, CoordinatorFlags* flags) {
+  for (const StageFlag& flag : kStageFlags)
+    app.add_option("--" + std::string(StageName(flag.stage)), flags->stages[flag.stage],
+                   std::string(flag.doc))
+        ->required(flag.required);
+}
+
+}  // namespace
 
 void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   flags->runner.owner = DefaultName();
@@ -127,21 +161,12 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
                  "Hours for which meshes and results that no job refers to are kept")
       ->check(CLI::Range(1.0, 1e6))
       ->capture_default_str();
-  app.add_option("--slicing", flags->slicing, "Addresses of slicing services, host:port,...")
-      ->required();
-  app.add_option("--planning", flags->planning, "Addresses of planning services")->required();
-  app.add_option("--motion", flags->motion, "Addresses of motion services")->required();
-  app.add_option("--exposure", flags->exposure,
-                 "Addresses of exposure services; without, no jobs of lasers are made");
+  AddStageFlags(app, flags);
   app.add_option("--workers", flags->workers, "Addresses of fused workers");
-  auto* beading = app.add_option("--beading", flags->beading,
-                                 "Addresses of beading services, for split stages");
-  app.add_option("--infill", flags->infill, "Addresses of infill services");
-  app.add_option("--ordering", flags->ordering, "Addresses of ordering services");
   app.add_option("--split-slots", flags->split_slots,
                  "Layer ranges in flight over the split stages")
       ->check(CLI::Range(1, 1024))
-      ->needs(beading)
+      ->needs("--beading")
       ->capture_default_str();
   app.add_option("--jobs", flags->runner.jobs,
                  "Jobs that run at the same time; one more if it is INTERACTIVE")

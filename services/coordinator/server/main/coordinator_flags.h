@@ -1,12 +1,14 @@
 #pragma once
 
 #include <chrono>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "common/rpc/server/serve.h"
 #include "services/coordinator/server/execution/job_runner.h"
 #include "services/coordinator/server/execution/maintenance.h"
-#include "services/coordinator/server/execution/split_stages.h"
+#include "services/coordinator/server/execution/stage_pools.h"
 #include "services/coordinator/server/main/stores.h"
 
 namespace slicefarm::coordinator {
@@ -17,14 +19,9 @@ struct CoordinatorFlags {
   rpc::ServeFlags serve;
   StoreOptions stores;
   std::string spool_dir;  ///< empty: CoordinatorOptions::spool_dir says
-  std::string slicing;
-  std::string planning;
-  std::string motion;
-  std::string exposure;  ///< empty: no jobs of lasers
-  std::string workers;   ///< fused; or the three below
-  std::string beading;
-  std::string infill;
-  std::string ordering;
+  std::map<Stage, std::string>
+      stages;           ///< those that are services; which there must be, Check says
+  std::string workers;  ///< fused; or the stages of layers
   int split_slots = 8;  ///< ranges in flight over the split stages
   JobRunnerOptions runner;
   std::string rates_file;
@@ -38,8 +35,10 @@ struct CoordinatorFlags {
   double keep_jobs_days = 0;
   double keep_blobs_hours = 24;
 
-  bool split() const { return !beading.empty(); }
-  SplitStages::Names split_names() const;
+  /// Whether the stages of layers are services, rather than in workers.
+  bool split() const { return Has(Stage::kBeading); }
+  bool Has(Stage stage) const { return stages.contains(stage) && !stages.at(stage).empty(); }
+  std::map<Stage, std::vector<std::string>> stage_names() const;
   JobRunnerOptions runner_options() const;
   Maintenance::Options maintenance() const;
   /// How long jobs that run may go on after SIGTERM: what they leave of --drain suffices to hand

@@ -16,7 +16,7 @@
 #include "services/coordinator/remote/remote_stages.h"
 #include "services/coordinator/remote/stage_pool.h"
 #include "services/coordinator/remote/worker_pool.h"
-#include "services/coordinator/server/execution/split_stages.h"
+#include "services/coordinator/server/execution/stage_pools.h"
 #include "services/coordinator/server/main/coordinator.h"
 #include "services/coordinator/server/main/coordinator_flags.h"
 #include "services/coordinator/server/main/migrate.h"
@@ -83,27 +83,8 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
   };
 
   // Made in the order of use, and so ended in the reverse one.
-  StagePool slicing_pool("slicing", SplitAddresses(flags.slicing), program.log(),
-                         pool_options("slicing"));
-  StagePool planning_pool("planning", SplitAddresses(flags.planning), program.log(),
-                          pool_options("planning"));
-  StagePool motion_pool("motion", SplitAddresses(flags.motion), program.log(),
-                        pool_options("motion"));
-  std::optional<StagePool> exposure_pool;
-  std::optional<RemoteExposure> exposure;
-  if (!flags.exposure.empty()) {
-    exposure_pool.emplace("exposure", SplitAddresses(flags.exposure), program.log(),
-                          pool_options("exposure"));
-    exposure.emplace(*exposure_pool);
-  }
-  const RemoteSlicing slicing(slicing_pool);
-  const RemoteArranging arranging(slicing_pool);
-  const RemotePlanning planning(planning_pool);
-  const RemoteMotion motion(motion_pool);
-  std::optional<SplitStages> split;
-  if (flags.split())
-    split.emplace(flags.split_names(), pool_options, motion_pool,
-                  exposure_pool ? &*exposure_pool : nullptr, program.log());
+  StagePools pools(flags.stage_names(), pool_options, program.log());
+  const RemoteArranging arranging(pools.replicas(Stage::kSlicing));
   Dispatcher dispatcher;
   Fleet fleet(dispatcher);
   std::optional<WorkerPool> workers;
@@ -111,8 +92,8 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
     workers.emplace(fleet, SplitAddresses(flags.workers), program.log(),
                     WorkerPoolOptions{.credentials = credentials(rpc::kWorkerIdentity)});
   }
-  if (split) {
-    for (Runner& runner : split->AsRunners(flags.split_slots)) fleet.Join(std::move(runner));
+  if (flags.split()) {
+    for (Runner& runner : pools.AsRunners(flags.split_slots)) fleet.Join(std::move(runner));
   }
 
   const auto rates =
@@ -137,16 +118,14 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
       .build_id = std::string(BuildId()),
       .stages_fit =
           [&] {
-            return slicing_pool.OfThisBuild() && planning_pool.OfThisBuild() &&
-                   motion_pool.OfThisBuild();
+            return pools.AreOfThisBuild({Stage::kSlicing, Stage::kPlanning, Stage::kMotion});
           },
       .maintenance = flags.maintenance(),
       .sharing = flags.share_cache ? ResultSharing::kOn : ResultSharing::kOff,
       .metrics = &program.metrics().registry()};
   if (webhooks) options.webhooks = [&webhooks] { return webhooks->Get(); };
   if (tenants) options.tenants = [&tenants] { return tenants->Get(); };
-  const JobStages job_stages = {slicing, arranging, planning, motion,
-                                exposure ? &*exposure : nullptr};
+  const JobStages job_stages = {pools.stages(), arranging};
   auto coordinator = OpenPatiently(options, job_stages, dispatcher, program);
   if (absl::IsCancelled(coordinator.status())) return 0;
   if (!coordinator.ok()) {
@@ -158,16 +137,12 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
       CoordinatorMetrics::Sources{(*coordinator)->jobs(), dispatcher, fleet, flags.stores.state_dir,
                                   (*coordinator)->database_fill(), flags.max_database_gib << 30,
                                   flags.maintenance().sweep.keep_jobs_s}));
-  std::map<std::string, const StagePool*> stages = {
-      {"slicing", &slicing_pool}, {"planning", &planning_pool}, {"motion", &motion_pool}};
-  if (exposure_pool) stages["exposure"] = &*exposure_pool;
-  if (split) stages.merge(split->Pools());
   const StatusBoard board({.name = flags.runner.owner,
                            .store = flags.stores.postgres.empty() ? "SQLite" : "PostgreSQL",
                            .state_dir = flags.stores.state_dir,
                            .jobs = (*coordinator)->jobs(),
                            .fleet = fleet,
-                           .stages = std::move(stages),
+                           .stages = pools.Pools(),
                            .log = program.log()});
   program.metrics().ShowPage("/statusz", [&board] { return board.Page(); });
   if (absl::Status started = (*coordinator)->Start(); !started.ok()) {

@@ -88,7 +88,7 @@ void AddFleet(const Fleet& fleet, std::vector<MetricFamily>& families) {
   const auto runners = fleet.Runners();
   for (const RunnerAtWork& runner : runners) {
     slots += runner.slots;
-    busy += static_cast<int>(runner.ranges.size());
+    busy += static_cast<int>(runner.tasks.size());
   }
   families.push_back(
       Gauge("slicefarm_workers", "Workers that have joined", static_cast<double>(runners.size())));

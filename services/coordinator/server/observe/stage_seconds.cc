@@ -1,9 +1,11 @@
 #include "services/coordinator/server/observe/stage_seconds.h"
 
+#include <string>
+
 namespace slicefarm::coordinator {
 namespace {
 
-prometheus::Histogram& OfStage(prometheus::Registry& registry, const char* stage) {
+prometheus::Histogram& OfStage(prometheus::Registry& registry, const std::string& stage) {
   static const prometheus::Histogram::BucketBoundaries kBuckets = {
       0.01, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 10, 30, 60, 300, 1800};
   return prometheus::BuildHistogram()
@@ -16,17 +18,13 @@ prometheus::Histogram& OfStage(prometheus::Registry& registry, const char* stage
 }  // namespace
 
 StageSeconds::StageSeconds(prometheus::Registry& registry) {
-  for (const auto& [stage, time] :
-       {std::pair("slicing", &StageTimes::slicing_s), std::pair("planning", &StageTimes::planning_s),
-        std::pair("beading", &StageTimes::beading_s), std::pair("infill", &StageTimes::infill_s),
-        std::pair("ordering", &StageTimes::ordering_s), std::pair("motion", &StageTimes::motion_s),
-        std::pair("exposure", &StageTimes::exposure_s)})
-    stages_.emplace_back(time, &OfStage(registry, stage));
+  for (const StageInfo& info : kStages)
+    stages_.emplace_back(info.stage, &OfStage(registry, std::string(info.name)));
 }
 
 void StageSeconds::Observe(const StageTimes& times) {
-  for (const auto& [time, histogram] : stages_)
-    if (times.*time > 0) histogram->Observe(times.*time);
+  for (const auto& [stage, histogram] : stages_)
+    if (times[stage] > 0) histogram->Observe(times[stage]);
 }
 
 }  // namespace slicefarm::coordinator

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/stage/task.h"
+#include "common/stage/stage_list.h"
 
 namespace slicefarm::coordinator {
 
@@ -22,7 +22,7 @@ class StageSeconds {
   void Observe(const StageTimes& times);
 
  private:
-  std::vector<std::pair<double StageTimes::*, prometheus::Histogram*>> stages_;
+  std::vector<std::pair<Stage, prometheus::Histogram*>> stages_;
 };
 
 }  // namespace slicefarm::coordinator

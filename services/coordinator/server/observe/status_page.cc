@@ -97,23 +97,20 @@ std::string Running(const CoordinatorStatus& status) {
 
 std::string Workers(const CoordinatorStatus& status) {
   std::vector<Cells> runners;
-  std::vector<Cells> ranges;
+  std::vector<Cells> tasks;
   for (const RunnerAtWork& runner : status.runners) {
     runners.push_back({runner.name, fmt::format("{}", runner.slots),
-                       fmt::format("{}", runner.ranges.size()), status.build});
-    for (const RangeAtWork& range : runner.ranges) {
-      ranges.push_back({runner.name, range.job_id,
-                        fmt::format("{}-{}", range.layers.first, range.layers.last - 1),
-                        Duration(range.since_s)});
-    }
+                       fmt::format("{}", runner.tasks.size()), status.build});
+    for (const TaskAtWork& task : runner.tasks)
+      tasks.push_back({runner.name, task.job_id, task.task, Duration(task.since_s)});
   }
   std::vector<Cells> replicas;
   for (const auto& [stage, addresses] : status.replicas) {
     for (const std::string& address : addresses) replicas.push_back({stage, address});
   }
   return Heading("Workers that have joined (others than of this build are not let in)") +
-         Table({"worker", "slots", "busy", "build"}, runners) + Heading("Ranges in flight") +
-         Table({"worker", "job", "layers", "for"}, ranges) + Heading("Stages") +
+         Table({"worker", "slots", "busy", "build"}, runners) + Heading("Tasks in flight") +
+         Table({"worker", "job", "task", "for"}, tasks) + Heading("Stages") +
          Table({"stage", "address"}, replicas);
 }
 

@@ -25,7 +25,7 @@ CoordinatorStatus Status() {
   status.now_us = 1'000 * kSecondUs;
   status.jobs = {{JobState::kSucceeded, 12}, {JobState::kQueued, 3}};
   status.open = {{JobState::kQueued, Priority::kBulk, 3, 875 * kSecondUs}};
-  status.runners = {{"w:1", 4, {{"j1", {8, 16}, 2.5}}}};
+  status.runners = {{"w:1", 4, {{"j1", "layers 8 to 15", 2.5}}}};
   status.replicas = {{"slicing", {"s:1", "s:2"}}};
   constexpr uintmax_t kGib = 1 << 30;
   status.disk = {.capacity = 8 * kGib, .free = 2 * kGib, .available = 3 * kGib / 2};
@@ -50,7 +50,7 @@ TEST(StatusPage, TellsWhatIsGoingOn) {
             HasSubstr("<tr><td>QUEUED</td><td>bulk</td><td>3</td><td>2 min 5 s</td></tr>"),
             HasSubstr("<td>c2</td><td>7 of 100</td><td>10.0 s</td>"),
             HasSubstr("<tr><td>w:1</td><td>4</td><td>1</td>"),
-            HasSubstr("<tr><td>w:1</td><td>j1</td><td>8-15</td><td>2.5 s</td></tr>"),
+            HasSubstr("<tr><td>w:1</td><td>j1</td><td>layers 8 to 15</td><td>2.5 s</td></tr>"),
             HasSubstr("<tr><td>slicing</td><td>s:2</td></tr>"),
             HasSubstr("<td>1970-01-01T00:00:00Z</td><td>{&quot;msg&quot;:&quot;worker failed"),
             testing::StartsWith("<!doctype html>"), testing::EndsWith("</html>\n")));
@@ -83,7 +83,7 @@ TEST(StatusPage, WhatComesFromOutsideIsText) {
   status.name = status.store = evil;
   status.store_status = absl::UnavailableError(evil);
   status.running[0].id = status.running[0].owner = status.running[0].tenant = evil;
-  status.runners[0].name = status.runners[0].ranges[0].job_id = evil;
+  status.runners[0].name = status.runners[0].tasks[0].job_id = evil;
   status.replicas = {{evil, {evil}}};
   status.problems[0].text = evil;
   const std::string page = StatusPage(status);

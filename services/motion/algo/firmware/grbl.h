@@ -4,7 +4,7 @@
 
 namespace slicefarm::motion {
 
-/// Of lasers and mills: it has no extruder. Its programs come from other stages; nothing is written
+/// Of machines without extruder. Its programs come from other stages; nothing is written
 /// for it here.
 const Firmware& Grbl();
 

@@ -1,0 +1,129 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/config/draft.h"
+#include "common/config/resolve.h"
+#include "common/config/setting_need.h"
+#include "common/config/table/setting_spec.h"
+#include "common/model/scene/scene.h"
+
+namespace slicefarm::config {
+
+/// The tables of a job's region settings while rows are added: equal settings share a row.
+class RegionRows {
+ public:
+  virtual ~RegionRows() = default;
+
+  /// The row of the first region of `settings`. Errors: REQUEST_TOO_LARGE past
+  /// limits::kMaxRegionSettings.
+  virtual absl::StatusOr<int32_t> RowOf(const JobSettings& settings) = 0;
+
+  /// Rows so far.
+  virtual int64_t size() const = 0;
+
+  /// The tables, in place of those of `settings`.
+  virtual void PutInto(JobSettings& settings) const = 0;
+};
+
+/// Settings on their way to a job's, once all values are in their places.
+struct Settling {
+  const Draft& draft;
+  std::span<const Setting> given;
+  ResolvedSettings& result;  ///< what is told goes here as well
+  ToldSettings& told;
+};
+
+/// A format of the file that a job comes to, which the end of its name stands for.
+struct FileFormat {
+  std::string_view suffix;  ///< ".svg"
+  std::string_view key;     ///< the setting that says so
+  std::string_view value;
+  bool alone = false;  ///< no other process makes files of such a name
+};
+
+/// What the settings of one process are and what they come to. common/config reads, resolves and
+/// explains settings, and asks this for all that differs: it knows no process by name. One object a
+/// process, in processes/<name>/settings; processes/list/settings.cc lists them.
+class ProcessSettings {
+ public:
+  virtual ~ProcessSettings() = default;
+
+  // The table.
+  /// Where values get their places: settings of the process, whatever they are.
+  virtual JobSettings Standards() const = 0;
+  /// All settings that have an effect, with their scopes, in any order. Called once.
+  virtual std::vector<SettingSpec> Table() const = 0;
+  /// Those that do nothing unless others are so.
+  virtual std::vector<Need> Needs() const { return {}; }
+  /// Whether a key beside the table is one of this process: files have it, and nothing heeds it.
+  virtual bool Knows(std::string_view /*key*/) const { return false; }
+
+  // One set of settings, in the order of the calls: see Resolve, whose errors these are.
+  /// Which item counts of a list with one for each extruder.
+  virtual size_t ListItem(std::span<const Setting> /*given*/) const { return 0; }
+  /// Turns what refers to other settings into what it comes to. What is not made as asked is told
+  /// in `result`.
+  virtual absl::Status Derive(Draft& draft, ResolvedSettings& result) const = 0;
+  /// Whether the values fit each other.
+  virtual absl::Status Check(const Draft& draft) const = 0;
+  /// What options of stages take from settings that are about others.
+  virtual absl::Status Settle(const Settling& /*settling*/) const { return absl::OkStatus(); }
+  /// Looks at the settings as a whole, their text included.
+  virtual absl::Status Finish(const Draft& /*draft*/, ResolvedSettings& /*result*/) const {
+    return absl::OkStatus();
+  }
+
+  // A plate of objects, in the order of the calls: see ResolvePlate, whose errors these are.
+  /// Takes out what objects and job can only have together, before anything is resolved.
+  virtual absl::Status TakeTogether(std::vector<Setting>& /*job*/,
+                                    std::vector<SceneObject>& /*objects*/) const {
+    return absl::OkStatus();
+  }
+  virtual std::unique_ptr<RegionRows> NewRows() const = 0;
+  /// Takes from the job's settings the options by object, which come object by object.
+  virtual void BeginPlate(JobSettings& /*plate*/) const {}
+  /// Adds the rows of what is planned for an object; `object`: its settings, which name them then.
+  virtual absl::Status AddRows(JobSettings& /*object*/, RegionRows& /*rows*/) const {
+    return absl::OkStatus();
+  }
+  /// Whether an object of the plate and one of `other` settings, which slicing would make alike,
+  /// are alike to all stages.
+  virtual bool AreAlike(const JobSettings& /*plate*/, size_t /*object*/,
+                        const JobSettings& /*other*/) const {
+    return true;
+  }
+  /// Adds the options by object of one more.
+  virtual void AddObject(const JobSettings& /*object*/, JobSettings& /*plate*/) const {}
+  /// Puts the rows in, and what is of the plate as a whole; `job`: its settings.
+  virtual absl::Status FinishPlate(const JobSettings& /*job*/, RegionRows& rows,
+                                   JobSettings& plate) const {
+    rows.PutInto(plate);
+    return absl::OkStatus();
+  }
+
+  // What comes out.
+  /// What names of files ask for.
+  virtual std::vector<FileFormat> FileFormats() const { return {}; }
+  /// What the name of a file says of it, and is not so.
+  virtual std::vector<std::string> NameWarnings(const JobSettings& /*settings*/,
+                                                std::string_view /*file*/) const {
+    return {};
+  }
+  /// A call of `slicefarm slice` that shows what is its own, for help; empty: none.
+  virtual std::string_view Example() const { return {}; }
+  /// What the material costs; 0: whatever the farm says.
+  virtual double MaterialCostPerKg(const JobSettings& /*settings*/) const { return 0; }
+};
+
+/// Defined by the list of processes.
+const ProcessSettings& SettingsOf(Process process);
+
+}  // namespace slicefarm::config

@@ -1,0 +1,31 @@
+#include "common/config/table/shared_settings.h"
+#include "common/config/table/shared_view.h"
+
+namespace slicefarm::config {
+
+std::vector<SettingSpec> PlateSettings() {
+  return {
+      {.key = "bed_shape",
+       .kind = Kind::kBedShape,
+       .unit = "mm",
+       .standard = "0x0,200x0,200x200,0x200",
+       .doc = "Outline of the bed: corners XxY, by commas",
+       .field = Bind([](auto& s) -> auto& { return s.slicing.bed; })},
+      {.key = "max_print_height",
+       .unit = "mm",
+       .min = 0,
+       .max = 10000,
+       .standard = "200",
+       .doc = "Height that the machine can print; 0: no limit",
+       .field = Bind([](auto& s) -> auto& { return s.slicing.max_print_height_nm; })},
+      {.key = "duplicate_distance",
+       .unit = "mm",
+       .min = 0,
+       .max = 1000,
+       .standard = "6",
+       .doc = "Distance between copies that are arranged",
+       .field = Bind([](auto& s) -> auto& { return s.slicing.part_distance_nm; })},
+  };
+}
+
+}  // namespace slicefarm::config

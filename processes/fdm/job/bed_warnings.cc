@@ -1,0 +1,84 @@
+#include "processes/fdm/job/bed_warnings.h"
+
+#include <map>
+#include <set>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/convex.h"
+#include "common/geometry/offset/offset.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+/// What is so near to the edge ends at it.
+constexpr Coord kAtEdgeNm = 20'000;
+constexpr size_t kNamed = 5;
+
+using Objects = std::set<int32_t>;
+
+/// Those that stand nearest to a convex place.
+Objects NearestTo(const Polygon& place, std::span<const PlacedCopy> copies) {
+  std::map<double, Objects> by_distance;
+  for (const PlacedCopy& copy : copies)
+    by_distance[ConvexDistance(place, copy.footprint)].insert(copy.object);
+  return by_distance.empty() ? Objects() : by_distance.begin()->second;
+}
+
+/// Those beside which a region ends at the edge.
+Objects CutBeside(const MultiPolygon& region, const Polygon& bed,
+                  std::span<const PlacedCopy> copies) {
+  Objects objects;
+  for (const PolygonWithHoles& beyond : Difference(Offset(region, kAtEdgeNm), {{bed, {}}}))
+    objects.merge(NearestTo(ConvexHull(beyond.outer), copies));
+  return objects;
+}
+
+/// Those beside which loops are open.
+Objects OpenBeside(std::span<const Path> loops, std::span<const PlacedCopy> copies) {
+  Objects objects;
+  for (const Path& loop : loops) {
+    if (loop.closed) continue;
+    objects.merge(NearestTo({loop.points.front()}, copies));
+    objects.merge(NearestTo({loop.points.back()}, copies));
+  }
+  return objects;
+}
+
+std::string Warning(const std::string& what, const Objects& objects,
+                    std::span<const std::string> names) {
+  std::vector<std::string> named;
+  for (const int32_t object : objects)
+    if (named.size() < kNamed) named.push_back(names[static_cast<size_t>(object)]);
+  if (objects.size() > kNamed) {
+    named.back() += absl::StrCat(" and ", objects.size() - kNamed, " more");
+  }
+  return absl::StrCat(absl::StrJoin(named, ", "), ": the ", what,
+                      " reaches the edge of the bed and is cut there");
+}
+
+}  // namespace
+
+std::vector<std::string> BedWarnings(std::span<const PlateAddition> additions, const Polygon& bed,
+                                     std::span<const PlacedCopy> copies,
+                                     std::span<const std::string> names) {
+  if (bed.empty()) return {};
+  std::map<std::string, Objects> cut;
+  bool has_skirt = false;
+  for (const PlateAddition& addition : additions) {
+    for (const Region& region : addition.regions)
+      cut[region.role == Role::kBrim ? "brim" : "raft"].merge(
+          CutBeside(region.outlines, bed, copies));
+    if (addition.paths.empty() || std::exchange(has_skirt, true))
+      continue;  // all layers' are equal
+    cut["skirt"] = OpenBeside(addition.paths, copies);
+  }
+  std::vector<std::string> warnings;
+  for (const auto& [what, objects] : cut)
+    if (!objects.empty()) warnings.push_back(Warning(what, objects, names));
+  return warnings;
+}
+
+}  // namespace slicefarm::coordinator

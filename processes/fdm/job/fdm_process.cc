@@ -1,0 +1,433 @@
+#include "processes/fdm/job/fdm_process.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
+#include "common/base/error.h"
+#include "common/base/span_log.h"
+#include "common/base/stopwatch.h"
+#include "common/gcode/binary/binary_gcode.h"
+#include "common/gcode/substitutions.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/model/bead_section.h"
+#include "common/model/fields/field_notes.h"
+#include "common/model/fields/field_text.h"
+#include "common/stage/job_memory.h"
+#include "common/stage/object_layers.h"
+#include "processes/fdm/job/bed_warnings.h"
+#include "processes/fdm/job/fdm_programs.h"
+#include "processes/fdm/job/fdm_report.h"
+#include "processes/fdm/job/pass_facts.h"
+#include "processes/fdm/job/print_estimate.h"
+#include "processes/fdm/task/fdm_task.h"
+#include "services/coordinator/algo/pipeline/check_printable.h"
+#include "services/coordinator/algo/pipeline/mesh_warnings.h"
+#include "services/coordinator/algo/pipeline/range_split.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+/// The regions of a plate lie apart, each in its own place.
+MultiPolygon WholeOf(const std::vector<Region>& regions) {
+  MultiPolygon all;
+  for (const Region& region : regions)
+    all.insert(all.end(), region.outlines.begin(), region.outlines.end());
+  return Union(all, {});
+}
+
+/// What cannot be as exact as the regions' density fields ask for.
+std::vector<std::string> FieldNotesOf(const JobSettings& settings) {
+  std::vector<std::string> notes;
+  if (settings.slicing.objects.empty()) return notes;
+  const Coord height = settings.slicing.objects.front().layer_height_nm;
+  for (const InfillOptions& options : FdmOf(settings).infill) {
+    if (options.density_field.empty() || options.choose_pattern) continue;
+    const auto field = ParseDensityField(options.density_field);
+    if (!field.ok()) continue;  // the infill stage says so
+    const Coord spacing = Spacing(options.sparse_width_nm, height);
+    std::ranges::move(FieldNotes(*field, options.pattern, ToMm(static_cast<double>(spacing))),
+                      std::back_inserter(notes));
+  }
+  return notes;
+}
+
+/// Puts what planning adds to the plate where the stages look for it: regions among the sections of
+/// their layer, finished paths into its plan.
+absl::Status AddToPlate(std::vector<SlicedLayer>& layers, JobPlan& plan) {
+  for (PlateAddition& addition : plan.additions) {
+    if (addition.layer < 0 || addition.layer >= std::ssize(layers))
+      return MakeError(
+          absl::StatusCode::kInternal, Reason::kInternal,
+          absl::StrCat("planning added to layer ", addition.layer, " of ", layers.size()));
+    const auto layer = static_cast<size_t>(addition.layer);
+    std::ranges::move(addition.paths, std::back_inserter(plan.layers[layer].paths));
+    if (addition.regions.empty()) continue;
+    ObjectSection plate;
+    plate.object = kPlate;
+    plate.height_nm = addition.height_nm;
+    plate.regions = std::move(addition.regions);
+    if (plate.regions.size() > 1) plate.whole = WholeOf(plate.regions);
+    std::vector<ObjectSection>& sections = layers[layer].sections;
+    const auto first = std::ranges::find_if(
+        sections, [](const ObjectSection& section) { return section.object != kPlate; });
+    sections.insert(first, std::move(plate));
+  }
+  return absl::OkStatus();
+}
+
+/// Nobody but planning asks where seams should be.
+void DropSeamParts(std::vector<SlicedLayer>& layers) {
+  for (SlicedLayer& layer : layers) {
+    for (ObjectSection& section : layer.sections) {
+      section.seam_enforcers.clear();
+      section.seam_blockers.clear();
+    }
+  }
+}
+
+/// The names of the copies, in their order.
+std::vector<CopyName> NamesOf(const std::vector<std::string>& objects,
+                              const std::vector<PlacedCopy>& copies) {
+  std::vector<int32_t> count(objects.size(), 0);
+  std::vector<CopyName> names;
+  for (const PlacedCopy& copy : copies) {
+    const auto object = static_cast<size_t>(copy.object);
+    names.push_back({objects[object], copy.object, count[object]++, 1});
+  }
+  for (CopyName& name : names) name.copies = count[static_cast<size_t>(name.object)];
+  return names;
+}
+
+/// Of G-code, about what a point of an outline comes to.
+constexpr int64_t kBytesAPoint = 40;
+
+/// Texts that each layer has do not make a range's programs longer than others.
+RangeSplitOptions SplitOptionsOf(const FdmSettings& settings) {
+  const MotionOptions& motion = settings.motion;
+  RangeSplitOptions options;
+  options.layer_points += std::ssize(motion.before_layer_gcode + motion.layer_gcode) / kBytesAPoint;
+  return options;
+}
+
+/// The file that the settings ask for.
+absl::StatusOr<SpooledText> MakeFile(ProgramEnvelope frame,
+                                     const std::vector<SpooledProgram>& programs,
+                                     const WritingOptions& writing,
+                                     std::unique_ptr<SpoolFile> spool) {
+  const auto substitutions = gcode::Substitutions::Of(gcode::TextsOfList(writing.substitutions));
+  if (!substitutions.ok())
+    return MakeError(
+        absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
+        absl::StrCat("gcode_substitutions: ", std::string(substitutions.status().message())),
+        {{"setting", "gcode_substitutions"}});
+  auto text = WholeProgram(std::move(frame), programs, *substitutions, std::move(spool));
+  if (!text.ok() || !writing.binary) return text;
+  // Its metadata come before what they are about, and its blocks are compressed as a whole.
+  const auto whole = text->Whole();
+  if (!whole.ok()) return whole.status();
+  auto file = gcode::BinaryGcode(*whole);
+  if (file.ok()) return SpooledText(*std::move(file));
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   absl::StrCat("binary_gcode = 1: ", std::string(file.status().message())),
+                   {{"setting", "binary_gcode"}, {"value", "1"}});
+}
+
+/// Nothing if all islands got the walls that were asked for.
+std::string WallWarning(const std::vector<LayerWarning>& warnings) {
+  int64_t islands = 0;
+  std::vector<int32_t> layers;
+  for (const LayerWarning& warning : warnings) {
+    if (warning.plain_islands > 0) layers.push_back(warning.layer);
+    islands += warning.plain_islands;
+  }
+  if (islands == 0) return {};
+  constexpr size_t kNamed = 5;
+  const size_t named = std::min(kNamed, layers.size());
+  return absl::StrCat(
+      islands,
+      " islands got walls of constant width and gap fill, as no trustworthy medial axis "
+      "of their outlines was found; in layers ",
+      absl::StrJoin(layers.begin(), layers.begin() + static_cast<std::ptrdiff_t>(named), ", "),
+      layers.size() > named ? absl::StrCat(" and ", layers.size() - named, " more") : "");
+}
+
+void FillIn(JobReport& report, FdmReport& own, const ProgramSummary& summary,
+            const ProgramEnvelope& frame, const MotionOptions& motion) {
+  own.stats = summary.total;
+  for (size_t i = 0; i < frame.times.feature_s.size(); ++i)
+    own.stats.features[i].time_s = frame.times.feature_s[i];
+  own.stats.retract_time_s = frame.times.retract_s;
+  own.stats.travel_time_s = frame.times.travel_s + frame.times.retract_s;
+  own.times = frame.times;
+  own.travel_mm = frame.travel_mm;
+  report.layer_count = static_cast<int32_t>(summary.layers.size());
+  for (const LayerSummary& layer : summary.layers) {
+    const double top_mm = ToMm(static_cast<double>(layer.frame.print_z_nm));
+    if (!layer.empty) report.object_height_mm = std::max(report.object_height_mm, top_mm);
+  }
+  report.print_time_s = frame.times.TotalS();
+  report.file_name = frame.file_name;
+  report.filament = FilamentUseOf(summary.total, motion);
+  own.file_name = report.file_name;
+  own.filament = report.filament;
+  for (const MeshReport& mesh : report.meshes) {
+    for (std::string& warning : MeshWarnings(mesh)) report.warnings.push_back(std::move(warning));
+  }
+}
+
+/// Copies with their names, for those who read G-code.
+std::vector<CopySummary> SummarizeCopies(std::vector<CopyName> names,
+                                         std::vector<PlacedCopy> copies) {
+  std::vector<CopySummary> summaries;
+  for (size_t i = 0; i < names.size(); ++i)
+    summaries.push_back({std::move(names[i]), std::move(copies[i].footprint)});
+  return summaries;
+}
+
+class FdmJob : public PlannedJob {
+ public:
+  FdmJob(const MotionStage& motion, FdmSettings settings, std::string settings_text,
+         JobReport report, SeamQuality seams, std::unique_ptr<SpoolFile> spool)
+      : motion_(motion),
+        settings_(std::move(settings)),
+        settings_text_(std::move(settings_text)),
+        report_(std::move(report)),
+        spool_(std::move(spool)) {
+    own_.seams = seams;
+  }
+
+  absl::Status Begin(SlicedJob sliced, JobPlan plan) {
+    layers_ = std::move(sliced.layers);
+    DropSeamParts(layers_);
+    plan_ = std::move(plan);
+    copies_ = std::move(sliced.copies);
+    thumbnails_ = std::move(sliced.thumbnails);
+    if (absl::Status added = AddToPlate(layers_, plan_); !added.ok()) return added;
+    PassPlan passes = PassesOf(layers_, plan_.copies);
+    facts_ = {passes.layer_count, NamesOf(sliced.object_names, copies_), std::move(passes.passes)};
+    return absl::OkStatus();
+  }
+
+  int32_t Weight() const override { return static_cast<int32_t>(layers_.size()); }
+
+  absl::StatusOr<std::vector<Task>> Tasks(int slots) override {
+    const auto ranges = SplitIntoRanges(layers_, slots, SplitOptionsOf(settings_));
+    absl::Status fits = CheckNeighbourhoods(layers_, ranges, HaloLayers(settings_));
+    if (!fits.ok()) return fits;
+    std::vector<Task> tasks = TasksFor(ranges);
+    ranges_.resize(tasks.size());
+    return tasks;
+  }
+
+  std::vector<Task> TasksFor(const std::vector<LayerRange>& ranges) const {
+    const std::span<const SlicedLayer> layers = layers_;
+    const std::span<const LayerPlan> plans = plan_.layers;
+    const int32_t halo = HaloLayers(settings_);
+    std::vector<Task> tasks;
+    for (const LayerRange& range : ranges) {
+      const LayerRange grown = WithHalo(layers, range, halo);
+      const auto at = [](int32_t index) { return static_cast<size_t>(index); };
+      tasks.push_back(FdmTask{.range = range,
+                              .layers = layers.subspan(at(grown.first), at(grown.size())),
+                              .plans = plans.subspan(at(range.first), at(range.size())),
+                              .copies = plan_.copies,
+                              .facts = &facts_,
+                              .settings = &settings_});
+    }
+    return tasks;
+  }
+
+  absl::Status Take(size_t task, TaskResult result) override {
+    auto& made = result.As<FdmResult>();
+    Range& range = ranges_[task];
+    auto spooled = Spooled(std::move(made.programs), *spool_);
+    if (!spooled.ok()) return spooled.status();
+    range.programs = *std::move(spooled);
+    range.rest = std::move(made);
+    return absl::OkStatus();
+  }
+
+  absl::StatusOr<JobOutput> Assemble(const StageCall& call) override {
+    const auto layer_count = layers_.size();
+    layers_ = {};
+    HoldMemory(call, JobMemory::Kind::kOutlines, 0).IgnoreError();
+    plan_ = {};
+    HoldMemory(call, JobMemory::Kind::kPlan, 0).IgnoreError();
+    std::vector<SpooledProgram> all;
+    std::vector<LayerWarning> warnings;
+    for (Range& range : ranges_) {
+      std::ranges::move(range.programs, std::back_inserter(all));
+      report_.stage_times.Add(range.rest.times);
+      std::ranges::copy(range.rest.warnings, std::back_inserter(warnings));
+      for (const FillUse& use : range.rest.fills) AddUse(use, 1, own_.fills);
+    }
+    const auto programs = InPrintOrder(std::move(all), layer_count);
+    if (!programs.ok()) return programs.status();
+
+    ProgramSummary summary = SummaryOf(*programs);
+    summary.thumbnails = std::move(thumbnails_);
+    auto frame = Timed(report_.stage_times[Stage::kMotion], [&] {
+      const ScopedSpan span(call.spans, "frame");
+      return motion_.Envelope(call, summary, settings_.motion);
+    });
+    if (!frame.ok()) return frame.status();
+
+    const ScopedSpan span(call.spans, "assembly");
+    FillIn(report_, own_, summary, *frame, settings_.motion);
+    report_.own = std::make_unique<FdmReport>(std::move(own_));
+    if (std::string warning = WallWarning(warnings); !warning.empty())
+      report_.warnings.push_back(std::move(warning));
+    auto file = MakeFile(*std::move(frame), *programs, settings_.motion.writing, std::move(spool_));
+    if (!file.ok()) return file.status();
+    return JobOutput{*std::move(file), std::move(report_)};
+  }
+
+  /// What the envelope of these programs looks at, thumbnails apart.
+  ProgramSummary SummaryOf(const std::vector<SpooledProgram>& programs) const {
+    ProgramSummary summary = Summarize(programs);
+    summary.copies = SummarizeCopies(facts_.copies, copies_);
+    summary.settings_text = settings_text_;
+    return summary;
+  }
+
+ private:
+  /// What a task came to.
+  struct Range {
+    std::vector<SpooledProgram> programs;
+    FdmResult rest;  ///< without programs
+  };
+
+  const MotionStage& motion_;
+  const FdmSettings settings_;
+  std::string settings_text_;
+  JobReport report_;
+  FdmReport own_;
+  std::unique_ptr<SpoolFile> spool_;
+  std::vector<Range> ranges_;  ///< by task
+  std::vector<SlicedLayer> layers_;
+  JobPlan plan_;
+  JobFacts facts_;
+  std::vector<PlacedCopy> copies_;
+  std::vector<Thumbnail> thumbnails_;
+};
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& call,
+                                                             JobInput input) const {
+  JobReport report;
+  const JobSettings& settings = input.settings;
+  auto sliced = Timed(report.stage_times[Stage::kSlicing], [&] {
+    const ScopedSpan span(call.spans, "slicing");
+    return slicing_.Slice(call, std::move(input.meshes), settings.slicing);
+  });
+  if (!sliced.ok()) return sliced.status();
+  HoldMemory(call, JobMemory::Kind::kMeshes, 0).IgnoreError();
+  if (absl::Status printable = CheckPrintable(sliced->layers); !printable.ok()) return printable;
+  report.meshes = std::move(sliced->meshes);
+  report.warnings = std::move(input.warnings);
+
+  auto plan = Timed(report.stage_times[Stage::kPlanning], [&] {
+    const ScopedSpan span(call.spans, "planning");
+    PlanningOptions options = FdmOf(settings).planning;
+    options.infill = InfillPlansOf(FdmOf(settings));
+    return planning_.Plan(call, {sliced->layers, sliced->copies, sliced->object_names}, options);
+  });
+  if (!plan.ok()) return plan.status();
+  const SeamQuality seams = plan->seams;
+  std::ranges::move(BedWarnings(plan->additions, FdmOf(settings).planning.bed, sliced->copies,
+                                sliced->object_names),
+                    std::back_inserter(report.warnings));
+  report.notes = std::move(plan->notes);
+  std::ranges::move(FieldNotesOf(settings), std::back_inserter(report.notes));
+  auto spool = SpoolFile::Make(spool_directory_);
+  if (!spool.ok()) return spool.status();
+  auto job = std::make_unique<FdmJob>(motion_, std::move(FdmOf(input.settings)),
+                                      std::move(input.settings_text), std::move(report), seams,
+                                      *std::move(spool));
+  if (absl::Status begun = job->Begin(*std::move(sliced), *std::move(plan)); !begun.ok())
+    return begun;
+  return job;
+}
+
+absl::StatusOr<LayerSamples> FdmProcess::Sample(const StageCall& call, PlannedPlate plate,
+                                                std::span<const int32_t> layers,
+                                                TaskExecutor& executor) const {
+  const MotionOptions motion = plate.settings.motion;
+  FdmJob job(motion_, std::move(plate.settings), std::move(plate.settings_text), {}, {}, nullptr);
+  if (absl::Status begun = job.Begin(std::move(plate.sliced), std::move(plate.plan)); !begun.ok())
+    return begun;
+  std::vector<LayerRange> ranges;
+  for (const int32_t layer : layers) ranges.push_back({layer, layer + 1});
+  std::vector<FdmResult> made(ranges.size());
+  const auto take = [&](size_t task, TaskResult result) {
+    made[task] = std::move(result.As<FdmResult>());
+    return absl::OkStatus();
+  };
+  absl::Status done = executor.Execute(call, job.TasksFor(ranges), take, [](int32_t) {});
+  if (!done.ok()) return done;
+  LayerSamples samples;
+  std::vector<SpooledProgram> programs;
+  for (size_t i = 0; i < made.size(); ++i) {
+    LayerSample& sample = samples.layers.emplace_back(LayerSample{layers[i]});
+    for (LayerProgram& program : made[i].programs) {
+      sample.time_s += program.stats.TimeS();
+      sample.filament_mm += program.stats.FilamentMm();
+      programs.push_back({std::move(program), {}});
+    }
+    samples.around_s -= sample.time_s;
+  }
+  std::ranges::stable_sort(programs, {},
+                           [](const SpooledProgram& spooled) { return spooled.program.pass; });
+  const auto frame = motion_.Envelope(call, job.SummaryOf(programs), motion);
+  if (!frame.ok()) return frame.status();
+  samples.around_s += frame->times.TotalS();
+  return samples;
+}
+
+absl::StatusOr<JobEstimate> FdmProcess::Estimate(const StageCall& call, SlicedJob sliced,
+                                                 JobInput input, TaskExecutor& executor) const {
+  FdmSettings& settings = FdmOf(input.settings);
+  const bool samples = executor.Slots(Process::kFdm) > 0;
+  const bool one_by_one = settings.planning.sequence.complete_objects;
+  if (!samples && !one_by_one) return EstimatePrint({sliced.layers, sliced.copies}, settings);
+  PlanningOptions options = settings.planning;
+  options.infill = InfillPlansOf(settings);
+  auto plan = planning_.Plan(call, {sliced.layers, sliced.copies, sliced.object_names}, options);
+  if (!plan.ok()) return plan.status();
+  std::optional<int32_t> layers;
+  if (one_by_one) layers = PassesOf(sliced.layers, plan->copies).layer_count;
+  if (!samples) {
+    JobEstimate estimate = EstimatePrint({sliced.layers, sliced.copies}, settings);
+    estimate.layers = layers;
+    return estimate;
+  }
+  auto warnings = BedWarnings(plan->additions, options.bed, sliced.copies, sliced.object_names);
+  const std::vector<LayerEstimate> rough = EstimateLayers({sliced.layers, sliced.copies}, settings);
+  const std::vector<int32_t> chosen = LayersToSample(rough, plan->additions);
+  const MotionOptions motion = settings.motion;
+  const auto made = Sample(
+      call,
+      {std::move(sliced), *std::move(plan), std::move(settings), std::move(input.settings_text)},
+      chosen, executor);
+  if (!made.ok()) return made.status();
+  JobEstimate estimate = EstimateFrom(*made, rough, motion);
+  estimate.layers = layers;
+  estimate.warnings = std::move(warnings);
+  return estimate;
+}
+
+std::unique_ptr<JobProcess> FdmProcess::Over(const Stages& stages,
+                                             const std::string& spool_directory) {
+  if (stages.slicing == nullptr || stages.planning == nullptr || stages.motion == nullptr)
+    return nullptr;
+  return std::make_unique<FdmProcess>(*stages.slicing, *stages.planning, *stages.motion,
+                                      spool_directory);
+}
+
+}  // namespace slicefarm::coordinator

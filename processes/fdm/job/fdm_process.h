@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "processes/fdm/job/sampled_estimate.h"
+#include "services/coordinator/algo/dispatch/task_executor.h"
+#include "services/coordinator/algo/pipeline/job_process.h"
+
+namespace slicefarm::coordinator {
+
+/// A job as its layers are made of it.
+struct PlannedPlate {
+  SlicedJob sliced;
+  JobPlan plan;
+  FdmSettings settings;
+  std::string settings_text;  ///< see JobInput
+};
+
+/// Meshes to G-code:
+///   1 slicing   2 planning   3 ranges with halo (range_split.h)   4 tasks   5 frame and assembly
+class FdmProcess : public JobProcess {
+ public:
+  /// The stages must outlive it. `spool_directory`: where programs wait for each other
+  /// (SpoolFile::Make).
+  FdmProcess(const SlicingStage& slicing, const PlanningStage& planning, const MotionStage& motion,
+             std::string spool_directory = "")
+      : slicing_(slicing),
+        planning_(planning),
+        motion_(motion),
+        spool_directory_(std::move(spool_directory)) {}
+
+  /// Null: a stage is missing.
+  static std::unique_ptr<JobProcess> Over(const Stages& stages, const std::string& spool_directory);
+
+  Process process() const override { return Process::kFdm; }
+  absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
+                                                   JobInput input) const override;
+  /// Plates that are printed one copy after the other, and those of which layers are made, are
+  /// planned.
+  absl::StatusOr<JobEstimate> Estimate(const StageCall& call, SlicedJob sliced, JobInput input,
+                                       TaskExecutor& executor) const override;
+
+  /// Makes these layers alone, to see what they take. Errors: those of the stages and of the
+  /// executor.
+  absl::StatusOr<LayerSamples> Sample(const StageCall& call, PlannedPlate plate,
+                                      std::span<const int32_t> layers,
+                                      TaskExecutor& executor) const;
+
+ private:
+  const SlicingStage& slicing_;
+  const PlanningStage& planning_;
+  const MotionStage& motion_;
+  const std::string spool_directory_;
+};
+
+}  // namespace slicefarm::coordinator

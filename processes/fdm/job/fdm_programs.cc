@@ -1,0 +1,157 @@
+#include "processes/fdm/job/fdm_programs.h"
+
+#include <algorithm>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/base/error.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+bool IsEmpty(const LayerProgram& program) { return program.stats.ExtrudedMm() == 0; }
+
+absl::Status CheckPrograms(const std::vector<SpooledProgram>& programs, size_t layer_count) {
+  int32_t next = 0;
+  int32_t pass = -1;
+  for (const SpooledProgram& spooled : programs) {
+    const int32_t index = spooled.program.frame.index;
+    const bool next_pass = index == next - 1 && spooled.program.pass > pass;
+    if (index != next && !next_pass)
+      return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                       absl::StrCat("layer ", next, " came back as ", index));
+    next = index + 1;
+    pass = spooled.program.pass;
+  }
+  if (next == static_cast<int32_t>(layer_count)) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                   absl::StrCat(next, " of ", layer_count, " layers came back"));
+}
+
+/// An object that ends between two planes may leave outlines at its top that no bead fits into. A
+/// pass ends with the last layer that has beads; empty layers below it stay. Errors:
+/// InvalidArgument (NOTHING_TO_PRINT) if there is none at all.
+absl::Status DropEmptyTops(std::vector<SpooledProgram>& programs) {
+  std::vector<SpooledProgram> kept;
+  std::map<int32_t, size_t> last;  // of a pass, with beads
+  for (size_t i = 0; i < programs.size(); ++i)
+    if (!IsEmpty(programs[i].program)) last[programs[i].program.pass] = i;
+  for (size_t i = 0; i < programs.size(); ++i) {
+    const auto end = last.find(programs[i].program.pass);
+    if (end != last.end() && i <= end->second) kept.push_back(std::move(programs[i]));
+  }
+  programs = std::move(kept);
+  if (!programs.empty()) return absl::OkStatus();
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
+      "no layer has a bead: the outlines are too thin for one, or the settings ask for "
+      "none (perimeters, fill_density, solid layers)");
+}
+
+LayerSummary Summarize(const LayerProgram& program) {
+  return {.frame = program.frame,
+          .pass = program.pass,
+          .entry = program.entry,
+          .exit = program.exit,
+          .time_s = program.stats.TimeS(),
+          .empty = IsEmpty(program),
+          .edges = program.edges,
+          .filament_mm = program.stats.FilamentMm()};
+}
+
+/// A layer's G-code with what its places were kept free for.
+void AddLayer(const SpooledProgram& layer, std::span<std::string> code, SpooledText& gcode) {
+  int64_t done = 0;
+  const auto add_to = [&](int64_t end) {
+    gcode.Add(SpoolFile::Place{layer.text.offset + done, end - done});
+    done = end;
+  };
+  for (size_t i = 0; i < std::min(code.size(), layer.program.code_at.size()); ++i) {
+    add_to(layer.program.code_at[i]);
+    gcode.Add(std::move(code[i]));
+  }
+  add_to(layer.text.size);
+}
+
+/// The same after a prefix, as one text.
+absl::StatusOr<std::string> TextOf(const SpooledProgram& layer, std::string_view prefix,
+                                   std::span<const std::string> code, const SpoolFile& spool) {
+  std::string program(static_cast<size_t>(layer.text.size), '\0');
+  if (absl::Status read = spool.ReadAt(layer.text.offset, program); !read.ok()) return read;
+  std::string text(prefix);
+  size_t done = 0;
+  for (size_t i = 0; i < std::min(code.size(), layer.program.code_at.size()); ++i) {
+    const auto at = static_cast<size_t>(layer.program.code_at[i]);
+    text.append(program, done, at - done).append(code[i]);
+    done = at;
+  }
+  return text.append(program, done);
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<SpooledProgram>> Spooled(std::vector<LayerProgram> programs,
+                                                    SpoolFile& spool) {
+  std::vector<SpooledProgram> spooled;
+  spooled.reserve(programs.size());
+  for (LayerProgram& program : programs) {
+    const auto place = spool.Add(program.gcode);
+    if (!place.ok()) return place.status();
+    std::string().swap(program.gcode);
+    spooled.push_back({std::move(program), *place});
+  }
+  return spooled;
+}
+
+absl::StatusOr<std::vector<SpooledProgram>> InPrintOrder(std::vector<SpooledProgram> programs,
+                                                         size_t layer_count) {
+  if (absl::Status whole = CheckPrograms(programs, layer_count); !whole.ok()) return whole;
+  std::ranges::stable_sort(programs, {},
+                           [](const SpooledProgram& spooled) { return spooled.program.pass; });
+  if (absl::Status printable = DropEmptyTops(programs); !printable.ok()) return printable;
+  return programs;
+}
+
+ProgramSummary Summarize(const std::vector<SpooledProgram>& programs) {
+  ProgramSummary summary;
+  for (const SpooledProgram& spooled : programs) {
+    summary.layers.push_back(Summarize(spooled.program));
+    summary.total.Add(spooled.program.stats);
+  }
+  return summary;
+}
+
+absl::StatusOr<SpooledText> WholeProgram(ProgramEnvelope frame,
+                                         const std::vector<SpooledProgram>& programs,
+                                         const gcode::Substitutions& substitutions,
+                                         std::unique_ptr<SpoolFile> spool) {
+  SpoolFile& file = *spool;
+  SpooledText gcode(std::move(spool));
+  gcode.Add(std::move(frame.head));
+  gcode.Add(substitutions.Apply(std::move(frame.prologue)));
+  frame.layer_prefixes.resize(programs.size());
+  for (size_t i = 0; i < programs.size(); ++i) {
+    const size_t first = std::min(i * kCodesOfALayer, frame.layer_code.size());
+    const size_t count = std::min<size_t>(kCodesOfALayer, frame.layer_code.size() - first);
+    const auto code = std::span(frame.layer_code).subspan(first, count);
+    if (substitutions.empty()) {
+      gcode.Add(std::move(frame.layer_prefixes[i]));
+      AddLayer(programs[i], code, gcode);
+      continue;
+    }
+    auto text = TextOf(programs[i], frame.layer_prefixes[i], code, file);
+    if (!text.ok()) return text.status();
+    const auto place = file.Add(substitutions.Apply(*std::move(text)));
+    if (!place.ok()) return place.status();
+    gcode.Add(*place);
+  }
+  gcode.Add(substitutions.Apply(std::move(frame.epilogue)));
+  gcode.Add(std::move(frame.tail));
+  return gcode;
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,89 @@
+#include "processes/fdm/job/fdm_programs.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "common/base/error.h"
+
+namespace slicefarm::coordinator::fdm_programs_test {
+namespace {
+
+using testing::ElementsAre;
+
+/// A layer of a pass; one without a text has no beads.
+LayerProgram Layer(int32_t index, std::string text, int32_t pass = 0) {
+  LayerProgram program;
+  program.frame.index = index;
+  program.pass = pass;
+  if (!text.empty()) program.stats.features[0] = {2, 3, 4, 5};
+  program.gcode = std::move(text);
+  return program;
+}
+
+class FdmProgramsTest : public testing::Test {
+ protected:
+  std::vector<SpooledProgram> SpooledOf(std::vector<LayerProgram> programs) {
+    return *Spooled(std::move(programs), *spool_);
+  }
+  std::string Whole(ProgramEnvelope frame, const std::vector<SpooledProgram>& programs) {
+    return *WholeProgram(std::move(frame), programs, {}, std::move(spool_))->Whole();
+  }
+
+  std::unique_ptr<SpoolFile> spool_ = *SpoolFile::Make("");
+};
+
+TEST_F(FdmProgramsTest, TextsAreInTheSpoolAlone) {
+  const auto programs = SpooledOf({Layer(0, "zero"), Layer(1, "one")});
+  EXPECT_EQ(programs[1].program.gcode, "");
+  EXPECT_EQ(programs[1].program.frame.index, 1);
+  EXPECT_EQ(programs[1].text.size, 3);
+}
+
+TEST_F(FdmProgramsTest, PassesFollowEachOtherAndEndWithTheirBeads) {
+  const auto programs = InPrintOrder(
+      SpooledOf({Layer(0, "a"), Layer(0, "A", 1), Layer(1, ""), Layer(2, "c"), Layer(3, "")}), 4);
+  ASSERT_TRUE(programs.ok()) << programs.status();
+  std::vector<std::pair<int, int>> order;
+  for (const SpooledProgram& spooled : *programs)
+    order.emplace_back(spooled.program.pass, spooled.program.frame.index);
+  EXPECT_THAT(order,
+              ElementsAre(std::pair(0, 0), std::pair(0, 1), std::pair(0, 2), std::pair(1, 0)));
+}
+
+TEST_F(FdmProgramsTest, LayersThatAreMissingOrWithoutBeadsAreErrors) {
+  const auto reason = [&](std::vector<LayerProgram> programs, size_t layers) {
+    return DetailOf(InPrintOrder(SpooledOf(std::move(programs)), layers).status()).reason;
+  };
+  EXPECT_EQ(reason({Layer(0, "a")}, 2), Reason::kInternal);
+  EXPECT_EQ(reason({Layer(1, "b")}, 2), Reason::kInternal);
+  EXPECT_EQ(reason({Layer(0, "a"), Layer(2, "c")}, 3), Reason::kInternal);
+  EXPECT_EQ(reason({Layer(0, ""), Layer(1, "")}, 2), Reason::kNothingToPrint);
+}
+
+TEST_F(FdmProgramsTest, SumsUpLayers) {
+  const ProgramSummary summary = Summarize(SpooledOf({Layer(0, "a"), Layer(1, ""), Layer(2, "c")}));
+  ASSERT_EQ(summary.layers.size(), 3u);
+  EXPECT_TRUE(summary.layers[1].empty);
+  EXPECT_DOUBLE_EQ(summary.total.TimeS(), 4);
+}
+
+TEST_F(FdmProgramsTest, LaterTextsGoToTheirPlacesInTheLayers) {
+  LayerProgram first = Layer(0, "[|]");
+  first.code_at = {1, 2};
+  LayerProgram second = Layer(1, "(x)");  // its own texts stand there
+  LayerProgram third = Layer(2, "<>");
+  third.code_at = {0, 2};
+  ProgramEnvelope frame;
+  frame.prologue = "begin ";
+  frame.layer_prefixes = {"0:", "1:"};
+  frame.layer_code = {"a", "b", "", "", "c", "d"};
+  frame.epilogue = " end";
+  EXPECT_EQ(Whole(std::move(frame), SpooledOf({first, second, third})),
+            "begin 0:[a|b]1:(x)c<>d end");
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator::fdm_programs_test

@@ -1,0 +1,97 @@
+#include "processes/fdm/job/sampled_estimate.h"
+
+#include <algorithm>
+#include <numbers>
+#include <set>
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr int kSamples = 32;
+constexpr size_t kMostAdded = 8;
+
+/// What a sample is by the rough estimate's measure; 0 where that says nothing of the layer.
+double Ratio(double got, double rough) { return rough > 0 ? got / rough : 0; }
+
+/// Sums up over all layers.
+class Sum {
+ public:
+  /// A layer without a sample is off as the samples around it are.
+  void AddGap(std::span<const double> rough, double ratio_before, double ratio_after) {
+    const auto count = static_cast<double>(rough.size());
+    for (size_t i = 0; i < rough.size(); ++i) {
+      const double share = (static_cast<double>(i) + 1) / (count + 1);
+      total_ += rough[i] * (ratio_before + share * (ratio_after - ratio_before));
+    }
+  }
+  void AddSample(double got) { total_ += got; }
+  double total() const { return total_; }
+
+ private:
+  double total_ = 0;
+};
+
+/// `rough`: by layer; `got`: by sample.
+double Total(std::span<const LayerSample> samples, std::span<const double> rough,
+             std::span<const double> got) {
+  Sum sum;
+  size_t next = 0;  // layer
+  double before = -1;
+  for (size_t i = 0; i <= samples.size(); ++i) {
+    const size_t end = i < samples.size() ? static_cast<size_t>(samples[i].layer) : rough.size();
+    const double after = i < samples.size() ? Ratio(got[i], rough[end]) : before;
+    // A layer of which the estimate says nothing, such as one of a raft, is no measure of others.
+    const double from = before > 0 ? before : after;
+    sum.AddGap(rough.subspan(next, end - next), from, after > 0 ? after : from);
+    if (i == samples.size()) break;
+    sum.AddSample(got[i]);
+    if (after > 0) before = after;
+    next = end + 1;
+  }
+  return sum.total();
+}
+
+}  // namespace
+
+std::vector<int32_t> LayersToSample(std::span<const LayerEstimate> layers,
+                                    std::span<const PlateAddition> additions) {
+  std::set<int32_t> chosen = {0};
+  for (const PlateAddition& addition : additions)
+    if (!addition.regions.empty() && chosen.size() <= kMostAdded) chosen.insert(addition.layer);
+  double all = 0;
+  for (const LayerEstimate& layer : layers) all += layer.time_s;
+  if (all <= 0) return {chosen.begin(), chosen.end()};
+  double gone = 0;
+  int taken = 0;
+  for (size_t i = 0; i < layers.size(); ++i) {
+    gone += layers[i].time_s;
+    const int reached = static_cast<int>(gone / all * kSamples + 0.5);
+    if (reached > taken) chosen.insert(static_cast<int32_t>(i));
+    taken = std::max(taken, reached);
+  }
+  return {chosen.begin(), chosen.end()};
+}
+
+JobEstimate EstimateFrom(const LayerSamples& samples, std::span<const LayerEstimate> layers,
+                         const MotionOptions& motion) {
+  std::vector<double> times, volumes, got_times, got_filaments;
+  for (const LayerEstimate& layer : layers) {
+    times.push_back(layer.time_s);
+    volumes.push_back(layer.volume_mm3);
+  }
+  for (const LayerSample& sample : samples.layers) {
+    got_times.push_back(sample.time_s);
+    got_filaments.push_back(sample.filament_mm);
+  }
+  JobEstimate estimate;
+  estimate.print_time_s = samples.around_s + Total(samples.layers, times, got_times);
+  ProgramStats total;
+  FeatureUse& all = total.features[0];
+  all.filament_mm = Total(samples.layers, volumes, got_filaments);
+  const double radius_mm = motion.filament_diameter_mm / 2;
+  all.volume_mm3 = all.filament_mm * std::numbers::pi * radius_mm * radius_mm;
+  estimate.filament = FilamentUseOf(total, motion);
+  return estimate;
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,81 @@
+#include "processes/fdm/settings/adhesion_rows.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "common/config/resolve.h"
+
+namespace slicefarm::config::fdm::adhesion_rows_test {
+namespace {
+
+constexpr double kQuarter = std::numbers::pi / 2;
+
+JobSettings Resolved(const std::vector<std::pair<std::string, std::string>>& given) {
+  std::vector<Setting> settings;
+  for (const auto& [key, value] : given) settings.push_back({key, value, Source::kRequest});
+  const auto resolved = Resolve(settings, Process::kFdm);
+  EXPECT_TRUE(resolved.ok()) << resolved.status();
+  return resolved.ok() ? resolved->settings : JobSettings{};
+}
+
+TEST(BrimRow, IsAllLinesOfTheFirstLayersWidth) {
+  const JobSettings job = Resolved({{"first_layer_extrusion_width", "0.6"},
+                                    {"perimeters", "2"},
+                                    {"only_one_perimeter_first_layer", "1"},
+                                    {"top_one_perimeter_type", "topmost"},
+                                    {"extra_perimeters", "1"},
+                                    {"fuzzy_skin", "all"},
+                                    {"perimeter_generator", "classic"},
+                                    {"fill_density", "15%"}});
+  const JobSettings row = BrimRow(job);
+  EXPECT_EQ(FdmOf(row).beading[0].external_width_nm, 600'000);
+  EXPECT_EQ(FdmOf(row).beading[0].inner_width_nm, 600'000);
+  EXPECT_GT(FdmOf(row).beading[0].perimeters, 200 / 0.6 / 2) << "the widest brim there may be";
+  EXPECT_FALSE(FdmOf(row).beading[0].one_on_bed);
+  EXPECT_EQ(FdmOf(row).beading[0].one_on_top, OneWallOnTop::kNowhere);
+  EXPECT_FALSE(FdmOf(row).beading[0].extra_perimeters);
+  EXPECT_EQ(FdmOf(row).beading[0].fuzzy, FuzzySkin::kNone);
+  EXPECT_EQ(FdmOf(row).beading[0].generator, WallGenerator::kArachne);
+  EXPECT_EQ(FdmOf(row).infill[0].density, 1);
+  EXPECT_TRUE(FdmOf(row).ordering.walls[0].towards_holes);
+}
+
+struct Layer {
+  double density, turn;
+  int32_t walls;
+};
+
+// As PrusaSlicer 2.5.0 prints them.
+TEST(RaftRow, DensityAndAngleOfEachLayer) {
+  const double base = 0.4 / 2.9;
+  const std::vector<std::vector<Layer>> rafts = {
+      {{1, 1, 0}},
+      {{0.9, 0, 1}, {1, 1, 0}},
+      {{0.9, 0, 1}, {1, 1, 0}, {1, 1, 0}},
+      {{0.9, 1, 1}, {base, 0, 1}, {1, 1, 0}, {1, 1, 0}},
+      {{0.9, 1, 1}, {base, 0, 1}, {base, 0, 1}, {1, 1, 0}, {1, 1, 0}, {1, 1, 0}},
+  };
+  for (const std::vector<Layer>& raft : rafts) {
+    const JobSettings job = Resolved({{"raft_layers", std::to_string(raft.size())},
+                                      {"support_material_angle", "30"},
+                                      {"support_material_extrusion_width", "0.4"}});
+    for (size_t i = 0; i < raft.size(); ++i) {
+      const JobSettings row = RaftRow(job, static_cast<int32_t>(i));
+      const InfillOptions& infill = FdmOf(row).infill[0];
+      EXPECT_DOUBLE_EQ(infill.density, raft[i].density) << raft.size() << " " << i;
+      EXPECT_DOUBLE_EQ(infill.angle_rad, std::numbers::pi / 6 + kQuarter * raft[i].turn);
+      EXPECT_EQ(infill.pattern, FillPattern::kAlignedRectilinear);
+      EXPECT_EQ(infill.top_solid_layers, 0);
+      EXPECT_EQ(infill.sparse_width_nm, 400'000);
+      EXPECT_EQ(infill.solid_width_nm, 400'000);
+      EXPECT_EQ(infill.first_layer_width_nm, FdmOf(job).infill[0].first_layer_width_nm);
+      EXPECT_EQ(FdmOf(row).beading[0].perimeters, raft[i].walls);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::config::fdm::adhesion_rows_test

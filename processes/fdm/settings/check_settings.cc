@@ -1,0 +1,152 @@
+#include "processes/fdm/settings/check_settings.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "common/base/error.h"
+#include "common/config/setting_refusal.h"
+#include "common/config/value.h"
+#include "common/model/options/adhesion_options.h"
+#include "common/model/options/motion_options.h"
+
+namespace slicefarm::config::fdm {
+namespace {
+
+absl::Status CheckHeight(const Draft& draft, std::string_view key) {
+  const double nozzle = draft.Number("nozzle_diameter");
+  if (draft.Number(key) <= nozzle) return absl::OkStatus();
+  return Refuse(draft, key,
+                fmt::format("it must not exceed nozzle_diameter = {} mm", PrintNumber(nozzle)), 0,
+                nozzle);
+}
+
+absl::Status CheckWidth(const Draft& draft, std::string_view key, std::string_view height_key) {
+  constexpr double kMaxNozzles = 3;
+  const double width = draft.Number(key);
+  const double height = draft.Number(height_key);
+  const double max = Quantise(kMaxNozzles * draft.Number("nozzle_diameter"));
+  if (width < height) {
+    return Refuse(draft, key,
+                  fmt::format("it must be at least {} = {} mm", height_key, PrintNumber(height)),
+                  height, kUnbounded);
+  }
+  if (width >= max) {
+    return Refuse(
+        draft, key,
+        fmt::format("it must be less than 3 times nozzle_diameter, {} mm", PrintNumber(max)), 0,
+        max);
+  }
+  return absl::OkStatus();
+}
+
+absl::Status CheckWidths(const Draft& draft) {
+  for (const std::string_view key :
+       {"perimeter_extrusion_width", "external_perimeter_extrusion_width", "infill_extrusion_width",
+        "solid_infill_extrusion_width", "top_infill_extrusion_width"}) {
+    const absl::Status status = CheckWidth(draft, key, "layer_height");
+    if (!status.ok()) return status;
+  }
+  return CheckWidth(draft, "first_layer_extrusion_width", "first_layer_height");
+}
+
+/// A raft's lines must have room beside each other, as high as its layers are.
+absl::Status CheckRaft(const Draft& draft) {
+  constexpr std::string_view kWidth = "support_material_extrusion_width";
+  if (draft.Number("raft_layers") == 0) return absl::OkStatus();
+  const double height =
+      std::max(draft.Number("layer_height"), 0.75 * draft.Number("nozzle_diameter"));
+  const double least = Quantise(height / 2);
+  if (draft.Number(kWidth) < least)
+    return Refuse(draft, kWidth,
+                  fmt::format("it must be at least half of the height of a raft's layers, {} mm",
+                              PrintNumber(least)),
+                  least, kUnbounded);
+  return CheckWidth(draft, kWidth, "layer_height");
+}
+
+/// From one copy to the next the head would meet a wall around all of them.
+absl::Status CheckSkirt(const Draft& draft) {
+  if (draft.Number("complete_objects") == 0 || draft.Number("skirts") == 0) return absl::OkStatus();
+  const bool shields = draft.Number("draft_shield") == static_cast<double>(DraftShield::kEnabled);
+  if (!shields && draft.Number("skirt_height") <= 1) return absl::OkStatus();
+  const std::string key = shields ? "draft_shield" : "skirt_height";
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   fmt::format("{} = {}: with complete_objects = 1 a skirt may have one layer, or "
+                               "the head would meet it",
+                               key, draft.At(key).written),
+                   {{"setting", key}, {"value", draft.At(key).written}});
+}
+
+/// Klipper has no mixing extruder.
+absl::Status CheckMixing(const Draft& draft) {
+  const bool klipper = draft.Number("gcode_flavor") == static_cast<double>(GcodeFlavor::kKlipper);
+  if (draft.At("material_field").value->text.empty() || !klipper) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   "material_field: gcode_flavor = klipper cannot mix materials; Marlin can",
+                   {{"setting", "material_field"}});
+}
+
+absl::Status RefuseWords(std::string_view key, std::string_view why) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   fmt::format("{} = 1: {}", key, why),
+                   {{"setting", std::string(key)}, {"value", "1"}});
+}
+
+/// What the firmware cannot read. A retraction that the firmware makes is not cut to a wipe.
+absl::Status CheckWords(const Draft& draft) {
+  const auto flavor = static_cast<GcodeFlavor>(std::lround(draft.Number("gcode_flavor")));
+  constexpr std::string_view kByFirmware = "use_firmware_retraction";
+  if (draft.Number(kByFirmware) != 0) {
+    if (draft.Number("wipe") != 0)
+      return RefuseWords(kByFirmware,
+                         "wipe = 1 cannot be had with it: the machine retracts by "
+                         "itself, in place");
+    if (flavor == GcodeFlavor::kPrusaBuddy || flavor == GcodeFlavor::kBambu)
+      return RefuseWords(kByFirmware,
+                         "gcode_flavor must be marlin, marlin2, klipper or "
+                         "reprapfirmware");
+  }
+  if (draft.Number("use_volumetric_e") != 0 && flavor == GcodeFlavor::kKlipper)
+    return RefuseWords("use_volumetric_e", "gcode_flavor = klipper knows no volumes of filament");
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+absl::Status CheckSettings(const Draft& draft) {
+  for (const std::string_view key : {"layer_height", "first_layer_height"}) {
+    if (absl::Status status = CheckHeight(draft, key); !status.ok()) return status;
+  }
+  if (absl::Status status = CheckWidths(draft); !status.ok()) return status;
+  if (absl::Status status = CheckRaft(draft); !status.ok()) return status;
+  if (absl::Status status = CheckSkirt(draft); !status.ok()) return status;
+  if (absl::Status status = CheckMixing(draft); !status.ok()) return status;
+  if (absl::Status status = CheckWords(draft); !status.ok()) return status;
+
+  const double length = draft.Number("retract_length");
+  if (length > 0 && draft.Number("retract_restart_extra") < -length)
+    return Refuse(
+        draft, "retract_restart_extra",
+        fmt::format("it must not take back more than retract_length = {} mm", PrintNumber(length)),
+        -length, kUnbounded);
+  if (length > 0 && draft.Number("retract_speed") == 0) {
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                     "retract_speed = 0 is out of range: it must be more than 0 mm/s while "
+                     "retract_length is",
+                     {{"setting", "retract_speed"}, {"value", "0"}});
+  }
+  const double widest_gap = draft.Number("gap_fill_max_width");
+  if (draft.Number("gap_fill_min_width") > widest_gap) {
+    return Refuse(
+        draft, "gap_fill_min_width",
+        fmt::format("it must not exceed gap_fill_max_width = {} mm", PrintNumber(widest_gap)), 0,
+        widest_gap);
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::config::fdm

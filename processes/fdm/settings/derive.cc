@@ -1,0 +1,233 @@
+#include "processes/fdm/settings/derive.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "common/base/text.h"
+#include "common/config/derive_steps.h"
+#include "common/config/table/settings_table.h"
+#include "common/model/options/fill_patterns.h"
+#include "processes/fdm/settings/filament_gcode.h"
+
+namespace slicefarm::config::fdm {
+namespace {
+
+constexpr double kWidthPerNozzle = 1.125;  // of a bead whose width nobody set
+
+constexpr std::string_view kSpeeds[] = {
+    "perimeter_speed",        "external_perimeter_speed",
+    "small_perimeter_speed",  "infill_speed",
+    "solid_infill_speed",     "top_solid_infill_speed",
+    "gap_fill_speed",         "bridge_speed",
+    "support_material_speed", "support_material_interface_speed",
+    "ironing_speed",
+};
+
+/// Sparse infill whose lines run over each other in one layer.
+constexpr FillPattern kCrossing[] = {FillPattern::kGrid,          FillPattern::kTriangles,
+                                     FillPattern::kStars,         FillPattern::kCubic,
+                                     FillPattern::kAdaptiveCubic, FillPattern::kSupportCubic};
+
+void DeriveWidth(Draft& draft, std::string_view key, double auto_width) {
+  Value width = *draft.At(key).value;
+  if (width.number == 0) width = *draft.At("extrusion_width").value;
+  const double mm = Absolute(width, draft.Number("layer_height"));
+  draft.SetNumber(key, mm == 0 ? auto_width : mm);
+}
+
+void DeriveWidths(Draft& draft) {
+  const double nozzle = draft.Number("nozzle_diameter");
+  for (const std::string_view key :
+       {"perimeter_extrusion_width", "external_perimeter_extrusion_width", "infill_extrusion_width",
+        "solid_infill_extrusion_width"}) {
+    DeriveWidth(draft, key, kWidthPerNozzle * nozzle);
+  }
+  DeriveWidth(draft, "top_infill_extrusion_width", nozzle);
+  DeriveWidth(draft, "support_material_extrusion_width", nozzle);
+  TakePercentage(draft, "first_layer_extrusion_width");
+  FallBack(draft, "first_layer_extrusion_width", "perimeter_extrusion_width");
+  TakePercentage(draft, "extrusion_width");
+}
+
+void DeriveVariableWalls(Draft& draft) {
+  for (const std::string_view key : {"wall_transition_length", "wall_transition_filter_deviation",
+                                     "min_feature_size", "min_bead_width", "max_bead_width"}) {
+    TakePercentage(draft, key);
+  }
+}
+
+/// The filament may stand less where lines run over each other.
+void LimitInfillSpeed(Draft& draft) {
+  const auto pattern = static_cast<FillPattern>(std::lround(draft.Number("fill_pattern")));
+  const bool crosses = std::ranges::find(kCrossing, pattern) != std::end(kCrossing);
+  const double limit =
+      draft.Number(crosses ? "filament_infill_max_crossing_speed" : "filament_infill_max_speed");
+  if (limit > 0) draft.SetNumber("infill_speed", std::min(draft.Number("infill_speed"), limit));
+}
+
+void DeriveSpeeds(Draft& draft) {
+  for (const std::string_view key :
+       {"external_perimeter_speed", "small_perimeter_speed", "solid_infill_speed",
+        "top_solid_infill_speed", "over_bridge_speed", "support_material_interface_speed",
+        "first_layer_infill_speed", "overhang_speed_0", "overhang_speed_1", "overhang_speed_2",
+        "overhang_speed_3"}) {
+    TakePercentage(draft, key);
+  }
+  for (const std::string_view key : kSpeeds) {
+    FallBack(draft, key, "max_print_speed");
+  }
+  LimitInfillSpeed(draft);
+}
+
+void DeriveAccelerations(Draft& draft) {
+  FallBack(draft, "external_perimeter_acceleration", "perimeter_acceleration");
+  FallBack(draft, "solid_infill_acceleration", "infill_acceleration");
+  FallBack(draft, "top_solid_infill_acceleration", "solid_infill_acceleration");
+}
+
+/// Limits that are ignored are those of no setting.
+void DeriveLimits(Draft& draft) {
+  if (draft.Number("machine_limits_usage") != kIgnoreLimits) return;
+  const auto table = SettingsTable(draft.process());
+  for (const SettingSpec& spec : table) {
+    if (!spec.key.starts_with("machine_max_") && !spec.key.starts_with("machine_min_")) continue;
+    draft.SetNumber(spec.key, *ToNumber(spec.standard));
+  }
+}
+
+/// As many layers as the shell needs to be `thickness` thick, and no fewer than `layers` says.
+void DeriveShell(Draft& draft, std::string_view layers, std::string_view thickness) {
+  const double number = draft.Number(layers);
+  if (number == 0) return;
+  constexpr double kRounding = 1e-6;
+  const double needed =
+      std::ceil(draft.Number(thickness) / draft.Number("layer_height") - kRounding);
+  draft.SetNumber(layers, std::max(number, needed));
+}
+
+/// As many layers as their infill may be high. Their most is the setting's own.
+void DeriveCombination(Draft& draft) {
+  constexpr std::string_view kHeight = "automatic_infill_combination_max_layer_height";
+  TakePercentage(draft, kHeight);
+  if (draft.Number("automatic_infill_combination") == 0) return;
+  constexpr std::string_view kLayers = "infill_every_layers";
+  const double height_mm = std::min(draft.Number(kHeight), draft.Number("nozzle_diameter"));
+  constexpr double kRounding = 1e-6;
+  const double layers = std::floor(height_mm / draft.Number("layer_height") + kRounding);
+  const SettingSpec& spec = SettingsTable(draft.process())[FindSetting(kLayers, draft.process())];
+  draft.SetNumber(kLayers, std::clamp(layers, spec.min, spec.max));
+}
+
+void DeriveFilament(Draft& draft) {
+  for (const std::string_view key :
+       {"retract_length", "retract_speed", "deretract_speed", "retract_restart_extra",
+        "retract_before_travel", "retract_lift", "retract_lift_above", "retract_lift_below",
+        "travel_ramping_lift", "travel_max_lift", "travel_slope", "travel_lift_before_obstacle",
+        "seam_gap_distance", "wipe", "retract_before_wipe", "retract_layer_change"}) {
+    const Draft::Entry& own = draft.At(fmt::format("filament_{}", key));
+    if (own.value.has_value()) draft.At(key).value = own.value;
+  }
+  FallBack(draft, "deretract_speed", "retract_speed");
+  // How far, the machine knows; this much counts in times.
+  if (draft.Number("use_firmware_retraction") != 0 && draft.Number("retract_length") == 0)
+    draft.SetNumber("retract_length", 1);
+
+  const double print_limit = draft.Number("max_volumetric_speed");
+  const double filament_limit = draft.Number("filament_max_volumetric_speed");
+  if (print_limit > 0 && (filament_limit == 0 || print_limit < filament_limit)) {
+    draft.SetNumber("filament_max_volumetric_speed", print_limit);
+  }
+}
+
+/// Whether G-code does anything but comment and set E to 0, which profiles do in each layer.
+bool Acts(std::string_view gcode) {
+  for (const std::string_view line : Split(gcode, "\n")) {
+    const std::string_view code = Trim(line.substr(0, line.find(';')));
+    if (!code.empty() && code != "G92 E0" && code != "G92 E0.0") return true;
+  }
+  return false;
+}
+
+/// Layers meet with the filament ready only where nothing happens between them: G-code may lead the
+/// nozzle anywhere, and a copy that is left out must leave the printer as it found it.
+void DeriveLayerChange(Draft& draft) {
+  const auto text = [&](std::string_view key) -> std::string_view {
+    return draft.At(key).value->text;
+  };
+  if (Acts(text("before_layer_gcode")) || Acts(text("layer_gcode")) ||
+      !text("custom_gcode_per_print_z").empty() ||
+      draft.Number("gcode_label_objects") != static_cast<int>(ObjectLabels::kNone))
+    draft.SetNumber("retract_layer_change", 1);
+}
+
+/// More walls take the place of infill: where there is none, they are not looked for.
+void DeriveExtraWalls(Draft& draft) {
+  const bool filled = draft.Number("fill_density") > 0 && draft.Number("perimeters") > 0;
+  if (!filled) draft.SetNumber("extra_perimeters", 0);
+}
+
+/// Thumbnails take the format that they do not name from thumbnails_format.
+void DeriveThumbnails(Draft& draft) {
+  const auto format = static_cast<PictureFormat>(std::lround(draft.Number("thumbnails_format")));
+  if (format == PictureFormat::kPng) return;
+  const std::string_view suffix = format == PictureFormat::kQoi ? "/QOI" : "/JPG";
+  Draft::Entry& thumbnails = draft.At("thumbnails");
+  const std::string& written = thumbnails.given ? thumbnails.written : thumbnails.value->text;
+  std::string text;
+  for (const std::string_view size : Split(written, ",")) {
+    const bool names_one = size.empty() || size.find('/') != size.npos;
+    text += fmt::format("{}{}{}", text.empty() ? "" : ",", size, names_one ? "" : suffix);
+  }
+  if (const auto sizes = ParseSizes(text); sizes.ok()) thumbnails.value->text = PrintSizes(*sizes);
+}
+
+/// Between copies that are printed one after the other a skirt of one layer is all that the head
+/// can pass; profiles ask for more. What a person asks for is checked (check_settings.h). Returns
+/// what to say of it.
+std::optional<std::string> TakeSequentialSkirt(Draft& draft) {
+  if (draft.Number("complete_objects") == 0 || draft.Number("skirts") == 0) return std::nullopt;
+  const Draft::Entry& height = draft.At("skirt_height");
+  if (height.requested || draft.Number("skirt_height") <= 1) return std::nullopt;
+  std::string note = fmt::format(
+      "skirt_height = {}: with complete_objects = 1 the skirt has one "
+      "layer, or the head would meet it",
+      height.written);
+  draft.SetNumber("skirt_height", 1);
+  return note;
+}
+
+}  // namespace
+
+absl::Status Derive(Draft& draft, ResolvedSettings& result) {
+  if (auto note = TakeSequentialSkirt(draft)) {
+    result.no_effect.push_back(*note);
+    result.warnings.push_back(*std::move(note));
+  }
+  TakePercentage(draft, "first_layer_height");
+  RaiseTo(draft, "outline_resolution", "resolution");
+  DeriveWidths(draft);
+  DeriveVariableWalls(draft);
+  for (const std::string_view key : {"infill_overlap", "infill_anchor", "infill_anchor_max"})
+    TakePercentage(draft, key);
+  DeriveSpeeds(draft);
+  DeriveAccelerations(draft);
+  DeriveLimits(draft);
+  DeriveShell(draft, "top_solid_layers", "top_solid_min_thickness");
+  DeriveShell(draft, "bottom_solid_layers", "bottom_solid_min_thickness");
+  DeriveCombination(draft);
+  DeriveFilament(draft);
+  TakePercentage(draft, "seam_gap_distance");
+  DeriveExtraWalls(draft);
+  DeriveLayerChange(draft);
+  DeriveThumbnails(draft);
+  absl::Status status = CheckPercentages(draft);
+  status.Update(JoinFilamentGcode(draft));
+  return status;
+}
+
+}  // namespace slicefarm::config::fdm

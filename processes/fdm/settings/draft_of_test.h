@@ -1,0 +1,36 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/config/draft.h"
+#include "common/config/table/settings_table.h"
+
+namespace slicefarm::config::fdm {
+
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+/// The standards but for these, as Resolve has read them.
+inline Draft DraftOf(const Pairs& given) {
+  Draft draft(Process::kFdm);
+  for (const auto& [key, text] : given) {
+    Draft::Entry& entry = draft.At(key);
+    if (text == kNotSet) {
+      entry.value.reset();
+    } else if (auto value =
+                   ParseValue(SettingsTable(Process::kFdm)[FindSetting(key, Process::kFdm)], text);
+               value.ok()) {
+      entry.value = *std::move(value);
+    } else {
+      ADD_FAILURE() << value.status();
+    }
+    entry.written = text;
+    entry.given = entry.requested = true;
+  }
+  return draft;
+}
+
+}  // namespace slicefarm::config::fdm

@@ -1,0 +1,61 @@
+#include "processes/fdm/settings/plate_settings.h"
+
+#include <algorithm>
+
+#include "processes/fdm/settings/adhesion_rows.h"
+
+namespace slicefarm::config::fdm {
+namespace {
+
+/// How far an object's brim stands out from it. That of auto_brim is not known before its shape is.
+Coord BrimReach(const ObjectPlanOptions& object) {
+  const BrimOptions& brim = object.brim;
+  const bool outside = brim.type == BrimType::kOuterOnly || brim.type == BrimType::kOuterAndInner ||
+                       brim.type == BrimType::kEars;
+  if (!outside || brim.automatic.on || object.raft.heights.layers > 0 || brim.width_nm <= 0)
+    return 0;
+  return brim.separation_nm + brim.width_nm;
+}
+
+/// Copies that are arranged stand duplicate_distance apart, brims included.
+void LeaveRoomForBrims(JobSettings& settings) {
+  Coord reach = 0;
+  for (const ObjectPlanOptions& object : FdmOf(settings).planning.objects)
+    reach = std::max(reach, BrimReach(object));
+  SlicingOptions& slicing = settings.slicing;
+  if (reach > 0)
+    slicing.clearance_radius_nm =
+        std::max(slicing.clearance_radius_nm, slicing.part_distance_nm + 2 * reach);
+}
+
+}  // namespace
+
+absl::Status AddAdhesionRows(JobSettings& object, RegionRows& rows) {
+  ObjectPlanOptions& planning = FdmOf(object).planning.objects.front();
+  const int32_t raft_layers = planning.raft.heights.layers;
+  for (int32_t layer = 0; layer < raft_layers; ++layer) {
+    absl::StatusOr<int32_t> row = rows.RowOf(RaftRow(object, layer));
+    if (!row.ok()) return row.status();
+    planning.raft_settings[static_cast<size_t>(layer)] = *row;
+  }
+  const BrimOptions& brim = planning.brim;
+  const bool wide = brim.automatic.on || brim.width_nm > 0;
+  if (brim.type == BrimType::kNone || !wide || raft_layers > 0) return absl::OkStatus();
+  absl::StatusOr<int32_t> row = rows.RowOf(BrimRow(object));
+  if (!row.ok()) return row.status();
+  planning.brim_settings = *row;
+  return absl::OkStatus();
+}
+
+absl::Status FinishPlate(const JobSettings& job, RegionRows& rows, JobSettings& plate) {
+  if (FdmOf(plate).planning.skirt.loops > 0) {
+    const absl::StatusOr<int32_t> row = rows.RowOf(BrimRow(job));
+    if (!row.ok()) return row.status();
+    FdmOf(plate).planning.skirt_settings = *row;
+  }
+  rows.PutInto(plate);
+  LeaveRoomForBrims(plate);
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::config::fdm

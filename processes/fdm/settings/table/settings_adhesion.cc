@@ -1,0 +1,197 @@
+#include "common/model/limits.h"
+#include "processes/fdm/settings/table/settings_sections.h"
+
+namespace slicefarm::config::fdm {
+namespace {
+
+std::vector<SettingSpec> Skirt() {
+  const auto shield = [](DraftShield value) { return static_cast<int>(value); };
+  return {
+      {.key = "skirts",
+       .kind = Kind::kInteger,
+       .min = 0,
+       .max = limits::kMaxSkirtLoops,
+       .standard = "0",
+       .doc = "Loops around all that is printed, to start the flow; 0: none (PrusaSlicer's own "
+              "standard is 1)",
+       .field = Bind([](auto& s) -> auto& { return s.planning.skirt.loops; })},
+      {.key = "skirt_distance",
+       .unit = "mm",
+       .min = 0,
+       .max = 1000,
+       .standard = "6",
+       .doc = "From what is printed, brims included, to the skirt",
+       .field = Bind([](auto& s) -> auto& { return s.planning.skirt.distance_nm; })},
+      {.key = "skirt_height",
+       .kind = Kind::kInteger,
+       .unit = "layers",
+       .min = 0,
+       .max = limits::kMaxLayers,
+       .standard = "1",
+       .doc = "On how many layers there is a skirt",
+       .field = Bind([](auto& s) -> auto& { return s.planning.skirt.height_layers; })},
+      {.key = "min_skirt_length",
+       .unit = "mm",
+       .min = 0,
+       .max = 1e6,
+       .standard = "0",
+       .doc = "Filament that the skirt takes on the first layer at least: loops are added until it "
+              "does",
+       .field = Bind([](auto& s) -> auto& { return s.planning.skirt.min_length_nm; })},
+      {.key = "draft_shield",
+       .kind = Kind::kChoice,
+       .standard = "disabled",
+       .doc = "Skirt as a wall against draft, skirt_distance from the parts: brims give way to it; "
+              "limited: as high as skirt_height, enabled: on all layers",
+       .choices = {{"disabled", shield(DraftShield::kDisabled)},
+                   {"limited", shield(DraftShield::kLimited)},
+                   {"enabled", shield(DraftShield::kEnabled)},
+                   {"0", shield(DraftShield::kDisabled)},
+                   {"1", shield(DraftShield::kEnabled)}},
+       .field = Bind([](auto& s) -> auto& { return s.planning.skirt.draft_shield; })},
+  };
+}
+
+/// brim_type beyond the types.
+constexpr int kAutoBrim = 5;
+
+void SetBrimType(JobSettings& settings, const Value& value) {
+  BrimOptions& brim = FdmOf(settings).planning.objects[0].brim;
+  const auto type = static_cast<int>(std::lround(value.number));
+  brim.automatic.on = type == kAutoBrim;
+  brim.type = brim.automatic.on ? BrimType::kOuterOnly : static_cast<BrimType>(type);
+}
+
+Value BrimTypeOf(const JobSettings& settings) {
+  const BrimOptions& brim = FdmOf(settings).planning.objects[0].brim;
+  return {.number =
+              static_cast<double>(brim.automatic.on ? kAutoBrim : static_cast<int>(brim.type))};
+}
+
+std::vector<SettingSpec> Brim() {
+  const auto type = [](BrimType value) { return static_cast<int>(value); };
+  return {
+      {.key = "brim_type",
+       .kind = Kind::kChoice,
+       .standard = "outer_only",
+       .doc = "Where there is a brim: around the object, in its holes, both, as discs at sharp "
+              "corners (brim_ears), or around the object and as wide as its shape and material "
+              "need it (auto_brim)",
+       .choices = {{"no_brim", type(BrimType::kNone)},
+                   {"outer_only", type(BrimType::kOuterOnly)},
+                   {"inner_only", type(BrimType::kInnerOnly)},
+                   {"outer_and_inner", type(BrimType::kOuterAndInner)},
+                   {"brim_ears", type(BrimType::kEars)},
+                   {"auto_brim", kAutoBrim}},
+       .field = {SetBrimType, BrimTypeOf}},
+      {.key = "brim_width",
+       .unit = "mm",
+       .min = 0,
+       .max = 200,
+       .standard = "0",
+       .doc = "Width of the brim, or the radius of its ears; 0: none. A raft has none",
+       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].brim.width_nm; })},
+      {.key = "brim_separation",
+       .unit = "mm",
+       .min = 0,
+       .max = 100,
+       .standard = "0",
+       .doc = "From the object to its brim",
+       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].brim.separation_nm; })},
+      {.key = "brim_ears_max_angle",
+       .unit = "degrees",
+       .min = 0,
+       .max = 180,
+       .standard = "125",
+       .doc = "Corners sharper than this get an ear (OrcaSlicer's setting)",
+       .field = Bind<Scale::kDegrees>(
+           [](auto& s) -> auto& { return s.planning.objects[0].brim.ear_max_angle_rad; })},
+      {.key = "brim_ears_detection_length",
+       .unit = "mm",
+       .min = 0,
+       .max = 100,
+       .standard = "1",
+       .doc = "Corners are looked for in outlines simplified to this (OrcaSlicer's setting)",
+       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].brim.ear_detection_nm; })},
+  };
+}
+
+std::vector<SettingSpec> Raft() {
+  return {
+      {.key = "raft_layers",
+       .kind = Kind::kInteger,
+       .min = 0,
+       .max = limits::kMaxRaftLayers,
+       .standard = "0",
+       .doc = "Layers of a raft under the object; 0: none",
+       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].raft.heights.layers; })},
+      {.key = "raft_contact_distance",
+       .unit = "mm",
+       .min = 0,
+       .max = 5,
+       .standard = "0.1",
+       .doc = "From the raft's top to the object",
+       .field = Bind([](auto& s) -> auto& {
+         return s.planning.objects[0].raft.heights.contact_distance_nm;
+       })},
+      {.key = "raft_expansion",
+       .unit = "mm",
+       .min = 0,
+       .max = 100,
+       .standard = "1.5",
+       .doc = "How far the raft's top stands out from the object",
+       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].raft.expansion_nm; })},
+      {.key = "raft_first_layer_expansion",
+       .unit = "mm",
+       .min = 0,
+       .max = 100,
+       .standard = "3",
+       .doc = "How much farther the raft's first layer stands out",
+       .field = Bind(
+           [](auto& s) -> auto& { return s.planning.objects[0].raft.first_layer_expansion_nm; })},
+      {.key = "raft_first_layer_density",
+       .kind = Kind::kPercent,
+       .unit = "%",
+       .min = 10,
+       .max = 100,
+       .standard = "90%",
+       .doc = "Density of the raft's first layer",
+       .field = Bind<Scale::kPercent>(
+           [](auto& s) -> auto& { return s.planning.objects[0].raft.lines.first_layer_density; })},
+      {.key = "support_material_extrusion_width",
+       .kind = Kind::kNumberOrPercent,
+       .unit = "mm",
+       .min = 0,
+       .max = 20,
+       .standard = "0",
+       .doc = "Width of a raft's lines above its first layer; 0: extrusion_width",
+       .relative_to = "layer_height",
+       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].raft.lines.width_nm; })},
+      {.key = "support_material_spacing",
+       .unit = "mm",
+       .min = 0,
+       .max = 100,
+       .standard = "2.5",
+       .doc = "Free room between the lines of a raft's base",
+       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].raft.lines.spacing_nm; })},
+      {.key = "support_material_angle",
+       .unit = "degrees",
+       .min = 0,
+       .max = 359,
+       .standard = "0",
+       .doc = "Direction of the lines of a raft's base; those of its interface run across",
+       .field = Bind<Scale::kDegrees>(
+           [](auto& s) -> auto& { return s.planning.objects[0].raft.lines.angle_rad; })},
+  };
+}
+
+}  // namespace
+
+std::vector<SettingSpec> AdhesionSettings() {
+  std::vector<SettingSpec> settings = Skirt();
+  for (const auto& section : {Brim, Raft})
+    for (SettingSpec& spec : section()) settings.push_back(std::move(spec));
+  return settings;
+}
+
+}  // namespace slicefarm::config::fdm

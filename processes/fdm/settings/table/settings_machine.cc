@@ -1,0 +1,449 @@
+#include "common/config/table/shared_settings.h"
+#include "processes/fdm/settings/table/settings_sections.h"
+
+namespace slicefarm::config::fdm {
+namespace {
+
+enum Axis { kX, kY, kZ, kE };
+
+SettingSpec Limit(std::string_view key, std::string_view unit, double min, double max,
+                  std::string_view standard, std::string_view doc, Field field) {
+  return {.key = key,
+          .unit = unit,
+          .min = min,
+          .max = max,
+          .standard = standard,
+          .doc = doc,
+          .list = List::kPerMode,
+          .field = field};
+}
+
+template <Axis kAxis>
+std::vector<SettingSpec> AxisLimits(std::array<std::string_view, 3> keys,
+                                    std::array<std::string_view, 3> standards) {
+  return {
+      Limit(keys[0], "mm/s", 0.001, 100'000, standards[0], "Speed limit of this axis",
+            Bind([](auto& s) -> auto& { return s.motion.limits.max_feedrate_mm_s[kAxis]; })),
+      Limit(keys[1], "mm/s2", 0.001, 1e6, standards[1], "Acceleration limit of this axis",
+            Bind([](auto& s) -> auto& { return s.motion.limits.max_acceleration_mm_s2[kAxis]; })),
+      Limit(keys[2], "mm/s", 0, 100'000, standards[2],
+            "Jump of speed that this axis allows at corners (Marlin's classic jerk)",
+            Bind([](auto& s) -> auto& { return s.motion.limits.max_jerk_mm_s[kAxis]; })),
+  };
+}
+
+std::vector<SettingSpec> WholeMachineLimits() {
+  return {
+      Limit("machine_max_acceleration_extruding", "mm/s2", 0, 1e6, "1500",
+            "Acceleration limit while extruding; 0: none", Bind([](auto& s) -> auto& {
+              return s.motion.limits.max_acceleration_extruding_mm_s2;
+            })),
+      Limit("machine_max_acceleration_retracting", "mm/s2", 0, 1e6, "1500",
+            "Acceleration limit of retractions; 0: none", Bind([](auto& s) -> auto& {
+              return s.motion.limits.max_acceleration_retracting_mm_s2;
+            })),
+      Limit("machine_max_acceleration_travel", "mm/s2", 0, 1e6, "1500",
+            "Acceleration limit of travel; 0: none",
+            Bind([](auto& s) -> auto& { return s.motion.limits.max_acceleration_travel_mm_s2; })),
+      Limit("machine_max_junction_deviation", "mm", 0, 10, "0",
+            "Marlin's junction deviation; 0: the firmware uses classic jerk",
+            Bind([](auto& s) -> auto& { return s.motion.limits.junction_deviation_mm; })),
+      Limit("square_corner_velocity", "mm/s", 0, 1000, "5", "Klipper's speed through right angles",
+            Bind([](auto& s) -> auto& { return s.motion.limits.square_corner_velocity_mm_s; })),
+      Limit("minimum_cruise_ratio", "", 0, 0.99, "0.5",
+            "Klipper's least share of a short move at its top speed",
+            Bind([](auto& s) -> auto& { return s.motion.limits.minimum_cruise_ratio; })),
+      Limit("machine_min_extruding_rate", "mm/s", 0, 1000, "0", "No bead is slower",
+            Bind([](auto& s) -> auto& { return s.motion.limits.min_extruding_rate_mm_s; })),
+      Limit("machine_min_travel_rate", "mm/s", 0, 1000, "0", "No travel is slower",
+            Bind([](auto& s) -> auto& { return s.motion.limits.min_travel_rate_mm_s; })),
+      Limit("jerk_limit", "mm/s3", 1, 1e8, "100000",
+            "How fast acceleration may change on machines that follow the host's own planner",
+            Bind([](auto& s) -> auto& { return s.motion.limits.jerk_mm_s3; })),
+      {.key = "machine_limits_usage",
+       .kind = Kind::kChoice,
+       .standard = "time_estimate_only",
+       .doc = "Whether the limits are written to the G-code too, or only reckoned with; "
+              "ignore: all of them are those of no setting",
+       .choices = {{"time_estimate_only", 0}, {"emit_to_gcode", 1}, {"ignore", kIgnoreLimits}},
+       .field = {[](JobSettings& s, const Value& v) {
+                   FdmOf(s).motion.limits.emit_to_gcode = v.number == 1;
+                 },
+                 [](const JobSettings& s) -> Value {
+                   return {.number = FdmOf(s).motion.limits.emit_to_gcode ? 1.0 : 0.0};
+                 }}},
+  };
+}
+
+/// A setting of retraction, and the filament's own one that overrides it (through derive.h).
+void AddRetraction(std::vector<SettingSpec>& to, SettingSpec spec, std::string_view filament_key) {
+  spec.list = List::kPerExtruder;
+  to.push_back(spec);
+  spec.key = filament_key;
+  spec.standard = kNotSet;
+  spec.doc = "The filament's own value of the setting without filament_; nil: none";
+  spec.field = {};
+  to.push_back(spec);
+}
+
+void AddRetraction(std::vector<SettingSpec>& to, std::string_view key,
+                   std::string_view filament_key, std::string_view unit, double max,
+                   std::string_view standard, std::string_view doc, Field field, double min = 0) {
+  AddRetraction(to,
+                {.key = key,
+                 .unit = unit,
+                 .min = min,
+                 .max = max,
+                 .standard = standard,
+                 .doc = doc,
+                 .field = field},
+                filament_key);
+}
+
+std::vector<SettingSpec> Retraction() {
+  std::vector<SettingSpec> settings;
+  AddRetraction(settings, "retract_length", "filament_retract_length", "mm", 100, "2",
+                "How much filament is pulled back before a travel; 0: none",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.length_mm; }));
+  AddRetraction(settings, "retract_speed", "filament_retract_speed", "mm/s", 1000, "40",
+                "Speed of pulling back",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.speed_mm_s; }));
+  AddRetraction(settings, "deretract_speed", "filament_deretract_speed", "mm/s", 1000, "0",
+                "Speed of pushing forward again; 0: retract_speed",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.restart_speed_mm_s; }));
+  AddRetraction(settings, "retract_restart_extra", "filament_retract_restart_extra", "mm", 100, "0",
+                "How much more is pushed forward than was pulled back; negative: how much less",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.restart_extra_mm; }),
+                /*min=*/-100);
+  AddRetraction(settings, "retract_before_travel", "filament_retract_before_travel", "mm", 1000,
+                "2", "Shorter travels do not retract",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.min_travel_mm; }));
+  AddRetraction(settings, "retract_lift", "filament_retract_lift", "mm", 100, "0",
+                "How far the nozzle rises over a travel",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.lift_mm; }));
+  AddRetraction(settings, "retract_lift_above", "filament_retract_lift_above", "mm", 10'000, "0",
+                "The nozzle does not rise in layers lower than this",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.lift_above_mm; }));
+  AddRetraction(settings, "retract_lift_below", "filament_retract_lift_below", "mm", 10'000, "0",
+                "Nor in layers higher than this; 0: however high",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.lift_below_mm; }));
+  AddRetraction(settings,
+                {.key = "travel_ramping_lift",
+                 .kind = Kind::kFlag,
+                 .standard = "0",
+                 .doc = "The nozzle rises along its way by travel_max_lift and travel_slope, in "
+                        "place of straight up by retract_lift",
+                 .field = Bind([](auto& s) -> auto& { return s.motion.retraction.ramping; })},
+                "filament_travel_ramping_lift");
+  AddRetraction(settings, "travel_max_lift", "filament_travel_max_lift", "mm", 1000, "0",
+                "How far the nozzle rises along its way; less on short ways",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.ramp_lift_mm; }));
+  AddRetraction(settings, "travel_slope", "filament_travel_slope", "degrees", 90, "0",
+                "How steeply the nozzle rises along its way; 0 and 90: straight up",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.ramp_slope_deg; }));
+  AddRetraction(
+      settings,
+      {.key = "travel_lift_before_obstacle",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Rises more steeply where the way meets an edge of the layer below before "
+              "the nozzle is up",
+       .field = Bind([](auto& s) -> auto& { return s.motion.retraction.before_obstacles; })},
+      "filament_travel_lift_before_obstacle");
+  AddRetraction(settings,
+                {.key = "wipe",
+                 .kind = Kind::kFlag,
+                 .standard = "0",
+                 .doc = "The nozzle wipes along what it has printed while the filament is pulled "
+                        "back, which leaves smaller blobs",
+                 .field = Bind([](auto& s) -> auto& { return s.motion.retraction.wipe; })},
+                "filament_wipe");
+  AddRetraction(
+      settings,
+      {.key = "retract_layer_change",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Retracts at each change of layer, even where the way is hidden in the "
+              "part; done in any case where copies are labelled, and where G-code of "
+              "the settings stands between layers",
+       .field = Bind([](auto& s) -> auto& { return s.ordering.travel.retract_layer_change; })},
+      "filament_retract_layer_change");
+  AddRetraction(settings,
+                {.key = "retract_before_wipe",
+                 .kind = Kind::kPercent,
+                 .min = 0,
+                 .max = 100,
+                 .standard = "0%",
+                 .doc = "How much of retract_length is pulled back before the nozzle wipes",
+                 .field = Bind<Scale::kPercent>(
+                     [](auto& s) -> auto& { return s.motion.retraction.before_wipe; })},
+                "filament_retract_before_wipe");
+  return settings;
+}
+
+/// Millimetres, or a percentage of the straight way.
+SettingSpec MaxDetour() {
+  const auto set = [](JobSettings& s, const Value& v) {
+    FdmOf(s).ordering.travel.max_detour_mm = v.percent ? 0 : v.number;
+    FdmOf(s).ordering.travel.max_detour_ratio = v.percent ? v.number / 100 : 0;
+  };
+  const auto get = [](const JobSettings& s) -> Value {
+    const TravelOptions& travel = FdmOf(s).ordering.travel;
+    if (travel.max_detour_ratio == 0) return {.number = travel.max_detour_mm};
+    return {.number = Quantise(travel.max_detour_ratio * 100), .percent = true};
+  };
+  return {.key = "avoid_crossing_perimeters_max_detour",
+          .kind = Kind::kNumberOrPercent,
+          .unit = "mm",
+          .min = 0,
+          .max = 1000,
+          .standard = "0",
+          .doc = "Walls are crossed where the way round them is longer by more than this; 0: never",
+          .percent_of = "the straight way",
+          .field = {set, get}};
+}
+
+std::vector<SettingSpec> Travels() {
+  return {
+      {.key = "only_retract_when_crossing_perimeters",
+       .kind = Kind::kFlag,
+       .standard = "1",
+       .doc =
+           "Does not retract before travels inside the part; before those to outer walls and to "
+           "or over top surfaces all the same, which is why it may be 1 here and 0 in PrusaSlicer",
+       .field = Bind([](auto& s) -> auto& { return s.ordering.travel.hide; })},
+      {.key = "retract_inside_after",
+       .unit = "mm",
+       .min = 0,
+       .max = 1000,
+       .standard = "100",
+       .doc = "Longer travels retract inside the part as well; 0: none does",
+       .field = Bind([](auto& s) -> auto& { return s.ordering.travel.longest_hidden_mm; })},
+      {.key = "avoid_crossing_perimeters",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Leads travels round outer walls, inside the part",
+       .field = Bind([](auto& s) -> auto& { return s.ordering.travel.avoid_crossing; })},
+      MaxDetour(),
+  };
+}
+
+std::vector<SettingSpec> Machine() {
+  const auto flavor = [](GcodeFlavor f) { return static_cast<int>(f); };
+  const auto labels = [](ObjectLabels l) { return static_cast<int>(l); };
+  constexpr std::string_view kAsMarlin = "not supported yet: marlin2 is used";
+  return {
+      {.key = "gcode_flavor",
+       .kind = Kind::kChoice,
+       .standard = "marlin2",
+       .doc = "The firmware that the G-code is for",
+       .choices = {{"marlin2", flavor(GcodeFlavor::kMarlin2)},
+                   {"marlin", flavor(GcodeFlavor::kMarlinLegacy)},
+                   {"klipper", flavor(GcodeFlavor::kKlipper)},
+                   {"reprap", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"reprapfirmware", flavor(GcodeFlavor::kRepRapFirmware)},
+                   {"prusabuddy", flavor(GcodeFlavor::kPrusaBuddy)},
+                   {"bambu", flavor(GcodeFlavor::kBambu)},
+                   {"repetier", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"rapid", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"teacup", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"makerware", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"sailfish", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"mach3", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"machinekit", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"smoothie", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"no-extrusion", flavor(GcodeFlavor::kMarlin2), kAsMarlin}},
+       .field = Bind([](auto& s) -> auto& { return s.motion.flavor; })},
+      {.key = "material_field",
+       .kind = Kind::kMaterialField,
+       .standard = "",
+       .doc = "Shares of the materials that a mixing extruder takes in, by place on the plate",
+       .field = Bind([](auto& s) -> auto& { return s.motion.material_field; })},
+      {.key = "nozzle_diameter",
+       .unit = "mm",
+       .min = 0.05,
+       .max = 10,
+       .standard = "0.4",
+       .doc = "Diameter of the nozzle",
+       .list = List::kPerExtruder,
+       .field = Bind([](auto& s) -> auto& { return s.motion.nozzle_diameter_mm; }),
+       .also = Bind([](auto& s) -> auto& { return s.infill[0].nozzle_nm; })},
+      {.key = "nozzle_heating_rate",
+       .unit = "C/s",
+       .min = 0,
+       .max = 1000,
+       .standard = "0",
+       .doc = "How fast the nozzle heats up, for times; 0: waiting for it counts as no time",
+       .field = Bind([](auto& s) -> auto& { return s.motion.nozzle_heating_c_s; })},
+      {.key = "bed_heating_rate",
+       .unit = "C/s",
+       .min = 0,
+       .max = 1000,
+       .standard = "0",
+       .doc = "How fast the bed heats up, for times; 0: waiting for it counts as no time",
+       .field = Bind([](auto& s) -> auto& { return s.motion.bed_heating_c_s; })},
+      {.key = "autoemit_temperature_commands",
+       .kind = Kind::kFlag,
+       .standard = "1",
+       .doc = "Heats around start_gcode what it does not heat by itself (M104, M109, M140, M190, "
+              "M141, "
+              "M191)",
+       .field = Bind([](auto& s) -> auto& { return s.motion.emit_temperatures; })},
+      {.key = "z_offset",
+       .unit = "mm",
+       .min = -100,
+       .max = 100,
+       .standard = "0",
+       .doc = "Added to all heights in the G-code",
+       .field = Bind([](auto& s) -> auto& { return s.motion.z_offset_mm; })},
+      {.key = "remaining_times",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Tells the printer before each layer how much is done (M73)",
+       .field = Bind([](auto& s) -> auto& { return s.motion.progress; })},
+      {.key = "gcode_label_objects",
+       .kind = Kind::kChoice,
+       .standard = "disabled",
+       .doc = "Whether the G-code says which copy it prints, so that a printer can give up one",
+       .choices = {{"disabled", labels(ObjectLabels::kNone)},
+                   {"octoprint", labels(ObjectLabels::kComments)},
+                   {"firmware", labels(ObjectLabels::kFirmware)},
+                   {"0", labels(ObjectLabels::kNone)},
+                   {"1", labels(ObjectLabels::kComments)}},
+       .field = Bind([](auto& s) -> auto& { return s.motion.labels; })},
+      {.key = "arc_fitting",
+       .kind = Kind::kChoice,
+       .standard = "disabled",
+       .doc =
+           "Writes curves as arcs (G2, G3) where they are within 0.025 mm; emit_center: by their "
+           "centres",
+       .choices = {{"disabled", static_cast<int>(ArcFitting::kDisabled)},
+                   {"emit_center", static_cast<int>(ArcFitting::kEmitCenter)}},
+       .field = Bind([](auto& s) -> auto& { return s.motion.arc_fitting; })},
+      {.key = "gcode_resolution",
+       .unit = "mm",
+       .min = 0,
+       .max = 1,
+       .standard = "0.0125",
+       .doc =
+           "How far straight moves may deviate from the curves that they stand for; 0: all points "
+           "of paths are written",
+       .field = Bind([](auto& s) -> auto& { return s.motion.resolution_nm; })},
+      {.key = "printer_model",
+       .kind = Kind::kText,
+       .doc = "Name of the printer, for printer hosts",
+       .field = Bind([](auto& s) -> auto& { return s.motion.printer_model; })},
+  };
+}
+
+std::vector<SettingSpec> CustomGcode() {
+  const auto gcode = [](std::string_view key, std::string_view standard, std::string_view doc,
+                        Field field) {
+    return SettingSpec{
+        .key = key, .kind = Kind::kGcode, .standard = standard, .doc = doc, .field = field};
+  };
+  return {
+      gcode("start_gcode", "G28 ; home all axes\\nG1 Z5 F5000 ; lift nozzle\\n",
+            "G-code before the first layer",
+            Bind([](auto& s) -> auto& { return s.motion.start_gcode; })),
+      gcode("end_gcode",
+            "M104 S0 ; turn off temperature\\nG28 X0  ; home X axis\\nM84     ; disable motors\\n",
+            "G-code after the last layer",
+            Bind([](auto& s) -> auto& { return s.motion.end_gcode; })),
+      {.key = "start_filament_gcode",
+       .kind = Kind::kGcode,
+       .doc = "G-code of the filament, after start_gcode",
+       .list = List::kPerExtruder},
+      {.key = "end_filament_gcode",
+       .kind = Kind::kGcode,
+       .doc = "G-code of the filament, before end_gcode",
+       .list = List::kPerExtruder},
+      gcode("before_layer_gcode", "", "G-code before each layer's move up",
+            Bind([](auto& s) -> auto& { return s.motion.before_layer_gcode; })),
+      gcode("layer_gcode", "", "G-code after each layer's move up",
+            Bind([](auto& s) -> auto& { return s.motion.layer_gcode; })),
+      gcode("between_objects_gcode", "",
+            "G-code between objects that are printed one after the other, high above them",
+            Bind([](auto& s) -> auto& { return s.motion.between_objects_gcode; })),
+  };
+}
+
+std::vector<SettingSpec> Sequence() {
+  return {
+      {.key = "extruder",
+       .kind = Kind::kInteger,
+       .min = 0,
+       .max = 255,
+       .standard = "0",
+       .doc = "Which extruder prints it, and so whose nozzle and filament count: that item of each "
+              "list; 0: the first. All that is printed must have the same",
+       .scope = Scope::kRegion},
+      {.key = "creation_time",
+       .kind = Kind::kText,
+       .standard = "",
+       .doc =
+           "When the job was made, as 2026-11-25T10:37:01Z: timestamp, year, month, ... of G-code "
+           "templates. Counts only if they name it"},
+      {.key = "complete_objects",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Prints one copy after the other, each as a whole",
+       .field = Bind([](auto& s) -> auto& { return s.planning.sequence.complete_objects; })},
+      {.key = "extruder_clearance_radius",
+       .unit = "mm",
+       .min = 0,
+       .max = 1000,
+       .standard = "20",
+       .doc = "Room that the head takes around the nozzle: copies that are printed one after the "
+              "other stand so far apart",
+       .field = Bind([](auto& s) -> auto& { return s.planning.sequence.clearance_radius_nm; })},
+      {.key = "extruder_clearance_height",
+       .unit = "mm",
+       .min = 0,
+       .max = 1000,
+       .standard = "20",
+       .doc = "Height of the gantry over the nozzle: of the copies that are printed one after the "
+              "other only the last may be taller",
+       .field = Bind([](auto& s) -> auto& { return s.planning.sequence.clearance_height_nm; })},
+  };
+}
+
+/// What all machines have, and what this one does with it besides.
+std::vector<SettingSpec> Plate() {
+  std::vector<SettingSpec> settings = PlateSettings();
+  for (SettingSpec& spec : settings) {
+    if (spec.key == "max_print_height")
+      spec.also = Bind([](auto& s) -> auto& { return s.motion.max_print_height_nm; });
+    if (spec.key == "duplicate_distance")
+      spec.doc =
+          "Distance between copies that are arranged; at least extruder_clearance_radius with "
+          "complete_objects";
+  }
+  return settings;
+}
+
+}  // namespace
+
+std::vector<SettingSpec> MachineSettings() {
+  std::vector<SettingSpec> settings = Machine();
+  const auto add = [&](std::vector<SettingSpec> more) {
+    for (SettingSpec& spec : more) settings.push_back(std::move(spec));
+  };
+  add(AxisLimits<kX>({"machine_max_feedrate_x", "machine_max_acceleration_x", "machine_max_jerk_x"},
+                     {"500", "9000", "10"}));
+  add(AxisLimits<kY>({"machine_max_feedrate_y", "machine_max_acceleration_y", "machine_max_jerk_y"},
+                     {"500", "9000", "10"}));
+  add(AxisLimits<kZ>({"machine_max_feedrate_z", "machine_max_acceleration_z", "machine_max_jerk_z"},
+                     {"12", "500", "0.2"}));
+  add(AxisLimits<kE>({"machine_max_feedrate_e", "machine_max_acceleration_e", "machine_max_jerk_e"},
+                     {"120", "10000", "2.5"}));
+  add(Plate());
+  add(WholeMachineLimits());
+  add(Retraction());
+  add(Travels());
+  add(CustomGcode());
+  add(Sequence());
+  return settings;
+}
+
+}  // namespace slicefarm::config::fdm

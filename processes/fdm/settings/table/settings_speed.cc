@@ -1,0 +1,240 @@
+#include "processes/fdm/settings/table/settings_sections.h"
+
+namespace slicefarm::config::fdm {
+namespace {
+
+constexpr double kMaxSpeed = 10'000;
+constexpr double kMaxAcceleration = 1e6;
+
+template <Feature kFeature>
+Field SpeedOf() {
+  return Bind(
+      [](auto& s) -> auto& { return s.motion.speeds[0].speed_mm_s[static_cast<int>(kFeature)]; });
+}
+
+template <Feature kFeature>
+Field AccelerationOf() {
+  return Bind(
+      [](auto& s) -> auto& { return s.motion.acceleration_mm_s2[static_cast<int>(kFeature)]; });
+}
+
+SettingSpec Speed(std::string_view key, std::string_view standard, std::string_view doc,
+                  Field field, Field also = {}) {
+  return {.key = key,
+          .unit = "mm/s",
+          .min = 0,
+          .max = kMaxSpeed,
+          .standard = standard,
+          .doc = doc,
+          .field = field,
+          .also = also};
+}
+
+SettingSpec RelativeSpeed(std::string_view key, std::string_view standard, std::string_view to,
+                          std::string_view doc, Field field) {
+  SettingSpec spec = Speed(key, standard, doc, field);
+  spec.kind = Kind::kNumberOrPercent;
+  spec.relative_to = to;
+  return spec;
+}
+
+SettingSpec Acceleration(std::string_view key, std::string_view doc, Field field, Field also = {}) {
+  return {.key = key,
+          .unit = "mm/s2",
+          .min = 0,
+          .max = kMaxAcceleration,
+          .standard = "0",
+          .doc = doc,
+          .field = field,
+          .also = also};
+}
+
+/// Millimetres per second, or a percentage of what each feature's own setting says.
+template <double MotionOptions::*kSpeed, double MotionOptions::*kRatio>
+SettingSpec LayerSpeed(std::string_view key, std::string_view doc) {
+  const auto set = [](JobSettings& s, const Value& v) {
+    FdmOf(s).motion.*kSpeed = v.percent ? 0 : v.number;
+    FdmOf(s).motion.*kRatio = v.percent && v.number > 0 ? v.number / 100 : 1;
+  };
+  const auto get = [](const JobSettings& s) -> Value {
+    if (FdmOf(s).motion.*kSpeed != 0) return {.number = FdmOf(s).motion.*kSpeed};
+    return {.number = Quantise(FdmOf(s).motion.*kRatio * 100), .percent = true};
+  };
+  return {.key = key,
+          .kind = Kind::kNumberOrPercent,
+          .unit = "mm/s",
+          .min = 0,
+          .max = kMaxSpeed,
+          .standard = "30",
+          .doc = doc,
+          .percent_of = "each feature's own",
+          .field = {set, get}};
+}
+
+template <int kDegree>
+SettingSpec OverhangSpeed(std::string_view key, std::string_view standard, std::string_view doc) {
+  return RelativeSpeed(key, standard, "external_perimeter_speed", doc, Bind([](auto& s) -> auto& {
+                         return s.motion.speeds[0].overhang_speed_mm_s[kDegree];
+                       }));
+}
+
+std::vector<SettingSpec> Overhangs() {
+  return {
+      {.key = "overhangs",
+       .kind = Kind::kFlag,
+       .standard = "1",
+       .doc = "Prints walls over nothing as bridges, with their speed, fan and flow",
+       .field = Bind([](auto& s) -> auto& { return s.motion.speeds[0].bridging_walls; })},
+      {.key = "enable_dynamic_overhang_speeds",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc =
+           "Slows walls down where they hang over the layer below: by overhang_speed_0 to _3, and "
+           "between these in proportion",
+       .field = Bind([](auto& s) -> auto& { return s.motion.speeds[0].dynamic_overhangs; })},
+      OverhangSpeed<0>("overhang_speed_0", "15",
+                       "Speed of walls that rest on nothing; 0: not slowed down"),
+      OverhangSpeed<1>("overhang_speed_1", "15",
+                       "Speed where 25 % of the width rest on the layer below"),
+      OverhangSpeed<2>("overhang_speed_2", "20", "Speed where 50 % of the width rest on it"),
+      OverhangSpeed<3>("overhang_speed_3", "25", "Speed where 75 % of the width rest on it"),
+  };
+}
+
+SettingSpec FlowSlope(std::string_view key, std::string_view doc, Field field) {
+  return {.key = key,
+          .unit = "mm3/s2",
+          .min = 0,
+          .max = 1e6,
+          .standard = "0",
+          .doc = doc,
+          .field = field};
+}
+
+/// What lies over bridges is told apart only where it has a speed of its own.
+SettingSpec OverBridgeSpeed() {
+  SettingSpec spec =
+      RelativeSpeed("over_bridge_speed", "0", "solid_infill_speed",
+                    "Speed of the solid infill of the layer above a bridge; 0: solid_infill_speed",
+                    SpeedOf<Feature::kSolidOverBridge>());
+  spec.also = {
+      [](JobSettings& s, const Value& v) { FdmOf(s).infill[0].over_bridges = v.number > 0; },
+      spec.field.get};
+  return spec;
+}
+
+std::vector<SettingSpec> Speeds() {
+  return {
+      Speed("perimeter_speed", "60", "Speed of inner walls; 0: max_print_speed",
+            SpeedOf<Feature::kPerimeter>()),
+      RelativeSpeed("external_perimeter_speed", "50%", "perimeter_speed",
+                    "Speed of outer walls; 0: max_print_speed",
+                    SpeedOf<Feature::kExternalPerimeter>()),
+      RelativeSpeed("small_perimeter_speed", "15", "perimeter_speed",
+                    "Speed of loops of radius below 6.5 mm; 0: max_print_speed", Bind([
+                    ](auto& s) -> auto& { return s.motion.speeds[0].small_perimeter_speed_mm_s; })),
+      Speed("infill_speed", "80", "Speed of sparse infill; 0: max_print_speed",
+            SpeedOf<Feature::kInternalInfill>()),
+      RelativeSpeed("solid_infill_speed", "20", "infill_speed",
+                    "Speed of solid infill; 0: max_print_speed", SpeedOf<Feature::kSolidInfill>()),
+      RelativeSpeed("top_solid_infill_speed", "15", "solid_infill_speed",
+                    "Speed of top surfaces; 0: max_print_speed",
+                    SpeedOf<Feature::kTopSolidInfill>()),
+      OverBridgeSpeed(),
+      Speed("gap_fill_speed", "20", "Speed of gap fill; 0: max_print_speed",
+            SpeedOf<Feature::kGapFill>()),
+      Speed("bridge_speed", "60", "Speed of bridges; 0: max_print_speed",
+            SpeedOf<Feature::kBridgeInfill>(), SpeedOf<Feature::kOverhangPerimeter>()),
+      Speed("support_material_speed", "60", "Speed of rafts, skirt and brim; 0: max_print_speed",
+            SpeedOf<Feature::kSupport>(), SpeedOf<Feature::kSkirt>()),
+      RelativeSpeed("support_material_interface_speed", "100%", "support_material_speed",
+                    "Speed of the layers of rafts that carry the part; 0: max_print_speed",
+                    SpeedOf<Feature::kSupportInterface>()),
+      Speed("ironing_speed", "15", "Speed of ironing; 0: max_print_speed",
+            SpeedOf<Feature::kIroning>()),
+      LayerSpeed<&MotionOptions::first_layer_speed_mm_s, &MotionOptions::first_layer_speed_ratio>(
+          "first_layer_speed",
+          "Speed of all beads of the first layer; as a percentage, of what each has above"),
+      RelativeSpeed("first_layer_infill_speed", "0", "solid_infill_speed",
+                    "Speed of solid infill in the first layer; 0: first_layer_speed",
+                    Bind([](auto& s) -> auto& { return s.motion.first_layer_infill_speed_mm_s; })),
+      LayerSpeed<&MotionOptions::over_raft_speed_mm_s, &MotionOptions::over_raft_speed_ratio>(
+          "first_layer_speed_over_raft", "Speed of all beads of an object's first layer on a raft"),
+      {.key = "max_print_speed",
+       .unit = "mm/s",
+       .min = 1,
+       .max = kMaxSpeed,
+       .standard = "80",
+       .doc = "Speed of features whose own setting is 0",
+       .field = Bind([](auto& s) -> auto& { return s.motion.max_print_speed_mm_s; })},
+      {.key = "travel_speed",
+       .unit = "mm/s",
+       .min = 1,
+       .max = kMaxSpeed,
+       .standard = "130",
+       .doc = "Speed of moves without extrusion",
+       .field = Bind([](auto& s) -> auto& { return s.motion.travel_speed_mm_s; })},
+      Speed("travel_speed_z", "0", "Speed of moves up and down; 0: as fast as the machine's z goes",
+            Bind([](auto& s) -> auto& { return s.motion.travel_speed_z_mm_s; })),
+      {.key = "max_volumetric_speed",
+       .unit = "mm3/s",
+       .min = 0,
+       .max = 1000,
+       .standard = "0",
+       .doc = "Bound on the extruded volume per second, besides the filament's own; 0: none"},
+      FlowSlope("max_volumetric_extrusion_rate_slope_positive",
+                "How fast the flow may rise from bead to bead; 0: at once",
+                Bind([](auto& s) -> auto& { return s.motion.flow_rise_mm3_s2; })),
+      FlowSlope("max_volumetric_extrusion_rate_slope_negative",
+                "How fast the flow may fall from bead to bead; 0: at once",
+                Bind([](auto& s) -> auto& { return s.motion.flow_fall_mm3_s2; })),
+  };
+}
+
+std::vector<SettingSpec> Accelerations() {
+  return {
+      Acceleration("default_acceleration",
+                   "Acceleration where nothing below says otherwise; 0: left to the firmware",
+                   Bind([](auto& s) -> auto& { return s.motion.default_acceleration_mm_s2; })),
+      Acceleration("perimeter_acceleration", "Acceleration of inner walls; 0: default_acceleration",
+                   AccelerationOf<Feature::kPerimeter>()),
+      Acceleration("external_perimeter_acceleration",
+                   "Acceleration of outer walls; 0: perimeter_acceleration",
+                   AccelerationOf<Feature::kExternalPerimeter>()),
+      Acceleration("infill_acceleration", "Acceleration of sparse infill; 0: default_acceleration",
+                   AccelerationOf<Feature::kInternalInfill>()),
+      Acceleration(
+          "solid_infill_acceleration", "Acceleration of solid infill; 0: infill_acceleration",
+          AccelerationOf<Feature::kSolidInfill>(), AccelerationOf<Feature::kSolidOverBridge>()),
+      Acceleration("top_solid_infill_acceleration",
+                   "Acceleration of top surfaces; 0: solid_infill_acceleration",
+                   AccelerationOf<Feature::kTopSolidInfill>()),
+      Acceleration("bridge_acceleration", "Acceleration of bridges; 0: default_acceleration",
+                   AccelerationOf<Feature::kBridgeInfill>(),
+                   AccelerationOf<Feature::kOverhangPerimeter>()),
+      Acceleration("first_layer_acceleration",
+                   "Acceleration of all beads of the first layer; 0: as in the others",
+                   Bind([](auto& s) -> auto& { return s.motion.first_layer_acceleration_mm_s2; })),
+      Acceleration(
+          "first_layer_acceleration_over_raft",
+          "Acceleration of all beads of an object's first layer on a raft; 0: as in the others",
+          Bind([](auto& s) -> auto& { return s.motion.over_raft_acceleration_mm_s2; })),
+      Acceleration("travel_short_distance_acceleration",
+                   "Acceleration of travels to outer walls that are shorter than "
+                   "retract_before_travel; 0: travel_acceleration",
+                   Bind([](auto& s) -> auto& { return s.motion.short_travel_acceleration_mm_s2; })),
+      Acceleration("travel_acceleration", "Acceleration of travel; 0: the machine's limit for it",
+                   Bind([](auto& s) -> auto& { return s.motion.travel_acceleration_mm_s2; })),
+  };
+}
+
+}  // namespace
+
+std::vector<SettingSpec> SpeedSettings() {
+  std::vector<SettingSpec> settings = Speeds();
+  for (auto part : {Overhangs(), Accelerations()})
+    for (SettingSpec& spec : part) settings.push_back(std::move(spec));
+  return settings;
+}
+
+}  // namespace slicefarm::config::fdm

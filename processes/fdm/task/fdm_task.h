@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/model/fill_use.h"
+#include "common/model/layer_warning.h"
+#include "common/model/options/fdm_settings.h"
+#include "common/stage/task.h"
+
+namespace slicefarm {
+
+/// A range of layers to print, with everything they depend on.
+struct FdmTask {
+  static constexpr Process kProcess = Process::kFdm;
+
+  LayerRange range;
+  std::span<const SlicedLayer> layers;  ///< the range and its halo
+  std::span<const LayerPlan> plans;     ///< one for each layer of the range
+  std::span<const Copy> copies;         ///< of the whole job
+  const JobFacts* facts = nullptr;
+  const FdmSettings* settings = nullptr;
+
+  int32_t Weight() const { return range.size(); }
+  TaskLabel Label() const { return LabelOf(range); }
+};
+
+struct FdmResult {
+  std::vector<LayerProgram> programs;
+  std::vector<LayerWarning> warnings;
+  std::vector<FillUse> fills;  ///< by layer, of all copies; within a layer see AddUse
+  StageTimes times;
+
+  size_t Print() const;
+  int64_t ProgramBytes() const;
+};
+
+using FdmRunner = RunnerOf<FdmTask, FdmResult>;
+
+}  // namespace slicefarm

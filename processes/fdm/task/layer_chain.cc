@@ -1,0 +1,104 @@
+#include "processes/fdm/task/layer_chain.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
+
+#include "common/base/stopwatch.h"
+#include "common/stage/object_layers.h"
+
+namespace slicefarm {
+
+namespace {
+
+/// The layers of a neighbourhood that hold a halo of `halo`: a stage elsewhere is sent no outlines
+/// that it does not look at. REQUIRES: CheckHalo.
+Neighbourhood Trimmed(const Neighbourhood& all, int32_t halo) {
+  const int32_t sent_from = all.layers.front().frame.index;
+  const LayerRange kept =
+      WithHalo(all.layers, {all.range.first - sent_from, all.range.last - sent_from}, halo);
+  return {all.range,
+          all.layers.subspan(static_cast<size_t>(kept.first), static_cast<size_t>(kept.size()))};
+}
+
+/// Gives motion the outlines that it looks at below walls.
+void AddBelow(std::span<const SlicedLayer> sliced, std::vector<OrderedLayer>& ordered) {
+  const ObjectLayers objects(sliced);
+  for (OrderedLayer& layer : ordered) {
+    for (PathBlock& block : layer.blocks) {
+      if (block.object == kPlate || block.layer == 0) continue;
+      if (const ObjectSection* below = objects.Find(block.object, block.layer - 1))
+        block.below = OutlineOf(*below);
+    }
+  }
+}
+
+void NoteWarnings(const std::vector<WalledLayer>& layers, std::vector<LayerWarning>& warnings) {
+  for (const WalledLayer& layer : layers) {
+    if (layer.plain_islands == 0) continue;
+    warnings.push_back({.layer = layer.frame.index, .plain_islands = layer.plain_islands});
+  }
+}
+
+/// What the infill of all copies comes to. The layers go on without it.
+std::vector<FillUse> TakeUses(std::vector<FilledLayer>& layers, std::span<const Copy> copies) {
+  std::map<int32_t, int64_t> count = {{kPlate, 1}};  // by object
+  for (const Copy& copy : copies) ++count[copy.object];
+  std::vector<FillUse> all;
+  for (FilledLayer& layer : layers) {
+    std::vector<FillUse> uses;
+    for (FilledSection& section : layer.sections)
+      for (const FillUse& use : std::exchange(section.uses, {}))
+        AddUse(use, count[section.object], uses);
+    std::ranges::move(uses, std::back_inserter(all));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::shared_ptr<const LayerChain> LayerChain::Over(const Stages& stages) {
+  if (stages.beading == nullptr || stages.infill == nullptr || stages.ordering == nullptr ||
+      stages.motion == nullptr)
+    return nullptr;
+  return std::make_shared<LayerChain>(*stages.beading, *stages.infill, *stages.ordering,
+                                      *stages.motion);
+}
+
+std::vector<Stage> LayerChain::StagesOf() {
+  return {Stage::kBeading, Stage::kInfill, Stage::kOrdering, Stage::kMotion};
+}
+
+absl::StatusOr<FdmResult> LayerChain::Run(const StageCall& call, const FdmTask& task) const {
+  FdmResult result;
+  const Neighbourhood neighbourhood{task.range, task.layers};
+  const FdmSettings& settings = *task.settings;
+  if (absl::Status ok = CheckHalo(task.layers, task.range, HaloLayers(settings)); !ok.ok())
+    return ok;
+
+  auto walled = Timed(result.times[Stage::kBeading], [&] {
+    return beading_.Bead(call, Trimmed(neighbourhood, BeadingHaloLayers(settings)),
+                         settings.beading);
+  });
+  if (!walled.ok()) return walled.status();
+  NoteWarnings(*walled, result.warnings);
+  auto filled = Timed(result.times[Stage::kInfill], [&] {
+    return infill_.Fill(call, *std::move(walled), neighbourhood, task.plans, settings.infill);
+  });
+  if (!filled.ok()) return filled.status();
+  result.fills = TakeUses(*filled, task.copies);
+  auto ordered = Timed(result.times[Stage::kOrdering], [&] {
+    return ordering_.Order(call, *std::move(filled), task.plans, task.copies, settings.ordering);
+  });
+  if (!ordered.ok()) return ordered.status();
+  if (LooksBelow(settings.motion)) AddBelow(task.layers, *ordered);
+  auto programs = Timed(result.times[Stage::kMotion], [&] {
+    return motion_.Program(call, *std::move(ordered), *task.facts, settings.motion);
+  });
+  if (!programs.ok()) return programs.status();
+  result.programs = *std::move(programs);
+  return result;
+}
+
+}  // namespace slicefarm

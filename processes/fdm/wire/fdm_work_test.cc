@@ -1,0 +1,96 @@
+#include "processes/fdm/wire/fdm_work.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "common/model/paths_test.h"
+#include "common/wire/support/round_trip_test.h"
+
+namespace slicefarm::fdm_work_test {
+namespace {
+
+constexpr LayerRange kRange{3, 5};
+
+std::vector<Copy> Copies() { return {{0, {}, 0}, {1, {2'000, -3'000}, 4}}; }
+
+MotionOptions Motion() {
+  MotionOptions options;
+  // The next value of 100 % would be refused.
+  options.cooling.max_fan_percent = 50;
+  options.cooling.bridge_fan_percent = 50;
+  options.speeds.resize(2);
+  options.speeds[1].small_perimeter_speed_mm_s = 7;
+  return options;
+}
+
+// The bindings name every member: a new one does not compile until it is sent here, and so on the
+// wire.
+FdmWork Work() {
+  FdmWork work;
+  auto& [settings, range, plans, copies, facts] = work;
+  settings.beading.resize(2);
+  settings.beading[1].perimeters = 7;
+  settings.infill.resize(2);
+  settings.infill[1].density = 0.7;
+  settings.ordering.walls = {{}, {true, false}};
+  settings.motion = Motion();
+  range = kRange;
+  plans = {{{1, 2}, false, true, {{0, {3, 4}, Point{9, 9}, {{5, 6}}}}, {}, {}},
+           {{7, 8}, true, false, {}, {MakePathOrDie("(0 0, 9 0)")}, {}}};
+  copies = Copies();
+  facts = {40, {{"a", 0, 0, 1}, {"b", 1, 0, 2}}, {{}, {3, 2, 1'000}}};
+  return work;
+}
+
+TEST(FdmWork, Returns) {
+  const absl::StatusOr<FdmWork> work = FromProto(ProtoOf<v1::FdmWork>(Work()));
+  ASSERT_TRUE(work.ok()) << work.status();
+  EXPECT_EQ(work->settings, Work().settings);
+  EXPECT_EQ(work->range, kRange);
+  EXPECT_EQ(work->plans, Work().plans);
+  EXPECT_EQ(work->copies, Copies());
+  EXPECT_EQ(work->facts, Work().facts);
+}
+
+TEST(FdmWork, EveryFieldChangedAloneReturns) {
+  // Another range has another number of plans; the only copy of "a" has no second one; one
+  // nanometre more is no whole micrometre.
+  ExpectEveryChangeReturns<v1::FdmWork, FdmWork>(ProtoOf<v1::FdmWork>(Work()),
+                                                 {"range", "shift", "facts.copies[0].copy"});
+}
+
+TEST(FdmWork, RefusesMoreCopiesThanAJobMayHave) {
+  auto work = ProtoOf<v1::FdmWork>(Work());
+  while (work.copies_size() <= 1'000) *work.add_copies() = work.copies(0);
+  EXPECT_EQ(DetailOf(FromProto(work).status()).reason, Reason::kRequestTooLarge);
+}
+
+TEST(FdmWork, RefusesWhatDoesNotAddUp) {
+  auto work = ProtoOf<v1::FdmWork>(Work());
+  work.mutable_plans()->RemoveLast();
+  ExpectMalformed(FromProto(work).status(), "plans");
+  work = ProtoOf<v1::FdmWork>(Work());
+  work.mutable_plans(1)->mutable_paths(0)->clear_feature();
+  ExpectMalformed(FromProto(work).status(), "plans[1].paths[0].feature");
+  work = ProtoOf<v1::FdmWork>(Work());
+  work.mutable_settings()->mutable_infill()->RemoveLast();
+  ExpectMalformed(FromProto(work).status(), "settings.settings");
+  work = ProtoOf<v1::FdmWork>(Work());
+  work.mutable_copies(0)->set_object(1'000);
+  ExpectMalformed(FromProto(work).status(), "copies[0].object");
+  work = ProtoOf<v1::FdmWork>(Work());
+  work.mutable_facts()->mutable_copies(0)->set_copies(0);
+  ExpectMalformed(FromProto(work).status(), "facts.copies[0].copy");
+}
+
+// A huge range must not be paid for before its plans are counted.
+TEST(FdmWork, ARangeWithoutItsPlansIsRefused) {
+  auto work = ProtoOf<v1::FdmWork>(Work());
+  work.mutable_range()->set_first(0);
+  work.mutable_range()->set_last(20'000);
+  ExpectMalformed(FromProto(work).status(), "plans");
+}
+
+}  // namespace
+}  // namespace slicefarm::fdm_work_test

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "absl/status/status.h"
+#include "common/config/draft.h"
+
+namespace slicefarm::config::laser {
+
+/// Whether the values fit each other. Errors: SETTING_OUT_OF_RANGE.
+absl::Status CheckSettings(const Draft& draft);
+
+}  // namespace slicefarm::config::laser

@@ -1,0 +1,13 @@
+#include "processes/laser/settings/derive.h"
+
+#include "common/config/derive_steps.h"
+
+namespace slicefarm::config::laser {
+
+absl::Status Derive(Draft& draft) {
+  TakePercentage(draft, "first_layer_height");
+  RaiseTo(draft, "outline_resolution", "resolution");
+  return CheckPercentages(draft);
+}
+
+}  // namespace slicefarm::config::laser

@@ -1,0 +1,67 @@
+#include "processes/laser/settings/laser_settings.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "common/config/table/shared_settings.h"
+#include "common/macro/laser_code.h"
+#include "processes/laser/settings/check_settings.h"
+#include "processes/laser/settings/derive.h"
+#include "processes/laser/settings/exposure_rows.h"
+#include "processes/laser/settings/needs.h"
+#include "processes/laser/settings/settings_exposure.h"
+
+namespace slicefarm::config::laser {
+namespace {
+
+/// Layers of powder and resin are thinner than those of beads.
+std::vector<SettingSpec> ThinLayers() {
+  std::vector<SettingSpec> all = LayerSettings();
+  for (SettingSpec& spec : all) {
+    if (spec.key != "layer_height" && spec.key != "first_layer_height") continue;
+    spec.standard = "0.05";
+    spec.doc = spec.key == "layer_height" ? "Height of a layer" : "Height of the first layer";
+    spec.min = 0.001;
+  }
+  return all;
+}
+
+class LaserSettings : public ProcessSettings {
+ public:
+  JobSettings Standards() const override { return {.slicing = {}, .own = ExposureSettings()}; }
+  std::vector<SettingSpec> Table() const override {
+    std::vector<SettingSpec> all;
+    for (const auto& section : {ExposureTable, ThinLayers, PlateSettings})
+      std::ranges::move(section(), std::back_inserter(all));
+    return all;
+  }
+  std::vector<Need> Needs() const override { return laser::Needs(); }
+  absl::Status Derive(Draft& draft, ResolvedSettings& /*result*/) const override {
+    return laser::Derive(draft);
+  }
+  absl::Status Check(const Draft& draft) const override { return CheckSettings(draft); }
+  absl::Status Finish(const Draft& /*draft*/, ResolvedSettings& result) const override {
+    return macro::CheckLaserCode(ExposureOf(result.settings).output, result.effective_text);
+  }
+  std::unique_ptr<RegionRows> NewRows() const override { return std::make_unique<ExposureRows>(); }
+  std::string_view Example() const override {
+    return "slicefarm slice part.stl -o part.cli --machine laser --set scan_strategy=stripes";
+  }
+  std::vector<FileFormat> FileFormats() const override {
+    constexpr std::string_view kKey = "output_format";
+    return {{".cli", kKey, "cli", true},
+            {".nc", kKey, "grbl"},
+            {".gcode", kKey, "marlin"},
+            {".svg", kKey, "svg", true},
+            {".dxf", kKey, "dxf", true}};
+  }
+};
+
+}  // namespace
+
+const ProcessSettings& Settings() {
+  static const LaserSettings settings;
+  return settings;
+}
+
+}  // namespace slicefarm::config::laser

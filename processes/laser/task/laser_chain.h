@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "processes/laser/task/laser_task.h"
+
+namespace slicefarm {
+
+/// The layer stage of lasers, local or remote. It must outlive the chain.
+class LaserChain : public LaserRunner {
+ public:
+  explicit LaserChain(const ExposureStage& exposure) : exposure_(exposure) {}
+
+  /// Null: it is missing.
+  static std::shared_ptr<const LaserChain> Over(const Stages& stages) {
+    if (stages.exposure == nullptr) return nullptr;
+    return std::make_shared<LaserChain>(*stages.exposure);
+  }
+  static std::vector<Stage> StagesOf() { return {Stage::kExposure}; }
+
+  absl::StatusOr<LaserResult> Run(const StageCall& call, const LaserTask& task) const override;
+
+ private:
+  const ExposureStage& exposure_;
+};
+
+}  // namespace slicefarm

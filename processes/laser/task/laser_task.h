@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/model/options/exposure_settings.h"
+#include "common/stage/task.h"
+
+namespace slicefarm {
+
+/// A range of layers to scan, with everything they depend on.
+struct LaserTask {
+  static constexpr Process kProcess = Process::kLaser;
+
+  LayerRange range;
+  std::span<const SlicedLayer> layers;  ///< the range and its halo
+  std::span<const Copy> copies;         ///< of the whole job
+  const ExposureSettings* settings = nullptr;
+
+  int32_t Weight() const { return range.size(); }
+  TaskLabel Label() const { return LabelOf(range); }
+};
+
+struct LaserResult {
+  std::vector<ExposedProgram> programs;
+  StageTimes times;
+
+  size_t Print() const;
+  int64_t ProgramBytes() const;
+};
+
+using LaserRunner = RunnerOf<LaserTask, LaserResult>;
+
+}  // namespace slicefarm

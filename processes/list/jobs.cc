@@ -1,0 +1,31 @@
+#include "processes/list/jobs.h"
+
+#include "processes/fdm/job/fdm_process.h"
+#include "processes/laser/job/laser_process.h"
+
+namespace slicefarm {
+namespace {
+
+/// Null: a stage is missing.
+std::unique_ptr<coordinator::JobProcess> JobOver(Process process, const Stages& stages,
+                                                 const std::string& spool_directory) {
+  switch (process) {
+    case Process::kFdm:
+      return coordinator::FdmProcess::Over(stages, spool_directory);
+    case Process::kLaser:
+      return coordinator::LaserProcess::Over(stages, spool_directory);
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<coordinator::JobProcess>> JobsOver(const Stages& stages,
+                                                               const std::string& spool_directory) {
+  std::vector<std::unique_ptr<coordinator::JobProcess>> jobs;
+  for (const ProcessInfo& info : kProcesses)
+    if (auto job = JobOver(info.process, stages, spool_directory)) jobs.push_back(std::move(job));
+  return jobs;
+}
+
+}  // namespace slicefarm

@@ -1,0 +1,31 @@
+#include "processes/list/jobs.h"
+
+#include <gtest/gtest.h>
+
+namespace slicefarm::jobs_test {
+namespace {
+
+/// A stage that nobody calls: its address is all that counts.
+template <class Stage>
+const Stage* Somewhere() {
+  static const int place = 0;
+  return reinterpret_cast<const Stage*>(&place);
+}
+
+TEST(JobsOver, AreOfTheProcessesWhoseStagesAreThere) {
+  EXPECT_TRUE(JobsOver({}, "").empty());
+  EXPECT_TRUE(JobsOver({.slicing = Somewhere<SlicingStage>()}, "").empty());
+  const Stages all = {.slicing = Somewhere<SlicingStage>(),
+                      .planning = Somewhere<PlanningStage>(),
+                      .motion = Somewhere<MotionStage>(),
+                      .exposure = Somewhere<ExposureStage>()};
+  const auto jobs = JobsOver(all, "");
+  ASSERT_EQ(jobs.size(), static_cast<size_t>(kProcessCount));
+  for (size_t i = 0; i < jobs.size(); ++i) EXPECT_EQ(jobs[i]->process(), kProcesses[i].process);
+  Stages some = all;
+  some.exposure = nullptr;
+  EXPECT_EQ(JobsOver(some, "").size(), 1u);
+}
+
+}  // namespace
+}  // namespace slicefarm::jobs_test

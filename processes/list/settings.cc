@@ -1,0 +1,19 @@
+#include <cstdlib>
+
+#include "common/config/process_settings.h"
+#include "processes/fdm/settings/fdm_settings.h"
+#include "processes/laser/settings/laser_settings.h"
+
+namespace slicefarm::config {
+
+const ProcessSettings& SettingsOf(Process process) {
+  switch (process) {
+    case Process::kFdm:
+      return fdm::Settings();
+    case Process::kLaser:
+      return laser::Settings();
+  }
+  std::abort();  // a Process is one of them
+}
+
+}  // namespace slicefarm::config

@@ -1,0 +1,26 @@
+#include "processes/list/wire.h"
+
+#include <cstdlib>
+
+#include "processes/fdm/wire/fdm_wire.h"
+#include "processes/laser/wire/laser_wire.h"
+
+namespace slicefarm {
+
+const TaskWire& WireOf(Process process) {
+  switch (process) {
+    case Process::kFdm:
+      return FdmWire();
+    case Process::kLaser:
+      return LaserWire();
+  }
+  std::abort();  // a Process is one of them
+}
+
+const TaskWire* WireOf(const v1::WorkStart& start) {
+  for (const ProcessInfo& info : kProcesses)
+    if (const TaskWire& wire = WireOf(info.process); wire.IsIn(start)) return &wire;
+  return nullptr;
+}
+
+}  // namespace slicefarm

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+
+#include "common/stage/stages.h"
+
+namespace slicefarm::cli {
+
+/// All stages in this process: their algorithms, called directly.
+class LocalStages {
+ public:
+  LocalStages();
+
+  Stages all() const;
+
+ private:
+  const std::unique_ptr<SlicingStage> slicing_;
+  const std::unique_ptr<PlanningStage> planning_;
+  const std::unique_ptr<BeadingStage> beading_;
+  const std::unique_ptr<InfillStage> infill_;
+  const std::unique_ptr<OrderingStage> ordering_;
+  const std::unique_ptr<MotionStage> motion_;
+  const std::unique_ptr<ExposureStage> exposure_;
+};
+
+}  // namespace slicefarm::cli
