@@ -124,7 +124,10 @@ TEST(StartWire, ExposureReturns) {
   ExposeStart start;
   auto& [call, settings, range, copies] = start;
   call = Call();
-  settings = Settings().exposure;
+  settings.regions.resize(2);
+  // Skins of a distance of their own: the next value of 0 would be refused.
+  for (ExposureOptions& region : settings.regions)
+    region.upskin_distance_nm = region.downskin_distance_nm = 90'000;
   settings.regions[1].spot_nm = 7;
   settings.output.layer = 3;
   range = kRange;
