@@ -8,17 +8,24 @@
 
 #include "common/base/error.h"
 #include "common/config/table/settings_table.h"
+#include "common/model/process.h"
 
 namespace slicefarm::cli {
 
 namespace {
+
+bool IsSettingOfAnyProcess(std::string_view key) {
+  return std::ranges::any_of(kProcesses, [&](const ProcessInfo& info) {
+    return config::FindSetting(key, info.process) >= 0;
+  });
+}
 
 /// `detail`: of an error about the value of a setting.
 std::string AdviceOnValue(const ErrorDetail& detail) {
   if (detail.metadata.contains("objects"))
     return "give all of them the same extruder, or print them as jobs of their own";
   const auto setting = detail.metadata.find("setting");
-  if (setting == detail.metadata.end() || config::FindSetting(setting->second) < 0) return "";
+  if (setting == detail.metadata.end() || !IsSettingOfAnyProcess(setting->second)) return "";
   return fmt::format("`slicefarm settings {0}` says what it means; --set {0}=VALUE replaces it",
                      setting->second);
 }

@@ -18,6 +18,7 @@
 #include "common/rpc/server/open_files.h"
 #include "common/rpc/server/server.h"
 #include "common/rpc/server/shutdown_signal.h"
+#include "processes/fdm/task/fdm_task.h"
 #include "services/worker/server/worker_service.h"
 
 namespace slicefarm {

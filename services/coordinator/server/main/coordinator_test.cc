@@ -582,8 +582,9 @@ TEST_F(CoordinatorTest, AStopHandsJobsBackAndTheNextLifeGoesOn) {
 TEST_F(CoordinatorTest, TheStateBelongsToOneCoordinator) {
   CoordinatorOptions options;
   options.stores.state_dir = directory_.path();
-  const auto second = Coordinator::Open(options, {slicing_, arranging_, planning_, motion_},
-                                        dispatcher_, rpc::JsonLog("test"));
+  const auto second = Coordinator::Open(
+      options, {{.slicing = &slicing_, .planning = &planning_, .motion = &motion_}, arranging_},
+      dispatcher_, rpc::JsonLog("test"));
   EXPECT_TRUE(absl::IsUnavailable(second.status())) << second.status();
 }
 
