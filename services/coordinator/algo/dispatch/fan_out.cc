@@ -79,11 +79,14 @@ bool FanOut::IsKeptFree(RunnerId runner, double now_s, ProcessSet can) {
 }
 
 bool FanOut::MayTake(RunnerId runner, double now_s, ProcessSet can) {
+  if (std::ranges::any_of(jobs_, [&](auto& job) { return job.second.scheduler.Misses(runner); }))
+    return true;  // to be seen
   if (loads_.MayTakeAlone(runner) && SuspectsJob(runner, now_s, can)) return true;
   return AnyQueued(can) && !IsKeptFree(runner, now_s, can);
 }
 
 std::optional<FanOut::Grant> FanOut::Take(RunnerId runner, double now_s, ProcessSet can) {
+  for (auto& [id, job] : jobs_) job.scheduler.Seen(runner);
   if (loads_.MayTakeAlone(runner)) {
     if (const auto id = SuspectsJob(runner, now_s, can)) {
       Job& job = jobs_.at(*id);

@@ -64,10 +64,12 @@ class FanOut {
   /// Nothing of the job is wanted any more.
   void Remove(JobId job);
 
-  /// What a slot of the runner is to do next; `can`: the processes that the runner knows.
+  /// What a slot of the runner, which can be reached, is to do next; `can`: the processes that the
+  /// runner knows.
   std::optional<Grant> Take(RunnerId runner, double now_s, ProcessSet can = ProcessSet::All());
 
-  /// Whether Take would grant something that is queued or suspect. Slots ask this again after a
+  /// Whether Take would grant something that is queued or suspect, or a suspect waits for the runner
+  /// to be back. Slots ask this again after a
   /// while when there are suspects, and when a call comes back.
   bool MayTake(RunnerId runner, double now_s, ProcessSet can = ProcessSet::All());
 

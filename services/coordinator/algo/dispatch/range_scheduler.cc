@@ -44,12 +44,21 @@ std::deque<int32_t>::iterator RangeScheduler::SuspectFor(RunnerId runner, double
   return std::find_if(suspects_.begin(), suspects_.end(), [&](int32_t index) {
     Range& range = ranges_[index];
     if (!range.waits_since_s) range.waits_since_s = now_s;
-    if (range.away == runner) range.away.reset();
     const bool has_its_turn = range.alone_on.empty() ? range.failed_on.contains(runner)
                                                      : !range.alone_on.contains(runner);
-    return (has_its_turn && !range.away) ||
-           now_s - *range.waits_since_s >= options_.elsewhere_after_s;
+    const bool may_die = !range.away || range.away == runner;
+    return (has_its_turn && may_die) || now_s - *range.waits_since_s >= options_.elsewhere_after_s;
   });
+}
+
+void RangeScheduler::Seen(RunnerId runner) {
+  for (const int32_t suspect : suspects_)
+    if (ranges_[suspect].away == runner) ranges_[suspect].away.reset();
+}
+
+bool RangeScheduler::Misses(RunnerId runner) const {
+  return std::any_of(suspects_.begin(), suspects_.end(),
+                     [&](int32_t suspect) { return ranges_[suspect].away == runner; });
 }
 
 bool RangeScheduler::MayTakeSuspect(RunnerId runner, double now_s) {
@@ -137,6 +146,7 @@ void RangeScheduler::Abandoned(Ticket ticket) {
 }
 
 void RangeScheduler::RunnerGone(RunnerId runner) {
+  Seen(runner);  // nobody waits for it any more
   std::vector<Ticket> gone;
   for (const auto& [ticket, copy] : running_) {
     if (copy.runner == runner) gone.push_back(ticket);

@@ -61,6 +61,12 @@ class RangeScheduler {
   /// a while to any.
   std::optional<Grant> NextSuspect(RunnerId runner, double now_s);
 
+  /// The runner can be reached.
+  void Seen(RunnerId runner);
+
+  /// Whether a suspect waits for the runner to be seen.
+  bool Misses(RunnerId runner) const;
+
   /// Whether NextSuspect would grant one.
   bool MayTakeSuspect(RunnerId runner, double now_s);
 
@@ -104,8 +110,8 @@ class RangeScheduler {
     std::optional<double> waits_since_s = {};  ///< as a suspect, when that was first asked
     std::set<RunnerId> failed_on = {};
     std::set<RunnerId> alone_on = {};  ///< where it was tried as a suspect
-    /// What died of it last, and has not asked for work since: while that is away, no other one is
-    /// to go down as well.
+    /// What died of it last, and has not been seen since: while that is away, no other one is to go
+    /// down as well.
     std::optional<RunnerId> away = {};
   };
   struct Copy {

@@ -100,6 +100,7 @@ TEST(RangeScheduler, ASuspectIsTriedOnceOnEachRunner) {
   RangeScheduler scheduler(1);
   scheduler.Died(scheduler.Next(kA, 0)->ticket);
   scheduler.Died(scheduler.NextSuspect(kA, 0)->ticket);
+  scheduler.Seen(kA);
   EXPECT_FALSE(scheduler.NextSuspect(kA, 1)) << "a connection may be broken for good";
   scheduler.Died(scheduler.NextSuspect(kB, 1)->ticket);
   EXPECT_EQ(scheduler.Poisoned(), 0) << "three tries on two runners";
@@ -111,7 +112,9 @@ TEST(RangeScheduler, ASuspectGoesElsewhereWhenWhatDiedOfItIsBack) {
   scheduler.Died(scheduler.Next(kA, 0)->ticket);
   scheduler.Died(scheduler.NextSuspect(kA, 0)->ticket);
   EXPECT_FALSE(scheduler.MayTakeSuspect(kB, 1)) << "both would be down";
-  EXPECT_FALSE(scheduler.MayTakeSuspect(kA, 1.5)) << "it had its turn, and is back";
+  EXPECT_FALSE(scheduler.MayTakeSuspect(kA, 1.5)) << "it had its turn";
+  EXPECT_FALSE(scheduler.MayTakeSuspect(kB, 1.5)) << "to ask is not to be back";
+  scheduler.Seen(kA);
   EXPECT_TRUE(scheduler.NextSuspect(kB, 1.5));
 }
 
