@@ -48,7 +48,7 @@ def main():
     failures = []
     with tempfile.TemporaryDirectory() as folder:
         tree = pathlib.Path(folder)
-        for name in ("common", "services", "proto", "cmake"):
+        for name in ("common", "processes", "services", "proto", "cmake"):
             shutil.copytree(repository / name, tree / name, ignore=shutil.ignore_patterns("*.md", "__pycache__"))
         for name in ("CMakeLists.txt", "README.md"):
             shutil.copy(repository / name, tree / name)

@@ -99,13 +99,18 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
 
   FillGroup group;
   group.keep_order = !linked || fill.pattern == FillPattern::kMonotonic;
-  const SerpentineOptions options{
+  SerpentineOptions options{
       .monotonic = group.keep_order,
       .max_link_nm = linked ? kMaxLinkSpacings * family.pitch_nm : 0,
       .min_length_nm =
           kMinLengthWidths * static_cast<double>(WidthForSpacing(spacing, fill.height_nm)) -
           2 * static_cast<double>(ends.linked_nm - ends.free_nm)};
-  const std::vector<SerpentinePath> paths = Serpentine(*lines, options);
+  std::vector<SerpentinePath> paths = Serpentine(*lines, options);
+  // A place of its own with short lines only is not the ends of its neighbours'.
+  if (paths.empty() && Area(region) >= wanted * wanted) {
+    options.min_length_nm = 0;
+    paths = Serpentine(*lines, options);
+  }
   // A thread in the air is as thick as it leaves the nozzle, and without walls the lines' ends are
   // the edge.
   const SolidBeads beads(region, *lines, paths,

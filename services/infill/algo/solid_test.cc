@@ -162,6 +162,17 @@ TEST(SolidGroup, MonotonicLinesAreNotLinked) {
   for (const Path& path : group->paths) EXPECT_EQ(path.points.size(), 2u);
 }
 
+// The corner of a letter under its top: no line across it is as long as a bead is wide.
+TEST(SolidGroup, ASmallPlaceIsNotLeftOpenAtAnyAngle) {
+  for (const char* text : {"(0 0, 1.1 0, 0 1.1)", "(0 0, 0.8 0.1, 0.9 0.9, 0.1 0.7)"}) {
+    for (int angle = 0; angle < 180; angle += 5) {
+      const auto group = FillSolid(Island(text), {.angle_rad = angle * std::numbers::pi / 180});
+      ASSERT_TRUE(group.ok());
+      EXPECT_FALSE(group->paths.empty()) << text << " at " << angle;
+    }
+  }
+}
+
 TEST(SolidSpacing, FitsTheRegion) {
   for (double height = 3.0; height < 3.5; height += 0.05) {
     const Coord h = FromMm(height);

@@ -65,7 +65,7 @@ TEST_F(CoordinatorMetricsTest, ShowsWhoIsBusy) {
   EXPECT_EQ(Value("slicefarm_worker_slots", {{"state", "idle"}}), 5);
   ranges_->Hold();
   std::thread job([&] {
-    const std::vector<Task> tasks(1);
+    const std::vector<Task> tasks = {FdmTask{}};
     const auto take = [](size_t, const TaskResult&) { return absl::OkStatus(); };
     EXPECT_TRUE(dispatcher_.Execute({}, tasks, take, {}).ok());
   });
