@@ -63,6 +63,13 @@ LineFamily FittingLines(const MultiPolygon& area, double angle_rad, double spaci
   return {angle_rad, (extent.min_v + extent.max_v) / 2 - (count - 1) / 2 * pitch, pitch};
 }
 
+/// One line across an area that lies between two of the family.
+LineFamily MiddleLine(const MultiPolygon& area, LineFamily family) {
+  const FrameBox extent = BoxIn(LineAxes(family.angle_rad), area);
+  family.phase_nm = (extent.min_v + extent.max_v) / 2;
+  return family;
+}
+
 /// Half the width of a region's widest place, to `precision`.
 double DepthOf(const MultiPolygon& region, double at_most, double precision) {
   double low = 0, high = at_most;
@@ -94,7 +101,8 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
   const Coord spacing = std::llround(family.pitch_nm);
   const EndDistances ends = EndsOf(spacing, fill, linked);
   if (ends.linked_nm != inset) area = FastOffset({region}, -ends.linked_nm);
-  const auto lines = CutLines(area, family);
+  auto lines = CutLines(area, family);
+  if (lines.ok() && lines->PieceCount() == 0) lines = CutLines(area, MiddleLine(area, family));
   if (!lines.ok()) return lines.status();
 
   FillGroup group;
