@@ -50,7 +50,8 @@ class Farm {
     options.build_id = "fuzz";
     options.runner.owner = "fuzz";
     auto opened = coordinator::Coordinator::Open(
-        options, {slicing_, arranging_, planning_, motion_}, dispatcher_, rpc::JsonLog("fuzz"));
+        options, {{.slicing = &slicing_, .planning = &planning_, .motion = &motion_}, arranging_},
+        dispatcher_, rpc::JsonLog("fuzz"));
     Expect(opened.ok());
     coordinator_ = *std::move(opened);
     // A real socket: gRPC's in-process transport hangs where a server refuses what a client still

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "common/wire/layers/fill_use_wire.h"
+#include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/stage_call_wire.h"
 #include "processes/fdm/task/fdm_task.h"

@@ -22,7 +22,9 @@
 #include "common/wire/options/settings_wire.h"
 #include "common/wire/scene_wire.h"
 #include "common/wire/slicing_wire.h"
+#include "common/wire/stage_call_wire.h"
 #include "common/wire/start_wire.h"
+#include "common/wire/support/repeated_wire.h"
 #include "processes/fdm/wire/fdm_work.h"
 #include "processes/laser/wire/laser_work.h"
 #include "services/beading/algo/local_beading_stage.h"
@@ -296,11 +298,15 @@ std::vector<FilledLayer> WriteFillSeed(const Seeds& seeds, const std::string& na
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, fill.add_requests()->mutable_neighbour()));
-  for (const WalledLayer& layer : walled)
-    Must(ToProto(layer, fill.add_requests()->mutable_layer()));
+  const std::vector<LayerPlan> plans = job.plans();
+  for (size_t i = 0; i < walled.size(); ++i) {
+    v1::PlannedWalls& planned = *fill.add_requests()->mutable_layer();
+    Must(ToProto(walled[i], planned.mutable_layer()));
+    Must(AllToProto(plans[i].infill, "infill", planned.mutable_infill()));
+  }
   seeds.Write("infill", name, fill);
   return Must(infill::MakeLocalInfill()->Fill(job.call, std::move(walled), job.neighbourhood(),
-                                              FdmOf(job.settings).infill));
+                                              plans, FdmOf(job.settings).infill));
 }
 
 std::vector<OrderedLayer> WriteOrderSeed(const Seeds& seeds, const std::string& name,
@@ -332,8 +338,12 @@ void WriteMotionSeed(const Seeds& seeds, const std::string& name, const Job& job
       job.call, std::move(ordered), job.facts, FdmOf(job.settings).motion));
   ProgramSummary summary;
   for (const LayerProgram& program : programs) {
-    summary.layers.push_back(
-        {program.frame, program.pass, program.entry, program.exit, program.stats.TimeS(), false});
+    summary.layers.push_back({.frame = program.frame,
+                              .pass = program.pass,
+                              .entry = program.entry,
+                              .exit = program.exit,
+                              .time_s = program.stats.TimeS(),
+                              .edges = program.edges});
     summary.total.Add(program.stats);
   }
   for (size_t i = 0; i < job.facts.copies.size(); ++i)

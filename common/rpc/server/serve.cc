@@ -1,6 +1,7 @@
 #include "common/rpc/server/serve.h"
 
 #include <fmt/core.h>
+#include <grpcpp/impl/service_type.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
