@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <initializer_list>
 #include <numeric>
 
 #include "common/geometry/boolean/predicates.h"

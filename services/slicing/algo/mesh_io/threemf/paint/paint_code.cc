@@ -44,7 +44,6 @@ class Digits {
   std::string_view left_;
 };
 
-constexpr int kMoreFollows = 3;
 constexpr int kLastState = 2;
 
 absl::Status NoCode() {
