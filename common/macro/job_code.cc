@@ -36,12 +36,7 @@ bool LayersWait(const JobCode& code) {
 
 absl::StatusOr<JobCode> ParseJobCode(const MotionOptions& options) {
   JobCode code;
-  struct Part {
-    std::string_view setting;
-    const std::string& text;
-    Template& parsed;
-  };
-  const Part parts[] = {
+  const TemplatePlace places[] = {
       {"start_gcode", options.start_gcode, code.start},
       {"before_layer_gcode", options.before_layer_gcode, code.before_layer},
       {"layer_gcode", options.layer_gcode, code.layer},
@@ -52,12 +47,9 @@ absl::StatusOr<JobCode> ParseJobCode(const MotionOptions& options) {
       {"pause_print_gcode", options.writing.pause_gcode, code.pause},
       {"template_custom_gcode", options.writing.template_gcode, code.at_height}};
   // The last three stand where custom_gcode_per_print_z says.
-  const size_t count = std::size(parts) - (options.writing.height_code.empty() ? 3 : 0);
-  for (const Part& part : std::span(parts).first(count)) {
-    auto parsed = ParseTemplate(part.setting, part.text);
-    if (!parsed.ok()) return parsed.status();
-    part.parsed = *std::move(parsed);
-  }
+  const size_t count = std::size(places) - (options.writing.height_code.empty() ? 3 : 0);
+  if (absl::Status status = ParseTemplates(std::span(places).first(count)); !status.ok())
+    return status;
   code.layers_wait = LayersWait(code);
   return code;
 }

@@ -28,20 +28,12 @@ TemplateVariables UnknownVariables() {
 
 absl::StatusOr<LaserCode> ParseLaserCode(const ExposureOutput& output) {
   LaserCode code;
-  struct Part {
-    std::string_view setting;
-    const std::string& text;
-    Template& parsed;
-  };
-  const Part parts[] = {{"start_gcode", output.start_gcode, code.start},
-                        {"before_layer_gcode", output.before_layer_gcode, code.before_layer},
-                        {"layer_gcode", output.layer_gcode, code.layer},
-                        {"end_gcode", output.end_gcode, code.end}};
-  for (const Part& part : parts) {
-    auto parsed = ParseTemplate(part.setting, part.text);
-    if (!parsed.ok()) return parsed.status();
-    part.parsed = *std::move(parsed);
-  }
+  const TemplatePlace places[] = {
+      {"start_gcode", output.start_gcode, code.start},
+      {"before_layer_gcode", output.before_layer_gcode, code.before_layer},
+      {"layer_gcode", output.layer_gcode, code.layer},
+      {"end_gcode", output.end_gcode, code.end}};
+  if (absl::Status status = ParseTemplates(places); !status.ok()) return status;
   return code;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -78,6 +79,16 @@ struct Template {
 /// Errors: InvalidArgument SETTING_MALFORMED with metadata `setting` and `line`. Depth is bounded.
 /// Cost: O(length). Source: PrusaSlicer's documentation, "Macros", and what its parser accepts.
 absl::StatusOr<Template> ParseTemplate(std::string_view setting, std::string_view text);
+
+/// A setting that is a template, and where its parsed text goes.
+struct TemplatePlace {
+  std::string_view setting;
+  const std::string& text;
+  Template& parsed;
+};
+
+/// Errors: that of the first which ParseTemplate refuses.
+absl::Status ParseTemplates(std::span<const TemplatePlace> places);
 
 /// All variables and functions that a template names.
 std::set<std::string> NamesIn(const Template& code);

@@ -312,4 +312,13 @@ absl::Status TemplateError(std::string_view setting, int32_t line, const absl::S
                    std::move(metadata));
 }
 
+absl::Status ParseTemplates(std::span<const TemplatePlace> places) {
+  for (const TemplatePlace& place : places) {
+    auto parsed = ParseTemplate(place.setting, place.text);
+    if (!parsed.ok()) return parsed.status();
+    place.parsed = *std::move(parsed);
+  }
+  return absl::OkStatus();
+}
+
 }  // namespace slicefarm::macro

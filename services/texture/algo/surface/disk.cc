@@ -9,6 +9,7 @@
 
 #include "common/base/disjoint_sets.h"
 #include "common/base/error.h"
+#include "services/texture/algo/surface/corner_fans.h"
 
 namespace slicefarm::texture {
 namespace {
@@ -104,27 +105,7 @@ std::vector<BoundaryLoop> LoopsOf(const SurfaceMesh& mesh, std::vector<int32_t> 
 
 /// A vertex whose triangles do not hang together around it.
 std::optional<int32_t> VertexOfSeveralFans(const SurfaceMesh& mesh) {
-  // Corners 3t + k are joined across the edges that leave their vertex.
-  struct Spoke {
-    Side side;  // from the vertex outwards
-    int32_t corner = 0;
-  };
-  std::vector<Spoke> spokes;
-  spokes.reserve(6 * mesh.triangles.size());
-  for (int32_t t = 0; t < static_cast<int32_t>(mesh.triangles.size()); ++t) {
-    const auto& triangle = mesh.triangles[t];
-    for (int k = 0; k < 3; ++k) {
-      spokes.push_back({{triangle[k], triangle[(k + 1) % 3]}, 3 * t + k});
-      spokes.push_back({{triangle[k], triangle[(k + 2) % 3]}, 3 * t + k});
-    }
-  }
-  std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
-    return std::pair(a.side, a.corner) < std::pair(b.side, b.corner);
-  });
-  DisjointSets fans(static_cast<int32_t>(3 * mesh.triangles.size()));
-  for (size_t i = 1; i < spokes.size(); ++i) {
-    if (spokes[i].side == spokes[i - 1].side) fans.Join(spokes[i].corner, spokes[i - 1].corner);
-  }
+  DisjointSets fans = CornerFans(mesh, {});
   std::vector<int32_t> first_corner(mesh.points_mm.size(), -1);
   for (int32_t corner = 0; corner < static_cast<int32_t>(3 * mesh.triangles.size()); ++corner) {
     const int32_t vertex = mesh.triangles[corner / 3][corner % 3];
