@@ -51,6 +51,11 @@ inline constexpr int64_t kMaxResolvedBytes = 48 << 20;
 inline constexpr int32_t kMaxPerimeters = 10'000;
 inline constexpr int32_t kMaxSkirtLoops = 500;
 inline constexpr int32_t kMaxRaftLayers = 100;
+/// Of a milling job: its levels and rows; what a step weighs.
+inline constexpr int64_t kMaxMillSteps = 200'000;
+inline constexpr int32_t kMaxMillWeight = 1'000;
+/// Meshes of milling jobs that a process keeps ready.
+inline constexpr int64_t kMaxPreparedMillingBytes = 512 << 20;
 inline constexpr int64_t kMaxLinesPerFill = 200'000;
 inline constexpr int32_t kMaxThumbnails = 8;
 inline constexpr int32_t kMaxThumbnailPx = 1'024;

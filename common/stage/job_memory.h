@@ -5,6 +5,7 @@
 #include "absl/status/status.h"
 #include "common/model/job_plan.h"
 #include "common/model/layer.h"
+#include "common/model/scene/placed_scene.h"
 
 namespace slicefarm {
 
@@ -38,5 +39,7 @@ absl::Status HoldMemory(const StageCall& call, JobMemory::Kind kind, int64_t byt
 int64_t MemoryOf(const SlicedLayer& layer);
 int64_t MemoryOf(const LayerPlan& plan);
 int64_t MemoryOf(const PlateAddition& addition);
+/// What meshes take. Cost: O(parts).
+int64_t MemoryOf(const PlacedScene& scene);
 
 }  // namespace slicefarm

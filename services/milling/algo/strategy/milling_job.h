@@ -7,24 +7,12 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/base/cancel_token.h"
+#include "common/model/milling/milled_step.h"
+#include "common/model/milling/milling_options.h"
 #include "services/milling/algo/mesh/triangle_mesh.h"
-#include "services/milling/algo/strategy/milling_options.h"
 
 namespace slicefarm::milling {
-
-enum class MillingStage : uint8_t {
-  kRoughing,   ///< a level: all stock above it goes, but for the allowance
-  kFinishing,  ///< a level: ways that touch the part
-  kRest,       ///< a row along x: what is too flat for levels
-};
-
-/// The least piece of work: any range of a job's steps can be made apart from the others.
-struct MillingStep {
-  MillingStage stage = MillingStage::kRoughing;
-  double at_mm = 0;  ///< z of a level, y of a row
-
-  friend bool operator==(const MillingStep&, const MillingStep&) = default;
-};
 
 /// A part, the stock that it is milled from, and how.
 struct MillingJob {
@@ -34,8 +22,8 @@ struct MillingJob {
   bool stock_is_box = true;
   Eigen::AlignedBox3d part_box;
   Eigen::AlignedBox3d stock_box;
-  double floor_mm = 0;             ///< the tip's lowest height
-  std::vector<MillingStep> steps;  ///< in this order: levels from the top down, rows by y
+  double floor_mm = 0;          ///< the tip's lowest height
+  std::vector<MillStep> steps;  ///< in this order: levels from the top down, rows by y
 };
 
 /// The sides of what rest areas are looked for in: all places at which the cutter may rest.
@@ -50,8 +38,12 @@ Eigen::AlignedBox2d RestBox(const MillingJob& job);
 /// for a part that reaches out of the stock, or a stock farther than 1.5 m from the origin;
 /// SETTING_OUT_OF_RANGE for a cutter wider than the stock, for a tool shorter than the stock is to
 /// be cut deep, for a bottom above the part or below the stock; REQUEST_TOO_LARGE for too many
-/// steps, or rings of a level. Cost: O(n log n) for n triangles.
+/// steps, or rings of a level; Cancelled. Cost: O(n log n) for n triangles.
 absl::StatusOr<MillingJob> PrepareMilling(TriangleMesh part, std::optional<TriangleMesh> stock,
-                                          const MillingOptions& options);
+                                          const MillingOptions& options,
+                                          const CancelToken& cancel = {});
+
+/// By step: about what each takes beside the others; above 0.
+std::vector<int32_t> StepWeights(const MillingJob& job);
 
 }  // namespace slicefarm::milling

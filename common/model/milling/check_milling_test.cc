@@ -1,13 +1,13 @@
-#include "services/milling/algo/strategy/milling_options.h"
+#include "common/model/milling/check_milling.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <limits>
 
-#include "services/milling/algo/sample_jobs_test.h"
+#include "common/base/error.h"
 
-namespace slicefarm::milling::milling_options_test {
+namespace slicefarm::check_milling_test {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -18,7 +18,7 @@ struct OptionCase {
 };
 
 TEST(CheckMillingOptions, NamesTheSettingThatCannotBe) {
-  EXPECT_TRUE(CheckMillingOptions(OptionsFor("ball:4")).ok());
+  EXPECT_TRUE(CheckMillingOptions(MillingOptions()).ok());
   for (const OptionCase& c : {
            OptionCase{"stepdown", [](auto& o) { o.stepdown_mm = 0; }},
            OptionCase{"stepover", [](auto& o) { o.stepover_share = 0.6; }},
@@ -42,9 +42,8 @@ TEST(CheckMillingOptions, NamesTheSettingThatCannotBe) {
            OptionCase{"spindle", [](auto& o) { o.machining.spindle_rpm = 0; }},
            OptionCase{"tool_number", [](auto& o) { o.machining.tool_number = -1; }},
            OptionCase{"tool_length", [](auto& o) { o.machining.tool_length_mm = -1; }},
-           OptionCase{"threads", [](auto& o) { o.threads = 0; }},
        }) {
-    MillingOptions options = OptionsFor("ball:4");
+    MillingOptions options = MillingOptions();
     c.spoil(options);
     const ErrorDetail detail = DetailOf(CheckMillingOptions(options));
     EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange) << c.setting;
@@ -53,4 +52,4 @@ TEST(CheckMillingOptions, NamesTheSettingThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace slicefarm::milling::milling_options_test
+}  // namespace slicefarm::check_milling_test

@@ -3,9 +3,14 @@
 #include <string_view>
 
 #include "absl/status/statusor.h"
-#include "services/milling/algo/cutter/cutter.h"
+#include "common/model/milling/cutter.h"
 
-namespace slicefarm::milling {
+namespace slicefarm {
+
+/// What ParseCutter reads.
+inline constexpr std::string_view kCutterForms =
+    "cyl:D, ball:D, bull:D:CORNER, cone:D:ANGLE, ballcone:TIP:ANGLE:D, "
+    "bullcone:TIP:CORNER:ANGLE:D, conecone:TIP:TIP_ANGLE:ANGLE:D";
 
 /// A cutter by its name and measures, in mm and degrees: cyl:DIAMETER, ball:DIAMETER,
 /// bull:DIAMETER:CORNER, cone:DIAMETER:ANGLE, ballcone:TIP:ANGLE:DIAMETER,
@@ -14,4 +19,4 @@ namespace slicefarm::milling {
 /// SETTING_MALFORMED, and those of Cutter.
 absl::StatusOr<Cutter> ParseCutter(std::string_view text);
 
-}  // namespace slicefarm::milling
+}  // namespace slicefarm

@@ -1,4 +1,4 @@
-#include "services/milling/algo/strategy/milling_options.h"
+#include "common/model/milling/check_milling.h"
 
 #include <fmt/core.h>
 
@@ -9,7 +9,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::milling {
+namespace slicefarm {
 namespace {
 
 /// A number of the options and where it may lie, both ends included.
@@ -49,7 +49,7 @@ absl::Status CheckMillingOptions(const MillingOptions& options) {
       NumberRule{"sampling", options.sampling_mm, 0.001, 100},
       NumberRule{"tolerance", options.tolerance_mm, 0.002, 1},
       NumberRule{"stock_margin", options.stock_margin_mm, 0, 1000},
-      NumberRule{"bottom", options.bottom_mm.value_or(0), -1e6, 1e6},
+      NumberRule{"bottom", options.bottom_mm, 0, 1e4},
       NumberRule{"ramp_angle", machining.ramp_angle_deg, 0.1, 60},
       NumberRule{"helix_radius", machining.helix_radius_mm, 0, options.cutter.radius_mm()},
       NumberRule{"lead_in_radius", machining.lead_in_radius_mm, 0, 100},
@@ -61,8 +61,7 @@ absl::Status CheckMillingOptions(const MillingOptions& options) {
       NumberRule{"spindle", static_cast<double>(machining.spindle_rpm), 1, 1e6},
       NumberRule{"tool_number", static_cast<double>(machining.tool_number), 0, 99'999},
       NumberRule{"tool_length", machining.tool_length_mm, 0, 1000},
-      NumberRule{"threads", static_cast<double>(options.threads), 1, 1024},
   });
 }
 
-}  // namespace slicefarm::milling
+}  // namespace slicefarm

@@ -1,14 +1,16 @@
-#include "services/milling/algo/cutter/cutter.h"
+#include "common/model/milling/cutter.h"
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "common/base/error.h"
-#include "services/milling/algo/sample_parts_test.h"
+#include "common/model/milling/sample_cutters_test.h"
 
-namespace slicefarm::milling::cutter_test {
+namespace slicefarm::cutter_test {
 namespace {
 
 struct WidthCase {
@@ -77,6 +79,16 @@ TEST(Cutter, TouchesAPlaneWhereItIsNearest) {
   }
 }
 
+/// A cutter's name makes the same cutter again.
+TEST(Cutter, IsNamedAsItIsRead) {
+  for (const std::string_view text : kAllCutters) {
+    EXPECT_EQ(CutterOf(text).name(), text);
+    EXPECT_EQ(CutterOf(CutterOf(text).name()), CutterOf(text)) << text;
+  }
+  EXPECT_EQ(CutterOf("bull:6.0:1.50").name(), "bull:6:1.5");
+  EXPECT_EQ(Cutter(), CutterOf("ball:4"));
+}
+
 TEST(Cutter, RefusesWhatIsNone) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const auto& cutter :
@@ -119,4 +131,4 @@ TEST(Cutter, GrowsEvenly) {
 }
 
 }  // namespace
-}  // namespace slicefarm::milling::cutter_test
+}  // namespace slicefarm::cutter_test

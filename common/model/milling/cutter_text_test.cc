@@ -1,10 +1,10 @@
-#include "services/milling/algo/cutter/cutter_text.h"
+#include "common/model/milling/cutter_text.h"
 
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
 
-namespace slicefarm::milling::cutter_text_test {
+namespace slicefarm::cutter_text_test {
 namespace {
 
 TEST(ParseCutter, ReadsEachKind) {
@@ -28,4 +28,4 @@ TEST(ParseCutter, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace slicefarm::milling::cutter_text_test
+}  // namespace slicefarm::cutter_text_test

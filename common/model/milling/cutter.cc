@@ -1,4 +1,4 @@
-#include "services/milling/algo/cutter/cutter.h"
+#include "common/model/milling/cutter.h"
 
 #include <fmt/core.h>
 
@@ -11,7 +11,7 @@
 #include "common/base/error.h"
 #include "common/base/portable_math.h"
 
-namespace slicefarm::milling {
+namespace slicefarm {
 namespace {
 
 absl::Status CutterError(std::string_view what, double got) {
@@ -61,18 +61,21 @@ ProfilePiece Shaft(double from_mm, double radius_mm) {
 
 absl::StatusOr<Cutter> Cutter::Cylinder(double diameter_mm) {
   if (absl::Status status = CheckDiameter(diameter_mm); !status.ok()) return status;
-  return Cutter({Shaft(0, diameter_mm / 2)}, diameter_mm / 2);
+  return Cutter(fmt::format("cyl:{}", diameter_mm), {Shaft(0, diameter_mm / 2)}, diameter_mm / 2);
 }
 
 absl::StatusOr<Cutter> Cutter::Ball(double diameter_mm) {
-  return Bull(diameter_mm, diameter_mm / 2);
+  absl::StatusOr<Cutter> ball = Bull(diameter_mm, diameter_mm / 2);
+  if (ball.ok()) ball->name_ = fmt::format("ball:{}", diameter_mm);
+  return ball;
 }
 
 absl::StatusOr<Cutter> Cutter::Bull(double diameter_mm, double corner_mm) {
   if (absl::Status status = CheckDiameter(diameter_mm); !status.ok()) return status;
   if (absl::Status status = CheckCorner(corner_mm, diameter_mm); !status.ok()) return status;
   const double radius = diameter_mm / 2;
-  return Cutter({{.to_mm = corner_mm, .corner_mm = corner_mm, .flat_mm = radius - corner_mm},
+  return Cutter(fmt::format("bull:{}:{}", diameter_mm, corner_mm),
+                {{.to_mm = corner_mm, .corner_mm = corner_mm, .flat_mm = radius - corner_mm},
                  Shaft(corner_mm, radius)},
                 radius);
 }
@@ -81,11 +84,14 @@ absl::StatusOr<Cutter> Cutter::Cone(double diameter_mm, double angle_deg) {
   if (absl::Status status = CheckDiameter(diameter_mm); !status.ok()) return status;
   if (absl::Status status = CheckAngle(angle_deg); !status.ok()) return status;
   const ProfilePiece cone = Slope(0, 0, Tan(RadiansOf(angle_deg)), diameter_mm / 2);
-  return Cutter({cone, Shaft(cone.to_mm, diameter_mm / 2)}, diameter_mm / 2);
+  return Cutter(fmt::format("cone:{}:{}", diameter_mm, angle_deg),
+                {cone, Shaft(cone.to_mm, diameter_mm / 2)}, diameter_mm / 2);
 }
 
 absl::StatusOr<Cutter> Cutter::BallCone(double tip_mm, double angle_deg, double diameter_mm) {
-  return BullCone(tip_mm, tip_mm / 2, angle_deg, diameter_mm);
+  absl::StatusOr<Cutter> cone = BullCone(tip_mm, tip_mm / 2, angle_deg, diameter_mm);
+  if (cone.ok()) cone->name_ = fmt::format("ballcone:{}:{}:{}", tip_mm, angle_deg, diameter_mm);
+  return cone;
 }
 
 absl::StatusOr<Cutter> Cutter::BullCone(double tip_mm, double corner_mm, double angle_deg,
@@ -98,7 +104,8 @@ absl::StatusOr<Cutter> Cutter::BullCone(double tip_mm, double corner_mm, double 
   const double flat = tip_mm / 2 - corner_mm, angle = RadiansOf(angle_deg);
   const double height = corner_mm * (1 - Sin(angle)), width = flat + corner_mm * Cos(angle);
   const ProfilePiece cone = Slope(height, width, Tan(angle), diameter_mm / 2);
-  return Cutter({{.to_mm = height, .corner_mm = corner_mm, .flat_mm = flat},
+  return Cutter(fmt::format("bullcone:{}:{}:{}:{}", tip_mm, corner_mm, angle_deg, diameter_mm),
+                {{.to_mm = height, .corner_mm = corner_mm, .flat_mm = flat},
                  cone,
                  Shaft(cone.to_mm, diameter_mm / 2)},
                 diameter_mm / 2);
@@ -116,7 +123,8 @@ absl::StatusOr<Cutter> Cutter::ConeCone(double tip_mm, double tip_angle_deg, dou
   const ProfilePiece tip = Slope(0, 0, Tan(RadiansOf(tip_angle_deg)), tip_mm / 2);
   const ProfilePiece cone =
       Slope(tip.to_mm, tip_mm / 2, Tan(RadiansOf(angle_deg)), diameter_mm / 2);
-  return Cutter({tip, cone, Shaft(cone.to_mm, diameter_mm / 2)}, diameter_mm / 2);
+  return Cutter(fmt::format("conecone:{}:{}:{}:{}", tip_mm, tip_angle_deg, angle_deg, diameter_mm),
+                {tip, cone, Shaft(cone.to_mm, diameter_mm / 2)}, diameter_mm / 2);
 }
 
 double Cutter::Width(double height_mm) const {
@@ -191,7 +199,7 @@ GrownCutter Cutter::Grown(double by_mm) const {
     }
     grown.push_back(next);
   }
-  return {Cutter(std::move(grown), radius_mm_ + by_mm), tip};
+  return {Cutter("", std::move(grown), radius_mm_ + by_mm), tip};
 }
 
-}  // namespace slicefarm::milling
+}  // namespace slicefarm

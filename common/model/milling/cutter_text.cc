@@ -1,4 +1,4 @@
-#include "services/milling/algo/cutter/cutter_text.h"
+#include "common/model/milling/cutter_text.h"
 
 #include <fmt/core.h>
 
@@ -11,7 +11,7 @@
 #include "common/base/error.h"
 #include "common/base/text.h"
 
-namespace slicefarm::milling {
+namespace slicefarm {
 namespace {
 
 struct CutterKind {
@@ -48,11 +48,8 @@ absl::StatusOr<Cutter> ParseCutter(std::string_view text) {
       return kind.make(measures);
   }
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
-                   fmt::format("the cutter '{}' is none of cyl:D, ball:D, bull:D:CORNER, "
-                               "cone:D:ANGLE, ballcone:TIP:ANGLE:D, bullcone:TIP:CORNER:ANGLE:D, "
-                               "conecone:TIP:TIP_ANGLE:ANGLE:D",
-                               text),
+                   fmt::format("the cutter '{}' is none of {}", text, kCutterForms),
                    {{"setting", "cutter"}});
 }
 
-}  // namespace slicefarm::milling
+}  // namespace slicefarm

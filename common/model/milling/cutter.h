@@ -1,11 +1,13 @@
 #pragma once
 
 #include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/status/statusor.h"
 
-namespace slicefarm::milling {
+namespace slicefarm {
 
 struct GrownCutter;
 
@@ -17,6 +19,8 @@ struct ProfilePiece {
   double flat_mm = 0;    ///< of an arc: its centre's distance from the axis
   double base_mm = 0;    ///< of a line: its radius, drawn on to the height of the tip
   double slope = 0;      ///< of a line: growth of the radius by height; >= 0
+
+  friend bool operator==(const ProfilePiece&, const ProfilePiece&) = default;
 };
 
 /// A cutter that turns about a vertical axis: its radius by the height above its tip. The radius
@@ -28,6 +32,8 @@ struct ProfilePiece {
 /// degrees or more, and for composites whose parts do not form a convex outline.
 class Cutter {
  public:
+  Cutter() : Cutter(*Ball(4)) {}  ///< the usual one
+
   static absl::StatusOr<Cutter> Cylinder(double diameter_mm);
   static absl::StatusOr<Cutter> Ball(double diameter_mm);
   static absl::StatusOr<Cutter> Bull(double diameter_mm, double corner_mm);
@@ -41,6 +47,8 @@ class Cutter {
   static absl::StatusOr<Cutter> ConeCone(double tip_mm, double tip_angle_deg, double angle_deg,
                                          double diameter_mm);
 
+  /// As ParseCutter reads it, in canonical form; of a grown cutter: empty.
+  const std::string& name() const { return name_; }
   double radius_mm() const { return radius_mm_; }
   /// From here up the cutter is a cylinder.
   double full_height_mm() const { return pieces_.back().from_mm; }
@@ -60,10 +68,13 @@ class Cutter {
   /// REQUIRES: -radius_mm() < by_mm.
   GrownCutter Grown(double by_mm) const;
 
- private:
-  explicit Cutter(std::vector<ProfilePiece> pieces, double radius_mm)
-      : pieces_(std::move(pieces)), radius_mm_(radius_mm) {}
+  friend bool operator==(const Cutter&, const Cutter&) = default;
 
+ private:
+  Cutter(std::string name, std::vector<ProfilePiece> pieces, double radius_mm)
+      : name_(std::move(name)), pieces_(std::move(pieces)), radius_mm_(radius_mm) {}
+
+  std::string name_;
   std::vector<ProfilePiece> pieces_;
   double radius_mm_;
 };
@@ -74,4 +85,4 @@ struct GrownCutter {
   double tip_mm = 0;  ///< height of its tip above the other one's: below 0 if it is larger
 };
 
-}  // namespace slicefarm::milling
+}  // namespace slicefarm
