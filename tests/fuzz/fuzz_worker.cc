@@ -1,4 +1,5 @@
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -6,6 +7,7 @@
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/stage_call_wire.h"
+#include "common/wire/stage_jobs_wire.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "processes/fdm/wire/fdm_work.h"
 #include "processes/laser/wire/laser_work.h"
@@ -40,6 +42,15 @@ ProcessRunners RunnersOver(const Stages& stages) {
   return ProcessRunners(std::move(runners));
 }
 
+/// Has `work` name what the call has beside it.
+template <typename Work, typename Proto>
+void Name(const Proto& proto, Work& work, SharedCache& cache) {
+  CheckRoundTrip(proto);
+  std::string bytes = proto.SerializeAsString();
+  work.set_shared(SharedDigest(proto.GetTypeName(), bytes));
+  cache.Put({proto.GetTypeName(), work.shared(), std::move(bytes)});
+}
+
 void Run(const WorkCall& given) {
   static const auto beading = beading::MakeLocalBeading();
   static const auto infill = infill::MakeLocalInfill();
@@ -60,10 +71,15 @@ void Run(const WorkCall& given) {
   OneWay end(requests);
   v1::WorkRequest first;
   if (!end.Read(&first)) return;
+  SharedCache shared(0);
+  if (first.start().has_fdm())
+    Name(given.fdm(), *first.mutable_start()->mutable_fdm(), shared);
+  else if (first.start().has_laser())
+    Name(given.laser(), *first.mutable_start()->mutable_laser(), shared);
   const TaskWire* wire = WireOf(first.start());
   if (wire == nullptr || !FromProto(first.start().call()).ok()) return;
   const CancelToken cancel = WithDeadline();
-  const auto received = wire->Receive(first.start(), cancel, end);
+  const auto received = wire->Receive(first.start(), shared, cancel, end);
   if (!received.ok()) return;
   StageCall call;
   call.cancel = cancel;

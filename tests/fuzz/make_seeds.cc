@@ -23,6 +23,7 @@
 #include "common/wire/scene_wire.h"
 #include "common/wire/slicing_wire.h"
 #include "common/wire/stage_call_wire.h"
+#include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/repeated_wire.h"
 #include "processes/fdm/wire/fdm_work.h"
@@ -264,8 +265,8 @@ void WriteWorkSeed(const Seeds& seeds, const std::string& name, const Job& job) 
   WorkCall work;
   v1::WorkStart& start = *work.add_requests()->mutable_start();
   *start.mutable_call() = ToProto(job.call);
-  Must(ToProto(FdmWork{FdmOf(job.settings), job.range, job.plans(), job.plan.copies, job.facts},
-               start.mutable_fdm()));
+  Must(ToProto(FdmWork{job.range, job.plans(), {}}, start.mutable_fdm()));
+  Must(ToProto(FdmShared{FdmOf(job.settings), job.plan.copies, job.facts}, work.mutable_fdm()));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, work.add_requests()->mutable_layer()));
@@ -276,15 +277,14 @@ std::vector<WalledLayer> WriteBeadSeeds(const Seeds& seeds, const std::string& n
                                         const Job& job) {
   BeadCall bead;
   v1::BeadStart& start = *bead.add_requests()->mutable_start();
-  Must(ToProto(BeadStart{job.call, FdmOf(job.settings).beading, job.range}, &start));
+  Must(ToProto(BeadStart{job.call, {}, job.range}, &start));
+  Must(ToProto(FdmOf(job.settings).beading, bead.mutable_shared()));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, bead.add_requests()->mutable_layer()));
   seeds.Write("beading", name, bead);
-  for (v1::BeadingOptions& options :
-       *bead.mutable_requests(0)->mutable_start()->mutable_options()) {
+  for (v1::BeadingOptions& options : *bead.mutable_shared()->mutable_rows())
     options.set_generator(v1::WALL_GENERATOR_CLASSIC);
-  }
   seeds.Write("beading", name + "_classic", bead);
   return Must(beading::MakeLocalBeading()->Bead(job.call, job.neighbourhood(),
                                                 FdmOf(job.settings).beading));
@@ -294,7 +294,8 @@ std::vector<FilledLayer> WriteFillSeed(const Seeds& seeds, const std::string& na
                                        std::vector<WalledLayer> walled) {
   FillCall fill;
   v1::FillStart& start = *fill.add_requests()->mutable_start();
-  Must(ToProto(FillStart{job.call, FdmOf(job.settings).infill, job.range}, &start));
+  Must(ToProto(FillStart{job.call, {}, job.range}, &start));
+  Must(ToProto(FdmOf(job.settings).infill, fill.mutable_shared()));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, fill.add_requests()->mutable_neighbour()));
@@ -313,7 +314,9 @@ std::vector<OrderedLayer> WriteOrderSeed(const Seeds& seeds, const std::string& 
                                          const Job& job, std::vector<FilledLayer> filled) {
   OrderCall order;
   v1::OrderStart& start = *order.add_requests()->mutable_start();
-  Must(ToProto(OrderStart{job.call, FdmOf(job.settings).ordering, job.plan.copies}, &start));
+  const OrderingJob shared{FdmOf(job.settings).ordering, job.plan.copies};
+  Must(ToProto(OrderStart{job.call, {}}, &start));
+  Must(ToProto(shared, order.mutable_shared()));
   Anonymous(&start);
   const std::vector<LayerPlan> plans = job.plans();
   for (size_t i = 0; i < filled.size(); ++i) {
@@ -322,20 +325,21 @@ std::vector<OrderedLayer> WriteOrderSeed(const Seeds& seeds, const std::string& 
     Must(ToProto(plans[i], planned.mutable_plan()));
   }
   seeds.Write("ordering", name, order);
-  return Must(ordering::MakeLocalOrdering()->Order(job.call, std::move(filled), plans,
-                                                   job.plan.copies, FdmOf(job.settings).ordering));
+  return Must(ordering::MakeLocalOrdering()->Order(job.call, std::move(filled), plans, shared));
 }
 
 void WriteMotionSeed(const Seeds& seeds, const std::string& name, const Job& job,
                      std::vector<OrderedLayer> ordered) {
   MotionCall motion;
   v1::ProgramStart& start = *motion.add_requests()->mutable_start();
-  Must(ToProto(ProgramStart{job.call, FdmOf(job.settings).motion, job.facts}, &start));
+  const MotionJob shared{FdmOf(job.settings).motion, job.facts};
+  Must(ToProto(ProgramStart{job.call, {}}, &start));
+  Must(ToProto(shared, motion.mutable_shared()));
   Anonymous(&start);
   for (const OrderedLayer& layer : ordered)
     Must(ToProto(layer, motion.add_requests()->mutable_layer()));
-  const auto programs = Must(motion::MakeLocalMotion()->Program(
-      job.call, std::move(ordered), job.facts, FdmOf(job.settings).motion));
+  const auto programs =
+      Must(motion::MakeLocalMotion()->Program(job.call, std::move(ordered), shared));
   ProgramSummary summary;
   for (const LayerProgram& program : programs) {
     summary.layers.push_back({.frame = program.frame,
@@ -368,7 +372,9 @@ void WriteExposureSeeds(const Seeds& seeds, const std::string& name, const Job& 
     }
     ExposeCall call;
     v1::ExposeStart& start = *call.add_requests()->mutable_start();
-    Must(ToProto(ExposeStart{job.call, settings, job.range, job.plan.copies}, &start));
+    const ExposureJob shared{settings, job.plan.copies};
+    Must(ToProto(ExposeStart{job.call, {}, job.range}, &start));
+    Must(ToProto(shared, call.mutable_shared()));
     Anonymous(&start);
     for (const SlicedLayer& layer : job.sliced.layers)
       Must(ToProto(layer, call.add_requests()->mutable_layer()));
@@ -380,7 +386,8 @@ void WriteExposureSeeds(const Seeds& seeds, const std::string& name, const Job& 
     WorkCall work;
     v1::WorkStart& whole = *work.add_requests()->mutable_start();
     *whole.mutable_call() = ToProto(job.call);
-    Must(ToProto(LaserWork{settings, job.range, job.plan.copies}, whole.mutable_laser()));
+    Must(ToProto(LaserWork{job.range, {}}, whole.mutable_laser()));
+    Must(ToProto(shared, work.mutable_laser()));
     Anonymous(&whole);
     for (const SlicedLayer& layer : job.sliced.layers)
       Must(ToProto(layer, work.add_requests()->mutable_layer()));

@@ -8,6 +8,7 @@
 #include "common/rpc/observe/metrics.h"
 #include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/server.h"
+#include "common/rpc/server/shared_keeper.h"
 #include "common/stage/memory_budget.h"
 #include "common/stage/task.h"
 #include "services/planning/server/planning_service.h"
@@ -39,11 +40,13 @@ class StageHost {
 
   std::string Address() const { return "127.0.0.1:" + std::to_string(server_->port()); }
   rpc::Server& server() { return *server_; }
+  const SharedCache& shared() { return keeper_.cache(); }
 
  private:
   rpc::Metrics metrics_;
   rpc::CallMetrics call_metrics_{metrics_.registry()};
   rpc::CallGate gate_;
+  rpc::SharedKeeper keeper_;
   MemoryBudget memory_{int64_t{1} << 30};
   const std::unique_ptr<ArrangingStage> arranging_ = slicing::MakeLocalArranging();
   std::vector<std::unique_ptr<grpc::Service>> services_;
