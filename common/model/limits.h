@@ -54,12 +54,15 @@ inline constexpr int32_t kMaxRaftLayers = 100;
 /// Of a milling job: its levels and rows; what a step weighs.
 inline constexpr int64_t kMaxMillSteps = 200'000;
 inline constexpr int32_t kMaxMillWeight = 1'000;
-/// Meshes of milling jobs that a process keeps ready.
-inline constexpr int64_t kMaxPreparedMillingBytes = 512 << 20;
 inline constexpr int64_t kMaxLinesPerFill = 200'000;
 inline constexpr int32_t kMaxThumbnails = 8;
 inline constexpr int32_t kMaxThumbnailPx = 1'024;
 inline constexpr int64_t kMaxStageMessageBytes = 64 << 20;  ///< between stages, one layer a message
+/// Of what the calls of a job have in common: one value, such as its settings, and all that a
+/// server keeps at a time, of whatever jobs.
+inline constexpr int64_t kMaxSharedBytes = 1 << 30;
+inline constexpr int64_t kMaxKeptSharedBytes = 256 << 20;
+inline constexpr int64_t kSharedPieceBytes = 1 << 20;
 inline constexpr int64_t kMaxPublicMessageBytes = 4 << 20;
 inline constexpr int64_t kUploadChunkBytes = 64 << 10;
 inline constexpr int64_t kMaxSettingBytes = 64 << 10;  ///< one value, such as a start G-code

@@ -9,6 +9,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
+#include "common/base/shared/shared.h"
 #include "common/base/trace_context.h"
 #include "common/model/exposed_program.h"
 #include "common/model/job_facts.h"
@@ -165,14 +166,40 @@ struct Neighbourhood {
   std::span<const SlicedLayer> layers;  ///< consecutive, the range among them
 };
 
-/// Results are in order, one for each layer of the range. What stages are told of regions is by row
-/// of the job's tables.
+/// What a stage is told of the whole job, the same in all its calls: it is sent and read once
+/// (common/wire/shared_wire.h). What it is told of regions is by row of the job's tables.
+
+using BeadingTable = std::vector<BeadingOptions>;
+using InfillTable = std::vector<InfillOptions>;
+
+struct OrderingJob {
+  OrderingOptions options;
+  std::vector<Copy> copies;
+
+  friend bool operator==(const OrderingJob&, const OrderingJob&) = default;
+};
+
+struct MotionJob {
+  MotionOptions options;
+  JobFacts facts;
+
+  friend bool operator==(const MotionJob&, const MotionJob&) = default;
+};
+
+struct ExposureJob {
+  ExposureSettings settings;
+  std::vector<Copy> copies;
+
+  friend bool operator==(const ExposureJob&, const ExposureJob&) = default;
+};
+
+/// Results are in order, one for each layer of the range.
 class BeadingStage {
  public:
   virtual ~BeadingStage() = default;
   virtual absl::StatusOr<std::vector<WalledLayer>> Bead(
       const StageCall& call, const Neighbourhood& neighbourhood,
-      std::span<const BeadingOptions> regions) const = 0;
+      const Shared<BeadingTable>& regions) const = 0;
 };
 
 class InfillStage {
@@ -181,18 +208,17 @@ class InfillStage {
   /// `walled` and `plans`: of the layers of neighbourhood.range; of a plan, its `infill`.
   virtual absl::StatusOr<std::vector<FilledLayer>> Fill(
       const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
-      std::span<const LayerPlan> plans, std::span<const InfillOptions> regions) const = 0;
+      std::span<const LayerPlan> plans, const Shared<InfillTable>& regions) const = 0;
 };
 
 class OrderingStage {
  public:
   virtual ~OrderingStage() = default;
-  /// `plans`: one a layer. `copies`: of the whole job.
+  /// `plans`: one a layer.
   virtual absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall& call,
                                                           std::vector<FilledLayer> layers,
                                                           std::span<const LayerPlan> plans,
-                                                          std::span<const Copy> copies,
-                                                          const OrderingOptions& options) const = 0;
+                                                          const Shared<OrderingJob>& job) const = 0;
 };
 
 class MotionStage {
@@ -202,8 +228,7 @@ class MotionStage {
   /// at least.
   virtual absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
                                                             std::vector<OrderedLayer> layers,
-                                                            const JobFacts& facts,
-                                                            const MotionOptions& options) const = 0;
+                                                            const Shared<MotionJob>& job) const = 0;
   virtual absl::StatusOr<ProgramEnvelope> Envelope(const StageCall& call,
                                                    const ProgramSummary& summary,
                                                    const MotionOptions& options) const = 0;
@@ -213,10 +238,10 @@ class MotionStage {
 class ExposureStage {
  public:
   virtual ~ExposureStage() = default;
-  /// A program for each layer of the range. `copies`: of the whole job.
+  /// A program for each layer of the range.
   virtual absl::StatusOr<std::vector<ExposedProgram>> Expose(
-      const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
-      const ExposureSettings& settings) const = 0;
+      const StageCall& call, const Neighbourhood& neighbourhood,
+      const Shared<ExposureJob>& job) const = 0;
   virtual absl::StatusOr<ExposureEnvelope> Envelope(const StageCall& call,
                                                     const ExposureSummary& summary,
                                                     const ExposureSettings& settings) const = 0;
@@ -229,13 +254,14 @@ class MillingStage {
   virtual ~MillingStage() = default;
   /// Errors: what cannot be milled so.
   virtual absl::StatusOr<MillLayout> LayOut(const StageCall& call,
-                                            const MillInput& input) const = 0;
+                                            const Shared<MillInput>& input) const = 0;
   /// What the steps of the range come to. REQUEST_MALFORMED for a range that the job has not.
   virtual absl::StatusOr<std::vector<MilledStep>> Mill(const StageCall& call,
-                                                       const MillInput& input,
+                                                       const Shared<MillInput>& input,
                                                        StepRange range) const = 0;
   /// `steps`: all of the job's. `settings_text`: effective settings, quoted at the program's end.
-  virtual absl::StatusOr<MilledProgram> Assemble(const StageCall& call, const MillInput& input,
+  virtual absl::StatusOr<MilledProgram> Assemble(const StageCall& call,
+                                                 const Shared<MillInput>& input,
                                                  std::vector<MilledStep> steps,
                                                  std::string_view settings_text) const = 0;
 };

@@ -115,8 +115,8 @@ class Stages {
     auto filled = infill_->Fill({}, *std::move(walled), {range, plate.layers}, plan->layers,
                                 FdmOf(settings).infill);
     EXPECT_TRUE(filled.ok()) << filled.status();
-    auto ordered = ordering_->Order({}, *std::move(filled), plan->layers, plan->copies,
-                                    FdmOf(settings).ordering);
+    auto ordered = ordering_->Order({}, *std::move(filled), plan->layers,
+                                    OrderingJob{FdmOf(settings).ordering, plan->copies});
     EXPECT_TRUE(ordered.ok()) << ordered.status();
     std::vector<std::vector<Path>> layers;
     for (const OrderedLayer& layer : *ordered) {
@@ -328,9 +328,7 @@ TEST(AdhesionPlates, RangesDoNotMatter) {
               .subspan(static_cast<size_t>(halo.first), static_cast<size_t>(halo.size())),
           std::span(plan->layers)
               .subspan(static_cast<size_t>(range.first), static_cast<size_t>(range.size())),
-          plan->copies,
-          &facts,
-          &FdmOf(settings)};
+          FdmShared{FdmOf(settings), plan->copies, facts}};
       const auto result = chain.Run({}, task);
       EXPECT_TRUE(result.ok()) << result.status();
       if (!result.ok()) return gcode;

@@ -259,42 +259,41 @@ absl::Status FakePlanning::Plan(rpc::Call& call, Stream& stream) {
 
 absl::StatusOr<std::vector<WalledLayer>> FakeBeading::Bead(
     const StageCall& call, const Neighbourhood& neighbourhood,
-    std::span<const BeadingOptions> regions) const {
+    const Shared<BeadingTable>& regions) const {
   Note(neighbourhood, &fakes_);
-  fakes_.beading_options.assign(regions.begin(), regions.end());
+  fakes_.beading_options = *regions;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   return Answer(TheSample().walled, fakes_);
 }
 
 absl::StatusOr<std::vector<FilledLayer>> FakeInfill::Fill(
     const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
-    std::span<const LayerPlan> plans, std::span<const InfillOptions> regions) const {
+    std::span<const LayerPlan> plans, const Shared<InfillTable>& regions) const {
   Note(neighbourhood, &fakes_);
   fakes_.infill_plans.assign(plans.begin(), plans.end());
   fakes_.walled = std::move(walled);
-  fakes_.infill_options.assign(regions.begin(), regions.end());
+  fakes_.infill_options = *regions;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   return Answer(TheSample().filled, fakes_);
 }
 
 absl::StatusOr<std::vector<OrderedLayer>> FakeOrdering::Order(
     const StageCall& call, std::vector<FilledLayer> layers, std::span<const LayerPlan> plans,
-    std::span<const Copy> copies, const OrderingOptions& options) const {
+    const Shared<OrderingJob>& job) const {
   fakes_.filled = std::move(layers);
   fakes_.plans.assign(plans.begin(), plans.end());
-  fakes_.copies.assign(copies.begin(), copies.end());
-  fakes_.ordering_options = options;
+  fakes_.copies = job->copies;
+  fakes_.ordering_options = job->options;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   return Answer(TheSample().ordered, fakes_);
 }
 
 absl::StatusOr<std::vector<LayerProgram>> FakeMotion::Program(const StageCall& call,
                                                               std::vector<OrderedLayer> layers,
-                                                              const JobFacts& facts,
-                                                              const MotionOptions& options) const {
+                                                              const Shared<MotionJob>& job) const {
   fakes_.ordered = std::move(layers);
-  fakes_.facts = facts;
-  fakes_.motion_options = options;
+  fakes_.facts = job->facts;
+  fakes_.motion_options = job->options;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   return Answer(TheSample().programs, fakes_);
 }
@@ -309,11 +308,11 @@ absl::StatusOr<ProgramEnvelope> FakeMotion::Envelope(const StageCall& call,
 }
 
 absl::StatusOr<std::vector<ExposedProgram>> FakeExposure::Expose(
-    const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
-    const ExposureSettings& settings) const {
+    const StageCall& call, const Neighbourhood& neighbourhood,
+    const Shared<ExposureJob>& job) const {
   Note(neighbourhood, &fakes_);
-  fakes_.copies.assign(copies.begin(), copies.end());
-  fakes_.exposure = settings;
+  fakes_.copies = job->copies;
+  fakes_.exposure = job->settings;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   return Answer(TheSample().exposed, fakes_);
 }
@@ -337,9 +336,9 @@ absl::StatusOr<FdmResult> RunFdm(const TaskRunner& runner, const StageCall& call
 absl::StatusOr<FdmResult> FakeRunner::Run(const StageCall& call, const FdmTask& task) const {
   Note({task.range, task.layers}, &fakes_);
   fakes_.plans.assign(task.plans.begin(), task.plans.end());
-  fakes_.copies.assign(task.copies.begin(), task.copies.end());
-  fakes_.facts = *task.facts;
-  fakes_.fdm_settings = *task.settings;
+  fakes_.copies = task.job->copies;
+  fakes_.facts = task.job->facts;
+  fakes_.fdm_settings = task.job->settings;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   const Sample& sample = TheSample();
   return FdmResult{Answer(sample.programs, fakes_), sample.warnings, sample.fills, sample.times};

@@ -63,8 +63,8 @@ SlicedOutlines TheOutlines() { return {TheSample().job.layers, TheSample().job.c
 
 FdmTask TheTask() {
   const Sample& sample = TheSample();
-  return {Sample::kRange,     sample.outlines, sample.plans,
-          sample.plan.copies, &sample.facts,   &FdmOf(sample.settings)};
+  return {Sample::kRange, sample.outlines, sample.plans,
+          FdmShared{FdmOf(sample.settings), sample.plan.copies, sample.facts}};
 }
 
 TEST(RemoteStages, SlicingGivesAndTakesAll) {
@@ -161,8 +161,9 @@ TEST(RemoteStages, InfillGivesAndTakesAll) {
 TEST(RemoteStages, OrderingGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto ordered = farm.ordering.Order(NewCall(), sample.filled, sample.plans,
-                                           sample.plan.copies, FdmOf(sample.settings).ordering);
+  const auto ordered =
+      farm.ordering.Order(NewCall(), sample.filled, sample.plans,
+                          OrderingJob{FdmOf(sample.settings).ordering, sample.plan.copies});
   ASSERT_TRUE(ordered.ok()) << ordered.status();
   EXPECT_EQ(*ordered, sample.ordered);
   EXPECT_EQ(farm.fakes.filled, sample.filled);
@@ -176,8 +177,8 @@ TEST(RemoteStages, OrderingGivesAndTakesAll) {
 TEST(RemoteStages, MotionGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto programs =
-      farm.motion.Program(NewCall(), sample.ordered, sample.facts, FdmOf(sample.settings).motion);
+  const auto programs = farm.motion.Program(NewCall(), sample.ordered,
+                                            MotionJob{FdmOf(sample.settings).motion, sample.facts});
   ASSERT_TRUE(programs.ok()) << programs.status();
   EXPECT_EQ(*programs, sample.programs);
   EXPECT_EQ(farm.fakes.ordered, sample.ordered);
@@ -259,13 +260,14 @@ INSTANTIATE_TEST_SUITE_P(
                 [](const Farm& farm, const StageCall& call) {
                   const Sample& sample = TheSample();
                   return farm.ordering
-                      .Order(call, sample.filled, sample.plans, sample.plan.copies, {})
+                      .Order(call, sample.filled, sample.plans, OrderingJob{{}, sample.plan.copies})
                       .status();
                 }},
         AnyCall{"Program",
                 [](const Farm& farm, const StageCall& call) {
                   const Sample& sample = TheSample();
-                  return farm.motion.Program(call, sample.ordered, sample.facts, {}).status();
+                  return farm.motion.Program(call, sample.ordered, MotionJob{{}, sample.facts})
+                      .status();
                 }},
         AnyCall{"Frame",
                 [](const Farm& farm, const StageCall& call) {
@@ -276,8 +278,8 @@ INSTANTIATE_TEST_SUITE_P(
                 [](const Farm& farm, const StageCall& call) {
                   const Sample& sample = TheSample();
                   return farm.exposure
-                      .Expose(call, TheNeighbourhood(), sample.plan.copies,
-                              sample.exposure_settings)
+                      .Expose(call, TheNeighbourhood(),
+                              ExposureJob{sample.exposure_settings, sample.plan.copies})
                       .status();
                 }},
         AnyCall{"FrameExposure",
@@ -294,8 +296,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(RemoteStages, ExposureGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto programs = farm.exposure.Expose(NewCall(), TheNeighbourhood(), sample.plan.copies,
-                                             sample.exposure_settings);
+  const auto programs = farm.exposure.Expose(
+      NewCall(), TheNeighbourhood(), ExposureJob{sample.exposure_settings, sample.plan.copies});
   ASSERT_TRUE(programs.ok()) << programs.status();
   EXPECT_EQ(*programs, sample.exposed);
   EXPECT_EQ(farm.fakes.range, Sample::kRange);
@@ -458,15 +460,15 @@ TEST(StageServices, RefuseACallWithoutSettingsOfAnyRegion) {
   Farm farm;
   const absl::Status status = farm.beading.Bead(NewCall(), TheNeighbourhood(), {}).status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
-  EXPECT_EQ(DetailOf(status).metadata["field"], "start.options");
+  EXPECT_EQ(DetailOf(status).metadata["field"], "start.shared.rows");
 }
 
 TEST(StageServices, RefuseTablesOfDifferentLengths) {
   Farm farm;
-  FdmSettings settings = FdmOf(TheSample().settings);
-  settings.infill.pop_back();
   FdmTask task = TheTask();
-  task.settings = &settings;
+  FdmShared job = *task.job;
+  job.settings.infill.pop_back();
+  task.job = job;
   EXPECT_EQ(DetailOf(RunFdm(farm.worker, NewCall(), task).status()).reason,
             Reason::kRequestMalformed);
 }

@@ -191,17 +191,16 @@ std::vector<CopySummary> SummarizeCopies(std::vector<CopyName> names,
 
 class FdmJob : public PlannedJob {
  public:
-  FdmJob(const MotionStage& motion, FdmSettings settings, std::string settings_text,
-         JobReport report, SeamQuality seams, std::unique_ptr<SpoolFile> spool)
+  FdmJob(const MotionStage& motion, std::string settings_text, JobReport report, SeamQuality seams,
+         std::unique_ptr<SpoolFile> spool)
       : motion_(motion),
-        settings_(std::move(settings)),
         settings_text_(std::move(settings_text)),
         report_(std::move(report)),
         spool_(std::move(spool)) {
     own_.seams = seams;
   }
 
-  absl::Status Begin(SlicedJob sliced, JobPlan plan) {
+  absl::Status Begin(FdmSettings settings, SlicedJob sliced, JobPlan plan) {
     layers_ = std::move(sliced.layers);
     DropSeamParts(layers_);
     plan_ = std::move(plan);
@@ -209,15 +208,18 @@ class FdmJob : public PlannedJob {
     thumbnails_ = std::move(sliced.thumbnails);
     if (absl::Status added = AddToPlate(layers_, plan_); !added.ok()) return added;
     PassPlan passes = PassesOf(layers_, plan_.copies);
-    facts_ = {passes.layer_count, NamesOf(sliced.object_names, copies_), std::move(passes.passes)};
+    job_ = FdmShared{
+        std::move(settings),
+        plan_.copies,
+        {passes.layer_count, NamesOf(sliced.object_names, copies_), std::move(passes.passes)}};
     return absl::OkStatus();
   }
 
   int32_t Weight() const override { return static_cast<int32_t>(layers_.size()); }
 
   absl::StatusOr<std::vector<Task>> Tasks(int slots) override {
-    const auto ranges = SplitIntoRanges(layers_, slots, SplitOptionsOf(settings_));
-    absl::Status fits = CheckNeighbourhoods(layers_, ranges, HaloLayers(settings_));
+    const auto ranges = SplitIntoRanges(layers_, slots, SplitOptionsOf(job_->settings));
+    absl::Status fits = CheckNeighbourhoods(layers_, ranges, HaloLayers(job_->settings));
     if (!fits.ok()) return fits;
     std::vector<Task> tasks = TasksFor(ranges);
     ranges_.resize(tasks.size());
@@ -227,7 +229,7 @@ class FdmJob : public PlannedJob {
   std::vector<Task> TasksFor(const std::vector<LayerRange>& ranges) const {
     const std::span<const SlicedLayer> layers = layers_;
     const std::span<const LayerPlan> plans = plan_.layers;
-    const int32_t halo = HaloLayers(settings_);
+    const int32_t halo = HaloLayers(job_->settings);
     std::vector<Task> tasks;
     for (const LayerRange& range : ranges) {
       const LayerRange grown = WithHalo(layers, range, halo);
@@ -235,9 +237,7 @@ class FdmJob : public PlannedJob {
       tasks.push_back(FdmTask{.range = range,
                               .layers = layers.subspan(at(grown.first), at(grown.size())),
                               .plans = plans.subspan(at(range.first), at(range.size())),
-                              .copies = plan_.copies,
-                              .facts = &facts_,
-                              .settings = &settings_});
+                              .job = job_});
     }
     return tasks;
   }
@@ -273,16 +273,17 @@ class FdmJob : public PlannedJob {
     summary.thumbnails = std::move(thumbnails_);
     auto frame = Timed(report_.stage_times[Stage::kMotion], [&] {
       const ScopedSpan span(call.spans, "frame");
-      return motion_.Envelope(call, summary, settings_.motion);
+      return motion_.Envelope(call, summary, job_->settings.motion);
     });
     if (!frame.ok()) return frame.status();
 
     const ScopedSpan span(call.spans, "assembly");
-    FillIn(report_, own_, summary, *frame, settings_.motion);
+    FillIn(report_, own_, summary, *frame, job_->settings.motion);
     report_.own = std::make_unique<FdmReport>(std::move(own_));
     if (std::string warning = WallWarning(warnings); !warning.empty())
       report_.warnings.push_back(std::move(warning));
-    auto file = MakeFile(*std::move(frame), *programs, settings_.motion.writing, std::move(spool_));
+    auto file =
+        MakeFile(*std::move(frame), *programs, job_->settings.motion.writing, std::move(spool_));
     if (!file.ok()) return file.status();
     return JobOutput{*std::move(file), std::move(report_)};
   }
@@ -290,7 +291,7 @@ class FdmJob : public PlannedJob {
   /// What the envelope of these programs looks at, thumbnails apart.
   ProgramSummary SummaryOf(const std::vector<SpooledProgram>& programs) const {
     ProgramSummary summary = Summarize(programs);
-    summary.copies = SummarizeCopies(facts_.copies, copies_);
+    summary.copies = SummarizeCopies(job_->facts.copies, copies_);
     summary.settings_text = settings_text_;
     return summary;
   }
@@ -303,7 +304,7 @@ class FdmJob : public PlannedJob {
   };
 
   const MotionStage& motion_;
-  const FdmSettings settings_;
+  Shared<FdmShared> job_;
   std::string settings_text_;
   JobReport report_;
   FdmReport own_;
@@ -311,7 +312,6 @@ class FdmJob : public PlannedJob {
   std::vector<Range> ranges_;  ///< by task
   std::vector<SlicedLayer> layers_;
   JobPlan plan_;
-  JobFacts facts_;
   std::vector<PlacedCopy> copies_;
   std::vector<Thumbnail> thumbnails_;
 };
@@ -347,11 +347,11 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
   std::ranges::move(FieldNotesOf(settings), std::back_inserter(report.notes));
   auto spool = SpoolFile::Make(spool_directory_);
   if (!spool.ok()) return spool.status();
-  auto job = std::make_unique<FdmJob>(motion_, std::move(FdmOf(input.settings)),
-                                      std::move(input.settings_text), std::move(report), seams,
-                                      *std::move(spool));
-  if (absl::Status begun = job->Begin(*std::move(sliced), *std::move(plan)); !begun.ok())
-    return begun;
+  auto job = std::make_unique<FdmJob>(motion_, std::move(input.settings_text), std::move(report),
+                                      seams, *std::move(spool));
+  absl::Status begun =
+      job->Begin(std::move(FdmOf(input.settings)), *std::move(sliced), *std::move(plan));
+  if (!begun.ok()) return begun;
   return job;
 }
 
@@ -359,9 +359,10 @@ absl::StatusOr<LayerSamples> FdmProcess::Sample(const StageCall& call, PlannedPl
                                                 std::span<const int32_t> layers,
                                                 TaskExecutor& executor) const {
   const MotionOptions motion = plate.settings.motion;
-  FdmJob job(motion_, std::move(plate.settings), std::move(plate.settings_text), {}, {}, nullptr);
-  if (absl::Status begun = job.Begin(std::move(plate.sliced), std::move(plate.plan)); !begun.ok())
-    return begun;
+  FdmJob job(motion_, std::move(plate.settings_text), {}, {}, nullptr);
+  absl::Status begun =
+      job.Begin(std::move(plate.settings), std::move(plate.sliced), std::move(plate.plan));
+  if (!begun.ok()) return begun;
   std::vector<LayerRange> ranges;
   for (const int32_t layer : layers) ranges.push_back({layer, layer + 1});
   std::vector<FdmResult> made(ranges.size());

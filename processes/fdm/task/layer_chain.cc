@@ -56,6 +56,19 @@ std::vector<FillUse> TakeUses(std::vector<FilledLayer>& layers, std::span<const 
   return all;
 }
 
+/// What each stage is told of the whole job.
+struct StageJobs {
+  Shared<BeadingTable> beading;
+  Shared<InfillTable> infill;
+  Shared<OrderingJob> ordering;
+  Shared<MotionJob> motion;
+};
+
+StageJobs StageJobsOf(const FdmShared& job) {
+  return {job.settings.beading, job.settings.infill, OrderingJob{job.settings.ordering, job.copies},
+          MotionJob{job.settings.motion, job.facts}};
+}
+
 }  // namespace
 
 std::shared_ptr<const LayerChain> LayerChain::Over(const Stages& stages) {
@@ -73,29 +86,28 @@ std::vector<Stage> LayerChain::StagesOf() {
 absl::StatusOr<FdmResult> LayerChain::Run(const StageCall& call, const FdmTask& task) const {
   FdmResult result;
   const Neighbourhood neighbourhood{task.range, task.layers};
-  const FdmSettings& settings = *task.settings;
+  const FdmSettings& settings = task.job->settings;
+  const StageJobs& jobs = task.job.Once(StageJobsOf);
   if (absl::Status ok = CheckHalo(task.layers, task.range, HaloLayers(settings)); !ok.ok())
     return ok;
 
   auto walled = Timed(result.times[Stage::kBeading], [&] {
-    return beading_.Bead(call, Trimmed(neighbourhood, BeadingHaloLayers(settings)),
-                         settings.beading);
+    return beading_.Bead(call, Trimmed(neighbourhood, BeadingHaloLayers(settings)), jobs.beading);
   });
   if (!walled.ok()) return walled.status();
   NoteWarnings(*walled, result.warnings);
   auto filled = Timed(result.times[Stage::kInfill], [&] {
-    return infill_.Fill(call, *std::move(walled), neighbourhood, task.plans, settings.infill);
+    return infill_.Fill(call, *std::move(walled), neighbourhood, task.plans, jobs.infill);
   });
   if (!filled.ok()) return filled.status();
-  result.fills = TakeUses(*filled, task.copies);
+  result.fills = TakeUses(*filled, task.job->copies);
   auto ordered = Timed(result.times[Stage::kOrdering], [&] {
-    return ordering_.Order(call, *std::move(filled), task.plans, task.copies, settings.ordering);
+    return ordering_.Order(call, *std::move(filled), task.plans, jobs.ordering);
   });
   if (!ordered.ok()) return ordered.status();
   if (LooksBelow(settings.motion)) AddBelow(task.layers, *ordered);
-  auto programs = Timed(result.times[Stage::kMotion], [&] {
-    return motion_.Program(call, *std::move(ordered), *task.facts, settings.motion);
-  });
+  auto programs = Timed(result.times[Stage::kMotion],
+                        [&] { return motion_.Program(call, *std::move(ordered), jobs.motion); });
   if (!programs.ok()) return programs.status();
   result.programs = *std::move(programs);
   return result;

@@ -37,7 +37,7 @@ absl::StatusOr<MillScene> PlaceScene(const StageCall& call, const PlacingStage& 
 
 class MillJob : public PlannedJob {
  public:
-  MillJob(const MillingStage& milling, MillInput input, MillLayout layout,
+  MillJob(const MillingStage& milling, Shared<MillInput> input, MillLayout layout,
           std::string settings_text, JobReport report, std::unique_ptr<SpoolFile> spool)
       : milling_(milling),
         input_(std::move(input)),
@@ -54,17 +54,17 @@ class MillJob : public PlannedJob {
   absl::StatusOr<std::vector<Task>> Tasks(int slots) override {
     std::vector<Task> tasks;
     for (const MillTask& task : SplitSteps(layout_, input_, slots)) {
-      const bool shows = task.steps.first <= input_.settings.output_step &&
-                         input_.settings.output_step < task.steps.last;
+      const bool shows = task.steps.first <= input_->settings.output_step &&
+                         input_->settings.output_step < task.steps.last;
       if (!IsPicture()) {
         tasks.emplace_back(task);
       } else if (shows) {
-        const int32_t step = input_.settings.output_step;
+        const int32_t step = input_->settings.output_step;
         tasks.emplace_back(MillTask{{step, step + 1},
                                     task.phase,
                                     task.phase_first + step - task.steps.first,
                                     Weight(),
-                                    &input_});
+                                    input_});
       }
     }
     made_.resize(tasks.size());
@@ -96,8 +96,8 @@ class MillJob : public PlannedJob {
   }
 
  private:
-  bool IsPicture() const { return input_.settings.format == MillFormat::kSvg; }
-  size_t Shown() const { return static_cast<size_t>(input_.settings.output_step); }
+  bool IsPicture() const { return input_->settings.format == MillFormat::kSvg; }
+  size_t Shown() const { return static_cast<size_t>(input_->settings.output_step); }
 
   absl::Status CheckSteps(const std::vector<MilledStep>& steps) const {
     const size_t first = IsPicture() ? Shown() : 0;
@@ -121,13 +121,13 @@ class MillJob : public PlannedJob {
                                               " of ", milled.checked, " places that were checked"));
     auto own = std::make_unique<MillJobReport>();
     own->report = milled;
-    own->cutter = input_.settings.how.cutter.name();
+    own->cutter = input_->settings.how.cutter.name();
     own->layout = std::move(layout_);
     report_.own = std::move(own);
   }
 
   const MillingStage& milling_;
-  const MillInput input_;
+  const Shared<MillInput> input_;
   MillLayout layout_;
   const std::string settings_text_;
   JobReport report_;
@@ -146,9 +146,10 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> MillProcess::Plan(const StageCall& c
     return PlaceScene(call, placing_, {std::move(input.meshes), input.settings.slicing}, settings);
   });
   if (!scene.ok()) return scene.status();
+  const Shared<MillInput> shared(std::move(scene->input));
   auto layout = Timed(report.stage_times[Stage::kMilling], [&] {
     const ScopedSpan span(call.spans, "layout");
-    return milling_.LayOut(call, scene->input);
+    return milling_.LayOut(call, shared);
   });
   if (!layout.ok()) return layout.status();
   if (layout->steps.empty())
@@ -161,7 +162,7 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> MillProcess::Plan(const StageCall& c
     std::ranges::move(MeshWarnings(mesh), std::back_inserter(report.warnings));
   auto spool = SpoolFile::Make(spool_directory_);
   if (!spool.ok()) return spool.status();
-  return std::make_unique<MillJob>(milling_, std::move(scene->input), *std::move(layout),
+  return std::make_unique<MillJob>(milling_, shared, *std::move(layout),
                                    std::move(input.settings_text), std::move(report),
                                    *std::move(spool));
 }

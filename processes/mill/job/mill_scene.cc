@@ -196,7 +196,6 @@ absl::StatusOr<MillScene> MillSceneOf(PlacedScene parts, std::optional<PlacedSce
   AddReports(parts, by, result);
   if (stock) AddReports(*stock, by, result);
   result.input.settings = settings;
-  result.input.digest = DigestOf(result.input.part, result.input.stock);
   return result;
 }
 

@@ -27,7 +27,8 @@ int64_t WeightOf(const MillLayout& layout, int32_t first, int32_t last) {
 
 }  // namespace
 
-std::vector<MillTask> SplitSteps(const MillLayout& layout, const MillInput& input, int slots) {
+std::vector<MillTask> SplitSteps(const MillLayout& layout, const Shared<MillInput>& input,
+                                 int slots) {
   const auto count = static_cast<int32_t>(layout.steps.size());
   std::vector<MillTask> tasks;
   for (int32_t begin = 0, end = 0; begin < count; begin = end) {
@@ -42,7 +43,7 @@ std::vector<MillTask> SplitSteps(const MillLayout& layout, const MillInput& inpu
                        layout.steps[static_cast<size_t>(first)].phase,
                        first - begin,
                        static_cast<int32_t>(weight),
-                       &input});
+                       input});
     }
   }
   return tasks;

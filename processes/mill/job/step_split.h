@@ -13,6 +13,7 @@ namespace slicefarm::coordinator {
 /// no more than a worker's loss is worth. What comes of the steps does not depend on the cut.
 ///
 /// Shapes: the ranges cover all steps in order, none is empty. Cost: O(steps).
-std::vector<MillTask> SplitSteps(const MillLayout& layout, const MillInput& input, int slots);
+std::vector<MillTask> SplitSteps(const MillLayout& layout, const Shared<MillInput>& input,
+                                 int slots);
 
 }  // namespace slicefarm::coordinator

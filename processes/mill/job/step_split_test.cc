@@ -18,7 +18,7 @@ MillLayout Layout(int roughing, int finishing, int rows) {
 }
 
 TEST(SplitSteps, CoversAllStepsPhaseByPhase) {
-  const MillInput input;
+  const Shared<MillInput> input;
   for (const MillLayout& layout :
        {Layout(1, 0, 0), Layout(40, 90, 300), Layout(0, 0, 7), Layout(1000, 4000, 20'000)}) {
     for (const int slots : {0, 1, 2, 8, 300}) {
@@ -30,7 +30,7 @@ TEST(SplitSteps, CoversAllStepsPhaseByPhase) {
         next = task.steps.last;
         weight += task.weight;
         EXPECT_LE(task.weight, 404);
-        EXPECT_EQ(task.input, &input);
+        EXPECT_EQ(&*task.input, &*input);
         for (int32_t i = task.steps.first; i < task.steps.last; ++i)
           EXPECT_EQ(layout.steps[static_cast<size_t>(i)].phase, task.phase);
         const auto before = static_cast<size_t>(task.steps.first - task.phase_first);

@@ -23,9 +23,10 @@ class FakeMilling : public MillingStage {
     return steps;
   }
 
-  absl::StatusOr<MillLayout> LayOut(const StageCall&, const MillInput& input) const override {
+  absl::StatusOr<MillLayout> LayOut(const StageCall&,
+                                    const Shared<MillInput>& input) const override {
     if (fails) return MakeError(absl::StatusCode::kInternal, Reason::kInternal, "milling");
-    laid_out = input;
+    laid_out = *input;
     MillLayout layout;
     layout.steps = AllSteps();
     layout.weights.assign(layout.steps.size(), 2);
@@ -33,7 +34,7 @@ class FakeMilling : public MillingStage {
     layout.stock_mm = {Eigen::Vector3d(-1, -1, 0), Eigen::Vector3d(10, 10, 4)};
     return layout;
   }
-  absl::StatusOr<std::vector<MilledStep>> Mill(const StageCall&, const MillInput&,
+  absl::StatusOr<std::vector<MilledStep>> Mill(const StageCall&, const Shared<MillInput>&,
                                                StepRange range) const override {
     if (fails) return MakeError(absl::StatusCode::kInternal, Reason::kInternal, "milling");
     std::vector<MilledStep> milled;
@@ -41,7 +42,7 @@ class FakeMilling : public MillingStage {
       if (i != lost) milled.push_back({AllSteps()[static_cast<size_t>(i)], {}, {}});
     return milled;
   }
-  absl::StatusOr<MilledProgram> Assemble(const StageCall&, const MillInput&,
+  absl::StatusOr<MilledProgram> Assemble(const StageCall&, const Shared<MillInput>&,
                                          std::vector<MilledStep> steps,
                                          std::string_view settings_text) const override {
     MilledProgram program;

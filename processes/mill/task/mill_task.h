@@ -18,7 +18,7 @@ struct MillTask {
   MillPhase phase = MillPhase::kRoughing;
   int32_t phase_first = 0;  ///< the number of its first step within the phase
   int32_t weight = 0;
-  const MillInput* input = nullptr;
+  Shared<MillInput> input;
 
   int32_t Weight() const { return weight; }
   /// "roughing level 4", "finishing levels 3 to 9", "rest rows 10 to 40".

@@ -3,10 +3,12 @@
 #include <utility>
 
 #include "common/wire/layers/program_wire.h"
+#include "common/wire/milling/mill_input_wire.h"
 #include "common/wire/milling/milled_wire.h"
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "common/wire/work_layers.h"
+#include "processes/mill/task/mill_task.h"
 #include "processes/mill/wire/mill_work.h"
 
 namespace slicefarm {
@@ -14,15 +16,11 @@ namespace {
 
 class ReceivedMill : public ReceivedTask {
  public:
-  ReceivedMill(const MillTask& task, MillInput input) : task_(task), input_(std::move(input)) {
-    task_.input = &input_;
-  }
-
+  explicit ReceivedMill(MillTask task) : task_(std::move(task)) {}
   Task task() const override { return task_; }
 
  private:
-  MillTask task_;
-  const MillInput input_;
+  const MillTask task_;
 };
 
 absl::Status Take(v1::WorkResponse& response, MillResult* result) {
@@ -34,19 +32,27 @@ class WireOfMill : public TaskWire {
  public:
   bool IsIn(const v1::WorkStart& start) const override { return start.has_mill(); }
 
-  /// Triangles have no outlines yet; each is cut about so often.
+  /// Triangles have no outlines yet: each is cut about so often.
   int64_t PointsIn(const Task& task) const override {
     constexpr int64_t kPointsATriangle = 100;
     return kPointsATriangle * std::ssize(task.As<MillTask>().input->part.triangles);
   }
 
+  absl::StatusOr<SharedParts> PartsOf(const Task& task) const override {
+    return OnePart(task.As<MillTask>().input);
+  }
+
   absl::Status Send(const StageCall& call, const Task& task, CoordinatorEnd& end) const override {
     const auto& mill = task.As<MillTask>();
+    const auto& part = PartOf(mill.input);
+    if (!part.ok()) return part.status();
     v1::WorkRequest start;
     *start.mutable_start()->mutable_call() = ToProto(call);
-    const absl::Status put = ToProto(mill, start.mutable_start()->mutable_mill());
-    if (!put.ok()) return put;
-    return end.Write(start) ? SendMeshes<v1::WorkRequest>(*mill.input, end) : absl::OkStatus();
+    const absl::Status put =
+        ToProto(MillWork{mill.steps, mill.phase, mill.phase_first, mill.weight, (*part)->digest},
+                start.mutable_start()->mutable_mill());
+    if (put.ok()) end.Write(start);
+    return put;
   }
 
   absl::StatusOr<TaskResult> ReceiveResult(CoordinatorEnd& end) const override {
@@ -65,17 +71,16 @@ class WireOfMill : public TaskWire {
   }
 
   absl::StatusOr<std::unique_ptr<ReceivedTask>> Receive(const v1::WorkStart& start,
-                                                        const CancelToken& cancel,
-                                                        WorkerEnd& end) const override {
-    absl::StatusOr<MillWork> work = FromProto(start.mill());
+                                                        SharedCache& shared,
+                                                        const CancelToken& /*cancel*/,
+                                                        WorkerEnd& /*end*/) const override {
+    const absl::StatusOr<MillWork> work = FromProto(start.mill());
     if (!work.ok()) return Within("start", Within("mill", work.status()));
-    absl::Status read = ReadEach<v1::WorkRequest>(
-        end, [&](const v1::WorkRequest& request) { return work->input.Add(request.piece()); });
-    read.Update(cancel.Check());
-    if (!read.ok()) return read;
-    absl::StatusOr<MillInput> input = work->input.Finish();
+    absl::StatusOr<Shared<MillInput>> input =
+        TakeShared<MillInput>(shared, work->shared, "start.mill.shared");
     if (!input.ok()) return input.status();
-    return std::make_unique<ReceivedMill>(work->task, *std::move(input));
+    return std::make_unique<ReceivedMill>(
+        MillTask{work->steps, work->phase, work->phase_first, work->weight, *std::move(input)});
   }
 
   absl::Status SendResult(TaskResult task_result, WorkerEnd& end) const override {

@@ -4,7 +4,8 @@
 
 namespace slicefarm {
 
-/// Tasks of milling: v1::MillWork, then the meshes of part and stock. Lives as long as the program.
+/// Tasks of milling: v1::MillWork, all of which but the range is in common. Lives as long as the
+/// program.
 const TaskWire& MillWire();
 
 }  // namespace slicefarm

@@ -1,20 +1,18 @@
 #include "processes/mill/wire/mill_work.h"
 
-#include <utility>
-
-#include "common/model/limits.h"
 #include "common/wire/milling/milled_wire.h"
 #include "common/wire/support/enum_wire.h"
 #include "common/wire/support/wire_error.h"
 
 namespace slicefarm {
 
-absl::Status ToProto(const MillTask& task, v1::MillWork* proto) {
-  *proto->mutable_range() = ToProto(task.steps);
-  proto->set_phase(EnumToProto<v1::MillPhase>(task.phase));
-  proto->set_phase_first(task.phase_first);
-  proto->set_weight(task.weight);
-  return ToProto(*task.input, proto->mutable_head());
+absl::Status ToProto(const MillWork& work, v1::MillWork* proto) {
+  *proto->mutable_range() = ToProto(work.steps);
+  proto->set_phase(EnumToProto<v1::MillPhase>(work.phase));
+  proto->set_phase_first(work.phase_first);
+  proto->set_weight(work.weight);
+  proto->set_shared(work.shared);
+  return absl::OkStatus();
 }
 
 absl::StatusOr<MillWork> FromProto(const v1::MillWork& proto) {
@@ -25,10 +23,7 @@ absl::StatusOr<MillWork> FromProto(const v1::MillWork& proto) {
   if (proto.phase_first() < 0 || proto.phase_first() > range->first)
     return Malformed("phase_first", "is no step before the range");
   if (proto.weight() < 0) return Malformed("weight", "is negative");
-  absl::StatusOr<MillInputReader> input = MillInputReader::Begin(proto.head());
-  if (!input.ok()) return Within("head", input.status());
-  return MillWork{{*range, *phase, proto.phase_first(), proto.weight(), nullptr},
-                  *std::move(input)};
+  return MillWork{*range, *phase, proto.phase_first(), proto.weight(), proto.shared()};
 }
 
 }  // namespace slicefarm

@@ -1,21 +1,28 @@
 #pragma once
 
+#include <cstdint>
+#include <string>
+
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/wire/milling/mill_input_wire.h"
-#include "processes/mill/task/mill_task.h"
+#include "common/model/milling/milled_step.h"
 #include "slicefarm/v1/worker.pb.h"
 
 namespace slicefarm {
 
-/// MillTask but its meshes, which follow. Errors of FromProto: REQUEST_MALFORMED and
-/// MESH_TOO_LARGE with the way to the field.
-absl::Status ToProto(const MillTask& task, v1::MillWork* proto);
-
+/// MillTask as it travels.
 struct MillWork {
-  MillTask task;  ///< its input comes with `input`
-  MillInputReader input;
+  StepRange steps;
+  MillPhase phase = MillPhase::kRoughing;
+  int32_t phase_first = 0;
+  int32_t weight = 0;
+  std::string shared;  ///< the digest of its MillInput
+
+  friend bool operator==(const MillWork&, const MillWork&) = default;
 };
+
+/// Errors: REQUEST_MALFORMED with the way to the field.
+absl::Status ToProto(const MillWork& work, v1::MillWork* proto);
 absl::StatusOr<MillWork> FromProto(const v1::MillWork& proto);
 
 namespace v1 {

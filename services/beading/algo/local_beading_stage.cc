@@ -17,8 +17,8 @@ struct ObjectOutlines {
   std::optional<NeighbourOutlines> neighbours;
 };
 
-/// The layers around each section, by object. What lies on the plate besides the objects is no stack
-/// of layers of one thing: each of its sections stands alone.
+/// The layers around each section, by object. What lies on the plate besides the objects is no
+/// stack of layers of one thing: each of its sections stands alone.
 class Surroundings {
  public:
   explicit Surroundings(std::span<const SlicedLayer> layers) {
@@ -50,13 +50,13 @@ class LocalBeading : public BeadingStage {
  public:
   absl::StatusOr<std::vector<WalledLayer>> Bead(
       const StageCall& call, const Neighbourhood& neighbourhood,
-      std::span<const BeadingOptions> regions) const override {
+      const Shared<BeadingTable>& regions) const override {
     std::vector<WalledLayer> walled;
     walled.reserve(static_cast<size_t>(neighbourhood.range.size()));
     const Surroundings surroundings(neighbourhood.layers);
     for (const SlicedLayer& layer : neighbourhood.layers) {
       if (!neighbourhood.range.Contains(layer.frame.index)) continue;
-      auto result = WallLayer(layer, surroundings, regions, call.cancel);
+      auto result = WallLayer(layer, surroundings, *regions, call.cancel);
       if (!result.ok()) return result.status();
       walled.push_back(*std::move(result));
     }

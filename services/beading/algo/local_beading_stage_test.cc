@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "common/geometry/text_format.h"
 #include "common/base/error.h"
+#include "common/geometry/text_format.h"
 
 namespace slicefarm::beading::local_beading_stage_test {
 namespace {
@@ -23,16 +23,15 @@ std::vector<SlicedLayer> Layers(const std::vector<MultiPolygon>& outlines) {
 }
 
 std::vector<SlicedLayer> Layers(int count, std::string_view outlines) {
-  return Layers(std::vector<MultiPolygon>(static_cast<size_t>(count),
-                                          MakePolygonsOrDie(outlines)));
+  return Layers(std::vector<MultiPolygon>(static_cast<size_t>(count), MakePolygonsOrDie(outlines)));
 }
 
-absl::StatusOr<std::vector<WalledLayer>> Bead(std::span<const SlicedLayer> layers,
-                                              LayerRange range, const BeadingOptions& options = {},
+absl::StatusOr<std::vector<WalledLayer>> Bead(std::span<const SlicedLayer> layers, LayerRange range,
+                                              const BeadingOptions& options = {},
                                               CancelToken cancel = {}) {
   StageCall call;
   call.cancel = std::move(cancel);
-  return MakeLocalBeading()->Bead(call, {range, layers}, std::span(&options, 1));
+  return MakeLocalBeading()->Bead(call, {range, layers}, BeadingTable{options});
 }
 
 BeadingOptions Classic() {

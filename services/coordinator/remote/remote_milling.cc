@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/model/limits.h"
+#include "common/wire/milling/mill_input_wire.h"
 #include "common/wire/milling/mill_start_wire.h"
 #include "common/wire/milling/milled_wire.h"
 #include "common/wire/support/message_stream.h"
@@ -21,24 +22,28 @@ std::chrono::milliseconds DeadlineOf(const RemoteOptions& options, const MillInp
   return 4 * options.DeadlineFor(kPointsATriangle * std::ssize(input.part.triangles));
 }
 
-/// `start`, then the meshes.
 template <typename Stream>
-absl::Status WriteInput(Stream& stream, const v1::MillRequest& start, const MillInput& input) {
-  if (!stream.Write(start)) return absl::OkStatus();  // the call's end says why
-  return SendMeshes<v1::MillRequest>(input, stream);
+absl::Status WriteStart(Stream& stream, const MillStart& start) {
+  v1::MillRequest request;
+  absl::Status status = ToProto(start, request.mutable_start());
+  if (status.ok()) stream.Write(request);  // that the peer is gone says the call
+  return status;
 }
 
 }  // namespace
 
 absl::StatusOr<MillLayout> RemoteMilling::LayOut(const StageCall& call,
-                                                 const MillInput& input) const {
-  v1::MillRequest start;
-  if (absl::Status put = ToProto(call, input, {}, start.mutable_start()); !put.ok()) return put;
+                                                 const Shared<MillInput>& input) const {
+  const absl::StatusOr<SharedParts> parts = OnePart(input);
+  if (!parts.ok()) return parts.status();
+  SharingReplicas replicas(replicas_, sends_, call, *parts);
   std::optional<MillLayout> layout;
   const absl::Status status = StreamOver(
-      replicas_, DeadlineOf(options_, input), call, kMilling,
+      replicas, DeadlineOf(options_, *input), call, kMilling,
       &v1::Milling::Stub::PrepareAsyncLayOutSteps,
-      [&](auto& stream) { return WriteInput(stream, start, input); },
+      [&](auto& stream) {
+        return WriteStart(stream, {call, parts->front()->digest});
+      },
       [&](auto& stream) {
         return ReadEach<v1::MillLayout>(stream, [&](const v1::MillLayout& response) {
           absl::StatusOr<MillLayout> taken = FromProto(response);
@@ -52,15 +57,18 @@ absl::StatusOr<MillLayout> RemoteMilling::LayOut(const StageCall& call,
 }
 
 absl::StatusOr<std::vector<MilledStep>> RemoteMilling::Mill(const StageCall& call,
-                                                            const MillInput& input,
+                                                            const Shared<MillInput>& input,
                                                             StepRange range) const {
-  v1::MillRequest start;
-  if (absl::Status put = ToProto(call, input, range, start.mutable_start()); !put.ok()) return put;
+  const absl::StatusOr<SharedParts> parts = OnePart(input);
+  if (!parts.ok()) return parts.status();
+  SharingReplicas replicas(replicas_, sends_, call, *parts);
   std::vector<MilledStep> steps;
   const absl::Status status = StreamOver(
-      replicas_, DeadlineOf(options_, input), call, kMilling,
+      replicas, DeadlineOf(options_, *input), call, kMilling,
       &v1::Milling::Stub::PrepareAsyncMillSteps,
-      [&](auto& stream) { return WriteInput(stream, start, input); },
+      [&](auto& stream) {
+        return WriteStart(stream, {call, parts->front()->digest, range});
+      },
       [&](auto& stream) {
         steps.clear();
         return ReadEach<v1::MilledStep>(
@@ -72,17 +80,22 @@ absl::StatusOr<std::vector<MilledStep>> RemoteMilling::Mill(const StageCall& cal
   return steps;
 }
 
-absl::StatusOr<MilledProgram> RemoteMilling::Assemble(const StageCall& call, const MillInput& input,
+absl::StatusOr<MilledProgram> RemoteMilling::Assemble(const StageCall& call,
+                                                      const Shared<MillInput>& input,
                                                       std::vector<MilledStep> steps,
                                                       std::string_view settings_text) const {
-  v1::MillRequest start;
-  if (absl::Status put = ToProto(call, input, {}, start.mutable_start()); !put.ok()) return put;
-  start.mutable_start()->set_step_count(static_cast<int32_t>(steps.size()));
-  start.mutable_start()->set_settings_text(std::string(settings_text));
+  const absl::StatusOr<SharedParts> parts = OnePart(input);
+  if (!parts.ok()) return parts.status();
+  SharingReplicas replicas(replicas_, sends_, call, *parts);
+  const MillStart start{call,
+                        parts->front()->digest,
+                        {},
+                        static_cast<int32_t>(steps.size()),
+                        std::string(settings_text)};
   MilledProgram program;
   bool summed = false;
   const auto write = [&](auto& stream) {
-    absl::Status put = WriteInput(stream, start, input);
+    absl::Status put = WriteStart(stream, start);
     if (!put.ok()) return put;
     return WriteEach<v1::MillRequest>(stream, steps,
                                       [](const MilledStep& step, v1::MillRequest* request) {
@@ -103,7 +116,7 @@ absl::StatusOr<MilledProgram> RemoteMilling::Assemble(const StageCall& call, con
     return absl::OkStatus();
   };
   const absl::Status status =
-      StreamOver(replicas_, DeadlineOf(options_, input), call, kMilling,
+      StreamOver(replicas, DeadlineOf(options_, *input), call, kMilling,
                  &v1::Milling::Stub::PrepareAsyncAssembleProgram, write, [&](auto& stream) {
                    program = {};
                    summed = false;

@@ -14,6 +14,7 @@
 #include "common/wire/placed_scene_wire.h"
 #include "common/wire/slicing_wire.h"
 #include "common/wire/stage_call_wire.h"
+#include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "common/wire/support/repeated_wire.h"
@@ -211,14 +212,17 @@ absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const Sliced
 
 absl::StatusOr<std::vector<WalledLayer>> RemoteBeading::Bead(
     const StageCall& call, const Neighbourhood& neighbourhood,
-    std::span<const BeadingOptions> regions) const {
+    const Shared<BeadingTable>& regions) const {
+  const absl::StatusOr<SharedParts> parts = OnePart(regions);
+  if (!parts.ok()) return parts.status();
+  SharingReplicas replicas(replicas_, sends_, call, *parts);
   std::vector<WalledLayer> walled;
   const absl::Status status = StreamOver(
-      replicas_, options_.DeadlineFor(PointsIn(neighbourhood.layers)), call, kBeading,
+      replicas, options_.DeadlineFor(PointsIn(neighbourhood.layers)), call, kBeading,
       &v1::Beading::Stub::PrepareAsyncBeadLayers,
       [&](auto& stream) {
         absl::Status started = WriteStart<v1::BeadRequest>(
-            stream, BeadStart{call, {regions.begin(), regions.end()}, neighbourhood.range});
+            stream, BeadStart{call, parts->front()->digest, neighbourhood.range});
         if (!started.ok()) return started;
         return WriteEach<v1::BeadRequest>(stream, neighbourhood.layers,
                                           [](const SlicedLayer& layer, v1::BeadRequest* request) {
@@ -232,11 +236,14 @@ absl::StatusOr<std::vector<WalledLayer>> RemoteBeading::Bead(
 
 absl::StatusOr<std::vector<FilledLayer>> RemoteInfill::Fill(
     const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
-    std::span<const LayerPlan> plans, std::span<const InfillOptions> regions) const {
+    std::span<const LayerPlan> plans, const Shared<InfillTable>& regions) const {
+  const absl::StatusOr<SharedParts> parts = OnePart(regions);
+  if (!parts.ok()) return parts.status();
+  SharingReplicas replicas(replicas_, sends_, call, *parts);
   std::vector<FilledLayer> filled;
   const auto write = [&](auto& stream) {
     absl::Status status = WriteStart<v1::FillRequest>(
-        stream, FillStart{call, {regions.begin(), regions.end()}, neighbourhood.range});
+        stream, FillStart{call, parts->front()->digest, neighbourhood.range});
     if (!status.ok()) return status;
     status = WriteEach<v1::FillRequest>(stream, neighbourhood.layers,
                                         [](const SlicedLayer& layer, v1::FillRequest* request) {
@@ -253,7 +260,7 @@ absl::StatusOr<std::vector<FilledLayer>> RemoteInfill::Fill(
         });
   };
   const absl::Status status =
-      StreamOver(replicas_, options_.DeadlineFor(PointsIn(neighbourhood.layers)), call, kInfill,
+      StreamOver(replicas, options_.DeadlineFor(PointsIn(neighbourhood.layers)), call, kInfill,
                  &v1::Infill::Stub::PrepareAsyncFillLayers, write,
                  [&](auto& stream) { return ReadAll<v1::FilledLayer>(stream, &filled); });
   if (!status.ok()) return status;
@@ -262,11 +269,14 @@ absl::StatusOr<std::vector<FilledLayer>> RemoteInfill::Fill(
 
 absl::StatusOr<std::vector<OrderedLayer>> RemoteOrdering::Order(
     const StageCall& call, std::vector<FilledLayer> layers, std::span<const LayerPlan> plans,
-    std::span<const Copy> copies, const OrderingOptions& options) const {
+    const Shared<OrderingJob>& job) const {
+  const absl::StatusOr<SharedParts> parts = OnePart(job);
+  if (!parts.ok()) return parts.status();
+  SharingReplicas replicas(replicas_, sends_, call, *parts);
   std::vector<OrderedLayer> ordered;
   const auto write = [&](auto& stream) {
-    absl::Status started = WriteStart<v1::OrderRequest>(
-        stream, OrderStart{call, options, {copies.begin(), copies.end()}});
+    absl::Status started =
+        WriteStart<v1::OrderRequest>(stream, OrderStart{call, parts->front()->digest});
     if (!started.ok()) return started;
     auto plan = plans.begin();
     return WriteEach<v1::OrderRequest>(
@@ -278,19 +288,21 @@ absl::StatusOr<std::vector<OrderedLayer>> RemoteOrdering::Order(
         });
   };
   const absl::Status status = StreamOver(
-      replicas_, options_.deadline, call, kOrdering, &v1::Ordering::Stub::PrepareAsyncOrderLayers,
+      replicas, options_.deadline, call, kOrdering, &v1::Ordering::Stub::PrepareAsyncOrderLayers,
       write, [&](auto& stream) { return ReadAll<v1::OrderedLayer>(stream, &ordered); });
   if (!status.ok()) return status;
   return ForRange(std::move(ordered), RangeOf(layers), kOrdering);
 }
 
 absl::StatusOr<std::vector<LayerProgram>> RemoteMotion::Program(
-    const StageCall& call, std::vector<OrderedLayer> layers, const JobFacts& facts,
-    const MotionOptions& options) const {
+    const StageCall& call, std::vector<OrderedLayer> layers, const Shared<MotionJob>& job) const {
+  const absl::StatusOr<SharedParts> parts = OnePart(job);
+  if (!parts.ok()) return parts.status();
+  SharingReplicas replicas(replicas_, sends_, call, *parts);
   std::vector<LayerProgram> programs;
   const auto write = [&](auto& stream) {
     absl::Status started =
-        WriteStart<v1::ProgramRequest>(stream, ProgramStart{call, options, facts});
+        WriteStart<v1::ProgramRequest>(stream, ProgramStart{call, parts->front()->digest});
     if (!started.ok()) return started;
     return WriteEach<v1::ProgramRequest>(
         stream, layers, [](const OrderedLayer& layer, v1::ProgramRequest* request) {
@@ -298,7 +310,7 @@ absl::StatusOr<std::vector<LayerProgram>> RemoteMotion::Program(
         });
   };
   const absl::Status status = StreamOver(
-      replicas_, options_.deadline, call, kMotion, &v1::Motion::Stub::PrepareAsyncProgramLayers,
+      replicas, options_.deadline, call, kMotion, &v1::Motion::Stub::PrepareAsyncProgramLayers,
       write, [&](auto& stream) { return ReadAll<v1::LayerProgram>(stream, &programs); });
   if (!status.ok()) return status;
   const absl::Status fits = CheckProgramsOfRange(programs, RangeOf(layers));
@@ -329,12 +341,15 @@ absl::StatusOr<ProgramEnvelope> RemoteMotion::Envelope(const StageCall& call,
 }
 
 absl::StatusOr<std::vector<ExposedProgram>> RemoteExposure::Expose(
-    const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
-    const ExposureSettings& settings) const {
+    const StageCall& call, const Neighbourhood& neighbourhood,
+    const Shared<ExposureJob>& job) const {
+  const absl::StatusOr<SharedParts> parts = OnePart(job);
+  if (!parts.ok()) return parts.status();
+  SharingReplicas replicas(replicas_, sends_, call, *parts);
   std::vector<ExposedProgram> programs;
   const auto write = [&](auto& stream) {
     absl::Status started = WriteStart<v1::ExposeRequest>(
-        stream, ExposeStart{call, settings, neighbourhood.range, {copies.begin(), copies.end()}});
+        stream, ExposeStart{call, parts->front()->digest, neighbourhood.range});
     if (!started.ok()) return started;
     return WriteEach<v1::ExposeRequest>(stream, neighbourhood.layers,
                                         [](const SlicedLayer& layer, v1::ExposeRequest* request) {
@@ -342,7 +357,7 @@ absl::StatusOr<std::vector<ExposedProgram>> RemoteExposure::Expose(
                                         });
   };
   const absl::Status status =
-      StreamOver(replicas_, options_.DeadlineFor(PointsIn(neighbourhood.layers)), call, kExposure,
+      StreamOver(replicas, options_.DeadlineFor(PointsIn(neighbourhood.layers)), call, kExposure,
                  &v1::Exposure::Stub::PrepareAsyncExposeLayers, write,
                  [&](auto& stream) { return ReadAll<v1::ExposedProgram>(stream, &programs); });
   if (!status.ok()) return status;

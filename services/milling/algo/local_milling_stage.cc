@@ -2,15 +2,14 @@
 
 #include <fmt/core.h>
 
+#include <optional>
 #include <utility>
 
 #include "common/base/error.h"
-#include "common/model/limits.h"
 #include "services/milling/algo/motion/mill_program.h"
 #include "services/milling/algo/output/level_svg.h"
 #include "services/milling/algo/output/mill_report.h"
 #include "services/milling/algo/output/program_text.h"
-#include "services/milling/algo/prepared_jobs.h"
 #include "services/milling/algo/strategy/mill_steps.h"
 
 namespace slicefarm::milling {
@@ -44,18 +43,45 @@ absl::Status CheckSteps(const MillingJob& job, const MillSettings& settings,
   return absl::OkStatus();
 }
 
+TriangleMesh InMm(const IndexedMesh& mesh) {
+  TriangleMesh in_mm;
+  in_mm.points_mm.reserve(mesh.vertices.size());
+  for (const Vertex& v : mesh.vertices)
+    in_mm.points_mm.push_back({ToMm(static_cast<double>(v.x)), ToMm(static_cast<double>(v.y)),
+                               ToMm(static_cast<double>(v.z))});
+  in_mm.triangles = mesh.triangles;
+  return in_mm;
+}
+
+absl::StatusOr<MillingJob> Prepare(const MillInput& input) {
+  std::optional<TriangleMesh> stock;
+  if (!input.stock.triangles.empty()) stock = InMm(input.stock);
+  return PrepareMilling(InMm(input.part), std::move(stock), input.settings.how);
+}
+
+/// The job, prepared once for all calls about it: a call that ends early would spoil it for the
+/// others, so preparing is not cancelled.
+absl::StatusOr<const MillingJob*> JobOf(const StageCall& call, const Shared<MillInput>& input) {
+  if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
+  const absl::StatusOr<MillingJob>& job = input.Once(Prepare);
+  if (!job.ok()) return job.status();
+  return &*job;
+}
+
 class LocalMilling : public MillingStage {
  public:
-  absl::StatusOr<MillLayout> LayOut(const StageCall& call, const MillInput& input) const override {
-    const auto job = jobs_.Get(input, call.cancel);
+  absl::StatusOr<MillLayout> LayOut(const StageCall& call,
+                                    const Shared<MillInput>& input) const override {
+    const auto job = JobOf(call, input);
     if (!job.ok()) return job.status();
-    if (absl::Status there = CheckPicture(**job, input.settings); !there.ok()) return there;
+    if (absl::Status there = CheckPicture(**job, input->settings); !there.ok()) return there;
     return MillLayout{(*job)->steps, StepWeights(**job), (*job)->part_box, (*job)->stock_box};
   }
 
-  absl::StatusOr<std::vector<MilledStep>> Mill(const StageCall& call, const MillInput& input,
+  absl::StatusOr<std::vector<MilledStep>> Mill(const StageCall& call,
+                                               const Shared<MillInput>& input,
                                                StepRange range) const override {
-    const auto job = jobs_.Get(input, call.cancel);
+    const auto job = JobOf(call, input);
     if (!job.ok()) return job.status();
     if (range.first < 0 || range.first > range.last || range.last > std::ssize((*job)->steps))
       return NoSuchStep("the job has no such range of steps");
@@ -63,26 +89,23 @@ class LocalMilling : public MillingStage {
                      call.cancel, call.threads);
   }
 
-  absl::StatusOr<MilledProgram> Assemble(const StageCall& call, const MillInput& input,
+  absl::StatusOr<MilledProgram> Assemble(const StageCall& call, const Shared<MillInput>& input,
                                          std::vector<MilledStep> steps,
                                          std::string_view settings_text) const override {
-    const auto job = jobs_.Get(input, call.cancel);
+    const auto job = JobOf(call, input);
     if (!job.ok()) return job.status();
-    if (absl::Status there = CheckPicture(**job, input.settings); !there.ok()) return there;
-    if (absl::Status sound = CheckSteps(**job, input.settings, steps); !sound.ok()) return sound;
-    if (input.settings.format == MillFormat::kSvg)
+    if (absl::Status there = CheckPicture(**job, input->settings); !there.ok()) return there;
+    if (absl::Status sound = CheckSteps(**job, input->settings, steps); !sound.ok()) return sound;
+    if (input->settings.format == MillFormat::kSvg)
       return MilledProgram{LevelSvg(**job, steps.front()), {}};
     const auto program = AssembleProgram(**job, steps, call.cancel);
     if (!program.ok()) return program.status();
     absl::StatusOr<MillReport> report = ReportOf(**job, *program, call.cancel, call.threads);
     if (!report.ok()) return report.status();
     return MilledProgram{
-        WholeProgram(**job, *program, *DialectOf(input.settings.dialect), settings_text),
+        WholeProgram(**job, *program, *DialectOf(input->settings.dialect), settings_text),
         *std::move(report)};
   }
-
- private:
-  mutable PreparedJobs jobs_{limits::kMaxPreparedMillingBytes};
 };
 
 }  // namespace

@@ -28,7 +28,8 @@ class LocalMillingTest : public testing::Test {
   }
 
   std::unique_ptr<MillingStage> stage_ = MakeLocalMilling();
-  MillInput input_ = InputOf(PocketPart().Mesh(), OptionsFor("cyl:1"));
+  MillInput given_ = InputOf(PocketPart().Mesh(), OptionsFor("cyl:1"));
+  Shared<MillInput> input_{given_};
 };
 
 TEST_F(LocalMillingTest, MakesProgramsFromAnyRanges) {
@@ -45,17 +46,20 @@ TEST_F(LocalMillingTest, MakesProgramsFromAnyRanges) {
   for (const int32_t cut : {1, 7})
     EXPECT_EQ(stage_->Assemble({}, input_, All(cut), "stepdown = 1\nfeed = 800\n")->text,
               whole->text);
-  input_.settings.dialect = MillDialect::kGrbl;
+  given_.settings.dialect = MillDialect::kGrbl;
+  input_ = given_;
   EXPECT_THAT(stage_->Assemble({}, input_, All(), "")->text, testing::Not(HasSubstr("G64")));
 }
 
 TEST_F(LocalMillingTest, DrawsOneStep) {
-  input_.settings.format = MillFormat::kSvg;
-  input_.settings.output_step = 2;
+  given_.settings.format = MillFormat::kSvg;
+  given_.settings.output_step = 2;
+  input_ = given_;
   const auto picture = stage_->Assemble({}, input_, *stage_->Mill({}, input_, {2, 3}), "");
   ASSERT_TRUE(picture.ok()) << picture.status();
   EXPECT_THAT(picture->text, StartsWith("<svg"));
-  input_.settings.output_step = 100'000;
+  given_.settings.output_step = 100'000;
+  input_ = given_;
   const ErrorDetail detail = DetailOf(stage_->LayOut({}, input_).status());
   EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange);
   EXPECT_EQ(detail.metadata.at("setting"), "output_step");

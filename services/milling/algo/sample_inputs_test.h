@@ -19,7 +19,6 @@ inline MillInput InputOf(const TriangleMesh& part, const MillingOptions& how) {
   MillInput input;
   input.part = InNm(part);
   input.settings.how = how;
-  input.digest = DigestOf(input.part, input.stock);
   return input;
 }
 

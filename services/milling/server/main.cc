@@ -4,7 +4,8 @@
 
 int main(int argc, char** argv) {
   const auto stage = slicefarm::milling::MakeLocalMilling();
-  return slicefarm::rpc::ServeStage(
-      argc, argv, "milling", "Programs of milling machines",
-      [&](auto& gate) { return slicefarm::milling::MakeMillingService(*stage, gate); });
+  return slicefarm::rpc::ServeSharingStage(
+      argc, argv, "milling", "Programs of milling machines", [&](auto& gate, auto& shared) {
+        return slicefarm::milling::MakeMillingService(*stage, gate, shared);
+      });
 }

@@ -7,6 +7,7 @@
 
 #include "common/model/limits.h"
 #include "common/rpc/server/server_stream.h"
+#include "common/wire/milling/mill_input_wire.h"
 #include "common/wire/milling/mill_start_wire.h"
 #include "common/wire/milling/milled_wire.h"
 #include "common/wire/support/message_stream.h"
@@ -18,9 +19,24 @@ namespace {
 /// What a message of text holds at most.
 constexpr size_t kTextBytes = 1 << 20;
 
+/// The steps that follow a start.
+template <typename Stream>
+absl::StatusOr<std::vector<MilledStep>> ReadSteps(Stream& stream, const MillStart& start) {
+  std::vector<MilledStep> steps;
+  absl::Status read = ReadEach<v1::MillRequest>(stream, [&](const v1::MillRequest& request) {
+    if (std::ssize(steps) == start.step_count) return Malformed("step", "more than announced");
+    return Append(FromProto(request.step()), &steps);
+  });
+  read.Update(start.call.cancel.Check());
+  if (!read.ok()) return read;
+  if (std::ssize(steps) < start.step_count) return Malformed("step", "fewer than announced");
+  return steps;
+}
+
 class MillingService final : public v1::Milling::Service {
  public:
-  MillingService(const MillingStage& stage, rpc::CallGate& gate) : stage_(stage), gate_(gate) {}
+  MillingService(const MillingStage& stage, rpc::CallGate& gate, SharedCache& shared)
+      : stage_(stage), gate_(gate), shared_(shared) {}
 
   grpc::Status LayOutSteps(
       grpc::ServerContext* context,
@@ -43,6 +59,7 @@ class MillingService final : public v1::Milling::Service {
 
   const MillingStage& stage_;
   rpc::CallGate& gate_;
+  SharedCache& shared_;
 };
 
 }  // namespace
@@ -56,10 +73,12 @@ grpc::Status MillingService::LayOutSteps(
 }
 
 absl::Status MillingService::LayOut(rpc::Call& call, LayoutStream& stream) const {
-  absl::StatusOr<MillStart> start = ReadMillStart(stream, call.cancel);
+  absl::StatusOr<MillStart> start = ReadStart<v1::MillRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
+  const auto input = TakeShared<MillInput>(shared_, start->shared, "start.shared");
+  if (!input.ok()) return input.status();
   call.job_id = start->call.job_id;
-  const auto layout = stage_.LayOut(start->call, start->input);
+  const auto layout = stage_.LayOut(start->call, *input);
   if (!layout.ok()) return layout.status();
   v1::MillLayout response;
   if (absl::Status put = ToProto(*layout, &response); !put.ok()) return put;
@@ -75,11 +94,13 @@ grpc::Status MillingService::MillSteps(
 }
 
 absl::Status MillingService::Mill(rpc::Call& call, StepStream& stream) const {
-  absl::StatusOr<MillStart> start = ReadMillStart(stream, call.cancel);
+  absl::StatusOr<MillStart> start = ReadStart<v1::MillRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
+  const auto input = TakeShared<MillInput>(shared_, start->shared, "start.shared");
+  if (!input.ok()) return input.status();
   call.job_id = start->call.job_id;
   call.about = {{"step_first", start->range.first}, {"step_last", start->range.last - 1}};
-  const auto steps = stage_.Mill(start->call, start->input, start->range);
+  const auto steps = stage_.Mill(start->call, *input, start->range);
   if (!steps.ok()) return steps.status();
   return WriteEach<v1::MilledStep>(
       stream, *steps,
@@ -95,11 +116,13 @@ grpc::Status MillingService::AssembleProgram(
 }
 
 absl::Status MillingService::Assemble(rpc::Call& call, ProgramStream& stream) const {
-  absl::StatusOr<MillStart> start = ReadMillStart(stream, call.cancel);
+  absl::StatusOr<MillStart> start = ReadStart<v1::MillRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
+  const auto input = TakeShared<MillInput>(shared_, start->shared, "start.shared");
+  if (!input.ok()) return input.status();
   call.job_id = start->call.job_id;
   const auto program =
-      stage_.Assemble(start->call, start->input, std::move(start->steps), start->settings_text);
+      stage_.Assemble(start->call, *input, std::move(start->steps), start->settings_text);
   if (!program.ok()) return program.status();
   return Answer(*program, stream);
 }
@@ -115,8 +138,9 @@ absl::Status MillingService::Answer(const MilledProgram& program, ProgramStream&
   return absl::OkStatus();
 }
 
-std::unique_ptr<grpc::Service> MakeMillingService(const MillingStage& stage, rpc::CallGate& gate) {
-  return std::make_unique<MillingService>(stage, gate);
+std::unique_ptr<grpc::Service> MakeMillingService(const MillingStage& stage, rpc::CallGate& gate,
+                                                  SharedCache& shared) {
+  return std::make_unique<MillingService>(stage, gate, shared);
 }
 
 }  // namespace slicefarm::milling

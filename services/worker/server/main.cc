@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/rpc/server/serve.h"
+#include "common/rpc/server/shared_keeper.h"
 #include "common/rpc/server/stage_command_line.h"
 #include "processes/list/tasks.h"
 #include "services/beading/algo/local_beading_stage.h"
@@ -57,6 +58,8 @@ int main(int argc, char** argv) {
                                                               .milling = milling.get()});
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
   program.Show(gate);
-  const auto service = slicefarm::worker::MakeWorkerService(runners, gate);
-  return program.Run(flags, {service.get()});
+  slicefarm::rpc::SharedKeeper keeper(program.log());
+  program.Show(keeper.cache());
+  const auto service = slicefarm::worker::MakeWorkerService(runners, gate, keeper.cache());
+  return program.Run(flags, {service.get(), &keeper.service()});
 }

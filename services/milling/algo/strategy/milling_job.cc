@@ -241,9 +241,7 @@ Eigen::AlignedBox2d RestBox(const MillingJob& job) {
 }
 
 absl::StatusOr<MillingJob> PrepareMilling(TriangleMesh part, std::optional<TriangleMesh> stock,
-                                          const MillingOptions& options,
-                                          const CancelToken& cancel) {
-  if (absl::Status status = cancel.Check(); !status.ok()) return status;
+                                          const MillingOptions& options) {
   if (absl::Status status = CheckMillingOptions(options); !status.ok()) return status;
   MillingJob job{.options = options,
                  .part = std::move(part),
@@ -267,7 +265,6 @@ absl::StatusOr<MillingJob> PrepareMilling(TriangleMesh part, std::optional<Trian
   job.floor_mm = job.stock_box.min().z() + options.bottom_mm;
   if (absl::Status status = CheckReach(job); !status.ok()) return status;
   if (absl::Status status = CheckStepCount(job); !status.ok()) return status;
-  if (absl::Status status = cancel.Check(); !status.ok()) return status;
   LayOut(job);
   return job;
 }

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/base/cancel_token.h"
 #include "common/model/milling/milled_step.h"
 #include "common/model/milling/milling_options.h"
 #include "services/milling/algo/mesh/triangle_mesh.h"
@@ -38,10 +37,9 @@ Eigen::AlignedBox2d RestBox(const MillingJob& job);
 /// for a part that reaches out of the stock, or a stock farther than 1.5 m from the origin;
 /// SETTING_OUT_OF_RANGE for a cutter wider than the stock, for a tool shorter than the stock is to
 /// be cut deep, for a bottom above the part or below the stock; REQUEST_TOO_LARGE for too many
-/// steps, or rings of a level; Cancelled. Cost: O(n log n) for n triangles.
+/// steps, or rings of a level. Cost: O(n log n) for n triangles.
 absl::StatusOr<MillingJob> PrepareMilling(TriangleMesh part, std::optional<TriangleMesh> stock,
-                                          const MillingOptions& options,
-                                          const CancelToken& cancel = {});
+                                          const MillingOptions& options);
 
 /// By step: about what each takes beside the others; above 0.
 std::vector<int32_t> StepWeights(const MillingJob& job);
