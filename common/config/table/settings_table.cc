@@ -201,7 +201,7 @@ std::string PrintValue(const SettingSpec& spec, const Value& value) {
     case Kind::kFlowTable:
     case Kind::kHeightCode:
     case Kind::kSubstitutions:
-      return value.text;
+      return value.text.str();
     case Kind::kChoice: {
       const auto meant =
           std::find_if(spec.choices.begin(), spec.choices.end(), [&](const Choice& c) {

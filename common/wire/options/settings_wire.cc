@@ -1,6 +1,8 @@
 #include "common/wire/options/settings_wire.h"
 
+#include <map>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "common/base/error.h"
@@ -136,6 +138,35 @@ absl::Status Check(const v1::InfillOptions& proto) {
   status.Update(CheckPositive({{"ironing.spacing_nm", proto.ironing().spacing_nm()}}));
   return status;
 }
+
+/// Numbers texts, from 1; none has 0.
+class TextWriter {
+ public:
+  explicit TextWriter(RowTexts* texts) : texts_(texts) {}
+  int32_t NumberOf(std::string_view text) {
+    if (text.empty()) return 0;
+    const auto [known, added] = numbers_.try_emplace(text, texts_->size() + 1);
+    if (added) texts_->Add(std::string(text));
+    return known->second;
+  }
+
+ private:
+  RowTexts* texts_;
+  std::map<std::string_view, int32_t> numbers_;  ///< of the table's own texts
+};
+
+class TextReader {
+ public:
+  explicit TextReader(const RowTexts& texts) : texts_(texts.begin(), texts.end()) {}
+  bool Has(int32_t number) const { return 0 <= number && number <= std::ssize(texts_); }
+  /// REQUIRES: Has(number).
+  SharedText Text(int32_t number) const {
+    return number == 0 ? SharedText() : texts_[static_cast<size_t>(number - 1)];
+  }
+
+ private:
+  const std::vector<SharedText> texts_;
+};
 
 v1::ObjectSlicingOptions ToProto(const ObjectSlicingOptions& options) {
   v1::ObjectSlicingOptions proto;
@@ -280,7 +311,7 @@ absl::StatusOr<BeadingOptions> FromProto(const v1::BeadingOptions& proto) {
   return options;
 }
 
-v1::InfillOptions ToProto(const InfillOptions& options) {
+v1::InfillOptions RowToProto(const InfillOptions& options, TextWriter& texts) {
   v1::InfillOptions proto;
   proto.set_top_solid_layers(options.top_solid_layers);
   proto.set_bottom_solid_layers(options.bottom_solid_layers);
@@ -301,13 +332,14 @@ v1::InfillOptions ToProto(const InfillOptions& options) {
   proto.set_smoothing_nm(options.smoothing_nm);
   proto.set_solid_every_layers(options.solid_every_layers);
   proto.set_bridge_angle_rad(options.bridge_angle_rad);
-  proto.set_density_field(options.density_field);
-  proto.set_stress_field(options.stress_field);
+  proto.set_density_text(texts.NumberOf(options.density_field));
+  proto.set_stress_text(texts.NumberOf(options.stress_field));
+  proto.set_angle_text(texts.NumberOf(options.angle_template));
+  proto.set_solid_angle_text(texts.NumberOf(options.solid_angle_template));
+  proto.set_flow_text(texts.NumberOf(options.small_area_flow_table));
   proto.set_field_halo_layers(options.field_halo_layers);
   proto.set_choose_pattern(options.choose_pattern);
   proto.set_goal(EnumToProto<v1::FillGoal>(options.goal));
-  proto.set_angle_template(options.angle_template);
-  proto.set_solid_angle_template(options.solid_angle_template);
   proto.set_bridge_flow(options.bridge_flow);
   proto.set_every_layers(options.every_layers);
   proto.set_only_where_needed(options.only_where_needed);
@@ -318,7 +350,6 @@ v1::InfillOptions ToProto(const InfillOptions& options) {
   proto.set_over_bridges(options.over_bridges);
   proto.set_interface_shells(options.interface_shells);
   proto.set_small_area_flow(options.small_area_flow);
-  proto.set_small_area_flow_table(options.small_area_flow_table);
   v1::IroningOptions& ironing = *proto.mutable_ironing();
   ironing.set_enabled(options.ironing.enabled);
   ironing.set_type(EnumToProto<v1::IroningType>(options.ironing.type));
@@ -327,7 +358,8 @@ v1::InfillOptions ToProto(const InfillOptions& options) {
   return proto;
 }
 
-absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
+absl::StatusOr<InfillOptions> RowFromProto(const v1::InfillOptions& proto,
+                                           const TextReader& texts) {
   if (absl::Status status = Check(proto); !status.ok()) return status;
   InfillOptions options;
   options.top_solid_layers = proto.top_solid_layers();
@@ -349,13 +381,18 @@ absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
   options.smoothing_nm = proto.smoothing_nm();
   options.solid_every_layers = proto.solid_every_layers();
   options.bridge_angle_rad = proto.bridge_angle_rad();
-  options.density_field = proto.density_field();
-  options.stress_field = proto.stress_field();
+  for (const auto& [number, field, text] :
+       {std::tuple(proto.density_text(), "density_text", &options.density_field),
+        std::tuple(proto.stress_text(), "stress_text", &options.stress_field),
+        std::tuple(proto.angle_text(), "angle_text", &options.angle_template),
+        std::tuple(proto.solid_angle_text(), "solid_angle_text", &options.solid_angle_template),
+        std::tuple(proto.flow_text(), "flow_text", &options.small_area_flow_table)}) {
+    if (!texts.Has(number)) return Malformed(field, "is none of the texts");
+    *text = texts.Text(number);
+  }
   options.field_halo_layers = proto.field_halo_layers();
   options.choose_pattern = proto.choose_pattern();
   options.goal = Known<FillGoal>(proto.goal());
-  options.angle_template = proto.angle_template();
-  options.solid_angle_template = proto.solid_angle_template();
   options.bridge_flow = proto.bridge_flow();
   options.every_layers = proto.every_layers();
   options.only_where_needed = proto.only_where_needed();
@@ -366,10 +403,30 @@ absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
   options.over_bridges = proto.over_bridges();
   options.interface_shells = proto.interface_shells();
   options.small_area_flow = proto.small_area_flow();
-  options.small_area_flow_table = proto.small_area_flow_table();
   options.ironing = {proto.ironing().enabled(), Known<IroningType>(proto.ironing().type()),
                      proto.ironing().flow(), proto.ironing().spacing_nm()};
   return options;
+}
+
+void ToProto(const std::vector<InfillOptions>& table, InfillRows* rows, RowTexts* texts) {
+  TextWriter writer(texts);
+  for (const InfillOptions& row : table) *rows->Add() = RowToProto(row, writer);
+}
+
+absl::StatusOr<std::vector<InfillOptions>> FromProto(const InfillRows& rows, const RowTexts& texts,
+                                                     std::string_view field) {
+  for (const std::string& text : texts)
+    if (std::ssize(text) > limits::kMaxFieldBytes)
+      return LimitError(Reason::kRequestTooLarge, "texts", limits::kMaxFieldBytes,
+                        std::ssize(text));
+  const TextReader reader(texts);
+  std::vector<InfillOptions> table;
+  for (int i = 0; i < rows.size(); ++i) {
+    absl::StatusOr<InfillOptions> row = RowFromProto(rows[i], reader);
+    if (!row.ok()) return Within(field, static_cast<size_t>(i), row.status());
+    table.push_back(*std::move(row));
+  }
+  return table;
 }
 
 v1::OrderingOptions ToProto(const OrderingOptions& options) {
@@ -420,7 +477,7 @@ absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
 
 absl::Status ToProto(const FdmSettings& settings, v1::FdmSettings* proto) {
   for (const BeadingOptions& row : settings.beading) *proto->add_beading() = ToProto(row);
-  for (const InfillOptions& row : settings.infill) *proto->add_infill() = ToProto(row);
+  ToProto(settings.infill, proto->mutable_infill(), proto->mutable_texts());
   *proto->mutable_ordering() = ToProto(settings.ordering);
   *proto->mutable_motion() = ToProto(settings.motion);
   const absl::Status status = ToProto(settings.planning, proto->mutable_planning());
@@ -437,8 +494,10 @@ absl::StatusOr<FdmSettings> FromProto(const v1::FdmSettings& proto) {
   FdmSettings settings{*std::move(planning), {}, {}, *std::move(ordering), *std::move(motion)};
   absl::Status status = CheckRows(proto.beading_size(), "beading");
   status.Update(AllFromProto(proto.beading(), "beading", &settings.beading));
-  status.Update(AllFromProto(proto.infill(), "infill", &settings.infill));
   if (!status.ok()) return status;
+  auto infill = FromProto(proto.infill(), proto.texts(), "infill");
+  if (!infill.ok()) return infill.status();
+  settings.infill = *std::move(infill);
   const size_t rows = settings.beading.size();
   if (settings.infill.size() != rows || settings.ordering.walls.size() != rows ||
       settings.motion.speeds.size() != rows)

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -19,8 +21,13 @@ absl::StatusOr<SlicingOptions> FromProto(const v1::SlicingOptions& proto);
 v1::BeadingOptions ToProto(const BeadingOptions& options);
 absl::StatusOr<BeadingOptions> FromProto(const v1::BeadingOptions& proto);
 
-v1::InfillOptions ToProto(const InfillOptions& options);
-absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto);
+/// A table of them, and the texts of its rows: a text of many rows travels once, and is shared
+/// again where it arrives. Errors name the row in `field`, or `texts`.
+using InfillRows = google::protobuf::RepeatedPtrField<v1::InfillOptions>;
+using RowTexts = google::protobuf::RepeatedPtrField<std::string>;
+void ToProto(const std::vector<InfillOptions>& table, InfillRows* rows, RowTexts* texts);
+absl::StatusOr<std::vector<InfillOptions>> FromProto(const InfillRows& rows, const RowTexts& texts,
+                                                     std::string_view field);
 
 v1::OrderingOptions ToProto(const OrderingOptions& options);
 absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto);

@@ -508,13 +508,13 @@ constexpr char kDistinct[] = R"pb(
     smoothing_nm: 317
     solid_every_layers: 318
     bridge_angle_rad: 0.319
-    density_field: "density"
-    stress_field: "stress"
+    density_text: 1
+    stress_text: 2
     field_halo_layers: 320
     choose_pattern: true
     goal: FILL_GOAL_TIME
-    angle_template: "0,45"
-    solid_angle_template: "+30"
+    angle_text: 3
+    solid_angle_text: 4
     bridge_flow: 0.9
     every_layers: 321
     only_where_needed: true
@@ -524,7 +524,7 @@ constexpr char kDistinct[] = R"pb(
     over_bridges: true
     interface_shells: true
     small_area_flow: true
-    small_area_flow_table: "0,0.5;3.24,1"
+    flow_text: 5
     ironing { enabled: true type: IRONING_TYPE_TOPMOST flow: 0.2 spacing_nm: 322 }
   }
   ordering {
@@ -668,6 +668,7 @@ constexpr char kDistinct[] = R"pb(
       template_gcode: "template"
     }
   }
+  texts: [ "density", "stress", "0,45", "+30", "0,0.5;3.24,1" ]
 )pb";
 
 /// The first row of each table; what is in the others needs no text of its own.
@@ -675,6 +676,7 @@ v1::FdmSettings WithoutLastRows(v1::FdmSettings proto) {
   proto.mutable_planning()->mutable_objects()->RemoveLast();
   proto.mutable_beading()->RemoveLast();
   proto.mutable_infill()->RemoveLast();
+  proto.mutable_texts()->RemoveLast();  // the standard flow table
   proto.mutable_ordering()->mutable_walls()->RemoveLast();
   proto.mutable_motion()->mutable_speeds()->RemoveLast();
   return proto;
@@ -709,11 +711,46 @@ TEST(SettingsWire, EveryFieldChangedAloneReturns) {
     ++fields;
     const auto& changed = dynamic_cast<const v1::FdmSettings&>(message);
     const absl::StatusOr<FdmSettings> settings = FromProto(changed);
+    if (path.find("flow_text") != std::string::npos) {  // there is one text
+      EXPECT_EQ(DetailOf(settings.status()).metadata["field"], "infill[0].flow_text");
+      return;
+    }
     ASSERT_TRUE(settings.ok()) << settings.status();
     EXPECT_FALSE(*settings == defaults);
     EXPECT_TRUE(MessageDifferencer::Equals(Proto(*settings), changed));
   });
   EXPECT_GT(fields, 100);
+}
+
+// However many rows have it, there and back.
+TEST(SettingsWire, ATextOfManyRowsTravelsOnce) {
+  FdmSettings settings;
+  settings.beading.resize(3);
+  settings.infill.resize(3);
+  settings.ordering.walls.resize(3);
+  settings.motion.speeds.resize(3);
+  for (InfillOptions& row : settings.infill) row.density_field = std::string(100'000, 'x');
+  settings.infill[1].density_field = "y";
+  const v1::FdmSettings proto = Proto(settings);
+  EXPECT_LT(proto.ByteSizeLong(), 110'000u);
+  const absl::StatusOr<FdmSettings> back = FromProto(proto);
+  ASSERT_TRUE(back.ok()) << back.status();
+  EXPECT_EQ(*back, settings);
+  EXPECT_EQ(&back->infill[0].density_field.str(), &back->infill[2].density_field.str());
+}
+
+TEST(SettingsWire, RefusesTextsThatAreNotThere) {
+  for (const int32_t number : {-1, 2}) {
+    v1::FdmSettings proto = Proto({});
+    ASSERT_EQ(proto.texts_size(), 1);
+    proto.mutable_infill(0)->set_stress_text(number);
+    const absl::Status status = FromProto(proto).status();
+    EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
+    EXPECT_EQ(DetailOf(status).metadata["field"], "infill[0].stress_text");
+  }
+  v1::FdmSettings proto = Proto({});
+  proto.set_texts(0, std::string(limits::kMaxFieldBytes + 1, 'x'));
+  EXPECT_EQ(DetailOf(FromProto(proto).status()).reason, Reason::kRequestTooLarge);
 }
 
 // Objects and regions are counted apart; tables of regions are not.

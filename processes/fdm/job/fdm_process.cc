@@ -47,7 +47,7 @@ std::vector<std::string> FieldNotesOf(const JobSettings& settings) {
   const Coord height = settings.slicing.objects.front().layer_height_nm;
   for (const InfillOptions& options : FdmOf(settings).infill) {
     if (options.density_field.empty() || options.choose_pattern) continue;
-    const auto field = ParseDensityField(options.density_field);
+    const auto& field = DensityFieldOf(options.density_field);
     if (!field.ok()) continue;  // the infill stage says so
     const Coord spacing = Spacing(options.sparse_width_nm, height);
     std::ranges::move(FieldNotes(*field, options.pattern, ToMm(static_cast<double>(spacing))),
@@ -110,7 +110,8 @@ constexpr int64_t kBytesAPoint = 40;
 RangeSplitOptions SplitOptionsOf(const FdmSettings& settings) {
   const MotionOptions& motion = settings.motion;
   RangeSplitOptions options;
-  options.layer_points += std::ssize(motion.before_layer_gcode + motion.layer_gcode) / kBytesAPoint;
+  const size_t bytes = motion.before_layer_gcode.size() + motion.layer_gcode.size();
+  options.layer_points += static_cast<int64_t>(bytes) / kBytesAPoint;
   return options;
 }
 

@@ -96,9 +96,14 @@ absl::Status CheckWidths(const SectionView& view, const InfillOptions& options) 
   return status;
 }
 
+const absl::StatusOr<FlowTable>& FlowTableOf(const InfillOptions& options) {
+  return options.small_area_flow_table.Once(
+      [](const std::string& text) { return ParseFlowTable(text); });
+}
+
 absl::Status CheckFlows(const InfillOptions& options) {
   if (!options.small_area_flow) return absl::OkStatus();
-  const auto table = ParseFlowTable(options.small_area_flow_table);
+  const auto& table = FlowTableOf(options);
   if (table.ok()) return absl::OkStatus();
   constexpr const char* kSetting = "small_area_infill_flow_compensation_model";
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
@@ -126,7 +131,7 @@ void ScaleSections(double share, Coord from_nm, Coord to_nm, std::vector<Path>& 
 /// REQUIRES: CheckFlows.
 FlowTable FlowsOf(const InfillOptions& options) {
   if (!options.small_area_flow) return {};
-  return *ParseFlowTable(options.small_area_flow_table);
+  return *FlowTableOf(options);
 }
 
 /// Which way lines run in a layer.
@@ -138,9 +143,9 @@ struct FillAngles {
 };
 
 /// The angle that a template names for a layer; none: there is no template.
-std::optional<double> PlannedAngle(const std::string& angles, double base_rad, int32_t layer) {
+std::optional<double> PlannedAngle(const SharedText& angles, double base_rad, int32_t layer) {
   constexpr double kDegree = std::numbers::pi / 180;
-  const auto steps = ParseFillAngles(angles);
+  const auto& steps = angles.Once([](const std::string& text) { return ParseFillAngles(text); });
   if (!steps.ok()) return std::nullopt;
   return FillAngleAt(*steps, base_rad / kDegree, layer) * kDegree;
 }

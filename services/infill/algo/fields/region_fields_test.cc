@@ -111,7 +111,7 @@ TEST(RegionFields, RefuseTextsThatAreNone) {
   }
 }
 
-TEST(RegionFields, EqualTextsAreReadOnce) {
+TEST(RegionFields, ATextIsReadOnceForAllWhoHaveIt) {
   std::vector<InfillOptions> regions(3);
   regions[0].density_field = regions[2].density_field = R"({"kind":"height","table":[[0,0.1]]})";
   regions[1].density_field = R"({"kind":"height","table":[[0,0.2]]})";
