@@ -83,7 +83,7 @@ ExitCode Run(int argc, char** argv) {
   app.require_subcommand(1);
   for (const auto add :
        {AddSlice, AddSubmit, AddInspect, AddWatch, AddList, AddGet, AddCancel, AddDelete, AddTrace, AddWebhook,
-        AddProfile, AddRender, AddBeads, AddFill, AddFlatten, AddDecompose, AddTsp, AddTime, AddCheck, AddSettings, AddHealth,
+        AddProfile, AddRender, AddBeads, AddFill, AddFlatten, AddDecompose, AddSupportLab, AddTsp, AddTime, AddCheck, AddSettings, AddHealth,
         AddToken, AddMillProgram, AddWaterline, AddVersion}) {
     add(app, context);
   }

@@ -27,9 +27,10 @@ struct TreeOptions {
       25 * std::numbers::pi / 180;       ///< support_tree_angle_slow: if it can be had
   Coord branch_diameter_nm = 2'000'000;  ///< support_tree_branch_diameter
   double diameter_angle_rad = 5 * std::numbers::pi / 180;  ///< support_tree_branch_diameter_angle
-  Coord tip_diameter_nm = 800'000;                         ///< support_tree_tip_diameter
-  Coord branch_distance_nm = 1'000'000;                    ///< support_tree_branch_distance
-  double top_rate = 0.15;                                  ///< support_tree_top_rate
+  Coord double_wall_diameter_nm = 3'000'000;  ///< support_tree_branch_diameter_double_wall
+  Coord tip_diameter_nm = 800'000;            ///< support_tree_tip_diameter
+  Coord branch_distance_nm = 1'000'000;       ///< support_tree_branch_distance
+  double top_rate = 0.15;                     ///< support_tree_top_rate
 
   friend bool operator==(const TreeOptions&, const TreeOptions&) = default;
 };
@@ -62,6 +63,8 @@ struct SupportOptions {
   Coord wall_width_nm = 450'000;    ///< of the part's outer wall
   Coord layer_height_nm = 200'000;  ///< the object's
   Coord first_layer_height_nm = 200'000;  ///< of what stands on the bed
+  Coord min_layer_height_nm = 70'000;     ///< min_layer_height
+  bool synchronize_layers = false;        ///< support_material_synchronize_layers
   TreeOptions tree = {};
 
   friend bool operator==(const SupportOptions&, const SupportOptions&) = default;
