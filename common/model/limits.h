@@ -44,6 +44,7 @@ inline constexpr int64_t kMaxPointsPerJob = 200'000'000;
 /// A job's result, G-code or vectors: what a spool and a store take for one job.
 inline constexpr int64_t kMaxProgramBytes = 2'000'000'000;
 inline constexpr int64_t kMaxObjects = 1'000;         ///< copies included
+inline constexpr int64_t kMaxStacks = 4 * kMaxObjects + 1'000;  ///< parts and what is added
 inline constexpr int64_t kMaxRegionSettings = 1'000;  ///< rows of a job's tables of settings
 /// Texts of all sets of settings of a job: each range of heights, part or object with some of its
 /// own has all of the job's as well, though long ones are shared.

@@ -130,7 +130,7 @@ TEST_F(LocalAndRemote, PlanningRefusesTheSameHereAndThere) {
   copies.push_back({.object = 1, .shift = {}, .footprint = {}});
   refusals({job_.layers, copies}, FdmOf(settings_).planning);
   std::vector<SlicedLayer> layers = job_.layers;
-  layers[7].sections[0].object = 1;
+  layers[7].sections[0].stack = 1;
   refusals({layers, job_.copies}, FdmOf(settings_).planning);
 }
 

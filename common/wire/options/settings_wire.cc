@@ -59,6 +59,7 @@ absl::Status Check(const v1::ObjectSlicingOptions& proto) {
   status.Update(CheckPositive({{"layer_height_nm", proto.layer_height_nm()}}));
   status.Update(
       CheckNotNegative({{"closing_radius_nm", proto.closing_radius_nm()},
+                        {"lift_nm", proto.lift_nm()},
                         {"elephant_foot_min_width_nm", proto.elephant_foot_min_width_nm()}}));
   status.Update(CheckLengths({{"xy_compensation_nm", proto.xy_compensation_nm()},
                               {"hole_compensation_nm", proto.hole_compensation_nm()},
@@ -178,14 +179,13 @@ v1::ObjectSlicingOptions ToProto(const ObjectSlicingOptions& options) {
   proto.set_hole_compensation_nm(options.hole_compensation_nm);
   proto.set_elephant_foot_nm(options.elephant_foot_nm);
   proto.set_elephant_foot_min_width_nm(options.elephant_foot_min_width_nm);
-  *proto.mutable_raft() = ToProto(options.raft);
+  proto.set_on_bed(options.on_bed);
+  proto.set_lift_nm(options.lift_nm);
   return proto;
 }
 
 absl::StatusOr<ObjectSlicingOptions> ObjectFromProto(const v1::ObjectSlicingOptions& proto) {
   if (absl::Status status = Check(proto); !status.ok()) return status;
-  const absl::StatusOr<RaftHeights> raft = FromProto(proto.raft());
-  if (!raft.ok()) return Within("raft", raft.status());
   ObjectSlicingOptions options;
   options.layer_height_nm = proto.layer_height_nm();
   options.fill_rule = Known<FillRule>(proto.fill_rule());
@@ -195,7 +195,8 @@ absl::StatusOr<ObjectSlicingOptions> ObjectFromProto(const v1::ObjectSlicingOpti
   options.hole_compensation_nm = proto.hole_compensation_nm();
   options.elephant_foot_nm = proto.elephant_foot_nm();
   options.elephant_foot_min_width_nm = proto.elephant_foot_min_width_nm();
-  options.raft = *raft;
+  options.on_bed = proto.on_bed();
+  options.lift_nm = proto.lift_nm();
   return options;
 }
 

@@ -80,6 +80,35 @@ RaftOptions DistinctRaftOptions() {
   return options;
 }
 
+SupportOptions DistinctSupport() {
+  SupportOptions options;
+  auto& [on, automatic, style, threshold, enforced_layers, bed_only, skip_bridges, top_gap,
+         bottom_gap, xy_gap, closing_radius, top_interface_layers, bottom_interface_layers,
+         interface_loops, spacing, interface_spacing, pattern, interface_pattern, angle, sheath,
+         width, wall_width, layer_height, first_layer_height, tree] = options;
+  on = automatic = bed_only = skip_bridges = interface_loops = sheath = true;
+  style = SupportStyle::kTree;
+  threshold = 0.651;
+  enforced_layers = 652;
+  top_gap = 653;
+  bottom_gap = 654;
+  xy_gap = 655;
+  closing_radius = 656;
+  top_interface_layers = 657;
+  bottom_interface_layers = 658;
+  spacing = 659;
+  interface_spacing = 660;
+  pattern = SupportPattern::kHoneycomb;
+  interface_pattern = InterfacePattern::kConcentric;
+  angle = 0.661;
+  width = 662;
+  wall_width = 663;
+  layer_height = 664;
+  first_layer_height = 665;
+  tree = {0.671, 0.672, 673, 0.674, 675, 676, 0.677};
+  return options;
+}
+
 InfillPlanOptions DistinctInfillPlan() {
   InfillPlanOptions options;
   auto& [pattern, choose_pattern, goal, density, angle, width, walls, top_layers, bottom_layers,
@@ -108,12 +137,14 @@ PlanningOptions DistinctPlanning() {
   clearance_radius = 151;
   clearance_height = 152;
   ObjectPlanOptions object;
-  auto& [seam, brim, brim_settings, raft, raft_settings] = object;
+  auto& [seam, brim, brim_settings, raft, raft_settings, support, support_settings] = object;
   seam = SeamPosition::kRear;
   brim = DistinctBrim();
   brim_settings = 641;
   raft = DistinctRaftOptions();
   raft_settings = {642, 643};
+  support = DistinctSupport();
+  support_settings = {645, 646, 647};
   objects = {object, {SeamPosition::kNearest}};
   skirt = DistinctSkirt();
   skirt_settings = 644;
@@ -434,6 +465,42 @@ constexpr char kDistinct[] = R"pb(
         first_layer_expansion_nm: 633
       }
       raft_settings: [ 642, 643 ]
+      support {
+        on: true
+        automatic: true
+        style: SUPPORT_STYLE_TREE
+        threshold_rad: 0.651
+        enforced_layers: 652
+        bed_only: true
+        skip_bridges: true
+        top_gap_nm: 653
+        bottom_gap_nm: 654
+        xy_gap_nm: 655
+        closing_radius_nm: 656
+        top_interface_layers: 657
+        bottom_interface_layers: 658
+        interface_loops: true
+        spacing_nm: 659
+        interface_spacing_nm: 660
+        pattern: SUPPORT_PATTERN_HONEYCOMB
+        interface_pattern: INTERFACE_PATTERN_CONCENTRIC
+        angle_rad: 0.661
+        sheath: true
+        width_nm: 662
+        wall_width_nm: 663
+        layer_height_nm: 664
+        first_layer_height_nm: 665
+        tree {
+          angle_rad: 0.671
+          slow_angle_rad: 0.672
+          branch_diameter_nm: 673
+          diameter_angle_rad: 0.674
+          tip_diameter_nm: 675
+          branch_distance_nm: 676
+          top_rate: 0.677
+        }
+      }
+      support_settings { body: 645 interface: 646 first_layer: 647 }
     }
     skirt {
       loops: 11

@@ -107,7 +107,8 @@ void TakeAdhesion(JobSettings& settings) {
   raft.first_nm = first_height_nm;
   raft.others_nm = std::max(settings.slicing.objects[0].layer_height_nm,
                             FromMm(0.75 * FdmOf(settings).motion.nozzle_diameter_mm));
-  settings.slicing.objects[0].raft = raft;
+  settings.slicing.objects[0].on_bed = raft.layers == 0;
+  settings.slicing.objects[0].lift_nm = raft.LiftNm();
   object.raft_settings.assign(static_cast<size_t>(raft.layers), 0);
   FdmOf(settings).planning.bed = settings.slicing.bed;
 }

@@ -173,7 +173,7 @@ TEST(WallSection, OutermostWallsNameTheirRing) {
 
 TEST(WallSection, WhatIsNotThePartIsCalledByItsRole) {
   ObjectSection section = Halves();
-  section.object = kPlate;
+  section.stack = Stack(1, kPlateObject, StackKind::kBrim);
   section.regions.resize(1);
   section.regions[0].role = Role::kBrim;
   section.whole = {};

@@ -151,7 +151,7 @@ TEST(FillSection, ThePlateHasNoNeighbours) {
   regions[0].top_solid_layers = regions[0].bottom_solid_layers = 0;
   WalledIsland island;
   island.fill_areas = {{Role::kRaft, 0, 0, P("(1 1, 10 1, 10 19, 1 19)")}};
-  const auto filled = FillPlain({kPlate, 0, 300'000, {island}}, true, objects, regions);
+  const auto filled = FillPlain({Stack(1, kPlateObject, StackKind::kRaft), 0, 300'000, {island}}, true, objects, regions);
   ASSERT_TRUE(filled.ok()) << filled.status();
   EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kSupport});
 }
