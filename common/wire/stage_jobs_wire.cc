@@ -5,6 +5,7 @@
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/options/exposure_options_wire.h"
+#include "common/wire/options/infill_options_wire.h"
 #include "common/wire/options/motion_options_wire.h"
 #include "common/wire/options/settings_wire.h"
 #include "common/wire/support/repeated_wire.h"

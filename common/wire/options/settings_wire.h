@@ -1,8 +1,6 @@
 #pragma once
 
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -20,14 +18,6 @@ absl::StatusOr<SlicingOptions> FromProto(const v1::SlicingOptions& proto);
 
 v1::BeadingOptions ToProto(const BeadingOptions& options);
 absl::StatusOr<BeadingOptions> FromProto(const v1::BeadingOptions& proto);
-
-/// A table of them, and the texts of its rows: a text of many rows travels once, and is shared
-/// again where it arrives. Errors name the row in `field`, or `texts`.
-using InfillRows = google::protobuf::RepeatedPtrField<v1::InfillOptions>;
-using RowTexts = google::protobuf::RepeatedPtrField<std::string>;
-void ToProto(const std::vector<InfillOptions>& table, InfillRows* rows, RowTexts* texts);
-absl::StatusOr<std::vector<InfillOptions>> FromProto(const InfillRows& rows, const RowTexts& texts,
-                                                     std::string_view field);
 
 v1::OrderingOptions ToProto(const OrderingOptions& options);
 absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto);
