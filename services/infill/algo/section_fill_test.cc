@@ -22,7 +22,7 @@ std::vector<SlicedLayer> Prism() {
   for (int i = 0; i < 10; ++i) {
     layers[i].frame = {i, 200'000 * (i + 1), 200'000};
     layers[i].sections = {{0, i, 10, 200'000,
-                           {{Role::kPart, 0, 0, P("(0 0, 20 0, 20 20, 0 20)")}}, {}, 0, {}, {}}};
+                           {{Role::kPart, 0, 0, P("(0 0, 20 0, 20 20, 0 20)")}}, {}, 0, {}}};
   }
   return layers;
 }
