@@ -443,7 +443,8 @@ TEST(Resolve, SkirtBrimAndRaftTakeWidthsAndHeightsOfOtherSettings) {
   EXPECT_EQ(object.raft.heights, (RaftHeights{3, 250'000, 450'000, 150'000}));
   EXPECT_EQ(object.raft.lines.width_nm, 600'000);
   EXPECT_EQ(object.raft_settings.size(), 3u);
-  EXPECT_EQ(settings.slicing.objects[0].raft, object.raft.heights);
+  EXPECT_FALSE(settings.slicing.objects[0].on_bed);
+  EXPECT_EQ(settings.slicing.objects[0].lift_nm, object.raft.heights.LiftNm());
   EXPECT_EQ(FdmOf(settings).planning.bed, settings.slicing.bed);
 }
 

@@ -29,10 +29,10 @@ TemplateVariables UnknownVariables() {
 absl::StatusOr<LaserCode> ParseLaserCode(const ExposureOutput& output) {
   LaserCode code;
   const TemplatePlace places[] = {
-      {"start_gcode", output.start_gcode, code.start},
-      {"before_layer_gcode", output.before_layer_gcode, code.before_layer},
-      {"layer_gcode", output.layer_gcode, code.layer},
-      {"end_gcode", output.end_gcode, code.end}};
+      {"start_gcode", output.start_gcode.str(), code.start},
+      {"before_layer_gcode", output.before_layer_gcode.str(), code.before_layer},
+      {"layer_gcode", output.layer_gcode.str(), code.layer},
+      {"end_gcode", output.end_gcode.str(), code.end}};
   if (absl::Status status = ParseTemplates(places); !status.ok()) return status;
   return code;
 }

@@ -44,10 +44,12 @@ inline constexpr int64_t kMaxPointsPerJob = 200'000'000;
 /// A job's result, G-code or vectors: what a spool and a store take for one job.
 inline constexpr int64_t kMaxProgramBytes = 2'000'000'000;
 inline constexpr int64_t kMaxObjects = 1'000;         ///< copies included
+inline constexpr int64_t kMaxStacks = 4 * kMaxObjects + 1'000;  ///< parts and what is added
 inline constexpr int64_t kMaxRegionSettings = 1'000;  ///< rows of a job's tables of settings
 /// Texts of all sets of settings of a job: each range of heights, part or object with some of its
-/// own has all of the job's as well, and so has each message to a worker.
+/// own has all of the job's as well, though long ones are shared.
 inline constexpr int64_t kMaxResolvedBytes = 48 << 20;
+inline constexpr int64_t kLongTextBytes = 1024;  ///< of a value: from here on it is shared
 inline constexpr int32_t kMaxPerimeters = 10'000;
 inline constexpr int32_t kMaxSkirtLoops = 500;
 inline constexpr int32_t kMaxRaftLayers = 100;

@@ -38,7 +38,8 @@ absl::Status HoldMemory(const StageCall& call, JobMemory::Kind kind, int64_t byt
 /// What layers and their plans take in memory, about. Cost: O(rings).
 int64_t MemoryOf(const SlicedLayer& layer);
 int64_t MemoryOf(const LayerPlan& plan);
-int64_t MemoryOf(const PlateAddition& addition);
+int64_t MemoryOf(const ObjectSection& section);
+int64_t MemoryOf(const Skirt& skirt);
 /// What meshes take. Cost: O(parts).
 int64_t MemoryOf(const PlacedScene& scene);
 

@@ -5,6 +5,7 @@
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/options/exposure_options_wire.h"
+#include "common/wire/options/infill_options_wire.h"
 #include "common/wire/options/motion_options_wire.h"
 #include "common/wire/options/settings_wire.h"
 #include "common/wire/support/repeated_wire.h"
@@ -12,15 +13,6 @@
 
 namespace slicefarm {
 namespace {
-
-template <typename Options, typename Proto>
-absl::StatusOr<std::vector<Options>> TakeRows(const Proto& proto) {
-  std::vector<Options> rows;
-  absl::Status status = CheckRows(proto.rows_size(), "rows");
-  if (status.ok()) status = AllFromProto(proto.rows(), "rows", &rows);
-  if (!status.ok()) return status;
-  return rows;
-}
 
 template <typename Proto>
 absl::StatusOr<std::vector<Copy>> TakeCopies(const Proto& proto) {
@@ -38,15 +30,20 @@ absl::Status ToProto(const BeadingTable& table, v1::BeadingTable* proto) {
   return absl::OkStatus();
 }
 absl::StatusOr<BeadingTable> FromProto(const v1::BeadingTable& proto) {
-  return TakeRows<BeadingOptions>(proto);
+  BeadingTable table;
+  absl::Status status = CheckRows(proto.rows_size(), "rows");
+  if (status.ok()) status = AllFromProto(proto.rows(), "rows", &table);
+  if (!status.ok()) return status;
+  return table;
 }
 
 absl::Status ToProto(const InfillTable& table, v1::InfillTable* proto) {
-  for (const InfillOptions& row : table) *proto->add_rows() = ToProto(row);
+  ToProto(table, proto->mutable_rows(), proto->mutable_texts());
   return absl::OkStatus();
 }
 absl::StatusOr<InfillTable> FromProto(const v1::InfillTable& proto) {
-  return TakeRows<InfillOptions>(proto);
+  if (absl::Status rows = CheckRows(proto.rows_size(), "rows"); !rows.ok()) return rows;
+  return FromProto(proto.rows(), proto.texts(), "rows");
 }
 
 absl::Status ToProto(const OrderingJob& job, v1::OrderingJob* proto) {

@@ -29,9 +29,9 @@ MultiPolygon Islands() {
   return MakePolygonsOrDie("(0 0, 9 0, 9 9, 0 9) (1 1, 2 1, 2 2) ; (20 0, 30 0, 30 10)");
 }
 
-ObjectSection SectionOf(int32_t object, int32_t layer, std::vector<Region> regions) {
+ObjectSection SectionOf(Stack stack, int32_t layer, std::vector<Region> regions) {
   ObjectSection section;
-  section.object = object;
+  section.stack = stack;
   section.layer = layer;
   section.layer_count = Sample::kLayerCount;
   section.height_nm = kHeightNm;
@@ -41,14 +41,16 @@ ObjectSection SectionOf(int32_t object, int32_t layer, std::vector<Region> regio
 
 SlicedLayer OutlinesOf(int32_t index) {
   SlicedLayer layer{FrameOf(index), {}};
-  if (index == Sample::kRange.first) {
-    layer.sections.push_back(SectionOf(kPlate, 0, {{Role::kBrim, 0, 0, Islands()}}));
-  }
   const MultiPolygon whole = Islands();
   layer.sections.push_back(
       SectionOf(0, index, {{Role::kPart, 0, 0, {whole[0]}}, {Role::kPart, 1, 0, {whole[1]}}}));
   layer.sections.back().whole = whole;
   layer.sections.push_back(SectionOf(2, index, {{Role::kPart, 1, 0, whole}}));
+  if (index == Sample::kRange.first) {
+    const Stack brim(3, kPlateObject, StackKind::kBrim);
+    layer.sections.push_back(SectionOf(brim, 0, {{Role::kBrim, 0, 0, Islands()}}));
+    layer.sections.back().layer_count = 1;
+  }
   return layer;
 }
 
@@ -88,7 +90,7 @@ void AddLayer(int32_t index, Sample* sample) {
                            {{0, 0, FillPattern::kLightning, {{{1, 2}, {3, index}}}, {}, {}, 0}}});
   sample->ordered.push_back(
       {frame,
-       {{kPlate, 0, kHeightNm, {skirt}}, {0, index, kHeightNm, {wall, line, line}}},
+       {{kSkirtStack, 0, kHeightNm, {skirt}}, {0, index, kHeightNm, {wall, line, line}}},
        {{0, -1, 0, {}}, {1, 0, 0, {1'000, -2'000}}, {1, 1, 1, {}}}});
   AddProgram(index, 0, sample);
   if (index == Sample::kRange.first) AddProgram(index, 1, sample);
@@ -140,10 +142,10 @@ JobPlan PlanWithAll() {
   JobPlan plan;
   for (int32_t i = 0; i < 3; ++i)
     plan.layers.push_back({{1, i}, false, false, {{0, {2, 3}, {}, {{4, 5}}}}, {}, {}});
-  plan.additions = {{0,
-                     kHeightNm,
-                     {{Role::kBrim, 1, 0, Islands()}},
-                     {PathOf(Feature::kSkirt, "(-5 -5, 40 -5)", false)}}};
+  const Stack brim(3, 0, StackKind::kBrim);
+  plan.stacks = {{brim, 5'000, {SectionOf(brim, 0, {{Role::kBrim, 1, 0, Islands()}})}}};
+  plan.skirt = {{PathOf(Feature::kSkirt, "(-5 -5, 40 -5)", false)}, 2};
+  plan.lifts_nm = {300'000, 0, 0};
   plan.copies = {{0, {1'000, -2'000}, 0}, {0, {}, 1}, {2, {7'000, 0}, 0}};
   plan.seams = {9, 8, 1, 2.5, 4, 3, 1};
   return plan;
@@ -244,11 +246,20 @@ absl::Status FakePlanning::Plan(rpc::Call& call, Stream& stream) {
                                        [](const LayerPlan& layer, v1::PlanResponse* proto) {
                                          return ToProto(layer, proto->mutable_layer());
                                        });
-  status.Update(WriteEach<v1::PlanResponse>(
-      stream, plan.additions, [](const PlateAddition& addition, v1::PlanResponse* proto) {
-        return ToProto(addition, proto->mutable_addition());
-      }));
+  for (const AddedStack& added : plan.stacks) {
+    v1::PlanResponse head;
+    status.Update(ToProto(added, head.mutable_stack()));
+    stream.Write(head);
+    status.Update(WriteEach<v1::PlanResponse>(
+        stream, added.sections, [](const ObjectSection& section, v1::PlanResponse* proto) {
+          return ToProto(section, proto->mutable_section());
+        }));
+  }
+  v1::PlanResponse skirt;
+  status.Update(ToProto(plan.skirt, skirt.mutable_skirt()));
+  stream.Write(skirt);
   v1::PlanResponse end;
+  end.mutable_end()->mutable_lifts_nm()->Assign(plan.lifts_nm.begin(), plan.lifts_nm.end());
   *end.mutable_end()->mutable_seams() = ToProto(plan.seams);
   for (const Copy& copy : plan.copies) {
     status.Update(ToProto(copy, end.mutable_end()->add_copies()));

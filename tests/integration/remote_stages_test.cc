@@ -109,7 +109,9 @@ TEST(RemoteStages, OutlinesAndPlansAreHeldInTheJobsMemory) {
   for (const SlicedLayer& layer : sample.job.layers) outlines += MemoryOf(layer);
   int64_t plan = 0;
   for (const LayerPlan& layer : sample.plan.layers) plan += MemoryOf(layer);
-  for (const PlateAddition& addition : sample.plan.additions) plan += MemoryOf(addition);
+  for (const AddedStack& added : sample.plan.stacks)
+    for (const ObjectSection& section : added.sections) plan += MemoryOf(section);
+  plan += MemoryOf(sample.plan.skirt);
   for (const int64_t limit : {outlines + plan, outlines + plan - 1, outlines - 1}) {
     MemoryBudget budget(limit);
     const auto share = budget.Take({}, "job-42", 0, {});

@@ -117,6 +117,8 @@ void Store(T& member, const Value& value, double divisor) {
   } else if constexpr (std::is_same_v<T, Coord>) {
     member = FromMm(value.number);
   } else if constexpr (std::is_same_v<T, std::string>) {
+    member = value.text.str();
+  } else if constexpr (std::is_same_v<T, SharedText>) {
     member = value.text;
   } else if constexpr (std::is_same_v<T, Polygon>) {
     if (auto bed = ParseBedShape(value.text); bed.ok()) member = *std::move(bed);
@@ -135,7 +137,7 @@ Value Load(const T& member, double divisor) {
     return {.number = Quantise(member * divisor)};
   } else if constexpr (std::is_same_v<T, Coord>) {
     return {.number = Quantise(ToMm(member))};
-  } else if constexpr (std::is_same_v<T, std::string>) {
+  } else if constexpr (std::is_same_v<T, std::string> || std::is_same_v<T, SharedText>) {
     return {.text = member};
   } else if constexpr (std::is_same_v<T, Polygon>) {
     return {.text = PrintBedShape(member)};

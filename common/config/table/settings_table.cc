@@ -213,7 +213,7 @@ std::string PrintValue(const SettingSpec& spec, const Value& value) {
     case Kind::kHeightCode:
     case Kind::kSubstitutions:
     case Kind::kCutter:
-      return value.text;
+      return value.text.str();
     case Kind::kChoice: {
       const auto meant =
           std::find_if(spec.choices.begin(), spec.choices.end(), [&](const Choice& c) {

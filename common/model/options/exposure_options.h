@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "common/base/shared/shared_text.h"
 #include "common/geometry/point.h"
 
 namespace slicefarm {
@@ -182,7 +183,7 @@ struct ExposureOutput {
   bool dynamic_power = true;  ///< G-code of grbl: M4, less power where the head is slower
   double recoat_s = 0;        ///< before each layer: until there is new powder or resin
   /// Of G-code: templates before all layers, before and after each layer's move in Z, after all.
-  std::string start_gcode = {}, before_layer_gcode = {}, layer_gcode = {}, end_gcode = {};
+  SharedText start_gcode = {}, before_layer_gcode = {}, layer_gcode = {}, end_gcode = {};
 
   friend bool operator==(const ExposureOutput&, const ExposureOutput&) = default;
 };

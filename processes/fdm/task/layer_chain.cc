@@ -24,11 +24,11 @@ Neighbourhood Trimmed(const Neighbourhood& all, int32_t halo) {
 
 /// Gives motion the outlines that it looks at below walls.
 void AddBelow(std::span<const SlicedLayer> sliced, std::vector<OrderedLayer>& ordered) {
-  const ObjectLayers objects(sliced);
+  const ObjectLayers stacks(sliced);
   for (OrderedLayer& layer : ordered) {
     for (PathBlock& block : layer.blocks) {
-      if (block.object == kPlate || block.layer == 0) continue;
-      if (const ObjectSection* below = objects.Find(block.object, block.layer - 1))
+      if (!block.stack.IsPart() || block.layer == 0) continue;
+      if (const ObjectSection* below = stacks.Find(block.stack.id, block.layer - 1))
         block.below = OutlineOf(*below);
     }
   }
@@ -43,14 +43,14 @@ void NoteWarnings(const std::vector<WalledLayer>& layers, std::vector<LayerWarni
 
 /// What the infill of all copies comes to. The layers go on without it.
 std::vector<FillUse> TakeUses(std::vector<FilledLayer>& layers, std::span<const Copy> copies) {
-  std::map<int32_t, int64_t> count = {{kPlate, 1}};  // by object
+  std::map<int32_t, int64_t> count = {{kPlateObject, 1}};  // by object
   for (const Copy& copy : copies) ++count[copy.object];
   std::vector<FillUse> all;
   for (FilledLayer& layer : layers) {
     std::vector<FillUse> uses;
     for (FilledSection& section : layer.sections)
       for (const FillUse& use : std::exchange(section.uses, {}))
-        AddUse(use, count[section.object], uses);
+        AddUse(use, count[section.stack.object], uses);
     std::ranges::move(uses, std::back_inserter(all));
   }
   return all;

@@ -171,7 +171,7 @@ TEST_F(LayerChainTest, WhatInfillComesToIsCountedForEachCopy) {
     return of;
   };
   copies_ = {{0, {}, 0}, {1, {}, 0}, {0, {}, 1}};
-  infill_.sections = {{kPlate, 0, 0, {}, {use(2, 100)}},
+  infill_.sections = {{Stack(2, kPlateObject, StackKind::kRaft), 0, 0, {}, {use(2, 100)}},
                       {0, 0, 0, {}, {use(0, 10), use(1, 1)}},
                       {1, 0, 0, {}, {use(1, 5)}}};
   const auto result = Run({8, 10}, {0, 20});

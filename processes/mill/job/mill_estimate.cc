@@ -29,8 +29,8 @@ LayerSums SumsOf(const SlicedLayer& layer, std::span<const PlacedCopy> copies) {
   sums.height = ToMm(static_cast<double>(layer.frame.height_nm));
   for (const ObjectSection& section : layer.sections) {
     const auto count =
-        static_cast<double>(std::ranges::count(copies, section.object, &PlacedCopy::object));
-    const MultiPolygon outline = OutlineOf(section);
+        static_cast<double>(std::ranges::count(copies, section.stack.object, &PlacedCopy::object));
+    const MultiPolygon& outline = OutlineOf(section);
     sums.area += count * Area(outline) * 1e-12;
     sums.perimeter += count * PerimeterMm(outline);
   }

@@ -97,7 +97,7 @@ ExitCode SupportLab(SupportLabOptions options) {
               : options.style == "snug" ? SupportStyle::kSnug
                                         : SupportStyle::kTree;
   how.layer_height_nm = how.first_layer_height_nm = FromMm(options.layer_height_mm);
-  how.contact_distance_nm = how.bottom_contact_distance_nm = FromMm(options.gap_mm);
+  how.top_gap_nm = how.bottom_gap_nm = FromMm(options.gap_mm);
   how.threshold_rad = options.threshold_degrees * std::numbers::pi / 180;
   const auto job = SliceModel(options.model, how.layer_height_nm, options.threads);
   if (!job.ok()) return Fail(job.status());
@@ -109,10 +109,10 @@ ExitCode SupportLab(SupportLabOptions options) {
   if (!options.folder.empty()) {
     std::error_code ignored;
     std::filesystem::create_directories(options.folder, ignored);
-    absl::Status written = WriteFile(
-        options.folder + "/lab.gcode",
-        LabProgram(problem, *plan,
-                   {.support_width_nm = how.line_width_nm, .spacing_nm = how.spacing_nm}));
+    absl::Status written =
+        WriteFile(options.folder + "/lab.gcode",
+                  LabProgram(problem, *plan,
+                             {.support_width_nm = how.width_nm, .spacing_nm = how.spacing_nm}));
     if (written.ok()) written = WritePictures(problem, *plan, options);
     if (!written.ok()) return Fail(written);
   }
@@ -148,10 +148,10 @@ void AddSupportLab(CLI::App& app, CommandContext& context) {
                    "Undersides less steep are carried, from level; 0: by the width of a wall")
       ->check(CLI::Range(0.0, 89.0))
       ->type_name("DEGREES");
-  command->add_option("--interface-layers", options->how.interface_layers, "Dense ones on top")
+  command->add_option("--interface-layers", options->how.top_interface_layers, "Dense ones on top")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
-  command->add_flag("--build-plate-only", options->how.build_plate_only, "Nothing on the part");
+  command->add_flag("--build-plate-only", options->how.bed_only, "Nothing on the part");
   command->add_option("--every", options->every, "A picture of each Nth layer; 0: none")
       ->type_name("N");
   command->add_option("--threads", options->threads, "Threads")

@@ -192,20 +192,36 @@ absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const Sliced
   const auto take = [&](const v1::PlanResponse& response) -> absl::Status {
     if (response.has_layer())
       return hold(Append(FromProto(response.layer()), &plan.layers), plan.layers);
-    if (response.has_addition())
-      return hold(Append(FromProto(response.addition()), &plan.additions), plan.additions);
+    if (response.has_stack()) return Append(FromProto(response.stack()), &plan.stacks);
+    if (response.has_section()) {
+      if (plan.stacks.empty()) return Malformed("section", "is of no stack");
+      std::vector<ObjectSection>& sections = plan.stacks.back().sections;
+      return hold(Append(FromProto(response.section()), &sections), sections);
+    }
+    if (response.has_skirt()) {
+      absl::StatusOr<Skirt> skirt = FromProto(response.skirt());
+      if (!skirt.ok()) return skirt.status();
+      plan.skirt = *std::move(skirt);
+      bytes += MemoryOf(plan.skirt);
+      return HoldMemory(call, JobMemory::Kind::kPlan, bytes);
+    }
     ended = response.has_end();
     const absl::StatusOr<SeamQuality> seams = FromProto(response.end().seams());
     if (!seams.ok()) return seams.status();
     plan.seams = *seams;
     plan.notes.assign(response.end().notes().begin(), response.end().notes().end());
+    for (const int64_t lift_nm : response.end().lifts_nm())
+      if (absl::Status ok = CheckLift("lifts_nm", lift_nm); !ok.ok()) return ok;
+    plan.lifts_nm.assign(response.end().lifts_nm().begin(), response.end().lifts_nm().end());
     return AllFromProto(response.end().copies(), "copies", &plan.copies);
   };
   const absl::Status status =
       DuplexOver(replicas_, options_.DeadlineFor(PointsIn(job.layers)), call, kPlanning,
                  &v1::Planning::Stub::PrepareAsyncPlanJob, begin, write, take);
   if (!status.ok()) return status;
-  if (!ended || plan.layers.size() != job.layers.size() || plan.copies.size() != job.copies.size())
+  const bool adds_layers = !plan.stacks.empty();
+  if (!ended || (plan.layers.size() != job.layers.size() && !adds_layers) ||
+      plan.copies.size() != job.copies.size())
     return BadAnswer(kPlanning, Malformed("layer", "not a plan for each layer and copy"));
   return plan;
 }

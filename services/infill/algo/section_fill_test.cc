@@ -21,8 +21,8 @@ std::vector<SlicedLayer> Prism() {
   std::vector<SlicedLayer> layers(10);
   for (int i = 0; i < 10; ++i) {
     layers[i].frame = {i, 200'000 * (i + 1), 200'000};
-    layers[i].sections = {
-        {0, i, 10, 200'000, {{Role::kPart, 0, 0, P("(0 0, 20 0, 20 20, 0 20)")}}, {}, 0, {}, {}}};
+    layers[i].sections = {{0, i, 10, 200'000,
+                           {{Role::kPart, 0, 0, P("(0 0, 20 0, 20 20, 0 20)")}}, {}, 0, {}}};
   }
   return layers;
 }
@@ -151,7 +151,7 @@ TEST(FillSection, ThePlateHasNoNeighbours) {
   regions[0].top_solid_layers = regions[0].bottom_solid_layers = 0;
   WalledIsland island;
   island.fill_areas = {{Role::kRaft, 0, 0, P("(1 1, 10 1, 10 19, 1 19)")}};
-  const auto filled = FillPlain({kPlate, 0, 300'000, {island}}, true, objects, regions);
+  const auto filled = FillPlain({Stack(1, kPlateObject, StackKind::kRaft), 0, 300'000, {island}}, true, objects, regions);
   ASSERT_TRUE(filled.ok()) << filled.status();
   EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kSupport});
 }

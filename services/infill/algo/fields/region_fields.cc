@@ -3,10 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
-#include <memory>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "common/base/error.h"
@@ -21,6 +18,12 @@ absl::Status Malformed(const std::string& setting, const absl::Status& why) {
                    {{"setting", setting}});
 }
 
+absl::StatusOr<DirectionField> DirectionsOf(const std::string& text) {
+  const auto stress = ParseStressField(text);
+  if (!stress.ok()) return stress.status();
+  return DirectionField(*stress);
+}
+
 bool IsSameAtAllHeights(const DensityField& density) {
   return density.kind == DensityField::Kind::kGrid && density.grid.count[2] == 1;
 }
@@ -29,30 +32,20 @@ bool IsSameAtAllHeights(const DensityField& density) {
 
 absl::StatusOr<FieldsOfRows> ParseFields(const std::vector<InfillOptions>& regions) {
   FieldsOfRows rows;
-  std::map<std::string_view, std::shared_ptr<const DensityField>> densities;
-  std::map<std::string_view, std::shared_ptr<const DirectionField>> directions;
   for (const InfillOptions& options : regions) {
     FieldsOfRow& row = rows.emplace_back();
     row.plain_density = options.density;
     row.every_layers = std::max(1, options.every_layers);
     if (!options.density_field.empty()) {
-      auto& known = densities[options.density_field];
-      if (known == nullptr) {
-        auto density = ParseDensityField(options.density_field);
-        if (!density.ok()) return Malformed("density_field", density.status());
-        known = std::make_shared<const DensityField>(*std::move(density));
-      }
-      row.density = known;
+      const auto& density = DensityFieldOf(options.density_field);
+      if (!density.ok()) return Malformed("density_field", density.status());
+      row.density = &*density;
     }
     if (!options.stress_field.empty()) {
-      auto& known = directions[options.stress_field];
-      if (known == nullptr) {
-        const auto stress = ParseStressField(options.stress_field);
-        if (!stress.ok()) return Malformed("stress_field", stress.status());
-        known = std::make_shared<const DirectionField>(*stress);
-      }
-      row.directions = known;
-      row.is_same_at_all_heights = known->IsSameAtAllHeights() &&
+      const auto& directions = options.stress_field.Once(DirectionsOf);
+      if (!directions.ok()) return Malformed("stress_field", directions.status());
+      row.directions = &*directions;
+      row.is_same_at_all_heights = directions->IsSameAtAllHeights() &&
                                    (row.density == nullptr || IsSameAtAllHeights(*row.density));
     }
   }
@@ -65,13 +58,13 @@ absl::StatusOr<std::optional<LayerField>> RegionFields::Of(int32_t row, int32_t 
   if (fields.density == nullptr && fields.directions == nullptr) return std::nullopt;
   LayerField field{.plain_density = fields.plain_density, .z_mm = z_mm};
   if (fields.directions != nullptr) {
-    field.directions = fields.directions.get();
+    field.directions = fields.directions;
     field.across = own_layer / fields.every_layers % 2 != 0;
     if (fields.is_same_at_all_heights)
       field.memo = &memos_[static_cast<size_t>(row)][field.across ? 1 : 0];
   }
   if (fields.density == nullptr) return field;
-  field.density = fields.density.get();
+  field.density = fields.density;
   if (field.density->kind == DensityField::Kind::kSurfaceDistance) {
     auto& distances =
         distances_.try_emplace({row, object}, layers_, object, field.density->ReachMm())

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <map>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,15 +16,16 @@ namespace slicefarm::infill {
 
 /// The fields of a row of settings.
 struct FieldsOfRow {
-  std::shared_ptr<const DensityField> density;       ///< by all rows of the same text; null: none
-  std::shared_ptr<const DirectionField> directions;  ///< the same
+  const DensityField* density = nullptr;  ///< the text's own, which must outlive it; null: none
+  const DirectionField* directions = nullptr;  ///< the same
   double plain_density = 0;
   int32_t every_layers = 1;
   bool is_same_at_all_heights = false;
 };
 using FieldsOfRows = std::vector<FieldsOfRow>;
 
-/// Each text is read once. Errors: SETTING_MALFORMED for a text that is no field.
+/// Each text is read once for all who have it. Errors: SETTING_MALFORMED for a text that is no
+/// field.
 absl::StatusOr<FieldsOfRows> ParseFields(const std::vector<InfillOptions>& regions);
 
 /// The fields of a job's regions in a stretch of its layers.

@@ -35,7 +35,7 @@ struct Branch {
 
 /// What a tip covers around its middle: branch_distance beyond its edge, and so much that tips are
 /// top_rate of a surface of hexagons.
-Coord TipReach(const TreeSupportOptions& tree) {
+Coord TipReach(const TreeOptions& tree) {
   const double radius = tree.tip_diameter_nm / 2.0;
   const double beyond = std::min<double>(kBeyondNm, tree.branch_distance_nm * 0.9);
   const double rate = std::clamp(tree.top_rate, 0.01, 1.0);
@@ -293,7 +293,7 @@ class Grower {
   bool EndsOver(size_t slab, const Branch& branch) {
     const bool on_other = field_.OnOther(slab, branch.at);
     if (!branch.found && !on_other && !field_.OnPart(slab, branch.at)) return false;
-    if (on_other || options_.build_plate_only)
+    if (on_other || options_.bed_only)
       lost_.push_back(branch.node);
     else
       End(branch, field_.slabs()[slab].bottom_nm, false);

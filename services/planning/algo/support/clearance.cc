@@ -43,9 +43,9 @@ Clearance::Clearance(const SupportProblem& problem, const SupportOptions& option
   ForEachIndex(threads, all.size(), [&](size_t i, int) {
     Layer& layer = *all[i];
     layer.box = Bounds(*layer.solid.outlines);
-    layer.spaced = FastOffset(*layer.solid.outlines, options_.xy_spacing_nm);
-    const Coord corner = CornerClearance(0, options_.contact_distance_nm,
-                                         2 * options_.layer_height_nm, kCornerShare);
+    layer.spaced = FastOffset(*layer.solid.outlines, options_.xy_gap_nm);
+    const Coord corner =
+        CornerClearance(0, options_.top_gap_nm, 2 * options_.layer_height_nm, kCornerShare);
     if (corner > 0) layer.cornered = FastOffset(*layer.solid.outlines, corner);
   });
 }
@@ -55,7 +55,7 @@ void Clearance::AppendLayer(const Layer& layer, Coord clear_nm, Coord gap_nm, co
   if (clear_nm < -kSameHeightNm) return AppendRingsNear(layer.spaced, box, rings);
   if (clear_nm > gap_nm - kSameHeightNm) return;
   const Coord touching =
-      CornerClearance(0, options_.contact_distance_nm, 2 * options_.layer_height_nm, kCornerShare);
+      CornerClearance(0, options_.top_gap_nm, 2 * options_.layer_height_nm, kCornerShare);
   const Coord corner = CornerClearance(std::max<Coord>(0, clear_nm), gap_nm,
                                        2 * options_.layer_height_nm, kCornerShare);
   if (corner == 0) return AppendRingsNear(*layer.solid.outlines, box, rings);
@@ -65,17 +65,17 @@ void Clearance::AppendLayer(const Layer& layer, Coord clear_nm, Coord gap_nm, co
 
 void Clearance::AppendBlocked(const Stack& stack, Coord bottom_nm, Coord top_nm, const Box& box,
                               std::vector<Polygon>& rings) const {
-  const Coord below = bottom_nm - options_.bottom_contact_distance_nm;
+  const Coord below = bottom_nm - options_.bottom_gap_nm;
   auto layer = std::partition_point(stack.begin(), stack.end(),
                                     [&](const Layer& l) { return l.solid.top_nm <= below; });
   for (; layer != stack.end(); ++layer) {
     const Coord above = layer->solid.bottom_nm() - top_nm, under = bottom_nm - layer->solid.top_nm;
-    if (above >= options_.contact_distance_nm) break;
+    if (above >= options_.top_gap_nm) break;
     if (!layer->box.Intersects(box)) continue;
     if (under > above)
-      AppendLayer(*layer, under, options_.bottom_contact_distance_nm, box, rings);
+      AppendLayer(*layer, under, options_.bottom_gap_nm, box, rings);
     else
-      AppendLayer(*layer, above, options_.contact_distance_nm, box, rings);
+      AppendLayer(*layer, above, options_.top_gap_nm, box, rings);
   }
 }
 

@@ -17,9 +17,9 @@ Coord CornerClearance(Coord clear_nm, Coord gap_nm, Coord both_heights_nm, doubl
 /// Where support may be: off the part and the other objects, on the bed. Const and safe from any
 /// thread.
 ///
-/// A layer of support from b to t keeps xy_spacing_nm from layers that share a height with it. It
-/// does not lie under a layer whose bottom is less than contact_distance_nm above t, nor over one
-/// whose top is less than bottom_contact_distance_nm below b, nor nearer to these than
+/// A layer of support from b to t keeps xy_gap_nm from layers that share a height with it. It
+/// does not lie under a layer whose bottom is less than top_gap_nm above t, nor over one
+/// whose top is less than bottom_gap_nm below b, nor nearer to these than
 /// CornerClearance. So on a slope the top lies at the distance asked for, upright, under each step.
 class Clearance {
  public:
@@ -34,7 +34,7 @@ class Clearance {
   struct Layer {
     SolidLayer solid;
     Box box;                ///< of the outlines
-    MultiPolygon spaced;    ///< grown by xy_spacing_nm
+    MultiPolygon spaced;    ///< grown by xy_gap_nm
     MultiPolygon cornered;  ///< grown by the corner clearance where two layers touch
   };
   using Stack = std::vector<Layer>;

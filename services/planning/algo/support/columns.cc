@@ -38,7 +38,7 @@ MultiPolygon Turned(MultiPolygon region, double cosine, double sine) {
 
 /// The cells of the grid that hold some of `contact`.
 MultiPolygon Cells(const MultiPolygon& contact, const SupportOptions& options) {
-  const Coord cell = std::max<Coord>(options.spacing_nm / 2, options.line_width_nm);
+  const Coord cell = std::max<Coord>(options.spacing_nm / 2, options.width_nm);
   const double cosine = Cos(options.angle_rad), sine = Sin(options.angle_rad);
   const MultiPolygon level = Turned(contact, cosine, -sine);
   const PixelGrid coarse = GridOver(Bounds(level), cell);
@@ -71,13 +71,13 @@ class ColumnMaker {
     const MultiPolygon wide =
         options_.style == SupportStyle::kGrid
             ? Cells(contact, options_)
-            : OffsetTwice(contact, options_.line_width_nm + options_.closing_radius_nm,
+            : OffsetTwice(contact, options_.width_nm + options_.closing_radius_nm,
                           -options_.closing_radius_nm);
     std::vector<Polygon> undersides;
-    const Box box = Bounds(wide).Grown(options_.line_width_nm);
+    const Box box = Bounds(wide).Grown(options_.width_nm);
     for (const PartLayer& layer : problem_.part) {
       if (layer.bottom_nm() < top_nm) continue;
-      if (layer.bottom_nm() > top_nm + options_.contact_distance_nm + kUselessNm) break;
+      if (layer.bottom_nm() > top_nm + options_.top_gap_nm + kUselessNm) break;
       AppendRingsNear(*layer.outlines, box, undersides);
     }
     return Union(WithoutRings(wide, undersides), contact);
@@ -93,11 +93,11 @@ class ColumnMaker {
       const size_t known = rings.size();
       const auto add = [&](const auto& stack, size_t& at) {
         for (; at < stack.size() && stack[at].bottom_nm() < heights.layers[i].top_nm; ++at)
-          for (const Polygon& ring : Rings(FastOffset(*stack[at].outlines, options_.xy_spacing_nm)))
+          for (const Polygon& ring : Rings(FastOffset(*stack[at].outlines, options_.xy_gap_nm)))
             rings.push_back(ring);
       };
       for (size_t k = 0; k < problem_.others.size(); ++k) add(problem_.others[k], next[k]);
-      if (options_.build_plate_only) add(problem_.part, next.back());
+      if (options_.bed_only) add(problem_.part, next.back());
       if (rings.size() > known) shadow = Simplify(Union(rings, FillRule::kNonZero), kSimplifyNm);
       shadows[i] = shadow;
     }
@@ -120,7 +120,7 @@ absl::StatusOr<std::vector<MultiPolygon>> Columns(const SupportProblem& problem,
   const ColumnMaker maker(problem, options);
   const size_t count = heights.layers.size();
   std::vector<MultiPolygon> shapes(count), columns(count), shadows;
-  if (options.build_plate_only || !problem.others.empty()) shadows = maker.Shadows(heights);
+  if (options.bed_only || !problem.others.empty()) shadows = maker.Shadows(heights);
   ForEachIndex(threads, count, [&](size_t i, int) {
     if (contacts[i].empty() || cancel.Cancelled()) return;
     shapes[i] = maker.Shape(contacts[i], heights.layers[i].top_nm);

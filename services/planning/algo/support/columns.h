@@ -21,7 +21,7 @@ using Contacts = std::vector<MultiPolygon>;
 /// closing radius are closed. Grid: they are grown to cells of half the spacing, which lie along
 /// the support's angle. Neither goes where the part's underside is near and nothing is to be
 /// carried, so that all tops near the part are at the distance asked for.
-/// With build_plate_only nothing of a column stands on the part; on other objects none ever does:
+/// With bed_only nothing of a column stands on the part; on other objects none ever does:
 /// what would is left out from its top down.
 /// Errors: Cancelled.
 /// Cost: two boolean operations a layer, one after the other.

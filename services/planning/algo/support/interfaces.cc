@@ -45,7 +45,7 @@ std::vector<SupportLayer> NotEmpty(std::vector<SupportLayer> layers) {
 
 /// Contacts of this layer and of the n - 1 above.
 size_t EndOfSheet(size_t layer, size_t count, const SupportOptions& options) {
-  return std::min(count, layer + static_cast<size_t>(std::max(1, options.interface_layers)));
+  return std::min(count, layer + static_cast<size_t>(std::max(1, options.top_interface_layers)));
 }
 
 }  // namespace
@@ -68,11 +68,10 @@ std::vector<MultiPolygon> Floors(const SupportProblem& problem, const SupportHei
                                  const SupportOptions& options, int threads) {
   const size_t count = heights.layers.size();
   std::vector<MultiPolygon> lying(count), floors(count);
-  if (options.bottom_interface_layers <= 0 || options.build_plate_only) return floors;
+  if (options.bottom_interface_layers <= 0 || options.bed_only) return floors;
   ForEachIndex(threads, count, [&](size_t i, int) {
     if (bodies[i].empty()) return;
-    const Coord highest =
-        heights.layers[i].bottom_nm - options.bottom_contact_distance_nm + kSameHeightNm;
+    const Coord highest = heights.layers[i].bottom_nm - options.bottom_gap_nm + kSameHeightNm;
     const Coord lowest = highest - options.layer_height_nm;
     std::vector<Polygon> rings;
     const Box box = Bounds(bodies[i]);
@@ -99,9 +98,9 @@ std::vector<SupportLayer> ColumnLayers(const SupportProblem& problem, const Supp
   ForEachIndex(threads, count, [&](size_t i, int) {
     layers[i] = LayerAt(heights, i);
     MultiPolygon top;
-    if (options.interface_layers > 0) {
+    if (options.top_interface_layers > 0) {
       top = UnionOf(contacts, i, EndOfSheet(i, count, options));
-      if (!top.empty()) top = Intersection(FastOffset(top, options.line_width_nm / 2), columns[i]);
+      if (!top.empty()) top = Intersection(FastOffset(top, options.width_nm / 2), columns[i]);
     }
     MultiPolygon base = top.empty() ? columns[i] : Difference(columns[i], top);
     const MultiPolygon bottom = Intersection(floors[i], base);
@@ -137,8 +136,8 @@ std::vector<SupportLayer> BranchLayers(const SupportProblem& problem, const Supp
     };
     add(SupportRole::kBranch, branches[i].thin);
     add(SupportRole::kThickBranch, branches[i].thick);
-    Add(options.interface_layers > 0 ? SupportRole::kTopInterface : SupportRole::kBase, sheets[i],
-        layers[i]);
+    Add(options.top_interface_layers > 0 ? SupportRole::kTopInterface : SupportRole::kBase,
+        sheets[i], layers[i]);
     std::stable_sort(layers[i].regions.begin(), layers[i].regions.end(),
                      [](const auto& a, const auto& b) { return a.role < b.role; });
   });

@@ -13,7 +13,7 @@
 namespace slicefarm::planning {
 
 /// The sheets that lie against the part: in each layer, the contacts of the lowest
-/// interface_layers - 1 layers above it and its own, as far as they are free. Without interface
+/// top_interface_layers - 1 layers above it and its own, as far as they are free. Without interface
 /// layers, its own contacts. Cost: a union and a boolean operation a layer.
 std::vector<MultiPolygon> Sheets(const SupportHeights& heights, const Contacts& contacts,
                                  const Clearance& clearance, const SupportOptions& options,

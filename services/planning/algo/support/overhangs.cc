@@ -76,7 +76,7 @@ Overhang OverhangOf(const SupportProblem& problem, size_t index, const SupportOp
   if (index == 0) return overhang;
   const PartLayer& layer = problem.part[index];
   const MultiPolygon& below = Below(problem, index);
-  const bool enforced_layer = static_cast<int32_t>(index) < options.enforce_layers;
+  const bool enforced_layer = static_cast<int32_t>(index) < options.enforced_layers;
   if (!options.automatic && !enforced_layer && layer.enforcers == nullptr) return overhang;
   MultiPolygon hanging = Difference(*layer.outlines, below);
   std::erase_if(hanging, [](const PolygonWithHoles& i) { return !MayReach(i, kEnforcedNm); });
@@ -85,7 +85,7 @@ Overhang OverhangOf(const SupportProblem& problem, size_t index, const SupportOp
       OverhangThreshold(options, layer.height_nm, problem.part[index - 1].height_nm);
   if (options.automatic) {
     overhang.steep = FartherThan(hanging, below, threshold);
-    if (options.leave_bridges && !overhang.steep.empty() && !enforced_layer) {
+    if (options.skip_bridges && !overhang.steep.empty() && !enforced_layer) {
       const MultiPolygon bridges = BridgesOf(hanging, overhang.steep, below, options.wall_width_nm);
       overhang.steep = Difference(overhang.steep, bridges);
       if (!overhang.steep.empty()) hanging = Difference(hanging, bridges);

@@ -27,7 +27,7 @@ Coord OverhangThreshold(const SupportOptions& options, Coord height_nm, Coord be
 ///
 /// Distances from the layer below are true ones (round joins, exact to 0.01 mm). Overhangs of less
 /// than 0.02 mm2 are left out, islands that start in the air never. Where supports are not
-/// automatic only enforced places count. Enforced are: enforcers, and the lowest enforce_layers;
+/// automatic only enforced places count. Enforced are: enforcers, and the lowest enforced_layers;
 /// there half a tenth of a millimetre is steep.
 /// Cost: a boolean operation for each layer, an offset where something is steep.
 Overhang OverhangOf(const SupportProblem& problem, size_t index, const SupportOptions& options);

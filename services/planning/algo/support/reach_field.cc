@@ -62,11 +62,11 @@ class FieldMaker {
   std::vector<PixelDistance> Clear(const Slab& slab) const {
     Bitmap blocked = off_bed_;
     const Coord bottom = slab.bottom_nm - (slab.bottom_nm > 0 ? kOverlapNm : 0);
-    const Coord top = slab.top_nm + std::max(options_.contact_distance_nm, kOverlapNm);
+    const Coord top = slab.top_nm + std::max(options_.top_gap_nm, kOverlapNm);
     FillBetween(problem_.part, bottom, top, blocked);
     for (const auto& other : problem_.others) FillBetween(other, bottom, top, blocked);
     std::vector<PixelDistance> clear = DistanceTo(blocked);
-    Subtract(clear, static_cast<int>(options_.xy_spacing_nm * kDistanceSteps / grid_.pixel_nm));
+    Subtract(clear, static_cast<int>(options_.xy_gap_nm * kDistanceSteps / grid_.pixel_nm));
     return clear;
   }
 
@@ -102,7 +102,7 @@ class FieldMaker {
 
 /// The grid over `box` whose fields take no more than they may.
 PixelGrid GridFor(const SupportHeights& heights, const Box& box, const SupportOptions& options) {
-  const int fields = options.build_plate_only ? 1 : 2;
+  const int fields = options.bed_only ? 1 : 2;
   Coord pixel = ReachField::kPixelNm;
   for (;; pixel = pixel * 5 / 4) {
     const PixelGrid grid = GridOver(box, pixel);
@@ -170,7 +170,7 @@ absl::StatusOr<ReachField> ReachField::Make(const SupportProblem& problem,
   field.slabs_ = SlabsOf(heights, options.tree.angle_rad, field.grid_.pixel_nm);
   const FieldMaker maker(problem, options, field.grid_);
   const size_t count = field.slabs_.size();
-  const bool on_part = !options.build_plate_only;
+  const bool on_part = !options.bed_only;
   field.to_bed_.resize(count);
   field.part_.resize(count);
   field.other_.resize(count);

@@ -32,7 +32,7 @@ std::vector<std::pair<Coord, size_t>> TopsWanted(const SupportProblem& problem,
   std::vector<std::pair<Coord, size_t>> tops;
   for (size_t i = 0; i < overhangs.size(); ++i) {
     if (overhangs[i].contact.empty()) continue;
-    Coord top = problem.part[i].bottom_nm() - options.contact_distance_nm;
+    Coord top = problem.part[i].bottom_nm() - options.top_gap_nm;
     if (options.synchronize_layers) {
       const auto above =
           std::partition_point(problem.part.begin(), problem.part.end(),

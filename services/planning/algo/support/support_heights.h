@@ -24,7 +24,7 @@ struct SupportHeights {
   friend bool operator==(const SupportHeights&, const SupportHeights&) = default;
 };
 
-/// Layers with a top contact_distance_nm below each layer of the part that hangs over. Tops that
+/// Layers with a top top_gap_nm below each layer of the part that hangs over. Tops that
 /// are nearer than min_layer_height_nm to each other become the lower one. Between them layers are
 /// as high as can be up to layer_height_nm; the first one is first_layer_height_nm if that fits.
 /// With synchronize_layers tops are those of the part's layers, the next below what they carry.

@@ -14,7 +14,7 @@ namespace slicefarm::planning {
 /// branches (branches.h), each cut to what is free (clearance.h), and interfaces (interfaces.h).
 ///
 /// Guarantees: no region meets the part or another object, grown by the xy spacing where they share
-/// a height; tops lie contact_distance_nm below what they carry; all that is printed rests on the
+/// a height; tops lie top_gap_nm below what they carry; all that is printed rests on the
 /// bed, on the part, or on support below it; nothing leaves the bed. The result does not depend on
 /// `threads`.
 /// Units: nm, in the problem's coordinates.
