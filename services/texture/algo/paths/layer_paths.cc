@@ -99,7 +99,7 @@ class PathMaker {
     const SurfacePoint from = *last_;
     const auto walk = WalkBetween(plan_.map, from, to);
     connected_ = walk && walk->straight && plan_.options.connect && IsShort(from, to) &&
-                 area_.ContainsAll(plan_.map.MapPlace(from), plan_.map.MapPlace(to));
+                 IsInArea(from, walk->between, to);
     const double height = connected_ ? path_->offset_mm : link_mm_;
     if (height != path_->offset_mm) Append(from, false, height);
     if (walk)
@@ -110,6 +110,18 @@ class PathMaker {
   bool IsShort(const SurfacePoint& from, const SurfacePoint& to) const {
     return (plan_.map.MapPlace(to) - plan_.map.MapPlace(from)).norm() <=
            kConnectSpacings * path_->spacing_mm;
+  }
+
+  /// Step by step: a way along an outline may lie on either side of it by a trifle.
+  bool IsInArea(const SurfacePoint& from, const std::vector<SurfacePoint>& between,
+                const SurfacePoint& to) const {
+    Eigen::Vector2d last = plan_.map.MapPlace(from);
+    for (size_t i = 0; i <= between.size(); ++i) {
+      const Eigen::Vector2d next = plan_.map.MapPlace(i < between.size() ? between[i] : to);
+      if (!area_.ContainsAll(last, next)) return false;
+      last = next;
+    }
+    return true;
   }
 
   void Plunge(const SurfacePoint& at) {

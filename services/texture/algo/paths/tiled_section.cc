@@ -10,6 +10,14 @@ Eigen::Vector2d TileAt(const Eigen::Vector2d& place, const Eigen::Vector2d& tile
   return {std::floor(place.x() / tile_mm.x()), std::floor(place.y() / tile_mm.y())};
 }
 
+/// In the tile's own coordinates, off its border by a trifle: along a border itself the outlines of
+/// neither tile would be met.
+Eigen::Vector2d WithinTile(const Eigen::Vector2d& place, const Eigen::Vector2d& tile,
+                           const Eigen::Vector2d& tile_mm) {
+  const Eigen::Vector2d trifle = 1e-11 * tile_mm;
+  return (place - tile.cwiseProduct(tile_mm)).cwiseMax(trifle).cwiseMin(tile_mm - trifle);
+}
+
 /// Shares of the way from `a` to `b` at which it passes multiples of `step`.
 void AddBorders(double a, double b, double step, std::vector<double>* shares) {
   if (a == b) return;
@@ -26,7 +34,7 @@ void AddBorders(double a, double b, double step, std::vector<double>* shares) {
 bool TiledSection::Contains(const Eigen::Vector2d& map_mm) const {
   const Eigen::Vector2d place = placement_.ToTexture(map_mm);
   const Eigen::Vector2d tile = TileAt(place, tile_mm_);
-  return IsThere(tile) && section_->Contains(place - tile.cwiseProduct(tile_mm_));
+  return IsThere(tile) && section_->Contains(WithinTile(place, tile, tile_mm_));
 }
 
 void TiledSection::Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
@@ -35,8 +43,9 @@ void TiledSection::Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
   const Eigen::Vector2d first_tile = TileAt(from, tile_mm_);
   const size_t before = shares->size();
   if (first_tile == TileAt(to, tile_mm_)) {
-    const Eigen::Vector2d corner = first_tile.cwiseProduct(tile_mm_);
-    if (IsThere(first_tile)) section_->Crossings(from - corner, to - corner, shares);
+    if (IsThere(first_tile))
+      section_->Crossings(WithinTile(from, first_tile, tile_mm_),
+                          WithinTile(to, first_tile, tile_mm_), shares);
     return;
   }
   for (const int axis : {0, 1}) AddBorders(from[axis], to[axis], tile_mm_[axis], shares);
@@ -48,9 +57,8 @@ void TiledSection::Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
     const Eigen::Vector2d p = from + begin * (to - from), q = from + end * (to - from);
     const Eigen::Vector2d tile = TileAt((p + q) / 2, tile_mm_);
     if (IsThere(tile)) {
-      const Eigen::Vector2d corner = tile.cwiseProduct(tile_mm_);
       const size_t of_piece = shares->size();
-      section_->Crossings(p - corner, q - corner, shares);
+      section_->Crossings(WithinTile(p, tile, tile_mm_), WithinTile(q, tile, tile_mm_), shares);
       for (size_t i = of_piece; i < shares->size(); ++i)
         (*shares)[i] = begin + (*shares)[i] * (end - begin);
     }

@@ -50,6 +50,23 @@ TEST(TiledSection, NothingChangesBetweenItsCuts) {
   }
 }
 
+TEST(TiledSection, IsMetAlongTheBordersOfTiles) {
+  const Texture ridges =
+      *TextureOf(*ComputedHeights(*ParseTextureSpec("grooves:height=1,pitch=3")));
+  const std::vector<Section> sections = SectionsOf(ridges, std::array{0.5});
+  const TiledSection tiled(sections[0], ridges.tile_mm, Placement{});
+  for (const double y : {-12.0, 0.0, 3.0, 6.0}) {
+    for (const bool back : {false, true}) {
+      const Eigen::Vector2d left(0.1, y), right(2.9, y);
+      std::vector<double> shares;
+      tiled.Cuts(back ? right : left, back ? left : right, &shares);
+      EXPECT_EQ(shares.size(), 2u) << y;
+      EXPECT_TRUE(tiled.Contains({1.5, y}));
+      EXPECT_FALSE(tiled.Contains({0.2, y}));
+    }
+  }
+}
+
 TEST(TiledSection, MayStandAlone) {
   const Sample s;
   const Placement placement{.repeat = false};

@@ -150,8 +150,6 @@ class CsvOracle {
                   const Eigen::Vector3d& foot) const {
     for (const int32_t t : there)
       if ((normal - NormalOf(t)).norm() < 1e-9) return true;
-    if (there.size() == 2)
-      return (normal - (NormalOf(there[0]) + NormalOf(there[1])).normalized()).norm() < 1e-9;
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const int32_t t : there) {
       const auto& corners = mesh_.triangles[t];
@@ -164,7 +162,7 @@ class CsvOracle {
       }
     }
     if ((normal - mean.normalized()).norm() < 1e-9) return true;
-    // So near to a vertex that the foot lies on all of its faces, but on an edge.
+    // On an edge, be it so near to a vertex that the foot lies on all of its faces.
     for (const int32_t a : there)
       for (const int32_t b : there)
         if ((normal - (NormalOf(a) + NormalOf(b)).normalized()).norm() < 1e-9) return true;
