@@ -35,6 +35,12 @@ absl::StatusOr<MillScene> PlaceScene(const StageCall& call, const PlacingStage& 
   return MillSceneOf(*std::move(parts), std::move(stock), settings);
 }
 
+/// What a mesh takes as long as the job runs.
+int64_t BytesOf(const IndexedMesh& mesh) {
+  return static_cast<int64_t>(mesh.vertices.size() * sizeof(mesh.vertices[0]) +
+                              mesh.triangles.size() * sizeof(mesh.triangles[0]));
+}
+
 class MillJob : public PlannedJob {
  public:
   MillJob(const MillingStage& milling, Shared<MillInput> input, MillLayout layout,
@@ -146,6 +152,10 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> MillProcess::Plan(const StageCall& c
     return PlaceScene(call, placing_, {std::move(input.meshes), input.settings.slicing}, settings);
   });
   if (!scene.ok()) return scene.status();
+  const absl::Status room =
+      HoldMemory(call, JobMemory::Kind::kMeshes,
+                 BytesOf(scene->input.part) + BytesOf(scene->input.stock));
+  if (!room.ok()) return room;
   const Shared<MillInput> shared(std::move(scene->input));
   auto layout = Timed(report.stage_times[Stage::kMilling], [&] {
     const ScopedSpan span(call.spans, "layout");
