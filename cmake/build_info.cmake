@@ -8,7 +8,7 @@
 # It is over contents, not over a commit: an image is built from a copy of the tree without its repository.
 set(folders
   common/base common/geometry common/macro common/model common/config common/stage common/wire
-  services/slicing services/planning services/beading services/infill services/ordering services/motion services/exposure services/worker
+  services/slicing services/planning services/beading services/infill services/ordering services/motion services/exposure services/milling services/worker
   services/coordinator/algo/pipeline processes)
 set(files "")
 foreach(folder ${folders})

@@ -53,6 +53,9 @@ inline constexpr int64_t kLongTextBytes = 1024;  ///< of a value: from here on i
 inline constexpr int32_t kMaxPerimeters = 10'000;
 inline constexpr int32_t kMaxSkirtLoops = 500;
 inline constexpr int32_t kMaxRaftLayers = 100;
+/// Of a milling job: its levels and rows; what a step weighs.
+inline constexpr int64_t kMaxMillSteps = 200'000;
+inline constexpr int32_t kMaxMillWeight = 1'000;
 inline constexpr int64_t kMaxLinesPerFill = 200'000;
 inline constexpr int32_t kMaxThumbnails = 8;
 inline constexpr int32_t kMaxThumbnailPx = 1'024;

@@ -73,4 +73,12 @@ int64_t MemoryOf(const Skirt& skirt) {
   return static_cast<int64_t>(sizeof skirt) + MemoryOfPaths(skirt.loops);
 }
 
+int64_t MemoryOf(const PlacedScene& scene) {
+  int64_t bytes = 0;
+  for (const PlacedSceneObject& object : scene.objects)
+    for (const PlacedScenePart& part : object.parts)
+      bytes += MemoryOfList(part.mesh.vertices) + MemoryOfList(part.mesh.triangles);
+  return bytes;
+}
+
 }  // namespace slicefarm

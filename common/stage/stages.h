@@ -4,6 +4,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -14,10 +15,13 @@
 #include "common/model/job_facts.h"
 #include "common/model/job_plan.h"
 #include "common/model/layer.h"
+#include "common/model/milling/mill_input.h"
+#include "common/model/milling/milled_program.h"
 #include "common/model/options/settings.h"
 #include "common/model/program_summary.h"
 #include "common/model/scene/mesh.h"
 #include "common/model/scene/orientation_advice.h"
+#include "common/model/scene/placed_scene.h"
 #include "common/model/scene/scene.h"
 
 namespace slicefarm {
@@ -133,6 +137,15 @@ class SlicingStage {
                                           const SlicingOptions& options) const = 0;
 };
 
+/// Reads meshes and puts them on the bed: what slicing begins with, for processes that work on the
+/// meshes themselves. Errors: those of slicing up to there.
+class PlacingStage {
+ public:
+  virtual ~PlacingStage() = default;
+  virtual absl::StatusOr<PlacedScene> Place(const StageCall& call, SliceInput input,
+                                            const SlicingOptions& options) const = 0;
+};
+
 /// What planning looks at.
 struct SlicedOutlines {
   std::span<const SlicedLayer> layers;
@@ -234,6 +247,25 @@ class ExposureStage {
                                                     const ExposureSettings& settings) const = 0;
 };
 
+/// Meshes to programs of a milling machine. Any ranges of a job's steps can be made apart; their
+/// results are put together at once.
+class MillingStage {
+ public:
+  virtual ~MillingStage() = default;
+  /// Errors: what cannot be milled so.
+  virtual absl::StatusOr<MillLayout> LayOut(const StageCall& call,
+                                            const Shared<MillInput>& input) const = 0;
+  /// What the steps of the range come to. REQUEST_MALFORMED for a range that the job has not.
+  virtual absl::StatusOr<std::vector<MilledStep>> Mill(const StageCall& call,
+                                                       const Shared<MillInput>& input,
+                                                       StepRange range) const = 0;
+  /// `steps`: all of the job's. `settings_text`: effective settings, quoted at the program's end.
+  virtual absl::StatusOr<MilledProgram> Assemble(const StageCall& call,
+                                                 const Shared<MillInput>& input,
+                                                 std::vector<MilledStep> steps,
+                                                 std::string_view settings_text) const = 0;
+};
+
 /// The stages that somebody has, local or remote; null: not this one. What they are must outlive
 /// who is given them.
 struct Stages {
@@ -244,6 +276,8 @@ struct Stages {
   const OrderingStage* ordering = nullptr;
   const MotionStage* motion = nullptr;
   const ExposureStage* exposure = nullptr;
+  const PlacingStage* placing = nullptr;
+  const MillingStage* milling = nullptr;
 };
 
 }  // namespace slicefarm

@@ -6,6 +6,7 @@
 #include "common/wire/layers/fill_use_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/program_wire.h"
+#include "common/wire/milling/mill_input_wire.h"
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/stage_jobs_wire.h"
 #include "processes/fdm/task/fdm_task.h"
@@ -13,9 +14,11 @@
 #include "processes/laser/wire/laser_work.h"
 #include "processes/list/tasks.h"
 #include "processes/list/wire.h"
+#include "processes/mill/wire/mill_work.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/exposure/algo/local_exposure_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
+#include "services/milling/algo/local_milling_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "tests/fuzz/calls.pb.h"
@@ -57,14 +60,17 @@ void Run(const WorkCall& given) {
   static const auto ordering = ordering::MakeLocalOrdering();
   static const auto motion = motion::MakeLocalMotion();
   static const auto exposure = exposure::MakeLocalExposure();
+  static const auto milling = milling::MakeLocalMilling();
   static const ProcessRunners runners = RunnersOver({.beading = beading.get(),
                                                      .infill = infill.get(),
                                                      .ordering = ordering.get(),
                                                      .motion = motion.get(),
-                                                     .exposure = exposure.get()});
+                                                     .exposure = exposure.get(),
+                                                     .milling = milling.get()});
   for (const v1::WorkRequest& request : given.requests()) {
     CheckRoundTrip(request.start().fdm());
     CheckRoundTrip(request.start().laser());
+    CheckRoundTrip(request.start().mill());
     CheckRoundTrip(request.layer());
   }
   Requests<v1::WorkRequest> requests(given.requests());
@@ -76,6 +82,8 @@ void Run(const WorkCall& given) {
     Name(given.fdm(), *first.mutable_start()->mutable_fdm(), shared);
   else if (first.start().has_laser())
     Name(given.laser(), *first.mutable_start()->mutable_laser(), shared);
+  else if (first.start().has_mill())
+    Name(given.mill(), *first.mutable_start()->mutable_mill(), shared);
   const TaskWire* wire = WireOf(first.start());
   if (wire == nullptr || !FromProto(first.start().call()).ok()) return;
   const CancelToken cancel = WithDeadline();

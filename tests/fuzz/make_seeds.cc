@@ -12,10 +12,14 @@
 #include "absl/status/statusor.h"
 #include "common/base/sha256.h"
 #include "common/config/plate.h"
+#include "common/model/milling/cutter_text.h"
 #include "common/wire/layers/exposure_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/layers/program_wire.h"
+#include "common/wire/milling/mill_input_wire.h"
+#include "common/wire/milling/mill_start_wire.h"
+#include "common/wire/milling/milled_wire.h"
 #include "common/wire/options/exposure_options_wire.h"
 #include "common/wire/options/given_settings_wire.h"
 #include "common/wire/options/motion_options_wire.h"
@@ -28,8 +32,10 @@
 #include "common/wire/support/repeated_wire.h"
 #include "processes/fdm/wire/fdm_work.h"
 #include "processes/laser/wire/laser_work.h"
+#include "processes/mill/wire/mill_work.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
+#include "services/milling/algo/local_milling_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "services/planning/algo/local_planning_stage.h"
@@ -395,6 +401,40 @@ void WriteExposureSeeds(const Seeds& seeds, const std::string& name, const Job& 
   }
 }
 
+/// Of a small block: its own stage's call with all steps, and a worker's.
+void WriteMillSeeds(const Seeds& seeds) {
+  MillInput input;
+  constexpr Coord kSide = 6'000'000;
+  for (const Coord z : {Coord{0}, Coord{2'000'000}})
+    for (const Coord y : {Coord{0}, kSide})
+      for (const Coord x : {Coord{0}, kSide}) input.part.vertices.push_back({x, y, z});
+  input.part.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                          {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  const auto stage = milling::MakeLocalMilling();
+  for (const char* cutter : {"cyl:3", "ball:3", "bull:3:0.5", "cone:3:45", "ballcone:1:20:3"}) {
+    input.settings.how.cutter = *ParseCutter(cutter);
+    input.settings.how.finish_stepdown_mm = input.settings.how.finish_stepover_mm = 1;
+    const Shared<MillInput> shared(input);
+    const auto count = static_cast<int32_t>(Must(stage->LayOut({}, shared)).steps.size());
+    MillCall call;
+    v1::MillStart& start = *call.add_requests()->mutable_start();
+    Must(ToProto(MillStart{{}, {}, {0, count}, count, "stepdown = 1\n"}, &start));
+    Anonymous(&start);
+    Must(ToProto(input, call.mutable_shared()));
+    for (const MilledStep& step : Must(stage->Mill({}, shared, {0, count})))
+      Must(ToProto(step, call.add_requests()->mutable_step()));
+    const std::string name(cutter, std::string_view(cutter).find(':'));
+    seeds.Write("milling", name, call);
+    WorkCall work;
+    v1::WorkStart& whole = *work.add_requests()->mutable_start();
+    *whole.mutable_call() = ToProto(StageCall());
+    Must(ToProto(MillWork{{0, count}, MillPhase::kRoughing, 0, 4, {}}, whole.mutable_mill()));
+    Must(ToProto(input, work.mutable_mill()));
+    Anonymous(&whole);
+    seeds.Write("worker", "mill_" + name, work);
+  }
+}
+
 /// Each stage's call, with what the stage before it gave.
 void WriteStageSeeds(const Seeds& seeds, const std::string& name, Job job) {
   WriteSliceSeed(seeds, name, job);
@@ -413,6 +453,7 @@ int main(int argc, char** argv) {
   if (argc != 2) return std::fprintf(stderr, "usage: make_seeds FOLDER\n"), 1;
   const slicefarm::fuzz::Seeds seeds(argv[1]);
   slicefarm::fuzz::WriteCoordinatorSeeds(seeds);
+  slicefarm::fuzz::WriteMillSeeds(seeds);
   slicefarm::fuzz::WriteStageSeeds(seeds, "box", slicefarm::fuzz::JobOf(slicefarm::fuzz::Box()));
   slicefarm::fuzz::Job boxes = slicefarm::fuzz::JobOf(slicefarm::fuzz::BoxesWithModifier());
   FdmOf(boxes.settings).motion.labels = slicefarm::ObjectLabels::kFirmware;

@@ -81,15 +81,20 @@ Plate PlateOf(const MultiPolygon& outline, const std::vector<Point>& places, int
   return plate;
 }
 
+/// The layers of the print, and the skirt in its plans, as the pipeline does it.
+void TakePlan(JobPlan& plan, std::vector<SlicedLayer>& layers) {
+  layers = PrintLayers(std::move(layers), plan.lifts_nm, plan.stacks);
+  for (int32_t i = 0; i < plan.skirt.layers; ++i)
+    plan.layers[static_cast<size_t>(i)].paths = plan.skirt.loops;
+}
+
 class Stages {
  public:
   /// What is printed on the plate besides the parts, in the order of printing, by layer.
   std::vector<std::vector<Path>> OnPlate(Plate& plate, const JobSettings& settings) const {
     auto plan = planning_->Plan({}, {plate.layers, plate.copies}, FdmOf(settings).planning);
     EXPECT_TRUE(plan.ok()) << plan.status();
-    plate.layers = PrintLayers(std::move(plate.layers), plan->lifts_nm, plan->stacks);
-    for (int32_t i = 0; i < plan->skirt.layers; ++i)
-      plan->layers[static_cast<size_t>(i)].paths = plan->skirt.loops;
+    TakePlan(*plan, plate.layers);
     // The parts' own beads are none of this test's business: only the plate is walled.
     for (SlicedLayer& layer : plate.layers)
       std::erase_if(layer.sections, [](const auto& section) { return section.stack.IsPart(); });
@@ -293,7 +298,7 @@ TEST(AdhesionPlates, RangesDoNotMatter) {
   auto plan = planning::MakeLocalPlanning()->Plan({}, {plate.layers, plate.copies},
                                                   FdmOf(settings).planning);
   ASSERT_TRUE(plan.ok()) << plan.status();
-  AddToPlate(*plan, plate.layers);
+  TakePlan(*plan, plate.layers);
   const auto beading = beading::MakeLocalBeading();
   const auto infill = infill::MakeLocalInfill();
   const auto ordering = ordering::MakeLocalOrdering();

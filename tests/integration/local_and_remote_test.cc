@@ -152,7 +152,7 @@ std::vector<SlicedLayer> ManyIslands(int32_t layers) {
   }
   std::vector<SlicedLayer> all;
   for (int32_t i = 0; i < layers; ++i) {
-    ObjectSection section{0, i, layers, 200'000, {{Role::kPart, 0, 0, islands}}, {}, 0, {}, {}};
+    ObjectSection section{0, i, layers, 200'000, {{Role::kPart, 0, 0, islands}}, {}, 0, {}};
     all.push_back({{i, (i + 1) * Coord{200'000}, 200'000}, {std::move(section)}});
   }
   return all;

@@ -13,6 +13,7 @@
 #include "common/stage/task.h"
 #include "services/planning/server/planning_service.h"
 #include "services/slicing/algo/placement/arranging/local_arranging_stage.h"
+#include "services/slicing/algo/placement/local_placing_stage.h"
 
 namespace slicefarm {
 
@@ -28,6 +29,7 @@ struct HostedStages {
   std::function<std::unique_ptr<grpc::Service>(rpc::CallGate&)> planning =
       planning::MakePlanningService;
   const ExposureStage* exposure = nullptr;  ///< null: it is not served
+  const MillingStage* milling = nullptr;    ///< likewise
 };
 
 /// All services of the stages and the worker behind one real socket.
@@ -49,6 +51,7 @@ class StageHost {
   rpc::SharedKeeper keeper_;
   MemoryBudget memory_{int64_t{1} << 30};
   const std::unique_ptr<ArrangingStage> arranging_ = slicing::MakeLocalArranging();
+  const std::unique_ptr<PlacingStage> placing_ = slicing::MakeLocalPlacing();
   std::vector<std::unique_ptr<grpc::Service>> services_;
   std::unique_ptr<rpc::Server> server_;
 };

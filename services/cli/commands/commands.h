@@ -30,6 +30,7 @@ void AddDelete(CLI::App& app, CommandContext& context);
 void AddTrace(CLI::App& app, CommandContext& context);
 void AddWebhook(CLI::App& app, CommandContext& context);
 void AddBeads(CLI::App& app, CommandContext& context);     ///< beads_command.cc
+void AddEngraveProgram(CLI::App& app, CommandContext& context);  ///< engrave_program_command.cc
 void AddFlatten(CLI::App& app, CommandContext& context);   ///< flatten_command.cc
 void AddFill(CLI::App& app, CommandContext& context);      ///< fill_command.cc
 void AddDecompose(CLI::App& app, CommandContext& context);  ///< decompose_command.cc

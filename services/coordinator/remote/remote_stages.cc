@@ -11,6 +11,7 @@
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/options/exposure_options_wire.h"
 #include "common/wire/options/motion_options_wire.h"
+#include "common/wire/placed_scene_wire.h"
 #include "common/wire/slicing_wire.h"
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/stage_jobs_wire.h"
@@ -32,6 +33,7 @@ namespace {
 int64_t MostPoints() { return limits::kMaxPointsPerJob; }
 
 constexpr char kSlicing[] = "slicing";
+constexpr char kPlacing[] = "placing";
 constexpr char kPlanning[] = "planning";
 constexpr char kBeading[] = "beading";
 constexpr char kInfill[] = "infill";
@@ -94,6 +96,24 @@ absl::Status ReadJob(Stream& stream, const StageCall& call, SlicedJob* job, int3
   });
 }
 
+template <typename Stream>
+absl::Status ReadScene(Stream& stream, const StageCall& call, PlacedScene* scene) {
+  v1::PlaceResponse first;
+  if (!stream.Read(&first)) return absl::OkStatus();  // the call's end says why
+  absl::StatusOr<PlacedScene> placed = FromProto(first.scene());
+  if (!placed.ok()) return placed.status();
+  absl::StatusOr<MeshReader> meshes = MeshReader::Begin(MeshSizesOf(first.scene()));
+  if (!meshes.ok()) return meshes.status();
+  const absl::Status read = ReadEach<v1::PlaceResponse>(
+      stream, [&](const v1::PlaceResponse& response) { return meshes->Add(response.piece()); });
+  if (!read.ok()) return read;
+  auto whole = meshes->Finish();
+  if (!whole.ok()) return whole.status();
+  *scene = *std::move(placed);
+  PutMeshes(*std::move(whole), *scene);
+  return HoldMemory(call, JobMemory::Kind::kMeshes, MemoryOf(*scene));
+}
+
 }  // namespace
 
 absl::StatusOr<SlicedJob> RemoteSlicing::Slice(const StageCall& call, SliceInput input,
@@ -128,6 +148,18 @@ absl::StatusOr<std::vector<PlatePlace>> RemoteArranging::PutOnPlates(
   if (places.size() != copies)
     return BadAnswer(kSlicing, Malformed("places", "are not one for each copy"));
   return places;
+}
+
+absl::StatusOr<PlacedScene> RemotePlacing::Place(const StageCall& call, SliceInput input,
+                                                 const SlicingOptions& options) const {
+  PlacedScene scene;
+  const absl::Status status = StreamOver(
+      replicas_, options_.DeadlineFor(MostPoints()), call, kPlacing,
+      &v1::Slicing::Stub::PrepareAsyncPlace,
+      [&](auto& stream) { return WriteFiles(stream, call, input, options); },
+      [&](auto& stream) { return ReadScene(stream, call, &scene); });
+  if (!status.ok()) return status;
+  return scene;
 }
 
 absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const SlicedOutlines& job,

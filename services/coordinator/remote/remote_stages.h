@@ -43,6 +43,20 @@ class RemoteArranging : public ArrangingStage {
   const RemoteOptions options_;
 };
 
+/// And it places.
+class RemotePlacing : public PlacingStage {
+ public:
+  explicit RemotePlacing(ReplicaSource& replicas, const RemoteOptions& options = {})
+      : replicas_(replicas), options_(options) {}
+
+  absl::StatusOr<PlacedScene> Place(const StageCall& call, SliceInput input,
+                                    const SlicingOptions& options) const override;
+
+ private:
+  ReplicaSource& replicas_;
+  const RemoteOptions options_;
+};
+
 class RemotePlanning : public PlanningStage {
  public:
   explicit RemotePlanning(ReplicaSource& replicas, const RemoteOptions& options = {})

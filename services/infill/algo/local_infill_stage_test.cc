@@ -14,7 +14,7 @@ namespace {
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
 
 ObjectSection Section(int index, int count, MultiPolygon outlines) {
-  ObjectSection section{3, index, count, 200'000, {}, {}, 0, {}, {}};
+  ObjectSection section{3, index, count, 200'000, {}, {}, 0, {}};
   section.regions = {{Role::kPart, 0, 0, std::move(outlines)}};
   return section;
 }
@@ -42,7 +42,7 @@ std::vector<WalledLayer> Walled(const std::vector<SlicedLayer>& layers, LayerRan
       p.y += p.y == 0 ? 1'000'000 : -1'000'000;
     }
     walled.push_back(
-        {layer.frame, {{section.object, section.layer, section.height_nm, {island}}}, 0});
+        {layer.frame, {{section.stack, section.layer, section.height_nm, {island}}}, 0});
   }
   return walled;
 }

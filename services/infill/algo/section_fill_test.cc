@@ -21,8 +21,8 @@ std::vector<SlicedLayer> Prism() {
   std::vector<SlicedLayer> layers(10);
   for (int i = 0; i < 10; ++i) {
     layers[i].frame = {i, 200'000 * (i + 1), 200'000};
-    layers[i].sections = {
-        {0, i, 10, 200'000, {{Role::kPart, 0, 0, P("(0 0, 20 0, 20 20, 0 20)")}}, {}, 0, {}, {}}};
+    layers[i].sections = {{0, i, 10, 200'000,
+                           {{Role::kPart, 0, 0, P("(0 0, 20 0, 20 20, 0 20)")}}, {}, 0, {}}};
   }
   return layers;
 }

@@ -16,10 +16,10 @@ using ::testing::SizeIs;
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 
-FilledSection SectionOf(int32_t object, std::string_view wall) {
+FilledSection SectionOf(Stack stack, std::string_view wall) {
   FilledIsland island;
   island.walls = {MakePathOrDie(wall, /*closed=*/true)};
-  return {object, 3, 200'000, {island}};
+  return {stack, 3, 200'000, {island}};
 }
 
 FilledLayer LayerOf(std::vector<FilledSection> sections) {

@@ -11,12 +11,12 @@
 
 namespace slicefarm::slicing {
 
-/// Translates slicefarm.v1.Slicing to a SlicingStage and an ArrangingStage and back.
+/// Translates slicefarm.v1.Slicing to a SlicingStage, an ArrangingStage, a PlacingStage, and back.
 /// The stages, `gate` and `memory` must outlive the service. `threads`: what one call may use;
 /// `memory`: what all may hold.
 std::unique_ptr<grpc::Service> MakeSlicingService(const SlicingStage& slicing,
                                                   const ArrangingStage& arranging,
-                                                  rpc::CallGate& gate, int threads,
-                                                  MemoryBudget& memory);
+                                                  const PlacingStage& placing, rpc::CallGate& gate,
+                                                  int threads, MemoryBudget& memory);
 
 }  // namespace slicefarm::slicing

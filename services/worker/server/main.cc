@@ -11,6 +11,7 @@
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/exposure/algo/local_exposure_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
+#include "services/milling/algo/local_milling_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "services/worker/server/worker_service.h"
@@ -48,11 +49,13 @@ int main(int argc, char** argv) {
   const auto ordering = slicefarm::ordering::MakeLocalOrdering();
   const auto motion = slicefarm::motion::MakeLocalMotion();
   const auto exposure = slicefarm::exposure::MakeLocalExposure();
+  const auto milling = slicefarm::milling::MakeLocalMilling();
   const slicefarm::ProcessRunners runners = RunnersOf(names, {.beading = beading.get(),
                                                               .infill = infill.get(),
                                                               .ordering = ordering.get(),
                                                               .motion = motion.get(),
-                                                              .exposure = exposure.get()});
+                                                              .exposure = exposure.get(),
+                                                              .milling = milling.get()});
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
   program.Show(gate);
   slicefarm::rpc::SharedKeeper keeper(program.log());

@@ -13,7 +13,7 @@ std::vector<SlicedLayer> Layers() {
   for (int i = 0; i < 20; ++i) {
     ObjectSection section{
         0,  i, 20, 500'000, {{Role::kPart, 0, 0, MakePolygonsOrDie("(0 0, 30 0, 30 30, 0 30)")}},
-        {}, 0, {}, {}};
+        {}, 0, {}};
     section.z_nm = 500'000 * (i + 1);
     layers[static_cast<size_t>(i)].sections = {section};
   }

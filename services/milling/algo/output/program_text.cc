@@ -6,6 +6,9 @@
 #include <iterator>
 #include <limits>
 #include <string_view>
+#include <vector>
+
+#include "absl/strings/str_split.h"
 
 namespace slicefarm::milling {
 namespace {
@@ -26,13 +29,13 @@ std::string_view WordOf(MoveKind kind) {
   return "";
 }
 
-std::string_view NameOf(MillingStage stage) {
-  switch (stage) {
-    case MillingStage::kRoughing:
+std::string_view NameOf(MillPhase phase) {
+  switch (phase) {
+    case MillPhase::kRoughing:
       return "roughing";
-    case MillingStage::kFinishing:
+    case MillPhase::kFinishing:
       return "finishing";
-    case MillingStage::kRest:
+    case MillPhase::kRest:
       return "rest areas";
   }
   return "";
@@ -85,12 +88,27 @@ std::string ProgramText(const MillProgram& program, const MillingOptions& option
   MoveText moves(program.safe_z_mm);
   const MillMove* last = nullptr;
   for (const MillMove& move : program.moves) {
-    if (last == nullptr || last->stage != move.stage) moves.Comment(NameOf(move.stage));
+    if (last == nullptr || last->phase != move.phase) moves.Comment(NameOf(move.phase));
     moves.Add(move);
     last = &move;
   }
   return dialect.Start(options.machining, options.tolerance_mm, program.safe_z_mm) + moves.Take() +
          dialect.End();
+}
+
+std::string WholeProgram(const MillingJob& job, const MillProgram& program,
+                         const GcodeDialect& dialect, std::string_view settings_text) {
+  const Eigen::Vector3d low = job.stock_box.min(), high = job.stock_box.max();
+  std::string text = fmt::format(
+      "; tool {}: {}, {} rpm\n; stock: x {:.3f} to {:.3f}, y {:.3f} to {:.3f}, z {:.3f} to "
+      "{:.3f}\n",
+      job.options.machining.tool_number, job.options.cutter.name(),
+      job.options.machining.spindle_rpm, low.x(), high.x(), low.y(), high.y(), low.z(), high.z());
+  text += ProgramText(program, job.options, dialect);
+  const std::vector<std::string> lines =
+      absl::StrSplit(std::string(settings_text), '\n', absl::SkipEmpty());
+  for (const std::string& line : lines) text += "; " + line + "\n";
+  return text;
 }
 
 }  // namespace slicefarm::milling

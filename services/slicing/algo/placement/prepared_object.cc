@@ -36,6 +36,7 @@ absl::StatusOr<PreparedObject> Prepared(const ObjectInput& input, PlacedObject p
   PreparedObject object;
   object.name = input.name;
   object.ranges = input.ranges;
+  object.to_origin = placed.to_origin;
   object.top_nm = placed.top_nm;
   object.footprint = std::move(placed.footprint);
   object.to_plate = input.to_plate;
