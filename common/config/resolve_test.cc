@@ -154,9 +154,10 @@ TEST(Resolve, TakesAWholeProfile) {
   FdmOf(ours).infill[0].pattern = FillPattern::kStars;
   ours.slicing.thumbnails.clear();
   FdmOf(ours).motion.writing.relative_e = false;
-  FdmOf(ours).motion.start_gcode += "; Filament gcode\n";
+  FdmOf(ours).motion.start_gcode = FdmOf(ours).motion.start_gcode.str() + "; Filament gcode\n";
   FdmOf(ours).motion.end_gcode =
-      "; Filament-specific end gcode \n;END gcode for filament\n" + FdmOf(ours).motion.end_gcode;
+      "; Filament-specific end gcode \n;END gcode for filament\n" +
+      FdmOf(ours).motion.end_gcode.str();
   EXPECT_EQ(EffectiveText(resolved.settings), EffectiveText(ours));
   EXPECT_EQ(resolved.settings, ours);
 }

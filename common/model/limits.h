@@ -78,6 +78,7 @@ inline constexpr int64_t kMaxFieldHaloLayers = 100;  ///< that a field by surfac
 inline constexpr int64_t kMaxSettings = 2'000;
 inline constexpr int64_t kMaxNameBytes = 255;      ///< of an object, a request id
 inline constexpr int64_t kMaxSpecBytes = 1 << 20;  ///< of a job: it is echoed in one message
+inline constexpr int64_t kMaxPlatesBytes = 64 * kMaxSpecBytes;  ///< of all plates of one call
 inline constexpr int64_t kMaxLabels = 64;
 inline constexpr int64_t kMaxLabelBytes = 1024;  ///< key and value together
 inline constexpr int32_t kMaxPageSize = 1'000;

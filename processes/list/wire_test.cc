@@ -147,7 +147,9 @@ TEST_P(EveryProcess, RefusesATaskWithoutItsLayers) {
   const Task task = sample.TaskOf(GetParam());
   ASSERT_TRUE(wire().Send({}, task, sender).ok());
   SharedCache shared(1 << 20);
-  for (const auto& part : *wire().PartsOf(task)) shared.Put(*part);
+  const auto parts = wire().PartsOf(task);
+  ASSERT_TRUE(parts.ok()) << parts.status();
+  for (const auto& part : *parts) shared.Put(*part);
   if (sender.out.size() == 1) return;  // its start says all
   ToCoordinator receiver;
   const auto received = wire().Receive(sender.out.front().start(), shared, {}, receiver);

@@ -218,6 +218,25 @@ TEST(RemoteStages, WorkerGivesAndTakesAll) {
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
 }
 
+// However often it is named, and by whatever copy of it.
+TEST(RemoteStages, WhatAJobsCallsShareIsSentOnce) {
+  Farm farm;
+  const Sample& sample = TheSample();
+  const Shared<InfillTable> table = FdmOf(sample.settings).infill;
+  for (int i = 0; i < 3; ++i) {
+    const Shared<InfillTable> copy = table;  // NOLINT(performance-unnecessary-copy-initialization)
+    const auto filled =
+        farm.infill.Fill(NewCall(), sample.walled, TheNeighbourhood(), sample.plans, copy);
+    ASSERT_TRUE(filled.ok()) << filled.status();
+  }
+  EXPECT_EQ(farm.host.shared().counts().misses, 1);
+  EXPECT_EQ(farm.host.shared().counts().hits, 3);
+  ASSERT_TRUE(RunFdm(farm.worker, NewCall(), TheTask()).ok());
+  ASSERT_TRUE(RunFdm(farm.worker, NewCall(), TheTask()).ok()) << "an equal one, made anew";
+  EXPECT_EQ(farm.host.shared().counts().misses, 2);
+  EXPECT_EQ(farm.host.shared().counts().entries, 2);
+}
+
 /// What holds for every call of every stage.
 struct AnyCall {
   std::string name;

@@ -1,14 +1,15 @@
 #include "services/milling/algo/output/program_text.h"
 
 #include <fmt/core.h>
-#include <fmt/format.h>
 
-#include <iterator>
 #include <limits>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "absl/strings/str_split.h"
+#include "common/gcode/gcode_text.h"
+#include "common/gcode/modal.h"
 
 namespace slicefarm::milling {
 namespace {
@@ -48,37 +49,34 @@ class MoveText {
 
   void Add(const MillMove& move) {
     const bool arc = move.kind == MoveKind::kClockwise || move.kind == MoveKind::kCounterClockwise;
-    const size_t start = text_.size();
-    if (kind_ != WordOf(move.kind)) text_.append(kind_ = WordOf(move.kind));
+    const size_t start = out_.text().size();
+    if (kind_.Changes(move.kind)) out_ << WordOf(move.kind);
     for (const int axis : {0, 1, 2})
       if (move.to_mm[axis] != at_[axis] || (arc && axis < 2)) Number("XYZ"[axis], move.to_mm[axis]);
     if (arc) {
       Number('I', move.centre_mm.x() - at_.x());
       Number('J', move.centre_mm.y() - at_.y());
     }
-    if (move.kind != MoveKind::kRapid && move.feed_mm_min != feed_)
-      Number('F', feed_ = move.feed_mm_min);
+    if (move.kind != MoveKind::kRapid && feed_.Changes(move.feed_mm_min))
+      Number('F', move.feed_mm_min);
     at_ = move.to_mm;
-    if (text_.size() > start) text_.push_back('\n');
+    if (out_.text().size() > start) out_ << '\n';
   }
 
-  void Comment(std::string_view words) {
-    fmt::format_to(std::back_inserter(text_), "({})\n", words);
-  }
+  void Comment(std::string_view words) { out_ << '(' << words << ")\n"; }
 
-  std::string Take() { return fmt::to_string(text_); }
+  std::string Take() { return out_.Take(); }
 
  private:
   void Number(char word, double value) {
-    if (text_.size() > 0 && text_[text_.size() - 1] != '\n') text_.push_back(' ');
-    text_.push_back(word);
-    fmt::format_to(std::back_inserter(text_), "{:.3f}", value + 0.0);
+    if (!out_.text().empty() && out_.text().back() != '\n') out_ << ' ';
+    (out_ << word).Fixed(value + 0.0, 3);
   }
 
-  fmt::memory_buffer text_;
-  std::string_view kind_;
+  GcodeText out_;
+  gcode::Modal<MoveKind> kind_;
   Eigen::Vector3d at_;
-  double feed_ = kUnknown;
+  gcode::Modal<double> feed_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "services/motion/algo/gcode/gcode_text.h"
+#include "common/gcode/gcode_text.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace slicefarm::motion::gcode_text_test {
+namespace slicefarm::gcode_text_test {
 namespace {
 
 std::string Um(int64_t um) { return GcodeText().Micrometers(um).text(); }
@@ -50,6 +50,14 @@ TEST(GcodeText, ReadsBackAsTheSameNumber) {
   }
 }
 
+TEST(GcodeText, DecimalsOfOtherUnits) {
+  EXPECT_EQ(GcodeText().Decimal(-5, 4).text(), "-0.0005");
+  EXPECT_EQ(GcodeText().Mm(1'234'567, 4).text(), "1.2346");
+  EXPECT_EQ(GcodeText().Fixed(1, 3).text(), "1.000");
+  EXPECT_EQ(GcodeText().Fixed(-0.0625, 3).text(), "-0.062") << "exactly between: to the even one";
+  EXPECT_EQ(GcodeText().Fixed(std::numeric_limits<double>::max(), 3).text().size(), 313u);
+}
+
 TEST(GcodeText, LinesAreEnded) {
   GcodeText text;
   text.Lines("");
@@ -61,4 +69,4 @@ TEST(GcodeText, LinesAreEnded) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion::gcode_text_test
+}  // namespace slicefarm::gcode_text_test

@@ -3,16 +3,20 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
-namespace slicefarm::motion {
+#include "common/base/decimal_text.h"
+
+namespace slicefarm {
 
 /// Units in which positions and filament stand in the text: what is planned is what is printed, to
 /// the last digit.
 inline constexpr int64_t kUmPerMm = 1'000;
 inline constexpr int64_t kFilamentUnitsPerMm = 100'000;
 
-/// Text that grows, with numbers as G-code likes them: exact decimals without trailing zeros and
-/// without a zero before the point ("-.05", "12.3", "0").
+/// Text that grows, with numbers as G-code likes them: exact decimals without zeros at their end,
+/// those that stand in each line without a zero before the point ("-.05", "12.3", "0") either. What
+/// all processes write their G-code with.
 class GcodeText {
  public:
   explicit GcodeText(size_t expected_bytes = 0) { text_.reserve(expected_bytes); }
@@ -28,8 +32,14 @@ class GcodeText {
   /// A piece of G-code, whose last line is ended.
   GcodeText& Lines(std::string_view code);
   GcodeText& Integer(int64_t value);
-  GcodeText& Micrometers(int64_t um) { return Decimal(um, 3); }
-  GcodeText& Filament(int64_t units) { return Decimal(units, 5); }
+  GcodeText& Micrometers(int64_t um) { return Short(um, 3); }
+  GcodeText& Filament(int64_t units) { return Short(units, 5); }
+  /// value / 10^digits, with a zero before the point. REQUIRES: digits <= 6, value > INT64_MIN.
+  GcodeText& Decimal(int64_t value, int digits);
+  /// nm as mm, rounded to so many digits, with a zero before the point. REQUIRES: digits <= 6.
+  GcodeText& Mm(int64_t nm, int digits) { return Decimal(RoundedNm(nm, digits), digits); }
+  /// With all of its digits: "1.000".
+  GcodeText& Fixed(double value, int digits);
   /// Rounded to `digits` decimals ("0.2"); what lies beyond 9e12 as that, not a number as 0.
   /// REQUIRES: digits <= 5.
   GcodeText& Real(double value, int digits);
@@ -39,10 +49,9 @@ class GcodeText {
 
  private:
   bool EndsLine() const { return text_.empty() || text_.back() == '\n'; }
-  /// value / 10^digits. REQUIRES: value > INT64_MIN.
-  GcodeText& Decimal(int64_t value, int digits, bool leading_zero = false);
+  GcodeText& Short(int64_t value, int digits);
 
   std::string text_;
 };
 
-}  // namespace slicefarm::motion
+}  // namespace slicefarm

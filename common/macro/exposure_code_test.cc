@@ -1,25 +1,25 @@
-#include "common/macro/laser_code.h"
+#include "common/macro/exposure_code.h"
 
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
 #include "common/macro/template_run.h"
 
-namespace slicefarm::macro::laser_code_test {
+namespace slicefarm::macro::exposure_code_test {
 namespace {
 
-TEST(CheckLaserCode, TakesWhatPrintsAndSettingsTell) {
+TEST(CheckExposureCode, TakesWhatPrintsAndSettingsTell) {
   ExposureOutput output;
   output.format = OutputFormat::kGrbl;
   output.start_gcode = "; [model_name]: {total_layer_count} layers, [print_time], [contours]";
   output.before_layer_gcode = "{if layer_num > 0}M100 Z{layer_z + 1}{endif}";
   output.layer_gcode = "{first_layer_print_max[0] - first_layer_print_min[0]}";
   output.end_gcode = "G0 Z{max_print_z + 5}";
-  EXPECT_TRUE(CheckLaserCode(output, "contours = 2\n").ok())
-      << CheckLaserCode(output, "contours = 2\n");
+  EXPECT_TRUE(CheckExposureCode(output, "contours = 2\n").ok())
+      << CheckExposureCode(output, "contours = 2\n");
 }
 
-TEST(CheckLaserCode, NamesWhatIsWrongBeforeAnyWork) {
+TEST(CheckExposureCode, NamesWhatIsWrongBeforeAnyWork) {
   struct Case {
     std::string ExposureOutput::*text;
     const char* setting;
@@ -32,9 +32,9 @@ TEST(CheckLaserCode, NamesWhatIsWrongBeforeAnyWork) {
     for (const char* code : {"G4\n[oops]", "G4\n{layer_z + }", "G4\n{extruded_volume}"}) {
       ExposureOutput output;
       output.*c.text = code;
-      EXPECT_TRUE(CheckLaserCode(output, "").ok()) << "no G-code";
+      EXPECT_TRUE(CheckExposureCode(output, "").ok()) << "no G-code";
       output.format = OutputFormat::kMarlin;
-      const ErrorDetail detail = DetailOf(CheckLaserCode(output, ""));
+      const ErrorDetail detail = DetailOf(CheckExposureCode(output, ""));
       EXPECT_EQ(detail.reason, Reason::kSettingMalformed) << code;
       EXPECT_EQ(detail.metadata.at("setting"), c.setting);
       EXPECT_EQ(detail.metadata.at("line"), "2");
@@ -42,14 +42,14 @@ TEST(CheckLaserCode, NamesWhatIsWrongBeforeAnyWork) {
   }
 }
 
-TEST(LaserVariables, AreThoseOfThePrint) {
+TEST(ExposureVariables, AreThoseOfThePrint) {
   const ExposureSummary summary{{{0, 50'000, 50'000}, {1, 100'000, 50'000}},
                                 {{1'000'000, 2'000'000}, {4'000'000, 8'000'000}},
                                 {"gear.stl", "b"},
                                 3723,
                                 ""};
-  const TemplateVariables print = LaserPrintVariables(summary);
-  const TemplateVariables layer = LaserLayerVariables(1, 100'000);
+  const TemplateVariables print = ExposurePrintVariables(summary);
+  const TemplateVariables layer = ExposureLayerVariables(1, 100'000);
   const auto code = ParseTemplate(
       "layer_gcode",
       "{layer_num}/{total_layer_count} {layer_z} {max_print_z} [print_time] "
@@ -60,4 +60,4 @@ TEST(LaserVariables, AreThoseOfThePrint) {
 }
 
 }  // namespace
-}  // namespace slicefarm::macro::laser_code_test
+}  // namespace slicefarm::macro::exposure_code_test

@@ -11,8 +11,8 @@
 
 namespace slicefarm::macro {
 
-/// The templates of a laser's G-code, parsed.
-struct LaserCode {
+/// The templates of the G-code that exposes, parsed.
+struct ExposureCode {
   Template start;
   Template before_layer;
   Template layer;
@@ -20,21 +20,21 @@ struct LaserCode {
 };
 
 /// Errors: those of ParseTemplate.
-absl::StatusOr<LaserCode> ParseLaserCode(const ExposureOutput& output);
+absl::StatusOr<ExposureCode> ParseExposureCode(const ExposureOutput& output);
 
 /// Before any work: whether each name in the templates that may be read exists, and operands fit.
 /// Of formats that are no G-code nothing is read: a profile's templates may be of another machine.
 /// `settings_text`: the effective settings. Errors: SETTING_MALFORMED naming the setting.
-absl::Status CheckLaserCode(const ExposureOutput& output, std::string_view settings_text);
+absl::Status CheckExposureCode(const ExposureOutput& output, std::string_view settings_text);
 
 /// What templates may name besides settings:
 ///   total_layer_count, max_print_z, print_time    of the whole print; the time as "1h 2m 3s"
 ///   first_layer_print_min, _max, _size            of all that is exposed, [0] x and [1] y in mm
 ///   model_name, input_filename_base               of the first object
-TemplateVariables LaserPrintVariables(const ExposureSummary& summary);
+TemplateVariables ExposurePrintVariables(const ExposureSummary& summary);
 ///   layer_num      from 0; -1 in start_gcode
 ///   layer_z        upper side of the layer in mm
 ///   max_layer_z    of the layers so far
-TemplateVariables LaserLayerVariables(int32_t number, Coord z_nm);
+TemplateVariables ExposureLayerVariables(int32_t number, Coord z_nm);
 
 }  // namespace slicefarm::macro

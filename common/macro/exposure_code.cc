@@ -1,4 +1,4 @@
-#include "common/macro/laser_code.h"
+#include "common/macro/exposure_code.h"
 
 #include <string>
 
@@ -17,8 +17,8 @@ TemplateVariable PlaceOf(Point point) {
 
 /// All names of a print and a layer, before there are any.
 TemplateVariables UnknownVariables() {
-  TemplateVariables variables = LaserPrintVariables({});
-  variables.merge(LaserLayerVariables(0, 0));
+  TemplateVariables variables = ExposurePrintVariables({});
+  variables.merge(ExposureLayerVariables(0, 0));
   for (auto& [name, variable] : variables)
     for (TemplateValue& item : variable.items) item = Unknown{};
   return variables;
@@ -26,8 +26,8 @@ TemplateVariables UnknownVariables() {
 
 }  // namespace
 
-absl::StatusOr<LaserCode> ParseLaserCode(const ExposureOutput& output) {
-  LaserCode code;
+absl::StatusOr<ExposureCode> ParseExposureCode(const ExposureOutput& output) {
+  ExposureCode code;
   const TemplatePlace places[] = {
       {"start_gcode", output.start_gcode.str(), code.start},
       {"before_layer_gcode", output.before_layer_gcode.str(), code.before_layer},
@@ -37,11 +37,11 @@ absl::StatusOr<LaserCode> ParseLaserCode(const ExposureOutput& output) {
   return code;
 }
 
-absl::Status CheckLaserCode(const ExposureOutput& output, std::string_view settings_text) {
+absl::Status CheckExposureCode(const ExposureOutput& output, std::string_view settings_text) {
   const bool is_gcode =
       output.format == OutputFormat::kGrbl || output.format == OutputFormat::kMarlin;
   if (!is_gcode) return absl::OkStatus();
-  const auto code = ParseLaserCode(output);
+  const auto code = ParseExposureCode(output);
   if (!code.ok()) return code.status();
   TemplateVariables settings;
   AddSettingVariables(settings_text, settings);
@@ -52,7 +52,7 @@ absl::Status CheckLaserCode(const ExposureOutput& output, std::string_view setti
   return absl::OkStatus();
 }
 
-TemplateVariables LaserPrintVariables(const ExposureSummary& summary) {
+TemplateVariables ExposurePrintVariables(const ExposureSummary& summary) {
   TemplateVariables variables;
   const Box box = summary.bounds.Empty() ? Box{{0, 0}, {0, 0}} : summary.bounds;
   variables["total_layer_count"] = static_cast<int64_t>(summary.layers.size());
@@ -68,7 +68,7 @@ TemplateVariables LaserPrintVariables(const ExposureSummary& summary) {
   return variables;
 }
 
-TemplateVariables LaserLayerVariables(int32_t number, Coord z_nm) {
+TemplateVariables ExposureLayerVariables(int32_t number, Coord z_nm) {
   TemplateVariables variables;
   variables["layer_num"] = int64_t{number};
   variables["layer_z"] = variables["max_layer_z"] = ToMm(static_cast<double>(z_nm));
