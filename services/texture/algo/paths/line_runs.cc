@@ -11,8 +11,6 @@ namespace {
 struct LinePlace {
   size_t step = 0;
   double share = 0;
-
-  friend auto operator<=>(const LinePlace&, const LinePlace&) = default;
 };
 
 struct LinePart {
@@ -36,26 +34,28 @@ class MappedLine {
     return places_[place.step] + place.share * (places_[place.step + 1] - places_[place.step]);
   }
 
-  /// All places where something may change, in order, the two ends among them.
-  std::vector<LinePlace> Cuts(const WorkArea& area) const {
-    std::vector<LinePlace> cuts = {{0, 0}};
+  /// The parts in the area. Each piece of a step between two cuts is judged by itself: where an
+  /// outline passes through the place between two steps, rounding may give the crossing to neither.
+  std::vector<LinePart> PartsIn(const WorkArea& area) const {
+    std::vector<LinePart> parts;
     std::vector<double> shares;
+    bool inside = false;
     for (size_t step = 0; step < steps(); ++step) {
-      shares.clear();
+      shares.assign(1, 1.0);
       area.Cuts(places_[step], places_[step + 1], &shares);
       std::sort(shares.begin(), shares.end());
-      for (const double share : shares) cuts.push_back({step, std::clamp(share, 0.0, 1.0)});
+      double from = 0;
+      for (double to : shares) {
+        to = std::clamp(to, 0.0, 1.0);
+        if (!(to > from)) continue;
+        const bool was_inside = inside;
+        inside = area.Contains(At({step, (from + to) / 2}));
+        if (inside && was_inside) parts.back().to = {step, to};
+        if (inside && !was_inside) parts.push_back({{step, from}, {step, to}});
+        from = to;
+      }
     }
-    cuts.push_back({steps() - 1, 1});
-    return cuts;
-  }
-
-  /// Between two places: in the middle of the middle step.
-  Eigen::Vector2d Middle(const LinePlace& from, const LinePlace& to) const {
-    if (from.step == to.step) return At({from.step, (from.share + to.share) / 2});
-    if (to.step > from.step + 1) return At({(from.step + to.step) / 2, 0.5});
-    return 1 - from.share > to.share ? At({from.step, (from.share + 1) / 2})
-                                     : At({to.step, to.share / 2});
+    return parts;
   }
 
   double Length(const LinePart& part) const {
@@ -94,15 +94,7 @@ class MappedLine {
 std::vector<Run> RunsOf(const SurfaceMap& map, const LevelLine& line, const WorkArea& area,
                         double least_mm) {
   const MappedLine mapped(map, line);
-  const std::vector<LinePlace> cuts = mapped.Cuts(area);
-  std::vector<LinePart> parts;
-  for (size_t i = 0; i + 1 < cuts.size(); ++i) {
-    if (!(cuts[i] < cuts[i + 1]) || !area.Contains(mapped.Middle(cuts[i], cuts[i + 1]))) continue;
-    if (!parts.empty() && parts.back().to == cuts[i])
-      parts.back().to = cuts[i + 1];
-    else
-      parts.push_back({cuts[i], cuts[i + 1]});
-  }
+  const std::vector<LinePart> parts = mapped.PartsIn(area);
   std::vector<Run> runs;
   for (const LinePart& part : parts)
     if (mapped.Length(part) > least_mm) runs.push_back(mapped.RunOf(part));

@@ -11,7 +11,8 @@ namespace slicefarm::texture {
 using Run = std::vector<SurfacePoint>;
 
 /// The parts of a line in the area, in the line's order; those shorter than `least_mm` in the map
-/// are left out. Each part between two cuts is judged by its middle. Cost: O(steps + cuts).
+/// are left out. Each piece between two cuts or edges is judged by its middle. Cost: O(steps +
+/// cuts).
 std::vector<Run> RunsOf(const SurfaceMap& map, const LevelLine& line, const WorkArea& area,
                         double least_mm);
 

@@ -95,7 +95,10 @@ bool Section::Contains(const Eigen::Vector2d& place_mm) const {
 
 void Section::Crossings(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                         std::vector<double>* shares) const {
-  const Eigen::Vector2d low = a.cwiseMin(b), high = a.cwiseMax(b);
+  // Cells that the way only touches are looked at, too: where it passes a corner, rounding may give
+  // the crossing to either of the corner's sides.
+  const Eigen::Vector2d slack = 1e-9 * cell_mm_;
+  const Eigen::Vector2d low = a.cwiseMin(b) - slack, high = a.cwiseMax(b) + slack;
   for (int32_t row = CellOf(low.y(), 1); row <= CellOf(high.y(), 1); ++row) {
     // The part of the way within this row of cells.
     double left = low.x(), right = high.x();
@@ -103,10 +106,10 @@ void Section::Crossings(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
       const auto at = [&](double y) {
         return a.x() + (b.x() - a.x()) * std::clamp((y - a.y()) / (b.y() - a.y()), 0.0, 1.0);
       };
-      const double x0 = at(row * cell_mm_.y()), x1 = at((row + 1) * cell_mm_.y());
-      const double slack = 1e-9 * cell_mm_.x();
-      left = std::min(x0, x1) - slack;
-      right = std::max(x0, x1) + slack;
+      const double x0 = at(row * cell_mm_.y() - slack.y());
+      const double x1 = at((row + 1) * cell_mm_.y() + slack.y());
+      left = std::min(x0, x1) - slack.x();
+      right = std::max(x0, x1) + slack.x();
     }
     for (int32_t column = CellOf(left, 0); column <= CellOf(right, 0); ++column) {
       for (const int32_t i : SidesIn(column, row)) {
