@@ -121,8 +121,10 @@ absl::Status MillingService::Assemble(rpc::Call& call, ProgramStream& stream) co
   const auto input = TakeShared<MillInput>(shared_, start->shared, "start.shared");
   if (!input.ok()) return input.status();
   call.job_id = start->call.job_id;
+  auto steps = ReadSteps(stream, *start);
+  if (!steps.ok()) return steps.status();
   const auto program =
-      stage_.Assemble(start->call, *input, std::move(start->steps), start->settings_text);
+      stage_.Assemble(start->call, *input, *std::move(steps), start->settings_text);
   if (!program.ok()) return program.status();
   return Answer(*program, stream);
 }
