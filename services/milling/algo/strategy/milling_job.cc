@@ -71,7 +71,8 @@ absl::Status CheckClosed(const TriangleMesh& mesh, std::string_view what) {
     const Eigen::Vector3d& p = mesh.points_mm[sides[first].first >> 32];
     return MillingError(Reason::kMeshMalformed, "",
                         fmt::format("the {} is not closed: an edge at x {:.3f} y {:.3f} z {:.3f} "
-                                    "has a triangle on one side only",
+                                    "has a triangle on one side only; open_mesh = 1 mills it as a "
+                                    "surface",
                                     what, p.x(), p.y(), p.z()));
   }
   return absl::OkStatus();
