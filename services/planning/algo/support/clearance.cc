@@ -29,13 +29,18 @@ Coord CornerClearance(Coord clear_nm, Coord gap_nm, Coord both_heights_nm, doubl
   return std::max<Coord>(0, std::llround(std::sqrt(far * far - up * up) - r));
 }
 
-Clearance::Clearance(const SupportProblem& problem, const SupportOptions& options, int threads)
+Clearance::Clearance(const SupportProblem& problem, const SupportOptions& options, Coord top_nm,
+                     int threads)
     : problem_(problem), options_(options), bed_(Bounds(problem.bed)) {
   stacks_.emplace_back();
-  for (const PartLayer& layer : problem.part) stacks_[0].push_back({layer, {}, {}, {}});
+  const auto add = [&](const SolidLayer& layer) {
+    if (layer.bottom_nm() < top_nm + options.top_gap_nm)
+      stacks_.back().push_back({layer, {}, {}, {}});
+  };
+  for (const PartLayer& layer : problem.part) add(layer);
   for (const auto& other : problem.others) {
     stacks_.emplace_back();
-    for (const SolidLayer& layer : other) stacks_.back().push_back({layer, {}, {}, {}});
+    for (const SolidLayer& layer : other) add(layer);
   }
   std::vector<Layer*> all;
   for (Stack& stack : stacks_)
@@ -50,48 +55,75 @@ Clearance::Clearance(const SupportProblem& problem, const SupportOptions& option
   });
 }
 
-void Clearance::AppendLayer(const Layer& layer, Coord clear_nm, Coord gap_nm, const Box& box,
-                            std::vector<Polygon>& rings) const {
-  if (clear_nm < -kSameHeightNm) return AppendRingsNear(layer.spaced, box, rings);
+template <typename Visit>
+void Clearance::VisitBlocked(const Layer& layer, Coord clear_nm, Coord gap_nm, Visit visit) const {
+  if (clear_nm < -kSameHeightNm) return visit(layer.spaced);
   if (clear_nm > gap_nm - kSameHeightNm) return;
-  const Coord touching =
-      CornerClearance(0, options_.top_gap_nm, 2 * options_.layer_height_nm, kCornerShare);
-  const Coord corner = CornerClearance(std::max<Coord>(0, clear_nm), gap_nm,
-                                       2 * options_.layer_height_nm, kCornerShare);
-  if (corner == 0) return AppendRingsNear(*layer.solid.outlines, box, rings);
-  if (corner == touching) return AppendRingsNear(layer.cornered, box, rings);
-  AppendRingsNear(FastOffset(*layer.solid.outlines, corner), box, rings);
+  const Coord heights = 2 * options_.layer_height_nm;
+  const Coord touching = CornerClearance(0, options_.top_gap_nm, heights, kCornerShare);
+  const Coord corner =
+      CornerClearance(std::max<Coord>(0, clear_nm), gap_nm, heights, kCornerShare);
+  if (corner == 0) return visit(*layer.solid.outlines);
+  if (corner == touching) return visit(layer.cornered);
+  visit(FastOffset(*layer.solid.outlines, corner));
 }
 
-void Clearance::AppendBlocked(const Stack& stack, Coord bottom_nm, Coord top_nm, const Box& box,
-                              std::vector<Polygon>& rings) const {
+template <typename Visit>
+void Clearance::ForEachBlocked(Coord bottom_nm, Coord top_nm, const Box& box, Visit visit) const {
   const Coord below = bottom_nm - options_.bottom_gap_nm;
-  auto layer = std::partition_point(stack.begin(), stack.end(),
-                                    [&](const Layer& l) { return l.solid.top_nm <= below; });
-  for (; layer != stack.end(); ++layer) {
-    const Coord above = layer->solid.bottom_nm() - top_nm, under = bottom_nm - layer->solid.top_nm;
-    if (above >= options_.top_gap_nm) break;
-    if (!layer->box.Intersects(box)) continue;
-    if (under > above)
-      AppendLayer(*layer, under, options_.bottom_gap_nm, box, rings);
-    else
-      AppendLayer(*layer, above, options_.top_gap_nm, box, rings);
+  for (const Stack& stack : stacks_) {
+    auto layer = std::partition_point(stack.begin(), stack.end(), [&](const Layer& l) {
+      return l.solid.top_nm <= below;
+    });
+    for (; layer != stack.end(); ++layer) {
+      const Coord above = layer->solid.bottom_nm() - top_nm;
+      const Coord under = bottom_nm - layer->solid.top_nm;
+      if (above >= options_.top_gap_nm) break;
+      if (!layer->box.Intersects(box)) continue;
+      if (under > above)
+        VisitBlocked(*layer, under, options_.bottom_gap_nm, visit);
+      else
+        VisitBlocked(*layer, above, options_.top_gap_nm, visit);
+    }
   }
+}
+
+MultiPolygon Clearance::OnBed(MultiPolygon free, const Box& bounds) const {
+  const bool inside = problem_.bed.empty() ||
+                      (problem_.bed.size() == 1 && problem_.bed[0].holes.empty() &&
+                       problem_.bed[0].outer.size() == 4 && bounds.min.x >= bed_.min.x &&
+                       bounds.max.x <= bed_.max.x && bounds.min.y >= bed_.min.y &&
+                       bounds.max.y <= bed_.max.y);
+  return inside ? free : Intersection(free, problem_.bed);
 }
 
 MultiPolygon Clearance::Free(const MultiPolygon& region, Coord bottom_nm, Coord top_nm) const {
   if (region.empty()) return {};
-  const Box bounds = Bounds(region);
+  const Box bounds = Bounds(region), box = bounds.Grown(kMarginNm);
+  std::vector<Polygon> blocked;
+  ForEachBlocked(bottom_nm, top_nm, box,
+                 [&](const MultiPolygon& outlines) { AppendRingsNear(outlines, box, blocked); });
+  return OnBed(blocked.empty() ? region : WithoutRings(region, blocked), bounds);
+}
+
+MultiPolygon Clearance::FreeOf(std::span<const Polygon> rings, Coord bottom_nm,
+                               Coord top_nm) const {
+  Box bounds;
+  for (const Polygon& ring : rings) bounds.Add(Bounds(ring));
+  if (bounds.Empty()) return {};
   const Box box = bounds.Grown(kMarginNm);
-  std::vector<Polygon> rings;
-  for (const Stack& stack : stacks_) AppendBlocked(stack, bottom_nm, top_nm, box, rings);
-  MultiPolygon free = rings.empty() ? region : WithoutRings(region, rings);
-  const bool on_bed =
-      problem_.bed.empty() ||
-      (problem_.bed.size() == 1 && problem_.bed[0].holes.empty() &&
-       problem_.bed[0].outer.size() == 4 && bounds.min.x >= bed_.min.x &&
-       bounds.max.x <= bed_.max.x && bounds.min.y >= bed_.min.y && bounds.max.y <= bed_.max.y);
-  return on_bed ? free : Intersection(free, problem_.bed);
+  std::vector<Polygon> blocked;
+  ForEachBlocked(bottom_nm, top_nm, box,
+                 [&](const MultiPolygon& outlines) { AppendRingsNear(outlines, box, blocked); });
+  return OnBed(WithoutRings(rings, blocked), bounds);
+}
+
+void Clearance::FillBlocked(Coord bottom_nm, Coord top_nm, Bitmap& bitmap) const {
+  const PixelGrid& grid = bitmap.grid();
+  const Box box = {grid.origin, {grid.origin.x + grid.width * grid.pixel_nm,
+                                 grid.origin.y + grid.height * grid.pixel_nm}};
+  ForEachBlocked(bottom_nm, top_nm, box,
+                 [&](const MultiPolygon& outlines) { bitmap.Fill(outlines); });
 }
 
 }  // namespace slicefarm::planning

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "common/geometry/measure.h"
 #include "common/model/options/support_options.h"
+#include "services/planning/algo/support/raster.h"
 #include "services/planning/algo/support/support_problem.h"
 
 namespace slicefarm::planning {
@@ -23,12 +25,18 @@ Coord CornerClearance(Coord clear_nm, Coord gap_nm, Coord both_heights_nm, doubl
 /// CornerClearance. So on a slope the top lies at the distance asked for, upright, under each step.
 class Clearance {
  public:
-  /// Cost: an offset of each layer, on `threads` threads. `problem` must outlive it.
-  Clearance(const SupportProblem& problem, const SupportOptions& options, int threads);
+  /// For layers of support up to `top_nm`. `problem` and `options` must outlive it.
+  /// Cost: two offsets of each layer, on `threads` threads.
+  Clearance(const SupportProblem& problem, const SupportOptions& options, Coord top_nm,
+            int threads);
 
   /// The part of `region` that is free for a layer of support from bottom_nm to top_nm.
   /// Cost: a boolean operation with the outlines near the region's box.
   MultiPolygon Free(const MultiPolygon& region, Coord bottom_nm, Coord top_nm) const;
+  /// The same of all that rings wind around, which may overlap.
+  MultiPolygon FreeOf(std::span<const Polygon> rings, Coord bottom_nm, Coord top_nm) const;
+  /// Sets the pixels that are not free for such a layer.
+  void FillBlocked(Coord bottom_nm, Coord top_nm, Bitmap& bitmap) const;
 
  private:
   struct Layer {
@@ -39,10 +47,12 @@ class Clearance {
   };
   using Stack = std::vector<Layer>;
 
-  void AppendBlocked(const Stack& stack, Coord bottom_nm, Coord top_nm, const Box& box,
-                     std::vector<Polygon>& rings) const;
-  void AppendLayer(const Layer& layer, Coord clear_nm, Coord gap_nm, const Box& box,
-                   std::vector<Polygon>& rings) const;
+  /// Calls visit(outlines) with what is not free, of layers that meet the box.
+  template <typename Visit>
+  void ForEachBlocked(Coord bottom_nm, Coord top_nm, const Box& box, Visit visit) const;
+  template <typename Visit>
+  void VisitBlocked(const Layer& layer, Coord clear_nm, Coord gap_nm, Visit visit) const;
+  MultiPolygon OnBed(MultiPolygon free, const Box& bounds) const;
 
   const SupportProblem& problem_;
   const SupportOptions& options_;

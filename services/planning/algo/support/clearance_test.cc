@@ -29,7 +29,7 @@ TEST_P(ClearanceTest, IsExact) {
   const SupportProblem problem = box.Problem();
   SupportOptions options;
   options.bottom_gap_nm = 300'000;
-  const Clearance clearance(problem, options, 1);
+  const Clearance clearance(problem, options, 100'000'000, 1);
   const MultiPolygon free =
       clearance.Free(BoxOf(0, 1, 10, 2), GetParam().bottom_nm, GetParam().top_nm);
   EXPECT_NEAR(AreaMm2(free), 10 - GetParam().left_mm, 0.03);
@@ -53,7 +53,7 @@ TEST(Clearance, KeepsOffOthersAndOnTheBed) {
   problem.others.push_back(other.Layers());
   problem.bed = BoxOf(-5, -5, 8, 8);
   const SupportOptions options;
-  const Clearance clearance(problem, options, 1);
+  const Clearance clearance(problem, options, 100'000'000, 1);
   EXPECT_NEAR(AreaMm2(clearance.Free(BoxOf(0, 1, 10, 2), 200'000, 400'000)), 3 - 0.225, 1e-6);
 }
 

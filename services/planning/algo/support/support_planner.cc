@@ -54,7 +54,7 @@ class Planner {
     if (cancel_.Cancelled()) return cancel_.Check();
     heights_ = HeightsFor(problem_, overhangs_, options_);
     if (!heights_.layers.empty()) {
-      const Clearance clearance(problem_, options_, threads_);
+      const Clearance clearance(problem_, options_, heights_.layers.back().top_nm, threads_);
       if (cancel_.Cancelled()) return cancel_.Check();
       FindContacts(clearance);
       const absl::Status made =
