@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -16,17 +15,13 @@
 namespace slicefarm::planning {
 namespace {
 
-static double EnvOr(const char* n, double v) { const char* e = std::getenv(n); return e ? std::atof(e) : v; }  // TUNE
 /// Branches farther apart than this do not look at each other.
-static const Coord kSightNm = EnvOr("SIGHT",12) * 1000000;
+constexpr Coord kSightNm = 12'000'000;
 /// Branches that meet lower than this save nothing.
 constexpr Coord kLowestMeetingNm = 2'000'000;
-static const double kTipGrowthRad = EnvOr("TG", 10) * std::numbers::pi / 180;  // TUNE
-static const double kFull = EnvOr("FULL", 1.0);  // TUNE
-static const double kAng = EnvOr("ANG", 0.5);  // TUNE
-static const double kBey = EnvOr("BEY", 1.0);  // TUNE
+constexpr double kTipGrowthRad = 5 * std::numbers::pi / 180;
 /// Support may reach this far beyond what carries it.
-constexpr Coord kBeyondNm = 900'000;
+constexpr Coord kBeyondNm = 850'000;
 
 /// The way down of one tip, or of several that have met.
 struct Branch {
@@ -45,7 +40,7 @@ Coord TipReach(const TreeOptions& tree) {
   const double radius = tree.tip_diameter_nm / 2.0;
   const double rate = std::clamp(tree.top_rate, 0.01, 1.0);
   const double beyond = tree.branch_distance_nm * std::sqrt(std::min(1.0, kUsualRate / rate));
-  return std::llround(radius + std::min<double>(kBey * kBeyondNm, beyond));
+  return std::llround(radius + std::min<double>(kBeyondNm, beyond));
 }
 
 class Grower {
@@ -54,7 +49,7 @@ class Grower {
       : field_(field),
         heights_(heights),
         options_(options),
-        slow_(EnvOr("FAST", 0) > 0 ? Tan(options.tree.angle_rad) : Tan(options.tree.slow_angle_rad)),
+        slow_(Tan(options.tree.slow_angle_rad)),
         fast_(std::max(slow_, Tan(options.tree.angle_rad))),
         tips_(field.grid(), TipReach(options.tree)) {}
 
@@ -76,9 +71,9 @@ class Grower {
 
   Coord RadiusAt(Coord length_nm) const {
     const Coord tip = TipRadius();
-    const Coord full = std::max<Coord>(tip, kFull * options_.tree.branch_diameter_nm / 2);
+    const Coord full = std::max(tip, options_.tree.branch_diameter_nm / 2);
     const double grown = tip + length_nm * Tan(kTipGrowthRad);
-    const double angle = Tan(options_.tree.diameter_angle_rad) * kAng;
+    const double angle = Tan(options_.tree.diameter_angle_rad) / 2;
     return std::llround(std::min<double>(grown, full + length_nm * angle));
   }
 
@@ -88,7 +83,7 @@ class Grower {
       const auto& underside = undersides[static_cast<size_t>(layer)];
       if (underside.empty()) continue;
       tips_.Begin(underside);
-      for (const Branch& branch : live_) tips_.Cover(branch.at, branch.radius_nm + Coord(kBey * kBeyondNm));
+      for (const Branch& branch : live_) tips_.Cover(branch.at, branch.radius_nm + kBeyondNm);
       const Coord z = heights_.layers[static_cast<size_t>(layer)].bottom_nm;
       for (const Point tip : tips_.Place()) {
         live_.push_back({AddNode(tip, z, TipRadius()), tip, z, 0, TipRadius(), false});
@@ -258,7 +253,7 @@ class Grower {
     });
     if (partner == nullptr || nearest == 0) return branch.at;
     const bool hurry = z_nm - nearest / 2 / slow_ < kLowestMeetingNm;
-    const bool thin = EnvOr("THIN", 1) > 0 && 2 * branch.radius_nm < options_.tree.branch_diameter_nm;
+    const bool thin = 2 * branch.radius_nm < options_.tree.branch_diameter_nm;
     const double step = (branch.z_nm - z_nm) * (hurry || thin ? fast_ : slow_);
     const double share = std::min(0.5, step / nearest);
     return {branch.at.x + std::llround((partner->at.x - branch.at.x) * share),
