@@ -19,7 +19,7 @@ namespace {
 constexpr Coord kSightNm = 12'000'000;
 /// Branches that meet lower than this save nothing.
 constexpr Coord kLowestMeetingNm = 2'000'000;
-constexpr double kTipGrowthRad = 5 * std::numbers::pi / 180;
+constexpr double kTipGrowthRad = 4 * std::numbers::pi / 180;
 /// Support may reach this far beyond what carries it.
 constexpr Coord kBeyondNm = 850'000;
 

@@ -1,7 +1,6 @@
 #include "services/planning/algo/support/clearance.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "common/base/parallel.h"
@@ -16,26 +15,15 @@ namespace {
 constexpr Coord kSameHeightNm = 1'000;
 /// Boxes are cut this far from what is looked at.
 constexpr Coord kMarginNm = 1'000'000;
-/// How much of the gap is kept in space at the edge of a step. All of it would leave most of a
-/// narrow step without a surface at the distance asked for: see README.md.
-constexpr double kCornerShare = 0.5;
 
 }  // namespace
-
-Coord CornerClearance(Coord clear_nm, Coord gap_nm, Coord both_heights_nm, double share) {
-  const double r = both_heights_nm / 2.0;
-  const double far = gap_nm * share + r, up = clear_nm + r;
-  if (far <= up) return 0;
-  return std::max<Coord>(0, std::llround(std::sqrt(far * far - up * up) - r));
-}
 
 Clearance::Clearance(const SupportProblem& problem, const SupportOptions& options, Coord top_nm,
                      int threads)
     : problem_(problem), options_(options), bed_(Bounds(problem.bed)) {
   stacks_.emplace_back();
   const auto add = [&](const SolidLayer& layer) {
-    if (layer.bottom_nm() < top_nm + options.top_gap_nm)
-      stacks_.back().push_back({layer, {}, {}, {}});
+    if (layer.bottom_nm() < top_nm + options.top_gap_nm) stacks_.back().push_back({layer, {}, {}});
   };
   for (const PartLayer& layer : problem.part) add(layer);
   for (const auto& other : problem.others) {
@@ -49,51 +37,37 @@ Clearance::Clearance(const SupportProblem& problem, const SupportOptions& option
     Layer& layer = *all[i];
     layer.box = Bounds(*layer.solid.outlines);
     layer.spaced = FastOffset(*layer.solid.outlines, options_.xy_gap_nm);
-    const Coord corner =
-        CornerClearance(0, options_.top_gap_nm, 2 * options_.layer_height_nm, kCornerShare);
-    if (corner > 0) layer.cornered = FastOffset(*layer.solid.outlines, corner);
   });
-}
-
-template <typename Visit>
-void Clearance::VisitBlocked(const Layer& layer, Coord clear_nm, Coord gap_nm, Visit visit) const {
-  if (clear_nm < -kSameHeightNm) return visit(layer.spaced);
-  if (clear_nm > gap_nm - kSameHeightNm) return;
-  const Coord heights = 2 * options_.layer_height_nm;
-  const Coord touching = CornerClearance(0, options_.top_gap_nm, heights, kCornerShare);
-  const Coord corner =
-      CornerClearance(std::max<Coord>(0, clear_nm), gap_nm, heights, kCornerShare);
-  if (corner == 0) return visit(*layer.solid.outlines);
-  if (corner == touching) return visit(layer.cornered);
-  visit(FastOffset(*layer.solid.outlines, corner));
 }
 
 template <typename Visit>
 void Clearance::ForEachBlocked(Coord bottom_nm, Coord top_nm, const Box& box, Visit visit) const {
   const Coord below = bottom_nm - options_.bottom_gap_nm;
   for (const Stack& stack : stacks_) {
-    auto layer = std::partition_point(stack.begin(), stack.end(), [&](const Layer& l) {
-      return l.solid.top_nm <= below;
-    });
+    auto layer = std::partition_point(stack.begin(), stack.end(),
+                                      [&](const Layer& l) { return l.solid.top_nm <= below; });
     for (; layer != stack.end(); ++layer) {
       const Coord above = layer->solid.bottom_nm() - top_nm;
       const Coord under = bottom_nm - layer->solid.top_nm;
       if (above >= options_.top_gap_nm) break;
       if (!layer->box.Intersects(box)) continue;
-      if (under > above)
-        VisitBlocked(*layer, under, options_.bottom_gap_nm, visit);
-      else
-        VisitBlocked(*layer, above, options_.top_gap_nm, visit);
+      const bool apart = under > -kSameHeightNm || above > -kSameHeightNm;
+      const Coord clear = std::max(under, above);
+      const Coord gap = under > above ? options_.bottom_gap_nm : options_.top_gap_nm;
+      if (!apart)
+        visit(layer->spaced);
+      else if (clear < gap - kSameHeightNm)
+        visit(*layer->solid.outlines);
     }
   }
 }
 
 MultiPolygon Clearance::OnBed(MultiPolygon free, const Box& bounds) const {
-  const bool inside = problem_.bed.empty() ||
-                      (problem_.bed.size() == 1 && problem_.bed[0].holes.empty() &&
-                       problem_.bed[0].outer.size() == 4 && bounds.min.x >= bed_.min.x &&
-                       bounds.max.x <= bed_.max.x && bounds.min.y >= bed_.min.y &&
-                       bounds.max.y <= bed_.max.y);
+  const bool inside =
+      problem_.bed.empty() ||
+      (problem_.bed.size() == 1 && problem_.bed[0].holes.empty() &&
+       problem_.bed[0].outer.size() == 4 && bounds.min.x >= bed_.min.x &&
+       bounds.max.x <= bed_.max.x && bounds.min.y >= bed_.min.y && bounds.max.y <= bed_.max.y);
   return inside ? free : Intersection(free, problem_.bed);
 }
 
@@ -120,8 +94,9 @@ MultiPolygon Clearance::FreeOf(std::span<const Polygon> rings, Coord bottom_nm,
 
 void Clearance::FillBlocked(Coord bottom_nm, Coord top_nm, Bitmap& bitmap) const {
   const PixelGrid& grid = bitmap.grid();
-  const Box box = {grid.origin, {grid.origin.x + grid.width * grid.pixel_nm,
-                                 grid.origin.y + grid.height * grid.pixel_nm}};
+  const Box box = {
+      grid.origin,
+      {grid.origin.x + grid.width * grid.pixel_nm, grid.origin.y + grid.height * grid.pixel_nm}};
   ForEachBlocked(bottom_nm, top_nm, box,
                  [&](const MultiPolygon& outlines) { bitmap.Fill(outlines); });
 }

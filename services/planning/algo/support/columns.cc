@@ -6,9 +6,12 @@
 #include <utility>
 
 #include "common/base/parallel.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/boolean/without_rings.h"
 #include "common/geometry/rings/simplify.h"
 #include "services/planning/algo/support/raster.h"
+#include "services/planning/algo/support/reach_field.h"
+#include "services/planning/algo/support/widened.h"
 
 namespace slicefarm::planning {
 namespace {
@@ -29,21 +32,29 @@ constexpr uint8_t kExactLayers = 4;
 /// One layer on its way.
 struct RasterLayer {
   explicit RasterLayer(const PixelGrid& grid)
-      : contact(grid), beside(grid), blocked(grid), column(grid) {}
+      : contact(grid), beside(grid), blocked(grid), useless(grid), column(grid) {}
 
   Bitmap contact;  ///< new in this layer
-  Bitmap beside;   ///< what is new around it
+  Bitmap beside;   ///< what columns of this contact are to be besides
   Bitmap blocked;  ///< what is not free
+  Bitmap useless;  ///< what is so near below the part that it would look like a contact
   Bitmap column;   ///< what stands here, but for contacts of the layers just above
 };
 
 /// The pixels within `radius_nm` of set ones.
 Bitmap Grown(const Bitmap& bitmap, Coord radius_nm) {
-  const std::vector<PixelDistance> distance = DistanceTo(bitmap);
   const PixelGrid& grid = bitmap.grid();
-  const auto least = static_cast<PixelDistance>(std::clamp<Coord>(
-      radius_nm * kDistanceSteps / grid.pixel_nm - kDistanceSteps / 2, 0, kFarthest - 1));
   Bitmap grown(grid);
+  const double pixels = static_cast<double>(radius_nm) / static_cast<double>(grid.pixel_nm);
+  if (pixels < 3) {
+    const std::vector<PixelDistance> set(bitmap.Row(0), bitmap.Row(0) + grid.size());
+    const auto near = MostWithin(set, grid, static_cast<int32_t>(pixels * pixels));
+    std::copy(near.begin(), near.end(), grown.Row(0));
+    return grown;
+  }
+  const std::vector<PixelDistance> distance = DistanceTo(bitmap);
+  const auto least = static_cast<PixelDistance>(
+      std::clamp<double>((pixels - 0.5) * kDistanceSteps, 0, kFarthest - 1));
   for (size_t i = 0; i < distance.size(); ++i) grown.Row(0)[i] = distance[i] <= least ? 1 : 0;
   return grown;
 }
@@ -74,8 +85,7 @@ Bitmap Cells(const Bitmap& bitmap, int32_t side) {
       bool holds = false;
       for (int32_t y = ya; y < yb && !holds; ++y)
         holds = std::find(bitmap.Row(y) + xa, bitmap.Row(y) + xb, 1) != bitmap.Row(y) + xb;
-      for (int32_t y = ya; y < yb && holds; ++y)
-        std::fill(cells.Row(y) + xa, cells.Row(y) + xb, 1);
+      for (int32_t y = ya; y < yb && holds; ++y) std::fill(cells.Row(y) + xa, cells.Row(y) + xb, 1);
     }
   }
   return cells;
@@ -94,7 +104,8 @@ class ColumnMaker {
         options_(options),
         grid_(grid),
         threads_(threads),
-        state_(grid.size(), 0) {}
+        state_(grid.size(), 0),
+        wanted_(grid.size(), 0) {}
 
   absl::StatusOr<std::vector<MultiPolygon>> Run(const CancelToken& cancel) {
     std::vector<MultiPolygon> columns(heights_.layers.size());
@@ -108,6 +119,7 @@ class ColumnMaker {
         const SupportHeight& height = heights_.layers[begin + i];
         clearance_.FillBlocked(height.bottom_nm, height.top_nm, layers[i].blocked);
         if (!contacts_[begin + i].empty()) Begin(begin + i, layers[i]);
+        FillUseless(height.top_nm, layers[i]);
       });
       for (size_t i = layers.size(); i-- > 0;) GoDown(layers[i]);
       ForEachIndex(threads_, layers.size(), [&](size_t i, int) {
@@ -130,16 +142,18 @@ class ColumnMaker {
         options_.style == SupportStyle::kGrid
             ? Cells(layer.contact, static_cast<int32_t>(side))
             : Closed(Grown(layer.contact, options_.width_nm), options_.closing_radius_nm);
-    Bitmap useless(grid_);
-    const Coord top = heights_.layers[index].top_nm;
-    for (const PartLayer& part : problem_.part) {
-      if (part.bottom_nm() < top) continue;
-      if (part.bottom_nm() > top + options_.top_gap_nm + kUselessNm) break;
-      useless.Fill(*part.outlines);
-    }
-    useless = Grown(useless, 2 * grid_.pixel_nm);
+    if (highest_start_.empty()) return;
     for (size_t i = 0; i < grid_.size(); ++i)
-      layer.beside.Row(0)[i] &= static_cast<uint8_t>((useless.Row(0)[i] ^ 1) & MayStart(index, i));
+      layer.beside.Row(0)[i] &= static_cast<uint8_t>(MayStart(index, i));
+  }
+
+  void FillUseless(Coord top_nm, RasterLayer& layer) const {
+    auto part = std::partition_point(problem_.part.begin(), problem_.part.end(),
+                                     [&](const PartLayer& l) { return l.bottom_nm() < top_nm; });
+    const Coord highest = top_nm + options_.top_gap_nm + kUselessNm;
+    for (; part != problem_.part.end() && part->bottom_nm() <= highest; ++part)
+      layer.useless.Fill(*part->outlines);
+    layer.useless = Grown(layer.useless, 2 * grid_.pixel_nm);
   }
 
   bool MayStart(size_t layer, size_t pixel) const {
@@ -157,7 +171,8 @@ class ColumnMaker {
       Bitmap blocked(grid_);
       clearance.FillBlocked(heights_.layers[i].bottom_nm, heights_.layers[i].top_nm, blocked);
       for (size_t k = 0; k < grid_.size(); ++k) {
-        if (blocked.Row(0)[k]) highest_start_[k] = std::min(highest_start_[k], static_cast<int32_t>(i));
+        if (blocked.Row(0)[k])
+          highest_start_[k] = std::min(highest_start_[k], static_cast<int32_t>(i));
         blocked.Row(0)[k] = MayStart(i, k) ? 0 : 1;
       }
       if (!contacts_[i].empty()) contacts_[i] = WithoutRings(contacts_[i], Outline(blocked));
@@ -167,12 +182,13 @@ class ColumnMaker {
   /// A step down. The state of a pixel: 0 nothing, 1 column, n + 1 column in n layers.
   void GoDown(RasterLayer& layer) {
     const uint8_t *contact = layer.contact.Row(0), *beside = layer.beside.Row(0);
-    const uint8_t* blocked = layer.blocked.Row(0);
+    const uint8_t *blocked = layer.blocked.Row(0), *useless = layer.useless.Row(0);
     uint8_t* column = layer.column.Row(0);
     for (size_t i = 0; i < grid_.size(); ++i) {
       uint8_t state = state_[i];
       state = static_cast<uint8_t>(state > 1 ? state - 1 : state);
-      if (beside[i]) state = 1;
+      wanted_[i] = static_cast<uint8_t>((wanted_[i] | beside[i]) & (blocked[i] ^ 1));
+      if (wanted_[i] & (useless[i] ^ 1)) state = 1;
       if (blocked[i]) state = 0;
       // Beside the part a pixel that holds a contact may be free only below.
       if (contact[i] && state == 0) state = kExactLayers + 1;
@@ -213,6 +229,9 @@ class ColumnMaker {
       for (Polygon& ring : Rings(contacts_[i])) rings.push_back(std::move(ring));
     const SupportHeight& height = heights_.layers[index];
     MultiPolygon column = clearance_.FreeOf(rings, height.bottom_nm, height.top_nm);
+    const MultiPolygon widened = Widened(column, options_.width_nm * 4 / 5);
+    if (!widened.empty())
+      column = Union(column, clearance_.Free(widened, height.bottom_nm, height.top_nm));
     std::erase_if(column,
                   [](const PolygonWithHoles& island) { return Area(island) < kLeastAreaNm2; });
     return column;
@@ -232,7 +251,8 @@ class ColumnMaker {
   const SupportOptions& options_;
   const PixelGrid grid_;
   const int threads_;
-  std::vector<uint8_t> state_;  ///< by pixel; see GoDown
+  std::vector<uint8_t> state_;          ///< by pixel; see GoDown
+  std::vector<uint8_t> wanted_;         ///< by pixel: to be column as soon as it is not useless
   std::vector<int32_t> highest_start_;  ///< by pixel; empty: anywhere
 };
 

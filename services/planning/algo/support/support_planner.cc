@@ -85,8 +85,8 @@ class Planner {
       MultiPolygon contact;
       for (const size_t part_layer : on[i])
         contact = Union(contact, overhangs_[part_layer].contact);
-      contacts_[i] =
-          clearance.Free(contact, heights_.layers[i].bottom_nm, heights_.layers[i].top_nm);
+      const SupportHeight& height = heights_.layers[i];
+      contacts_[i] = clearance.Free(contact, height.bottom_nm, height.top_nm);
     });
   }
 
@@ -98,7 +98,8 @@ class Planner {
   }
 
   absl::Status Grow(const Clearance& clearance) {
-    const std::vector<MultiPolygon> sheets = Sheets(heights_, contacts_, clearance, options_, threads_);
+    const std::vector<MultiPolygon> sheets =
+        Sheets(heights_, contacts_, clearance, options_, threads_);
     Box box;
     for (const MultiPolygon& sheet : sheets) box.Add(Bounds(sheet));
     if (box.Empty()) return absl::OkStatus();
