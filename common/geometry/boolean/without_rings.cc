@@ -34,17 +34,20 @@ Polygon WithoutFarStretches(const Polygon& ring, const Box& box) {
 
 }  // namespace
 
-MultiPolygon WithoutRings(const MultiPolygon& region, std::span<const Polygon> rings) {
-  if (region.empty()) return {};
-  ClipperLib::Paths subject, clip;
-  internal::AppendRings(region, subject);
-  for (const Polygon& ring : rings) clip.push_back(internal::ToPath(ring));
+MultiPolygon WithoutRings(std::span<const Polygon> subject, std::span<const Polygon> rings) {
+  if (subject.empty()) return {};
   ClipperLib::Clipper clipper;
-  clipper.AddPaths(subject, ClipperLib::ptSubject, true);
-  clipper.AddPaths(clip, ClipperLib::ptClip, true);
+  for (const Polygon& ring : subject)
+    clipper.AddPath(internal::ToPath(ring), ClipperLib::ptSubject, true);
+  for (const Polygon& ring : rings)
+    clipper.AddPath(internal::ToPath(ring), ClipperLib::ptClip, true);
   ClipperLib::PolyTree tree;
   clipper.Execute(ClipperLib::ctDifference, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
   return internal::FromTree(tree);
+}
+
+MultiPolygon WithoutRings(const MultiPolygon& region, std::span<const Polygon> rings) {
+  return WithoutRings(Rings(region), rings);
 }
 
 void AppendRingsNear(const MultiPolygon& region, const Box& box, std::vector<Polygon>& rings) {

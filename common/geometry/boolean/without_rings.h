@@ -7,9 +7,10 @@
 
 namespace slicefarm {
 
-/// `region` less all that the rings wind around (winding number not 0). The rings may cross and
-/// overlap: outlines of many regions in one sweep. The result is in canonical form.
+/// All that `subject` winds around (winding number not 0), less all that `rings` do. Each may cross
+/// and overlap: outlines of many regions in one sweep. The result is in canonical form.
 /// Cost: O((n + k) log n), k crossings.
+MultiPolygon WithoutRings(std::span<const Polygon> subject, std::span<const Polygon> rings);
 MultiPolygon WithoutRings(const MultiPolygon& region, std::span<const Polygon> rings);
 
 /// Adds the rings of `region` that can matter inside `box`, with winding numbers there as they

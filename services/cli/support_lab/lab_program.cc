@@ -97,8 +97,7 @@ MultiPolygon Loops(MultiPolygon region, int count, Coord width_nm, Writer& write
   return region;
 }
 
-void Support(const planning::SupportLayer& layer, const LabBeads& beads, bool upright,
-             Writer& writer) {
+void Support(const planning::SupportLayer& layer, const LabBeads& beads, Writer& writer) {
   writer.Height(layer.top_nm, layer.height_nm);
   const double width_mm = ToMm(static_cast<double>(beads.support_width_nm));
   for (const planning::SupportRegion& region : layer.regions) {
@@ -110,7 +109,7 @@ void Support(const planning::SupportLayer& layer, const LabBeads& beads, bool up
     const int loops = region.role == SupportRole::kThickBranch ? 2 : 1;
     const MultiPolygon rest = Loops(region.outlines, loops, beads.support_width_nm, writer);
     if (interface || layer.first)
-      Hatch(rest, beads.support_width_nm, width_mm, upright, writer);
+      Hatch(rest, beads.support_width_nm, width_mm, true, writer);  // across the base's lines
     else if (!branch)
       Hatch(rest, beads.support_width_nm + beads.spacing_nm, width_mm, false, writer);
   }
@@ -124,7 +123,7 @@ std::string LabProgram(const planning::SupportProblem& problem, const planning::
   size_t next = 0;
   const auto supports_up_to = [&](Coord top_nm) {
     for (; next < plan.layers.size() && plan.layers[next].top_nm < top_nm; ++next)
-      Support(plan.layers[next], beads, next % 2 == 1, writer);
+      Support(plan.layers[next], beads, writer);
   };
   for (const planning::PartLayer& layer : problem.part) {
     supports_up_to(layer.top_nm + 1);

@@ -21,7 +21,7 @@ std::vector<BranchSections> Draw(const SupportProblem& problem, const Branches& 
                                  int threads = 1) {
   const SupportOptions options;
   const SupportHeights heights = Even();
-  const Clearance clearance(problem, options, 1);
+  const Clearance clearance(problem, options, 100'000'000, 1);
   const auto field =
       ReachField::Make(problem, heights, {{-9'000'000, -9'000'000}, {9'000'000, 9'000'000}},
                        options, 1, CancelToken());

@@ -19,9 +19,9 @@ namespace {
 constexpr Coord kSightNm = 12'000'000;
 /// Branches that meet lower than this save nothing.
 constexpr Coord kLowestMeetingNm = 2'000'000;
-constexpr double kTipGrowthRad = 10 * std::numbers::pi / 180;
+constexpr double kTipGrowthRad = 4 * std::numbers::pi / 180;
 /// Support may reach this far beyond what carries it.
-constexpr Coord kBeyondNm = 900'000;
+constexpr Coord kBeyondNm = 850'000;
 
 /// The way down of one tip, or of several that have met.
 struct Branch {
@@ -33,15 +33,14 @@ struct Branch {
   bool found = false;  ///< the field knows a way from here
 };
 
-/// What a tip covers around its middle: branch_distance beyond its edge, and so much that tips are
-/// top_rate of a surface of hexagons.
+/// What a tip covers around its middle: branch_distance beyond its edge, less if more of what is
+/// carried than usual is to lie on tips.
 Coord TipReach(const TreeOptions& tree) {
+  constexpr double kUsualRate = 0.15;
   const double radius = tree.tip_diameter_nm / 2.0;
-  const double beyond = std::min<double>(kBeyondNm, tree.branch_distance_nm * 0.9);
   const double rate = std::clamp(tree.top_rate, 0.01, 1.0);
-  const double of_rate =
-      std::sqrt(std::numbers::pi * radius * radius / (rate * 1.5 * std::numbers::sqrt3));
-  return std::llround(std::max(radius, std::min(radius + beyond, of_rate)));
+  const double beyond = tree.branch_distance_nm * std::sqrt(std::min(1.0, kUsualRate / rate));
+  return std::llround(radius + std::min<double>(kBeyondNm, beyond));
 }
 
 class Grower {
@@ -84,7 +83,7 @@ class Grower {
       const auto& underside = undersides[static_cast<size_t>(layer)];
       if (underside.empty()) continue;
       tips_.Begin(underside);
-      for (const Branch& branch : live_) tips_.Cover(branch.at, branch.radius_nm + kBeyondNm / 2);
+      for (const Branch& branch : live_) tips_.Cover(branch.at, branch.radius_nm + kBeyondNm);
       const Coord z = heights_.layers[static_cast<size_t>(layer)].bottom_nm;
       for (const Point tip : tips_.Place()) {
         live_.push_back({AddNode(tip, z, TipRadius()), tip, z, 0, TipRadius(), false});
@@ -254,7 +253,8 @@ class Grower {
     });
     if (partner == nullptr || nearest == 0) return branch.at;
     const bool hurry = z_nm - nearest / 2 / slow_ < kLowestMeetingNm;
-    const double step = (branch.z_nm - z_nm) * (hurry ? fast_ : slow_);
+    const bool thin = 2 * branch.radius_nm < options_.tree.branch_diameter_nm;
+    const double step = (branch.z_nm - z_nm) * (hurry || thin ? fast_ : slow_);
     const double share = std::min(0.5, step / nearest);
     return {branch.at.x + std::llround((partner->at.x - branch.at.x) * share),
             branch.at.y + std::llround((partner->at.y - branch.at.y) * share)};

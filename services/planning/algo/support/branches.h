@@ -34,12 +34,13 @@ struct Branches {
 ///
 /// From the top slab down. What neither branches that pass nor the layer below carries gets tips
 /// (tips.h). Each branch looks for the nearest one that it can meet before the bed, in sight, and
-/// leans towards it (slow_angle_rad, up to angle_rad if they would not meet else); two that can be
-/// at one place in the next slab become one. The field says where a branch can go: it moves to the
-/// place nearest to where it wants from which the bed can be reached, or else the part. A tip so
-/// deep in a hole that the field knows no way goes straight down to what is there.
+/// leans towards it (angle_rad while it is thin or if they would not meet else, slow_angle_rad once
+/// it is thick); two that can be at one place in the next slab become one. The field says where a
+/// branch can go: it moves to the place nearest to where it wants from which the bed can be
+/// reached, or else the part. A tip so deep in a hole that the field knows no way goes straight
+/// down to what is there.
 ///
-/// Radii: from that of a tip to that of a branch at 10 degrees, further on half the tangent of
+/// Radii: from that of a tip to that of a branch at 4 degrees, further on half the tangent of
 /// diameter_angle_rad; less where the way is narrow, but no less than a tip's.
 /// undersides: by layer of support, ascending pixels of the field's grid that need to be carried.
 /// Errors: Cancelled.

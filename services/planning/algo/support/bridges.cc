@@ -41,17 +41,32 @@ struct Span {
   Coord y = 0;
 };
 
-/// Where a line at height y crosses the rings, in order.
-std::vector<Coord> Crossings(std::span<const Polygon> rings, Coord y) {
-  std::vector<Coord> xs;
+/// Level lines, evenly spaced.
+struct Lines {
+  Coord first_nm = 0;
+  Coord pitch_nm = 1;
+  Coord count = 0;
+
+  Coord At(Coord i) const { return first_nm + i * pitch_nm; }
+};
+
+/// Where each line crosses the rings, in order.
+std::vector<std::vector<Coord>> Crossings(std::span<const Polygon> rings, const Lines& lines) {
+  std::vector<std::vector<Coord>> xs(static_cast<size_t>(lines.count));
   for (const Polygon& ring : rings) {
     for (size_t i = 0; i < ring.size(); ++i) {
-      const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-      if ((a.y <= y) == (b.y <= y)) continue;
-      xs.push_back(a.x + std::llround(static_cast<double>(b.x - a.x) * (y - a.y) / (b.y - a.y)));
+      Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
+      if (a.y > b.y) std::swap(a, b);
+      const Coord from = std::max<Coord>(0, (a.y - lines.first_nm) / lines.pitch_nm);
+      for (Coord line = from; line < lines.count && lines.At(line) < b.y; ++line) {
+        const Coord y = lines.At(line);
+        if (y < a.y) continue;
+        xs[static_cast<size_t>(line)].push_back(
+            a.x + std::llround(static_cast<double>(b.x - a.x) * (y - a.y) / (b.y - a.y)));
+      }
     }
   }
-  std::sort(xs.begin(), xs.end());
+  for (auto& line : xs) std::sort(line.begin(), line.end());
   return xs;
 }
 
@@ -73,15 +88,14 @@ std::vector<Span> AnchoredSpans(const MultiPolygon& part, const MultiPolygon& be
   const std::vector<Polygon> rings = Turned(part, direction), anchors = Turned(below, direction);
   Box box;
   for (const Polygon& ring : rings) box.Add(Bounds(ring));
-  const Coord lines = std::max<Coord>(1, (box.max.y - box.min.y) / width_nm);
+  const Coord high = box.max.y - box.min.y, count = std::max<Coord>(1, high / width_nm);
+  const Lines lines = {box.min.y + high / (2 * count), std::max<Coord>(1, high / count), count};
+  const auto inside = Crossings(rings, lines), held = Crossings(anchors, lines);
   std::vector<Span> spans;
-  for (Coord i = 0; i < lines; ++i) {
-    const Coord y = box.min.y + (box.max.y - box.min.y) * (2 * i + 1) / (2 * lines);
-    const std::vector<Coord> inside = Crossings(rings, y), held = Crossings(anchors, y);
-    for (size_t k = 0; k + 1 < inside.size(); k += 2)
-      if (Covers(held, inside[k] - kProbeNm) && Covers(held, inside[k + 1] + kProbeNm))
-        spans.push_back({inside[k], inside[k + 1], y});
-  }
+  for (size_t i = 0; i < inside.size(); ++i)
+    for (size_t k = 0; k + 1 < inside[i].size(); k += 2)
+      if (Covers(held[i], inside[i][k] - kProbeNm) && Covers(held[i], inside[i][k + 1] + kProbeNm))
+        spans.push_back({inside[i][k], inside[i][k + 1], lines.At(static_cast<Coord>(i))});
   return spans;
 }
 
@@ -104,6 +118,13 @@ double Covered(const std::vector<Span>& spans) {
   double sum = 0;
   for (const Span& span : spans) sum += span.to - span.from;
   return sum;
+}
+
+/// On average no wider than two lines: such a strip is no bridge.
+bool IsNarrow(const PolygonWithHoles& part, Coord width_nm) {
+  double edges = 0;
+  ForEachRing({part}, [&](const Polygon& ring) { edges += Perimeter(ring); });
+  return Area(part) < width_nm * edges;
 }
 
 MultiPolygon Bridge(const PolygonWithHoles& part, const MultiPolygon& below, Coord width_nm) {
@@ -143,7 +164,7 @@ MultiPolygon BridgesOf(const MultiPolygon& hanging, const MultiPolygon& steep,
     const bool looked_at = std::any_of(steep.begin(), steep.end(), [&](const auto& island) {
       return Bounds(island.outer).Intersects(box);
     });
-    if (!looked_at || Intersection({part}, steep).empty()) continue;
+    if (!looked_at || IsNarrow(part, width_nm) || Intersection({part}, steep).empty()) continue;
     std::vector<Polygon> rings;
     AppendRingsNear(below, box.Grown(1'000'000), rings);
     if (rings.empty()) continue;

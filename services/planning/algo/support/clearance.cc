@@ -1,7 +1,6 @@
 #include "services/planning/algo/support/clearance.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "common/base/parallel.h"
@@ -16,26 +15,20 @@ namespace {
 constexpr Coord kSameHeightNm = 1'000;
 /// Boxes are cut this far from what is looked at.
 constexpr Coord kMarginNm = 1'000'000;
-/// How much of the gap is kept in space at the edge of a step. All of it would leave most of a
-/// narrow step without a surface at the distance asked for: see README.md.
-constexpr double kCornerShare = 0.5;
 
 }  // namespace
 
-Coord CornerClearance(Coord clear_nm, Coord gap_nm, Coord both_heights_nm, double share) {
-  const double r = both_heights_nm / 2.0;
-  const double far = gap_nm * share + r, up = clear_nm + r;
-  if (far <= up) return 0;
-  return std::max<Coord>(0, std::llround(std::sqrt(far * far - up * up) - r));
-}
-
-Clearance::Clearance(const SupportProblem& problem, const SupportOptions& options, int threads)
+Clearance::Clearance(const SupportProblem& problem, const SupportOptions& options, Coord top_nm,
+                     int threads)
     : problem_(problem), options_(options), bed_(Bounds(problem.bed)) {
   stacks_.emplace_back();
-  for (const PartLayer& layer : problem.part) stacks_[0].push_back({layer, {}, {}, {}});
+  const auto add = [&](const SolidLayer& layer) {
+    if (layer.bottom_nm() < top_nm + options.top_gap_nm) stacks_.back().push_back({layer, {}, {}});
+  };
+  for (const PartLayer& layer : problem.part) add(layer);
   for (const auto& other : problem.others) {
     stacks_.emplace_back();
-    for (const SolidLayer& layer : other) stacks_.back().push_back({layer, {}, {}, {}});
+    for (const SolidLayer& layer : other) add(layer);
   }
   std::vector<Layer*> all;
   for (Stack& stack : stacks_)
@@ -44,54 +37,68 @@ Clearance::Clearance(const SupportProblem& problem, const SupportOptions& option
     Layer& layer = *all[i];
     layer.box = Bounds(*layer.solid.outlines);
     layer.spaced = FastOffset(*layer.solid.outlines, options_.xy_gap_nm);
-    const Coord corner =
-        CornerClearance(0, options_.top_gap_nm, 2 * options_.layer_height_nm, kCornerShare);
-    if (corner > 0) layer.cornered = FastOffset(*layer.solid.outlines, corner);
   });
 }
 
-void Clearance::AppendLayer(const Layer& layer, Coord clear_nm, Coord gap_nm, const Box& box,
-                            std::vector<Polygon>& rings) const {
-  if (clear_nm < -kSameHeightNm) return AppendRingsNear(layer.spaced, box, rings);
-  if (clear_nm > gap_nm - kSameHeightNm) return;
-  const Coord touching =
-      CornerClearance(0, options_.top_gap_nm, 2 * options_.layer_height_nm, kCornerShare);
-  const Coord corner = CornerClearance(std::max<Coord>(0, clear_nm), gap_nm,
-                                       2 * options_.layer_height_nm, kCornerShare);
-  if (corner == 0) return AppendRingsNear(*layer.solid.outlines, box, rings);
-  if (corner == touching) return AppendRingsNear(layer.cornered, box, rings);
-  AppendRingsNear(FastOffset(*layer.solid.outlines, corner), box, rings);
-}
-
-void Clearance::AppendBlocked(const Stack& stack, Coord bottom_nm, Coord top_nm, const Box& box,
-                              std::vector<Polygon>& rings) const {
+template <typename Visit>
+void Clearance::ForEachBlocked(Coord bottom_nm, Coord top_nm, const Box& box, Visit visit) const {
   const Coord below = bottom_nm - options_.bottom_gap_nm;
-  auto layer = std::partition_point(stack.begin(), stack.end(),
-                                    [&](const Layer& l) { return l.solid.top_nm <= below; });
-  for (; layer != stack.end(); ++layer) {
-    const Coord above = layer->solid.bottom_nm() - top_nm, under = bottom_nm - layer->solid.top_nm;
-    if (above >= options_.top_gap_nm) break;
-    if (!layer->box.Intersects(box)) continue;
-    if (under > above)
-      AppendLayer(*layer, under, options_.bottom_gap_nm, box, rings);
-    else
-      AppendLayer(*layer, above, options_.top_gap_nm, box, rings);
+  for (const Stack& stack : stacks_) {
+    auto layer = std::partition_point(stack.begin(), stack.end(),
+                                      [&](const Layer& l) { return l.solid.top_nm <= below; });
+    for (; layer != stack.end(); ++layer) {
+      const Coord above = layer->solid.bottom_nm() - top_nm;
+      const Coord under = bottom_nm - layer->solid.top_nm;
+      if (above >= options_.top_gap_nm) break;
+      if (!layer->box.Intersects(box)) continue;
+      const bool apart = under > -kSameHeightNm || above > -kSameHeightNm;
+      const Coord clear = std::max(under, above);
+      const Coord gap = under > above ? options_.bottom_gap_nm : options_.top_gap_nm;
+      if (!apart)
+        visit(layer->spaced);
+      else if (clear < gap - kSameHeightNm)
+        visit(*layer->solid.outlines);
+    }
   }
 }
 
-MultiPolygon Clearance::Free(const MultiPolygon& region, Coord bottom_nm, Coord top_nm) const {
-  if (region.empty()) return {};
-  const Box bounds = Bounds(region);
-  const Box box = bounds.Grown(kMarginNm);
-  std::vector<Polygon> rings;
-  for (const Stack& stack : stacks_) AppendBlocked(stack, bottom_nm, top_nm, box, rings);
-  MultiPolygon free = rings.empty() ? region : WithoutRings(region, rings);
-  const bool on_bed =
+MultiPolygon Clearance::OnBed(MultiPolygon free, const Box& bounds) const {
+  const bool inside =
       problem_.bed.empty() ||
       (problem_.bed.size() == 1 && problem_.bed[0].holes.empty() &&
        problem_.bed[0].outer.size() == 4 && bounds.min.x >= bed_.min.x &&
        bounds.max.x <= bed_.max.x && bounds.min.y >= bed_.min.y && bounds.max.y <= bed_.max.y);
-  return on_bed ? free : Intersection(free, problem_.bed);
+  return inside ? free : Intersection(free, problem_.bed);
+}
+
+MultiPolygon Clearance::Free(const MultiPolygon& region, Coord bottom_nm, Coord top_nm) const {
+  if (region.empty()) return {};
+  const Box bounds = Bounds(region), box = bounds.Grown(kMarginNm);
+  std::vector<Polygon> blocked;
+  ForEachBlocked(bottom_nm, top_nm, box,
+                 [&](const MultiPolygon& outlines) { AppendRingsNear(outlines, box, blocked); });
+  return OnBed(blocked.empty() ? region : WithoutRings(region, blocked), bounds);
+}
+
+MultiPolygon Clearance::FreeOf(std::span<const Polygon> rings, Coord bottom_nm,
+                               Coord top_nm) const {
+  Box bounds;
+  for (const Polygon& ring : rings) bounds.Add(Bounds(ring));
+  if (bounds.Empty()) return {};
+  const Box box = bounds.Grown(kMarginNm);
+  std::vector<Polygon> blocked;
+  ForEachBlocked(bottom_nm, top_nm, box,
+                 [&](const MultiPolygon& outlines) { AppendRingsNear(outlines, box, blocked); });
+  return OnBed(WithoutRings(rings, blocked), bounds);
+}
+
+void Clearance::FillBlocked(Coord bottom_nm, Coord top_nm, Bitmap& bitmap) const {
+  const PixelGrid& grid = bitmap.grid();
+  const Box box = {
+      grid.origin,
+      {grid.origin.x + grid.width * grid.pixel_nm, grid.origin.y + grid.height * grid.pixel_nm}};
+  ForEachBlocked(bottom_nm, top_nm, box,
+                 [&](const MultiPolygon& outlines) { bitmap.Fill(outlines); });
 }
 
 }  // namespace slicefarm::planning

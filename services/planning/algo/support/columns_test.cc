@@ -16,7 +16,7 @@ absl::StatusOr<std::vector<MultiPolygon>> ColumnsUnder(const SupportProblem& pro
   for (Coord i = 0; i < kLayers; ++i) heights.layers.push_back({i * 200'000, (i + 1) * 200'000});
   Contacts contacts(kLayers);
   contacts.back() = contact;
-  const Clearance clearance(problem, options, 1);
+  const Clearance clearance(problem, options, 100'000'000, 1);
   return Columns(problem, heights, contacts, clearance, options, 2, CancelToken());
 }
 
@@ -80,7 +80,7 @@ TEST(Columns, DoNotStandOnOthers) {
 TEST(Columns, CanBeCancelled) {
   const SupportProblem problem = kNothing.Problem();
   const SupportOptions options;
-  const Clearance clearance(problem, options, 1);
+  const Clearance clearance(problem, options, 100'000'000, 1);
   SupportHeights heights;
   heights.layers.push_back({0, 200'000});
   EXPECT_EQ(Columns(problem, heights, {{}}, clearance, options, 1, CancelToken([] { return true; }))

@@ -7,6 +7,7 @@
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/boolean/without_rings.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "services/planning/algo/support/widened.h"
 
 namespace slicefarm::planning {
 namespace {
@@ -57,7 +58,11 @@ std::vector<MultiPolygon> Sheets(const SupportHeights& heights, const Contacts& 
   std::vector<MultiPolygon> sheets(count);
   ForEachIndex(threads, count, [&](size_t i, int) {
     const MultiPolygon all = UnionOf(contacts, i, EndOfSheet(i, count, options));
-    sheets[i] = clearance.Free(all, heights.layers[i].bottom_nm, heights.layers[i].top_nm);
+    const SupportHeight& height = heights.layers[i];
+    sheets[i] = clearance.Free(all, height.bottom_nm, height.top_nm);
+    const MultiPolygon wide = Widened(sheets[i], options.width_nm * 4 / 5);
+    if (!wide.empty())
+      sheets[i] = Union(sheets[i], clearance.Free(wide, height.bottom_nm, height.top_nm));
     std::erase_if(sheets[i], [](const PolygonWithHoles& s) { return Area(s) < kLeastAreaNm2; });
   });
   return sheets;

@@ -66,7 +66,7 @@ TEST_F(InterfacesTest, OfBranches) {
   SupportOptions options;
   options.top_interface_layers = 2;
   const SupportProblem problem = plate_.Problem();
-  const Clearance clearance(problem, options, 1);
+  const Clearance clearance(problem, options, 100'000'000, 1);
   const auto sheets = Sheets(Even(), contacts_, clearance, options, 1);
   EXPECT_NEAR(AreaMm2(sheets[18]), 100, 1e-6);
   EXPECT_TRUE(sheets[17].empty());

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "common/geometry/boolean/boolean.h"
-
 namespace slicefarm::planning {
 namespace {
 
@@ -118,22 +116,55 @@ void Bitmap::Fill(const MultiPolygon& region) {
   }
 }
 
-MultiPolygon Outline(const Bitmap& bitmap) {
+void Bitmap::FillEdges(const MultiPolygon& region) {
+  ForEachRing(region, [&](const Polygon& ring) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], by = ring[i + 1 < ring.size() ? i + 1 : 0] - a;
+      const Coord steps = 1 + 2 * std::max(std::abs(by.x), std::abs(by.y)) / grid_.pixel_nm;
+      for (Coord k = 0; k < steps; ++k)
+        Row(grid_.Row(a.y + by.y * k / steps))[grid_.Column(a.x + by.x * k / steps)] = 1;
+    }
+  });
+}
+
+std::vector<Polygon> Outline(const Bitmap& bitmap) {
   const PixelGrid& grid = bitmap.grid();
-  std::vector<Polygon> runs;
-  for (int32_t y = 0; y < grid.height; ++y) {
-    const uint8_t* row = bitmap.Row(y);
-    for (int32_t x = 0; x < grid.width; ++x) {
-      if (!row[x]) continue;
-      const int32_t from = x;
-      while (x < grid.width && row[x]) ++x;
-      const Coord left = grid.origin.x + from * grid.pixel_nm;
-      const Coord right = grid.origin.x + x * grid.pixel_nm;
-      const Coord bottom = grid.origin.y + y * grid.pixel_nm, top = bottom + grid.pixel_nm;
-      runs.push_back({{left, bottom}, {right, bottom}, {right, top}, {left, top}});
+  const auto set = [&](int32_t x, int32_t y) {
+    return x >= 0 && y >= 0 && x < grid.width && y < grid.height && bitmap.At(x, y);
+  };
+  // Edges run with what is set to the left: along the tops of pixels to the left, and so on. Each
+  // ring has an edge along the bottom of a pixel; `traced` knows those edges.
+  std::vector<uint8_t> traced(grid.size(), 0);
+  std::vector<Polygon> rings;
+  for (int32_t y0 = 0; y0 < grid.height; ++y0) {
+    for (int32_t x0 = 0; x0 < grid.width; ++x0) {
+      if (!set(x0, y0) || set(x0, y0 - 1)) continue;
+      if (traced[static_cast<size_t>(y0) * grid.width + x0]) continue;
+      Polygon ring;
+      // The corner at which the next edge starts, and its direction.
+      int32_t x = x0, y = y0, dx = 1, dy = 0;
+      do {
+        if (dx == 1) traced[static_cast<size_t>(y) * grid.width + x] = 1;
+        x += dx;
+        y += dy;
+        // The two pixels ahead: left and right of the way on.
+        const int32_t lx = x + (dx - dy - 1) / 2, ly = y + (dx + dy - 1) / 2;
+        const int32_t rx = x + (dx + dy - 1) / 2, ry = y + (dy - dx - 1) / 2;
+        const int32_t was_dx = dx, was_dy = dy;
+        if (!set(lx, ly)) {  // turn left: pixels that touch at a corner stay apart
+          dx = -was_dy;
+          dy = was_dx;
+        } else if (set(rx, ry)) {
+          dx = was_dy;
+          dy = -was_dx;
+        }
+        if (dx != was_dx || dy != was_dy)
+          ring.push_back({grid.origin.x + x * grid.pixel_nm, grid.origin.y + y * grid.pixel_nm});
+      } while (x != x0 || y != y0 || dx != 1 || dy != 0);
+      rings.push_back(std::move(ring));
     }
   }
-  return Union(runs, FillRule::kNonZero);
+  return rings;
 }
 
 std::vector<PixelDistance> DistanceTo(const Bitmap& bitmap) {

@@ -44,6 +44,8 @@ class Bitmap {
 
   /// Sets the pixels whose centres lie inside of the region. Cost: O(points + rows crossed).
   void Fill(const MultiPolygon& region);
+  /// Sets the pixels that the region's edges pass, to half a pixel. Cost: O(pixels set).
+  void FillEdges(const MultiPolygon& region);
 
  private:
   PixelGrid grid_;
@@ -51,8 +53,9 @@ class Bitmap {
   std::vector<std::vector<int32_t>> crossings_;  ///< by row; kept for the next call
 };
 
-/// The region that the set pixels cover, in runs joined to islands.
-MultiPolygon Outline(const Bitmap& bitmap);
+/// The edges of what the set pixels cover, as rings: outer ones counter-clockwise, holes clockwise;
+/// pixels that share but a corner are apart. No corners along straight edges. Cost: O(pixels).
+std::vector<Polygon> Outline(const Bitmap& bitmap);
 
 /// Distances are told in steps of an eighth of a pixel, up to kFarthest.
 using PixelDistance = uint8_t;

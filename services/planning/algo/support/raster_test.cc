@@ -40,12 +40,30 @@ TEST(Bitmap, SetsThePixelsWhoseCentresAreInside) {
   }
 }
 
-TEST(Bitmap, OutlineGivesTheRegionBack) {
+TEST(Outline, GivesTheRegionBack) {
   const MultiPolygon frame = MakePolygonsOrDie("(0 1, 3 1, 3 4, 0 4) (1 2, 2 2, 2 3, 1 3)");
   Bitmap bitmap(Grid(30, 30));
   bitmap.Fill(frame);
-  EXPECT_NEAR(AreaMm2(Outline(bitmap)), 8, 1e-9);
-  EXPECT_NEAR(AreaMm2(Difference(frame, Outline(bitmap))), 0, 1e-9);
+  EXPECT_EQ(Union(Outline(bitmap), FillRule::kPositive), frame);
+}
+
+TEST(Outline, OfNoiseHasItsPixelsAndNoOthers) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 20; ++round) {
+    Bitmap bitmap(Grid(23, 17)), again(Grid(23, 17));
+    size_t count = 0;
+    for (size_t i = 0; i < bitmap.grid().size(); ++i)
+      count += bitmap.Row(0)[i] = random() % 20 < static_cast<unsigned>(round) ? 1 : 0;
+    const std::vector<Polygon> rings = Outline(bitmap);
+    double area = 0;
+    for (const Polygon& ring : rings) area += SignedArea(ring);
+    EXPECT_EQ(area, static_cast<double>(count) * 62'500'000'000.0);
+    for (const Polygon& ring : rings)
+      for (size_t i = 0; i < ring.size(); ++i) {
+        const Point a = ring[i], b = ring[(i + 1) % ring.size()], c = ring[(i + 2) % ring.size()];
+        EXPECT_NE(Cross(b - a, c - b), 0);
+      }
+  }
 }
 
 TEST(DistanceTo, EqualsBruteForce) {

@@ -83,13 +83,13 @@ class FieldMaker {
 
   /// Where the part below a slab is wide enough to stand on.
   std::vector<bool> Floor(const Slab& below, const Slab& slab) const {
-    Bitmap open(grid_);
-    FillBetween(problem_.part, below.bottom_nm - kOverlapNm, slab.bottom_nm, open);
-    for (int32_t y = 0; y < grid_.height; ++y)
-      for (int32_t x = 0; x < grid_.width; ++x) open.Row(y)[x] ^= 1;
-    const std::vector<PixelDistance> inside = DistanceTo(open);
-    std::vector<bool> floor(inside.size());
-    for (size_t i = 0; i < inside.size(); ++i) floor[i] = inside[i] >= kFootPixels * kDistanceSteps;
+    Bitmap solid(grid_);
+    FillBetween(problem_.part, below.bottom_nm - kOverlapNm, slab.bottom_nm, solid);
+    std::vector<PixelDistance> open(grid_.size());
+    for (size_t i = 0; i < open.size(); ++i) open[i] = solid.Row(0)[i] ^ 1;
+    open = MostWithin(open, grid_, kFootPixels * kFootPixels);
+    std::vector<bool> floor(open.size());
+    for (size_t i = 0; i < open.size(); ++i) floor[i] = open[i] == 0;
     return floor;
   }
 

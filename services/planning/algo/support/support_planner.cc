@@ -16,13 +16,12 @@
 #include "services/planning/algo/support/interfaces.h"
 #include "services/planning/algo/support/overhangs.h"
 #include "services/planning/algo/support/reach_field.h"
+#include "services/planning/algo/support/standing.h"
 #include "services/planning/algo/support/support_heights.h"
 
 namespace slicefarm::planning {
 namespace {
 
-/// Support may reach this far beyond what carries it.
-constexpr Coord kBeyondNm = 1'000'000;
 /// Branches go this far around what they carry, to the sides.
 constexpr Coord kAroundNm = 12'000'000;
 /// An overhang is carried where support or part is this near.
@@ -54,12 +53,13 @@ class Planner {
     if (cancel_.Cancelled()) return cancel_.Check();
     heights_ = HeightsFor(problem_, overhangs_, options_);
     if (!heights_.layers.empty()) {
-      const Clearance clearance(problem_, options_, threads_);
+      const Clearance clearance(problem_, options_, heights_.layers.back().top_nm, threads_);
       if (cancel_.Cancelled()) return cancel_.Check();
       FindContacts(clearance);
       const absl::Status made =
           options_.style == SupportStyle::kTree ? Grow(clearance) : Raise(clearance);
       if (!made.ok()) return made;
+      KeepStanding(problem_, options_, threads_, cancel_, plan_.layers);
     }
     plan_.findings = Findings();
     if (cancel_.Cancelled()) return cancel_.Check();
@@ -85,8 +85,8 @@ class Planner {
       MultiPolygon contact;
       for (const size_t part_layer : on[i])
         contact = Union(contact, overhangs_[part_layer].contact);
-      contacts_[i] =
-          clearance.Free(contact, heights_.layers[i].bottom_nm, heights_.layers[i].top_nm);
+      const SupportHeight& height = heights_.layers[i];
+      contacts_[i] = clearance.Free(contact, height.bottom_nm, height.top_nm);
     });
   }
 
@@ -98,7 +98,8 @@ class Planner {
   }
 
   absl::Status Grow(const Clearance& clearance) {
-    std::vector<MultiPolygon> sheets = Sheets(heights_, contacts_, clearance, options_, threads_);
+    const std::vector<MultiPolygon> sheets =
+        Sheets(heights_, contacts_, clearance, options_, threads_);
     Box box;
     for (const MultiPolygon& sheet : sheets) box.Add(Bounds(sheet));
     if (box.Empty()) return absl::OkStatus();
@@ -111,7 +112,6 @@ class Planner {
     const auto sections =
         DrawBranches(*branches, *field, heights_, clearance, options_, threads_, cancel_);
     if (cancel_.Cancelled()) return cancel_.Check();
-    if (branches->lost > 0) KeepCarried(sections, sheets);
     plan_.layers = BranchLayers(problem_, heights_, sections, sheets, options_, threads_);
     return absl::OkStatus();
   }
@@ -130,19 +130,6 @@ class Planner {
         if (h[k] && !b[k]) undersides[i].push_back(static_cast<int32_t>(k));
     });
     return undersides;
-  }
-
-  /// Takes from the sheets what the branches that are there do not carry.
-  void KeepCarried(const std::vector<BranchSections>& sections,
-                   std::vector<MultiPolygon>& sheets) const {
-    for (size_t i = 1; i < sheets.size(); ++i) {
-      if (sheets[i].empty()) continue;
-      std::vector<Polygon> rings;
-      for (const auto* region : {static_cast<const MultiPolygon*>(&sheets[i - 1]),
-                                 &sections[i - 1].thin, &sections[i - 1].thick})
-        for (const Polygon& ring : Rings(FastOffset(*region, kBeyondNm))) rings.push_back(ring);
-      sheets[i] = Difference(sheets[i], WithoutRings(sheets[i], rings));
-    }
   }
 
   std::vector<SupportFinding> Findings() const {
