@@ -21,7 +21,7 @@ TEST(CheckExposureCode, TakesWhatPrintsAndSettingsTell) {
 
 TEST(CheckExposureCode, NamesWhatIsWrongBeforeAnyWork) {
   struct Case {
-    std::string ExposureOutput::*text;
+    SharedText ExposureOutput::*text;
     const char* setting;
   };
   const Case kCases[] = {{&ExposureOutput::start_gcode, "start_gcode"},

@@ -101,8 +101,7 @@ class FakeRunners : public TaskExecutor {
 class FakeMotion : public MotionStage {
  public:
   absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall&, std::vector<OrderedLayer>,
-                                                    const JobFacts&,
-                                                    const MotionOptions&) const override {
+                                                    const Shared<MotionJob>&) const override {
     return absl::UnimplementedError("");
   }
   absl::StatusOr<ProgramEnvelope> Envelope(const StageCall&, const ProgramSummary& summary,
