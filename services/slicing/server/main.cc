@@ -37,7 +37,9 @@ int main(int argc, char** argv) {
   slicefarm::MemoryBudget memory(int64_t{memory_mib} << 20);
   auto meshes = slicefarm::slicing::MakeMeshSource(sandbox, reader_memory);
   auto meshes_to_arrange = slicefarm::slicing::MakeMeshSource(sandbox, reader_memory);
-  for (const absl::Status& status : {meshes.status(), meshes_to_arrange.status()}) {
+  auto projects = slicefarm::slicing::MakeMeshSource(sandbox, reader_memory);
+  for (const absl::Status& status :
+       {meshes.status(), meshes_to_arrange.status(), projects.status()}) {
     if (status.ok()) continue;
     program.log().Error("cannot serve", {{"error", std::string(status.message())}});
     return 1;
@@ -47,7 +49,8 @@ int main(int argc, char** argv) {
   const auto arranging = slicefarm::slicing::MakeLocalArranging(*std::move(meshes_to_arrange));
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
   program.Show(gate);
-  const auto service =
-      slicefarm::slicing::MakeSlicingService(*slicing, *arranging, gate, threads, memory);
+  const auto service = slicefarm::slicing::MakeSlicingService(
+      *slicing, *arranging, slicefarm::slicing::MakeReadProjects(*std::move(projects)), gate,
+      threads, memory);
   return program.Run(flags, {service.get()});
 }

@@ -7,6 +7,7 @@
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/slicing_wire.h"
 #include "common/wire/support/message_stream.h"
+#include "common/wire/support/wire_error.h"
 #include "slicefarm/v1/slicing.grpc.pb.h"
 
 namespace slicefarm::slicing {
@@ -14,9 +15,14 @@ namespace {
 
 class SlicingService final : public v1::Slicing::Service {
  public:
-  SlicingService(const SlicingStage& slicing, const ArrangingStage& arranging, rpc::CallGate& gate,
-                 int threads, MemoryBudget& memory)
-      : slicing_(slicing), arranging_(arranging), gate_(gate), threads_(threads), memory_(memory) {}
+  SlicingService(const SlicingStage& slicing, const ArrangingStage& arranging,
+                 ReadProjects projects, rpc::CallGate& gate, int threads, MemoryBudget& memory)
+      : slicing_(slicing),
+        arranging_(arranging),
+        projects_(std::move(projects)),
+        gate_(gate),
+        threads_(threads),
+        memory_(memory) {}
 
   grpc::Status Slice(
       grpc::ServerContext* context,
@@ -24,16 +30,22 @@ class SlicingService final : public v1::Slicing::Service {
   grpc::Status PutOnPlates(
       grpc::ServerContext* context,
       grpc::ServerReaderWriter<v1::PlatePlace, v1::SliceRequest>* stream) override;
+  grpc::Status ReadProject(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::ReadProjectResponse, v1::SliceRequest>* stream) override;
 
  private:
   using Stream = rpc::ServerStream<v1::SliceResponse, v1::SliceRequest>;
   using PlacesStream = rpc::ServerStream<v1::PlatePlace, v1::SliceRequest>;
   absl::Status SliceFiles(rpc::Call& call, Stream& stream) const;
+  using ProjectStream = rpc::ServerStream<v1::ReadProjectResponse, v1::SliceRequest>;
   absl::Status ArrangeFiles(rpc::Call& call, PlacesStream& stream) const;
+  absl::Status ReadFile(rpc::Call& call, ProjectStream& stream) const;
   static absl::Status Answer(const SlicedJob& job, Stream& stream);
 
   const SlicingStage& slicing_;
   const ArrangingStage& arranging_;
+  const ReadProjects projects_;
   rpc::CallGate& gate_;
   const int threads_;
   MemoryBudget& memory_;
@@ -85,6 +97,24 @@ grpc::Status SlicingService::PutOnPlates(
                    [&](rpc::Call& call) { return ArrangeFiles(call, buffered); });
 }
 
+grpc::Status SlicingService::ReadProject(
+    grpc::ServerContext* context,
+    grpc::ServerReaderWriter<v1::ReadProjectResponse, v1::SliceRequest>* stream) {
+  ProjectStream buffered(*stream);
+  return gate_.Run(*context, "ReadProject",
+                   [&](rpc::Call& call) { return ReadFile(call, buffered); });
+}
+
+absl::Status SlicingService::ReadFile(rpc::Call& call, ProjectStream& stream) const {
+  absl::StatusOr<Request> request = ReadRequest(call, stream, memory_);
+  if (!request.ok()) return request.status();
+  if (request->input.files.size() != 1) return Malformed("start.files", "are not one");
+  const auto project = projects_(request->input.files.front(), call.cancel);
+  if (!project.ok()) return project.status();
+  stream.Write(*project);  // that the client is gone is no error
+  return absl::OkStatus();
+}
+
 absl::Status SlicingService::SliceFiles(rpc::Call& call, Stream& stream) const {
   absl::StatusOr<Request> request = ReadRequest(call, stream, memory_);
   if (!request.ok()) return request.status();
@@ -118,9 +148,10 @@ absl::Status SlicingService::Answer(const SlicedJob& job, Stream& stream) {
 
 std::unique_ptr<grpc::Service> MakeSlicingService(const SlicingStage& slicing,
                                                   const ArrangingStage& arranging,
-                                                  rpc::CallGate& gate, int threads,
-                                                  MemoryBudget& memory) {
-  return std::make_unique<SlicingService>(slicing, arranging, gate, threads, memory);
+                                                  ReadProjects projects, rpc::CallGate& gate,
+                                                  int threads, MemoryBudget& memory) {
+  return std::make_unique<SlicingService>(slicing, arranging, std::move(projects), gate, threads,
+                                          memory);
 }
 
 }  // namespace slicefarm::slicing
