@@ -126,6 +126,9 @@ def check_dockerfile():
     expect("--target programs" in text, "Dockerfile: builds more than a farm's programs")
     for source in re.findall(r"^COPY (?!--from)(\S+) ", text, re.M):
         expect((DEPLOY.parent / source).exists(), f"Dockerfile: no {source}")
+    cmake = (DEPLOY.parent / "CMakeLists.txt").read_text()
+    for folder in re.findall(r"^add_subdirectory\((\w+)\)", cmake, re.M):
+        expect(f"COPY {folder} {folder}" in text, f"Dockerfile: builds without {folder}")
 
 
 def check_migration():

@@ -30,7 +30,7 @@ LAYERS = [
     ("task_wire", r"processes/\w+/wire(?:[/.]|_test)", PURE | {"stage", "wire", "task", "task_wire"}, r"\.grpc\.pb\.h$|^grpc"),
     ("job", r"processes/\w+/jobs?(?:[/.]|_test)", PURE | {"stage", "task", "algo", "job"}, f"{WIRE}|{GRPC}"),
     ("wire", r"common/wire/", PURE | {"stage", "wire"}, r"\.grpc\.pb\.h$|^grpc"),
-    ("rpc", r"common/rpc/", PURE | {"rpc"}, r"slicefarm/v1/(?!error_details|shared).*\.pb\.h$"),
+    ("rpc", r"common/rpc/", PURE | {"rpc"}, r"slicefarm/v1/(?!shared).*\.pb\.h$"),
     ("algo", r"services/(\w+)/algo/", PURE | {"algo", "stage", "macro"}, f"{WIRE}|{GRPC}"),
     ("sandbox", r"services/(\w+)/sandbox/", PURE | {"algo", "sandbox"}, f"{WIRE}|{GRPC}"),
     ("remote", r"services/(\w+)/remote/", EDGE | {"remote", "task_wire"}, None),

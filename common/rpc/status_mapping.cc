@@ -12,7 +12,8 @@
 
 #include "common/base/error.h"
 #include "common/rpc/utf8.h"
-#include "slicefarm/v1/error_details.pb.h"
+#include "google/rpc/error_details.pb.h"
+#include "google/rpc/status.pb.h"
 
 namespace slicefarm::rpc {
 namespace {

@@ -7,7 +7,8 @@
 #include <string>
 
 #include "common/base/error.h"
-#include "slicefarm/v1/error_details.pb.h"
+#include "google/rpc/error_details.pb.h"
+#include "google/rpc/status.pb.h"
 
 namespace slicefarm::rpc::status_mapping_test {
 namespace {

@@ -6,6 +6,7 @@
 #include "common/model/scene/orientation_advice.h"
 #include "common/model/scene/placement.h"
 #include "slicefarm/v1/mesh.pb.h"
+#include "slicefarm/v1/thumbnail.pb.h"
 
 namespace slicefarm {
 

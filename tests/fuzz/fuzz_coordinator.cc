@@ -50,7 +50,8 @@ class Farm {
     options.build_id = "fuzz";
     options.runner.owner = "fuzz";
     auto opened = coordinator::Coordinator::Open(
-        options, {{.slicing = &slicing_, .planning = &planning_, .motion = &motion_}, arranging_},
+        options,
+        {{.slicing = &slicing_, .planning = &planning_, .motion = &motion_}, arranging_, projects_},
         dispatcher_, rpc::JsonLog("fuzz"));
     Expect(opened.ok());
     coordinator_ = *std::move(opened);
@@ -129,6 +130,7 @@ class Farm {
   const std::string directory_ = NewDirectory();
   coordinator::FakeSlicing slicing_;
   coordinator::FakeArranging arranging_;
+  coordinator::FakeProjects projects_;
   coordinator::FakePlanning planning_;
   coordinator::FakeMotion motion_;
   coordinator::Dispatcher dispatcher_;

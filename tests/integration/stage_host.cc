@@ -27,8 +27,9 @@ rpc::JsonLog NoLog() {
 StageHost::StageHost(const HostedStages& stages, const rpc::CallGateOptions& gate,
                      const rpc::ServerOptions& options)
     : gate_(gate, NoLog()), keeper_(NoLog()) {
-  services_.push_back(slicing::MakeSlicingService(stages.slicing, *arranging_, *placing_, gate_,
-                                                  kThreads, memory_));
+  services_.push_back(slicing::MakeSlicingService(
+      stages.slicing, *arranging_, *placing_,
+      slicing::MakeReadProjects(slicing::MakeDirectMeshSource()), gate_, kThreads, memory_));
   services_.push_back(stages.planning(gate_));
   services_.push_back(beading::MakeBeadingService(stages.beading, gate_, keeper_.cache()));
   services_.push_back(infill::MakeInfillService(stages.infill, gate_, keeper_.cache()));

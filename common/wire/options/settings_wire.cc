@@ -13,6 +13,7 @@
 #include "common/wire/support/enum_wire.h"
 #include "common/wire/support/repeated_wire.h"
 #include "common/wire/support/wire_error.h"
+#include "slicefarm/v1/process.pb.h"
 
 namespace slicefarm {
 namespace {

@@ -18,6 +18,7 @@
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "common/wire/support/repeated_wire.h"
+#include "services/coordinator/remote/slice_files.h"
 #include "slicefarm/v1/beading.grpc.pb.h"
 #include "slicefarm/v1/exposure.grpc.pb.h"
 #include "slicefarm/v1/infill.grpc.pb.h"
@@ -64,19 +65,6 @@ absl::Status ReadAll(Stream& stream, std::vector<Model>* models) {
   return ReadEach<Response>(stream, [models](Response& response) {
     return Append(FromProto(std::move(response)), models);
   });
-}
-
-template <typename Stream>
-absl::Status WriteFiles(Stream& stream, const StageCall& call, const SliceInput& input,
-                        const SlicingOptions& options) {
-  v1::SliceRequest request;
-  absl::Status status = ToProto(call, input, options, request.mutable_start());
-  if (!status.ok() || !stream.Write(request)) return status;
-  ForEachChunk(input, [&](std::string_view chunk) {
-    request.set_chunk(chunk.data(), chunk.size());
-    return stream.Write(request);
-  });
-  return absl::OkStatus();
 }
 
 template <typename Stream>

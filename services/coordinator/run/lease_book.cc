@@ -4,15 +4,8 @@
 
 namespace slicefarm::coordinator {
 
-void LeaseBook::Add(const Lease& lease, const std::string& action_digest, int64_t claimed_us,
-                    std::shared_ptr<RunWishes> wishes) {
-  held_[lease] = {std::move(wishes), action_digest, UntilUs(claimed_us)};
-}
-
-std::set<std::string> LeaseBook::Busy() const {
-  std::set<std::string> busy;
-  for (const auto& [lease, held] : held_) busy.insert(held.action_digest);
-  return busy;
+void LeaseBook::Add(const Lease& lease, int64_t claimed_us, std::shared_ptr<RunWishes> wishes) {
+  held_[lease] = {std::move(wishes), UntilUs(claimed_us)};
 }
 
 std::vector<Lease> LeaseBook::ToRenew() const {
@@ -25,19 +18,20 @@ std::vector<Lease> LeaseBook::ToRenew() const {
 
 void LeaseBook::Renewed(const std::vector<Lease>& asked, const std::vector<HeldJob>& held,
                         int64_t until_us) {
-  std::map<Lease, bool> cancel_requested;
-  for (const HeldJob& job : held) cancel_requested[job.lease] = job.cancel_requested;
+  std::map<Lease, const HeldJob*> by_lease;
+  for (const HeldJob& job : held) by_lease[job.lease] = &job;
   for (const Lease& lease : asked) {
     const auto found = held_.find(lease);
     if (found == held_.end()) continue;  // has ended meanwhile
-    const auto still = cancel_requested.find(lease);
-    if (still == cancel_requested.end()) {
+    const auto still = by_lease.find(lease);
+    if (still == by_lease.end()) {
       // Claimed by another; or written to its end, and then this changes nothing.
       found->second.wishes->Lose();
       continue;
     }
     found->second.until_us = until_us;
-    if (still->second) found->second.wishes->Cancel();
+    found->second.wishes->EndBy(still->second->deadline_us);
+    if (still->second->cancel_requested) found->second.wishes->Cancel();
   }
 }
 

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -23,14 +22,10 @@ class LeaseBook {
   int64_t UntilUs(int64_t now_us) const { return now_us + lease_us_; }
 
   /// A run begins, under a claim that was made when the clock said `claimed_us`.
-  void Add(const Lease& lease, const std::string& action_digest, int64_t claimed_us,
-           std::shared_ptr<RunWishes> wishes);
+  void Add(const Lease& lease, int64_t claimed_us, std::shared_ptr<RunWishes> wishes);
 
   /// The run has ended.
   void Remove(const Lease& lease) { held_.erase(lease); }
-
-  /// The work that is being done.
-  std::set<std::string> Busy() const;
 
   /// The leases of the runs that go on. One that was given up writes nothing any more, so its job
   /// has to run out, to be claimed again.
@@ -50,8 +45,7 @@ class LeaseBook {
  private:
   struct Held {
     std::shared_ptr<RunWishes> wishes;  // shared with the run
-    std::string action_digest;
-    int64_t until_us = 0;  ///< as the store has it
+    int64_t until_us = 0;               ///< as the store has it
   };
 
   int64_t lease_us_;

@@ -14,7 +14,7 @@ class LeaseBookTest : public testing::Test {
  protected:
   std::shared_ptr<RunWishes> Add(const Lease& lease, int64_t claimed_us = 0) {
     auto wishes = std::make_shared<RunWishes>();
-    book_.Add(lease, "work of " + lease.job_id, claimed_us, wishes);
+    book_.Add(lease, claimed_us, wishes);
     return wishes;
   }
 
@@ -28,7 +28,6 @@ TEST_F(LeaseBookTest, RunsAreRenewedUntilTheyEnd) {
   lost->Lose();
   book_.Remove({"c", 1});
   EXPECT_THAT(book_.ToRenew(), ElementsAre(Lease{"a", 1}));
-  EXPECT_THAT(book_.Busy(), ElementsAre("work of a", "work of b")) << "b still ends";
 }
 
 TEST_F(LeaseBookTest, WhatTheStoreDoesNotHoldAnyMoreIsLost) {
@@ -55,6 +54,13 @@ TEST_F(LeaseBookTest, AStoreThatDoesNotAnswerCostsARunOnlyLate) {
   EXPECT_FALSE(run->lost());
   book_.GiveUpLate(11'001);
   EXPECT_TRUE(run->lost());
+}
+
+TEST_F(LeaseBookTest, RunsHearOfADeadlineThatWasChanged) {
+  const auto run = Add({"a", 1});
+  book_.Renewed({{"a", 1}}, {{{"a", 1}, false, 7'000}}, 13'000);
+  EXPECT_FALSE(run->Overdue(6'999));
+  EXPECT_TRUE(run->Overdue(7'000));
 }
 
 TEST_F(LeaseBookTest, WishesReachTheRunsTheyAreFor) {

@@ -4,7 +4,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Which progress of a run is worth a write: five times a second and a hundred times a job, at
+/// Which progress of a run is worth telling: five times a second and a hundred times a job, at
 /// most.
 class ProgressGate {
  public:

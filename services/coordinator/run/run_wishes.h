@@ -8,8 +8,8 @@
 
 namespace slicefarm::coordinator {
 
-/// What others want of a run. Set from any thread, never taken back. Times are microseconds on the
-/// coordinator's clock.
+/// What others want of a run. Set from any thread; but for the deadline, never taken back. Times
+/// are microseconds on the coordinator's clock.
 class RunWishes {
  public:
   explicit RunWishes(int64_t deadline_us = kNoDeadlineUs) : deadline_us_(deadline_us) {}
@@ -17,6 +17,7 @@ class RunWishes {
   void Cancel() { cancelled_ = true; }      ///< its client wants it to end
   void HandBack() { handed_back_ = true; }  ///< the coordinator stops
   void Lose() { lost_ = true; }             ///< the job may have been claimed again
+  void EndBy(int64_t deadline_us) { deadline_us_ = deadline_us; }
 
   /// The store's answer to a write of the run: Aborted says that the job was claimed again.
   void Heard(const absl::Status& written) {
@@ -32,7 +33,7 @@ class RunWishes {
   }
 
  private:
-  const int64_t deadline_us_;
+  std::atomic<int64_t> deadline_us_;
   std::atomic<bool> cancelled_ = false;
   std::atomic<bool> handed_back_ = false;
   std::atomic<bool> lost_ = false;

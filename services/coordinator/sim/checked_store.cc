@@ -99,11 +99,10 @@ bool CheckedStore::IsFull(const NewJob& job) const {
 
 absl::StatusOr<std::optional<JobRecord>> CheckedStore::Claim(const std::string& owner,
                                                              int64_t now_us, int64_t until_us,
-                                                             const std::set<std::string>& busy,
                                                              Priority at_least) {
-  const ClaimOrder::Call call = {now_us, busy, at_least};
+  const ClaimOrder::Call call = {now_us, at_least};
   claim_order_.Before(jobs_.entries(), call);
-  auto claimed = store().Claim(owner, now_us, until_us, busy, at_least);
+  auto claimed = store().Claim(owner, now_us, until_us, at_least);
   if (claimed.ok()) {
     if (*claimed) CheckClaim(**claimed, owner, now_us);
     const auto wrong = claim_order_.After(call, *claimed ? &**claimed : nullptr);
@@ -122,6 +121,12 @@ void CheckedStore::CheckClaim(const JobRecord& job, const std::string& owner, in
               before.owner.empty() ? "" : ", which was " + before.owner + "'s");
   if (IsTerminal(before.state)) world_.Violated("{} was claimed, {}", job.id, Name(before.state));
   if (before.owner_until_us > now_us) world_.Violated("{} was claimed while held", job.id);
+  for (const auto& [number, entry] : jobs_.entries()) {
+    const JobRecord& other = entry.job;
+    const bool held = !other.owner.empty() && other.owner_until_us > now_us && other.id != job.id;
+    if (held && other.action_digest == job.action_digest)
+      world_.Violated("{} was claimed while {} has the same done", job.id, other.id);
+  }
   if (job.owner_epoch != before.owner_epoch + 1) {
     world_.Violated("{} was claimed in epoch {} after {}", job.id, job.owner_epoch,
                     before.owner_epoch);
@@ -152,8 +157,9 @@ absl::StatusOr<std::vector<JobRecord>> CheckedStore::EndOverdue(const JobError& 
   return ended;
 }
 
-absl::Status CheckedStore::Adopt(const Lease& lease, const JobIdentity& identity) {
-  const absl::Status adopted = store().Adopt(lease, identity);
+absl::StatusOr<bool> CheckedStore::Adopt(const Lease& lease, const JobIdentity& identity,
+                                         int64_t now_us) {
+  const auto adopted = store().Adopt(lease, identity, now_us);
   if (adopted.ok()) {
     ++world_.totals.adoptions;
     const JobRecord* job = Find(lease.job_id);

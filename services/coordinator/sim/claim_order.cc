@@ -18,6 +18,11 @@ std::string Describe(const JobRecord& job) { return fmt::format("{} of {}", job.
 
 void ClaimOrder::Before(const std::map<int64_t, MemoryJobs::Entry>& jobs, const Call& call) {
   tenants_.clear();
+  std::set<std::string> work;  // that somebody has in hand
+  for (const auto& [number, entry] : jobs) {
+    if (entry.job.owner_until_us > call.now_us && !entry.job.owner.empty())
+      work.insert(entry.job.action_digest);
+  }
   for (const auto& [number, entry] : jobs) {
     const JobRecord& job = entry.job;
     if (IsTerminal(job.state)) continue;
@@ -26,7 +31,7 @@ void ClaimOrder::Before(const std::map<int64_t, MemoryJobs::Entry>& jobs, const 
       if (!job.owner.empty()) ++tenant.held;
       continue;
     }
-    if (call.busy.contains(job.action_digest) || job.priority < call.at_least) continue;
+    if (work.contains(job.action_digest) || job.priority < call.at_least) continue;
     if (!tenant.next || ComesBefore(job, *tenant.next)) tenant.next = job;
   }
 }

@@ -16,7 +16,6 @@ class ClaimOrder {
  public:
   struct Call {
     int64_t now_us = 0;
-    const std::set<std::string>& busy;
     Priority at_least = Priority::kBulk;
   };
 

@@ -27,6 +27,7 @@ class FlawedStore : public ForwardingJobStore {
     kCancelForgotten,      ///< whoever renews a claim is not told that its job is to end
     kAdoptionNotWritten,   ///< adoptions are acknowledged and not written
     kHeldJobsClaimed,      ///< a claim takes what another holds
+    kSameWorkClaimed,      ///< a claim takes a job of whose work another one is held
     kPriorityIgnored,      ///< the oldest job of a tenant is claimed first
     kTenantsIgnored,       ///< the tenants' turns are not kept
     kSomeNeverClaimed,     ///< the jobs of some work are never claimed
@@ -50,18 +51,24 @@ class FlawedStore : public ForwardingJobStore {
     return created;
   }
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
-                                                 int64_t until_us,
-                                                 const std::set<std::string>& busy,
-                                                 Priority at_least) override {
+                                                 int64_t until_us, Priority at_least) override {
     const int64_t ahead_us = flaw_ == Flaw::kHeldJobsClaimed ? 10'000'000 : 0;
-    std::set<std::string> passed_over = busy;
-    if (flaw_ == Flaw::kSomeNeverClaimed) passed_over.insert("a0-b1");
-    if (flaw_ == Flaw::kTenantsIgnored) PassOverOthers(passed_over);
-    return store().Claim(owner, now_us + ahead_us, until_us, passed_over, at_least);
+    // For a moment somebody else has the job whose turn it is.
+    if (flaw_ == Flaw::kTenantsIgnored)
+      store().Claim("nobody", now_us, now_us + 1, at_least).IgnoreError();
+    std::vector<JobRecord> held;
+    if (flaw_ == Flaw::kSameWorkClaimed) held = HeldBySomebody(now_us);
+    for (const JobRecord& job : held) CallItsWork(job, "other work", now_us);
+    auto claimed = store().Claim(owner, now_us + ahead_us, until_us, at_least);
+    for (const JobRecord& job : held) CallItsWork(job, job.action_digest, now_us);
+    const bool some = claimed.ok() && *claimed && (*claimed)->action_digest == "a0-b1";
+    if (flaw_ == Flaw::kSomeNeverClaimed && some) return std::nullopt;
+    return claimed;
   }
-  absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override {
-    if (flaw_ == Flaw::kAdoptionNotWritten) return absl::OkStatus();
-    return store().Adopt(lease, identity);
+  absl::StatusOr<bool> Adopt(const Lease& lease, const JobIdentity& identity,
+                             int64_t now_us) override {
+    if (flaw_ == Flaw::kAdoptionNotWritten) return true;
+    return store().Adopt(lease, identity, now_us);
   }
   absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                              int64_t until_us) override {
@@ -131,19 +138,17 @@ class FlawedStore : public ForwardingJobStore {
     return job.ok() ? Lease{lease.job_id, job->owner_epoch} : lease;
   }
 
-  /// All work but that of the first tenant who has any to be done.
-  void PassOverOthers(std::set<std::string>& passed_over) {
-    const ListQuery open = {.states = {JobState::kQueued, JobState::kRunning}};
-    bool found = false;
-    for (const char* tenant : {"t0", "t1", "t2"}) {
-      ListQuery query = open;
-      query.tenant = tenant;
-      const auto jobs = store().List(query);
-      for (const JobRecord& job : *jobs) {
-        if (found) passed_over.insert(job.action_digest);
-      }
-      found = found || !jobs->empty();
-    }
+  std::vector<JobRecord> HeldBySomebody(int64_t now_us) {
+    std::vector<JobRecord> held = *store().List(
+        {.all_tenants = true, .states = {JobState::kQueued, JobState::kRunning}, .limit = 1000});
+    std::erase_if(held, [&](const JobRecord& job) {
+      return job.owner.empty() || job.owner_until_us <= now_us;
+    });
+    return held;
+  }
+  void CallItsWork(const JobRecord& job, const std::string& action, int64_t now_us) {
+    const JobIdentity identity = {job.settings_digest, action, job.build_id};
+    store().Adopt({job.id, job.owner_epoch}, identity, now_us).IgnoreError();
   }
 
   const Flaw flaw_;

@@ -32,7 +32,6 @@ struct Variant {
   bool every_answer_counts = false;  ///< of a range, not only the first
   bool failures_untold = false;      ///< FanOut is not told that a range failed
   bool processes_untold = false;     ///< FanOut is not told what a worker can run
-  bool busy_untold = false;          ///< claims do not say what their coordinator works on
   bool cancels_unread = false;       ///< who claims a job does not look whether it is to end
   bool deadlines_unread = false;     ///< nor by when
 };

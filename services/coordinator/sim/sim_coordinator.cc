@@ -113,11 +113,9 @@ void SimCoordinator::NextClaim() {
 void SimCoordinator::Claim(int place) {
   claiming_ = true;
   const int64_t now_us = NowUs();
-  const std::set<std::string> none;
-  const auto busy = world_.variant.busy_untold ? none : leases_->Busy();
   const auto at_least = place == kInteractivePlace ? Priority::kInteractive : Priority::kBulk;
-  link_.Do([owner = Owner(), now_us, until_us = leases_->UntilUs(now_us), busy, at_least](
-               JobStore& store) { return store.Claim(owner, now_us, until_us, busy, at_least); },
+  link_.Do([owner = Owner(), now_us, until_us = leases_->UntilUs(now_us),
+            at_least](JobStore& store) { return store.Claim(owner, now_us, until_us, at_least); },
            [this, place, now_us, seen = wakes_](const Claimed& claimed) {
              Take(place, now_us, seen, claimed);
            });
@@ -140,11 +138,10 @@ void SimCoordinator::Adopt(int place, int64_t claimed_us, JobRecord job) {
   job.build_id = plan_.build;
   job.lost_runs = 0;
   const JobIdentity identity{job.settings_digest, job.action_digest, job.build_id};
-  link_.Do([lease, identity](JobStore& store) { return store.Adopt(lease, identity); },
-           [this, place, claimed_us, lease, job](const absl::Status& adopted) {
-             if (adopted.ok() && leases_->Busy().contains(job.action_digest)) {
-               return PutBack(place, lease);
-             }
+  link_.Do([lease, identity,
+            now_us = NowUs()](JobStore& store) { return store.Adopt(lease, identity, now_us); },
+           [this, place, claimed_us, lease, job](const absl::StatusOr<bool>& adopted) {
+             if (adopted.ok() && !*adopted) return PutBack(place, lease);
              if (adopted.ok()) return Run(place, claimed_us, job);
              claiming_ = false;
              Nap(place, wakes_);
@@ -168,10 +165,7 @@ void SimCoordinator::PutBack(int place, const Lease& lease) {
 void SimCoordinator::Run(int place, int64_t claimed_us, const JobRecord& job) {
   const auto run = std::make_shared<SimRun>(desk_, works_.at(std::stoll(job.spec)), job);
   if (stopping_) run->wishes()->HandBack();
-  if (leases_->Busy().contains(run->action_digest())) {
-    world_.Violated("{} works on {} twice", Owner(), run->action_digest());
-  }
-  leases_->Add(run->lease(), run->action_digest(), claimed_us, run->wishes());
+  leases_->Add(run->lease(), claimed_us, run->wishes());
   runs_[run->lease()] = run;
   claiming_ = false;
   run->Start([this, place, lease = run->lease()] {

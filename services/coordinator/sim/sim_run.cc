@@ -27,7 +27,7 @@ SimRun::SimRun(RunDesk& desk, Work work, JobRecord job)
       lease_{job_.id, job_.owner_epoch},
       wishes_(std::make_shared<RunWishes>(desk.world.variant.deadlines_unread ? kNoDeadlineUs
                                                                               : job_.deadline_us)),
-      begun_s_(desk.world.events.now_s()) {
+      told_{work_.layers, 0} {
   if (job_.cancel_requested && !desk.world.variant.cancels_unread) wishes_->Cancel();
 }
 
@@ -120,43 +120,25 @@ void SimRun::Sliced() {
   if (work_.fault == Work::Fault::kBadInput) {
     return Computed(BadInput());
   }
-  Progress(0);
   fan_out_ = desk_.dispatcher.Execute(
-      work_, desk_.build, [this](int32_t done) { Progress(done); },
+      work_, desk_.build, [this](int32_t done) { told_.done = done; },
       [self = shared_from_this()](absl::StatusOr<RangeHashes> layers) {
         self->fan_out_.reset();
         self->Computed(std::move(layers));
       });
 }
 
-void SimRun::Progress(int32_t layers_done) {
-  const double since_s = desk_.world.events.now_s() - begun_s_;
-  if (telling_ || !gate_.Passes({work_.layers, layers_done}, since_s)) return;
-  telling_ = true;
-  const JobUpdate update{
-      .state = JobState::kRunning, .layers_total = work_.layers, .layers_done = layers_done};
-  Write(update, [this](const absl::Status&) {
-    telling_ = false;
-    if (made_) return Computed(*std::exchange(made_, std::nullopt));
-    Notice();
-  });
-}
-
 void SimRun::Notice() {
   if (!computing_ || !wishes_->GivenUp(desk_.now_us())) return;
   const int64_t poll_us = desk_.world.random.Between(0, 40 * kMillisecondUs);
   desk_.process.After(poll_us, [self = shared_from_this()] {
-    if (!self->computing_ || self->made_) return;
+    if (!self->computing_) return;
     if (self->fan_out_) self->desk_.dispatcher.GiveUp(*std::exchange(self->fan_out_, std::nullopt));
     self->Computed(absl::CancelledError("given up"));
   });
 }
 
 void SimRun::Computed(absl::StatusOr<RangeHashes> layers) {
-  if (telling_) {
-    made_ = std::move(layers);
-    return;
-  }
   computing_ = false;
   if (!layers.ok()) return Took(layers.status());
   layers_ = *std::move(layers);
@@ -186,8 +168,7 @@ void SimRun::PutBlobs() {
 }
 
 void SimRun::Conclude() {
-  const JobUpdate update =
-      Conclusion(job_, *wishes_, steps_.status(), gate_.told(), desk_.now_us());
+  const JobUpdate update = Conclusion(job_, *wishes_, steps_.status(), told_, desk_.now_us());
   Write(update, [this](const absl::Status&) { Took(true); });
 }
 

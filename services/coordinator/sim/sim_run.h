@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "services/coordinator/run/progress_gate.h"
+#include "services/coordinator/algo/pipeline/job_pipeline.h"
 #include "services/coordinator/run/run_steps.h"
 #include "services/coordinator/sim/sim_dispatcher.h"
 #include "services/coordinator/sim/store_link.h"
@@ -35,7 +35,6 @@ class SimRun : public std::enable_shared_from_this<SimRun> {
   void Notice();
 
   const Lease& lease() const { return lease_; }
-  const std::string& action_digest() const { return job_.action_digest; }
   const std::shared_ptr<RunWishes>& wishes() const { return wishes_; }
 
  private:
@@ -48,7 +47,6 @@ class SimRun : public std::enable_shared_from_this<SimRun> {
   void ForgetResult();
   void Compute();
   void Sliced();
-  void Progress(int32_t layers_done);
   void Computed(absl::StatusOr<RangeHashes> layers);
   void Keep();
   void PutBlobs();
@@ -62,12 +60,9 @@ class SimRun : public std::enable_shared_from_this<SimRun> {
   const std::shared_ptr<RunWishes> wishes_;
   std::function<void()> over_;
   RunSteps steps_{job_};
-  ProgressGate gate_;
-  const double begun_s_;
+  PipelineProgress told_;
   bool computing_ = false;
-  std::optional<FanOut::JobId> fan_out_;             ///< while its ranges run
-  bool telling_ = false;                             ///< progress is being written
-  std::optional<absl::StatusOr<RangeHashes>> made_;  ///< waits until progress is written
+  std::optional<FanOut::JobId> fan_out_;  ///< while its ranges run
   RangeHashes layers_;
   bool fenced_ = false;  ///< it was told so
 };

@@ -64,6 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"CancelNotWritten", OfStore(Flaw::kCancelNotWritten), "a request to cancel"},
         Case{"AdoptionNotWritten", OfStore(Flaw::kAdoptionNotWritten), "a wrong result"},
         Case{"HeldJobsClaimed", OfStore(Flaw::kHeldJobsClaimed), "claimed"},
+        Case{"SameWorkClaimed", OfStore(Flaw::kSameWorkClaimed), "has the same done"},
         Case{"LostClaimRenewed", OfStore(Flaw::kLostClaimRenewed), "was said to be held"},
         Case{"RequestIdOfAll", OfStore(Flaw::kRequestIdOfAll), "request"},
         Case{"QueueUnbounded", OfStore(Flaw::kQueueUnbounded), "exceeds the queue"},
@@ -79,10 +80,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"EveryAnswerCounts", {.every_answer_counts = true}, "layers are done"},
         Case{"FailuresUntold", {.failures_untold = true}, "does not end"},
         Case{"ProcessesUntold", {.processes_untold = true}, "that it does not run"},
-        Case{"BusyUntold", {.busy_untold = true}, "twice"},
         Case{"CancelsUnread", {.cancels_unread = true}, "after it was to be cancelled"},
         Case{"DeadlinesUnread", {.deadlines_unread = true}, "after its deadline"},
-        Case{"BlobsNotKept", {.keep_blobs_s = 0}, "lacks its blob"}),
+        Case{"BlobsNotKept", {.keep_blobs_s = 0}, "BLOB_NOT_FOUND"}),
     [](const auto& info) { return info.param.name; });
 
 std::string TraceOf(uint64_t seed) {

@@ -52,12 +52,9 @@ absl::StatusOr<std::vector<JobRecord>> TwinStore::List(const ListQuery& query) {
 }
 
 absl::StatusOr<std::optional<JobRecord>> TwinStore::Claim(const std::string& owner, int64_t now_us,
-                                                          int64_t until_us,
-                                                          const std::set<std::string>& busy,
-                                                          Priority at_least) {
-  return Both("Claim", [&](JobStore& store) {
-    return store.Claim(owner, now_us, until_us, busy, at_least);
-  });
+                                                          int64_t until_us, Priority at_least) {
+  return Both("Claim",
+              [&](JobStore& store) { return store.Claim(owner, now_us, until_us, at_least); });
 }
 
 absl::StatusOr<std::vector<JobRecord>> TwinStore::EndOverdue(const JobError& error, int64_t now_us,
@@ -66,8 +63,9 @@ absl::StatusOr<std::vector<JobRecord>> TwinStore::EndOverdue(const JobError& err
               [&](JobStore& store) { return store.EndOverdue(error, now_us, limit); });
 }
 
-absl::Status TwinStore::Adopt(const Lease& lease, const JobIdentity& identity) {
-  return Both("Adopt", [&](JobStore& store) { return store.Adopt(lease, identity); });
+absl::StatusOr<bool> TwinStore::Adopt(const Lease& lease, const JobIdentity& identity,
+                                      int64_t now_us) {
+  return Both("Adopt", [&](JobStore& store) { return store.Adopt(lease, identity, now_us); });
 }
 
 absl::StatusOr<std::vector<HeldJob>> TwinStore::Renew(const std::vector<Lease>& leases,
@@ -86,6 +84,11 @@ absl::StatusOr<JobRecord> TwinStore::Update(const Lease& lease, const JobUpdate&
 
 absl::StatusOr<JobRecord> TwinStore::RequestCancel(const std::string& id, int64_t now_us) {
   return Both("RequestCancel", [&](JobStore& store) { return store.RequestCancel(id, now_us); });
+}
+
+absl::StatusOr<JobRecord> TwinStore::Change(const std::string& id, const JobChanging& changing,
+                                            int64_t now_us) {
+  return Both("Change", [&](JobStore& store) { return store.Change(id, changing, now_us); });
 }
 
 absl::Status TwinStore::Delete(const std::string& id) {
@@ -121,12 +124,16 @@ absl::Status TwinStore::ExpireRequestIds(int64_t now_us) {
   return Both("ExpireRequestIds", [&](JobStore& store) { return store.ExpireRequestIds(now_us); });
 }
 
-absl::StatusOr<std::map<JobState, int64_t>> TwinStore::CountByState() {
-  return Both("CountByState", [](JobStore& store) { return store.CountByState(); });
+absl::StatusOr<std::map<JobState, int64_t>> TwinStore::CountEnded() {
+  return Both("CountEnded", [](JobStore& store) { return store.CountEnded(); });
 }
 
 absl::StatusOr<int64_t> TwinStore::CountOf(const std::string& tenant) {
   return Both("CountOf", [&](JobStore& store) { return store.CountOf(tenant); });
+}
+
+absl::StatusOr<std::map<JobState, int64_t>> TwinStore::CountOpenOf(const std::string& tenant) {
+  return Both("CountOpenOf", [&](JobStore& store) { return store.CountOpenOf(tenant); });
 }
 
 absl::StatusOr<std::vector<OpenJobs>> TwinStore::CountOpen() {
@@ -138,8 +145,19 @@ absl::StatusOr<std::set<std::string>> TwinStore::Referenced(const std::string& t
   return Both("Referenced", [&](JobStore& store) { return store.Referenced(tenant, digests); });
 }
 
+absl::StatusOr<std::set<std::string>> TwinStore::Artifacts(const std::string& tenant,
+                                                           const std::set<std::string>& digests) {
+  return Both("Artifacts", [&](JobStore& store) { return store.Artifacts(tenant, digests); });
+}
+
 absl::StatusOr<std::vector<std::string>> TwinStore::EndedBefore(int64_t time_us, int32_t limit) {
   return Both("EndedBefore", [&](JobStore& store) { return store.EndedBefore(time_us, limit); });
+}
+
+absl::StatusOr<bool> TwinStore::TakeChore(const std::string& chore, int64_t now_us,
+                                          int64_t until_us) {
+  return Both("TakeChore",
+              [&](JobStore& store) { return store.TakeChore(chore, now_us, until_us); });
 }
 
 }  // namespace slicefarm::coordinator::sim

@@ -39,8 +39,9 @@ int main(int argc, char** argv) {
   auto meshes = slicefarm::slicing::MakeMeshSource(sandbox, reader_memory);
   auto meshes_to_arrange = slicefarm::slicing::MakeMeshSource(sandbox, reader_memory);
   auto meshes_to_place = slicefarm::slicing::MakeMeshSource(sandbox, reader_memory);
+  auto projects = slicefarm::slicing::MakeMeshSource(sandbox, reader_memory);
   for (const absl::Status& status :
-       {meshes.status(), meshes_to_arrange.status(), meshes_to_place.status()}) {
+       {meshes.status(), meshes_to_arrange.status(), meshes_to_place.status(), projects.status()}) {
     if (status.ok()) continue;
     program.log().Error("cannot serve", {{"error", std::string(status.message())}});
     return 1;
@@ -51,7 +52,8 @@ int main(int argc, char** argv) {
   const auto placing = slicefarm::slicing::MakeLocalPlacing(*std::move(meshes_to_place));
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
   program.Show(gate);
-  const auto service =
-      slicefarm::slicing::MakeSlicingService(*slicing, *arranging, *placing, gate, threads, memory);
+  const auto service = slicefarm::slicing::MakeSlicingService(
+      *slicing, *arranging, *placing, slicefarm::slicing::MakeReadProjects(*std::move(projects)),
+      gate, threads, memory);
   return program.Run(flags, {service.get()});
 }

@@ -8,6 +8,7 @@
 #include "common/wire/placed_scene_wire.h"
 #include "common/wire/slicing_wire.h"
 #include "common/wire/support/message_stream.h"
+#include "common/wire/support/wire_error.h"
 #include "slicefarm/v1/slicing.grpc.pb.h"
 
 namespace slicefarm::slicing {
@@ -16,11 +17,12 @@ namespace {
 class SlicingService final : public v1::Slicing::Service {
  public:
   SlicingService(const SlicingStage& slicing, const ArrangingStage& arranging,
-                 const PlacingStage& placing, rpc::CallGate& gate, int threads,
+                 const PlacingStage& placing, ReadProjects projects, rpc::CallGate& gate, int threads,
                  MemoryBudget& memory)
       : slicing_(slicing),
         arranging_(arranging),
         placing_(placing),
+        projects_(std::move(projects)),
         gate_(gate),
         threads_(threads),
         memory_(memory) {}
@@ -34,20 +36,26 @@ class SlicingService final : public v1::Slicing::Service {
   grpc::Status Place(
       grpc::ServerContext* context,
       grpc::ServerReaderWriter<v1::PlaceResponse, v1::SliceRequest>* stream) override;
+  grpc::Status ReadProject(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::ReadProjectResponse, v1::SliceRequest>* stream) override;
 
  private:
   using Stream = rpc::ServerStream<v1::SliceResponse, v1::SliceRequest>;
   using SceneStream = rpc::ServerStream<v1::PlaceResponse, v1::SliceRequest>;
   using PlacesStream = rpc::ServerStream<v1::PlatePlace, v1::SliceRequest>;
   absl::Status SliceFiles(rpc::Call& call, Stream& stream) const;
+  using ProjectStream = rpc::ServerStream<v1::ReadProjectResponse, v1::SliceRequest>;
   absl::Status ArrangeFiles(rpc::Call& call, PlacesStream& stream) const;
   absl::Status PlaceFiles(rpc::Call& call, SceneStream& stream) const;
+  absl::Status ReadFile(rpc::Call& call, ProjectStream& stream) const;
   static absl::Status Answer(const SlicedJob& job, Stream& stream);
   static absl::Status Answer(const PlacedScene& scene, SceneStream& stream);
 
   const SlicingStage& slicing_;
   const ArrangingStage& arranging_;
   const PlacingStage& placing_;
+  const ReadProjects projects_;
   rpc::CallGate& gate_;
   const int threads_;
   MemoryBudget& memory_;
@@ -104,6 +112,24 @@ grpc::Status SlicingService::Place(
     grpc::ServerReaderWriter<v1::PlaceResponse, v1::SliceRequest>* stream) {
   SceneStream buffered(*stream);
   return gate_.Run(*context, "Place", [&](rpc::Call& call) { return PlaceFiles(call, buffered); });
+}
+
+grpc::Status SlicingService::ReadProject(
+    grpc::ServerContext* context,
+    grpc::ServerReaderWriter<v1::ReadProjectResponse, v1::SliceRequest>* stream) {
+  ProjectStream buffered(*stream);
+  return gate_.Run(*context, "ReadProject",
+                   [&](rpc::Call& call) { return ReadFile(call, buffered); });
+}
+
+absl::Status SlicingService::ReadFile(rpc::Call& call, ProjectStream& stream) const {
+  absl::StatusOr<Request> request = ReadRequest(call, stream, memory_);
+  if (!request.ok()) return request.status();
+  if (request->input.files.size() != 1) return Malformed("start.files", "are not one");
+  const auto project = projects_(request->input.files.front(), call.cancel);
+  if (!project.ok()) return project.status();
+  stream.Write(*project);  // that the client is gone is no error
+  return absl::OkStatus();
 }
 
 absl::Status SlicingService::SliceFiles(rpc::Call& call, Stream& stream) const {
@@ -163,9 +189,11 @@ absl::Status SlicingService::Answer(const SlicedJob& job, Stream& stream) {
 
 std::unique_ptr<grpc::Service> MakeSlicingService(const SlicingStage& slicing,
                                                   const ArrangingStage& arranging,
-                                                  const PlacingStage& placing, rpc::CallGate& gate,
+                                                  const PlacingStage& placing,
+                                                  ReadProjects projects, rpc::CallGate& gate,
                                                   int threads, MemoryBudget& memory) {
-  return std::make_unique<SlicingService>(slicing, arranging, placing, gate, threads, memory);
+  return std::make_unique<SlicingService>(slicing, arranging, placing, std::move(projects), gate,
+                                          threads, memory);
 }
 
 }  // namespace slicefarm::slicing

@@ -8,15 +8,18 @@
 #include "common/stage/memory_budget.h"
 #include "common/stage/plates.h"
 #include "common/stage/stages.h"
+#include "services/slicing/server/project_reading.h"
 
 namespace slicefarm::slicing {
 
-/// Translates slicefarm.v1.Slicing to a SlicingStage, an ArrangingStage, a PlacingStage, and back.
+/// Translates slicefarm.v1.Slicing to a SlicingStage, an ArrangingStage, a PlacingStage and
+/// `projects`, and back.
 /// The stages, `gate` and `memory` must outlive the service. `threads`: what one call may use;
 /// `memory`: what all may hold.
 std::unique_ptr<grpc::Service> MakeSlicingService(const SlicingStage& slicing,
                                                   const ArrangingStage& arranging,
-                                                  const PlacingStage& placing, rpc::CallGate& gate,
+                                                  const PlacingStage& placing,
+                                                  ReadProjects projects, rpc::CallGate& gate,
                                                   int threads, MemoryBudget& memory);
 
 }  // namespace slicefarm::slicing

@@ -12,8 +12,8 @@
 #include "absl/status/statusor.h"
 #include "common/base/sha256.h"
 #include "common/rpc/client/channel.h"
-#include "common/rpc/status_mapping.h"
 #include "common/rpc/observe/trace_metadata.h"
+#include "common/rpc/status_mapping.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"
 

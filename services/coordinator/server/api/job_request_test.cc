@@ -6,8 +6,8 @@
 #include <set>
 
 #include "common/base/error.h"
-#include "common/model/limits.h"
 #include "common/base/sha256.h"
+#include "common/model/limits.h"
 
 namespace slicefarm::coordinator::job_request_test {
 namespace {
@@ -62,7 +62,10 @@ INSTANTIATE_TEST_SUITE_P(
                FirstOf(r).ranges = {{1, 2, {{"layer_height", "0.1"}}}};
              }},
         Case{"Copies", [](auto& r) { FirstOf(r).instances.resize(2); }},
-        Case{"HeightRange", [](auto& r) { FirstOf(r).ranges.push_back({1, 2, {}}); }},
+        Case{"HeightRange",
+             [](auto& r) {
+               FirstOf(r).ranges.push_back({1, 2, {}});
+             }},
         Case{"SettingOfAnObject",
              [](auto& r) {
                FirstOf(r).settings.push_back({"fill_density", "35%"});
@@ -72,18 +75,15 @@ INSTANTIATE_TEST_SUITE_P(
                FirstOf(r).parts[0].settings.push_back({"fill_density", "35%"});
              }},
         Case{"Objects", [](auto& r) { r.scene.objects.push_back(FirstOf(r)); }},
-        Case{"WhatTheClientSaysHasNoEffect",
+        Case{"WhatTheClientSaysHasNoEffect", [](auto& r) { r.without_effect = {"painted seams"}; }},
+        Case{"Setting",
              [](auto& r) {
-               r.without_effect = {"painted seams"};
+               r.settings.push_back({"layer_height", "0.15"});
              }},
-                    Case{"Setting",
-                         [](auto& r) {
-                           r.settings.push_back({"layer_height", "0.15"});
-                         }},
-                    Case{"WhatHasNoEffect",
-                         [](auto& r) {
-                           r.settings.push_back({"nonsense", "1", config::Source::kProfile});
-                         }}),
+        Case{"WhatHasNoEffect",
+             [](auto& r) {
+               r.settings.push_back({"nonsense", "1", config::Source::kProfile});
+             }}),
     [](const auto& info) { return info.param.name; });
 
 TEST(ResolveJob, TheBuildIsPartOfTheAction) {

@@ -25,7 +25,7 @@ void JobWatch::Begin(bool ok) {
     return Release();
   }
   read_to_ = request_.after_sequence();
-  ticket_ = watches_.feed.Listen(request_.id(), [this] { Wake(); });
+  ticket_ = watches_.feed.Listen(request_.id(), [this](JobFeed::News news) { Wake(news); });
   Advance();
   Release();
 }
@@ -50,7 +50,8 @@ void JobWatch::Opened() {
 }
 
 /// The feed has something new. On any thread.
-void JobWatch::Wake() {
+void JobWatch::Wake(JobFeed::News news) {
+  if (news == JobFeed::News::kEvents) news_ = true;
   if (waking_.exchange(true)) return;
   ++tags_;
   alarm_.Set(&watches_.queue, gpr_now(GPR_CLOCK_MONOTONIC), &woken_tag_);
@@ -58,7 +59,8 @@ void JobWatch::Wake() {
 
 void JobWatch::Woken() {
   waking_ = false;
-  wants_more_ = true;
+  if (news_.exchange(false)) wants_more_ = true;
+  moved_ = true;
   Advance();
   Release();
 }
@@ -77,14 +79,16 @@ void JobWatch::Left() {
   Release();
 }
 
-/// Sends the next event, ends the call, asks the store, or waits for the feed.
+/// Sends the next event, ends the call, asks the store, tells how far the run has come, or waits
+/// for the feed.
 void JobWatch::Advance() {
   if (busy_ || left_ || reading_) return;
   // Before the store is asked, which may be why the coordinator stops.
   if (!steps_ && !terminal_ && watches_.feed.closed()) return End(CoordinatorStops());
   if (steps_) return Send();
   if (terminal_) return End(absl::OkStatus());
-  if (wants_more_) Read();
+  if (wants_more_) return Read();
+  if (moved_) SendProgress();
 }
 
 void JobWatch::Read() {
@@ -127,16 +131,36 @@ absl::Status JobWatch::Check() {
   if (std::ssize(found->events) == WatchReads::kEventsAtOnce) wants_more_ = true;
   if (!found->events.empty()) steps_ = found;
   sent_ = 0;
+  last_ = found;
+  moved_ = true;
   return absl::OkStatus();
 }
 
 void JobWatch::Send() {
+  const auto steps = steps_;
+  const size_t next = sent_++;
+  if (sent_ == steps->events.size()) steps_.reset();
+  Write(steps->events[next], steps->job);
+}
+
+/// Under the number of the last event: who watches from there on misses nothing.
+void JobWatch::SendProgress() {
+  moved_ = false;
+  const auto progress = watches_.feed.ProgressOf(request_.id());
+  const JobRecord& job = last_->job;
+  const bool of_run = progress && progress->epoch == job.owner_epoch;
+  if (job.state != JobState::kRunning || !of_run || progress == told_) return;
+  told_ = progress;
+  Write({read_to_, progress->time_us, job.state, progress->layers_total, progress->layers_done},
+        job);
+}
+
+void JobWatch::Write(const JobEventRecord& event, const JobRecord& job) {
   grpc::ByteBuffer bytes;
   bool own = false;
-  const grpc::Status written = grpc::SerializationTraits<v1::JobEvent>::Serialize(
-      ToProto(steps_->events[sent_], steps_->job), &bytes, &own);
+  const grpc::Status written =
+      grpc::SerializationTraits<v1::JobEvent>::Serialize(ToProto(event, job), &bytes, &own);
   if (!written.ok()) return End(absl::InternalError(written.error_message()));
-  if (++sent_ == steps_->events.size()) steps_.reset();
   busy_ = true;
   ++tags_;
   writer_.Write(bytes, &sent_tag_);

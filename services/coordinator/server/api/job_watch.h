@@ -45,9 +45,9 @@ struct JobWatches {
 };
 
 /// One WatchJob call: sends the job's events from the store, then those that the feed announces,
-/// and ends after the terminal one. Holds no thread while nothing happens, so that a thousand may
-/// watch. All but Wake and Found happens on the queue's thread, where nothing is waited for.
-/// Deletes itself.
+/// and between them how far its run has come; ends after the terminal one. Holds no thread while
+/// nothing happens, so that a thousand may watch. All but Wake and Found happens on the queue's
+/// thread, where nothing is waited for. Deletes itself.
 class JobWatch {
  public:
   /// Waits for the next call; when it comes, another one waits for the one after.
@@ -63,13 +63,15 @@ class JobWatch {
   void Woken();
   void Left();
 
-  void Wake();
+  void Wake(JobFeed::News news);
   void Advance();
   void Read();
   void Found(WatchReads::Result found);
   void Take();
   absl::Status Check();
   void Send();
+  void SendProgress();
+  void Write(const JobEventRecord& event, const JobRecord& job);
   void End(const absl::Status& status);
   void Release();
 
@@ -88,6 +90,7 @@ class JobWatch {
   rpc::QueueTag left_tag_ = [this](bool) { Left(); };
   std::atomic<int> tags_ = 1;         ///< that the queue has still to call
   std::atomic<bool> waking_ = false;  ///< woken_tag_ is one of them
+  std::atomic<bool> news_ = false;    ///< that are in the store
   grpc::Alarm alarm_;                 ///< by which the feed gets onto the queue's thread
   grpc::Alarm found_alarm_;           ///< by which what was read does
 
@@ -96,12 +99,15 @@ class JobWatch {
   bool opened_ = false;     ///< the client knows that the watch stands
   bool terminal_ = false;   ///< the event at read_to_ was the job's last
   bool wants_more_ = true;  ///< there may be events that were not there at the last read
+  bool moved_ = false;      ///< the run may have come further
   bool reading_ = false;    ///< a read is under way
   bool busy_ = false;       ///< something is being sent
   bool left_ = false;       ///< the call is over
   WatchReads::Result found_ = nullptr;     ///< by the last read, shared by all who watch the job
   std::shared_ptr<const JobSteps> steps_;  ///< those that are being sent
   size_t sent_ = 0;                        ///< of these
+  std::shared_ptr<const JobSteps> last_;   ///< what was read last
+  std::optional<JobProgress> told_;        ///< how far the run had come when that was sent last
 };
 
 }  // namespace slicefarm::coordinator

@@ -14,6 +14,8 @@
 #include "common/wire/support/wire_error.h"
 #include "services/coordinator/algo/pipeline/preflight.h"
 #include "services/coordinator/server/api/artifact.h"
+#include "services/coordinator/server/api/blob_download.h"
+#include "services/coordinator/server/api/farm_facts.h"
 #include "services/coordinator/server/api/job_watch.h"
 #include "services/coordinator/server/api/jobs_wire.h"
 #include "services/coordinator/server/api/plate_submissions.h"
@@ -26,8 +28,6 @@
 
 namespace slicefarm::coordinator {
 namespace {
-
-constexpr size_t kDownloadChunkBytes = 64 << 10;
 
 /// Of a batch's answer, whose jobs come without their settings: less than gRPC takes in a message.
 constexpr int64_t kMaxEchoedBytes = 2 << 20;
@@ -48,18 +48,6 @@ absl::StatusOr<std::vector<v1::Job>> ToProtos(const absl::StatusOr<std::vector<J
   std::vector<v1::Job> protos;
   for (const JobRecord& job : *jobs) protos.push_back(ToProto(job));
   return protos;
-}
-
-/// False: the client left.
-bool SendPiece(std::string_view piece, const Transfers::Moved& moved,
-               grpc::ServerWriter<v1::DownloadResponse>& stream) {
-  v1::DownloadResponse response;
-  for (size_t at = 0; at < piece.size(); at += kDownloadChunkBytes) {
-    response.set_data(std::string(piece.substr(at, kDownloadChunkBytes)));
-    if (!stream.Write(response)) return false;
-    moved(std::ssize(response.data()));
-  }
-  return true;
 }
 
 /// What is made when it is asked for.
@@ -349,7 +337,8 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
 
 grpc::Status JobsService::GetJob(grpc::ServerContext* context, const v1::GetJobRequest* request,
                                  v1::Job* response) {
-  const auto job = Find(*context, {Scope::kRead, Scope::kAdmin}, request->id(), Of::kAllForAdmins);
+  auto job = Find(*context, {Scope::kRead, Scope::kAdmin}, request->id(), Of::kAllForAdmins);
+  if (job.ok()) backend_.feed.AddProgress(*job);
   if (job.ok()) *response = ToProto(*job);
   TellWaiting(backend_.pipeline.executor(), *response);
   return rpc::ToGrpc(job.status());
@@ -361,13 +350,17 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJ
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
   auto query = FromProto(*request);
   if (!query.ok()) return rpc::ToGrpc(query.status());
-  query->tenant = caller->tenant;
-  query->all_tenants = caller->may(Scope::kAdmin);
+  const auto tenant = TenantAskedFor(*caller, request->has_tenant(), request->tenant());
+  if (!tenant.ok()) return rpc::ToGrpc(tenant.status());
+  query->tenant = *tenant;
+  query->all_tenants = caller->may(Scope::kAdmin) && !request->has_tenant();
   // The store's connections are for all, and a list may hold one for long.
   const auto place = lists_of_tenants_.Enter(caller->tenant);
   if (!place.ok()) return rpc::ToGrpc(place.status());
-  const auto jobs = backend_.jobs.List(*query);
-  if (jobs.ok()) *response = ToProto(*jobs, *query);
+  auto jobs = backend_.jobs.List(*query);
+  if (!jobs.ok()) return rpc::ToGrpc(jobs.status());
+  for (JobRecord& job : *jobs) backend_.feed.AddProgress(job);
+  *response = ToProto(*jobs, *query);
   for (v1::Job& job : *response->mutable_jobs()) TellWaiting(backend_.pipeline.executor(), job);
   return rpc::ToGrpc(jobs.status());
 }
@@ -384,20 +377,6 @@ absl::StatusOr<Watcher> JobsService::AdmitWatch(const grpc::ServerContext& conte
   auto place = watches_of_tenants_.Enter(caller->tenant);
   if (!place.ok()) return place.status();
   return Watcher{*caller, *std::move(place)};
-}
-
-grpc::Status JobsService::CancelJob(grpc::ServerContext* context,
-                                    const v1::CancelJobRequest* request, v1::Job* response) {
-  const auto known =
-      Find(*context, {Scope::kSubmit, Scope::kAdmin}, request->id(), Of::kAllForAdmins);
-  if (!known.ok()) return rpc::ToGrpc(known.status());
-  const auto job = backend_.jobs.RequestCancel(request->id(), backend_.now_us());
-  if (!job.ok()) return rpc::ToGrpc(job.status());
-  backend_.log.Info("job cancelled", FieldsOf(*job));
-  backend_.runner.Cancel(job->id);
-  backend_.feed.Changed(job->id);
-  *response = ToProto(*job);
-  return grpc::Status::OK;
 }
 
 grpc::Status JobsService::GetWebhook(grpc::ServerContext* context,
@@ -442,9 +421,8 @@ absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenArtifact(
                     ? OpenTrace(*job)
                     : OpenResult(*job, request.artifact(), request.offset());
   if (!reader.ok()) return reader.status();
-  if (request.offset() < 0 || request.offset() > (*reader)->size()) {
-    return LimitError(Reason::kRequestMalformed, "offset", (*reader)->size(), request.offset());
-  }
+  absl::Status within = CheckPart(**reader, request.offset(), request.limit());
+  if (!within.ok()) return within;
   return reader;
 }
 
@@ -462,13 +440,7 @@ absl::Status JobsService::Send(const Caller& caller, const v1::DownloadRequest& 
                                grpc::ServerWriter<v1::DownloadResponse>& stream) {
   const auto reader = OpenArtifact(caller, request);
   if (!reader.ok()) return reader.status();
-  for (int64_t at = request.offset(); at < (*reader)->size();) {
-    const auto piece = (*reader)->Read(at, kBlobPieceBytes - at % kBlobPieceBytes);
-    if (!piece.ok()) return piece.status();
-    at += std::ssize(*piece);
-    if (!SendPiece(*piece, moved, stream)) break;
-  }
-  return absl::OkStatus();
+  return SendBlob(**reader, request.offset(), request.limit(), moved, stream);
 }
 
 }  // namespace slicefarm::coordinator

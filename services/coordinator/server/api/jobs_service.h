@@ -75,6 +75,17 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
                         v1::ListJobsResponse* response) override;
   grpc::Status CancelJob(grpc::ServerContext* context, const v1::CancelJobRequest* request,
                          v1::Job* response) override;
+  grpc::Status BatchCancelJobs(grpc::ServerContext* context,
+                               const v1::BatchCancelJobsRequest* request,
+                               v1::BatchCancelJobsResponse* response) override;
+  grpc::Status UpdateJob(grpc::ServerContext* context, const v1::UpdateJobRequest* request,
+                         v1::Job* response) override;
+  grpc::Status GetCaller(grpc::ServerContext* context, const v1::GetCallerRequest* request,
+                         v1::GetCallerResponse* response) override;
+  grpc::Status GetUsage(grpc::ServerContext* context, const v1::GetUsageRequest* request,
+                        v1::Usage* response) override;
+  grpc::Status ListSettings(grpc::ServerContext* context, const v1::ListSettingsRequest* request,
+                            v1::ListSettingsResponse* response) override;
   grpc::Status DeleteJob(grpc::ServerContext* context, const v1::DeleteJobRequest* request,
                          google::protobuf::Empty* response) override;
   grpc::Status GetWebhook(grpc::ServerContext* context, const v1::GetWebhookRequest* request,
@@ -98,6 +109,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   absl::StatusOr<JobRecord> Find(const Caller& caller, const std::string& id, Of of);
   absl::StatusOr<JobRecord> Find(const grpc::ServerContextBase& context, const Scopes& one_of,
                                  const std::string& id, Of of);
+  absl::StatusOr<JobRecord> Cancel(const Caller& caller, const std::string& id);
   absl::StatusOr<Submission> Read(const Caller& caller, const v1::CreateJobRequest& request);
   absl::StatusOr<JobRecord> Create(const Caller& caller, const v1::CreateJobRequest& request,
                                    const grpc::ServerContext& context);

@@ -75,6 +75,11 @@ v1::Job SummaryToProto(const JobRecord& job) {
   if (job.error) *proto.mutable_error() = ToProto(*job.error);
   proto.set_settings_digest(job.settings_digest);
   proto.set_build_id(job.build_id);
+  proto.set_cancel_requested(job.cancel_requested && !IsTerminal(job.state));
+  const bool ended_run = IsTerminal(job.state) && job.start_us != 0;
+  proto.set_attempts(job.retries + job.store_failures + job.lost_runs + (ended_run ? 1 : 0));
+  if (job.state == JobState::kQueued && job.owner.empty() && job.owner_until_us > 0)
+    SetTime(job.owner_until_us, proto.mutable_next_attempt_time());
   if (!job.result) return proto;
   *proto.mutable_result() = ResultToProto(*job.result);
   proto.mutable_warnings()->Assign(job.result->warnings.begin(), job.result->warnings.end());
@@ -202,6 +207,7 @@ absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request) {
   query.labels = {request.labels().begin(), request.labels().end()};
   if (absl::Status ok = CheckLabels(query.labels); !ok.ok()) return ok;
   query.oldest_first = request.oldest_first();
+  if (request.has_tenant()) query.tenant = request.tenant();
   if (request.priority() != v1::JOB_PRIORITY_UNSPECIFIED) {
     const auto priority = FromProto(request.priority());
     if (!priority.ok()) return priority.status();
@@ -209,6 +215,30 @@ absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request) {
   }
   if (absl::Status taken = TakeTimes(request, query); !taken.ok()) return taken;
   return query;
+}
+
+absl::StatusOr<JobChanging> FromProto(const v1::UpdateJobRequest& request) {
+  JobChanging changing;
+  if (request.update_mask().paths().empty()) return Malformed("update_mask", "names nothing");
+  for (const std::string& path : request.update_mask().paths()) {
+    if (path == "priority") {
+      const auto priority = FromProto(request.priority());
+      if (!priority.ok()) return priority.status();
+      changing.priority = *priority;
+    } else if (path == "deadline") {
+      changing.deadline_us = kNoDeadlineUs;
+      if (!request.has_deadline()) continue;
+      const auto deadline_us = FromProto(request.deadline());
+      if (!deadline_us.ok()) return Within("deadline", deadline_us.status());
+      changing.deadline_us = *deadline_us;
+    } else if (path == "labels") {
+      changing.labels.emplace(request.labels().begin(), request.labels().end());
+      if (absl::Status ok = CheckLabels(*changing.labels); !ok.ok()) return ok;
+    } else {
+      return Malformed("update_mask", "names what cannot be changed");
+    }
+  }
+  return changing;
 }
 
 v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery& query) {

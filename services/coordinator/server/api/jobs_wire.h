@@ -40,6 +40,9 @@ v1::Preflight ToProto(const Preflight& preflight, const Cost& cost);
 absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request);
 v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery& query);
 
+/// Errors: also for a mask that names nothing, or what cannot be changed.
+absl::StatusOr<JobChanging> FromProto(const v1::UpdateJobRequest& request);
+
 v1::Job ToProto(const JobRecord& job);
 /// The job as of then, without its spec.
 v1::JobEvent ToProto(const JobEventRecord& event, const JobRecord& job);

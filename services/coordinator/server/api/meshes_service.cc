@@ -1,15 +1,20 @@
 #include "services/coordinator/server/api/meshes_service.h"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 #include "common/model/limits.h"
 #include "common/rpc/status_mapping.h"
 #include "common/wire/support/wire_error.h"
+#include "services/coordinator/server/api/blob_download.h"
 #include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/api/kept_meshes.h"
 #include "services/coordinator/server/api/upload_pieces.h"
+#include "services/coordinator/store/blobs/checking_reader.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -69,9 +74,9 @@ absl::StatusOr<BlobStatus> Receive(BlobStore& blobs, const DiskGuard& disk, Read
 
 grpc::Status MeshesService::GetUpload(grpc::ServerContext* context,
                                       const v1::GetUploadRequest* request, v1::Upload* response) {
-  const auto caller = callers_.Find(*context, {Scope::kSubmit});
+  const auto caller = backend_.callers.Find(*context, {Scope::kSubmit});
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
-  const auto blobs = blobs_.Of(caller->tenant);
+  const auto blobs = backend_.blobs.Of(caller->tenant);
   if (!blobs.ok()) return rpc::ToGrpc(blobs.status());
   const auto status = (*blobs)->Keep(request->sha256());  // who asks, may make a job of it next
   if (status.ok()) *response = ToProto(request->sha256(), *status);
@@ -80,9 +85,9 @@ grpc::Status MeshesService::GetUpload(grpc::ServerContext* context,
 
 grpc::Status MeshesService::UploadMesh(grpc::ServerContext* context, Reader* stream,
                                        v1::Upload* response) {
-  const auto caller = callers_.Find(*context, {Scope::kSubmit});
+  const auto caller = backend_.callers.Find(*context, {Scope::kSubmit});
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
-  const auto blobs = blobs_.Of(caller->tenant);
+  const auto blobs = backend_.blobs.Of(caller->tenant);
   if (!blobs.ok()) return rpc::ToGrpc(blobs.status());
   const auto receive = [&](const Transfers::Moved& moved) -> absl::Status {
     v1::UploadMeshRequest first;
@@ -90,16 +95,103 @@ grpc::Status MeshesService::UploadMesh(grpc::ServerContext* context, Reader* str
     if (absl::Status ok = CheckFirst(first); !ok.ok()) return ok;
     const auto there = (*blobs)->Status(first.sha256());
     if (there.ok() && !there->complete) {
-      if (absl::Status room = full_queues_.Check(caller->tenant); !room.ok()) return room;
-      const absl::Status room = budgets_.CheckBytes(caller->tenant, caller->max_kept_bytes,
-                                                    first.size() - there->committed_size);
+      if (absl::Status room = backend_.full_queues.Check(caller->tenant); !room.ok()) return room;
+      const absl::Status room = backend_.budgets.CheckBytes(caller->tenant, caller->max_kept_bytes,
+                                                            first.size() - there->committed_size);
       if (!room.ok()) return room;
     }
-    const auto status = Receive(**blobs, disk_, *stream, moved, first);
+    const auto status = Receive(**blobs, backend_.disk, *stream, moved, first);
     if (status.ok()) *response = ToProto(first.sha256(), *status);
     return status.status();
   };
   return rpc::ToGrpc(uploads_.Run(*context, caller->tenant, receive));
+}
+
+grpc::Status MeshesService::DownloadMesh(grpc::ServerContext* context,
+                                         const v1::DownloadMeshRequest* request,
+                                         grpc::ServerWriter<v1::DownloadResponse>* stream) {
+  const auto caller = backend_.callers.Find(*context, {Scope::kRead});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  const auto send = [&](const Transfers::Moved& moved) -> absl::Status {
+    const auto blobs = backend_.blobs.Of(caller->tenant);
+    if (!blobs.ok()) return blobs.status();
+    if (const auto kept = (*blobs)->Keep(request->sha256()); !kept.ok()) return kept.status();
+    const bool streams = request->offset() == 0 && request->limit() == 0;
+    const auto mesh =
+        streams ? OpenToStream(*blobs, request->sha256()) : (*blobs)->Open(request->sha256());
+    if (!mesh.ok()) return mesh.status();
+    const absl::Status within = CheckPart(**mesh, request->offset(), request->limit());
+    if (!within.ok()) return within;
+    return SendBlob(**mesh, request->offset(), request->limit(), moved, *stream);
+  };
+  return rpc::ToGrpc(downloads_.Run(*context, caller->tenant, send));
+}
+
+grpc::Status MeshesService::ListMeshes(grpc::ServerContext* context,
+                                       const v1::ListMeshesRequest* request,
+                                       v1::ListMeshesResponse* response) {
+  const auto caller = backend_.callers.Find(*context, {Scope::kRead});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  if (request->page_size() < 0) return rpc::ToGrpc(Malformed("page_size", "is negative"));
+  const int32_t size = request->page_size() == 0
+                           ? kDefaultPageSize
+                           : std::min(request->page_size(), limits::kMaxPageSize);
+  // It looks at all that the tenant has.
+  const auto place = lists_of_tenants_.Enter(caller->tenant);
+  if (!place.ok()) return rpc::ToGrpc(place.status());
+  const auto blobs = backend_.blobs.Of(caller->tenant);
+  if (!blobs.ok()) return rpc::ToGrpc(blobs.status());
+  const auto page =
+      MeshesAfter(**blobs, backend_.jobs, caller->tenant, request->page_token(), size);
+  if (page.ok()) *response = *page;
+  return rpc::ToGrpc(page.status());
+}
+
+grpc::Status MeshesService::DeleteMesh(grpc::ServerContext* context,
+                                       const v1::DeleteMeshRequest* request,
+                                       v1::DeleteMeshResponse* response) {
+  const auto caller = backend_.callers.Find(*context, {Scope::kSubmit});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  const auto blobs = backend_.blobs.Of(caller->tenant);
+  if (!blobs.ok()) return rpc::ToGrpc(blobs.status());
+  const auto deleted = DeleteUnlessUsed(**blobs, backend_.jobs, caller->tenant, request->sha256());
+  if (deleted.ok()) response->set_deleted(*deleted);
+  return rpc::ToGrpc(deleted.status());
+}
+
+grpc::Status MeshesService::ReadProject(grpc::ServerContext* context,
+                                        const v1::ReadProjectRequest* request,
+                                        v1::ReadProjectResponse* response) {
+  const auto caller = backend_.callers.Find(*context, {Scope::kSubmit});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  const auto place = projects_of_tenants_.Enter(caller->tenant);
+  if (!place.ok()) return rpc::ToGrpc(place.status());
+  return projects_.Run(*context, "ReadProject", [&](const rpc::Call& call) {
+    auto project = ReadStored(*caller, *request, call);
+    if (project.ok()) *response = *std::move(project);
+    return project.status();
+  });
+}
+
+absl::StatusOr<v1::ReadProjectResponse> MeshesService::ReadStored(
+    const Caller& caller, const v1::ReadProjectRequest& request, const rpc::Call& call) {
+  const auto blobs = backend_.blobs.Of(caller.tenant);
+  if (!blobs.ok()) return blobs.status();
+  const auto status = (*blobs)->Keep(request.sha256());
+  if (!status.ok()) return status.status();
+  StageCall stage_call;
+  stage_call.claimant.tenant = caller.tenant;
+  stage_call.cancel = call.cancel;
+  stage_call.trace = call.trace;
+  const auto room =
+      backend_.memory.Take(stage_call.claimant, "", status->committed_size, call.cancel);
+  if (!room.ok()) return room.status();
+  auto bytes = (*blobs)->Get(request.sha256());
+  if (!bytes.ok()) return bytes.status();
+  auto project = backend_.projects.Read(
+      stage_call, {.name = "project", .format = MeshFormat::k3mf, .bytes = *std::move(bytes)});
+  if (!project.ok()) return project;
+  return WithSpecOf(request.plate(), *std::move(project));
 }
 
 }  // namespace slicefarm::coordinator

@@ -1,43 +1,74 @@
 #pragma once
 
 #include "absl/status/statusor.h"
+#include "common/rpc/observe/json_log.h"
+#include "common/rpc/server/call_gate.h"
+#include "common/stage/memory_budget.h"
+#include "services/coordinator/remote/remote_projects.h"
 #include "services/coordinator/server/api/callers.h"
 #include "services/coordinator/server/api/full_queues.h"
 #include "services/coordinator/server/api/tenant_budgets.h"
+#include "services/coordinator/server/api/tenant_places.h"
 #include "services/coordinator/server/api/transfers.h"
 #include "services/coordinator/server/execution/disk_guard.h"
 #include "services/coordinator/store/blobs/blob_stores.h"
+#include "services/coordinator/store/jobs/job_store.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::coordinator {
 
+/// What the service speaks for. Everything outlives it.
+struct MeshesBackend {
+  const Callers& callers;
+  JobStore& jobs;
+  BlobStores& blobs;
+  const DiskGuard& disk;
+  TenantBudgets& budgets;
+  FullQueues& full_queues;
+  const ProjectReader& projects;
+  MemoryBudget& memory;
+  rpc::JsonLog log;
+};
+
 /// Translates slicefarm.v1.Meshes to the caller's BlobStore.
 class MeshesService final : public v1::Meshes::Service {
  public:
-  /// All but `options` must outlive it.
-  MeshesService(const Callers& callers, BlobStores& blobs, const DiskGuard& disk,
-                TenantBudgets& budgets, FullQueues& full_queues, const TransferOptions& options)
-      : callers_(callers),
-        blobs_(blobs),
-        disk_(disk),
-        budgets_(budgets),
-        full_queues_(full_queues),
-        uploads_(options) {}
+  MeshesService(MeshesBackend backend, const TransferOptions& options)
+      : backend_(std::move(backend)),
+        uploads_(options),
+        downloads_(options),
+        projects_({.slots = kProjects}, backend_.log),
+        projects_of_tenants_(kProjects),
+        lists_of_tenants_(kLists) {}
 
   grpc::Status GetUpload(grpc::ServerContext* context, const v1::GetUploadRequest* request,
                          v1::Upload* response) override;
-
   grpc::Status UploadMesh(grpc::ServerContext* context,
                           grpc::ServerReader<v1::UploadMeshRequest>* stream,
                           v1::Upload* response) override;
+  grpc::Status DownloadMesh(grpc::ServerContext* context, const v1::DownloadMeshRequest* request,
+                            grpc::ServerWriter<v1::DownloadResponse>* stream) override;
+  grpc::Status ListMeshes(grpc::ServerContext* context, const v1::ListMeshesRequest* request,
+                          v1::ListMeshesResponse* response) override;
+  grpc::Status DeleteMesh(grpc::ServerContext* context, const v1::DeleteMeshRequest* request,
+                          v1::DeleteMeshResponse* response) override;
+  grpc::Status ReadProject(grpc::ServerContext* context, const v1::ReadProjectRequest* request,
+                           v1::ReadProjectResponse* response) override;
 
  private:
-  const Callers& callers_;
-  BlobStores& blobs_;
-  const DiskGuard& disk_;
-  TenantBudgets& budgets_;
-  FullQueues& full_queues_;
+  static constexpr int kProjects = 8;  ///< that are read at a time
+  static constexpr int kLists = 8;
+
+  absl::StatusOr<v1::ReadProjectResponse> ReadStored(const Caller& caller,
+                                                     const v1::ReadProjectRequest& request,
+                                                     const rpc::Call& call);
+
+  MeshesBackend backend_;
   Transfers uploads_;
+  Transfers downloads_;
+  rpc::CallGate projects_;
+  TenantPlaces projects_of_tenants_;
+  TenantPlaces lists_of_tenants_;
 };
 
 }  // namespace slicefarm::coordinator

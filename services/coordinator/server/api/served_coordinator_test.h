@@ -43,7 +43,8 @@ class ServedCoordinatorTest : public testing::Test {
 
   void Serve(const CoordinatorOptions& options) {
     auto coordinator = Coordinator::Open(
-        options, {{.slicing = &slicing_, .planning = &planning_, .motion = &motion_}, arranging_},
+        options,
+        {{.slicing = &slicing_, .planning = &planning_, .motion = &motion_}, arranging_, projects_},
         dispatcher_, rpc::JsonLog("test"));
     ASSERT_TRUE(coordinator.ok()) << coordinator.status();
     coordinator_ = *std::move(coordinator);
@@ -73,6 +74,7 @@ class ServedCoordinatorTest : public testing::Test {
   TempDirectory directory_;
   FakeSlicing slicing_;
   FakeArranging arranging_;
+  FakeProjects projects_;
   FakePlanning planning_;
   FakeMotion motion_;
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();

@@ -9,10 +9,12 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
+#include "common/base/sha256.h"
 #include "common/geometry/text_format.h"
 #include "common/stage/plates.h"
 #include "common/stage/task.h"
 #include "processes/fdm/task/fdm_task.h"
+#include "services/coordinator/remote/remote_projects.h"
 
 namespace slicefarm::coordinator {
 
@@ -109,6 +111,26 @@ class FakeArranging : public ArrangingStage {
 
  private:
   mutable std::atomic<int> runs_ = 0;
+};
+
+/// A project has as many plates as its file has `p`s. A file with a `!` is refused.
+class FakeProjects : public ProjectReader {
+ public:
+  absl::StatusOr<v1::ReadProjectResponse> Read(const StageCall& call,
+                                               MeshFile file) const override {
+    if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
+    if (file.bytes.find('!') != std::string::npos)
+      return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshMalformed, "a bad project");
+    v1::ReadProjectResponse project;
+    project.set_application("fake");
+    for (const char c : file.bytes) {
+      if (c != 'p') continue;
+      v1::ReadProjectResponse::Plate& plate = *project.add_plates();
+      plate.set_number(project.plates_size());
+      plate.mutable_spec()->add_objects()->set_mesh_sha256(Sha256Hex(file.bytes));
+    }
+    return project;
+  }
 };
 
 /// Plans nothing but the copies that there are.

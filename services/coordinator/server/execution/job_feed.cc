@@ -25,15 +25,67 @@ void JobFeed::Forget(int64_t ticket) {
   entries_.erase(entry);
 }
 
+void JobFeed::Tell(const std::string& job_id, News news) {
+  const auto [first, last] = by_job_.equal_range(job_id);
+  for (auto i = first; i != last; ++i) entries_.at(i->second).listener(news);
+}
+
 void JobFeed::Changed(const std::string& job_id) {
   std::lock_guard lock(mutex_);
-  const auto [first, last] = by_job_.equal_range(job_id);
-  for (auto i = first; i != last; ++i) entries_.at(i->second).listener();
+  Tell(job_id, News::kEvents);
+}
+
+void JobFeed::Progressed(const std::string& job_id, const JobProgress& progress) {
+  std::lock_guard lock(mutex_);
+  running_[job_id] = progress;
+  Tell(job_id, News::kProgress);
+}
+
+void JobFeed::Ended(const std::string& job_id, int64_t epoch) {
+  std::lock_guard lock(mutex_);
+  const auto found = running_.find(job_id);
+  if (found != running_.end() && found->second.epoch <= epoch) running_.erase(found);
+}
+
+void JobFeed::Progressed(ProgressReport report) {
+  std::lock_guard lock(mutex_);
+  ProgressReport& told = elsewhere_[report.owner];
+  const ProgressReport before = std::exchange(told, std::move(report));
+  for (const auto& [id, progress] : told.jobs) {
+    const auto then = before.jobs.find(id);
+    if (then == before.jobs.end() || then->second != progress) Tell(id, News::kProgress);
+  }
+}
+
+std::map<std::string, JobProgress> JobFeed::Running() const {
+  std::lock_guard lock(mutex_);
+  return running_;
+}
+
+std::optional<JobProgress> JobFeed::ProgressOf(const std::string& job_id) const {
+  std::lock_guard lock(mutex_);
+  std::optional<JobProgress> latest;
+  const auto look = [&](const std::map<std::string, JobProgress>& jobs) {
+    const auto found = jobs.find(job_id);
+    if (found != jobs.end() && (!latest || latest->epoch < found->second.epoch))
+      latest = found->second;
+  };
+  look(running_);
+  for (const auto& [owner, report] : elsewhere_) look(report.jobs);
+  return latest;
+}
+
+void JobFeed::AddProgress(JobRecord& job) const {
+  if (job.state != JobState::kRunning) return;
+  const auto progress = ProgressOf(job.id);
+  if (!progress || progress->epoch != job.owner_epoch) return;
+  job.layers_total = progress->layers_total;
+  job.layers_done = progress->layers_done;
 }
 
 void JobFeed::AllChanged() {
   std::lock_guard lock(mutex_);
-  for (const auto& [ticket, entry] : entries_) entry.listener();
+  for (const auto& [ticket, entry] : entries_) entry.listener(News::kEvents);
 }
 
 void JobFeed::Close() {

@@ -12,9 +12,9 @@ namespace {
 TEST(JobFeed, TellsThoseWhoWatchTheJob) {
   JobFeed feed;
   int a = 0, b = 0;
-  feed.Listen("a", [&] { ++a; });
-  const int64_t second = feed.Listen("a", [&] { ++a; });
-  feed.Listen("b", [&] { ++b; });
+  feed.Listen("a", [&](auto) { ++a; });
+  const int64_t second = feed.Listen("a", [&](auto) { ++a; });
+  feed.Listen("b", [&](auto) { ++b; });
   feed.Changed("a");
   feed.Changed("c");
   EXPECT_EQ(a, 2);
@@ -25,11 +25,42 @@ TEST(JobFeed, TellsThoseWhoWatchTheJob) {
   EXPECT_EQ(a, 3);
 }
 
+TEST(JobFeed, KnowsHowFarRunsHaveCome) {
+  JobFeed feed;
+  std::vector<JobFeed::News> news;
+  feed.Listen("a", [&](JobFeed::News what) { news.push_back(what); });
+  JobRecord job;
+  job.id = "a";
+  job.owner_epoch = 2;
+  const auto done = [&] {
+    JobRecord now = job;
+    feed.AddProgress(now);
+    return now.layers_done;
+  };
+  feed.Progressed("a", {2, 1, 9, 4});
+  EXPECT_EQ(done(), 0) << "it does not run, as far as the store knows";
+  job.state = JobState::kRunning;
+  EXPECT_EQ(done(), 4);
+  job.owner_epoch = 3;
+  EXPECT_EQ(done(), 0) << "that was another run";
+  feed.Progressed({"other", {{"a", {3, 1, 9, 5}}, {"b", {1, 1, 1, 1}}}});
+  EXPECT_EQ(done(), 5);
+  feed.Progressed({"other", {{"a", {3, 1, 9, 5}}}});
+  EXPECT_EQ(news, std::vector(2, JobFeed::News::kProgress)) << "nothing is new";
+  feed.Progressed({"other", {}});
+  EXPECT_EQ(done(), 0);
+  EXPECT_EQ(feed.Running().size(), 1u);
+  feed.Ended("a", 1);
+  EXPECT_EQ(feed.Running().size(), 1u);
+  feed.Ended("a", 2);
+  EXPECT_EQ(feed.Running().size(), 0u);
+}
+
 TEST(JobFeed, ClosingTellsAll) {
   JobFeed feed;
   int closed = 0;
-  feed.Listen("a", [&] { closed += feed.closed() ? 1 : 0; });
-  feed.Listen("b", [&] { closed += feed.closed() ? 1 : 0; });
+  feed.Listen("a", [&](auto) { closed += feed.closed() ? 1 : 0; });
+  feed.Listen("b", [&](auto) { closed += feed.closed() ? 1 : 0; });
   feed.Close();
   EXPECT_EQ(closed, 2);
 }
@@ -42,7 +73,7 @@ TEST(JobFeed, AfterForgetNobodyIsCalled) {
   });
   for (int i = 0; i < 1000; ++i) {
     auto alive = std::make_unique<int>(0);
-    const int64_t ticket = feed.Listen("a", [&alive] { ++*alive; });
+    const int64_t ticket = feed.Listen("a", [&alive](auto) { ++*alive; });
     feed.Forget(ticket);
     alive.reset();
   }

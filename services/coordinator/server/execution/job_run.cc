@@ -48,6 +48,7 @@ void JobRun::Run() {
   for (auto step = next(); step != RunSteps::Step::kOver; step = next()) {
     steps.Took(Take(step, steps.status()));
   }
+  environment_.feed.Ended(job_.id, lease_.epoch);
   if (wishes_->lost()) {
     environment_.log.Warn("job lost", Fields({{"seconds", clock_.Seconds()}}));
   } else if (steps.status().ok()) {
@@ -154,9 +155,8 @@ rpc::LogFields JobRun::Fields(const rpc::LogFields& more) const {
 
 void JobRun::Progress(PipelineProgress progress) {
   if (!progress_.Passes(progress, clock_.Seconds())) return;
-  // Progress that cannot be written is not worth ending the job for.
-  Write({.state = JobState::kRunning, .layers_total = progress.total, .layers_done = progress.done})
-      .IgnoreError();
+  environment_.feed.Progressed(
+      job_.id, {lease_.epoch, environment_.now_us(), progress.total, progress.done});
 }
 
 absl::StatusOr<bool> JobRun::Conclude(const absl::Status& error) {
@@ -180,8 +180,11 @@ absl::Status JobRun::Write(JobUpdate update) {
   if (wishes_->lost()) return absl::AbortedError("fenced");
   update.lost_runs = LostRunsAfter(job_, update.state);
   const auto job = environment_.jobs.Update(lease_, update, environment_.now_us());
-  // A cancel that came after the claim, and before this run could be told of it.
-  if (update.state == JobState::kRunning && job.ok() && job->cancel_requested) wishes_->Cancel();
+  // A cancel, or another deadline, that came after the claim, and before this run could be told.
+  if (update.state == JobState::kRunning && job.ok()) {
+    wishes_->EndBy(job->deadline_us);
+    if (job->cancel_requested) wishes_->Cancel();
+  }
   return Written(job.status());
 }
 

@@ -57,7 +57,6 @@ class JobRun {
   bool met_other_build() const { return met_other_build_; }
 
   const Lease& lease() const { return lease_; }
-  const std::string& action_digest() const { return job_.action_digest; }
   /// Shared with those who give the run up.
   const std::shared_ptr<RunWishes>& wishes() const { return wishes_; }
 

@@ -91,12 +91,6 @@ void JobRunner::Serve(Priority at_least) {
   }
 }
 
-/// The work that is being done.
-std::set<std::string> JobRunner::Busy() {
-  std::lock_guard lock(mutex_);
-  return leases_.Busy();
-}
-
 /// A job that another build made is another action here: its result must be found and kept under
 /// the name that this build gives it. False: the same is being worked on, so the job is back in the
 /// queue; or the store failed, so it will be claimed again.
@@ -107,8 +101,9 @@ bool JobRunner::Adopt(JobRecord& job) {
   const JobIdentity identity = {(*resolved)->settings_digest, (*resolved)->action_digest,
                                 environment_.build_id};
   const Lease lease{job.id, job.owner_epoch};
-  if (!environment_.jobs.Adopt(lease, identity).ok()) return false;
-  if (Busy().contains(identity.action_digest)) {
+  const auto alone = environment_.jobs.Adopt(lease, identity, NowUs());
+  if (!alone.ok()) return false;
+  if (!*alone) {
     environment_.jobs.Update(lease, {.state = JobState::kQueued}, NowUs()).IgnoreError();
     environment_.feed.Changed(job.id);
     Wake();  // there may be others
@@ -143,15 +138,14 @@ std::unique_ptr<JobRun> JobRunner::Claim(Priority at_least) {
   std::lock_guard claiming(claim_mutex_);
   if (!StagesFit() || !HasRoom()) return nullptr;
   const int64_t now_us = NowUs();
-  auto job =
-      environment_.jobs.Claim(options_.owner, now_us, leases_.UntilUs(now_us), Busy(), at_least);
+  auto job = environment_.jobs.Claim(options_.owner, now_us, leases_.UntilUs(now_us), at_least);
   if (!job.ok()) Warn("no job claimed", job.status());  // the store is asked again soon
   if (!job.ok() || !*job) return nullptr;
   if ((*job)->build_id != environment_.build_id && !Adopt(**job)) return nullptr;
   auto run = std::make_unique<JobRun>(environment_, **std::move(job));
   std::lock_guard lock(mutex_);
   if (stopping_) run->wishes()->HandBack();
-  leases_.Add(run->lease(), run->action_digest(), now_us, run->wishes());
+  leases_.Add(run->lease(), now_us, run->wishes());
   return run;
 }
 

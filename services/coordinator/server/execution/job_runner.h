@@ -5,7 +5,6 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -56,7 +55,6 @@ class JobRunner {
   void RenewLeases();
   void Tidy();
   int32_t EndOverdue();
-  std::set<std::string> Busy();
   bool StagesFit();
   bool HasRoom();
   std::unique_ptr<JobRun> Claim(Priority at_least);
@@ -67,7 +65,7 @@ class JobRunner {
   const JobRunnerOptions options_;
   std::atomic<bool> met_other_build_ = false;  ///< a run did, and stages were not seen to fit since
   std::atomic<bool> without_room_ = false;     ///< and said so
-  std::mutex claim_mutex_;  ///< one claim at a time, so that each knows what the last one took
+  std::mutex claim_mutex_;  ///< one claim at a time: more would wait for each other in the store
   std::mutex mutex_;
   std::condition_variable wake_;
   LeaseBook leases_;         ///< of the jobs that run

@@ -25,6 +25,11 @@ void Maintenance::Run(const std::stop_token& stop) {
 
 void Maintenance::SweepOnce(const std::stop_token& stop) {
   const CancelToken cancel([&] { return stop.stop_requested(); });
+  // Less than from one to the next, so that the same one may go on.
+  const auto turn_us = std::chrono::microseconds(options_.every).count() * 9 / 10;
+  const auto mine = jobs_.TakeChore("sweep", now_us_(), now_us_() + turn_us);
+  if (!mine.ok()) log_.Warn("sweep failed", {{"error", std::string(mine.status().message())}});
+  if (!mine.ok() || !*mine) return;
   const auto swept = Sweep(jobs_, blobs_, options_.sweep, now_us_(), cancel);
   if (!swept.ok()) {
     log_.Warn("sweep failed", {{"error", std::string(swept.status().message())}});

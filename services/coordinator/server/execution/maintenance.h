@@ -10,7 +10,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Sweeps the stores at once and from time to time, from a thread of its own.
+/// Sweeps the stores at once and from time to time, from a thread of its own; of the coordinators
+/// that share them, one does.
 class Maintenance {
  public:
   struct Options {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "common/base/stoppable_sleep.h"
 #include "processes/list/jobs.h"
 
 namespace slicefarm::coordinator {
@@ -11,6 +12,8 @@ namespace {
 
 /// For the results of runs: no run begins with less.
 constexpr int64_t kRoomForResults = 256 << 20;
+
+constexpr std::chrono::seconds kTellEvery(1);
 
 int64_t NowUs() {
   return std::chrono::duration_cast<std::chrono::microseconds>(
@@ -65,7 +68,9 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
                              [this](const StageTimes& times) { stage_seconds_.Observe(times); },
                              options_.stages_fit, [this] { return RunsHaveRoom(); }},
               options_.runner),
-      meshes_service_(callers_, blobs_, disk_, budgets_, full_queues_, options_.transfers),
+      meshes_service_(
+          {callers_, jobs_, blobs_, disk_, budgets_, full_queues_, stages.projects, memory_, log},
+          options_.transfers),
       jobs_service_(JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
                                 *stores_.webhooks, options_.webhooks, *stages.stages.slicing,
                                 stages.arranging, pipeline_, memory_, options_.rates, NowUs, log},
@@ -100,7 +105,13 @@ Coordinator::~Coordinator() { Stop(); }
 absl::Status Coordinator::Start() {
   if (absl::Status started = runner_.Start(); !started.ok()) return started;
   changes_ = ListenForChanges(options_.stores,
-                              [this](const std::optional<JobChange>& change) { Changed(change); });
+                              {[this](const std::optional<JobChange>& change) { Changed(change); },
+                               [this](ProgressReport report) {
+                                 if (report.owner != options_.runner.owner)
+                                   feed_.Progressed(std::move(report));
+                               }});
+  if (changes_)
+    telling_ = std::jthread([this](const std::stop_token& stop) { TellProgress(stop); });
   webhook_sender_.emplace(*stores_.webhooks, jobs_, options_.webhooks, options_.webhook_sender,
                           NowUs, log_, Registry());
   maintenance_.emplace(jobs_, blobs_, *stores_.profiles, options_.maintenance, NowUs, log_);
@@ -112,9 +123,21 @@ void Coordinator::Stop() {
   feed_.Close();
   jobs_service_.EndWatches();
   runner_.Stop();
+  telling_ = {};
   changes_.reset();
   maintenance_.reset();
   webhook_sender_.reset();
+}
+
+/// Those who share the store know from it which jobs run, but not how far they have come.
+void Coordinator::TellProgress(const std::stop_token& stop) {
+  ProgressReport told = {options_.runner.owner, {}};
+  while (SleepUnlessStopped(stop, kTellEvery)) {
+    ProgressReport report = {options_.runner.owner, feed_.Running()};
+    if (report == told) continue;
+    changes_->Tell(report);
+    told = std::move(report);
+  }
 }
 
 /// Another coordinator, or this one, wrote to a job.

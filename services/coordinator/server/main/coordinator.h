@@ -5,9 +5,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "common/stage/memory_budget.h"
+#include "services/coordinator/remote/remote_projects.h"
 #include "services/coordinator/server/api/jobs_service.h"
 #include "services/coordinator/server/api/meshes_service.h"
 #include "services/coordinator/server/api/profiles_service.h"
@@ -49,6 +51,7 @@ struct CoordinatorOptions {
 struct JobStages {
   Stages stages;  ///< jobs are made of processes whose stages are there
   const ArrangingStage& arranging;
+  const ProjectReader& projects;
 };
 
 /// The coordinator put together: stores, intake, runner and services over given stages. Several may
@@ -78,6 +81,7 @@ class Coordinator {
   }
   rpc::QueuedMethods& queued_methods() { return jobs_service_; }
   JobStore& jobs() { return jobs_; }
+  const JobFeed& feed() const { return feed_; }
   /// Of the database that it shares with others; or null.
   const std::function<absl::StatusOr<DatabaseFill>()>& database_fill() const {
     return stores_.fill;
@@ -87,6 +91,7 @@ class Coordinator {
   Coordinator(CoordinatorOptions options, Stores stores, const JobStages& stages,
               TaskExecutor& executor, const rpc::JsonLog& log);
   void Changed(const std::optional<JobChange>& change);
+  void TellProgress(const std::stop_token& stop);
   prometheus::Registry& Registry();
   DiskGuard Guard() const;
   bool RunsHaveRoom() const;
@@ -115,6 +120,7 @@ class Coordinator {
   JobsService jobs_service_;
   ProfilesService profiles_service_;
   std::unique_ptr<JobChanges> changes_;
+  std::jthread telling_;  ///< of progress, if others listen
   std::optional<WebhookSender> webhook_sender_;
   std::optional<Maintenance> maintenance_;
 };

@@ -85,6 +85,7 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
   // Made in the order of use, and so ended in the reverse one.
   StagePools pools(flags.stage_names(), pool_options, program.log());
   const RemoteArranging arranging(pools.replicas(Stage::kSlicing));
+  const RemoteProjects projects(pools.replicas(Stage::kSlicing));
   Dispatcher dispatcher;
   Fleet fleet(dispatcher);
   std::optional<WorkerPool> workers;
@@ -125,7 +126,7 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
       .metrics = &program.metrics().registry()};
   if (webhooks) options.webhooks = [&webhooks] { return webhooks->Get(); };
   if (tenants) options.tenants = [&tenants] { return tenants->Get(); };
-  const JobStages job_stages = {pools.stages(), arranging};
+  const JobStages job_stages = {pools.stages(), arranging, projects};
   auto coordinator = OpenPatiently(options, job_stages, dispatcher, program);
   if (absl::IsCancelled(coordinator.status())) return 0;
   if (!coordinator.ok()) {
@@ -137,13 +138,15 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
       CoordinatorMetrics::Sources{(*coordinator)->jobs(), dispatcher, fleet, flags.stores.state_dir,
                                   (*coordinator)->database_fill(), flags.max_database_gib << 30,
                                   flags.maintenance().sweep.keep_jobs_s}));
-  const StatusBoard board({.name = flags.runner.owner,
-                           .store = flags.stores.postgres.empty() ? "SQLite" : "PostgreSQL",
-                           .state_dir = flags.stores.state_dir,
-                           .jobs = (*coordinator)->jobs(),
-                           .fleet = fleet,
-                           .stages = pools.Pools(),
-                           .log = program.log()});
+  const StatusBoard board(
+      {.name = flags.runner.owner,
+       .store = flags.stores.postgres.empty() ? "SQLite" : "PostgreSQL",
+       .state_dir = flags.stores.state_dir,
+       .jobs = (*coordinator)->jobs(),
+       .fleet = fleet,
+       .stages = pools.Pools(),
+       .log = program.log(),
+       .add_progress = [&](JobRecord& job) { (*coordinator)->feed().AddProgress(job); }});
   program.metrics().ShowPage("/statusz", [&board] { return board.Page(); });
   if (absl::Status started = (*coordinator)->Start(); !started.ok()) {
     program.log().Error("cannot start", {{"error", std::string(started.message())}});

@@ -583,7 +583,8 @@ TEST_F(CoordinatorTest, TheStateBelongsToOneCoordinator) {
   CoordinatorOptions options;
   options.stores.state_dir = directory_.path();
   const auto second = Coordinator::Open(
-      options, {{.slicing = &slicing_, .planning = &planning_, .motion = &motion_}, arranging_},
+      options,
+      {{.slicing = &slicing_, .planning = &planning_, .motion = &motion_}, arranging_, projects_},
       dispatcher_, rpc::JsonLog("test"));
   EXPECT_TRUE(absl::IsUnavailable(second.status())) << second.status();
 }

@@ -59,11 +59,11 @@ void AddQueue(const std::vector<OpenJobs>& open, std::vector<MetricFamily>& fami
   families.push_back(std::move(age));
 }
 
-void AddStore(JobStore& jobs, std::vector<MetricFamily>& families) {
-  const auto counts = jobs.CountByState();
-  const auto open = counts.ok() ? jobs.CountOpen() : counts.status();
-  families.push_back(Gauge("slicefarm_store_up", "Whether the job store answers", open.ok()));
-  if (!open.ok()) return;
+void AddStore(JobStore& jobs, JobCounts& job_counts, std::vector<MetricFamily>& families) {
+  const auto open = jobs.CountOpen();
+  const auto counts = open.ok() ? job_counts.With(*open) : open.status();
+  families.push_back(Gauge("slicefarm_store_up", "Whether the job store answers", counts.ok()));
+  if (!counts.ok()) return;
   families.push_back(Jobs(*counts));
   AddQueue(*open, families);
 }
@@ -165,7 +165,7 @@ double SecondsSince(int64_t us) { return std::max(0.0, static_cast<double>(UnixU
 
 std::vector<MetricFamily> CoordinatorMetrics::Collect() const {
   std::vector<MetricFamily> families;
-  AddStore(sources_.jobs, families);
+  AddStore(sources_.jobs, counts_, families);
   families.push_back(Ranges(sources_.dispatcher.Counts()));
   AddFleet(sources_.fleet, families);
   AddDisk(sources_.state_dir, families);

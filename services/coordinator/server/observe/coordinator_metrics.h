@@ -11,6 +11,7 @@
 
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/dispatch/fleet.h"
+#include "services/coordinator/server/observe/job_counts.h"
 #include "services/coordinator/store/jobs/job_store.h"
 #include "services/coordinator/store/sql/database_fill.h"
 
@@ -18,7 +19,8 @@ namespace slicefarm::coordinator {
 
 /// What the coordinator shows beside its calls and what MeteredJobStore counts; looked up when
 /// Prometheus asks:
-///   slicefarm_jobs{state}                   in the store, as is the next
+///   slicefarm_jobs{state}                   in the store, as is the next; ended ones as they were
+///                                           at most a minute ago
 ///   slicefarm_queue_depth{priority}, slicefarm_queue_age_seconds{priority}
 ///   slicefarm_store_up                      0: it does not answer, and the three above are missing
 ///   slicefarm_ranges_total{outcome}
@@ -42,12 +44,14 @@ class CoordinatorMetrics : public prometheus::Collectable {
   };
 
   /// The sources must outlive it.
-  explicit CoordinatorMetrics(Sources sources) : sources_(std::move(sources)) {}
+  explicit CoordinatorMetrics(Sources sources)
+      : sources_(std::move(sources)), counts_(sources_.jobs) {}
 
   std::vector<prometheus::MetricFamily> Collect() const override;
 
  private:
   const Sources sources_;
+  mutable JobCounts counts_;  ///< locked within
 };
 
 /// "bulk", "normal", "interactive".

@@ -100,10 +100,9 @@ absl::StatusOr<std::vector<Created>> MeteredJobStore::CreateAll(const std::vecto
 
 absl::StatusOr<std::optional<JobRecord>> MeteredJobStore::Claim(const std::string& owner,
                                                                 int64_t now_us, int64_t until_us,
-                                                                const std::set<std::string>& busy,
                                                                 Priority at_least) {
   const Stopwatch watch;
-  auto job = store().Claim(owner, now_us, until_us, busy, at_least);
+  auto job = store().Claim(owner, now_us, until_us, at_least);
   if (!job.ok() || !*job) return job;  // nothing was written
   commit_seconds_.Add({{"operation", "claim"}}, kCommitSeconds).Observe(watch.Seconds());
   if ((*job)->state == JobState::kRunning) expired_.Increment();
@@ -120,9 +119,10 @@ absl::StatusOr<std::vector<JobRecord>> MeteredJobStore::EndOverdue(const JobErro
   return ended;
 }
 
-absl::Status MeteredJobStore::Adopt(const Lease& lease, const JobIdentity& identity) {
-  absl::Status status = Timed("adopt", [&] { return store().Adopt(lease, identity); });
-  if (absl::IsAborted(status)) fenced_.Increment();
+absl::StatusOr<bool> MeteredJobStore::Adopt(const Lease& lease, const JobIdentity& identity,
+                                            int64_t now_us) {
+  auto status = Timed("adopt", [&] { return store().Adopt(lease, identity, now_us); });
+  if (absl::IsAborted(status.status())) fenced_.Increment();
   return status;
 }
 

@@ -34,11 +34,11 @@ class MeteredJobStore : public ForwardingJobStore {
                                                  int64_t now_us) override;
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                  int64_t until_us,
-                                                 const std::set<std::string>& busy = {},
                                                  Priority at_least = Priority::kBulk) override;
   absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                     int32_t limit) override;
-  absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override;
+  absl::StatusOr<bool> Adopt(const Lease& lease, const JobIdentity& identity,
+                             int64_t now_us) override;
   absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                              int64_t until_us) override;
   absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,

@@ -154,7 +154,7 @@ TEST_F(MeteredJobStoreTest, CountsTakeoversAndFencedWrites) {
   EXPECT_EQ(Value("slicefarm_lease_expired_total"), 1);
   EXPECT_EQ(Value("slicefarm_fenced_writes_total"), 0);
   EXPECT_TRUE(absl::IsAborted(Update(first, {.state = kQueued})));
-  EXPECT_TRUE(absl::IsAborted(store_.Adopt(first, {})));
+  EXPECT_TRUE(absl::IsAborted(store_.Adopt(first, {}, now_us_).status()));
   EXPECT_EQ(Value("slicefarm_fenced_writes_total"), 2);
   EXPECT_TRUE(Update(second, {.state = kQueued}).ok());
   Claim();

@@ -12,9 +12,9 @@ namespace {
 
 constexpr int32_t kMaxRunning = 20;
 
-void LookIntoStore(JobStore& jobs, CoordinatorStatus& status) {
-  auto counts = jobs.CountByState();
+void LookIntoStore(JobStore& jobs, JobCounts& job_counts, CoordinatorStatus& status) {
   auto open = jobs.CountOpen();
+  auto counts = open.ok() ? job_counts.With(*open) : open.status();
   auto running = jobs.List({.all_tenants = true,
                             .states = {JobState::kRunning},
                             .oldest_first = true,
@@ -39,7 +39,8 @@ CoordinatorStatus StatusBoard::Look() const {
   status.now_us = std::chrono::duration_cast<std::chrono::microseconds>(
                       std::chrono::system_clock::now().time_since_epoch())
                       .count();
-  LookIntoStore(sources_.jobs, status);
+  LookIntoStore(sources_.jobs, counts_, status);
+  for (JobRecord& job : status.running) sources_.add_progress(job);
   status.disk = DiskOf(sources_.state_dir);
   status.runners = sources_.fleet.Runners();
   for (const auto& [stage, pool] : sources_.stages) status.replicas[stage] = pool->Addresses();

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 
-#include "common/rpc/observe/json_log.h"
 #include "common/base/stopwatch.h"
+#include "common/rpc/observe/json_log.h"
 #include "services/coordinator/remote/stage_pool.h"
 #include "services/coordinator/server/observe/coordinator_metrics.h"
 #include "services/coordinator/server/observe/status_page.h"
@@ -22,16 +23,19 @@ class StatusBoard {
     const Fleet& fleet;
     std::map<std::string, const StagePool*> stages;
     rpc::JsonLog log;
+    /// Puts into a running job's record how far it has come.
+    std::function<void(JobRecord&)> add_progress = [](JobRecord&) {};
   };
 
   /// The sources must outlive it.
-  explicit StatusBoard(Sources sources) : sources_(std::move(sources)) {}
+  explicit StatusBoard(Sources sources) : sources_(std::move(sources)), counts_(sources_.jobs) {}
 
   CoordinatorStatus Look() const;
   std::string Page() const { return StatusPage(Look()); }
 
  private:
   const Sources sources_;
+  mutable JobCounts counts_;  ///< locked within
   const Stopwatch uptime_;
 };
 

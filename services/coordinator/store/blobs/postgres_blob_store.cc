@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,7 +12,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-constexpr int32_t kListed = 1000;  ///< blobs a query
+constexpr int32_t kListed = 20'000;  ///< blobs a query
 
 /// Of a row.
 struct Key {
@@ -61,6 +62,21 @@ absl::StatusOr<bool> Extend(SqlConnection& db, const Key& key, int64_t at, std::
   return extended;
 }
 
+/// Makes a complete blob of one piece, in one statement, which is all that most results need;
+/// false: there is something of it already.
+absl::StatusOr<bool> MakeSmall(SqlConnection& db, const Key& key, std::string_view bytes) {
+  SqlQuery make(db,
+                "WITH made AS (INSERT INTO blobs (tenant, digest, size, complete)"
+                "  VALUES (?, ?, ?, 1) ON CONFLICT DO NOTHING RETURNING tenant, digest)"
+                " INSERT INTO blob_pieces (tenant, digest, at, bytes)"
+                " SELECT tenant, digest, 0, ?::BYTEA FROM made RETURNING at");
+  make.Bind(key.tenant, key.digest, std::ssize(bytes), Blob{bytes});
+  bool made = false;
+  while (make.Next()) made = true;
+  if (!make.status().ok()) return make.status();
+  return made;
+}
+
 absl::Status SetStatus(SqlConnection& db, const Key& key, const BlobStatus& status) {
   SqlQuery set(db,
                "UPDATE blobs SET size = ?, complete = ?, touched = now()"
@@ -102,10 +118,10 @@ absl::StatusOr<std::string> ReadPieces(SqlConnection& db, const Key& key,
   for (int64_t offset = 0;;) {
     const auto bytes = ReadBytes(db, key, offset, kBlobPieceBytes);
     if (!bytes.ok()) return bytes.status();
-    if (bytes->empty()) return sha.Hex();
     sha.Add(*bytes);
     visit(*bytes);
-    offset += static_cast<int64_t>(bytes->size());
+    offset += std::ssize(*bytes);
+    if (std::ssize(*bytes) < kBlobPieceBytes) return sha.Hex();
   }
 }
 
@@ -206,14 +222,25 @@ absl::StatusOr<BlobStatus> PostgresBlobStore::Finish(const std::string& digest, 
 
 /// The text is gone through twice: its digest is the key of its pieces.
 absl::StatusOr<std::string> PostgresBlobStore::PutText(const SpooledText& text) {
+  const bool small = text.size() > 0 && text.size() <= kBlobPieceBytes;
   Sha256 sha;
-  const auto add = [&](std::string_view bytes) { return sha.Add(bytes), absl::OkStatus(); };
+  std::string all;  // of a small one
+  const auto add = [&](std::string_view bytes) {
+    sha.Add(bytes);
+    if (small) all += bytes;
+    return absl::OkStatus();
+  };
   if (absl::Status read = text.ForEachBlock(add); !read.ok()) return read;
   const std::string digest = sha.Hex();
   const auto session = database_->Write();
   if (!session.ok()) return session.status();
   SqlConnection& db = **session;
   const Key key = {tenant_, digest};
+  if (small) {
+    const auto made = MakeSmall(db, key, all);
+    if (!made.ok()) return made.status();
+    if (*made) return digest;
+  }
   SqlTransaction transaction(db);
   if (!transaction.status().ok()) return transaction.status();
   const auto old = LockBlob(db, key);
@@ -308,8 +335,12 @@ absl::StatusOr<BlobStatus> PostgresBlobStore::Keep(const std::string& digest) {
   if (!session.ok()) return session.status();
   SqlQuery touch(**session,
                  "UPDATE blobs SET touched = now()"
-                 " WHERE tenant = ? AND digest = ? AND complete = 1");
-  if (absl::Status done = touch.Bind(tenant_, digest).Run(); !done.ok()) return done;
+                 " WHERE tenant = ? AND digest = ? AND complete = 1 RETURNING size");
+  touch.Bind(tenant_, digest);
+  std::optional<BlobStatus> kept;
+  while (touch.Next()) kept = {touch.Int(0), /*complete=*/true};
+  if (!touch.status().ok()) return touch.status();
+  if (kept) return *kept;
   return SelectStatus(**session, {tenant_, digest}, /*lock=*/false);
 }
 

@@ -16,8 +16,8 @@
 #include "common/base/error.h"
 #include "common/base/from_environment_test.h"
 #include "common/base/sha256.h"
-#include "services/coordinator/store/faults/database_invariants_test.h"
 #include "services/coordinator/store/blobs/directory_blob_store.h"
+#include "services/coordinator/store/faults/database_invariants_test.h"
 #include "services/coordinator/store/faults/fault_trials_test.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 #include "services/coordinator/store/jobs/sql_profile_store.h"
@@ -200,7 +200,8 @@ class StateLife : public StoreLife {
   }
   absl::Status Adopt(const std::string& id) {
     const size_t from = now();
-    return Note(id, from, state_.jobs->Adopt(lease_, {"settings", "action x", "build 2"}));
+    return Note(id, from,
+                state_.jobs->Adopt(lease_, {"settings", "action x", "build 2"}, now_us_).status());
   }
   absl::Status Release(const std::string& id) {
     const size_t from = now();

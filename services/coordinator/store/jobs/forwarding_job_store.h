@@ -29,16 +29,16 @@ class ForwardingJobStore : public JobStore {
   }
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                  int64_t until_us,
-                                                 const std::set<std::string>& busy = {},
                                                  Priority at_least = Priority::kBulk) override {
-    return store_.Claim(owner, now_us, until_us, busy, at_least);
+    return store_.Claim(owner, now_us, until_us, at_least);
   }
   absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                     int32_t limit) override {
     return store_.EndOverdue(error, now_us, limit);
   }
-  absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override {
-    return store_.Adopt(lease, identity);
+  absl::StatusOr<bool> Adopt(const Lease& lease, const JobIdentity& identity,
+                             int64_t now_us) override {
+    return store_.Adopt(lease, identity, now_us);
   }
   absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                              int64_t until_us) override {
@@ -51,6 +51,10 @@ class ForwardingJobStore : public JobStore {
   }
   absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) override {
     return store_.RequestCancel(id, now_us);
+  }
+  absl::StatusOr<JobRecord> Change(const std::string& id, const JobChanging& changing,
+                                   int64_t now_us) override {
+    return store_.Change(id, changing, now_us);
   }
   absl::Status Delete(const std::string& id) override { return store_.Delete(id); }
   absl::StatusOr<std::vector<JobRecord>> FindRequested(const std::string& tenant,
@@ -72,19 +76,28 @@ class ForwardingJobStore : public JobStore {
     return store_.ForgetResult(action_digest);
   }
   absl::Status ExpireRequestIds(int64_t now_us) override { return store_.ExpireRequestIds(now_us); }
-  absl::StatusOr<std::map<JobState, int64_t>> CountByState() override {
-    return store_.CountByState();
-  }
+  absl::StatusOr<std::map<JobState, int64_t>> CountEnded() override { return store_.CountEnded(); }
   absl::StatusOr<int64_t> CountOf(const std::string& tenant) override {
     return store_.CountOf(tenant);
+  }
+  absl::StatusOr<std::map<JobState, int64_t>> CountOpenOf(const std::string& tenant) override {
+    return store_.CountOpenOf(tenant);
   }
   absl::StatusOr<std::vector<OpenJobs>> CountOpen() override { return store_.CountOpen(); }
   absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
                                                    const std::set<std::string>& digests) override {
     return store_.Referenced(tenant, digests);
   }
+  absl::StatusOr<std::set<std::string>> Artifacts(const std::string& tenant,
+                                                  const std::set<std::string>& digests) override {
+    return store_.Artifacts(tenant, digests);
+  }
   absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) override {
     return store_.EndedBefore(time_us, limit);
+  }
+  absl::StatusOr<bool> TakeChore(const std::string& chore, int64_t now_us,
+                                 int64_t until_us) override {
+    return store_.TakeChore(chore, now_us, until_us);
   }
 
  protected:

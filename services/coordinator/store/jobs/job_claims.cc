@@ -19,32 +19,79 @@ absl::StatusOr<std::vector<std::string>> TenantsInTurn(SqlConnection& db, int64_
   return tenants;
 }
 
-void BindClaimable(SqlQuery& query, const std::string& tenant, const ClaimRequest& request) {
-  query.Bind(tenant, static_cast<int64_t>(request.at_least), request.now_us);
-  for (const std::string& digest : request.busy) query.Bind(digest);
+/// The action digests of jobs that somebody holds.
+std::string HeldWorkSql(const SqlDialect& dialect) {
+  return absl::StrCat("SELECT action_digest FROM jobs", dialect.Through("jobs_held_work"),
+                      " WHERE " SLICEFARM_OPEN " AND owner <> '' AND owner_until_us > ?");
 }
 
-absl::StatusOr<std::optional<Lease>> ClaimOf(SqlConnection& db, const std::string& tenant,
-                                             const ClaimRequest& request) {
-  const std::string sql = absl::StrCat(
+absl::StatusOr<std::optional<Candidate>> FindClaimable(SqlConnection& db, const std::string& tenant,
+                                                       const ClaimRequest& request,
+                                                       std::string_view locking) {
+  const std::string sql = absl::StrCat(ClaimableSql(db.dialect()), std::string(locking));
+  SqlQuery query(db, sql);
+  query.Bind(tenant, static_cast<int64_t>(request.at_least), request.now_us, request.now_us);
+  std::optional<Candidate> candidate;
+  while (query.Next()) candidate = {query.Int(0), query.Text(1)};
+  if (!query.status().ok()) return query.status();
+  return candidate;
+}
+
+/// Until the transaction ends, nobody else claims a job of this work.
+absl::Status LockWork(SqlConnection& db, const std::string& action_digest) {
+  const std::string_view lock = db.dialect().lock_work;
+  if (lock.empty()) return absl::OkStatus();
+  return SqlQuery(db, lock).Bind(action_digest).Run();
+}
+
+constexpr std::string_view kTurn =
+    " ON CONFLICT (tenant) DO UPDATE SET claimed_us = excluded.claimed_us";
+
+std::string TakeSql(const SqlDialect& dialect, std::string_view columns) {
+  return absl::StrCat(
       "UPDATE jobs SET owner = ?, owner_epoch = owner_epoch + 1, owner_until_us = ?"
-      " WHERE number = (",
-      ClaimableSql(db.dialect(), request), std::string(db.dialect().skip_locked),
-      ") RETURNING id, owner_epoch");
-  SqlQuery claim(db, sql);
-  claim.Bind(request.owner, request.until_us);
-  BindClaimable(claim, tenant, request);
-  std::optional<Lease> lease;
-  while (claim.Next()) lease = {claim.Text(0), claim.Int(1)};
-  if (!claim.status().ok()) return claim.status();
-  return lease;
+      " WHERE number = (SELECT number FROM jobs WHERE number = ? AND " SLICEFARM_OPEN
+      " AND owner_until_us <= ?",
+      std::string(dialect.skip_locked), ") AND action_digest NOT IN (", HeldWorkSql(dialect),
+      ") RETURNING ", std::string(columns));
+}
+
+/// The same, and its tenant has had its turn.
+std::string TakeInTurnSql(const SqlDialect& dialect) {
+  return absl::StrCat("WITH taken AS (", TakeSql(dialect, "*"),
+                      "), turn AS (INSERT INTO tenants (tenant, claimed_us)"
+                      " SELECT tenant, CAST(? AS BIGINT) FROM taken",
+                      std::string(kTurn), ") SELECT ", JobColumns(dialect), " FROM taken");
 }
 
 absl::Status NoteTurn(SqlConnection& db, const std::string& tenant, int64_t now_us) {
-  SqlQuery note(db,
-                "INSERT INTO tenants (tenant, claimed_us) VALUES (?, ?)"
-                " ON CONFLICT (tenant) DO UPDATE SET claimed_us = excluded.claimed_us");
-  return note.Bind(tenant, now_us).Run();
+  const std::string sql =
+      absl::StrCat("INSERT INTO tenants (tenant, claimed_us) VALUES (?, ?)", std::string(kTurn));
+  return SqlQuery(db, sql).Bind(tenant, now_us).Run();
+}
+
+/// None: it, or a job of the same work, was claimed since it was found. The claim is a statement
+/// that begins when the work is locked, and so sees what others claimed before.
+absl::StatusOr<std::optional<Claimed>> Take(SqlConnection& db, const Candidate& candidate,
+                                            const ClaimRequest& request) {
+  if (absl::Status locked = LockWork(db, candidate.action_digest); !locked.ok()) return locked;
+  const SqlDialect& dialect = db.dialect();
+  const std::string sql =
+      dialect.writes_in_with ? TakeInTurnSql(dialect) : TakeSql(dialect, JobColumns(dialect));
+  SqlQuery take(db, sql);
+  take.Bind(request.owner, request.until_us, candidate.number, request.now_us, request.now_us);
+  if (dialect.writes_in_with) take.Bind(request.now_us);
+  std::optional<Claimed> claimed;
+  while (take.Next()) {
+    // A row that cannot be read is held as well, and keeps no others waiting.
+    claimed.emplace();
+    claimed->read = ReadJob(take, claimed->job);
+  }
+  if (!take.status().ok()) return take.status();
+  if (!claimed || dialect.writes_in_with) return claimed;
+  absl::Status noted = NoteTurn(db, claimed->job.tenant, request.now_us);
+  if (!noted.ok()) return noted;
+  return claimed;
 }
 
 }  // namespace
@@ -71,43 +118,54 @@ std::string TenantsSql(const SqlDialect& dialect) {
       " coalesce(t.claimed_us, 0), o.tenant");
 }
 
-std::string ClaimableSql(const SqlDialect& dialect, const ClaimRequest& request) {
-  std::string sql = absl::StrCat("SELECT number FROM jobs", dialect.Through("jobs_open"),
-                                 " WHERE tenant = ? AND " SLICEFARM_OPEN
-                                 " AND priority >= ? AND owner_until_us <= ?");
-  const char* next = " AND action_digest NOT IN (?";
-  for (size_t i = 0; i < request.busy.size(); ++i) {
-    sql += next;
-    next = ", ?";
-  }
-  if (!request.busy.empty()) sql += ")";
-  return sql + " ORDER BY priority DESC, deadline_us, number LIMIT 1";
+std::string ClaimableSql(const SqlDialect& dialect) {
+  return absl::StrCat("SELECT number, action_digest FROM jobs", dialect.Through("jobs_open"),
+                      " WHERE tenant = ? AND " SLICEFARM_OPEN
+                      " AND priority >= ? AND owner_until_us <= ? AND action_digest NOT IN (",
+                      HeldWorkSql(dialect),
+                      ") ORDER BY priority DESC, deadline_us, number LIMIT 1");
 }
 
-absl::StatusOr<bool> AnyClaimable(SqlConnection& db, const ClaimRequest& request) {
-  const auto tenants = TenantsInTurn(db, request.now_us);
+absl::StatusOr<std::optional<Queue>> FindQueue(SqlConnection& db, const ClaimRequest& request) {
+  auto tenants = TenantsInTurn(db, request.now_us);
   if (!tenants.ok()) return tenants.status();
-  const std::string sql = ClaimableSql(db.dialect(), request);
-  for (const std::string& tenant : *tenants) {
-    SqlQuery query(db, sql);
-    BindClaimable(query, tenant, request);
-    if (query.Next()) return true;
-    if (!query.status().ok()) return query.status();
-  }
-  return false;
-}
-
-absl::StatusOr<std::optional<Lease>> ClaimJob(SqlConnection& db, const ClaimRequest& request) {
-  const auto tenants = TenantsInTurn(db, request.now_us);
-  if (!tenants.ok()) return tenants.status();
-  for (const std::string& tenant : *tenants) {
-    auto lease = ClaimOf(db, tenant, request);
-    if (!lease.ok()) return lease.status();
-    if (!*lease) continue;
-    if (absl::Status noted = NoteTurn(db, tenant, request.now_us); !noted.ok()) return noted;
-    return lease;
+  for (auto tenant = tenants->begin(); tenant != tenants->end(); ++tenant) {
+    auto found = FindClaimable(db, *tenant, request, "");
+    if (!found.ok()) return found.status();
+    if (*found) return Queue{**std::move(found), {tenant, tenants->end()}};
   }
   return std::nullopt;
+}
+
+absl::StatusOr<ClaimTry> TakeFirst(SqlConnection& db, const Queue& queue,
+                                   const ClaimRequest& request) {
+  auto claimed = Take(db, queue.first, request);
+  if (!claimed.ok()) return claimed.status();
+  return ClaimTry{*std::move(claimed)};
+}
+
+absl::StatusOr<ClaimTry> TakeNext(SqlConnection& db, const Queue& queue,
+                                  const ClaimRequest& request) {
+  for (const std::string& tenant : queue.tenants) {
+    const auto found = FindClaimable(db, tenant, request, db.dialect().skip_locked);
+    if (!found.ok()) return found.status();
+    if (!*found) continue;
+    auto claimed = Take(db, **found, request);
+    if (!claimed.ok()) return claimed.status();
+    return ClaimTry{*std::move(claimed)};
+  }
+  return ClaimTry{.nothing_left = true};
+}
+
+absl::StatusOr<bool> OthersHold(SqlConnection& db, const std::string& action_digest,
+                                const std::string& but_job, int64_t now_us) {
+  if (absl::Status locked = LockWork(db, action_digest); !locked.ok()) return locked;
+  const std::string sql = absl::StrCat("SELECT 1 WHERE EXISTS (", HeldWorkSql(db.dialect()),
+                                       " AND action_digest = ? AND id <> ?)");
+  SqlQuery query(db, sql);
+  const bool others = query.Bind(now_us, action_digest, but_job).Next();
+  if (!query.status().ok()) return query.status();
+  return others;
 }
 
 absl::StatusOr<std::vector<HeldJob>> RenewLeases(SqlConnection& db,
@@ -119,9 +177,10 @@ absl::StatusOr<std::vector<HeldJob>> RenewLeases(SqlConnection& db,
                    "UPDATE jobs SET owner_until_us ="
                    " CASE WHEN owner_until_us > ? THEN owner_until_us ELSE ? END"
                    " WHERE id = ? AND owner_epoch = ?"
-                   " AND owner <> '' AND " SLICEFARM_OPEN " RETURNING cancel_requested");
+                   " AND owner <> '' AND " SLICEFARM_OPEN
+                   " RETURNING cancel_requested, deadline_us");
     renew.Bind(until_us, until_us, lease.job_id, lease.epoch);
-    while (renew.Next()) held.push_back({lease, renew.Int(0) != 0});
+    while (renew.Next()) held.push_back({lease, renew.Int(0) != 0, renew.Int(1)});
     if (!renew.status().ok()) return renew.status();
   }
   return held;

@@ -44,33 +44,55 @@ absl::Status CheckQueue(SqlConnection& db, const NewJob& job) {
   if (const std::string_view lock = db.dialect().lock_tenant; !lock.empty()) {
     const int64_t near = job.max_open - kManyJobs;
     const auto close = near > 0 ? HasOpen(db, job.tenant, near) : true;
-    if (!close.ok()) return close.status();
-    SqlQuery locked(db, lock);
-    if (*close) locked.Bind(job.tenant).Next();
-    if (!locked.status().ok()) return locked.status();
+    if (!close.ok() || !*close) return close.status();
+    if (absl::Status locked = SqlQuery(db, lock).Bind(job.tenant).Run(); !locked.ok())
+      return locked;
   }
   const auto full = HasOpen(db, job.tenant, job.max_open);
   if (!full.ok()) return full.status();
   return *full ? QueueFull(job.max_open) : absl::OkStatus();
 }
 
-absl::Status InsertJob(SqlConnection& db, const NewJob& job, int64_t now_us) {
-  SqlQuery insert(db,
-                  "INSERT INTO jobs (id, tenant, state, priority, deadline_us, spec, labels,"
-                  " settings_digest, action_digest, build_id, traceparent, create_us)"
-                  " VALUES (?, ?, 'QUEUED', ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+/// As it is before it has its row.
+JobRecord RecordOf(const NewJob& job, int64_t now_us) {
+  JobRecord record;
+  record.id = job.id;
+  record.tenant = job.tenant;
+  record.priority = job.priority;
+  record.deadline_us = job.deadline_us;
+  record.spec = job.spec;
+  record.labels = job.labels;
+  record.settings_digest = job.settings_digest;
+  record.action_digest = job.action_digest;
+  record.build_id = job.build_id;
+  record.traceparent = job.traceparent;
+  record.create_us = now_us;
+  record.last_sequence = 1;
+  return record;
+}
+
+/// Gives the record its number.
+absl::Status InsertJob(SqlConnection& db, JobRecord& job) {
+  const bool apart = db.dialect().spec != "spec";
+  SqlQuery insert(
+      db, absl::StrCat("INSERT INTO jobs (id, tenant, state, priority, deadline_us,"
+                       " labels, settings_digest, action_digest, build_id, traceparent,"
+                       " create_us, last_sequence",
+                       apart ? "" : ", spec", ") VALUES (?, ?, 'QUEUED', ?, ?, ?, ?, ?, ?, ?, ?, ?",
+                       apart ? "" : ", ?", ") RETURNING number"));
   insert.Bind(job.id, job.tenant, static_cast<int64_t>(job.priority), job.deadline_us,
-              Blob{job.spec}, ToJson(job.labels), job.settings_digest, job.action_digest,
-              job.build_id, job.traceparent, now_us);
-  return insert.Run();
+              ToJson(job.labels), job.settings_digest, job.action_digest, job.build_id,
+              job.traceparent, job.create_us, job.last_sequence);
+  if (!apart) insert.Bind(Blob{job.spec});
+  while (insert.Next()) job.number = insert.Int(0);
+  if (!insert.status().ok() || !apart) return insert.status();
+  SqlQuery spec(db, "INSERT INTO specs (job, spec) VALUES (?, ?)");
+  return spec.Bind(job.number, Blob{job.spec}).Run();
 }
 
 /// What is looked up by its value.
 absl::Status InsertLists(SqlConnection& db, int64_t number, const NewJob& job) {
-  for (const auto& [key, value] : job.labels) {
-    SqlQuery label(db, "INSERT INTO labels (job, key, value) VALUES (?, ?, ?)");
-    if (absl::Status done = label.Bind(number, key, value).Run(); !done.ok()) return done;
-  }
+  if (absl::Status done = InsertLabels(db, number, job.labels); !done.ok()) return done;
   for (const std::string& digest : job.inputs) {
     SqlQuery input(db, "INSERT INTO inputs (job, digest) VALUES (?, ?) ON CONFLICT DO NOTHING");
     if (absl::Status done = input.Bind(number, digest).Run(); !done.ok()) return done;
@@ -79,6 +101,15 @@ absl::Status InsertLists(SqlConnection& db, int64_t number, const NewJob& job) {
 }
 
 }  // namespace
+
+absl::Status InsertLabels(SqlConnection& db, int64_t number,
+                          const std::map<std::string, std::string>& labels) {
+  for (const auto& [key, value] : labels) {
+    SqlQuery label(db, "INSERT INTO labels (job, key, value) VALUES (?, ?, ?)");
+    if (absl::Status done = label.Bind(number, key, value).Run(); !done.ok()) return done;
+  }
+  return absl::OkStatus();
+}
 
 absl::StatusOr<std::optional<JobRecord>> FindEarlier(SqlConnection& db, const Request& request) {
   SqlQuery query(db,
@@ -106,14 +137,13 @@ absl::StatusOr<Created> MakeJob(SqlConnection& db, const NewJob& job, int64_t no
   }
   if (!job.refusal.ok()) return job.refusal;
   if (absl::Status ok = CheckQueue(db, job); !ok.ok()) return ok;
-  if (absl::Status done = InsertJob(db, job, now_us); !done.ok()) return done;
-  auto record = FindJob(db, job.id);
-  if (!record.ok()) return record.status();
-  if (absl::Status done = InsertLists(db, record->number, job); !done.ok()) return done;
-  if (absl::Status done = InsertWebhook(db, record->number, job.webhook_url); !done.ok())
+  JobRecord record = RecordOf(job, now_us);
+  if (absl::Status done = InsertJob(db, record); !done.ok()) return done;
+  if (absl::Status done = InsertLists(db, record.number, job); !done.ok()) return done;
+  if (absl::Status done = InsertWebhook(db, record.number, job.webhook_url); !done.ok())
     return done;
-  if (absl::Status done = WriteStep(db, *record, now_us); !done.ok()) return done;
-  return Created{*std::move(record), /*fresh=*/true};
+  if (absl::Status done = AppendEvent(db, record, now_us); !done.ok()) return done;
+  return Created{std::move(record), /*fresh=*/true};
 }
 
 }  // namespace slicefarm::coordinator

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -20,6 +21,10 @@ struct Request {
 /// The job that an earlier call with the same request id made, if there was one. Errors:
 /// REQUEST_ID_REUSED.
 absl::StatusOr<std::optional<JobRecord>> FindEarlier(SqlConnection& db, const Request& request);
+
+/// Those of a job that has none. In a transaction.
+absl::Status InsertLabels(SqlConnection& db, int64_t number,
+                          const std::map<std::string, std::string>& labels);
 
 /// In a transaction.
 absl::StatusOr<Created> MakeJob(SqlConnection& db, const NewJob& job, int64_t now_us);

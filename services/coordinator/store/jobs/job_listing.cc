@@ -10,8 +10,8 @@ namespace {
 
 /// The statement of a list: conditions are there only if they are asked for, so that the index that
 /// suits them is used.
-std::string ListSql(const ListQuery& list) {
-  std::string sql = "SELECT " SLICEFARM_JOB_COLUMNS " FROM jobs WHERE TRUE";
+std::string ListSql(const SqlDialect& dialect, const ListQuery& list) {
+  std::string sql = absl::StrCat("SELECT ", JobColumns(dialect), " FROM jobs WHERE TRUE");
   if (!list.all_tenants) sql += " AND tenant = ?";
   if (list.after_number > 0) sql += list.oldest_first ? " AND number > ?" : " AND number < ?";
   if (list.priority) sql += " AND priority = ?";
@@ -32,7 +32,7 @@ constexpr int32_t kRowsAtOnce = 16;
 /// it is the last.
 absl::StatusOr<bool> AppendJobs(SqlConnection& db, const ListQuery& list,
                                 std::vector<JobRecord>& jobs, int64_t& bytes) {
-  const std::string sql = ListSql(list);
+  const std::string sql = ListSql(db.dialect(), list);
   SqlQuery query(db, sql);
   if (!list.all_tenants) query.Bind(list.tenant);
   if (list.after_number > 0) query.Bind(list.after_number);

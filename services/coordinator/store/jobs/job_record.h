@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "services/coordinator/algo/pipeline/cost.h"
 #include "services/coordinator/algo/job_state.h"
+#include "services/coordinator/algo/pipeline/cost.h"
 
 namespace slicefarm::coordinator {
 

@@ -73,7 +73,54 @@ absl::StatusOr<JobRecord> SelectJob(SqlConnection& db, const std::string& id,
   return job;
 }
 
+constexpr std::string_view kStep =
+    "UPDATE jobs SET state = ?, start_us = ?, end_us = ?, layers_total = ?, layers_done = ?,"
+    " error = ?, result = ?, gcode_sha256 = ?, report_sha256 = ?, result_tenant = ?,"
+    " cancel_requested = ?, retries = ?, store_failures = ?, lost_runs = ?, last_sequence = ?,"
+    " trace_sha256 = ?, owner = ?, owner_epoch = ?, owner_until_us = ? WHERE number = ?";
+
+void BindStep(SqlQuery& update, const JobRecord& job) {
+  update.Bind(JobStateName(job.state), job.start_us, job.end_us, job.layers_total, job.layers_done,
+              job.error ? ToJson(*job.error) : "", job.result ? ToJson(*job.result) : "",
+              job.result ? job.result->gcode_sha256 : "",
+              job.result ? job.result->report_sha256 : "", job.result ? job.result->tenant : "",
+              job.cancel_requested, job.retries, job.store_failures, job.lost_runs,
+              job.last_sequence, job.trace_sha256, job.owner, job.owner_epoch, job.owner_until_us,
+              job.number);
+}
+
+constexpr std::string_view kEvent =
+    "INSERT INTO events (job, sequence, time_us, state, layers_total, layers_done)";
+
+std::string ChangeOf(const JobRecord& job) {
+  return ToText(JobChange{job.id, job.state, job.cancel_requested});
+}
+
+/// Step, webhook and event in one statement, and so on one way to a server and back.
+absl::Status WriteStepAtOnce(SqlConnection& db, const JobRecord& job, int64_t now_us) {
+  SqlQuery step(db, absl::StrCat("WITH step AS (", std::string(kStep),
+                                 " RETURNING number), due AS (UPDATE webhooks SET state = 'DUE',"
+                                 " due_us = ? FROM step WHERE job = number AND ? = 1) ",
+                                 std::string(kEvent),
+                                 " SELECT number, CAST(? AS BIGINT), CAST(? AS BIGINT), ?,"
+                                 " CAST(? AS BIGINT), CAST(? AS BIGINT) FROM step"
+                                 " RETURNING pg_notify('slicefarm_jobs', ?)"));
+  BindStep(step, job);
+  step.Bind(now_us, IsTerminal(job.state), job.last_sequence, now_us, JobStateName(job.state),
+            job.layers_total, job.layers_done, ChangeOf(job));
+  return step.Run();
+}
+
 }  // namespace
+
+std::string JobColumns(std::string_view spec) {
+  return absl::StrCat(
+      "number, id, tenant, state, priority, deadline_us, ", std::string(spec),
+      ", labels, settings_digest, action_digest, build_id, traceparent, create_us, start_us,"
+      " end_us, layers_total, layers_done, error, result, cancel_requested, retries,"
+      " store_failures, lost_runs, last_sequence, trace_sha256, owner, owner_epoch,"
+      " owner_until_us");
+}
 
 absl::Status ReadJob(const SqlQuery& query, JobRecord& job) {
   Columns columns(query);
@@ -87,50 +134,41 @@ absl::Status ReadJob(const SqlQuery& query, JobRecord& job) {
 }
 
 absl::StatusOr<JobRecord> FindJob(SqlConnection& db, const std::string& id) {
-  return SelectJob(db, id, SLICEFARM_JOB_COLUMNS, "");
+  return SelectJob(db, id, JobColumns(db.dialect()), "");
 }
 
 absl::StatusOr<JobRecord> FindJobWithoutSpec(SqlConnection& db, const std::string& id) {
-  return SelectJob(db, id, SLICEFARM_JOB_COLUMNS_WITH("''"), "");
+  return SelectJob(db, id, JobColumns("''"), "");
 }
 
 absl::StatusOr<JobRecord> LockJob(SqlConnection& db, const std::string& id) {
-  return SelectJob(db, id, SLICEFARM_JOB_COLUMNS, db.dialect().for_update);
+  return SelectJob(db, id, JobColumns("''"), db.dialect().for_update);
 }
 
 absl::StatusOr<JobRecord> LockFreeJob(SqlConnection& db, const std::string& id) {
-  return SelectJob(db, id, SLICEFARM_JOB_COLUMNS, db.dialect().skip_locked);
+  return SelectJob(db, id, JobColumns("''"), db.dialect().skip_locked);
+}
+
+absl::Status AppendEvent(SqlConnection& db, const JobRecord& job, int64_t now_us) {
+  const bool tells = !db.dialect().notify.empty();
+  SqlQuery event(db, absl::StrCat(std::string(kEvent), " VALUES (?, ?, ?, ?, ?, ?)",
+                                  tells ? " RETURNING pg_notify('slicefarm_jobs', ?)" : ""));
+  event.Bind(job.number, job.last_sequence, now_us, JobStateName(job.state), job.layers_total,
+             job.layers_done);
+  if (tells) event.Bind(ChangeOf(job));
+  return event.Run();
 }
 
 absl::Status WriteStep(SqlConnection& db, JobRecord& job, int64_t now_us) {
   ++job.last_sequence;
-  SqlQuery update(db,
-                  "UPDATE jobs SET state = ?, start_us = ?, end_us = ?, layers_total = ?,"
-                  " layers_done = ?, error = ?, result = ?, gcode_sha256 = ?,"
-                  " report_sha256 = ?, result_tenant = ?, cancel_requested = ?, retries = ?,"
-                  " store_failures = ?, lost_runs = ?, last_sequence = ?, trace_sha256 = ?, owner "
-                  "= ?, owner_epoch = ?,"
-                  " owner_until_us = ? WHERE number = ?");
-  update.Bind(JobStateName(job.state), job.start_us, job.end_us, job.layers_total, job.layers_done,
-              job.error ? ToJson(*job.error) : "", job.result ? ToJson(*job.result) : "",
-              job.result ? job.result->gcode_sha256 : "",
-              job.result ? job.result->report_sha256 : "", job.result ? job.result->tenant : "",
-              job.cancel_requested, job.retries, job.store_failures, job.lost_runs,
-              job.last_sequence, job.trace_sha256, job.owner, job.owner_epoch, job.owner_until_us,
-              job.number);
+  if (db.dialect().writes_in_with) return WriteStepAtOnce(db, job, now_us);
+  SqlQuery update(db, kStep);
+  BindStep(update, job);
   if (absl::Status done = update.Run(); !done.ok()) return done;
-
   if (IsTerminal(job.state)) {
     if (absl::Status done = MakeWebhookDue(db, job.number, now_us); !done.ok()) return done;
   }
-  SqlQuery event(db,
-                 "INSERT INTO events (job, sequence, time_us, state, layers_total, layers_done)"
-                 " VALUES (?, ?, ?, ?, ?, ?)");
-  event.Bind(job.number, job.last_sequence, now_us, JobStateName(job.state), job.layers_total,
-             job.layers_done);
-  if (absl::Status done = event.Run(); !done.ok() || db.dialect().notify.empty()) return done;
-  const JobChange change = {job.id, job.state, job.cancel_requested};
-  return SqlQuery(db, db.dialect().notify).Bind(ToText(change)).Run();
+  return AppendEvent(db, job, now_us);
 }
 
 }  // namespace slicefarm::coordinator

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -9,16 +10,9 @@
 
 namespace slicefarm::coordinator {
 
-/// The columns that ReadJob reads, in its order.
-#define SLICEFARM_JOB_COLUMNS SLICEFARM_JOB_COLUMNS_WITH("spec")
-
-/// The same with something else in place of the spec.
-#define SLICEFARM_JOB_COLUMNS_WITH(spec)                                                           \
-  "number, id, tenant, state, priority, deadline_us, " spec                                        \
-  ", labels, settings_digest, action_digest, build_id, traceparent, create_us, start_us, end_us, " \
-  "layers_total, "                                                                                 \
-  "layers_done, error, result, cancel_requested, retries, store_failures, lost_runs, "             \
-  "last_sequence, trace_sha256, owner, owner_epoch, owner_until_us"
+/// The columns that ReadJob reads, in its order, with `spec` in the place of the spec.
+std::string JobColumns(std::string_view spec);
+inline std::string JobColumns(const SqlDialect& dialect) { return JobColumns(dialect.spec); }
 
 /// States in which a job has not ended.
 #define SLICEFARM_OPEN "state IN ('QUEUED', 'RUNNING')"
@@ -33,11 +27,14 @@ absl::StatusOr<JobRecord> FindJob(SqlConnection& db, const std::string& id);
 /// The same, with an empty spec.
 absl::StatusOr<JobRecord> FindJobWithoutSpec(SqlConnection& db, const std::string& id);
 
-/// FindJob in a transaction that will write to it: nobody else does before its end.
+/// FindJobWithoutSpec in a transaction that will write to it: nobody else does before its end.
 absl::StatusOr<JobRecord> LockJob(SqlConnection& db, const std::string& id);
 
 /// The same, if nobody else is writing to it.
 absl::StatusOr<JobRecord> LockFreeJob(SqlConnection& db, const std::string& id);
+
+/// Appends an event of the job's present state, of which others are told. In a transaction.
+absl::Status AppendEvent(SqlConnection& db, const JobRecord& job, int64_t now_us);
 
 /// Writes all columns of `job` that change in its life, with an event of its present state. In a
 /// transaction.

@@ -62,6 +62,13 @@ bool ApplyCancel(JobRecord& job, int64_t now_us) {
   return true;
 }
 
+void ApplyChange(JobRecord& job, const JobChanging& changing) {
+  if (changing.labels) job.labels = *changing.labels;
+  if (IsTerminal(job.state)) return;
+  if (changing.priority) job.priority = *changing.priority;
+  if (changing.deadline_us) job.deadline_us = *changing.deadline_us;
+}
+
 bool ApplyOverdue(JobRecord& job, const JobError& error, int64_t now_us) {
   const bool held = !job.owner.empty() && job.owner_until_us > now_us;
   const bool waits = !IsTerminal(job.state) && !held && !job.cancel_requested;

@@ -18,6 +18,8 @@ absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& up
 /// False: nothing is to be done.
 bool ApplyCancel(JobRecord& job, int64_t now_us);
 
+void ApplyChange(JobRecord& job, const JobChanging& changing);
+
 /// False: it is not one that JobStore::EndOverdue ends.
 bool ApplyOverdue(JobRecord& job, const JobError& error, int64_t now_us);
 

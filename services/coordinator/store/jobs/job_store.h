@@ -50,6 +50,7 @@ struct Lease {
 struct HeldJob {
   Lease lease;
   bool cancel_requested = false;
+  int64_t deadline_us = kNoDeadlineUs;
 
   friend bool operator==(const HeldJob&, const HeldJob&) = default;
 };
@@ -67,6 +68,13 @@ struct JobUpdate {
   bool store_failed = false;      ///< with QUEUED: because a store failed
   int32_t lost_runs = 0;          ///< of the record, if this is the last that is heard of the run
   std::string trace_sha256 = {};  ///< empty: what was there stays
+};
+
+/// What a client changes of a job; what is not there stays.
+struct JobChanging {
+  std::optional<Priority> priority = {};
+  std::optional<int64_t> deadline_us = {};
+  std::optional<std::map<std::string, std::string>> labels = {};
 };
 
 /// Which jobs, in what order. All conditions hold at once; those at their standard hold for all.
@@ -124,25 +132,27 @@ class JobStore {
   virtual absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) = 0;
 
   /// Gives a job that is QUEUED or RUNNING and that nobody holds to `owner` until `until_us`; none
-  /// if there is none. Passes over jobs whose action_digest is one of `busy`, and those of lower
-  /// priority than `at_least`. Tenants take turns,
-  /// those with fewer held jobs first; of a tenant's jobs those of higher priority come first, then
-  /// those with the earlier deadline, then the older ones. Errors: DATA_LOSS if what is kept of the
-  /// job cannot be read; it is passed over until `until_us`.
+  /// if there is none. Passes over jobs whose action_digest is that of a job that somebody holds,
+  /// so that the same work is done once, and those of lower priority than `at_least`. Tenants take
+  /// turns, those with fewer held jobs first; of a tenant's jobs those of higher priority come
+  /// first, then those with the earlier deadline, then the older ones. Errors: DATA_LOSS if what is
+  /// kept of the job cannot be read; it is passed over until `until_us`.
   virtual absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                          int64_t until_us,
-                                                         const std::set<std::string>& busy = {},
                                                          Priority at_least = Priority::kBulk) = 0;
 
   /// Ends jobs that have not ended, that nobody holds or wants to be cancelled, and whose deadline
   /// has passed, as FAILED with `error`; at most `limit`, in the order of their deadlines. Returns
-  /// those that it ended, also if it could not go on; an error says that it ended none.
+  /// those that it ended, without their specs, also if it could not go on; an error says that it
+  /// ended none.
   virtual absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                             int32_t limit) = 0;
 
   /// Writes what a held job is to the build that works on it, which may be another one than made
-  /// it, and has lost no run of it.
-  virtual absl::Status Adopt(const Lease& lease, const JobIdentity& identity) = 0;
+  /// it, and has lost no run of it. False: somebody holds another job of the same work, so this one
+  /// is to be put back.
+  virtual absl::StatusOr<bool> Adopt(const Lease& lease, const JobIdentity& identity,
+                                     int64_t now_us) = 0;
 
   /// Holds these claims at least until `until_us`, and tells which of them were still held. By
   /// claim and not by owner, so that a job which its owner has given up runs out and is claimed
@@ -156,13 +166,19 @@ class JobStore {
   /// Writes state and progress and appends an event. A state that may not follow is Internal. An
   /// ended job and one that is QUEUED again are let go; one whose end was requested becomes neither
   /// QUEUED nor SUCCEEDED but CANCELLED, without a result. A result that is not `cached` enters the
-  /// index; one that is must still be in it (NotFound, reason BLOB_NOT_FOUND, otherwise).
+  /// index; one that is must still be in it (NotFound, reason BLOB_NOT_FOUND, otherwise). The
+  /// record comes without its spec.
   virtual absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
                                            int64_t now_us) = 0;
 
   /// A QUEUED job that nobody holds ends as CANCELLED at once; a held one is marked for its owner;
-  /// to an ended one nothing happens.
+  /// to an ended one nothing happens. The record comes without its spec.
   virtual absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) = 0;
+
+  /// Changes labels, and of a job that has not ended priority and deadline, of which its owner
+  /// hears when it renews its claim. Appends an event. The record comes without its spec.
+  virtual absl::StatusOr<JobRecord> Change(const std::string& id, const JobChanging& changing,
+                                           int64_t now_us) = 0;
 
   /// Removes an ended job with its events and its request_id. Results of whose blobs no job is left
   /// leave the index. Errors: JOB_NOT_FINISHED.
@@ -188,21 +204,35 @@ class JobStore {
   /// Forgets request ids that are older than kRequestIdKeptUs.
   virtual absl::Status ExpireRequestIds(int64_t now_us) = 0;
 
-  virtual absl::StatusOr<std::map<JobState, int64_t>> CountByState() = 0;
+  /// Of those that have ended. Cost: reads the index of states.
+  virtual absl::StatusOr<std::map<JobState, int64_t>> CountEnded() = 0;
 
   /// Jobs of the tenant, ended ones among them. Cost: reads the index of its jobs.
   virtual absl::StatusOr<int64_t> CountOf(const std::string& tenant) = 0;
+
+  /// Those of the tenant that have not ended.
+  virtual absl::StatusOr<std::map<JobState, int64_t>> CountOpenOf(const std::string& tenant) = 0;
 
   /// Those that have not ended, by state and priority; kinds of which there are none are left out.
   virtual absl::StatusOr<std::vector<OpenJobs>> CountOpen() = 0;
 
   /// Of these digests, those of inputs, results and traces of jobs among the tenant's blobs.
+  /// Cost: a statement.
   virtual absl::StatusOr<std::set<std::string>> Referenced(
       const std::string& tenant, const std::set<std::string>& digests) = 0;
+
+  /// Of these, those of results and traces alone.
+  virtual absl::StatusOr<std::set<std::string>> Artifacts(const std::string& tenant,
+                                                          const std::set<std::string>& digests) = 0;
 
   /// Jobs that ended before and whose receiver was told, if they have one (webhook_store.h); the
   /// oldest first, at most `limit`.
   virtual absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) = 0;
+
+  /// The right to do what one coordinator at a time does for all, until `until_us`; false: another
+  /// one has it.
+  virtual absl::StatusOr<bool> TakeChore(const std::string& chore, int64_t now_us,
+                                         int64_t until_us) = 0;
 };
 
 }  // namespace slicefarm::coordinator

@@ -18,6 +18,11 @@ void WriteStep(MemoryJobs::Entry& entry, JobRecord job, int64_t now_us) {
   entry.job = std::move(job);
 }
 
+JobRecord WithoutSpec(JobRecord job) {
+  job.spec.clear();
+  return job;
+}
+
 /// To a blob of the tenant.
 bool RefersTo(const JobRecord& job, const std::string& tenant, const std::string& digest) {
   if (job.trace_sha256 == digest && job.tenant == tenant) return true;
@@ -134,8 +139,7 @@ Created MemoryJobStore::Insert(const NewJob& job, int64_t now_us) {
 absl::StatusOr<JobRecord> MemoryJobStore::Get(const std::string& id) {
   Lock lock(jobs_.mutex_);
   const Entry* entry = Find(id);
-  if (!entry) return JobNotFound(id);
-  return entry->job;
+  return entry ? absl::StatusOr<JobRecord>(entry->job) : JobNotFound(id);
 }
 
 absl::StatusOr<std::vector<JobRecord>> MemoryJobStore::List(const ListQuery& query) {
@@ -175,15 +179,26 @@ std::vector<std::string> MemoryJobStore::Tenants(int64_t now_us) const {
   return tenants;
 }
 
+/// The action digests of jobs that somebody holds.
+std::set<std::string> MemoryJobStore::HeldWork(int64_t now_us, const std::string& but_job) const {
+  std::set<std::string> held;
+  for (const auto& [number, entry] : jobs_.entries_) {
+    const JobRecord& job = entry.job;
+    if (!job.owner.empty() && job.owner_until_us > now_us && job.id != but_job)
+      held.insert(job.action_digest);
+  }
+  return held;
+}
+
 /// The tenant's job whose turn it is; nullptr: none may be claimed.
-JobRecord* MemoryJobStore::Claimable(const std::string& tenant, int64_t now_us,
-                                     const std::set<std::string>& busy, Priority at_least) {
+JobRecord* MemoryJobStore::Claimable(const std::string& tenant, int64_t now_us, Priority at_least) {
+  const std::set<std::string> held = HeldWork(now_us);
   JobRecord* first = nullptr;
   for (auto& [number, entry] : jobs_.entries_) {
     JobRecord& job = entry.job;
     const bool claimable = job.tenant == tenant && !IsTerminal(job.state) &&
                            job.priority >= at_least && job.owner_until_us <= now_us &&
-                           !busy.contains(job.action_digest);
+                           !held.contains(job.action_digest);
     if (claimable && (!first || Urgency(job) < Urgency(*first))) first = &job;
   }
   return first;
@@ -191,11 +206,10 @@ JobRecord* MemoryJobStore::Claimable(const std::string& tenant, int64_t now_us,
 
 absl::StatusOr<std::optional<JobRecord>> MemoryJobStore::Claim(const std::string& owner,
                                                                int64_t now_us, int64_t until_us,
-                                                               const std::set<std::string>& busy,
                                                                Priority at_least) {
   Lock lock(jobs_.mutex_);
   for (const std::string& tenant : Tenants(now_us)) {
-    JobRecord* job = Claimable(tenant, now_us, busy, at_least);
+    JobRecord* job = Claimable(tenant, now_us, at_least);
     if (!job) continue;
     job->owner = owner;
     ++job->owner_epoch;
@@ -220,12 +234,13 @@ absl::StatusOr<std::vector<JobRecord>> MemoryJobStore::EndOverdue(const JobError
   for (JobRecord& job : overdue) {
     Entry& entry = *Find(job.id);
     WriteStep(entry, job, now_us);
-    job = entry.job;
+    job = WithoutSpec(entry.job);
   }
   return overdue;
 }
 
-absl::Status MemoryJobStore::Adopt(const Lease& lease, const JobIdentity& identity) {
+absl::StatusOr<bool> MemoryJobStore::Adopt(const Lease& lease, const JobIdentity& identity,
+                                           int64_t now_us) {
   Lock lock(jobs_.mutex_);
   Entry* entry = FindHeld(lease);
   if (!entry) return NotHeld(lease);
@@ -233,7 +248,7 @@ absl::Status MemoryJobStore::Adopt(const Lease& lease, const JobIdentity& identi
   entry->job.action_digest = identity.action_digest;
   entry->job.build_id = identity.build_id;
   entry->job.lost_runs = 0;
-  return absl::OkStatus();
+  return !HeldWork(now_us, lease.job_id).contains(identity.action_digest);
 }
 
 absl::StatusOr<std::vector<HeldJob>> MemoryJobStore::Renew(const std::vector<Lease>& leases,
@@ -244,7 +259,7 @@ absl::StatusOr<std::vector<HeldJob>> MemoryJobStore::Renew(const std::vector<Lea
     Entry* entry = FindHeld(lease);
     if (!entry || IsTerminal(entry->job.state)) continue;
     entry->job.owner_until_us = std::max(entry->job.owner_until_us, until_us);
-    held.push_back({lease, entry->job.cancel_requested});
+    held.push_back({lease, entry->job.cancel_requested, entry->job.deadline_us});
   }
   return held;
 }
@@ -270,7 +285,7 @@ absl::StatusOr<JobRecord> MemoryJobStore::Update(const Lease& lease, const JobUp
     if (absl::Status done = IndexResult(job); !done.ok()) return done;
   }
   WriteStep(*entry, std::move(job), now_us);
-  return entry->job;
+  return WithoutSpec(entry->job);
 }
 
 /// What a result has to do with the index of results.
@@ -295,7 +310,18 @@ absl::StatusOr<JobRecord> MemoryJobStore::RequestCancel(const std::string& id, i
   if (!entry) return JobNotFound(id);
   JobRecord job = entry->job;
   if (ApplyCancel(job, now_us)) WriteStep(*entry, std::move(job), now_us);
-  return entry->job;
+  return WithoutSpec(entry->job);
+}
+
+absl::StatusOr<JobRecord> MemoryJobStore::Change(const std::string& id, const JobChanging& changing,
+                                                 int64_t now_us) {
+  Lock lock(jobs_.mutex_);
+  Entry* entry = Find(id);
+  if (!entry) return JobNotFound(id);
+  JobRecord job = entry->job;
+  ApplyChange(job, changing);
+  WriteStep(*entry, std::move(job), now_us);
+  return WithoutSpec(entry->job);
 }
 
 absl::Status MemoryJobStore::Delete(const std::string& id) {
@@ -307,9 +333,8 @@ absl::Status MemoryJobStore::Delete(const std::string& id) {
   std::erase_if(jobs_.requests_, [&](const auto& request) { return request.second.job_id == id; });
   jobs_.entries_.erase(job.number);
   jobs_.numbers_.erase(id);
-  if (!job.result) return absl::OkStatus();
-  ForgetUnreferenced(job.result->tenant, job.result->gcode_sha256);
-  ForgetUnreferenced(job.result->tenant, job.result->report_sha256);
+  for (const auto digest : {&JobResult::gcode_sha256, &JobResult::report_sha256})
+    if (job.result) ForgetUnreferenced(job.result->tenant, *job.result.*digest);
   return absl::OkStatus();
 }
 
@@ -355,8 +380,7 @@ absl::StatusOr<std::vector<JobRecord>> MemoryJobStore::FindRequested(
 
 absl::StatusOr<JobRecord> MemoryJobStore::GetWithoutSpec(const std::string& id) {
   auto job = Get(id);
-  if (job.ok()) job->spec.clear();
-  return job;
+  return job.ok() ? WithoutSpec(*std::move(job)) : job;
 }
 
 absl::StatusOr<std::vector<JobEventRecord>> MemoryJobStore::Events(const std::string& id,
@@ -376,8 +400,7 @@ absl::StatusOr<std::optional<JobResult>> MemoryJobStore::FindResult(
     const std::string& action_digest) {
   Lock lock(jobs_.mutex_);
   const auto found = jobs_.results_.find(action_digest);
-  if (found == jobs_.results_.end()) return std::nullopt;
-  return found->second;
+  return found == jobs_.results_.end() ? std::nullopt : std::optional(found->second);
 }
 
 absl::Status MemoryJobStore::ForgetResult(const std::string& action_digest) {
@@ -394,10 +417,11 @@ absl::Status MemoryJobStore::ExpireRequestIds(int64_t now_us) {
   return absl::OkStatus();
 }
 
-absl::StatusOr<std::map<JobState, int64_t>> MemoryJobStore::CountByState() {
+absl::StatusOr<std::map<JobState, int64_t>> MemoryJobStore::CountEnded() {
   Lock lock(jobs_.mutex_);
   std::map<JobState, int64_t> counts;
-  for (const auto& [number, entry] : jobs_.entries_) ++counts[entry.job.state];
+  for (const auto& [number, entry] : jobs_.entries_)
+    if (IsTerminal(entry.job.state)) ++counts[entry.job.state];
   return counts;
 }
 
@@ -405,6 +429,14 @@ absl::StatusOr<int64_t> MemoryJobStore::CountOf(const std::string& tenant) {
   Lock lock(jobs_.mutex_);
   return std::ranges::count_if(
       jobs_.entries_, [&](const auto& entry) { return entry.second.job.tenant == tenant; });
+}
+
+absl::StatusOr<std::map<JobState, int64_t>> MemoryJobStore::CountOpenOf(const std::string& tenant) {
+  Lock lock(jobs_.mutex_);
+  std::map<JobState, int64_t> counts;
+  for (const auto& [number, entry] : jobs_.entries_)
+    if (!IsTerminal(entry.job.state) && entry.job.tenant == tenant) ++counts[entry.job.state];
+  return counts;
 }
 
 absl::StatusOr<std::vector<OpenJobs>> MemoryJobStore::CountOpen() {
@@ -426,11 +458,19 @@ absl::StatusOr<std::vector<OpenJobs>> MemoryJobStore::CountOpen() {
 absl::StatusOr<std::set<std::string>> MemoryJobStore::Referenced(
     const std::string& tenant, const std::set<std::string>& digests) {
   Lock lock(jobs_.mutex_);
-  std::set<std::string> referenced;
-  for (const std::string& digest : digests) {
-    if (IsArtifact(tenant, digest) || IsInput(tenant, digest)) referenced.insert(digest);
-  }
+  std::set<std::string> referenced = digests;
+  std::erase_if(referenced, [&](const std::string& digest) {
+    return !IsArtifact(tenant, digest) && !IsInput(tenant, digest);
+  });
   return referenced;
+}
+
+absl::StatusOr<std::set<std::string>> MemoryJobStore::Artifacts(
+    const std::string& tenant, const std::set<std::string>& digests) {
+  Lock lock(jobs_.mutex_);
+  std::set<std::string> artifacts = digests;
+  std::erase_if(artifacts, [&](const std::string& digest) { return !IsArtifact(tenant, digest); });
+  return artifacts;
 }
 
 absl::StatusOr<std::vector<std::string>> MemoryJobStore::EndedBefore(int64_t time_us,
@@ -446,6 +486,15 @@ absl::StatusOr<std::vector<std::string>> MemoryJobStore::EndedBefore(int64_t tim
   std::vector<std::string> ids;
   for (auto& [end_us, id] : ended) ids.push_back(std::move(id));
   return ids;
+}
+
+absl::StatusOr<bool> MemoryJobStore::TakeChore(const std::string& chore, int64_t now_us,
+                                               int64_t until_us) {
+  Lock lock(jobs_.mutex_);
+  int64_t& until = jobs_.chores_[chore];
+  const bool free = until <= now_us;
+  if (free) until = until_us;
+  return free;
 }
 
 }  // namespace slicefarm::coordinator

@@ -42,6 +42,7 @@ class MemoryJobs {
   std::map<std::pair<std::string, std::string>, Request> requests_;  ///< by tenant and request id
   std::map<std::string, int64_t> turns_;      ///< when a job of the tenant was claimed last
   std::map<std::string, JobResult> results_;  ///< by action digest
+  std::map<std::string, int64_t> chores_;     ///< until when somebody does them
 };
 
 /// JobStore that forgets everything with the process: for simulation and tests. Keeps the contract
@@ -59,17 +60,19 @@ class MemoryJobStore : public JobStore {
   absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override;
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                  int64_t until_us,
-                                                 const std::set<std::string>& busy = {},
                                                  Priority at_least = Priority::kBulk) override;
   absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                     int32_t limit) override;
-  absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override;
+  absl::StatusOr<bool> Adopt(const Lease& lease, const JobIdentity& identity,
+                             int64_t now_us) override;
   absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                              int64_t until_us) override;
   absl::Status Release(const std::string& owner) override;
   absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
                                    int64_t now_us) override;
   absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) override;
+  absl::StatusOr<JobRecord> Change(const std::string& id, const JobChanging& changing,
+                                   int64_t now_us) override;
   absl::Status Delete(const std::string& id) override;
   absl::StatusOr<std::vector<JobRecord>> FindRequested(const std::string& tenant,
                                                        const std::vector<std::string>& request_ids,
@@ -80,12 +83,17 @@ class MemoryJobStore : public JobStore {
   absl::StatusOr<std::optional<JobResult>> FindResult(const std::string& action_digest) override;
   absl::Status ForgetResult(const std::string& action_digest) override;
   absl::Status ExpireRequestIds(int64_t now_us) override;
-  absl::StatusOr<std::map<JobState, int64_t>> CountByState() override;
+  absl::StatusOr<std::map<JobState, int64_t>> CountEnded() override;
   absl::StatusOr<int64_t> CountOf(const std::string& tenant) override;
+  absl::StatusOr<std::map<JobState, int64_t>> CountOpenOf(const std::string& tenant) override;
   absl::StatusOr<std::vector<OpenJobs>> CountOpen() override;
   absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
                                                    const std::set<std::string>& digests) override;
+  absl::StatusOr<std::set<std::string>> Artifacts(const std::string& tenant,
+                                                  const std::set<std::string>& digests) override;
   absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) override;
+  absl::StatusOr<bool> TakeChore(const std::string& chore, int64_t now_us,
+                                 int64_t until_us) override;
 
  private:
   using Entry = MemoryJobs::Entry;
@@ -96,8 +104,8 @@ class MemoryJobStore : public JobStore {
   absl::StatusOr<std::optional<Created>> FindEarlier(const NewJob& job);
   Created Insert(const NewJob& job, int64_t now_us);
   std::vector<std::string> Tenants(int64_t now_us) const;
-  JobRecord* Claimable(const std::string& tenant, int64_t now_us, const std::set<std::string>& busy,
-                       Priority at_least);
+  std::set<std::string> HeldWork(int64_t now_us, const std::string& but_job = "") const;
+  JobRecord* Claimable(const std::string& tenant, int64_t now_us, Priority at_least);
   absl::Status IndexResult(const JobRecord& job);
   bool IsArtifact(const std::string& tenant, const std::string& digest) const;
   bool IsInput(const std::string& tenant, const std::string& digest) const;

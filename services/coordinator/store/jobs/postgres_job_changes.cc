@@ -19,21 +19,39 @@ constexpr int kForever = -1;
 PostgresJobChanges::PostgresJobChanges(std::string conninfo, Listener listener)
     : conninfo_(std::move(conninfo)),
       listener_(std::move(listener)),
-      stop_(eventfd(0, EFD_CLOEXEC)),
+      wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
       thread_([this] { Run(); }) {}
 
 PostgresJobChanges::~PostgresJobChanges() {
   stopping_ = true;
-  eventfd_write(stop_, 1);
+  eventfd_write(wake_, 1);
   thread_.join();
-  close(stop_);
+  close(wake_);
+}
+
+void PostgresJobChanges::Tell(const ProgressReport& report) {
+  {
+    const std::lock_guard lock(mutex_);
+    notice_ = ToText(report);
+  }
+  eventfd_write(wake_, 1);
+}
+
+absl::Status PostgresJobChanges::Notify(PostgresConnection& connection) {
+  std::string notice;
+  {
+    const std::lock_guard lock(mutex_);
+    notice = std::exchange(notice_, "");
+  }
+  if (notice.empty()) return absl::OkStatus();
+  return SqlQuery(connection, connection.dialect().notify).Bind(notice).Run();
 }
 
 void PostgresJobChanges::Run() {
   while (!stopping_) {
     const auto connection = PostgresConnection::Open(conninfo_);
     if (connection.ok() && (*connection)->Execute("LISTEN slicefarm_jobs").ok()) {
-      listener_(std::nullopt);
+      listener_.changed(std::nullopt);
       Listen(**connection);
     }
     if (!stopping_) Wait(-1, kRetryMs);
@@ -45,16 +63,21 @@ void PostgresJobChanges::Listen(PostgresConnection& connection) {
   PGconn* const raw = connection.raw();
   while (!stopping_ && PQconsumeInput(raw) == 1) {
     while (PGnotify* const note = PQnotifies(raw)) {
-      if (const auto change = JobChangeFromText(note->extra)) listener_(change);
+      if (const auto change = JobChangeFromText(note->extra)) listener_.changed(change);
+      if (auto report = ProgressReportFromText(note->extra))
+        listener_.progressed(*std::move(report));
       PQfreemem(note);
     }
     Wait(PQsocket(raw), kForever);
+    if (!Notify(connection).ok()) return;
   }
 }
 
 void PostgresJobChanges::Wait(int socket, int timeout_ms) const {
-  std::array<pollfd, 2> fds = {pollfd{stop_, POLLIN, 0}, pollfd{socket, POLLIN, 0}};
+  std::array<pollfd, 2> fds = {pollfd{wake_, POLLIN, 0}, pollfd{socket, POLLIN, 0}};
   poll(fds.data(), fds.size(), timeout_ms);
+  eventfd_t woken = 0;
+  eventfd_read(wake_, &woken);
 }
 
 }  // namespace slicefarm::coordinator

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <mutex>
 #include <string>
 #include <thread>
 
@@ -9,22 +10,26 @@
 
 namespace slicefarm::coordinator {
 
-/// Changes by LISTEN, over a connection of its own. While the server is away it tries again every
-/// second.
+/// Changes by LISTEN, and reports by NOTIFY, over a connection of its own. While the server is away
+/// it tries again every second.
 class PostgresJobChanges : public JobChanges {
  public:
   PostgresJobChanges(std::string conninfo, Listener listener);
   ~PostgresJobChanges() override;
+  void Tell(const ProgressReport& report) override;
 
  private:
   void Run();
   void Listen(PostgresConnection& connection);
+  absl::Status Notify(PostgresConnection& connection);
   /// Until something comes, the time has passed, or it is to stop.
   void Wait(int socket, int timeout_ms) const;
 
   const std::string conninfo_;
   const Listener listener_;
-  int stop_ = -1;  ///< an eventfd
+  int wake_ = -1;  ///< an eventfd
+  std::mutex mutex_;
+  std::string notice_;  ///< to be told; empty: nothing is
   std::atomic<bool> stopping_ = false;
   std::thread thread_;
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "common/base/error.h"
@@ -36,6 +37,28 @@ absl::Status IndexResult(SqlConnection& db, const JobRecord& job) {
   insert.Bind(job.action_digest, ToJson(result), result.tenant, result.gcode_sha256,
               result.report_sha256);
   return insert.Run();
+}
+
+/// Of a digest that is `value`, and a tenant, three times.
+constexpr std::string_view kIsArtifact =
+    "EXISTS (SELECT 1 FROM jobs WHERE gcode_sha256 = value AND gcode_sha256 <> ''"
+    "  AND result_tenant = ?)"
+    " OR EXISTS (SELECT 1 FROM jobs WHERE report_sha256 = value AND report_sha256 <> ''"
+    "  AND result_tenant = ?)"
+    " OR EXISTS (SELECT 1 FROM jobs WHERE trace_sha256 = value AND trace_sha256 <> ''"
+    "  AND tenant = ?)";
+
+/// Those of a JSON list for which a condition holds.
+std::string OfDigests(const SqlConnection& db, std::string_view condition) {
+  return absl::StrCat("SELECT value FROM ", std::string(db.dialect().texts), " WHERE ",
+                      std::string(condition));
+}
+
+absl::StatusOr<std::set<std::string>> ReadDigests(SqlQuery& query) {
+  std::set<std::string> digests;
+  while (query.Next()) digests.insert(query.Text(0));
+  if (!query.status().ok()) return query.status();
+  return digests;
 }
 
 /// Whether a job's result refers to this blob of the tenant.
@@ -121,6 +144,19 @@ absl::StatusOr<std::vector<std::string>> ListOverdue(SqlDatabase& database, int6
   return ids;
 }
 
+/// How often others may be faster than a claim.
+constexpr int kClaimTries = 20;
+
+/// Of rows with a state and a number.
+absl::StatusOr<std::map<JobState, int64_t>> ReadCounts(SqlQuery& query) {
+  std::map<JobState, int64_t> counts;
+  while (query.Next()) {
+    if (const auto state = JobStateFromName(query.Text(0))) counts[*state] = query.Int(1);
+  }
+  if (!query.status().ok()) return query.status();
+  return counts;
+}
+
 /// None: another one is about to write to it, or has claimed, ended or deleted it since it was
 /// listed.
 absl::StatusOr<std::optional<JobRecord>> EndOverdueIn(SqlConnection& db, const std::string& id,
@@ -168,28 +204,29 @@ absl::StatusOr<std::vector<JobRecord>> SqlJobStore::List(const ListQuery& query)
 
 absl::StatusOr<std::optional<JobRecord>> SqlJobStore::Claim(const std::string& owner,
                                                             int64_t now_us, int64_t until_us,
-                                                            const std::set<std::string>& busy,
                                                             Priority at_least) {
-  const ClaimRequest request = {owner, now_us, until_us, busy, at_least};
+  const ClaimRequest request = {owner, now_us, until_us, at_least};
   // Most calls find nothing, and need no write.
+  std::optional<Queue> queue;
   {
     const auto session = database_->Read();
     if (!session.ok()) return session.status();
-    const auto any = AnyClaimable(**session, request);
-    if (!any.ok()) return any.status();
-    if (!*any) return std::nullopt;
+    auto found = FindQueue(**session, request);
+    if (!found.ok()) return found.status();
+    if (!*found) return std::nullopt;
+    queue = *std::move(found);
   }
-  while (true) {
-    const auto lease = InTransaction<std::optional<Lease>>(
-        *database_, [&](SqlConnection& db) { return ClaimJob(db, request); });
-    if (!lease.ok()) return lease.status();
-    if (!*lease) return std::nullopt;
-    // Read when it is held already: a row that cannot be read must not keep others waiting.
-    auto job = Get((*lease)->job_id);
-    if (!job.ok()) return job.status();
-    if (job->owner_epoch == (*lease)->epoch) return *std::move(job);
-    // The lease ran out before the job was read: it is somebody else's, or was.
+  for (int tries = 0; tries < kClaimTries; ++tries) {
+    auto one = InTransaction<ClaimTry>(*database_, [&](SqlConnection& db) {
+      return tries == 0 ? TakeFirst(db, *queue, request) : TakeNext(db, *queue, request);
+    });
+    if (!one.ok()) return one.status();
+    if (one->nothing_left) break;
+    if (!one->claimed) continue;
+    if (!one->claimed->read.ok()) return one->claimed->read;
+    return std::move(one->claimed->job);
   }
+  return std::nullopt;
 }
 
 absl::StatusOr<std::vector<JobRecord>> SqlJobStore::EndOverdue(const JobError& error,
@@ -208,19 +245,23 @@ absl::StatusOr<std::vector<JobRecord>> SqlJobStore::EndOverdue(const JobError& e
   return ended;
 }
 
-absl::Status SqlJobStore::Adopt(const Lease& lease, const JobIdentity& identity) {
-  const auto session = database_->Write();
-  if (!session.ok()) return session.status();
-  SqlQuery adopt(
-      **session,
-      "UPDATE jobs SET settings_digest = ?, action_digest = ?, build_id = ?, lost_runs = 0"
-      " WHERE id = ? AND owner_epoch = ? AND owner <> '' RETURNING id");
-  adopt.Bind(identity.settings_digest, identity.action_digest, identity.build_id, lease.job_id,
-             lease.epoch);
-  bool held = false;
-  while (adopt.Next()) held = true;  // to the end, where it is committed
-  if (!adopt.status().ok() || held) return adopt.status();
-  return NotHeld(lease);
+absl::StatusOr<bool> SqlJobStore::Adopt(const Lease& lease, const JobIdentity& identity,
+                                        int64_t now_us) {
+  return InTransaction<bool>(*database_, [&](SqlConnection& db) -> absl::StatusOr<bool> {
+    const auto others = OthersHold(db, identity.action_digest, lease.job_id, now_us);
+    if (!others.ok()) return others;
+    SqlQuery adopt(
+        db,
+        "UPDATE jobs SET settings_digest = ?, action_digest = ?, build_id = ?, lost_runs = 0"
+        " WHERE id = ? AND owner_epoch = ? AND owner <> '' RETURNING id");
+    adopt.Bind(identity.settings_digest, identity.action_digest, identity.build_id, lease.job_id,
+               lease.epoch);
+    bool held = false;
+    while (adopt.Next()) held = true;
+    if (!adopt.status().ok()) return adopt.status();
+    if (!held) return NotHeld(lease);
+    return !*others;
+  });
 }
 
 absl::StatusOr<std::vector<HeldJob>> SqlJobStore::Renew(const std::vector<Lease>& leases,
@@ -254,6 +295,27 @@ absl::StatusOr<JobRecord> SqlJobStore::RequestCancel(const std::string& id, int6
   return InTransaction<JobRecord>(*database_, [&](SqlConnection& db) -> absl::StatusOr<JobRecord> {
     auto job = LockJob(db, id);
     if (!job.ok() || !ApplyCancel(*job, now_us)) return job;
+    if (absl::Status done = WriteStep(db, *job, now_us); !done.ok()) return done;
+    return job;
+  });
+}
+
+absl::StatusOr<JobRecord> SqlJobStore::Change(const std::string& id, const JobChanging& changing,
+                                              int64_t now_us) {
+  return InTransaction<JobRecord>(*database_, [&](SqlConnection& db) -> absl::StatusOr<JobRecord> {
+    auto job = LockJob(db, id);
+    if (!job.ok()) return job;
+    ApplyChange(*job, changing);
+    SqlQuery update(db,
+                    "UPDATE jobs SET priority = ?, deadline_us = ?, labels = ? WHERE number = ?");
+    update.Bind(static_cast<int64_t>(job->priority), job->deadline_us, ToJson(job->labels),
+                job->number);
+    if (absl::Status done = update.Run(); !done.ok()) return done;
+    if (changing.labels) {
+      SqlQuery clear(db, "DELETE FROM labels WHERE job = ?");
+      if (absl::Status done = clear.Bind(job->number).Run(); !done.ok()) return done;
+      if (absl::Status done = InsertLabels(db, job->number, job->labels); !done.ok()) return done;
+    }
     if (absl::Status done = WriteStep(db, *job, now_us); !done.ok()) return done;
     return job;
   });
@@ -317,16 +379,23 @@ absl::Status SqlJobStore::ExpireRequestIds(int64_t now_us) {
   return RunOne(*database_, "DELETE FROM requests WHERE create_us < ?", now_us - kRequestIdKeptUs);
 }
 
-absl::StatusOr<std::map<JobState, int64_t>> SqlJobStore::CountByState() {
+absl::StatusOr<std::map<JobState, int64_t>> SqlJobStore::CountEnded() {
   const auto session = database_->Read();
   if (!session.ok()) return session.status();
-  SqlQuery query(**session, "SELECT state, count(*) FROM jobs GROUP BY state");
-  std::map<JobState, int64_t> counts;
-  while (query.Next()) {
-    if (const auto state = JobStateFromName(query.Text(0))) counts[*state] = query.Int(1);
-  }
-  if (!query.status().ok()) return query.status();
-  return counts;
+  SqlQuery query(**session,
+                 "SELECT state, count(*) FROM jobs"
+                 " WHERE state IN ('SUCCEEDED', 'FAILED', 'CANCELLED') GROUP BY state");
+  return ReadCounts(query);
+}
+
+absl::StatusOr<std::map<JobState, int64_t>> SqlJobStore::CountOpenOf(const std::string& tenant) {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  const std::string sql =
+      absl::StrCat("SELECT state, count(*) FROM jobs", (*session)->dialect().Through("jobs_open"),
+                   " WHERE tenant = ? AND " SLICEFARM_OPEN " GROUP BY state");
+  SqlQuery query(**session, sql);
+  return ReadCounts(query.Bind(tenant));
 }
 
 absl::StatusOr<int64_t> SqlJobStore::CountOf(const std::string& tenant) {
@@ -357,17 +426,20 @@ absl::StatusOr<std::set<std::string>> SqlJobStore::Referenced(
     const std::string& tenant, const std::set<std::string>& digests) {
   const auto session = database_->Read();
   if (!session.ok()) return session.status();
-  std::set<std::string> referenced;
-  for (const std::string& digest : digests) {
-    const auto artifact = IsArtifact(**session, tenant, digest);
-    if (!artifact.ok()) return artifact.status();
-    SqlQuery input(**session,
-                   "SELECT 1 FROM inputs JOIN jobs ON jobs.number = inputs.job"
-                   " WHERE inputs.digest = ? AND jobs.tenant = ? LIMIT 1");
-    if (*artifact || input.Bind(digest, tenant).Next()) referenced.insert(digest);
-    if (!input.status().ok()) return input.status();
-  }
-  return referenced;
+  const std::string sql = absl::StrCat(OfDigests(**session, kIsArtifact),
+                                       " OR EXISTS (SELECT 1 FROM inputs JOIN jobs ON number = job"
+                                       "  WHERE digest = value AND tenant = ?)");
+  SqlQuery query(**session, sql);
+  return ReadDigests(query.Bind(nlohmann::json(digests).dump(), tenant, tenant, tenant, tenant));
+}
+
+absl::StatusOr<std::set<std::string>> SqlJobStore::Artifacts(const std::string& tenant,
+                                                             const std::set<std::string>& digests) {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  const std::string sql = OfDigests(**session, kIsArtifact);
+  SqlQuery query(**session, sql);
+  return ReadDigests(query.Bind(nlohmann::json(digests).dump(), tenant, tenant, tenant));
 }
 
 absl::StatusOr<std::vector<std::string>> SqlJobStore::EndedBefore(int64_t time_us, int32_t limit) {
@@ -382,6 +454,20 @@ absl::StatusOr<std::vector<std::string>> SqlJobStore::EndedBefore(int64_t time_u
   while (query.Next()) ids.push_back(query.Text(0));
   if (!query.status().ok()) return query.status();
   return ids;
+}
+
+absl::StatusOr<bool> SqlJobStore::TakeChore(const std::string& chore, int64_t now_us,
+                                            int64_t until_us) {
+  const auto session = database_->Write();
+  if (!session.ok()) return session.status();
+  SqlQuery take(**session,
+                "INSERT INTO chores (name, until_us) VALUES (?, ?) ON CONFLICT (name) DO UPDATE SET"
+                " until_us = excluded.until_us WHERE chores.until_us <= ? RETURNING name");
+  take.Bind(chore, until_us, now_us);
+  bool taken = false;
+  while (take.Next()) taken = true;
+  if (!take.status().ok()) return take.status();
+  return taken;
 }
 
 absl::StatusOr<std::unique_ptr<JobStore>> OpenSqliteJobStore(const std::string& path) {

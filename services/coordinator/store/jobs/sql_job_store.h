@@ -19,18 +19,19 @@ class SqlJobStore : public JobStore {
   absl::StatusOr<JobRecord> Get(const std::string& id) override;
   absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override;
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
-                                                 int64_t until_us,
-                                                 const std::set<std::string>& busy,
-                                                 Priority at_least) override;
+                                                 int64_t until_us, Priority at_least) override;
   absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                     int32_t limit) override;
-  absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override;
+  absl::StatusOr<bool> Adopt(const Lease& lease, const JobIdentity& identity,
+                             int64_t now_us) override;
   absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                              int64_t until_us) override;
   absl::Status Release(const std::string& owner) override;
   absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
                                    int64_t now_us) override;
   absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) override;
+  absl::StatusOr<JobRecord> Change(const std::string& id, const JobChanging& changing,
+                                   int64_t now_us) override;
   absl::Status Delete(const std::string& id) override;
   absl::StatusOr<std::vector<JobRecord>> FindRequested(const std::string& tenant,
                                                        const std::vector<std::string>& request_ids,
@@ -41,12 +42,17 @@ class SqlJobStore : public JobStore {
   absl::StatusOr<std::optional<JobResult>> FindResult(const std::string& action_digest) override;
   absl::Status ForgetResult(const std::string& action_digest) override;
   absl::Status ExpireRequestIds(int64_t now_us) override;
-  absl::StatusOr<std::map<JobState, int64_t>> CountByState() override;
+  absl::StatusOr<std::map<JobState, int64_t>> CountEnded() override;
   absl::StatusOr<int64_t> CountOf(const std::string& tenant) override;
+  absl::StatusOr<std::map<JobState, int64_t>> CountOpenOf(const std::string& tenant) override;
   absl::StatusOr<std::vector<OpenJobs>> CountOpen() override;
   absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
                                                    const std::set<std::string>& digests) override;
+  absl::StatusOr<std::set<std::string>> Artifacts(const std::string& tenant,
+                                                  const std::set<std::string>& digests) override;
   absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) override;
+  absl::StatusOr<bool> TakeChore(const std::string& chore, int64_t now_us,
+                                 int64_t until_us) override;
 
  private:
   const std::shared_ptr<SqlDatabase> database_;

@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "services/coordinator/store/sql/sql.h"
 #include "services/coordinator/store/jobs/webhook_store.h"
+#include "services/coordinator/store/sql/sql.h"
 
 namespace slicefarm::coordinator {
 

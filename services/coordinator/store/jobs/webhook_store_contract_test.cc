@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "common/base/temp_directory_test.h"
-#include "services/coordinator/store/sql/postgres_database.h"
-#include "services/coordinator/store/sql/shared_postgres_test.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 #include "services/coordinator/store/jobs/sql_webhook_store.h"
+#include "services/coordinator/store/jobs/webhook_store.h"
+#include "services/coordinator/store/sql/postgres_database.h"
+#include "services/coordinator/store/sql/shared_postgres_test.h"
 #include "services/coordinator/store/sql/sqlite_database.h"
 #include "services/coordinator/store/store_place_test.h"
-#include "services/coordinator/store/jobs/webhook_store.h"
 
 namespace slicefarm::coordinator::webhook_store_contract_test {
 namespace {

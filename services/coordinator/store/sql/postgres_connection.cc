@@ -22,7 +22,11 @@ constexpr SqlDialect kPostgresDialect = {
     .for_update = " FOR UPDATE",
     .skip_locked = " FOR UPDATE SKIP LOCKED",
     .lock_tenant = "SELECT 1 FROM pg_advisory_xact_lock(hashtextextended(?, 5117318))",
+    .lock_work = "SELECT 1 FROM pg_advisory_xact_lock(hashtextextended(?, 5117319))",
     .notify = "SELECT pg_notify('slicefarm_jobs', ?)",
+    .spec = "spec",
+    .texts = "json_array_elements_text(?::JSON)",
+    .writes_in_with = true,
     .names_indexes = false,
 };
 

@@ -19,7 +19,11 @@ struct SqlDialect {
   std::string_view for_update;   ///< after a SELECT of rows that the transaction will write
   std::string_view skip_locked;  ///< the same, passing over rows that another one holds
   std::string_view lock_tenant;  ///< until the transaction ends; empty: no other one writes
-  std::string_view notify;       ///< tells other processes of a job; empty: there are none
+  std::string_view lock_work;    ///< the same, by an action digest
+  std::string_view notify;       ///< tells other processes of jobs; empty: there are none
+  std::string_view spec;         ///< of the row of `jobs` that is selected, be it in it or apart
+  std::string_view texts;        ///< the strings of a JSON list, as a table with the column `value`
+  bool writes_in_with;           ///< what stands in WITH may write
   bool names_indexes;            ///< its planner knows no statistics, and needs to be told
 
   /// After the name of a table, the index by which it is to be read.

@@ -17,7 +17,11 @@ constexpr SqlDialect kSqliteDialect = {
     .for_update = "",
     .skip_locked = "",
     .lock_tenant = "",
+    .lock_work = "",
     .notify = "",
+    .spec = "(SELECT spec FROM specs WHERE job = number)",
+    .texts = "json_each(?)",
+    .writes_in_with = false,
     .names_indexes = true,
 };
 

@@ -171,6 +171,25 @@ ALTER TABLE jobs ADD COLUMN lost_runs INTEGER NOT NULL DEFAULT 0;
 DROP INDEX jobs_by_tenant;
 CREATE INDEX jobs_by_tenant ON jobs (tenant, number, priority, create_us, state);
 )",
+    // Claims ask which work somebody has in hand.
+    R"(
+CREATE INDEX jobs_held_work ON jobs (action_digest)
+  WHERE state IN ('QUEUED', 'RUNNING') AND owner <> '';
+)",
+    // A row is written anew with all that it has, and a spec may be a MiB.
+    R"(
+CREATE TABLE specs (
+  job  INTEGER PRIMARY KEY REFERENCES jobs (number) ON DELETE CASCADE,
+  spec BLOB    NOT NULL
+) STRICT;
+INSERT INTO specs SELECT number, spec FROM jobs;
+ALTER TABLE jobs DROP COLUMN spec;
+
+CREATE TABLE chores (
+  name     TEXT    PRIMARY KEY,
+  until_us INTEGER NOT NULL  -- nobody else does it before
+) STRICT, WITHOUT ROWID;
+)",
 };
 
 absl::StatusOr<int64_t> Version(SqliteConnection& db) {

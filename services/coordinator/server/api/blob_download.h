@@ -1,0 +1,23 @@
+#pragma once
+
+#include <grpcpp/grpcpp.h>
+
+#include <cstdint>
+
+#include "absl/status/status.h"
+#include "services/coordinator/server/api/transfers.h"
+#include "services/coordinator/store/blobs/blob_store.h"
+#include "slicefarm/v1/jobs.pb.h"
+
+namespace slicefarm::coordinator {
+
+/// Errors: REQUEST_MALFORMED for an `offset` that is not within the blob, or a negative `limit`.
+absl::Status CheckPart(const BlobReader& blob, int64_t offset, int64_t limit);
+
+/// Sends a blob from `offset` on, `limit` bytes at most (0: all), in chunks of 64 KiB, until the
+/// client leaves. REQUIRES: CheckPart. Errors: those of reading.
+absl::Status SendBlob(BlobReader& blob, int64_t offset, int64_t limit,
+                      const Transfers::Moved& moved,
+                      grpc::ServerWriter<v1::DownloadResponse>& stream);
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,55 @@
+// What JobsService tells of callers, tenants and settings.
+#include "common/config/table/settings_table.h"
+#include "common/rpc/status_mapping.h"
+#include "common/wire/support/enum_wire.h"
+#include "services/coordinator/server/api/farm_facts.h"
+#include "services/coordinator/server/api/jobs_service.h"
+
+namespace slicefarm::coordinator {
+
+grpc::Status JobsService::GetCaller(grpc::ServerContext* context, const v1::GetCallerRequest*,
+                                    v1::GetCallerResponse* response) {
+  const auto caller =
+      backend_.callers.Find(*context, {Scope::kSubmit, Scope::kRead, Scope::kAdmin});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  const auto bounded = [](int64_t most) { return most == INT64_MAX ? 0 : most; };
+  response->set_tenant(caller->tenant);
+  for (const Scope scope : caller->scopes) response->add_scopes(std::string(ScopeName(scope)));
+  response->set_max_open_jobs(bounded(caller->max_open_jobs));
+  response->set_max_kept_jobs(bounded(caller->max_kept_jobs));
+  response->set_max_kept_bytes(bounded(caller->max_kept_bytes));
+  return grpc::Status::OK;
+}
+
+grpc::Status JobsService::GetUsage(grpc::ServerContext* context, const v1::GetUsageRequest* request,
+                                   v1::Usage* response) {
+  const auto caller = backend_.callers.Find(*context, {Scope::kRead, Scope::kAdmin});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  const auto tenant = TenantAskedFor(*caller, request->has_tenant(), request->tenant());
+  if (!tenant.ok()) return rpc::ToGrpc(tenant.status());
+  // It reads all that the tenant has.
+  const auto place = lists_of_tenants_.Enter(caller->tenant);
+  if (!place.ok()) return rpc::ToGrpc(place.status());
+  const auto usage = UsageOf(*tenant, backend_.jobs, backend_.blobs);
+  if (usage.ok()) *response = *usage;
+  return rpc::ToGrpc(usage.status());
+}
+
+grpc::Status JobsService::ListSettings(grpc::ServerContext* context,
+                                       const v1::ListSettingsRequest* request,
+                                       v1::ListSettingsResponse* response) {
+  const auto caller =
+      backend_.callers.Find(*context, {Scope::kSubmit, Scope::kRead, Scope::kAdmin});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  Process process = kDefaultProcess;
+  if (request->process() != v1::PROCESS_UNSPECIFIED) {
+    const auto known = EnumFromProto<Process>(request->process(), kProcessCount, "process");
+    if (!known.ok()) return rpc::ToGrpc(known.status());
+    process = *known;
+  }
+  for (const config::SettingSpec& spec : config::SettingsTable(process))
+    *response->add_settings() = ToProto(spec);
+  return grpc::Status::OK;
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,135 @@
+// What a job, and a sweep, cost a PostgreSQL database that coordinators share.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <future>
+
+#include "absl/strings/str_join.h"
+#include "common/base/sha256.h"
+#include "processes/list/jobs.h"
+#include "services/coordinator/algo/dispatch/dispatcher.h"
+#include "services/coordinator/run/blob_sweep.h"
+#include "services/coordinator/server/api/job_intake.h"
+#include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/execution/fake_stages_test.h"
+#include "services/coordinator/server/execution/job_runner.h"
+#include "services/coordinator/store/jobs/sql_job_store.h"
+#include "services/coordinator/store/sql/counting_database_test.h"
+#include "services/coordinator/store/sql/postgres_database.h"
+#include "services/coordinator/store/sql/shared_postgres_test.h"
+
+namespace slicefarm::coordinator::job_statements_test {
+namespace {
+
+using testing::SizeIs;
+
+class JobStatementsTest : public testing::Test {
+ protected:
+  JobStatementsTest() { dispatcher_.Join({.name = "fake", .tasks = ranges_, .slots = 2}); }
+
+  std::string Submit(const std::string& mesh) {
+    v1::JobSpec spec;
+    v1::Object* object = spec.add_objects();
+    object->set_mesh_sha256(Sha256Hex(mesh));
+    object->set_name("part");
+    JobIntake intake(jobs_, *blobs_, DiskGuard(nullptr, 0), budgets_, full_queues_, resolved_,
+                     "build", ResultSharing::kOff, clock_);
+    Submission submission;
+    submission.max_open_jobs = 10'000;
+    submission.request_id = "request of " + mesh;
+    submission.spec_digest = Sha256Hex(SpecBytes(spec));
+    submission.spec = SpecBytes(spec);
+    submission.request = *FromProto(spec);
+    const auto created = intake.Create(std::move(submission));
+    EXPECT_TRUE(created.ok()) << created.status();
+    return created->job.id;
+  }
+
+  std::shared_ptr<PostgresDatabase> database_ =
+      *PostgresDatabase::Open(SharedPostgres().NewDatabase());
+  std::shared_ptr<CountingDatabase> counting_ = std::make_shared<CountingDatabase>(database_);
+  SqlJobStore jobs_{counting_};
+  std::unique_ptr<BlobStores> blobs_ = MakePostgresBlobs(counting_);
+  FakeSlicing slicing_;
+  FakePlanning planning_;
+  FakeMotion motion_;
+  std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
+  Dispatcher dispatcher_;
+  JobPipeline pipeline_{
+      JobsOver({.slicing = &slicing_, .planning = &planning_, .motion = &motion_}, ""),
+      dispatcher_};
+  MemoryBudget memory_{1 << 30};
+  ResolvedJobs resolved_{"build"};
+  JobResults results_{jobs_, *blobs_, {}};
+  JobFeed feed_;
+  std::function<int64_t()> clock_ = [] { return int64_t{1'000'000'000}; };
+  TenantBudgets budgets_{jobs_, *blobs_, clock_};
+  FullQueues full_queues_{clock_};
+};
+
+TEST_F(JobStatementsTest, ASmallJobIsAtMostThirty) {
+  ASSERT_TRUE((*blobs_->Of(""))->Put("xxx").ok());
+  counting_->Statements();
+  const std::string id = Submit("xxx");
+  std::vector<std::string> statements = counting_->Statements();
+  std::promise<void> ended;
+  const int64_t ticket = feed_.Listen(id, [&, times = 0](JobFeed::News news) mutable {
+    if (news == JobFeed::News::kEvents && ++times == 2) ended.set_value();  // after RUNNING
+  });
+  JobRunnerOptions options;
+  options.jobs = 1;
+  options.poll = options.renew = std::chrono::hours(1);
+  {
+    JobRunner runner(RunEnvironment{jobs_, *blobs_, resolved_, results_, pipeline_, memory_, feed_,
+                                    clock_, "build", ResultSharing::kOff, rpc::JsonLog("test")},
+                     options);
+    // What it does once in its life, and what its threads look for in vain, is no job's.
+    ASSERT_TRUE(runner.Start().ok());
+    ended.get_future().wait();
+    runner.Drain(std::chrono::minutes(1));
+  }
+  feed_.Forget(ticket);
+  const auto job = SqlJobStore(database_).Get(id);
+  ASSERT_EQ(job->state, JobState::kSucceeded) << (job->error ? job->error->message : "");
+  const std::vector<std::string> of_run = counting_->Statements();
+  // From what finds its turn on, of the thread that claimed it, all belongs to the job.
+  for (const std::string& statement : of_run) {
+    const bool of_life = statement.find("SET owner = ''") != std::string::npos ||
+                         statement.find("SELECT id FROM jobs") == 0;
+    if (!of_life) statements.push_back(statement);
+  }
+  RecordProperty("statements", static_cast<int>(statements.size()));
+  EXPECT_LE(statements.size(), 30u) << absl::StrJoin(statements, "\n");
+}
+
+TEST_F(JobStatementsTest, ASweepOfManyBlobsWithNothingToDoIsFew) {
+  constexpr int kBlobs = 100'000;
+  {
+    const auto session = *database_->Write();
+    ASSERT_TRUE(session
+                    ->Execute("INSERT INTO blobs (tenant, digest, size, complete, touched)"
+                              " SELECT '', encode(sha256(i::TEXT::BYTEA), 'hex'), 5, 1,"
+                              " now() - interval '2 days' FROM generate_series(1, " +
+                              std::to_string(kBlobs) + ") AS i")
+                    .ok());
+    ASSERT_TRUE(session
+                    ->Execute("INSERT INTO jobs (id, tenant, state, priority, deadline_us, spec,"
+                              " labels, settings_digest, action_digest, build_id, traceparent,"
+                              " create_us, end_us, gcode_sha256) SELECT 'j' || size || digest, '',"
+                              " 'SUCCEEDED', 1, 1, '', '{}', '', digest, '', '', 1, 1, digest"
+                              " FROM blobs")
+                    .ok());
+    ASSERT_TRUE(session->Execute("ANALYZE").ok());
+  }
+  counting_->Statements();
+  const auto swept = Sweep(jobs_, *blobs_, {}, clock_());
+  ASSERT_TRUE(swept.ok()) << swept.status();
+  EXPECT_EQ(swept->blobs, 0);
+  const std::vector<std::string> statements = counting_->Statements();
+  EXPECT_LE(statements.size(), 16u) << absl::StrJoin(statements, "\n");
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator::job_statements_test

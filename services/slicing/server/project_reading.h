@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "absl/status/statusor.h"
+#include "common/base/cancel_token.h"
+#include "common/model/scene/mesh.h"
+#include "services/slicing/algo/mesh_io/mesh_source.h"
+#include "slicefarm/v1/jobs.pb.h"
+
+namespace slicefarm::slicing {
+
+/// Reads what a 3MF file says besides its triangles, as jobs of its plates that have printable
+/// objects, which name the file by its SHA-256. Errors: REQUEST_MALFORMED for a file that is no
+/// 3MF; those of MeshSource::Read and config::JobOfProject.
+using ReadProjects = std::function<absl::StatusOr<v1::ReadProjectResponse>(
+    const MeshFile& file, const CancelToken& cancel)>;
+
+/// With a source of its own.
+ReadProjects MakeReadProjects(std::shared_ptr<const MeshSource> meshes);
+
+}  // namespace slicefarm::slicing
