@@ -102,6 +102,7 @@ up() {
   replicas slicing 1 slicing
   replicas planning 1 planning
   replicas exposure 1 exposure
+  replicas milling 1 milling
   if [[ "$mode" == fused ]]; then
     replicas motion 1 motion
     replicas worker "$workers" workers

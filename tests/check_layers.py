@@ -30,7 +30,7 @@ LAYERS = [
     ("task_wire", r"processes/\w+/wire(?:[/.]|_test)", PURE | {"stage", "wire", "task", "task_wire"}, r"\.grpc\.pb\.h$|^grpc"),
     ("job", r"processes/\w+/jobs?(?:[/.]|_test)", PURE | {"stage", "task", "algo", "job"}, f"{WIRE}|{GRPC}"),
     ("wire", r"common/wire/", PURE | {"stage", "wire"}, r"\.grpc\.pb\.h$|^grpc"),
-    ("rpc", r"common/rpc/", PURE | {"rpc"}, r"slicefarm/v1/.*\.pb\.h$"),
+    ("rpc", r"common/rpc/", PURE | {"rpc"}, r"slicefarm/v1/(?!shared).*\.pb\.h$"),
     ("algo", r"services/(\w+)/algo/", PURE | {"algo", "stage", "macro"}, f"{WIRE}|{GRPC}"),
     ("sandbox", r"services/(\w+)/sandbox/", PURE | {"algo", "sandbox"}, f"{WIRE}|{GRPC}"),
     ("remote", r"services/(\w+)/remote/", EDGE | {"remote", "task_wire"}, None),
@@ -44,8 +44,8 @@ LAYERS = [
 COMPOSITION_ROOTS = {"worker", "cli"}
 JOBS_OF = "coordinator"  # the service that puts jobs together, whose interfaces processes/*/job implements
 PROCESSES = re.compile(r"processes/(\w+)/")
-# Beside its folders: the enumerators, and the exposure of layers: a stage, its options, its G-code and what it makes.
-LASER_FILES = re.compile(r"processes/(laser|list)/|processes/CMakeLists.txt|services/exposure/|common/model/process\.h|common/(model/(options/)?expos|macro/laser_code)\w*\.")
+# Beside its folders: the enumerators, and the stage that exposes layers.
+LASER_FILES = re.compile(r"processes/(laser|list)/|processes/CMakeLists.txt|services/exposure/|common/model/process\.h")
 CLIPPER = re.compile(r"^(polyclipping/)?clipper")  # only inside common/geometry
 IMPURE = re.compile(r"\b(getenv|std::cout|std::cerr|printf|exit|rand|system_clock|steady_clock)\s*[\(:<]")
 # libm's results depend on the CPU (FMA or not), those of common/base/portable_math.h do not.
@@ -59,6 +59,35 @@ LIBM = re.compile(
 SUBRANGE = re.compile(
     r"\bstd::(views::\w+|ranges::(?:views|subrange|unique|equal_range|rotate|remove|remove_if|partition|stable_partition|search|find_end)\b)"
 )
+# A place or a direction is an Eigen::Vector2d or Vector3d: a struct of its coordinates and nothing else but operators is one's own.
+STRUCT = re.compile(r"\bstruct (\w+) \{")
+COORDINATES = re.compile(r"(?:(?:double|float) )?[uvxyz](?: = [\d.]+)?")
+# Those that were there before the rule: they go as their files are worked on. Nothing is added here.
+OLD_VECTORS = {
+    "common/geometry/offset/offset_curve.cc": {"Normal"},
+    "common/geometry/skeleton/skeletal_graph.h": {"Place"},
+    "services/beading/algo/arachne/wide_walls.cc": {"Direction"},
+    "services/cli/render/gcode_layer.h": {"PointMm"},
+    "services/exposure/algo/decompose/exact_vector.h": {"ExactVector"},
+    "services/exposure/algo/decompose/link_choice.cc": {"Direction"},
+    "services/exposure/algo/scan/convex_ring.h": {"PlaneVector"},
+    "services/infill/algo/fields/direction_field.h": {"Direction"},
+    "services/infill/algo/fields/stream_line.h": {"Vec2"},
+    "services/infill/algo/lines/fitted_strips.h": {"FramePoint"},
+    "services/infill/algo/lines/level_lines.h": {"Vec"},
+    "services/infill/algo/lines/smoothed.cc": {"FinePoint"},
+    "services/infill/algo/quality/bead_cover.cc": {"Place"},
+    "services/motion/algo/program/arc_chords.h": {"ArcPlace"},
+    "services/motion/algo/toolpath/overhang.h": {"Middle"},
+    "services/motion/algo/toolpath/simplified_path.cc": {"UmVector"},
+    "services/ordering/algo/tours/costs.h": {"Place"},
+    "services/planning/algo/seams/occupancy.cc": {"Direction"},
+    "services/planning/algo/support/bridges.cc": {"Direction"},
+    "services/slicing/algo/mesh_io/raw_mesh.h": {"Position"},
+    "services/slicing/algo/placement/arranging/free_places.h": {"Spot"},
+    "services/slicing/algo/section/local_width.h": {"Direction"},
+    "services/slicing/algo/thumbnail/thumbnail.cc": {"Vector"},
+}
 LIBM_FREE = {"base", "gcode", "geometry", "model", "macro", "config", "stage", "algo", "settings", "task", "job"}
 NO_GCODE = {"load"}  # services that make none
 MAX_LINES, MAX_TEST_LINES = 500, 1000
@@ -111,6 +140,33 @@ def check_names(path, text):
             yield f"{path}:{number}: names a process; ask the process instead"
 
 
+def members(text, start):
+    """What stands within the braces that begin before `start`, with `;` for each pair of braces within."""
+    depth, found = 1, []
+    for c in text[start:]:
+        depth += (c == "{") - (c == "}")
+        if depth == 0:
+            break
+        if depth == 1:
+            found.append(";" if c == "}" else c)
+    return "".join(found).split(";")
+
+
+def vectors(text):
+    """Names of structs that are coordinates and nothing else but functions."""
+    text = re.sub(r"//[^\n]*", "", text)
+    for match in STRUCT.finditer(text):
+        fields = [f.strip() for m in members(text, match.end()) if "(" not in m for f in m.split(",") if f.strip()]
+        if len(fields) in (2, 3) and all(COORDINATES.fullmatch(field) for field in fields):
+            yield match[1]
+
+
+def check_vectors(path, text):
+    for name in vectors(text):
+        if name not in OLD_VECTORS.get(path, ()):
+            yield f"{path}: {name} is a vector of its own; use Eigen's"
+
+
 def check(root, file):
     path = file.relative_to(root).as_posix()
     layer, service = layer_of(path)
@@ -125,6 +181,7 @@ def check(root, file):
     yield from check_includes(path, text, layer, service, is_test)
     if not is_test:
         yield from check_names(path, text)
+        yield from check_vectors(path, text)
     if re.search(r"^(TYPED_)?TEST(_[FP])?\(", text, re.M) and not re.search(rf"^namespace slicefarm\S*::{file.stem} {{$", text, re.M):
         yield f"{path}: no namespace of its own, slicefarm::..::{file.stem}: files compiled as one share names"
     if layer in ("algo", "geometry", "model", "config", "run", "settings", "task", "job") and not is_test:

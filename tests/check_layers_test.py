@@ -50,6 +50,8 @@ TREE = {
     "services/coordinator/server/ask.h": (OWN % "processes/list/jobs.h", []),
     "services/coordinator/server/name.h": (OWN % "processes/fdm/job/job.h", ["only the list of processes may include"]),
     "services/coordinator/algo/up.h": (OWN % "processes/list/jobs.h", ["algo must not include job"]),
+    "common/model/way.h": ("struct Way {\n  double x = 0;\n  double y = 0;\n  Way operator-(Way o) const { return {x - o.x, y - o.y}; }\n};\n", ["vector of its own"]),
+    "common/model/weighed.h": ("struct Weighed {\n  double x = 0, y = 0;\n  double weight = 1;\n};\n", []),
     "services/infill/algo/long.h": ("\n" * 501, ["501 lines, at most 500"]),
 }
 

@@ -18,6 +18,7 @@ MODEL = MODELS / "textbox.stl"
 PAUSE_S = 0.6  # between kills, on average
 LEAD = 4  # jobs that wait or run while processes are killed: there is always work to lose
 LASERS = 4  # every so many jobs is one of lasers
+MILLS = 6  # and of milling
 PATIENCE_S = 600  # for all jobs to end when nothing is killed any more
 
 
@@ -25,6 +26,8 @@ def settings_of(number):
     """Thin layers, so that there is work; and another job each time."""
     if number % LASERS == LASERS - 1:
         return ["--machine", "laser", "--set", "layer_height=0.06", "--set", "output_format=cli", "--set", f"hatch_speed={400 + number * 0.01:.2f}"]
+    if number % MILLS == MILLS - 2:
+        return ["--machine", "mill", "--set", "cutter=cyl:2", "--set", "finish_stepover=0.5", "--set", f"feed={400 + number * 0.01:.2f}"]
     return ["--set", "layer_height=0.06", "--set", f"infill_speed={40 + number * 0.01:.2f}"]
 
 

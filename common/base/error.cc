@@ -52,6 +52,7 @@ constexpr std::array kNames = std::to_array<std::pair<Reason, std::string_view>>
     {Reason::kMeshReaderKilled, "MESH_READER_KILLED"},
     {Reason::kOverloaded, "OVERLOADED"},
     {Reason::kBuildMismatch, "BUILD_MISMATCH"},
+    {Reason::kSharedMissing, "SHARED_MISSING"},
     {Reason::kRangePoisoned, "RANGE_POISONED"},
     {Reason::kJobPoisoned, "JOB_POISONED"},
     {Reason::kStoreFailed, "STORE_FAILED"},

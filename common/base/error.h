@@ -56,6 +56,7 @@ enum class Reason {
   kMeshReaderKilled,
   kOverloaded,
   kBuildMismatch,
+  kSharedMissing,
   kRangePoisoned,
   kJobPoisoned,
   kStoreFailed,

@@ -13,6 +13,7 @@
 #include "common/base/error.h"
 #include "common/config/process_settings.h"
 #include "common/config/resolved_bytes.h"
+#include "common/config/setting_reader.h"
 #include "common/config/table/settings_table.h"
 #include "common/stage/copy_groups.h"
 
@@ -59,7 +60,7 @@ class Resolver {
       : job_(job.begin(), job.end()), process_(process), cancel_(cancel), plate_(plate) {}
 
   absl::Status ResolveJob() {
-    absl::StatusOr<ResolvedSettings> base = Resolve(job_, process_);
+    absl::StatusOr<ResolvedSettings> base = Resolve(job_, process_, parsed_);
     if (!base.ok()) return base.status();
     plate_.settings = base->settings;
     plate_.effective_text = base->effective_text;
@@ -81,8 +82,9 @@ class Resolver {
     if (absl::Status wanted = cancel_.Check(); !wanted.ok()) return wanted;
     Settings all = job_;
     all.insert(all.end(), own.begin(), own.end());
-    if (absl::Status ok = bytes_.Add(BytesOf(all)); !ok.ok()) return OfObject(object, ok);
-    absl::StatusOr<ResolvedSettings> resolved = Resolve(all, process_);
+    if (absl::Status ok = bytes_.Add(BytesOfJob(job_) + BytesOf(own)); !ok.ok())
+      return OfObject(object, ok);
+    absl::StatusOr<ResolvedSettings> resolved = Resolve(all, process_, parsed_);
     if (!resolved.ok()) return OfObject(object, resolved.status());
     DropMetNeeds(own, resolved->no_effect);
     for (const std::string& note : resolved->no_effect)
@@ -154,10 +156,16 @@ class Resolver {
   Growth growth_;
   std::set<std::string> told_, warned_;
   std::map<Settings, JobSettings, Less> known_;  ///< by own settings
-  ResolvedBytes bytes_;                          ///< of those that are known
+  ParsedTexts parsed_;
+  ResolvedBytes bytes_;  ///< of those that are known
 };
 
+/// The second over the first. What it takes the place of goes, so that equal settings are told to
+/// be equal however they came about.
 Settings Joined(Settings first, const Settings& second) {
+  std::erase_if(first, [&](const Setting& setting) {
+    return std::ranges::find(second, setting.key, &Setting::key) != second.end();
+  });
   first.insert(first.end(), second.begin(), second.end());
   return first;
 }

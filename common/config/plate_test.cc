@@ -221,8 +221,8 @@ TEST(ResolvePlate, SkirtBrimAndRaftHaveRowsOfTheirOwn) {
   EXPECT_EQ(speed(raft[0], Feature::kSupportInterface), 50);
   EXPECT_EQ(planning.objects[1].brim_settings, 0) << "none with a raft";
   EXPECT_EQ(planning.objects[2].brim_settings, 0);
-  EXPECT_EQ(plate.settings.slicing.objects[1].raft.layers, 3);
-  EXPECT_EQ(plate.settings.slicing.objects[2].raft.layers, 0);
+  EXPECT_FALSE(plate.settings.slicing.objects[1].on_bed);
+  EXPECT_TRUE(plate.settings.slicing.objects[2].on_bed);
   EXPECT_THAT(FdmOf(plate.settings).beading, SizeIs(6));  // two parts, brim, two of the raft, skirt
 }
 

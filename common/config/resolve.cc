@@ -33,11 +33,17 @@ void PutInto(JobSettings& settings, const Draft& draft) {
 }  // namespace
 
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process) {
+  ParsedTexts parsed;
+  return Resolve(given, process, parsed);
+}
+
+absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process,
+                                         ParsedTexts& parsed) {
   if (absl::Status status = CheckLimits(given); !status.ok()) return status;
   ResolvedSettings result;
   const ProcessSettings& own = SettingsOf(process);
   result.settings = own.Standards();
-  SettingReader reader(process, own.ListItem(given));
+  SettingReader reader(process, own.ListItem(given), parsed);
   for (const Setting& setting : given) {
     if (absl::Status status = reader.Read(setting); !status.ok()) return status;
   }

@@ -14,6 +14,8 @@ namespace slicefarm::config {
 using slicefarm::Setting;
 using slicefarm::Source;
 
+class ParsedTexts;
+
 /// What parts are multiplied by, as their filament shrinks.
 struct Growth {
   double xy = 1;
@@ -41,6 +43,9 @@ struct ResolvedSettings {
 /// of another process (metadata `setting`, `process`); SETTING_MALFORMED; SETTING_OUT_OF_RANGE
 /// (metadata `setting`, `value`, `min`, `max`), also where settings do not fit each other.
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process);
+/// The same of one of many sets that have long texts in common.
+absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process,
+                                         ParsedTexts& parsed);
 
 /// All settings that have an effect on the job's process, and those that are told, as `key = value`
 /// lines, sorted by key: equal texts for equal settings, and the other way round.

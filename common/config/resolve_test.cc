@@ -154,9 +154,10 @@ TEST(Resolve, TakesAWholeProfile) {
   FdmOf(ours).infill[0].pattern = FillPattern::kStars;
   ours.slicing.thumbnails.clear();
   FdmOf(ours).motion.writing.relative_e = false;
-  FdmOf(ours).motion.start_gcode += "; Filament gcode\n";
+  FdmOf(ours).motion.start_gcode = FdmOf(ours).motion.start_gcode.str() + "; Filament gcode\n";
   FdmOf(ours).motion.end_gcode =
-      "; Filament-specific end gcode \n;END gcode for filament\n" + FdmOf(ours).motion.end_gcode;
+      "; Filament-specific end gcode \n;END gcode for filament\n" +
+      FdmOf(ours).motion.end_gcode.str();
   EXPECT_EQ(EffectiveText(resolved.settings), EffectiveText(ours));
   EXPECT_EQ(resolved.settings, ours);
 }
@@ -443,7 +444,8 @@ TEST(Resolve, SkirtBrimAndRaftTakeWidthsAndHeightsOfOtherSettings) {
   EXPECT_EQ(object.raft.heights, (RaftHeights{3, 250'000, 450'000, 150'000}));
   EXPECT_EQ(object.raft.lines.width_nm, 600'000);
   EXPECT_EQ(object.raft_settings.size(), 3u);
-  EXPECT_EQ(settings.slicing.objects[0].raft, object.raft.heights);
+  EXPECT_FALSE(settings.slicing.objects[0].on_bed);
+  EXPECT_EQ(settings.slicing.objects[0].lift_nm, object.raft.heights.LiftNm());
   EXPECT_EQ(FdmOf(settings).planning.bed, settings.slicing.bed);
 }
 

@@ -11,7 +11,7 @@
 namespace slicefarm::config::resolved_bytes_test {
 namespace {
 
-/// A job of which each set of settings takes about half a megabyte.
+/// A job of which each set of settings has half a megabyte, which all of them share.
 std::vector<Setting> LongJob() { return {{"notes", std::string(500'000, 'x')}}; }
 
 SceneObject ObjectWith(int ranges, int parts) {
@@ -47,7 +47,7 @@ TEST(CheckResolvedBytes, CountsEachDifferentSetOnce) {
 TEST(CheckResolvedBytes, RefusesWhatWouldTakeTooMuch) {
   EXPECT_EQ(RefusalOf(LongJob(), {ObjectWith(97, 90)}), Reason::kRequestTooLarge);
   const ErrorDetail detail =
-      DetailOf(CheckResolvedBytes(LongJob(), std::vector{ObjectWith(200, 1)}));
+      DetailOf(CheckResolvedBytes(LongJob(), std::vector{ObjectWith(97, 20)}));
   EXPECT_EQ(detail.metadata.at("limit"), std::to_string(limits::kMaxResolvedBytes));
   EXPECT_GT(std::stoll(detail.metadata.at("got")), limits::kMaxResolvedBytes);
   EXPECT_LT(std::stoll(detail.metadata.at("got")), limits::kMaxResolvedBytes + 1'000'000)
@@ -58,14 +58,32 @@ TEST(CheckResolvedBytes, RefusesWhatWouldTakeTooMuch) {
 TEST(CheckResolvedBytes, WhatModifiersMakeIsCountedWhenItIsMade) {
   const std::string field =
       R"({"kind":"constant",)" + std::string(400'000, ' ') + R"("density":0.3})";
-  const std::vector<Setting> job = {{"density_field", field}};
+  const std::vector<Setting> job;
   std::vector<SceneObject> objects = {ObjectWith(0, 8)};
+  objects[0].settings = {{"density_field", field}};
   const char* keys[] = {"fill_density", "perimeters",      "fill_angle",   "top_solid_layers",
                         "infill_speed", "perimeter_speed", "bridge_speed", "bottom_solid_layers"};
   for (size_t i = 0; i < std::size(keys); ++i) objects[0].parts[i + 1].settings = {{keys[i], "7"}};
   ASSERT_TRUE(CheckResolvedBytes(job, objects).ok());
   EXPECT_EQ(DetailOf(ResolvePlate(job, objects, Process::kFdm).status()).reason,
             Reason::kRequestTooLarge);
+}
+
+// Each has a row of its own, and all have the job's one field.
+TEST(CheckResolvedBytes, ManyModifiersShareALongFieldOfTheJob) {
+  const std::string field =
+      R"({"kind":"constant",)" + std::string(700'000, ' ') + R"("density":0.3})";
+  const std::vector<Setting> job = {{"density_field", field}};
+  std::vector<SceneObject> objects = {ObjectWith(0, 90)};
+  for (size_t i = 1; i < objects[0].parts.size(); ++i)
+    objects[0].parts[i].settings = {{"perimeters", "7"}, {"infill_speed", std::to_string(10 + i)}};
+  ASSERT_TRUE(CheckResolvedBytes(job, objects).ok());
+  const auto plate = ResolvePlate(job, objects, Process::kFdm);
+  ASSERT_TRUE(plate.ok()) << plate.status();
+  const std::vector<InfillOptions>& rows = FdmOf(plate->settings).infill;
+  ASSERT_GT(rows.size(), 90u);
+  for (const InfillOptions& row : rows)
+    EXPECT_EQ(&row.density_field.str(), &rows[0].density_field.str());
 }
 
 }  // namespace

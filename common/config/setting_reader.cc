@@ -11,6 +11,7 @@
 #include "common/config/process_settings.h"
 #include "common/config/suggest.h"
 #include "common/config/table/settings_table.h"
+#include "common/model/limits.h"
 
 namespace slicefarm::config {
 namespace {
@@ -111,8 +112,16 @@ absl::Status RefuseStandIn(const SettingSpec& spec, std::string_view value) {
 
 }  // namespace
 
-SettingReader::SettingReader(Process process, size_t tool)
-    : process_(process), tool_(tool), draft_(process) {}
+absl::StatusOr<Value> ParsedTexts::Parse(const SettingSpec& spec, std::string_view text) {
+  if (std::ssize(text) < limits::kLongTextBytes) return ParseValue(spec, text);
+  const auto [known, added] =
+      known_.try_emplace({&spec, std::string(text)}, absl::UnknownError("not read yet"));
+  if (added) known->second = ParseValue(spec, text);
+  return known->second;
+}
+
+SettingReader::SettingReader(Process process, size_t tool, ParsedTexts& parsed)
+    : process_(process), tool_(tool), parsed_(parsed), draft_(process) {}
 
 absl::Status SettingReader::Read(const Setting& setting) {
   const std::string_view value = Trim(setting.value);
@@ -175,7 +184,7 @@ absl::Status SettingReader::ReadEffective(const SettingSpec& spec, Draft::Entry&
     entry.value.reset();
     return absl::OkStatus();
   }
-  auto parsed = ParseValue(spec, value);
+  auto parsed = parsed_.Parse(spec, value);
   if (!parsed.ok()) return parsed.status();
   if (setting.source == Source::kRequest) {
     if (const Choice* choice = StandIn(spec, value)) return RefuseStandIn(spec, choice->name);

@@ -15,11 +15,21 @@
 
 namespace slicefarm::config {
 
+/// Values of long texts, such as fields, which sets of settings have in common: each is read once.
+class ParsedTexts {
+ public:
+  /// ParseValue(spec, text).
+  absl::StatusOr<Value> Parse(const SettingSpec& spec, std::string_view text);
+
+ private:
+  std::map<std::pair<const SettingSpec*, std::string>, absl::StatusOr<Value>, std::less<>> known_;
+};
+
 /// Reads settings one by one: the last value of each key, and what is to be said about the others.
 class SettingReader {
  public:
-  /// `tool`: whose items of lists count.
-  SettingReader(Process process, size_t tool);
+  /// `tool`: whose items of lists count. `parsed` must outlive the reader.
+  SettingReader(Process process, size_t tool, ParsedTexts& parsed);
 
   /// Errors: those of Resolve that are about one setting.
   absl::Status Read(const Setting& setting);
@@ -46,6 +56,7 @@ class SettingReader {
 
   const Process process_;
   const size_t tool_;
+  ParsedTexts& parsed_;
   Draft draft_;
   std::vector<std::string> no_effect_;
   std::vector<std::string> warnings_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/base/shared/shared_text.h"
 #include "common/geometry/polygon.h"
 #include "common/model/scene/mesh.h"
 
@@ -13,9 +14,9 @@ namespace slicefarm::config {
 
 /// The value of a setting, in the setting's own unit (mm, mm/s, degrees, ...).
 struct Value {
-  double number = 0;      ///< of numbers, flags (0, 1) and choices
-  bool percent = false;   ///< `number` is a percentage of another setting
-  std::string text = {};  ///< of texts, unescaped; of lists, in canonical form
+  double number = 0;     ///< of numbers, flags (0, 1) and choices
+  bool percent = false;  ///< `number` is a percentage of another setting
+  SharedText text = {};  ///< of texts, unescaped; of lists, in canonical form
 
   friend bool operator==(const Value&, const Value&) = default;
 };

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "common/base/portable_math.h"
+#include "common/geometry/vector.h"
 
 namespace slicefarm {
 namespace {
@@ -20,25 +21,19 @@ constexpr double kLeastRadiusUm = 100;
 /// Ends too near to each other do not say which way round an arc goes.
 constexpr double kMostTurn = 1.9 * std::numbers::pi;
 
-struct ArcVector {
-  double x, y;
-};
-
-ArcVector FromTo(PlaceUm from, PlaceUm to) {
+Vector2 FromTo(PlaceUm from, PlaceUm to) {
   return {static_cast<double>(to.x) - from.x, static_cast<double>(to.y) - from.y};
 }
 
-double Cross(ArcVector a, ArcVector b) { return a.x * b.y - a.y * b.x; }
-double Dot(ArcVector a, ArcVector b) { return a.x * b.x + a.y * b.y; }
-double Length(ArcVector a) { return Hypot(a.x, a.y); }
+double Length(const Vector2& a) { return Hypot(a.x(), a.y()); }
 
 /// Centre of the circle through three points; nothing if they lie on a line, nearly.
 std::optional<PlaceUm> CentreThrough(PlaceUm a, PlaceUm b, PlaceUm c) {
-  const ArcVector u = FromTo(a, b), v = FromTo(a, c);
+  const Vector2 u = FromTo(a, b), v = FromTo(a, c);
   const double twice = 2 * Cross(u, v);
   if (twice == 0) return std::nullopt;
   const double uu = Dot(u, u), vv = Dot(v, v);
-  const double x = (v.y * uu - u.y * vv) / twice, y = (u.x * vv - v.x * uu) / twice;
+  const double x = (v.y() * uu - u.y() * vv) / twice, y = (u.x() * vv - v.x() * uu) / twice;
   if (!(Hypot(x, y) <= kGreatestRadiusUm)) return std::nullopt;
   return PlaceUm{a.x + static_cast<int32_t>(std::lround(x)),
                  a.y + static_cast<int32_t>(std::lround(y))};
@@ -57,13 +52,12 @@ std::optional<CurvePiece> ArcOf(std::span<const PlaceUm> points, size_t first, s
   const bool clockwise = Cross(FromTo(*centre, from), FromTo(*centre, points[first + 1])) < 0;
   double turn = 0, length = 0;
   for (size_t i = first; i < last; ++i) {
-    const ArcVector a = FromTo(*centre, points[i]), b = FromTo(*centre, points[i + 1]);
+    const Vector2 a = FromTo(*centre, points[i]), b = FromTo(*centre, points[i + 1]);
     const double cross = Cross(a, b);
     if (cross == 0 || (cross < 0) != clockwise) return std::nullopt;
     if (std::abs(Length(b) - radius) > reach_um) return std::nullopt;
     // The arc is farthest from a segment at its middle.
-    if (std::abs(radius - Length({(a.x + b.x) / 2, (a.y + b.y) / 2})) > reach_um)
-      return std::nullopt;
+    if (std::abs(radius - Length((a + b) / 2)) > reach_um) return std::nullopt;
     turn += std::abs(Atan2(cross, Dot(a, b)));
     length += Length(FromTo(points[i], points[i + 1]));
   }

@@ -37,15 +37,15 @@ bool LayersWait(const JobCode& code) {
 absl::StatusOr<JobCode> ParseJobCode(const MotionOptions& options) {
   JobCode code;
   const TemplatePlace places[] = {
-      {"start_gcode", options.start_gcode, code.start},
-      {"before_layer_gcode", options.before_layer_gcode, code.before_layer},
-      {"layer_gcode", options.layer_gcode, code.layer},
-      {"between_objects_gcode", options.between_objects_gcode, code.between_objects},
-      {"end_gcode", options.end_gcode, code.end},
+      {"start_gcode", options.start_gcode.str(), code.start},
+      {"before_layer_gcode", options.before_layer_gcode.str(), code.before_layer},
+      {"layer_gcode", options.layer_gcode.str(), code.layer},
+      {"between_objects_gcode", options.between_objects_gcode.str(), code.between_objects},
+      {"end_gcode", options.end_gcode.str(), code.end},
       {"output_filename_format", options.writing.file_name, code.file_name},
-      {"color_change_gcode", options.writing.color_change_gcode, code.color_change},
-      {"pause_print_gcode", options.writing.pause_gcode, code.pause},
-      {"template_custom_gcode", options.writing.template_gcode, code.at_height}};
+      {"color_change_gcode", options.writing.color_change_gcode.str(), code.color_change},
+      {"pause_print_gcode", options.writing.pause_gcode.str(), code.pause},
+      {"template_custom_gcode", options.writing.template_gcode.str(), code.at_height}};
   // The last three stand where custom_gcode_per_print_z says.
   const size_t count = std::size(places) - (options.writing.height_code.empty() ? 3 : 0);
   if (absl::Status status = ParseTemplates(std::span(places).first(count)); !status.ok())

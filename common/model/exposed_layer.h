@@ -19,7 +19,7 @@ struct ExposureGroup {
   int32_t object = 0;
   int32_t settings = 0;  ///< index into the job's tables of region settings
   ExposureKind kind = ExposureKind::kHatch;
-  /// Skywriting: the scanner comes and goes on this length of each line's direction, laser off.
+  /// Skywriting: the scanner comes and goes on this length of each line's direction, beam off.
   Coord run_nm = 0;
   std::vector<Point> points;  ///< of all lines, one after the other
   /// Number of points of each line, or empty: all are hatch lines of two points. A closed line
@@ -57,10 +57,10 @@ struct ExposureVisit {
 /// Where the cuts of a layer's decomposition into convex pieces came out; of rings only.
 struct CutCounts {
   int64_t pieces = 0;
-  int64_t reflex = 0;         ///< corners over 180 degrees
-  int64_t extra_points = 0;   ///< ends of cuts that are no corners
-  int64_t sharp_cuts = 0;     ///< cuts with an angle below 30 degrees, where no better one was
-  int64_t replaced = 0;       ///< outlines cut by Bian's method, as the one asked for cannot
+  int64_t reflex = 0;        ///< corners over 180 degrees
+  int64_t extra_points = 0;  ///< ends of cuts that are no corners
+  int64_t sharp_cuts = 0;    ///< cuts with an angle below 30 degrees, where no better one was
+  int64_t replaced = 0;      ///< outlines cut by Bian's method, as the one asked for cannot
 
   void Add(const CutCounts& other) {
     pieces += other.pieces;
@@ -115,9 +115,9 @@ struct ExposedLayer {
 /// What one kind of vector takes.
 struct KindExposure {
   int64_t vectors = 0;  ///< edges
-  int64_t lines = 0;    ///< times that the laser goes on, and off again
+  int64_t lines = 0;    ///< times that the beam goes on, and off again
   double length_mm = 0;
-  double time_s = 0;    ///< delays at the ends and corners of lines included
+  double time_s = 0;  ///< delays at the ends and corners of lines included
   double energy_j = 0;
 
   void Add(const KindExposure& other) {
@@ -134,7 +134,7 @@ struct KindExposure {
 struct ExposureReport {
   std::array<KindExposure, kExposureKindCount> kinds;  ///< by ExposureKind
   int64_t jumps = 0;
-  double jump_mm = 0;      ///< laser off, skywriting included
+  double jump_mm = 0;      ///< beam off, skywriting included
   double jump_time_s = 0;  ///< delays after jumps included
   double area_mm2 = 0;     ///< of outlines
   double volume_mm3 = 0;   ///< of outlines by their layers' heights

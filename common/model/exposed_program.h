@@ -9,7 +9,7 @@
 
 namespace slicefarm {
 
-/// One layer for the machine, in the job's format. It begins and ends with the laser off.
+/// One layer for the machine, in the job's format. It begins and ends with the beam off.
 struct ExposedProgram {
   LayerFrame frame;
   std::string text;  ///< bytes, where the format has them

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
+#include "common/model/layer.h"
 #include "common/model/options/fill_patterns.h"
 #include "common/model/path.h"
 #include "common/model/region.h"
@@ -21,9 +22,9 @@ struct Copy {
   friend bool operator==(const Copy&, const Copy&) = default;
 };
 
-/// What is decided for a section of one object, in the object's own coordinates.
+/// What is decided for a section of one stack, in the object's own coordinates.
 struct SectionPlan {
-  int32_t object = 0;
+  int32_t stack = 0;  ///< its id
   Point entry;               ///< start the section near here
   std::optional<Point> exit;  ///< end it near here, where the section above starts
   /// Where walls start, by the ring of OutlineOf; empty: near the nozzle.
@@ -32,10 +33,10 @@ struct SectionPlan {
   friend bool operator==(const SectionPlan&, const SectionPlan&) = default;
 };
 
-/// What is decided for the sparse infill of one region of an object's section, in the object's own
+/// What is decided for the sparse infill of one region of a stack's section, in the object's own
 /// coordinates.
 struct PlannedInfill {
-  int32_t object = 0;
+  int32_t stack = 0;     ///< its id
   int32_t settings = 0;  ///< row of the job's tables of region settings
   FillPattern pattern = FillPattern::kGrid;
   std::vector<Polyline> lines;  ///< of patterns that planning lays out; they may reach beyond
@@ -54,22 +55,28 @@ struct LayerPlan {
   /// is retracted where layers meet.
   bool begins_ready = false;
   bool ends_ready = false;
-  std::vector<SectionPlan> sections;  ///< by ascending object
+  std::vector<SectionPlan> sections;  ///< by ascending stack
   std::vector<Path> paths;            ///< finished ones in plate coordinates, printed first
-  std::vector<PlannedInfill> infill;  ///< by ascending object, then row; none: nothing is decided
+  std::vector<PlannedInfill> infill;  ///< by ascending stack, then row; none: nothing is decided
 
   friend bool operator==(const LayerPlan&, const LayerPlan&) = default;
 };
 
-/// What planning puts on the plate besides the objects: regions (brim, raft) and finished paths
-/// (skirt), in plate coordinates. Regions of different heights are different additions.
-struct PlateAddition {
-  int32_t layer = 0;
-  Coord height_nm = 0;  ///< of the regions' layer
-  std::vector<Region> regions;
-  std::vector<Path> paths;
+/// A stack that planning adds.
+struct AddedStack {
+  Stack stack;
+  Coord lift_nm = 0;  ///< its bottom, above the bed
+  std::vector<ObjectSection> sections;  ///< its own layers, upwards
 
-  friend bool operator==(const PlateAddition&, const PlateAddition&) = default;
+  friend bool operator==(const AddedStack&, const AddedStack&) = default;
+};
+
+/// Finished paths in plate coordinates that the lowest layers of the print begin with.
+struct Skirt {
+  std::vector<Path> loops;
+  int32_t layers = 0;
+
+  friend bool operator==(const Skirt&, const Skirt&) = default;
 };
 
 /// How good the planned seams are. A seam's step is its distance from that of the ring below which
@@ -88,9 +95,11 @@ struct SeamQuality {
 
 /// What planning makes of the outlines of a whole job.
 struct JobPlan {
-  std::vector<LayerPlan> layers;         ///< one a layer; without paths, which are additions
-  std::vector<PlateAddition> additions;  ///< by ascending layer
-  std::vector<Copy> copies;              ///< as in SlicedJob::copies
+  std::vector<LayerPlan> layers;   ///< one a layer of the print, without the skirt's paths
+  std::vector<Coord> lifts_nm;     ///< by object: its part's bottom, above the bed; fewer: 0
+  std::vector<AddedStack> stacks;  ///< by ascending id
+  Skirt skirt;
+  std::vector<Copy> copies;  ///< as in SlicedJob::copies
   SeamQuality seams;
   std::vector<std::string> notes;        ///< for the job's report: what was chosen, and why
 

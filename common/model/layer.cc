@@ -22,6 +22,12 @@ const MultiPolygon& OutlineOf(const ObjectSection& section) {
   return section.regions.size() == 1 ? section.regions.front().outlines : section.whole;
 }
 
+const MultiPolygon& MarkedIn(const ObjectSection& section, PartRole role) {
+  static const MultiPolygon kNothing;
+  const auto found = std::ranges::find(section.marks, role, &Mark::role);
+  return found == section.marks.end() ? kNothing : found->outlines;
+}
+
 void FeatureUse::Add(const FeatureUse& other) {
   time_s += other.time_s;
   length_mm += other.length_mm;

@@ -12,6 +12,8 @@
 #include "common/model/path.h"
 #include "common/model/print_times.h"
 #include "common/model/region.h"
+#include "common/model/scene/part_role.h"
+#include "common/model/stack.h"
 
 namespace slicefarm {
 
@@ -41,22 +43,26 @@ struct LayerRange {
   friend bool operator==(const LayerRange&, const LayerRange&) = default;
 };
 
-/// The object of sections that lie in plate coordinates: what planning adds around all objects.
-inline constexpr int32_t kPlate = -1;
+/// What a part of an object asks of planning where it lies: seams or supports, to be there or not.
+struct Mark {
+  PartRole role = PartRole::kSeamEnforcer;
+  MultiPolygon outlines;
 
-/// The section of one object in one layer, around the object's own origin. Copies are not sections:
-/// ordering puts them in their places.
+  friend bool operator==(const Mark&, const Mark&) = default;
+};
+
+/// The section of one stack in one of its layers, around the object's own origin. Copies are not
+/// sections: ordering puts them in their places.
 struct ObjectSection {
-  int32_t object = 0;
-  int32_t layer = 0;        ///< of the object's own layers: 0 is its lowest
-  int32_t layer_count = 1;  ///< how many layers the object has
-  Coord height_nm = 0;      ///< of this object's layer
+  Stack stack;
+  int32_t layer = 0;        ///< of the stack's own layers: 0 is its lowest
+  int32_t layer_count = 1;  ///< how many layers the stack has
+  Coord height_nm = 0;      ///< of this stack's layer
   std::vector<Region> regions;  ///< disjoint
   /// The outlines of all regions together; empty where there is one region at most. See OutlineOf.
   MultiPolygon whole;
-  Coord z_nm = 0;  ///< of the layer's top, above the object's own bottom
-  MultiPolygon seam_enforcers;  ///< where loops should start; for planning alone
-  MultiPolygon seam_blockers;   ///< where they should not; for planning alone
+  Coord z_nm = 0;  ///< of the layer's top, above the stack's own bottom
+  std::vector<Mark> marks;  ///< for planning alone; at most one of a role
 
   friend bool operator==(const ObjectSection&, const ObjectSection&) = default;
 };
@@ -64,10 +70,13 @@ struct ObjectSection {
 /// What the section covers. Rings are numbered through: by island, outer ring before holes.
 const MultiPolygon& OutlineOf(const ObjectSection& section);
 
-/// One object has one region in each of its layers, and a section in each, be it empty.
+/// What is marked so in a section; empty: nothing.
+const MultiPolygon& MarkedIn(const ObjectSection& section, PartRole role);
+
+/// A stack has a section in each of its own layers, be it empty.
 struct SlicedLayer {
   LayerFrame frame;
-  std::vector<ObjectSection> sections;  ///< by ascending object; kPlate first, be it several
+  std::vector<ObjectSection> sections;  ///< by ascending stack
 
   friend bool operator==(const SlicedLayer&, const SlicedLayer&) = default;
 };
@@ -93,7 +102,7 @@ struct WalledIsland {
 };
 
 struct WalledSection {
-  int32_t object = 0;
+  Stack stack;
   int32_t layer = 0;
   Coord height_nm = 0;
   std::vector<WalledIsland> islands;
@@ -126,7 +135,7 @@ struct FilledIsland {
 };
 
 struct FilledSection {
-  int32_t object = 0;
+  Stack stack;
   int32_t layer = 0;
   Coord height_nm = 0;
   std::vector<FilledIsland> islands;
@@ -158,10 +167,9 @@ struct Leave {
   friend bool operator==(const Leave&, const Leave&) = default;
 };
 
-/// Paths of one object (or of the plate) in the order and direction of printing, around the
-/// object's own origin. A closed path starts (and ends) at its first point. INVARIANT: not empty.
+/// Paths of one stack in the order and direction of printing, around the object's own origin. A closed path starts (and ends) at its first point. INVARIANT: not empty.
 struct PathBlock {
-  int32_t object = 0;
+  Stack stack;
   int32_t layer = 0;
   Coord height_nm = 0;
   std::vector<Path> paths;
@@ -169,7 +177,7 @@ struct PathBlock {
   /// where the block begins a layer that begins ready.
   std::vector<Travel> travels = {};
   std::optional<Leave> leave = {};  ///< where the block may end a layer that ends ready
-  /// What the object's layer below covers, where motion asks for it (LooksBelow); else empty.
+  /// What the stack's layer below covers, where motion asks for it (LooksBelow); else empty.
   MultiPolygon below = {};
 
   friend bool operator==(const PathBlock&, const PathBlock&) = default;

@@ -44,17 +44,27 @@ inline constexpr int64_t kMaxPointsPerJob = 200'000'000;
 /// A job's result, G-code or vectors: what a spool and a store take for one job.
 inline constexpr int64_t kMaxProgramBytes = 2'000'000'000;
 inline constexpr int64_t kMaxObjects = 1'000;         ///< copies included
+inline constexpr int64_t kMaxStacks = 4 * kMaxObjects + 1'000;  ///< parts and what is added
 inline constexpr int64_t kMaxRegionSettings = 1'000;  ///< rows of a job's tables of settings
 /// Texts of all sets of settings of a job: each range of heights, part or object with some of its
-/// own has all of the job's as well, and so has each message to a worker.
+/// own has all of the job's as well, though long ones are shared.
 inline constexpr int64_t kMaxResolvedBytes = 48 << 20;
+inline constexpr int64_t kLongTextBytes = 1024;  ///< of a value: from here on it is shared
 inline constexpr int32_t kMaxPerimeters = 10'000;
 inline constexpr int32_t kMaxSkirtLoops = 500;
 inline constexpr int32_t kMaxRaftLayers = 100;
+/// Of a milling job: its levels and rows; what a step weighs.
+inline constexpr int64_t kMaxMillSteps = 200'000;
+inline constexpr int32_t kMaxMillWeight = 1'000;
 inline constexpr int64_t kMaxLinesPerFill = 200'000;
 inline constexpr int32_t kMaxThumbnails = 8;
 inline constexpr int32_t kMaxThumbnailPx = 1'024;
 inline constexpr int64_t kMaxStageMessageBytes = 64 << 20;  ///< between stages, one layer a message
+/// Of what the calls of a job have in common: one value, such as its settings, and all that a
+/// server keeps at a time, of whatever jobs.
+inline constexpr int64_t kMaxSharedBytes = 1 << 30;
+inline constexpr int64_t kMaxKeptSharedBytes = 256 << 20;
+inline constexpr int64_t kSharedPieceBytes = 1 << 20;
 inline constexpr int64_t kMaxPublicMessageBytes = 4 << 20;
 inline constexpr int64_t kUploadChunkBytes = 64 << 10;
 inline constexpr int64_t kMaxSettingBytes = 64 << 10;  ///< one value, such as a start G-code
@@ -68,6 +78,7 @@ inline constexpr int64_t kMaxFieldHaloLayers = 100;  ///< that a field by surfac
 inline constexpr int64_t kMaxSettings = 2'000;
 inline constexpr int64_t kMaxNameBytes = 255;      ///< of an object, a request id
 inline constexpr int64_t kMaxSpecBytes = 1 << 20;  ///< of a job: it is echoed in one message
+inline constexpr int64_t kMaxPlatesBytes = 64 * kMaxSpecBytes;  ///< of all plates of one call
 inline constexpr int64_t kMaxLabels = 64;
 inline constexpr int64_t kMaxLabelBytes = 1024;  ///< key and value together
 inline constexpr int32_t kMaxPageSize = 1'000;

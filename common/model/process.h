@@ -11,6 +11,7 @@ namespace slicefarm {
 enum class Process : uint8_t {
   kFdm,
   kLaser,
+  kMill,
 };
 
 struct ProcessInfo {
@@ -23,6 +24,7 @@ struct ProcessInfo {
 inline constexpr ProcessInfo kProcesses[] = {
     {Process::kFdm, "fdm", "Filament is laid down in beads; the result is G-code"},
     {Process::kLaser, "laser", "A laser scans each layer's area, in powder or resin"},
+    {Process::kMill, "mill", "A cutter mills a part out of its stock, in three axes"},
 };
 
 /// That of jobs that name none.

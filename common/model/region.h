@@ -13,8 +13,10 @@ enum class Role : uint8_t {
   kBrim,
   kRaft,
   kRaftInterface,  ///< the layers of a raft that carry the part
+  kSupport,
+  kSupportInterface,  ///< the layers of supports next to the part
 };
-inline constexpr int kRoleCount = 4;
+inline constexpr int kRoleCount = 6;
 
 /// What beads of a role are called, whatever they are for within it; of kPart: `feature`.
 constexpr Feature FeatureFor(Role role, Feature feature) {
@@ -24,8 +26,10 @@ constexpr Feature FeatureFor(Role role, Feature feature) {
     case Role::kBrim:
       return Feature::kSkirt;
     case Role::kRaft:
+    case Role::kSupport:
       return Feature::kSupport;
     case Role::kRaftInterface:
+    case Role::kSupportInterface:
       return Feature::kSupportInterface;
   }
   return feature;

@@ -43,11 +43,17 @@ absl::Status HoldMemory(const StageCall& call, JobMemory::Kind kind, int64_t byt
   return call.memory == nullptr ? absl::OkStatus() : call.memory->Hold(kind, bytes);
 }
 
+int64_t MemoryOf(const ObjectSection& section) {
+  int64_t bytes = MemoryOfRegions(section.regions) + MemoryOfPolygons(section.whole) +
+                  MemoryOfList(section.marks);
+  for (const Mark& mark : section.marks) bytes += MemoryOfPolygons(mark.outlines);
+  return bytes;
+}
+
 int64_t MemoryOf(const SlicedLayer& layer) {
   int64_t bytes = static_cast<int64_t>(sizeof layer) + MemoryOfList(layer.sections);
   for (const ObjectSection& section : layer.sections)
-    bytes += MemoryOfRegions(section.regions) + MemoryOfPolygons(section.whole) +
-             MemoryOfPolygons(section.seam_enforcers) + MemoryOfPolygons(section.seam_blockers);
+    bytes += MemoryOf(section);
   return bytes;
 }
 
@@ -63,9 +69,16 @@ int64_t MemoryOf(const LayerPlan& plan) {
   return bytes;
 }
 
-int64_t MemoryOf(const PlateAddition& addition) {
-  return static_cast<int64_t>(sizeof addition) + MemoryOfRegions(addition.regions) +
-         MemoryOfPaths(addition.paths);
+int64_t MemoryOf(const Skirt& skirt) {
+  return static_cast<int64_t>(sizeof skirt) + MemoryOfPaths(skirt.loops);
+}
+
+int64_t MemoryOf(const PlacedScene& scene) {
+  int64_t bytes = 0;
+  for (const PlacedSceneObject& object : scene.objects)
+    for (const PlacedScenePart& part : object.parts)
+      bytes += MemoryOfList(part.mesh.vertices) + MemoryOfList(part.mesh.triangles);
+  return bytes;
 }
 
 }  // namespace slicefarm

@@ -5,6 +5,7 @@
 #include "absl/status/status.h"
 #include "common/model/job_plan.h"
 #include "common/model/layer.h"
+#include "common/model/scene/placed_scene.h"
 
 namespace slicefarm {
 
@@ -37,6 +38,9 @@ absl::Status HoldMemory(const StageCall& call, JobMemory::Kind kind, int64_t byt
 /// What layers and their plans take in memory, about. Cost: O(rings).
 int64_t MemoryOf(const SlicedLayer& layer);
 int64_t MemoryOf(const LayerPlan& plan);
-int64_t MemoryOf(const PlateAddition& addition);
+int64_t MemoryOf(const ObjectSection& section);
+int64_t MemoryOf(const Skirt& skirt);
+/// What meshes take. Cost: O(parts).
+int64_t MemoryOf(const PlacedScene& scene);
 
 }  // namespace slicefarm

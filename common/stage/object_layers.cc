@@ -9,20 +9,19 @@
 namespace slicefarm {
 namespace {
 
-/// The first and the last of an object's own layers that a range has.
+/// The first and the last of a stack's own layers that a range has.
 struct OwnLayers {
   int32_t first = 0;
   int32_t last = 0;
-  int32_t count = 0;  ///< of the object
+  int32_t count = 0;  ///< of the stack
 };
 
-std::map<int32_t, OwnLayers> LayersOfObjects(std::span<const SlicedLayer> layers) {
+std::map<int32_t, OwnLayers> LayersOfStacks(std::span<const SlicedLayer> layers) {
   std::map<int32_t, OwnLayers> own;
   for (const SlicedLayer& layer : layers) {
     for (const ObjectSection& section : layer.sections) {
-      if (section.object == kPlate) continue;
       const auto [place, is_new] = own.try_emplace(
-          section.object, OwnLayers{section.layer, section.layer, section.layer_count});
+          section.stack.id, OwnLayers{section.layer, section.layer, section.layer_count});
       place->second.first = std::min(place->second.first, section.layer);
       place->second.last = std::max(place->second.last, section.layer);
     }
@@ -30,18 +29,19 @@ std::map<int32_t, OwnLayers> LayersOfObjects(std::span<const SlicedLayer> layers
   return own;
 }
 
-const ObjectSection* SectionOf(const SlicedLayer& layer, int32_t object) {
-  const auto found = std::ranges::lower_bound(layer.sections, object, {}, &ObjectSection::object);
-  return found != layer.sections.end() && found->object == object ? &*found : nullptr;
+const ObjectSection* SectionOf(const SlicedLayer& layer, int32_t stack) {
+  const auto found = std::ranges::lower_bound(
+      layer.sections, stack, {}, [](const ObjectSection& section) { return section.stack.id; });
+  return found != layer.sections.end() && found->stack.id == stack ? &*found : nullptr;
 }
 
-/// Steps from layer `from` until the object's own layer `wanted` is reached; the index of the layer
+/// Steps from layer `from` until the stack's own layer `wanted` is reached; the index of the layer
 /// that has it, or of the last one there is.
-int32_t Reach(std::span<const SlicedLayer> layers, int32_t object, int32_t from, int32_t step,
+int32_t Reach(std::span<const SlicedLayer> layers, int32_t stack, int32_t from, int32_t step,
               int32_t wanted) {
   int32_t at = from;
   for (int32_t i = from; i >= 0 && i < std::ssize(layers); i += step) {
-    const ObjectSection* section = SectionOf(layers[static_cast<size_t>(i)], object);
+    const ObjectSection* section = SectionOf(layers[static_cast<size_t>(i)], stack);
     if (section == nullptr) continue;
     at = i;
     if (step < 0 ? section->layer <= wanted : section->layer >= wanted) break;
@@ -54,8 +54,7 @@ int32_t Reach(std::span<const SlicedLayer> layers, int32_t object, int32_t from,
 ObjectLayers::ObjectLayers(std::span<const SlicedLayer> layers) {
   for (const SlicedLayer& layer : layers) {
     for (const ObjectSection& section : layer.sections) {
-      if (section.object == kPlate) continue;
-      Sections& own = objects_[section.object];
+      Sections& own = stacks_[section.stack.id];
       if (own.sections.empty()) own.first = section.layer;
       // A gap or a step back breaks SlicedLayer's promise: what does not follow is not found.
       if (section.layer == own.first + std::ssize(own.sections)) own.sections.push_back(&section);
@@ -63,9 +62,9 @@ ObjectLayers::ObjectLayers(std::span<const SlicedLayer> layers) {
   }
 }
 
-const ObjectSection* ObjectLayers::Find(int32_t object, int32_t layer) const {
-  const auto found = objects_.find(object);
-  if (found == objects_.end()) return nullptr;
+const ObjectSection* ObjectLayers::Find(int32_t stack, int32_t layer) const {
+  const auto found = stacks_.find(stack);
+  if (found == stacks_.end()) return nullptr;
   const int64_t at = int64_t{layer} - found->second.first;
   if (at < 0 || at >= std::ssize(found->second.sections)) return nullptr;
   return found->second.sections[static_cast<size_t>(at)];
@@ -73,11 +72,11 @@ const ObjectSection* ObjectLayers::Find(int32_t object, int32_t layer) const {
 
 LayerRange WithHalo(std::span<const SlicedLayer> layers, LayerRange range, int32_t halo) {
   LayerRange all = range;
-  const auto own = LayersOfObjects(
+  const auto own = LayersOfStacks(
       layers.subspan(static_cast<size_t>(range.first), static_cast<size_t>(range.size())));
-  for (const auto& [object, has] : own) {
-    all.first = std::min(all.first, Reach(layers, object, range.first, -1, has.first - halo));
-    all.last = std::max(all.last, 1 + Reach(layers, object, range.last - 1, 1, has.last + halo));
+  for (const auto& [stack, has] : own) {
+    all.first = std::min(all.first, Reach(layers, stack, range.first, -1, has.first - halo));
+    all.last = std::max(all.last, 1 + Reach(layers, stack, range.last - 1, 1, has.last + halo));
   }
   return all;
 }
@@ -92,16 +91,16 @@ absl::Status CheckHalo(std::span<const SlicedLayer> layers, LayerRange range, in
   const auto in_range = layers.subspan(static_cast<size_t>(range.first - sent_from),
                                        static_cast<size_t>(range.size()));
   const ObjectLayers there(layers);
-  for (const auto& [object, has] : LayersOfObjects(in_range)) {
+  for (const auto& [stack, has] : LayersOfStacks(in_range)) {
     const int32_t first = std::max(0, has.first - halo);
     const int32_t last = std::min(has.count, has.last + 1 + halo);
     for (int32_t layer = first; layer < last; ++layer) {
-      if (there.Find(object, layer) != nullptr) continue;
+      if (there.Find(stack, layer) != nullptr) continue;
       return MakeError(
           absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-          fmt::format("layer {} of object {} did not come; the settings want the object's layers "
+          fmt::format("layer {} of stack {} did not come; the settings want the stack's layers "
                       "[{}, {}) for the range",
-                      layer, object, first, last),
+                      layer, stack, first, last),
           {{"field", "layer"}});
     }
   }

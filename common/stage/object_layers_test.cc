@@ -25,7 +25,7 @@ SlicedLayer LayerWith(int32_t index, const std::vector<Own>& sections) {
   layer.frame.index = index;
   for (const Own& own : sections) {
     ObjectSection& section = layer.sections.emplace_back();
-    section.object = own.object;
+    section.stack = own.object;
     section.layer = own.layer;
     section.layer_count = own.count;
   }
@@ -97,10 +97,11 @@ TEST(ObjectLayers, LayersAfterAGapAreNotFound) {
   EXPECT_THAT(found.Find(0, 4), IsNull());
 }
 
-TEST(ObjectLayers, WhatPlanningAddedIsOfNoObject) {
-  const std::vector<SlicedLayer> layers = {LayerWith(0, {{kPlate, 0, 1}, {0, 0, 1}})};
-  EXPECT_THAT(ObjectLayers(layers).Find(kPlate, 0), IsNull());
-  EXPECT_EQ(ObjectLayers(layers).Find(0, 0), &layers[0].sections[1]);
+TEST(ObjectLayers, StacksOfOneObjectAreApart) {
+  std::vector<SlicedLayer> layers = {LayerWith(0, {{0, 0, 1}, {5, 0, 1}})};
+  layers[0].sections[1].stack = Stack(5, 0, StackKind::kSupport);
+  EXPECT_EQ(ObjectLayers(layers).Find(0, 0), &layers[0].sections[0]);
+  EXPECT_EQ(ObjectLayers(layers).Find(5, 0), &layers[0].sections[1]);
 }
 
 TEST(WithHalo, InStepItIsTheRangeAndAHaloOnEachSide) {

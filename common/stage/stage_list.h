@@ -18,6 +18,8 @@ enum class Stage : uint8_t {
   kOrdering,
   kMotion,
   kExposure,
+  kPlacing,  ///< a method of the slicing service
+  kMilling,
 };
 
 struct StageInfo {
@@ -29,7 +31,7 @@ struct StageInfo {
 inline constexpr StageInfo kStages[] = {
     {Stage::kSlicing, "slicing"},   {Stage::kPlanning, "planning"}, {Stage::kBeading, "beading"},
     {Stage::kInfill, "infill"},     {Stage::kOrdering, "ordering"}, {Stage::kMotion, "motion"},
-    {Stage::kExposure, "exposure"},
+    {Stage::kExposure, "exposure"}, {Stage::kPlacing, "placing"},   {Stage::kMilling, "milling"},
 };
 
 inline constexpr size_t kStageCount = std::size(kStages);

@@ -4,19 +4,24 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
+#include "common/base/shared/shared.h"
 #include "common/base/trace_context.h"
 #include "common/model/exposed_program.h"
 #include "common/model/job_facts.h"
 #include "common/model/job_plan.h"
 #include "common/model/layer.h"
+#include "common/model/milling/mill_input.h"
+#include "common/model/milling/milled_program.h"
 #include "common/model/options/settings.h"
 #include "common/model/program_summary.h"
 #include "common/model/scene/mesh.h"
 #include "common/model/scene/orientation_advice.h"
+#include "common/model/scene/placed_scene.h"
 #include "common/model/scene/scene.h"
 
 namespace slicefarm {
@@ -132,6 +137,15 @@ class SlicingStage {
                                           const SlicingOptions& options) const = 0;
 };
 
+/// Reads meshes and puts them on the bed: what slicing begins with, for processes that work on the
+/// meshes themselves. Errors: those of slicing up to there.
+class PlacingStage {
+ public:
+  virtual ~PlacingStage() = default;
+  virtual absl::StatusOr<PlacedScene> Place(const StageCall& call, SliceInput input,
+                                            const SlicingOptions& options) const = 0;
+};
+
 /// What planning looks at.
 struct SlicedOutlines {
   std::span<const SlicedLayer> layers;
@@ -152,14 +166,40 @@ struct Neighbourhood {
   std::span<const SlicedLayer> layers;  ///< consecutive, the range among them
 };
 
-/// Results are in order, one for each layer of the range. What stages are told of regions is by row
-/// of the job's tables.
+/// What a stage is told of the whole job, the same in all its calls: it is sent and read once
+/// (common/wire/shared_wire.h). What it is told of regions is by row of the job's tables.
+
+using BeadingTable = std::vector<BeadingOptions>;
+using InfillTable = std::vector<InfillOptions>;
+
+struct OrderingJob {
+  OrderingOptions options;
+  std::vector<Copy> copies;
+
+  friend bool operator==(const OrderingJob&, const OrderingJob&) = default;
+};
+
+struct MotionJob {
+  MotionOptions options;
+  JobFacts facts;
+
+  friend bool operator==(const MotionJob&, const MotionJob&) = default;
+};
+
+struct ExposureJob {
+  ExposureSettings settings;
+  std::vector<Copy> copies;
+
+  friend bool operator==(const ExposureJob&, const ExposureJob&) = default;
+};
+
+/// Results are in order, one for each layer of the range.
 class BeadingStage {
  public:
   virtual ~BeadingStage() = default;
   virtual absl::StatusOr<std::vector<WalledLayer>> Bead(
       const StageCall& call, const Neighbourhood& neighbourhood,
-      std::span<const BeadingOptions> regions) const = 0;
+      const Shared<BeadingTable>& regions) const = 0;
 };
 
 class InfillStage {
@@ -168,18 +208,17 @@ class InfillStage {
   /// `walled` and `plans`: of the layers of neighbourhood.range; of a plan, its `infill`.
   virtual absl::StatusOr<std::vector<FilledLayer>> Fill(
       const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
-      std::span<const LayerPlan> plans, std::span<const InfillOptions> regions) const = 0;
+      std::span<const LayerPlan> plans, const Shared<InfillTable>& regions) const = 0;
 };
 
 class OrderingStage {
  public:
   virtual ~OrderingStage() = default;
-  /// `plans`: one a layer. `copies`: of the whole job.
+  /// `plans`: one a layer.
   virtual absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall& call,
                                                           std::vector<FilledLayer> layers,
                                                           std::span<const LayerPlan> plans,
-                                                          std::span<const Copy> copies,
-                                                          const OrderingOptions& options) const = 0;
+                                                          const Shared<OrderingJob>& job) const = 0;
 };
 
 class MotionStage {
@@ -189,8 +228,7 @@ class MotionStage {
   /// at least.
   virtual absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
                                                             std::vector<OrderedLayer> layers,
-                                                            const JobFacts& facts,
-                                                            const MotionOptions& options) const = 0;
+                                                            const Shared<MotionJob>& job) const = 0;
   virtual absl::StatusOr<ProgramEnvelope> Envelope(const StageCall& call,
                                                    const ProgramSummary& summary,
                                                    const MotionOptions& options) const = 0;
@@ -200,13 +238,32 @@ class MotionStage {
 class ExposureStage {
  public:
   virtual ~ExposureStage() = default;
-  /// A program for each layer of the range. `copies`: of the whole job.
+  /// A program for each layer of the range.
   virtual absl::StatusOr<std::vector<ExposedProgram>> Expose(
-      const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
-      const ExposureSettings& settings) const = 0;
+      const StageCall& call, const Neighbourhood& neighbourhood,
+      const Shared<ExposureJob>& job) const = 0;
   virtual absl::StatusOr<ExposureEnvelope> Envelope(const StageCall& call,
                                                     const ExposureSummary& summary,
                                                     const ExposureSettings& settings) const = 0;
+};
+
+/// Meshes to programs of a milling machine. Any ranges of a job's steps can be made apart; their
+/// results are put together at once.
+class MillingStage {
+ public:
+  virtual ~MillingStage() = default;
+  /// Errors: what cannot be milled so.
+  virtual absl::StatusOr<MillLayout> LayOut(const StageCall& call,
+                                            const Shared<MillInput>& input) const = 0;
+  /// What the steps of the range come to. REQUEST_MALFORMED for a range that the job has not.
+  virtual absl::StatusOr<std::vector<MilledStep>> Mill(const StageCall& call,
+                                                       const Shared<MillInput>& input,
+                                                       StepRange range) const = 0;
+  /// `steps`: all of the job's. `settings_text`: effective settings, quoted at the program's end.
+  virtual absl::StatusOr<MilledProgram> Assemble(const StageCall& call,
+                                                 const Shared<MillInput>& input,
+                                                 std::vector<MilledStep> steps,
+                                                 std::string_view settings_text) const = 0;
 };
 
 /// The stages that somebody has, local or remote; null: not this one. What they are must outlive
@@ -219,6 +276,8 @@ struct Stages {
   const OrderingStage* ordering = nullptr;
   const MotionStage* motion = nullptr;
   const ExposureStage* exposure = nullptr;
+  const PlacingStage* placing = nullptr;
+  const MillingStage* milling = nullptr;
 };
 
 }  // namespace slicefarm

@@ -20,15 +20,16 @@ namespace slicefarm {
 /// neighbours, about which layers. Errors: those of stage_call_wire.h, layer_wire.h, plan_wire.h
 /// and settings_wire.h, with the way to the field.
 
-/// Options by region.
-template <typename Options>
+/// `shared`: the digest of what the stage is told of the whole job (shared_wire.h), here a table of
+/// options by region.
+template <typename Table>
 struct RangeStart {
   StageCall call;
-  std::vector<Options> options;
+  std::string shared;
   LayerRange range;
 };
-using BeadStart = RangeStart<BeadingOptions>;
-using FillStart = RangeStart<InfillOptions>;
+using BeadStart = RangeStart<BeadingTable>;
+using FillStart = RangeStart<InfillTable>;
 
 struct PlanStart {
   StageCall call;
@@ -39,21 +40,18 @@ struct PlanStart {
 
 struct OrderStart {
   StageCall call;
-  OrderingOptions options;
-  std::vector<Copy> copies;
+  std::string shared;  ///< of an OrderingJob
 };
 
 struct ProgramStart {
   StageCall call;
-  MotionOptions options;
-  JobFacts facts;
+  std::string shared;  ///< of a MotionJob
 };
 
 struct ExposeStart {
   StageCall call;
-  ExposureSettings settings;
+  std::string shared;  ///< of an ExposureJob
   LayerRange range;
-  std::vector<Copy> copies;
 };
 
 absl::Status ToProto(const BeadStart& start, v1::BeadStart* proto);

@@ -6,6 +6,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
+#include "common/base/shared/shared_cache.h"
 #include "common/stage/task.h"
 #include "slicefarm/v1/worker.pb.h"
 
@@ -55,6 +56,8 @@ class TaskWire {
   // At the coordinator's end.
   /// Of outlines: what the time of a call depends on.
   virtual int64_t PointsIn(const Task& task) const = 0;
+  /// What the start names: what the job's tasks have in common. Made once a job.
+  virtual absl::StatusOr<SharedParts> PartsOf(const Task& task) const = 0;
   /// OK if it is all written, or the peer is gone.
   virtual absl::Status Send(const StageCall& call, const Task& task, CoordinatorEnd& end) const = 0;
   /// Until there is no more. Errors: REQUEST_MALFORMED.
@@ -63,9 +66,10 @@ class TaskWire {
   virtual absl::Status Check(const Task& task, const TaskResult& result) const = 0;
 
   // At the worker's end.
-  /// `start`: the first message, which IsIn; the rest is read from `end`. Errors:
+  /// `start`: the first message, which IsIn; the rest is read from `end`. Errors: SHARED_MISSING;
   /// REQUEST_MALFORMED and REQUEST_TOO_LARGE with the way to the field; `cancel`'s.
   virtual absl::StatusOr<std::unique_ptr<ReceivedTask>> Receive(const v1::WorkStart& start,
+                                                                SharedCache& shared,
                                                                 const CancelToken& cancel,
                                                                 WorkerEnd& end) const = 0;
   /// Unavailable if the peer takes no more.

@@ -2,6 +2,7 @@
 
 #include "processes/fdm/job/fdm_process.h"
 #include "processes/laser/job/laser_process.h"
+#include "processes/mill/job/mill_process.h"
 
 namespace slicefarm {
 namespace {
@@ -14,6 +15,8 @@ std::unique_ptr<coordinator::JobProcess> JobOver(Process process, const Stages& 
       return coordinator::FdmProcess::Over(stages, spool_directory);
     case Process::kLaser:
       return coordinator::LaserProcess::Over(stages, spool_directory);
+    case Process::kMill:
+      return coordinator::MillProcess::Over(stages, spool_directory);
   }
   return nullptr;
 }

@@ -18,12 +18,16 @@ TEST(JobsOver, AreOfTheProcessesWhoseStagesAreThere) {
   const Stages all = {.slicing = Somewhere<SlicingStage>(),
                       .planning = Somewhere<PlanningStage>(),
                       .motion = Somewhere<MotionStage>(),
-                      .exposure = Somewhere<ExposureStage>()};
+                      .exposure = Somewhere<ExposureStage>(),
+                      .placing = Somewhere<PlacingStage>(),
+                      .milling = Somewhere<MillingStage>()};
   const auto jobs = JobsOver(all, "");
   ASSERT_EQ(jobs.size(), static_cast<size_t>(kProcessCount));
   for (size_t i = 0; i < jobs.size(); ++i) EXPECT_EQ(jobs[i]->process(), kProcesses[i].process);
   Stages some = all;
   some.exposure = nullptr;
+  EXPECT_EQ(JobsOver(some, "").size(), 2u);
+  some.milling = nullptr;
   EXPECT_EQ(JobsOver(some, "").size(), 1u);
 }
 

@@ -3,6 +3,7 @@
 #include "common/config/process_settings.h"
 #include "processes/fdm/settings/fdm_settings.h"
 #include "processes/laser/settings/laser_settings.h"
+#include "processes/mill/settings/mill_settings.h"
 
 namespace slicefarm::config {
 
@@ -12,6 +13,8 @@ const ProcessSettings& SettingsOf(Process process) {
       return fdm::Settings();
     case Process::kLaser:
       return laser::Settings();
+    case Process::kMill:
+      return mill::Settings();
   }
   std::abort();  // a Process is one of them
 }

@@ -2,6 +2,7 @@
 
 #include "processes/fdm/task/layer_chain.h"
 #include "processes/laser/task/laser_chain.h"
+#include "processes/mill/task/mill_chain.h"
 
 namespace slicefarm {
 namespace {
@@ -13,6 +14,8 @@ std::shared_ptr<const TaskRunner> RunnerOver(const Stages& stages, Process proce
       return LayerChain::Over(stages);
     case Process::kLaser:
       return LaserChain::Over(stages);
+    case Process::kMill:
+      return MillChain::Over(stages);
   }
   return nullptr;
 }
@@ -25,6 +28,8 @@ std::vector<Stage> TaskStagesOf(Process process) {
       return LayerChain::StagesOf();
     case Process::kLaser:
       return LaserChain::StagesOf();
+    case Process::kMill:
+      return MillChain::StagesOf();
   }
   return {};
 }

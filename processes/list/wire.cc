@@ -4,6 +4,7 @@
 
 #include "processes/fdm/wire/fdm_wire.h"
 #include "processes/laser/wire/laser_wire.h"
+#include "processes/mill/wire/mill_wire.h"
 
 namespace slicefarm {
 
@@ -13,6 +14,8 @@ const TaskWire& WireOf(Process process) {
       return FdmWire();
     case Process::kLaser:
       return LaserWire();
+    case Process::kMill:
+      return MillWire();
   }
   std::abort();  // a Process is one of them
 }

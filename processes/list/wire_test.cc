@@ -9,6 +9,7 @@
 #include "common/wire/support/round_trip_test.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "processes/laser/task/laser_task.h"
+#include "processes/mill/task/mill_task.h"
 
 namespace slicefarm::wire_test {
 namespace {
@@ -44,13 +45,16 @@ struct Sample {
   JobFacts facts = {1, {{"a", 0, 0, 1}}, {{}}};
   FdmSettings fdm_settings;
   ExposureSettings laser_settings;
+  MillInput mill_input = {{{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {{0, 1, 2}}}, {}, {}};
 
   Task TaskOf(Process process) const {
     switch (process) {
       case Process::kFdm:
-        return FdmTask{{0, 1}, layers, plans, copies, &facts, &fdm_settings};
+        return FdmTask{{0, 1}, layers, plans, FdmShared{fdm_settings, copies, facts}};
       case Process::kLaser:
-        return LaserTask{{0, 1}, layers, copies, &laser_settings};
+        return LaserTask{{0, 1}, layers, ExposureJob{laser_settings, copies}};
+      case Process::kMill:
+        return MillTask{{2, 3}, MillPhase::kFinishing, 1, 3, mill_input};
     }
     return {};
   }
@@ -71,6 +75,12 @@ struct Sample {
         result.programs[0].frame = kFrame;
         result.programs[0].text = "$$POLYLINE";
         result.times[Stage::kExposure] = 0.5;
+        return result;
+      }
+      case Process::kMill: {
+        MillResult result;
+        result.steps = {{{MillPhase::kFinishing, 2.5}, {}, {{{0, 1, 2}, {3, 4, 5}}}}};
+        result.times[Stage::kMilling] = 0.5;
         return result;
       }
     }
@@ -96,7 +106,16 @@ TEST_P(EveryProcess, SendsItsTasks) {
   ASSERT_TRUE(receiver.Read(&first));
   EXPECT_EQ(first.start().call().job_id(), "j");
   EXPECT_EQ(WireOf(first.start()), &wire());
-  const auto received = wire().Receive(first.start(), {}, receiver);
+  SharedCache shared(1 << 20);
+  const std::string missing =
+      MissingDigest(wire().Receive(first.start(), shared, {}, receiver).status());
+  const auto parts = wire().PartsOf(task);
+  ASSERT_TRUE(parts.ok()) << parts.status();
+  ASSERT_EQ(parts->size(), 1u);
+  EXPECT_EQ(parts->front()->digest, missing);
+  EXPECT_EQ(wire().PartsOf(task)->front(), parts->front()) << "is made once";
+  shared.Put(*parts->front());
+  const auto received = wire().Receive(first.start(), shared, {}, receiver);
   ASSERT_TRUE(received.ok()) << received.status();
   const Task there = (*received)->task();
   EXPECT_EQ(there.process(), GetParam());
@@ -125,9 +144,15 @@ TEST_P(EveryProcess, SendsWhatTheyComeTo) {
 TEST_P(EveryProcess, RefusesATaskWithoutItsLayers) {
   const Sample sample;
   ToWorker sender;
-  ASSERT_TRUE(wire().Send({}, sample.TaskOf(GetParam()), sender).ok());
+  const Task task = sample.TaskOf(GetParam());
+  ASSERT_TRUE(wire().Send({}, task, sender).ok());
+  SharedCache shared(1 << 20);
+  const auto parts = wire().PartsOf(task);
+  ASSERT_TRUE(parts.ok()) << parts.status();
+  for (const auto& part : *parts) shared.Put(*part);
+  if (sender.out.size() == 1) return;  // its start says all
   ToCoordinator receiver;
-  const auto received = wire().Receive(sender.out.front().start(), {}, receiver);
+  const auto received = wire().Receive(sender.out.front().start(), shared, {}, receiver);
   EXPECT_EQ(DetailOf(received.status()).reason, Reason::kRequestMalformed) << received.status();
 }
 

@@ -3,10 +3,12 @@
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/exposure/algo/local_exposure_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
+#include "services/milling/algo/local_milling_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "services/planning/algo/local_planning_stage.h"
 #include "services/slicing/algo/local_slicing_stage.h"
+#include "services/slicing/algo/placement/local_placing_stage.h"
 
 namespace slicefarm::cli {
 
@@ -17,11 +19,13 @@ LocalStages::LocalStages()
       infill_(infill::MakeLocalInfill()),
       ordering_(ordering::MakeLocalOrdering()),
       motion_(motion::MakeLocalMotion()),
-      exposure_(exposure::MakeLocalExposure()) {}
+      exposure_(exposure::MakeLocalExposure()),
+      placing_(slicing::MakeLocalPlacing()),
+      milling_(milling::MakeLocalMilling()) {}
 
 Stages LocalStages::all() const {
-  return {slicing_.get(),  planning_.get(), beading_.get(), infill_.get(),
-          ordering_.get(), motion_.get(),   exposure_.get()};
+  return {slicing_.get(), planning_.get(), beading_.get(), infill_.get(), ordering_.get(),
+          motion_.get(),  exposure_.get(), placing_.get(), milling_.get()};
 }
 
 }  // namespace slicefarm::cli

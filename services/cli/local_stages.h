@@ -21,6 +21,8 @@ class LocalStages {
   const std::unique_ptr<OrderingStage> ordering_;
   const std::unique_ptr<MotionStage> motion_;
   const std::unique_ptr<ExposureStage> exposure_;
+  const std::unique_ptr<PlacingStage> placing_;
+  const std::unique_ptr<MillingStage> milling_;
 };
 
 }  // namespace slicefarm::cli

@@ -73,6 +73,7 @@ struct Job {
   SlicedJob sliced;
   JobPlan plan;
   JobFacts facts;
+  Shared<FdmShared> shared;  ///< settings, copies and facts
   std::vector<WalledLayer> walled;
   std::vector<FilledLayer> filled;
   std::vector<OrderedLayer> ordered;
@@ -91,9 +92,7 @@ struct Job {
     return {.range = range,
             .layers = Around(range).layers,
             .plans = std::span(plan.layers).subspan(range.first, range.size()),
-            .copies = plan.copies,
-            .facts = &facts,
-            .settings = &FdmOf(settings)};
+            .job = shared};
   }
   SlicedOutlines outlines() const { return {sliced.layers, sliced.copies}; }
 };
@@ -119,23 +118,22 @@ class CannedStages : public BeadingStage,
  public:
   explicit CannedStages(const Job& job) : job_(job) {}
   absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall&, const Neighbourhood& n,
-                                                std::span<const BeadingOptions>) const override {
+                                                const Shared<BeadingTable>&) const override {
     return Part(job_.walled, n.range);
   }
   absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall&, std::vector<WalledLayer>,
                                                 const Neighbourhood& n, std::span<const LayerPlan>,
-                                                std::span<const InfillOptions>) const override {
+                                                const Shared<InfillTable>&) const override {
     return Part(job_.filled, n.range);
   }
   absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall&, std::vector<FilledLayer> layers,
-                                                  std::span<const LayerPlan>, std::span<const Copy>,
-                                                  const OrderingOptions&) const override {
+                                                  std::span<const LayerPlan>,
+                                                  const Shared<OrderingJob>&) const override {
     return Part(job_.ordered, RangeOf(layers));
   }
   absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall&,
                                                     std::vector<OrderedLayer> layers,
-                                                    const JobFacts&,
-                                                    const MotionOptions&) const override {
+                                                    const Shared<MotionJob>&) const override {
     return Part(job_.programs, RangeOf(layers));
   }
   absl::StatusOr<ProgramEnvelope> Envelope(const StageCall&, const ProgramSummary&,
@@ -179,17 +177,18 @@ absl::StatusOr<LocalCost> Compute(Job* job) {
     keep(beading->Bead({}, all, FdmOf(job->settings).beading), &job->walled);
     keep(infill->Fill({}, job->walled, all, job->plan.layers, FdmOf(job->settings).infill),
          &job->filled);
-    keep(ordering->Order({}, job->filled, job->plan.layers, job->plan.copies,
-                         FdmOf(job->settings).ordering),
+    keep(ordering->Order({}, job->filled, job->plan.layers,
+                         OrderingJob{FdmOf(job->settings).ordering, job->plan.copies}),
          &job->ordered);
     job->facts = {job->layer_count(), {}, {}};
-    keep(motion->Program({}, job->ordered, job->facts, FdmOf(job->settings).motion),
+    keep(motion->Program({}, job->ordered, MotionJob{FdmOf(job->settings).motion, job->facts}),
          &job->programs);
   });
   const Cost plan = Measure([&] {
     keep(planning->Plan({}, job->outlines(), FdmOf(job->settings).planning), &job->plan);
   });
   if (!status.ok()) return status;
+  job->shared = FdmShared{FdmOf(job->settings), job->plan.copies, job->facts};
   job->ranges = coordinator::SplitIntoRanges(job->sliced.layers, kSlots);
   return LocalCost{cost, plan};
 }

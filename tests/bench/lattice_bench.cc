@@ -14,7 +14,7 @@ namespace slicefarm::bench {
 namespace {
 
 constexpr int32_t kLayers = 1000;
-constexpr int kCells = 117;        ///< a million vectors a layer
+constexpr int kCells = 117;          ///< a million vectors a layer
 constexpr int32_t kRangeLayers = 8;  ///< what a worker gets at once of layers as full as these
 
 double PeakMb() {
@@ -35,10 +35,9 @@ absl::Status AddRange(const ExposureStage& stage, int32_t first, const ExposureS
   std::vector<SlicedLayer> layers;
   for (int32_t i = 0; i < kRangeLayers; ++i)
     layers.push_back(LatticeLayer(first + i, kLayers, kCells));
-  const std::vector<Copy> copies(1);
+  const Shared<ExposureJob> job = ExposureJob{settings, std::vector<Copy>(1)};
   const double start = ThreadSeconds();
-  const auto programs =
-      stage.Expose({}, {{first, first + kRangeLayers}, layers}, copies, settings);
+  const auto programs = stage.Expose({}, {{first, first + kRangeLayers}, layers}, job);
   totals.seconds += ThreadSeconds() - start;
   if (!programs.ok()) return programs.status();
   for (const ExposedProgram& program : *programs) {

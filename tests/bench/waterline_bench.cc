@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/model/limits.h"
-#include "services/milling/algo/cutter/cutter_text.h"
+#include "common/model/milling/cutter_text.h"
 #include "services/milling/algo/waterline/waterline.h"
 #include "services/slicing/algo/mesh_io/mesh_reader.h"
 #include "tests/bench/benchmarks.h"
@@ -105,7 +105,7 @@ struct TimedWaterline {
   double seconds = 0;  ///< the best of some rounds
 };
 
-TimedWaterline Timed(const milling::TriangleMesh& mesh, const milling::Cutter& cutter,
+TimedWaterline Timed(const milling::TriangleMesh& mesh, const Cutter& cutter,
                      const std::vector<double>& levels_mm, double sampling_mm) {
   TimedWaterline timed{.seconds = 1e9};
   for (int round = 0; round < kWaterlineRounds; ++round) {
@@ -130,7 +130,7 @@ void BenchModel(const WaterlineCase& model, const milling::TriangleMesh& mesh) {
   for (int i = 0; i < kManyLevels; ++i)
     many.push_back(low + (i + 0.5) / kManyLevels * (high - low));
   for (const PeerWaterline& peer : model.peer) {
-    const auto cutter = milling::ParseCutter(peer.cutter);
+    const auto cutter = ParseCutter(peer.cutter);
     const TimedWaterline one =
         Timed(mesh, *cutter, {low + model.share * (high - low)}, model.sampling_mm);
     const TimedWaterline all = Timed(mesh, *cutter, many, model.sampling_mm);

@@ -1,3 +1,4 @@
+#include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "services/beading/algo/local_beading_stage.h"
@@ -10,16 +11,18 @@ namespace {
 
 void Run(const BeadCall& given) {
   static const auto stage = beading::MakeLocalBeading();
+  CheckRoundTrip(given.shared());
   for (const v1::BeadRequest& request : given.requests()) {
     CheckRoundTrip(request.start());
     CheckRoundTrip(request.layer());
   }
   Requests<v1::BeadRequest> requests(given.requests());
   const auto start = ReadStart<v1::BeadRequest>(requests, WithDeadline());
-  if (!start.ok()) return;
+  const auto shared = FromProto(given.shared());
+  if (!start.ok() || !shared.ok()) return;
   const auto layers = ReadNeighbourhood<v1::BeadRequest>(requests, *start);
   if (!layers.ok()) return;
-  const auto walled = stage->Bead(start->call, {start->range, *layers}, start->options);
+  const auto walled = stage->Bead(start->call, {start->range, *layers}, *shared);
   if (!walled.ok()) return;
   for (const WalledLayer& layer : *walled) CheckRoundTrip(Encoded<v1::WalledLayer>(layer));
 }

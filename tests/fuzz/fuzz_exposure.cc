@@ -2,6 +2,7 @@
 
 #include "common/wire/layers/exposure_wire.h"
 #include "common/wire/options/exposure_options_wire.h"
+#include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "services/exposure/algo/local_exposure_stage.h"
@@ -22,6 +23,7 @@ void Frame(const ExposureStage& stage, const v1::ExposureFrameRequest& request) 
 
 void Run(const ExposeCall& given) {
   static const auto stage = exposure::MakeLocalExposure();
+  CheckRoundTrip(given.shared());
   for (const v1::ExposeRequest& request : given.requests()) {
     CheckRoundTrip(request.start());
     CheckRoundTrip(request.layer());
@@ -29,11 +31,11 @@ void Run(const ExposeCall& given) {
   Frame(*stage, given.frame());
   Requests<v1::ExposeRequest> requests(given.requests());
   const auto start = ReadStart<v1::ExposeRequest>(requests, WithDeadline());
-  if (!start.ok()) return;
+  const auto shared = FromProto(given.shared());
+  if (!start.ok() || !shared.ok()) return;
   const auto layers = ReadNeighbourhood<v1::ExposeRequest>(requests, *start);
   if (!layers.ok()) return;
-  const auto programs =
-      stage->Expose(start->call, {start->range, *layers}, start->copies, start->settings);
+  const auto programs = stage->Expose(start->call, {start->range, *layers}, *shared);
   if (!programs.ok()) return;
   for (const ExposedProgram& program : *programs)
     CheckRoundTrip(Encoded<v1::ExposedProgram>(program));

@@ -3,6 +3,7 @@
 
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
+#include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "common/wire/support/repeated_wire.h"
@@ -16,6 +17,7 @@ namespace {
 
 void Run(const FillCall& given) {
   static const auto stage = infill::MakeLocalInfill();
+  CheckRoundTrip(given.shared());
   for (const v1::FillRequest& request : given.requests()) {
     CheckRoundTrip(request.start());
     CheckRoundTrip(request.neighbour());
@@ -23,7 +25,8 @@ void Run(const FillCall& given) {
   }
   Requests<v1::FillRequest> requests(given.requests());
   const auto start = ReadStart<v1::FillRequest>(requests, WithDeadline());
-  if (!start.ok()) return;
+  const auto shared = FromProto(given.shared());
+  if (!start.ok() || !shared.ok()) return;
   std::vector<SlicedLayer> neighbours;
   std::vector<WalledLayer> walled;
   std::vector<LayerPlan> plans;
@@ -37,8 +40,8 @@ void Run(const FillCall& given) {
   read.Update(CheckNeighbourhood(neighbours, start->range));
   read.Update(CheckLayersOfRange(walled, start->range));
   if (!read.ok()) return;
-  const auto filled = stage->Fill(start->call, std::move(walled), {start->range, neighbours}, plans,
-                                  start->options);
+  const auto filled =
+      stage->Fill(start->call, std::move(walled), {start->range, neighbours}, plans, *shared);
   if (!filled.ok()) return;
   for (const FilledLayer& layer : *filled) CheckRoundTrip(Encoded<v1::FilledLayer>(layer));
 }

@@ -3,6 +3,7 @@
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/options/motion_options_wire.h"
 #include "common/wire/stage_call_wire.h"
+#include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "services/motion/algo/local_motion_stage.h"
@@ -21,15 +22,15 @@ const MotionStage& Stage() {
 void Program(const MotionCall& given) {
   Requests<v1::ProgramRequest> requests(given.requests());
   const auto start = ReadStart<v1::ProgramRequest>(requests, WithDeadline());
-  if (!start.ok()) return;
+  const auto shared = FromProto(given.shared());
+  if (!start.ok() || !shared.ok()) return;
   std::vector<OrderedLayer> layers;
   const absl::Status read =
       ReadEach<v1::ProgramRequest>(requests, [&](const v1::ProgramRequest& request) {
         return AppendNext(FromProto(request.layer()), &layers);
       });
   if (!read.ok()) return;
-  const auto programs =
-      Stage().Program(start->call, std::move(layers), start->facts, start->options);
+  const auto programs = Stage().Program(start->call, std::move(layers), *shared);
   if (!programs.ok()) return;
   for (const LayerProgram& program : *programs) {
     CheckGcode(program.gcode);
@@ -55,6 +56,7 @@ void Frame(const v1::FrameRequest& request) {
 }
 
 void Run(const MotionCall& given) {
+  CheckRoundTrip(given.shared());
   for (const v1::ProgramRequest& request : given.requests()) {
     CheckRoundTrip(request.start());
     CheckRoundTrip(request.layer());

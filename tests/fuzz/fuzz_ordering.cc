@@ -1,6 +1,7 @@
 #include <vector>
 
 #include "common/wire/layers/plan_wire.h"
+#include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "services/ordering/algo/local_ordering_stage.h"
@@ -13,6 +14,7 @@ namespace {
 
 void Run(const OrderCall& given) {
   static const auto stage = ordering::MakeLocalOrdering();
+  CheckRoundTrip(given.shared());
   for (const v1::OrderRequest& request : given.requests()) {
     CheckRoundTrip(request.start());
     CheckRoundTrip(request.layer().layer());
@@ -20,7 +22,8 @@ void Run(const OrderCall& given) {
   }
   Requests<v1::OrderRequest> requests(given.requests());
   const auto start = ReadStart<v1::OrderRequest>(requests, WithDeadline());
-  if (!start.ok()) return;
+  const auto shared = FromProto(given.shared());
+  if (!start.ok() || !shared.ok()) return;
   std::vector<FilledLayer> layers;
   std::vector<LayerPlan> plans;
   const absl::Status read =
@@ -30,8 +33,7 @@ void Run(const OrderCall& given) {
         return appended;
       });
   if (!read.ok()) return;
-  const auto ordered =
-      stage->Order(start->call, std::move(layers), plans, start->copies, start->options);
+  const auto ordered = stage->Order(start->call, std::move(layers), plans, *shared);
   if (!ordered.ok()) return;
   for (const OrderedLayer& layer : *ordered) CheckRoundTrip(Encoded<v1::OrderedLayer>(layer));
 }

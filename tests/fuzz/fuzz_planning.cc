@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
+#include "common/stage/print_layers.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
@@ -16,13 +17,15 @@ namespace {
 /// Seams go by the rings of a section that there is.
 bool Fits(const SectionPlan& plan, const SlicedLayer& layer) {
   for (const ObjectSection& section : layer.sections) {
-    if (section.object != plan.object) continue;
+    if (section.stack.id != plan.stack) continue;
     return plan.seams.empty() || plan.seams.size() == Rings(OutlineOf(section)).size();
   }
   return false;
 }
 
-void Check(const JobPlan& plan, const PlanStart& start, const std::vector<SlicedLayer>& layers) {
+void Check(const JobPlan& plan, const PlanStart& start, std::vector<SlicedLayer> parts) {
+  const std::vector<SlicedLayer> layers =
+      PrintLayers(std::move(parts), plan.lifts_nm, plan.stacks);
   if (plan.layers.size() != layers.size() || plan.copies.size() != start.copies.size()) {
     std::abort();
   }
@@ -32,10 +35,11 @@ void Check(const JobPlan& plan, const PlanStart& start, const std::vector<Sliced
       if (!Fits(section, layers[i])) std::abort();
   }
   for (const Copy& copy : plan.copies) CheckRoundTrip(Encoded<v1::Copy>(copy));
-  for (const PlateAddition& addition : plan.additions) {
-    if (addition.layer >= std::ssize(layers)) std::abort();
-    CheckRoundTrip(Encoded<v1::PlateAddition>(addition));
-  }
+  for (const AddedStack& added : plan.stacks)
+    for (const ObjectSection& section : added.sections)
+      CheckRoundTrip(Encoded<v1::ObjectSection>(section));
+  if (plan.skirt.layers > std::ssize(layers)) std::abort();
+  CheckRoundTrip(Encoded<v1::Skirt>(plan.skirt));
 }
 
 void Run(const PlanCall& given) {

@@ -1,19 +1,24 @@
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "common/wire/layers/fill_use_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/program_wire.h"
+#include "common/wire/milling/mill_input_wire.h"
 #include "common/wire/stage_call_wire.h"
+#include "common/wire/stage_jobs_wire.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "processes/fdm/wire/fdm_work.h"
 #include "processes/laser/wire/laser_work.h"
 #include "processes/list/tasks.h"
 #include "processes/list/wire.h"
+#include "processes/mill/wire/mill_work.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/exposure/algo/local_exposure_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
+#include "services/milling/algo/local_milling_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "tests/fuzz/calls.pb.h"
@@ -40,30 +45,49 @@ ProcessRunners RunnersOver(const Stages& stages) {
   return ProcessRunners(std::move(runners));
 }
 
+/// Has `work` name what the call has beside it.
+template <typename Work, typename Proto>
+void Name(const Proto& proto, Work& work, SharedCache& cache) {
+  CheckRoundTrip(proto);
+  std::string bytes = proto.SerializeAsString();
+  work.set_shared(SharedDigest(proto.GetTypeName(), bytes));
+  cache.Put({proto.GetTypeName(), work.shared(), std::move(bytes)});
+}
+
 void Run(const WorkCall& given) {
   static const auto beading = beading::MakeLocalBeading();
   static const auto infill = infill::MakeLocalInfill();
   static const auto ordering = ordering::MakeLocalOrdering();
   static const auto motion = motion::MakeLocalMotion();
   static const auto exposure = exposure::MakeLocalExposure();
+  static const auto milling = milling::MakeLocalMilling();
   static const ProcessRunners runners = RunnersOver({.beading = beading.get(),
                                                      .infill = infill.get(),
                                                      .ordering = ordering.get(),
                                                      .motion = motion.get(),
-                                                     .exposure = exposure.get()});
+                                                     .exposure = exposure.get(),
+                                                     .milling = milling.get()});
   for (const v1::WorkRequest& request : given.requests()) {
     CheckRoundTrip(request.start().fdm());
     CheckRoundTrip(request.start().laser());
+    CheckRoundTrip(request.start().mill());
     CheckRoundTrip(request.layer());
   }
   Requests<v1::WorkRequest> requests(given.requests());
   OneWay end(requests);
   v1::WorkRequest first;
   if (!end.Read(&first)) return;
+  SharedCache shared(0);
+  if (first.start().has_fdm())
+    Name(given.fdm(), *first.mutable_start()->mutable_fdm(), shared);
+  else if (first.start().has_laser())
+    Name(given.laser(), *first.mutable_start()->mutable_laser(), shared);
+  else if (first.start().has_mill())
+    Name(given.mill(), *first.mutable_start()->mutable_mill(), shared);
   const TaskWire* wire = WireOf(first.start());
   if (wire == nullptr || !FromProto(first.start().call()).ok()) return;
   const CancelToken cancel = WithDeadline();
-  const auto received = wire->Receive(first.start(), cancel, end);
+  const auto received = wire->Receive(first.start(), shared, cancel, end);
   if (!received.ok()) return;
   StageCall call;
   call.cancel = cancel;

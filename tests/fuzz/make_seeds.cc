@@ -12,10 +12,14 @@
 #include "absl/status/statusor.h"
 #include "common/base/sha256.h"
 #include "common/config/plate.h"
+#include "common/model/milling/cutter_text.h"
 #include "common/wire/layers/exposure_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/layers/program_wire.h"
+#include "common/wire/milling/mill_input_wire.h"
+#include "common/wire/milling/mill_start_wire.h"
+#include "common/wire/milling/milled_wire.h"
 #include "common/wire/options/exposure_options_wire.h"
 #include "common/wire/options/given_settings_wire.h"
 #include "common/wire/options/motion_options_wire.h"
@@ -23,12 +27,15 @@
 #include "common/wire/scene_wire.h"
 #include "common/wire/slicing_wire.h"
 #include "common/wire/stage_call_wire.h"
+#include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/repeated_wire.h"
 #include "processes/fdm/wire/fdm_work.h"
 #include "processes/laser/wire/laser_work.h"
+#include "processes/mill/wire/mill_work.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
+#include "services/milling/algo/local_milling_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "services/planning/algo/local_planning_stage.h"
@@ -264,8 +271,8 @@ void WriteWorkSeed(const Seeds& seeds, const std::string& name, const Job& job) 
   WorkCall work;
   v1::WorkStart& start = *work.add_requests()->mutable_start();
   *start.mutable_call() = ToProto(job.call);
-  Must(ToProto(FdmWork{FdmOf(job.settings), job.range, job.plans(), job.plan.copies, job.facts},
-               start.mutable_fdm()));
+  Must(ToProto(FdmWork{job.range, job.plans(), {}}, start.mutable_fdm()));
+  Must(ToProto(FdmShared{FdmOf(job.settings), job.plan.copies, job.facts}, work.mutable_fdm()));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, work.add_requests()->mutable_layer()));
@@ -276,15 +283,14 @@ std::vector<WalledLayer> WriteBeadSeeds(const Seeds& seeds, const std::string& n
                                         const Job& job) {
   BeadCall bead;
   v1::BeadStart& start = *bead.add_requests()->mutable_start();
-  Must(ToProto(BeadStart{job.call, FdmOf(job.settings).beading, job.range}, &start));
+  Must(ToProto(BeadStart{job.call, {}, job.range}, &start));
+  Must(ToProto(FdmOf(job.settings).beading, bead.mutable_shared()));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, bead.add_requests()->mutable_layer()));
   seeds.Write("beading", name, bead);
-  for (v1::BeadingOptions& options :
-       *bead.mutable_requests(0)->mutable_start()->mutable_options()) {
+  for (v1::BeadingOptions& options : *bead.mutable_shared()->mutable_rows())
     options.set_generator(v1::WALL_GENERATOR_CLASSIC);
-  }
   seeds.Write("beading", name + "_classic", bead);
   return Must(beading::MakeLocalBeading()->Bead(job.call, job.neighbourhood(),
                                                 FdmOf(job.settings).beading));
@@ -294,7 +300,8 @@ std::vector<FilledLayer> WriteFillSeed(const Seeds& seeds, const std::string& na
                                        std::vector<WalledLayer> walled) {
   FillCall fill;
   v1::FillStart& start = *fill.add_requests()->mutable_start();
-  Must(ToProto(FillStart{job.call, FdmOf(job.settings).infill, job.range}, &start));
+  Must(ToProto(FillStart{job.call, {}, job.range}, &start));
+  Must(ToProto(FdmOf(job.settings).infill, fill.mutable_shared()));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, fill.add_requests()->mutable_neighbour()));
@@ -313,7 +320,9 @@ std::vector<OrderedLayer> WriteOrderSeed(const Seeds& seeds, const std::string& 
                                          const Job& job, std::vector<FilledLayer> filled) {
   OrderCall order;
   v1::OrderStart& start = *order.add_requests()->mutable_start();
-  Must(ToProto(OrderStart{job.call, FdmOf(job.settings).ordering, job.plan.copies}, &start));
+  const OrderingJob shared{FdmOf(job.settings).ordering, job.plan.copies};
+  Must(ToProto(OrderStart{job.call, {}}, &start));
+  Must(ToProto(shared, order.mutable_shared()));
   Anonymous(&start);
   const std::vector<LayerPlan> plans = job.plans();
   for (size_t i = 0; i < filled.size(); ++i) {
@@ -322,20 +331,21 @@ std::vector<OrderedLayer> WriteOrderSeed(const Seeds& seeds, const std::string& 
     Must(ToProto(plans[i], planned.mutable_plan()));
   }
   seeds.Write("ordering", name, order);
-  return Must(ordering::MakeLocalOrdering()->Order(job.call, std::move(filled), plans,
-                                                   job.plan.copies, FdmOf(job.settings).ordering));
+  return Must(ordering::MakeLocalOrdering()->Order(job.call, std::move(filled), plans, shared));
 }
 
 void WriteMotionSeed(const Seeds& seeds, const std::string& name, const Job& job,
                      std::vector<OrderedLayer> ordered) {
   MotionCall motion;
   v1::ProgramStart& start = *motion.add_requests()->mutable_start();
-  Must(ToProto(ProgramStart{job.call, FdmOf(job.settings).motion, job.facts}, &start));
+  const MotionJob shared{FdmOf(job.settings).motion, job.facts};
+  Must(ToProto(ProgramStart{job.call, {}}, &start));
+  Must(ToProto(shared, motion.mutable_shared()));
   Anonymous(&start);
   for (const OrderedLayer& layer : ordered)
     Must(ToProto(layer, motion.add_requests()->mutable_layer()));
-  const auto programs = Must(motion::MakeLocalMotion()->Program(
-      job.call, std::move(ordered), job.facts, FdmOf(job.settings).motion));
+  const auto programs =
+      Must(motion::MakeLocalMotion()->Program(job.call, std::move(ordered), shared));
   ProgramSummary summary;
   for (const LayerProgram& program : programs) {
     summary.layers.push_back({.frame = program.frame,
@@ -368,7 +378,9 @@ void WriteExposureSeeds(const Seeds& seeds, const std::string& name, const Job& 
     }
     ExposeCall call;
     v1::ExposeStart& start = *call.add_requests()->mutable_start();
-    Must(ToProto(ExposeStart{job.call, settings, job.range, job.plan.copies}, &start));
+    const ExposureJob shared{settings, job.plan.copies};
+    Must(ToProto(ExposeStart{job.call, {}, job.range}, &start));
+    Must(ToProto(shared, call.mutable_shared()));
     Anonymous(&start);
     for (const SlicedLayer& layer : job.sliced.layers)
       Must(ToProto(layer, call.add_requests()->mutable_layer()));
@@ -380,11 +392,46 @@ void WriteExposureSeeds(const Seeds& seeds, const std::string& name, const Job& 
     WorkCall work;
     v1::WorkStart& whole = *work.add_requests()->mutable_start();
     *whole.mutable_call() = ToProto(job.call);
-    Must(ToProto(LaserWork{settings, job.range, job.plan.copies}, whole.mutable_laser()));
+    Must(ToProto(LaserWork{job.range, {}}, whole.mutable_laser()));
+    Must(ToProto(shared, work.mutable_laser()));
     Anonymous(&whole);
     for (const SlicedLayer& layer : job.sliced.layers)
       Must(ToProto(layer, work.add_requests()->mutable_layer()));
     seeds.Write("worker", "laser_" + seed, work);
+  }
+}
+
+/// Of a small block: its own stage's call with all steps, and a worker's.
+void WriteMillSeeds(const Seeds& seeds) {
+  MillInput input;
+  constexpr Coord kSide = 6'000'000;
+  for (const Coord z : {Coord{0}, Coord{2'000'000}})
+    for (const Coord y : {Coord{0}, kSide})
+      for (const Coord x : {Coord{0}, kSide}) input.part.vertices.push_back({x, y, z});
+  input.part.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                          {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  const auto stage = milling::MakeLocalMilling();
+  for (const char* cutter : {"cyl:3", "ball:3", "bull:3:0.5", "cone:3:45", "ballcone:1:20:3"}) {
+    input.settings.how.cutter = *ParseCutter(cutter);
+    input.settings.how.finish_stepdown_mm = input.settings.how.finish_stepover_mm = 1;
+    const Shared<MillInput> shared(input);
+    const auto count = static_cast<int32_t>(Must(stage->LayOut({}, shared)).steps.size());
+    MillCall call;
+    v1::MillStart& start = *call.add_requests()->mutable_start();
+    Must(ToProto(MillStart{{}, {}, {0, count}, count, "stepdown = 1\n"}, &start));
+    Anonymous(&start);
+    Must(ToProto(input, call.mutable_shared()));
+    for (const MilledStep& step : Must(stage->Mill({}, shared, {0, count})))
+      Must(ToProto(step, call.add_requests()->mutable_step()));
+    const std::string name(cutter, std::string_view(cutter).find(':'));
+    seeds.Write("milling", name, call);
+    WorkCall work;
+    v1::WorkStart& whole = *work.add_requests()->mutable_start();
+    *whole.mutable_call() = ToProto(StageCall());
+    Must(ToProto(MillWork{{0, count}, MillPhase::kRoughing, 0, 4, {}}, whole.mutable_mill()));
+    Must(ToProto(input, work.mutable_mill()));
+    Anonymous(&whole);
+    seeds.Write("worker", "mill_" + name, work);
   }
 }
 
@@ -406,6 +453,7 @@ int main(int argc, char** argv) {
   if (argc != 2) return std::fprintf(stderr, "usage: make_seeds FOLDER\n"), 1;
   const slicefarm::fuzz::Seeds seeds(argv[1]);
   slicefarm::fuzz::WriteCoordinatorSeeds(seeds);
+  slicefarm::fuzz::WriteMillSeeds(seeds);
   slicefarm::fuzz::WriteStageSeeds(seeds, "box", slicefarm::fuzz::JobOf(slicefarm::fuzz::Box()));
   slicefarm::fuzz::Job boxes = slicefarm::fuzz::JobOf(slicefarm::fuzz::BoxesWithModifier());
   FdmOf(boxes.settings).motion.labels = slicefarm::ObjectLabels::kFirmware;

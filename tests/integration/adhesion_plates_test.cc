@@ -14,6 +14,7 @@
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/convex.h"
 #include "common/model/bead_section.h"
+#include "common/stage/print_layers.h"
 #include "common/stage/object_layers.h"
 #include "processes/fdm/task/layer_chain.h"
 #include "services/beading/algo/local_beading_stage.h"
@@ -64,17 +65,13 @@ struct Plate {
 
 Plate PlateOf(const MultiPolygon& outline, const std::vector<Point>& places, int32_t layer_count,
               const JobSettings& settings) {
-  const RaftHeights& raft = settings.slicing.objects[0].raft;
   Plate plate;
-  for (int32_t i = 0; i < raft.layers; ++i)
-    plate.layers.push_back({{i, raft.TopOf(i), raft.HeightOf(i)}, {}});
   const Coord height_nm = settings.slicing.objects[0].layer_height_nm;
   for (int32_t i = 0; i < layer_count; ++i) {
-    const Coord below_nm = plate.layers.empty() ? 0 : plate.layers.back().frame.print_z_nm;
-    const Coord top_nm = raft.LiftNm() + (i + 1) * height_nm;
-    ObjectSection section{0,  i, layer_count, height_nm, {{Role::kPart, 0, 0, outline}},
-                          {}, 0, {},          {}};
-    plate.layers.push_back({{raft.layers + i, top_nm, top_nm - below_nm}, {section}});
+    const Coord top_nm = (i + 1) * height_nm;
+    ObjectSection section{0,  i,      layer_count, height_nm, {{Role::kPart, 0, 0, outline}},
+                          {}, top_nm, {}};
+    plate.layers.push_back({{i, top_nm, height_nm}, {section}});
   }
   for (const Point place : places) {
     plate.copies.push_back({0, place, {}});
@@ -84,19 +81,11 @@ Plate PlateOf(const MultiPolygon& outline, const std::vector<Point>& places, int
   return plate;
 }
 
-/// Adds to the layers what planning puts on the plate, as the pipeline does.
-void AddToPlate(JobPlan& plan, std::vector<SlicedLayer>& layers) {
-  for (PlateAddition& addition : plan.additions) {
-    const auto layer = static_cast<size_t>(addition.layer);
-    for (const Path& path : addition.paths) plan.layers[layer].paths.push_back(path);
-    if (addition.regions.empty()) continue;
-    ObjectSection section;
-    section.object = kPlate;
-    section.height_nm = addition.height_nm;
-    section.regions = std::move(addition.regions);
-    ASSERT_EQ(section.regions.size(), 1u);
-    layers[layer].sections.insert(layers[layer].sections.begin(), std::move(section));
-  }
+/// The layers of the print, and the skirt in its plans, as the pipeline does it.
+void TakePlan(JobPlan& plan, std::vector<SlicedLayer>& layers) {
+  layers = PrintLayers(std::move(layers), plan.lifts_nm, plan.stacks);
+  for (int32_t i = 0; i < plan.skirt.layers; ++i)
+    plan.layers[static_cast<size_t>(i)].paths = plan.skirt.loops;
 }
 
 class Stages {
@@ -105,18 +94,18 @@ class Stages {
   std::vector<std::vector<Path>> OnPlate(Plate& plate, const JobSettings& settings) const {
     auto plan = planning_->Plan({}, {plate.layers, plate.copies}, FdmOf(settings).planning);
     EXPECT_TRUE(plan.ok()) << plan.status();
-    AddToPlate(*plan, plate.layers);
+    TakePlan(*plan, plate.layers);
     // The parts' own beads are none of this test's business: only the plate is walled.
     for (SlicedLayer& layer : plate.layers)
-      std::erase_if(layer.sections, [](const auto& section) { return section.object != kPlate; });
+      std::erase_if(layer.sections, [](const auto& section) { return section.stack.IsPart(); });
     const LayerRange range{0, static_cast<int32_t>(plate.layers.size())};
     auto walled = beading_->Bead({}, {range, plate.layers}, FdmOf(settings).beading);
     EXPECT_TRUE(walled.ok()) << walled.status();
     auto filled = infill_->Fill({}, *std::move(walled), {range, plate.layers}, plan->layers,
                                 FdmOf(settings).infill);
     EXPECT_TRUE(filled.ok()) << filled.status();
-    auto ordered = ordering_->Order({}, *std::move(filled), plan->layers, plan->copies,
-                                    FdmOf(settings).ordering);
+    auto ordered = ordering_->Order({}, *std::move(filled), plan->layers,
+                                    OrderingJob{FdmOf(settings).ordering, plan->copies});
     EXPECT_TRUE(ordered.ok()) << ordered.status();
     std::vector<std::vector<Path>> layers;
     for (const OrderedLayer& layer : *ordered) {
@@ -309,7 +298,7 @@ TEST(AdhesionPlates, RangesDoNotMatter) {
   auto plan = planning::MakeLocalPlanning()->Plan({}, {plate.layers, plate.copies},
                                                   FdmOf(settings).planning);
   ASSERT_TRUE(plan.ok()) << plan.status();
-  AddToPlate(*plan, plate.layers);
+  TakePlan(*plan, plate.layers);
   const auto beading = beading::MakeLocalBeading();
   const auto infill = infill::MakeLocalInfill();
   const auto ordering = ordering::MakeLocalOrdering();
@@ -328,9 +317,7 @@ TEST(AdhesionPlates, RangesDoNotMatter) {
               .subspan(static_cast<size_t>(halo.first), static_cast<size_t>(halo.size())),
           std::span(plan->layers)
               .subspan(static_cast<size_t>(range.first), static_cast<size_t>(range.size())),
-          plan->copies,
-          &facts,
-          &FdmOf(settings)};
+          FdmShared{FdmOf(settings), plan->copies, facts}};
       const auto result = chain.Run({}, task);
       EXPECT_TRUE(result.ok()) << result.status();
       if (!result.ok()) return gcode;

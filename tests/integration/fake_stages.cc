@@ -29,9 +29,9 @@ MultiPolygon Islands() {
   return MakePolygonsOrDie("(0 0, 9 0, 9 9, 0 9) (1 1, 2 1, 2 2) ; (20 0, 30 0, 30 10)");
 }
 
-ObjectSection SectionOf(int32_t object, int32_t layer, std::vector<Region> regions) {
+ObjectSection SectionOf(Stack stack, int32_t layer, std::vector<Region> regions) {
   ObjectSection section;
-  section.object = object;
+  section.stack = stack;
   section.layer = layer;
   section.layer_count = Sample::kLayerCount;
   section.height_nm = kHeightNm;
@@ -41,14 +41,16 @@ ObjectSection SectionOf(int32_t object, int32_t layer, std::vector<Region> regio
 
 SlicedLayer OutlinesOf(int32_t index) {
   SlicedLayer layer{FrameOf(index), {}};
-  if (index == Sample::kRange.first) {
-    layer.sections.push_back(SectionOf(kPlate, 0, {{Role::kBrim, 0, 0, Islands()}}));
-  }
   const MultiPolygon whole = Islands();
   layer.sections.push_back(
       SectionOf(0, index, {{Role::kPart, 0, 0, {whole[0]}}, {Role::kPart, 1, 0, {whole[1]}}}));
   layer.sections.back().whole = whole;
   layer.sections.push_back(SectionOf(2, index, {{Role::kPart, 1, 0, whole}}));
+  if (index == Sample::kRange.first) {
+    const Stack brim(3, kPlateObject, StackKind::kBrim);
+    layer.sections.push_back(SectionOf(brim, 0, {{Role::kBrim, 0, 0, Islands()}}));
+    layer.sections.back().layer_count = 1;
+  }
   return layer;
 }
 
@@ -88,7 +90,7 @@ void AddLayer(int32_t index, Sample* sample) {
                            {{0, 0, FillPattern::kLightning, {{{1, 2}, {3, index}}}, {}, {}, 0}}});
   sample->ordered.push_back(
       {frame,
-       {{kPlate, 0, kHeightNm, {skirt}}, {0, index, kHeightNm, {wall, line, line}}},
+       {{kSkirtStack, 0, kHeightNm, {skirt}}, {0, index, kHeightNm, {wall, line, line}}},
        {{0, -1, 0, {}}, {1, 0, 0, {1'000, -2'000}}, {1, 1, 1, {}}}});
   AddProgram(index, 0, sample);
   if (index == Sample::kRange.first) AddProgram(index, 1, sample);
@@ -140,10 +142,10 @@ JobPlan PlanWithAll() {
   JobPlan plan;
   for (int32_t i = 0; i < 3; ++i)
     plan.layers.push_back({{1, i}, false, false, {{0, {2, 3}, {}, {{4, 5}}}}, {}, {}});
-  plan.additions = {{0,
-                     kHeightNm,
-                     {{Role::kBrim, 1, 0, Islands()}},
-                     {PathOf(Feature::kSkirt, "(-5 -5, 40 -5)", false)}}};
+  const Stack brim(3, 0, StackKind::kBrim);
+  plan.stacks = {{brim, 5'000, {SectionOf(brim, 0, {{Role::kBrim, 1, 0, Islands()}})}}};
+  plan.skirt = {{PathOf(Feature::kSkirt, "(-5 -5, 40 -5)", false)}, 2};
+  plan.lifts_nm = {300'000, 0, 0};
   plan.copies = {{0, {1'000, -2'000}, 0}, {0, {}, 1}, {2, {7'000, 0}, 0}};
   plan.seams = {9, 8, 1, 2.5, 4, 3, 1};
   return plan;
@@ -244,11 +246,20 @@ absl::Status FakePlanning::Plan(rpc::Call& call, Stream& stream) {
                                        [](const LayerPlan& layer, v1::PlanResponse* proto) {
                                          return ToProto(layer, proto->mutable_layer());
                                        });
-  status.Update(WriteEach<v1::PlanResponse>(
-      stream, plan.additions, [](const PlateAddition& addition, v1::PlanResponse* proto) {
-        return ToProto(addition, proto->mutable_addition());
-      }));
+  for (const AddedStack& added : plan.stacks) {
+    v1::PlanResponse head;
+    status.Update(ToProto(added, head.mutable_stack()));
+    stream.Write(head);
+    status.Update(WriteEach<v1::PlanResponse>(
+        stream, added.sections, [](const ObjectSection& section, v1::PlanResponse* proto) {
+          return ToProto(section, proto->mutable_section());
+        }));
+  }
+  v1::PlanResponse skirt;
+  status.Update(ToProto(plan.skirt, skirt.mutable_skirt()));
+  stream.Write(skirt);
   v1::PlanResponse end;
+  end.mutable_end()->mutable_lifts_nm()->Assign(plan.lifts_nm.begin(), plan.lifts_nm.end());
   *end.mutable_end()->mutable_seams() = ToProto(plan.seams);
   for (const Copy& copy : plan.copies) {
     status.Update(ToProto(copy, end.mutable_end()->add_copies()));
@@ -259,42 +270,41 @@ absl::Status FakePlanning::Plan(rpc::Call& call, Stream& stream) {
 
 absl::StatusOr<std::vector<WalledLayer>> FakeBeading::Bead(
     const StageCall& call, const Neighbourhood& neighbourhood,
-    std::span<const BeadingOptions> regions) const {
+    const Shared<BeadingTable>& regions) const {
   Note(neighbourhood, &fakes_);
-  fakes_.beading_options.assign(regions.begin(), regions.end());
+  fakes_.beading_options = *regions;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   return Answer(TheSample().walled, fakes_);
 }
 
 absl::StatusOr<std::vector<FilledLayer>> FakeInfill::Fill(
     const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
-    std::span<const LayerPlan> plans, std::span<const InfillOptions> regions) const {
+    std::span<const LayerPlan> plans, const Shared<InfillTable>& regions) const {
   Note(neighbourhood, &fakes_);
   fakes_.infill_plans.assign(plans.begin(), plans.end());
   fakes_.walled = std::move(walled);
-  fakes_.infill_options.assign(regions.begin(), regions.end());
+  fakes_.infill_options = *regions;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   return Answer(TheSample().filled, fakes_);
 }
 
 absl::StatusOr<std::vector<OrderedLayer>> FakeOrdering::Order(
     const StageCall& call, std::vector<FilledLayer> layers, std::span<const LayerPlan> plans,
-    std::span<const Copy> copies, const OrderingOptions& options) const {
+    const Shared<OrderingJob>& job) const {
   fakes_.filled = std::move(layers);
   fakes_.plans.assign(plans.begin(), plans.end());
-  fakes_.copies.assign(copies.begin(), copies.end());
-  fakes_.ordering_options = options;
+  fakes_.copies = job->copies;
+  fakes_.ordering_options = job->options;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   return Answer(TheSample().ordered, fakes_);
 }
 
 absl::StatusOr<std::vector<LayerProgram>> FakeMotion::Program(const StageCall& call,
                                                               std::vector<OrderedLayer> layers,
-                                                              const JobFacts& facts,
-                                                              const MotionOptions& options) const {
+                                                              const Shared<MotionJob>& job) const {
   fakes_.ordered = std::move(layers);
-  fakes_.facts = facts;
-  fakes_.motion_options = options;
+  fakes_.facts = job->facts;
+  fakes_.motion_options = job->options;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   return Answer(TheSample().programs, fakes_);
 }
@@ -309,11 +319,11 @@ absl::StatusOr<ProgramEnvelope> FakeMotion::Envelope(const StageCall& call,
 }
 
 absl::StatusOr<std::vector<ExposedProgram>> FakeExposure::Expose(
-    const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
-    const ExposureSettings& settings) const {
+    const StageCall& call, const Neighbourhood& neighbourhood,
+    const Shared<ExposureJob>& job) const {
   Note(neighbourhood, &fakes_);
-  fakes_.copies.assign(copies.begin(), copies.end());
-  fakes_.exposure = settings;
+  fakes_.copies = job->copies;
+  fakes_.exposure = job->settings;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   return Answer(TheSample().exposed, fakes_);
 }
@@ -337,9 +347,9 @@ absl::StatusOr<FdmResult> RunFdm(const TaskRunner& runner, const StageCall& call
 absl::StatusOr<FdmResult> FakeRunner::Run(const StageCall& call, const FdmTask& task) const {
   Note({task.range, task.layers}, &fakes_);
   fakes_.plans.assign(task.plans.begin(), task.plans.end());
-  fakes_.copies.assign(task.copies.begin(), task.copies.end());
-  fakes_.facts = *task.facts;
-  fakes_.fdm_settings = *task.settings;
+  fakes_.copies = task.job->copies;
+  fakes_.facts = task.job->facts;
+  fakes_.fdm_settings = task.job->settings;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   const Sample& sample = TheSample();
   return FdmResult{Answer(sample.programs, fakes_), sample.warnings, sample.fills, sample.times};

@@ -104,9 +104,9 @@ class FakePlanning final : public v1::Planning::Service {
 class FakeBeading : public BeadingStage {
  public:
   explicit FakeBeading(FakeStages& fakes) : fakes_(fakes) {}
-  absl::StatusOr<std::vector<WalledLayer>> Bead(
-      const StageCall& call, const Neighbourhood& neighbourhood,
-      std::span<const BeadingOptions> regions) const override;
+  absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall& call,
+                                                const Neighbourhood& neighbourhood,
+                                                const Shared<BeadingTable>& regions) const override;
 
  private:
   FakeStages& fakes_;
@@ -115,9 +115,11 @@ class FakeBeading : public BeadingStage {
 class FakeInfill : public InfillStage {
  public:
   explicit FakeInfill(FakeStages& fakes) : fakes_(fakes) {}
-  absl::StatusOr<std::vector<FilledLayer>> Fill(
-      const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
-      std::span<const LayerPlan> plans, std::span<const InfillOptions> regions) const override;
+  absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall& call,
+                                                std::vector<WalledLayer> walled,
+                                                const Neighbourhood& neighbourhood,
+                                                std::span<const LayerPlan> plans,
+                                                const Shared<InfillTable>& regions) const override;
 
  private:
   FakeStages& fakes_;
@@ -129,8 +131,7 @@ class FakeOrdering : public OrderingStage {
   absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall& call,
                                                   std::vector<FilledLayer> layers,
                                                   std::span<const LayerPlan> plans,
-                                                  std::span<const Copy> copies,
-                                                  const OrderingOptions& options) const override;
+                                                  const Shared<OrderingJob>& job) const override;
 
  private:
   FakeStages& fakes_;
@@ -141,8 +142,7 @@ class FakeMotion : public MotionStage {
   explicit FakeMotion(FakeStages& fakes) : fakes_(fakes) {}
   absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
                                                     std::vector<OrderedLayer> layers,
-                                                    const JobFacts& facts,
-                                                    const MotionOptions& options) const override;
+                                                    const Shared<MotionJob>& job) const override;
   absl::StatusOr<ProgramEnvelope> Envelope(const StageCall& call, const ProgramSummary& summary,
                                            const MotionOptions& options) const override;
 
@@ -153,9 +153,9 @@ class FakeMotion : public MotionStage {
 class FakeExposure : public ExposureStage {
  public:
   explicit FakeExposure(FakeStages& fakes) : fakes_(fakes) {}
-  absl::StatusOr<std::vector<ExposedProgram>> Expose(
-      const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
-      const ExposureSettings& settings) const override;
+  absl::StatusOr<std::vector<ExposedProgram>> Expose(const StageCall& call,
+                                                     const Neighbourhood& neighbourhood,
+                                                     const Shared<ExposureJob>& job) const override;
   absl::StatusOr<ExposureEnvelope> Envelope(const StageCall& call, const ExposureSummary& summary,
                                             const ExposureSettings& settings) const override;
 

@@ -197,7 +197,7 @@ def check_refusals(program, models, folder):
         done = run(program, "slice", model, "-o", folder / "bad.out", *arguments)
         assert done.returncode == code and words in done.stderr, f"{arguments}: {done.returncode} {done.stderr}"
         assert not (folder / "bad.out").exists()
-    assert run(program, "slice", model, "-o", folder / "bad.out", "--machine", "mill").returncode not in (0, None)
+    assert run(program, "slice", model, "-o", folder / "bad.out", "--machine", "lathe").returncode not in (0, None)
 
 
 def check_farm(program, models, folder):

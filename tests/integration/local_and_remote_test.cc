@@ -46,12 +46,9 @@ class LocalAndRemote : public testing::Test {
 
   FdmTask TaskOf(LayerRange range) const {
     const LayerRange halo = WithHalo(job_.layers, range, HaloLayers(FdmOf(settings_)));
-    return {range,
-            std::span(job_.layers).subspan(halo.first, halo.size()),
+    return {range, std::span(job_.layers).subspan(halo.first, halo.size()),
             std::span(plan_.layers).subspan(range.first, range.size()),
-            plan_.copies,
-            &facts_,
-            &FdmOf(settings_)};
+            FdmShared{FdmOf(settings_), plan_.copies, facts_}};
   }
 
   const std::unique_ptr<SlicingStage> slicing_ = slicing::MakeLocalSlicing();
@@ -108,15 +105,17 @@ TEST_F(LocalAndRemote, EachStageGivesTheSame) {
             *filled);
 
   const auto order = [&](const OrderingStage& stage) {
-    return stage.Order(call_, *filled, plan_.layers, plan_.copies, FdmOf(settings_).ordering);
+    return stage.Order(call_, *filled, plan_.layers,
+                       OrderingJob{FdmOf(settings_).ordering, plan_.copies});
   };
   const auto ordered = order(*ordering_);
   ASSERT_TRUE(ordered.ok()) << ordered.status();
   EXPECT_EQ(*order(remote_.ordering), *ordered);
 
-  const auto programs = motion_->Program(call_, *ordered, facts_, FdmOf(settings_).motion);
+  const MotionJob motion_job{FdmOf(settings_).motion, facts_};
+  const auto programs = motion_->Program(call_, *ordered, motion_job);
   ASSERT_TRUE(programs.ok()) << programs.status();
-  EXPECT_EQ(*remote_.motion.Program(call_, *ordered, facts_, FdmOf(settings_).motion), *programs);
+  EXPECT_EQ(*remote_.motion.Program(call_, *ordered, motion_job), *programs);
 }
 
 // The service plans layers as they come, and knows no number of them before.
@@ -131,7 +130,7 @@ TEST_F(LocalAndRemote, PlanningRefusesTheSameHereAndThere) {
   copies.push_back({.object = 1, .shift = {}, .footprint = {}});
   refusals({job_.layers, copies}, FdmOf(settings_).planning);
   std::vector<SlicedLayer> layers = job_.layers;
-  layers[7].sections[0].object = 1;
+  layers[7].sections[0].stack = 1;
   refusals({layers, job_.copies}, FdmOf(settings_).planning);
 }
 
@@ -153,7 +152,7 @@ std::vector<SlicedLayer> ManyIslands(int32_t layers) {
   }
   std::vector<SlicedLayer> all;
   for (int32_t i = 0; i < layers; ++i) {
-    ObjectSection section{0, i, layers, 200'000, {{Role::kPart, 0, 0, islands}}, {}, 0, {}, {}};
+    ObjectSection section{0, i, layers, 200'000, {{Role::kPart, 0, 0, islands}}, {}, 0, {}};
     all.push_back({{i, (i + 1) * Coord{200'000}, 200'000}, {std::move(section)}});
   }
   return all;
@@ -307,8 +306,8 @@ class LaserLocalAndRemote : public LocalAndRemote {
 
   LaserTask LaserTaskOf(LayerRange range) const {
     const LayerRange halo = WithHalo(job_.layers, range, HaloLayers(exposure_settings_));
-    return {range, std::span(job_.layers).subspan(halo.first, halo.size()), plan_.copies,
-            &exposure_settings_};
+    return {range, std::span(job_.layers).subspan(halo.first, halo.size()),
+            ExposureJob{exposure_settings_, plan_.copies}};
   }
 
   ExposureSettings exposure_settings_;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "common/rpc/client/channel.h"
+#include "services/coordinator/remote/remote_milling.h"
 #include "services/coordinator/remote/remote_stages.h"
 #include "services/coordinator/remote/remote_worker.h"
 
@@ -15,23 +16,27 @@ struct RemoteClients {
       : replica(rpc::MakeChannel(address, channel)),
         slicing(replica, options),
         arranging(replica, options),
+        placing(replica, options),
         planning(replica, options),
         beading(replica, options),
         infill(replica, options),
         ordering(replica, options),
         motion(replica, options),
         exposure(replica, options),
+        milling(replica, options),
         worker(replica, options) {}
 
   coordinator::SingleReplica replica;
   coordinator::RemoteSlicing slicing;
   coordinator::RemoteArranging arranging;
+  coordinator::RemotePlacing placing;
   coordinator::RemotePlanning planning;
   coordinator::RemoteBeading beading;
   coordinator::RemoteInfill infill;
   coordinator::RemoteOrdering ordering;
   coordinator::RemoteMotion motion;
   coordinator::RemoteExposure exposure;
+  coordinator::RemoteMilling milling;
   coordinator::RemoteWorker worker;
 };
 

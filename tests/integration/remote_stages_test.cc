@@ -63,8 +63,8 @@ SlicedOutlines TheOutlines() { return {TheSample().job.layers, TheSample().job.c
 
 FdmTask TheTask() {
   const Sample& sample = TheSample();
-  return {Sample::kRange,     sample.outlines, sample.plans,
-          sample.plan.copies, &sample.facts,   &FdmOf(sample.settings)};
+  return {Sample::kRange, sample.outlines, sample.plans,
+          FdmShared{FdmOf(sample.settings), sample.plan.copies, sample.facts}};
 }
 
 TEST(RemoteStages, SlicingGivesAndTakesAll) {
@@ -109,7 +109,9 @@ TEST(RemoteStages, OutlinesAndPlansAreHeldInTheJobsMemory) {
   for (const SlicedLayer& layer : sample.job.layers) outlines += MemoryOf(layer);
   int64_t plan = 0;
   for (const LayerPlan& layer : sample.plan.layers) plan += MemoryOf(layer);
-  for (const PlateAddition& addition : sample.plan.additions) plan += MemoryOf(addition);
+  for (const AddedStack& added : sample.plan.stacks)
+    for (const ObjectSection& section : added.sections) plan += MemoryOf(section);
+  plan += MemoryOf(sample.plan.skirt);
   for (const int64_t limit : {outlines + plan, outlines + plan - 1, outlines - 1}) {
     MemoryBudget budget(limit);
     const auto share = budget.Take({}, "job-42", 0, {});
@@ -161,8 +163,9 @@ TEST(RemoteStages, InfillGivesAndTakesAll) {
 TEST(RemoteStages, OrderingGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto ordered = farm.ordering.Order(NewCall(), sample.filled, sample.plans,
-                                           sample.plan.copies, FdmOf(sample.settings).ordering);
+  const auto ordered =
+      farm.ordering.Order(NewCall(), sample.filled, sample.plans,
+                          OrderingJob{FdmOf(sample.settings).ordering, sample.plan.copies});
   ASSERT_TRUE(ordered.ok()) << ordered.status();
   EXPECT_EQ(*ordered, sample.ordered);
   EXPECT_EQ(farm.fakes.filled, sample.filled);
@@ -176,8 +179,8 @@ TEST(RemoteStages, OrderingGivesAndTakesAll) {
 TEST(RemoteStages, MotionGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto programs =
-      farm.motion.Program(NewCall(), sample.ordered, sample.facts, FdmOf(sample.settings).motion);
+  const auto programs = farm.motion.Program(NewCall(), sample.ordered,
+                                            MotionJob{FdmOf(sample.settings).motion, sample.facts});
   ASSERT_TRUE(programs.ok()) << programs.status();
   EXPECT_EQ(*programs, sample.programs);
   EXPECT_EQ(farm.fakes.ordered, sample.ordered);
@@ -213,6 +216,25 @@ TEST(RemoteStages, WorkerGivesAndTakesAll) {
   EXPECT_EQ(farm.fakes.facts, sample.facts);
   EXPECT_EQ(farm.fakes.fdm_settings, FdmOf(sample.settings));
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
+}
+
+// However often it is named, and by whatever copy of it.
+TEST(RemoteStages, WhatAJobsCallsShareIsSentOnce) {
+  Farm farm;
+  const Sample& sample = TheSample();
+  const Shared<InfillTable> table = FdmOf(sample.settings).infill;
+  for (int i = 0; i < 3; ++i) {
+    const Shared<InfillTable> copy = table;  // NOLINT(performance-unnecessary-copy-initialization)
+    const auto filled =
+        farm.infill.Fill(NewCall(), sample.walled, TheNeighbourhood(), sample.plans, copy);
+    ASSERT_TRUE(filled.ok()) << filled.status();
+  }
+  EXPECT_EQ(farm.host.shared().counts().misses, 1);
+  EXPECT_EQ(farm.host.shared().counts().hits, 3);
+  ASSERT_TRUE(RunFdm(farm.worker, NewCall(), TheTask()).ok());
+  ASSERT_TRUE(RunFdm(farm.worker, NewCall(), TheTask()).ok()) << "an equal one, made anew";
+  EXPECT_EQ(farm.host.shared().counts().misses, 2);
+  EXPECT_EQ(farm.host.shared().counts().entries, 2);
 }
 
 /// What holds for every call of every stage.
@@ -259,13 +281,14 @@ INSTANTIATE_TEST_SUITE_P(
                 [](const Farm& farm, const StageCall& call) {
                   const Sample& sample = TheSample();
                   return farm.ordering
-                      .Order(call, sample.filled, sample.plans, sample.plan.copies, {})
+                      .Order(call, sample.filled, sample.plans, OrderingJob{{}, sample.plan.copies})
                       .status();
                 }},
         AnyCall{"Program",
                 [](const Farm& farm, const StageCall& call) {
                   const Sample& sample = TheSample();
-                  return farm.motion.Program(call, sample.ordered, sample.facts, {}).status();
+                  return farm.motion.Program(call, sample.ordered, MotionJob{{}, sample.facts})
+                      .status();
                 }},
         AnyCall{"Frame",
                 [](const Farm& farm, const StageCall& call) {
@@ -276,8 +299,8 @@ INSTANTIATE_TEST_SUITE_P(
                 [](const Farm& farm, const StageCall& call) {
                   const Sample& sample = TheSample();
                   return farm.exposure
-                      .Expose(call, TheNeighbourhood(), sample.plan.copies,
-                              sample.exposure_settings)
+                      .Expose(call, TheNeighbourhood(),
+                              ExposureJob{sample.exposure_settings, sample.plan.copies})
                       .status();
                 }},
         AnyCall{"FrameExposure",
@@ -294,8 +317,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(RemoteStages, ExposureGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto programs = farm.exposure.Expose(NewCall(), TheNeighbourhood(), sample.plan.copies,
-                                             sample.exposure_settings);
+  const auto programs = farm.exposure.Expose(
+      NewCall(), TheNeighbourhood(), ExposureJob{sample.exposure_settings, sample.plan.copies});
   ASSERT_TRUE(programs.ok()) << programs.status();
   EXPECT_EQ(*programs, sample.exposed);
   EXPECT_EQ(farm.fakes.range, Sample::kRange);
@@ -458,15 +481,15 @@ TEST(StageServices, RefuseACallWithoutSettingsOfAnyRegion) {
   Farm farm;
   const absl::Status status = farm.beading.Bead(NewCall(), TheNeighbourhood(), {}).status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
-  EXPECT_EQ(DetailOf(status).metadata["field"], "start.options");
+  EXPECT_EQ(DetailOf(status).metadata["field"], "start.shared.rows");
 }
 
 TEST(StageServices, RefuseTablesOfDifferentLengths) {
   Farm farm;
-  FdmSettings settings = FdmOf(TheSample().settings);
-  settings.infill.pop_back();
   FdmTask task = TheTask();
-  task.settings = &settings;
+  FdmShared job = *task.job;
+  job.settings.infill.pop_back();
+  task.job = job;
   EXPECT_EQ(DetailOf(RunFdm(farm.worker, NewCall(), task).status()).reason,
             Reason::kRequestMalformed);
 }

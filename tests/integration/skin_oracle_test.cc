@@ -64,7 +64,7 @@ absl::StatusOr<Part> PartOf(const Case& c) {
   if (!job.ok()) return job.status();
   const BeadingOptions walls{.generator = c.generator, .perimeters = c.walls};
   const LayerRange range{0, static_cast<int32_t>(job->layers.size())};
-  auto walled = beading::MakeLocalBeading()->Bead({}, {range, job->layers}, std::span(&walls, 1));
+  auto walled = beading::MakeLocalBeading()->Bead({}, {range, job->layers}, BeadingTable{walls});
   if (!walled.ok()) return walled.status();
   return Part{std::move(job->layers), *std::move(walled)};
 }
@@ -75,7 +75,7 @@ absl::StatusOr<std::vector<FilledLayer>> Filled(const Part& part, int32_t skins)
   const LayerRange range{0, static_cast<int32_t>(part.layers.size())};
   const std::vector<LayerPlan> plans(part.layers.size());
   return infill::MakeLocalInfill()->Fill({}, part.walled, {range, part.layers}, plans,
-                                         std::span(&options, 1));
+                                         InfillTable{options});
 }
 
 MultiPolygon FillAreaOf(const WalledLayer& layer) {

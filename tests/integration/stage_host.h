@@ -8,10 +8,12 @@
 #include "common/rpc/observe/metrics.h"
 #include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/server.h"
+#include "common/rpc/server/shared_keeper.h"
 #include "common/stage/memory_budget.h"
 #include "common/stage/task.h"
 #include "services/planning/server/planning_service.h"
 #include "services/slicing/algo/placement/arranging/local_arranging_stage.h"
+#include "services/slicing/algo/placement/local_placing_stage.h"
 
 namespace slicefarm {
 
@@ -27,6 +29,7 @@ struct HostedStages {
   std::function<std::unique_ptr<grpc::Service>(rpc::CallGate&)> planning =
       planning::MakePlanningService;
   const ExposureStage* exposure = nullptr;  ///< null: it is not served
+  const MillingStage* milling = nullptr;    ///< likewise
 };
 
 /// All services of the stages and the worker behind one real socket.
@@ -39,13 +42,16 @@ class StageHost {
 
   std::string Address() const { return "127.0.0.1:" + std::to_string(server_->port()); }
   rpc::Server& server() { return *server_; }
+  const SharedCache& shared() { return keeper_.cache(); }
 
  private:
   rpc::Metrics metrics_;
   rpc::CallMetrics call_metrics_{metrics_.registry()};
   rpc::CallGate gate_;
+  rpc::SharedKeeper keeper_;
   MemoryBudget memory_{int64_t{1} << 30};
   const std::unique_ptr<ArrangingStage> arranging_ = slicing::MakeLocalArranging();
+  const std::unique_ptr<PlacingStage> placing_ = slicing::MakeLocalPlacing();
   std::vector<std::unique_ptr<grpc::Service>> services_;
   std::unique_ptr<rpc::Server> server_;
 };

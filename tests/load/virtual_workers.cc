@@ -12,11 +12,12 @@
 #include <vector>
 
 #include "absl/strings/str_join.h"
-#include "common/rpc/server/call_gate.h"
 #include "common/rpc/observe/json_log.h"
 #include "common/rpc/observe/metrics.h"
+#include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/open_files.h"
 #include "common/rpc/server/server.h"
+#include "common/rpc/server/shared_keeper.h"
 #include "common/rpc/server/shutdown_signal.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "services/worker/server/worker_service.h"
@@ -51,10 +52,12 @@ class SleepingRunner final : public FdmRunner {
 struct VirtualWorker {
   VirtualWorker(const FdmRunner& runner, const rpc::JsonLog& log, rpc::CallMetrics& metrics)
       : gate({.slots = 1, .queue = 4}, log),
-        service(worker::MakeWorkerService(runner, gate)),
-        server(*rpc::Server::Start({}, {service.get()}, metrics)) {}
+        keeper(log),
+        service(worker::MakeWorkerService(runner, gate, keeper.cache())),
+        server(*rpc::Server::Start({}, {service.get(), &keeper.service()}, metrics)) {}
 
   rpc::CallGate gate;
+  rpc::SharedKeeper keeper;
   std::unique_ptr<grpc::Service> service;
   std::unique_ptr<rpc::Server> server;
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/config/value.h"
+#include "common/model/milling/cutter_text.h"
 #include "common/model/options/settings.h"
 
 namespace slicefarm::config {
@@ -32,6 +33,7 @@ enum class Kind {
   kFlowTable,      ///< factors by length (common/model/options/flow_table.h)
   kHeightCode,     ///< JSON on one line (common/model/options/height_code.h); empty: none
   kSubstitutions,  ///< texts by fours (common/gcode/substitutions.h); empty: none
+  kCutter,         ///< a milling cutter (common/model/milling/cutter_text.h)
 };
 
 /// One name of a choice. PrusaSlicer's names that are not made yet stand in the table too: `note`
@@ -115,9 +117,13 @@ void Store(T& member, const Value& value, double divisor) {
   } else if constexpr (std::is_same_v<T, Coord>) {
     member = FromMm(value.number);
   } else if constexpr (std::is_same_v<T, std::string>) {
+    member = value.text.str();
+  } else if constexpr (std::is_same_v<T, SharedText>) {
     member = value.text;
   } else if constexpr (std::is_same_v<T, Polygon>) {
     if (auto bed = ParseBedShape(value.text); bed.ok()) member = *std::move(bed);
+  } else if constexpr (std::is_same_v<T, Cutter>) {
+    if (auto cutter = ParseCutter(value.text); cutter.ok()) member = *std::move(cutter);
   } else if constexpr (std::is_class_v<T>) {
     if (auto sizes = ParseSizes(value.text); sizes.ok()) member = *std::move(sizes);
   } else {
@@ -131,10 +137,12 @@ Value Load(const T& member, double divisor) {
     return {.number = Quantise(member * divisor)};
   } else if constexpr (std::is_same_v<T, Coord>) {
     return {.number = Quantise(ToMm(member))};
-  } else if constexpr (std::is_same_v<T, std::string>) {
+  } else if constexpr (std::is_same_v<T, std::string> || std::is_same_v<T, SharedText>) {
     return {.text = member};
   } else if constexpr (std::is_same_v<T, Polygon>) {
     return {.text = PrintBedShape(member)};
+  } else if constexpr (std::is_same_v<T, Cutter>) {
+    return {.text = member.name()};
   } else if constexpr (std::is_class_v<T>) {
     return {.text = PrintSizes(member)};
   } else {

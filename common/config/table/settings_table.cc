@@ -114,6 +114,15 @@ absl::StatusOr<Value> ParseSubstitutions(const SettingSpec& spec, std::string_vi
   return Value{.text = std::move(list)};
 }
 
+/// What is said of measures that no cutter has is told as it is.
+absl::StatusOr<Value> ParseCutterValue(const SettingSpec& spec, std::string_view text) {
+  const absl::StatusOr<Cutter> cutter = ParseCutter(text);
+  if (cutter.ok()) return Value{.text = cutter->name()};
+  const ErrorDetail detail = DetailOf(cutter.status());
+  if (detail.reason != Reason::kSettingMalformed) return cutter.status();
+  return MalformedError(spec, text, fmt::format("must be one of {}", kCutterForms));
+}
+
 std::string_view FirstItem(const SettingSpec& spec, std::string_view text) {
   if (spec.list == List::kNone) return text;
   return Trim(text.substr(0, text.find_first_of(",;")));
@@ -167,6 +176,8 @@ absl::StatusOr<Value> ParseValue(const SettingSpec& spec, std::string_view text)
                                                 PrintHeightCodes);
     case Kind::kSubstitutions:
       return ParseSubstitutions(spec, text);
+    case Kind::kCutter:
+      return ParseCutterValue(spec, text);
     default:
       return ParseQuantity(spec, FirstItem(spec, text));
   }
@@ -201,7 +212,8 @@ std::string PrintValue(const SettingSpec& spec, const Value& value) {
     case Kind::kFlowTable:
     case Kind::kHeightCode:
     case Kind::kSubstitutions:
-      return value.text;
+    case Kind::kCutter:
+      return value.text.str();
     case Kind::kChoice: {
       const auto meant =
           std::find_if(spec.choices.begin(), spec.choices.end(), [&](const Choice& c) {
@@ -254,6 +266,8 @@ std::string DescribeRange(const SettingSpec& spec) {
       return "a JSON list as [{\"z\":1.2,\"type\":\"pause\",\"text\":\"...\"}]";
     case Kind::kSubstitutions:
       return "\"pattern\";\"replacement\";\"flags\";\"notes\", and so on";
+    case Kind::kCutter:
+      return std::string(kCutterForms);
     case Kind::kNumberOrPercent:
       return fmt::format("{}, or % of {}", Range(spec),
                          spec.relative_to.empty() ? spec.percent_of : spec.relative_to);

@@ -73,6 +73,8 @@ std::vector<std::string> Samples(const SettingSpec& spec) {
       return {"", R"(a;"b c";r;)"};
     case Kind::kFlowTable:
       return {"0,0.5;2,1", "0,1.25;0.5,0.75;1,1"};
+    case Kind::kCutter:
+      return {"ball:4", "bull:6:1.5", "conecone:2:60:20:6"};
     case Kind::kPercent:
       return {PrintNumber(spec.min) + "%", PrintNumber(spec.max) + "%",
               PrintNumber(Quantise(spec.min + (spec.max - spec.min) / 3)) + "%"};

@@ -12,6 +12,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
 #include "common/geometry/rings/simple_rings.h"
+#include "common/geometry/vector.h"
 
 namespace slicefarm {
 namespace {
@@ -24,28 +25,17 @@ constexpr double kRoundingNm = 0.01;
 /// 1 + cos of the turn at which a miter is twice as long as the distance: corners of 60 degrees.
 constexpr double kSharpest = 0.5;
 
-struct Vector {
-  double x = 0;
-  double y = 0;
-
-  friend Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
-  friend Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
-  friend Vector operator*(double s, Vector a) { return {s * a.x, s * a.y}; }
-};
-double Dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
-double Cross(Vector a, Vector b) { return a.x * b.y - a.y * b.x; }
-
 /// An edge of a ring on its way. Places are relative to the ring's first point.
 struct MovingEdge {
-  Vector origin;     ///< where the edge started before it moved
-  Vector direction;  ///< unit; the island is to the left
-  Vector start;      ///< where its ends are now
-  Vector end;
+  Vector2 origin;     ///< where the edge started before it moved
+  Vector2 direction;  ///< unit; the island is to the left
+  Vector2 start;      ///< where its ends are now
+  Vector2 end;
   int previous = 0;
   int next = 0;
   bool gone = false;
 
-  Vector Normal() const { return {-direction.y, direction.x}; }
+  Vector2 Normal() const { return TurnedLeft(direction); }
   double Length() const { return Dot(end - start, direction); }
 };
 
@@ -90,21 +80,21 @@ class RingOffset {
   bool HasTips() const {
     return std::any_of(edges_.begin(), edges_.end(), [&](const MovingEdge& edge) {
       if (edge.gone) return false;
-      const Vector next = edges_[edge.next].direction;
+      const Vector2 next = edges_[edge.next].direction;
       return Cross(edge.direction, next) > 0 && 1 + Dot(edge.direction, next) < kSharpest;
     });
   }
 
  private:
-  void Append(Vector v, Polygon& ring) const {
-    const Point p{base_.x + std::llround(v.x), base_.y + std::llround(v.y)};
+  void Append(const Vector2& v, Polygon& ring) const {
+    const Point p{base_.x + std::llround(v.x()), base_.y + std::llround(v.y())};
     if (ring.empty() || ring.back() != p) ring.push_back(p);
   }
 
   /// Where two edges that share a corner meet after moving. At a sharp corner that they move away
   /// from, each ends for itself, in a square cut.
   bool MeetAtCorner(MovingEdge& e, MovingEdge& f) const {
-    const Vector corner = f.origin;
+    const Vector2 corner = f.origin;
     const double straightness = 1 + Dot(e.direction, f.direction);
     if (straightness < 1e-9) return false;  // turns back on itself
     const bool closing = turn_sign_ * Cross(e.direction, f.direction) > 0;
@@ -147,9 +137,9 @@ class RingOffset {
         turn_sign_ * Cross(edge.direction, after.direction) < 0) {
       return false;
     }
-    const Vector from = before.origin + left_ * before.Normal();
-    const Vector to = after.origin + left_ * after.Normal();
-    const Vector meet = from + Cross(to - from, after.direction) / turn * before.direction;
+    const Vector2 from = before.origin + left_ * before.Normal();
+    const Vector2 to = after.origin + left_ * after.Normal();
+    const Vector2 meet = from + Cross(to - from, after.direction) / turn * before.direction;
     const double beyond = turn_sign_ * (Dot(meet - edge.origin, edge.Normal()) - left_);
     if (beyond < -kRoundingNm) return false;
     before.end = after.start = meet;
@@ -183,7 +173,7 @@ bool HasReflexCorner(const Polygon& ring) {
 Polygon SweptCurve(const Polygon& ring, double distance) {
   struct Step {
     Point from;
-    Vector direction;
+    Vector2 direction;
     double length;
   };
   std::vector<Step> steps;
@@ -195,17 +185,17 @@ Polygon SweptCurve(const Polygon& ring, double distance) {
         {from, {static_cast<double>(d.x) / length, static_cast<double>(d.y) / length}, length});
   }
   Polygon curve;
-  const auto append = [&](Point base, Vector v) {
-    const Point p{base.x + std::llround(v.x), base.y + std::llround(v.y)};
+  const auto append = [&](Point base, const Vector2& v) {
+    const Point p{base.x + std::llround(v.x()), base.y + std::llround(v.y())};
     if (curve.empty() || curve.back() != p) curve.push_back(p);
   };
-  const auto normal = [](Vector d) { return Vector{-d.y, d.x}; };
   // Around a ring without reflex corners a point may lie in all rectangles and all overlaps, which
   // would come to nothing: there the first overlap stays.
   bool overlaps_left_out = HasReflexCorner(ring);
   for (size_t i = 0; i < steps.size(); ++i) {
     const Step &e = steps[i == 0 ? steps.size() - 1 : i - 1], &f = steps[i];
-    const Vector to_e = distance * normal(e.direction), to_f = distance * normal(f.direction);
+    const Vector2 to_e = distance * TurnedLeft(e.direction),
+                  to_f = distance * TurnedLeft(f.direction);
     const double cosine = Dot(e.direction, f.direction), straightness = 1 + cosine;
     if (straightness < 1e-9) return {};  // turns back on itself
     const bool convex = Cross(e.direction, f.direction) > 0;
@@ -214,7 +204,7 @@ Polygon SweptCurve(const Polygon& ring, double distance) {
     if (convex && (!overlaps_left_out || cosine < 0 || reach > e.length || reach > f.length)) {
       overlaps_left_out = true;
       append(f.from, to_e);
-      append(f.from, {});
+      append(f.from, Vector2::Zero());
       append(f.from, to_f);
     } else if (!convex && straightness < kSharpest) {
       const double cut = distance * Tan(Acos(std::max(-1.0, cosine)) / 4);

@@ -147,8 +147,8 @@ FieldGrid ReadNodes(Reader& reader) {
     grid.spacing_mm[i] = spacing[i];
   }
   if (nodes > static_cast<double>(limits::kMaxFieldValues))
-    reader.Fail(fmt::format("the grid has {:.0f} nodes: the limit is {}", nodes,
-                            limits::kMaxFieldValues));
+    reader.Fail(
+        fmt::format("the grid has {:.0f} nodes: the limit is {}", nodes, limits::kMaxFieldValues));
   return grid;
 }
 
@@ -256,8 +256,7 @@ absl::Status CheckUnity(const MaterialField& field) {
       return Wrong("parts cannot depend on the distance to the surface");
     if (part.law != DensityLaw::kLinear || part.dither != Dither::kNone)
       return Wrong("parts have neither a law nor dithering");
-    if (part.kind != first.kind || part.at_mm != first.at_mm ||
-        !SameNodes(part.grid, first.grid))
+    if (part.kind != first.kind || part.at_mm != first.at_mm || !SameNodes(part.grid, first.grid))
       return Wrong("all parts must be given at the same places");
   }
   for (size_t i = 0; i < ValuesOf(first).size(); ++i) {
@@ -330,6 +329,10 @@ absl::StatusOr<StressField> ParseStressField(std::string_view text) {
       std::ranges::all_of(field->xy.values, [](double value) { return value == 0; }))
     return Wrong("the stress is the same in all directions everywhere: no line could follow it");
   return field;
+}
+
+const absl::StatusOr<DensityField>& DensityFieldOf(const SharedText& text) {
+  return text.Once([](const std::string& json) { return ParseDensityField(json); });
 }
 
 absl::StatusOr<MaterialField> ParseMaterialField(std::string_view text) {

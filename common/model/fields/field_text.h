@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "absl/status/statusor.h"
+#include "common/base/shared/shared_text.h"
 #include "common/model/fields/density_field.h"
 #include "common/model/fields/material_field.h"
 #include "common/model/fields/stress_field.h"
@@ -16,6 +17,9 @@ namespace slicefarm {
 absl::StatusOr<DensityField> ParseDensityField(std::string_view text);
 absl::StatusOr<StressField> ParseStressField(std::string_view text);
 absl::StatusOr<MaterialField> ParseMaterialField(std::string_view text);
+
+/// The same of a text that many have, read once for all of them.
+const absl::StatusOr<DensityField>& DensityFieldOf(const SharedText& text);
 
 /// The inverse, in canonical form: numbers have six digits, and what has its standard is left out.
 std::string PrintDensityField(const DensityField& field);

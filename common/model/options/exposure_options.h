@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "common/base/shared/shared_text.h"
 #include "common/geometry/point.h"
 
 namespace slicefarm {
@@ -33,7 +34,7 @@ enum class DecomposeMethod : uint8_t {
 
 /// Which piece, stripe or island comes after which.
 enum class JumpOrder : uint8_t {
-  kNearest,       ///< least way with the laser off
+  kNearest,       ///< least way with the beam off
   kChequerboard,  ///< first every other one, then the rest: neighbours cool down between
   kFarthest,      ///< as far as can be from what was scanned before
   kAgainstGas,    ///< from where the gas flows to: smoke blows over what is done
@@ -42,7 +43,7 @@ enum class JumpOrder : uint8_t {
 /// Where contours begin and end.
 enum class ContourStart : uint8_t {
   kScattered,  ///< elsewhere in each layer, so that no seam runs up the part
-  kNearest,    ///< at the corner nearest to where the laser is
+  kNearest,    ///< at the corner nearest to where the beam is
   kRear,       ///< at the corner farthest back
 };
 
@@ -72,7 +73,7 @@ constexpr std::string_view ExposureKindName(ExposureKind kind) {
   return kNames[static_cast<size_t>(kind)];
 }
 
-/// How the laser draws. A pulsed one (point_distance_nm > 0) draws points: their time and the way
+/// How the beam draws. A pulsed one (point_distance_nm > 0) draws points: their time and the way
 /// between them replace the speed.
 struct ExposureStyle {
   double power_w = 200;
@@ -90,7 +91,7 @@ struct ExposureStyle {
 struct JumpOptions {
   double speed_mm_s = 5000;
   double delay_us = 0;          ///< after a jump, until the mirrors rest
-  double mark_delay_us = 0;     ///< after each line, until the laser is off
+  double mark_delay_us = 0;     ///< after each line, until the beam is off
   double polygon_delay_us = 0;  ///< at each corner of a line
 
   friend bool operator==(const JumpOptions&, const JumpOptions&) = default;
@@ -138,7 +139,7 @@ struct ExposureOptions {
   bool contours_first = true;
   ContourStart contour_start = ContourStart::kScattered;
   /// The scanner comes to and leaves each contour and thin wall on this length along its direction,
-  /// with the laser off, so that the laser begins and ends at full speed.
+  /// with the beam off, so that the beam begins and ends at full speed.
   Coord contour_run_nm = 0;
   bool thin_walls = true;  ///< what is too thin for a contour is exposed once along its middle
 
@@ -146,11 +147,11 @@ struct ExposureOptions {
   int32_t downskin_layers = 0;  ///< downskin: powder within this many layers below; 0: none
   Coord skin_overlap_nm = 0;    ///< how far skins reach into the rest
 
-  /// The laser melts this many layers deeper than the one it draws on: where so many layers below
+  /// The beam melts this many layers deeper than the one it draws on: where so many layers below
   /// are not all part, nothing is exposed.
   int32_t z_compensation_layers = 0;
 
-  /// The scanner runs up and out on this length beyond each hatch line with the laser off, so that
+  /// The scanner runs up and out on this length beyond each hatch line with the beam off, so that
   /// it draws at full speed. Longer way, and no mark delay.
   Coord skywriting_nm = 0;
 
@@ -182,7 +183,7 @@ struct ExposureOutput {
   bool dynamic_power = true;  ///< G-code of grbl: M4, less power where the head is slower
   double recoat_s = 0;        ///< before each layer: until there is new powder or resin
   /// Of G-code: templates before all layers, before and after each layer's move in Z, after all.
-  std::string start_gcode = {}, before_layer_gcode = {}, layer_gcode = {}, end_gcode = {};
+  SharedText start_gcode = {}, before_layer_gcode = {}, layer_gcode = {}, end_gcode = {};
 
   friend bool operator==(const ExposureOutput&, const ExposureOutput&) = default;
 };

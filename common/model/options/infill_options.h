@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
+#include "common/base/shared/shared_text.h"
 #include "common/geometry/point.h"
 #include "common/model/options/fill_patterns.h"
 #include "common/model/options/flow_table.h"
@@ -52,8 +52,8 @@ struct InfillOptions {
   double angle_rad =
       0.78539816339744831;  ///< fill_angle; solid layers turn by a right angle from layer to layer
   /// fill_angle_template, solid_fill_angle_template: canonical texts (fill_angles.h); empty: none.
-  std::string angle_template;
-  std::string solid_angle_template;
+  SharedText angle_template;
+  SharedText solid_angle_template;
   Coord sparse_width_nm = 450'000;       ///< infill_extrusion_width
   Coord solid_width_nm = 450'000;        ///< solid_infill_extrusion_width
   Coord top_width_nm = 450'000;          ///< top_infill_extrusion_width
@@ -78,10 +78,10 @@ struct InfillOptions {
   IroningOptions ironing;
   bool small_area_flow = false;  ///< small_area_infill_flow_compensation
   /// small_area_infill_flow_compensation_model: a canonical text (flow_table.h).
-  std::string small_area_flow_table = std::string(kSmallAreaFlowTable);
+  SharedText small_area_flow_table = kSmallAreaFlowTable;
   /// density_field, stress_field: canonical texts (fields/field_text.h); empty: none.
-  std::string density_field;
-  std::string stress_field;
+  SharedText density_field;
+  SharedText stress_field;
   /// How many layers above and below density_field looks at for the distance to the surface.
   int32_t field_halo_layers = 0;
 

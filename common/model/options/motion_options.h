@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/base/shared/shared_text.h"
 #include "common/geometry/point.h"
 #include "common/model/path.h"
 
@@ -135,12 +136,12 @@ struct WritingOptions {
   bool firmware_retraction = false;  ///< use_firmware_retraction: G10 and G11
   bool comments = false;             ///< gcode_comments: what each line is for
   bool binary = false;               ///< binary_gcode
-  std::string substitutions;         ///< gcode_substitutions, as a config.ini has them
+  SharedText substitutions;          ///< gcode_substitutions, as a config.ini has them
   std::string file_name;             ///< output_filename_format: a template
-  std::string height_code;           ///< custom_gcode_per_print_z (height_code.h); empty: none
-  std::string color_change_gcode;    ///< color_change_gcode
-  std::string pause_gcode;           ///< pause_print_gcode
-  std::string template_gcode;        ///< template_custom_gcode
+  SharedText height_code;            ///< custom_gcode_per_print_z (height_code.h); empty: none
+  SharedText color_change_gcode;     ///< color_change_gcode
+  SharedText pause_gcode;            ///< pause_print_gcode
+  SharedText template_gcode;         ///< template_custom_gcode
 
   friend bool operator==(const WritingOptions&, const WritingOptions&) = default;
 };
@@ -206,19 +207,19 @@ struct MotionOptions {
 
   bool progress = false;   ///< remaining_times: M73 before each layer
   double z_offset_mm = 0;  ///< z_offset
-  std::string start_gcode = "G28 ; home all axes\nG1 Z5 F5000 ; lift nozzle\n";  ///< start_gcode
-  std::string end_gcode =
+  SharedText start_gcode = "G28 ; home all axes\nG1 Z5 F5000 ; lift nozzle\n";  ///< start_gcode
+  SharedText end_gcode =
       "M104 S0 ; turn off temperature\nG28 X0 ; home X axis\nM84 ; disable motors\n";
-  std::string before_layer_gcode;  ///< before_layer_gcode
-  std::string layer_gcode;         ///< layer_gcode
+  SharedText before_layer_gcode;  ///< before_layer_gcode
+  SharedText layer_gcode;         ///< layer_gcode
   /// The settings that these two name, as `key = value` lines.
-  std::string layer_settings;
+  SharedText layer_settings;
   ObjectLabels labels = ObjectLabels::kNone;       ///< gcode_label_objects
-  std::string between_objects_gcode;               ///< between_objects_gcode
+  SharedText between_objects_gcode;                ///< between_objects_gcode
   Coord max_print_height_nm = 0;                   ///< max_print_height, 0: unlimited
   ArcFitting arc_fitting = ArcFitting::kDisabled;  ///< arc_fitting
   Coord resolution_nm = 12'500;  ///< gcode_resolution: paths are simplified within this; 0: not
-  std::string material_field;    ///< canonical text (fields/field_text.h); empty: no mixing
+  SharedText material_field;     ///< canonical text (fields/field_text.h); empty: no mixing
   WritingOptions writing;
 
   friend bool operator==(const MotionOptions&, const MotionOptions&) = default;

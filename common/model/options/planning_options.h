@@ -6,6 +6,7 @@
 #include "common/geometry/polygon.h"
 #include "common/model/options/adhesion_options.h"
 #include "common/model/options/infill_options.h"
+#include "common/model/options/support_options.h"
 
 namespace slicefarm {
 
@@ -25,6 +26,8 @@ struct ObjectPlanOptions {
   int32_t brim_settings = 0;                   ///< row of the job's tables of region settings
   RaftOptions raft = {};
   std::vector<int32_t> raft_settings = {};  ///< rows, one for each layer of the raft
+  SupportOptions support = {};
+  SupportRows support_settings = {};
 
   friend bool operator==(const ObjectPlanOptions&, const ObjectPlanOptions&) = default;
 };

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "common/model/milling/milling_options.h"
 #include "common/model/options/exposure_settings.h"
 #include "common/model/options/fdm_settings.h"
 #include "common/model/options/slicing_options.h"
@@ -10,7 +11,7 @@
 namespace slicefarm {
 
 /// What each process has of its own. One alternative a process, in the order of Process.
-using OwnSettings = std::variant<FdmSettings, ExposureSettings>;
+using OwnSettings = std::variant<FdmSettings, ExposureSettings, MillSettings>;
 
 static_assert(std::variant_size_v<OwnSettings> == kProcessCount);
 
@@ -35,5 +36,10 @@ inline const ExposureSettings& ExposureOf(const JobSettings& settings) {
 inline ExposureSettings& ExposureOf(JobSettings& settings) {
   return std::get<ExposureSettings>(settings.own);
 }
+
+inline const MillSettings& MillOf(const JobSettings& settings) {
+  return std::get<MillSettings>(settings.own);
+}
+inline MillSettings& MillOf(JobSettings& settings) { return std::get<MillSettings>(settings.own); }
 
 }  // namespace slicefarm

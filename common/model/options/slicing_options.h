@@ -6,7 +6,6 @@
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/polygon.h"
-#include "common/model/raft_heights.h"
 #include "common/model/scene/mesh.h"
 
 namespace slicefarm {
@@ -23,18 +22,19 @@ struct ObjectSlicingOptions {
   Coord closing_radius_nm = 49'000;
   Coord xy_compensation_nm = 0;    ///< xy_size_compensation: grows the outlines, holes shrink
   Coord hole_compensation_nm = 0;  ///< xy_hole_compensation: grows the holes, besides
-  /// elefant_foot_compensation: shrinks the first layer, unless there is a raft under it.
-  Coord elephant_foot_nm = 0;
+  /// It stands on the bed itself: its first layer is first_layer_height high, and has a foot.
+  bool on_bed = true;
+  Coord elephant_foot_nm = 0;  ///< elefant_foot_compensation: shrinks the first layer on the bed
   /// What that leaves of thin places; PrusaSlicer: width + spacing of the first layer's outer wall.
   Coord elephant_foot_min_width_nm = 757'000;
-  RaftHeights raft = {};  ///< the object stands on it
+  Coord lift_nm = 0;  ///< how high above the bed it will stand: the build volume holds that too
 
   friend bool operator==(const ObjectSlicingOptions&, const ObjectSlicingOptions&) = default;
 };
 
 /// What holds for all objects.
 struct SlicingOptions {
-  Coord first_layer_height_nm = 200'000;  ///< first_layer_height
+  Coord first_layer_height_nm = 200'000;  ///< first_layer_height: of what stands on the bed
   /// open_loop_max_gap: outlines with a hole up to this are closed over it, wider ones are dropped
   /// and counted.
   Coord max_gap_nm = 2'000'000;

@@ -30,6 +30,8 @@ struct Vertex {
 struct IndexedMesh {
   std::vector<Vertex> vertices;
   std::vector<std::array<uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
+
+  friend bool operator==(const IndexedMesh&, const IndexedMesh&) = default;
 };
 
 /// What the mesh is like; part of every job's report. Nothing in it is repaired silently.

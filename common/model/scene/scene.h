@@ -7,6 +7,7 @@
 #include "common/geometry/point.h"
 #include "common/model/options/setting.h"
 #include "common/model/scene/mesh.h"
+#include "common/model/scene/part_role.h"
 #include "common/model/scene/placement.h"
 #include "common/model/scene/transform.h"
 
@@ -23,17 +24,6 @@ struct MeshRef {
   int64_t triangle_count = -1;  ///< -1: all from first_triangle on
 
   friend bool operator==(const MeshRef&, const MeshRef&) = default;
-};
-
-/// What a part is for.
-enum class PartRole : uint8_t {
-  kSolid,            ///< is printed
-  kNegative,         ///< is cut out of the object's solid parts
-  kModifier,         ///< gives what lies inside it settings of its own
-  kSupportEnforcer,  ///< not supported yet
-  kSupportBlocker,   ///< not supported yet
-  kSeamEnforcer,     ///< loops start inside it where they can
-  kSeamBlocker,      ///< loops start outside of it where they can
 };
 
 /// A mesh as a part of an object.

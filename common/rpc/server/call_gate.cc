@@ -39,6 +39,7 @@ void CallGate::Log(std::string_view method, const Call& call, double seconds,
   fields.push_back({"code", absl::StatusCodeToString(status.code())});
   fields.push_back({"reason", std::string(ReasonName(DetailOf(status).reason))});
   fields.push_back({"error", std::string(status.message())});
+  if (DetailOf(status).reason == Reason::kSharedMissing) return log_.Info("call", fields);
   log_.Warn("call failed", fields);
 }
 

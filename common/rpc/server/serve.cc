@@ -10,10 +10,12 @@
 #include "common/base/available_cpus.h"
 #include "common/base/build_info.h"
 #include "common/rpc/observe/gate_metrics.h"
+#include "common/rpc/observe/shared_metrics.h"
 #include "common/rpc/security/certificate_metrics.h"
 #include "common/rpc/security/tls_options.h"
 #include "common/rpc/server/listen_address.h"
 #include "common/rpc/server/open_files.h"
+#include "common/rpc/server/shared_keeper.h"
 #include "common/rpc/server/stage_command_line.h"
 
 namespace slicefarm::rpc {
@@ -34,6 +36,17 @@ void Announce(std::string_view what, const std::string& host, int port) {
 int Concurrency(const ServeFlags& flags) {
   if (flags.max_concurrent > 0) return flags.max_concurrent;
   return AvailableCpus();
+}
+
+/// Reads the command line of a stage's server, and serves.
+int Serve(int argc, char** argv, const std::string& name, const std::string& about,
+          const std::function<int(ServerProgram&, const ServeFlags&)>& serve) {
+  ServerProgram program(name);
+  ServeFlags flags;
+  StageCommandLine command_line(name, about, &flags);
+  command_line.AddConcurrency(&flags);
+  if (const auto code = command_line.Parse(argc, argv)) return *code;
+  return serve(program, flags);
 }
 
 void AddTlsFlags(CLI::App& app, ServeFlags* flags) {
@@ -76,6 +89,10 @@ CallGateOptions ServerProgram::GateOptions(const ServeFlags& flags) const {
 
 void ServerProgram::Show(const CallGate& gate) {
   metrics_.Show(std::make_shared<GateMetrics>(gate.admission()));
+}
+
+void ServerProgram::Show(const SharedCache& cache) {
+  metrics_.Show(std::make_shared<SharedMetrics>(cache));
 }
 
 /// Null without TLS.
@@ -146,15 +163,24 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
 
 int ServeStage(int argc, char** argv, const std::string& name, const std::string& about,
                const MakeService& make) {
-  ServerProgram program(name);
-  ServeFlags flags;
-  StageCommandLine command_line(name, about, &flags);
-  command_line.AddConcurrency(&flags);
-  if (const auto code = command_line.Parse(argc, argv)) return *code;
-  CallGate gate(program.GateOptions(flags), program.log());
-  program.Show(gate);
-  const std::unique_ptr<grpc::Service> service = make(gate);
-  return program.Run(flags, {service.get()});
+  return Serve(argc, argv, name, about, [&](ServerProgram& program, const ServeFlags& flags) {
+    CallGate gate(program.GateOptions(flags), program.log());
+    program.Show(gate);
+    const std::unique_ptr<grpc::Service> service = make(gate);
+    return program.Run(flags, {service.get()});
+  });
+}
+
+int ServeSharingStage(int argc, char** argv, const std::string& name, const std::string& about,
+                      const MakeSharingService& make) {
+  return Serve(argc, argv, name, about, [&](ServerProgram& program, const ServeFlags& flags) {
+    SharedKeeper keeper(program.log());
+    program.Show(keeper.cache());
+    CallGate gate(program.GateOptions(flags), program.log());
+    program.Show(gate);
+    const std::unique_ptr<grpc::Service> service = make(gate, keeper.cache());
+    return program.Run(flags, {service.get(), &keeper.service()});
+  });
 }
 
 }  // namespace slicefarm::rpc

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/base/shared/shared_cache.h"
 #include "common/rpc/observe/call_metrics.h"
 #include "common/rpc/observe/json_log.h"
 #include "common/rpc/observe/library_log.h"
@@ -60,6 +61,9 @@ class ServerProgram {
   /// Shows how busy the service behind the gate is. The gate outlives Run.
   void Show(const CallGate& gate);
 
+  /// Shows what is kept of jobs' calls. The cache outlives Run.
+  void Show(const SharedCache& cache);
+
   /// Serves `services`, among them that of `queued`, until a signal comes; then calls `on_signal`,
   /// which ends what would otherwise keep calls in flight. When it returns, neither services nor
   /// shown metrics are used any more. Returns the exit code of the program: 0, or 1 if it cannot
@@ -83,5 +87,14 @@ using MakeService = std::function<std::unique_ptr<grpc::Service>(CallGate& gate)
 /// main() of the server program of one stage.
 int ServeStage(int argc, char** argv, const std::string& name, const std::string& about,
                const MakeService& make);
+
+/// Makes a service behind a gate, whose calls name what is kept in `shared`; both outlive it.
+using MakeSharingService =
+    std::function<std::unique_ptr<grpc::Service>(CallGate& gate, SharedCache& shared)>;
+
+/// main() of the server program of one stage, where what the calls of a job have in common is sent
+/// once (SharedKeeper).
+int ServeSharingStage(int argc, char** argv, const std::string& name, const std::string& about,
+                      const MakeSharingService& make);
 
 }  // namespace slicefarm::rpc

@@ -19,17 +19,19 @@ bool IsHeight(Coord nm) { return 0 < nm && nm <= limits::kMaxCoord; }
 /// What all sections have in common.
 template <typename Section, typename Proto>
 void PlaceToProto(const Section& section, Proto* proto) {
-  proto->set_object(section.object);
+  ToProto(section.stack, proto->mutable_stack());
   proto->set_layer(section.layer);
   proto->set_height_nm(section.height_nm);
 }
 
 template <typename Section, typename Proto>
 absl::StatusOr<Section> PlaceFromProto(const Proto& proto) {
-  absl::Status status = CheckSection(proto.object(), proto.layer(), proto.height_nm());
+  absl::Status status = CheckSection(proto.layer(), proto.height_nm());
   if (!status.ok()) return status;
+  const absl::StatusOr<Stack> stack = FromProto(proto.stack());
+  if (!stack.ok()) return stack.status();
   Section section;
-  section.object = proto.object();
+  section.stack = *stack;
   section.layer = proto.layer();
   section.height_nm = proto.height_nm();
   return section;
@@ -84,10 +86,8 @@ absl::StatusOr<Layer> LayerFromProto(const Proto& proto) {
   absl::Status status = AllFromProto(proto.sections(), "sections", &layer.sections);
   if (!status.ok()) return status;
   for (size_t i = 1; i < layer.sections.size(); ++i) {
-    const int32_t before = layer.sections[i - 1].object, object = layer.sections[i].object;
-    if (before > object || (before == object && object != kPlate)) {
-      return Malformed("sections", "their objects do not ascend");
-    }
+    if (layer.sections[i - 1].stack.id >= layer.sections[i].stack.id)
+      return Malformed("sections", "their stacks do not ascend");
   }
   return layer;
 }
@@ -130,10 +130,7 @@ absl::Status ToProto(const ObjectSection& section, v1::ObjectSection* proto) {
   proto->set_z_nm(section.z_nm);
   absl::Status status = AllToProto(section.regions, "regions", proto->mutable_regions());
   if (!section.whole.empty()) status.Update(ToProto(section.whole, proto->mutable_whole()));
-  if (!section.seam_enforcers.empty())
-    status.Update(ToProto(section.seam_enforcers, proto->mutable_seam_enforcers()));
-  if (!section.seam_blockers.empty())
-    status.Update(ToProto(section.seam_blockers, proto->mutable_seam_blockers()));
+  status.Update(AllToProto(section.marks, "marks", proto->mutable_marks()));
   return status;
 }
 
@@ -142,19 +139,15 @@ absl::StatusOr<ObjectSection> FromProto(const v1::ObjectSection& proto) {
   if (!section.ok()) return section;
   section->layer_count = proto.layer_count();
   if (section->layer_count <= section->layer || section->layer_count > limits::kMaxLayers) {
-    return Malformed("layer_count", "is not how many layers an object has");
+    return Malformed("layer_count", "is not how many layers a stack has");
   }
   absl::Status status = AllFromProto(proto.regions(), "regions", &section->regions);
   if (!status.ok()) return status;
   absl::StatusOr<MultiPolygon> whole = FromProto(proto.whole());
   if (!whole.ok()) return Within("whole", whole.status());
   section->whole = *std::move(whole);
-  absl::StatusOr<MultiPolygon> enforcers = FromProto(proto.seam_enforcers());
-  if (!enforcers.ok()) return Within("seam_enforcers", enforcers.status());
-  section->seam_enforcers = *std::move(enforcers);
-  absl::StatusOr<MultiPolygon> blockers = FromProto(proto.seam_blockers());
-  if (!blockers.ok()) return Within("seam_blockers", blockers.status());
-  section->seam_blockers = *std::move(blockers);
+  status = AllFromProto(proto.marks(), "marks", &section->marks);
+  if (!status.ok()) return status;
   section->z_nm = proto.z_nm();
   if (section->z_nm < 0 || section->z_nm > limits::kMaxCoord)
     return Malformed("z_nm", "is not a height");

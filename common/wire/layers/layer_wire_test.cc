@@ -10,6 +10,7 @@
 
 #include "common/geometry/text_format.h"
 #include "common/wire/layers/path_wire.h"
+#include "common/wire/layers/region_wire.h"
 #include "common/wire/support/round_trip_test.h"
 
 namespace slicefarm::layer_wire_test {
@@ -48,35 +49,36 @@ const MultiPolygon& Islands() {
   return islands;
 }
 
-ObjectSection DistinctSection(int32_t of) {
+const Stack kRaftStack(9, kPlateObject, StackKind::kRaft);
+
+ObjectSection DistinctSection(Stack of) {
   ObjectSection section;
-  auto& [object, layer, layer_count, height, regions, whole, z, enforcers, blockers] = section;
-  object = of;
+  auto& [stack, layer, layer_count, height, regions, whole, z, marks] = section;
+  stack = of;
   layer = 5;
   layer_count = 9;
   height = 150'000;
   regions = {{Role::kPart, 1, 2, Islands()}, {Role::kRaft, 3, 4, {}}};
   whole = Islands();
   z = 950'000;
-  enforcers = {Islands()[0]};
-  blockers = {Islands()[1]};
+  marks = {{PartRole::kSupportBlocker, {Islands()[0]}}, {PartRole::kSeamEnforcer, {Islands()[1]}}};
   return section;
 }
 
-WalledSection WalledOf(int32_t of, std::vector<WalledIsland> with) {
+WalledSection WalledOf(Stack of, std::vector<WalledIsland> with) {
   WalledSection section;
-  auto& [object, layer, height, islands] = section;
-  object = of;
+  auto& [stack, layer, height, islands] = section;
+  stack = of;
   layer = 6;
   height = 250'000;
   islands = std::move(with);
   return section;
 }
 
-FilledSection FilledOf(int32_t of, std::vector<FilledIsland> with) {
+FilledSection FilledOf(Stack of, std::vector<FilledIsland> with) {
   FilledSection section;
-  auto& [object, layer, height, islands, uses] = section;
-  object = of;
+  auto& [stack, layer, height, islands, uses] = section;
+  stack = of;
   layer = 6;
   height = 250'000;
   islands = std::move(with);
@@ -84,12 +86,12 @@ FilledSection FilledOf(int32_t of, std::vector<FilledIsland> with) {
   return section;
 }
 
-SlicedLayer Sliced() { return {kFrame, {DistinctSection(kPlate), DistinctSection(7)}}; }
+SlicedLayer Sliced() { return {kFrame, {DistinctSection(7), DistinctSection(kRaftStack)}}; }
 WalledLayer Walled() {
   const WalledIsland island{{PlainPath("(0 0, 1 0, 1 1)", true), DistinctPath()},
                             {{Role::kPart, 1, 2, Islands()}, {Role::kBrim, 3, 4, Islands()}},
                             Islands().back()};
-  return {kFrame, {WalledOf(kPlate, {{{}, {}}}), WalledOf(3, {island})}, 8};
+  return {kFrame, {WalledOf(1, {{{}, {}}}), WalledOf(3, {island})}, 8};
 }
 FilledLayer Filled() {
   const FilledIsland island{
@@ -98,8 +100,8 @@ FilledLayer Filled() {
 }
 OrderedLayer Ordered() {
   PathBlock first;
-  auto& [object, layer, height, paths, travels, leave, below] = first;
-  object = kPlate;
+  auto& [stack, layer, height, paths, travels, leave, below] = first;
+  stack = kRaftStack;
   layer = 2;
   height = 150'000;
   paths = {DistinctPath()};
@@ -160,18 +162,21 @@ TEST(LayerWire, NoWholeIsNotSent) {
 
 // Sees fields that are swapped in both directions, which no round trip does.
 TEST(LayerWire, EachMemberIsTheFieldOfItsName) {
-  const auto section = ProtoOf<v1::ObjectSection>(DistinctSection(7));
-  EXPECT_EQ(section.object(), 7);
+  const auto section = ProtoOf<v1::ObjectSection>(DistinctSection(kRaftStack));
+  EXPECT_EQ(section.stack().id(), 9);
+  EXPECT_EQ(section.stack().object(), -1);
+  EXPECT_EQ(section.stack().kind(), v1::STACK_KIND_RAFT);
+  EXPECT_EQ(section.marks(0).role(), v1::PART_ROLE_SUPPORT_BLOCKER);
   EXPECT_EQ(section.layer(), 5);
   EXPECT_EQ(section.layer_count(), 9);
   EXPECT_EQ(section.height_nm(), 150'000);
   const auto walled = ProtoOf<v1::WalledLayer>(Walled());
-  EXPECT_EQ(walled.sections(1).object(), 3);
+  EXPECT_EQ(walled.sections(1).stack().id(), 3);
   EXPECT_EQ(walled.sections(1).layer(), 6);
   EXPECT_EQ(walled.sections(1).height_nm(), 250'000);
   EXPECT_EQ(walled.plain_islands(), 8);
   const auto ordered = ProtoOf<v1::OrderedLayer>(Ordered());
-  EXPECT_EQ(ordered.blocks(0).object(), -1);
+  EXPECT_EQ(ordered.blocks(0).stack().id(), 9);
   EXPECT_EQ(ordered.blocks(0).layer(), 2);
   EXPECT_EQ(ordered.visits(1).block(), 1);
   EXPECT_EQ(ordered.visits(1).copy(), 11);
@@ -254,13 +259,24 @@ INSTANTIATE_TEST_SUITE_P(
                 "frame.height_nm"},
         Refused{"HugeHeight", [](auto& l) { l.mutable_frame()->set_height_nm(INT64_MAX); },
                 "frame.height_nm"},
-        Refused{"NegativeObject", [](auto& l) { Section(l).set_object(-2); }, "sections[1].object"},
-        Refused{"HugeObject", [](auto& l) { Section(l).set_object(1'000); }, "sections[1].object"},
+        Refused{"NegativeObject", [](auto& l) { Section(l).mutable_stack()->set_object(-1); },
+                "sections[1].stack.object"},
+        Refused{"HugeObject", [](auto& l) { Section(l).mutable_stack()->set_object(1'000); },
+                "sections[1].stack.object"},
+        Refused{"NegativeStack", [](auto& l) { Section(l).mutable_stack()->set_id(-1); },
+                "sections[1].stack.id"},
+        Refused{"HugeStack", [](auto& l) { Section(l).mutable_stack()->set_id(5'000); },
+                "sections[1].stack.id"},
+        Refused{"APartThatIsNotItsObject", [](auto& l) { Section(l).mutable_stack()->set_id(4); },
+                "sections[1].stack.id"},
+        Refused{"NoKind", [](auto& l) { Section(l).mutable_stack()->clear_kind(); },
+                "sections[1].stack.kind"},
         Refused{"NegativeLayer", [](auto& l) { Section(l).set_layer(-1); }, "sections[1].layer"},
         Refused{"HugeLayer", [](auto& l) { Section(l).set_layer(20'000); }, "sections[1].layer"},
         Refused{"NoSectionHeight", [](auto& l) { Section(l).clear_height_nm(); },
                 "sections[1].height_nm"},
-        Refused{"ObjectsThatDoNotAscend", [](auto& l) { l.mutable_sections(0)->set_object(900); },
+        Refused{"StacksThatDoNotAscend",
+                [](auto& l) { *l.mutable_sections(0)->mutable_stack() = Section(l).stack(); },
                 "sections"},
         Refused{"NegativePlainIslands", [](auto& l) { l.set_plain_islands(-1); }, "plain_islands"},
         Refused{"NoFeature", [](auto& l) { Wall(l).clear_feature(); },
@@ -294,21 +310,21 @@ INSTANTIATE_TEST_SUITE_P(
                 "sections[1].islands[0].fill_areas[1].role"}),
     [](const auto& info) { return info.param.name; });
 
-TEST(LayerWire, ThePlateMayHaveSeveralSections) {
-  const SlicedLayer layer{kFrame,
-                          {DistinctSection(kPlate), DistinctSection(kPlate), DistinctSection(0)}};
-  const auto returned = FromProto(ProtoOf<v1::SlicedLayer>(layer));
-  ASSERT_TRUE(returned.ok()) << returned.status();
-  EXPECT_EQ(*returned, layer);
+TEST(LayerWire, RefusesStacksThatDoNotAscend) {
+  for (const Stack stack : {Stack(0), Stack(7), Stack(6, 0, StackKind::kSupport)}) {
+    const SlicedLayer layer{kFrame, {DistinctSection(7), DistinctSection(stack)}};
+    ExpectMalformed(FromProto(ProtoOf<v1::SlicedLayer>(layer)).status(), "sections");
+  }
 }
 
-TEST(LayerWire, RefusesObjectsThatDoNotAscend) {
-  for (const int32_t object : {-1, 0, 7}) {
-    auto proto = ProtoOf<v1::SlicedLayer>(SlicedLayer{kFrame, {DistinctSection(7)}});
-    *proto.add_sections() = proto.sections(0);
-    proto.mutable_sections(1)->set_object(object);
-    ExpectMalformed(FromProto(proto).status(), "sections");
-  }
+TEST(LayerWire, TheSkirtIsNoOtherStack) {
+  auto proto = ProtoOf<v1::OrderedLayer>(Ordered());
+  ToProto(kSkirtStack, proto.mutable_blocks(0)->mutable_stack());
+  const auto layer = FromProto(proto);
+  ASSERT_TRUE(layer.ok()) << layer.status();
+  EXPECT_EQ(layer->blocks[0].stack, kSkirtStack);
+  proto.mutable_blocks(0)->mutable_stack()->set_object(0);
+  ExpectMalformed(FromProto(proto).status(), "blocks[0].stack");
 }
 
 TEST(LayerWire, ASectionIsOneOfTheObjectsLayers) {
@@ -341,8 +357,8 @@ TEST(LayerWire, RefusesVisitsThatNoJobHas) {
     ExpectMalformed(FromProto(proto).status(), "visits[1]." + field);
   }
   auto proto = ProtoOf<v1::OrderedLayer>(Ordered());
-  proto.mutable_blocks(1)->set_object(-2);
-  ExpectMalformed(FromProto(proto).status(), "blocks[1].object");
+  proto.mutable_blocks(1)->mutable_stack()->set_object(-2);
+  ExpectMalformed(FromProto(proto).status(), "blocks[1].stack.object");
 }
 
 TEST(LayerWire, RefusesTravelsThatAreNotOneForEachPath) {

@@ -93,7 +93,7 @@ absl::StatusOr<PlacedCopy> FromProto(const v1::PlacedCopy& proto) {
 }
 
 absl::Status ToProto(const SectionPlan& plan, v1::SectionPlan* proto) {
-  proto->set_object(plan.object);
+  proto->set_stack(plan.stack);
   if (absl::Status status = ToProto(plan.entry, proto->mutable_entry()); !status.ok()) {
     return Within("entry", status);
   }
@@ -105,16 +105,16 @@ absl::Status ToProto(const SectionPlan& plan, v1::SectionPlan* proto) {
 }
 
 absl::StatusOr<SectionPlan> FromProto(const v1::SectionPlan& proto) {
-  if (absl::Status status = CheckObject(proto.object()); !status.ok()) return status;
+  if (absl::Status status = CheckStack("stack", proto.stack()); !status.ok()) return status;
   absl::StatusOr<std::vector<Point>> seams = UnpackPoints(proto.seams_xy_nm(), "seams_xy_nm");
   if (!seams.ok()) return seams.status();
-  SectionPlan plan{proto.object(), FromProto(proto.entry()), {}, *std::move(seams)};
+  SectionPlan plan{proto.stack(), FromProto(proto.entry()), {}, *std::move(seams)};
   if (proto.has_exit()) plan.exit = FromProto(proto.exit());
   return plan;
 }
 
 absl::Status ToProto(const PlannedInfill& plan, v1::PlannedInfill* proto) {
-  proto->set_object(plan.object);
+  proto->set_stack(plan.stack);
   proto->set_settings(plan.settings);
   proto->set_pattern(EnumToProto<v1::FillPattern>(plan.pattern));
   proto->set_combined_height_nm(plan.combined_height_nm);
@@ -125,7 +125,7 @@ absl::Status ToProto(const PlannedInfill& plan, v1::PlannedInfill* proto) {
 }
 
 absl::StatusOr<PlannedInfill> FromProto(const v1::PlannedInfill& proto) {
-  if (absl::Status status = CheckObject(proto.object()); !status.ok()) return status;
+  if (absl::Status status = CheckStack("stack", proto.stack()); !status.ok()) return status;
   if (proto.settings() < 0 || proto.settings() >= limits::kMaxRegionSettings)
     return Malformed("settings", "is no row of a table of region settings");
   if (proto.combined_height_nm() < 0 || proto.combined_height_nm() > limits::kMaxCoord)
@@ -138,7 +138,7 @@ absl::StatusOr<PlannedInfill> FromProto(const v1::PlannedInfill& proto) {
   if (!left_out.ok()) return Within("left_out", left_out.status());
   auto combined = FromProto(proto.combined());
   if (!combined.ok()) return Within("combined", combined.status());
-  return PlannedInfill{proto.object(),
+  return PlannedInfill{proto.stack(),
                        proto.settings(),
                        *pattern,
                        *std::move(lines),
@@ -148,11 +148,9 @@ absl::StatusOr<PlannedInfill> FromProto(const v1::PlannedInfill& proto) {
 }
 
 absl::Status CheckOrder(std::span<const PlannedInfill> plans) {
-  const auto place = [](const PlannedInfill& plan) {
-    return std::pair(plan.object, plan.settings);
-  };
+  const auto place = [](const PlannedInfill& plan) { return std::pair(plan.stack, plan.settings); };
   if (Ascend(plans, place)) return absl::OkStatus();
-  return Malformed("infill", "its objects and their rows do not ascend");
+  return Malformed("infill", "its stacks and their rows do not ascend");
 }
 
 absl::Status ToProto(const LayerPlan& plan, v1::LayerPlan* proto) {
@@ -177,28 +175,41 @@ absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto) {
   status.Update(AllFromProto(proto.paths(), "paths", &plan.paths));
   status.Update(AllFromProto(proto.infill(), "infill", &plan.infill));
   if (!status.ok()) return status;
-  if (!Ascend(plan.sections, [](const SectionPlan& section) { return section.object; }))
-    return Malformed("sections", "their objects do not ascend");
+  if (!Ascend(plan.sections, [](const SectionPlan& section) { return section.stack; }))
+    return Malformed("sections", "their stacks do not ascend");
   if (absl::Status ok = CheckOrder(plan.infill); !ok.ok()) return ok;
   return plan;
 }
 
-absl::Status ToProto(const PlateAddition& addition, v1::PlateAddition* proto) {
-  proto->set_layer(addition.layer);
-  proto->set_height_nm(addition.height_nm);
-  absl::Status status = AllToProto(addition.regions, "regions", proto->mutable_regions());
-  if (!status.ok()) return status;
-  return AllToProto(addition.paths, "paths", proto->mutable_paths());
+absl::Status ToProto(const AddedStack& added, v1::AddedStack* proto) {
+  ToProto(added.stack, proto->mutable_stack());
+  proto->set_lift_nm(added.lift_nm);
+  return absl::OkStatus();
 }
 
-absl::StatusOr<PlateAddition> FromProto(const v1::PlateAddition& proto) {
-  absl::Status status = CheckSection(kPlate, proto.layer(), proto.height_nm());
-  if (!status.ok()) return status;
-  PlateAddition addition{proto.layer(), proto.height_nm(), {}, {}};
-  status.Update(AllFromProto(proto.regions(), "regions", &addition.regions));
-  status.Update(AllFromProto(proto.paths(), "paths", &addition.paths));
-  if (!status.ok()) return status;
-  return addition;
+absl::StatusOr<AddedStack> FromProto(const v1::AddedStack& proto) {
+  const absl::StatusOr<Stack> stack = FromProto(proto.stack());
+  if (!stack.ok()) return stack.status();
+  if (absl::Status ok = CheckLift("lift_nm", proto.lift_nm()); !ok.ok()) return ok;
+  return AddedStack{*stack, proto.lift_nm(), {}};
+}
+
+absl::Status CheckLift(std::string_view field, int64_t lift_nm) {
+  if (0 <= lift_nm && lift_nm <= limits::kMaxCoord) return absl::OkStatus();
+  return Malformed(field, "is not a height");
+}
+
+absl::Status ToProto(const Skirt& skirt, v1::Skirt* proto) {
+  proto->set_layers(skirt.layers);
+  return AllToProto(skirt.loops, "loops", proto->mutable_loops());
+}
+
+absl::StatusOr<Skirt> FromProto(const v1::Skirt& proto) {
+  if (proto.layers() < 0 || proto.layers() > limits::kMaxLayers)
+    return Malformed("layers", "is not a number of layers");
+  Skirt skirt{{}, proto.layers()};
+  if (absl::Status ok = AllFromProto(proto.loops(), "loops", &skirt.loops); !ok.ok()) return ok;
+  return skirt;
 }
 
 v1::SeamQuality ToProto(const SeamQuality& quality) {

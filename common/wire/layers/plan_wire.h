@@ -30,14 +30,20 @@ absl::StatusOr<SectionPlan> FromProto(const v1::SectionPlan& proto);
 
 absl::Status ToProto(const PlannedInfill& plan, v1::PlannedInfill* proto);
 absl::StatusOr<PlannedInfill> FromProto(const v1::PlannedInfill& proto);
-/// Errors: REQUEST_MALFORMED unless they ascend by object, then row.
+/// Errors: REQUEST_MALFORMED unless they ascend by stack, then row.
 absl::Status CheckOrder(std::span<const PlannedInfill> plans);
 
 absl::Status ToProto(const LayerPlan& plan, v1::LayerPlan* proto);
 absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto);
 
-absl::Status ToProto(const PlateAddition& addition, v1::PlateAddition* proto);
-absl::StatusOr<PlateAddition> FromProto(const v1::PlateAddition& proto);
+/// Without its sections, which are messages of their own.
+absl::Status ToProto(const AddedStack& added, v1::AddedStack* proto);
+absl::StatusOr<AddedStack> FromProto(const v1::AddedStack& proto);
+/// Whether a stack may stand so high above the bed.
+absl::Status CheckLift(std::string_view field, int64_t lift_nm);
+
+absl::Status ToProto(const Skirt& skirt, v1::Skirt* proto);
+absl::StatusOr<Skirt> FromProto(const v1::Skirt& proto);
 
 v1::SeamQuality ToProto(const SeamQuality& quality);
 absl::StatusOr<SeamQuality> FromProto(const v1::SeamQuality& proto);

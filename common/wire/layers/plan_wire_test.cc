@@ -37,8 +37,8 @@ PlacedCopy DistinctPlaced() {
 
 SectionPlan DistinctSection(int32_t of) {
   SectionPlan plan;
-  auto& [object, entry, exit, seams] = plan;
-  object = of;
+  auto& [stack, entry, exit, seams] = plan;
+  stack = of;
   entry = {2, -3};
   exit = {-8, 9};
   seams = {{4, 5}, {-6, 7}};
@@ -47,8 +47,8 @@ SectionPlan DistinctSection(int32_t of) {
 
 PlannedInfill DistinctInfill(int32_t of) {
   PlannedInfill plan;
-  auto& [object, settings, pattern, lines, left_out, combined, combined_height] = plan;
-  object = of;
+  auto& [stack, settings, pattern, lines, left_out, combined, combined_height] = plan;
+  stack = of;
   settings = 2;
   pattern = FillPattern::kLightning;
   lines = {{{1, 2}, {-3, 4}}, {{5, 6}, {7, 8}, {-9, 10}}};
@@ -70,14 +70,20 @@ LayerPlan DistinctLayer() {
   return plan;
 }
 
-PlateAddition DistinctAddition() {
-  PlateAddition addition;
-  auto& [layer, height, regions, paths] = addition;
-  layer = 1;
-  height = 250'000;
-  regions = {{Role::kBrim, 2, 3, MakePolygonsOrDie("(0 0, 9 0, 9 9)")}, {Role::kRaft, 4, 5, {}}};
-  paths = {MakePathOrDie("(0 0, 9 0, 9 9)", true)};
-  return addition;
+AddedStack DistinctStack() {
+  AddedStack added;
+  auto& [stack, lift, sections] = added;
+  stack = Stack(7, 3, StackKind::kSupport);
+  lift = 250'000;
+  return added;
+}
+
+Skirt DistinctSkirt() {
+  Skirt skirt;
+  auto& [loops, layers] = skirt;
+  loops = {MakePathOrDie("(0 0, 9 0, 9 9)", true)};
+  layers = 12;
+  return skirt;
 }
 
 CopyName DistinctName() {
@@ -123,7 +129,8 @@ TEST(PlanWire, Returns) {
   ExpectReturns<v1::SectionPlan>(DistinctSection(1));
   ExpectReturns<v1::PlannedInfill>(DistinctInfill(1));
   ExpectReturns<v1::LayerPlan>(DistinctLayer());
-  ExpectReturns<v1::PlateAddition>(DistinctAddition());
+  ExpectReturns<v1::AddedStack>(DistinctStack());
+  ExpectReturns<v1::Skirt>(DistinctSkirt());
   EXPECT_EQ(*FromProto(ToProto(DistinctName())), DistinctName());
   EXPECT_EQ(*FromProto(ToProto(DistinctFacts())), DistinctFacts());
   EXPECT_EQ(*FromProto(ToProto(DistinctQuality())), DistinctQuality());
@@ -134,7 +141,8 @@ TEST(PlanWire, EmptyReturns) {
   ExpectReturns<v1::PlacedCopy>(PlacedCopy{});
   ExpectReturns<v1::SectionPlan>(SectionPlan{});
   ExpectReturns<v1::LayerPlan>(LayerPlan{});
-  ExpectReturns<v1::PlateAddition>(PlateAddition{0, 200'000, {}, {}});
+  ExpectReturns<v1::AddedStack>(AddedStack{});
+  ExpectReturns<v1::Skirt>(Skirt{});
   EXPECT_EQ(*FromProto(ToProto(JobFacts{})), JobFacts{});
 }
 
@@ -144,12 +152,13 @@ TEST(PlanWire, EveryFieldChangedAloneReturns) {
                                                        {"shift"});
   ExpectEveryChangeReturns<v1::SectionPlan, SectionPlan>(
       ProtoOf<v1::SectionPlan>(DistinctSection(1)));
-  // Infill's objects ascend.
+  // Infill's stacks ascend.
   ExpectEveryChangeReturns<v1::LayerPlan, LayerPlan>(
       ProtoOf<v1::LayerPlan>(DistinctLayer()),
-      {"ring_sizes", "rings_per_island", "line_sizes", "infill[0].object"});
-  ExpectEveryChangeReturns<v1::PlateAddition, PlateAddition>(
-      ProtoOf<v1::PlateAddition>(DistinctAddition()), {"ring_sizes", "rings_per_island"});
+      {"ring_sizes", "rings_per_island", "line_sizes", "infill[0].stack"});
+  ExpectEveryChangeReturns<v1::AddedStack, AddedStack>(ProtoOf<v1::AddedStack>(DistinctStack()),
+                                                       {"stack.kind"});
+  ExpectEveryChangeReturns<v1::Skirt, Skirt>(ProtoOf<v1::Skirt>(DistinctSkirt()));
   ForEachChangedField(ToProto(DistinctFacts()), [](const std::string& path, const auto& message) {
     SCOPED_TRACE(path);
     const auto& changed = dynamic_cast<const v1::JobFacts&>(message);
@@ -171,9 +180,11 @@ TEST(PlanWire, EachMemberIsTheFieldOfItsName) {
   const auto section = ProtoOf<v1::SectionPlan>(DistinctSection(1));
   EXPECT_EQ(section.entry().y_nm(), -3);
   EXPECT_THAT(section.seams_xy_nm(), testing::ElementsAre(4, 5, -6, 7));
-  const auto addition = ProtoOf<v1::PlateAddition>(DistinctAddition());
-  EXPECT_EQ(addition.layer(), 1);
-  EXPECT_EQ(addition.height_nm(), 250'000);
+  const auto added = ProtoOf<v1::AddedStack>(DistinctStack());
+  EXPECT_EQ(added.stack().id(), 7);
+  EXPECT_EQ(added.stack().object(), 3);
+  EXPECT_EQ(added.lift_nm(), 250'000);
+  EXPECT_EQ(ProtoOf<v1::Skirt>(DistinctSkirt()).layers(), 12);
   const v1::CopyName name = ToProto(DistinctName());
   EXPECT_EQ(name.object(), 5);
   EXPECT_EQ(name.copy(), 1);
@@ -185,7 +196,7 @@ TEST(PlanWire, EachMemberIsTheFieldOfItsName) {
 }
 
 TEST(PlanWire, RefusesObjectsThatNoJobHas) {
-  for (const int32_t object : {INT32_MIN, kPlate, 1'000, INT32_MAX}) {
+  for (const int32_t object : {INT32_MIN, kPlateObject, 1'000, INT32_MAX}) {
     auto copy = ProtoOf<v1::Copy>(DistinctCopy());
     copy.set_object(object);
     ExpectMalformed(FromProto(copy).status(), "object");
@@ -193,8 +204,8 @@ TEST(PlanWire, RefusesObjectsThatNoJobHas) {
     placed.set_object(object);
     ExpectMalformed(FromProto(placed).status(), "object");
     auto plan = ProtoOf<v1::LayerPlan>(DistinctLayer());
-    plan.mutable_sections(1)->set_object(object);
-    ExpectMalformed(FromProto(plan).status(), "sections[1].object");
+    plan.mutable_sections(1)->set_stack(object == 1'000 ? 5'000 : object);
+    ExpectMalformed(FromProto(plan).status(), "sections[1].stack");
     v1::JobFacts facts = ToProto(DistinctFacts());
     facts.mutable_copies(1)->set_object(object);
     ExpectMalformed(FromProto(facts).status(), "copies[1].object");
@@ -227,27 +238,27 @@ TEST(PlanWire, RefusesWhatDoesNotAddUp) {
   plan.mutable_sections(0)->add_seams_xy_nm(1);
   ExpectMalformed(FromProto(plan).status(), "sections[0].seams_xy_nm");
   plan = ProtoOf<v1::LayerPlan>(DistinctLayer());
-  plan.mutable_sections(1)->set_object(3);
+  plan.mutable_sections(1)->set_stack(3);
   ExpectMalformed(FromProto(plan).status(), "sections");
   plan = ProtoOf<v1::LayerPlan>(DistinctLayer());
   plan.mutable_paths(0)->clear_widths_nm();
   ExpectMalformed(FromProto(plan).status(), "paths[0].widths_nm");
 }
 
-TEST(PlanWire, RefusesAdditionsThatNoPlateHas) {
-  const std::vector<std::pair<std::string, std::function<void(v1::PlateAddition&)>>> spoils = {
-      {"layer", [](auto& a) { a.set_layer(-1); }},
-      {"layer", [](auto& a) { a.set_layer(20'000); }},
-      {"height_nm", [](auto& a) { a.clear_height_nm(); }},
-      {"height_nm", [](auto& a) { a.set_height_nm(INT64_MAX); }},
-      {"regions[1].role", [](auto& a) { a.mutable_regions(1)->clear_role(); }},
-      {"paths[0].feature", [](auto& a) { a.mutable_paths(0)->clear_feature(); }},
-  };
-  for (const auto& [field, spoil] : spoils) {
-    auto proto = ProtoOf<v1::PlateAddition>(DistinctAddition());
-    spoil(proto);
-    ExpectMalformed(FromProto(proto).status(), field);
+TEST(PlanWire, RefusesWhatNoPlanAdds) {
+  for (const int64_t lift_nm : {int64_t{-1}, INT64_MAX}) {
+    auto added = ProtoOf<v1::AddedStack>(DistinctStack());
+    added.set_lift_nm(lift_nm);
+    ExpectMalformed(FromProto(added).status(), "lift_nm");
   }
+  for (const int32_t layers : {-1, 20'001}) {
+    auto skirt = ProtoOf<v1::Skirt>(DistinctSkirt());
+    skirt.set_layers(layers);
+    ExpectMalformed(FromProto(skirt).status(), "layers");
+  }
+  auto skirt = ProtoOf<v1::Skirt>(DistinctSkirt());
+  skirt.mutable_loops(0)->clear_feature();
+  ExpectMalformed(FromProto(skirt).status(), "loops[0].feature");
 }
 
 TEST(PlanWire, RefusesSeamsThatNoJobHas) {

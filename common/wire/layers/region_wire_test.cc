@@ -104,19 +104,16 @@ TEST(RegionWire, RefusesOutlinesBeyondTheWire) {
 }
 
 TEST(CheckSection, TheBoundsBelong) {
-  EXPECT_TRUE(CheckSection(kPlate, 0, 1).ok());
-  EXPECT_TRUE(
-      CheckSection(limits::kMaxObjects - 1, limits::kMaxLayers - 1, limits::kMaxCoord).ok());
+  EXPECT_TRUE(CheckSection(0, 1).ok());
+  EXPECT_TRUE(CheckSection(limits::kMaxLayers - 1, limits::kMaxCoord).ok());
 }
 
 TEST(CheckSection, NamesTheField) {
-  for (const int32_t object : {INT32_MIN, -2, 1'000, INT32_MAX})
-    ExpectMalformed(CheckSection(object, 0, 1), "object");
   for (const int32_t layer : {INT32_MIN, -1, 20'000, INT32_MAX})
-    ExpectMalformed(CheckSection(0, layer, 1), "layer");
+    ExpectMalformed(CheckSection(layer, 1), "layer");
   for (const int64_t height_nm :
        {INT64_MIN, int64_t{-1}, int64_t{0}, int64_t{limits::kMaxCoord + 1}, INT64_MAX})
-    ExpectMalformed(CheckSection(0, 0, height_nm), "height_nm");
+    ExpectMalformed(CheckSection(0, height_nm), "height_nm");
 }
 
 }  // namespace

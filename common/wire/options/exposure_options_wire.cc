@@ -226,10 +226,10 @@ v1::ExposureOutput ToProto(const ExposureOutput& options) {
   proto.set_full_power_s(options.full_power_s);
   proto.set_dynamic_power(options.dynamic_power);
   proto.set_recoat_s(options.recoat_s);
-  proto.set_start_gcode(options.start_gcode);
-  proto.set_before_layer_gcode(options.before_layer_gcode);
-  proto.set_layer_gcode(options.layer_gcode);
-  proto.set_end_gcode(options.end_gcode);
+  proto.set_start_gcode(options.start_gcode.str());
+  proto.set_before_layer_gcode(options.before_layer_gcode.str());
+  proto.set_layer_gcode(options.layer_gcode.str());
+  proto.set_end_gcode(options.end_gcode.str());
   return proto;
 }
 

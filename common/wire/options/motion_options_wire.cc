@@ -357,12 +357,12 @@ void PutWriting(const WritingOptions& options, v1::WritingOptions* proto) {
   proto->set_firmware_retraction(options.firmware_retraction);
   proto->set_comments(options.comments);
   proto->set_binary(options.binary);
-  proto->set_substitutions(options.substitutions);
+  proto->set_substitutions(options.substitutions.str());
   proto->set_file_name(options.file_name);
-  proto->set_height_code(options.height_code);
-  proto->set_color_change_gcode(options.color_change_gcode);
-  proto->set_pause_gcode(options.pause_gcode);
-  proto->set_template_gcode(options.template_gcode);
+  proto->set_height_code(options.height_code.str());
+  proto->set_color_change_gcode(options.color_change_gcode.str());
+  proto->set_pause_gcode(options.pause_gcode.str());
+  proto->set_template_gcode(options.template_gcode.str());
 }
 
 WritingOptions TakeWriting(const v1::WritingOptions& proto) {
@@ -393,17 +393,17 @@ v1::MotionOptions ToProto(const MotionOptions& options) {
   PutMaterial(options, &proto);
   proto.set_progress(options.progress);
   proto.set_z_offset_mm(options.z_offset_mm);
-  proto.set_start_gcode(options.start_gcode);
-  proto.set_end_gcode(options.end_gcode);
-  proto.set_before_layer_gcode(options.before_layer_gcode);
-  proto.set_layer_gcode(options.layer_gcode);
-  proto.set_layer_settings(options.layer_settings);
+  proto.set_start_gcode(options.start_gcode.str());
+  proto.set_end_gcode(options.end_gcode.str());
+  proto.set_before_layer_gcode(options.before_layer_gcode.str());
+  proto.set_layer_gcode(options.layer_gcode.str());
+  proto.set_layer_settings(options.layer_settings.str());
   proto.set_labels(EnumToProto<v1::ObjectLabels>(options.labels));
-  proto.set_between_objects_gcode(options.between_objects_gcode);
+  proto.set_between_objects_gcode(options.between_objects_gcode.str());
   proto.set_max_print_height_nm(options.max_print_height_nm);
   proto.set_arc_fitting(EnumToProto<v1::ArcFitting>(options.arc_fitting));
   proto.set_resolution_nm(options.resolution_nm);
-  proto.set_material_field(options.material_field);
+  proto.set_material_field(options.material_field.str());
   PutWriting(options.writing, proto.mutable_writing());
   return proto;
 }

@@ -30,6 +30,19 @@ static_assert(v1::BRIM_TYPE_INNER_ONLY == static_cast<int>(BrimType::kInnerOnly)
 static_assert(v1::BRIM_TYPE_OUTER_AND_INNER == static_cast<int>(BrimType::kOuterAndInner) + 1);
 static_assert(v1::BRIM_TYPE_EARS == static_cast<int>(BrimType::kEars) + 1);
 
+static_assert(v1::SUPPORT_STYLE_GRID == static_cast<int>(SupportStyle::kGrid) + 1);
+static_assert(v1::SUPPORT_STYLE_SNUG == static_cast<int>(SupportStyle::kSnug) + 1);
+static_assert(v1::SUPPORT_STYLE_TREE == static_cast<int>(SupportStyle::kTree) + 1);
+static_assert(v1::SUPPORT_PATTERN_RECTILINEAR ==
+              static_cast<int>(SupportPattern::kRectilinear) + 1);
+static_assert(v1::SUPPORT_PATTERN_RECTILINEAR_GRID ==
+              static_cast<int>(SupportPattern::kRectilinearGrid) + 1);
+static_assert(v1::SUPPORT_PATTERN_HONEYCOMB == static_cast<int>(SupportPattern::kHoneycomb) + 1);
+static_assert(v1::INTERFACE_PATTERN_RECTILINEAR ==
+              static_cast<int>(InterfacePattern::kRectilinear) + 1);
+static_assert(v1::INTERFACE_PATTERN_CONCENTRIC ==
+              static_cast<int>(InterfacePattern::kConcentric) + 1);
+
 absl::Status CheckRow(std::string_view field, int32_t row) {
   if (0 <= row && row < limits::kMaxRegionSettings) return absl::OkStatus();
   return Malformed(field, "is no row of a table of region settings");
@@ -132,6 +145,24 @@ absl::StatusOr<RaftLines> LinesFromProto(const v1::RaftLines& proto) {
                    proto.first_layer_density()};
 }
 
+v1::RaftHeights ToProto(const RaftHeights& heights) {
+  v1::RaftHeights proto;
+  proto.set_layers(heights.layers);
+  proto.set_first_nm(heights.first_nm);
+  proto.set_others_nm(heights.others_nm);
+  proto.set_contact_distance_nm(heights.contact_distance_nm);
+  return proto;
+}
+
+absl::StatusOr<RaftHeights> HeightsFromProto(const v1::RaftHeights& proto) {
+  absl::Status status = CheckCount("layers", proto.layers(), limits::kMaxRaftLayers);
+  status.Update(CheckPositive({{"first_nm", proto.first_nm()}, {"others_nm", proto.others_nm()}}));
+  status.Update(CheckNotNegative({{"contact_distance_nm", proto.contact_distance_nm()}}));
+  if (!status.ok()) return status;
+  return RaftHeights{proto.layers(), proto.first_nm(), proto.others_nm(),
+                     proto.contact_distance_nm()};
+}
+
 v1::RaftOptions ToProto(const RaftOptions& options) {
   v1::RaftOptions proto;
   *proto.mutable_lines() = ToProto(options.lines);
@@ -146,11 +177,121 @@ absl::StatusOr<RaftOptions> RaftFromProto(const v1::RaftOptions& proto) {
       CheckNotNegative({{"expansion_nm", proto.expansion_nm()},
                         {"first_layer_expansion_nm", proto.first_layer_expansion_nm()}});
   if (!status.ok()) return status;
-  const absl::StatusOr<RaftHeights> heights = FromProto(proto.heights());
+  const absl::StatusOr<RaftHeights> heights = HeightsFromProto(proto.heights());
   if (!heights.ok()) return Within("heights", heights.status());
   const absl::StatusOr<RaftLines> lines = LinesFromProto(proto.lines());
   if (!lines.ok()) return Within("lines", lines.status());
   return RaftOptions{*heights, *lines, proto.expansion_nm(), proto.first_layer_expansion_nm()};
+}
+
+v1::TreeOptions ToProto(const TreeOptions& options) {
+  v1::TreeOptions proto;
+  proto.set_angle_rad(options.angle_rad);
+  proto.set_slow_angle_rad(options.slow_angle_rad);
+  proto.set_branch_diameter_nm(options.branch_diameter_nm);
+  proto.set_diameter_angle_rad(options.diameter_angle_rad);
+  proto.set_tip_diameter_nm(options.tip_diameter_nm);
+  proto.set_branch_distance_nm(options.branch_distance_nm);
+  proto.set_top_rate(options.top_rate);
+  return proto;
+}
+
+absl::StatusOr<TreeOptions> TreeFromProto(const v1::TreeOptions& proto) {
+  absl::Status status = CheckPositive({{"branch_diameter_nm", proto.branch_diameter_nm()},
+                                       {"tip_diameter_nm", proto.tip_diameter_nm()},
+                                       {"branch_distance_nm", proto.branch_distance_nm()}});
+  for (const double angle_rad :
+       {proto.angle_rad(), proto.slow_angle_rad(), proto.diameter_angle_rad()})
+    if (!(0 <= angle_rad && angle_rad < std::numbers::pi / 2))
+      status.Update(Malformed("angle_rad", "is not of a branch"));
+  if (!(0 <= proto.top_rate() && proto.top_rate() <= 1))
+    status.Update(Malformed("top_rate", "is not in [0, 1]"));
+  if (!status.ok()) return status;
+  return TreeOptions{.angle_rad = proto.angle_rad(),
+                     .slow_angle_rad = proto.slow_angle_rad(),
+                     .branch_diameter_nm = proto.branch_diameter_nm(),
+                     .diameter_angle_rad = proto.diameter_angle_rad(),
+                     .tip_diameter_nm = proto.tip_diameter_nm(),
+                     .branch_distance_nm = proto.branch_distance_nm(),
+                     .top_rate = proto.top_rate()};
+}
+
+v1::SupportOptions ToProto(const SupportOptions& options) {
+  v1::SupportOptions proto;
+  proto.set_on(options.on);
+  proto.set_automatic(options.automatic);
+  proto.set_style(EnumToProto<v1::SupportStyle>(options.style));
+  proto.set_threshold_rad(options.threshold_rad);
+  proto.set_enforced_layers(options.enforced_layers);
+  proto.set_bed_only(options.bed_only);
+  proto.set_skip_bridges(options.skip_bridges);
+  proto.set_top_gap_nm(options.top_gap_nm);
+  proto.set_bottom_gap_nm(options.bottom_gap_nm);
+  proto.set_xy_gap_nm(options.xy_gap_nm);
+  proto.set_closing_radius_nm(options.closing_radius_nm);
+  proto.set_top_interface_layers(options.top_interface_layers);
+  proto.set_bottom_interface_layers(options.bottom_interface_layers);
+  proto.set_interface_loops(options.interface_loops);
+  proto.set_spacing_nm(options.spacing_nm);
+  proto.set_interface_spacing_nm(options.interface_spacing_nm);
+  proto.set_pattern(EnumToProto<v1::SupportPattern>(options.pattern));
+  proto.set_interface_pattern(EnumToProto<v1::InterfacePattern>(options.interface_pattern));
+  proto.set_angle_rad(options.angle_rad);
+  proto.set_sheath(options.sheath);
+  proto.set_width_nm(options.width_nm);
+  proto.set_wall_width_nm(options.wall_width_nm);
+  proto.set_layer_height_nm(options.layer_height_nm);
+  proto.set_first_layer_height_nm(options.first_layer_height_nm);
+  *proto.mutable_tree() = ToProto(options.tree);
+  return proto;
+}
+
+absl::StatusOr<SupportOptions> SupportFromProto(const v1::SupportOptions& proto) {
+  absl::Status status = CheckNotNegative({{"top_gap_nm", proto.top_gap_nm()},
+                                          {"bottom_gap_nm", proto.bottom_gap_nm()},
+                                          {"xy_gap_nm", proto.xy_gap_nm()},
+                                          {"closing_radius_nm", proto.closing_radius_nm()},
+                                          {"spacing_nm", proto.spacing_nm()},
+                                          {"interface_spacing_nm", proto.interface_spacing_nm()}});
+  status.Update(CheckPositive({{"width_nm", proto.width_nm()},
+                               {"wall_width_nm", proto.wall_width_nm()},
+                               {"layer_height_nm", proto.layer_height_nm()},
+                               {"first_layer_height_nm", proto.first_layer_height_nm()}}));
+  status.Update(CheckCount("enforced_layers", proto.enforced_layers(), limits::kMaxLayers));
+  status.Update(
+      CheckCount("top_interface_layers", proto.top_interface_layers(), limits::kMaxLayers));
+  status.Update(
+      CheckCount("bottom_interface_layers", proto.bottom_interface_layers(), limits::kMaxLayers));
+  if (!(0 <= proto.threshold_rad() && proto.threshold_rad() <= std::numbers::pi / 2))
+    status.Update(Malformed("threshold_rad", "is out of range"));
+  if (!status.ok()) return status;
+  const absl::StatusOr<TreeOptions> tree = TreeFromProto(proto.tree());
+  if (!tree.ok()) return Within("tree", tree.status());
+  return SupportOptions{.on = proto.on(),
+                        .automatic = proto.automatic(),
+                        .style = Known<SupportStyle>(proto.style()),
+                        .threshold_rad = proto.threshold_rad(),
+                        .enforced_layers = proto.enforced_layers(),
+                        .bed_only = proto.bed_only(),
+                        .skip_bridges = proto.skip_bridges(),
+                        .top_gap_nm = proto.top_gap_nm(),
+                        .bottom_gap_nm = proto.bottom_gap_nm(),
+                        .xy_gap_nm = proto.xy_gap_nm(),
+                        .closing_radius_nm = proto.closing_radius_nm(),
+                        .top_interface_layers = proto.top_interface_layers(),
+                        .bottom_interface_layers = proto.bottom_interface_layers(),
+                        .interface_loops = proto.interface_loops(),
+                        .spacing_nm = proto.spacing_nm(),
+                        .interface_spacing_nm = proto.interface_spacing_nm(),
+                        .pattern = Known<SupportPattern>(proto.pattern()),
+                        .interface_pattern = Known<InterfacePattern>(proto.interface_pattern()),
+                        .angle_rad = proto.angle_rad(),
+                        .sheath = proto.sheath(),
+                        .width_nm = proto.width_nm(),
+                        .wall_width_nm = proto.wall_width_nm(),
+                        .layer_height_nm = proto.layer_height_nm(),
+                        .first_layer_height_nm = proto.first_layer_height_nm(),
+                        .tree = *tree};
 }
 
 v1::ObjectPlanOptions ToProto(const ObjectPlanOptions& options) {
@@ -160,6 +301,10 @@ v1::ObjectPlanOptions ToProto(const ObjectPlanOptions& options) {
   proto.set_brim_settings(options.brim_settings);
   *proto.mutable_raft() = ToProto(options.raft);
   for (const int32_t row : options.raft_settings) proto.add_raft_settings(row);
+  *proto.mutable_support() = ToProto(options.support);
+  proto.mutable_support_settings()->set_body(options.support_settings.body);
+  proto.mutable_support_settings()->set_interface(options.support_settings.interface);
+  proto.mutable_support_settings()->set_first_layer(options.support_settings.first_layer);
   return proto;
 }
 
@@ -167,16 +312,23 @@ absl::StatusOr<ObjectPlanOptions> ObjectFromProto(const v1::ObjectPlanOptions& p
   absl::Status status = CheckComplete(proto);
   status.Update(CheckRow("brim_settings", proto.brim_settings()));
   for (const int32_t row : proto.raft_settings()) status.Update(CheckRow("raft_settings", row));
+  const v1::SupportRows& rows = proto.support_settings();
+  for (const int32_t row : {rows.body(), rows.interface(), rows.first_layer()})
+    status.Update(CheckRow("support_settings", row));
   if (!status.ok()) return status;
   const absl::StatusOr<BrimOptions> brim = BrimFromProto(proto.brim());
   if (!brim.ok()) return Within("brim", brim.status());
   const absl::StatusOr<RaftOptions> raft = RaftFromProto(proto.raft());
   if (!raft.ok()) return Within("raft", raft.status());
+  const absl::StatusOr<SupportOptions> support = SupportFromProto(proto.support());
+  if (!support.ok()) return Within("support", support.status());
   return ObjectPlanOptions{Known<SeamPosition>(proto.seam()),
                            *brim,
                            proto.brim_settings(),
                            *raft,
-                           {proto.raft_settings().begin(), proto.raft_settings().end()}};
+                           {proto.raft_settings().begin(), proto.raft_settings().end()},
+                           *support,
+                           {rows.body(), rows.interface(), rows.first_layer()}};
 }
 
 v1::InfillPlanOptions ToProto(const InfillPlanOptions& options) {
@@ -221,24 +373,6 @@ absl::StatusOr<InfillPlanOptions> InfillFromProto(const v1::InfillPlanOptions& p
 }
 
 }  // namespace
-
-v1::RaftHeights ToProto(const RaftHeights& heights) {
-  v1::RaftHeights proto;
-  proto.set_layers(heights.layers);
-  proto.set_first_nm(heights.first_nm);
-  proto.set_others_nm(heights.others_nm);
-  proto.set_contact_distance_nm(heights.contact_distance_nm);
-  return proto;
-}
-
-absl::StatusOr<RaftHeights> FromProto(const v1::RaftHeights& proto) {
-  absl::Status status = CheckCount("layers", proto.layers(), limits::kMaxRaftLayers);
-  status.Update(CheckPositive({{"first_nm", proto.first_nm()}, {"others_nm", proto.others_nm()}}));
-  status.Update(CheckNotNegative({{"contact_distance_nm", proto.contact_distance_nm()}}));
-  if (!status.ok()) return status;
-  return RaftHeights{proto.layers(), proto.first_nm(), proto.others_nm(),
-                     proto.contact_distance_nm()};
-}
 
 absl::Status ToProto(const PlanningOptions& options, v1::PlanningOptions* proto) {
   for (const ObjectPlanOptions& object : options.objects) *proto->add_objects() = ToProto(object);

@@ -10,9 +10,6 @@ namespace slicefarm {
 absl::Status ToProto(const PlanningOptions& options, v1::PlanningOptions* proto);
 absl::StatusOr<PlanningOptions> FromProto(const v1::PlanningOptions& proto);
 
-v1::RaftHeights ToProto(const RaftHeights& heights);
-absl::StatusOr<RaftHeights> FromProto(const v1::RaftHeights& proto);
-
 namespace v1 {
 using slicefarm::FromProto;  // so that templates find it by the message's namespace
 }  // namespace v1

@@ -6,6 +6,7 @@
 #include "common/base/error.h"
 #include "common/model/limits.h"
 #include "common/wire/geometry_wire.h"
+#include "common/wire/options/infill_options_wire.h"
 #include "common/wire/options/motion_options_wire.h"
 #include "common/wire/options/planning_options_wire.h"
 #include "common/wire/options/settings_check.h"
@@ -28,14 +29,6 @@ static_assert(v1::ONE_WALL_ON_TOP_SURFACES == static_cast<int>(OneWallOnTop::kSu
 static_assert(v1::FUZZY_SKIN_NONE == static_cast<int>(FuzzySkin::kNone) + 1);
 static_assert(v1::FUZZY_SKIN_CONTOURS == static_cast<int>(FuzzySkin::kContours) + 1);
 static_assert(v1::FUZZY_SKIN_ALL_WALLS == static_cast<int>(FuzzySkin::kAllWalls) + 1);
-static_assert(v1::FILL_PATTERN_GRID == static_cast<int>(FillPattern::kGrid) + 1);
-static_assert(v1::FillPattern_MAX == kFillPatternCount);
-static_assert(v1::SHELL_THICKNESS_DISABLED == static_cast<int>(ShellThickness::kDisabled) + 1);
-static_assert(v1::SHELL_THICKNESS_ENABLED == static_cast<int>(ShellThickness::kEnabled) + 1);
-static_assert(v1::FILL_GOAL_STRENGTH == static_cast<int>(FillGoal::kStrength) + 1);
-static_assert(v1::FILL_GOAL_FLEXIBILITY == static_cast<int>(FillGoal::kFlexibility) + 1);
-static_assert(v1::IRONING_TYPE_TOP == static_cast<int>(IroningType::kTop) + 1);
-static_assert(v1::IRONING_TYPE_SOLID == static_cast<int>(IroningType::kSolid) + 1);
 static_assert(v1::Process_MAX == kProcessCount);
 
 constexpr double kMaxTransitionAngle = 1.6;  // radians: a right angle
@@ -58,6 +51,7 @@ absl::Status Check(const v1::ObjectSlicingOptions& proto) {
   status.Update(CheckPositive({{"layer_height_nm", proto.layer_height_nm()}}));
   status.Update(
       CheckNotNegative({{"closing_radius_nm", proto.closing_radius_nm()},
+                        {"lift_nm", proto.lift_nm()},
                         {"elephant_foot_min_width_nm", proto.elephant_foot_min_width_nm()}}));
   status.Update(CheckLengths({{"xy_compensation_nm", proto.xy_compensation_nm()},
                               {"hole_compensation_nm", proto.hole_compensation_nm()},
@@ -106,38 +100,6 @@ absl::Status Check(const v1::BeadingOptions& proto) {
   return status;
 }
 
-absl::Status Check(const v1::InfillOptions& proto) {
-  absl::Status status = CheckComplete(proto);
-  for (const auto& [field, layers] : {std::pair("top_solid_layers", proto.top_solid_layers()),
-                                      std::pair("bottom_solid_layers", proto.bottom_solid_layers()),
-                                      std::pair("field_halo_layers", proto.field_halo_layers())}) {
-    if (layers < 0 || layers > limits::kMaxLayers) {
-      status.Update(Malformed(field, "is out of range"));
-    }
-  }
-  if (proto.density() < 0 || proto.density() > 1) {
-    status.Update(Malformed("density", "is not in [0, 1]"));
-  }
-  if (proto.solid_below_area_mm2() < 0) {
-    status.Update(Malformed("solid_below_area_mm2", "is negative"));
-  }
-  status.Update(CheckPositive({{"sparse_width_nm", proto.sparse_width_nm()},
-                               {"solid_width_nm", proto.solid_width_nm()},
-                               {"top_width_nm", proto.top_width_nm()},
-                               {"first_layer_width_nm", proto.first_layer_width_nm()},
-                               {"nozzle_nm", proto.nozzle_nm()}}));
-  status.Update(CheckLengths({{"overlap_nm", proto.overlap_nm()}}, -limits::kMaxCoord));
-  status.Update(CheckNotNegative({{"anchor_nm", proto.anchor_nm()},
-                                  {"anchor_max_nm", proto.anchor_max_nm()},
-                                  {"smoothing_nm", proto.smoothing_nm()}}));
-  if (proto.solid_every_layers() < 0) status.Update(Malformed("solid_every_layers", "is negative"));
-  if (proto.every_layers() < 1) status.Update(Malformed("every_layers", "is below 1"));
-  if (!(proto.bridge_flow() > 0)) status.Update(Malformed("bridge_flow", "is not above 0"));
-  if (proto.ironing().flow() < 0) status.Update(Malformed("ironing.flow", "is negative"));
-  status.Update(CheckPositive({{"ironing.spacing_nm", proto.ironing().spacing_nm()}}));
-  return status;
-}
-
 v1::ObjectSlicingOptions ToProto(const ObjectSlicingOptions& options) {
   v1::ObjectSlicingOptions proto;
   proto.set_layer_height_nm(options.layer_height_nm);
@@ -148,14 +110,13 @@ v1::ObjectSlicingOptions ToProto(const ObjectSlicingOptions& options) {
   proto.set_hole_compensation_nm(options.hole_compensation_nm);
   proto.set_elephant_foot_nm(options.elephant_foot_nm);
   proto.set_elephant_foot_min_width_nm(options.elephant_foot_min_width_nm);
-  *proto.mutable_raft() = ToProto(options.raft);
+  proto.set_on_bed(options.on_bed);
+  proto.set_lift_nm(options.lift_nm);
   return proto;
 }
 
 absl::StatusOr<ObjectSlicingOptions> ObjectFromProto(const v1::ObjectSlicingOptions& proto) {
   if (absl::Status status = Check(proto); !status.ok()) return status;
-  const absl::StatusOr<RaftHeights> raft = FromProto(proto.raft());
-  if (!raft.ok()) return Within("raft", raft.status());
   ObjectSlicingOptions options;
   options.layer_height_nm = proto.layer_height_nm();
   options.fill_rule = Known<FillRule>(proto.fill_rule());
@@ -165,7 +126,8 @@ absl::StatusOr<ObjectSlicingOptions> ObjectFromProto(const v1::ObjectSlicingOpti
   options.hole_compensation_nm = proto.hole_compensation_nm();
   options.elephant_foot_nm = proto.elephant_foot_nm();
   options.elephant_foot_min_width_nm = proto.elephant_foot_min_width_nm();
-  options.raft = *raft;
+  options.on_bed = proto.on_bed();
+  options.lift_nm = proto.lift_nm();
   return options;
 }
 
@@ -281,98 +243,6 @@ absl::StatusOr<BeadingOptions> FromProto(const v1::BeadingOptions& proto) {
   return options;
 }
 
-v1::InfillOptions ToProto(const InfillOptions& options) {
-  v1::InfillOptions proto;
-  proto.set_top_solid_layers(options.top_solid_layers);
-  proto.set_bottom_solid_layers(options.bottom_solid_layers);
-  proto.set_density(options.density);
-  proto.set_pattern(EnumToProto<v1::FillPattern>(options.pattern));
-  proto.set_solid_pattern(EnumToProto<v1::FillPattern>(options.solid_pattern));
-  proto.set_top_pattern(EnumToProto<v1::FillPattern>(options.top_pattern));
-  proto.set_bottom_pattern(EnumToProto<v1::FillPattern>(options.bottom_pattern));
-  proto.set_angle_rad(options.angle_rad);
-  proto.set_sparse_width_nm(options.sparse_width_nm);
-  proto.set_solid_width_nm(options.solid_width_nm);
-  proto.set_top_width_nm(options.top_width_nm);
-  proto.set_first_layer_width_nm(options.first_layer_width_nm);
-  proto.set_overlap_nm(options.overlap_nm);
-  proto.set_solid_below_area_mm2(options.solid_below_area_mm2);
-  proto.set_anchor_nm(options.anchor_nm);
-  proto.set_anchor_max_nm(options.anchor_max_nm);
-  proto.set_smoothing_nm(options.smoothing_nm);
-  proto.set_solid_every_layers(options.solid_every_layers);
-  proto.set_bridge_angle_rad(options.bridge_angle_rad);
-  proto.set_density_field(options.density_field);
-  proto.set_stress_field(options.stress_field);
-  proto.set_field_halo_layers(options.field_halo_layers);
-  proto.set_choose_pattern(options.choose_pattern);
-  proto.set_goal(EnumToProto<v1::FillGoal>(options.goal));
-  proto.set_angle_template(options.angle_template);
-  proto.set_solid_angle_template(options.solid_angle_template);
-  proto.set_bridge_flow(options.bridge_flow);
-  proto.set_every_layers(options.every_layers);
-  proto.set_only_where_needed(options.only_where_needed);
-  proto.set_shells(EnumToProto<v1::ShellThickness>(options.shells));
-  proto.set_overhang_lines(options.overhang_lines);
-  proto.set_thick_bridges(options.thick_bridges);
-  proto.set_nozzle_nm(options.nozzle_nm);
-  proto.set_over_bridges(options.over_bridges);
-  proto.set_interface_shells(options.interface_shells);
-  proto.set_small_area_flow(options.small_area_flow);
-  proto.set_small_area_flow_table(options.small_area_flow_table);
-  v1::IroningOptions& ironing = *proto.mutable_ironing();
-  ironing.set_enabled(options.ironing.enabled);
-  ironing.set_type(EnumToProto<v1::IroningType>(options.ironing.type));
-  ironing.set_flow(options.ironing.flow);
-  ironing.set_spacing_nm(options.ironing.spacing_nm);
-  return proto;
-}
-
-absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
-  if (absl::Status status = Check(proto); !status.ok()) return status;
-  InfillOptions options;
-  options.top_solid_layers = proto.top_solid_layers();
-  options.bottom_solid_layers = proto.bottom_solid_layers();
-  options.density = proto.density();
-  options.pattern = Known<FillPattern>(proto.pattern());
-  options.solid_pattern = Known<FillPattern>(proto.solid_pattern());
-  options.top_pattern = Known<FillPattern>(proto.top_pattern());
-  options.bottom_pattern = Known<FillPattern>(proto.bottom_pattern());
-  options.angle_rad = proto.angle_rad();
-  options.sparse_width_nm = proto.sparse_width_nm();
-  options.solid_width_nm = proto.solid_width_nm();
-  options.top_width_nm = proto.top_width_nm();
-  options.first_layer_width_nm = proto.first_layer_width_nm();
-  options.overlap_nm = proto.overlap_nm();
-  options.solid_below_area_mm2 = proto.solid_below_area_mm2();
-  options.anchor_nm = proto.anchor_nm();
-  options.anchor_max_nm = proto.anchor_max_nm();
-  options.smoothing_nm = proto.smoothing_nm();
-  options.solid_every_layers = proto.solid_every_layers();
-  options.bridge_angle_rad = proto.bridge_angle_rad();
-  options.density_field = proto.density_field();
-  options.stress_field = proto.stress_field();
-  options.field_halo_layers = proto.field_halo_layers();
-  options.choose_pattern = proto.choose_pattern();
-  options.goal = Known<FillGoal>(proto.goal());
-  options.angle_template = proto.angle_template();
-  options.solid_angle_template = proto.solid_angle_template();
-  options.bridge_flow = proto.bridge_flow();
-  options.every_layers = proto.every_layers();
-  options.only_where_needed = proto.only_where_needed();
-  options.shells = Known<ShellThickness>(proto.shells());
-  options.overhang_lines = proto.overhang_lines();
-  options.thick_bridges = proto.thick_bridges();
-  options.nozzle_nm = proto.nozzle_nm();
-  options.over_bridges = proto.over_bridges();
-  options.interface_shells = proto.interface_shells();
-  options.small_area_flow = proto.small_area_flow();
-  options.small_area_flow_table = proto.small_area_flow_table();
-  options.ironing = {proto.ironing().enabled(), Known<IroningType>(proto.ironing().type()),
-                     proto.ironing().flow(), proto.ironing().spacing_nm()};
-  return options;
-}
-
 v1::OrderingOptions ToProto(const OrderingOptions& options) {
   v1::OrderingOptions proto;
   proto.set_infill_first(options.infill_first);
@@ -421,7 +291,7 @@ absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
 
 absl::Status ToProto(const FdmSettings& settings, v1::FdmSettings* proto) {
   for (const BeadingOptions& row : settings.beading) *proto->add_beading() = ToProto(row);
-  for (const InfillOptions& row : settings.infill) *proto->add_infill() = ToProto(row);
+  ToProto(settings.infill, proto->mutable_infill(), proto->mutable_texts());
   *proto->mutable_ordering() = ToProto(settings.ordering);
   *proto->mutable_motion() = ToProto(settings.motion);
   const absl::Status status = ToProto(settings.planning, proto->mutable_planning());
@@ -438,8 +308,10 @@ absl::StatusOr<FdmSettings> FromProto(const v1::FdmSettings& proto) {
   FdmSettings settings{*std::move(planning), {}, {}, *std::move(ordering), *std::move(motion)};
   absl::Status status = CheckRows(proto.beading_size(), "beading");
   status.Update(AllFromProto(proto.beading(), "beading", &settings.beading));
-  status.Update(AllFromProto(proto.infill(), "infill", &settings.infill));
   if (!status.ok()) return status;
+  auto infill = FromProto(proto.infill(), proto.texts(), "infill");
+  if (!infill.ok()) return infill.status();
+  settings.infill = *std::move(infill);
   const size_t rows = settings.beading.size();
   if (settings.infill.size() != rows || settings.ordering.walls.size() != rows ||
       settings.motion.speeds.size() != rows)

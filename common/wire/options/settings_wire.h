@@ -19,9 +19,6 @@ absl::StatusOr<SlicingOptions> FromProto(const v1::SlicingOptions& proto);
 v1::BeadingOptions ToProto(const BeadingOptions& options);
 absl::StatusOr<BeadingOptions> FromProto(const v1::BeadingOptions& proto);
 
-v1::InfillOptions ToProto(const InfillOptions& options);
-absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto);
-
 v1::OrderingOptions ToProto(const OrderingOptions& options);
 absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto);
 

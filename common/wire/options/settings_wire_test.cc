@@ -80,6 +80,35 @@ RaftOptions DistinctRaftOptions() {
   return options;
 }
 
+SupportOptions DistinctSupport() {
+  SupportOptions options;
+  auto& [on, automatic, style, threshold, enforced_layers, bed_only, skip_bridges, top_gap,
+         bottom_gap, xy_gap, closing_radius, top_interface_layers, bottom_interface_layers,
+         interface_loops, spacing, interface_spacing, pattern, interface_pattern, angle, sheath,
+         width, wall_width, layer_height, first_layer_height, tree] = options;
+  on = automatic = bed_only = skip_bridges = interface_loops = sheath = true;
+  style = SupportStyle::kTree;
+  threshold = 0.651;
+  enforced_layers = 652;
+  top_gap = 653;
+  bottom_gap = 654;
+  xy_gap = 655;
+  closing_radius = 656;
+  top_interface_layers = 657;
+  bottom_interface_layers = 658;
+  spacing = 659;
+  interface_spacing = 660;
+  pattern = SupportPattern::kHoneycomb;
+  interface_pattern = InterfacePattern::kConcentric;
+  angle = 0.661;
+  width = 662;
+  wall_width = 663;
+  layer_height = 664;
+  first_layer_height = 665;
+  tree = {0.671, 0.672, 673, 0.674, 675, 676, 0.677};
+  return options;
+}
+
 InfillPlanOptions DistinctInfillPlan() {
   InfillPlanOptions options;
   auto& [pattern, choose_pattern, goal, density, angle, width, walls, top_layers, bottom_layers,
@@ -108,12 +137,14 @@ PlanningOptions DistinctPlanning() {
   clearance_radius = 151;
   clearance_height = 152;
   ObjectPlanOptions object;
-  auto& [seam, brim, brim_settings, raft, raft_settings] = object;
+  auto& [seam, brim, brim_settings, raft, raft_settings, support, support_settings] = object;
   seam = SeamPosition::kRear;
   brim = DistinctBrim();
   brim_settings = 641;
   raft = DistinctRaftOptions();
   raft_settings = {642, 643};
+  support = DistinctSupport();
+  support_settings = {645, 646, 647};
   objects = {object, {SeamPosition::kNearest}};
   skirt = DistinctSkirt();
   skirt_settings = 644;
@@ -434,6 +465,42 @@ constexpr char kDistinct[] = R"pb(
         first_layer_expansion_nm: 633
       }
       raft_settings: [ 642, 643 ]
+      support {
+        on: true
+        automatic: true
+        style: SUPPORT_STYLE_TREE
+        threshold_rad: 0.651
+        enforced_layers: 652
+        bed_only: true
+        skip_bridges: true
+        top_gap_nm: 653
+        bottom_gap_nm: 654
+        xy_gap_nm: 655
+        closing_radius_nm: 656
+        top_interface_layers: 657
+        bottom_interface_layers: 658
+        interface_loops: true
+        spacing_nm: 659
+        interface_spacing_nm: 660
+        pattern: SUPPORT_PATTERN_HONEYCOMB
+        interface_pattern: INTERFACE_PATTERN_CONCENTRIC
+        angle_rad: 0.661
+        sheath: true
+        width_nm: 662
+        wall_width_nm: 663
+        layer_height_nm: 664
+        first_layer_height_nm: 665
+        tree {
+          angle_rad: 0.671
+          slow_angle_rad: 0.672
+          branch_diameter_nm: 673
+          diameter_angle_rad: 0.674
+          tip_diameter_nm: 675
+          branch_distance_nm: 676
+          top_rate: 0.677
+        }
+      }
+      support_settings { body: 645 interface: 646 first_layer: 647 }
     }
     skirt {
       loops: 11
@@ -508,13 +575,13 @@ constexpr char kDistinct[] = R"pb(
     smoothing_nm: 317
     solid_every_layers: 318
     bridge_angle_rad: 0.319
-    density_field: "density"
-    stress_field: "stress"
+    density_text: 1
+    stress_text: 2
     field_halo_layers: 320
     choose_pattern: true
     goal: FILL_GOAL_TIME
-    angle_template: "0,45"
-    solid_angle_template: "+30"
+    angle_text: 3
+    solid_angle_text: 4
     bridge_flow: 0.9
     every_layers: 321
     only_where_needed: true
@@ -524,7 +591,7 @@ constexpr char kDistinct[] = R"pb(
     over_bridges: true
     interface_shells: true
     small_area_flow: true
-    small_area_flow_table: "0,0.5;3.24,1"
+    flow_text: 5
     ironing { enabled: true type: IRONING_TYPE_TOPMOST flow: 0.2 spacing_nm: 322 }
   }
   ordering {
@@ -668,6 +735,7 @@ constexpr char kDistinct[] = R"pb(
       template_gcode: "template"
     }
   }
+  texts: [ "density", "stress", "0,45", "+30", "0,0.5;3.24,1" ]
 )pb";
 
 /// The first row of each table; what is in the others needs no text of its own.
@@ -675,6 +743,7 @@ v1::FdmSettings WithoutLastRows(v1::FdmSettings proto) {
   proto.mutable_planning()->mutable_objects()->RemoveLast();
   proto.mutable_beading()->RemoveLast();
   proto.mutable_infill()->RemoveLast();
+  proto.mutable_texts()->RemoveLast();  // the standard flow table
   proto.mutable_ordering()->mutable_walls()->RemoveLast();
   proto.mutable_motion()->mutable_speeds()->RemoveLast();
   return proto;
@@ -709,11 +778,46 @@ TEST(SettingsWire, EveryFieldChangedAloneReturns) {
     ++fields;
     const auto& changed = dynamic_cast<const v1::FdmSettings&>(message);
     const absl::StatusOr<FdmSettings> settings = FromProto(changed);
+    if (path.find("flow_text") != std::string::npos) {  // there is one text
+      EXPECT_EQ(DetailOf(settings.status()).metadata["field"], "infill[0].flow_text");
+      return;
+    }
     ASSERT_TRUE(settings.ok()) << settings.status();
     EXPECT_FALSE(*settings == defaults);
     EXPECT_TRUE(MessageDifferencer::Equals(Proto(*settings), changed));
   });
   EXPECT_GT(fields, 100);
+}
+
+// However many rows have it, there and back.
+TEST(SettingsWire, ATextOfManyRowsTravelsOnce) {
+  FdmSettings settings;
+  settings.beading.resize(3);
+  settings.infill.resize(3);
+  settings.ordering.walls.resize(3);
+  settings.motion.speeds.resize(3);
+  for (InfillOptions& row : settings.infill) row.density_field = std::string(100'000, 'x');
+  settings.infill[1].density_field = "y";
+  const v1::FdmSettings proto = Proto(settings);
+  EXPECT_LT(proto.ByteSizeLong(), 110'000u);
+  const absl::StatusOr<FdmSettings> back = FromProto(proto);
+  ASSERT_TRUE(back.ok()) << back.status();
+  EXPECT_EQ(*back, settings);
+  EXPECT_EQ(&back->infill[0].density_field.str(), &back->infill[2].density_field.str());
+}
+
+TEST(SettingsWire, RefusesTextsThatAreNotThere) {
+  for (const int32_t number : {-1, 2}) {
+    v1::FdmSettings proto = Proto({});
+    ASSERT_EQ(proto.texts_size(), 1);
+    proto.mutable_infill(0)->set_stress_text(number);
+    const absl::Status status = FromProto(proto).status();
+    EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
+    EXPECT_EQ(DetailOf(status).metadata["field"], "infill[0].stress_text");
+  }
+  v1::FdmSettings proto = Proto({});
+  proto.set_texts(0, std::string(limits::kMaxFieldBytes + 1, 'x'));
+  EXPECT_EQ(DetailOf(FromProto(proto).status()).reason, Reason::kRequestTooLarge);
 }
 
 // Objects and regions are counted apart; tables of regions are not.

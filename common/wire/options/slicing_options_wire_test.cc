@@ -20,7 +20,7 @@ using google::protobuf::util::MessageDifferencer;
 ObjectSlicingOptions DistinctObjectSlicing() {
   ObjectSlicingOptions options;
   auto& [layer_height, fill_rule, close_holes, closing_radius, xy_compensation, hole_compensation,
-         elephant_foot, elephant_foot_min_width, raft] = options;
+         on_bed, elephant_foot, elephant_foot_min_width, lift] = options;
   layer_height = 101;
   fill_rule = FillRule::kPositive;
   close_holes = true;
@@ -29,7 +29,8 @@ ObjectSlicingOptions DistinctObjectSlicing() {
   hole_compensation = -107;
   elephant_foot = -108;
   elephant_foot_min_width = 110;
-  raft = {2, 602, 603, 604};
+  on_bed = true;
+  lift = 602;
   return options;
 }
 
@@ -67,7 +68,8 @@ constexpr char kDistinctSlicing[] = R"pb(
     hole_compensation_nm: -107
     elephant_foot_nm: -108
     elephant_foot_min_width_nm: 110
-    raft { layers: 2 first_nm: 602 others_nm: 603 contact_distance_nm: 604 }
+    on_bed: true
+    lift_nm: 602
   }
 )pb";
 
@@ -110,12 +112,9 @@ INSTANTIATE_TEST_SUITE_P(
                        "objects[0].fill_rule"},
         RefusedSlicing{"NegativeDistance", [](auto& p) { p.set_part_distance_nm(-1); },
                        "part_distance_nm"},
-        RefusedSlicing{"RaftTooHigh",
-                       [](auto& p) { p.mutable_objects(0)->mutable_raft()->set_layers(101); },
-                       "objects[0].raft.layers"},
-        RefusedSlicing{"RaftOfNoHeight",
-                       [](auto& p) { p.mutable_objects(0)->mutable_raft()->set_others_nm(0); },
-                       "objects[0].raft.others_nm"},
+        RefusedSlicing{"LiftBelowTheBed",
+                       [](auto& p) { p.mutable_objects(0)->set_lift_nm(-1); },
+                       "objects[0].lift_nm"},
         RefusedSlicing{"NoSlicedObjects", [](auto& p) { p.clear_objects(); }, "objects"},
         RefusedSlicing{"NoLayerHeight",
                        [](auto& p) { p.mutable_objects(0)->set_layer_height_nm(0); },

@@ -2,7 +2,6 @@
 
 #include <map>
 #include <set>
-#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
@@ -61,20 +60,19 @@ std::string Warning(const std::string& what, const Objects& objects,
 
 }  // namespace
 
-std::vector<std::string> BedWarnings(std::span<const PlateAddition> additions, const Polygon& bed,
+std::vector<std::string> BedWarnings(const JobPlan& plan, const Polygon& bed,
                                      std::span<const PlacedCopy> copies,
                                      std::span<const std::string> names) {
   if (bed.empty()) return {};
   std::map<std::string, Objects> cut;
-  bool has_skirt = false;
-  for (const PlateAddition& addition : additions) {
-    for (const Region& region : addition.regions)
-      cut[region.role == Role::kBrim ? "brim" : "raft"].merge(
-          CutBeside(region.outlines, bed, copies));
-    if (addition.paths.empty() || std::exchange(has_skirt, true))
-      continue;  // all layers' are equal
-    cut["skirt"] = OpenBeside(addition.paths, copies);
+  for (const AddedStack& added : plan.stacks) {
+    if (added.stack.object != kPlateObject) continue;
+    for (const ObjectSection& section : added.sections)
+      for (const Region& region : section.regions)
+        cut[added.stack.kind == StackKind::kBrim ? "brim" : "raft"].merge(
+            CutBeside(region.outlines, bed, copies));
   }
+  if (!plan.skirt.loops.empty()) cut["skirt"] = OpenBeside(plan.skirt.loops, copies);
   std::vector<std::string> warnings;
   for (const auto& [what, objects] : cut)
     if (!objects.empty()) warnings.push_back(Warning(what, objects, names));

@@ -15,12 +15,25 @@ using testing::IsEmpty;
 /// Of 100 mm, with a cup on the left, a lid on the right, and a second lid in the middle.
 class BedWarningsTest : public testing::Test {
  protected:
-  std::vector<std::string> Of(const PlateAddition& addition) const {
-    return BedWarnings({&addition, 1}, bed_, copies_, names_);
+  std::vector<std::string> Of(const JobPlan& plan) const {
+    return BedWarnings(plan, bed_, copies_, names_);
   }
 
-  static PlateAddition WithRegion(Role role, std::string_view outlines) {
-    return {0, 200'000, {{role, 0, 0, MakePolygonsOrDie(outlines)}}, {}};
+  /// A plan that adds this alone.
+  static JobPlan With(StackKind kind, MultiPolygon outlines, int32_t object = kPlateObject) {
+    JobPlan plan;
+    AddedStack& added = plan.stacks.emplace_back();
+    added.stack = Stack(3, object, kind);
+    added.sections.emplace_back().regions = {{Role::kRaft, 0, 0, std::move(outlines)}};
+    return plan;
+  }
+  static JobPlan With(StackKind kind, std::string_view outlines) {
+    return With(kind, MakePolygonsOrDie(outlines));
+  }
+  static JobPlan WithSkirt(std::vector<Path> loops) {
+    JobPlan plan;
+    plan.skirt = {std::move(loops), 2};
+    return plan;
   }
 
   static Polygon Ring(std::string_view text) { return MakePolygonsOrDie(text)[0].outer; }
@@ -33,31 +46,36 @@ class BedWarningsTest : public testing::Test {
 };
 
 TEST_F(BedWarningsTest, NothingAtTheEdgeNothingToSay) {
-  EXPECT_THAT(Of(WithRegion(Role::kBrim, "(1 39, 13 39, 13 51, 1 51)")), IsEmpty());
-  EXPECT_THAT(Of({0, 200'000, {}, {MakePathOrDie("(1 39, 99 39, 99 51)", true)}}), IsEmpty());
+  EXPECT_THAT(Of(With(StackKind::kBrim, "(1 39, 13 39, 13 51, 1 51)")), IsEmpty());
+  EXPECT_THAT(Of(WithSkirt({MakePathOrDie("(1 39, 99 39, 99 51)", true)})), IsEmpty());
   EXPECT_THAT(Of({}), IsEmpty());
 }
 
 TEST_F(BedWarningsTest, NamesTheObjectWhoseBrimIsCut) {
-  EXPECT_THAT(Of(WithRegion(Role::kBrim, "(0 39, 13 39, 13 51, 0 51)")),
+  EXPECT_THAT(Of(With(StackKind::kBrim, "(0 39, 13 39, 13 51, 0 51)")),
               ElementsAre("cup: the brim reaches the edge of the bed and is cut there"));
   EXPECT_THAT(
-      Of(WithRegion(Role::kBrim, "(0 39, 13 39, 13 51, 0 51) ; (89 39, 100 39, 100 51, 89 51)")),
+      Of(With(StackKind::kBrim, "(0 39, 13 39, 13 51, 0 51) ; (89 39, 100 39, 100 51, 89 51)")),
       ElementsAre("cup, lid: the brim reaches the edge of the bed and is cut there"));
 }
 
 TEST_F(BedWarningsTest, NamesTheObjectWhoseRaftIsCut) {
-  for (const Role role : {Role::kRaft, Role::kRaftInterface})
-    EXPECT_THAT(Of(WithRegion(role, "(89 39, 100 39, 100 51, 89 51)")),
-                ElementsAre("lid: the raft reaches the edge of the bed and is cut there"));
+  EXPECT_THAT(Of(With(StackKind::kRaft, "(89 39, 100 39, 100 51, 89 51)")),
+              ElementsAre("lid: the raft reaches the edge of the bed and is cut there"));
+}
+
+TEST_F(BedWarningsTest, WhatIsAnObjectsOwnIsNotInPlateCoordinates) {
+  EXPECT_THAT(
+      Of(With(StackKind::kRaft, MakePolygonsOrDie("(89 39, 100 39, 100 51, 89 51)"), 1)),
+      IsEmpty());
 }
 
 TEST_F(BedWarningsTest, ASkirtThatIsOpenWasCut) {
-  PlateAddition addition{0, 200'000, {}, {MakePathOrDie("(0.3 39, 50 30, 50 60, 0.3 51)", false)}};
-  EXPECT_THAT(Of(addition),
+  std::vector<Path> loops = {MakePathOrDie("(0.3 39, 50 30, 50 60, 0.3 51)", false)};
+  EXPECT_THAT(Of(WithSkirt(loops)),
               ElementsAre("cup: the skirt reaches the edge of the bed and is cut there"));
-  addition.paths.push_back(MakePathOrDie("(1 39, 99 39, 99 51)", true));
-  EXPECT_THAT(BedWarnings(std::vector{addition, addition}, bed_, copies_, names_),
+  loops.push_back(MakePathOrDie("(1 39, 99 39, 99 51)", true));
+  EXPECT_THAT(Of(WithSkirt(loops)),
               ElementsAre("cup: the skirt reaches the edge of the bed and is cut there"));
 }
 
@@ -71,15 +89,14 @@ TEST_F(BedWarningsTest, NamesAFewOfManyObjects) {
     names.push_back("part " + std::to_string(i));
     brims.push_back({{{x, 0}, {x + FromMm(5), 0}, {x, FromMm(5)}}, {}});
   }
-  const PlateAddition addition{0, 200'000, {{Role::kBrim, 0, 0, brims}}, {}};
-  EXPECT_THAT(BedWarnings({&addition, 1}, bed_, copies, names),
+  EXPECT_THAT(BedWarnings(With(StackKind::kBrim, brims), bed_, copies, names),
               ElementsAre("part 0, part 1, part 2, part 3, part 4 and 2 more: the brim reaches the "
                           "edge of the bed and is cut there"));
 }
 
 TEST_F(BedWarningsTest, WithoutABedNothingIsCut) {
-  const PlateAddition addition = WithRegion(Role::kBrim, "(0 39, 13 39, 13 51, 0 51)");
-  EXPECT_THAT(BedWarnings({&addition, 1}, {}, copies_, names_), IsEmpty());
+  const JobPlan plan = With(StackKind::kBrim, "(0 39, 13 39, 13 51, 0 51)");
+  EXPECT_THAT(BedWarnings(plan, {}, copies_, names_), IsEmpty());
 }
 
 }  // namespace

@@ -13,12 +13,12 @@
 #include "common/base/stopwatch.h"
 #include "common/gcode/binary/binary_gcode.h"
 #include "common/gcode/substitutions.h"
-#include "common/geometry/boolean/boolean.h"
 #include "common/model/bead_section.h"
 #include "common/model/fields/field_notes.h"
 #include "common/model/fields/field_text.h"
 #include "common/stage/job_memory.h"
 #include "common/stage/object_layers.h"
+#include "common/stage/print_layers.h"
 #include "processes/fdm/job/bed_warnings.h"
 #include "processes/fdm/job/fdm_programs.h"
 #include "processes/fdm/job/fdm_report.h"
@@ -32,14 +32,6 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// The regions of a plate lie apart, each in its own place.
-MultiPolygon WholeOf(const std::vector<Region>& regions) {
-  MultiPolygon all;
-  for (const Region& region : regions)
-    all.insert(all.end(), region.outlines.begin(), region.outlines.end());
-  return Union(all, {});
-}
-
 /// What cannot be as exact as the regions' density fields ask for.
 std::vector<std::string> FieldNotesOf(const JobSettings& settings) {
   std::vector<std::string> notes;
@@ -47,7 +39,7 @@ std::vector<std::string> FieldNotesOf(const JobSettings& settings) {
   const Coord height = settings.slicing.objects.front().layer_height_nm;
   for (const InfillOptions& options : FdmOf(settings).infill) {
     if (options.density_field.empty() || options.choose_pattern) continue;
-    const auto field = ParseDensityField(options.density_field);
+    const auto& field = DensityFieldOf(options.density_field);
     if (!field.ok()) continue;  // the infill stage says so
     const Coord spacing = Spacing(options.sparse_width_nm, height);
     std::ranges::move(FieldNotes(*field, options.pattern, ToMm(static_cast<double>(spacing))),
@@ -56,38 +48,27 @@ std::vector<std::string> FieldNotesOf(const JobSettings& settings) {
   return notes;
 }
 
-/// Puts what planning adds to the plate where the stages look for it: regions among the sections of
-/// their layer, finished paths into its plan.
-absl::Status AddToPlate(std::vector<SlicedLayer>& layers, JobPlan& plan) {
-  for (PlateAddition& addition : plan.additions) {
-    if (addition.layer < 0 || addition.layer >= std::ssize(layers))
-      return MakeError(
-          absl::StatusCode::kInternal, Reason::kInternal,
-          absl::StrCat("planning added to layer ", addition.layer, " of ", layers.size()));
-    const auto layer = static_cast<size_t>(addition.layer);
-    std::ranges::move(addition.paths, std::back_inserter(plan.layers[layer].paths));
-    if (addition.regions.empty()) continue;
-    ObjectSection plate;
-    plate.object = kPlate;
-    plate.height_nm = addition.height_nm;
-    plate.regions = std::move(addition.regions);
-    if (plate.regions.size() > 1) plate.whole = WholeOf(plate.regions);
-    std::vector<ObjectSection>& sections = layers[layer].sections;
-    const auto first = std::ranges::find_if(
-        sections, [](const ObjectSection& section) { return section.object != kPlate; });
-    sections.insert(first, std::move(plate));
-  }
-  return absl::OkStatus();
+/// Nobody but planning asks what is marked.
+void DropMarks(std::vector<SlicedLayer>& layers) {
+  for (SlicedLayer& layer : layers)
+    for (ObjectSection& section : layer.sections) section.marks.clear();
 }
 
-/// Nobody but planning asks where seams should be.
-void DropSeamParts(std::vector<SlicedLayer>& layers) {
-  for (SlicedLayer& layer : layers) {
-    for (ObjectSection& section : layer.sections) {
-      section.seam_enforcers.clear();
-      section.seam_blockers.clear();
-    }
-  }
+/// The layers of the print, with all that planning adds, which is no longer in the plan then.
+absl::StatusOr<std::vector<SlicedLayer>> TakeLayers(std::vector<SlicedLayer> parts,
+                                                    JobPlan& plan) {
+  DropMarks(parts);
+  std::vector<SlicedLayer> layers =
+      PrintLayers(std::move(parts), std::exchange(plan.lifts_nm, {}),
+                  std::exchange(plan.stacks, {}));
+  const Skirt skirt = std::exchange(plan.skirt, {});
+  if (layers.size() != plan.layers.size() || skirt.layers > std::ssize(layers))
+    return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                     absl::StrCat("planning planned ", plan.layers.size(), " layers and a skirt on ",
+                                  skirt.layers, " of ", layers.size()));
+  for (int32_t i = 0; i < skirt.layers; ++i)
+    plan.layers[static_cast<size_t>(i)].paths = skirt.loops;
+  return layers;
 }
 
 /// The names of the copies, in their order.
@@ -103,6 +84,14 @@ std::vector<CopyName> NamesOf(const std::vector<std::string>& objects,
   return names;
 }
 
+/// Whether outlines alone do not say how many layers a print has.
+bool NeedsPlan(const PlanningOptions& options) {
+  return options.sequence.complete_objects ||
+         std::ranges::any_of(options.objects, [](const ObjectPlanOptions& object) {
+           return object.raft.heights.layers > 0 || object.support.on;
+         });
+}
+
 /// Of G-code, about what a point of an outline comes to.
 constexpr int64_t kBytesAPoint = 40;
 
@@ -110,7 +99,8 @@ constexpr int64_t kBytesAPoint = 40;
 RangeSplitOptions SplitOptionsOf(const FdmSettings& settings) {
   const MotionOptions& motion = settings.motion;
   RangeSplitOptions options;
-  options.layer_points += std::ssize(motion.before_layer_gcode + motion.layer_gcode) / kBytesAPoint;
+  const size_t bytes = motion.before_layer_gcode.size() + motion.layer_gcode.size();
+  options.layer_points += static_cast<int64_t>(bytes) / kBytesAPoint;
   return options;
 }
 
@@ -191,33 +181,35 @@ std::vector<CopySummary> SummarizeCopies(std::vector<CopyName> names,
 
 class FdmJob : public PlannedJob {
  public:
-  FdmJob(const MotionStage& motion, FdmSettings settings, std::string settings_text,
-         JobReport report, SeamQuality seams, std::unique_ptr<SpoolFile> spool)
+  FdmJob(const MotionStage& motion, std::string settings_text, JobReport report, SeamQuality seams,
+         std::unique_ptr<SpoolFile> spool)
       : motion_(motion),
-        settings_(std::move(settings)),
         settings_text_(std::move(settings_text)),
         report_(std::move(report)),
         spool_(std::move(spool)) {
     own_.seams = seams;
   }
 
-  absl::Status Begin(SlicedJob sliced, JobPlan plan) {
-    layers_ = std::move(sliced.layers);
-    DropSeamParts(layers_);
+  absl::Status Begin(FdmSettings settings, SlicedJob sliced, JobPlan plan) {
     plan_ = std::move(plan);
+    auto layers = TakeLayers(std::move(sliced.layers), plan_);
+    if (!layers.ok()) return layers.status();
+    layers_ = *std::move(layers);
     copies_ = std::move(sliced.copies);
     thumbnails_ = std::move(sliced.thumbnails);
-    if (absl::Status added = AddToPlate(layers_, plan_); !added.ok()) return added;
     PassPlan passes = PassesOf(layers_, plan_.copies);
-    facts_ = {passes.layer_count, NamesOf(sliced.object_names, copies_), std::move(passes.passes)};
+    job_ = FdmShared{
+        std::move(settings),
+        plan_.copies,
+        {passes.layer_count, NamesOf(sliced.object_names, copies_), std::move(passes.passes)}};
     return absl::OkStatus();
   }
 
   int32_t Weight() const override { return static_cast<int32_t>(layers_.size()); }
 
   absl::StatusOr<std::vector<Task>> Tasks(int slots) override {
-    const auto ranges = SplitIntoRanges(layers_, slots, SplitOptionsOf(settings_));
-    absl::Status fits = CheckNeighbourhoods(layers_, ranges, HaloLayers(settings_));
+    const auto ranges = SplitIntoRanges(layers_, slots, SplitOptionsOf(job_->settings));
+    absl::Status fits = CheckNeighbourhoods(layers_, ranges, HaloLayers(job_->settings));
     if (!fits.ok()) return fits;
     std::vector<Task> tasks = TasksFor(ranges);
     ranges_.resize(tasks.size());
@@ -227,7 +219,7 @@ class FdmJob : public PlannedJob {
   std::vector<Task> TasksFor(const std::vector<LayerRange>& ranges) const {
     const std::span<const SlicedLayer> layers = layers_;
     const std::span<const LayerPlan> plans = plan_.layers;
-    const int32_t halo = HaloLayers(settings_);
+    const int32_t halo = HaloLayers(job_->settings);
     std::vector<Task> tasks;
     for (const LayerRange& range : ranges) {
       const LayerRange grown = WithHalo(layers, range, halo);
@@ -235,9 +227,7 @@ class FdmJob : public PlannedJob {
       tasks.push_back(FdmTask{.range = range,
                               .layers = layers.subspan(at(grown.first), at(grown.size())),
                               .plans = plans.subspan(at(range.first), at(range.size())),
-                              .copies = plan_.copies,
-                              .facts = &facts_,
-                              .settings = &settings_});
+                              .job = job_});
     }
     return tasks;
   }
@@ -273,16 +263,17 @@ class FdmJob : public PlannedJob {
     summary.thumbnails = std::move(thumbnails_);
     auto frame = Timed(report_.stage_times[Stage::kMotion], [&] {
       const ScopedSpan span(call.spans, "frame");
-      return motion_.Envelope(call, summary, settings_.motion);
+      return motion_.Envelope(call, summary, job_->settings.motion);
     });
     if (!frame.ok()) return frame.status();
 
     const ScopedSpan span(call.spans, "assembly");
-    FillIn(report_, own_, summary, *frame, settings_.motion);
+    FillIn(report_, own_, summary, *frame, job_->settings.motion);
     report_.own = std::make_unique<FdmReport>(std::move(own_));
     if (std::string warning = WallWarning(warnings); !warning.empty())
       report_.warnings.push_back(std::move(warning));
-    auto file = MakeFile(*std::move(frame), *programs, settings_.motion.writing, std::move(spool_));
+    auto file =
+        MakeFile(*std::move(frame), *programs, job_->settings.motion.writing, std::move(spool_));
     if (!file.ok()) return file.status();
     return JobOutput{*std::move(file), std::move(report_)};
   }
@@ -290,7 +281,7 @@ class FdmJob : public PlannedJob {
   /// What the envelope of these programs looks at, thumbnails apart.
   ProgramSummary SummaryOf(const std::vector<SpooledProgram>& programs) const {
     ProgramSummary summary = Summarize(programs);
-    summary.copies = SummarizeCopies(facts_.copies, copies_);
+    summary.copies = SummarizeCopies(job_->facts.copies, copies_);
     summary.settings_text = settings_text_;
     return summary;
   }
@@ -303,7 +294,7 @@ class FdmJob : public PlannedJob {
   };
 
   const MotionStage& motion_;
-  const FdmSettings settings_;
+  Shared<FdmShared> job_;
   std::string settings_text_;
   JobReport report_;
   FdmReport own_;
@@ -311,7 +302,6 @@ class FdmJob : public PlannedJob {
   std::vector<Range> ranges_;  ///< by task
   std::vector<SlicedLayer> layers_;
   JobPlan plan_;
-  JobFacts facts_;
   std::vector<PlacedCopy> copies_;
   std::vector<Thumbnail> thumbnails_;
 };
@@ -340,18 +330,18 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
   });
   if (!plan.ok()) return plan.status();
   const SeamQuality seams = plan->seams;
-  std::ranges::move(BedWarnings(plan->additions, FdmOf(settings).planning.bed, sliced->copies,
+  std::ranges::move(BedWarnings(*plan, FdmOf(settings).planning.bed, sliced->copies,
                                 sliced->object_names),
                     std::back_inserter(report.warnings));
   report.notes = std::move(plan->notes);
   std::ranges::move(FieldNotesOf(settings), std::back_inserter(report.notes));
   auto spool = SpoolFile::Make(spool_directory_);
   if (!spool.ok()) return spool.status();
-  auto job = std::make_unique<FdmJob>(motion_, std::move(FdmOf(input.settings)),
-                                      std::move(input.settings_text), std::move(report), seams,
-                                      *std::move(spool));
-  if (absl::Status begun = job->Begin(*std::move(sliced), *std::move(plan)); !begun.ok())
-    return begun;
+  auto job = std::make_unique<FdmJob>(motion_, std::move(input.settings_text), std::move(report),
+                                      seams, *std::move(spool));
+  absl::Status begun =
+      job->Begin(std::move(FdmOf(input.settings)), *std::move(sliced), *std::move(plan));
+  if (!begun.ok()) return begun;
   return job;
 }
 
@@ -359,9 +349,10 @@ absl::StatusOr<LayerSamples> FdmProcess::Sample(const StageCall& call, PlannedPl
                                                 std::span<const int32_t> layers,
                                                 TaskExecutor& executor) const {
   const MotionOptions motion = plate.settings.motion;
-  FdmJob job(motion_, std::move(plate.settings), std::move(plate.settings_text), {}, {}, nullptr);
-  if (absl::Status begun = job.Begin(std::move(plate.sliced), std::move(plate.plan)); !begun.ok())
-    return begun;
+  FdmJob job(motion_, std::move(plate.settings_text), {}, {}, nullptr);
+  absl::Status begun =
+      job.Begin(std::move(plate.settings), std::move(plate.sliced), std::move(plate.plan));
+  if (!begun.ok()) return begun;
   std::vector<LayerRange> ranges;
   for (const int32_t layer : layers) ranges.push_back({layer, layer + 1});
   std::vector<FdmResult> made(ranges.size());
@@ -394,22 +385,24 @@ absl::StatusOr<JobEstimate> FdmProcess::Estimate(const StageCall& call, SlicedJo
                                                  JobInput input, TaskExecutor& executor) const {
   FdmSettings& settings = FdmOf(input.settings);
   const bool samples = executor.Slots(Process::kFdm) > 0;
-  const bool one_by_one = settings.planning.sequence.complete_objects;
-  if (!samples && !one_by_one) return EstimatePrint({sliced.layers, sliced.copies}, settings);
+  if (!samples && !NeedsPlan(settings.planning))
+    return EstimatePrint({sliced.layers, sliced.copies}, settings);
   PlanningOptions options = settings.planning;
   options.infill = InfillPlansOf(settings);
   auto plan = planning_.Plan(call, {sliced.layers, sliced.copies, sliced.object_names}, options);
   if (!plan.ok()) return plan.status();
-  std::optional<int32_t> layers;
-  if (one_by_one) layers = PassesOf(sliced.layers, plan->copies).layer_count;
+  auto warnings = BedWarnings(*plan, options.bed, sliced.copies, sliced.object_names);
+  auto print = TakeLayers(std::move(sliced.layers), *plan);
+  if (!print.ok()) return print.status();
+  sliced.layers = *std::move(print);
+  const int32_t layers = PassesOf(sliced.layers, plan->copies).layer_count;
   if (!samples) {
     JobEstimate estimate = EstimatePrint({sliced.layers, sliced.copies}, settings);
     estimate.layers = layers;
     return estimate;
   }
-  auto warnings = BedWarnings(plan->additions, options.bed, sliced.copies, sliced.object_names);
   const std::vector<LayerEstimate> rough = EstimateLayers({sliced.layers, sliced.copies}, settings);
-  const std::vector<int32_t> chosen = LayersToSample(rough, plan->additions);
+  const std::vector<int32_t> chosen = LayersToSample(rough, sliced.layers);
   const MotionOptions motion = settings.motion;
   const auto made = Sample(
       call,

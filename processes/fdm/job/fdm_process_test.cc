@@ -72,7 +72,9 @@ class FakePlanning : public PlanningStage {
     for (const SlicedLayer& layer : job.layers)
       plan.layers.push_back(
           {.entry = {FromMm(layer.frame.index), 0}, .sections = {}, .paths = {}, .infill = {}});
-    plan.additions = additions;
+    plan.stacks = stacks;
+    plan.skirt = skirt;
+    for (int32_t i = 0; i < more_layers; ++i) plan.layers.emplace_back();
     int32_t index = 0;
     for (const PlacedCopy& copy : job.copies)
       plan.copies.push_back({copy.object, copy.shift, one_by_one ? index++ : 0});
@@ -80,7 +82,9 @@ class FakePlanning : public PlanningStage {
   }
 
   absl::Status fails;
-  std::vector<PlateAddition> additions;
+  std::vector<AddedStack> stacks;
+  Skirt skirt;
+  int32_t more_layers = 0;  ///< than the parts have
   bool one_by_one = false;  ///< each copy in a pass of its own
 };
 
@@ -92,11 +96,11 @@ class FakeRanges : public FdmRunner {
     EXPECT_EQ(task.layers.front().frame.index, std::max(0, task.range.first - 5));
     // Of several passes the facts count the layers together.
     const auto layers =
-        task.facts->layer_count / std::max<int32_t>(1, std::ssize(task.facts->passes));
+        task.job->facts.layer_count / std::max<int32_t>(1, std::ssize(task.job->facts.passes));
     EXPECT_EQ(task.layers.back().frame.index, std::min(layers, task.range.last + 5) - 1);
-    EXPECT_EQ(task.facts->copies.size(), task.copies.size());
+    EXPECT_EQ(task.job->facts.copies.size(), task.job->copies.size());
     std::set<int32_t> passes;
-    for (const Copy& copy : task.copies) passes.insert(copy.pass);
+    for (const Copy& copy : task.job->copies) passes.insert(copy.pass);
     FdmResult result;
     result.times[Stage::kInfill] = 1;
     for (int i = task.range.first; i < task.range.last; ++i) {
@@ -129,7 +133,8 @@ class FakeRanges : public FdmRunner {
   static std::string TextOf(const SlicedLayer& layer, const LayerPlan& plan, int32_t pass) {
     std::string text = absl::StrCat("layer ", layer.frame.index, " at ", ToText(plan.entry));
     for (const ObjectSection& section : layer.sections)
-      if (section.object == kPlate) absl::StrAppend(&text, ", plate ", ToMm(section.height_nm));
+      if (section.stack.object == kPlateObject)
+        absl::StrAppend(&text, ", plate ", ToMm(section.height_nm));
     if (!plan.paths.empty()) absl::StrAppend(&text, ", paths ", plan.paths.size());
     if (pass > 0) absl::StrAppend(&text, ", pass ", pass);
     return text + "\n";
@@ -263,39 +268,34 @@ TEST_F(FdmProcessTest, PassesFollowEachOtherAndEndWhereTheirBeadsDo) {
   EXPECT_DOUBLE_EQ(output->report.object_height_mm, 0.6);
 }
 
-TEST_F(FdmProcessTest, AdditionsOfPlanningReachTheirLayers) {
-  PlateAddition brim{.layer = 0, .height_nm = FromMm(0.3), .regions = {}, .paths = {}};
-  brim.regions = {{.role = Role::kBrim, .outlines = MakePolygonsOrDie("(0 0, 9 0, 0 9)")}};
-  PlateAddition skirt{.layer = 2, .height_nm = 0, .regions = {}, .paths = {}};
-  skirt.paths.resize(2);
-  planning_.additions = {brim, skirt};
-  const auto output = Run("xxx");
-  ASSERT_TRUE(output.ok()) << output.status();
-  EXPECT_THAT(*output->program.Whole(), HasSubstr("layer 0 at 0 0, plate 0.3\n"));
-  EXPECT_THAT(*output->program.Whole(), HasSubstr("layer 1 at 1 0\n"));
-  EXPECT_THAT(*output->program.Whole(), HasSubstr("layer 2 at 2 0, paths 2\n"));
+/// A stack of the plate with one layer that ends there.
+AddedStack OnPlate(int32_t id, Coord top_nm, Coord height_nm) {
+  AddedStack added;
+  added.stack = Stack(id, kPlateObject, StackKind::kRaft);
+  ObjectSection& section = added.sections.emplace_back();
+  section.stack = added.stack;
+  section.z_nm = top_nm;
+  section.height_nm = height_nm;
+  section.regions = {{.role = Role::kRaft, .outlines = MakePolygonsOrDie("(0 0, 9 0, 0 9)")}};
+  return added;
 }
 
-TEST_F(FdmProcessTest, ALayerMayHaveSeveralAdditions) {
-  PlateAddition low{.layer = 1, .height_nm = FromMm(0.2), .regions = {}, .paths = {}};
-  low.regions = {{.role = Role::kRaft, .outlines = MakePolygonsOrDie("(0 0, 9 0, 0 9)")}};
-  low.paths.resize(1);
-  PlateAddition high = low;
-  high.height_nm = FromMm(0.3);
-  planning_.additions = {low, high};
+TEST_F(FdmProcessTest, WhatPlanningAddsReachesItsLayers) {
+  planning_.stacks = {OnPlate(1, FromMm(0.2), FromMm(0.3)), OnPlate(2, FromMm(0.2), FromMm(0.1))};
+  planning_.skirt = {std::vector<Path>(2), 1};
   const auto output = Run("xxx");
   ASSERT_TRUE(output.ok()) << output.status();
   EXPECT_THAT(*output->program.Whole(),
-              HasSubstr("layer 1 at 1 0, plate 0.2, plate 0.3, paths 2\n"));
+              HasSubstr("layer 0 at 0 0, plate 0.3, plate 0.1, paths 2\n"));
+  EXPECT_THAT(*output->program.Whole(), HasSubstr("layer 1 at 1 0\n"));
 }
 
-TEST_F(FdmProcessTest, AdditionsToLayersThatAreNotThereAreAnError) {
-  for (const int32_t layer : {-1, 3}) {
-    planning_.additions.resize(1);
-    planning_.additions[0].layer = layer;
-    const auto output = Run("xxx");
-    EXPECT_EQ(DetailOf(output.status()).reason, Reason::kInternal) << layer;
-  }
+TEST_F(FdmProcessTest, LayersOfThePrintThatPlanningDidNotPlanAreAnError) {
+  planning_.stacks = {OnPlate(1, FromMm(0.3), FromMm(0.1))};
+  EXPECT_EQ(DetailOf(Run("xxx").status()).reason, Reason::kInternal) << "0.3 is between two";
+  planning_.stacks.clear();
+  planning_.skirt = {{}, 4};
+  EXPECT_EQ(DetailOf(Run("xxx").status()).reason, Reason::kInternal) << "of a skirt on three";
 }
 
 TEST_F(FdmProcessTest, ErrorsOfPlanningEndTheJob) {

@@ -17,8 +17,9 @@ std::map<int32_t, Extent> Extents(std::span<const SlicedLayer> layers) {
   std::map<int32_t, Extent> extents;
   for (const SlicedLayer& layer : layers)
     for (const ObjectSection& section : layer.sections) {
+      if (!section.stack.IsPart()) continue;
       const auto [extent, is_new] =
-          extents.try_emplace(section.object, Extent{layer.frame.index, 0, 0});
+          extents.try_emplace(section.stack.object, Extent{layer.frame.index, 0, 0});
       if (section.regions.empty()) continue;
       extent->second.layers = section.layer + 1;
       extent->second.top_nm = layer.frame.print_z_nm;

@@ -23,7 +23,7 @@ std::vector<SlicedLayer> Layers(const std::vector<std::string_view>& objects) {
     for (size_t object = 0; object < objects.size(); ++object) {
       if (objects[object][i] == ' ') continue;
       ObjectSection section;
-      section.object = static_cast<int32_t>(object);
+      section.stack = static_cast<int32_t>(object);
       section.layer = own[object]++;
       if (objects[object][i] == 'x')
         section.regions = {{.outlines = MakePolygonsOrDie("(0 0, 9 0, 9 9)")}};

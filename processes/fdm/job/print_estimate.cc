@@ -156,7 +156,8 @@ std::map<int32_t, ObjectShapes> ShapesByObject(std::span<const SlicedLayer> laye
   std::map<int32_t, ObjectShapes> objects;
   for (const SlicedLayer& layer : layers) {
     for (const ObjectSection& section : layer.sections) {
-      ObjectShapes& object = objects[section.object];
+      if (!section.stack.IsPart()) continue;
+      ObjectShapes& object = objects[section.stack.object];
       object.shapes.push_back(ShapeOf(section));
       object.frames.push_back({layer.frame.index, layer.frame.print_z_nm, section.height_nm});
       const int32_t row = section.regions.empty() ? 0 : section.regions.front().settings;

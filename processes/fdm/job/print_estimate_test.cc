@@ -20,7 +20,7 @@ struct Plate {
 /// Of an object, layers of 0.2 mm.
 ObjectSection SectionOf(int32_t object, const std::string& outlines) {
   ObjectSection section;
-  section.object = object;
+  section.stack = object;
   section.height_nm = FromMm(0.2);
   if (!outlines.empty()) section.regions = {{.outlines = MakePolygonsOrDie(outlines)}};
   return section;

@@ -54,10 +54,14 @@ double Total(std::span<const LayerSample> samples, std::span<const double> rough
 }  // namespace
 
 std::vector<int32_t> LayersToSample(std::span<const LayerEstimate> layers,
-                                    std::span<const PlateAddition> additions) {
+                                    std::span<const SlicedLayer> print) {
   std::set<int32_t> chosen = {0};
-  for (const PlateAddition& addition : additions)
-    if (!addition.regions.empty() && chosen.size() <= kMostAdded) chosen.insert(addition.layer);
+  for (const SlicedLayer& layer : print) {
+    const bool added = std::ranges::any_of(layer.sections, [](const ObjectSection& section) {
+      return !section.stack.IsPart() && !section.regions.empty();
+    });
+    if (added && chosen.size() <= kMostAdded) chosen.insert(layer.frame.index);
+  }
   double all = 0;
   for (const LayerEstimate& layer : layers) all += layer.time_s;
   if (all <= 0) return {chosen.begin(), chosen.end()};

@@ -23,11 +23,11 @@ struct LayerSamples {
   double around_s = 0;              ///< of the print: before, between and after its layers
 };
 
-/// Which layers to make to see what all take: the first one, those of rafts (the lowest few), and
-/// the middles of stretches that take about as long by the rough estimate. Upwards, each once.
-/// REQUIRES: layers.
+/// Which layers to make to see what all take: the first one, those of the plate's own stacks such as
+/// rafts (the lowest few), and the middles of stretches that take about as long by the rough
+/// estimate, which is one a layer of the print. Upwards, each once. REQUIRES: layers.
 std::vector<int32_t> LayersToSample(std::span<const LayerEstimate> layers,
-                                    std::span<const PlateAddition> additions);
+                                    std::span<const SlicedLayer> print);
 
 /// What all layers take: by how much the samples are off the rough estimate, so much, between
 /// samples in proportion, the others are taken to be. Cost: O(layers).

@@ -47,13 +47,14 @@ TEST(LayersToSample, AreTheFirstAndSpreadByTime) {
 TEST(LayersToSample, HaveRaftsAmongThem) {
   std::vector<LayerEstimate> layers(3);
   for (const LayerEstimate& layer : Layers(300)) layers.push_back(layer);
-  std::vector<PlateAddition> raft(3);
-  for (int32_t i = 0; i < 3; ++i) {
-    raft[static_cast<size_t>(i)].layer = i;
-    raft[static_cast<size_t>(i)].regions.resize(1);
+  std::vector<SlicedLayer> print(layers.size());
+  for (int32_t i = 0; i < std::ssize(print); ++i) {
+    ObjectSection& section = print[static_cast<size_t>(i)].sections.emplace_back();
+    print[static_cast<size_t>(i)].frame.index = i;
+    section.stack = i < 3 ? Stack(1, kPlateObject, StackKind::kRaft) : Stack(0);
+    section.regions.resize(1);
   }
-  raft.emplace_back().layer = 5;  // a skirt's
-  const std::vector<int32_t> all = LayersToSample(layers, raft);
+  const std::vector<int32_t> all = LayersToSample(layers, print);
   EXPECT_THAT(std::vector(all.begin(), all.begin() + 3), ElementsAre(0, 1, 2));
   EXPECT_EQ(std::ranges::count(all, 5), 0);
 }

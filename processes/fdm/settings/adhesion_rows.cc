@@ -87,7 +87,11 @@ JobSettings RaftRow(JobSettings settings, int32_t layer) {
       kind == RaftLayerKind::kInterface || (kind == RaftLayerKind::kFirst && two_bases);
   FillAlike(DensityOf(kind, raft.lines), raft.lines.angle_rad + (across ? std::numbers::pi / 2 : 0),
             FdmOf(settings).infill.front());
-  if (beading.perimeters == 0) FdmOf(settings).infill.front().overlap_nm = 0;
+  InfillOptions& infill = FdmOf(settings).infill.front();
+  if (beading.perimeters == 0) infill.overlap_nm = 0;
+  // The layers' own directions are planned: none turns by itself.
+  infill.solid_pattern = infill.top_pattern = infill.bottom_pattern =
+      FillPattern::kAlignedRectilinear;
   FdmOf(settings).ordering.walls.front() = {};
   return settings;
 }

@@ -177,7 +177,7 @@ void DeriveThumbnails(Draft& draft) {
   if (format == PictureFormat::kPng) return;
   const std::string_view suffix = format == PictureFormat::kQoi ? "/QOI" : "/JPG";
   Draft::Entry& thumbnails = draft.At("thumbnails");
-  const std::string& written = thumbnails.given ? thumbnails.written : thumbnails.value->text;
+  const std::string& written = thumbnails.given ? thumbnails.written : thumbnails.value->text.str();
   std::string text;
   for (const std::string_view size : Split(written, ",")) {
     const bool names_one = size.empty() || size.find('/') != size.npos;

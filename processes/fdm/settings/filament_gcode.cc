@@ -14,7 +14,7 @@ namespace slicefarm::config::fdm {
 namespace {
 
 const std::string& Text(const Draft& draft, std::string_view key) {
-  return draft.At(key).value->text;
+  return draft.At(key).value->text.str();
 }
 
 std::string CodeOfBoth(const std::string& first, const std::string& second) {
@@ -42,10 +42,10 @@ absl::Status Renamed(const absl::Status& status, ErrorDetail detail, std::string
 }  // namespace
 
 absl::Status JoinFilamentGcode(Draft& draft) {
-  std::string& start = draft.At("start_gcode").value->text;
-  std::string& end = draft.At("end_gcode").value->text;
-  start = CodeOfBoth(start, Text(draft, "start_filament_gcode"));
-  end = CodeOfBoth(Text(draft, "end_filament_gcode"), end);
+  SharedText& start = draft.At("start_gcode").value->text;
+  SharedText& end = draft.At("end_gcode").value->text;
+  start = CodeOfBoth(start.str(), Text(draft, "start_filament_gcode"));
+  end = CodeOfBoth(Text(draft, "end_filament_gcode"), end.str());
   // The two together are one setting to the stages.
   absl::Status status = CheckSettingSize("start_gcode", start);
   status.Update(CheckSettingSize("end_gcode", end));

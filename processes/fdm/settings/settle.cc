@@ -38,11 +38,12 @@ size_t ToolCount(std::span<const Setting> given) {
 }
 
 absl::Status TakeLayerSettings(const std::string& text, MotionOptions& options) {
-  std::string code = options.before_layer_gcode + "\n" + options.layer_gcode;
+  std::string code = options.before_layer_gcode.str() + "\n" + options.layer_gcode.str();
   const WritingOptions& writing = options.writing;
   if (!writing.height_code.empty())
-    code += "\n" + writing.color_change_gcode + "\n" + writing.pause_gcode + "\n" +
-            writing.template_gcode;
+    for (const SharedText& text_there :
+         {writing.color_change_gcode, writing.pause_gcode, writing.template_gcode})
+      code += "\n" + text_there.str();
   options.layer_settings = LinesNamedIn(code, text);
   const auto size = static_cast<int64_t>(options.layer_settings.size());
   if (size <= limits::kMaxSettingBytes) return absl::OkStatus();
@@ -106,7 +107,8 @@ void TakeAdhesion(JobSettings& settings) {
   raft.first_nm = first_height_nm;
   raft.others_nm = std::max(settings.slicing.objects[0].layer_height_nm,
                             FromMm(0.75 * FdmOf(settings).motion.nozzle_diameter_mm));
-  settings.slicing.objects[0].raft = raft;
+  settings.slicing.objects[0].on_bed = raft.layers == 0;
+  settings.slicing.objects[0].lift_nm = raft.LiftNm();
   object.raft_settings.assign(static_cast<size_t>(raft.layers), 0);
   FdmOf(settings).planning.bed = settings.slicing.bed;
 }
@@ -116,7 +118,7 @@ void TakeAdhesion(JobSettings& settings) {
 absl::Status TakeDensityField(JobSettings& settings) {
   InfillOptions& infill = FdmOf(settings).infill[0];
   if (infill.density_field.empty()) return absl::OkStatus();
-  const auto field = ParseDensityField(infill.density_field);
+  const auto& field = DensityFieldOf(infill.density_field);
   if (!field.ok()) return field.status();
   if (field->dither != Dither::kNone && !infill.stress_field.empty()) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,

@@ -12,6 +12,15 @@
 
 namespace slicefarm {
 
+/// What the tasks of a job have in common.
+struct FdmShared {
+  FdmSettings settings;
+  std::vector<Copy> copies;
+  JobFacts facts;
+
+  friend bool operator==(const FdmShared&, const FdmShared&) = default;
+};
+
 /// A range of layers to print, with everything they depend on.
 struct FdmTask {
   static constexpr Process kProcess = Process::kFdm;
@@ -19,9 +28,7 @@ struct FdmTask {
   LayerRange range;
   std::span<const SlicedLayer> layers;  ///< the range and its halo
   std::span<const LayerPlan> plans;     ///< one for each layer of the range
-  std::span<const Copy> copies;         ///< of the whole job
-  const JobFacts* facts = nullptr;
-  const FdmSettings* settings = nullptr;
+  Shared<FdmShared> job;
 
   int32_t Weight() const { return range.size(); }
   TaskLabel Label() const { return LabelOf(range); }

@@ -24,11 +24,11 @@ Neighbourhood Trimmed(const Neighbourhood& all, int32_t halo) {
 
 /// Gives motion the outlines that it looks at below walls.
 void AddBelow(std::span<const SlicedLayer> sliced, std::vector<OrderedLayer>& ordered) {
-  const ObjectLayers objects(sliced);
+  const ObjectLayers stacks(sliced);
   for (OrderedLayer& layer : ordered) {
     for (PathBlock& block : layer.blocks) {
-      if (block.object == kPlate || block.layer == 0) continue;
-      if (const ObjectSection* below = objects.Find(block.object, block.layer - 1))
+      if (!block.stack.IsPart() || block.layer == 0) continue;
+      if (const ObjectSection* below = stacks.Find(block.stack.id, block.layer - 1))
         block.below = OutlineOf(*below);
     }
   }
@@ -43,17 +43,30 @@ void NoteWarnings(const std::vector<WalledLayer>& layers, std::vector<LayerWarni
 
 /// What the infill of all copies comes to. The layers go on without it.
 std::vector<FillUse> TakeUses(std::vector<FilledLayer>& layers, std::span<const Copy> copies) {
-  std::map<int32_t, int64_t> count = {{kPlate, 1}};  // by object
+  std::map<int32_t, int64_t> count = {{kPlateObject, 1}};  // by object
   for (const Copy& copy : copies) ++count[copy.object];
   std::vector<FillUse> all;
   for (FilledLayer& layer : layers) {
     std::vector<FillUse> uses;
     for (FilledSection& section : layer.sections)
       for (const FillUse& use : std::exchange(section.uses, {}))
-        AddUse(use, count[section.object], uses);
+        AddUse(use, count[section.stack.object], uses);
     std::ranges::move(uses, std::back_inserter(all));
   }
   return all;
+}
+
+/// What each stage is told of the whole job.
+struct StageJobs {
+  Shared<BeadingTable> beading;
+  Shared<InfillTable> infill;
+  Shared<OrderingJob> ordering;
+  Shared<MotionJob> motion;
+};
+
+StageJobs StageJobsOf(const FdmShared& job) {
+  return {job.settings.beading, job.settings.infill, OrderingJob{job.settings.ordering, job.copies},
+          MotionJob{job.settings.motion, job.facts}};
 }
 
 }  // namespace
@@ -73,29 +86,28 @@ std::vector<Stage> LayerChain::StagesOf() {
 absl::StatusOr<FdmResult> LayerChain::Run(const StageCall& call, const FdmTask& task) const {
   FdmResult result;
   const Neighbourhood neighbourhood{task.range, task.layers};
-  const FdmSettings& settings = *task.settings;
+  const FdmSettings& settings = task.job->settings;
+  const StageJobs& jobs = task.job.Once(StageJobsOf);
   if (absl::Status ok = CheckHalo(task.layers, task.range, HaloLayers(settings)); !ok.ok())
     return ok;
 
   auto walled = Timed(result.times[Stage::kBeading], [&] {
-    return beading_.Bead(call, Trimmed(neighbourhood, BeadingHaloLayers(settings)),
-                         settings.beading);
+    return beading_.Bead(call, Trimmed(neighbourhood, BeadingHaloLayers(settings)), jobs.beading);
   });
   if (!walled.ok()) return walled.status();
   NoteWarnings(*walled, result.warnings);
   auto filled = Timed(result.times[Stage::kInfill], [&] {
-    return infill_.Fill(call, *std::move(walled), neighbourhood, task.plans, settings.infill);
+    return infill_.Fill(call, *std::move(walled), neighbourhood, task.plans, jobs.infill);
   });
   if (!filled.ok()) return filled.status();
-  result.fills = TakeUses(*filled, task.copies);
+  result.fills = TakeUses(*filled, task.job->copies);
   auto ordered = Timed(result.times[Stage::kOrdering], [&] {
-    return ordering_.Order(call, *std::move(filled), task.plans, task.copies, settings.ordering);
+    return ordering_.Order(call, *std::move(filled), task.plans, jobs.ordering);
   });
   if (!ordered.ok()) return ordered.status();
   if (LooksBelow(settings.motion)) AddBelow(task.layers, *ordered);
-  auto programs = Timed(result.times[Stage::kMotion], [&] {
-    return motion_.Program(call, *std::move(ordered), *task.facts, settings.motion);
-  });
+  auto programs = Timed(result.times[Stage::kMotion],
+                        [&] { return motion_.Program(call, *std::move(ordered), jobs.motion); });
   if (!programs.ok()) return programs.status();
   result.programs = *std::move(programs);
   return result;

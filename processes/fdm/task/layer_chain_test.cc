@@ -16,7 +16,7 @@ using testing::IsEmpty;
 /// Notes which layers it sees; each walled layer has as many plain islands as its index.
 struct Beading : BeadingStage {
   absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall&, const Neighbourhood& hood,
-                                                std::span<const BeadingOptions>) const override {
+                                                const Shared<BeadingTable>&) const override {
     seen = {hood.layers.front().frame.index, hood.layers.back().frame.index + 1};
     std::vector<WalledLayer> walled(static_cast<size_t>(hood.range.size()));
     for (size_t i = 0; i < walled.size(); ++i) {
@@ -32,7 +32,7 @@ struct Infill : InfillStage {
   absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall&, std::vector<WalledLayer> walled,
                                                 const Neighbourhood& hood,
                                                 std::span<const LayerPlan>,
-                                                std::span<const InfillOptions>) const override {
+                                                const Shared<InfillTable>&) const override {
     seen = {hood.layers.front().frame.index, hood.layers.back().frame.index + 1};
     if (fails) return MakeError(absl::StatusCode::kInternal, Reason::kInternal, "infill");
     std::vector<FilledLayer> filled(walled.size());
@@ -47,12 +47,11 @@ struct Infill : InfillStage {
 struct Ordering : OrderingStage {
   absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall&, std::vector<FilledLayer> layers,
                                                   std::span<const LayerPlan> plans,
-                                                  std::span<const Copy> copies,
-                                                  const OrderingOptions&) const override {
+                                                  const Shared<OrderingJob>& job) const override {
     plan_count = plans.size();
     for (const FilledLayer& layer : layers)
       for (const FilledSection& section : layer.sections) EXPECT_THAT(section.uses, IsEmpty());
-    copy_count = copies.size();
+    copy_count = job->copies.size();
     std::vector<OrderedLayer> ordered(layers.size());
     for (size_t i = 0; i < ordered.size(); ++i)
       ordered[i].blocks.emplace_back().layer = first_block + static_cast<int32_t>(i);
@@ -66,15 +65,14 @@ struct Ordering : OrderingStage {
 struct Motion : MotionStage {
   absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall&,
                                                     std::vector<OrderedLayer> layers,
-                                                    const JobFacts& facts,
-                                                    const MotionOptions&) const override {
+                                                    const Shared<MotionJob>& job) const override {
     called = true;
     below.clear();
     for (const OrderedLayer& layer : layers)
       for (const PathBlock& block : layer.blocks) below.push_back(block.below);
     std::vector<LayerProgram> programs(layers.size());
     for (LayerProgram& program : programs)
-      program.frame.index = static_cast<int32_t>(facts.copies.size());
+      program.frame.index = static_cast<int32_t>(job->facts.copies.size());
     return programs;
   }
   absl::StatusOr<ProgramEnvelope> Envelope(const StageCall&, const ProgramSummary&,
@@ -106,9 +104,7 @@ class LayerChainTest : public testing::Test {
                        .layers = std::span(layers_).subspan(static_cast<size_t>(sent.first),
                                                             static_cast<size_t>(sent.size())),
                        .plans = plans_,
-                       .copies = copies_,
-                       .facts = &facts_,
-                       .settings = &settings_});
+                       .job = FdmShared{settings_, copies_, facts_}});
   }
 
   std::vector<SlicedLayer> layers_;
@@ -175,7 +171,7 @@ TEST_F(LayerChainTest, WhatInfillComesToIsCountedForEachCopy) {
     return of;
   };
   copies_ = {{0, {}, 0}, {1, {}, 0}, {0, {}, 1}};
-  infill_.sections = {{kPlate, 0, 0, {}, {use(2, 100)}},
+  infill_.sections = {{Stack(2, kPlateObject, StackKind::kRaft), 0, 0, {}, {use(2, 100)}},
                       {0, 0, 0, {}, {use(0, 10), use(1, 1)}},
                       {1, 0, 0, {}, {use(1, 5)}}};
   const auto result = Run({8, 10}, {0, 20});

@@ -18,15 +18,14 @@ namespace {
 
 class ReceivedFdm : public ReceivedTask {
  public:
-  ReceivedFdm(FdmWork work, std::vector<SlicedLayer> layers)
-      : work_(std::move(work)), layers_(std::move(layers)) {}
+  ReceivedFdm(FdmWork work, Shared<FdmShared> job, std::vector<SlicedLayer> layers)
+      : work_(std::move(work)), job_(std::move(job)), layers_(std::move(layers)) {}
 
-  Task task() const override {
-    return FdmTask{work_.range, layers_, work_.plans, work_.copies, &work_.facts, &work_.settings};
-  }
+  Task task() const override { return FdmTask{work_.range, layers_, work_.plans, job_}; }
 
  private:
   const FdmWork work_;
+  const Shared<FdmShared> job_;
   const std::vector<SlicedLayer> layers_;
 };
 
@@ -46,16 +45,19 @@ class WireOfFdm : public TaskWire {
     return slicefarm::PointsIn(task.As<FdmTask>().layers);
   }
 
+  absl::StatusOr<SharedParts> PartsOf(const Task& task) const override {
+    return OnePart(task.As<FdmTask>().job);
+  }
+
   absl::Status Send(const StageCall& call, const Task& task, CoordinatorEnd& end) const override {
     const auto& fdm = task.As<FdmTask>();
+    const auto& part = PartOf(fdm.job);
+    if (!part.ok()) return part.status();
     v1::WorkStart start;
     *start.mutable_call() = ToProto(call);
-    const absl::Status status = ToProto(FdmWork{*fdm.settings,
-                                                fdm.range,
-                                                {fdm.plans.begin(), fdm.plans.end()},
-                                                {fdm.copies.begin(), fdm.copies.end()},
-                                                *fdm.facts},
-                                        start.mutable_fdm());
+    const absl::Status status =
+        ToProto(FdmWork{fdm.range, {fdm.plans.begin(), fdm.plans.end()}, (*part)->digest},
+                start.mutable_fdm());
     return status.ok() ? SendWithLayers(start, fdm.layers, end) : status;
   }
 
@@ -72,13 +74,17 @@ class WireOfFdm : public TaskWire {
   }
 
   absl::StatusOr<std::unique_ptr<ReceivedTask>> Receive(const v1::WorkStart& start,
+                                                        SharedCache& shared,
                                                         const CancelToken& cancel,
                                                         WorkerEnd& end) const override {
     absl::StatusOr<FdmWork> work = FromProto(start.fdm());
     if (!work.ok()) return Within("start", Within("fdm", work.status()));
+    absl::StatusOr<Shared<FdmShared>> job =
+        TakeShared<FdmShared>(shared, work->shared, "start.fdm.shared");
+    if (!job.ok()) return job.status();
     absl::StatusOr<std::vector<SlicedLayer>> layers = ReceiveLayers(work->range, cancel, end);
     if (!layers.ok()) return layers.status();
-    return std::make_unique<ReceivedFdm>(*std::move(work), *std::move(layers));
+    return std::make_unique<ReceivedFdm>(*std::move(work), *std::move(job), *std::move(layers));
   }
 
   absl::Status SendResult(TaskResult task_result, WorkerEnd& end) const override {

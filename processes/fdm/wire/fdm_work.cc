@@ -12,30 +12,39 @@ namespace slicefarm {
 
 absl::Status ToProto(const FdmWork& work, v1::FdmWork* proto) {
   *proto->mutable_range() = ToProto(work.range);
-  *proto->mutable_facts() = ToProto(work.facts);
-  absl::Status status = ToProto(work.settings, proto->mutable_settings());
-  if (!status.ok()) return Within("settings", status);
-  status.Update(AllToProto(work.plans, "plans", proto->mutable_plans()));
-  status.Update(AllToProto(work.copies, "copies", proto->mutable_copies()));
-  return status;
+  proto->set_shared(work.shared);
+  return AllToProto(work.plans, "plans", proto->mutable_plans());
 }
 
 absl::StatusOr<FdmWork> FromProto(const v1::FdmWork& proto) {
+  const absl::StatusOr<LayerRange> range = FromProto(proto.range());
+  if (!range.ok()) return range.status();
+  FdmWork work{*range, {}, proto.shared()};
+  if (proto.plans_size() != range->size())
+    return Malformed("plans", "not one for each layer of the range");
+  const absl::Status status = AllFromProto(proto.plans(), "plans", &work.plans);
+  if (!status.ok()) return status;
+  return work;
+}
+
+absl::Status ToProto(const FdmShared& job, v1::FdmShared* proto) {
+  *proto->mutable_facts() = ToProto(job.facts);
+  absl::Status status = ToProto(job.settings, proto->mutable_settings());
+  if (!status.ok()) return Within("settings", status);
+  return AllToProto(job.copies, "copies", proto->mutable_copies());
+}
+
+absl::StatusOr<FdmShared> FromProto(const v1::FdmShared& proto) {
   absl::Status status = CheckCopyCount(proto.copies_size(), "copies");
   if (!status.ok()) return status;
   absl::StatusOr<FdmSettings> settings = FromProto(proto.settings());
   if (!settings.ok()) return Within("settings", settings.status());
-  const absl::StatusOr<LayerRange> range = FromProto(proto.range());
-  if (!range.ok()) return range.status();
   absl::StatusOr<JobFacts> facts = FromProto(proto.facts());
   if (!facts.ok()) return Within("facts", facts.status());
-  FdmWork work{*std::move(settings), *range, {}, {}, *std::move(facts)};
-  if (proto.plans_size() != range->size())
-    return Malformed("plans", "not one for each layer of the range");
-  status = AllFromProto(proto.plans(), "plans", &work.plans);
-  status.Update(AllFromProto(proto.copies(), "copies", &work.copies));
+  FdmShared job{*std::move(settings), {}, *std::move(facts)};
+  status = AllFromProto(proto.copies(), "copies", &job.copies);
   if (!status.ok()) return status;
-  return work;
+  return job;
 }
 
 }  // namespace slicefarm

@@ -1,32 +1,39 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/job_facts.h"
 #include "common/model/job_plan.h"
 #include "common/model/layer.h"
-#include "common/model/options/fdm_settings.h"
+#include "common/wire/shared_wire.h"
+#include "processes/fdm/task/fdm_task.h"
 #include "slicefarm/v1/worker.pb.h"
 
 namespace slicefarm {
 
 /// FdmTask but its outlines.
 struct FdmWork {
-  FdmSettings settings;
   LayerRange range;
   std::vector<LayerPlan> plans;  ///< one for each layer of the range
-  std::vector<Copy> copies;
-  JobFacts facts;
+  std::string shared;            ///< the digest of its FdmShared
 };
 
 /// Errors: REQUEST_MALFORMED and REQUEST_TOO_LARGE with the way to the field.
 absl::Status ToProto(const FdmWork& work, v1::FdmWork* proto);
 absl::StatusOr<FdmWork> FromProto(const v1::FdmWork& proto);
 
+absl::Status ToProto(const FdmShared& job, v1::FdmShared* proto);
+absl::StatusOr<FdmShared> FromProto(const v1::FdmShared& proto);
+
 namespace v1 {
 using slicefarm::FromProto;  // so that templates find it by the message's namespace
 }  // namespace v1
+
+template <>
+struct MessageOf<FdmShared> {
+  using Type = v1::FdmShared;
+};
 
 }  // namespace slicefarm

@@ -28,42 +28,49 @@ MotionOptions Motion() {
 // wire.
 FdmWork Work() {
   FdmWork work;
-  auto& [settings, range, plans, copies, facts] = work;
+  auto& [range, plans, shared] = work;
+  range = kRange;
+  plans = {{{1, 2}, false, true, {{0, {3, 4}, Point{9, 9}, {{5, 6}}}}, {}, {}},
+           {{7, 8}, true, false, {}, {MakePathOrDie("(0 0, 9 0)")}, {}}};
+  shared = "00112233";
+  return work;
+}
+
+FdmShared Job() {
+  FdmShared job;
+  auto& [settings, copies, facts] = job;
   settings.beading.resize(2);
   settings.beading[1].perimeters = 7;
   settings.infill.resize(2);
   settings.infill[1].density = 0.7;
   settings.ordering.walls = {{}, {true, false}};
   settings.motion = Motion();
-  range = kRange;
-  plans = {{{1, 2}, false, true, {{0, {3, 4}, Point{9, 9}, {{5, 6}}}}, {}, {}},
-           {{7, 8}, true, false, {}, {MakePathOrDie("(0 0, 9 0)")}, {}}};
   copies = Copies();
   facts = {40, {{"a", 0, 0, 1}, {"b", 1, 0, 2}}, {{}, {3, 2, 1'000}}};
-  return work;
+  return job;
 }
 
 TEST(FdmWork, Returns) {
   const absl::StatusOr<FdmWork> work = FromProto(ProtoOf<v1::FdmWork>(Work()));
   ASSERT_TRUE(work.ok()) << work.status();
-  EXPECT_EQ(work->settings, Work().settings);
   EXPECT_EQ(work->range, kRange);
   EXPECT_EQ(work->plans, Work().plans);
-  EXPECT_EQ(work->copies, Copies());
-  EXPECT_EQ(work->facts, Work().facts);
+  EXPECT_EQ(work->shared, "00112233");
+  ExpectReturns<v1::FdmShared>(Job());
 }
 
 TEST(FdmWork, EveryFieldChangedAloneReturns) {
   // Another range has another number of plans; the only copy of "a" has no second one; one
   // nanometre more is no whole micrometre.
-  ExpectEveryChangeReturns<v1::FdmWork, FdmWork>(ProtoOf<v1::FdmWork>(Work()),
-                                                 {"range", "shift", "facts.copies[0].copy"});
+  ExpectEveryChangeReturns<v1::FdmWork, FdmWork>(ProtoOf<v1::FdmWork>(Work()), {"range"});
+  ExpectEveryChangeReturns<v1::FdmShared, FdmShared>(ProtoOf<v1::FdmShared>(Job()),
+                                                     {"shift", "facts.copies[0].copy"});
 }
 
 TEST(FdmWork, RefusesMoreCopiesThanAJobMayHave) {
-  auto work = ProtoOf<v1::FdmWork>(Work());
-  while (work.copies_size() <= 1'000) *work.add_copies() = work.copies(0);
-  EXPECT_EQ(DetailOf(FromProto(work).status()).reason, Reason::kRequestTooLarge);
+  auto job = ProtoOf<v1::FdmShared>(Job());
+  while (job.copies_size() <= 1'000) *job.add_copies() = job.copies(0);
+  EXPECT_EQ(DetailOf(FromProto(job).status()).reason, Reason::kRequestTooLarge);
 }
 
 TEST(FdmWork, RefusesWhatDoesNotAddUp) {
@@ -73,15 +80,15 @@ TEST(FdmWork, RefusesWhatDoesNotAddUp) {
   work = ProtoOf<v1::FdmWork>(Work());
   work.mutable_plans(1)->mutable_paths(0)->clear_feature();
   ExpectMalformed(FromProto(work).status(), "plans[1].paths[0].feature");
-  work = ProtoOf<v1::FdmWork>(Work());
-  work.mutable_settings()->mutable_infill()->RemoveLast();
-  ExpectMalformed(FromProto(work).status(), "settings.settings");
-  work = ProtoOf<v1::FdmWork>(Work());
-  work.mutable_copies(0)->set_object(1'000);
-  ExpectMalformed(FromProto(work).status(), "copies[0].object");
-  work = ProtoOf<v1::FdmWork>(Work());
-  work.mutable_facts()->mutable_copies(0)->set_copies(0);
-  ExpectMalformed(FromProto(work).status(), "facts.copies[0].copy");
+  auto job = ProtoOf<v1::FdmShared>(Job());
+  job.mutable_settings()->mutable_infill()->RemoveLast();
+  ExpectMalformed(FromProto(job).status(), "settings.settings");
+  job = ProtoOf<v1::FdmShared>(Job());
+  job.mutable_copies(0)->set_object(1'000);
+  ExpectMalformed(FromProto(job).status(), "copies[0].object");
+  job = ProtoOf<v1::FdmShared>(Job());
+  job.mutable_facts()->mutable_copies(0)->set_copies(0);
+  ExpectMalformed(FromProto(job).status(), "facts.copies[0].copy");
 }
 
 // A huge range must not be paid for before its plans are counted.

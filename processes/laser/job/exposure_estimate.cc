@@ -32,7 +32,7 @@ JobEstimate EstimateExposure(const SlicedOutlines& job, const ExposureSettings& 
   estimate.print_time_s = settings.output.recoat_s * static_cast<double>(job.layers.size());
   for (const SlicedLayer& layer : job.layers) {
     for (const ObjectSection& section : layer.sections) {
-      const auto copies = std::ranges::count(job.copies, section.object, &PlacedCopy::object);
+      const auto copies = std::ranges::count(job.copies, section.stack.object, &PlacedCopy::object);
       for (const Region& region : section.regions)
         estimate.print_time_s +=
             static_cast<double>(copies) *

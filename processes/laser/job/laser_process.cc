@@ -50,27 +50,31 @@ absl::Status CheckPrograms(const std::vector<SpooledExposure>& programs, size_t 
                    absl::StrCat(programs.size(), " of ", layers, " layers came back"));
 }
 
+std::vector<Copy> CopiesOf(const std::vector<PlacedCopy>& placed) {
+  std::vector<Copy> copies;
+  for (const PlacedCopy& copy : placed) copies.push_back({copy.object, copy.shift, 0});
+  return copies;
+}
+
 class LaserJob : public PlannedJob {
  public:
   LaserJob(const ExposureStage& exposure, ExposureSettings settings, Polygon bed,
            std::string settings_text, JobReport report, SlicedJob sliced,
            std::unique_ptr<SpoolFile> spool)
       : exposure_(exposure),
-        settings_(std::move(settings)),
+        job_({std::move(settings), CopiesOf(sliced.copies)}),
         bed_(std::move(bed)),
         settings_text_(std::move(settings_text)),
         report_(std::move(report)),
         layers_(std::move(sliced.layers)),
         object_names_(std::move(sliced.object_names)),
-        spool_(std::move(spool)) {
-    for (const PlacedCopy& copy : sliced.copies) copies_.push_back({copy.object, copy.shift, 0});
-  }
+        spool_(std::move(spool)) {}
 
   int32_t Weight() const override { return static_cast<int32_t>(layers_.size()); }
 
   absl::StatusOr<std::vector<Task>> Tasks(int slots) override {
     const std::span<const SlicedLayer> layers = layers_;
-    const int32_t halo = HaloLayers(settings_);
+    const int32_t halo = HaloLayers(job_->settings);
     const auto ranges = SplitIntoRanges(layers, slots);
     if (absl::Status fits = CheckNeighbourhoods(layers, ranges, halo); !fits.ok()) return fits;
     std::vector<Task> tasks;
@@ -79,8 +83,7 @@ class LaserJob : public PlannedJob {
       tasks.push_back(LaserTask{.range = range,
                                 .layers = layers.subspan(static_cast<size_t>(grown.first),
                                                          static_cast<size_t>(grown.size())),
-                                .copies = copies_,
-                                .settings = &settings_});
+                                .job = job_});
     }
     ranges_.resize(tasks.size());
     return tasks;
@@ -106,14 +109,15 @@ class LaserJob : public PlannedJob {
     }
     if (absl::Status whole = CheckPrograms(programs, layers_.size()); !whole.ok()) return whole;
     const ExposureSummary summary = FillIn(programs);
-    if (absl::Status fits = CheckRuns(settings_, bed_, summary.bounds); !fits.ok()) return fits;
+    if (absl::Status fits = CheckRuns(job_->settings, bed_, summary.bounds); !fits.ok())
+      return fits;
     if (own_.exposure.Total().lines == 0)
       return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
                        "the outlines of all layers are too thin: beam_compensation leaves nothing "
                        "of them, and thin_wall_exposure no line");
     auto frame = Timed(report_.stage_times[Stage::kExposure], [&] {
       const ScopedSpan span(call.spans, "frame");
-      return exposure_.Envelope(call, summary, settings_);
+      return exposure_.Envelope(call, summary, job_->settings);
     });
     if (!frame.ok()) return frame.status();
     if (!frame->layer_heads.empty() && frame->layer_heads.size() != programs.size())
@@ -135,7 +139,7 @@ class LaserJob : public PlannedJob {
   /// Sums up the layers, in their order.
   ExposureSummary FillIn(const std::vector<SpooledExposure>& programs) {
     ExposureReport& sum = own_.exposure;
-    const double recoat_s = settings_.output.recoat_s;
+    const double recoat_s = job_->settings.output.recoat_s;
     ExposureSummary summary;
     for (const SpooledExposure& spooled : programs) {
       sum.Add(spooled.program.report);
@@ -165,14 +169,13 @@ class LaserJob : public PlannedJob {
   }
 
   const ExposureStage& exposure_;
-  const ExposureSettings settings_;
+  const Shared<ExposureJob> job_;
   const Polygon bed_;
   const std::string settings_text_;
   JobReport report_;
   LaserReport own_;
   const std::vector<SlicedLayer> layers_;
   const std::vector<std::string> object_names_;
-  std::vector<Copy> copies_;
   std::unique_ptr<SpoolFile> spool_;
   std::vector<Range> ranges_;  ///< by task
 };

@@ -43,15 +43,14 @@ class FakeSlicing : public SlicingStage {
 class FakeExposure : public ExposureStage {
  public:
   absl::StatusOr<std::vector<ExposedProgram>> Expose(const StageCall&, const Neighbourhood& hood,
-                                                     std::span<const Copy> copies,
-                                                     const ExposureSettings&) const override {
+                                                     const Shared<ExposureJob>& job) const override {
     std::vector<ExposedProgram> programs;
     for (const SlicedLayer& layer : hood.layers) {
       const int32_t index = layer.frame.index;
       if (index < hood.range.first || index >= hood.range.last || index == lost) continue;
       ExposedProgram& program = programs.emplace_back();
       program.frame = layer.frame;
-      program.text = absl::StrCat(index, "x", copies.size(), " ");
+      program.text = absl::StrCat(index, "x", job->copies.size(), " ");
       if (layer.sections[0].regions.empty()) continue;
       program.report.kinds[0] = {4, dark ? 0 : 1, 10, 0.5, 100};
       program.report.jumps = 1;

@@ -40,7 +40,7 @@ std::map<int32_t, Box> ExposedBoxes(const SlicedOutlines& job, const ExposureSet
             exposure.regions[static_cast<size_t>(region.settings)].beam_compensation_nm;
         Box box = exact ? Bounds(FastOffset(region.outlines, -inset)) : Bounds(region.outlines);
         if (!exact && !box.Empty()) box = box.Grown(-inset);
-        if (!box.Empty()) boxes[section.object].Add(box);
+        if (!box.Empty()) boxes[section.stack.object].Add(box);
       }
   return boxes;
 }

@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "common/config/table/shared_settings.h"
-#include "common/macro/laser_code.h"
+#include "common/macro/exposure_code.h"
 #include "processes/laser/settings/check_settings.h"
 #include "processes/laser/settings/derive.h"
 #include "processes/laser/settings/exposure_rows.h"
@@ -41,7 +41,7 @@ class LaserSettings : public ProcessSettings {
   }
   absl::Status Check(const Draft& draft) const override { return CheckSettings(draft); }
   absl::Status Finish(const Draft& /*draft*/, ResolvedSettings& result) const override {
-    return macro::CheckLaserCode(ExposureOf(result.settings).output, result.effective_text);
+    return macro::CheckExposureCode(ExposureOf(result.settings).output, result.effective_text);
   }
   std::unique_ptr<RegionRows> NewRows() const override { return std::make_unique<ExposureRows>(); }
   std::string_view Example() const override {

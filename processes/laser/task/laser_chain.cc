@@ -8,12 +8,12 @@
 namespace slicefarm {
 
 absl::StatusOr<LaserResult> LaserChain::Run(const StageCall& call, const LaserTask& task) const {
-  const ExposureSettings& settings = *task.settings;
-  if (absl::Status ok = CheckHalo(task.layers, task.range, HaloLayers(settings)); !ok.ok())
+  if (absl::Status ok = CheckHalo(task.layers, task.range, HaloLayers(task.job->settings));
+      !ok.ok())
     return ok;
   LaserResult result;
   auto programs = Timed(result.times[Stage::kExposure], [&] {
-    return exposure_.Expose(call, {task.range, task.layers}, task.copies, settings);
+    return exposure_.Expose(call, {task.range, task.layers}, task.job);
   });
   if (!programs.ok()) return programs.status();
   result.programs = *std::move(programs);

@@ -10,11 +10,10 @@ namespace slicefarm::laser_chain_test {
 namespace {
 
 struct Exposure : ExposureStage {
-  absl::StatusOr<std::vector<ExposedProgram>> Expose(const StageCall&, const Neighbourhood& hood,
-                                                     std::span<const Copy> copies,
-                                                     const ExposureSettings&) const override {
+  absl::StatusOr<std::vector<ExposedProgram>> Expose(
+      const StageCall&, const Neighbourhood& hood, const Shared<ExposureJob>& job) const override {
     if (fails) return MakeError(absl::StatusCode::kInternal, Reason::kInternal, "exposure");
-    copy_count = copies.size();
+    copy_count = job->copies.size();
     std::vector<ExposedProgram> programs(static_cast<size_t>(hood.range.size()));
     for (ExposedProgram& program : programs) program.frame.index = hood.range.first;
     return programs;
@@ -43,7 +42,7 @@ class LaserChainTest : public testing::Test {
   absl::StatusOr<LaserResult> Run(LayerRange range, LayerRange sent) const {
     const auto layers = std::span(layers_).subspan(static_cast<size_t>(sent.first),
                                                    static_cast<size_t>(sent.size()));
-    return LaserChain(exposure_).Run({}, {range, layers, copies_, &settings_});
+    return LaserChain(exposure_).Run({}, {range, layers, ExposureJob{settings_, copies_}});
   }
 
   Exposure exposure_;

@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "common/model/options/exposure_settings.h"
 #include "common/stage/task.h"
 
 namespace slicefarm {
@@ -16,8 +15,7 @@ struct LaserTask {
 
   LayerRange range;
   std::span<const SlicedLayer> layers;  ///< the range and its halo
-  std::span<const Copy> copies;         ///< of the whole job
-  const ExposureSettings* settings = nullptr;
+  Shared<ExposureJob> job;
 
   int32_t Weight() const { return range.size(); }
   TaskLabel Label() const { return LabelOf(range); }

@@ -8,6 +8,7 @@
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/stage_call_wire.h"
+#include "common/wire/stage_jobs_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "common/wire/work_layers.h"
 #include "processes/laser/task/laser_task.h"
@@ -18,15 +19,14 @@ namespace {
 
 class ReceivedLaser : public ReceivedTask {
  public:
-  ReceivedLaser(LaserWork work, std::vector<SlicedLayer> layers)
-      : work_(std::move(work)), layers_(std::move(layers)) {}
+  ReceivedLaser(LayerRange range, Shared<ExposureJob> job, std::vector<SlicedLayer> layers)
+      : range_(range), job_(std::move(job)), layers_(std::move(layers)) {}
 
-  Task task() const override {
-    return LaserTask{work_.range, layers_, work_.copies, &work_.settings};
-  }
+  Task task() const override { return LaserTask{range_, layers_, job_}; }
 
  private:
-  const LaserWork work_;
+  const LayerRange range_;
+  const Shared<ExposureJob> job_;
   const std::vector<SlicedLayer> layers_;
 };
 
@@ -44,13 +44,18 @@ class WireOfLaser : public TaskWire {
     return slicefarm::PointsIn(task.As<LaserTask>().layers);
   }
 
+  absl::StatusOr<SharedParts> PartsOf(const Task& task) const override {
+    return OnePart(task.As<LaserTask>().job);
+  }
+
   absl::Status Send(const StageCall& call, const Task& task, CoordinatorEnd& end) const override {
     const auto& laser = task.As<LaserTask>();
+    const auto& part = PartOf(laser.job);
+    if (!part.ok()) return part.status();
     v1::WorkStart start;
     *start.mutable_call() = ToProto(call);
     const absl::Status status =
-        ToProto(LaserWork{*laser.settings, laser.range, {laser.copies.begin(), laser.copies.end()}},
-                start.mutable_laser());
+        ToProto(LaserWork{laser.range, (*part)->digest}, start.mutable_laser());
     return status.ok() ? SendWithLayers(start, laser.layers, end) : status;
   }
 
@@ -67,13 +72,17 @@ class WireOfLaser : public TaskWire {
   }
 
   absl::StatusOr<std::unique_ptr<ReceivedTask>> Receive(const v1::WorkStart& start,
+                                                        SharedCache& shared,
                                                         const CancelToken& cancel,
                                                         WorkerEnd& end) const override {
-    absl::StatusOr<LaserWork> work = FromProto(start.laser());
+    const absl::StatusOr<LaserWork> work = FromProto(start.laser());
     if (!work.ok()) return Within("start", Within("laser", work.status()));
+    absl::StatusOr<Shared<ExposureJob>> job =
+        TakeShared<ExposureJob>(shared, work->shared, "start.laser.shared");
+    if (!job.ok()) return job.status();
     absl::StatusOr<std::vector<SlicedLayer>> layers = ReceiveLayers(work->range, cancel, end);
     if (!layers.ok()) return layers.status();
-    return std::make_unique<ReceivedLaser>(*std::move(work), *std::move(layers));
+    return std::make_unique<ReceivedLaser>(work->range, *std::move(job), *std::move(layers));
   }
 
   absl::Status SendResult(TaskResult task_result, WorkerEnd& end) const override {

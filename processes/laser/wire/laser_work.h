@@ -1,24 +1,21 @@
 #pragma once
 
-#include <vector>
+#include <string>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/job_plan.h"
 #include "common/model/layer.h"
-#include "common/model/options/exposure_settings.h"
 #include "slicefarm/v1/worker.pb.h"
 
 namespace slicefarm {
 
 /// LaserTask but its outlines.
 struct LaserWork {
-  ExposureSettings settings;
   LayerRange range;
-  std::vector<Copy> copies;
+  std::string shared;  ///< the digest of its ExposureJob
 };
 
-/// Errors: REQUEST_MALFORMED and REQUEST_TOO_LARGE with the way to the field.
+/// Errors: REQUEST_MALFORMED with the way to the field.
 absl::Status ToProto(const LaserWork& work, v1::LaserWork* proto);
 absl::StatusOr<LaserWork> FromProto(const v1::LaserWork& proto);
 

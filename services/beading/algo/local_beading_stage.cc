@@ -11,52 +11,47 @@
 namespace slicefarm::beading {
 namespace {
 
-/// The outlines of one object in a stretch of layers.
-struct ObjectOutlines {
+/// The outlines of one stack in a stretch of layers.
+struct StackOutlines {
   std::vector<const MultiPolygon*> layers;
   std::optional<NeighbourOutlines> neighbours;
 };
 
-/// The layers around each section, by object. What lies on the plate besides the objects is no stack
-/// of layers of one thing: each of its sections stands alone.
+/// The layers around each section, by stack.
 class Surroundings {
  public:
   explicit Surroundings(std::span<const SlicedLayer> layers) {
     for (const SlicedLayer& layer : layers) {
       for (const ObjectSection& section : layer.sections) {
-        ObjectOutlines& object =
-            section.object == kPlate ? alone_[&section] : objects_[section.object];
-        index_[&section] = object.layers.size();
-        object.layers.push_back(&OutlineOf(section));
+        StackOutlines& stack = stacks_[section.stack.id];
+        index_[&section] = stack.layers.size();
+        stack.layers.push_back(&OutlineOf(section));
       }
     }
-    for (auto& [index, object] : objects_) object.neighbours.emplace(std::move(object.layers));
-    for (auto& [section, object] : alone_) object.neighbours.emplace(std::move(object.layers));
+    for (auto& [id, stack] : stacks_) stack.neighbours.emplace(std::move(stack.layers));
   }
 
   SectionPlace PlaceOf(const SlicedLayer& layer, const ObjectSection& section) const {
-    const ObjectOutlines& object =
-        section.object == kPlate ? alone_.at(&section) : objects_.at(section.object);
-    return {section, layer.frame.index == 0, *object.neighbours, index_.at(&section)};
+    return {section, layer.frame.index == 0, *stacks_.at(section.stack.id).neighbours,
+            index_.at(&section)};
   }
 
  private:
-  std::map<int32_t, ObjectOutlines> objects_;
-  std::map<const ObjectSection*, ObjectOutlines> alone_;
-  std::map<const ObjectSection*, size_t> index_;  ///< of a section among its object's
+  std::map<int32_t, StackOutlines> stacks_;  ///< by id
+  std::map<const ObjectSection*, size_t> index_;  ///< of a section among its stack's
 };
 
 class LocalBeading : public BeadingStage {
  public:
   absl::StatusOr<std::vector<WalledLayer>> Bead(
       const StageCall& call, const Neighbourhood& neighbourhood,
-      std::span<const BeadingOptions> regions) const override {
+      const Shared<BeadingTable>& regions) const override {
     std::vector<WalledLayer> walled;
     walled.reserve(static_cast<size_t>(neighbourhood.range.size()));
     const Surroundings surroundings(neighbourhood.layers);
     for (const SlicedLayer& layer : neighbourhood.layers) {
       if (!neighbourhood.range.Contains(layer.frame.index)) continue;
-      auto result = WallLayer(layer, surroundings, regions, call.cancel);
+      auto result = WallLayer(layer, surroundings, *regions, call.cancel);
       if (!result.ok()) return result.status();
       walled.push_back(*std::move(result));
     }

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "common/geometry/text_format.h"
 #include "common/base/error.h"
+#include "common/geometry/text_format.h"
 
 namespace slicefarm::beading::local_beading_stage_test {
 namespace {
@@ -15,7 +15,7 @@ std::vector<SlicedLayer> Layers(const std::vector<MultiPolygon>& outlines) {
     const auto index = static_cast<int32_t>(i);
     layers[i].frame = {index, 200'000 * (index + 1), 200'000};
     ObjectSection section{7,  index, static_cast<int32_t>(outlines.size()), 200'000, {}, {}, 0,
-                          {}, {}};
+                          {}};
     if (!outlines[i].empty()) section.regions = {{Role::kPart, 0, 0, outlines[i]}};
     layers[i].sections.push_back(std::move(section));
   }
@@ -23,16 +23,15 @@ std::vector<SlicedLayer> Layers(const std::vector<MultiPolygon>& outlines) {
 }
 
 std::vector<SlicedLayer> Layers(int count, std::string_view outlines) {
-  return Layers(std::vector<MultiPolygon>(static_cast<size_t>(count),
-                                          MakePolygonsOrDie(outlines)));
+  return Layers(std::vector<MultiPolygon>(static_cast<size_t>(count), MakePolygonsOrDie(outlines)));
 }
 
-absl::StatusOr<std::vector<WalledLayer>> Bead(std::span<const SlicedLayer> layers,
-                                              LayerRange range, const BeadingOptions& options = {},
+absl::StatusOr<std::vector<WalledLayer>> Bead(std::span<const SlicedLayer> layers, LayerRange range,
+                                              const BeadingOptions& options = {},
                                               CancelToken cancel = {}) {
   StageCall call;
   call.cancel = std::move(cancel);
-  return MakeLocalBeading()->Bead(call, {range, layers}, std::span(&options, 1));
+  return MakeLocalBeading()->Bead(call, {range, layers}, BeadingTable{options});
 }
 
 BeadingOptions Classic() {
@@ -134,20 +133,19 @@ TEST(LocalBeading, WallsLookAtTheLayersAround) {
   EXPECT_GT(others, 0);
 }
 
-// What lies on the plate besides the objects comes without its neighbours in a range: they must
-// make no difference where they are there.
-TEST(LocalBeading, SectionsOfThePlateStandAlone) {
-  std::vector<SlicedLayer> layers = Strips(12);
-  for (SlicedLayer& layer : layers) layer.sections[0].object = kPlate;
-  layers[3].sections.push_back(layers[8].sections[0]);
-  const auto all = Bead(layers, {0, 12});
-  ASSERT_TRUE(all.ok()) << all.status();
-  for (int i = 0; i < 12; ++i) {
-    const auto alone = Bead(std::span(layers).subspan(static_cast<size_t>(i), 1), {i, i + 1});
-    ASSERT_TRUE(alone.ok());
-    EXPECT_EQ((*alone)[0], (*all)[static_cast<size_t>(i)]) << i;
+TEST(LocalBeading, StacksOfOneObjectDoNotLookAtEachOther) {
+  const std::vector<SlicedLayer> parts = Strips(12);
+  std::vector<SlicedLayer> both = parts;
+  for (size_t i = 0; i < both.size(); ++i) {
+    both[i].sections.push_back(parts[parts.size() - 1 - i].sections[0]);
+    both[i].sections.back().stack = Stack(5, 0, StackKind::kSupport);
+    both[i].sections.back().layer = static_cast<int32_t>(i);
   }
-  EXPECT_EQ((*all)[3].sections[1].islands, (*all)[8].sections[0].islands);
+  const auto alone = Bead(parts, {0, 12});
+  const auto beside = Bead(both, {0, 12});
+  ASSERT_TRUE(beside.ok()) << beside.status();
+  for (size_t i = 0; i < both.size(); ++i)
+    EXPECT_EQ((*beside)[i].sections[0], (*alone)[i].sections[0]) << i;
 }
 
 TEST(LocalBeading, EmptyLayersStayEmpty) {

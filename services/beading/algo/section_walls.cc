@@ -233,7 +233,7 @@ absl::StatusOr<SectionResult> WallSection(const SectionPlace& place,
                                           const CancelToken& cancel) {
   const ObjectSection& section = place.section;
   SectionResult result;
-  result.walled.object = section.object;
+  result.walled.stack = section.stack;
   result.walled.layer = section.layer;
   result.walled.height_nm = section.height_nm;
   for (const Group& group : GroupsOf(section, regions)) {
@@ -243,10 +243,10 @@ absl::StatusOr<SectionResult> WallSection(const SectionPlace& place,
     for (const PolygonWithHoles& outline : OutlinesOf(group, section)) {
       absl::StatusOr<IslandBeads> walls = waller->Wall(outline, cancel, result.plain_islands);
       if (!walls.ok()) return walls.status();
-      if (section.object != kPlate) {
+      if (section.stack.IsPart()) {
         NameRings(OutlineOf(section), walls->walls);
         if (section.layer > 0)
-          Roughen(regions[static_cast<size_t>(first.settings)], {section.object, section.layer},
+          Roughen(regions[static_cast<size_t>(first.settings)], {section.stack.object, section.layer},
                   walls->walls);
       }
       Sign(first, walls->walls);

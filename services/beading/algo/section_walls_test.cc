@@ -17,7 +17,7 @@ double Mm2(const MultiPolygon& area) { return Area(area) * 1e-12; }
 /// A square of 20 mm, its right half of row 1.
 ObjectSection Halves() {
   ObjectSection section{0, 3,  9, 200'000, {}, MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)"),
-                        0, {}, {}};
+                        0, {}};
   section.regions = {{Role::kPart, 0, 0, MakePolygonsOrDie("(0 0, 10 0, 10 20, 0 20)")},
                      {Role::kPart, 1, 0, MakePolygonsOrDie("(10 0, 20 0, 20 20, 10 20)")}};
   return section;
@@ -36,7 +36,7 @@ TEST(WallSection, WallsRunOnWhereOnlyTheInfillChanges) {
   ASSERT_EQ(walled.islands.size(), 1u);
   EXPECT_EQ(walled.islands[0].walls.size(), 3u);
   EXPECT_EQ(walled.islands[0].walls,
-            Walled({0, 3, 9, 200'000, {{Role::kPart, 0, 0, Halves().whole}}, {}, 0, {}, {}}, {{}})
+            Walled({0, 3, 9, 200'000, {{Role::kPart, 0, 0, Halves().whole}}, {}, 0, {}}, {{}})
                 .islands[0]
                 .walls);
   ASSERT_EQ(walled.islands[0].fill_areas.size(), 2u);
@@ -87,7 +87,7 @@ TEST(WallSection, LoopsHaveTheOutlineToTheirRight) {
   // A frame with a thin side, so that some loops are offsets and others beads of varying width.
   const MultiPolygon frame =
       MakePolygonsOrDie("(0 0, 30 0, 30 30, 0 30) (1.7 8, 1.7 22, 22 22, 22 8)");
-  const ObjectSection section{0, 3, 9, 200'000, {{Role::kPart, 0, 0, frame}}, {}, 0, {}, {}};
+  const ObjectSection section{0, 3, 9, 200'000, {{Role::kPart, 0, 0, frame}}, {}, 0, {}};
   for (const WallGenerator generator : {WallGenerator::kArachne, WallGenerator::kClassic}) {
     BeadingOptions options;
     options.generator = generator;
@@ -162,7 +162,6 @@ TEST(WallSection, OutermostWallsNameTheirRing) {
                           " ; (30 0, 40 0, 40 9, 30 9)")}},
       {},
       0,
-      {},
       {}};
   std::set<int32_t> rings;
   for (const WalledIsland& island : Walled(section, {{}}).islands)
@@ -173,7 +172,7 @@ TEST(WallSection, OutermostWallsNameTheirRing) {
 
 TEST(WallSection, WhatIsNotThePartIsCalledByItsRole) {
   ObjectSection section = Halves();
-  section.object = kPlate;
+  section.stack = Stack(1, kPlateObject, StackKind::kBrim);
   section.regions.resize(1);
   section.regions[0].role = Role::kBrim;
   section.whole = {};

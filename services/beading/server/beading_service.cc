@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/rpc/server/server_stream.h"
+#include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "slicefarm/v1/beading.grpc.pb.h"
@@ -13,7 +14,8 @@ namespace {
 
 class BeadingService final : public v1::Beading::Service {
  public:
-  BeadingService(const BeadingStage& stage, rpc::CallGate& gate) : stage_(stage), gate_(gate) {}
+  BeadingService(const BeadingStage& stage, rpc::CallGate& gate, SharedCache& shared)
+      : stage_(stage), gate_(gate), shared_(shared) {}
 
   grpc::Status BeadLayers(
       grpc::ServerContext* context,
@@ -25,6 +27,7 @@ class BeadingService final : public v1::Beading::Service {
 
   const BeadingStage& stage_;
   rpc::CallGate& gate_;
+  SharedCache& shared_;
 };
 
 }  // namespace
@@ -39,6 +42,8 @@ grpc::Status BeadingService::BeadLayers(
 absl::Status BeadingService::Bead(rpc::Call& call, Stream& stream) const {
   absl::StatusOr<BeadStart> start = ReadStart<v1::BeadRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
+  const auto regions = TakeShared<BeadingTable>(shared_, start->shared, "start.shared");
+  if (!regions.ok()) return regions.status();
   call.job_id = start->call.job_id;
   call.layers = start->range;
   const absl::StatusOr<std::vector<SlicedLayer>> layers =
@@ -46,15 +51,16 @@ absl::Status BeadingService::Bead(rpc::Call& call, Stream& stream) const {
   if (!layers.ok()) return layers.status();
 
   const absl::StatusOr<std::vector<WalledLayer>> walled =
-      stage_.Bead(start->call, {start->range, *layers}, start->options);
+      stage_.Bead(start->call, {start->range, *layers}, *regions);
   if (!walled.ok()) return walled.status();
   return WriteEach<v1::WalledLayer>(
       stream, *walled,
       [](const WalledLayer& layer, v1::WalledLayer* proto) { return ToProto(layer, proto); });
 }
 
-std::unique_ptr<grpc::Service> MakeBeadingService(const BeadingStage& stage, rpc::CallGate& gate) {
-  return std::make_unique<BeadingService>(stage, gate);
+std::unique_ptr<grpc::Service> MakeBeadingService(const BeadingStage& stage, rpc::CallGate& gate,
+                                                  SharedCache& shared) {
+  return std::make_unique<BeadingService>(stage, gate, shared);
 }
 
 }  // namespace slicefarm::beading

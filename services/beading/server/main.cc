@@ -4,7 +4,8 @@
 
 int main(int argc, char** argv) {
   const auto stage = slicefarm::beading::MakeLocalBeading();
-  return slicefarm::rpc::ServeStage(argc, argv, "beading", "Outlines to walls", [&](auto& gate) {
-    return slicefarm::beading::MakeBeadingService(*stage, gate);
-  });
+  return slicefarm::rpc::ServeSharingStage(
+      argc, argv, "beading", "Outlines to walls", [&](auto& gate, auto& shared) {
+        return slicefarm::beading::MakeBeadingService(*stage, gate, shared);
+      });
 }

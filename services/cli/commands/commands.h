@@ -30,9 +30,11 @@ void AddDelete(CLI::App& app, CommandContext& context);
 void AddTrace(CLI::App& app, CommandContext& context);
 void AddWebhook(CLI::App& app, CommandContext& context);
 void AddBeads(CLI::App& app, CommandContext& context);     ///< beads_command.cc
+void AddEngraveProgram(CLI::App& app, CommandContext& context);  ///< engrave_program_command.cc
 void AddFlatten(CLI::App& app, CommandContext& context);   ///< flatten_command.cc
 void AddFill(CLI::App& app, CommandContext& context);      ///< fill_command.cc
 void AddDecompose(CLI::App& app, CommandContext& context);  ///< decompose_command.cc
+void AddSupportLab(CLI::App& app, CommandContext& context);  ///< support_lab_command.cc
 void AddTime(CLI::App& app, CommandContext& context);      ///< time_command.cc
 void AddCheck(CLI::App& app, CommandContext& context);     ///< check_command.cc
 void AddProfile(CLI::App& app, CommandContext& context);   ///< profile_command.cc

@@ -9,13 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "common/model/limits.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
-#include "services/cli/models/given_models.h"
-#include "services/slicing/algo/mesh_io/mesh_reader.h"
-#include "services/slicing/algo/mesh_io/obj_reader.h"
+#include "services/cli/models/surface_mesh.h"
 #include "services/texture/algo/map/distortion.h"
 #include "services/texture/algo/map/flatten.h"
 #include "services/texture/algo/surface/cut_open.h"
@@ -30,28 +27,6 @@ struct FlattenCommandOptions {
   std::string output;
   bool no_seam = false;
 };
-
-texture::SurfaceMesh SurfaceOf(const slicing::RawMesh& raw) {
-  texture::SurfaceMesh mesh;
-  for (const slicing::Position& p : raw.positions) mesh.points_mm.push_back({p.x, p.y, p.z});
-  for (const auto& [a, b, c] : raw.triangles)
-    mesh.triangles.push_back(
-        {static_cast<int32_t>(a), static_cast<int32_t>(b), static_cast<int32_t>(c)});
-  return mesh;
-}
-
-/// An OBJ file's vertices keep their numbers, so that its other readers find their own again.
-absl::StatusOr<texture::SurfaceMesh> ReadSurface(const std::string& path) {
-  const auto file = ReadModelFile(path);
-  if (!file.ok()) return file.status();
-  const MeshFormat format =
-      file->format == MeshFormat::kUnknown ? slicing::DetectFormat(file->bytes) : file->format;
-  const auto raw = format == MeshFormat::kObj
-                       ? slicing::ReadObjAsNumbered(file->bytes, limits::kMaxMeshCoordinateMm, {})
-                       : slicing::ReadMesh(file->bytes, format, limits::kMaxMeshCoordinateMm, {});
-  if (!raw.ok()) return InFile(path, raw.status());
-  return SurfaceOf(*raw);
-}
 
 /// The surface as it was, with a `vt` for each vertex of the opened one.
 std::string MapText(const texture::SurfaceMesh& mesh, const texture::OpenedSurface& opened,

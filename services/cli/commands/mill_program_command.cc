@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
+#include "common/model/milling/cutter_text.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
 #include "services/cli/models/mill_mesh.h"
-#include "services/milling/algo/cutter/cutter_text.h"
 #include "services/milling/algo/motion/mill_program.h"
 #include "services/milling/algo/output/level_svg.h"
 #include "services/milling/algo/output/mill_report.h"
@@ -28,19 +28,18 @@ struct MillCommandOptions {
   std::string svg;
   size_t svg_step = 0;
   double stepover_percent = 40;
-  std::optional<double> bottom_mm;
   bool no_finishing = false;
-  milling::MillDialect dialect = milling::MillDialect::kLinuxCnc;
-  milling::MillingOptions how{.cutter = *milling::Cutter::Ball(4)};
+  MillDialect dialect = MillDialect::kLinuxCnc;
+  MillingOptions how;
+  int threads = 1;
 };
 
 absl::StatusOr<milling::MillingJob> PrepareJob(const MillCommandOptions& options) {
-  milling::MillingOptions how = options.how;
-  const auto cutter = milling::ParseCutter(options.cutter);
+  MillingOptions how = options.how;
+  const auto cutter = ParseCutter(options.cutter);
   if (!cutter.ok()) return cutter.status();
   how.cutter = *cutter;
   how.stepover_share = options.stepover_percent / 100;
-  how.bottom_mm = options.bottom_mm;
   how.finishing = !options.no_finishing;
   auto part = ReadTriangles(options.model);
   if (!part.ok()) return part.status();
@@ -53,15 +52,15 @@ absl::StatusOr<milling::MillingJob> PrepareJob(const MillCommandOptions& options
   return milling::PrepareMilling(*std::move(part), std::move(stock), how);
 }
 
-std::string RowsOf(const milling::MillReport& report) {
+std::string RowsOf(const MillReport& report) {
   std::string rows;
   double seconds = 0;
   const char* const names[] = {"roughing", "finishing", "rest"};
-  for (size_t i = 0; i < report.stages.size(); ++i) {
-    const milling::StageReport& stage = report.stages[i];
-    seconds += stage.seconds;
+  for (size_t i = 0; i < report.phases.size(); ++i) {
+    const PhaseReport& phase = report.phases[i];
+    seconds += phase.seconds;
     rows += fmt::format("{0}_cut_mm {1:.1f}\n{0}_rapid_mm {2:.1f}\n{0}_moves {3}\n{0}_arcs {4}\n",
-                        names[i], stage.cut_mm, stage.rapid_mm, stage.moves, stage.arcs);
+                        names[i], phase.cut_mm, phase.rapid_mm, phase.moves, phase.arcs);
   }
   return rows + fmt::format("ways {}\nseconds {:.1f}\nremoved_mm3 {:.1f}\nchecked {}\ngouges {}\n",
                             report.ways, seconds, report.removed_mm3, report.checked,
@@ -71,7 +70,7 @@ std::string RowsOf(const milling::MillReport& report) {
 absl::Status Mill(const MillCommandOptions& options) {
   const auto job = PrepareJob(options);
   if (!job.ok()) return job.status();
-  const auto steps = milling::MillSteps(*job, 0, job->steps.size());
+  const auto steps = milling::MillSteps(*job, 0, job->steps.size(), {}, options.threads);
   if (!steps.ok()) return steps.status();
   if (!options.svg.empty() && options.svg_step < steps->size()) {
     const absl::Status written =
@@ -80,7 +79,7 @@ absl::Status Mill(const MillCommandOptions& options) {
   }
   const auto program = milling::AssembleProgram(*job, *steps);
   if (!program.ok()) return program.status();
-  const auto report = milling::ReportOf(*job, *program);
+  const auto report = milling::ReportOf(*job, *program, {}, options.threads);
   if (!report.ok()) return report.status();
   const absl::Status written =
       WriteFile(options.output,
@@ -96,7 +95,7 @@ void AddNumber(CLI::App& command, const std::string& name, double& value, const 
 }
 
 void AddStrategy(CLI::App& command, MillCommandOptions& options) {
-  milling::MillingOptions& how = options.how;
+  MillingOptions& how = options.how;
   command.add_option("--stock", options.stock, "STL of the stock; else a box around the part")
       ->type_name("FILE");
   AddNumber(command, "--stock-margin", how.stock_margin_mm, "Of the box, at its sides and top");
@@ -115,24 +114,20 @@ void AddStrategy(CLI::App& command, MillCommandOptions& options) {
                    "Parallel ways on the stock's floor beside the part, too");
   AddNumber(command, "--sampling", how.sampling_mm, "Distance of fibers");
   AddNumber(command, "--tolerance", how.tolerance_mm, "Of all ways");
-  command.add_option("--bottom", options.bottom_mm, "The tip goes no deeper")->type_name("MM");
+  AddNumber(command, "--bottom", how.bottom_mm, "How high above the stock's bottom the tip stays");
   command.add_flag("--open-mesh", how.open_mesh, "The part is a surface that encloses nothing");
 }
 
 void AddMachining(CLI::App& command, MillCommandOptions& options) {
-  milling::MachiningOptions& machining = options.how.machining;
-  const std::map<std::string, milling::EntryKind> entries = {
-      {"helix", milling::EntryKind::kHelix},
-      {"ramp", milling::EntryKind::kRamp},
-      {"plunge", milling::EntryKind::kPlunge}};
-  const std::map<std::string, milling::Coolant> coolants = {{"off", milling::Coolant::kOff},
-                                                            {"mist", milling::Coolant::kMist},
-                                                            {"flood", milling::Coolant::kFlood}};
-  const std::map<std::string, milling::CutDirection> directions = {
-      {"climb", milling::CutDirection::kClimb},
-      {"conventional", milling::CutDirection::kConventional}};
-  const std::map<std::string, milling::MillDialect> dialects = {
-      {"linuxcnc", milling::MillDialect::kLinuxCnc}, {"grbl", milling::MillDialect::kGrbl}};
+  MachiningOptions& machining = options.how.machining;
+  const std::map<std::string, EntryKind> entries = {
+      {"helix", EntryKind::kHelix}, {"ramp", EntryKind::kRamp}, {"plunge", EntryKind::kPlunge}};
+  const std::map<std::string, Coolant> coolants = {
+      {"off", Coolant::kOff}, {"mist", Coolant::kMist}, {"flood", Coolant::kFlood}};
+  const std::map<std::string, CutDirection> directions = {
+      {"climb", CutDirection::kClimb}, {"conventional", CutDirection::kConventional}};
+  const std::map<std::string, MillDialect> dialects = {{"linuxcnc", MillDialect::kLinuxCnc},
+                                                       {"grbl", MillDialect::kGrbl}};
   command.add_option("--direction", machining.direction, "climb or conventional")
       ->transform(CLI::CheckedTransformer(directions));
   command.add_option("--entry", machining.entry, "helix, ramp or plunge")
@@ -169,7 +164,7 @@ void AddMillProgram(CLI::App& app, CommandContext& context) {
   AddMachining(*command, *options);
   command->add_option("--svg", options->svg, "A picture of one step")->type_name("FILE");
   command->add_option("--svg-step", options->svg_step, "Which")->capture_default_str();
-  command->add_option("--threads", options->how.threads, "Threads")
+  command->add_option("--threads", options->threads, "Threads")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str()
       ->type_name("N");

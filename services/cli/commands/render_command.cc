@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "common/base/error.h"
@@ -14,6 +15,7 @@
 #include "services/cli/render/cli_layer.h"
 #include "services/cli/render/gcode_layer.h"
 #include "services/cli/render/layer_drawing.h"
+#include "services/cli/render/mill_layer.h"
 #include "services/motion/algo/program/program_time.h"
 
 namespace slicefarm::cli {
@@ -24,7 +26,7 @@ constexpr int64_t kMostRenderedBytes = int64_t{4} << 30;
 struct RenderOptions {
   std::string gcode;
   std::string output;
-  int layer = 0;
+  std::optional<int> layer;
   std::string format;
   ColourBy colour_by = ColourBy::kFeature;
   double spot_mm = 0.08;
@@ -61,13 +63,23 @@ absl::StatusOr<const motion::Firmware*> FirmwareFor(const RenderOptions& options
 
 /// A layer's beads, each with its time if that is what colours tell.
 absl::StatusOr<GcodeLayer> ReadLayer(const RenderOptions& options, std::string_view gcode) {
-  if (options.colour_by != ColourBy::kTime) return ReadGcodeLayer(gcode, options.layer);
+  if (options.colour_by != ColourBy::kTime) return ReadGcodeLayer(gcode, *options.layer);
   const auto firmware = FirmwareFor(options, gcode);
   if (!firmware.ok()) return firmware.status();
   const auto machine = ReadMachine("", gcode);
   if (!machine.ok()) return machine.status();
   const motion::ProgramTime time = motion::TimeOfProgram(gcode, **firmware, machine->setup.machine);
-  return ReadGcodeLayer(gcode, options.layer, time.line_end_s);
+  return ReadGcodeLayer(gcode, *options.layer, time.line_end_s);
+}
+
+/// Of a milling program a level or all, of other files the layer that is asked for.
+absl::StatusOr<GcodeLayer> ReadAny(const RenderOptions& options, std::string_view gcode) {
+  if (IsMillProgram(gcode)) return ReadMillLayer(gcode, options.layer);
+  if (!options.layer)
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                     "--layer is needed: milling programs alone are drawn as a whole");
+  if (IsCliFile(gcode)) return ReadCliLayer(gcode, *options.layer, options.spot_mm);
+  return ReadLayer(options, gcode);
 }
 
 ExitCode Render(const RenderOptions& options) {
@@ -75,8 +87,7 @@ ExitCode Render(const RenderOptions& options) {
   if (!format.ok()) return Fail(format.status());
   const auto gcode = ReadText(options.gcode, kMostRenderedBytes);
   if (!gcode.ok()) return Fail(gcode.status());
-  const auto layer = IsCliFile(*gcode) ? ReadCliLayer(*gcode, options.layer, options.spot_mm)
-                                       : ReadLayer(options, *gcode);
+  const auto layer = ReadAny(options, *gcode);
   if (!layer.ok()) return Fail(layer.status());
   const auto image = DrawLayer(*layer, {.format = *format,
                                         .colour_by = options.colour_by,
@@ -90,13 +101,17 @@ ExitCode Render(const RenderOptions& options) {
 }  // namespace
 
 void AddRender(CLI::App& app, CommandContext& context) {
-  CLI::App* command =
-      app.add_subcommand("render", "Draw a layer of a G-code file, or of a CLI file (Common Layer Interface)");
+  CLI::App* command = app.add_subcommand("render",
+                                         "Draw a layer of a G-code file, of a CLI file (Common "
+                                         "Layer Interface) or of a milling program");
   const auto options = std::make_shared<RenderOptions>();
   command->add_option("GCODE", options->gcode, "G-code by slicefarm or PrusaSlicer, or a CLI file")
       ->required();
-  command->add_option("-l,--layer", options->layer, "Which layer; 0 is the first")
-      ->required()
+  command
+      ->add_option(
+          "-l,--layer", options->layer,
+          "Which layer; 0 is the first. Of milling: a level, from the top down; without, all "
+          "ways")
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   command->add_option("-o,--output", options->output, "Where the picture goes; -: to stdout")
@@ -137,7 +152,8 @@ void AddRender(CLI::App& app, CommandContext& context) {
       "Beads have their true width and round ends, in the order of printing.\n"
       "Example:\n"
       "  slicefarm render part.gcode --layer 12 -o layer.png\n"
-      "  slicefarm render part.cli --layer 12 -o order.png --color order");
+      "  slicefarm render part.cli --layer 12 -o order.png --color order\n"
+      "  slicefarm render part.nc -o ways.png");
   command->callback([options, &context] { context.run = [options] { return Render(*options); }; });
 }
 

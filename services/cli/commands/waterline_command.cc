@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "common/model/milling/cutter_text.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
 #include "services/cli/models/mill_mesh.h"
-#include "services/milling/algo/cutter/cutter_text.h"
 #include "services/milling/algo/waterline/waterline.h"
 
 namespace slicefarm::cli {
@@ -43,7 +43,7 @@ std::string LoopsText(const WaterlineLevels& levels) {
 }
 
 ExitCode Waterline(const WaterlineCommandOptions& options) {
-  const auto cutter = milling::ParseCutter(options.cutter);
+  const auto cutter = ParseCutter(options.cutter);
   if (!cutter.ok()) return Fail(cutter.status());
   const auto mesh = ReadTriangles(options.model);
   if (!mesh.ok()) return Fail(mesh.status());

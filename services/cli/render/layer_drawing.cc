@@ -50,6 +50,9 @@ constexpr std::pair<std::string_view, Colour> kFeatureColours[] = {
     {"upskin", {0.94, 0.25, 0.25}},
     {"downskin", {0.12, 0.12, 1.00}},
     {"thin wall", {0.20, 0.75, 0.20}},
+    {"roughing", {0.30, 0.50, 0.73}},
+    {"finishing", {1.00, 0.49, 0.22}},
+    {"rest areas", {0.20, 0.75, 0.20}},
 };
 constexpr Colour kUnknownColour = {0.5, 0.5, 0.5};
 

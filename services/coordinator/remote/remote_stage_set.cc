@@ -6,7 +6,10 @@ void RemoteStageSet::Add(Stage stage, ReplicaSource& replicas) {
   switch (stage) {
     case Stage::kSlicing:
       slicing_ = std::make_unique<RemoteSlicing>(replicas);
+      placing_ = std::make_unique<RemotePlacing>(replicas);
       return;
+    case Stage::kPlacing:
+      return;  // has no services of its own
     case Stage::kPlanning:
       planning_ = std::make_unique<RemotePlanning>(replicas);
       return;
@@ -25,12 +28,15 @@ void RemoteStageSet::Add(Stage stage, ReplicaSource& replicas) {
     case Stage::kExposure:
       exposure_ = std::make_unique<RemoteExposure>(replicas);
       return;
+    case Stage::kMilling:
+      milling_ = std::make_unique<RemoteMilling>(replicas);
+      return;
   }
 }
 
 Stages RemoteStageSet::all() const {
-  return {slicing_.get(),  planning_.get(), beading_.get(), infill_.get(),
-          ordering_.get(), motion_.get(),   exposure_.get()};
+  return {slicing_.get(), planning_.get(), beading_.get(), infill_.get(), ordering_.get(),
+          motion_.get(),  exposure_.get(), placing_.get(), milling_.get()};
 }
 
 }  // namespace slicefarm::coordinator

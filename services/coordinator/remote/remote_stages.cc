@@ -11,8 +11,10 @@
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/options/exposure_options_wire.h"
 #include "common/wire/options/motion_options_wire.h"
+#include "common/wire/placed_scene_wire.h"
 #include "common/wire/slicing_wire.h"
 #include "common/wire/stage_call_wire.h"
+#include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "common/wire/support/repeated_wire.h"
@@ -32,6 +34,7 @@ namespace {
 int64_t MostPoints() { return limits::kMaxPointsPerJob; }
 
 constexpr char kSlicing[] = "slicing";
+constexpr char kPlacing[] = "placing";
 constexpr char kPlanning[] = "planning";
 constexpr char kBeading[] = "beading";
 constexpr char kInfill[] = "infill";
@@ -81,6 +84,24 @@ absl::Status ReadJob(Stream& stream, const StageCall& call, SlicedJob* job, int3
   });
 }
 
+template <typename Stream>
+absl::Status ReadScene(Stream& stream, const StageCall& call, PlacedScene* scene) {
+  v1::PlaceResponse first;
+  if (!stream.Read(&first)) return absl::OkStatus();  // the call's end says why
+  absl::StatusOr<PlacedScene> placed = FromProto(first.scene());
+  if (!placed.ok()) return placed.status();
+  absl::StatusOr<MeshReader> meshes = MeshReader::Begin(MeshSizesOf(first.scene()));
+  if (!meshes.ok()) return meshes.status();
+  const absl::Status read = ReadEach<v1::PlaceResponse>(
+      stream, [&](const v1::PlaceResponse& response) { return meshes->Add(response.piece()); });
+  if (!read.ok()) return read;
+  auto whole = meshes->Finish();
+  if (!whole.ok()) return whole.status();
+  *scene = *std::move(placed);
+  PutMeshes(*std::move(whole), *scene);
+  return HoldMemory(call, JobMemory::Kind::kMeshes, MemoryOf(*scene));
+}
+
 }  // namespace
 
 absl::StatusOr<SlicedJob> RemoteSlicing::Slice(const StageCall& call, SliceInput input,
@@ -117,6 +138,18 @@ absl::StatusOr<std::vector<PlatePlace>> RemoteArranging::PutOnPlates(
   return places;
 }
 
+absl::StatusOr<PlacedScene> RemotePlacing::Place(const StageCall& call, SliceInput input,
+                                                 const SlicingOptions& options) const {
+  PlacedScene scene;
+  const absl::Status status = StreamOver(
+      replicas_, options_.DeadlineFor(MostPoints()), call, kPlacing,
+      &v1::Slicing::Stub::PrepareAsyncPlace,
+      [&](auto& stream) { return WriteFiles(stream, call, input, options); },
+      [&](auto& stream) { return ReadScene(stream, call, &scene); });
+  if (!status.ok()) return status;
+  return scene;
+}
+
 absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const SlicedOutlines& job,
                                              const PlanningOptions& options) const {
   JobPlan plan;
@@ -147,34 +180,53 @@ absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const Sliced
   const auto take = [&](const v1::PlanResponse& response) -> absl::Status {
     if (response.has_layer())
       return hold(Append(FromProto(response.layer()), &plan.layers), plan.layers);
-    if (response.has_addition())
-      return hold(Append(FromProto(response.addition()), &plan.additions), plan.additions);
+    if (response.has_stack()) return Append(FromProto(response.stack()), &plan.stacks);
+    if (response.has_section()) {
+      if (plan.stacks.empty()) return Malformed("section", "is of no stack");
+      std::vector<ObjectSection>& sections = plan.stacks.back().sections;
+      return hold(Append(FromProto(response.section()), &sections), sections);
+    }
+    if (response.has_skirt()) {
+      absl::StatusOr<Skirt> skirt = FromProto(response.skirt());
+      if (!skirt.ok()) return skirt.status();
+      plan.skirt = *std::move(skirt);
+      bytes += MemoryOf(plan.skirt);
+      return HoldMemory(call, JobMemory::Kind::kPlan, bytes);
+    }
     ended = response.has_end();
     const absl::StatusOr<SeamQuality> seams = FromProto(response.end().seams());
     if (!seams.ok()) return seams.status();
     plan.seams = *seams;
     plan.notes.assign(response.end().notes().begin(), response.end().notes().end());
+    for (const int64_t lift_nm : response.end().lifts_nm())
+      if (absl::Status ok = CheckLift("lifts_nm", lift_nm); !ok.ok()) return ok;
+    plan.lifts_nm.assign(response.end().lifts_nm().begin(), response.end().lifts_nm().end());
     return AllFromProto(response.end().copies(), "copies", &plan.copies);
   };
   const absl::Status status =
       DuplexOver(replicas_, options_.DeadlineFor(PointsIn(job.layers)), call, kPlanning,
                  &v1::Planning::Stub::PrepareAsyncPlanJob, begin, write, take);
   if (!status.ok()) return status;
-  if (!ended || plan.layers.size() != job.layers.size() || plan.copies.size() != job.copies.size())
+  const bool adds_layers = !plan.stacks.empty();
+  if (!ended || (plan.layers.size() != job.layers.size() && !adds_layers) ||
+      plan.copies.size() != job.copies.size())
     return BadAnswer(kPlanning, Malformed("layer", "not a plan for each layer and copy"));
   return plan;
 }
 
 absl::StatusOr<std::vector<WalledLayer>> RemoteBeading::Bead(
     const StageCall& call, const Neighbourhood& neighbourhood,
-    std::span<const BeadingOptions> regions) const {
+    const Shared<BeadingTable>& regions) const {
+  const absl::StatusOr<SharedParts> parts = OnePart(regions);
+  if (!parts.ok()) return parts.status();
+  SharingReplicas replicas(replicas_, sends_, call, *parts);
   std::vector<WalledLayer> walled;
   const absl::Status status = StreamOver(
-      replicas_, options_.DeadlineFor(PointsIn(neighbourhood.layers)), call, kBeading,
+      replicas, options_.DeadlineFor(PointsIn(neighbourhood.layers)), call, kBeading,
       &v1::Beading::Stub::PrepareAsyncBeadLayers,
       [&](auto& stream) {
         absl::Status started = WriteStart<v1::BeadRequest>(
-            stream, BeadStart{call, {regions.begin(), regions.end()}, neighbourhood.range});
+            stream, BeadStart{call, parts->front()->digest, neighbourhood.range});
         if (!started.ok()) return started;
         return WriteEach<v1::BeadRequest>(stream, neighbourhood.layers,
                                           [](const SlicedLayer& layer, v1::BeadRequest* request) {
@@ -188,11 +240,14 @@ absl::StatusOr<std::vector<WalledLayer>> RemoteBeading::Bead(
 
 absl::StatusOr<std::vector<FilledLayer>> RemoteInfill::Fill(
     const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
-    std::span<const LayerPlan> plans, std::span<const InfillOptions> regions) const {
+    std::span<const LayerPlan> plans, const Shared<InfillTable>& regions) const {
+  const absl::StatusOr<SharedParts> parts = OnePart(regions);
+  if (!parts.ok()) return parts.status();
+  SharingReplicas replicas(replicas_, sends_, call, *parts);
   std::vector<FilledLayer> filled;
   const auto write = [&](auto& stream) {
     absl::Status status = WriteStart<v1::FillRequest>(
-        stream, FillStart{call, {regions.begin(), regions.end()}, neighbourhood.range});
+        stream, FillStart{call, parts->front()->digest, neighbourhood.range});
     if (!status.ok()) return status;
     status = WriteEach<v1::FillRequest>(stream, neighbourhood.layers,
                                         [](const SlicedLayer& layer, v1::FillRequest* request) {
@@ -209,7 +264,7 @@ absl::StatusOr<std::vector<FilledLayer>> RemoteInfill::Fill(
         });
   };
   const absl::Status status =
-      StreamOver(replicas_, options_.DeadlineFor(PointsIn(neighbourhood.layers)), call, kInfill,
+      StreamOver(replicas, options_.DeadlineFor(PointsIn(neighbourhood.layers)), call, kInfill,
                  &v1::Infill::Stub::PrepareAsyncFillLayers, write,
                  [&](auto& stream) { return ReadAll<v1::FilledLayer>(stream, &filled); });
   if (!status.ok()) return status;
@@ -218,11 +273,14 @@ absl::StatusOr<std::vector<FilledLayer>> RemoteInfill::Fill(
 
 absl::StatusOr<std::vector<OrderedLayer>> RemoteOrdering::Order(
     const StageCall& call, std::vector<FilledLayer> layers, std::span<const LayerPlan> plans,
-    std::span<const Copy> copies, const OrderingOptions& options) const {
+    const Shared<OrderingJob>& job) const {
+  const absl::StatusOr<SharedParts> parts = OnePart(job);
+  if (!parts.ok()) return parts.status();
+  SharingReplicas replicas(replicas_, sends_, call, *parts);
   std::vector<OrderedLayer> ordered;
   const auto write = [&](auto& stream) {
-    absl::Status started = WriteStart<v1::OrderRequest>(
-        stream, OrderStart{call, options, {copies.begin(), copies.end()}});
+    absl::Status started =
+        WriteStart<v1::OrderRequest>(stream, OrderStart{call, parts->front()->digest});
     if (!started.ok()) return started;
     auto plan = plans.begin();
     return WriteEach<v1::OrderRequest>(
@@ -234,19 +292,21 @@ absl::StatusOr<std::vector<OrderedLayer>> RemoteOrdering::Order(
         });
   };
   const absl::Status status = StreamOver(
-      replicas_, options_.deadline, call, kOrdering, &v1::Ordering::Stub::PrepareAsyncOrderLayers,
+      replicas, options_.deadline, call, kOrdering, &v1::Ordering::Stub::PrepareAsyncOrderLayers,
       write, [&](auto& stream) { return ReadAll<v1::OrderedLayer>(stream, &ordered); });
   if (!status.ok()) return status;
   return ForRange(std::move(ordered), RangeOf(layers), kOrdering);
 }
 
 absl::StatusOr<std::vector<LayerProgram>> RemoteMotion::Program(
-    const StageCall& call, std::vector<OrderedLayer> layers, const JobFacts& facts,
-    const MotionOptions& options) const {
+    const StageCall& call, std::vector<OrderedLayer> layers, const Shared<MotionJob>& job) const {
+  const absl::StatusOr<SharedParts> parts = OnePart(job);
+  if (!parts.ok()) return parts.status();
+  SharingReplicas replicas(replicas_, sends_, call, *parts);
   std::vector<LayerProgram> programs;
   const auto write = [&](auto& stream) {
     absl::Status started =
-        WriteStart<v1::ProgramRequest>(stream, ProgramStart{call, options, facts});
+        WriteStart<v1::ProgramRequest>(stream, ProgramStart{call, parts->front()->digest});
     if (!started.ok()) return started;
     return WriteEach<v1::ProgramRequest>(
         stream, layers, [](const OrderedLayer& layer, v1::ProgramRequest* request) {
@@ -254,7 +314,7 @@ absl::StatusOr<std::vector<LayerProgram>> RemoteMotion::Program(
         });
   };
   const absl::Status status = StreamOver(
-      replicas_, options_.deadline, call, kMotion, &v1::Motion::Stub::PrepareAsyncProgramLayers,
+      replicas, options_.deadline, call, kMotion, &v1::Motion::Stub::PrepareAsyncProgramLayers,
       write, [&](auto& stream) { return ReadAll<v1::LayerProgram>(stream, &programs); });
   if (!status.ok()) return status;
   const absl::Status fits = CheckProgramsOfRange(programs, RangeOf(layers));
@@ -285,12 +345,15 @@ absl::StatusOr<ProgramEnvelope> RemoteMotion::Envelope(const StageCall& call,
 }
 
 absl::StatusOr<std::vector<ExposedProgram>> RemoteExposure::Expose(
-    const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
-    const ExposureSettings& settings) const {
+    const StageCall& call, const Neighbourhood& neighbourhood,
+    const Shared<ExposureJob>& job) const {
+  const absl::StatusOr<SharedParts> parts = OnePart(job);
+  if (!parts.ok()) return parts.status();
+  SharingReplicas replicas(replicas_, sends_, call, *parts);
   std::vector<ExposedProgram> programs;
   const auto write = [&](auto& stream) {
     absl::Status started = WriteStart<v1::ExposeRequest>(
-        stream, ExposeStart{call, settings, neighbourhood.range, {copies.begin(), copies.end()}});
+        stream, ExposeStart{call, parts->front()->digest, neighbourhood.range});
     if (!started.ok()) return started;
     return WriteEach<v1::ExposeRequest>(stream, neighbourhood.layers,
                                         [](const SlicedLayer& layer, v1::ExposeRequest* request) {
@@ -298,7 +361,7 @@ absl::StatusOr<std::vector<ExposedProgram>> RemoteExposure::Expose(
                                         });
   };
   const absl::Status status =
-      StreamOver(replicas_, options_.DeadlineFor(PointsIn(neighbourhood.layers)), call, kExposure,
+      StreamOver(replicas, options_.DeadlineFor(PointsIn(neighbourhood.layers)), call, kExposure,
                  &v1::Exposure::Stub::PrepareAsyncExposeLayers, write,
                  [&](auto& stream) { return ReadAll<v1::ExposedProgram>(stream, &programs); });
   if (!status.ok()) return status;

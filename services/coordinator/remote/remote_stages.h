@@ -6,6 +6,7 @@
 #include "common/stage/stages.h"
 #include "services/coordinator/remote/remote_call.h"
 #include "services/coordinator/remote/replica_source.h"
+#include "services/coordinator/remote/shared_sends.h"
 
 namespace slicefarm::coordinator {
 
@@ -42,6 +43,20 @@ class RemoteArranging : public ArrangingStage {
   const RemoteOptions options_;
 };
 
+/// And it places.
+class RemotePlacing : public PlacingStage {
+ public:
+  explicit RemotePlacing(ReplicaSource& replicas, const RemoteOptions& options = {})
+      : replicas_(replicas), options_(options) {}
+
+  absl::StatusOr<PlacedScene> Place(const StageCall& call, SliceInput input,
+                                    const SlicingOptions& options) const override;
+
+ private:
+  ReplicaSource& replicas_;
+  const RemoteOptions options_;
+};
+
 class RemotePlanning : public PlanningStage {
  public:
   explicit RemotePlanning(ReplicaSource& replicas, const RemoteOptions& options = {})
@@ -58,78 +73,83 @@ class RemotePlanning : public PlanningStage {
 class RemoteBeading : public BeadingStage {
  public:
   explicit RemoteBeading(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options) {}
+      : replicas_(replicas), options_(options), sends_(options.deadline) {}
 
-  absl::StatusOr<std::vector<WalledLayer>> Bead(
-      const StageCall& call, const Neighbourhood& neighbourhood,
-      std::span<const BeadingOptions> regions) const override;
+  absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall& call,
+                                                const Neighbourhood& neighbourhood,
+                                                const Shared<BeadingTable>& regions) const override;
 
  private:
   ReplicaSource& replicas_;
   const RemoteOptions options_;
+  mutable SharedSends sends_;  // what is under way
 };
 
 class RemoteInfill : public InfillStage {
  public:
   explicit RemoteInfill(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options) {}
+      : replicas_(replicas), options_(options), sends_(options.deadline) {}
 
-  absl::StatusOr<std::vector<FilledLayer>> Fill(
-      const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
-      std::span<const LayerPlan> plans, std::span<const InfillOptions> regions) const override;
+  absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall& call,
+                                                std::vector<WalledLayer> walled,
+                                                const Neighbourhood& neighbourhood,
+                                                std::span<const LayerPlan> plans,
+                                                const Shared<InfillTable>& regions) const override;
 
  private:
   ReplicaSource& replicas_;
   const RemoteOptions options_;
+  mutable SharedSends sends_;  // what is under way
 };
 
 class RemoteOrdering : public OrderingStage {
  public:
   explicit RemoteOrdering(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options) {}
+      : replicas_(replicas), options_(options), sends_(options.deadline) {}
 
   absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall& call,
                                                   std::vector<FilledLayer> layers,
                                                   std::span<const LayerPlan> plans,
-                                                  std::span<const Copy> copies,
-                                                  const OrderingOptions& options) const override;
+                                                  const Shared<OrderingJob>& job) const override;
 
  private:
   ReplicaSource& replicas_;
   const RemoteOptions options_;
+  mutable SharedSends sends_;  // what is under way
 };
 
 class RemoteMotion : public MotionStage {
  public:
   explicit RemoteMotion(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options) {}
+      : replicas_(replicas), options_(options), sends_(options.deadline) {}
 
   absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
                                                     std::vector<OrderedLayer> layers,
-                                                    const JobFacts& facts,
-                                                    const MotionOptions& options) const override;
+                                                    const Shared<MotionJob>& job) const override;
   absl::StatusOr<ProgramEnvelope> Envelope(const StageCall& call, const ProgramSummary& summary,
                                            const MotionOptions& options) const override;
 
  private:
   ReplicaSource& replicas_;
   const RemoteOptions options_;
+  mutable SharedSends sends_;  // what is under way
 };
 
 class RemoteExposure : public ExposureStage {
  public:
   explicit RemoteExposure(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options) {}
+      : replicas_(replicas), options_(options), sends_(options.deadline) {}
 
-  absl::StatusOr<std::vector<ExposedProgram>> Expose(
-      const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
-      const ExposureSettings& settings) const override;
+  absl::StatusOr<std::vector<ExposedProgram>> Expose(const StageCall& call,
+                                                     const Neighbourhood& neighbourhood,
+                                                     const Shared<ExposureJob>& job) const override;
   absl::StatusOr<ExposureEnvelope> Envelope(const StageCall& call, const ExposureSummary& summary,
                                             const ExposureSettings& settings) const override;
 
  private:
   ReplicaSource& replicas_;
   const RemoteOptions options_;
+  mutable SharedSends sends_;  // what is under way
 };
 
 }  // namespace slicefarm::coordinator

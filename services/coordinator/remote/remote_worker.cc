@@ -28,8 +28,11 @@ absl::StatusOr<TaskResult> RemoteWorker::RunTask(const StageCall& call, const Ta
     if (received.ok()) result = *std::move(received);
     return received.status();
   };
+  const absl::StatusOr<SharedParts> parts = wire.PartsOf(task);
+  if (!parts.ok()) return parts.status();
+  SharingReplicas replicas(replicas_, sends_, call, *parts);
   const absl::Status status =
-      StreamOver(replicas_, options_.DeadlineFor(wire.PointsIn(task)), call, kWorker,
+      StreamOver(replicas, options_.DeadlineFor(wire.PointsIn(task)), call, kWorker,
                  &v1::Worker::Stub::PrepareAsyncWorkRange, write, read);
   if (!status.ok()) return status;
   if (absl::Status fits = wire.Check(task, result); !fits.ok()) return BadAnswer(kWorker, fits);

@@ -3,6 +3,7 @@
 #include "common/stage/task.h"
 #include "services/coordinator/remote/remote_call.h"
 #include "services/coordinator/remote/replica_source.h"
+#include "services/coordinator/remote/shared_sends.h"
 
 namespace slicefarm::coordinator {
 
@@ -13,7 +14,7 @@ class RemoteWorker : public TaskRunner {
   /// `replicas` must outlive the worker.
   explicit RemoteWorker(ReplicaSource& replicas, const RemoteOptions& options = {},
                         ProcessSet processes = ProcessSet::All())
-      : replicas_(replicas), options_(options), processes_(processes) {}
+      : replicas_(replicas), options_(options), processes_(processes), sends_(options.deadline) {}
 
   ProcessSet processes() const override { return processes_; }
   absl::StatusOr<TaskResult> RunTask(const StageCall& call, const Task& task) const override;
@@ -22,6 +23,7 @@ class RemoteWorker : public TaskRunner {
   ReplicaSource& replicas_;
   const RemoteOptions options_;
   const ProcessSet processes_;
+  mutable SharedSends sends_;  // what is under way
 };
 
 }  // namespace slicefarm::coordinator

@@ -183,9 +183,8 @@ TEST_F(WorkerPoolTest, AWorkerThatBecameOneOfAnotherBuildLeavesWhenItRefusesARan
   });
   a.Restart();
   ASSERT_TRUE(runner.await_ready(seconds(60)));
-  const JobFacts facts;
-  const FdmSettings settings;
-  const FdmTask task{{0, 1}, {}, {}, {}, &facts, &settings};
+  FdmTask task;
+  task.range = {0, 1};
   for (int i = 0; i < 2; ++i) {
     absl::Status refused;
     do {
@@ -238,9 +237,8 @@ TEST_F(WorkerPoolTest, RunnersOutliveTheirMembership) {
   Start({a.address()});
   const Runner runner = runners_.Await(1)[0];
   pool_.reset();
-  const JobFacts facts;
-  const FdmSettings settings;
-  const FdmTask task{{0, 1}, {}, {}, {}, &facts, &settings};
+  FdmTask task;
+  task.range = {0, 1};
   EXPECT_FALSE(runner.tasks->RunTask({}, task).ok());  // the fake implements no WorkRange
 }
 

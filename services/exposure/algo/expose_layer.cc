@@ -25,10 +25,10 @@ Neighbours NeighboursOf(const ObjectSection& section, const ExposureOptions& opt
                         DeepOutlines& outlines) {
   Neighbours neighbours;
   for (int32_t i = 1; i <= options.upskin_layers; ++i)
-    neighbours.above.push_back(outlines.Find(section.object, section.layer + i));
+    neighbours.above.push_back(outlines.Find(section.stack.id, section.layer + i));
   // Below the object's lowest layer is the plate.
   for (int32_t i = 1; i <= std::min(options.downskin_layers, section.layer); ++i)
-    neighbours.below.push_back(outlines.Find(section.object, section.layer - i));
+    neighbours.below.push_back(outlines.Find(section.stack.id, section.layer - i));
   return neighbours;
 }
 
@@ -48,12 +48,12 @@ absl::Status AppendSection(const ObjectSection& section, int32_t layer, const Ob
     const MultiPolygon outlines = deep.Of(section, region.outlines);
     const Neighbours neighbours = NeighboursOf(section, options, deep);
     auto groups = ExposeRegion({.outlines = outlines,
-                                .section = *deep.Find(section.object, section.layer),
+                                .section = *deep.Find(section.stack.id, section.layer),
                                 .neighbours = {neighbours.above, neighbours.below},
                                 .layer = layer,
-                                .object = section.object,
+                                .object = section.stack.object,
                                 .settings = region.settings,
-                                .shift = ShiftOf(section.object, copies)},
+                                .shift = ShiftOf(section.stack.object, copies)},
                                options, at, cancel, result.cuts);
     if (!groups.ok()) return groups.status();
     result.melted.Add(SampleMelted(*groups, outlines, options, layer));
@@ -102,7 +102,6 @@ std::vector<ExposureVisit> Visits(const std::vector<ExposureGroup>& groups,
                       .end = found->second.end + shift,
                       .middle = found->second.middle + shift});
   };
-  add(kPlate, -1, {});
   for (size_t i = 0; i < copies.size(); ++i)
     add(copies[i].object, static_cast<int32_t>(i), copies[i].shift);
   std::vector<ExposureVisit> ordered;
@@ -114,7 +113,7 @@ double AreaOfVisits(const SlicedLayer& layer, const std::vector<ExposureVisit>& 
   std::map<int32_t, double> areas;
   for (const ObjectSection& section : layer.sections)
     for (const Region& region : section.regions)
-      areas[section.object] += Area(region.outlines) / kNmPerMm / kNmPerMm;
+      areas[section.stack.object] += Area(region.outlines) / kNmPerMm / kNmPerMm;
   double area = 0;
   for (const ExposureVisit& visit : visits) area += areas[visit.object];
   return area;

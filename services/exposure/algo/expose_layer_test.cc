@@ -22,15 +22,14 @@ const ScanStrategy kStrategies[] = {ScanStrategy::kRings, ScanStrategy::kRingsIn
                                     ScanStrategy::kHatch};
 
 SlicedLayer LayerOf(MultiPolygon outlines, int32_t index = 0, int32_t object = 0) {
-  ObjectSection section{.object = object,
+  ObjectSection section{.stack = object,
                         .layer = index,
                         .layer_count = 100,
                         .height_nm = 50'000,
                         .regions = {{.outlines = std::move(outlines)}},
                         .whole = {},
                         .z_nm = 0,
-                        .seam_enforcers = {},
-                        .seam_blockers = {}};
+                        .marks = {}};
   return {{index, (index + 1) * 50'000, 50'000}, {std::move(section)}};
 }
 

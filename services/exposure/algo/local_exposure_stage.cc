@@ -27,8 +27,9 @@ FileFacts FactsOf(const ExposureSummary& summary, const ExposureSettings& settin
 class LocalExposure : public ExposureStage {
  public:
   absl::StatusOr<std::vector<ExposedProgram>> Expose(
-      const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
-      const ExposureSettings& settings) const override {
+      const StageCall& call, const Neighbourhood& neighbourhood,
+      const Shared<ExposureJob>& job) const override {
+    const ExposureSettings& settings = job->settings;
     // What a layer's text says must not depend on what is known of the whole job.
     FileFacts facts;
     facts.regions = settings.regions;
@@ -38,7 +39,7 @@ class LocalExposure : public ExposureStage {
     std::vector<ExposedProgram> programs;
     for (const SlicedLayer& layer : neighbourhood.layers.subspan(
              static_cast<size_t>(before), static_cast<size_t>(neighbourhood.range.size()))) {
-      auto exposed = ExposeLayer(layer, objects, settings.regions, copies, call.cancel);
+      auto exposed = ExposeLayer(layer, objects, settings.regions, job->copies, call.cancel);
       if (!exposed.ok()) return exposed.status();
       programs.push_back(
           {layer.frame, LayerText(*exposed, facts), ReportOf(*exposed, settings.regions)});

@@ -37,7 +37,7 @@ class LocalExposureTest : public testing::Test {
     return stage_->Expose(call,
                           {range, std::span(layers_).subspan(static_cast<size_t>(sent.first),
                                                              static_cast<size_t>(sent.size()))},
-                          copies_, settings_);
+                          ExposureJob{settings_, copies_});
   }
 
   const std::unique_ptr<ExposureStage> stage_ = MakeLocalExposure();
@@ -47,9 +47,9 @@ class LocalExposureTest : public testing::Test {
 };
 
 TEST_F(LocalExposureTest, RangesGiveWhatTheWholeGives) {
-  for (const OutputFormat format : {OutputFormat::kCliAscii, OutputFormat::kCliBinary,
-                                    OutputFormat::kGrbl, OutputFormat::kMarlin,
-                                    OutputFormat::kSvg, OutputFormat::kDxf}) {
+  for (const OutputFormat format :
+       {OutputFormat::kCliAscii, OutputFormat::kCliBinary, OutputFormat::kGrbl,
+        OutputFormat::kMarlin, OutputFormat::kSvg, OutputFormat::kDxf}) {
     settings_.output.format = format;
     const auto whole = Expose({0, 12}, {0, 12});
     ASSERT_TRUE(whole.ok()) << whole.status();

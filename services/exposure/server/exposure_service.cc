@@ -8,6 +8,7 @@
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/options/exposure_options_wire.h"
 #include "common/wire/stage_call_wire.h"
+#include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "slicefarm/v1/exposure.grpc.pb.h"
@@ -17,7 +18,8 @@ namespace {
 
 class ExposureService final : public v1::Exposure::Service {
  public:
-  ExposureService(const ExposureStage& stage, rpc::CallGate& gate) : stage_(stage), gate_(gate) {}
+  ExposureService(const ExposureStage& stage, rpc::CallGate& gate, SharedCache& shared)
+      : stage_(stage), gate_(gate), shared_(shared) {}
 
   grpc::Status ExposeLayers(
       grpc::ServerContext* context,
@@ -33,6 +35,7 @@ class ExposureService final : public v1::Exposure::Service {
 
   const ExposureStage& stage_;
   rpc::CallGate& gate_;
+  SharedCache& shared_;
 };
 
 }  // namespace
@@ -48,13 +51,15 @@ grpc::Status ExposureService::ExposeLayers(
 absl::Status ExposureService::Expose(rpc::Call& call, Stream& stream) const {
   absl::StatusOr<ExposeStart> start = ReadStart<v1::ExposeRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
+  const auto job = TakeShared<ExposureJob>(shared_, start->shared, "start.shared");
+  if (!job.ok()) return job.status();
   call.job_id = start->call.job_id;
   call.layers = start->range;
   const absl::StatusOr<std::vector<SlicedLayer>> layers =
       ReadNeighbourhood<v1::ExposeRequest>(stream, *start);
   if (!layers.ok()) return layers.status();
   absl::StatusOr<std::vector<ExposedProgram>> programs =
-      stage_.Expose(start->call, {start->range, *layers}, start->copies, start->settings);
+      stage_.Expose(start->call, {start->range, *layers}, *job);
   if (!programs.ok()) return programs.status();
   return WriteEach<v1::ExposedProgram>(stream, *programs,
                                        [](ExposedProgram& program, v1::ExposedProgram* proto) {
@@ -85,9 +90,9 @@ absl::Status ExposureService::Frame(rpc::Call& call, const v1::ExposureFrameRequ
   return absl::OkStatus();
 }
 
-std::unique_ptr<grpc::Service> MakeExposureService(const ExposureStage& stage,
-                                                   rpc::CallGate& gate) {
-  return std::make_unique<ExposureService>(stage, gate);
+std::unique_ptr<grpc::Service> MakeExposureService(const ExposureStage& stage, rpc::CallGate& gate,
+                                                   SharedCache& shared) {
+  return std::make_unique<ExposureService>(stage, gate, shared);
 }
 
 }  // namespace slicefarm::exposure

@@ -4,13 +4,15 @@
 
 #include <memory>
 
+#include "common/base/shared/shared_cache.h"
 #include "common/rpc/server/call_gate.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::exposure {
 
 /// Translates slicefarm.v1.Exposure to an ExposureStage and back.
-/// `stage` and `gate` must outlive the service.
-std::unique_ptr<grpc::Service> MakeExposureService(const ExposureStage& stage, rpc::CallGate& gate);
+/// `stage`, `gate` and `shared` must outlive the service.
+std::unique_ptr<grpc::Service> MakeExposureService(const ExposureStage& stage, rpc::CallGate& gate,
+                                                   SharedCache& shared);
 
 }  // namespace slicefarm::exposure

@@ -4,7 +4,8 @@
 
 int main(int argc, char** argv) {
   const auto stage = slicefarm::exposure::MakeLocalExposure();
-  return slicefarm::rpc::ServeStage(
-      argc, argv, "exposure", "Scan vectors of lasers",
-      [&](auto& gate) { return slicefarm::exposure::MakeExposureService(*stage, gate); });
+  return slicefarm::rpc::ServeSharingStage(
+      argc, argv, "exposure", "Scan vectors of lasers", [&](auto& gate, auto& shared) {
+        return slicefarm::exposure::MakeExposureService(*stage, gate, shared);
+      });
 }

@@ -27,25 +27,28 @@ absl::Status NoPlans() {
 
 class LocalInfill : public InfillStage {
  public:
-  absl::StatusOr<std::vector<FilledLayer>> Fill(
-      const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
-      std::span<const LayerPlan> plans, std::span<const InfillOptions> regions) const override {
+  absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall& call,
+                                                std::vector<WalledLayer> walled,
+                                                const Neighbourhood& neighbourhood,
+                                                std::span<const LayerPlan> plans,
+                                                const Shared<InfillTable>& regions) const override {
     if (plans.size() != walled.size()) return NoPlans();
     const ObjectLayers objects(neighbourhood.layers);
-    auto fields = RegionFields::Read(regions, neighbourhood.layers);
-    if (!fields.ok()) return fields.status();
+    const absl::StatusOr<FieldsOfRows>& parsed = regions.Once(ParseFields);
+    if (!parsed.ok()) return parsed.status();
+    RegionFields fields(*parsed, neighbourhood.layers);
     std::vector<FilledLayer> layers;
     layers.reserve(walled.size());
     for (size_t i = 0; i < walled.size(); ++i) {
       WalledLayer& layer = walled[i];
       const LayerPlan& plan = plans[i];
-      if (absl::Status ok = CheckAreas(layer, regions.size()); !ok.ok()) return ok;
+      if (absl::Status ok = CheckAreas(layer, regions->size()); !ok.ok()) return ok;
       FilledLayer& filled = layers.emplace_back();
       filled.frame = layer.frame;
       for (WalledSection& section : layer.sections) {
         if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
-        auto result = FillSection(std::move(section), layer.frame.index == 0, objects,
-                                  plan.infill, regions, *fields);
+        auto result = FillSection(std::move(section), layer.frame.index == 0, objects, plan.infill,
+                                  *regions, fields);
         if (!result.ok()) return result.status();
         filled.sections.push_back(*std::move(result));
       }

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <set>
 
-#include "common/geometry/text_format.h"
 #include "common/base/error.h"
+#include "common/geometry/text_format.h"
 
 namespace slicefarm::infill::local_infill_stage_test {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
 
 ObjectSection Section(int index, int count, MultiPolygon outlines) {
-  ObjectSection section{3, index, count, 200'000, {}, {}, 0, {}, {}};
+  ObjectSection section{3, index, count, 200'000, {}, {}, 0, {}};
   section.regions = {{Role::kPart, 0, 0, std::move(outlines)}};
   return section;
 }
@@ -24,8 +24,8 @@ std::vector<SlicedLayer> Steps(int count, int step) {
   std::vector<SlicedLayer> layers(count);
   for (int i = 0; i < count; ++i) {
     layers[i].frame = {i, 200'000 * (i + 1), 200'000};
-    layers[i].sections = {Section(
-        i, count, P(i < step ? "(0 0, 20 0, 20 20, 0 20)" : "(0 0, 10 0, 10 20, 0 20)"))};
+    layers[i].sections = {
+        Section(i, count, P(i < step ? "(0 0, 20 0, 20 20, 0 20)" : "(0 0, 10 0, 10 20, 0 20)"))};
   }
   return layers;
 }
@@ -42,7 +42,7 @@ std::vector<WalledLayer> Walled(const std::vector<SlicedLayer>& layers, LayerRan
       p.y += p.y == 0 ? 1'000'000 : -1'000'000;
     }
     walled.push_back(
-        {layer.frame, {{section.object, section.layer, section.height_nm, {island}}}, 0});
+        {layer.frame, {{section.stack, section.layer, section.height_nm, {island}}}, 0});
   }
   return walled;
 }
@@ -58,7 +58,7 @@ absl::StatusOr<std::vector<FilledLayer>> Fill(const std::vector<SlicedLayer>& la
   const std::vector<LayerPlan> plans(static_cast<size_t>(range.size()));
   return MakeLocalInfill()->Fill(call, Walled(layers, range),
                                  {range, std::span(layers).subspan(seen.first, seen.size())}, plans,
-                                 std::span(&options, 1));
+                                 InfillTable{options});
 }
 
 std::set<Feature> FeaturesOf(const FilledLayer& layer) {
@@ -122,7 +122,7 @@ TEST(LocalInfill, BridgesReachOntoWhatBearsThem) {
     const auto walled = Walled(slab, {first, first + 1});
     const InfillOptions options;
     const auto filled = MakeLocalInfill()->Fill({}, walled, {{first, first + 1}, numbered},
-                                                std::vector<LayerPlan>(1), std::span(&options, 1));
+                                                std::vector<LayerPlan>(1), InfillTable{options});
     ASSERT_TRUE(filled.ok()) << filled.status();
     Coord left = INT64_MAX, right = INT64_MIN;
     for (const FillGroup& group : (*filled)[0].sections[0].islands[0].fills) {
@@ -228,8 +228,7 @@ TEST(LocalInfill, FieldsDoNotDependOnTheRange) {
     options.top_solid_layers = options.bottom_solid_layers = 1;
     options.pattern = FillPattern::kRectilinear;
     options.field_halo_layers = 8;
-    options.density_field =
-        R"({"kind":"surface_distance","near":0.6,"far":0.1,"length":1.6})";
+    options.density_field = R"({"kind":"surface_distance","near":0.6,"far":0.1,"length":1.6})";
   }
   cases[1].pattern = FillPattern::kHoneycomb;
   cases[2].stress_field = R"({"kind":"constant","stress":[1,0,0.5]})";

@@ -35,16 +35,16 @@ constexpr double kThreadGapNm = 50'000;
 
 /// A section as all its fill areas see it.
 struct SectionView {
-  int32_t object = 0;
-  int32_t layer = 0;  ///< of the object's own
+  Stack stack;
+  int32_t layer = 0;  ///< of the stack's own
   Coord height_nm = 0;
   bool on_bed = false;
-  const ObjectLayers& objects;
-  Coord z_nm = 0;  ///< of the layer's middle, above the object's bottom
+  const ObjectLayers& stacks;
+  Coord z_nm = 0;  ///< of the layer's middle, above the stack's bottom
 
-  /// Of the object, or of its region of a row alone. Null: it has none there.
+  /// Of the stack, or of its region of a row alone. Null: it has none there.
   const MultiPolygon* OutlineAt(int32_t own_layer, std::optional<int32_t> row = {}) const {
-    const ObjectSection* section = objects.Find(object, own_layer);
+    const ObjectSection* section = stacks.Find(stack.id, own_layer);
     if (section == nullptr) return nullptr;
     if (!row) return &OutlineOf(*section);
     const auto own = std::ranges::find(section->regions, *row, &Region::settings);
@@ -96,9 +96,14 @@ absl::Status CheckWidths(const SectionView& view, const InfillOptions& options) 
   return status;
 }
 
+const absl::StatusOr<FlowTable>& FlowTableOf(const InfillOptions& options) {
+  return options.small_area_flow_table.Once(
+      [](const std::string& text) { return ParseFlowTable(text); });
+}
+
 absl::Status CheckFlows(const InfillOptions& options) {
   if (!options.small_area_flow) return absl::OkStatus();
-  const auto table = ParseFlowTable(options.small_area_flow_table);
+  const auto& table = FlowTableOf(options);
   if (table.ok()) return absl::OkStatus();
   constexpr const char* kSetting = "small_area_infill_flow_compensation_model";
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
@@ -107,12 +112,12 @@ absl::Status CheckFlows(const InfillOptions& options) {
 }
 
 /// What is decided of a region's sparse infill; null: nothing.
-const PlannedInfill* PlanOf(std::span<const PlannedInfill> plans, int32_t object, int32_t row) {
+const PlannedInfill* PlanOf(std::span<const PlannedInfill> plans, int32_t stack, int32_t row) {
   const auto place = [](const PlannedInfill& plan) {
-    return std::pair(plan.object, plan.settings);
+    return std::pair(plan.stack, plan.settings);
   };
-  const auto found = std::ranges::lower_bound(plans, std::pair(object, row), {}, place);
-  return found == plans.end() || place(*found) != std::pair(object, row) ? nullptr : &*found;
+  const auto found = std::ranges::lower_bound(plans, std::pair(stack, row), {}, place);
+  return found == plans.end() || place(*found) != std::pair(stack, row) ? nullptr : &*found;
 }
 
 /// Gives beads that are `from_nm` high `share` of their plastic, in a layer that is `to_nm` high.
@@ -126,7 +131,7 @@ void ScaleSections(double share, Coord from_nm, Coord to_nm, std::vector<Path>& 
 /// REQUIRES: CheckFlows.
 FlowTable FlowsOf(const InfillOptions& options) {
   if (!options.small_area_flow) return {};
-  return *ParseFlowTable(options.small_area_flow_table);
+  return *FlowTableOf(options);
 }
 
 /// Which way lines run in a layer.
@@ -138,9 +143,9 @@ struct FillAngles {
 };
 
 /// The angle that a template names for a layer; none: there is no template.
-std::optional<double> PlannedAngle(const std::string& angles, double base_rad, int32_t layer) {
+std::optional<double> PlannedAngle(const SharedText& angles, double base_rad, int32_t layer) {
   constexpr double kDegree = std::numbers::pi / 180;
-  const auto steps = ParseFillAngles(angles);
+  const auto& steps = angles.Once([](const std::string& text) { return ParseFillAngles(text); });
   if (!steps.ok()) return std::nullopt;
   return FillAngleAt(*steps, base_rad / kDegree, layer) * kDegree;
 }
@@ -328,7 +333,7 @@ class RegionFill {
                               .height_nm = view_.height_nm,
                               .layer = view_.layer,
                               .overlap_nm = options_.overlap_nm,
-                              .beside_walls = view_.object != kPlate});
+                              .beside_walls = view_.stack.IsPart()});
   }
 
   /// A field that says no more than one density for the whole layer is none of the pattern's
@@ -415,10 +420,10 @@ absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
                                           std::span<const PlannedInfill> plans,
                                           std::span<const InfillOptions> regions,
                                           RegionFields& fields) {
-  SectionView view{walled.object, walled.layer, walled.height_nm, on_bed, objects};
-  if (const ObjectSection* own = objects.Find(walled.object, walled.layer); own != nullptr)
+  SectionView view{walled.stack, walled.layer, walled.height_nm, on_bed, objects};
+  if (const ObjectSection* own = objects.Find(walled.stack.id, walled.layer); own != nullptr)
     view.z_nm = own->z_nm - own->height_nm / 2;
-  FilledSection filled{walled.object, walled.layer, walled.height_nm, {}};
+  FilledSection filled{walled.stack, walled.layer, walled.height_nm, {}};
   std::map<int32_t, RegionFill> fillers;  // by row
   for (WalledIsland& island : walled.islands) {
     FilledIsland result;
@@ -431,9 +436,9 @@ absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
       if (!usable.ok()) return usable;
       const auto filler = fillers
                               .try_emplace(area.settings, view, area.settings, options,
-                                           PlanOf(plans, view.object, area.settings))
+                                           PlanOf(plans, view.stack.id, area.settings))
                               .first;
-      const auto field = fields.Of(area.settings, walled.object, walled.layer,
+      const auto field = fields.Of(area.settings, walled.stack.id, walled.layer,
                                    ToMm(static_cast<double>(view.z_nm)));
       if (!field.ok()) return field.status();
       Fills fills;

@@ -22,7 +22,7 @@ std::vector<SlicedLayer> Prism() {
   for (int i = 0; i < 10; ++i) {
     layers[i].frame = {i, 200'000 * (i + 1), 200'000};
     layers[i].sections = {{0, i, 10, 200'000,
-                           {{Role::kPart, 0, 0, P("(0 0, 20 0, 20 20, 0 20)")}}, {}, 0, {}, {}}};
+                           {{Role::kPart, 0, 0, P("(0 0, 20 0, 20 20, 0 20)")}}, {}, 0, {}}};
   }
   return layers;
 }
@@ -38,9 +38,10 @@ WalledSection Halves(int32_t layer) {
 /// Without fields.
 absl::StatusOr<FilledSection> FillPlain(WalledSection walled, bool on_bed,
                                         const ObjectLayers& objects,
-                                        std::span<const InfillOptions> regions) {
-  auto none = RegionFields::Read(regions, {});
-  return FillSection(std::move(walled), on_bed, objects, {}, regions, *none);
+                                        const std::vector<InfillOptions>& regions) {
+  const auto rows = ParseFields(regions);
+  RegionFields none(*rows, {});
+  return FillSection(std::move(walled), on_bed, objects, {}, regions, none);
 }
 
 std::set<Feature> FeaturesOf(const FilledSection& section, int32_t row) {
@@ -135,8 +136,9 @@ TEST(FillSection, AFieldTakesThePlaceOfTheDensity) {
     dense[i].density_field = R"({"kind":"height","table":[[0,1]]})";
   }
   const auto fills = [&](const std::vector<InfillOptions>& regions) {
-    auto read = RegionFields::Read(regions, layers);
-    return *FillSection(Halves(5), false, objects, {}, regions, *read);
+    const auto rows = ParseFields(regions);
+    RegionFields read(*rows, layers);
+    return *FillSection(Halves(5), false, objects, {}, regions, read);
   };
   EXPECT_EQ(fills(plain), fills(fields)) << "one density for a layer is the pattern's";
   EXPECT_EQ(FeaturesOf(fills(dense), 0), std::set{Feature::kSolidInfill});
@@ -149,7 +151,7 @@ TEST(FillSection, ThePlateHasNoNeighbours) {
   regions[0].top_solid_layers = regions[0].bottom_solid_layers = 0;
   WalledIsland island;
   island.fill_areas = {{Role::kRaft, 0, 0, P("(1 1, 10 1, 10 19, 1 19)")}};
-  const auto filled = FillPlain({kPlate, 0, 300'000, {island}}, true, objects, regions);
+  const auto filled = FillPlain({Stack(1, kPlateObject, StackKind::kRaft), 0, 300'000, {island}}, true, objects, regions);
   ASSERT_TRUE(filled.ok()) << filled.status();
   EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kSupport});
 }
@@ -162,8 +164,9 @@ FilledSection SquareOf(const InfillOptions& options, std::span<const PlannedInfi
   const std::vector<InfillOptions> regions = {options};
   WalledIsland island;
   island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 19 1, 19 19, 1 19)")}};
-  auto fields = RegionFields::Read(regions, layers);
-  auto filled = FillSection({0, layer, 200'000, {island}}, false, objects, plans, regions, *fields);
+  const auto rows = ParseFields(regions);
+  RegionFields fields(*rows, layers);
+  auto filled = FillSection({0, layer, 200'000, {island}}, false, objects, plans, regions, fields);
   EXPECT_TRUE(filled.ok()) << filled.status();
   return *std::move(filled);
 }
@@ -225,8 +228,7 @@ TEST(FillSection, CombinedPlacesHoldThePlasticOfTheirLayers) {
   plan.combined = P("(0 0, 20 0, 20 20, 0 20)");
   plan.combined_height_nm = 400'000;
   const double once = VolumeOf(PathsOf(Thin(), {}), Feature::kInternalInfill);
-  const double twice =
-      VolumeOf(PathsOf(Thin(), std::span(&plan, 1)), Feature::kInternalInfill);
+  const double twice = VolumeOf(PathsOf(Thin(), std::span(&plan, 1)), Feature::kInternalInfill);
   EXPECT_NEAR(twice / once, 2, 0.1);
 }
 

@@ -6,6 +6,7 @@
 #include "common/rpc/server/server_stream.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
+#include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "common/wire/support/repeated_wire.h"
@@ -16,7 +17,8 @@ namespace {
 
 class InfillService final : public v1::Infill::Service {
  public:
-  InfillService(const InfillStage& stage, rpc::CallGate& gate) : stage_(stage), gate_(gate) {}
+  InfillService(const InfillStage& stage, rpc::CallGate& gate, SharedCache& shared)
+      : stage_(stage), gate_(gate), shared_(shared) {}
 
   grpc::Status FillLayers(
       grpc::ServerContext* context,
@@ -28,6 +30,7 @@ class InfillService final : public v1::Infill::Service {
 
   const InfillStage& stage_;
   rpc::CallGate& gate_;
+  SharedCache& shared_;
 };
 
 }  // namespace
@@ -42,6 +45,8 @@ grpc::Status InfillService::FillLayers(
 absl::Status InfillService::Fill(rpc::Call& call, Stream& stream) const {
   absl::StatusOr<FillStart> start = ReadStart<v1::FillRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
+  const auto regions = TakeShared<InfillTable>(shared_, start->shared, "start.shared");
+  if (!regions.ok()) return regions.status();
   call.job_id = start->call.job_id;
   call.layers = start->range;
   std::vector<SlicedLayer> neighbours;
@@ -60,16 +65,16 @@ absl::Status InfillService::Fill(rpc::Call& call, Stream& stream) const {
   if (!status.ok()) return status;
 
   const absl::StatusOr<std::vector<FilledLayer>> filled =
-      stage_.Fill(start->call, std::move(walled), {start->range, neighbours}, plans,
-                  start->options);
+      stage_.Fill(start->call, std::move(walled), {start->range, neighbours}, plans, *regions);
   if (!filled.ok()) return filled.status();
   return WriteEach<v1::FilledLayer>(
       stream, *filled,
       [](const FilledLayer& layer, v1::FilledLayer* proto) { return ToProto(layer, proto); });
 }
 
-std::unique_ptr<grpc::Service> MakeInfillService(const InfillStage& stage, rpc::CallGate& gate) {
-  return std::make_unique<InfillService>(stage, gate);
+std::unique_ptr<grpc::Service> MakeInfillService(const InfillStage& stage, rpc::CallGate& gate,
+                                                 SharedCache& shared) {
+  return std::make_unique<InfillService>(stage, gate, shared);
 }
 
 }  // namespace slicefarm::infill

@@ -4,7 +4,8 @@
 
 int main(int argc, char** argv) {
   const auto stage = slicefarm::infill::MakeLocalInfill();
-  return slicefarm::rpc::ServeStage(argc, argv, "infill", "Skins and infill", [&](auto& gate) {
-    return slicefarm::infill::MakeInfillService(*stage, gate);
-  });
+  return slicefarm::rpc::ServeSharingStage(
+      argc, argv, "infill", "Skins and infill", [&](auto& gate, auto& shared) {
+        return slicefarm::infill::MakeInfillService(*stage, gate, shared);
+      });
 }

@@ -10,18 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "services/milling/algo/cutter/cutter.h"
-#include "services/milling/algo/cutter/cutter_text.h"
+#include "common/model/milling/sample_cutters_test.h"
 #include "services/milling/algo/mesh/triangle_mesh.h"
 
 namespace slicefarm::milling {
-
-/// One of each kind, about 4 mm wide.
-inline const std::vector<std::string_view> kAllCutters = {
-    "cyl:4",     "ball:4",    "bull:4:1",        "bull:4:0.1",          "cone:4:45",
-    "cone:4:15", "cone:4:75", "ballcone:2:20:4", "bullcone:2:0.5:30:4", "conecone:2:60:20:4"};
-
-inline Cutter CutterOf(std::string_view text) { return *ParseCutter(text); }
 
 inline void AddQuad(TriangleMesh& mesh, const std::array<Eigen::Vector3d, 4>& corners) {
   const auto first = static_cast<uint32_t>(mesh.points_mm.size());

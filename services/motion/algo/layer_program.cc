@@ -75,7 +75,7 @@ struct BuiltBlock {
 
 Ground GroundOf(const LayerFrame& frame, const PathBlock& block) {
   if (frame.index == 0) return Ground::kBed;
-  return block.object != kPlate && block.layer == 0 ? Ground::kRaft : Ground::kLayers;
+  return block.stack.IsPart() && block.layer == 0 ? Ground::kRaft : Ground::kLayers;
 }
 
 const PathBlock& BlockOf(const BlockVisit& visit, const OrderedLayer& layer) {

@@ -478,7 +478,7 @@ TEST(ProgramLayer, ThePlatesOwnPathsHaveNoLabel) {
   options.labels = ObjectLabels::kFirmware;
   OrderedLayer layer = Square();
   layer.blocks.insert(layer.blocks.begin(),
-                      {kPlate, 2, 200'000, {Line(Feature::kSkirt, "(5 5, 35 5)")}});
+                      {kSkirtStack, 2, 200'000, {Line(Feature::kSkirt, "(5 5, 35 5)")}});
   layer.visits = {{0, -1, 0, {}}, {1, 1, 0, {}}};
   const std::string gcode = Programmed(layer, options).gcode;
   const size_t label = gcode.find("M486");

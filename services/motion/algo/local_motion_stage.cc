@@ -25,25 +25,40 @@ absl::StatusOr<std::optional<MaterialField>> MaterialsOf(const MotionOptions& op
                    {{"setting", "material_field"}});
 }
 
+/// What is made of a job's options, for all its layers.
+struct Preparation {
+  MotionOptions running;  ///< once start_gcode has set what it sets
+  std::optional<MaterialField> materials;
+  LayerCode code;
+};
+
+absl::StatusOr<Preparation> Prepare(const MotionJob& job) {
+  const MotionOptions& options = job.options;
+  if (absl::Status good = CheckOptions(options); !good.ok()) return good;
+  auto materials = MaterialsOf(options);
+  if (!materials.ok()) return materials.status();
+  MotionOptions running = options;
+  running.limits = LimitsAfterStart(options);
+  auto code = LayerCode::Of(options);
+  if (!code.ok()) return code.status();
+  return Preparation{std::move(running), *std::move(materials), *std::move(code)};
+}
+
 class LocalMotion : public MotionStage {
  public:
   absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
                                                     std::vector<OrderedLayer> layers,
-                                                    const JobFacts& facts,
-                                                    const MotionOptions& options) const override {
-    if (absl::Status good = CheckOptions(options); !good.ok()) return good;
-    const auto materials = MaterialsOf(options);
-    if (!materials.ok()) return materials.status();
-    MotionOptions running = options;
-    running.limits = LimitsAfterStart(options);
-    const auto code = LayerCode::Of(options);
-    if (!code.ok()) return code.status();
+                                                    const Shared<MotionJob>& job) const override {
+    const absl::StatusOr<Preparation>& made = job.Once(Prepare);
+    if (!made.ok()) return made.status();
+    const auto& [running, materials, code] = *made;
     std::vector<LayerProgram> programs;
     programs.reserve(layers.size());
     for (OrderedLayer& layer : layers) {
       if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
-      if (absl::Status good = CheckLayer(layer, options); !good.ok()) return good;
-      auto passes = ProgramLayer(layer, facts, running, *code, *materials ? &**materials : nullptr);
+      if (absl::Status good = CheckLayer(layer, job->options); !good.ok()) return good;
+      auto passes =
+          ProgramLayer(layer, job->facts, running, code, materials ? &*materials : nullptr);
       if (!passes.ok()) return passes.status();
       std::ranges::move(*passes, std::back_inserter(programs));
       layer.blocks = {};  // a range may be long: its paths make room for its text

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "services/motion/algo/gcode/extruder_words.h"
-#include "services/motion/algo/gcode/gcode_text.h"
+#include "common/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/machine_setup.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/toolpath.h"

@@ -8,7 +8,7 @@
 #include "common/model/filament_use.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/gcode/extruder_words.h"
-#include "services/motion/algo/gcode/gcode_text.h"
+#include "common/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/machine_setup.h"
 #include "services/motion/algo/gcode/object_labels.h"
 #include "services/motion/algo/gcode/print_metadata.h"

@@ -4,7 +4,8 @@
 
 int main(int argc, char** argv) {
   const auto stage = slicefarm::motion::MakeLocalMotion();
-  return slicefarm::rpc::ServeStage(argc, argv, "motion", "Paths to G-code", [&](auto& gate) {
-    return slicefarm::motion::MakeMotionService(*stage, gate);
-  });
+  return slicefarm::rpc::ServeSharingStage(
+      argc, argv, "motion", "Paths to G-code", [&](auto& gate, auto& shared) {
+        return slicefarm::motion::MakeMotionService(*stage, gate, shared);
+      });
 }

@@ -8,6 +8,7 @@
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/options/motion_options_wire.h"
 #include "common/wire/stage_call_wire.h"
+#include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "slicefarm/v1/motion.grpc.pb.h"
@@ -17,7 +18,8 @@ namespace {
 
 class MotionService final : public v1::Motion::Service {
  public:
-  MotionService(const MotionStage& stage, rpc::CallGate& gate) : stage_(stage), gate_(gate) {}
+  MotionService(const MotionStage& stage, rpc::CallGate& gate, SharedCache& shared)
+      : stage_(stage), gate_(gate), shared_(shared) {}
 
   grpc::Status ProgramLayers(
       grpc::ServerContext* context,
@@ -34,6 +36,7 @@ class MotionService final : public v1::Motion::Service {
 
   const MotionStage& stage_;
   rpc::CallGate& gate_;
+  SharedCache& shared_;
 };
 
 }  // namespace
@@ -49,6 +52,8 @@ grpc::Status MotionService::ProgramLayers(
 absl::Status MotionService::Program(rpc::Call& call, Stream& stream) const {
   absl::StatusOr<ProgramStart> start = ReadStart<v1::ProgramRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
+  const auto job = TakeShared<MotionJob>(shared_, start->shared, "start.shared");
+  if (!job.ok()) return job.status();
   call.job_id = start->call.job_id;
   std::vector<OrderedLayer> layers;
   absl::Status status =
@@ -60,7 +65,7 @@ absl::Status MotionService::Program(rpc::Call& call, Stream& stream) const {
   call.layers = RangeOf(layers);
 
   absl::StatusOr<std::vector<LayerProgram>> programs =
-      stage_.Program(start->call, std::move(layers), start->facts, start->options);
+      stage_.Program(start->call, std::move(layers), *job);
   if (!programs.ok()) return programs.status();
   return WriteEach<v1::LayerProgram>(stream, *programs,
                                      [](LayerProgram& program, v1::LayerProgram* proto) {
@@ -91,8 +96,9 @@ absl::Status MotionService::Frame(rpc::Call& call, const v1::FrameRequest& reque
   return absl::OkStatus();
 }
 
-std::unique_ptr<grpc::Service> MakeMotionService(const MotionStage& stage, rpc::CallGate& gate) {
-  return std::make_unique<MotionService>(stage, gate);
+std::unique_ptr<grpc::Service> MakeMotionService(const MotionStage& stage, rpc::CallGate& gate,
+                                                 SharedCache& shared) {
+  return std::make_unique<MotionService>(stage, gate, shared);
 }
 
 }  // namespace slicefarm::motion

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -41,62 +42,102 @@ absl::Status CheckPaths(const FilledLayer& layer, const LayerPlan& plan, size_t 
                    {{"layer", std::to_string(layer.frame.index)}});
 }
 
-const SectionPlan& PlanOf(int32_t object, const LayerPlan& plan) {
+const SectionPlan& PlanOf(int32_t stack, const LayerPlan& plan) {
   static const SectionPlan kNone;
-  const auto found = std::ranges::lower_bound(plan.sections, object, {}, &SectionPlan::object);
-  return found != plan.sections.end() && found->object == object ? *found : kNone;
+  const auto found = std::ranges::lower_bound(plan.sections, stack, {}, &SectionPlan::stack);
+  return found != plan.sections.end() && found->stack == stack ? *found : kNone;
 }
 
-/// What lies on the plate besides the objects, in the order of printing: the plan's finished paths,
-/// then the plate's sections. Returns where that ends.
-Point VisitPlate(const LayerPlan& plan, OrderedLayer& layer) {
-  Point at = plan.entry;
-  for (size_t i = 0; i < layer.blocks.size() && layer.blocks[i].object == kPlate; ++i) {
-    layer.visits.push_back({static_cast<int32_t>(i), -1, 0, {}});
-    at = EndOf(layer.blocks[i].paths.back());
-  }
-  return at;
+/// The order of printing, but for that of copies: the plate first, then by object.
+std::tuple<int32_t, StackKind, int32_t> OrderOf(const Stack& stack) {
+  return {stack.object, stack.kind, stack.id};
 }
 
-/// The copies that have something in this layer, by pass.
-std::map<int32_t, std::vector<BlockVisit>> VisitsByPass(const std::vector<PathBlock>& blocks,
-                                                        std::span<const Copy> copies) {
-  std::map<int32_t, int32_t> block_of;  // by object
+/// The blocks of one object, in the order of printing.
+using ObjectBlocks = std::vector<int32_t>;
+
+std::map<int32_t, ObjectBlocks> BlocksByObject(const std::vector<PathBlock>& blocks) {
+  std::map<int32_t, ObjectBlocks> by_object;
   for (size_t i = 0; i < blocks.size(); ++i)
-    block_of[blocks[i].object] = static_cast<int32_t>(i);
-  std::map<int32_t, std::vector<BlockVisit>> visits;
-  for (size_t i = 0; i < copies.size(); ++i) {
-    const Copy& copy = copies[i];
-    if (const auto block = block_of.find(copy.object); block != block_of.end())
-      visits[copy.pass].push_back(
-          {block->second, static_cast<int32_t>(i), copy.pass, copy.shift});
-  }
-  return visits;
+    by_object[blocks[i].stack.object].push_back(static_cast<int32_t>(i));
+  return by_object;
 }
 
-/// By travel from `from`.
-std::vector<BlockVisit> Ordered(const std::vector<BlockVisit>& visits,
-                                const std::vector<PathBlock>& blocks, Point from,
-                                WorkBudget& budget) {
-  std::vector<Leg> legs;
-  for (const BlockVisit& visit : visits) {
-    const std::vector<Path>& paths = blocks[static_cast<size_t>(visit.block)].paths;
-    legs.push_back(
-        {visit.shift + StartOf(paths.front()), visit.shift + EndOf(paths.back()), false});
-  }
-  std::vector<BlockVisit> ordered;
-  for (const Visit& visit : OrderByTravel({from, {}}, legs, budget))
-    ordered.push_back(visits[visit.leg]);
-  return ordered;
-}
+/// A copy, and what it has in a layer.
+struct CopyVisit {
+  const ObjectBlocks* blocks = nullptr;
+  int32_t copy = 0;
+  int32_t pass = 0;
+  Point shift;
+};
 
-void AddVisits(const LayerPlan& plan, std::span<const Copy> copies, WorkBudget& budget,
-               OrderedLayer& layer) {
-  const Point at = VisitPlate(plan, layer);
-  for (const auto& [pass, visits] : VisitsByPass(layer.blocks, copies)) {
-    const std::vector<BlockVisit> ordered = Ordered(visits, layer.blocks, at, budget);
-    layer.visits.insert(layer.visits.end(), ordered.begin(), ordered.end());
+/// Orders what a layer prints.
+class LayerVisits {
+ public:
+  LayerVisits(OrderedLayer& layer, std::span<const Copy> copies)
+      : layer_(layer), copies_(copies), by_object_(BlocksByObject(layer.blocks)) {}
+
+  void Add(Point entry, WorkBudget& budget) {
+    Point at = entry;
+    if (const auto plate = by_object_.find(kPlateObject); plate != by_object_.end()) {
+      Append({&plate->second, -1, 0, {}});
+      at = EndOf(LastOf(plate->second).paths.back());
+    }
+    for (const auto& [pass, visits] : VisitsByPass())
+      for (const CopyVisit& visit : Ordered(visits, at, budget)) Append(visit);
   }
+
+ private:
+  const PathBlock& FirstOf(const ObjectBlocks& blocks) const {
+    return layer_.blocks[static_cast<size_t>(blocks.front())];
+  }
+  const PathBlock& LastOf(const ObjectBlocks& blocks) const {
+    return layer_.blocks[static_cast<size_t>(blocks.back())];
+  }
+
+  void Append(const CopyVisit& visit) {
+    for (const int32_t block : *visit.blocks)
+      layer_.visits.push_back({block, visit.copy, visit.pass, visit.shift});
+  }
+
+  /// The copies that have something in this layer.
+  std::map<int32_t, std::vector<CopyVisit>> VisitsByPass() const {
+    std::map<int32_t, std::vector<CopyVisit>> visits;
+    for (size_t i = 0; i < copies_.size(); ++i) {
+      const Copy& copy = copies_[i];
+      if (const auto found = by_object_.find(copy.object); found != by_object_.end())
+        visits[copy.pass].push_back(
+            {&found->second, static_cast<int32_t>(i), copy.pass, copy.shift});
+    }
+    return visits;
+  }
+
+  /// By travel from `from`.
+  std::vector<CopyVisit> Ordered(const std::vector<CopyVisit>& visits, Point from,
+                                 WorkBudget& budget) const {
+    std::vector<Leg> legs;
+    for (const CopyVisit& visit : visits)
+      legs.push_back({visit.shift + StartOf(FirstOf(*visit.blocks).paths.front()),
+                      visit.shift + EndOf(LastOf(*visit.blocks).paths.back()), false});
+    std::vector<CopyVisit> ordered;
+    for (const Visit& visit : OrderByTravel({from, {}}, legs, budget))
+      ordered.push_back(visits[visit.leg]);
+    return ordered;
+  }
+
+  OrderedLayer& layer_;
+  const std::span<const Copy> copies_;
+  const std::map<int32_t, ObjectBlocks> by_object_;
+};
+
+/// Where a section starts: an object's stacks go on from each other, and so do those of the plate.
+Point EntryOf(const Stack& stack, const OrderedLayer& layer, const LayerPlan& plan,
+              std::span<const Copy> copies) {
+  if (!layer.blocks.empty() && layer.blocks.back().stack.object == stack.object)
+    return EndOf(layer.blocks.back().paths.back());
+  if (stack.object == kPlateObject) return plan.entry;
+  if (layer.begins_ready) return plan.entry - copies.front().shift;  // where the layer below led
+  return PlanOf(stack.object, plan).entry;  // of the object's part
 }
 
 }  // namespace
@@ -105,7 +146,8 @@ absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan
                                         std::span<const Copy> copies,
                                         const OrderingOptions& options) {
   if (absl::Status ok = CheckPaths(layer, plan, options.walls.size()); !ok.ok()) return ok;
-  std::ranges::stable_sort(layer.sections, {}, &FilledSection::object);
+  std::ranges::sort(layer.sections, {},
+                    [](const FilledSection& section) { return OrderOf(section.stack); });
   const bool may_be_ready =
       options.travel.hide && !options.travel.retract_layer_change && copies.size() == 1;
   OrderedLayer ordered{.frame = layer.frame,
@@ -114,22 +156,18 @@ absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan
                        .begins_ready = plan.begins_ready && may_be_ready,
                        .ends_ready = plan.ends_ready && may_be_ready};
   if (!plan.paths.empty())
-    ordered.blocks.push_back({kPlate, layer.frame.index, layer.frame.height_nm, plan.paths, {}});
+    ordered.blocks.push_back(
+        {kSkirtStack, layer.frame.index, layer.frame.height_nm, plan.paths, {}});
   for (FilledSection& section : layer.sections) {
     WorkBudget budget{options.improvement_moves};
-    SectionPlan section_plan = PlanOf(section.object, plan);
-    if (section.object == kPlate) {
-      section_plan.entry =
-          ordered.blocks.empty() ? plan.entry : EndOf(ordered.blocks.back().paths.back());
-    } else if (ordered.begins_ready) {  // where the layer below has led
-      section_plan.entry = plan.entry - copies.front().shift;
-    }
+    SectionPlan section_plan = PlanOf(section.stack.id, plan);
+    section_plan.entry = EntryOf(section.stack, ordered, plan, copies);
     if (!ordered.ends_ready) section_plan.exit.reset();
     PathBlock block = OrderSection(std::move(section), section_plan, options, budget);
     if (!block.paths.empty()) ordered.blocks.push_back(std::move(block));
   }
   WorkBudget budget{options.improvement_moves};
-  AddVisits(plan, copies, budget, ordered);
+  LayerVisits(ordered, copies).Add(plan.entry, budget);
   return ordered;
 }
 

@@ -11,9 +11,10 @@ namespace slicefarm::ordering {
 
 /// A layer in the order of printing:
 ///   1 each section's paths, once for all its copies (section_order.h)
-///   2 what lies on the plate besides the objects comes first: the plan's finished paths, as high as
-///     the layer, then the plate's sections
-///   3 the copies, pass by pass, by travel from plan.entry
+///   2 what stands round several objects comes first: the plan's finished paths, as high as the
+///     layer, then the plate's stacks
+///   3 the copies, pass by pass, by travel from plan.entry; of each copy all stacks one after the
+///     other, by their kinds
 /// `copies`: of the whole job. Does not depend on the order of sections, islands and paths.
 /// Errors: REQUEST_MALFORMED for a path of fewer than two points, with a wrong number of widths, a
 /// tool other than 0 or settings that are in no table.

@@ -16,10 +16,10 @@ using ::testing::SizeIs;
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 
-FilledSection SectionOf(int32_t object, std::string_view wall) {
+FilledSection SectionOf(Stack stack, std::string_view wall) {
   FilledIsland island;
   island.walls = {MakePathOrDie(wall, /*closed=*/true)};
-  return {object, 3, 200'000, {island}};
+  return {stack, 3, 200'000, {island}};
 }
 
 FilledLayer LayerOf(std::vector<FilledSection> sections) {
@@ -90,14 +90,15 @@ TEST(OrderLayer, ThePlateComesFirst) {
   const std::vector<Copy> copies = {{0, Mm(50, 0), 0}};
   const OrderedLayer skirt = Order(LayerOf({SectionOf(0, kSquare)}), copies, plan);
   ASSERT_THAT(skirt.blocks, SizeIs(2));
-  EXPECT_EQ(skirt.blocks[0].object, kPlate);
+  EXPECT_EQ(skirt.blocks[0].stack, kSkirtStack);
   EXPECT_EQ(skirt.blocks[0].paths, plan.paths);
   EXPECT_THAT(CopiesOf(skirt), ElementsAre(-1, 0));
+  const Stack raft(3, kPlateObject, StackKind::kRaft);
   const OrderedLayer both =
-      Order(LayerOf({SectionOf(0, kSquare), SectionOf(kPlate, "(0 0, 90 0, 90 90)")}), copies, plan);
+      Order(LayerOf({SectionOf(0, kSquare), SectionOf(raft, "(0 0, 90 0, 90 90)")}), copies, plan);
   ASSERT_THAT(both.blocks, SizeIs(3));
   EXPECT_EQ(both.blocks[0].paths, plan.paths);
-  EXPECT_EQ(both.blocks[1].object, kPlate);
+  EXPECT_EQ(both.blocks[1].stack, raft);
   EXPECT_THAT(both.blocks[1].paths, SizeIs(1));
   EXPECT_THAT(CopiesOf(both), ElementsAre(-1, -1, 0));
   EXPECT_EQ(both.visits[1].block, 1);

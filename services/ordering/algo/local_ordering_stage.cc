@@ -14,8 +14,7 @@ class LocalOrdering : public OrderingStage {
   absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall& call,
                                                   std::vector<FilledLayer> layers,
                                                   std::span<const LayerPlan> plans,
-                                                  std::span<const Copy> copies,
-                                                  const OrderingOptions& options) const override {
+                                                  const Shared<OrderingJob>& job) const override {
     if (plans.size() != layers.size()) {
       return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
                        absl::StrCat(layers.size(), " layers, but ", plans.size(), " plans"));
@@ -24,7 +23,7 @@ class LocalOrdering : public OrderingStage {
     ordered.reserve(layers.size());
     for (size_t i = 0; i < layers.size(); ++i) {
       if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
-      auto layer = OrderLayer(std::move(layers[i]), plans[i], copies, options);
+      auto layer = OrderLayer(std::move(layers[i]), plans[i], job->copies, job->options);
       if (!layer.ok()) return layer.status();
       ordered.push_back(*std::move(layer));
     }

@@ -15,7 +15,7 @@ std::vector<FilledLayer> Layers(int count) {
 
 TEST(LocalOrdering, OneResultALayer) {
   const std::vector<LayerPlan> plans(3);
-  const auto ordered = MakeLocalOrdering()->Order({}, Layers(3), plans, {}, {});
+  const auto ordered = MakeLocalOrdering()->Order({}, Layers(3), plans, {});
   ASSERT_TRUE(ordered.ok());
   ASSERT_EQ(ordered->size(), 3);
   for (int i = 0; i < 3; ++i) EXPECT_EQ((*ordered)[static_cast<size_t>(i)].frame.index, i);
@@ -23,7 +23,7 @@ TEST(LocalOrdering, OneResultALayer) {
 
 TEST(LocalOrdering, APlanForEachLayer) {
   const std::vector<LayerPlan> plans(2);
-  const auto ordered = MakeLocalOrdering()->Order({}, Layers(3), plans, {}, {});
+  const auto ordered = MakeLocalOrdering()->Order({}, Layers(3), plans, {});
   EXPECT_EQ(DetailOf(ordered.status()).reason, Reason::kRequestMalformed);
 }
 
@@ -32,7 +32,7 @@ TEST(LocalOrdering, StopsWhenCancelled) {
   StageCall call;
   call.cancel = CancelToken([&polls] { return ++polls > 2; });
   const std::vector<LayerPlan> plans(5);
-  const auto ordered = MakeLocalOrdering()->Order(call, Layers(5), plans, {}, {});
+  const auto ordered = MakeLocalOrdering()->Order(call, Layers(5), plans, {});
   EXPECT_EQ(ordered.status().code(), absl::StatusCode::kCancelled);
   EXPECT_EQ(polls, 3);
 }

@@ -176,7 +176,7 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
   }
   if (std::ranges::all_of(travels, [](const Travel& travel) { return travel == Travel{}; }))
     travels.clear();
-  return {.object = section.object,
+  return {.stack = section.stack,
           .layer = section.layer,
           .height_nm = section.height_nm,
           .paths = route.TakePaths(),

@@ -4,7 +4,8 @@
 
 int main(int argc, char** argv) {
   const auto stage = slicefarm::ordering::MakeLocalOrdering();
-  return slicefarm::rpc::ServeStage(
-      argc, argv, "ordering", "The order and direction of paths",
-      [&](auto& gate) { return slicefarm::ordering::MakeOrderingService(*stage, gate); });
+  return slicefarm::rpc::ServeSharingStage(
+      argc, argv, "ordering", "The order and direction of paths", [&](auto& gate, auto& shared) {
+        return slicefarm::ordering::MakeOrderingService(*stage, gate, shared);
+      });
 }

@@ -6,6 +6,7 @@
 #include "common/rpc/server/server_stream.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
+#include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "slicefarm/v1/ordering.grpc.pb.h"
@@ -15,7 +16,8 @@ namespace {
 
 class OrderingService final : public v1::Ordering::Service {
  public:
-  OrderingService(const OrderingStage& stage, rpc::CallGate& gate) : stage_(stage), gate_(gate) {}
+  OrderingService(const OrderingStage& stage, rpc::CallGate& gate, SharedCache& shared)
+      : stage_(stage), gate_(gate), shared_(shared) {}
 
   grpc::Status OrderLayers(
       grpc::ServerContext* context,
@@ -27,6 +29,7 @@ class OrderingService final : public v1::Ordering::Service {
 
   const OrderingStage& stage_;
   rpc::CallGate& gate_;
+  SharedCache& shared_;
 };
 
 }  // namespace
@@ -41,6 +44,8 @@ grpc::Status OrderingService::OrderLayers(
 absl::Status OrderingService::Order(rpc::Call& call, Stream& stream) const {
   absl::StatusOr<OrderStart> start = ReadStart<v1::OrderRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
+  const auto job = TakeShared<OrderingJob>(shared_, start->shared, "start.shared");
+  if (!job.ok()) return job.status();
   call.job_id = start->call.job_id;
   std::vector<FilledLayer> layers;
   std::vector<LayerPlan> plans;
@@ -54,16 +59,16 @@ absl::Status OrderingService::Order(rpc::Call& call, Stream& stream) const {
   call.layers = RangeOf(layers);
 
   const absl::StatusOr<std::vector<OrderedLayer>> ordered =
-      stage_.Order(start->call, std::move(layers), plans, start->copies, start->options);
+      stage_.Order(start->call, std::move(layers), plans, *job);
   if (!ordered.ok()) return ordered.status();
   return WriteEach<v1::OrderedLayer>(
       stream, *ordered,
       [](const OrderedLayer& layer, v1::OrderedLayer* proto) { return ToProto(layer, proto); });
 }
 
-std::unique_ptr<grpc::Service> MakeOrderingService(const OrderingStage& stage,
-                                                   rpc::CallGate& gate) {
-  return std::make_unique<OrderingService>(stage, gate);
+std::unique_ptr<grpc::Service> MakeOrderingService(const OrderingStage& stage, rpc::CallGate& gate,
+                                                   SharedCache& shared) {
+  return std::make_unique<OrderingService>(stage, gate, shared);
 }
 
 }  // namespace slicefarm::ordering

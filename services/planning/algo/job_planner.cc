@@ -6,7 +6,11 @@
 #include <string>
 
 #include "common/base/error.h"
+#include "common/model/limits.h"
+#include "common/stage/job_memory.h"
+#include "common/stage/print_layers.h"
 #include "services/planning/algo/adhesion/adhesion_planner.h"
+#include "services/planning/algo/adhesion/raft_planner.h"
 #include "services/planning/algo/infill/infill_planner.h"
 #include "services/planning/algo/seams/seam_planner.h"
 #include "services/planning/algo/sequence/sequence_planner.h"
@@ -19,6 +23,12 @@ absl::Status CheckObject(int32_t object, const PlanningOptions& options) {
   if (0 <= object && object < std::ssize(options.objects)) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
                    "the plan's options do not name all objects", {{"field", "object"}});
+}
+
+absl::Status CheckSection(const ObjectSection& section, const PlanningOptions& options) {
+  if (section.stack.IsPart()) return CheckObject(section.stack.object, options);
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                   "planning is told of parts alone", {{"field", "stack"}});
 }
 
 absl::Status CheckRaft(const ObjectPlanOptions& object) {
@@ -54,6 +64,8 @@ absl::Status CheckRaftsAreAlike(const PlanningOptions& options, std::span<const 
 JobPlanner::JobPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies,
                        std::span<const std::string> object_names)
     : options_(&options), copies_(copies) {
+  if (RaftPlanner::IsNeeded(options, copies))
+    region_planners_.push_back(std::make_unique<RaftPlanner>(options, copies));
   planners_.push_back(std::make_unique<SeamPlanner>(options));
   planners_.push_back(std::make_unique<TravelPlanner>(copies));
   if (options.sequence.complete_objects)
@@ -76,16 +88,46 @@ absl::StatusOr<JobPlanner> JobPlanner::Make(const PlanningOptions& options,
 
 absl::Status JobPlanner::Next(const SlicedLayer& layer) {
   for (const ObjectSection& section : layer.sections)
-    if (absl::Status ok = CheckObject(section.object, *options_); !ok.ok()) return ok;
+    if (absl::Status ok = CheckSection(section, *options_); !ok.ok()) return ok;
+  if (region_planners_.empty()) {
+    LookAt(layer);
+  } else {
+    parts_bytes_ += MemoryOf(layer);
+    parts_.push_back(layer);
+  }
+  return absl::OkStatus();
+}
+
+void JobPlanner::LookAt(const SlicedLayer& layer) {
   LayerPlan& plan = layers_.Add();
   for (const auto& planner : planners_) planner->Look(layer, plan);
   settled_ = layers_.end();
   for (const auto& planner : planners_) settled_ = std::min(settled_, planner->Settle(layers_));
+}
+
+absl::Status JobPlanner::PlanRegions(const CancelToken& cancel, JobPlan& plan) {
+  RegionPlan regions{.next_id = static_cast<int32_t>(options_->objects.size()),
+                     .lifts_nm = {},
+                     .stacks = {},
+                     .notes = {}};
+  for (const auto& planner : region_planners_)
+    if (absl::Status ok = planner->Plan(parts_, cancel, regions); !ok.ok()) return ok;
+  plan.lifts_nm = std::move(regions.lifts_nm);
+  plan.stacks = std::move(regions.stacks);
+  plan.notes = std::move(regions.notes);
+  const auto layers = PrintLayers(std::move(parts_), plan.lifts_nm, plan.stacks);
+  if (std::ssize(layers) > limits::kMaxLayers)
+    return LimitError(Reason::kRequestTooLarge, "layers of all objects, rafts and supports",
+                      limits::kMaxLayers, std::ssize(layers));
+  for (const SlicedLayer& layer : layers) {
+    if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
+    LookAt(layer);
+  }
   return absl::OkStatus();
 }
 
 int64_t JobPlanner::HeldBytes() const {
-  int64_t bytes = 0;
+  int64_t bytes = parts_bytes_;
   for (const auto& planner : planners_) bytes += planner->HeldBytes();
   return bytes;
 }
@@ -95,6 +137,8 @@ std::vector<LayerPlan> JobPlanner::TakeSettled() { return layers_.TakeBelow(sett
 absl::StatusOr<JobPlan> JobPlanner::Finish(const CancelToken& cancel) {
   JobPlan plan;
   for (const PlacedCopy& copy : copies_) plan.copies.push_back({copy.object, copy.shift, 0});
+  if (!region_planners_.empty())
+    if (absl::Status ok = PlanRegions(cancel, plan); !ok.ok()) return ok;
   for (const auto& planner : planners_)
     if (absl::Status ok = planner->Finish(cancel, layers_, plan); !ok.ok()) return ok;
   plan.layers = layers_.TakeBelow(layers_.end());

@@ -9,20 +9,31 @@
 #include "common/model/options/planning_options.h"
 #include "common/stage/stages.h"
 #include "services/planning/algo/planner.h"
+#include "services/planning/algo/region_planner.h"
 
 namespace slicefarm::planning {
 
-/// Plans a job layer by layer, bottom up, so that layers can stream in, and their plans out as soon
-/// as they are settled. What is kept is what the planners keep: a few layers each, but for places
-/// of seams (a bounded number) and for infill that hangs from above. The planners, in the order in
-/// which they look at a layer:
+/// Plans a job in two phases.
+///
+/// Region planners add stacks with layers of their own. They look at all parts at once, each sees
+/// what those before it added, and then the heights of all stacks become the layers of the print
+/// (common/stage/print_layers.h):
+///
+///   1 rafts    what objects stand on (adhesion/raft_planner.h)
+///
+/// Planners then look at the layers of the print, bottom up, in this order:
 ///
 ///   1 seams    where walls start (seams/seam_planner.h)
 ///   2 travel   where layers, objects and copies are entered and meet (travel/travel_planner.h)
 ///   3 sequence with complete_objects: which copy is printed when (sequence/sequence_planner.h)
-///   4 adhesion rafts, brims and the skirt (adhesion/adhesion_planner.h)
+///   4 adhesion brims and the skirt, which add no heights (adhesion/adhesion_planner.h)
 ///   5 infill   lines and places of sparse infill that depend on many layers
 ///   (infill/infill_planner.h)
+///
+/// A job that asks for no region planner is planned as its layers stream in, and its plans stream
+/// out as soon as they are settled. What is kept is what the planners keep: a few layers each, but
+/// for places of seams (a bounded number) and for infill that hangs from above. Else all layers are
+/// kept until the last one is there.
 ///
 /// What lies on the plate is known at the end alone: a draft shield goes round all that is above
 /// it, and is as high as the job; the sequence of copies depends on their heights.
@@ -38,7 +49,8 @@ class JobPlanner {
                                          std::span<const PlacedCopy> copies,
                                          std::span<const std::string> object_names = {});
 
-  /// Errors: REQUEST_MALFORMED for sections of objects that have no options.
+  /// The next layer of the parts, each from its own bottom. Errors: REQUEST_MALFORMED for sections
+  /// of objects that have no options, or that are of no part.
   absl::Status Next(const SlicedLayer& layer);
 
   /// The plans that no planner will add to, but for those taken before; from the lowest layer up.
@@ -48,15 +60,22 @@ class JobPlanner {
   int64_t HeldBytes() const;
 
   /// The plan, but for the layers taken before. To be called once, after the last layer. Errors:
-  /// those of the planners; Cancelled.
+  /// those of the planners; REQUEST_TOO_LARGE for too many layers of the print; Cancelled.
   absl::StatusOr<JobPlan> Finish(const CancelToken& cancel = {});
 
  private:
   JobPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies,
              std::span<const std::string> object_names);
 
+  /// Runs the region planners, then looks at the layers of the print.
+  absl::Status PlanRegions(const CancelToken& cancel, JobPlan& plan);
+  void LookAt(const SlicedLayer& layer);
+
   const PlanningOptions* options_;
   std::span<const PlacedCopy> copies_;
+  std::vector<std::unique_ptr<RegionPlanner>> region_planners_;
+  std::vector<SlicedLayer> parts_;  ///< all so far, where there are region planners
+  int64_t parts_bytes_ = 0;
   std::vector<std::unique_ptr<Planner>> planners_;
   OpenLayers layers_;
   int32_t settled_ = 0;  ///< layers, from the first

@@ -96,8 +96,8 @@ TEST(JobPlanner, AdhesionIsPartOfThePlan) {
   ASSERT_TRUE(planner->Next(LayersOrDie({kSquare})[0]).ok());
   const auto job = planner->Finish();
   ASSERT_TRUE(job.ok());
-  ASSERT_EQ(job->additions.size(), 1u);
-  EXPECT_EQ(job->additions[0].paths.size(), 1u);
+  EXPECT_EQ(job->skirt.layers, 1);
+  EXPECT_EQ(job->skirt.loops.size(), 1u);
 }
 
 TEST(JobPlanner, RefusesObjectsWithoutOptions) {
@@ -107,8 +107,9 @@ TEST(JobPlanner, RefusesObjectsWithoutOptions) {
             Reason::kRequestMalformed);
   auto planner = JobPlanner::Make(options, {});
   SlicedLayer layer;
-  for (const int32_t object : {1, kPlate}) {
-    layer.sections = {SectionOrDie(object, 0, kSquare)};
+  for (const Stack& stack : {Stack(1), Stack(0, kPlateObject, StackKind::kRaft)}) {
+    layer.sections = {SectionOrDie(0, 0, kSquare)};
+    layer.sections[0].stack = stack;
     EXPECT_EQ(DetailOf(planner->Next(layer)).reason, Reason::kRequestMalformed);
   }
 }

@@ -12,7 +12,7 @@ namespace slicefarm::planning {
 /// One object's section of an own layer, as text; empty: no outline.
 inline ObjectSection SectionOrDie(int32_t object, int32_t layer, std::string_view outlines) {
   ObjectSection section;
-  section.object = object;
+  section.stack = object;
   section.layer = layer;
   section.layer_count = 1'000;
   section.height_nm = 200'000;

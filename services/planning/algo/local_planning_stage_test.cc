@@ -14,7 +14,7 @@ TEST(LocalPlanning, PlansEachLayer) {
   ASSERT_TRUE(plan.ok()) << plan.status();
   EXPECT_EQ(plan->layers.size(), 3u);
   EXPECT_EQ(plan->copies.size(), 1u);
-  EXPECT_TRUE(plan->additions.empty());
+  EXPECT_TRUE(plan->stacks.empty());
 }
 
 // What lies on the plate is worked out after the last layer, and may take long.

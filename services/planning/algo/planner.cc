@@ -16,11 +16,11 @@ std::vector<LayerPlan> OpenLayers::TakeBelow(int32_t layer) {
   return taken;
 }
 
-SectionPlan& PlanOf(int32_t object, LayerPlan& plan) {
-  const auto place = std::ranges::lower_bound(plan.sections, object, {}, &SectionPlan::object);
-  if (place != plan.sections.end() && place->object == object) return *place;
+SectionPlan& PlanOf(int32_t stack, LayerPlan& plan) {
+  const auto place = std::ranges::lower_bound(plan.sections, stack, {}, &SectionPlan::stack);
+  if (place != plan.sections.end() && place->stack == stack) return *place;
   SectionPlan section;
-  section.object = object;
+  section.stack = stack;
   return *plan.sections.insert(place, std::move(section));
 }
 

@@ -59,8 +59,8 @@ class Planner {
   virtual int64_t HeldBytes() const { return 0; }
 };
 
-/// The plan of an object's section in a layer; made if there is none.
-SectionPlan& PlanOf(int32_t object, LayerPlan& plan);
+/// The plan of a stack's section in a layer, by its id; made if there is none.
+SectionPlan& PlanOf(int32_t stack, LayerPlan& plan);
 
 /// What messages call an object. `names`: by object; may be fewer.
 std::string NameOf(int32_t object, std::span<const std::string> names);

@@ -12,7 +12,7 @@ TEST(PlanOf, FindsOrMakesByAscendingObject) {
   PlanOf(9, plan).entry = {9, 9};
   EXPECT_EQ(PlanOf(4, plan).entry, (Point{4, 4}));
   ASSERT_EQ(plan.sections.size(), 3u);
-  for (size_t i = 1; i < 3; ++i) EXPECT_LT(plan.sections[i - 1].object, plan.sections[i].object);
+  for (size_t i = 1; i < 3; ++i) EXPECT_LT(plan.sections[i - 1].stack, plan.sections[i].stack);
 }
 
 }  // namespace

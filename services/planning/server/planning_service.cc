@@ -58,16 +58,31 @@ absl::Status PlanLayers(JobPlanner& planner, MemoryBudget::Share& memory, const 
   });
 }
 
+/// The stack, then its sections.
+template <typename Stream>
+absl::Status AnswerStack(const AddedStack& added, Stream& stream) {
+  v1::PlanResponse head;
+  if (absl::Status ok = ToProto(added, head.mutable_stack()); !ok.ok()) return ok;
+  if (!stream.Write(head)) return absl::OkStatus();
+  return WriteEach<v1::PlanResponse>(stream, added.sections,
+                                     [](const ObjectSection& section, v1::PlanResponse* proto) {
+                                       return ToProto(section, proto->mutable_section());
+                                     });
+}
+
 template <typename Stream>
 absl::Status AnswerRest(const JobPlan& plan, Stream& stream) {
   absl::Status status = AnswerLayers(plan.layers, stream);
   if (!status.ok()) return status;
-  status = WriteEach<v1::PlanResponse>(stream, plan.additions,
-                                       [](const PlateAddition& addition, v1::PlanResponse* proto) {
-                                         return ToProto(addition, proto->mutable_addition());
-                                       });
-  if (!status.ok()) return status;
+  for (const AddedStack& added : plan.stacks)
+    if (status = AnswerStack(added, stream); !status.ok()) return status;
+  if (!plan.skirt.loops.empty()) {
+    v1::PlanResponse skirt;
+    status = ToProto(plan.skirt, skirt.mutable_skirt());
+    if (!status.ok() || !stream.Write(skirt)) return status;
+  }
   v1::PlanResponse end;
+  end.mutable_end()->mutable_lifts_nm()->Assign(plan.lifts_nm.begin(), plan.lifts_nm.end());
   *end.mutable_end()->mutable_seams() = ToProto(plan.seams);
   end.mutable_end()->mutable_notes()->Assign(plan.notes.begin(), plan.notes.end());
   status = AllToProto(plan.copies, "copies", end.mutable_end()->mutable_copies());

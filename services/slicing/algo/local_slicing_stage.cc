@@ -1,6 +1,7 @@
 #include "services/slicing/algo/local_slicing_stage.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "common/geometry/moved.h"
 #include "common/model/limits.h"
 #include "common/stage/job_memory.h"
+#include "common/stage/print_layers.h"
 #include "services/slicing/algo/placement/arranging/footprint.h"
 #include "services/slicing/algo/placement/arranging/overlaps.h"
 #include "services/slicing/algo/placement/orientation/orientation_advice.h"
@@ -71,7 +73,7 @@ class SlicingRun {
       const PreparedObject& object = objects_[i];
       const ObjectSlicingOptions& slicing = options_.objects[i];
       const Coord first_nm =
-          slicing.raft.layers > 0 ? slicing.layer_height_nm : options_.first_layer_height_nm;
+          slicing.on_bed ? options_.first_layer_height_nm : slicing.layer_height_nm;
       auto planes = LayerPlanes(object.top_nm, {first_nm, slicing.layer_height_nm, object.ranges});
       if (!planes.ok()) return planes.status();
       absl::StatusOr<SweptObject> swept = Swept(object, *std::move(planes));
@@ -81,7 +83,7 @@ class SlicingRun {
     // Before they are cut: how many points there will be is known by now.
     absl::Status room = HoldMemory(call_, JobMemory::Kind::kOutlines, kMemoryPerPoint * points_);
     if (!room.ok()) return room;
-    LayOutFrames();
+    LayOutSections();
     return absl::OkStatus();
   }
 
@@ -106,22 +108,20 @@ class SlicingRun {
     return swept;
   }
 
-  /// A layer of the job for each height at which some object's layer ends, or a raft's.
-  void LayOutFrames() {
+  /// Sections of equal height above the objects' own bottoms lie together.
+  void LayOutSections() {
     std::map<Coord, std::vector<ObjectSection>> by_top;
     for (size_t object = 0; object < swept_.size(); ++object) {
       if (objects_[object].shifts.empty()) continue;  // none of its copies is on the bed
       const std::vector<LayerPlane>& planes = swept_[object].planes;
-      const RaftHeights& raft = options_.objects[object].raft;
-      for (int32_t i = 0; i < raft.layers; ++i) by_top[raft.TopOf(i)];
       for (const LayerPlane& plane : planes) {
         ObjectSection section;
-        section.object = static_cast<int32_t>(object);
+        section.stack = static_cast<int32_t>(object);
         section.layer = plane.frame.index;
         section.layer_count = static_cast<int32_t>(planes.size());
         section.height_nm = plane.frame.height_nm;
         section.z_nm = plane.frame.print_z_nm;
-        by_top[raft.LiftNm() + plane.frame.print_z_nm].push_back(std::move(section));
+        by_top[plane.frame.print_z_nm].push_back(std::move(section));
       }
     }
     Coord below = 0;
@@ -139,7 +139,7 @@ class SlicingRun {
     for (const SlicedLayer& layer : job_.layers) {
       int64_t points = 0;
       for (const ObjectSection& section : layer.sections)
-        for (const SweptPart& part : swept_[static_cast<size_t>(section.object)].parts)
+        for (const SweptPart& part : swept_[static_cast<size_t>(section.stack.object)].parts)
           points += part.sweep.segments(static_cast<size_t>(section.layer));
       if (points > limits::kMaxPointsPerLayer)
         return LimitError(Reason::kMeshTooLarge, "points in a layer", limits::kMaxPointsPerLayer,
@@ -205,14 +205,12 @@ class SlicingRun {
   }
 
   void CutSection(SweepScratch& scratch, ObjectSection& section) {
-    SweptObject& object = swept_[static_cast<size_t>(section.object)];
+    SweptObject& object = swept_[static_cast<size_t>(section.stack.object)];
     const size_t range = RangeOf(section);
     std::vector<PartSection> parts;
     bool manifold = true;
     for (SweptPart& swept : object.parts) {
       const PartInput& input = swept.part->input;
-      if (input.role == PartRole::kSupportEnforcer || input.role == PartRole::kSupportBlocker)
-        continue;
       manifold = manifold && (input.role != PartRole::kSolid || swept.part->IsManifold());
       parts.push_back({input.role, input.regions[range], &input.changes,
                        swept.part->IsForSeams() ? SeamOutlines(swept, section, scratch)
@@ -223,13 +221,12 @@ class SlicingRun {
         std::move(parts), EditsFor(section.layer, manifold, slicing), options_.resolution_nm);
     section.regions = std::move(partition.regions);
     section.whole = std::move(partition.whole);
-    section.seam_enforcers = std::move(partition.seam_enforcers);
-    section.seam_blockers = std::move(partition.seam_blockers);
+    section.marks = std::move(partition.marks);
   }
 
   /// The index of the range of heights that holds the section; that of all others is the last.
   size_t RangeOf(const ObjectSection& section) const {
-    const auto object = static_cast<size_t>(section.object);
+    const auto object = static_cast<size_t>(section.stack.object);
     const std::vector<RangeInput>& ranges = objects_[object].ranges;
     const Coord z = swept_[object].planes[static_cast<size_t>(section.layer)].z_nm;
     for (size_t i = 0; i < ranges.size(); ++i)
@@ -238,7 +235,7 @@ class SlicingRun {
   }
 
   const ObjectSlicingOptions& SlicingOf(const ObjectSection& section) const {
-    return options_.objects[static_cast<size_t>(section.object)];
+    return options_.objects[static_cast<size_t>(section.stack.object)];
   }
 
   MultiPolygon SeamOutlines(SweptPart& swept, const ObjectSection& section, SweepScratch& scratch) {
@@ -263,7 +260,13 @@ class SlicingRun {
   absl::Status CountOverlaps() {
     std::vector<Copies> all;
     for (const PreparedObject& object : objects_) all.push_back({&object.footprint, object.shifts});
-    absl::StatusOr<std::vector<int64_t>> counts = CountOverlapping(job_.layers, all, call_.cancel);
+    std::vector<Coord> lifts;
+    for (const ObjectSlicingOptions& object : options_.objects) lifts.push_back(object.lift_nm);
+    const bool alike = std::ranges::adjacent_find(lifts, std::ranges::not_equal_to{}) == lifts.end();
+    std::vector<SlicedLayer> lifted;  // as they will stand: some on rafts, some not
+    if (!alike) lifted = PrintLayers(job_.layers, lifts, {});
+    absl::StatusOr<std::vector<int64_t>> counts =
+        CountOverlapping(alike ? job_.layers : lifted, all, call_.cancel);
     if (!counts.ok()) return counts.status();
     overlapping_ = *std::move(counts);
     return absl::OkStatus();

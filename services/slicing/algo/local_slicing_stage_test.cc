@@ -73,7 +73,7 @@ TEST(LocalSlicing, ACubeIsTheSameSquareInEveryLayer) {
   for (int32_t k = 0; k < 50; ++k) {
     EXPECT_EQ(job->layers[k].frame, (LayerFrame{k, (k + 1) * 200'000, 200'000}));
     const ObjectSection want{
-        0, k, 50, 200'000, {{Role::kPart, 0, 0, {{square, {}}}}}, {}, (k + 1) * 200'000, {}, {}};
+        0, k, 50, 200'000, {{Role::kPart, 0, 0, {{square, {}}}}}, {}, (k + 1) * 200'000, {}};
     EXPECT_THAT(job->layers[k].sections, ElementsAre(want));
   }
   EXPECT_THAT(job->object_names, ElementsAre("part"));
@@ -159,7 +159,7 @@ TEST(LocalSlicing, ObjectsHaveTheirOwnHeights) {
     EXPECT_EQ(layer.frame.height_nm, layer.frame.print_z_nm - below);
     below = layer.frame.print_z_nm;
     for (const ObjectSection& section : layer.sections) {
-      std::vector<Coord>& own = tops[static_cast<size_t>(section.object)];
+      std::vector<Coord>& own = tops[static_cast<size_t>(section.stack.object)];
       EXPECT_EQ(section.layer, std::ssize(own));
       EXPECT_EQ(section.z_nm, layer.frame.print_z_nm);
       own.push_back(layer.frame.print_z_nm / 1'000);
@@ -169,41 +169,42 @@ TEST(LocalSlicing, ObjectsHaveTheirOwnHeights) {
   EXPECT_EQ(tops[1], (std::vector<Coord>{200, 500, 800, 1100, 1400, 1700, 2000}));
 }
 
-TEST(LocalSlicing, AnObjectOnARaftIsLiftedAndLeavesTheRaftsLayersFree) {
+TEST(LocalSlicing, WhatDoesNotStandOnTheBedHasNeitherItsFirstLayerNorAFoot) {
   SliceInput input = InputOf({File(Cube(0, 0, 0, 2)), File(Cube(0, 0, 0, 2))});
   SlicingOptions options;
   options.objects.resize(2);
   options.first_layer_height_nm = 300'000;
-  options.objects[0].raft = {.layers = 2, .first_nm = 300'000, .others_nm = 350'000};
+  options.objects[0].on_bed = false;
+  options.objects[0].lift_nm = 750'000;
   options.objects[0].elephant_foot_nm = options.objects[1].elephant_foot_nm = 200'000;
   const auto job = MakeLocalSlicing()->Slice({}, std::move(input), options);
   ASSERT_TRUE(job.ok()) << job.status();
-  std::vector<Coord> tops, lifted;
+  std::vector<Coord> tops, raised;
   for (const SlicedLayer& layer : job->layers) {
     tops.push_back(layer.frame.print_z_nm / 1000);
-    for (const ObjectSection& section : layer.sections)
-      if (section.object == 0) lifted.push_back(layer.frame.print_z_nm / 1000);
+    for (const ObjectSection& section : layer.sections) {
+      EXPECT_EQ(section.z_nm, layer.frame.print_z_nm) << "from its own bottom";
+      if (section.stack.object == 0) raised.push_back(section.z_nm / 1000);
+    }
   }
-  // Raft: 300, 650. Its part begins at 750, with layers of 200; the other one has 300, then 200.
-  EXPECT_THAT(lifted, ElementsAre(950, 1150, 1350, 1550, 1750, 1950, 2150, 2350, 2550, 2750));
-  EXPECT_THAT(tops, ElementsAre(300, 500, 650, 700, 900, 950, 1100, 1150, 1300, 1350, 1500, 1550,
-                                1700, 1750, 1900, 1950, 2150, 2350, 2550, 2750));
-  EXPECT_THAT(job->layers[2].sections, IsEmpty());
+  EXPECT_THAT(raised, ElementsAre(200, 400, 600, 800, 1000, 1200, 1400, 1600, 1800, 2000));
+  EXPECT_THAT(tops, ElementsAre(200, 300, 400, 500, 600, 700, 800, 900, 1000, 1100, 1200, 1300,
+                                1400, 1500, 1600, 1700, 1800, 1900, 2000));
   const auto side = [](const ObjectSection& section) {
     return ToMm(static_cast<double>(Bounds(OutlineOf(section)).max.x));
   };
-  const ObjectSection& standing = job->layers[0].sections.at(0);
-  const ObjectSection& on_raft = job->layers[5].sections.at(0);
+  const ObjectSection& on_raft = job->layers[0].sections.at(0);
+  const ObjectSection& standing = job->layers[1].sections.at(0);
   EXPECT_EQ(on_raft.layer, 0);
   EXPECT_EQ(on_raft.height_nm, 200'000);
   EXPECT_LT(side(standing), side(on_raft) - 0.1) << "no elephant's foot on a raft";
 }
 
-TEST(LocalSlicing, ARaftCountsForTheHeightOfThePrint) {
+TEST(LocalSlicing, WhatItWillStandOnCountsForTheHeightOfThePrint) {
   SlicingOptions options;
   options.max_print_height_nm = 2'500'000;
   EXPECT_TRUE(Slice(Input(Cube(0, 0, 0, 2)), options).ok());
-  options.objects[0].raft.layers = 2;
+  options.objects[0].lift_nm = 600'000;
   EXPECT_EQ(DetailOf(Slice(Input(Cube(0, 0, 0, 2)), options).status()).reason,
             Reason::kOutOfBuildVolume);
 }
@@ -225,12 +226,12 @@ TEST(LocalSlicing, AnOpenSurfaceForSeamsCountsAroundItself) {
   for (const SlicedLayer& layer : job->layers) {
     const ObjectSection& section = layer.sections[0];
     const double z = ToMm(section.z_nm) - 0.1;
-    ASSERT_THAT(section.seam_enforcers, SizeIs(z > 1 && z < 9 ? 1 : 0)) << z;
+    ASSERT_THAT(MarkedIn(section, PartRole::kSeamEnforcer), SizeIs(z > 1 && z < 9 ? 1 : 0)) << z;
     // The first layer's outline moves by its elephant's foot, and the reach with it.
     const double reach = z < 0.2 ? 0.5 : 0.3;
-    EXPECT_NEAR(Area(section.seam_blockers) * 1e-12, (10 + 2 * reach) * (10 + 2 * reach), 1e-3);
-    if (section.seam_enforcers.empty()) continue;
-    const Box box = Bounds(section.seam_enforcers);
+    EXPECT_NEAR(Area(MarkedIn(section, PartRole::kSeamBlocker)) * 1e-12, (10 + 2 * reach) * (10 + 2 * reach), 1e-3);
+    if (MarkedIn(section, PartRole::kSeamEnforcer).empty()) continue;
+    const Box box = Bounds(MarkedIn(section, PartRole::kSeamEnforcer));
     EXPECT_EQ(box.min, (Point{-3'300'000, -5'300'000}));
     EXPECT_EQ(box.max, (Point{-700'000, -4'700'000}));
   }

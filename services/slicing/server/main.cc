@@ -7,6 +7,7 @@
 #include "common/stage/memory_budget.h"
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "services/slicing/algo/placement/arranging/local_arranging_stage.h"
+#include "services/slicing/algo/placement/local_placing_stage.h"
 #include "services/slicing/server/mesh_sandbox.h"
 #include "services/slicing/server/slicing_service.h"
 
@@ -37,9 +38,10 @@ int main(int argc, char** argv) {
   slicefarm::MemoryBudget memory(int64_t{memory_mib} << 20);
   auto meshes = slicefarm::slicing::MakeMeshSource(sandbox, reader_memory);
   auto meshes_to_arrange = slicefarm::slicing::MakeMeshSource(sandbox, reader_memory);
+  auto meshes_to_place = slicefarm::slicing::MakeMeshSource(sandbox, reader_memory);
   auto projects = slicefarm::slicing::MakeMeshSource(sandbox, reader_memory);
   for (const absl::Status& status :
-       {meshes.status(), meshes_to_arrange.status(), projects.status()}) {
+       {meshes.status(), meshes_to_arrange.status(), meshes_to_place.status(), projects.status()}) {
     if (status.ok()) continue;
     program.log().Error("cannot serve", {{"error", std::string(status.message())}});
     return 1;
@@ -47,10 +49,11 @@ int main(int argc, char** argv) {
   program.log().Info("how meshes are read", {{"mesh_sandbox", sandbox_name}});
   const auto slicing = slicefarm::slicing::MakeLocalSlicing(*std::move(meshes));
   const auto arranging = slicefarm::slicing::MakeLocalArranging(*std::move(meshes_to_arrange));
+  const auto placing = slicefarm::slicing::MakeLocalPlacing(*std::move(meshes_to_place));
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
   program.Show(gate);
   const auto service = slicefarm::slicing::MakeSlicingService(
-      *slicing, *arranging, slicefarm::slicing::MakeReadProjects(*std::move(projects)), gate,
-      threads, memory);
+      *slicing, *arranging, *placing, slicefarm::slicing::MakeReadProjects(*std::move(projects)),
+      gate, threads, memory);
   return program.Run(flags, {service.get()});
 }

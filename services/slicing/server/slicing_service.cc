@@ -5,6 +5,7 @@
 
 #include "common/rpc/server/server_stream.h"
 #include "common/wire/layers/layer_wire.h"
+#include "common/wire/placed_scene_wire.h"
 #include "common/wire/slicing_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "common/wire/support/wire_error.h"
@@ -16,9 +17,11 @@ namespace {
 class SlicingService final : public v1::Slicing::Service {
  public:
   SlicingService(const SlicingStage& slicing, const ArrangingStage& arranging,
-                 ReadProjects projects, rpc::CallGate& gate, int threads, MemoryBudget& memory)
+                 const PlacingStage& placing, ReadProjects projects, rpc::CallGate& gate,
+                 int threads, MemoryBudget& memory)
       : slicing_(slicing),
         arranging_(arranging),
+        placing_(placing),
         projects_(std::move(projects)),
         gate_(gate),
         threads_(threads),
@@ -33,19 +36,26 @@ class SlicingService final : public v1::Slicing::Service {
   grpc::Status ReadProject(
       grpc::ServerContext* context,
       grpc::ServerReaderWriter<v1::ReadProjectResponse, v1::SliceRequest>* stream) override;
+  grpc::Status Place(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::PlaceResponse, v1::SliceRequest>* stream) override;
 
  private:
   using Stream = rpc::ServerStream<v1::SliceResponse, v1::SliceRequest>;
+  using SceneStream = rpc::ServerStream<v1::PlaceResponse, v1::SliceRequest>;
   using PlacesStream = rpc::ServerStream<v1::PlatePlace, v1::SliceRequest>;
   absl::Status SliceFiles(rpc::Call& call, Stream& stream) const;
   using ProjectStream = rpc::ServerStream<v1::ReadProjectResponse, v1::SliceRequest>;
   absl::Status ArrangeFiles(rpc::Call& call, PlacesStream& stream) const;
   absl::Status ReadFile(rpc::Call& call, ProjectStream& stream) const;
+  absl::Status PlaceFiles(rpc::Call& call, SceneStream& stream) const;
   static absl::Status Answer(const SlicedJob& job, Stream& stream);
+  static absl::Status Answer(const PlacedScene& scene, SceneStream& stream);
 
   const SlicingStage& slicing_;
   const ArrangingStage& arranging_;
   const ReadProjects projects_;
+  const PlacingStage& placing_;
   rpc::CallGate& gate_;
   const int threads_;
   MemoryBudget& memory_;
@@ -115,6 +125,13 @@ absl::Status SlicingService::ReadFile(rpc::Call& call, ProjectStream& stream) co
   return absl::OkStatus();
 }
 
+grpc::Status SlicingService::Place(
+    grpc::ServerContext* context,
+    grpc::ServerReaderWriter<v1::PlaceResponse, v1::SliceRequest>* stream) {
+  SceneStream buffered(*stream);
+  return gate_.Run(*context, "Place", [&](rpc::Call& call) { return PlaceFiles(call, buffered); });
+}
+
 absl::Status SlicingService::SliceFiles(rpc::Call& call, Stream& stream) const {
   absl::StatusOr<Request> request = ReadRequest(call, stream, memory_);
   if (!request.ok()) return request.status();
@@ -136,6 +153,30 @@ absl::Status SlicingService::ArrangeFiles(rpc::Call& call, PlacesStream& stream)
       [](const PlatePlace& place, v1::PlatePlace* proto) { return ToProto(place, proto); });
 }
 
+absl::Status SlicingService::PlaceFiles(rpc::Call& call, SceneStream& stream) const {
+  absl::StatusOr<Request> request = ReadRequest(call, stream, memory_);
+  if (!request.ok()) return request.status();
+  const auto scene = placing_.Place(request->call, std::move(request->input), request->options);
+  if (!scene.ok()) return scene.status();
+  return Answer(*scene, stream);
+}
+
+absl::Status SlicingService::Answer(const PlacedScene& scene, SceneStream& stream) {
+  v1::PlaceResponse response;
+  if (absl::Status status = ToProto(scene, response.mutable_scene()); !status.ok()) return status;
+  stream.Write(response);  // that the client is gone shows at the first piece
+  for (const PlacedSceneObject& object : scene.objects) {
+    for (const PlacedScenePart& part : object.parts) {
+      absl::Status sent = ForEachPiece(part.mesh, [&](const v1::MeshPiece& piece) {
+        *response.mutable_piece() = piece;
+        return stream.Write(response);
+      });
+      if (!sent.ok()) return sent;
+    }
+  }
+  return absl::OkStatus();
+}
+
 absl::Status SlicingService::Answer(const SlicedJob& job, Stream& stream) {
   v1::SliceResponse summary;
   if (absl::Status status = ToProto(job, summary.mutable_summary()); !status.ok()) return status;
@@ -148,10 +189,11 @@ absl::Status SlicingService::Answer(const SlicedJob& job, Stream& stream) {
 
 std::unique_ptr<grpc::Service> MakeSlicingService(const SlicingStage& slicing,
                                                   const ArrangingStage& arranging,
+                                                  const PlacingStage& placing,
                                                   ReadProjects projects, rpc::CallGate& gate,
                                                   int threads, MemoryBudget& memory) {
-  return std::make_unique<SlicingService>(slicing, arranging, std::move(projects), gate, threads,
-                                          memory);
+  return std::make_unique<SlicingService>(slicing, arranging, placing, std::move(projects), gate,
+                                          threads, memory);
 }
 
 }  // namespace slicefarm::slicing

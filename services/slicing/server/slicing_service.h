@@ -12,11 +12,13 @@
 
 namespace slicefarm::slicing {
 
-/// Translates slicefarm.v1.Slicing to a SlicingStage, an ArrangingStage and `projects`, and back.
+/// Translates slicefarm.v1.Slicing to a SlicingStage, an ArrangingStage, a PlacingStage and
+/// `projects`, and back.
 /// The stages, `gate` and `memory` must outlive the service. `threads`: what one call may use;
 /// `memory`: what all may hold.
 std::unique_ptr<grpc::Service> MakeSlicingService(const SlicingStage& slicing,
                                                   const ArrangingStage& arranging,
+                                                  const PlacingStage& placing,
                                                   ReadProjects projects, rpc::CallGate& gate,
                                                   int threads, MemoryBudget& memory);
 

@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "common/rpc/server/serve.h"
+#include "common/rpc/server/shared_keeper.h"
 #include "common/rpc/server/stage_command_line.h"
 #include "processes/list/tasks.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/exposure/algo/local_exposure_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
+#include "services/milling/algo/local_milling_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "services/worker/server/worker_service.h"
@@ -47,13 +49,17 @@ int main(int argc, char** argv) {
   const auto ordering = slicefarm::ordering::MakeLocalOrdering();
   const auto motion = slicefarm::motion::MakeLocalMotion();
   const auto exposure = slicefarm::exposure::MakeLocalExposure();
+  const auto milling = slicefarm::milling::MakeLocalMilling();
   const slicefarm::ProcessRunners runners = RunnersOf(names, {.beading = beading.get(),
                                                               .infill = infill.get(),
                                                               .ordering = ordering.get(),
                                                               .motion = motion.get(),
-                                                              .exposure = exposure.get()});
+                                                              .exposure = exposure.get(),
+                                                              .milling = milling.get()});
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
   program.Show(gate);
-  const auto service = slicefarm::worker::MakeWorkerService(runners, gate);
-  return program.Run(flags, {service.get()});
+  slicefarm::rpc::SharedKeeper keeper(program.log());
+  program.Show(keeper.cache());
+  const auto service = slicefarm::worker::MakeWorkerService(runners, gate, keeper.cache());
+  return program.Run(flags, {service.get(), &keeper.service()});
 }

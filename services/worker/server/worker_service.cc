@@ -16,7 +16,8 @@ namespace {
 
 class WorkerService final : public v1::Worker::Service {
  public:
-  WorkerService(const TaskRunner& runner, rpc::CallGate& gate) : runner_(runner), gate_(gate) {}
+  WorkerService(const TaskRunner& runner, rpc::CallGate& gate, SharedCache& shared)
+      : runner_(runner), gate_(gate), shared_(shared) {}
 
   grpc::Status WorkRange(
       grpc::ServerContext* context,
@@ -29,6 +30,7 @@ class WorkerService final : public v1::Worker::Service {
 
   const TaskRunner& runner_;
   rpc::CallGate& gate_;
+  SharedCache& shared_;
 };
 
 }  // namespace
@@ -62,7 +64,7 @@ absl::Status WorkerService::Work(rpc::Call& call, WorkerEnd& end) const {
   call.job_id = stage_call->job_id;
   const TaskWire* wire = WireOf(first.start());
   if (wire == nullptr) return Malformed("start.work", "is missing");
-  const auto received = wire->Receive(first.start(), call.cancel, end);
+  const auto received = wire->Receive(first.start(), shared_, call.cancel, end);
   if (!received.ok()) return received.status();
 
   const Task task = (*received)->task();
@@ -74,8 +76,9 @@ absl::Status WorkerService::Work(rpc::Call& call, WorkerEnd& end) const {
   return wire->SendResult(*std::move(result), end);
 }
 
-std::unique_ptr<grpc::Service> MakeWorkerService(const TaskRunner& runner, rpc::CallGate& gate) {
-  return std::make_unique<WorkerService>(runner, gate);
+std::unique_ptr<grpc::Service> MakeWorkerService(const TaskRunner& runner, rpc::CallGate& gate,
+                                                 SharedCache& shared) {
+  return std::make_unique<WorkerService>(runner, gate, shared);
 }
 
 }  // namespace slicefarm::worker

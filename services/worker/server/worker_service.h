@@ -4,13 +4,15 @@
 
 #include <memory>
 
+#include "common/base/shared/shared_cache.h"
 #include "common/rpc/server/call_gate.h"
 #include "common/stage/task.h"
 
 namespace slicefarm::worker {
 
 /// Translates slicefarm.v1.Worker to a TaskRunner and back. The gate's slots are the worker's.
-/// `runner` and `gate` must outlive the service.
-std::unique_ptr<grpc::Service> MakeWorkerService(const TaskRunner& runner, rpc::CallGate& gate);
+/// `shared`: what the jobs' tasks have in common. All three must outlive the service.
+std::unique_ptr<grpc::Service> MakeWorkerService(const TaskRunner& runner, rpc::CallGate& gate,
+                                                 SharedCache& shared);
 
 }  // namespace slicefarm::worker

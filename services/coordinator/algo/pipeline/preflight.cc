@@ -15,7 +15,7 @@ namespace {
 double AreaMm2(const SlicedLayer& layer, const std::vector<PlacedCopy>& copies) {
   double nm2 = 0;
   for (const ObjectSection& section : layer.sections) {
-    const auto count = std::ranges::count(copies, section.object, &PlacedCopy::object);
+    const auto count = std::ranges::count(copies, section.stack.object, &PlacedCopy::object);
     nm2 += static_cast<double>(count) * Area(OutlineOf(section));
   }
   return nm2 * 1e-12;

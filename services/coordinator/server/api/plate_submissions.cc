@@ -100,9 +100,9 @@ absl::Status PlateRequests::Add(const StageCall& call, Submission submission,
   if (plates_ > limits::kMaxBatchJobs)
     return LimitError(Reason::kRequestTooLarge, "plates", limits::kMaxBatchJobs, plates_);
   bytes_ += std::ssize(*beds) * std::ssize(submission.spec);
-  if (bytes_ > kMaxPlatesBytes)
-    return LimitError(Reason::kRequestTooLarge, "bytes of all plates' specs", kMaxPlatesBytes,
-                      bytes_);
+  if (bytes_ > limits::kMaxPlatesBytes)
+    return LimitError(Reason::kRequestTooLarge, "bytes of all plates' specs",
+                      limits::kMaxPlatesBytes, bytes_);
   requests_.push_back({std::move(submission), *std::move(beds)});
   return absl::OkStatus();
 }

@@ -13,9 +13,6 @@
 
 namespace slicefarm::coordinator {
 
-/// Of the specs of all plates of one call.
-inline constexpr int64_t kMaxPlatesBytes = 64 * limits::kMaxSpecBytes;
-
 /// What putting on plates takes. Everything outlives the call.
 struct PlatesBackend {
   JobIntake& intake;
@@ -41,7 +38,7 @@ struct Plate {
 };
 
 /// The requests of a call, put on beds one after the other. What all of them take is bounded
-/// (limits::kMaxBatchJobs, kMaxPlatesBytes) before a submission is copied for each bed.
+/// (limits::kMaxBatchJobs, limits::kMaxPlatesBytes) before a submission is copied for each bed.
 class PlateRequests {
  public:
   explicit PlateRequests(std::string request_id) : request_id_(std::move(request_id)) {}

@@ -185,7 +185,7 @@ TEST_F(PlatesTest, WhatPlatesOfALongSpecTakeIsBounded) {
   EXPECT_THAT(*CreatePlates(of_long_texts(2)), SizeIs(2));
   const absl::Status refused = CreatePlates(of_long_texts(limits::kMaxBatchJobs)).status();
   EXPECT_EQ(DetailOf(refused).reason, Reason::kRequestTooLarge);
-  EXPECT_EQ(DetailOf(refused).metadata.at("limit"), std::to_string(kMaxPlatesBytes));
+  EXPECT_EQ(DetailOf(refused).metadata.at("limit"), std::to_string(limits::kMaxPlatesBytes));
 }
 
 TEST_F(PlatesTest, ACheckMakesNothingAndTellsOfEachPlate) {

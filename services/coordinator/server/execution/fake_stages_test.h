@@ -74,7 +74,7 @@ class FakeSlicing : public SlicingStage {
   static ObjectSection Square(const ObjectInput& object, const SlicedLayer& layer,
                               int64_t layer_count) {
     ObjectSection section;
-    section.object = static_cast<int32_t>(layer.sections.size());
+    section.stack = static_cast<int32_t>(layer.sections.size());
     section.layer = layer.frame.index;
     section.layer_count = static_cast<int32_t>(layer_count);
     section.height_nm = layer.frame.height_nm;

@@ -116,8 +116,9 @@ constexpr StageFlag kStageFlags[] = {
     {Stage::kInfill, "Addresses of infill services"},
     {Stage::kOrdering, "Addresses of ordering services"},
     {Stage::kExposure, "Addresses of exposure services; without, no jobs that need it are made"},
+    {Stage::kMilling, "Addresses of milling services; without, no jobs that need it are made"},
 };
-static_assert(std::size(kStageFlags) == kStageCount);
+static_assert(std::size(kStageFlags) == kStageCount - 1, "all but placing, which slicing does");
 
 void AddStageFlags(CLI::App& app, CoordinatorFlags* flags) {
   for (const StageFlag& flag : kStageFlags)

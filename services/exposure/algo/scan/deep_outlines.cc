@@ -9,7 +9,7 @@ namespace slicefarm::exposure {
 MultiPolygon DeepOutlines::Of(const ObjectSection& section, MultiPolygon outlines) const {
   const MultiPolygon& whole = OutlineOf(section);
   for (int32_t i = 1; i <= std::min(depth_, section.layer) && !outlines.empty(); ++i) {
-    const ObjectSection* below = objects_.Find(section.object, section.layer - i);
+    const ObjectSection* below = objects_.Find(section.stack.id, section.layer - i);
     if (below == nullptr) return {};
     if (OutlineOf(*below) != whole) outlines = Intersection(outlines, OutlineOf(*below));
   }

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "common/base/decimal_text.h"
 #include "common/geometry/measure.h"
-#include "services/exposure/algo/writers/number_text.h"
 #include "services/exposure/algo/writers/style_text.h"
 
 namespace slicefarm::exposure {

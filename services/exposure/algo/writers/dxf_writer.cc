@@ -6,7 +6,7 @@
 #include <cctype>
 #include <string_view>
 
-#include "services/exposure/algo/writers/number_text.h"
+#include "common/base/decimal_text.h"
 
 namespace slicefarm::exposure {
 namespace {

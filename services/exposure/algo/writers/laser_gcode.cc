@@ -4,9 +4,12 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
+#include "common/gcode/dialect.h"
+#include "common/gcode/gcode_text.h"
+#include "common/gcode/modal.h"
 #include "services/exposure/algo/scan/skywriting.h"
-#include "services/exposure/algo/writers/number_text.h"
 #include "services/exposure/algo/writers/style_text.h"
 
 namespace slicefarm::exposure {
@@ -14,20 +17,29 @@ namespace {
 
 constexpr int kDecimals = 4;  ///< of mm: a tenth of a micrometre
 
-bool IsMarlin(const FileFacts& facts) { return facts.output.format == OutputFormat::kMarlin; }
+const gcode::Dialect& DialectOf(const FileFacts& facts) {
+  return gcode::DialectOf(facts.output.format == OutputFormat::kMarlin ? gcode::Controller::kMarlin
+                                                                       : gcode::Controller::kGrbl);
+}
 
 const char* OnCommand(const FileFacts& facts) {
-  if (IsMarlin(facts)) return facts.output.dynamic_power ? "M4 I S0\n" : "M3 I S0\n";
+  if (DialectOf(facts).inline_power) return facts.output.dynamic_power ? "M4 I S0\n" : "M3 I S0\n";
   return facts.output.dynamic_power ? "M4 S0\n" : "M3 S0\n";
 }
-const char* OffCommand(const FileFacts& facts) { return IsMarlin(facts) ? "M5 I\n" : "M5\n"; }
+const char* OffCommand(const FileFacts& facts) {
+  return DialectOf(facts).inline_power ? "M5 I\n" : "M5\n";
+}
 
 /// The moves of a layer; says speed, power and focus where they change.
 class MoveText {
  public:
   /// The head is at `layer_z_nm`, the laser on with S0.
-  MoveText(const FileFacts& facts, Coord layer_z_nm, std::string& text)
-      : facts_(facts), layer_z_nm_(layer_z_nm), said_z_nm_(layer_z_nm), text_(text) {}
+  MoveText(const FileFacts& facts, Coord layer_z_nm, GcodeText& out)
+      : facts_(facts),
+        dialect_(DialectOf(facts)),
+        layer_z_nm_(layer_z_nm),
+        z_nm_(layer_z_nm),
+        out_(out) {}
 
   void SetStyle(const ExposureStyle& style, const JumpOptions& jump) {
     feed_ = FeedOf(style.speed_mm_s);
@@ -38,31 +50,25 @@ class MoveText {
   }
 
   void Jump(Point p, double delay_us) {
-    if (at_set_ && p == at_) return;
-    text_ += "G0";
+    if (at_ == p) return;
+    out_ << "G0";
     Place(p);
-    if (IsMarlin(facts_)) Feed(jump_feed_);
-    if (said_power_ != 0) text_ += " S0";
-    said_power_ = 0;
-    text_ += '\n';
+    if (dialect_.inline_power) Feed(jump_feed_);  // grbl's G0 has no feed
+    if (said_power_.Changes(0)) out_ << " S0";
+    out_ << '\n';
     Wait(delay_us);
   }
   void Expose(Point p) { Move(p, power_); }
   void Run(Point p) {
-    if (p != at_) Move(p, 0);
+    if (at_ != p) Move(p, 0);
   }
 
   /// With the laser off: M4 has it so wherever the head stands still, M3 has not.
   void Wait(double delay_us) {
     if (!(delay_us > 0)) return;
-    const bool off = !facts_.output.dynamic_power && said_power_ != 0;
-    if (off) text_ += OffCommand(facts_);
-    text_ += "G4 P";
-    if (IsMarlin(facts_))
-      AppendDecimal(text_, static_cast<int64_t>(std::ceil(delay_us / 1000)), 0);
-    else
-      AppendDecimal(text_, std::llround(delay_us), 6);
-    text_ += '\n';
+    const bool off = !facts_.output.dynamic_power && !said_power_.Is(0);
+    if (off) out_ << OffCommand(facts_);
+    gcode::WriteDwell(dialect_, delay_us, out_);
     if (off) On();
   }
 
@@ -70,55 +76,43 @@ class MoveText {
   static int64_t FeedOf(double speed_mm_s) { return std::llround(speed_mm_s * 60 * 10); }
 
   void On() {
-    text_ += OnCommand(facts_);
-    said_power_ = 0;
+    out_ << OnCommand(facts_);
+    said_power_.Changes(0);
   }
 
   void SetHeight(Coord z_nm) {
-    if (z_nm == said_z_nm_) return;
-    said_z_nm_ = z_nm;
-    text_ += OffCommand(facts_);
-    text_ += "G0 Z";
-    AppendMm(text_, z_nm, kDecimals);
-    text_ += '\n';
+    if (!z_nm_.Changes(z_nm)) return;
+    out_ << OffCommand(facts_) << "G0 Z";
+    out_.Mm(z_nm, kDecimals) << '\n';
     On();
   }
 
   void Feed(int64_t feed) {
-    if (said_feed_ == feed) return;
-    text_ += " F";
-    AppendDecimal(text_, feed, 1);
-    said_feed_ = feed;
+    if (said_feed_.Changes(feed)) (out_ << " F").Decimal(feed, 1);
   }
 
   void Move(Point p, int64_t power) {
-    text_ += "G1";
+    out_ << "G1";
     Place(p);
     Feed(feed_);
-    if (said_power_ != power) {
-      text_ += " S";
-      AppendDecimal(text_, power, 2);
-    }
-    said_power_ = power;
-    text_ += '\n';
+    if (said_power_.Changes(power)) (out_ << " S").Decimal(power, 2);
+    out_ << '\n';
   }
   void Place(Point p) {
-    text_ += " X";
-    AppendMm(text_, p.x, kDecimals);
-    text_ += " Y";
-    AppendMm(text_, p.y, kDecimals);
+    (out_ << " X").Mm(p.x, kDecimals);
+    (out_ << " Y").Mm(p.y, kDecimals);
     at_ = p;
-    at_set_ = true;
   }
 
   const FileFacts& facts_;
+  const gcode::Dialect& dialect_;
   const Coord layer_z_nm_;
-  Coord said_z_nm_;
-  std::string& text_;
+  gcode::Modal<Coord> z_nm_;
+  GcodeText& out_;
   int64_t feed_ = 0, jump_feed_ = 0, power_ = 0;  ///< of the style: mm/min * 10, S * 100
-  int64_t said_feed_ = -1, said_power_ = 0;
-  Point at_;
-  bool at_set_ = false;
+  gcode::Modal<int64_t> said_feed_;
+  gcode::Modal<int64_t> said_power_{0};
+  std::optional<Point> at_;
 };
 
 void AppendGroup(const ExposureGroup& group, Point shift, const JumpOptions& jump,
@@ -138,27 +132,30 @@ void AppendGroup(const ExposureGroup& group, Point shift, const JumpOptions& jum
 }  // namespace
 
 std::string LaserGcodeHeader(const FileFacts& facts) {
-  std::string text = fmt::format("; slicefarm, laser, {}, {} layers\n",
-                                 IsMarlin(facts) ? "Marlin" : "grbl", facts.layers);
+  const gcode::Dialect& dialect = DialectOf(facts);
+  GcodeText out;
+  out << fmt::format("; slicefarm, laser, {}, {} layers\n", dialect.name, facts.layers);
   for (size_t settings = 0; settings < facts.regions.size(); ++settings)
     for (size_t kind = 0; kind < kExposureKindCount; ++kind)
-      text += fmt::format("; settings {} {}\n", settings, StyleText(facts.regions[settings], kind));
-  text += facts.start_code;
-  text += "G21\nG90\n";
-  if (!IsMarlin(facts)) text += "G94\n";
-  return text + OffCommand(facts);
+      out << fmt::format("; settings {} {}\n", settings, StyleText(facts.regions[settings], kind));
+  out << facts.start_code;
+  gcode::WriteUnits(dialect, out);
+  out << OffCommand(facts);
+  return out.Take();
 }
 
 std::string LaserGcodeLayerHead(const LayerFrame& layer, const LayerCode& code) {
-  std::string text = code.before + fmt::format("; layer {}\nG0 Z", layer.index);
-  AppendMm(text, layer.print_z_nm, kDecimals);
-  text += '\n';
-  return text + code.after;
+  GcodeText out;
+  out << code.before << "; layer ";
+  out.Integer(layer.index) << "\nG0 Z";
+  out.Mm(layer.print_z_nm, kDecimals) << '\n' << code.after;
+  return out.Take();
 }
 
 std::string LaserGcodeLayer(const ExposedLayer& layer, const FileFacts& facts) {
-  std::string text = OnCommand(facts);
-  MoveText moves(facts, layer.frame.print_z_nm, text);
+  GcodeText out;
+  out << OnCommand(facts);
+  MoveText moves(facts, layer.frame.print_z_nm, out);
   for (const ExposureVisit& visit : layer.visits) {
     for (const ExposureGroup& group : layer.groups) {
       if (group.object != visit.object) continue;
@@ -167,13 +164,15 @@ std::string LaserGcodeLayer(const ExposedLayer& layer, const FileFacts& facts) {
       AppendGroup(group, visit.shift, options.jump, moves);
     }
   }
-  return text + OffCommand(facts);
+  out << OffCommand(facts);
+  return out.Take();
 }
 
 std::string LaserGcodeFooter(const FileFacts& facts) {
-  std::string text = OffCommand(facts);
-  text += facts.end_code;
-  return text + (IsMarlin(facts) ? "" : "M2\n");
+  GcodeText out;
+  out << OffCommand(facts) << facts.end_code;
+  gcode::WriteProgramEnd(DialectOf(facts), out);
+  return out.Take();
 }
 
 }  // namespace slicefarm::exposure

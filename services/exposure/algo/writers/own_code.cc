@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "common/macro/laser_code.h"
+#include "common/macro/exposure_code.h"
 #include "common/macro/setting_variables.h"
 #include "common/macro/template_run.h"
 
@@ -12,11 +12,12 @@ namespace {
 /// Goes through the file.
 class CodeFiller {
  public:
-  explicit CodeFiller(const ExposureSummary& summary) : job_(macro::LaserPrintVariables(summary)) {
+  explicit CodeFiller(const ExposureSummary& summary)
+      : job_(macro::ExposurePrintVariables(summary)) {
     macro::AddSettingVariables(summary.settings_text, job_);
   }
 
-  void MoveTo(int32_t layer, Coord z_nm) { now_ = macro::LaserLayerVariables(layer, z_nm); }
+  void MoveTo(int32_t layer, Coord z_nm) { now_ = macro::ExposureLayerVariables(layer, z_nm); }
 
   absl::Status Fill(const macro::Template& code, std::string& text) {
     auto filled = macro::RunTemplate(code, {job_, now_}, memory_);
@@ -34,7 +35,7 @@ class CodeFiller {
 }  // namespace
 
 absl::StatusOr<OwnCode> FillIn(const ExposureOutput& output, const ExposureSummary& summary) {
-  const auto code = macro::ParseLaserCode(output);
+  const auto code = macro::ParseExposureCode(output);
   if (!code.ok()) return code.status();
   OwnCode own;
   CodeFiller filler(summary);

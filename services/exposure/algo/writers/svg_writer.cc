@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "services/exposure/algo/writers/number_text.h"
+#include "common/base/decimal_text.h"
 
 namespace slicefarm::exposure {
 namespace {

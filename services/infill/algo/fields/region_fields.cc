@@ -18,49 +18,53 @@ absl::Status Malformed(const std::string& setting, const absl::Status& why) {
                    {{"setting", setting}});
 }
 
+absl::StatusOr<DirectionField> DirectionsOf(const std::string& text) {
+  const auto stress = ParseStressField(text);
+  if (!stress.ok()) return stress.status();
+  return DirectionField(*stress);
+}
+
 bool IsSameAtAllHeights(const DensityField& density) {
   return density.kind == DensityField::Kind::kGrid && density.grid.count[2] == 1;
 }
 
 }  // namespace
 
-absl::StatusOr<RegionFields> RegionFields::Read(std::span<const InfillOptions> regions,
-                                                std::span<const SlicedLayer> layers) {
-  RegionFields fields;
-  fields.layers_ = layers;
+absl::StatusOr<FieldsOfRows> ParseFields(const std::vector<InfillOptions>& regions) {
+  FieldsOfRows rows;
   for (const InfillOptions& options : regions) {
-    Fields& row = fields.rows_.emplace_back();
+    FieldsOfRow& row = rows.emplace_back();
     row.plain_density = options.density;
     row.every_layers = std::max(1, options.every_layers);
     if (!options.density_field.empty()) {
-      auto density = ParseDensityField(options.density_field);
+      const auto& density = DensityFieldOf(options.density_field);
       if (!density.ok()) return Malformed("density_field", density.status());
-      row.density = *std::move(density);
+      row.density = &*density;
     }
     if (!options.stress_field.empty()) {
-      const auto stress = ParseStressField(options.stress_field);
-      if (!stress.ok()) return Malformed("stress_field", stress.status());
-      row.directions.emplace(*stress);
-      if (row.directions->IsSameAtAllHeights() &&
-          (!row.density.has_value() || IsSameAtAllHeights(*row.density)))
-        row.is_same_at_all_heights = true;
+      const auto& directions = options.stress_field.Once(DirectionsOf);
+      if (!directions.ok()) return Malformed("stress_field", directions.status());
+      row.directions = &*directions;
+      row.is_same_at_all_heights = directions->IsSameAtAllHeights() &&
+                                   (row.density == nullptr || IsSameAtAllHeights(*row.density));
     }
   }
-  return fields;
+  return rows;
 }
 
 absl::StatusOr<std::optional<LayerField>> RegionFields::Of(int32_t row, int32_t object,
                                                            int32_t own_layer, double z_mm) {
-  Fields& fields = rows_[static_cast<size_t>(row)];
-  if (!fields.density.has_value() && !fields.directions.has_value()) return std::nullopt;
+  const FieldsOfRow& fields = fields_[static_cast<size_t>(row)];
+  if (fields.density == nullptr && fields.directions == nullptr) return std::nullopt;
   LayerField field{.plain_density = fields.plain_density, .z_mm = z_mm};
-  if (fields.directions.has_value()) {
-    field.directions = &*fields.directions;
+  if (fields.directions != nullptr) {
+    field.directions = fields.directions;
     field.across = own_layer / fields.every_layers % 2 != 0;
-    if (fields.is_same_at_all_heights) field.memo = &fields.memos[field.across ? 1 : 0];
+    if (fields.is_same_at_all_heights)
+      field.memo = &memos_[static_cast<size_t>(row)][field.across ? 1 : 0];
   }
-  if (!fields.density.has_value()) return field;
-  field.density = &*fields.density;
+  if (fields.density == nullptr) return field;
+  field.density = fields.density;
   if (field.density->kind == DensityField::Kind::kSurfaceDistance) {
     auto& distances =
         distances_.try_emplace({row, object}, layers_, object, field.density->ReachMm())

@@ -14,12 +14,26 @@
 
 namespace slicefarm::infill {
 
-/// The fields of a job's regions, read from their settings, in a stretch of its layers.
+/// The fields of a row of settings.
+struct FieldsOfRow {
+  const DensityField* density = nullptr;  ///< the text's own, which must outlive it; null: none
+  const DirectionField* directions = nullptr;  ///< the same
+  double plain_density = 0;
+  int32_t every_layers = 1;
+  bool is_same_at_all_heights = false;
+};
+using FieldsOfRows = std::vector<FieldsOfRow>;
+
+/// Each text is read once for all who have it. Errors: SETTING_MALFORMED for a text that is no
+/// field.
+absl::StatusOr<FieldsOfRows> ParseFields(const std::vector<InfillOptions>& regions);
+
+/// The fields of a job's regions in a stretch of its layers.
 class RegionFields {
  public:
-  /// `layers` must outlive this. Errors: SETTING_MALFORMED for a text that is no field.
-  static absl::StatusOr<RegionFields> Read(std::span<const InfillOptions> regions,
-                                           std::span<const SlicedLayer> layers);
+  /// `fields` and `layers` must outlive this.
+  RegionFields(const FieldsOfRows& fields, std::span<const SlicedLayer> layers)
+      : fields_(fields), memos_(fields.size()), layers_(layers) {}
 
   /// What the fields of a row of settings say about an object's own layer, whose middle is at
   /// `z_mm`. Both families of directions are followed in turn, layer by layer, or by as many layers
@@ -29,16 +43,9 @@ class RegionFields {
                                                double z_mm);
 
  private:
-  struct Fields {
-    std::optional<DensityField> density;
-    std::optional<DirectionField> directions;
-    double plain_density = 0;
-    int32_t every_layers = 1;
-    bool is_same_at_all_heights = false;
-    std::array<StreamMemo, 2> memos = {};  ///< by family, if it is
-  };
-
-  std::vector<Fields> rows_;
+  const FieldsOfRows& fields_;
+  std::vector<std::array<StreamMemo, 2>> memos_;  ///< by row and family, of fields that are the
+                                                  ///< same at all heights
   std::span<const SlicedLayer> layers_;
   std::map<std::pair<int32_t, int32_t>, SurfaceDistances> distances_;  ///< by row and object
   using MapOf = std::array<int32_t, 3>;  ///< row, object, its own layer

@@ -111,7 +111,7 @@ SurfaceDistances::SurfaceDistances(std::span<const SlicedLayer> layers, int32_t 
   Box box;
   for (const SlicedLayer& layer : layers) {
     for (const ObjectSection& section : layer.sections) {
-      if (section.object != object) continue;
+      if (section.stack.id != object) continue;
       sections_[section.layer] = &section;
       box.Add(Bounds(OutlineOf(section)));
     }

@@ -19,7 +19,7 @@ std::vector<SlicedLayer> LayersOf(const std::vector<MultiPolygon>& outlines) {
   for (int i = 0; i < static_cast<int>(outlines.size()); ++i) {
     SlicedLayer& layer = layers.emplace_back();
     ObjectSection section{3, i, static_cast<int32_t>(outlines.size()), 500'000,
-                          {{Role::kPart, 0, 0, outlines[static_cast<size_t>(i)]}}, {}, 0, {}, {}};
+                          {{Role::kPart, 0, 0, outlines[static_cast<size_t>(i)]}}, {}, 0, {}};
     section.z_nm = 500'000 * (i + 1);
     layer.sections.push_back(section);
   }

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "services/milling/algo/cutter/cutter.h"
+#include "common/model/milling/cutter.h"
 #include "services/milling/algo/mesh/triangle_mesh.h"
 #include "services/milling/algo/push/local_push.h"
 

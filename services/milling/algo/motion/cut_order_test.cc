@@ -15,7 +15,7 @@ CutArea Square(double low, double high) {
 }
 
 MilledStep Level(double z, std::vector<CutArea> areas) {
-  return {.step = {MillingStage::kRoughing, z}, .areas = std::move(areas), .runs = {}};
+  return {.step = {MillPhase::kRoughing, z}, .areas = std::move(areas), .runs = {}};
 }
 
 /// Two pockets under one face: one is cut to its bottom before the other.

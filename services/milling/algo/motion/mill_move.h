@@ -19,7 +19,7 @@ enum class MoveKind : uint8_t {
 /// program's text has them.
 struct MillMove {
   MoveKind kind = MoveKind::kRapid;
-  MillingStage stage = MillingStage::kRoughing;
+  MillPhase phase = MillPhase::kRoughing;
   Eigen::Vector3d to_mm{0, 0, 0};
   Eigen::Vector2d centre_mm{0, 0};  ///< of an arc
   double feed_mm_min = 0;           ///< of a rapid move: 0

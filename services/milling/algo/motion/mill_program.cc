@@ -15,7 +15,7 @@ absl::StatusOr<int> CutLevels(const MillingJob& job, std::span<const MilledStep>
   for (const AreaPlace& place : CutOrder(levels)) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;
     const MilledStep& level = levels[place.level];
-    cut += cutter.Cut(level.areas[place.area], level.step.at_mm, level.step.stage);
+    cut += cutter.Cut(level.areas[place.area], level.step.at_mm, level.step.phase);
   }
   if (absl::Status status = cancel.Check(); !status.ok()) return status;
   return cut;
@@ -29,12 +29,12 @@ absl::StatusOr<MillProgram> AssembleProgram(const MillingJob& job,
   MoveBuilder moves(job, cancel);
   MillProgram program{.moves = {}, .safe_z_mm = moves.safe_z_mm()};
   for (size_t first = 0, last = 0; first < steps.size(); first = last) {
-    const MillingStage stage = steps[first].step.stage;
-    while (last < steps.size() && steps[last].step.stage == stage) ++last;
-    const auto of_stage = steps.subspan(first, last - first);
-    moves.SetStage(stage);
-    const auto cut = stage == MillingStage::kRest ? CutRest(job, of_stage, moves, cancel)
-                                                  : CutLevels(job, of_stage, moves, cancel);
+    const MillPhase phase = steps[first].step.phase;
+    while (last < steps.size() && steps[last].step.phase == phase) ++last;
+    const auto of_phase = steps.subspan(first, last - first);
+    moves.SetPhase(phase);
+    const auto cut = phase == MillPhase::kRest ? CutRest(job, of_phase, moves, cancel)
+                                               : CutLevels(job, of_phase, moves, cancel);
     if (!cut.ok()) return cut.status();
     program.ways += *cut;
   }

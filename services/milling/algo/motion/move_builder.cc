@@ -47,7 +47,7 @@ MoveBuilder::MoveBuilder(const MillingJob& job, const CancelToken& cancel)
       at_(0, 0, safe_z_mm_) {}
 
 void MoveBuilder::Emit(MillMove move) {
-  move.stage = stage_;
+  move.phase = phase_;
   move.to_mm = Rounded(move.to_mm);
   if (move.kind != MoveKind::kRapid) {
     Eigen::Vector3d from = at_;
@@ -88,10 +88,13 @@ void MoveBuilder::LineTo(const Eigen::Vector3d& to_mm, double feed_mm_min) {
 
 void MoveBuilder::ArcTo(const Eigen::Vector3d& to_mm, const Eigen::Vector2d& centre_mm,
                         bool clockwise, double feed_mm_min) {
-  Emit({.kind = clockwise ? MoveKind::kClockwise : MoveKind::kCounterClockwise,
-        .to_mm = to_mm,
-        .centre_mm = PlaceOfUm(MicrometresOf(centre_mm)),
-        .feed_mm_min = feed_mm_min});
+  const MillMove arc = {.kind = clockwise ? MoveKind::kClockwise : MoveKind::kCounterClockwise,
+                        .to_mm = to_mm,
+                        .centre_mm = PlaceOfUm(MicrometresOf(centre_mm)),
+                        .feed_mm_min = feed_mm_min};
+  if (job_.options.machining.arcs) return Emit(arc);
+  for (const Eigen::Vector3d& p : PointsOf(arc, at_, kArcShare * job_.options.tolerance_mm))
+    LineTo(p, feed_mm_min);
 }
 
 void MoveBuilder::FeedAlong(std::span<const Eigen::Vector2d> line_mm, double feed_mm_min) {
@@ -106,6 +109,10 @@ void MoveBuilder::FeedAlong(std::span<const Eigen::Vector2d> line_mm, double fee
       LineTo({place.x(), place.y(), z}, feed_mm_min);
     }
   };
+  if (!job_.options.machining.arcs) {
+    for (const PlaceUm place : places) straight.push_back(PointOf(PlaceOfUm(place)));
+    return lines();
+  }
   const double arc_um = std::max(kLeastArcToleranceUm, kArcShare * 1000 * tolerance);
   for (const CurvePiece& piece : FitArcs(places, arc_um)) {
     const Eigen::Vector2d end = PlaceOfUm(places[piece.last]);

@@ -16,7 +16,7 @@ class MoveBuilder {
   /// Once cancelled, a stock of its own is not read to its end: ask the token.
   explicit MoveBuilder(const MillingJob& job, const CancelToken& cancel = {});
 
-  void SetStage(MillingStage stage) { stage_ = stage; }
+  void SetPhase(MillPhase phase) { phase_ = phase; }
 
   /// By rapid moves: up over all stock on the way, there, and down to the clearance above z, or
   /// above what stands there if that is higher.
@@ -44,7 +44,7 @@ class MoveBuilder {
   const MillingJob& job_;
   StockMap stock_;
   double safe_z_mm_;
-  MillingStage stage_ = MillingStage::kRoughing;
+  MillPhase phase_ = MillPhase::kRoughing;
   bool placed_ = false;
   Eigen::Vector3d at_;
   std::vector<MillMove> moves_;

@@ -9,7 +9,7 @@ namespace {
 
 std::vector<MilledStep> RestSteps(const MillingJob& job) {
   std::vector<MilledStep> steps = AllSteps(job);
-  std::erase_if(steps, [](const MilledStep& s) { return s.step.stage != MillingStage::kRest; });
+  std::erase_if(steps, [](const MilledStep& s) { return s.step.phase != MillPhase::kRest; });
   return steps;
 }
 

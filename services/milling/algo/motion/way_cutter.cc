@@ -100,7 +100,7 @@ bool WayCutter::LeadIn(const ClosedWay& way, double z_mm) {
 }
 
 /// From above a way's start down to it, through what stands there.
-ClosedWay WayCutter::GoDown(const ClosedWay& way, double z_mm, MillingStage stage) {
+ClosedWay WayCutter::GoDown(const ClosedWay& way, double z_mm, MillPhase phase) {
   const double plunge = options_.machining.plunge_feed_mm_min;
   const EntryKind entry = options_.machining.entry;
   const Eigen::Vector2d at = moves_.at().head<2>();
@@ -108,7 +108,7 @@ ClosedWay WayCutter::GoDown(const ClosedWay& way, double z_mm, MillingStage stag
   const double top = std::clamp(moves_.stock().RestHeight(at, pixel), z_mm, moves_.at().z());
   moves_.LineTo({at.x(), at.y(), top}, plunge);
   if (top <= z_mm) return way;
-  if (entry == EntryKind::kHelix && stage == MillingStage::kRoughing &&
+  if (entry == EntryKind::kHelix && phase == MillPhase::kRoughing &&
       HelixDown(way, *area_, z_mm, options_, moves_))
     return way;
   if (entry != EntryKind::kPlunge && LengthOfWay(way) >= kLeastRampWayMm)
@@ -117,21 +117,20 @@ ClosedWay WayCutter::GoDown(const ClosedWay& way, double z_mm, MillingStage stag
   return way;
 }
 
-ClosedWay WayCutter::Approach(ClosedWay way, const ClosedWay* air, double z_mm,
-                              MillingStage stage) {
+ClosedWay WayCutter::Approach(ClosedWay way, const ClosedWay* air, double z_mm, MillPhase phase) {
   const size_t nearest = moves_.placed() ? NearestOf(way, moves_.at().head<2>()) : 0;
   std::rotate(way.begin(), way.begin() + static_cast<ptrdiff_t>(nearest), way.end());
-  if (LinkTo(way[0], z_mm)) return GoDown(way, z_mm, stage);
-  if (stage == MillingStage::kRoughing) {
+  if (LinkTo(way[0], z_mm)) return GoDown(way, z_mm, phase);
+  if (phase == MillPhase::kRoughing) {
     if (air != nullptr && EnterFromAir(way[0], *air, z_mm)) return way;
   } else if (LeadIn(way, z_mm)) {
     return way;
   }
   RapidTo(way[0], z_mm);
-  return GoDown(way, z_mm, stage);
+  return GoDown(way, z_mm, phase);
 }
 
-int WayCutter::Cut(const CutArea& area, double z_mm, MillingStage stage) {
+int WayCutter::Cut(const CutArea& area, double z_mm, MillPhase phase) {
   area_ = &area.area;
   int cut = 0;
   std::optional<ClosedWay> air;
@@ -142,7 +141,7 @@ int WayCutter::Cut(const CutArea& area, double z_mm, MillingStage stage) {
       air = way;
       continue;
     }
-    ClosedWay started = Approach(way, air ? &*air : nullptr, z_mm, stage);
+    ClosedWay started = Approach(way, air ? &*air : nullptr, z_mm, phase);
     last_ = area_;
     started.push_back(started.front());
     moves_.FeedAlong(started, options_.machining.feed_mm_min);

@@ -22,15 +22,15 @@ class WayCutter {
 
   /// `area` must outlive the next call. The result: how many ways were cut. Once cancelled, none
   /// is: ask the token.
-  int Cut(const CutArea& area, double z_mm, MillingStage stage);
+  int Cut(const CutArea& area, double z_mm, MillPhase phase);
 
  private:
   bool MeetsStock(const ClosedWay& way, double z_mm) const;
-  ClosedWay Approach(ClosedWay way, const ClosedWay* air, double z_mm, MillingStage stage);
+  ClosedWay Approach(ClosedWay way, const ClosedWay* air, double z_mm, MillPhase phase);
   bool LinkTo(const Eigen::Vector2d& start, double z_mm);
   bool EnterFromAir(const Eigen::Vector2d& start, const ClosedWay& air, double z_mm);
   bool LeadIn(const ClosedWay& way, double z_mm);
-  ClosedWay GoDown(const ClosedWay& way, double z_mm, MillingStage stage);
+  ClosedWay GoDown(const ClosedWay& way, double z_mm, MillPhase phase);
   void RapidTo(const Eigen::Vector2d& place, double z_mm);
 
   const MillingOptions& options_;

@@ -30,7 +30,7 @@ TEST(WayCutter, EntersFromOutsideAndStaysDown) {
   WayCutter cutter(job.options, moves, kNever);
   const CutArea area{.area = {SquareRing(-3.5, 21.5), {}},
                      .ways = {SquareRing(-3.5, 21.5), SquareRing(-1.9, 19.9), SquareRing(0, 18)}};
-  EXPECT_EQ(cutter.Cut(area, 9.5, MillingStage::kRoughing), 2);  // the first is in air
+  EXPECT_EQ(cutter.Cut(area, 9.5, MillPhase::kRoughing), 2);  // the first is in air
   const std::vector<MillMove> made = moves.TakeMoves();
   EXPECT_EQ(CountOf(made, MoveKind::kRapid), 2u);  // there, and down beside the stock
   EXPECT_EQ(CountOf(made, MoveKind::kCounterClockwise), 0u);
@@ -43,7 +43,7 @@ TEST(WayCutter, GoesDownIntoAPocketByAHelixOrAlongItsWay) {
     MoveBuilder moves(job);
     WayCutter cutter(job.options, moves, kNever);
     const CutArea area{.area = {SquareRing(4, 14), {}}, .ways = {SquareRing(7, 11)}};
-    EXPECT_EQ(cutter.Cut(area, 9.2, MillingStage::kRoughing), 1);
+    EXPECT_EQ(cutter.Cut(area, 9.2, MillPhase::kRoughing), 1);
     const std::vector<MillMove> made = moves.TakeMoves();
     EXPECT_EQ(CountOf(made, MoveKind::kCounterClockwise) > 0, entry == EntryKind::kHelix);
     double straight_down = 0;
@@ -62,9 +62,9 @@ TEST(WayCutter, LeavesOutWhatIsCutAlready) {
   const CutArea wide{.area = {SquareRing(4, 14), {}},
                      .ways = {SquareRing(8, 10), SquareRing(6, 12), SquareRing(4, 14)}};
   const CutArea again{.area = {SquareRing(5, 13), {}}, .ways = {SquareRing(8, 10)}};
-  EXPECT_EQ(cutter.Cut(wide, 9.2, MillingStage::kRoughing), 3);
-  EXPECT_EQ(cutter.Cut(again, 9.2, MillingStage::kRoughing), 0);
-  EXPECT_EQ(cutter.Cut(again, 9.0, MillingStage::kRoughing), 1);
+  EXPECT_EQ(cutter.Cut(wide, 9.2, MillPhase::kRoughing), 3);
+  EXPECT_EQ(cutter.Cut(again, 9.2, MillPhase::kRoughing), 0);
+  EXPECT_EQ(cutter.Cut(again, 9.0, MillPhase::kRoughing), 1);
 }
 
 TEST(WayCutter, MeetsFinishingWaysByArcs) {
@@ -74,19 +74,19 @@ TEST(WayCutter, MeetsFinishingWaysByArcs) {
   WayCutter cutter(job.options, moves, kNever);
   const CutArea rough{.area = {SquareRing(4, 14), {}},
                       .ways = {SquareRing(8, 10), SquareRing(6, 12), SquareRing(4.2, 13.8)}};
-  cutter.Cut(rough, 9.2, MillingStage::kRoughing);
+  cutter.Cut(rough, 9.2, MillPhase::kRoughing);
   moves.Retract();
   moves.TakeMoves();
   Polygon ring = SquareRing(4, 14);
   ring.insert(ring.begin() + 1, PointOf({9, 4}));
   moves.RapidTo({9, 6}, 9.2);
   const CutArea fine{.area = {SquareRing(4, 14), {}}, .ways = {ring}};
-  EXPECT_EQ(cutter.Cut(fine, 9.2, MillingStage::kFinishing), 1);
+  EXPECT_EQ(cutter.Cut(fine, 9.2, MillPhase::kFinishing), 1);
   EXPECT_EQ(CountOf(moves.TakeMoves(), MoveKind::kCounterClockwise), 0u);  // it is near: straight
   moves.Retract();
   WayCutter other(job.options, moves, kNever);
   Polygon deeper = ring;
-  EXPECT_EQ(other.Cut({.area = fine.area, .ways = {deeper}}, 9.1, MillingStage::kFinishing), 1);
+  EXPECT_EQ(other.Cut({.area = fine.area, .ways = {deeper}}, 9.1, MillPhase::kFinishing), 1);
 }
 
 }  // namespace

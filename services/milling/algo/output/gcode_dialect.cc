@@ -4,11 +4,14 @@
 
 #include <string_view>
 
+#include "common/gcode/dialect.h"
+#include "common/gcode/gcode_text.h"
+
 namespace slicefarm::milling {
 namespace {
 
 /// The spindle gets this long to come up to its speed.
-constexpr int kSpindleSeconds = 3;
+constexpr double kSpindleUs = 3e6;
 
 std::string_view CoolantWord(Coolant coolant) {
   switch (coolant) {
@@ -22,34 +25,36 @@ std::string_view CoolantWord(Coolant coolant) {
   return "";
 }
 
-std::string SpindleStart(const MachiningOptions& machining) {
-  return fmt::format("S{} M3\nG4 P{}\n{}", machining.spindle_rpm, kSpindleSeconds,
-                     CoolantWord(machining.coolant));
+std::string SpindleStart(const gcode::Dialect& dialect, const MachiningOptions& machining) {
+  GcodeText out;
+  out << fmt::format("S{} M3\n", machining.spindle_rpm);
+  gcode::WriteDwell(dialect, kSpindleUs, out);
+  out << CoolantWord(machining.coolant);
+  return out.Take();
 }
 
-/// LinuxCNC 2.9: "G-Codes", "M-Codes" of its manual.
-class LinuxCncDialect : public GcodeDialect {
+class TableDialect : public GcodeDialect {
  public:
+  explicit TableDialect(gcode::Controller controller) : dialect_(gcode::DialectOf(controller)) {}
+
   std::string Start(const MachiningOptions& machining, double tolerance_mm,
                     double safe_z_mm) const override {
-    // G64 P: blending stays within the tolerance. G43: the length of the tool table.
-    return fmt::format(
-        "G21 G17 G90 G91.1 G94 G40 G49 G80\nG64 P{:.3f}\nT{} M6\nG43 H{}\nG0 Z{:.3f}\n{}",
-        tolerance_mm, machining.tool_number, machining.tool_number, safe_z_mm,
-        SpindleStart(machining));
+    std::string text = "G21 G17 G90 G91.1 G94 G40 G49";
+    if (dialect_.has_blending) text += fmt::format(" G80\nG64 P{:.3f}", tolerance_mm);
+    text += fmt::format("\nT{}", machining.tool_number);
+    // Without a table of lengths Z is set for the tool by hand.
+    if (dialect_.has_tool_table) text += fmt::format(" M6\nG43 H{}", machining.tool_number);
+    return text + fmt::format("\nG0 Z{:.3f}\n", safe_z_mm) + SpindleStart(dialect_, machining);
   }
-  std::string End() const override { return "M9\nM5\nG49\nM2\n"; }
-};
+  std::string End() const override {
+    GcodeText out;
+    out << "M9\nM5\n" << (dialect_.has_tool_table ? "G49\n" : "");
+    gcode::WriteProgramEnd(dialect_, out);
+    return out.Take();
+  }
 
-/// grbl 1.1: no change of tools and no table of their lengths, so Z is set for the tool by hand.
-class GrblDialect : public GcodeDialect {
- public:
-  std::string Start(const MachiningOptions& machining, double /*tolerance_mm*/,
-                    double safe_z_mm) const override {
-    return fmt::format("G21 G17 G90 G91.1 G94 G40 G49\nT{}\nG0 Z{:.3f}\n{}", machining.tool_number,
-                       safe_z_mm, SpindleStart(machining));
-  }
-  std::string End() const override { return "M9\nM5\nM2\n"; }
+ private:
+  const gcode::Dialect& dialect_;
 };
 
 }  // namespace
@@ -57,9 +62,9 @@ class GrblDialect : public GcodeDialect {
 std::unique_ptr<GcodeDialect> DialectOf(MillDialect dialect) {
   switch (dialect) {
     case MillDialect::kLinuxCnc:
-      return std::make_unique<LinuxCncDialect>();
+      return std::make_unique<TableDialect>(gcode::Controller::kLinuxCnc);
     case MillDialect::kGrbl:
-      return std::make_unique<GrblDialect>();
+      return std::make_unique<TableDialect>(gcode::Controller::kGrbl);
   }
   return nullptr;
 }

@@ -1,14 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <string>
 
-#include "services/milling/algo/strategy/milling_options.h"
+#include "common/model/milling/milling_options.h"
 
 namespace slicefarm::milling {
-
-enum class MillDialect : uint8_t { kLinuxCnc, kGrbl };
 
 /// What controllers want differently before and after the moves; moves are the same for all.
 class GcodeDialect {

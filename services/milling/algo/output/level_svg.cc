@@ -48,6 +48,11 @@ std::string LevelSvg(const MillingJob& job, const MilledStep& level) {
       text.append(std::string_view("\"/>\n"));
     }
   }
+  for (const RestRun& run : level.runs) {
+    text.append(std::string_view("<polyline fill=\"none\" stroke=\"#00f\" points=\""));
+    for (const Eigen::Vector3d& p : run) fmt::format_to(out, "{:.3f},{:.3f} ", p.x(), -p.y());
+    text.append(std::string_view("\"/>\n"));
+  }
   text.append(std::string_view("</svg>\n"));
   return fmt::to_string(text);
 }

@@ -8,7 +8,7 @@
 namespace slicefarm::milling {
 
 /// A picture of a level in mm, y upwards: the stock's sides, where the tip may be, and its ways in
-/// the order of cutting, from blue to red.
+/// the order of cutting, from blue to red. Of a row, its runs as seen from above.
 std::string LevelSvg(const MillingJob& job, const MilledStep& level);
 
 }  // namespace slicefarm::milling

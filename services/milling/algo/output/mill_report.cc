@@ -14,13 +14,13 @@ namespace {
 constexpr size_t kPlacesATask = 4096;
 
 void Count(const MillMove& move, const Eigen::Vector3d& from, const MachiningOptions& machining,
-           StageReport& stage) {
+           PhaseReport& phase) {
   const double length = LengthOf(move, from);
   const bool rapid = move.kind == MoveKind::kRapid;
-  (rapid ? stage.rapid_mm : stage.cut_mm) += length;
-  stage.seconds += 60 * length / (rapid ? machining.rapid_mm_min : move.feed_mm_min);
-  ++stage.moves;
-  if (move.kind == MoveKind::kClockwise || move.kind == MoveKind::kCounterClockwise) ++stage.arcs;
+  (rapid ? phase.rapid_mm : phase.cut_mm) += length;
+  phase.seconds += 60 * length / (rapid ? machining.rapid_mm_min : move.feed_mm_min);
+  ++phase.moves;
+  if (move.kind == MoveKind::kClockwise || move.kind == MoveKind::kCounterClockwise) ++phase.arcs;
 }
 
 /// All places of the tip to look at.
@@ -57,19 +57,21 @@ class GougeCheck {
 }  // namespace
 
 absl::StatusOr<MillReport> ReportOf(const MillingJob& job, const MillProgram& program,
-                                    const CancelToken& cancel) {
-  MillReport report{.stages = {}, .ways = program.ways, .removed_mm3 = program.removed_mm3};
+                                    const CancelToken& cancel, int threads) {
+  MillReport report;
+  report.ways = program.ways;
+  report.removed_mm3 = program.removed_mm3;
   for (size_t i = 1; i < program.moves.size(); ++i) {
     const MillMove& move = program.moves[i];
     Count(move, program.moves[i - 1].to_mm, job.options.machining,
-          report.stages[static_cast<size_t>(move.stage)]);
+          report.phases[static_cast<size_t>(move.phase)]);
   }
   const std::vector<Eigen::Vector3d> places = PlacesOfTip(program, job.options.tolerance_mm);
   const GougeCheck check(job);
   const size_t tasks = (places.size() + kPlacesATask - 1) / kPlacesATask;
   std::vector<std::vector<size_t>> gouges(tasks);
   std::atomic<bool> cancelled = false;
-  ForEachIndex(job.options.threads, tasks, [&](size_t task, int) {
+  ForEachIndex(threads, tasks, [&](size_t task, int) {
     if (cancelled || cancel.Cancelled()) {
       cancelled = true;
       return;
@@ -79,10 +81,10 @@ absl::StatusOr<MillReport> ReportOf(const MillingJob& job, const MillProgram& pr
       if (check.At(places[i])) gouges[task].push_back(i);
   });
   if (cancelled) return cancel.Check();
-  report.checked = places.size();
+  report.checked = std::ssize(places);
   for (const std::vector<size_t>& of_task : gouges) {
     if (report.gouges == 0 && !of_task.empty()) report.first_gouge_mm = places[of_task.front()];
-    report.gouges += of_task.size();
+    report.gouges += std::ssize(of_task);
   }
   return report;
 }

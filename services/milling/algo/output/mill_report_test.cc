@@ -11,14 +11,14 @@ namespace {
 
 MillingJob ReportJob() { return JobOf(PocketPart().Mesh(), OptionsFor("cyl:2")); }
 
-TEST(ReportOf, SumsByStage) {
+TEST(ReportOf, SumsByPhase) {
   const MillingJob job = ReportJob();
   const MillProgram program{
       .moves = {{.to_mm = {-5, -5, 9}},
                 {.to_mm = {-5, -5, 4}},
                 {.kind = MoveKind::kLine, .to_mm = {-2, -5, 4}, .feed_mm_min = 600},
                 {.kind = MoveKind::kClockwise,
-                 .stage = MillingStage::kFinishing,
+                 .phase = MillPhase::kFinishing,
                  .to_mm = {-4, -5, 4},
                  .centre_mm = {-3, -5},
                  .feed_mm_min = 600}},
@@ -27,11 +27,11 @@ TEST(ReportOf, SumsByStage) {
       .removed_mm3 = 5};
   const auto report = ReportOf(job, program);
   ASSERT_TRUE(report.ok());
-  EXPECT_NEAR(report->stages[0].rapid_mm, 5, 1e-12);
-  EXPECT_NEAR(report->stages[0].cut_mm, 3, 1e-12);
-  EXPECT_NEAR(report->stages[0].seconds, 0.3 + 60 * 5 / job.options.machining.rapid_mm_min, 1e-9);
-  EXPECT_NEAR(report->stages[1].cut_mm, std::numbers::pi, 1e-12);
-  EXPECT_EQ(report->stages[1].arcs, 1u);
+  EXPECT_NEAR(report->phases[0].rapid_mm, 5, 1e-12);
+  EXPECT_NEAR(report->phases[0].cut_mm, 3, 1e-12);
+  EXPECT_NEAR(report->phases[0].seconds, 0.3 + 60 * 5 / job.options.machining.rapid_mm_min, 1e-9);
+  EXPECT_NEAR(report->phases[1].cut_mm, std::numbers::pi, 1e-12);
+  EXPECT_EQ(report->phases[1].arcs, 1u);
   EXPECT_EQ(report->ways, 2);
   EXPECT_EQ(report->gouges, 0u);
 }

@@ -1,11 +1,15 @@
 #include "services/milling/algo/output/program_text.h"
 
 #include <fmt/core.h>
-#include <fmt/format.h>
 
-#include <iterator>
 #include <limits>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include "absl/strings/str_split.h"
+#include "common/gcode/gcode_text.h"
+#include "common/gcode/modal.h"
 
 namespace slicefarm::milling {
 namespace {
@@ -26,13 +30,13 @@ std::string_view WordOf(MoveKind kind) {
   return "";
 }
 
-std::string_view NameOf(MillingStage stage) {
-  switch (stage) {
-    case MillingStage::kRoughing:
+std::string_view NameOf(MillPhase phase) {
+  switch (phase) {
+    case MillPhase::kRoughing:
       return "roughing";
-    case MillingStage::kFinishing:
+    case MillPhase::kFinishing:
       return "finishing";
-    case MillingStage::kRest:
+    case MillPhase::kRest:
       return "rest areas";
   }
   return "";
@@ -45,37 +49,34 @@ class MoveText {
 
   void Add(const MillMove& move) {
     const bool arc = move.kind == MoveKind::kClockwise || move.kind == MoveKind::kCounterClockwise;
-    const size_t start = text_.size();
-    if (kind_ != WordOf(move.kind)) text_.append(kind_ = WordOf(move.kind));
+    const size_t start = out_.text().size();
+    if (kind_.Changes(move.kind)) out_ << WordOf(move.kind);
     for (const int axis : {0, 1, 2})
       if (move.to_mm[axis] != at_[axis] || (arc && axis < 2)) Number("XYZ"[axis], move.to_mm[axis]);
     if (arc) {
       Number('I', move.centre_mm.x() - at_.x());
       Number('J', move.centre_mm.y() - at_.y());
     }
-    if (move.kind != MoveKind::kRapid && move.feed_mm_min != feed_)
-      Number('F', feed_ = move.feed_mm_min);
+    if (move.kind != MoveKind::kRapid && feed_.Changes(move.feed_mm_min))
+      Number('F', move.feed_mm_min);
     at_ = move.to_mm;
-    if (text_.size() > start) text_.push_back('\n');
+    if (out_.text().size() > start) out_ << '\n';
   }
 
-  void Comment(std::string_view words) {
-    fmt::format_to(std::back_inserter(text_), "({})\n", words);
-  }
+  void Comment(std::string_view words) { out_ << '(' << words << ")\n"; }
 
-  std::string Take() { return fmt::to_string(text_); }
+  std::string Take() { return out_.Take(); }
 
  private:
   void Number(char word, double value) {
-    if (text_.size() > 0 && text_[text_.size() - 1] != '\n') text_.push_back(' ');
-    text_.push_back(word);
-    fmt::format_to(std::back_inserter(text_), "{:.3f}", value + 0.0);
+    if (!out_.text().empty() && out_.text().back() != '\n') out_ << ' ';
+    (out_ << word).Fixed(value + 0.0, 3);
   }
 
-  fmt::memory_buffer text_;
-  std::string_view kind_;
+  GcodeText out_;
+  gcode::Modal<MoveKind> kind_;
   Eigen::Vector3d at_;
-  double feed_ = kUnknown;
+  gcode::Modal<double> feed_;
 };
 
 }  // namespace
@@ -85,12 +86,27 @@ std::string ProgramText(const MillProgram& program, const MillingOptions& option
   MoveText moves(program.safe_z_mm);
   const MillMove* last = nullptr;
   for (const MillMove& move : program.moves) {
-    if (last == nullptr || last->stage != move.stage) moves.Comment(NameOf(move.stage));
+    if (last == nullptr || last->phase != move.phase) moves.Comment(NameOf(move.phase));
     moves.Add(move);
     last = &move;
   }
   return dialect.Start(options.machining, options.tolerance_mm, program.safe_z_mm) + moves.Take() +
          dialect.End();
+}
+
+std::string WholeProgram(const MillingJob& job, const MillProgram& program,
+                         const GcodeDialect& dialect, std::string_view settings_text) {
+  const Eigen::Vector3d low = job.stock_box.min(), high = job.stock_box.max();
+  std::string text = fmt::format(
+      "; tool {}: {}, {} rpm\n; stock: x {:.3f} to {:.3f}, y {:.3f} to {:.3f}, z {:.3f} to "
+      "{:.3f}\n",
+      job.options.machining.tool_number, job.options.cutter.name(),
+      job.options.machining.spindle_rpm, low.x(), high.x(), low.y(), high.y(), low.z(), high.z());
+  text += ProgramText(program, job.options, dialect);
+  const std::vector<std::string> lines =
+      absl::StrSplit(std::string(settings_text), '\n', absl::SkipEmpty());
+  for (const std::string& line : lines) text += "; " + line + "\n";
+  return text;
 }
 
 }  // namespace slicefarm::milling

@@ -19,11 +19,11 @@ TEST(ProgramText, WritesWhatChanges) {
                 {.kind = MoveKind::kLine, .to_mm = {1, 2, 3}, .feed_mm_min = 200},
                 {.kind = MoveKind::kLine, .to_mm = {5, 2, 3}, .feed_mm_min = 800},
                 {.kind = MoveKind::kCounterClockwise,
-                 .stage = MillingStage::kFinishing,
+                 .phase = MillPhase::kFinishing,
                  .to_mm = {5, 6, 3},
                  .centre_mm = {5, 4},
                  .feed_mm_min = 800},
-                {.stage = MillingStage::kFinishing, .to_mm = {5, 6, 9}}},
+                {.phase = MillPhase::kFinishing, .to_mm = {5, 6, 9}}},
       .safe_z_mm = 9};
   const std::string text =
       ProgramText(program, OptionsFor("cyl:2"), *DialectOf(MillDialect::kGrbl));

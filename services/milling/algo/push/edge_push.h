@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "services/milling/algo/cutter/cutter.h"
+#include "common/model/milling/cutter.h"
 
 namespace slicefarm::milling {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "services/milling/algo/cutter/cutter.h"
+#include "common/model/milling/cutter.h"
 #include "services/milling/algo/mesh/triangle_mesh.h"
 #include "services/milling/algo/push/edge_push.h"
 #include "services/milling/algo/push/facet_push.h"

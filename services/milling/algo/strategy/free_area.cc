@@ -29,10 +29,10 @@ absl::StatusOr<std::vector<MultiPolygon>> GougedRegions(const TriangleMesh& mesh
                                                         const Cutter& cutter,
                                                         std::span<const double> levels_mm,
                                                         const MillingOptions& options,
-                                                        const CancelToken& cancel) {
+                                                        const CancelToken& cancel, int threads) {
   const WaterlineOptions how{.sampling_mm = options.sampling_mm,
                              .tolerance_mm = kWaterlineShare * options.tolerance_mm,
-                             .threads = options.threads};
+                             .threads = threads};
   const auto levels = Waterlines(mesh, cutter, levels_mm, how, cancel);
   if (!levels.ok()) return levels.status();
   std::vector<MultiPolygon> regions;
@@ -47,17 +47,17 @@ absl::StatusOr<std::vector<MultiPolygon>> GougedRegions(const TriangleMesh& mesh
 
 absl::StatusOr<std::vector<FreeArea>> FreeAreas(const MillingJob& job, double allowance_mm,
                                                 std::span<const double> levels_mm,
-                                                const CancelToken& cancel) {
+                                                const CancelToken& cancel, int threads) {
   const MillingOptions& options = job.options;
   const auto wide =
       Cutter::Cylinder(2 * (options.cutter.radius_mm() + options.machining.clearance_mm));
   if (!wide.ok()) return wide.status();
-  const auto reach = GougedRegions(job.stock, *wide, levels_mm, options, cancel);
+  const auto reach = GougedRegions(job.stock, *wide, levels_mm, options, cancel, threads);
   if (!reach.ok()) return reach.status();
   const GrownCutter grown = options.cutter.Grown(allowance_mm);
   std::vector<double> tips_mm;
   for (const double z : levels_mm) tips_mm.push_back(z + grown.tip_mm);
-  const auto part = GougedRegions(job.part, grown.cutter, tips_mm, options, cancel);
+  const auto part = GougedRegions(job.part, grown.cutter, tips_mm, options, cancel, threads);
   if (!part.ok()) return part.status();
   std::vector<FreeArea> areas;
   for (size_t i = 0; i < levels_mm.size(); ++i) {

@@ -24,6 +24,6 @@ struct FreeArea {
 /// Waterlines.
 absl::StatusOr<std::vector<FreeArea>> FreeAreas(const MillingJob& job, double allowance_mm,
                                                 std::span<const double> levels_mm,
-                                                const CancelToken& cancel);
+                                                const CancelToken& cancel, int threads = 1);
 
 }  // namespace slicefarm::milling

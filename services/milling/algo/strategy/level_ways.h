@@ -3,22 +3,14 @@
 #include <vector>
 
 #include "common/base/cancel_token.h"
-#include "common/geometry/polygon.h"
+#include "common/model/milling/milled_step.h"
+#include "common/model/milling/milling_options.h"
 #include "services/milling/algo/strategy/free_area.h"
-#include "services/milling/algo/strategy/milling_options.h"
 
 namespace slicefarm::milling {
 
 /// Rings inside each other, at most: PrepareMilling refuses stock so wide.
 inline constexpr int kMostRings = 4'000;
-
-/// One connected part of a level's free area, and the ways of the tip in it.
-struct CutArea {
-  PolygonWithHoles area;
-  /// In the order of cutting, turned as the direction of cutting wants; closed without repeating
-  /// the first point.
-  std::vector<Polygon> ways;
-};
 
 /// Roughing of a level: rings a stepover apart, from the outline of the area inwards. Every place
 /// of the area is a stepover away from a ring at most.

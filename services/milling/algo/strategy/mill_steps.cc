@@ -9,22 +9,23 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Steps of one stage, next to each other.
-using StageSteps = std::span<MilledStep>;
+/// Steps of one phase, next to each other.
+using PhaseSteps = std::span<MilledStep>;
 
-std::vector<double> PlacesOf(StageSteps steps) {
+std::vector<double> PlacesOf(PhaseSteps steps) {
   std::vector<double> places;
   for (const MilledStep& milled : steps) places.push_back(milled.step.at_mm);
   return places;
 }
 
-absl::Status MillLevels(const MillingJob& job, StageSteps steps, const CancelToken& cancel) {
-  const bool roughing = steps[0].step.stage == MillingStage::kRoughing;
+absl::Status MillLevels(const MillingJob& job, PhaseSteps steps, const CancelToken& cancel,
+                        int threads) {
+  const bool roughing = steps[0].step.phase == MillPhase::kRoughing;
   const double allowance = roughing ? job.options.allowance_mm : 0;
-  const auto levels = FreeAreas(job, allowance, PlacesOf(steps), cancel);
+  const auto levels = FreeAreas(job, allowance, PlacesOf(steps), cancel, threads);
   if (!levels.ok()) return levels.status();
   std::atomic<bool> cancelled = false;
-  ForEachIndex(job.options.threads, steps.size(), [&](size_t i, int) {
+  ForEachIndex(threads, steps.size(), [&](size_t i, int) {
     if (cancelled || cancel.Cancelled()) {
       cancelled = true;
       return;
@@ -35,8 +36,9 @@ absl::Status MillLevels(const MillingJob& job, StageSteps steps, const CancelTok
   return cancel.Check();
 }
 
-absl::Status MillRows(const MillingJob& job, StageSteps steps, const CancelToken& cancel) {
-  auto rows = RestRows(job, PlacesOf(steps), cancel);
+absl::Status MillRows(const MillingJob& job, PhaseSteps steps, const CancelToken& cancel,
+                      int threads) {
+  auto rows = RestRows(job, PlacesOf(steps), cancel, threads);
   if (!rows.ok()) return rows.status();
   for (size_t i = 0; i < steps.size(); ++i) steps[i].runs = std::move((*rows)[i]);
   return absl::OkStatus();
@@ -45,15 +47,15 @@ absl::Status MillRows(const MillingJob& job, StageSteps steps, const CancelToken
 }  // namespace
 
 absl::StatusOr<std::vector<MilledStep>> MillSteps(const MillingJob& job, size_t first, size_t last,
-                                                  const CancelToken& cancel) {
+                                                  const CancelToken& cancel, int threads) {
   std::vector<MilledStep> milled;
   for (size_t i = first; i < last; ++i) milled.push_back({job.steps[i], {}, {}});
   for (size_t from = 0, to = 0; from < milled.size(); from = to) {
-    while (to < milled.size() && milled[to].step.stage == milled[from].step.stage) ++to;
-    const StageSteps steps(&milled[from], to - from);
-    const bool rows = milled[from].step.stage == MillingStage::kRest;
+    while (to < milled.size() && milled[to].step.phase == milled[from].step.phase) ++to;
+    const PhaseSteps steps(&milled[from], to - from);
+    const bool rows = milled[from].step.phase == MillPhase::kRest;
     const absl::Status status =
-        rows ? MillRows(job, steps, cancel) : MillLevels(job, steps, cancel);
+        rows ? MillRows(job, steps, cancel, threads) : MillLevels(job, steps, cancel, threads);
     if (!status.ok()) return status;
   }
   return milled;

@@ -10,17 +10,10 @@
 
 namespace slicefarm::milling {
 
-/// What became of a step: areas of a level, or runs of a row.
-struct MilledStep {
-  MillingStep step;
-  std::vector<CutArea> areas;
-  std::vector<RestRun> runs;
-};
-
 /// The ways of the steps [first, last) of a job. A step's ways depend neither on the other steps of
 /// the range nor on the number of threads. REQUIRES: first <= last <= job.steps.size().
 /// Errors: those of Waterlines; Cancelled.
 absl::StatusOr<std::vector<MilledStep>> MillSteps(const MillingJob& job, size_t first, size_t last,
-                                                  const CancelToken& cancel = {});
+                                                  const CancelToken& cancel = {}, int threads = 1);
 
 }  // namespace slicefarm::milling

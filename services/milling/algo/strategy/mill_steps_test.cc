@@ -20,13 +20,12 @@ void ExpectSame(const MilledStep& a, const MilledStep& b) {
 /// What a step makes depends neither on the cuts of ranges nor on the threads.
 TEST(MillSteps, DoNotDependOnRanges) {
   for (const std::string_view text : {"ball:1", "cyl:1", "bullcone:0.6:0.2:20:1"}) {
-    MillingJob job = JobOf(PocketPart().Mesh(), OptionsFor(text));
+    const MillingJob job = JobOf(PocketPart().Mesh(), OptionsFor(text));
     const std::vector<MilledStep> whole = AllSteps(job);
     ASSERT_EQ(whole.size(), job.steps.size());
-    job.options.threads = 3;
     const std::vector<size_t> cuts = {0, 1, 2, 5, 6, 13, 20, 21, whole.size() - 3, whole.size()};
     for (size_t i = 0; i + 1 < cuts.size(); ++i) {
-      const auto range = MillSteps(job, cuts[i], cuts[i + 1]);
+      const auto range = MillSteps(job, cuts[i], cuts[i + 1], {}, 3);
       ASSERT_TRUE(range.ok());
       ASSERT_EQ(range->size(), cuts[i + 1] - cuts[i]);
       for (size_t k = 0; k < range->size(); ++k) ExpectSame((*range)[k], whole[cuts[i] + k]);

@@ -11,12 +11,13 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/model/limits.h"
+#include "common/model/milling/check_milling.h"
 #include "services/milling/algo/strategy/level_ways.h"
 
 namespace slicefarm::milling {
 namespace {
 
-constexpr int64_t kMaxJobSteps = 200'000;
 /// Regions of levels are in 32 bits of nm, and the cutter's ways lie around the stock.
 constexpr double kMostCoordinateMm = 1'500;
 /// Two levels nearer than this are one.
@@ -128,12 +129,11 @@ absl::Status CheckReach(const MillingJob& job) {
                                     "{:.3f} mm",
                                     diameter, stock.sizes().x(), stock.sizes().y()));
   }
-  if (job.floor_mm >= part.max().z() || job.floor_mm < stock.min().z() - kSameLevelMm) {
-    return MillingError(
-        Reason::kSettingOutOfRange, "bottom",
-        fmt::format("bottom must lie below the part's top at z {:.3f} and not below the stock's "
-                    "bottom at z {:.3f}, not at {}",
-                    part.max().z(), stock.min().z(), job.floor_mm));
+  if (job.floor_mm >= part.max().z()) {
+    return MillingError(Reason::kSettingOutOfRange, "bottom",
+                        fmt::format("bottom = {} mm above the stock's bottom is no level of the "
+                                    "part, whose top lies {:.3f} mm above it",
+                                    job.options.bottom_mm, part.max().z() - stock.min().z()));
   }
   const double depth = stock.max().z() - job.floor_mm;
   const double length = job.options.machining.tool_length_mm;
@@ -197,8 +197,8 @@ absl::Status CheckStepCount(const MillingJob& job) {
     steps +=
         (job.part_box.sizes().y() + 2 * options.cutter.radius_mm()) / options.finish_stepover_mm;
   }
-  if (steps <= static_cast<double>(kMaxJobSteps)) return absl::OkStatus();
-  return LimitError(Reason::kRequestTooLarge, "levels and rows", kMaxJobSteps,
+  if (steps <= static_cast<double>(limits::kMaxMillSteps)) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, "levels and rows", limits::kMaxMillSteps,
                     static_cast<int64_t>(std::min(steps, 1e15)));
 }
 
@@ -208,14 +208,28 @@ void LayOut(MillingJob& job) {
   std::vector<double> flats = FlatsOf(job), raised = flats;
   for (double& z : raised) z += options.allowance_mm;
   for (const double z : LevelsOver(top, job.floor_mm, raised, options.stepdown_mm))
-    job.steps.push_back({MillingStage::kRoughing, z});
+    job.steps.push_back({MillPhase::kRoughing, z});
   if (!options.finishing) return;
   for (const double z : LevelsOver(top, job.floor_mm, flats, options.finish_stepdown_mm))
-    if (z < job.part_box.max().z()) job.steps.push_back({MillingStage::kFinishing, z});
+    if (z < job.part_box.max().z()) job.steps.push_back({MillPhase::kFinishing, z});
   const double from = RestBox(job).min().y(), to = RestBox(job).max().y();
   const double rows = std::ceil((to - from) / options.finish_stepover_mm - 1e-9);
   for (double k = 0; k <= rows; ++k)
-    job.steps.push_back({MillingStage::kRest, from + (to - from) * k / rows});
+    job.steps.push_back({MillPhase::kRest, from + (to - from) * k / rows});
+}
+
+/// Measured on parts of machines: levels of roughing have their rings, those of finishing their
+/// waterlines alone, rows their drops.
+int32_t WeightOf(MillPhase phase) {
+  switch (phase) {
+    case MillPhase::kRoughing:
+      return 4;
+    case MillPhase::kFinishing:
+      return 2;
+    case MillPhase::kRest:
+      return 1;
+  }
+  return 1;
 }
 
 }  // namespace
@@ -248,11 +262,17 @@ absl::StatusOr<MillingJob> PrepareMilling(TriangleMesh part, std::optional<Trian
   }
   if (absl::Status status = CheckMeshes(job); !status.ok()) return status;
   job.stock_box = BoxOf(job.stock);
-  job.floor_mm = options.bottom_mm.value_or(job.stock_box.min().z());
+  job.floor_mm = job.stock_box.min().z() + options.bottom_mm;
   if (absl::Status status = CheckReach(job); !status.ok()) return status;
   if (absl::Status status = CheckStepCount(job); !status.ok()) return status;
   LayOut(job);
   return job;
+}
+
+std::vector<int32_t> StepWeights(const MillingJob& job) {
+  std::vector<int32_t> weights;
+  for (const MillStep& step : job.steps) weights.push_back(WeightOf(step.phase));
+  return weights;
 }
 
 }  // namespace slicefarm::milling

@@ -7,24 +7,11 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/model/milling/milled_step.h"
+#include "common/model/milling/milling_options.h"
 #include "services/milling/algo/mesh/triangle_mesh.h"
-#include "services/milling/algo/strategy/milling_options.h"
 
 namespace slicefarm::milling {
-
-enum class MillingStage : uint8_t {
-  kRoughing,   ///< a level: all stock above it goes, but for the allowance
-  kFinishing,  ///< a level: ways that touch the part
-  kRest,       ///< a row along x: what is too flat for levels
-};
-
-/// The least piece of work: any range of a job's steps can be made apart from the others.
-struct MillingStep {
-  MillingStage stage = MillingStage::kRoughing;
-  double at_mm = 0;  ///< z of a level, y of a row
-
-  friend bool operator==(const MillingStep&, const MillingStep&) = default;
-};
 
 /// A part, the stock that it is milled from, and how.
 struct MillingJob {
@@ -34,8 +21,8 @@ struct MillingJob {
   bool stock_is_box = true;
   Eigen::AlignedBox3d part_box;
   Eigen::AlignedBox3d stock_box;
-  double floor_mm = 0;             ///< the tip's lowest height
-  std::vector<MillingStep> steps;  ///< in this order: levels from the top down, rows by y
+  double floor_mm = 0;          ///< the tip's lowest height
+  std::vector<MillStep> steps;  ///< in this order: levels from the top down, rows by y
 };
 
 /// The sides of what rest areas are looked for in: all places at which the cutter may rest.
@@ -53,5 +40,8 @@ Eigen::AlignedBox2d RestBox(const MillingJob& job);
 /// steps, or rings of a level. Cost: O(n log n) for n triangles.
 absl::StatusOr<MillingJob> PrepareMilling(TriangleMesh part, std::optional<TriangleMesh> stock,
                                           const MillingOptions& options);
+
+/// By step: about what each takes beside the others; above 0.
+std::vector<int32_t> StepWeights(const MillingJob& job);
 
 }  // namespace slicefarm::milling

@@ -9,10 +9,10 @@
 namespace slicefarm::milling::milling_job_test {
 namespace {
 
-std::vector<double> PlacesOf(const MillingJob& job, MillingStage stage) {
+std::vector<double> PlacesOf(const MillingJob& job, MillPhase phase) {
   std::vector<double> places;
-  for (const MillingStep& step : job.steps)
-    if (step.stage == stage) places.push_back(step.at_mm);
+  for (const MillStep& step : job.steps)
+    if (step.phase == phase) places.push_back(step.at_mm);
   return places;
 }
 
@@ -24,22 +24,22 @@ TEST(PrepareMilling, PutsLevelsOnFlatsAndEvenlyBetween) {
   options.allowance_mm = 0.2;
   options.finish_stepdown_mm = 0.5;
   const MillingJob job = JobOf(PocketPart().Mesh(), options);
-  const std::vector<double> roughing = PlacesOf(job, MillingStage::kRoughing);
+  const std::vector<double> roughing = PlacesOf(job, MillPhase::kRoughing);
   const std::vector<double> wanted = {3.6, 3.2, 2.7, 2.2, 1.7, 1.2, 0.8, 0.4, 0};
   ASSERT_EQ(roughing.size(), wanted.size());
   for (size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(roughing[i], wanted[i], 1e-12);
-  const std::vector<double> finishing = PlacesOf(job, MillingStage::kFinishing);
+  const std::vector<double> finishing = PlacesOf(job, MillPhase::kFinishing);
   for (const double flat : {1.0, 2.0, 0.0})
     EXPECT_NE(std::find(finishing.begin(), finishing.end(), flat), finishing.end()) << flat;
   EXPECT_LT(finishing.front(), 3);  // nothing of the part lies above its top
-  EXPECT_FALSE(PlacesOf(job, MillingStage::kRest).empty());
+  EXPECT_FALSE(PlacesOf(job, MillPhase::kRest).empty());
 }
 
 TEST(PrepareMilling, LeavesFinishingOut) {
   MillingOptions options = OptionsFor("cyl:1");
   options.finishing = false;
-  for (const MillingStep& step : JobOf(PocketPart().Mesh(), options).steps)
-    EXPECT_EQ(step.stage, MillingStage::kRoughing);
+  for (const MillStep& step : JobOf(PocketPart().Mesh(), options).steps)
+    EXPECT_EQ(step.phase, MillPhase::kRoughing);
 }
 
 Reason ReasonOf(const TriangleMesh& part, const MillingOptions& options,

@@ -130,11 +130,11 @@ class RestRow {
 
 absl::StatusOr<std::vector<std::vector<RestRun>>> RestRows(const MillingJob& job,
                                                            std::span<const double> rows_mm,
-                                                           const CancelToken& cancel) {
+                                                           const CancelToken& cancel, int threads) {
   const DropCutter dropper(job.part, job.options.cutter);
   std::vector<std::vector<RestRun>> rows(rows_mm.size());
   std::atomic<bool> cancelled = false;
-  ForEachIndex(job.options.threads, rows_mm.size(), [&](size_t i, int) {
+  ForEachIndex(threads, rows_mm.size(), [&](size_t i, int) {
     if (cancelled || cancel.Cancelled()) {
       cancelled = true;
       return;

@@ -7,7 +7,7 @@
 
 #include "common/model/options/motion_options.h"
 #include "common/model/program_summary.h"
-#include "services/motion/algo/gcode/gcode_text.h"
+#include "common/gcode/gcode_text.h"
 #include "services/motion/algo/kinematics/planner.h"
 #include "services/motion/algo/program/gcode_line.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "common/model/options/motion_options.h"
-#include "services/motion/algo/gcode/gcode_text.h"
+#include "common/gcode/gcode_text.h"
 #include "services/motion/algo/program/gcode_line.h"
 
 namespace slicefarm::motion {

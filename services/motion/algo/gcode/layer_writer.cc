@@ -160,10 +160,7 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
 }
 
 void LayerWriter::FeedRate(const Move& move, GcodeText& out) {
-  if (move.feed_rate == feed_rate_) return;
-  feed_rate_ = move.feed_rate;
-  out << " F";
-  out.Integer(move.feed_rate);
+  if (feed_rate_.Changes(move.feed_rate)) (out << " F").Integer(move.feed_rate);
 }
 
 void LayerWriter::Describe(const Move& move, GcodeText& out) {

@@ -2,11 +2,12 @@
 
 #include <optional>
 
+#include "common/gcode/gcode_text.h"
+#include "common/gcode/modal.h"
 #include "common/geometry/arc_fit.h"
 #include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/gcode/extruder_words.h"
-#include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/material_mix.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/toolpath/cooling.h"
@@ -59,7 +60,7 @@ class LayerWriter {
   /// After text of others, which may have set feed rate and acceleration: they are told anew. A fan
   /// that it sets stays as it is.
   void Forget() {
-    feed_rate_ = -1;
+    feed_rate_.Forget();
     acceleration_ = -1;
     travel_acceleration_ = -1;
   }
@@ -86,7 +87,7 @@ class LayerWriter {
   ExtruderWords extruder_;
   bool comments_;
   // What has been told; -1: nothing.
-  int32_t feed_rate_ = -1;
+  gcode::Modal<int32_t> feed_rate_;
   int32_t type_ = -1;
   int32_t width_um_ = -1;
   int32_t height_um_;

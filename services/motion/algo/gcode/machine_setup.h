@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "common/model/options/motion_options.h"
-#include "services/motion/algo/gcode/gcode_text.h"
+#include "common/gcode/gcode_text.h"
 
 namespace slicefarm::motion {
 

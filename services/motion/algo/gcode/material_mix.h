@@ -4,7 +4,7 @@
 
 #include "common/model/fields/material_field.h"
 #include "services/motion/algo/firmware/firmware.h"
-#include "services/motion/algo/gcode/gcode_text.h"
+#include "common/gcode/gcode_text.h"
 
 namespace slicefarm::motion {
 

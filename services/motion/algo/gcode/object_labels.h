@@ -6,7 +6,7 @@
 #include "common/model/job_facts.h"
 #include "common/model/options/motion_options.h"
 #include "common/model/program_summary.h"
-#include "services/motion/algo/gcode/gcode_text.h"
+#include "common/gcode/gcode_text.h"
 
 namespace slicefarm::motion {
 

@@ -11,7 +11,7 @@
 #include "common/base/duration_text.h"
 #include "common/model/filament_use.h"
 #include "services/motion/algo/gcode/comment_text.h"
-#include "services/motion/algo/gcode/gcode_text.h"
+#include "common/gcode/gcode_text.h"
 #include "common/macro/settings_text.h"
 
 namespace slicefarm::motion {

@@ -5,7 +5,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
-#include "services/motion/algo/gcode/gcode_text.h"
+#include "common/gcode/gcode_text.h"
 
 namespace slicefarm::motion {
 namespace {

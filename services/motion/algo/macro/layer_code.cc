@@ -14,7 +14,7 @@ absl::StatusOr<LayerCode> LayerCode::Of(const MotionOptions& options) {
   layer.any_ = !options.before_layer_gcode.empty() || !options.layer_gcode.empty() ||
                !layer.heights_.empty();
   layer.names_layer_change_ =
-      options.before_layer_gcode.find(";BEFORE_LAYER_CHANGE") != std::string::npos;
+      options.before_layer_gcode.str().find(";BEFORE_LAYER_CHANGE") != std::string::npos;
   layer.has_after_ = !options.layer_gcode.empty();
   if (!layer.any_) return layer;
   auto code = macro::ParseJobCode(options);

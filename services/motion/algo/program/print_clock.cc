@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "services/motion/algo/gcode/gcode_text.h"
+#include "common/gcode/gcode_text.h"
 #include "services/motion/algo/toolpath/edge_moves.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 

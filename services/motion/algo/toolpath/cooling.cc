@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/base/portable_math.h"
-#include "services/motion/algo/gcode/gcode_text.h"
+#include "common/gcode/gcode_text.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 
 namespace slicefarm::motion {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "services/motion/algo/gcode/gcode_text.h"
+#include "common/gcode/gcode_text.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 
 namespace slicefarm::motion {

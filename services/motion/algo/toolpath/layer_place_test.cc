@@ -9,7 +9,7 @@ namespace {
 OrderedLayer Layer() {
   OrderedLayer layer;
   layer.frame = {5, 1'200'000, 200'000};
-  layer.blocks = {{kPlate, 5, 200'000, {}}, {1, 2, 200'000, {}}};
+  layer.blocks = {{kSkirtStack, 5, 200'000, {}}, {1, 2, 200'000, {}}};
   layer.visits = {{0, -1, 0, {}}, {1, 0, 0, {}}, {1, 1, 1, {}}};
   return layer;
 }

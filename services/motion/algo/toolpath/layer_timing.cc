@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "common/base/portable_math.h"
-#include "services/motion/algo/gcode/gcode_text.h"
+#include "common/gcode/gcode_text.h"
 #include "services/motion/algo/program/arc_chords.h"
 #include "services/motion/algo/toolpath/edge_moves.h"
 #include "services/motion/algo/toolpath/print_speed.h"

@@ -8,7 +8,7 @@
 #include "common/geometry/arc_fit.h"
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
-#include "services/motion/algo/gcode/gcode_text.h"
+#include "common/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/material_mix.h"
 #include "services/motion/algo/toolpath/open_seam.h"
 #include "services/motion/algo/toolpath/scarf.h"

@@ -10,7 +10,7 @@
 
 #include "common/model/bead_section.h"
 #include "common/model/paths_test.h"
-#include "services/motion/algo/gcode/gcode_text.h"
+#include "common/gcode/gcode_text.h"
 
 namespace slicefarm::motion::toolpath_builder_test {
 namespace {

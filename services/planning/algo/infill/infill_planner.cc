@@ -112,12 +112,12 @@ void InfillPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
   (void)plan;
   held_bytes_ += MemoryOf(layer);
   for (const ObjectSection& section : layer.sections) {
-    if (section.object == kPlate) continue;
-    ObjectStack& stack = stacks_[section.object];
+    if (!section.stack.IsPart()) continue;
+    ObjectStack& stack = stacks_[section.stack.object];
     for (const Region& region : section.regions) {
       const auto row = static_cast<size_t>(region.settings);
       if (row < options_.infill.size() && NeedsPlan(options_.infill[row]))
-        regions_[{section.object, region.settings}][stack.size()] = region.outlines;
+        regions_[{section.stack.object, region.settings}][stack.size()] = region.outlines;
     }
     stack.push_back({layer.frame.index, section.z_nm, section.height_nm, OutlineOf(section), {}});
   }

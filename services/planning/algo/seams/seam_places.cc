@@ -159,7 +159,9 @@ class LayerRings {
 
   std::vector<SeamPlace> PlacesOn(size_t ring) {
     const RingShape& shape = shapes_[ring];
-    const bool painted = !section_.seam_enforcers.empty() || !section_.seam_blockers.empty();
+    const MultiPolygon& enforcers = MarkedIn(section_, PartRole::kSeamEnforcer);
+    const MultiPolygon& blockers = MarkedIn(section_, PartRole::kSeamBlocker);
+    const bool painted = !enforcers.empty() || !blockers.empty();
     std::vector<SeamPlace> places;
     const auto along = Spread(std::move(wanted_[ring]), shape, SpacingOn(shape, painted));
     places.reserve(along.size());
@@ -168,8 +170,8 @@ class LayerRings {
       place.at = bend.at;
       place.turn_rad = static_cast<float>(bend.TurnRad());
       place.outward = static_cast<uint8_t>(bend.Outward());
-      place.enforced = Holds(section_.seam_enforcers, place.at);
-      place.blocked = Holds(section_.seam_blockers, place.at);
+      place.enforced = Holds(enforcers, place.at);
+      place.blocked = Holds(blockers, place.at);
     }
     MeasureRuns(along, shape.length_nm(), places);
     return places;

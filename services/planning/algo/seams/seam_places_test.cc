@@ -108,8 +108,9 @@ TEST(PlaceFinder, MeasuresOverhangsInHeightsOfTheLayer) {
 
 TEST(PlaceFinder, PaintedPartsHaveMorePlaces) {
   ObjectSection section = SectionOrDie(0, 0, "(0 0, 20 0, 20 20, 0 20)");
-  section.seam_enforcers = MakePolygonsOrDie("(9.8 19, 10.2 19, 10.2 21, 9.8 21)");
-  section.seam_blockers = MakePolygonsOrDie("(-1 -1, 1 -1, 1 21, -1 21)");
+  section.marks = {
+      {PartRole::kSeamEnforcer, MakePolygonsOrDie("(9.8 19, 10.2 19, 10.2 21, 9.8 21)")},
+      {PartRole::kSeamBlocker, MakePolygonsOrDie("(-1 -1, 1 -1, 1 21, -1 21)")}};
   const auto rings = PlaceFinder().Next(section);
   int enforced = 0;
   for (const SeamPlace& place : rings[0].places) {
@@ -122,8 +123,8 @@ TEST(PlaceFinder, PaintedPartsHaveMorePlaces) {
 /// Two runs, one of them over the ring's first place; then all around.
 TEST(PlaceFinder, EnforcedPlacesKnowTheMiddleOfTheirRun) {
   ObjectSection section = SectionOrDie(0, 0, "(0 0, 20 0, 20 20, 0 20)");
-  section.seam_enforcers =
-      MakePolygonsOrDie("(-1 -1, 3 -1, 3 1, 1 1, 1 3, -1 3) ; (8 19, 14 19, 14 21, 8 21)");
+  section.marks = {{PartRole::kSeamEnforcer,
+                   MakePolygonsOrDie("(-1 -1, 3 -1, 3 1, 1 1, 1 3, -1 3) ; (8 19, 14 19, 14 21, 8 21)")}};
   const auto rings = PlaceFinder().Next(section);
   for (const SeamPlace& place : rings[0].places) {
     if (!place.enforced) {
@@ -134,7 +135,8 @@ TEST(PlaceFinder, EnforcedPlacesKnowTheMiddleOfTheirRun) {
       EXPECT_NEAR(place.off_middle_mm, ToMm(place.at.x + place.at.y), 0.3);
     }
   }
-  section.seam_enforcers = MakePolygonsOrDie("(-1 -1, 21 -1, 21 21, -1 21)");
+  section.marks = {{PartRole::kSeamEnforcer,
+                   MakePolygonsOrDie("(-1 -1, 21 -1, 21 21, -1 21)")}};
   const auto all_around = PlaceFinder().Next(section);
   for (const SeamPlace& place : all_around[0].places) EXPECT_EQ(place.off_middle_mm, 0);
 }

@@ -31,9 +31,10 @@ SeamChoice ChoiceOf(const std::vector<SeamPlace>& places, int32_t chosen) {
 }  // namespace
 
 bool SeamPlanner::IsPlanned(const ObjectSection& section) const {
-  const SeamPosition asked = options_.objects[static_cast<size_t>(section.object)].seam;
-  return asked != SeamPosition::kNearest || !section.seam_enforcers.empty() ||
-         !section.seam_blockers.empty();
+  if (!section.stack.IsPart()) return false;
+  const SeamPosition asked = options_.objects[static_cast<size_t>(section.stack.object)].seam;
+  return asked != SeamPosition::kNearest || !MarkedIn(section, PartRole::kSeamEnforcer).empty() ||
+         !MarkedIn(section, PartRole::kSeamBlocker).empty();
 }
 
 SeamPosition SeamPlanner::PositionOf(int32_t object) const {
@@ -45,14 +46,14 @@ void SeamPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
   (void)plan;
   for (const ObjectSection& section : layer.sections) {
     if (!IsPlanned(section)) continue;
-    ObjectSeams& seams = objects_[section.object];
+    ObjectSeams& seams = objects_[section.stack.object];
     seams.occupancy.Add(OutlineOf(section), section.z_nm);
     const auto first = static_cast<int32_t>(seams.rings.size());
     int32_t number = 0;
     for (RingPlaces& ring : seams.finder.Next(section)) {
       places_ += ring.places.size();
       seams.rings.push_back({.layer = layers_,
-                             .number = {section.object, section.layer, number++},
+                             .number = {section.stack.object, section.layer, number++},
                              .z_nm = section.z_nm,
                              .parent = ring.below < 0 ? -1 : seams.first_below + ring.below,
                              .places = std::move(ring.places)});

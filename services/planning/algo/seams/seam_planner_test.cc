@@ -160,8 +160,8 @@ TEST(SeamPlanner, KeepsAwayFromOverhangs) {
 TEST(SeamPlanner, BlockersAreNeverUsedIfThereIsAnotherPlace) {
   std::vector<SlicedLayer> layers = LayersOrDie(std::vector<std::string_view>(30, kTwoTowers));
   for (size_t i = 10; i < 20; ++i) {
-    layers[i].sections[0].seam_blockers = MakePolygonsOrDie("(-5 9, 200 9, 200 11, -5 11)");
-    layers[i].sections[0].seam_enforcers = MakePolygonsOrDie("(88 -1, 92 -1, 92 11, 88 11)");
+    layers[i].sections[0].marks.push_back({PartRole::kSeamBlocker, MakePolygonsOrDie("(-5 9, 200 9, 200 11, -5 11)")});
+    layers[i].sections[0].marks.push_back({PartRole::kSeamEnforcer, MakePolygonsOrDie("(88 -1, 92 -1, 92 11, 88 11)")});
   }
   const JobPlan plan = PlanOfLayers(layers, {SeamPosition::kAligned});
   for (size_t i = 10; i < 20; ++i) {
@@ -174,8 +174,8 @@ TEST(SeamPlanner, BlockersAreNeverUsedIfThereIsAnotherPlace) {
 
 TEST(SeamPlanner, NearestHeedsEnforcersAndBlockersInTheLayersThatHaveThem) {
   std::vector<SlicedLayer> layers = LayersOrDie(std::vector<std::string_view>(9, kTwoTowers));
-  layers[3].sections[0].seam_enforcers = MakePolygonsOrDie("(98 -1, 102 -1, 102 2, 98 2)");
-  layers[5].sections[0].seam_blockers = MakePolygonsOrDie("(-5 9, 200 9, 200 11, -5 11)");
+  layers[3].sections[0].marks.push_back({PartRole::kSeamEnforcer, MakePolygonsOrDie("(98 -1, 102 -1, 102 2, 98 2)")});
+  layers[5].sections[0].marks.push_back({PartRole::kSeamBlocker, MakePolygonsOrDie("(-5 9, 200 9, 200 11, -5 11)")});
   const JobPlan plan = PlanOfLayers(layers, {SeamPosition::kNearest});
   for (const size_t i : {0, 1, 2, 4, 6, 7, 8}) EXPECT_THAT(plan.layers[i].sections, IsEmpty());
   EXPECT_EQ(plan.layers[3].sections[0].seams[1], Mm(100, 0));
@@ -193,7 +193,7 @@ TEST(SeamPlanner, ObjectsDoNotFollowEachOther) {
   std::vector<SlicedLayer> layers = LayersOrDie({"(0 0, 10 0, 10 10)", ""});
   layers[1].sections = {SectionOrDie(1, 0, "(0 0, 10 0, 10 10, 0 10)")};
   const auto plan = PlanOfLayers(layers, {SeamPosition::kAligned, SeamPosition::kAligned});
-  EXPECT_EQ(plan.layers[1].sections[0].object, 1);
+  EXPECT_EQ(plan.layers[1].sections[0].stack, 1);
   EXPECT_THAT(plan.layers[1].sections[0].seams, ElementsAre(Mm(0, 10)));
   EXPECT_EQ(plan.seams.followers, 0);
 }
@@ -203,7 +203,7 @@ TEST(SeamPlanner, EachObjectHasItsOwnPosition) {
   layers[0].sections.push_back(SectionOrDie(1, 0, kTwoTowers));
   const auto plan = PlanOfLayers(layers, {SeamPosition::kNearest, SeamPosition::kRear});
   ASSERT_EQ(plan.layers[0].sections.size(), 1u);
-  EXPECT_EQ(plan.layers[0].sections[0].object, 1);
+  EXPECT_EQ(plan.layers[0].sections[0].stack, 1);
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ namespace slicefarm::planning {
 void SequencePlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
   (void)plan;
   for (const ObjectSection& section : layer.sections) {
-    if (section.regions.empty()) continue;
-    Printed& printed = printed_[section.object];
+    if (!section.stack.IsPart() || section.regions.empty()) continue;
+    Printed& printed = printed_[section.stack.object];
     printed.top_nm = layer.frame.print_z_nm;
     printed.layers = section.layer + 1;
   }

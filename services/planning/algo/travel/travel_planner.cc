@@ -103,12 +103,13 @@ void TravelPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
   const bool is_single = copies_.size() == 1;
   if (is_single) last_rings_.emplace_back();
   for (const ObjectSection& section : layer.sections) {
-    const auto [left_at, is_new] = left_at_.try_emplace(section.object, kFrontLeft);
-    PlanOf(section.object, plan).entry = left_at->second;
+    if (!section.stack.IsPart()) continue;
+    const auto [left_at, is_new] = left_at_.try_emplace(section.stack.object, kFrontLeft);
+    PlanOf(section.stack.id, plan).entry = left_at->second;
     const LikelyExit exit = ExitOf(OutlineOf(section), left_at->second);
     left_at->second = exit.at;
-    if (is_single && section.object == copies_.front().object) last_rings_.back() = exit.rings;
-    if (!section.regions.empty()) objects.push_back(section.object);
+    if (is_single && section.stack.object == copies_.front().object) last_rings_.back() = exit.rings;
+    if (!section.regions.empty()) objects.push_back(section.stack.object);
   }
   plan.entry = plate_left_at_;
   if (objects.empty() || copies_.empty()) return;

@@ -36,6 +36,7 @@ absl::StatusOr<PreparedObject> Prepared(const ObjectInput& input, PlacedObject p
   PreparedObject object;
   object.name = input.name;
   object.ranges = input.ranges;
+  object.to_origin = placed.to_origin;
   object.top_nm = placed.top_nm;
   object.footprint = std::move(placed.footprint);
   object.to_plate = input.to_plate;
@@ -111,7 +112,7 @@ absl::StatusOr<Shifts> ShiftsOf(const std::vector<ObjectInput>& inputs,
   const auto check = [&](size_t i, const std::vector<Point>& at) {
     return OfObject(
         inputs, i,
-        CheckBuildVolume({placed[i].footprint, placed[i].top_nm + options.objects[i].raft.LiftNm(),
+        CheckBuildVolume({placed[i].footprint, placed[i].top_nm + options.objects[i].lift_nm,
                           options.objects[i].xy_compensation_nm},
                          inputs[i].name, at, options));
   };

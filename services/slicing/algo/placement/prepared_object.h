@@ -35,6 +35,7 @@ struct PreparedObject {
   std::string name;
   std::vector<PreparedPart> parts;
   std::vector<RangeInput> ranges;
+  Vertex to_origin;  ///< what was added to all places of its parts
   Coord top_nm = 0;
   Polygon footprint;                           ///< convex hull of the solid parts
   Transform to_plate = Transform::Identity();  ///< as in the input

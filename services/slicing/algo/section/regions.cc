@@ -72,7 +72,7 @@ MultiPolygon WithoutHoles(const MultiPolygon& region) {
 }
 
 RegionEdits EditsFor(int32_t layer, bool closed_mesh, const ObjectSlicingOptions& options) {
-  const bool on_bed = layer == 0 && options.raft.layers == 0;
+  const bool on_bed = layer == 0 && options.on_bed;
   const Coord foot_nm = on_bed ? options.elephant_foot_nm : 0;
   return {.closing_radius_nm = closed_mesh ? 0 : options.closing_radius_nm,
           .grow_nm = options.xy_compensation_nm - std::min<Coord>(foot_nm, 0),

@@ -33,7 +33,7 @@ struct RegionEdits {
 };
 
 /// The edits for layer `layer` of a mesh that is closed or not: xy_size_compensation grows;
-/// elefant_foot_compensation shrinks the first layer where no raft is below it, see ElephantFootCompensated (one below 0
+/// elefant_foot_compensation shrinks the first layer of what stands on the bed, see ElephantFootCompensated (one below 0
 /// grows it evenly); xy_hole_compensation widens holes; slice_closing_radius works on meshes that
 /// are not closed manifolds only.
 RegionEdits EditsFor(int32_t layer, bool closed_mesh, const ObjectSlicingOptions& options);

@@ -119,8 +119,11 @@ PartitionedSection Partition(std::vector<PartSection> parts, const RegionEdits& 
     FitInto(whole, reach, areas);
   }
   PartitionedSection section = AsRegions(std::move(areas), std::move(whole));
-  section.seam_enforcers = AllOf(PartRole::kSeamEnforcer, parts);
-  section.seam_blockers = AllOf(PartRole::kSeamBlocker, parts);
+  for (const PartRole role : {PartRole::kSupportEnforcer, PartRole::kSupportBlocker,
+                              PartRole::kSeamEnforcer, PartRole::kSeamBlocker}) {
+    MultiPolygon marked = AllOf(role, parts);
+    if (!marked.empty()) section.marks.push_back({role, std::move(marked)});
+  }
   return section;
 }
 

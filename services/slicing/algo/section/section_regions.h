@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "common/model/region.h"
+#include "common/model/layer.h"
 #include "common/model/scene/scene.h"
 #include "services/slicing/algo/section/regions.h"
 
@@ -21,13 +21,12 @@ struct PartSection {
 struct PartitionedSection {
   MultiPolygon whole;           ///< empty where there is one region at most
   std::vector<Region> regions;  ///< disjoint, by ascending row; none empty
-  MultiPolygon seam_enforcers;  ///< all of them together
-  MultiPolygon seam_blockers;
+  std::vector<Mark> marks;      ///< by ascending role, those of a role together; none empty
 };
 
 /// Puts the sections of an object's parts together. Of solid parts that overlap, the later one's
 /// settings count; negative parts are cut out of all of them; modifiers then change the rows inside
-/// of them, one after the other. Where seams are wanted or not goes along. `edits` move the
+/// of them, one after the other. What marks seams and supports goes along. `edits` move the
 /// outlines of the whole, and regions with them.
 ///
 /// Invariant: the regions tile the edited whole, to rounding. Free of cost for a single solid part.

@@ -100,8 +100,11 @@ TEST(Partition, SeamPartsChangeNoRegion) {
   blocker.role = PartRole::kSeamBlocker;
   const auto section = Partition({Solid(kSquare), enforcer, blocker}, {}, 0);
   EXPECT_EQ(Areas(section), (std::map<int32_t, double>{{0, 400}}));
-  EXPECT_EQ(Mm2(section.seam_enforcers), 25);
-  EXPECT_EQ(Mm2(section.seam_blockers), 100);
+  ASSERT_EQ(section.marks.size(), 2u);
+  EXPECT_EQ(section.marks[0].role, PartRole::kSeamEnforcer);
+  EXPECT_EQ(Mm2(section.marks[0].outlines), 25);
+  EXPECT_EQ(section.marks[1].role, PartRole::kSeamBlocker);
+  EXPECT_EQ(Mm2(section.marks[1].outlines), 100);
 }
 
 TEST(Partition, RegionsFollowTheOutlinesOfTheWhole) {

@@ -39,7 +39,7 @@ class Neighbours {
   bool ShareRoom(const SlicedLayer& layer) {
     for (const ObjectSection& section : layer.sections)
       for (size_t i = 0; i < 2; ++i)
-        if (section.object == objects_[i])
+        if (section.stack.object == objects_[i])
           slices_[i] = {&section, layer.frame.print_z_nm - section.height_nm};
     const Coord bottom_nm = layer.frame.print_z_nm - layer.frame.height_nm;
     for (const Slice& slice : slices_)

@@ -14,7 +14,7 @@ namespace slicefarm::slicing {
 /// For each of `objects`, how many of its copies share room with a copy of another or of the same
 /// object: there is a height at which the outlines of both have more than 0.001 mm2 in common.
 ///
-/// `layers`: of the whole job, bottom up, where ObjectSection::object counts `objects`. Errors:
+/// `layers`: of the whole job, bottom up, where the parts' stacks count `objects`. Errors:
 /// CANCELLED. Cost: for each two copies whose footprints overlap, a boolean operation a layer;
 /// layers like the one above and copies that stand as two others do cost none.
 absl::StatusOr<std::vector<int64_t>> CountOverlapping(std::span<const SlicedLayer> layers,

@@ -31,7 +31,7 @@ std::vector<SlicedLayer> LayersOf(const std::vector<Tower>& towers) {
     const Tower& tower = towers[object];
     for (size_t i = 0; i < tower.outlines.size(); ++i) {
       ObjectSection section;
-      section.object = static_cast<int32_t>(object);
+      section.stack = static_cast<int32_t>(object);
       section.layer = static_cast<int32_t>(i);
       section.height_nm = tower.height_nm;
       section.regions.resize(1);

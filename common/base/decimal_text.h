@@ -1,0 +1,52 @@
+#pragma once
+
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace slicefarm {
+
+inline constexpr int64_t kPowersOfTen[] = {1, 10, 100, 1'000, 10'000, 100'000, 1'000'000};
+/// Of a decimal, its sign and point among them.
+inline constexpr size_t kLongestDecimal = 22;
+
+/// Writes value / 10^digits without zeros at its end: 1500 with 3 digits is "1.5". Returns its end.
+/// `leading_zero`: "0.5" instead of ".5". REQUIRES: digits <= 6, value > INT64_MIN, room for
+/// kLongestDecimal.
+inline char* WriteDecimal(char* at, int64_t value, int digits, bool leading_zero) {
+  char* const end = at + kLongestDecimal;
+  if (value < 0) {
+    *at++ = '-';
+    value = -value;
+  }
+  const int64_t whole = value / kPowersOfTen[digits];
+  int64_t rest = value % kPowersOfTen[digits];
+  if (leading_zero || whole != 0 || rest == 0) at = std::to_chars(at, end, whole).ptr;
+  if (rest == 0) return at;
+  *at++ = '.';
+  for (int i = digits - 1; rest != 0; --i) {
+    *at++ = static_cast<char>('0' + rest / kPowersOfTen[i]);
+    rest %= kPowersOfTen[i];
+  }
+  return at;
+}
+
+/// Appends value / 10^digits, with a zero before the point. REQUIRES: as WriteDecimal.
+inline void AppendDecimal(std::string& text, int64_t value, int digits) {
+  char buffer[kLongestDecimal];
+  text.append(buffer, WriteDecimal(buffer, value, digits, /*leading_zero=*/true));
+}
+
+/// nm in units of 10^-digits mm, half away from zero. REQUIRES: digits <= 6.
+inline int64_t RoundedNm(int64_t nm, int digits) {
+  const int64_t unit = kPowersOfTen[6 - digits];
+  return (nm + (nm < 0 ? -unit / 2 : unit / 2)) / unit;
+}
+
+/// Appends nm as mm, rounded to so many digits. REQUIRES: digits <= 6.
+inline void AppendMm(std::string& text, int64_t nm, int digits) {
+  AppendDecimal(text, RoundedNm(nm, digits), digits);
+}
+
+}  // namespace slicefarm

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <any>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <type_traits>
+#include <typeindex>
+#include <utility>
+
+namespace slicefarm {
+
+/// A value that much work has in common, such as a job's settings: it never changes, copies are
+/// cheap and name the same value, and what is made of it is made once. Thread-safe.
+template <typename T>
+class Shared {
+ public:
+  Shared() : Shared(T{}) {}
+  Shared(T value)  // NOLINT(google-explicit-constructor): a value may be handed on as a shared one
+      : held_(std::make_shared<const Held>(std::move(value))) {}
+
+  const T& operator*() const { return held_->value; }
+  const T* operator->() const { return &held_->value; }
+
+  /// What `make(const T&)` gives, made at the first call: later ones, also of copies, get the same.
+  /// One thing of a type can be made of a value. The result lives as long as the value. `make` must
+  /// not ask the same value for anything.
+  template <typename Make, typename Made = std::invoke_result_t<const Make&, const T&>>
+  const Made& Once(const Make& make) const {
+    const std::lock_guard lock(held_->mutex);
+    std::any& made = held_->made[typeid(Made)];
+    if (!made.has_value()) made = std::make_shared<const Made>(make(held_->value));
+    return **std::any_cast<std::shared_ptr<const Made>>(&made);
+  }
+
+ private:
+  struct Held {
+    explicit Held(T given) : value(std::move(given)) {}
+    const T value;
+    mutable std::mutex mutex;
+    mutable std::map<std::type_index, std::any> made;
+  };
+
+  std::shared_ptr<const Held> held_;  // by all copies
+};
+
+}  // namespace slicefarm

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "absl/status/status.h"
+#include "common/model/milling/milling_options.h"
+
+namespace slicefarm {
+
+/// SETTING_OUT_OF_RANGE, with `setting` and `got`, for the first number that cannot be.
+absl::Status CheckMillingOptions(const MillingOptions& options);
+
+}  // namespace slicefarm

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string_view>
+
+#include "absl/status/statusor.h"
+#include "common/model/milling/cutter.h"
+
+namespace slicefarm {
+
+/// What ParseCutter reads.
+inline constexpr std::string_view kCutterForms =
+    "cyl:D, ball:D, bull:D:CORNER, cone:D:ANGLE, ballcone:TIP:ANGLE:D, "
+    "bullcone:TIP:CORNER:ANGLE:D, conecone:TIP:TIP_ANGLE:ANGLE:D";
+
+/// A cutter by its name and measures, in mm and degrees: cyl:DIAMETER, ball:DIAMETER,
+/// bull:DIAMETER:CORNER, cone:DIAMETER:ANGLE, ballcone:TIP:ANGLE:DIAMETER,
+/// bullcone:TIP:CORNER:ANGLE:DIAMETER, conecone:TIP:TIP_ANGLE:ANGLE:DIAMETER. TIP is the diameter
+/// at which the upper cone begins, of a ball or a bull nose that of the whole of it. Errors:
+/// SETTING_MALFORMED, and those of Cutter.
+absl::StatusOr<Cutter> ParseCutter(std::string_view text);
+
+}  // namespace slicefarm

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/model/milling/mill_input.h"
+#include "common/wire/shared_wire.h"
+#include "slicefarm/v1/milling.pb.h"
+
+namespace slicefarm {
+
+/// What the calls of a milling job have in common. Errors: REQUEST_MALFORMED with the way to the
+/// field; MESH_TOO_LARGE; OUT_OF_RANGE.
+absl::Status ToProto(const MillInput& input, v1::MillInput* proto);
+absl::StatusOr<MillInput> FromProto(const v1::MillInput& proto);
+
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+using slicefarm::ToProto;
+}  // namespace v1
+
+template <>
+struct MessageOf<MillInput> {
+  using Type = v1::MillInput;
+};
+
+}  // namespace slicefarm

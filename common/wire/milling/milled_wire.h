@@ -1,0 +1,31 @@
+#pragma once
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/model/milling/milled_program.h"
+#include "common/model/milling/milled_step.h"
+#include "slicefarm/v1/milling.pb.h"
+
+namespace slicefarm {
+
+/// What milling comes to. Errors: OUT_OF_RANGE, REQUEST_MALFORMED, REQUEST_TOO_LARGE naming the
+/// field.
+
+absl::Status ToProto(const MilledStep& step, v1::MilledStep* proto);
+absl::StatusOr<MilledStep> FromProto(const v1::MilledStep& proto);
+
+absl::Status ToProto(const MillLayout& layout, v1::MillLayout* proto);
+absl::StatusOr<MillLayout> FromProto(const v1::MillLayout& proto);
+
+absl::Status ToProto(const MillReport& report, v1::MillReport* proto);
+absl::StatusOr<MillReport> FromProto(const v1::MillReport& proto);
+
+v1::StepRange ToProto(StepRange range);
+/// Errors: REQUEST_MALFORMED for an empty range, and for one that no job has.
+absl::StatusOr<StepRange> FromProto(const v1::StepRange& proto);
+
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
+}  // namespace slicefarm

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "common/model/milling/milled_program.h"
+#include "services/coordinator/algo/pipeline/job_process.h"
+
+namespace slicefarm::coordinator {
+
+/// What a report tells of milling: `milling`, with its phases, the stock and the check for gouges.
+struct MillJobReport : OwnReport {
+  MillReport report;
+  MillLayout layout;
+  std::string cutter;
+
+  void AddTo(nlohmann::ordered_json& json) const override;
+};
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,93 @@
+#include "processes/mill/settings/mill_settings.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "common/config/table/shared_settings.h"
+#include "common/model/milling/check_milling.h"
+#include "processes/mill/settings/mill_table.h"
+
+namespace slicefarm::config::mill {
+namespace {
+
+bool Finishes(const JobSettings& s) { return MillOf(s).how.finishing; }
+bool IsProgram(const JobSettings& s) { return MillOf(s).format == MillFormat::kGcode; }
+
+constexpr Need kNeeds[] = {
+    {"finish_stepdown finish_stepover rest_angle finish_floor lead_in_radius", "finishing = 1",
+     Finishes},
+    {"helix_radius", "entry = helix",
+     [](const JobSettings& s) { return MillOf(s).how.machining.entry == EntryKind::kHelix; }},
+    {"ramp_angle", "entry = helix or ramp",
+     [](const JobSettings& s) { return MillOf(s).how.machining.entry != EntryKind::kPlunge; }},
+    {"stock_margin", "no stock: a box",
+     [](const JobSettings& s) { return MillOf(s).stock.empty(); }},
+    {"output_step", "output_format = svg", [](const JobSettings& s) { return !IsProgram(s); }},
+    {"dialect arcs direction entry feed plunge_feed rapid spindle coolant tool_number",
+     "output_format = gcode", IsProgram},
+};
+
+/// A table of a machine tool is larger than a printer's bed, and its height bounds no part.
+std::vector<SettingSpec> TableSettings() {
+  std::vector<SettingSpec> all = PlateSettings();
+  for (SettingSpec& spec : all) {
+    if (spec.key == "bed_shape") {
+      spec.standard = "0x0,1000x0,1000x1000,0x1000";
+      spec.doc = "Outline of the table, on which parts are arranged: corners XxY, by commas";
+    }
+    if (spec.key == "max_print_height") {
+      spec.standard = "0";
+      spec.doc = "Height of parts that the machine can mill; 0: no limit";
+    }
+    if (spec.key == "duplicate_distance") {
+      spec.standard = "20";
+      spec.doc = "Distance between copies that are arranged: room for the cutter";
+    }
+  }
+  return all;
+}
+
+/// Nothing of milling is by region.
+class NoRows : public RegionRows {
+ public:
+  absl::StatusOr<int32_t> RowOf(const JobSettings& /*settings*/) override { return 0; }
+  int64_t size() const override { return 1; }
+  void PutInto(JobSettings& /*settings*/) const override {}
+};
+
+class OfMilling : public ProcessSettings {
+ public:
+  JobSettings Standards() const override { return {.slicing = {}, .own = MillSettings()}; }
+  std::vector<SettingSpec> Table() const override {
+    std::vector<SettingSpec> all = MillTable();
+    std::ranges::move(TableSettings(), std::back_inserter(all));
+    return all;
+  }
+  std::vector<Need> Needs() const override { return {std::begin(kNeeds), std::end(kNeeds)}; }
+  absl::Status Derive(Draft& /*draft*/, ResolvedSettings& /*result*/) const override {
+    return absl::OkStatus();
+  }
+  absl::Status Check(const Draft& /*draft*/) const override { return absl::OkStatus(); }
+  absl::Status Finish(const Draft& /*draft*/, ResolvedSettings& result) const override {
+    return CheckMillingOptions(MillOf(result.settings).how);
+  }
+  std::unique_ptr<RegionRows> NewRows() const override { return std::make_unique<NoRows>(); }
+  std::string_view Example() const override {
+    return "slicefarm slice part.stl -o part.nc --machine mill --set cutter=ball:4";
+  }
+  std::vector<FileFormat> FileFormats() const override {
+    return {{".ngc", "dialect", "linuxcnc", true},
+            {".nc", "output_format", "gcode"},
+            {".gcode", "output_format", "gcode"},
+            {".svg", "output_format", "svg"}};
+  }
+};
+
+}  // namespace
+
+const ProcessSettings& Settings() {
+  static const OfMilling settings;
+  return settings;
+}
+
+}  // namespace slicefarm::config::mill

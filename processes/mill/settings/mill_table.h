@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "common/config/table/setting_spec.h"
+
+namespace slicefarm::config::mill {
+
+/// Cutter and strategy, the machine, and the file.
+std::vector<SettingSpec> MillTable();
+
+}  // namespace slicefarm::config::mill

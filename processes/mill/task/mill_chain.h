@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "processes/mill/task/mill_task.h"
+
+namespace slicefarm {
+
+/// The stage that mills, local or remote. It must outlive the chain.
+class MillChain : public MillRunner {
+ public:
+  explicit MillChain(const MillingStage& milling) : milling_(milling) {}
+
+  /// Null: it is missing.
+  static std::shared_ptr<const MillChain> Over(const Stages& stages) {
+    if (stages.milling == nullptr) return nullptr;
+    return std::make_shared<MillChain>(*stages.milling);
+  }
+  static std::vector<Stage> StagesOf() { return {Stage::kMilling}; }
+
+  absl::StatusOr<MillResult> Run(const StageCall& call, const MillTask& task) const override;
+
+ private:
+  const MillingStage& milling_;
+};
+
+}  // namespace slicefarm

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "common/model/milling/mill_input.h"
+#include "common/model/milling/milled_step.h"
+#include "common/stage/task.h"
+
+namespace slicefarm {
+
+/// A range of steps of one phase to mill.
+struct MillTask {
+  static constexpr Process kProcess = Process::kMill;
+
+  StepRange steps;
+  MillPhase phase = MillPhase::kRoughing;
+  int32_t phase_first = 0;  ///< the number of its first step within the phase
+  int32_t weight = 0;
+  Shared<MillInput> input;
+
+  int32_t Weight() const { return weight; }
+  /// "roughing level 4", "finishing levels 3 to 9", "rest rows 10 to 40".
+  TaskLabel Label() const;
+};
+
+struct MillResult {
+  std::vector<MilledStep> steps;
+  StageTimes times;
+
+  size_t Print() const;
+  /// Of the program that is made of it, about: one line a point.
+  int64_t ProgramBytes() const;
+};
+
+using MillRunner = RunnerOf<MillTask, MillResult>;
+
+}  // namespace slicefarm

@@ -1,0 +1,35 @@
+#include "services/cli/models/surface_mesh.h"
+
+#include "common/model/limits.h"
+#include "services/cli/files.h"
+#include "services/cli/models/given_models.h"
+#include "services/slicing/algo/mesh_io/mesh_reader.h"
+#include "services/slicing/algo/mesh_io/obj_reader.h"
+
+namespace slicefarm::cli {
+namespace {
+
+texture::SurfaceMesh SurfaceOf(const slicing::RawMesh& raw) {
+  texture::SurfaceMesh mesh;
+  for (const slicing::Position& p : raw.positions) mesh.points_mm.push_back({p.x, p.y, p.z});
+  for (const auto& [a, b, c] : raw.triangles)
+    mesh.triangles.push_back(
+        {static_cast<int32_t>(a), static_cast<int32_t>(b), static_cast<int32_t>(c)});
+  return mesh;
+}
+
+}  // namespace
+
+absl::StatusOr<texture::SurfaceMesh> ReadSurface(const std::string& path) {
+  const auto file = ReadModelFile(path);
+  if (!file.ok()) return file.status();
+  const MeshFormat format =
+      file->format == MeshFormat::kUnknown ? slicing::DetectFormat(file->bytes) : file->format;
+  const auto raw = format == MeshFormat::kObj
+                       ? slicing::ReadObjAsNumbered(file->bytes, limits::kMaxMeshCoordinateMm, {})
+                       : slicing::ReadMesh(file->bytes, format, limits::kMaxMeshCoordinateMm, {});
+  if (!raw.ok()) return InFile(path, raw.status());
+  return SurfaceOf(*raw);
+}
+
+}  // namespace slicefarm::cli

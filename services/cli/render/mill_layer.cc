@@ -1,0 +1,181 @@
+#include "services/cli/render/mill_layer.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/base/error.h"
+
+namespace slicefarm::cli {
+namespace {
+
+constexpr std::string_view kFirstWords = "; tool ";
+constexpr double kFarthestMm = 1e9;
+constexpr double kChordMm = 0.2;
+/// Of the longer side of the picture: how wide a way is drawn.
+constexpr double kWayShare = 1.0 / 800;
+/// Heights are whole micrometres.
+constexpr double kUmPerMm = 1000;
+
+/// A move in x and y at one height, or on the way to another.
+struct Way {
+  std::string phase;
+  bool rapid = false;
+  std::optional<int64_t> height_um;  ///< none: it is not level
+  std::vector<PointMm> points;
+};
+
+class WayReader {
+ public:
+  void Line(std::string_view line) {
+    if (line.starts_with('(')) {
+      EndWay();
+      phase_ = line.substr(1, line.find(')') - 1);
+      return;
+    }
+    std::array<std::optional<double>, 26> words;
+    Read(line.substr(0, line.find(';')), words);
+    const auto word = [&](char letter) { return words[static_cast<size_t>(letter - 'A')]; };
+    const PointMm to = {word('X').value_or(at_.x), word('Y').value_or(at_.y)};
+    const double z = word('Z').value_or(z_);
+    const bool arc = kind_ >= 2 && (word('I') || word('J'));
+    if (to != at_ || arc) Move(to, z, {word('I').value_or(0), word('J').value_or(0)}, arc);
+    if (z != z_) EndWay();
+    at_ = to;
+    z_ = z;
+  }
+
+  std::vector<Way> Finish() {
+    EndWay();
+    return std::move(ways_);
+  }
+
+ private:
+  /// Words of a line; G0 to G3 are kept.
+  void Read(std::string_view line, std::array<std::optional<double>, 26>& words) {
+    const char* at = line.data();
+    const char* const end = at + line.size();
+    while (at < end) {
+      const char letter = *at++;
+      if (letter < 'A' || letter > 'Z') continue;
+      double number = 0;
+      const auto [after, error] = std::from_chars(at, end, number);
+      if (error != std::errc() || !(std::abs(number) <= kFarthestMm)) continue;
+      at = after;
+      if (letter == 'G' && number >= 0 && number <= 3) kind_ = static_cast<int>(number);
+      words[static_cast<size_t>(letter - 'A')] = number;
+    }
+  }
+
+  void Move(PointMm to, double z, PointMm centre, bool arc) {
+    const bool rapid = kind_ == 0;
+    const bool level = z == z_;
+    if (way_.points.empty() || way_.rapid != rapid || way_.height_um.has_value() != level) {
+      EndWay();
+      way_.phase = phase_;
+      way_.rapid = rapid;
+      if (level) way_.height_um = std::llround(z * kUmPerMm);
+      way_.points.push_back(at_);
+    }
+    if (arc) AddArc(to, {at_.x + centre.x, at_.y + centre.y});
+    way_.points.push_back(to);
+  }
+
+  /// The chords of an arc but the last one's end.
+  void AddArc(PointMm to, PointMm centre) {
+    const double radius = std::hypot(at_.x - centre.x, at_.y - centre.y);
+    const double from = std::atan2(at_.y - centre.y, at_.x - centre.x);
+    double turn = std::atan2(to.y - centre.y, to.x - centre.x) - from;
+    if (kind_ == 2 && turn >= 0) turn -= 2 * std::numbers::pi;
+    if (kind_ == 3 && turn <= 0) turn += 2 * std::numbers::pi;
+    const double chords = std::clamp(std::ceil(std::abs(turn) * radius / kChordMm), 1.0, 1000.0);
+    for (double k = 1; k < chords; ++k) {
+      const double angle = from + turn * k / chords;
+      way_.points.push_back(
+          {centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
+    }
+  }
+
+  void EndWay() {
+    if (way_.points.size() > 1) ways_.push_back(std::move(way_));
+    way_ = {};
+  }
+
+  std::vector<Way> ways_;
+  Way way_;
+  std::string phase_ = "entry";
+  int kind_ = 0;
+  PointMm at_;
+  double z_ = 0;
+};
+
+double LongerSide(const std::vector<Way>& ways) {
+  PointMm low = {kFarthestMm, kFarthestMm}, high = {-kFarthestMm, -kFarthestMm};
+  for (const Way& way : ways) {
+    if (way.rapid) continue;
+    for (const PointMm p : way.points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  return std::max({high.x - low.x, high.y - low.y, 1.0});
+}
+
+/// From the top down: where something is cut, but for rest areas.
+std::vector<int64_t> LevelsOf(const std::vector<Way>& ways) {
+  std::vector<int64_t> levels;
+  for (const Way& way : ways)
+    if (!way.rapid && way.height_um && way.phase != "rest areas") levels.push_back(*way.height_um);
+  std::sort(levels.begin(), levels.end(), std::greater<>());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  return levels;
+}
+
+absl::Status Refused(std::string_view message) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
+}
+
+}  // namespace
+
+bool IsMillProgram(std::string_view gcode) { return gcode.starts_with(kFirstWords); }
+
+absl::StatusOr<GcodeLayer> ReadMillLayer(std::string_view gcode, std::optional<int> level) {
+  WayReader reader;
+  for (size_t begin = 0; begin < gcode.size();) {
+    const size_t end = std::min(gcode.find('\n', begin), gcode.size());
+    reader.Line(gcode.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  std::vector<Way> ways = reader.Finish();
+  const std::vector<int64_t> levels = LevelsOf(ways);
+  if (levels.empty()) return Refused("the program cuts nothing");
+  if (level && (*level < 0 || *level >= std::ssize(levels)))
+    return Refused(
+        fmt::format("there is no level {}: they go from 0 to {}", *level, levels.size() - 1));
+  GcodeLayer layer;
+  layer.index = level.value_or(0);
+  layer.layer_count = static_cast<int>(levels.size());
+  const double width_mm = kWayShare * LongerSide(ways);
+  const int64_t height_um = level ? levels[static_cast<size_t>(*level)] : levels.front();
+  layer.z_mm = static_cast<double>(height_um) / kUmPerMm;
+  layer.height_mm = static_cast<double>(height_um - levels.back()) / kUmPerMm;
+  for (Way& way : ways) {
+    if (level && way.height_um != height_um) continue;
+    if (way.rapid) {
+      layer.travels.push_back(std::move(way.points));
+    } else {
+      layer.beads.push_back({std::move(way.phase), width_mm, std::move(way.points)});
+    }
+  }
+  return layer;
+}
+
+}  // namespace slicefarm::cli

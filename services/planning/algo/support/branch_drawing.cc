@@ -1,0 +1,122 @@
+#include "services/planning/algo/support/branch_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "common/base/parallel.h"
+#include "common/base/portable_math.h"
+#include "common/geometry/boolean/boolean.h"
+
+namespace slicefarm::planning {
+namespace {
+
+/// A foot: this wide on the bed at least, and this high.
+constexpr Coord kFootRadiusNm = 2'500'000;
+constexpr Coord kFootWiderNm = 600'000;
+constexpr Coord kFootHeightNm = 1'200'000;
+
+struct Disc {
+  Point at;
+  Coord radius_nm = 0;
+
+  friend auto operator<=>(const Disc&, const Disc&) = default;
+};
+
+/// A polygon around which the circle runs half inside, half outside: the same area.
+Polygon Circle(const Disc& disc) {
+  const int corners = disc.radius_nm < 700'000 ? 16 : disc.radius_nm < 2'000'000 ? 24 : 36;
+  Polygon ring;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + 0.5) / corners;
+    ring.push_back({disc.at.x + std::llround(disc.radius_nm * Cos(angle)),
+                    disc.at.y + std::llround(disc.radius_nm * Sin(angle))});
+  }
+  return ring;
+}
+
+Coord FootRadius(Coord radius_nm, Coord z_nm) {
+  if (z_nm >= kFootHeightNm) return radius_nm;
+  const Coord foot = std::max(kFootRadiusNm, radius_nm + kFootWiderNm);
+  return foot - (foot - radius_nm) * z_nm / kFootHeightNm;
+}
+
+/// The discs of all branches, by layer.
+std::vector<std::vector<Disc>> DiscsByLayer(const Branches& branches,
+                                            const SupportHeights& heights) {
+  std::vector<std::vector<Disc>> discs(heights.layers.size());
+  const auto middle = [&](size_t i) {
+    return (heights.layers[i].bottom_nm + heights.layers[i].top_nm) / 2;
+  };
+  for (const BranchNode& node : branches.nodes) {
+    const bool goes_on = node.below >= 0;
+    const BranchNode& end = goes_on ? branches.nodes[static_cast<size_t>(node.below)] : node;
+    const Coord down_to = goes_on ? end.z_nm : node.foot_nm;
+    const auto above = std::partition_point(
+        heights.layers.begin(), heights.layers.end(), [&](const SupportHeight& layer) {
+          return (layer.bottom_nm + layer.top_nm) / 2 < node.z_nm;
+        });
+    for (auto i = static_cast<size_t>(above - heights.layers.begin());
+         i-- > 0 && middle(i) >= down_to;) {
+      const double share =
+          goes_on ? static_cast<double>(node.z_nm - middle(i)) / (node.z_nm - end.z_nm) : 0;
+      Disc disc{{node.at.x + std::llround((end.at.x - node.at.x) * share),
+                 node.at.y + std::llround((end.at.y - node.at.y) * share)},
+                node.radius_nm + std::llround((end.radius_nm - node.radius_nm) * share)};
+      disc.radius_nm = FootRadius(disc.radius_nm, heights.layers[i].bottom_nm);
+      discs[i].push_back(disc);
+    }
+  }
+  return discs;
+}
+
+MultiPolygon United(const std::vector<Disc>& discs) {
+  std::vector<Polygon> rings;
+  for (const Disc& disc : discs) rings.push_back(Circle(disc));
+  if (rings.size() == 1) {
+    MultiPolygon one = {{std::move(rings[0]), {}}};
+    Canonicalize(one);
+    return one;
+  }
+  return Union(rings, FillRule::kNonZero);
+}
+
+/// The part is too far away to cut it.
+bool IsClear(const Disc& disc, const ReachField& field, size_t slab) {
+  // Between two slabs a branch is up to a step from a place that the field has looked at.
+  return field.ToAnywhere(slab, disc.at) > disc.radius_nm + 3 * field.grid().pixel_nm;
+}
+
+}  // namespace
+
+std::vector<BranchSections> DrawBranches(const Branches& branches, const ReachField& field,
+                                         const SupportHeights& heights, const Clearance& clearance,
+                                         const SupportOptions& options, int threads,
+                                         const CancelToken& cancel) {
+  std::vector<std::vector<Disc>> discs = DiscsByLayer(branches, heights);
+  std::vector<size_t> slab_of(heights.layers.size(), 0);
+  for (size_t s = 0; s < field.slabs().size(); ++s)
+    for (int32_t i = field.slabs()[s].first_layer; i <= field.slabs()[s].last_layer; ++i)
+      slab_of[static_cast<size_t>(i)] = s;
+  std::vector<BranchSections> sections(discs.size());
+  ForEachIndex(threads, discs.size(), [&](size_t i, int) {
+    if (discs[i].empty() || cancel.Cancelled()) return;
+    std::sort(discs[i].begin(), discs[i].end());
+    std::vector<Disc> near, far;
+    for (const Disc& disc : discs[i])
+      (IsClear(disc, field, slab_of[i]) ? far : near).push_back(disc);
+    const SupportHeight& height = heights.layers[i];
+    MultiPolygon all = near.empty() ? MultiPolygon()
+                                    : clearance.Free(United(near), height.bottom_nm, height.top_nm);
+    if (!far.empty()) all = Union(all, United(far));
+    for (PolygonWithHoles& island : all) {
+      const double twice = options.tree.double_wall_diameter_nm;
+      const bool is_thick = Area(island) >= std::numbers::pi * twice * twice / 4;
+      (is_thick ? sections[i].thick : sections[i].thin).push_back(std::move(island));
+    }
+  });
+  return sections;
+}
+
+}  // namespace slicefarm::planning

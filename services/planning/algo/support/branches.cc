@@ -1,0 +1,354 @@
+#include "services/planning/algo/support/branches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "common/base/portable_math.h"
+#include "services/planning/algo/support/tips.h"
+
+namespace slicefarm::planning {
+namespace {
+
+/// Branches farther apart than this do not look at each other.
+constexpr Coord kSightNm = 12'000'000;
+/// Branches that meet lower than this save nothing.
+constexpr Coord kLowestMeetingNm = 2'000'000;
+constexpr double kTipGrowthRad = 4 * std::numbers::pi / 180;
+/// Support may reach this far beyond what carries it.
+constexpr Coord kBeyondNm = 850'000;
+
+/// The way down of one tip, or of several that have met.
+struct Branch {
+  int32_t node = 0;
+  Point at;
+  Coord z_nm = 0;
+  Coord length_nm = 0;  ///< from its highest tip
+  Coord radius_nm = 0;
+  bool found = false;  ///< the field knows a way from here
+};
+
+/// What a tip covers around its middle: branch_distance beyond its edge, less if more of what is
+/// carried than usual is to lie on tips.
+Coord TipReach(const TreeOptions& tree) {
+  constexpr double kUsualRate = 0.15;
+  const double radius = tree.tip_diameter_nm / 2.0;
+  const double rate = std::clamp(tree.top_rate, 0.01, 1.0);
+  const double beyond = tree.branch_distance_nm * std::sqrt(std::min(1.0, kUsualRate / rate));
+  return std::llround(radius + std::min<double>(kBeyondNm, beyond));
+}
+
+class Grower {
+ public:
+  Grower(const ReachField& field, const SupportHeights& heights, const SupportOptions& options)
+      : field_(field),
+        heights_(heights),
+        options_(options),
+        slow_(Tan(options.tree.slow_angle_rad)),
+        fast_(std::max(slow_, Tan(options.tree.angle_rad))),
+        tips_(field.grid(), TipReach(options.tree)) {}
+
+  absl::StatusOr<Branches> Run(const std::vector<std::vector<int32_t>>& undersides,
+                               const CancelToken& cancel) {
+    for (size_t slab = field_.slabs().size(); slab-- > 0;) {
+      if (cancel.Cancelled()) return cancel.Check();
+      AddTips(slab, undersides);
+      if (slab > 0) StepBelow(slab - 1);
+    }
+    for (const Branch& branch : live_)
+      if (branch.found || !EndsOver(0, branch)) End(branch, 0, true);
+    DropLost();
+    return std::move(result_);
+  }
+
+ private:
+  Coord TipRadius() const { return options_.tree.tip_diameter_nm / 2; }
+
+  Coord RadiusAt(Coord length_nm) const {
+    const Coord tip = TipRadius();
+    const Coord full = std::max(tip, options_.tree.branch_diameter_nm / 2);
+    const double grown = tip + length_nm * Tan(kTipGrowthRad);
+    const double angle = Tan(options_.tree.diameter_angle_rad) / 2;
+    return std::llround(std::min<double>(grown, full + length_nm * angle));
+  }
+
+  void AddTips(size_t slab, const std::vector<std::vector<int32_t>>& undersides) {
+    const Slab& s = field_.slabs()[slab];
+    for (int32_t layer = s.last_layer; layer >= s.first_layer; --layer) {
+      const auto& underside = undersides[static_cast<size_t>(layer)];
+      if (underside.empty()) continue;
+      tips_.Begin(underside);
+      for (const Branch& branch : live_) tips_.Cover(branch.at, branch.radius_nm + kBeyondNm);
+      const Coord z = heights_.layers[static_cast<size_t>(layer)].bottom_nm;
+      for (const Point tip : tips_.Place()) {
+        live_.push_back({AddNode(tip, z, TipRadius()), tip, z, 0, TipRadius(), false});
+        live_.back().found = Reach(slab, tip, true) >= TipRadius();
+      }
+    }
+  }
+
+  int32_t AddNode(Point at, Coord z_nm, Coord radius_nm) {
+    result_.nodes.push_back({at, z_nm, radius_nm, -1, 0, true});
+    return static_cast<int32_t>(result_.nodes.size()) - 1;
+  }
+
+  /// Nothing below: straight down to `foot_nm`.
+  void End(const Branch& branch, Coord foot_nm, bool on_bed) {
+    BranchNode& node = result_.nodes[static_cast<size_t>(branch.node)];
+    node.foot_nm = foot_nm;
+    node.on_bed = on_bed;
+  }
+
+  Coord Reach(size_t slab, Point p, bool anywhere) const {
+    return anywhere ? field_.ToAnywhere(slab, p) : field_.ToBed(slab, p);
+  }
+
+  /// Calls visit(p) for pixels that a branch at `from` can go to in `slab`.
+  template <typename Visit>
+  void ForEachStep(size_t slab, Point from, Visit visit) const {
+    const int32_t squared = field_.slabs()[slab].step_squared;
+    const auto reach = static_cast<int32_t>(std::sqrt(squared));
+    const PixelGrid& grid = field_.grid();
+    const int32_t x0 = grid.Column(from.x), y0 = grid.Row(from.y);
+    for (int32_t y = std::max(0, y0 - reach); y <= std::min(grid.height - 1, y0 + reach); ++y)
+      for (int32_t x = std::max(0, x0 - reach); x <= std::min(grid.width - 1, x0 + reach); ++x)
+        if ((x - x0) * (x - x0) + (y - y0) * (y - y0) <= squared) visit(grid.Centre(x, y));
+  }
+
+  /// The place nearest to `wish` that can be gone to from all of `from`, with room for `radius_nm`;
+  /// if there is none, with the most room, but a tip's at least.
+  std::optional<Point> Nearest(size_t slab, std::span<const Point> from, Point wish,
+                               Coord radius_nm, bool anywhere) const {
+    const bool in_reach =
+        std::all_of(from.begin(), from.end(), [&](Point p) { return Within(slab, p, wish); });
+    if (in_reach && Reach(slab, wish, anywhere) >= radius_nm) return wish;
+    std::optional<Point> best;
+    std::pair<Coord, double> most{0, 0};  // room that counts, less the distance
+    ForEachStep(slab, from[0], [&](Point p) {
+      const Coord room = std::min(Reach(slab, p, anywhere), radius_nm);
+      if (room < TipRadius()) return;
+      const std::pair<Coord, double> worth{room, -SquaredNorm(p - wish)};
+      if (best && worth <= most) return;
+      for (const Point other : from)
+        if (!Within(slab, other, p)) return;
+      best = p;
+      most = worth;
+    });
+    return best;
+  }
+
+  bool Within(size_t slab, Point from, Point to) const {
+    const PixelGrid& grid = field_.grid();
+    const int32_t dx = grid.Column(from.x) - grid.Column(to.x);
+    const int32_t dy = grid.Row(from.y) - grid.Row(to.y);
+    return dx * dx + dy * dy <= field_.slabs()[slab].step_squared;
+  }
+
+  /// Moves all branches to the slab, two to one place where they can meet.
+  void StepBelow(size_t slab) {
+    std::vector<Branch> next;
+    std::vector<uint8_t> done(live_.size(), 0);
+    const Coord z = field_.slabs()[slab].middle_nm();
+    const auto buckets = Buckets();
+    for (const auto& [a, b] : PairsInReach(slab, buckets)) {
+      if (done[a] || done[b]) continue;
+      if (std::optional<Branch> one = Meet(slab, live_[a], live_[b], z)) {
+        done[a] = done[b] = 1;
+        next.push_back(*one);
+      }
+    }
+    for (size_t i = 0; i < live_.size(); ++i) {
+      if (done[i]) continue;
+      const Point wish = live_[i].found ? Wish(slab, i, z, buckets) : live_[i].at;
+      if (std::optional<Branch> moved = Move(slab, live_[i], wish, z)) next.push_back(*moved);
+    }
+    live_ = std::move(next);
+  }
+
+  using BucketMap = std::map<std::pair<Coord, Coord>, std::vector<size_t>>;
+
+  BucketMap Buckets() const {
+    BucketMap buckets;
+    for (size_t i = 0; i < live_.size(); ++i)
+      if (live_[i].found) buckets[BucketOf(live_[i].at)].push_back(i);
+    return buckets;
+  }
+
+  static std::pair<Coord, Coord> BucketOf(Point p) {
+    const auto of = [](Coord x) { return (x - (x < 0 ? kSightNm - 1 : 0)) / kSightNm; };
+    return {of(p.x), of(p.y)};
+  }
+
+  template <typename Visit>
+  void ForEachNear(const BucketMap& buckets, Point p, Visit visit) const {
+    const auto [column, row] = BucketOf(p);
+    for (Coord y = row - 1; y <= row + 1; ++y)
+      for (Coord x = column - 1; x <= column + 1; ++x)
+        if (const auto bucket = buckets.find({x, y}); bucket != buckets.end())
+          for (const size_t i : bucket->second) visit(i);
+  }
+
+  std::vector<std::pair<size_t, size_t>> PairsInReach(size_t slab, const BucketMap& buckets) const {
+    const double step =
+        std::sqrt(field_.slabs()[slab].step_squared) * static_cast<double>(field_.grid().pixel_nm);
+    std::vector<std::tuple<double, size_t, size_t>> near;
+    for (size_t i = 0; i < live_.size(); ++i) {
+      if (!live_[i].found) continue;
+      ForEachNear(buckets, live_[i].at, [&](size_t k) {
+        const double distance = Distance(live_[i].at, live_[k].at);
+        if (k > i && distance <= 2 * step) near.push_back({distance, i, k});
+      });
+    }
+    std::sort(near.begin(), near.end());
+    std::vector<std::pair<size_t, size_t>> pairs;
+    for (const auto& [distance, a, b] : near) pairs.push_back({a, b});
+    return pairs;
+  }
+
+  std::optional<Branch> Meet(size_t slab, const Branch& a, const Branch& b, Coord z_nm) {
+    Branch one;
+    one.z_nm = z_nm;
+    one.length_nm = std::max(a.length_nm + a.z_nm, b.length_nm + b.z_nm) - z_nm;
+    one.radius_nm = std::max({RadiusAt(one.length_nm), a.radius_nm, b.radius_nm});
+    const double weight_a = static_cast<double>(a.radius_nm) * a.radius_nm;
+    const double weight_b = static_cast<double>(b.radius_nm) * b.radius_nm;
+    const double part = weight_b / (weight_a + weight_b);
+    const Point middle = {a.at.x + std::llround((b.at.x - a.at.x) * part),
+                          a.at.y + std::llround((b.at.y - a.at.y) * part)};
+    const Point from[] = {a.at, b.at};
+    const bool anywhere = field_.ToBed(slab, middle) < TipRadius();
+    const std::optional<Point> at = Nearest(slab, from, middle, one.radius_nm, anywhere);
+    if (!at) return std::nullopt;
+    one.at = *at;
+    one.found = true;
+    one.radius_nm = Room(slab, one.at, one.radius_nm, anywhere);
+    one.node = AddNode(one.at, z_nm, one.radius_nm);
+    result_.nodes[static_cast<size_t>(a.node)].below = one.node;
+    result_.nodes[static_cast<size_t>(b.node)].below = one.node;
+    return one;
+  }
+
+  Coord Room(size_t slab, Point at, Coord radius_nm, bool anywhere) const {
+    return std::max(TipRadius(), std::min(radius_nm, Reach(slab, at, anywhere)));
+  }
+
+  /// Where a branch would like to be: nearer to the next one that it can meet.
+  Point Wish(size_t slab, size_t index, Coord z_nm, const BucketMap& buckets) const {
+    const Branch& branch = live_[index];
+    double nearest = 0;
+    const Branch* partner = nullptr;
+    ForEachNear(buckets, branch.at, [&](size_t i) {
+      if (i == index) return;
+      const double distance = Distance(branch.at, live_[i].at);
+      if (distance > kSightNm || (partner != nullptr && distance >= nearest)) return;
+      const double meeting = z_nm - distance / 2 / fast_;
+      if (meeting < kLowestMeetingNm || !InSight(slab, branch.at, live_[i].at, distance)) return;
+      partner = &live_[i];
+      nearest = distance;
+    });
+    if (partner == nullptr || nearest == 0) return branch.at;
+    const bool hurry = z_nm - nearest / 2 / slow_ < kLowestMeetingNm;
+    const bool thin = 2 * branch.radius_nm < options_.tree.branch_diameter_nm;
+    const double step = (branch.z_nm - z_nm) * (hurry || thin ? fast_ : slow_);
+    const double share = std::min(0.5, step / nearest);
+    return {branch.at.x + std::llround((partner->at.x - branch.at.x) * share),
+            branch.at.y + std::llround((partner->at.y - branch.at.y) * share)};
+  }
+
+  bool InSight(size_t slab, Point a, Point b, double distance) const {
+    const int points = static_cast<int>(distance / (2.0 * field_.grid().pixel_nm));
+    for (int i = 1; i < points; ++i) {
+      const Point p = {a.x + (b.x - a.x) * i / points, a.y + (b.y - a.y) * i / points};
+      if (field_.ToAnywhere(slab, p) < TipRadius()) return false;
+    }
+    return true;
+  }
+
+  std::optional<Branch> Move(size_t slab, const Branch& branch, Point wish, Coord z_nm) {
+    Branch moved = branch;
+    moved.z_nm = z_nm;
+    moved.length_nm += branch.z_nm - z_nm;
+    const Coord radius = RadiusAt(moved.length_nm);
+    const Point from[] = {branch.at};
+    for (const bool anywhere : {false, true}) {
+      const std::optional<Point> at = Nearest(slab, from, wish, radius, anywhere);
+      if (!at) continue;
+      moved.at = *at;
+      moved.found = true;
+      moved.radius_nm = Room(slab, *at, radius, anywhere);
+      return Joined(branch, moved);
+    }
+    if (EndsOver(slab, branch)) return std::nullopt;
+    moved.at = branch.at;
+    moved.radius_nm = TipRadius();
+    return Joined(branch, moved);
+  }
+
+  /// A branch without a way ends on what is right below it, if there is something.
+  bool EndsOver(size_t slab, const Branch& branch) {
+    const bool on_other = field_.OnOther(slab, branch.at);
+    if (!branch.found && !on_other && !field_.OnPart(slab, branch.at)) return false;
+    if (on_other || options_.bed_only)
+      lost_.push_back(branch.node);
+    else
+      End(branch, field_.slabs()[slab].bottom_nm, false);
+    return true;
+  }
+
+  Branch Joined(const Branch& branch, Branch moved) {
+    moved.node = AddNode(moved.at, moved.z_nm, moved.radius_nm);
+    result_.nodes[static_cast<size_t>(branch.node)].below = moved.node;
+    return moved;
+  }
+
+  /// Takes out all nodes from which a lost one is reached.
+  void DropLost() {
+    if (lost_.empty()) return;
+    std::vector<BranchNode>& nodes = result_.nodes;
+    std::vector<uint8_t> drop(nodes.size(), 0), has_above(nodes.size(), 0);
+    for (const int32_t i : lost_) drop[static_cast<size_t>(i)] = 1;
+    std::vector<int32_t> number(nodes.size(), -1);
+    for (size_t i = nodes.size(); i-- > 0;) {
+      if (nodes[i].below < 0) continue;
+      drop[i] |= drop[static_cast<size_t>(nodes[i].below)];
+      has_above[static_cast<size_t>(nodes[i].below)] = 1;
+    }
+    std::vector<BranchNode> kept;
+    for (size_t i = 0; i < nodes.size(); ++i) {
+      if (drop[i]) {
+        result_.lost += has_above[i] ? 0 : 1;
+        continue;
+      }
+      number[i] = static_cast<int32_t>(kept.size());
+      kept.push_back(nodes[i]);
+    }
+    for (BranchNode& node : kept)
+      if (node.below >= 0) node.below = number[static_cast<size_t>(node.below)];
+    nodes = std::move(kept);
+  }
+
+  const ReachField& field_;
+  const SupportHeights& heights_;
+  const SupportOptions& options_;
+  const double slow_;
+  const double fast_;
+  TipPlaces tips_;
+  std::vector<Branch> live_;
+  std::vector<int32_t> lost_;  ///< nodes
+  Branches result_;
+};
+
+}  // namespace
+
+absl::StatusOr<Branches> GrowBranches(const ReachField& field, const SupportHeights& heights,
+                                      const std::vector<std::vector<int32_t>>& undersides,
+                                      const SupportOptions& options, const CancelToken& cancel) {
+  return Grower(field, heights, options).Run(undersides, cancel);
+}
+
+}  // namespace slicefarm::planning

@@ -1,0 +1,50 @@
+#include "services/planning/algo/support/bridges.h"
+
+#include <gtest/gtest.h>
+
+#include "services/planning/algo/support/problems_test.h"
+
+namespace slicefarm::planning::bridges_test {
+namespace {
+
+struct Case {
+  std::string name;
+  MultiPolygon above;
+  MultiPolygon below;
+  double bridged;  ///< share of what hangs
+};
+
+class BridgesTest : public testing::TestWithParam<Case> {};
+
+TEST_P(BridgesTest, CoversThisMuch) {
+  const MultiPolygon hanging = Difference(GetParam().above, GetParam().below);
+  const MultiPolygon bridges = BridgesOf(hanging, hanging, GetParam().below, 450'000);
+  EXPECT_NEAR(AreaMm2(Intersection(bridges, hanging)) / AreaMm2(hanging), GetParam().bridged, 0.03);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, BridgesTest,
+    testing::Values(
+        Case{"Gate", BoxOf(0, 0, 14, 10), Union(BoxOf(0, 0, 2, 10), BoxOf(12, 0, 14, 10)), 1},
+        Case{"LeaningGate", MakePolygonsOrDie("(0 0, 10 5, 6 13, -4 8)"),
+             MakePolygonsOrDie("(0 0, 2 1, -2 9, -4 8); (8 4, 10 5, 6 13, 4 12)"), 1},
+        Case{"Shelf", BoxOf(0, 0, 10, 10), BoxOf(0, 0, 5, 10), 0},
+        Case{"Roof", BoxOf(-3, -3, 13, 13), BoxOf(0, 0, 10, 10), 0},
+        Case{"Hole", BoxOf(0, 0, 10, 10), Difference(BoxOf(0, 0, 10, 10), BoxOf(3, 3, 7, 7)), 1},
+        // Between the legs in front and at the back, or those left and right.
+        Case{"FourLegs", BoxOf(0, 0, 20, 20),
+             Union(Union(BoxOf(0, 0, 4, 4), BoxOf(16, 0, 20, 4)),
+                   Union(BoxOf(0, 16, 4, 20), BoxOf(16, 16, 20, 20))),
+             2 * 12 * 4 / 336.0},
+        Case{"CornerOfAWall", BoxOf(0, 0, 10, 10), Union(BoxOf(0, 0, 10, 2), BoxOf(0, 0, 2, 10)),
+             0.5}),
+    [](const auto& info) { return info.param.name; });
+
+TEST(BridgesOf, LooksOnlyWhereSomethingIsSteep) {
+  const MultiPolygon below = Union(BoxOf(0, 0, 2, 10), BoxOf(12, 0, 14, 10));
+  const MultiPolygon hanging = Difference(BoxOf(0, 0, 14, 10), below);
+  EXPECT_TRUE(BridgesOf(hanging, BoxOf(50, 50, 51, 51), below, 450'000).empty());
+}
+
+}  // namespace
+}  // namespace slicefarm::planning::bridges_test

@@ -1,0 +1,152 @@
+#include "services/planning/algo/support/interfaces.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/base/parallel.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/boolean/without_rings.h"
+#include "common/geometry/offset/clean_offset.h"
+#include "services/planning/algo/support/widened.h"
+
+namespace slicefarm::planning {
+namespace {
+
+/// Regions with less are no regions: no bead fits in.
+constexpr double kLeastAreaNm2 = 0.02e12;
+constexpr Coord kSameHeightNm = 1'000;
+
+MultiPolygon UnionOf(const std::vector<MultiPolygon>& regions, size_t from, size_t to) {
+  std::vector<Polygon> rings;
+  size_t filled = 0, last = 0;
+  for (size_t i = from; i < to; ++i) {
+    if (regions[i].empty()) continue;
+    ++filled;
+    last = i;
+    for (Polygon& ring : Rings(regions[i])) rings.push_back(std::move(ring));
+  }
+  if (filled <= 1) return filled == 0 ? MultiPolygon() : regions[last];
+  return Union(rings, FillRule::kNonZero);
+}
+
+void Add(SupportRole role, MultiPolygon outlines, SupportLayer& layer) {
+  std::erase_if(outlines, [](const PolygonWithHoles& i) { return Area(i) < kLeastAreaNm2; });
+  if (!outlines.empty()) layer.regions.push_back({role, std::move(outlines)});
+}
+
+SupportLayer LayerAt(const SupportHeights& heights, size_t i) {
+  const SupportHeight& h = heights.layers[i];
+  return {h.top_nm, h.top_nm - h.bottom_nm, i == 0, {}};
+}
+
+std::vector<SupportLayer> NotEmpty(std::vector<SupportLayer> layers) {
+  std::erase_if(layers, [](const SupportLayer& layer) { return layer.regions.empty(); });
+  return layers;
+}
+
+/// Contacts of this layer and of the n - 1 above.
+size_t EndOfSheet(size_t layer, size_t count, const SupportOptions& options) {
+  return std::min(count, layer + static_cast<size_t>(std::max(1, options.top_interface_layers)));
+}
+
+}  // namespace
+
+std::vector<MultiPolygon> Sheets(const SupportHeights& heights, const Contacts& contacts,
+                                 const Clearance& clearance, const SupportOptions& options,
+                                 int threads) {
+  const size_t count = heights.layers.size();
+  std::vector<MultiPolygon> sheets(count);
+  ForEachIndex(threads, count, [&](size_t i, int) {
+    const MultiPolygon all = UnionOf(contacts, i, EndOfSheet(i, count, options));
+    const SupportHeight& height = heights.layers[i];
+    sheets[i] = clearance.Free(all, height.bottom_nm, height.top_nm);
+    const MultiPolygon wide = Widened(sheets[i], options.width_nm * 4 / 5);
+    if (!wide.empty())
+      sheets[i] = Union(sheets[i], clearance.Free(wide, height.bottom_nm, height.top_nm));
+    std::erase_if(sheets[i], [](const PolygonWithHoles& s) { return Area(s) < kLeastAreaNm2; });
+  });
+  return sheets;
+}
+
+std::vector<MultiPolygon> Floors(const SupportProblem& problem, const SupportHeights& heights,
+                                 const std::vector<MultiPolygon>& bodies,
+                                 const SupportOptions& options, int threads) {
+  const size_t count = heights.layers.size();
+  std::vector<MultiPolygon> lying(count), floors(count);
+  if (options.bottom_interface_layers <= 0 || options.bed_only) return floors;
+  ForEachIndex(threads, count, [&](size_t i, int) {
+    if (bodies[i].empty()) return;
+    const Coord highest = heights.layers[i].bottom_nm - options.bottom_gap_nm + kSameHeightNm;
+    const Coord lowest = highest - options.layer_height_nm;
+    std::vector<Polygon> rings;
+    const Box box = Bounds(bodies[i]);
+    for (const PartLayer& layer : problem.part)
+      if (layer.top_nm > lowest && layer.top_nm <= highest)
+        AppendRingsNear(*layer.outlines, box, rings);
+    if (!rings.empty()) lying[i] = Difference(bodies[i], WithoutRings(bodies[i], rings));
+  });
+  ForEachIndex(threads, count, [&](size_t i, int) {
+    const auto below = static_cast<size_t>(options.bottom_interface_layers);
+    const MultiPolygon all = UnionOf(lying, i + 1 > below ? i + 1 - below : 0, i + 1);
+    if (!all.empty()) floors[i] = Intersection(bodies[i], all);
+  });
+  return floors;
+}
+
+std::vector<SupportLayer> ColumnLayers(const SupportProblem& problem, const SupportHeights& heights,
+                                       const std::vector<MultiPolygon>& columns,
+                                       const Contacts& contacts, const SupportOptions& options,
+                                       int threads) {
+  const size_t count = heights.layers.size();
+  const auto floors = Floors(problem, heights, columns, options, threads);
+  std::vector<SupportLayer> layers(count);
+  ForEachIndex(threads, count, [&](size_t i, int) {
+    layers[i] = LayerAt(heights, i);
+    MultiPolygon top;
+    if (options.top_interface_layers > 0) {
+      top = UnionOf(contacts, i, EndOfSheet(i, count, options));
+      if (!top.empty()) top = Intersection(FastOffset(top, options.width_nm / 2), columns[i]);
+    }
+    MultiPolygon base = top.empty() ? columns[i] : Difference(columns[i], top);
+    const MultiPolygon bottom = Intersection(floors[i], base);
+    if (!bottom.empty()) base = Difference(base, bottom);
+    Add(SupportRole::kBase, std::move(base), layers[i]);
+    Add(SupportRole::kTopInterface, std::move(top), layers[i]);
+    Add(SupportRole::kBottomInterface, bottom, layers[i]);
+  });
+  return NotEmpty(std::move(layers));
+}
+
+std::vector<SupportLayer> BranchLayers(const SupportProblem& problem, const SupportHeights& heights,
+                                       const std::vector<BranchSections>& branches,
+                                       const std::vector<MultiPolygon>& sheets,
+                                       const SupportOptions& options, int threads) {
+  const size_t count = heights.layers.size();
+  std::vector<MultiPolygon> bodies(count);
+  ForEachIndex(threads, count, [&](size_t i, int) {
+    bodies[i] = branches[i].thin;
+    bodies[i].insert(bodies[i].end(), branches[i].thick.begin(), branches[i].thick.end());
+  });
+  const auto floors = Floors(problem, heights, bodies, options, threads);
+  std::vector<SupportLayer> layers(count);
+  ForEachIndex(threads, count, [&](size_t i, int) {
+    layers[i] = LayerAt(heights, i);
+    MultiPolygon taken = sheets[i];
+    const auto add = [&](SupportRole role, const MultiPolygon& branch) {
+      MultiPolygon rest = taken.empty() ? branch : Difference(branch, taken);
+      if (floors[i].empty()) return Add(role, std::move(rest), layers[i]);
+      const MultiPolygon bottom = Intersection(rest, floors[i]);
+      Add(role, Difference(rest, bottom), layers[i]);
+      Add(SupportRole::kBottomInterface, bottom, layers[i]);
+    };
+    add(SupportRole::kBranch, branches[i].thin);
+    add(SupportRole::kThickBranch, branches[i].thick);
+    Add(options.top_interface_layers > 0 ? SupportRole::kTopInterface : SupportRole::kBase,
+        sheets[i], layers[i]);
+    std::stable_sort(layers[i].regions.begin(), layers[i].regions.end(),
+                     [](const auto& a, const auto& b) { return a.role < b.role; });
+  });
+  return NotEmpty(std::move(layers));
+}
+
+}  // namespace slicefarm::planning

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "common/model/options/support_options.h"
+#include "services/planning/algo/support/branch_drawing.h"
+#include "services/planning/algo/support/clearance.h"
+#include "services/planning/algo/support/columns.h"
+#include "services/planning/algo/support/support_heights.h"
+#include "services/planning/algo/support/support_plan.h"
+#include "services/planning/algo/support/support_problem.h"
+
+namespace slicefarm::planning {
+
+/// The sheets that lie against the part: in each layer, the contacts of the lowest
+/// top_interface_layers - 1 layers above it and its own, as far as they are free. Without interface
+/// layers, its own contacts. Cost: a union and a boolean operation a layer.
+std::vector<MultiPolygon> Sheets(const SupportHeights& heights, const Contacts& contacts,
+                                 const Clearance& clearance, const SupportOptions& options,
+                                 int threads);
+
+/// What of `bodies` (all support of a layer) lies on the part, or fewer than
+/// bottom_interface_layers above what does.
+std::vector<MultiPolygon> Floors(const SupportProblem& problem, const SupportHeights& heights,
+                                 const std::vector<MultiPolygon>& bodies,
+                                 const SupportOptions& options, int threads);
+
+/// Layers of support from columns and the contacts on them.
+std::vector<SupportLayer> ColumnLayers(const SupportProblem& problem, const SupportHeights& heights,
+                                       const std::vector<MultiPolygon>& columns,
+                                       const Contacts& contacts, const SupportOptions& options,
+                                       int threads);
+
+/// Layers of support from branches and the sheets on them.
+std::vector<SupportLayer> BranchLayers(const SupportProblem& problem, const SupportHeights& heights,
+                                       const std::vector<BranchSections>& branches,
+                                       const std::vector<MultiPolygon>& sheets,
+                                       const SupportOptions& options, int threads);
+
+}  // namespace slicefarm::planning

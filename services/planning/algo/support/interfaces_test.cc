@@ -1,0 +1,87 @@
+#include "services/planning/algo/support/interfaces.h"
+
+#include <gtest/gtest.h>
+
+#include "services/planning/algo/support/problems_test.h"
+
+namespace slicefarm::planning::interfaces_test {
+namespace {
+
+constexpr size_t kLayers = 20;
+
+SupportHeights Even() {
+  SupportHeights heights;
+  for (Coord i = 0; i < static_cast<Coord>(kLayers); ++i)
+    heights.layers.push_back({i * 200'000, (i + 1) * 200'000});
+  return heights;
+}
+
+double AreaOf(const std::vector<SupportLayer>& layers, size_t layer, SupportRole role) {
+  double area = 0;
+  for (const SupportRegion& region : layers[layer].regions)
+    if (region.role == role) area += AreaMm2(region.outlines);
+  return area;
+}
+
+/// A plate, 1 mm high, under the left half of a column of 10 x 10 mm.
+class InterfacesTest : public testing::Test {
+ protected:
+  InterfacesTest() : bodies_(kLayers), contacts_(kLayers) {
+    for (size_t i = 0; i < kLayers; ++i)
+      bodies_[i] = i < 6 ? BoxOf(5.3, 0, 10, 10) : BoxOf(0, 0, 10, 10);
+    contacts_.back() = BoxOf(0, 0, 10, 10);
+  }
+
+  const TestStack plate_{5, [](double) { return BoxOf(-5, -5, 5, 15); }};
+  std::vector<MultiPolygon> bodies_;
+  Contacts contacts_;
+};
+
+TEST_F(InterfacesTest, OfColumns) {
+  SupportOptions options;
+  options.bottom_interface_layers = 2;
+  const SupportProblem problem = plate_.Problem();
+  const auto layers = ColumnLayers(problem, Even(), bodies_, contacts_, options, 2);
+  ASSERT_EQ(layers.size(), kLayers);
+  for (size_t i = 0; i < kLayers; ++i) {
+    EXPECT_NEAR(AreaOf(layers, i, SupportRole::kTopInterface), i >= 17 ? 100 : 0, 1e-6) << i;
+    EXPECT_NEAR(AreaOf(layers, i, SupportRole::kBottomInterface), i == 6 || i == 7 ? 50 : 0, 1e-6)
+        << i;
+    double all = 0;
+    for (const SupportRegion& region : layers[i].regions) all += AreaMm2(region.outlines);
+    EXPECT_NEAR(all, AreaMm2(bodies_[i]), 1e-6);
+    EXPECT_EQ(layers[i].first, i == 0);
+  }
+}
+
+TEST_F(InterfacesTest, NoneIfNoneAreWanted) {
+  SupportOptions options;
+  options.top_interface_layers = options.bottom_interface_layers = 0;
+  const SupportProblem problem = plate_.Problem();
+  for (const SupportLayer& layer : ColumnLayers(problem, Even(), bodies_, contacts_, options, 1))
+    for (const SupportRegion& region : layer.regions) EXPECT_EQ(region.role, SupportRole::kBase);
+}
+
+TEST_F(InterfacesTest, OfBranches) {
+  SupportOptions options;
+  options.top_interface_layers = 2;
+  const SupportProblem problem = plate_.Problem();
+  const Clearance clearance(problem, options, 100'000'000, 1);
+  const auto sheets = Sheets(Even(), contacts_, clearance, options, 1);
+  EXPECT_NEAR(AreaMm2(sheets[18]), 100, 1e-6);
+  EXPECT_TRUE(sheets[17].empty());
+  std::vector<BranchSections> branches(kLayers);
+  for (size_t i = 0; i < kLayers; ++i) {
+    if (i >= 6) branches[i].thin = BoxOf(2, 2, 3, 3);
+    branches[i].thick = BoxOf(6, 6, 9, 9);
+  }
+  const auto layers = BranchLayers(problem, Even(), branches, sheets, options, 1);
+  EXPECT_EQ(AreaOf(layers, 19, SupportRole::kBranch), 0);
+  EXPECT_NEAR(AreaOf(layers, 17, SupportRole::kBranch), 1, 1e-6);
+  EXPECT_NEAR(AreaOf(layers, 17, SupportRole::kThickBranch), 9, 1e-6);
+  EXPECT_NEAR(AreaOf(layers, 6, SupportRole::kBottomInterface), 1, 1e-6);
+  EXPECT_NEAR(AreaOf(layers, 19, SupportRole::kTopInterface), 100, 1e-6);
+}
+
+}  // namespace
+}  // namespace slicefarm::planning::interfaces_test

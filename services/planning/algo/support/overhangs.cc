@@ -1,0 +1,112 @@
+#include "services/planning/algo/support/overhangs.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/base/portable_math.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/boolean/without_rings.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/offset/offset.h"
+#include "services/planning/algo/support/bridges.h"
+
+namespace slicefarm::planning {
+namespace {
+
+/// What is steep where it is enforced.
+constexpr Coord kEnforcedNm = 50'000;
+/// Along a step, supports go this far beyond what is steep: steps that are now and then a little
+/// narrower than the threshold would have supports in pieces.
+constexpr Coord kAlongNm = 500'000;
+constexpr double kLeastAreaNm2 = 0.02e12;
+constexpr OffsetOptions kRound = {.join = Join::kRound, .arc_tolerance_nm = 10'000};
+
+const MultiPolygon& Below(const SupportProblem& problem, size_t index) {
+  return *problem.part[index - 1].outlines;
+}
+
+/// `hanging` (what lies beyond `below`) farther than `distance_nm` from it.
+MultiPolygon FartherThan(const MultiPolygon& hanging, const MultiPolygon& below,
+                         Coord distance_nm) {
+  // Mitred, the layer below covers no less: what is left of nothing needs no round joins.
+  MultiPolygon far;
+  for (const PolygonWithHoles& island : hanging) {
+    const Box box = Bounds(island.outer).Grown(2 * distance_nm);
+    std::vector<Polygon> rings;
+    AppendRingsNear(below, box, rings);
+    if (rings.empty()) {
+      far.push_back(island);
+      continue;
+    }
+    const MultiPolygon near = Union(rings, FillRule::kNonZero);
+    MultiPolygon rest = Difference({island}, Offset(near, distance_nm, kRound));
+    std::move(rest.begin(), rest.end(), std::back_inserter(far));
+  }
+  std::erase_if(far, [](const PolygonWithHoles& island) { return Area(island) < kLeastAreaNm2; });
+  Canonicalize(far);
+  return far;
+}
+
+/// Whether some point of the island may be farther than `distance_nm` from the rest of its layer: a
+/// strip along the layer below that is nowhere wider than that has too little area for its length.
+bool MayReach(const PolygonWithHoles& island, Coord distance_nm) {
+  const Box box = Bounds(island.outer);
+  return std::max(box.max.x - box.min.x, box.max.y - box.min.y) > distance_nm &&
+         Area(island) > kLeastAreaNm2;
+}
+
+}  // namespace
+
+Coord OverhangThreshold(const SupportOptions& options, Coord height_nm, Coord below_height_nm) {
+  if (options.threshold_rad <= 0) return options.wall_width_nm / 2;
+  return std::llround((height_nm + below_height_nm) / 2.0 / Tan(options.threshold_rad));
+}
+
+MultiPolygon IslandsInAirOf(const SupportProblem& problem, size_t index) {
+  MultiPolygon islands;
+  if (index == 0) return islands;
+  for (const PolygonWithHoles& island : *problem.part[index].outlines)
+    if (Intersection({island}, Below(problem, index)).empty()) islands.push_back(island);
+  return islands;
+}
+
+Overhang OverhangOf(const SupportProblem& problem, size_t index, const SupportOptions& options) {
+  Overhang overhang;
+  if (index == 0) return overhang;
+  const PartLayer& layer = problem.part[index];
+  const MultiPolygon& below = Below(problem, index);
+  const bool enforced_layer = static_cast<int32_t>(index) < options.enforced_layers;
+  if (!options.automatic && !enforced_layer && layer.enforcers == nullptr) return overhang;
+  MultiPolygon hanging = Difference(*layer.outlines, below);
+  std::erase_if(hanging, [](const PolygonWithHoles& i) { return !MayReach(i, kEnforcedNm); });
+  if (hanging.empty()) return overhang;
+  const Coord threshold =
+      OverhangThreshold(options, layer.height_nm, problem.part[index - 1].height_nm);
+  if (options.automatic) {
+    overhang.steep = FartherThan(hanging, below, threshold);
+    if (options.skip_bridges && !overhang.steep.empty() && !enforced_layer) {
+      const MultiPolygon bridges = BridgesOf(hanging, overhang.steep, below, options.wall_width_nm);
+      overhang.steep = Difference(overhang.steep, bridges);
+      if (!overhang.steep.empty()) hanging = Difference(hanging, bridges);
+    }
+  }
+  Coord reach = threshold;
+  if (enforced_layer || layer.enforcers != nullptr) {
+    MultiPolygon enforced = FartherThan(hanging, below, kEnforcedNm);
+    if (!enforced_layer) enforced = Intersection(enforced, *layer.enforcers);
+    overhang.steep = Union(overhang.steep, enforced);
+    reach = std::max(reach, kEnforcedNm);
+  }
+  if (layer.blockers != nullptr) {
+    overhang.steep = Difference(overhang.steep, *layer.blockers);
+    hanging = Difference(hanging, *layer.blockers);
+  }
+  std::erase_if(overhang.steep,
+                [](const PolygonWithHoles& island) { return Area(island) < kLeastAreaNm2; });
+  if (!overhang.steep.empty())
+    overhang.contact = Intersection(hanging, FastOffset(overhang.steep, reach + kAlongNm));
+  return overhang;
+}
+
+}  // namespace slicefarm::planning

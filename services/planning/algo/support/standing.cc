@@ -1,0 +1,128 @@
+#include "services/planning/algo/support/standing.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/base/parallel.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/boolean/without_rings.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
+#include "services/planning/algo/support/raster.h"
+#include "services/planning/algo/support/reach_field.h"
+
+namespace slicefarm::planning {
+namespace {
+
+constexpr Coord kPixelNm = 250'000;
+constexpr Coord kSameHeightNm = 1'000;
+/// Rounding of boolean operations may take away as much.
+constexpr double kUnchangedNm2 = 1e9;
+constexpr double kMostPixels = 2'000'000;
+
+Box BoundsOf(const SupportLayer& layer) {
+  Box box;
+  for (const SupportRegion& region : layer.regions) box.Add(Bounds(region.outlines));
+  return box;
+}
+
+class Standing {
+ public:
+  Standing(const SupportProblem& problem, const SupportOptions& options,
+           std::vector<SupportLayer>& layers)
+      : problem_(problem), options_(options), layers_(layers), doubtful_(layers.size(), 0) {}
+
+  /// Whether each island of the layer is seen to be carried by those below, as they are.
+  void Look(size_t index) {
+    const SupportLayer& layer = layers_[index];
+    if (layer.first) return;
+    const Box box = BoundsOf(layer).Grown(2 * kReachNm);
+    Coord pixel = kPixelNm;
+    while (static_cast<double>(GridOver(box, pixel).size()) > kMostPixels) pixel *= 2;
+    Bitmap rest(GridOver(box, pixel));
+    ForEachCarrier(index, [&](const MultiPolygon& outlines) { rest.Fill(outlines); });
+    const std::vector<PixelDistance> set(rest.Row(0), rest.Row(0) + rest.grid().size());
+    const auto reach = static_cast<int32_t>(kReachNm / pixel);
+    const auto near = MostWithin(set, rest.grid(), reach * reach);
+    for (const SupportRegion& region : layer.regions)
+      for (const PolygonWithHoles& island : region.outlines)
+        if (!SeenToStand(island, rest, near)) doubtful_[index] = 1;
+  }
+
+  /// Takes away what is not carried. REQUIRES: called upwards.
+  void Cut(size_t index) {
+    if (!doubtful_[index]) return;
+    SupportLayer& layer = layers_[index];
+    const Box box = BoundsOf(layer).Grown(2 * kReachNm);
+    std::vector<Polygon> rings;
+    ForEachCarrier(index,
+                   [&](const MultiPolygon& outlines) { AppendRingsNear(outlines, box, rings); });
+    const MultiPolygon rest = Union(rings, FillRule::kNonZero);
+    const MultiPolygon around = FastOffset(rest, kReachNm);
+    const MultiPolygon all = Whole(layer);
+    MultiPolygon kept;
+    for (PolygonWithHoles& island : Intersection(all, around))
+      if (!Intersection({island}, rest).empty()) kept.push_back(std::move(island));
+    if (Area(all) - Area(kept) < kUnchangedNm2) return;
+    for (SupportRegion& region : layer.regions)
+      region.outlines = Intersection(region.outlines, kept);
+    std::erase_if(layer.regions, [](const SupportRegion& r) { return r.outlines.empty(); });
+    if (index + 1 < layers_.size()) doubtful_[index + 1] = 1;
+  }
+
+ private:
+  /// Calls visit(outlines) with all that a layer may lie on.
+  template <typename Visit>
+  void ForEachCarrier(size_t index, Visit visit) const {
+    const Coord bottom = layers_[index].top_nm - layers_[index].height_nm;
+    if (index > 0 && layers_[index - 1].top_nm >= bottom - kSameHeightNm)
+      for (const SupportRegion& region : layers_[index - 1].regions) visit(region.outlines);
+    if (options_.bed_only) return;
+    const Coord highest = bottom - options_.bottom_gap_nm + kSameHeightNm;
+    const Coord lowest = highest - options_.layer_height_nm - 2 * kSameHeightNm;
+    for (const PartLayer& part : problem_.part)
+      if (part.top_nm > lowest && part.top_nm <= highest) visit(*part.outlines);
+  }
+
+  static bool SeenToStand(const PolygonWithHoles& island, const Bitmap& rest,
+                          const std::vector<PixelDistance>& near) {
+    const PixelGrid& grid = rest.grid();
+    bool touches = false;
+    for (const Point p : island.outer) {
+      const int32_t x = grid.Column(p.x), y = grid.Row(p.y);
+      if (!near[static_cast<size_t>(y) * grid.width + x]) return false;
+      touches |= rest.At(x, y);
+    }
+    return touches;
+  }
+
+  /// All regions of a layer, joined where they touch.
+  static MultiPolygon Whole(const SupportLayer& layer) {
+    MultiPolygon all;
+    for (const SupportRegion& region : layer.regions) {
+      // A little more, so that what lies side by side is one.
+      const MultiPolygon wide = FastOffset(region.outlines, 2'000);
+      all = Union(all, wide);
+    }
+    return all;
+  }
+
+  const SupportProblem& problem_;
+  const SupportOptions& options_;
+  std::vector<SupportLayer>& layers_;
+  std::vector<uint8_t> doubtful_;
+};
+
+}  // namespace
+
+void KeepStanding(const SupportProblem& problem, const SupportOptions& options, int threads,
+                  const CancelToken& cancel, std::vector<SupportLayer>& layers) {
+  Standing standing(problem, options, layers);
+  ForEachIndex(threads, layers.size(), [&](size_t i, int) {
+    if (!cancel.Cancelled()) standing.Look(i);
+  });
+  for (size_t i = 0; i < layers.size() && !cancel.Cancelled(); ++i) standing.Cut(i);
+  std::erase_if(layers, [](const SupportLayer& layer) { return layer.regions.empty(); });
+}
+
+}  // namespace slicefarm::planning

@@ -1,0 +1,82 @@
+#include "services/planning/algo/support/support_heights.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "services/planning/algo/support/problems_test.h"
+
+namespace slicefarm::planning::support_heights_test {
+namespace {
+
+using testing::ElementsAre;
+
+/// Overhangs in some layers of a part.
+std::vector<Overhang> In(size_t layers, const std::vector<size_t>& which) {
+  std::vector<Overhang> overhangs(layers);
+  for (const size_t i : which) overhangs[i].contact = overhangs[i].steep = BoxOf(0, 0, 1, 1);
+  return overhangs;
+}
+
+std::vector<double> Tops(const SupportHeights& heights) {
+  std::vector<double> tops;
+  Coord below = 0;
+  for (const SupportHeight& layer : heights.layers) {
+    EXPECT_EQ(layer.bottom_nm, below);
+    below = layer.top_nm;
+    tops.push_back(ToMm(static_cast<double>(layer.top_nm)));
+  }
+  return tops;
+}
+
+const TestStack kPart(20, [](double) { return BoxOf(0, 0, 1, 1); });
+
+TEST(HeightsFor, NothingHangsNothingIsBuilt) {
+  EXPECT_EQ(HeightsFor(kPart.Problem(), In(20, {}), {}).layers.size(), 0u);
+}
+
+TEST(HeightsFor, TopsAreTheGapBelowWhatHangs) {
+  SupportOptions options;
+  const SupportHeights heights = HeightsFor(kPart.Problem(), In(20, {5, 6}), options);
+  EXPECT_THAT(Tops(heights), ElementsAre(0.2, 0.4, 0.6, 0.8, 1.0));
+  EXPECT_EQ(heights.under[5], 3);
+  EXPECT_EQ(heights.under[6], 4);
+  EXPECT_EQ(heights.under[7], -1);
+}
+
+TEST(HeightsFor, ContactsHaveHeightsOfTheirOwn) {
+  SupportOptions options;
+  options.top_gap_nm = 150'000;
+  EXPECT_THAT(Tops(HeightsFor(kPart.Problem(), In(20, {4, 5}), options)),
+              ElementsAre(0.2, 0.425, 0.65, 0.85));
+  options.layer_height_nm = 300'000;
+  EXPECT_THAT(Tops(HeightsFor(kPart.Problem(), In(20, {4, 5}), options)),
+              ElementsAre(0.2, 0.425, 0.65, 0.85));
+}
+
+TEST(HeightsFor, TopsTooNearToEachOtherBecomeTheLowerOne) {
+  SupportProblem problem = kPart.Problem();
+  for (size_t i = 10; i < problem.part.size(); ++i) problem.part[i].top_nm -= 150'000;
+  problem.part[10].height_nm = 50'000;
+  const SupportHeights heights = HeightsFor(problem, In(20, {10, 11}), {});
+  EXPECT_EQ(heights.under[10], heights.under[11]);
+  EXPECT_EQ(heights.layers.back().top_nm, 1'800'000);
+}
+
+TEST(HeightsFor, NoRoomUnderTheSecondLayer) {
+  const SupportHeights heights = HeightsFor(kPart.Problem(), In(20, {1, 2}), {});
+  EXPECT_EQ(heights.under[1], -1);
+  EXPECT_EQ(heights.under[2], 0);
+  EXPECT_THAT(Tops(heights), ElementsAre(0.2));
+}
+
+TEST(HeightsFor, SynchronizedTopsAreThePartsOwn) {
+  SupportOptions options;
+  options.top_gap_nm = 150'000;
+  options.synchronize_layers = true;
+  const SupportHeights heights = HeightsFor(kPart.Problem(), In(20, {4}), options);
+  EXPECT_THAT(Tops(heights), ElementsAre(0.2, 0.4, 0.6));
+  EXPECT_EQ(heights.under[4], 2);
+}
+
+}  // namespace
+}  // namespace slicefarm::planning::support_heights_test

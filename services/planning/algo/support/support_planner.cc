@@ -1,0 +1,213 @@
+#include "services/planning/algo/support/support_planner.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "common/base/parallel.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/boolean/without_rings.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
+#include "services/planning/algo/support/branch_drawing.h"
+#include "services/planning/algo/support/branches.h"
+#include "services/planning/algo/support/clearance.h"
+#include "services/planning/algo/support/columns.h"
+#include "services/planning/algo/support/interfaces.h"
+#include "services/planning/algo/support/overhangs.h"
+#include "services/planning/algo/support/reach_field.h"
+#include "services/planning/algo/support/standing.h"
+#include "services/planning/algo/support/support_heights.h"
+
+namespace slicefarm::planning {
+namespace {
+
+/// Branches go this far around what they carry, to the sides.
+constexpr Coord kAroundNm = 12'000'000;
+/// An overhang is carried where support or part is this near.
+constexpr Coord kCarriedTreeNm = 1'000'000;
+constexpr Coord kCarriedNm = 500'000;
+/// Less of an overhang is not worth telling.
+constexpr double kToldNm2 = 0.05e12;
+
+SupportFinding FindingAt(SupportFinding::Kind kind, const SupportProblem& problem, size_t layer,
+                         const PolygonWithHoles& island) {
+  SupportFinding finding;
+  finding.kind = kind;
+  finding.layer = static_cast<int32_t>(layer);
+  finding.bottom_nm = problem.part[layer].bottom_nm();
+  finding.place = Centroid(island.outer);
+  finding.area_mm2 = Area(island) / (kNmPerMm * static_cast<double>(kNmPerMm));
+  return finding;
+}
+
+/// One run.
+class Planner {
+ public:
+  Planner(const SupportProblem& problem, const SupportOptions& options, int threads,
+          const CancelToken& cancel)
+      : problem_(problem), options_(options), threads_(threads), cancel_(cancel) {}
+
+  absl::StatusOr<SupportPlan> Run() {
+    FindOverhangs();
+    if (cancel_.Cancelled()) return cancel_.Check();
+    heights_ = HeightsFor(problem_, overhangs_, options_);
+    if (!heights_.layers.empty()) {
+      const Clearance clearance(problem_, options_, heights_.layers.back().top_nm, threads_);
+      if (cancel_.Cancelled()) return cancel_.Check();
+      FindContacts(clearance);
+      const absl::Status made =
+          options_.style == SupportStyle::kTree ? Grow(clearance) : Raise(clearance);
+      if (!made.ok()) return made;
+      KeepStanding(problem_, options_, threads_, cancel_, plan_.layers);
+    }
+    plan_.findings = Findings();
+    if (cancel_.Cancelled()) return cancel_.Check();
+    return std::move(plan_);
+  }
+
+ private:
+  void FindOverhangs() {
+    overhangs_.resize(problem_.part.size());
+    ForEachIndex(threads_, overhangs_.size(), [&](size_t i, int) {
+      if (!cancel_.Cancelled()) overhangs_[i] = OverhangOf(problem_, i, options_);
+    });
+  }
+
+  void FindContacts(const Clearance& clearance) {
+    const size_t count = heights_.layers.size();
+    std::vector<std::vector<size_t>> on(count);
+    for (size_t i = 0; i < heights_.under.size(); ++i)
+      if (heights_.under[i] >= 0) on[static_cast<size_t>(heights_.under[i])].push_back(i);
+    contacts_.resize(count);
+    ForEachIndex(threads_, count, [&](size_t i, int) {
+      if (cancel_.Cancelled()) return;
+      MultiPolygon contact;
+      for (const size_t part_layer : on[i])
+        contact = Union(contact, overhangs_[part_layer].contact);
+      const SupportHeight& height = heights_.layers[i];
+      contacts_[i] = clearance.Free(contact, height.bottom_nm, height.top_nm);
+    });
+  }
+
+  absl::Status Raise(const Clearance& clearance) {
+    auto columns = Columns(problem_, heights_, contacts_, clearance, options_, threads_, cancel_);
+    if (!columns.ok()) return columns.status();
+    plan_.layers = ColumnLayers(problem_, heights_, *columns, contacts_, options_, threads_);
+    return absl::OkStatus();
+  }
+
+  absl::Status Grow(const Clearance& clearance) {
+    const std::vector<MultiPolygon> sheets =
+        Sheets(heights_, contacts_, clearance, options_, threads_);
+    Box box;
+    for (const MultiPolygon& sheet : sheets) box.Add(Bounds(sheet));
+    if (box.Empty()) return absl::OkStatus();
+    auto field =
+        ReachField::Make(problem_, heights_, box.Grown(kAroundNm), options_, threads_, cancel_);
+    if (!field.ok()) return field.status();
+    auto branches =
+        GrowBranches(*field, heights_, Undersides(field->grid(), sheets), options_, cancel_);
+    if (!branches.ok()) return branches.status();
+    const auto sections =
+        DrawBranches(*branches, *field, heights_, clearance, options_, threads_, cancel_);
+    if (cancel_.Cancelled()) return cancel_.Check();
+    plan_.layers = BranchLayers(problem_, heights_, sections, sheets, options_, threads_);
+    return absl::OkStatus();
+  }
+
+  /// The pixels of each sheet that no sheet lies below.
+  std::vector<std::vector<int32_t>> Undersides(const PixelGrid& grid,
+                                               const std::vector<MultiPolygon>& sheets) const {
+    std::vector<std::vector<int32_t>> undersides(sheets.size());
+    ForEachIndex(threads_, sheets.size(), [&](size_t i, int) {
+      if (i == 0 || sheets[i].empty() || cancel_.Cancelled()) return;
+      Bitmap here(grid), below(grid);
+      here.Fill(sheets[i]);
+      below.Fill(sheets[i - 1]);
+      const uint8_t *h = here.Row(0), *b = below.Row(0);
+      for (size_t k = 0; k < grid.size(); ++k)
+        if (h[k] && !b[k]) undersides[i].push_back(static_cast<int32_t>(k));
+    });
+    return undersides;
+  }
+
+  std::vector<SupportFinding> Findings() const {
+    std::vector<SupportFinding> findings = IslandsInAir(problem_, threads_, cancel_);
+    std::vector<std::vector<SupportFinding>> by_layer(overhangs_.size());
+    ForEachIndex(threads_, overhangs_.size(), [&](size_t i, int) {
+      if (overhangs_[i].steep.empty() || cancel_.Cancelled()) return;
+      for (const PolygonWithHoles& island : NotCarried(i))
+        if (Area(island) >= kToldNm2)
+          by_layer[i].push_back(FindingAt(SupportFinding::Kind::kNotCarried, problem_, i, island));
+    });
+    for (SupportFinding& finding : findings) {
+      const auto& not_carried = by_layer[static_cast<size_t>(finding.layer)];
+      finding.carried = std::none_of(not_carried.begin(), not_carried.end(), [&](const auto& n) {
+        return Distance(n.place, finding.place) * Distance(n.place, finding.place) <
+               finding.area_mm2 * 1e12;
+      });
+    }
+    for (auto& layer : by_layer)
+      std::move(layer.begin(), layer.end(), std::back_inserter(findings));
+    std::stable_sort(findings.begin(), findings.end(), [](const auto& a, const auto& b) {
+      return std::pair(a.layer, a.place) < std::pair(b.layer, b.place);
+    });
+    return findings;
+  }
+
+  /// What of an overhang is farther than it may be from the part's layer below and from support
+  /// right under it. The bed carries what is too near to it for a support.
+  MultiPolygon NotCarried(size_t part_layer) const {
+    const MultiPolygon& steep = overhangs_[part_layer].steep;
+    const int32_t under = heights_.under[part_layer];
+    if (under < 0) return {};
+    const Coord reach = options_.style == SupportStyle::kTree ? kCarriedTreeNm : kCarriedNm;
+    const Coord top = heights_.layers[static_cast<size_t>(under)].top_nm;
+    std::vector<Polygon> rings;
+    const auto add = [&](const MultiPolygon& region) {
+      std::vector<Polygon> near;
+      AppendRingsNear(region, Bounds(steep).Grown(2 * reach), near);
+      for (Polygon& ring : Rings(FastOffset(Union(near, FillRule::kNonZero), reach)))
+        rings.push_back(std::move(ring));
+    };
+    add(*problem_.part[part_layer - 1].outlines);
+    const auto layer = std::partition_point(plan_.layers.begin(), plan_.layers.end(),
+                                            [&](const SupportLayer& l) { return l.top_nm < top; });
+    if (layer != plan_.layers.end() && layer->top_nm == top)
+      for (const SupportRegion& region : layer->regions) add(region.outlines);
+    return WithoutRings(steep, rings);
+  }
+
+  const SupportProblem& problem_;
+  const SupportOptions& options_;
+  const int threads_;
+  const CancelToken& cancel_;
+  std::vector<Overhang> overhangs_;
+  SupportHeights heights_;
+  Contacts contacts_;
+  SupportPlan plan_;
+};
+
+}  // namespace
+
+absl::StatusOr<SupportPlan> PlanSupports(const SupportProblem& problem,
+                                         const SupportOptions& options, int threads,
+                                         const CancelToken& cancel) {
+  return Planner(problem, options, threads, cancel).Run();
+}
+
+std::vector<SupportFinding> IslandsInAir(const SupportProblem& problem, int threads,
+                                         const CancelToken& cancel) {
+  std::vector<std::vector<SupportFinding>> by_layer(problem.part.size());
+  ForEachIndex(threads, by_layer.size(), [&](size_t i, int) {
+    if (cancel.Cancelled()) return;
+    for (const PolygonWithHoles& island : IslandsInAirOf(problem, i))
+      by_layer[i].push_back(FindingAt(SupportFinding::Kind::kStartsInAir, problem, i, island));
+  });
+  std::vector<SupportFinding> findings;
+  for (auto& layer : by_layer) std::move(layer.begin(), layer.end(), std::back_inserter(findings));
+  return findings;
+}
+
+}  // namespace slicefarm::planning

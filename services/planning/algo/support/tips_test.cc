@@ -1,0 +1,52 @@
+#include "services/planning/algo/support/tips.h"
+
+#include <gtest/gtest.h>
+
+#include "services/planning/algo/support/problems_test.h"
+
+namespace slicefarm::planning::tips_test {
+namespace {
+
+constexpr Coord kReach = 1'200'000;
+
+/// Pixels of a region.
+std::vector<int32_t> Pixels(const PixelGrid& grid, const MultiPolygon& region) {
+  Bitmap bitmap(grid);
+  bitmap.Fill(region);
+  std::vector<int32_t> pixels;
+  for (size_t i = 0; i < grid.size(); ++i)
+    if (bitmap.Row(0)[i]) pixels.push_back(static_cast<int32_t>(i));
+  return pixels;
+}
+
+const PixelGrid kGrid = GridOver({{0, 0}, {20'000'000, 20'000'000}}, 250'000);
+
+TEST(TipPlaces, EverythingIsWithinReachOfATip) {
+  for (const MultiPolygon& region : {BoxOf(1, 1, 2, 2), BoxOf(1, 1, 19, 1.6), BoxOf(3, 3, 17, 17),
+                                     Difference(BoxOf(1, 1, 19, 19), BoxOf(2, 2, 18, 18))}) {
+    const auto underside = Pixels(kGrid, region);
+    TipPlaces places(kGrid, kReach);
+    places.Begin(underside);
+    const std::vector<Point> tips = places.Place();
+    for (const int32_t i : underside) {
+      const Point p = kGrid.Centre(i % kGrid.width, i / kGrid.width);
+      double nearest = 1e9;
+      for (const Point tip : tips) nearest = std::min(nearest, Distance(p, tip));
+      EXPECT_LE(nearest, kReach);
+    }
+    // A hexagon around each would be 3.74 mm2.
+    EXPECT_LE(tips.size(), 2 + AreaMm2(region) / 1.6);
+  }
+}
+
+TEST(TipPlaces, WhatIsCoveredNeedsNone) {
+  TipPlaces places(kGrid, kReach);
+  places.Begin(Pixels(kGrid, BoxOf(5, 5, 6, 6)));
+  places.Cover({5'500'000, 5'500'000}, 1'000'000);
+  EXPECT_TRUE(places.Place().empty());
+  places.Begin(Pixels(kGrid, BoxOf(5, 5, 6, 6)));
+  EXPECT_EQ(places.Place(), std::vector<Point>({{5'375'000, 5'375'000}}));
+}
+
+}  // namespace
+}  // namespace slicefarm::planning::tips_test

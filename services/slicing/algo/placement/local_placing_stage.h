@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+
+#include "common/stage/stages.h"
+#include "services/slicing/algo/mesh_io/mesh_source.h"
+
+namespace slicefarm::slicing {
+
+/// The placing stage in this process (prepared_object.h), its meshes read by `source`.
+std::unique_ptr<PlacingStage> MakeLocalPlacing(
+    std::unique_ptr<const MeshSource> source = MakeDirectMeshSource());
+
+}  // namespace slicefarm::slicing

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "services/texture/algo/paths/layer_paths.h"
+
+namespace slicefarm::texture {
+
+/// The first line of a table of points.
+inline constexpr char kCsvHeader[] = "path,layer,x,y,z,nx,ny,nz,on\n";
+
+/// A layer's rows: `path` counts the ways that are worked without a link in between, from 0 in each
+/// layer; mm and unit normals as the shortest decimals that read back as the same doubles.
+std::string CsvRows(const LayerPath& path);
+
+}  // namespace slicefarm::texture

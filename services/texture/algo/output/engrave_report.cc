@@ -1,0 +1,111 @@
+#include "services/texture/algo/output/engrave_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "services/texture/algo/map/distortion.h"
+
+namespace slicefarm::texture {
+namespace {
+
+constexpr double kUneven = 1.5;  // of p99 to p1: a warning
+constexpr double kEvenShare = 0.1;
+
+/// Singular values of a map's Jacobian, the greater one first. Source: closed form of 2 x 2.
+std::array<double, 2> StretchesOf(const Eigen::Matrix2d& j) {
+  const Eigen::Vector2d turned(j(0, 0) + j(1, 1), j(1, 0) - j(0, 1));
+  const Eigen::Vector2d mirrored(j(0, 0) - j(1, 1), j(1, 0) + j(0, 1));
+  return {(turned.norm() + mirrored.norm()) / 2, std::abs(turned.norm() - mirrored.norm()) / 2};
+}
+
+}  // namespace
+
+Spread SpreadOf(const std::vector<double>& values, const std::vector<double>& weights) {
+  std::vector<size_t> order(values.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return values[a] < values[b]; });
+  const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
+  const auto at = [&](double share) {
+    double below = 0;
+    for (const size_t i : order) {
+      below += weights[i];
+      if (below >= share * all) return values[i];
+    }
+    return values[order.back()];
+  };
+  return {at(0.01), at(0.5), at(0.99)};
+}
+
+absl::StatusOr<MapReport> MapReportOf(const EngravePlan& plan, const CancelToken& cancel) {
+  const auto distances = LineDistances(plan, cancel);
+  if (!distances.ok()) return distances.status();
+  const SurfaceMesh& mesh = plan.map.mesh();
+  const double spacing = plan.options.lines[0].spacing_mm;
+  MapReport report{.faces = static_cast<int64_t>(mesh.triangles.size())};
+  std::vector<double> areas, stretches, stretch_weights;
+  double lines = 0;
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const RestTriangle rest = RestOf(mesh.points_mm[a], mesh.points_mm[b], mesh.points_mm[c]);
+    const Eigen::Matrix2d jacobian =
+        JacobianOf(rest, plan.map.map_mm()[a], plan.map.map_mm()[b], plan.map.map_mm()[c]);
+    const double energy = SymmetricDirichlet(jacobian) / 4;
+    report.area_mm2 += rest.area;
+    report.energy_mean += rest.area * energy;
+    report.energy_max = std::max(report.energy_max, energy);
+    areas.push_back(rest.area);
+    for (const double stretch : StretchesOf(jacobian)) {
+      stretches.push_back(stretch);
+      stretch_weights.push_back(rest.area);
+    }
+    lines += rest.area / (*distances)[t];
+    if (std::abs((*distances)[t] / spacing - 1) <= kEvenShare)
+      report.line_even += rest.area / (*distances)[t];
+  }
+  report.energy_mean /= report.area_mm2;
+  report.line_even /= lines;
+  report.stretch = SpreadOf(stretches, stretch_weights);
+  report.line_distance_mm = SpreadOf(*distances, areas);
+  return report;
+}
+
+LayerNumbers NumbersOf(const LayerPath& path) {
+  return {path.layer,      path.height_mm, path.offset_mm,
+          path.spacing_mm, path.runs,      static_cast<int64_t>(path.points.size()),
+          path.on_mm,      path.off_mm,    path.section_mm2,
+          path.folds,      path.folds_mm,  path.first_fold_mm};
+}
+
+std::vector<std::string> WarningsOf(const MapReport& map, const std::vector<LayerNumbers>& layers) {
+  std::vector<std::string> warnings;
+  const Spread& distance = map.line_distance_mm;
+  if (distance.p99 > kUneven * distance.p1)
+    warnings.push_back(
+        fmt::format("lines lie {:.3g} to {:.3g} mm apart on the surface (1 % to 99 % of it): the "
+                    "map is stretched; equidistant lines or another cut would help",
+                    distance.p1, distance.p99));
+  int64_t folds = 0;
+  double folds_mm = 0;
+  const LayerNumbers* first = nullptr;
+  for (const LayerNumbers& layer : layers) {
+    folds += layer.folds;
+    folds_mm += layer.folds_mm;
+    if (layer.folds > 0 && first == nullptr) first = &layer;
+  }
+  if (first != nullptr) {
+    const Eigen::Vector3d& p = first->first_fold_mm;
+    warnings.push_back(fmt::format(
+        "the surface bends more than the texture is high in {} places, {:.2f} mm of lines in all: "
+        "there the tool turns back on its way; first in layer {} at ({:.3f}, {:.3f}, {:.3f})",
+        folds, folds_mm, first->layer, p.x(), p.y(), p.z()));
+  }
+  if (std::all_of(layers.begin(), layers.end(), [](auto& layer) { return layer.runs == 0; }))
+    warnings.push_back("no line of the texture lies on the surface");
+  return warnings;
+}
+
+}  // namespace slicefarm::texture

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "services/texture/algo/paths/placement.h"
+#include "services/texture/algo/pattern/section.h"
+
+namespace slicefarm::texture {
+
+/// A section of a texture over the map: repeated, turned and scaled as it is placed.
+class TiledSection {
+ public:
+  /// Refers to `section`.
+  TiledSection(const Section& section, const Eigen::Vector2d& tile_mm, const Placement& placement)
+      : section_(&section), tile_mm_(tile_mm), placement_(placement) {}
+
+  /// Whether a place of the map is solid.
+  bool Contains(const Eigen::Vector2d& map_mm) const;
+
+  /// Adds the shares of a way in the map at which it may change, in any order: where it crosses
+  /// outlines and borders of tiles.
+  void Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b, std::vector<double>* shares) const;
+
+ private:
+  bool IsThere(const Eigen::Vector2d& tile) const { return placement_.repeat || tile.isZero(0); }
+
+  const Section* section_;
+  Eigen::Vector2d tile_mm_;
+  Placement placement_;
+};
+
+}  // namespace slicefarm::texture
