@@ -21,7 +21,7 @@ endforeach()
 list(FILTER files EXCLUDE REGEX "_test\\.(cc|h)$")
 # What stages and coordinators say to each other; what clients say is read before a job's digest is taken.
 file(GLOB protos RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/proto/slicefarm/v1/*.proto)
-list(FILTER protos EXCLUDE REGEX "/(jobs|profiles|error_details|error_reason)\\.proto$")
+list(FILTER protos EXCLUDE REGEX "/(jobs|profiles|error_reason)\\.proto$")
 list(APPEND files ${protos} CMakeLists.txt cmake/targets.cmake cmake/build_info.cmake)
 list(SORT files)
 
