@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <numbers>
 
@@ -52,7 +53,6 @@ struct SupportOptions {
   Coord closing_radius_nm = 2'000'000;  ///< support_material_closing_radius
   int32_t top_interface_layers = 3;     ///< support_material_interface_layers
   int32_t bottom_interface_layers = 3;  ///< support_material_bottom_interface_layers
-  bool interface_loops = false;         ///< support_material_interface_contact_loops
   Coord spacing_nm = 2'500'000;    ///< support_material_spacing: free between lines of the body
   Coord interface_spacing_nm = 0;  ///< support_material_interface_spacing
   SupportPattern pattern = SupportPattern::kRectilinear;  ///< support_material_pattern
@@ -70,13 +70,17 @@ struct SupportOptions {
   friend bool operator==(const SupportOptions&, const SupportOptions&) = default;
 };
 
-/// Rows of the job's tables of region settings, by what a support's region is for.
-struct SupportRows {
-  int32_t body = 0;
-  int32_t interface = 0;
-  int32_t first_layer = 0;  ///< of the body, on the bed
-
-  friend bool operator==(const SupportRows&, const SupportRows&) = default;
+/// How regions of support are printed.
+enum class SupportRow : uint8_t {
+  kFirstLayer,  ///< on the bed, whatever is above
+  kBase,
+  kBranch,       ///< one loop
+  kThickBranch,  ///< two loops
+  kInterface,
 };
+inline constexpr int kSupportRowCount = 5;
+
+/// Rows of the job's tables of region settings, by SupportRow.
+using SupportRows = std::array<int32_t, kSupportRowCount>;
 
 }  // namespace slicefarm

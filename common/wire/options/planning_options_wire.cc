@@ -1,5 +1,6 @@
 #include "common/wire/options/planning_options_wire.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <numbers>
 #include <string_view>
@@ -190,6 +191,7 @@ v1::TreeOptions ToProto(const TreeOptions& options) {
   proto.set_slow_angle_rad(options.slow_angle_rad);
   proto.set_branch_diameter_nm(options.branch_diameter_nm);
   proto.set_diameter_angle_rad(options.diameter_angle_rad);
+  proto.set_double_wall_diameter_nm(options.double_wall_diameter_nm);
   proto.set_tip_diameter_nm(options.tip_diameter_nm);
   proto.set_branch_distance_nm(options.branch_distance_nm);
   proto.set_top_rate(options.top_rate);
@@ -200,6 +202,7 @@ absl::StatusOr<TreeOptions> TreeFromProto(const v1::TreeOptions& proto) {
   absl::Status status = CheckPositive({{"branch_diameter_nm", proto.branch_diameter_nm()},
                                        {"tip_diameter_nm", proto.tip_diameter_nm()},
                                        {"branch_distance_nm", proto.branch_distance_nm()}});
+  status.Update(CheckNotNegative({{"double_wall_diameter_nm", proto.double_wall_diameter_nm()}}));
   for (const double angle_rad :
        {proto.angle_rad(), proto.slow_angle_rad(), proto.diameter_angle_rad()})
     if (!(0 <= angle_rad && angle_rad < std::numbers::pi / 2))
@@ -211,6 +214,7 @@ absl::StatusOr<TreeOptions> TreeFromProto(const v1::TreeOptions& proto) {
                      .slow_angle_rad = proto.slow_angle_rad(),
                      .branch_diameter_nm = proto.branch_diameter_nm(),
                      .diameter_angle_rad = proto.diameter_angle_rad(),
+                     .double_wall_diameter_nm = proto.double_wall_diameter_nm(),
                      .tip_diameter_nm = proto.tip_diameter_nm(),
                      .branch_distance_nm = proto.branch_distance_nm(),
                      .top_rate = proto.top_rate()};
@@ -231,7 +235,6 @@ v1::SupportOptions ToProto(const SupportOptions& options) {
   proto.set_closing_radius_nm(options.closing_radius_nm);
   proto.set_top_interface_layers(options.top_interface_layers);
   proto.set_bottom_interface_layers(options.bottom_interface_layers);
-  proto.set_interface_loops(options.interface_loops);
   proto.set_spacing_nm(options.spacing_nm);
   proto.set_interface_spacing_nm(options.interface_spacing_nm);
   proto.set_pattern(EnumToProto<v1::SupportPattern>(options.pattern));
@@ -242,6 +245,8 @@ v1::SupportOptions ToProto(const SupportOptions& options) {
   proto.set_wall_width_nm(options.wall_width_nm);
   proto.set_layer_height_nm(options.layer_height_nm);
   proto.set_first_layer_height_nm(options.first_layer_height_nm);
+  proto.set_min_layer_height_nm(options.min_layer_height_nm);
+  proto.set_synchronize_layers(options.synchronize_layers);
   *proto.mutable_tree() = ToProto(options.tree);
   return proto;
 }
@@ -256,7 +261,8 @@ absl::StatusOr<SupportOptions> SupportFromProto(const v1::SupportOptions& proto)
   status.Update(CheckPositive({{"width_nm", proto.width_nm()},
                                {"wall_width_nm", proto.wall_width_nm()},
                                {"layer_height_nm", proto.layer_height_nm()},
-                               {"first_layer_height_nm", proto.first_layer_height_nm()}}));
+                               {"first_layer_height_nm", proto.first_layer_height_nm()},
+                               {"min_layer_height_nm", proto.min_layer_height_nm()}}));
   status.Update(CheckCount("enforced_layers", proto.enforced_layers(), limits::kMaxLayers));
   status.Update(
       CheckCount("top_interface_layers", proto.top_interface_layers(), limits::kMaxLayers));
@@ -280,7 +286,6 @@ absl::StatusOr<SupportOptions> SupportFromProto(const v1::SupportOptions& proto)
                         .closing_radius_nm = proto.closing_radius_nm(),
                         .top_interface_layers = proto.top_interface_layers(),
                         .bottom_interface_layers = proto.bottom_interface_layers(),
-                        .interface_loops = proto.interface_loops(),
                         .spacing_nm = proto.spacing_nm(),
                         .interface_spacing_nm = proto.interface_spacing_nm(),
                         .pattern = Known<SupportPattern>(proto.pattern()),
@@ -291,6 +296,8 @@ absl::StatusOr<SupportOptions> SupportFromProto(const v1::SupportOptions& proto)
                         .wall_width_nm = proto.wall_width_nm(),
                         .layer_height_nm = proto.layer_height_nm(),
                         .first_layer_height_nm = proto.first_layer_height_nm(),
+                        .min_layer_height_nm = proto.min_layer_height_nm(),
+                        .synchronize_layers = proto.synchronize_layers(),
                         .tree = *tree};
 }
 
@@ -302,9 +309,8 @@ v1::ObjectPlanOptions ToProto(const ObjectPlanOptions& options) {
   *proto.mutable_raft() = ToProto(options.raft);
   for (const int32_t row : options.raft_settings) proto.add_raft_settings(row);
   *proto.mutable_support() = ToProto(options.support);
-  proto.mutable_support_settings()->set_body(options.support_settings.body);
-  proto.mutable_support_settings()->set_interface(options.support_settings.interface);
-  proto.mutable_support_settings()->set_first_layer(options.support_settings.first_layer);
+  proto.mutable_support_settings()->Assign(options.support_settings.begin(),
+                                           options.support_settings.end());
   return proto;
 }
 
@@ -312,8 +318,9 @@ absl::StatusOr<ObjectPlanOptions> ObjectFromProto(const v1::ObjectPlanOptions& p
   absl::Status status = CheckComplete(proto);
   status.Update(CheckRow("brim_settings", proto.brim_settings()));
   for (const int32_t row : proto.raft_settings()) status.Update(CheckRow("raft_settings", row));
-  const v1::SupportRows& rows = proto.support_settings();
-  for (const int32_t row : {rows.body(), rows.interface(), rows.first_layer()})
+  if (proto.support_settings_size() != kSupportRowCount)
+    status.Update(Malformed("support_settings", "are not one for each kind of region"));
+  for (const int32_t row : proto.support_settings())
     status.Update(CheckRow("support_settings", row));
   if (!status.ok()) return status;
   const absl::StatusOr<BrimOptions> brim = BrimFromProto(proto.brim());
@@ -322,13 +329,16 @@ absl::StatusOr<ObjectPlanOptions> ObjectFromProto(const v1::ObjectPlanOptions& p
   if (!raft.ok()) return Within("raft", raft.status());
   const absl::StatusOr<SupportOptions> support = SupportFromProto(proto.support());
   if (!support.ok()) return Within("support", support.status());
-  return ObjectPlanOptions{Known<SeamPosition>(proto.seam()),
-                           *brim,
-                           proto.brim_settings(),
-                           *raft,
-                           {proto.raft_settings().begin(), proto.raft_settings().end()},
-                           *support,
-                           {rows.body(), rows.interface(), rows.first_layer()}};
+  ObjectPlanOptions options{
+      .seam = Known<SeamPosition>(proto.seam()),
+      .brim = *brim,
+      .brim_settings = proto.brim_settings(),
+      .raft = *raft,
+      .raft_settings = {proto.raft_settings().begin(), proto.raft_settings().end()},
+      .support = *support,
+      .support_settings = {}};
+  std::ranges::copy(proto.support_settings(), options.support_settings.begin());
+  return options;
 }
 
 v1::InfillPlanOptions ToProto(const InfillPlanOptions& options) {

@@ -83,29 +83,35 @@ RaftOptions DistinctRaftOptions() {
 SupportOptions DistinctSupport() {
   SupportOptions options;
   auto& [on, automatic, style, threshold, enforced_layers, bed_only, skip_bridges, top_gap,
-         bottom_gap, xy_gap, closing_radius, top_interface_layers, bottom_interface_layers,
-         interface_loops, spacing, interface_spacing, pattern, interface_pattern, angle, sheath,
-         width, wall_width, layer_height, first_layer_height, tree] = options;
-  on = automatic = bed_only = skip_bridges = interface_loops = sheath = true;
+         bottom_gap, xy_gap, closingius, top_interface_layers, bottom_interface_layers, spacing,
+         interface_spacing, pattern, interface_pattern, angle, sheath, width, wall_width,
+         layer_height, first_layer_height, min_layer_height, synchronize_layers, tree] = options;
+  on = true;
+  automatic = true;
   style = SupportStyle::kTree;
-  threshold = 0.651;
-  enforced_layers = 652;
-  top_gap = 653;
-  bottom_gap = 654;
-  xy_gap = 655;
-  closing_radius = 656;
-  top_interface_layers = 657;
-  bottom_interface_layers = 658;
-  spacing = 659;
-  interface_spacing = 660;
+  threshold = 0.654;
+  enforced_layers = 655;
+  bed_only = true;
+  skip_bridges = true;
+  top_gap = 658;
+  bottom_gap = 659;
+  xy_gap = 660;
+  closingius = 661;
+  top_interface_layers = 662;
+  bottom_interface_layers = 663;
+  spacing = 664;
+  interface_spacing = 665;
   pattern = SupportPattern::kHoneycomb;
   interface_pattern = InterfacePattern::kConcentric;
-  angle = 0.661;
-  width = 662;
-  wall_width = 663;
-  layer_height = 664;
-  first_layer_height = 665;
-  tree = {0.671, 0.672, 673, 0.674, 675, 676, 0.677};
+  angle = 0.668;
+  sheath = true;
+  width = 670;
+  wall_width = 671;
+  layer_height = 672;
+  first_layer_height = 673;
+  min_layer_height = 674;
+  synchronize_layers = true;
+  tree = {0.691, 0.692, 693, 0.694, 695, 696, 697, 0.698};
   return options;
 }
 
@@ -144,7 +150,7 @@ PlanningOptions DistinctPlanning() {
   raft = DistinctRaftOptions();
   raft_settings = {642, 643};
   support = DistinctSupport();
-  support_settings = {645, 646, 647};
+  support_settings = {681, 682, 683, 684, 685};
   objects = {object, {SeamPosition::kNearest}};
   skirt = DistinctSkirt();
   skirt_settings = 644;
@@ -466,41 +472,25 @@ constexpr char kDistinct[] = R"pb(
       }
       raft_settings: [ 642, 643 ]
       support {
-        on: true
-        automatic: true
-        style: SUPPORT_STYLE_TREE
-        threshold_rad: 0.651
-        enforced_layers: 652
-        bed_only: true
-        skip_bridges: true
-        top_gap_nm: 653
-        bottom_gap_nm: 654
-        xy_gap_nm: 655
-        closing_radius_nm: 656
-        top_interface_layers: 657
-        bottom_interface_layers: 658
-        interface_loops: true
-        spacing_nm: 659
-        interface_spacing_nm: 660
-        pattern: SUPPORT_PATTERN_HONEYCOMB
-        interface_pattern: INTERFACE_PATTERN_CONCENTRIC
-        angle_rad: 0.661
-        sheath: true
-        width_nm: 662
-        wall_width_nm: 663
-        layer_height_nm: 664
-        first_layer_height_nm: 665
+        on: true automatic: true style: SUPPORT_STYLE_TREE threshold_rad: 0.654
+        enforced_layers: 655 bed_only: true skip_bridges: true top_gap_nm: 658 bottom_gap_nm: 659
+        xy_gap_nm: 660 closing_radius_nm: 661 top_interface_layers: 662
+        bottom_interface_layers: 663 spacing_nm: 664 interface_spacing_nm: 665
+        pattern: SUPPORT_PATTERN_HONEYCOMB interface_pattern: INTERFACE_PATTERN_CONCENTRIC
+        angle_rad: 0.668 sheath: true width_nm: 670 wall_width_nm: 671 layer_height_nm: 672
+        first_layer_height_nm: 673 min_layer_height_nm: 674 synchronize_layers: true
         tree {
-          angle_rad: 0.671
-          slow_angle_rad: 0.672
-          branch_diameter_nm: 673
-          diameter_angle_rad: 0.674
-          tip_diameter_nm: 675
-          branch_distance_nm: 676
-          top_rate: 0.677
+          angle_rad: 0.691
+          slow_angle_rad: 0.692
+          branch_diameter_nm: 693
+          diameter_angle_rad: 0.694
+          double_wall_diameter_nm: 695
+          tip_diameter_nm: 696
+          branch_distance_nm: 697
+          top_rate: 0.698
         }
       }
-      support_settings { body: 645 interface: 646 first_layer: 647 }
+      support_settings: [ 681, 682, 683, 684, 685 ]
     }
     skirt {
       loops: 11
