@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <string>
@@ -24,6 +25,9 @@ constexpr double kChordMm = 0.2;
 constexpr double kWayShare = 1.0 / 800;
 /// Heights are whole micrometres.
 constexpr double kUmPerMm = 1000;
+/// A ramp's chord that falls by less than a micrometre looks level, but is shorter than a level's
+/// ways.
+constexpr double kLeastLevelMm = 1;
 
 /// A move in x and y at one height, or on the way to another.
 struct Way {
@@ -129,13 +133,22 @@ double LongerSide(const std::vector<Way>& ways) {
   return std::max({high.x - low.x, high.y - low.y, 1.0});
 }
 
+double LengthMm(const std::vector<PointMm>& points) {
+  double length = 0;
+  for (size_t i = 1; i < points.size(); ++i)
+    length += std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y);
+  return length;
+}
+
 /// From the top down: where something is cut, but for rest areas.
 std::vector<int64_t> LevelsOf(const std::vector<Way>& ways) {
-  std::vector<int64_t> levels;
+  std::map<int64_t, double, std::greater<>> length_mm;
   for (const Way& way : ways)
-    if (!way.rapid && way.height_um && way.phase != "rest areas") levels.push_back(*way.height_um);
-  std::sort(levels.begin(), levels.end(), std::greater<>());
-  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+    if (!way.rapid && way.height_um && way.phase != "rest areas")
+      length_mm[*way.height_um] += LengthMm(way.points);
+  std::vector<int64_t> levels;
+  for (const auto& [height_um, length] : length_mm)
+    if (length >= kLeastLevelMm) levels.push_back(height_um);
   return levels;
 }
 

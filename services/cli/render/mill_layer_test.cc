@@ -48,6 +48,16 @@ TEST(ReadMillLayer, HasAllWays) {
   EXPECT_EQ(all->travels.size(), 1u);
 }
 
+TEST(ReadMillLayer, TakesNoChordOfARampForALevel) {
+  const auto all = ReadMillLayer(
+      "; tool 1: cyl:2\n(roughing)\nG0 X0.000 Y0.000\nZ4.000\nG1 Z3.000 F300.000\nX0.010\n"
+      "X1.000 Z2.500\nX1.010\nX2.000 Z2.000\nX9.000\n",
+      std::nullopt);
+  ASSERT_TRUE(all.ok()) << all.status();
+  EXPECT_EQ(all->layer_count, 1);
+  EXPECT_EQ(all->z_mm, 2);
+}
+
 TEST(ReadMillLayer, NamesTheLastLevel) {
   for (const int level : {-1, 2}) {
     const absl::Status status = ReadMillLayer(kProgram, level).status();

@@ -219,8 +219,8 @@ void LayOut(MillingJob& job) {
     job.steps.push_back({MillPhase::kRest, from + (to - from) * k / rows});
 }
 
-/// Measured on parts of machines: levels of roughing have their rings, those of finishing their
-/// waterlines alone, rows their drops.
+/// Levels of roughing have rings beside their waterlines, those of finishing have waterlines alone,
+/// rows have drops: about 4 to 2 to 1, by what they do, not by measured times.
 int32_t WeightOf(MillPhase phase) {
   switch (phase) {
     case MillPhase::kRoughing:
