@@ -7,7 +7,7 @@
 
 #include "absl/strings/str_cat.h"
 
-namespace slicefarm {
+namespace slicefarm::print_layers_test {
 namespace {
 
 using testing::ElementsAre;
@@ -89,4 +89,4 @@ TEST(PrintLayers, HeightsDoNotDependOnTheOrderOfStacks) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::print_layers_test
