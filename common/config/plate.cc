@@ -221,10 +221,6 @@ class ObjectResolver {
   }
 
   absl::Status AddPart(const Part& part, ObjectInput& input) {
-    if (part.role == PartRole::kSupportEnforcer || part.role == PartRole::kSupportBlocker)
-      resolver_.Warn(fmt::format("{}: support {} {}: not supported yet", object_.name,
-                                 part.role == PartRole::kSupportEnforcer ? "enforcer" : "blocker",
-                                 Quoted(part.name)));
     auto own = resolver_.Fitting(object_.name, part.settings, Scope::kRegion);
     if (!own.ok()) return own.status();
     PartInput added;

@@ -101,7 +101,8 @@ struct JobPlan {
   Skirt skirt;
   std::vector<Copy> copies;  ///< as in SlicedJob::copies
   SeamQuality seams;
-  std::vector<std::string> notes;        ///< for the job's report: what was chosen, and why
+  std::vector<std::string> notes;     ///< for the job's report: what was chosen, and why
+  std::vector<std::string> warnings;  ///< what cannot be made as it was asked for
 
   friend bool operator==(const JobPlan&, const JobPlan&) = default;
 };

@@ -21,7 +21,6 @@ constexpr KnownKey kSwitches[] = {
     {"printer_technology", kResin, "FFF", true, true, true},
     {"single_extruder_multi_material", kNotYet, "0", true},
     {"spiral_vase", kNotYet, "0", true, true, true},
-    {"support_material", kNotYet, "0", true, true, true},
     // These make it better or different in detail.
     {"avoid_crossing_curled_overhangs", kNotYet, "0", true},
     {"colorprint_heights", kNotYet, "", true, true, true},
@@ -32,7 +31,6 @@ constexpr KnownKey kSwitches[] = {
     {"ooze_prevention", kNotYet, "0", true},
     {"perimeter_extruder", kNotYet, "1", true},
     {"solid_infill_extruder", kNotYet, "1", true},
-    {"support_material_enforce_layers", kNotYet, "0", true},
     {"toolchange_gcode", kNotYet, "", true},
     {"wipe_into_infill", kNotYet, "0", true},
     {"wipe_into_objects", kNotYet, "0", true},
@@ -49,7 +47,7 @@ struct Group {
 constexpr Group kGroups[] = {
     {kNotYet,
      "bed_temperature_extruder clip_multipart_objects "
-     "cooling_tube_* dont_support_bridges "
+     "cooling_tube_* "
      "extra_loading_move "
      "filament_cooling_* filament_load_time filament_loading_* "
      "filament_minimal_purge_on_wipe_tower filament_multitool_* filament_purge_multiplier "
@@ -63,7 +61,8 @@ constexpr Group kGroups[] = {
      "parking_pos_retraction retract_length_toolchange "
      "retract_restart_extra_toolchange "
      "single_extruder_multi_material_priming "
-     "standby_temperature_delta support_material_* support_tree_* "
+     "standby_temperature_delta support_material_extruder support_material_interface_extruder "
+     "support_material_interface_contact_loops "
      "variable_layer_height "
      "wipe_tower_* wiping_volumes_*"},
     {kProfile,

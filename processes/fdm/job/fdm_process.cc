@@ -333,6 +333,7 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
   std::ranges::move(BedWarnings(*plan, FdmOf(settings).planning.bed, sliced->copies,
                                 sliced->object_names),
                     std::back_inserter(report.warnings));
+  std::ranges::move(plan->warnings, std::back_inserter(report.warnings));
   report.notes = std::move(plan->notes);
   std::ranges::move(FieldNotesOf(settings), std::back_inserter(report.notes));
   auto spool = SpoolFile::Make(spool_directory_);

@@ -49,6 +49,11 @@ void DeriveWidths(Draft& draft) {
   }
   DeriveWidth(draft, "top_infill_extrusion_width", nozzle);
   DeriveWidth(draft, "support_material_extrusion_width", nozzle);
+  TakePercentage(draft, "support_material_xy_spacing");
+  FallBack(draft, "support_material_bottom_contact_distance", "support_material_contact_distance");
+  if (draft.Number("support_material_bottom_interface_layers") < 0)
+    draft.SetNumber("support_material_bottom_interface_layers",
+                    draft.Number("support_material_interface_layers"));
   TakePercentage(draft, "first_layer_extrusion_width");
   FallBack(draft, "first_layer_extrusion_width", "perimeter_extrusion_width");
   TakePercentage(draft, "extrusion_width");

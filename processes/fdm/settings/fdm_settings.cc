@@ -25,9 +25,9 @@ class OfFdm : public ProcessSettings {
   JobSettings Standards() const override { return {.slicing = {}, .own = FdmSettings()}; }
   std::vector<SettingSpec> Table() const override {
     std::vector<SettingSpec> all;
-    for (const auto& section :
-         {LayerSettings, SlicingSettings, WallSettings, SeamSettings, InfillSettings,
-          AdhesionSettings, SpeedSettings, FilamentSettings, MachineSettings, WritingSettings})
+    for (const auto& section : {LayerSettings, SlicingSettings, WallSettings, SeamSettings,
+                                InfillSettings, AdhesionSettings, SupportSettings, SpeedSettings,
+                                FilamentSettings, MachineSettings, WritingSettings})
       std::ranges::move(section(), std::back_inserter(all));
     SetScopes(all);
     return all;

@@ -71,10 +71,34 @@ constexpr Need kNeeds[] = {
      [](const JobSettings& s) { return FdmOf(s).ordering.travel.avoid_crossing; }},
     {"retract_inside_after retract_layer_change", "only_retract_when_crossing_perimeters = 1",
      [](const JobSettings& s) { return FdmOf(s).ordering.travel.hide; }},
-    {"raft_contact_distance raft_expansion raft_first_layer_expansion raft_first_layer_density "
-     "support_material_spacing support_material_angle",
+    {"raft_contact_distance raft_expansion raft_first_layer_expansion",
      "raft_layers of more than 0",
      [](const JobSettings& s) { return FdmOf(s).planning.objects[0].raft.heights.layers > 0; }},
+    {"raft_first_layer_density support_material_spacing support_material_angle",
+     "raft_layers of more than 0 or support_material = 1",
+     [](const JobSettings& s) {
+       const ObjectPlanOptions& object = FdmOf(s).planning.objects[0];
+       return object.raft.heights.layers > 0 || object.support.on;
+     }},
+    {"dont_support_bridges support_material_auto "
+     "support_material_bottom_contact_distance "
+     "support_material_bottom_interface_layers support_material_buildplate_only "
+     "support_material_closing_radius support_material_contact_distance "
+     "support_material_enforce_layers support_material_interface_layers "
+     "support_material_interface_pattern support_material_interface_spacing "
+     "support_material_pattern support_material_style "
+     "support_material_synchronize_layers support_material_threshold "
+     "support_material_with_sheath support_material_xy_spacing",
+     "support_material = 1",
+     [](const JobSettings& s) { return FdmOf(s).planning.objects[0].support.on; }},
+    {"support_tree_angle support_tree_angle_slow support_tree_branch_diameter "
+     "support_tree_branch_diameter_angle support_tree_branch_diameter_double_wall "
+     "support_tree_branch_distance support_tree_tip_diameter support_tree_top_rate",
+     "support_material = 1 and support_material_style = organic",
+     [](const JobSettings& s) {
+       const SupportOptions& support = FdmOf(s).planning.objects[0].support;
+       return support.on && support.style == SupportStyle::kTree;
+     }},
     {"min_fan_speed", "cooling = 1 or fan_always_on = 1",
      [](const JobSettings& s) {
        return FdmOf(s).motion.cooling.enabled || FdmOf(s).motion.cooling.fan_always_on;

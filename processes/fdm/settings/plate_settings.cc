@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "processes/fdm/settings/adhesion_rows.h"
+#include "processes/fdm/settings/support_rows.h"
 
 namespace slicefarm::config::fdm {
 namespace {
@@ -28,10 +29,22 @@ void LeaveRoomForBrims(JobSettings& settings) {
         std::max(slicing.clearance_radius_nm, slicing.part_distance_nm + 2 * reach);
 }
 
+absl::Status AddSupportRows(JobSettings& object, RegionRows& rows) {
+  ObjectPlanOptions& planning = FdmOf(object).planning.objects.front();
+  if (!planning.support.on) return absl::OkStatus();
+  for (int32_t i = 0; i < kSupportRowCount; ++i) {
+    absl::StatusOr<int32_t> row = rows.RowOf(SupportRegionRow(object, static_cast<SupportRow>(i)));
+    if (!row.ok()) return row.status();
+    planning.support_settings[static_cast<size_t>(i)] = *row;
+  }
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 absl::Status AddAdhesionRows(JobSettings& object, RegionRows& rows) {
   ObjectPlanOptions& planning = FdmOf(object).planning.objects.front();
+  if (absl::Status ok = AddSupportRows(object, rows); !ok.ok()) return ok;
   const int32_t raft_layers = planning.raft.heights.layers;
   for (int32_t layer = 0; layer < raft_layers; ++layer) {
     absl::StatusOr<int32_t> row = rows.RowOf(RaftRow(object, layer));

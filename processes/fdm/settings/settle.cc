@@ -113,6 +113,17 @@ void TakeAdhesion(JobSettings& settings) {
   FdmOf(settings).planning.bed = settings.slicing.bed;
 }
 
+/// What supports take from settings that are about other things.
+void TakeSupports(JobSettings& settings) {
+  SupportOptions& support = FdmOf(settings).planning.objects[0].support;
+  support.wall_width_nm = FdmOf(settings).beading[0].external_width_nm;
+  support.layer_height_nm = settings.slicing.objects[0].layer_height_nm;
+  support.first_layer_height_nm = settings.slicing.objects[0].on_bed
+                                      ? settings.slicing.first_layer_height_nm
+                                      : support.layer_height_nm;
+  support.min_layer_height_nm = std::min(support.min_layer_height_nm, support.layer_height_nm);
+}
+
 /// A density that depends on the distance to the surface looks as many layers up and down as it
 /// reaches.
 absl::Status TakeDensityField(JobSettings& settings) {
@@ -200,6 +211,7 @@ absl::Status Settle(const Settling& settling) {
   if (!macro::NamesClock(*code)) settling.told.erase("creation_time");
   TakeClearance(settings);
   TakeAdhesion(settings);
+  TakeSupports(settings);
   if (absl::Status ok = TakeDensityField(settings); !ok.ok()) return ok;
   if (absl::Status ok = CheckPlannedPattern(FdmOf(settings).infill[0]); !ok.ok()) return ok;
   if (auto note = TakeEveryLayers(settings)) settling.result.no_effect.push_back(*std::move(note));

@@ -198,6 +198,7 @@ absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const Sliced
     if (!seams.ok()) return seams.status();
     plan.seams = *seams;
     plan.notes.assign(response.end().notes().begin(), response.end().notes().end());
+    plan.warnings.assign(response.end().warnings().begin(), response.end().warnings().end());
     for (const int64_t lift_nm : response.end().lifts_nm())
       if (absl::Status ok = CheckLift("lifts_nm", lift_nm); !ok.ok()) return ok;
     plan.lifts_nm.assign(response.end().lifts_nm().begin(), response.end().lifts_nm().end());

@@ -201,16 +201,19 @@ class PassProgram {
     return stretches;
   }
 
+  /// A copy's blocks lie together, under one label.
   void WriteCopy(const BlockVisit& visit, ShiftUm shift, const JobFacts& facts, LayerWriter& writer,
                  GcodeText& out) const {
     const auto copy = static_cast<size_t>(visit.copy);
     const bool labelled = visit.copy >= 0 && copy < facts.copies.size();
-    if (labelled) BeginCopy(facts.copies[copy], copy, options_, out);
+    const bool begins = &visit == &visits_.front() || (&visit)[-1].copy != visit.copy;
+    const bool ends = &visit == &visits_.back() || (&visit)[1].copy != visit.copy;
+    if (labelled && begins) BeginCopy(facts.copies[copy], copy, options_, out);
     writer.BeginBlock(out);
     const Toolpath& path = PathOf(visit);
     writer.Write(path, path.approach + 1, path.moves.size(), shift, out);
     writer.EndBlock(out);
-    if (labelled) EndCopy(facts.copies[copy], copy, options_, out);
+    if (labelled && ends) EndCopy(facts.copies[copy], copy, options_, out);
   }
 
   const OrderedLayer& layer_;

@@ -42,10 +42,19 @@ absl::Status CheckPaths(const FilledLayer& layer, const LayerPlan& plan, size_t 
                    {{"layer", std::to_string(layer.frame.index)}});
 }
 
-const SectionPlan& PlanOf(int32_t stack, const LayerPlan& plan) {
-  static const SectionPlan kNone;
+/// Null: nothing is planned for the stack, by its id.
+const SectionPlan* FindPlan(int32_t stack, const LayerPlan& plan) {
   const auto found = std::ranges::lower_bound(plan.sections, stack, {}, &SectionPlan::stack);
-  return found != plan.sections.end() && found->stack == stack ? *found : kNone;
+  return found != plan.sections.end() && found->stack == stack ? &*found : nullptr;
+}
+
+/// Of the stack, or of its object's part.
+SectionPlan PlanOf(const Stack& stack, const LayerPlan& plan) {
+  if (const SectionPlan* own = FindPlan(stack.id, plan); own != nullptr) return *own;
+  const SectionPlan* part = FindPlan(stack.object, plan);
+  SectionPlan none;
+  if (part != nullptr) none.entry = part->entry;
+  return none;
 }
 
 /// The order of printing, but for that of copies: the plate first, then by object.
@@ -131,13 +140,15 @@ class LayerVisits {
 };
 
 /// Where a section starts: an object's stacks go on from each other, and so do those of the plate.
+/// What a single copy begins with starts where the nozzle comes from.
 Point EntryOf(const Stack& stack, const OrderedLayer& layer, const LayerPlan& plan,
               std::span<const Copy> copies) {
-  if (!layer.blocks.empty() && layer.blocks.back().stack.object == stack.object)
-    return EndOf(layer.blocks.back().paths.back());
-  if (stack.object == kPlateObject) return plan.entry;
-  if (layer.begins_ready) return plan.entry - copies.front().shift;  // where the layer below led
-  return PlanOf(stack.object, plan).entry;  // of the object's part
+  const Point from = layer.blocks.empty() ? plan.entry : EndOf(layer.blocks.back().paths.back());
+  if (stack.object == kPlateObject) return from;
+  if (!layer.blocks.empty() && layer.blocks.back().stack.object == stack.object) return from;
+  if (stack.IsPart() && layer.begins_ready) return plan.entry - copies.front().shift;
+  if (!stack.IsPart() && copies.size() == 1) return from - copies.front().shift;
+  return PlanOf(stack, plan).entry;
 }
 
 }  // namespace
@@ -160,7 +171,7 @@ absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan
         {kSkirtStack, layer.frame.index, layer.frame.height_nm, plan.paths, {}});
   for (FilledSection& section : layer.sections) {
     WorkBudget budget{options.improvement_moves};
-    SectionPlan section_plan = PlanOf(section.stack.id, plan);
+    SectionPlan section_plan = PlanOf(section.stack, plan);
     section_plan.entry = EntryOf(section.stack, ordered, plan, copies);
     if (!ordered.ends_ready) section_plan.exit.reset();
     PathBlock block = OrderSection(std::move(section), section_plan, options, budget);

@@ -104,6 +104,24 @@ TEST(OrderLayer, ThePlateComesFirst) {
   EXPECT_EQ(both.visits[1].block, 1);
 }
 
+TEST(OrderLayer, AnObjectsStacksAreVisitedTogetherByTheirKinds) {
+  const Stack support(5, 0, StackKind::kSupport), brim(7, 0, StackKind::kBrim);
+  const std::vector<Copy> copies = {{0, Mm(50, 0), 0}, {0, Mm(100, 0), 0}};
+  const OrderedLayer ordered =
+      Order(LayerOf({SectionOf(0, kSquare), SectionOf(support, "(8 0, 9 0, 9 1, 8 1)"),
+                     SectionOf(brim, "(-2 -2, 9 -2, 9 9, -2 9)")}),
+            copies);
+  ASSERT_THAT(ordered.blocks, SizeIs(3));
+  EXPECT_EQ(ordered.blocks[0].stack, brim);
+  EXPECT_EQ(ordered.blocks[1].stack, support);
+  EXPECT_EQ(ordered.blocks[2].stack, Stack(0));
+  EXPECT_THAT(CopiesOf(ordered), ElementsAre(0, 0, 0, 1, 1, 1));
+  for (size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(ordered.visits[i].block, static_cast<int32_t>(i % 3));
+    EXPECT_EQ(ordered.visits[i].shift, copies[i / 3].shift);
+  }
+}
+
 TEST(OrderLayer, MeetsOtherLayersReadyUnlessTheSettingsForbidIt) {
   LayerPlan plan;
   plan.begins_ready = true;

@@ -14,6 +14,7 @@
 #include "services/planning/algo/infill/infill_planner.h"
 #include "services/planning/algo/seams/seam_planner.h"
 #include "services/planning/algo/sequence/sequence_planner.h"
+#include "services/planning/algo/supports/supports_planner.h"
 #include "services/planning/algo/travel/travel_planner.h"
 
 namespace slicefarm::planning {
@@ -62,8 +63,11 @@ absl::Status CheckRaftsAreAlike(const PlanningOptions& options, std::span<const 
 }  // namespace
 
 JobPlanner::JobPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies,
-                       std::span<const std::string> object_names)
+                       std::span<const std::string> object_names, int threads)
     : options_(&options), copies_(copies) {
+  if (SupportsPlanner::IsNeeded(options, copies))
+    region_planners_.push_back(
+        std::make_unique<SupportsPlanner>(options, copies, object_names, threads));
   if (RaftPlanner::IsNeeded(options, copies))
     region_planners_.push_back(std::make_unique<RaftPlanner>(options, copies));
   planners_.push_back(std::make_unique<SeamPlanner>(options));
@@ -77,13 +81,14 @@ JobPlanner::JobPlanner(const PlanningOptions& options, std::span<const PlacedCop
 
 absl::StatusOr<JobPlanner> JobPlanner::Make(const PlanningOptions& options,
                                             std::span<const PlacedCopy> copies,
-                                            std::span<const std::string> object_names) {
+                                            std::span<const std::string> object_names,
+                                            int threads) {
   for (const PlacedCopy& copy : copies)
     if (absl::Status ok = CheckObject(copy.object, options); !ok.ok()) return ok;
   for (const ObjectPlanOptions& object : options.objects)
     if (absl::Status ok = CheckRaft(object); !ok.ok()) return ok;
   if (absl::Status ok = CheckRaftsAreAlike(options, copies, object_names); !ok.ok()) return ok;
-  return JobPlanner(options, copies, object_names);
+  return JobPlanner(options, copies, object_names, threads);
 }
 
 absl::Status JobPlanner::Next(const SlicedLayer& layer) {
@@ -109,12 +114,12 @@ absl::Status JobPlanner::PlanRegions(const CancelToken& cancel, JobPlan& plan) {
   RegionPlan regions{.next_id = static_cast<int32_t>(options_->objects.size()),
                      .lifts_nm = {},
                      .stacks = {},
-                     .notes = {}};
+                     .warnings = {}};
   for (const auto& planner : region_planners_)
     if (absl::Status ok = planner->Plan(parts_, cancel, regions); !ok.ok()) return ok;
   plan.lifts_nm = std::move(regions.lifts_nm);
   plan.stacks = std::move(regions.stacks);
-  plan.notes = std::move(regions.notes);
+  plan.warnings = std::move(regions.warnings);
   const auto layers = PrintLayers(std::move(parts_), plan.lifts_nm, plan.stacks);
   if (std::ssize(layers) > limits::kMaxLayers)
     return LimitError(Reason::kRequestTooLarge, "layers of all objects, rafts and supports",

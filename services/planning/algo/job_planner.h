@@ -19,7 +19,8 @@ namespace slicefarm::planning {
 /// what those before it added, and then the heights of all stacks become the layers of the print
 /// (common/stage/print_layers.h):
 ///
-///   1 rafts    what objects stand on (adhesion/raft_planner.h)
+///   1 supports what carries parts that would hang in the air (supports/supports_planner.h)
+///   2 rafts    what objects and supports stand on (adhesion/raft_planner.h)
 ///
 /// Planners then look at the layers of the print, bottom up, in this order:
 ///
@@ -38,7 +39,8 @@ namespace slicefarm::planning {
 /// What lies on the plate is known at the end alone: a draft shield goes round all that is above
 /// it, and is as high as the job; the sequence of copies depends on their heights.
 ///
-/// One thread; the plan depends on nothing but the arguments.
+/// One thread, but for supports; the plan depends on nothing but the arguments, and not on how many
+/// threads there are.
 class JobPlanner {
  public:
   /// All must outlive this. `object_names`: by object, for messages; may be fewer. Errors:
@@ -47,7 +49,8 @@ class JobPlanner {
   /// the other and whose rafts are not of one height.
   static absl::StatusOr<JobPlanner> Make(const PlanningOptions& options,
                                          std::span<const PlacedCopy> copies,
-                                         std::span<const std::string> object_names = {});
+                                         std::span<const std::string> object_names = {},
+                                         int threads = 1);
 
   /// The next layer of the parts, each from its own bottom. Errors: REQUEST_MALFORMED for sections
   /// of objects that have no options, or that are of no part.
@@ -65,7 +68,7 @@ class JobPlanner {
 
  private:
   JobPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies,
-             std::span<const std::string> object_names);
+             std::span<const std::string> object_names, int threads);
 
   /// Runs the region planners, then looks at the layers of the print.
   absl::Status PlanRegions(const CancelToken& cancel, JobPlan& plan);

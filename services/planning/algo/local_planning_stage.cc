@@ -11,7 +11,8 @@ class LocalPlanning : public PlanningStage {
  public:
   absl::StatusOr<JobPlan> Plan(const StageCall& call, const SlicedOutlines& job,
                                const PlanningOptions& options) const override {
-    absl::StatusOr<JobPlanner> planner = JobPlanner::Make(options, job.copies, job.object_names);
+    absl::StatusOr<JobPlanner> planner = 
+        JobPlanner::Make(options, job.copies, job.object_names, call.threads);
     if (!planner.ok()) return planner.status();
     for (const SlicedLayer& layer : job.layers) {
       if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;

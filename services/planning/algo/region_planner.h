@@ -15,7 +15,7 @@ struct RegionPlan {
   int32_t next_id = 0;              ///< of the stack that comes next
   std::vector<Coord> lifts_nm;      ///< by object: its part's bottom, above the bed
   std::vector<AddedStack> stacks;   ///< by ascending id
-  std::vector<std::string> notes;   ///< for the job's report
+  std::vector<std::string> warnings;  ///< for the job's report
 
   /// A stack without layers yet.
   AddedStack& Add(int32_t object, StackKind kind) {

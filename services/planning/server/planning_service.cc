@@ -85,6 +85,7 @@ absl::Status AnswerRest(const JobPlan& plan, Stream& stream) {
   end.mutable_end()->mutable_lifts_nm()->Assign(plan.lifts_nm.begin(), plan.lifts_nm.end());
   *end.mutable_end()->mutable_seams() = ToProto(plan.seams);
   end.mutable_end()->mutable_notes()->Assign(plan.notes.begin(), plan.notes.end());
+  end.mutable_end()->mutable_warnings()->Assign(plan.warnings.begin(), plan.warnings.end());
   status = AllToProto(plan.copies, "copies", end.mutable_end()->mutable_copies());
   if (status.ok()) stream.Write(end);  // a client that is gone needs no error
   return status;

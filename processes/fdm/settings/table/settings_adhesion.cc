@@ -164,24 +164,30 @@ std::vector<SettingSpec> Raft() {
        .min = 0,
        .max = 20,
        .standard = "0",
-       .doc = "Width of a raft's lines above its first layer; 0: extrusion_width",
+       .doc = "Width of the lines of supports, and of a raft above its first layer; 0: extrusion_width",
        .relative_to = "layer_height",
-       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].raft.lines.width_nm; })},
+       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].raft.lines.width_nm; }),
+       .also = Bind(
+           [](auto& s) -> auto& { return s.planning.objects[0].support.width_nm; })},
       {.key = "support_material_spacing",
        .unit = "mm",
        .min = 0,
        .max = 100,
        .standard = "2.5",
-       .doc = "Free room between the lines of a raft's base",
-       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].raft.lines.spacing_nm; })},
+       .doc = "Free room between the lines of supports and of a raft's base",
+       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].raft.lines.spacing_nm; }),
+       .also =
+           Bind([](auto& s) -> auto& { return s.planning.objects[0].support.spacing_nm; })},
       {.key = "support_material_angle",
        .unit = "degrees",
        .min = 0,
        .max = 359,
        .standard = "0",
-       .doc = "Direction of the lines of a raft's base; those of its interface run across",
+       .doc = "Direction of the lines of supports and of a raft's base; those of interfaces run across",
        .field = Bind<Scale::kDegrees>(
-           [](auto& s) -> auto& { return s.planning.objects[0].raft.lines.angle_rad; })},
+           [](auto& s) -> auto& { return s.planning.objects[0].raft.lines.angle_rad; }),
+       .also = Bind<Scale::kDegrees>(
+           [](auto& s) -> auto& { return s.planning.objects[0].support.angle_rad; })},
   };
 }
 

@@ -37,6 +37,7 @@ std::vector<SettingSpec> WallSettings();      ///< settings_walls.cc
 std::vector<SettingSpec> SeamSettings();      ///< settings_seams.cc
 std::vector<SettingSpec> InfillSettings();    ///< settings_infill.cc
 std::vector<SettingSpec> AdhesionSettings();  ///< settings_adhesion.cc
+std::vector<SettingSpec> SupportSettings();   ///< settings_supports.cc
 std::vector<SettingSpec> SpeedSettings();     ///< settings_speed.cc
 std::vector<SettingSpec> FilamentSettings();  ///< settings_filament.cc
 std::vector<SettingSpec> MachineSettings();   ///< settings_machine.cc

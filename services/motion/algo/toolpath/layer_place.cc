@@ -12,10 +12,16 @@ LayerPlace PlaceOf(const OrderedLayer& layer, std::span<const BlockVisit> visits
   if (place.pass >= std::ssize(facts.passes)) return place;
   const PassFacts& pass = facts.passes[static_cast<size_t>(place.pass)];
   place.top_nm = std::max(place.top_nm, pass.top_before_nm);
-  const auto copy =
-      std::ranges::find_if(visits, [](const BlockVisit& visit) { return visit.copy >= 0; });
-  if (copy == visits.end()) return place;  // of the plate alone, in the first pass
-  const int32_t own = layer.blocks[static_cast<size_t>(copy->block)].layer;
+  // A part's layers are counted; what supports have between them counts as if layers were in step.
+  const auto part = std::ranges::find_if(visits, [&](const BlockVisit& visit) {
+    return layer.blocks[static_cast<size_t>(visit.block)].stack.IsPart();
+  });
+  if (part == visits.end()) {
+    const bool of_copy = !visits.empty() && visits.back().copy >= 0;
+    if (of_copy) place.number = pass.layers_before + std::max(0, frame.index - pass.first_layer);
+    return place;  // else of the plate alone, in the first pass
+  }
+  const int32_t own = layer.blocks[static_cast<size_t>(part->block)].layer;
   place.index = pass.first_layer + own;
   place.number = pass.layers_before + own;
   return place;

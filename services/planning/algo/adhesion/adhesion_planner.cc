@@ -12,6 +12,7 @@
 #include "common/geometry/moved.h"
 #include "common/geometry/offset/offset.h"
 #include "common/model/limits.h"
+#include "services/planning/algo/adhesion/alone.h"
 #include "services/planning/algo/adhesion/automatic_brim.h"
 #include "services/planning/algo/adhesion/brim.h"
 #include "services/planning/algo/adhesion/room.h"
@@ -79,7 +80,7 @@ void AdhesionPlanner::LookAt(const SlicedLayer& layer, const ObjectSection& sect
   }
 }
 
-MultiPolygon AdhesionPlanner::OnPlate(MultiPolygon Seen::* of) const {
+MultiPolygon AdhesionPlanner::OnPlate(MultiPolygon Seen::*of) const {
   MultiPolygon all;
   for (const PlacedCopy& copy : copies_)
     if (const auto seen = seen_.find(copy.object); seen != seen_.end())
@@ -89,7 +90,52 @@ MultiPolygon AdhesionPlanner::OnPlate(MultiPolygon Seen::* of) const {
   return all;
 }
 
-absl::StatusOr<std::vector<Region>> AdhesionPlanner::PlaceBrims(const MultiPolygon& shield,
+BrimOptions AdhesionPlanner::BrimOf(int32_t object, const Seen& seen) const {
+  BrimOptions brim = options_.objects[static_cast<size_t>(object)].brim;
+  if (brim.automatic.on)
+    brim.width_nm = AutomaticBrimWidth(brim.automatic, seen.on_bed, seen.height_nm);
+  return brim;
+}
+
+std::set<int32_t> AdhesionPlanner::Alone() const {
+  const bool shields =
+      options_.skirt.loops > 0 && options_.skirt.draft_shield != DraftShield::kDisabled;
+  if (options_.sequence.complete_objects || shields) return {};
+  std::vector<TakenRoom> rooms;
+  const auto add = [&](int32_t object, Point shift) {
+    const auto found = seen_.find(object);
+    if (found == seen_.end()) return;
+    const Seen& seen = found->second;
+    Coord reach_nm = 0;
+    if (object != kPlateObject && HasBrim(object)) {
+      const BrimOptions brim = BrimOf(object, seen);
+      reach_nm = brim.separation_nm + brim.width_nm;
+    }
+    Box box = Bounds(seen.on_bed);
+    box.Add(Bounds(seen.raft));
+    if (box.Empty()) return;
+    const Box room = box.Grown(reach_nm + kGlueNm);
+    rooms.push_back({object, {room.min + shift, room.max + shift}});
+  };
+  for (const PlacedCopy& copy : copies_) add(copy.object, copy.shift);
+  add(kPlateObject, {});
+  std::set<int32_t> alone = ObjectsAlone(rooms, bed_);
+  std::erase_if(alone,
+                [this](int32_t object) { return object == kPlateObject || !HasBrim(object); });
+  return alone;
+}
+
+absl::StatusOr<MultiPolygon> AdhesionPlanner::OwnBrim(int32_t object,
+                                                      const CancelToken& cancel) const {
+  const Seen& seen = seen_.at(object);
+  const BrimObject one = {seen.on_bed, BrimOf(object, seen)};
+  auto brims = BrimRegions({&one, 1}, RoomOf({}), cancel);
+  if (!brims.ok()) return brims.status();
+  return brims->front().empty() ? MultiPolygon{} : Joined(brims->front());
+}
+
+absl::StatusOr<std::vector<Region>> AdhesionPlanner::PlaceBrims(const std::set<int32_t>& alone,
+                                                                const MultiPolygon& shield,
                                                                 const CancelToken& cancel) const {
   if (std::ranges::none_of(copies_,
                            [this](const PlacedCopy& copy) { return HasBrim(copy.object); }))
@@ -99,12 +145,9 @@ absl::StatusOr<std::vector<Region>> AdhesionPlanner::PlaceBrims(const MultiPolyg
   for (const PlacedCopy& copy : copies_) {
     const auto seen = seen_.find(copy.object);
     if (seen == seen_.end() || seen->second.on_bed.empty() || HasRaft(copy.object)) continue;
+    if (alone.contains(copy.object)) continue;
     const ObjectPlanOptions& own = options_.objects[static_cast<size_t>(copy.object)];
-    BrimOptions brim = own.brim;
-    if (brim.automatic.on)
-      brim.width_nm =
-          AutomaticBrimWidth(brim.automatic, seen->second.on_bed, seen->second.height_nm);
-    objects.push_back({Moved(seen->second.on_bed, copy.shift), brim});
+    objects.push_back({Moved(seen->second.on_bed, copy.shift), BrimOf(copy.object, seen->second)});
     rows.push_back(own.brim_settings);
   }
   if (MultiPolygon rafts = OnPlate(&Seen::raft); !rafts.empty())
@@ -133,11 +176,11 @@ MultiPolygon AdhesionPlanner::Fenced() const {
   return fenced;
 }
 
-void AdhesionPlanner::AddBrims(std::vector<Region> brims, JobPlan& plan) const {
+void AdhesionPlanner::AddBrim(int32_t object, std::vector<Region> brims, JobPlan& plan) const {
   if (brims.empty()) return;
   const auto id = static_cast<int32_t>(options_.objects.size() + plan.stacks.size());
   AddedStack& added = plan.stacks.emplace_back();
-  added.stack = Stack(id, kPlateObject, StackKind::kBrim);
+  added.stack = Stack(id, object, StackKind::kBrim);
   ObjectSection& section = added.sections.emplace_back();
   section.stack = added.stack;
   section.height_nm = section.z_nm = first_height_nm_;
@@ -168,15 +211,23 @@ absl::Status AdhesionPlanner::Finish(const CancelToken& cancel, OpenLayers& /*la
   const bool shields = skirt.draft_shield != DraftShield::kDisabled;
   std::vector<Path> loops;
   if (shields) loops = SkirtLoops(fenced, {}, skirt);
-  auto brims = PlaceBrims(ShieldKeepOut(loops, skirt), cancel);
+  const std::set<int32_t> alone = Alone();
+  auto brims = PlaceBrims(alone, ShieldKeepOut(loops, skirt), cancel);
   if (!brims.ok()) return brims.status();
-  if (!shields) {
-    MultiPolygon outside;
-    for (const Region& brim : *brims) Append(brim.outlines, outside);
-    loops = SkirtLoops(fenced, outside, skirt);
+  MultiPolygon outside;  // of brims
+  for (const Region& brim : *brims) Append(brim.outlines, outside);
+  for (const int32_t object : alone) {
+    absl::StatusOr<MultiPolygon> brim = OwnBrim(object, cancel);
+    if (!brim.ok()) return brim.status();
+    if (brim->empty()) continue;
+    for (const PlacedCopy& copy : copies_)
+      if (copy.object == object) Append(Moved(*brim, copy.shift), outside);
+    const int32_t row = options_.objects[static_cast<size_t>(object)].brim_settings;
+    AddBrim(object, {{Role::kBrim, row, 0, *std::move(brim)}}, plan);
   }
+  if (!shields) loops = SkirtLoops(fenced, outside, skirt);
   if (absl::Status ok = AddSkirt(WithinBed(std::move(loops), bed_), plan); !ok.ok()) return ok;
-  AddBrims(*std::move(brims), plan);
+  AddBrim(kPlateObject, *std::move(brims), plan);
   return absl::OkStatus();
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -16,10 +17,12 @@ namespace slicefarm::planning {
 /// every copy, its supports and the rafts. Brims keep away from rafts and from a draft shield, the
 /// skirt goes round all.
 ///
-/// Brims: a stack of StackKind::kBrim, with regions of Role::kBrim in the first layer; those of
-/// equal settings are one region, so that lines run round copies that stand close together. None
-/// under an object with a raft. Skirt: finished paths in the layers from the first one up. Without a
-/// draft shield it ends with skirt_height, with one that is enabled with the last layer that has
+/// Brims: stacks of StackKind::kBrim, with regions of Role::kBrim in the first layer. An object
+/// that has room around all of its copies has its own, which is printed and cancelled with each.
+/// Those of others with equal settings are one region, so that lines run round copies that stand
+/// close together; and so are all with complete_objects, as they lie before anything stands. None
+/// under an object with a raft. Skirt: finished paths in the layers from the first one up. Without
+/// a draft shield it ends with skirt_height, with one that is enabled with the last layer that has
 /// outlines. Nothing lies outside of the bed.
 ///
 /// What is kept of the layers: what is on the bed; the convex hulls of what the skirt goes round.
@@ -47,13 +50,19 @@ class AdhesionPlanner : public Planner {
   void LookAt(const SlicedLayer& layer, const ObjectSection& section);
 
   /// In plate coordinates: `of` each object at the places of its copies.
-  MultiPolygon OnPlate(MultiPolygon Seen::* of) const;
-  absl::StatusOr<std::vector<Region>> PlaceBrims(const MultiPolygon& shield,
+  MultiPolygon OnPlate(MultiPolygon Seen::*of) const;
+  /// An object's brim, with the width that it comes to.
+  BrimOptions BrimOf(int32_t object, const Seen& seen) const;
+  /// The objects that have a brim of their own.
+  std::set<int32_t> Alone() const;
+  absl::StatusOr<MultiPolygon> OwnBrim(int32_t object, const CancelToken& cancel) const;
+  absl::StatusOr<std::vector<Region>> PlaceBrims(const std::set<int32_t>& alone,
+                                                 const MultiPolygon& shield,
                                                  const CancelToken& cancel) const;
   /// All that the skirt goes round but for brims.
   MultiPolygon Fenced() const;
 
-  void AddBrims(std::vector<Region> brims, JobPlan& plan) const;
+  void AddBrim(int32_t object, std::vector<Region> brims, JobPlan& plan) const;
   absl::Status AddSkirt(std::vector<Path> loops, JobPlan& plan) const;
 
   const PlanningOptions& options_;

@@ -48,8 +48,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return std::string(info.param.name); });
 
 TEST(AutomaticBrimWidth, HolesAreTakenOff) {
-  const MultiPolygon frame =
-      MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (1 1, 1 19, 19 19, 19 1)");
+  const MultiPolygon frame = MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (1 1, 1 19, 19 19, 19 1)");
   const MultiPolygon block = MakePolygonsOrDie(kBlock);
   EXPECT_GT(AutomaticBrimWidth(kPla, frame, FromMm(250)),
             AutomaticBrimWidth(kPla, block, FromMm(250)));

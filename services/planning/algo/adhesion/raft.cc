@@ -7,9 +7,6 @@
 namespace slicefarm::planning {
 namespace {
 
-/// By how much a layer below another stands out.
-constexpr Coord kStepNm = 500'000;
-
 MultiPolygon Grown(const MultiPolygon& region, Coord by_nm) {
   return Offset(region, by_nm, {.join = Join::kRound});
 }
@@ -21,7 +18,7 @@ std::vector<RaftLayer> RaftUnder(const MultiPolygon& carried, const RaftOptions&
   std::vector<RaftLayer> raft;
   if (heights.layers <= 0 || carried.empty()) return raft;
   const MultiPolygon top = Grown(carried, options.expansion_nm);
-  const MultiPolygon middle = heights.layers > 2 ? Grown(top, kStepNm) : MultiPolygon{};
+  const MultiPolygon middle = heights.layers > 2 ? Grown(top, kRaftStepNm) : MultiPolygon{};
   for (int32_t i = 0; i < heights.layers; ++i) {
     RaftLayer layer;
     layer.print_z_nm = heights.TopOf(i);

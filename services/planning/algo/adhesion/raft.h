@@ -8,6 +8,9 @@
 
 namespace slicefarm::planning {
 
+/// By how much a layer below another stands out.
+inline constexpr Coord kRaftStepNm = 500'000;
+
 struct RaftLayer {
   Coord print_z_nm = 0;  ///< its top
   Coord height_nm = 0;

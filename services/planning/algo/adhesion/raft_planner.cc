@@ -5,6 +5,7 @@
 
 #include "common/geometry/moved.h"
 #include "common/geometry/offset/offset.h"
+#include "services/planning/algo/adhesion/alone.h"
 #include "services/planning/algo/adhesion/room.h"
 
 namespace slicefarm::planning {
@@ -58,8 +59,7 @@ RaftPlanner::SeenObjects RaftPlanner::LookAt(std::span<const SlicedLayer> parts,
     Seen& seen = place->second;
     if (is_new) {
       seen.lowest = outline;
-    } else if (!section.stack.IsPart() && section.layer == 0 &&
-               section.z_nm == section.height_nm) {
+    } else if (!section.stack.IsPart() && section.layer == 0 && section.z_nm == section.height_nm) {
       seen.lowest = Union(seen.lowest, outline);
     }
     const Coord lift_nm = OptionsOf(section.stack.object).raft.heights.LiftNm();
@@ -100,7 +100,7 @@ std::vector<RaftLayer> RaftPlanner::LayersOf(const SeenObjects& seen,
   for (RaftLayer& layer : layers) {
     layer.region = Without(Intersection(layer.region, {{RoomOf(options_.bed), {}}}), others);
     for (const AddedStack& before : plan.stacks) {
-      if (before.stack.kind != StackKind::kRaft) continue;
+      if (before.stack.kind != StackKind::kRaft || before.stack.object != kPlateObject) continue;
       for (const ObjectSection& section : before.sections)
         if (Overlap(layer, section) &&
             Bounds(layer.region).Grown(kClearanceNm).Intersects(Bounds(OutlineOf(section))))
@@ -114,12 +114,62 @@ void RaftPlanner::Lift(RegionPlan& plan) const {
   plan.lifts_nm.assign(options_.objects.size(), 0);
   for (size_t i = 0; i < options_.objects.size(); ++i)
     plan.lifts_nm[i] = options_.objects[i].raft.heights.LiftNm();
+  // Supports stand on the raft itself: there is no gap between them that would have to break.
+  for (AddedStack& added : plan.stacks) {
+    if (added.stack.kind != StackKind::kSupport) continue;
+    added.lift_nm = plan.lifts_nm[static_cast<size_t>(added.stack.object)];
+    const RaftHeights& raft = OptionsOf(added.stack.object).raft.heights;
+    if (raft.layers <= 0) continue;
+    for (ObjectSection& section : added.sections)
+      if (section.z_nm == section.height_nm) section.height_nm += raft.contact_distance_nm;
+  }
+}
+
+std::set<int32_t> RaftPlanner::Alone(const SeenObjects& seen) const {
+  if (options_.sequence.complete_objects) return {};
+  std::vector<TakenRoom> rooms;
+  for (const PlacedCopy& copy : copies_) {
+    const auto found = seen.find(copy.object);
+    if (found == seen.end()) continue;
+    const RaftOptions& raft = OptionsOf(copy.object).raft;
+    const bool has_raft = raft.heights.layers > 0;
+    const Coord reach_nm =
+        has_raft ? raft.expansion_nm + std::max(kRaftStepNm, raft.first_layer_expansion_nm) : 0;
+    const Box box = Bounds(has_raft ? found->second.lowest : found->second.low);
+    if (box.Empty()) continue;
+    const Box room = box.Grown(reach_nm + kClearanceNm / 2);
+    rooms.push_back({copy.object, {room.min + copy.shift, room.max + copy.shift}});
+  }
+  return ObjectsAlone(rooms, RoomOf(options_.bed));
+}
+
+void RaftPlanner::AddRaft(int32_t object, const ObjectPlanOptions& options,
+                          std::vector<RaftLayer> layers, RegionPlan& plan) const {
+  AddedStack& raft = plan.Add(object, StackKind::kRaft);
+  for (RaftLayer& layer : layers) {
+    ObjectSection& section = raft.sections.emplace_back();
+    section.stack = raft.stack;
+    section.layer = static_cast<int32_t>(raft.sections.size()) - 1;
+    section.layer_count = static_cast<int32_t>(layers.size());
+    section.height_nm = layer.height_nm;
+    section.z_nm = layer.print_z_nm;
+    if (layer.region.empty()) continue;
+    const Role role = layer.kind == RaftLayerKind::kInterface ? Role::kRaftInterface : Role::kRaft;
+    const auto row = options.raft_settings[static_cast<size_t>(section.layer)];
+    section.regions.push_back({role, row, 0, std::move(layer.region)});
+  }
 }
 
 absl::Status RaftPlanner::Plan(std::span<const SlicedLayer> parts, const CancelToken& cancel,
                                RegionPlan& plan) {
+  SeenObjects objects = LookAt(parts, plan);
   Lift(plan);
-  const SeenObjects objects = LookAt(parts, plan);
+  for (const int32_t object : Alone(objects)) {
+    const ObjectPlanOptions& own = OptionsOf(object);
+    if (own.raft.heights.layers <= 0) continue;
+    AddRaft(object, own, RaftUnder(United(objects.at(object).lowest), own.raft), plan);
+    objects.erase(object);
+  }
   std::vector<const ObjectPlanOptions*> groups;
   for (const auto& [object, seen] : objects) {
     const ObjectPlanOptions& own = OptionsOf(object);
@@ -128,21 +178,7 @@ absl::Status RaftPlanner::Plan(std::span<const SlicedLayer> parts, const CancelT
     if (own.raft.heights.layers <= 0 || known) continue;
     if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
     groups.push_back(&own);
-    std::vector<RaftLayer> layers = LayersOf(objects, own, plan);
-    AddedStack& raft = plan.Add(kPlateObject, StackKind::kRaft);
-    for (RaftLayer& layer : layers) {
-      ObjectSection& section = raft.sections.emplace_back();
-      section.stack = raft.stack;
-      section.layer = static_cast<int32_t>(raft.sections.size()) - 1;
-      section.layer_count = static_cast<int32_t>(layers.size());
-      section.height_nm = layer.height_nm;
-      section.z_nm = layer.print_z_nm;
-      if (layer.region.empty()) continue;
-      const Role role =
-          layer.kind == RaftLayerKind::kInterface ? Role::kRaftInterface : Role::kRaft;
-      const auto row = own.raft_settings[static_cast<size_t>(section.layer)];
-      section.regions.push_back({role, row, 0, std::move(layer.region)});
-    }
+    AddRaft(kPlateObject, own, LayersOf(objects, own, plan), plan);
   }
   return absl::OkStatus();
 }

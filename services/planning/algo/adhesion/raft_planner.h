@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -11,10 +12,12 @@
 
 namespace slicefarm::planning {
 
-/// Puts rafts under objects that ask for one, and lifts what stands on them. Copies with equal
-/// options share one; what carries them is united. A raft keeps 0.5 mm away from objects that it
-/// does not carry, and from rafts of other options, of which the one of the earlier object has the
-/// place. It carries supports as well as parts. Nothing lies outside of the bed.
+/// Puts rafts under objects that ask for one, and lifts what stands on them. An object that has
+/// room around all of its copies has its own, which is printed and cancelled with each. Copies that
+/// stand closer share one with those of equal options; what carries them is united. With
+/// complete_objects all are shared: they lie before anything stands. A raft keeps 0.5 mm away from
+/// objects that it does not carry, and from rafts of other options, of which the one of the earlier
+/// object has the place. It carries supports as well as parts. Nothing lies outside of the bed.
 ///
 /// Stacks of StackKind::kRaft, with regions of Role::kRaft and kRaftInterface. Errors: Cancelled,
 /// polled for each raft.
@@ -41,12 +44,16 @@ class RaftPlanner : public RegionPlanner {
   const ObjectPlanOptions& OptionsOf(int32_t object) const {
     return options_.objects[static_cast<size_t>(object)];
   }
+  /// The objects that have a raft of their own.
+  std::set<int32_t> Alone(const SeenObjects& seen) const;
   SeenObjects LookAt(std::span<const SlicedLayer> parts, const RegionPlan& plan) const;
   MultiPolygon Carried(const SeenObjects& seen, const ObjectPlanOptions& group) const;
   MultiPolygon NotCarried(const SeenObjects& seen, const ObjectPlanOptions& group) const;
   /// What `group`'s raft covers, without the room of others.
   std::vector<RaftLayer> LayersOf(const SeenObjects& seen, const ObjectPlanOptions& group,
                                   const RegionPlan& plan) const;
+  void AddRaft(int32_t object, const ObjectPlanOptions& options, std::vector<RaftLayer> layers,
+               RegionPlan& plan) const;
   void Lift(RegionPlan& plan) const;
 
   const PlanningOptions& options_;

@@ -48,9 +48,8 @@ TEST(RaftUnder, IsPiledAsPrusaSlicerDoes) {
        "i",
        0.55},
   };
-  const std::map<char, RaftLayerKind> kinds = {{'f', RaftLayerKind::kFirst},
-                                               {'b', RaftLayerKind::kBase},
-                                               {'i', RaftLayerKind::kInterface}};
+  const std::map<char, RaftLayerKind> kinds = {
+      {'f', RaftLayerKind::kFirst}, {'b', RaftLayerKind::kBase}, {'i', RaftLayerKind::kInterface}};
   for (const Case& c : cases) {
     const std::vector<RaftLayer> raft = RaftUnder(Box20(), {.heights = c.heights});
     ASSERT_EQ(raft.size(), c.tops_mm.size()) << c.name;

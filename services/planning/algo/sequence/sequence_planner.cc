@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "common/geometry/convex.h"
 #include "common/model/limits.h"
 #include "services/planning/algo/sequence/print_sequence.h"
 
@@ -40,6 +41,19 @@ std::string SequencePlanner::NameOfCopy(size_t copy) const {
   return fmt::format("{} (copy {})", name, std::ranges::count_if(copies_.first(copy + 1), same));
 }
 
+Polygon SequencePlanner::FootprintOf(const PlacedCopy& copy,
+                                     std::span<const AddedStack> added) const {
+  Polygon points = copy.footprint;
+  for (const AddedStack& stack : added) {
+    if (stack.stack.object != copy.object) continue;
+    for (const ObjectSection& section : stack.sections)
+      for (const Region& region : section.regions)
+        for (const PolygonWithHoles& island : region.outlines)
+          for (const Point p : island.outer) points.push_back(p + copy.shift);
+  }
+  return points.size() == copy.footprint.size() ? points : ConvexHull(std::move(points));
+}
+
 absl::Status SequencePlanner::Finish(const CancelToken& cancel, OpenLayers& /*layers*/,
                                      JobPlan& plan) {
   if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
@@ -49,7 +63,7 @@ absl::Status SequencePlanner::Finish(const CancelToken& cancel, OpenLayers& /*la
   for (size_t i = 0; i < copies_.size(); ++i) {
     const auto printed = printed_.find(copies_[i].object);
     if (printed == printed_.end()) continue;
-    items.push_back({copies_[i].footprint, printed->second.top_nm, NameOfCopy(i)});
+    items.push_back({FootprintOf(copies_[i], plan.stacks), printed->second.top_nm, NameOfCopy(i)});
     copy_of.push_back(i);
   }
   const auto order = PrintSequence(items, {.clearance_radius_nm = options_.clearance_radius_nm,

@@ -12,9 +12,9 @@
 namespace slicefarm::planning {
 
 /// Gives each copy that prints something a pass of its own, in the order of PrintSequence: by the
-/// hulls of the copies, and as high as the objects' outlines reach. What is added to the plate
-/// stays in the first pass: brims and skirts of all copies lie before anything stands. Errors of
-/// Finish: those of PrintSequence, with the objects' names and which copies they are;
+/// hulls of the copies with their supports, and as high as the objects' outlines reach. What is
+/// added to the plate stays in the first pass: brims, rafts and skirts lie before anything stands.
+/// Errors of Finish: those of PrintSequence, with the objects' names and which copies they are;
 /// REQUEST_TOO_LARGE if the copies have more than kMaxLayerPrograms layers together.
 /// Cost: that of PrintSequence, too little to be cancelled. Memory: O(objects).
 class SequencePlanner : public Planner {
@@ -34,6 +34,8 @@ class SequencePlanner : public Planner {
   };
 
   absl::Status CheckLayers() const;
+  /// A copy's place with that of its supports.
+  Polygon FootprintOf(const PlacedCopy& copy, std::span<const AddedStack> added) const;
   std::string NameOfCopy(size_t copy) const;
 
   const SequencePlanOptions& options_;

@@ -101,14 +101,22 @@ bool Has(const std::vector<int32_t>& objects, int32_t object) {
 void TravelPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
   std::vector<int32_t> objects;
   const bool is_single = copies_.size() == 1;
-  if (is_single) last_rings_.emplace_back();
+  if (is_single) {
+    last_rings_.emplace_back();
+    begins_with_support_.push_back(
+        std::ranges::any_of(layer.sections, [](const ObjectSection& section) {
+          return section.stack.kind == StackKind::kSupport && !section.regions.empty();
+        }));
+  }
   for (const ObjectSection& section : layer.sections) {
-    if (!section.stack.IsPart()) continue;
+    if (section.stack.object == kPlateObject) continue;
     const auto [left_at, is_new] = left_at_.try_emplace(section.stack.object, kFrontLeft);
     PlanOf(section.stack.id, plan).entry = left_at->second;
+    if (!section.stack.IsPart()) continue;  // it leads to the part
     const LikelyExit exit = ExitOf(OutlineOf(section), left_at->second);
     left_at->second = exit.at;
-    if (is_single && section.stack.object == copies_.front().object) last_rings_.back() = exit.rings;
+    if (is_single && section.stack.object == copies_.front().object)
+      last_rings_.back() = exit.rings;
     if (!section.regions.empty()) objects.push_back(section.stack.object);
   }
   plan.entry = plate_left_at_;
@@ -129,7 +137,7 @@ absl::Status TravelPlanner::Finish(const CancelToken& cancel, OpenLayers& layers
     const SectionPlan& section = PlanOf(copy.object, above);
     const RingRange rings = last_rings_[static_cast<size_t>(i - 1)];
     const auto meeting = SeamToMeetAt(section, SeamsOf(PlanOf(copy.object, below), rings));
-    if (!meeting) continue;
+    if (!meeting || begins_with_support_[static_cast<size_t>(i)]) continue;
     above.entry = copy.shift + *meeting;
     PlanOf(copy.object, below).exit = *meeting;
     below.ends_ready = above.begins_ready = true;

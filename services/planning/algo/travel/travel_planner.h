@@ -25,7 +25,7 @@ struct RingRange {
 ///
 /// Where a single copy is all that is printed, and a wall goes on from the island where the layer
 /// below ends (a planned seam near to one there), layers meet at its seam with the filament ready:
-/// of several such seams at the nearest one. So the nozzle goes on within the part. The layer's entry
+/// of several such seams at the nearest one. Not where supports come first. So the nozzle goes on within the part. The layer's entry
 /// is the meeting then; that of the section stays, for settings by which layers do not meet.
 /// Cost: O(points + islands^2) a section; O(copies^2) for each way in which layers begin.
 class TravelPlanner : public Planner {
@@ -50,6 +50,7 @@ class TravelPlanner : public Planner {
   std::map<Beginning, int32_t> last_copies_;  ///< known answers
   /// By layer, of the island where the only copy is likely to be left; none if there are several.
   std::vector<RingRange> last_rings_;
+  std::vector<bool> begins_with_support_;  ///< by layer, with a single copy
 };
 
 }  // namespace slicefarm::planning

@@ -1,0 +1,43 @@
+#include "processes/fdm/settings/plain_row.h"
+
+namespace slicefarm::config::fdm {
+
+void SetWidths(Coord width_nm, JobSettings& settings) {
+  BeadingOptions& beading = FdmOf(settings).beading.front();
+  beading.external_width_nm = beading.inner_width_nm = width_nm;
+  InfillOptions& infill = FdmOf(settings).infill.front();
+  infill.sparse_width_nm = infill.solid_width_nm = infill.top_width_nm = width_nm;
+}
+
+void MakePlain(BeadingOptions& beading) {
+  beading.one_on_bed = false;
+  beading.one_on_top = OneWallOnTop::kNowhere;
+  beading.extra_perimeters = false;
+  beading.fuzzy = FuzzySkin::kNone;
+}
+
+void FillAlike(double density, double angle_rad, InfillOptions& infill) {
+  infill.top_solid_layers = infill.bottom_solid_layers = 0;
+  infill.density = density;
+  infill.pattern = FillPattern::kAlignedRectilinear;
+  infill.choose_pattern = false;
+  infill.solid_pattern = infill.top_pattern = infill.bottom_pattern =
+      FillPattern::kAlignedRectilinear;
+  infill.angle_rad = angle_rad;
+  infill.angle_template.clear();
+  infill.solid_angle_template.clear();
+  infill.solid_below_area_mm2 = 0;
+  infill.solid_every_layers = 0;
+  infill.bridge_angle_rad = 0;
+  infill.every_layers = 1;
+  infill.only_where_needed = false;
+  infill.over_bridges = false;
+  infill.interface_shells = false;
+  infill.ironing = {};
+  infill.small_area_flow = false;
+  infill.density_field.clear();
+  infill.stress_field.clear();
+  infill.field_halo_layers = 0;
+}
+
+}  // namespace slicefarm::config::fdm

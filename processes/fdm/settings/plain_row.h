@@ -1,0 +1,19 @@
+#pragma once
+
+#include "common/geometry/point.h"
+#include "common/model/options/settings.h"
+
+namespace slicefarm::config::fdm {
+
+// What rows of regions that planning adds have in common; all change the first region's settings.
+
+/// Beads of one width in place of what the part's walls and infill have.
+void SetWidths(Coord width_nm, JobSettings& settings);
+
+/// Nothing but the number of walls that is asked for.
+void MakePlain(BeadingOptions& beading);
+
+/// No skins: all of a region is filled alike, with lines that do not turn from layer to layer.
+void FillAlike(double density, double angle_rad, InfillOptions& infill);
+
+}  // namespace slicefarm::config::fdm

@@ -1,0 +1,74 @@
+#include "processes/fdm/settings/support_rows.h"
+
+#include <numbers>
+
+#include "processes/fdm/settings/plain_row.h"
+
+namespace slicefarm::config::fdm {
+namespace {
+
+/// Of lines that leave `free_nm` between each other.
+double Density(Coord width_nm, Coord free_nm) {
+  return static_cast<double>(width_nm) / static_cast<double>(width_nm + free_nm);
+}
+
+FillPattern PatternOf(SupportPattern pattern) {
+  switch (pattern) {
+    case SupportPattern::kRectilinear:
+      return FillPattern::kAlignedRectilinear;
+    case SupportPattern::kRectilinearGrid:
+      return FillPattern::kRectilinear;
+    case SupportPattern::kHoneycomb:
+      return FillPattern::kHoneycomb;
+  }
+  return FillPattern::kAlignedRectilinear;
+}
+
+void SetLines(const ObjectPlanOptions& object, SupportRow row, BeadingOptions& beading,
+              InfillOptions& infill) {
+  const SupportOptions& support = object.support;
+  const double angle_rad = support.angle_rad;
+  switch (row) {
+    case SupportRow::kFirstLayer:
+      beading.perimeters = 1;
+      FillAlike(object.raft.lines.first_layer_density, angle_rad, infill);
+      return;
+    case SupportRow::kBase:
+      beading.perimeters = support.sheath ? 1 : 0;
+      FillAlike(Density(support.width_nm, support.spacing_nm), angle_rad, infill);
+      infill.pattern = PatternOf(support.pattern);
+      return;
+    case SupportRow::kBranch:
+    case SupportRow::kThickBranch:
+      beading.perimeters = row == SupportRow::kBranch ? 1 : 2;
+      FillAlike(0, angle_rad, infill);
+      return;
+    case SupportRow::kInterface:
+      beading.perimeters = 0;
+      FillAlike(Density(support.width_nm, support.interface_spacing_nm),
+                angle_rad + std::numbers::pi / 2, infill);
+      if (support.interface_pattern == InterfacePattern::kConcentric)
+        infill.pattern = infill.solid_pattern = infill.top_pattern = infill.bottom_pattern =
+            FillPattern::kConcentric;
+      return;
+  }
+}
+
+}  // namespace
+
+JobSettings SupportRegionRow(JobSettings settings, SupportRow row) {
+  const ObjectPlanOptions object = FdmOf(settings).planning.objects.front();
+  SetWidths(object.support.width_nm, settings);
+  BeadingOptions& beading = FdmOf(settings).beading.front();
+  MakePlain(beading);
+  beading.generator = WallGenerator::kClassic;
+  beading.thin_walls = true;
+  beading.gap_fill = false;
+  InfillOptions& infill = FdmOf(settings).infill.front();
+  SetLines(object, row, beading, infill);
+  if (beading.perimeters == 0) infill.overlap_nm = 0;
+  FdmOf(settings).ordering.walls.front() = {};
+  return settings;
+}
+
+}  // namespace slicefarm::config::fdm

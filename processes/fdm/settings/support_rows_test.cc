@@ -1,0 +1,98 @@
+#include "processes/fdm/settings/support_rows.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "common/config/resolve.h"
+
+namespace slicefarm::config::fdm::support_rows_test {
+namespace {
+
+constexpr double kQuarter = std::numbers::pi / 2;
+
+JobSettings Resolved(const std::vector<std::pair<std::string, std::string>>& given) {
+  std::vector<Setting> settings = {{"support_material", "1", Source::kRequest}};
+  for (const auto& [key, value] : given) settings.push_back({key, value, Source::kRequest});
+  const auto resolved = Resolve(settings, Process::kFdm);
+  EXPECT_TRUE(resolved.ok()) << resolved.status();
+  return resolved.ok() ? resolved->settings : JobSettings{};
+}
+
+struct Case {
+  std::string name;
+  SupportRow row;
+  int32_t walls = 0;
+  double density = 0, turn = 0;
+};
+
+class SupportRegionRowTest : public testing::TestWithParam<Case> {};
+
+TEST_P(SupportRegionRowTest, HasItsLines) {
+  const Case& c = GetParam();
+  const JobSettings row = SupportRegionRow(Resolved({{"support_material_extrusion_width", "0.4"},
+                                                     {"support_material_spacing", "2.1"},
+                                                     {"support_material_interface_spacing", "0.1"},
+                                                     {"support_material_angle", "30"},
+                                                     {"perimeters", "4"},
+                                                     {"top_solid_layers", "5"}}),
+                                           c.row);
+  EXPECT_EQ(FdmOf(row).beading[0].perimeters, c.walls);
+  EXPECT_EQ(FdmOf(row).beading[0].external_width_nm, 400'000);
+  EXPECT_DOUBLE_EQ(FdmOf(row).infill[0].density, c.density);
+  EXPECT_DOUBLE_EQ(FdmOf(row).infill[0].angle_rad, std::numbers::pi / 6 + kQuarter * c.turn);
+  EXPECT_EQ(FdmOf(row).infill[0].top_solid_layers, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, SupportRegionRowTest,
+                         testing::Values(Case{"FirstLayer", SupportRow::kFirstLayer, 1, 0.9, 0},
+                                         Case{"Base", SupportRow::kBase, 1, 0.4 / 2.5, 0},
+                                         Case{"Branch", SupportRow::kBranch, 1, 0, 0},
+                                         Case{"ThickBranch", SupportRow::kThickBranch, 2, 0, 0},
+                                         Case{"Interface", SupportRow::kInterface, 0, 0.8, 1}),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(SupportRegionRow, TheSheathMayBeLeftOut) {
+  const JobSettings bare = Resolved({{"support_material_with_sheath", "0"}});
+  EXPECT_EQ(FdmOf(SupportRegionRow(bare, SupportRow::kBase)).beading[0].perimeters, 0);
+  EXPECT_EQ(FdmOf(SupportRegionRow(bare, SupportRow::kBranch)).beading[0].perimeters, 1);
+}
+
+TEST(SupportRegionRow, PatternsAreTheSettings) {
+  const auto base = [](const std::string& pattern) {
+    const JobSettings row =
+        SupportRegionRow(Resolved({{"support_material_pattern", pattern}}), SupportRow::kBase);
+    return FdmOf(row).infill[0].pattern;
+  };
+  EXPECT_EQ(base("rectilinear"), FillPattern::kAlignedRectilinear);
+  EXPECT_EQ(base("rectilinear-grid"), FillPattern::kRectilinear);
+  EXPECT_EQ(base("honeycomb"), FillPattern::kHoneycomb);
+  const JobSettings row = SupportRegionRow(
+      Resolved({{"support_material_interface_pattern", "concentric"}}), SupportRow::kInterface);
+  EXPECT_EQ(FdmOf(row).infill[0].solid_pattern, FillPattern::kConcentric);
+}
+
+TEST(SupportSettings, SayAsMuchAsPrusaSlicers) {
+  const SupportOptions usual = FdmOf(Resolved({})).planning.objects[0].support;
+  EXPECT_TRUE(usual.on);
+  EXPECT_EQ(usual.bottom_gap_nm, usual.top_gap_nm) << "0: as at the top";
+  EXPECT_EQ(usual.bottom_interface_layers, usual.top_interface_layers) << "-1: as at the top";
+  EXPECT_EQ(usual.xy_gap_nm, usual.wall_width_nm / 2);
+  const SupportOptions given = FdmOf(Resolved({{"support_material_style", "organic"},
+                                               {"support_material_xy_spacing", "0.3"},
+                                               {"support_material_threshold", "45"},
+                                               {"layer_height", "0.15"},
+                                               {"first_layer_height", "0.25"}}))
+                                   .planning.objects[0]
+                                   .support;
+  EXPECT_EQ(given.style, SupportStyle::kTree);
+  EXPECT_EQ(given.xy_gap_nm, 300'000);
+  EXPECT_DOUBLE_EQ(given.threshold_rad, std::numbers::pi / 4);
+  EXPECT_EQ(given.layer_height_nm, 150'000);
+  EXPECT_EQ(given.first_layer_height_nm, 250'000);
+}
+
+}  // namespace
+}  // namespace slicefarm::config::fdm::support_rows_test
