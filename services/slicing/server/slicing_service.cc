@@ -54,8 +54,8 @@ class SlicingService final : public v1::Slicing::Service {
 
   const SlicingStage& slicing_;
   const ArrangingStage& arranging_;
-  const ReadProjects projects_;
   const PlacingStage& placing_;
+  const ReadProjects projects_;
   rpc::CallGate& gate_;
   const int threads_;
   MemoryBudget& memory_;
