@@ -9,7 +9,8 @@ namespace {
 
 MillInput Input(bool stock) {
   const IndexedMesh mesh = {{{0, 0, 0}, {9, 0, 0}, {0, 9, -7}}, {{0, 1, 2}}};
-  MillInput input{mesh, stock ? mesh : IndexedMesh(), {.stock = "blank"}};
+  MillInput input{mesh, stock ? mesh : IndexedMesh(), {}};
+  input.settings.stock = "blank";
   input.settings.how.cutter = *Cutter::Bull(6, 1);
   return input;
 }

@@ -49,7 +49,8 @@ class MillProcessTest : public testing::Test {
     input.warnings = {"of the settings"};
     input.meshes.files = {{"thing", MeshFormat::kStl, "bytes"}};
     for (int i = 0; i < objects; ++i)
-      input.meshes.objects.push_back({.name = i == 0 ? "thing" : "blank", .parts = {{}}});
+      input.meshes.objects.push_back(
+          {.name = i == 0 ? "thing" : "blank", .parts = {{}}, .ranges = {}});
     std::vector<std::unique_ptr<JobProcess>> processes;
     processes.push_back(std::make_unique<MillProcess>(placing_, milling_));
     return JobPipeline(std::move(processes), dispatcher).Run({}, std::move(input), nullptr);

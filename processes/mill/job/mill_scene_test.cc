@@ -34,8 +34,9 @@ PlacingInput TwoObjects() {
   PlacingInput job;
   job.meshes.files = {{"part.stl", MeshFormat::kStl, "part"},
                       {"blank.stl", MeshFormat::kStl, "blank"}};
-  job.meshes.objects = {{.name = "part.stl", .parts = {{.name = "", .mesh = {0, kOnlyMesh}}}},
-                        {.name = "blank.stl", .parts = {{.name = "", .mesh = {1, kOnlyMesh}}}}};
+  job.meshes.objects = {
+      {.name = "part.stl", .parts = {{.name = "", .mesh = {0, kOnlyMesh}}}, .ranges = {}},
+      {.name = "blank.stl", .parts = {{.name = "", .mesh = {1, kOnlyMesh}}}, .ranges = {}}};
   job.options.objects = {{.layer_height_nm = 1}, {.layer_height_nm = 2}};
   return job;
 }

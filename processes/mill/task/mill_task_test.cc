@@ -11,9 +11,9 @@ TEST(MillTask, SaysWhatItMills) {
     const char* label;
   };
   for (const Case& c : {
-           Case{{{4, 5}, MillPhase::kRoughing, 4, 7}, "roughing level 4"},
-           Case{{{10, 17}, MillPhase::kFinishing, 3, 7}, "finishing levels 3 to 9"},
-           Case{{{110, 141}, MillPhase::kRest, 10, 7}, "rest rows 10 to 40"},
+           Case{{{4, 5}, MillPhase::kRoughing, 4, 7, {}}, "roughing level 4"},
+           Case{{{10, 17}, MillPhase::kFinishing, 3, 7, {}}, "finishing levels 3 to 9"},
+           Case{{{110, 141}, MillPhase::kRest, 10, 7, {}}, "rest rows 10 to 40"},
        }) {
     const Task any = c.task;
     EXPECT_EQ(any.process(), Process::kMill);

@@ -17,8 +17,9 @@ SliceInput TwoBoxes() {
   for (const double x : {5.0, 40.0})
     input.files.push_back({"box", MeshFormat::kStl, ToBinaryStl(Cube(x, 7, 3))});
   for (int32_t i = 0; i < 2; ++i)
-    input.objects.push_back(
-        {.name = i == 0 ? "a" : "b", .parts = {{.name = "", .mesh = {i, kOnlyMesh}}}});
+    input.objects.push_back({.name = i == 0 ? "a" : "b",
+                             .parts = {{.name = "", .mesh = {i, kOnlyMesh}}},
+                             .ranges = {}});
   input.objects[1].copies.resize(2);
   return input;
 }
