@@ -42,8 +42,8 @@ Coord FootRadius(Coord radius_nm, Coord z_nm) {
   return foot - (foot - radius_nm) * z_nm / kFootHeightNm;
 }
 
-/// The discs of all branches, by layer.
-std::vector<std::vector<Disc>> DiscsByLayer(const Branches& branches,
+/// The discs of all branches, by layer. Feet take what room there is.
+std::vector<std::vector<Disc>> DiscsByLayer(const Branches& branches, const ReachField& field,
                                             const SupportHeights& heights) {
   std::vector<std::vector<Disc>> discs(heights.layers.size());
   const auto middle = [&](size_t i) {
@@ -64,7 +64,9 @@ std::vector<std::vector<Disc>> DiscsByLayer(const Branches& branches,
       Disc disc{{node.at.x + std::llround((end.at.x - node.at.x) * share),
                  node.at.y + std::llround((end.at.y - node.at.y) * share)},
                 node.radius_nm + std::llround((end.radius_nm - node.radius_nm) * share)};
-      disc.radius_nm = FootRadius(disc.radius_nm, heights.layers[i].bottom_nm);
+      const Coord foot = FootRadius(disc.radius_nm, heights.layers[i].bottom_nm);
+      if (foot > disc.radius_nm)
+        disc.radius_nm = std::max(disc.radius_nm, std::min(foot, field.ToAnywhere(0, disc.at)));
       discs[i].push_back(disc);
     }
   }
@@ -94,7 +96,7 @@ std::vector<BranchSections> DrawBranches(const Branches& branches, const ReachFi
                                          const SupportHeights& heights, const Clearance& clearance,
                                          const SupportOptions& options, int threads,
                                          const CancelToken& cancel) {
-  std::vector<std::vector<Disc>> discs = DiscsByLayer(branches, heights);
+  std::vector<std::vector<Disc>> discs = DiscsByLayer(branches, field, heights);
   std::vector<size_t> slab_of(heights.layers.size(), 0);
   for (size_t s = 0; s < field.slabs().size(); ++s)
     for (int32_t i = field.slabs()[s].first_layer; i <= field.slabs()[s].last_layer; ++i)

@@ -58,7 +58,7 @@ TEST(DrawBranches, ThickOnesAreToldApart) {
 }
 
 TEST(DrawBranches, ArePutTogetherAndCutToWhatIsFree) {
-  const TestStack wall(kLayers, [](double) { return BoxOf(2.5, -9, 4, 9); });
+  const TestStack wall(kLayers, [](double) { return BoxOf(2.5, -9, 9, 9); });
   Branches branches = Leaning(1'000'000);
   branches.nodes.push_back({{0, 500'000}, 6'000'000, 1'000'000, -1, 0, true});
   const auto sections = Draw(wall.Problem(), branches);

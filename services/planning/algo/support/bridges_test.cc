@@ -19,7 +19,7 @@ class BridgesTest : public testing::TestWithParam<Case> {};
 TEST_P(BridgesTest, CoversThisMuch) {
   const MultiPolygon hanging = Difference(GetParam().above, GetParam().below);
   const MultiPolygon bridges = BridgesOf(hanging, hanging, GetParam().below, 450'000);
-  EXPECT_NEAR(AreaMm2(Intersection(bridges, hanging)) / AreaMm2(hanging), GetParam().bridged, 0.03);
+  EXPECT_NEAR(AreaMm2(Intersection(bridges, hanging)) / AreaMm2(hanging), GetParam().bridged, 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -47,7 +47,7 @@ TEST(HeightsFor, ContactsHaveHeightsOfTheirOwn) {
   SupportOptions options;
   options.top_gap_nm = 150'000;
   EXPECT_THAT(Tops(HeightsFor(kPart.Problem(), In(20, {4, 5}), options)),
-              ElementsAre(0.2, 0.425, 0.65, 0.85));
+              ElementsAre(0.2, 0.35, 0.5, 0.65, 0.85));
   options.layer_height_nm = 300'000;
   EXPECT_THAT(Tops(HeightsFor(kPart.Problem(), In(20, {4, 5}), options)),
               ElementsAre(0.2, 0.425, 0.65, 0.85));

