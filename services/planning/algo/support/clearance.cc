@@ -7,12 +7,11 @@
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/boolean/without_rings.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "services/planning/algo/support/tolerances.h"
 
 namespace slicefarm::planning {
 namespace {
 
-/// Heights that differ by less are the same.
-constexpr Coord kSameHeightNm = 1'000;
 /// Boxes are cut this far from what is looked at.
 constexpr Coord kMarginNm = 1'000'000;
 
@@ -51,12 +50,12 @@ void Clearance::ForEachBlocked(Coord bottom_nm, Coord top_nm, const Box& box, Vi
       const Coord under = bottom_nm - layer->solid.top_nm;
       if (above >= options_.top_gap_nm) break;
       if (!layer->box.Intersects(box)) continue;
-      const bool apart = under > -kSameHeightNm || above > -kSameHeightNm;
+      const bool apart = under > -support::kSameHeightNm || above > -support::kSameHeightNm;
       const Coord clear = std::max(under, above);
       const Coord gap = under > above ? options_.bottom_gap_nm : options_.top_gap_nm;
       if (!apart)
         visit(layer->spaced);
-      else if (clear < gap - kSameHeightNm)
+      else if (clear < gap - support::kSameHeightNm)
         visit(*layer->solid.outlines);
     }
   }

@@ -7,14 +7,11 @@
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/boolean/without_rings.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "services/planning/algo/support/tolerances.h"
 #include "services/planning/algo/support/widened.h"
 
 namespace slicefarm::planning {
 namespace {
-
-/// Regions with less are no regions: no bead fits in.
-constexpr double kLeastAreaNm2 = 0.02e12;
-constexpr Coord kSameHeightNm = 1'000;
 
 MultiPolygon UnionOf(const std::vector<MultiPolygon>& regions, size_t from, size_t to) {
   std::vector<Polygon> rings;
@@ -30,7 +27,8 @@ MultiPolygon UnionOf(const std::vector<MultiPolygon>& regions, size_t from, size
 }
 
 void Add(SupportRole role, MultiPolygon outlines, SupportLayer& layer) {
-  std::erase_if(outlines, [](const PolygonWithHoles& i) { return Area(i) < kLeastAreaNm2; });
+  std::erase_if(outlines,
+                [](const PolygonWithHoles& i) { return Area(i) < support::kLeastRegionNm2; });
   if (!outlines.empty()) layer.regions.push_back({role, std::move(outlines)});
 }
 
@@ -63,7 +61,8 @@ std::vector<MultiPolygon> Sheets(const SupportHeights& heights, const Contacts& 
     const MultiPolygon wide = Widened(sheets[i], options.width_nm * 4 / 5);
     if (!wide.empty())
       sheets[i] = Union(sheets[i], clearance.Free(wide, height.bottom_nm, height.top_nm));
-    std::erase_if(sheets[i], [](const PolygonWithHoles& s) { return Area(s) < kLeastAreaNm2; });
+    std::erase_if(sheets[i],
+                  [](const PolygonWithHoles& s) { return Area(s) < support::kLeastRegionNm2; });
   });
   return sheets;
 }
@@ -76,7 +75,8 @@ std::vector<MultiPolygon> Floors(const SupportProblem& problem, const SupportHei
   if (options.bottom_interface_layers <= 0 || options.bed_only) return floors;
   ForEachIndex(threads, count, [&](size_t i, int) {
     if (bodies[i].empty()) return;
-    const Coord highest = heights.layers[i].bottom_nm - options.bottom_gap_nm + kSameHeightNm;
+    const Coord highest =
+        heights.layers[i].bottom_nm - options.bottom_gap_nm + support::kSameHeightNm;
     const Coord lowest = highest - options.layer_height_nm;
     std::vector<Polygon> rings;
     const Box box = Bounds(bodies[i]);

@@ -10,6 +10,7 @@
 #include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/offset/offset.h"
 #include "services/planning/algo/support/bridges.h"
+#include "services/planning/algo/support/tolerances.h"
 
 namespace slicefarm::planning {
 namespace {
@@ -19,7 +20,6 @@ constexpr Coord kEnforcedNm = 50'000;
 /// Along a step, supports go this far beyond what is steep: steps that are now and then a little
 /// narrower than the threshold would have supports in pieces.
 constexpr Coord kAlongNm = 500'000;
-constexpr double kLeastAreaNm2 = 0.02e12;
 constexpr OffsetOptions kRound = {.join = Join::kRound, .arc_tolerance_nm = 10'000};
 
 const MultiPolygon& Below(const SupportProblem& problem, size_t index) {
@@ -43,7 +43,8 @@ MultiPolygon FartherThan(const MultiPolygon& hanging, const MultiPolygon& below,
     MultiPolygon rest = Difference({island}, Offset(near, distance_nm, kRound));
     std::move(rest.begin(), rest.end(), std::back_inserter(far));
   }
-  std::erase_if(far, [](const PolygonWithHoles& island) { return Area(island) < kLeastAreaNm2; });
+  std::erase_if(
+      far, [](const PolygonWithHoles& island) { return Area(island) < support::kLeastRegionNm2; });
   Canonicalize(far);
   return far;
 }
@@ -53,7 +54,7 @@ MultiPolygon FartherThan(const MultiPolygon& hanging, const MultiPolygon& below,
 bool MayReach(const PolygonWithHoles& island, Coord distance_nm) {
   const Box box = Bounds(island.outer);
   return std::max(box.max.x - box.min.x, box.max.y - box.min.y) > distance_nm &&
-         Area(island) > kLeastAreaNm2;
+         Area(island) > support::kLeastRegionNm2;
 }
 
 }  // namespace
@@ -102,8 +103,9 @@ Overhang OverhangOf(const SupportProblem& problem, size_t index, const SupportOp
     overhang.steep = Difference(overhang.steep, *layer.blockers);
     hanging = Difference(hanging, *layer.blockers);
   }
-  std::erase_if(overhang.steep,
-                [](const PolygonWithHoles& island) { return Area(island) < kLeastAreaNm2; });
+  std::erase_if(overhang.steep, [](const PolygonWithHoles& island) {
+    return Area(island) < support::kLeastRegionNm2;
+  });
   if (!overhang.steep.empty())
     overhang.contact = Intersection(hanging, FastOffset(overhang.steep, reach + kAlongNm));
   return overhang;

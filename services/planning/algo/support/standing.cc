@@ -10,12 +10,12 @@
 #include "common/geometry/offset/clean_offset.h"
 #include "services/planning/algo/support/raster.h"
 #include "services/planning/algo/support/reach_field.h"
+#include "services/planning/algo/support/tolerances.h"
 
 namespace slicefarm::planning {
 namespace {
 
 constexpr Coord kPixelNm = 250'000;
-constexpr Coord kSameHeightNm = 1'000;
 /// Rounding of boolean operations may take away as much.
 constexpr double kUnchangedNm2 = 1e9;
 constexpr double kMostPixels = 2'000'000;
@@ -75,11 +75,11 @@ class Standing {
   template <typename Visit>
   void ForEachCarrier(size_t index, Visit visit) const {
     const Coord bottom = layers_[index].top_nm - layers_[index].height_nm;
-    if (index > 0 && layers_[index - 1].top_nm >= bottom - kSameHeightNm)
+    if (index > 0 && layers_[index - 1].top_nm >= bottom - support::kSameHeightNm)
       for (const SupportRegion& region : layers_[index - 1].regions) visit(region.outlines);
     if (options_.bed_only) return;
-    const Coord highest = bottom - options_.bottom_gap_nm + kSameHeightNm;
-    const Coord lowest = highest - options_.layer_height_nm - 2 * kSameHeightNm;
+    const Coord highest = bottom - options_.bottom_gap_nm + support::kSameHeightNm;
+    const Coord lowest = highest - options_.layer_height_nm - 2 * support::kSameHeightNm;
     for (const PartLayer& part : problem_.part)
       if (part.top_nm > lowest && part.top_nm <= highest) visit(*part.outlines);
   }
