@@ -19,7 +19,7 @@ namespace slicefarm::cli {
 namespace {
 
 constexpr std::string_view kFirstWords = "; tool ";
-constexpr double kFarthestMm = 1e9;
+constexpr double kFarthestWayMm = 1e9;
 constexpr double kChordMm = 0.2;
 /// Of the longer side of the picture: how wide a way is drawn.
 constexpr double kWayShare = 1.0 / 800;
@@ -72,7 +72,7 @@ class WayReader {
       if (letter < 'A' || letter > 'Z') continue;
       double number = 0;
       const auto [after, error] = std::from_chars(at, end, number);
-      if (error != std::errc() || !(std::abs(number) <= kFarthestMm)) continue;
+      if (error != std::errc() || !(std::abs(number) <= kFarthestWayMm)) continue;
       at = after;
       if (letter == 'G' && number >= 0 && number <= 3) kind_ = static_cast<int>(number);
       words[static_cast<size_t>(letter - 'A')] = number;
@@ -122,7 +122,7 @@ class WayReader {
 };
 
 double LongerSide(const std::vector<Way>& ways) {
-  PointMm low = {kFarthestMm, kFarthestMm}, high = {-kFarthestMm, -kFarthestMm};
+  PointMm low = {kFarthestWayMm, kFarthestWayMm}, high = {-kFarthestWayMm, -kFarthestWayMm};
   for (const Way& way : ways) {
     if (way.rapid) continue;
     for (const PointMm p : way.points) {

@@ -12,7 +12,7 @@ namespace {
 using planning::SupportRole;
 
 constexpr double kLongerSidePx = 1200;
-constexpr double kMarginMm = 3;
+constexpr double kEdgeMm = 3;
 
 cairo_status_t AppendBytes(void* bytes, const unsigned char* data, unsigned int size) {
   static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), size);
@@ -20,9 +20,9 @@ cairo_status_t AppendBytes(void* bytes, const unsigned char* data, unsigned int 
 }
 
 /// A picture of a box of the plane; mm, y upwards.
-class Canvas {
+class LabCanvas {
  public:
-  Canvas(double left, double bottom, double right, double top)
+  LabCanvas(double left, double bottom, double right, double top)
       : scale_(kLongerSidePx / std::max(right - left, top - bottom)),
         surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24,
                                             static_cast<int>((right - left) * scale_) + 1,
@@ -91,8 +91,8 @@ Box BoundsOfAll(const planning::SupportProblem& problem, const planning::Support
 absl::StatusOr<std::string> DrawSupportLayer(const planning::SupportProblem& problem,
                                              const planning::SupportPlan& plan, size_t layer) {
   const Box box = BoundsOfAll(problem, plan);
-  Canvas canvas(ToMm(box.min.x) - kMarginMm, ToMm(box.min.y) - kMarginMm,
-                ToMm(box.max.x) + kMarginMm, ToMm(box.max.y) + kMarginMm);
+  LabCanvas canvas(ToMm(box.min.x) - kEdgeMm, ToMm(box.min.y) - kEdgeMm, ToMm(box.max.x) + kEdgeMm,
+                   ToMm(box.max.y) + kEdgeMm);
   const planning::SupportLayer& support = plan.layers[layer];
   const Coord middle = support.top_nm - support.height_nm / 2;
   for (const planning::PartLayer& part : problem.part) {
@@ -113,8 +113,8 @@ absl::StatusOr<std::string> DrawSupportView(const planning::SupportProblem& prob
   const auto across = [&](Point p) { return ToMm(from_right ? p.y : p.x); };
   Coord top = 0;
   for (const planning::PartLayer& layer : problem.part) top = std::max(top, layer.top_nm);
-  Canvas canvas(across(box.min) - kMarginMm, -1, across(box.max) + kMarginMm,
-                ToMm(static_cast<double>(top)) + 1);
+  LabCanvas canvas(across(box.min) - kEdgeMm, -1, across(box.max) + kEdgeMm,
+                   ToMm(static_cast<double>(top)) + 1);
   const auto draw = [&](const MultiPolygon& region, Coord bottom_nm, Coord top_nm) {
     for (const PolygonWithHoles& island : region) {
       const Box around = Bounds(island.outer);

@@ -10,7 +10,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-constexpr char kSlicing[] = "slicing";
+constexpr char kReader[] = "slicing";
 
 }  // namespace
 
@@ -20,14 +20,14 @@ absl::StatusOr<v1::ReadProjectResponse> RemoteProjects::Read(const StageCall& ca
   input.files.push_back(std::move(file));
   v1::ReadProjectResponse project;
   const absl::Status status = StreamOver(
-      replicas_, options_.deadline, call, kSlicing, &v1::Slicing::Stub::PrepareAsyncReadProject,
+      replicas_, options_.deadline, call, kReader, &v1::Slicing::Stub::PrepareAsyncReadProject,
       [&](auto& stream) { return WriteFiles(stream, call, input, {}); },
       [&](auto& stream) {
         stream.Read(&project);  // if there is none, the call's end says why
         return absl::OkStatus();
       });
   if (!status.ok()) return status;
-  if (project.plates().empty()) return BadAnswer(kSlicing, Malformed("plates", "are none"));
+  if (project.plates().empty()) return BadAnswer(kReader, Malformed("plates", "are none"));
   return project;
 }
 
