@@ -154,7 +154,7 @@ TEST(CheckHalo, ALayerTooFewIsRefused) {
             Reason::kRequestMalformed);
   const absl::Status above = CheckHalo(Cut(layers, {all.first, all.last - 1}), {14, 15}, 2);
   EXPECT_EQ(DetailOf(above).reason, Reason::kRequestMalformed);
-  EXPECT_THAT(std::string(above.message()), testing::HasSubstr("layer 6 of object 1"));
+  EXPECT_THAT(std::string(above.message()), testing::HasSubstr("layer 6 of stack 1"));
 }
 
 }  // namespace

@@ -69,7 +69,9 @@ TEST(StageJobsWire, Return) {
 
 TEST(StageJobsWire, EveryFieldChangedAloneReturns) {
   ExpectEveryChangeReturns<v1::BeadingTable, BeadingTable>(ProtoOf<v1::BeadingTable>(Beading()));
-  ExpectEveryChangeReturns<v1::InfillTable, InfillTable>(ProtoOf<v1::InfillTable>(Infill()));
+  // Beyond the table's last text.
+  ExpectEveryChangeReturns<v1::InfillTable, InfillTable>(ProtoOf<v1::InfillTable>(Infill()),
+                                                         {"flow_text"});
   // One nanometre more is no whole micrometre.
   ExpectEveryChangeReturns<v1::OrderingJob, OrderingJob>(ProtoOf<v1::OrderingJob>(Ordering()),
                                                          {"shift"});

@@ -63,8 +63,8 @@ TEST(FdmWork, EveryFieldChangedAloneReturns) {
   // Another range has another number of plans; the only copy of "a" has no second one; one
   // nanometre more is no whole micrometre.
   ExpectEveryChangeReturns<v1::FdmWork, FdmWork>(ProtoOf<v1::FdmWork>(Work()), {"range"});
-  ExpectEveryChangeReturns<v1::FdmShared, FdmShared>(ProtoOf<v1::FdmShared>(Job()),
-                                                     {"shift", "facts.copies[0].copy"});
+  ExpectEveryChangeReturns<v1::FdmShared, FdmShared>(
+      ProtoOf<v1::FdmShared>(Job()), {"shift", "facts.copies[0].copy", "flow_text"});
 }
 
 TEST(FdmWork, RefusesMoreCopiesThanAJobMayHave) {
