@@ -18,7 +18,7 @@ TEST(WithoutRings, RingsMayOverlap) {
   const MultiPolygon rest = WithoutRings(region, rings);
   EXPECT_EQ(AreaMm2(rest), 40);
   EXPECT_EQ(WithoutRings(region, {}), region);
-  EXPECT_TRUE(WithoutRings({}, rings).empty());
+  EXPECT_TRUE(WithoutRings(MultiPolygon(), rings).empty());
 }
 
 TEST(WithoutRings, HolesOfOneRegionAreFilledByAnother) {
