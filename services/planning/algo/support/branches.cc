@@ -242,13 +242,17 @@ class Grower {
     const Branch& branch = live_[index];
     double nearest = 0;
     const Branch* partner = nullptr;
+    size_t partner_index = 0;
     ForEachNear(buckets, branch.at, [&](size_t i) {
       if (i == index) return;
       const double distance = Distance(branch.at, live_[i].at);
-      if (distance > kSightNm || (partner != nullptr && distance >= nearest)) return;
+      if (distance > kSightNm) return;
+      // Of two that are as far the first one, in whatever order they are looked at.
+      if (partner != nullptr && std::pair(distance, i) >= std::pair(nearest, partner_index)) return;
       const double meeting = z_nm - distance / 2 / fast_;
       if (meeting < kLowestMeetingNm || !InSight(slab, branch.at, live_[i].at, distance)) return;
       partner = &live_[i];
+      partner_index = i;
       nearest = distance;
     });
     if (partner == nullptr || nearest == 0) return branch.at;

@@ -22,7 +22,8 @@ Clearance::Clearance(const SupportProblem& problem, const SupportOptions& option
     : problem_(problem), options_(options), bed_(Bounds(problem.bed)) {
   stacks_.emplace_back();
   const auto add = [&](const SolidLayer& layer) {
-    if (layer.bottom_nm() < top_nm + options.top_gap_nm) stacks_.back().push_back({layer, {}, {}});
+    if (layer.bottom_nm() < top_nm + options.top_gap_nm)
+      stacks_.back().push_back({layer, {}, {}, {}});
   };
   for (const PartLayer& layer : problem.part) add(layer);
   for (const auto& other : problem.others) {
@@ -36,6 +37,7 @@ Clearance::Clearance(const SupportProblem& problem, const SupportOptions& option
     Layer& layer = *all[i];
     layer.box = Bounds(*layer.solid.outlines);
     layer.spaced = FastOffset(*layer.solid.outlines, options_.xy_gap_nm);
+    layer.edged = FastOffset(*layer.solid.outlines, kEdgeNm);
   });
 }
 
@@ -56,7 +58,7 @@ void Clearance::ForEachBlocked(Coord bottom_nm, Coord top_nm, const Box& box, Vi
       if (!apart)
         visit(layer->spaced);
       else if (clear < gap - support::kSameHeightNm)
-        visit(*layer->solid.outlines);
+        visit(layer->edged);
     }
   }
 }

@@ -10,6 +10,9 @@
 
 namespace slicefarm::planning {
 
+/// Between the edge of a step and a top under the next one: without it they would touch.
+inline constexpr Coord kEdgeNm = 2'000;
+
 /// Where support may be: off the part and the other objects, on the bed. Const and safe from any
 /// thread.
 ///
@@ -21,7 +24,7 @@ namespace slicefarm::planning {
 class Clearance {
  public:
   /// For layers of support up to `top_nm`. `problem` and `options` must outlive it.
-  /// Cost: an offset of each layer, on `threads` threads.
+  /// Cost: two offsets of each layer, on `threads` threads.
   Clearance(const SupportProblem& problem, const SupportOptions& options, Coord top_nm,
             int threads);
 
@@ -38,6 +41,7 @@ class Clearance {
     SolidLayer solid;
     Box box;              ///< of the outlines
     MultiPolygon spaced;  ///< grown by xy_gap_nm
+    MultiPolygon edged;   ///< grown by kEdgeNm
   };
   using Stack = std::vector<Layer>;
 

@@ -8,6 +8,7 @@
 #include "common/base/parallel.h"
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/boolean/without_rings.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/rings/simplify.h"
 #include "services/planning/algo/support/raster.h"
 #include "services/planning/algo/support/reach_field.h"
@@ -226,7 +227,9 @@ class ColumnMaker {
       if (simple.size() >= 3) rings.push_back(std::move(simple));
     }
     for (size_t i = index; i < std::min(contacts_.size(), index + kExactLayers); ++i)
-      for (Polygon& ring : Rings(contacts_[i])) rings.push_back(std::move(ring));
+      // Those of higher steps a little more, so that none is apart from the next.
+      for (Polygon& ring : Rings(i == index ? contacts_[i] : FastOffset(contacts_[i], 2 * kEdgeNm)))
+        rings.push_back(std::move(ring));
     const SupportHeight& height = heights_.layers[index];
     MultiPolygon column = clearance_.FreeOf(rings, height.bottom_nm, height.top_nm);
     const MultiPolygon widened = Widened(column, options_.width_nm * 4 / 5);

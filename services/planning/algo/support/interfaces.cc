@@ -55,7 +55,10 @@ std::vector<MultiPolygon> Sheets(const SupportHeights& heights, const Contacts& 
   const size_t count = heights.layers.size();
   std::vector<MultiPolygon> sheets(count);
   ForEachIndex(threads, count, [&](size_t i, int) {
-    const MultiPolygon all = UnionOf(contacts, i, EndOfSheet(i, count, options));
+    MultiPolygon all = contacts[i];
+    const MultiPolygon higher = UnionOf(contacts, i + 1, EndOfSheet(i, count, options));
+    // A little more of it, so that no step is apart from the next.
+    if (!higher.empty()) all = Union(all, FastOffset(higher, 2 * kEdgeNm));
     const SupportHeight& height = heights.layers[i];
     sheets[i] = clearance.Free(all, height.bottom_nm, height.top_nm);
     const MultiPolygon wide = Widened(sheets[i], options.width_nm * 4 / 5);
