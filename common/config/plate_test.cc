@@ -90,13 +90,13 @@ double Density(const ResolvedPlate& plate, int32_t row) {
 
 TEST(ResolvePlate, WarnsOnceOfWhatObjectsAskFor) {
   SceneObject a = ObjectOfFile("a", 0, {}, 1), b = ObjectOfFile("b", 1, {}, 1);
-  a.settings = b.settings = {{"support_material", "1", Source::kProfile}};
+  a.settings = b.settings = {{"support_material_interface_contact_loops", "1", Source::kProfile}};
   EXPECT_THAT(PlateOrDie({}, {a, b}).warnings,
-              testing::ElementsAre(testing::StartsWith("a: support_material = 1")));
-  const std::vector<Setting> job = {{"support_material", "1", Source::kProfile}};
+              testing::ElementsAre(testing::StartsWith("a: support_material_interface_contact_loops = 1")));
+  const std::vector<Setting> job = {{"support_material_interface_contact_loops", "1", Source::kProfile}};
   const auto plate = ResolvePlate(job, std::vector<SceneObject>{a, b}, Process::kFdm);
   ASSERT_TRUE(plate.ok()) << plate.status();
-  EXPECT_THAT(plate->warnings, testing::ElementsAre(testing::StartsWith("support_material = 1")));
+  EXPECT_THAT(plate->warnings, testing::ElementsAre(testing::StartsWith("support_material_interface_contact_loops = 1")));
 }
 
 TEST(ResolvePlate, ArrangedCopiesLeaveRoomForTheWidestBrim) {
@@ -111,18 +111,6 @@ TEST(ResolvePlate, ArrangedCopiesLeaveRoomForTheWidestBrim) {
   EXPECT_EQ(clearance({{"brim_type", "inner_only"}}, "8"), 0);
   EXPECT_EQ(clearance({{"complete_objects", "1"}, {"extruder_clearance_radius", "45"}}, "8"),
             FromMm(45));
-}
-
-TEST(ResolvePlate, TellsOfSupportsThatPartsAskFor) {
-  SceneObject a = ObjectOfFile("a", 0, {}, 1);
-  Part part;
-  part.name = "here";
-  part.role = PartRole::kSupportEnforcer;
-  a.parts.push_back(part);
-  const ResolvedPlate plate = PlateOrDie({}, {a});
-  EXPECT_THAT(plate.warnings,
-              testing::ElementsAre("a: support enforcer \"here\": not supported yet"));
-  EXPECT_EQ(plate.no_effect.front(), plate.warnings.front());
 }
 
 TEST(ResolvePlate, ANeedThatAnObjectMeetsIsMet) {

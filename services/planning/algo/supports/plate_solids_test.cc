@@ -30,7 +30,8 @@ std::vector<SlicedLayer> Squares(int32_t objects) {
 TEST(PlateSolids, AnObjectAloneHasTheRoomAroundIt) {
   const std::vector<SlicedLayer> parts = Squares(1);
   const std::vector<PlacedCopy> copies = {{0, Mm(100, 100), {}}};
-  const SupportProblem problem = PlateSolids(parts, copies).ProblemOf(0, Bed(200), kRoomNm);
+  PlateSolids plate(parts, copies);
+  const SupportProblem problem = plate.ProblemOf(0, Bed(200), kRoomNm);
   ASSERT_THAT(problem.part, SizeIs(3));
   EXPECT_EQ(problem.part[2].top_nm, 600'000);
   EXPECT_EQ(problem.part[2].height_nm, 200'000);
@@ -41,7 +42,8 @@ TEST(PlateSolids, AnObjectAloneHasTheRoomAroundIt) {
 TEST(PlateSolids, TheBedIsWhatAllCopiesHaveOfIt) {
   const std::vector<SlicedLayer> parts = Squares(1);
   const std::vector<PlacedCopy> copies = {{0, Mm(8, 100), {}}, {0, Mm(190, 100), {}}};
-  const SupportProblem problem = PlateSolids(parts, copies).ProblemOf(0, Bed(200), kRoomNm);
+  PlateSolids plate(parts, copies);
+  const SupportProblem problem = plate.ProblemOf(0, Bed(200), kRoomNm);
   EXPECT_EQ(Bounds(problem.bed), (Box{Mm(-8, -20), Mm(10, 20)}));
 }
 
@@ -49,7 +51,8 @@ TEST(PlateSolids, WhatStandsAroundAnyCopyIsAroundAll) {
   const std::vector<SlicedLayer> parts = Squares(2);
   const std::vector<PlacedCopy> copies = {
       {0, Mm(50, 50), {}}, {0, Mm(150, 50), {}}, {1, Mm(50, 70), {}}, {1, Mm(170, 50), {}}};
-  const SupportProblem problem = PlateSolids(parts, copies).ProblemOf(0, Bed(200), kRoomNm);
+  PlateSolids plate(parts, copies);
+  const SupportProblem problem = plate.ProblemOf(0, Bed(200), kRoomNm);
   ASSERT_THAT(problem.others, SizeIs(2)) << "each near one of the copies";
   ASSERT_THAT(problem.others[0], SizeIs(3));
   EXPECT_EQ(Bounds(*problem.others[0][0].outlines), (Box{Mm(-5, 15), Mm(5, 25)}));
@@ -59,7 +62,8 @@ TEST(PlateSolids, WhatStandsAroundAnyCopyIsAroundAll) {
 TEST(PlateSolids, CopiesHaveHalfTheWayToEachOther) {
   const std::vector<SlicedLayer> parts = Squares(1);
   const std::vector<PlacedCopy> copies = {{0, Mm(50, 100), {}}, {0, Mm(66, 100), {}}};
-  const SupportProblem problem = PlateSolids(parts, copies).ProblemOf(0, Bed(200), kRoomNm);
+  PlateSolids plate(parts, copies);
+  const SupportProblem problem = plate.ProblemOf(0, Bed(200), kRoomNm);
   EXPECT_EQ(Bounds(problem.bed), (Box{Mm(-8, -8), Mm(8, 8)}));
 }
 
@@ -82,7 +86,8 @@ TEST(PlateSolids, MarksOfThePartGoAlong) {
   std::vector<SlicedLayer> parts = Squares(1);
   parts[1].sections[0].marks = {{PartRole::kSupportBlocker, MakePolygonsOrDie(kSquare)}};
   const std::vector<PlacedCopy> copies = {{0, Mm(50, 50), {}}};
-  const SupportProblem problem = PlateSolids(parts, copies).ProblemOf(0, {}, kRoomNm);
+  PlateSolids plate(parts, copies);
+  const SupportProblem problem = plate.ProblemOf(0, {}, kRoomNm);
   EXPECT_EQ(problem.part[0].blockers, nullptr);
   ASSERT_NE(problem.part[1].blockers, nullptr);
   EXPECT_EQ(problem.part[1].enforcers, nullptr);

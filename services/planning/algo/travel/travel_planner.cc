@@ -92,6 +92,11 @@ std::span<const Point> SeamsOf(const SectionPlan& section, RingRange rings) {
   return std::span(section.seams).subspan(first, last - first);
 }
 
+SectionPlan* FindPlanOf(int32_t stack, LayerPlan& plan) {
+  const auto found = std::ranges::find(plan.sections, stack, &SectionPlan::stack);
+  return found == plan.sections.end() ? nullptr : &*found;
+}
+
 bool Has(const std::vector<int32_t>& objects, int32_t object) {
   return std::ranges::binary_search(objects, object);
 }
@@ -134,12 +139,14 @@ absl::Status TravelPlanner::Finish(const CancelToken& cancel, OpenLayers& layers
   for (int32_t i = layers.first() + 1; i < layers.end(); ++i) {
     LayerPlan& below = layers.At(i - 1);
     LayerPlan& above = layers.At(i);
-    const SectionPlan& section = PlanOf(copy.object, above);
+    SectionPlan* const left = FindPlanOf(copy.object, below);
+    const SectionPlan* const entered = FindPlanOf(copy.object, above);
+    if (left == nullptr || entered == nullptr) continue;  // one has supports alone
     const RingRange rings = last_rings_[static_cast<size_t>(i - 1)];
-    const auto meeting = SeamToMeetAt(section, SeamsOf(PlanOf(copy.object, below), rings));
+    const auto meeting = SeamToMeetAt(*entered, SeamsOf(*left, rings));
     if (!meeting || begins_with_support_[static_cast<size_t>(i)]) continue;
     above.entry = copy.shift + *meeting;
-    PlanOf(copy.object, below).exit = *meeting;
+    left->exit = *meeting;
     below.ends_ready = above.begins_ready = true;
   }
   return absl::OkStatus();
