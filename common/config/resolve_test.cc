@@ -406,7 +406,7 @@ TEST(Resolve, ReportsUnknownKeysOfAProfile) {
 
 TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
   for (const auto& [key, value] :
-       Pairs{{"support_material", "1"}, {"spiral_vase", "1"}, {"post_process", "/bin/rm"}}) {
+       Pairs{{"wipe_tower", "1"}, {"spiral_vase", "1"}, {"post_process", "/bin/rm"}}) {
     const ResolvedSettings resolved = ResolveOrDie(Settings({{key, value}}, Source::kProfile));
     EXPECT_THAT(resolved.no_effect, ElementsAre(HasSubstr(key + " = " + value))) << key;
     EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr(key + " = " + value))) << key;
@@ -416,7 +416,7 @@ TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
     EXPECT_EQ(detail.metadata.at("setting"), key);
   }
   const ResolvedSettings off = ResolveOrDie(Settings(
-      {{"support_material", "0"}, {"brim_width", "0"}, {"post_process", ""}, {"skirts", "0"}}));
+      {{"wipe_tower", "0"}, {"brim_width", "0"}, {"post_process", ""}, {"skirts", "0"}}));
   EXPECT_THAT(off.no_effect, IsEmpty());
   EXPECT_THAT(off.warnings, IsEmpty());
 }

@@ -37,8 +37,11 @@ TEST(PlacedSceneWire, Returns) {
   EXPECT_EQ(object.parts[0].mesh, want.parts[0].mesh);
   EXPECT_EQ(object.parts[0].report, want.parts[0].report);
   EXPECT_EQ(object.parts[1].role, PartRole::kModifier);
-  // Sizes are those of the meshes.
-  ExpectEveryChangeReturns<v1::PlacedScene, PlacedScene>(proto, {}, {"size"});
+  // Sizes are those of the meshes, which travel apart.
+  auto without = proto;
+  without.mutable_objects(0)->mutable_parts(0)->mutable_size()->clear_vertices();
+  without.mutable_objects(0)->mutable_parts(0)->mutable_size()->clear_triangles();
+  ExpectEveryChangeReturns<v1::PlacedScene, PlacedScene>(without, {}, {"size"});
 }
 
 TEST(PlacedSceneWire, RefusesWhatIsNoScene) {

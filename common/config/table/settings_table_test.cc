@@ -279,7 +279,7 @@ TEST(ParseValue, ReadsPercentWithAndWithoutItsSign) {
 
 TEST(KnownKeys, SayWhy) {
   for (const char* key :
-       {"support_material", "wipe_tower", "compatible_printers_condition_cummulative", "print_host",
+       {"support_material_interface_contact_loops", "wipe_tower", "compatible_printers_condition_cummulative", "print_host",
         "post_process", "support_tree_angle"}) {
     ASSERT_NE(FindKnownKey(key), nullptr) << key;
     EXPECT_FALSE(FindKnownKey(key)->why.empty()) << key;
