@@ -139,7 +139,7 @@ TEST(Resolve, TakesAWholeProfile) {
   ASSERT_GT(given->size(), 250);
   const ResolvedSettings resolved = ResolveOrDie(*given);
   EXPECT_THAT(resolved.no_effect, Not(Contains(HasSubstr(": unknown"))));
-  EXPECT_THAT(resolved.no_effect, Contains(HasSubstr("support_material_threshold = 0")));
+  EXPECT_THAT(resolved.no_effect, Contains(HasSubstr("clip_multipart_objects = 1")));
   EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("gcode_flavor = reprap")));
 
   // Where the standards differ from PrusaSlicer's, it is for a reason given in the table's
@@ -406,7 +406,7 @@ TEST(Resolve, ReportsUnknownKeysOfAProfile) {
 
 TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
   for (const auto& [key, value] :
-       Pairs{{"wipe_tower", "1"}, {"spiral_vase", "1"}, {"post_process", "/bin/rm"}}) {
+       Pairs{{"colorprint_heights", "5"}, {"spiral_vase", "1"}, {"post_process", "/bin/rm"}}) {
     const ResolvedSettings resolved = ResolveOrDie(Settings({{key, value}}, Source::kProfile));
     EXPECT_THAT(resolved.no_effect, ElementsAre(HasSubstr(key + " = " + value))) << key;
     EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr(key + " = " + value))) << key;
@@ -416,7 +416,7 @@ TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
     EXPECT_EQ(detail.metadata.at("setting"), key);
   }
   const ResolvedSettings off = ResolveOrDie(Settings(
-      {{"wipe_tower", "0"}, {"brim_width", "0"}, {"post_process", ""}, {"skirts", "0"}}));
+      {{"colorprint_heights", ""}, {"brim_width", "0"}, {"post_process", ""}, {"skirts", "0"}}));
   EXPECT_THAT(off.no_effect, IsEmpty());
   EXPECT_THAT(off.warnings, IsEmpty());
 }

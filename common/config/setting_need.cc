@@ -9,9 +9,10 @@ namespace slicefarm::config {
 namespace {
 
 /// Whether somebody wants it, rather than a profile listing it.
-bool IsWanted(const Draft& draft, std::string_view key) {
+bool IsWanted(const Need& need, const Draft& draft, std::string_view key) {
   const Draft::Entry& entry = draft.At(key);
   if (!entry.given || !entry.value.has_value()) return false;
+  if (need.only_requested) return entry.requested;
   const int index = FindSetting(key, draft.process());
   return entry.requested || !IsStandard(SettingsTable(draft.process())[index], entry.written);
 }
@@ -28,7 +29,7 @@ std::vector<std::string> UnmetNeeds(std::span<const Need> needs, const Draft& dr
   for (const Need& need : needs) {
     if (IsMet(need, draft, settings)) continue;
     for (const std::string_view key : Split(need.keys, " ")) {
-      if (IsWanted(draft, key))
+      if (IsWanted(need, draft, key))
         notes.push_back(fmt::format("{} = {}: needs {}", key, draft.At(key).written, need.what));
     }
   }

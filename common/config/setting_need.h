@@ -17,6 +17,8 @@ struct Need {
   bool (*met)(const JobSettings&) = nullptr;
   bool (*met_by)(const Draft&) =
       nullptr;  ///< in its place, for flags that are no option of a stage
+  /// Their standards follow others, so a profile that holds the numbers asks for nothing.
+  bool only_requested = false;
 };
 
 /// The settings that were given and have no effect because another setting switches off what they

@@ -280,7 +280,7 @@ TEST(ParseValue, ReadsPercentWithAndWithoutItsSign) {
 TEST(KnownKeys, SayWhy) {
   for (const char* key :
        {"support_material_interface_contact_loops", "wipe_tower", "compatible_printers_condition_cummulative", "print_host",
-        "post_process", "support_tree_angle"}) {
+        "post_process", "variable_layer_height"}) {
     ASSERT_NE(FindKnownKey(key), nullptr) << key;
     EXPECT_FALSE(FindKnownKey(key)->why.empty()) << key;
   }
@@ -289,15 +289,15 @@ TEST(KnownKeys, SayWhy) {
 }
 
 TEST(KnownKeys, KnowWhichValueAsksForNothing) {
-  EXPECT_TRUE(IsNeutral(*FindKnownKey("support_material"), "0"));
-  EXPECT_FALSE(IsNeutral(*FindKnownKey("support_material"), "1"));
+  EXPECT_TRUE(IsNeutral(*FindKnownKey("wipe_tower"), "0"));
+  EXPECT_FALSE(IsNeutral(*FindKnownKey("wipe_tower"), "1"));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("spiral_vase"), "0.0"));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("extruder_offset"), "0x0,0x0"));
   EXPECT_FALSE(IsNeutral(*FindKnownKey("extruder_offset"), "0x0,1x0"));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("post_process"), ""));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("post_process"), "\"\""));
   EXPECT_FALSE(IsNeutral(*FindKnownKey("post_process"), "rm.sh"));
-  EXPECT_FALSE(IsNeutral(*FindKnownKey("support_material_xy_spacing"), "0"));
+  EXPECT_FALSE(IsNeutral(*FindKnownKey("filament_load_time"), "0"));
 }
 
 }  // namespace

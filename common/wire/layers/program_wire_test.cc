@@ -203,7 +203,7 @@ TEST(ProgramWire, TimesReturn) {
   EXPECT_EQ(proto.seconds_size(), static_cast<int>(kStageCount));
   EXPECT_EQ(proto.seconds().at("planning"), 2);
   EXPECT_EQ(*FromProto(proto), DistinctTimes());
-  (*proto.mutable_seconds())["milling"] = 1;
+  (*proto.mutable_seconds())["weaving"] = 1;
   EXPECT_FALSE(FromProto(proto).ok());
   v1::StageTimes negative;
   (*negative.mutable_seconds())["motion"] = -1;

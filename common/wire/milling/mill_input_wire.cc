@@ -36,6 +36,7 @@ absl::Status ToProto(const MillInput& input, v1::MillInput* proto) {
 absl::StatusOr<MillInput> FromProto(const v1::MillInput& proto) {
   absl::StatusOr<MillSettings> settings = FromProto(proto.settings());
   if (!settings.ok()) return Within("settings", settings.status());
+  if (!proto.has_part()) return Malformed("part", "is missing");
   const bool has_stock = proto.stock().xyz_nm_size() > 0 || proto.stock().corners_size() > 0;
   std::vector<v1::MeshSize> sizes = {SizeOf(proto.part())};
   if (has_stock) sizes.push_back(SizeOf(proto.stock()));

@@ -61,6 +61,10 @@ void ChangeElement(Message& message, const FieldDescriptor* field, int i) {
     case FieldDescriptor::CPPTYPE_DOUBLE:
       return reflection.SetRepeatedDouble(&message, field, i,
                                           Another(reflection.GetRepeatedDouble(message, field, i)));
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return reflection.SetRepeatedEnumValue(
+          &message, field, i,
+          NextValue(*field->enum_type(), reflection.GetRepeatedEnumValue(message, field, i)));
     case FieldDescriptor::CPPTYPE_STRING:
       return reflection.SetRepeatedString(&message, field, i,
                                           reflection.GetRepeatedString(message, field, i) + "x");

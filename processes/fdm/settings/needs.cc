@@ -5,6 +5,8 @@
 namespace slicefarm::config::fdm {
 namespace {
 
+bool HasSupports(const JobSettings& s) { return FdmOf(s).planning.objects[0].support.on; }
+
 bool Combines(const Draft& draft) { return draft.Number("automatic_infill_combination") != 0; }
 
 constexpr Need kNeeds[] = {
@@ -81,16 +83,19 @@ constexpr Need kNeeds[] = {
        return object.raft.heights.layers > 0 || object.support.on;
      }},
     {"dont_support_bridges support_material_auto "
-     "support_material_bottom_contact_distance "
-     "support_material_bottom_interface_layers support_material_buildplate_only "
+     "support_material_buildplate_only "
      "support_material_closing_radius support_material_contact_distance "
      "support_material_enforce_layers support_material_interface_layers "
      "support_material_interface_pattern support_material_interface_spacing "
      "support_material_pattern support_material_style "
      "support_material_synchronize_layers support_material_threshold "
-     "support_material_with_sheath support_material_xy_spacing",
-     "support_material = 1",
-     [](const JobSettings& s) { return FdmOf(s).planning.objects[0].support.on; }},
+     "support_material_with_sheath",
+     "support_material = 1", HasSupports},
+    {.keys = "support_material_bottom_contact_distance support_material_bottom_interface_layers "
+             "support_material_xy_spacing",
+     .what = "support_material = 1",
+     .met = HasSupports,
+     .only_requested = true},
     {"support_tree_angle support_tree_angle_slow support_tree_branch_diameter "
      "support_tree_branch_diameter_angle support_tree_branch_diameter_double_wall "
      "support_tree_branch_distance support_tree_tip_diameter support_tree_top_rate",

@@ -132,7 +132,9 @@ TEST(AdhesionPlanner, AnObjectWithRoomAroundItsCopiesHasItsOwnBrim) {
   for (const PlacedCopy& copy : copies)
     for (const PolygonWithHoles& island : Moved(OutlineOf(section), copy.shift))
       moved.push_back(island);
-  EXPECT_EQ(moved, OutlineOf(shared.plan.stacks[0].sections[0]));
+  const MultiPolygon& on_plate = OutlineOf(shared.plan.stacks[0].sections[0]);
+  EXPECT_EQ(Area(Difference(moved, on_plate)), 0);
+  EXPECT_EQ(Area(Difference(on_plate, moved)), 0);
 }
 
 TEST(AdhesionPlanner, NothingIsOutsideOfTheBed) {
