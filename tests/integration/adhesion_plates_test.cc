@@ -110,8 +110,12 @@ class Stages {
     std::vector<std::vector<Path>> layers;
     for (const OrderedLayer& layer : *ordered) {
       std::vector<Path>& paths = layers.emplace_back();
-      for (const PathBlock& block : layer.blocks)
-        paths.insert(paths.end(), block.paths.begin(), block.paths.end());
+      for (const BlockVisit& visit : layer.visits) {
+        for (Path path : layer.blocks[static_cast<size_t>(visit.block)].paths) {
+          for (Point& point : path.points) point = point + visit.shift;
+          paths.push_back(std::move(path));
+        }
+      }
     }
     return layers;
   }

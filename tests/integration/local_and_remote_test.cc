@@ -243,15 +243,17 @@ TEST_F(LocalAndRemote, FieldsGiveTheSameHereAndThereAndInRanges) {
   infill.field_halo_layers = 8;
   FdmOf(settings_).motion.material_field =
       R"({"parts":[{"kind":"height","table":[[0,0],[9,1]]},{"kind":"height","table":[[0,1],[9,0]]}]})";
-  const auto whole = chain_.Run(call_, task_);
+  const FdmTask by_distance = TaskOf(task_.range);
+  const auto whole = chain_.Run(call_, by_distance);
   ASSERT_TRUE(whole.ok()) << whole.status();
-  const auto remote = RunFdm(remote_.worker, call_, task_);
+  const auto remote = RunFdm(remote_.worker, call_, by_distance);
   ASSERT_TRUE(remote.ok()) << remote.status();
   EXPECT_EQ(remote->programs, whole->programs);
   infill.density_field.clear();
   infill.stress_field = R"({"kind":"constant","stress":[1,0,0.5]})";
   const LayerRange some{7, 11};
-  const auto all = chain_.Run(call_, task_), part = RunFdm(remote_.worker, call_, TaskOf(some));
+  const auto all = chain_.Run(call_, TaskOf(task_.range));
+  const auto part = RunFdm(remote_.worker, call_, TaskOf(some));
   ASSERT_TRUE(all.ok()) << all.status();
   ASSERT_TRUE(part.ok()) << part.status();
   for (int32_t i = some.first; i < some.last; ++i)

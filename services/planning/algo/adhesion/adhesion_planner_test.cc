@@ -133,8 +133,9 @@ TEST(AdhesionPlanner, AnObjectWithRoomAroundItsCopiesHasItsOwnBrim) {
     for (const PolygonWithHoles& island : Moved(OutlineOf(section), copy.shift))
       moved.push_back(island);
   const MultiPolygon& on_plate = OutlineOf(shared.plan.stacks[0].sections[0]);
-  EXPECT_EQ(Area(Difference(moved, on_plate)), 0);
-  EXPECT_EQ(Area(Difference(on_plate, moved)), 0);
+  // Offsets round to nanometres, not everywhere alike.
+  EXPECT_LT(Area(Difference(moved, on_plate)), 1e6);
+  EXPECT_LT(Area(Difference(on_plate, moved)), 1e6);
 }
 
 TEST(AdhesionPlanner, NothingIsOutsideOfTheBed) {
