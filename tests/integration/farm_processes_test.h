@@ -33,7 +33,7 @@ class FarmClient : public coordinator::CoordinatorClient {
     const auto stream = jobs_->WatchJob(&context, request);
     v1::JobEvent event;
     while (stream->Read(&event)) {
-      EXPECT_GT(event.sequence(), after);
+      EXPECT_GE(event.sequence(), after) << "progress has the number of the last event";
       after = event.sequence();
       if (enough && enough(event.job())) break;
     }

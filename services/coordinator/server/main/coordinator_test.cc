@@ -436,6 +436,10 @@ TEST_F(CoordinatorTest, WatchTellsTheWholeStoryFromAnyPoint) {
   ranges_->AwaitCall();
   ranges_->LetGo();
   watcher.join();
+  // Progress is told as it comes, under the number of the last event, and is not kept.
+  std::erase_if(live, [last = int64_t{0}](const v1::JobEvent& event) mutable {
+    return std::exchange(last, event.sequence()) == event.sequence();
+  });
   ASSERT_GE(live.size(), 3u);
   for (size_t i = 0; i < live.size(); ++i) {
     EXPECT_EQ(live[i].sequence(), static_cast<int64_t>(i) + 1);
