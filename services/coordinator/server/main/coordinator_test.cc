@@ -10,6 +10,7 @@
 #include <limits>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
