@@ -20,8 +20,9 @@ void ClaimOrder::Before(const std::map<int64_t, MemoryJobs::Entry>& jobs, const 
   tenants_.clear();
   std::set<std::string> work;  // that somebody has in hand
   for (const auto& [number, entry] : jobs) {
-    if (entry.job.owner_until_us > call.now_us && !entry.job.owner.empty())
-      work.insert(entry.job.action_digest);
+    const JobRecord& job = entry.job;
+    const bool held = job.owner_until_us > call.now_us && !job.owner.empty();
+    if (held && !job.cancel_requested) work.insert(job.action_digest);
   }
   for (const auto& [number, entry] : jobs) {
     const JobRecord& job = entry.job;

@@ -442,19 +442,22 @@ TEST_F(CoordinatorTest, WatchTellsTheWholeStoryFromAnyPoint) {
     return std::exchange(last, event.sequence()) == event.sequence();
   });
   ASSERT_GE(live.size(), 3u);
-  for (size_t i = 0; i < live.size(); ++i) {
-    EXPECT_EQ(live[i].sequence(), static_cast<int64_t>(i) + 1);
-    EXPECT_FALSE(live[i].job().has_spec());
-  }
   EXPECT_EQ(live.front().job().state(), v1::JOB_STATE_QUEUED);
   EXPECT_FALSE(live.front().job().has_result());
   EXPECT_EQ(live.back().job().state(), v1::JOB_STATE_SUCCEEDED);
   EXPECT_TRUE(live.back().job().has_result());
+  for (const v1::JobEvent& event : live) EXPECT_FALSE(event.job().has_spec());
 
-  const auto again = Watch(id);
-  ASSERT_EQ(again.size(), live.size());
+  // How far the run has come is told under the number of the step before, and told once.
+  const auto [repeated, end] = std::ranges::unique(live, {}, &v1::JobEvent::sequence);
+  live.erase(repeated, end);
   for (size_t after = 0; after <= live.size(); ++after) {
-    EXPECT_EQ(Watch(id, after).size(), live.size() - after);
+    const auto rest = Watch(id, after);
+    ASSERT_EQ(rest.size(), live.size() - after);
+    for (size_t i = 0; i < rest.size(); ++i) {
+      EXPECT_EQ(live[after + i].sequence(), static_cast<int64_t>(after + i) + 1);
+      EXPECT_EQ(rest[i].sequence(), live[after + i].sequence());
+    }
   }
 }
 

@@ -19,10 +19,12 @@ absl::StatusOr<std::vector<std::string>> TenantsInTurn(SqlConnection& db, int64_
   return tenants;
 }
 
-/// The action digests of jobs that somebody holds.
+/// The action digests of jobs that somebody holds. Of one that is to be cancelled nothing comes
+/// that others could wait for.
 std::string HeldWorkSql(const SqlDialect& dialect) {
   return absl::StrCat("SELECT action_digest FROM jobs", dialect.Through("jobs_held_work"),
-                      " WHERE " SLICEFARM_OPEN " AND owner <> '' AND owner_until_us > ?");
+                      " WHERE " SLICEFARM_OPEN
+                      " AND owner <> '' AND owner_until_us > ? AND cancel_requested = 0");
 }
 
 absl::StatusOr<std::optional<Candidate>> FindClaimable(SqlConnection& db, const std::string& tenant,

@@ -53,8 +53,8 @@ absl::StatusOr<ClaimTry> TakeFirst(SqlConnection& db, const Queue& queue,
 absl::StatusOr<ClaimTry> TakeNext(SqlConnection& db, const Queue& queue,
                                   const ClaimRequest& request);
 
-/// Whether somebody holds another job of this work. In a transaction, until whose end nobody else
-/// claims such a job.
+/// Whether somebody holds another job of this work that is not to be cancelled. In a transaction,
+/// until whose end nobody else claims such a job.
 absl::StatusOr<bool> OthersHold(SqlConnection& db, const std::string& action_digest,
                                 const std::string& but_job, int64_t now_us);
 

@@ -50,6 +50,20 @@ TEST_P(JobClaimsTest, ClaimsPassOverWorkThatSomebodyHolds) {
   EXPECT_EQ(*store_->Claim("me", 120, 200), std::nullopt);
 }
 
+TEST_P(JobClaimsTest, WorkOfAJobThatIsToBeCancelledIsNotHeld) {
+  for (const char* id : {"a", "a again", "b"}) {
+    NewJob job = JobOf(id);
+    if (job.id == "a again") job.action_digest = "action-a";
+    ASSERT_TRUE(store_->Create(job, 1).ok());
+  }
+  ASSERT_EQ((*store_->Claim("me", 10, 100))->id, "a");
+  ASSERT_TRUE(store_->RequestCancel("a", 11).ok());
+  EXPECT_EQ((*store_->Claim("you", 12, 50))->id, "a again");
+  const Lease b = {(*store_->Claim("you", 12, 100))->id, 1};
+  EXPECT_FALSE(*store_->Adopt(b, {"settings", "action-a", "build 2"}, 13)) << "`a again` is held";
+  EXPECT_TRUE(*store_->Adopt(b, {"settings", "action-a", "build 2"}, 60)) << "its lease is over";
+}
+
 TEST_P(JobClaimsTest, EqualWorkRacedByManyIsHeldOnce) {
   constexpr int kJobs = 40;
   for (int i = 0; i < kJobs; ++i) {

@@ -132,11 +132,12 @@ class JobStore {
   virtual absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) = 0;
 
   /// Gives a job that is QUEUED or RUNNING and that nobody holds to `owner` until `until_us`; none
-  /// if there is none. Passes over jobs whose action_digest is that of a job that somebody holds,
-  /// so that the same work is done once, and those of lower priority than `at_least`. Tenants take
-  /// turns, those with fewer held jobs first; of a tenant's jobs those of higher priority come
-  /// first, then those with the earlier deadline, then the older ones. Errors: DATA_LOSS if what is
-  /// kept of the job cannot be read; it is passed over until `until_us`.
+  /// if there is none. Passes over jobs whose action_digest is that of a job that somebody holds
+  /// and that is not to be cancelled, so that the same work is done once, and those of lower
+  /// priority than `at_least`. Tenants take turns, those with fewer held jobs first; of a tenant's
+  /// jobs those of higher priority come first, then those with the earlier deadline, then the older
+  /// ones. Errors: DATA_LOSS if what is kept of the job cannot be read; it is passed over until
+  /// `until_us`.
   virtual absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                          int64_t until_us,
                                                          Priority at_least = Priority::kBulk) = 0;
@@ -149,8 +150,8 @@ class JobStore {
                                                             int32_t limit) = 0;
 
   /// Writes what a held job is to the build that works on it, which may be another one than made
-  /// it, and has lost no run of it. False: somebody holds another job of the same work, so this one
-  /// is to be put back.
+  /// it, and has lost no run of it. False: somebody holds another job of the same work that is not
+  /// to be cancelled, so this one is to be put back.
   virtual absl::StatusOr<bool> Adopt(const Lease& lease, const JobIdentity& identity,
                                      int64_t now_us) = 0;
 

@@ -179,13 +179,13 @@ std::vector<std::string> MemoryJobStore::Tenants(int64_t now_us) const {
   return tenants;
 }
 
-/// The action digests of jobs that somebody holds.
+/// The action digests of jobs that somebody holds and that are not to be cancelled.
 std::set<std::string> MemoryJobStore::HeldWork(int64_t now_us, const std::string& but_job) const {
   std::set<std::string> held;
   for (const auto& [number, entry] : jobs_.entries_) {
     const JobRecord& job = entry.job;
-    if (!job.owner.empty() && job.owner_until_us > now_us && job.id != but_job)
-      held.insert(job.action_digest);
+    const bool works = !job.owner.empty() && job.owner_until_us > now_us && !job.cancel_requested;
+    if (works && job.id != but_job) held.insert(job.action_digest);
   }
   return held;
 }
