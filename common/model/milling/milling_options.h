@@ -77,7 +77,7 @@ struct MillingOptions {
   double finish_stepover_mm = 0.25;  ///< between parallel ways
   double rest_angle_deg = 45;        ///< flatter than this the part is finished by parallel ways
   bool finish_floor = false;         ///< the stock's floor beside the part, too
-  double sampling_mm = 0.2;          ///< distance of fibers
+  double sampling_mm = 0.1;          ///< distance of fibers
   double tolerance_mm = 0.01;        ///< between ways and those that touch the mesh exactly
   double stock_margin_mm = 1;        ///< of a box of stock around the part, at its sides and top
   double bottom_mm = 0;              ///< the tip stays as high above the stock's bottom

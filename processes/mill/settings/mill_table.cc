@@ -91,7 +91,7 @@ std::vector<SettingSpec> StrategySettings() {
              Bind([](auto& s) -> auto& { return s.how.rest_angle_deg; })),
       Flag("finish_floor", "0", "Parallel ways on the stock's floor beside the part, too",
            Bind([](auto& s) -> auto& { return s.how.finish_floor; })),
-      Number("sampling", {"mm", 0.001, 100}, "0.2",
+      Number("sampling", {"mm", 0.001, 100}, "0.1",
              "Distance of the fibers by which waterlines are found; what is narrower is not seen",
              Bind([](auto& s) -> auto& { return s.how.sampling_mm; })),
       Number("tolerance", {"mm", 0.002, 1}, "0.01",

@@ -10,7 +10,7 @@ namespace slicefarm::milling {
 namespace {
 
 /// Chords of arcs are as far off the arc as this share of the tolerance.
-constexpr double kChordShare = 0.25;
+constexpr double kArcChordShare = 0.25;
 /// Lower feeds are so many parts of what was asked for: a feed is told where it changes.
 constexpr double kFeedSteps = 20;
 
@@ -39,7 +39,7 @@ class MillClock {
     const double fastest = options_.machining.rapid_mm_min;
     const double mm_s = (rapid ? fastest : std::min(fastest, move.feed_mm_min)) / 60;
     Eigen::Vector3d at = from_mm;
-    for (const Eigen::Vector3d& to : PointsOf(move, from_mm, kChordShare * options_.tolerance_mm)) {
+    for (const Eigen::Vector3d& to : PointsOf(move, from_mm, kArcChordShare * options_.tolerance_mm)) {
       const double length = (to - at).norm();
       if (length == 0) continue;
       const Eigen::Vector3d ratio = (to - at) / length;
