@@ -11,14 +11,13 @@
 #include "common/geometry/rings/simplify.h"
 #include "services/milling/algo/drop/drop_cutter.h"
 #include "services/milling/algo/strategy/plane.h"
+#include "services/milling/algo/strategy/surface_way.h"
 
 namespace slicefarm::milling {
 namespace {
 
-/// Of the tolerance: what chords between drops may take.
+/// Of the tolerance: what leaving out points of a run may take.
 constexpr double kChordShare = 0.1;
-/// Of the tolerance: at a step of the surface a chord may be so long along x.
-constexpr double kStepShare = 0.25;
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
 
 /// The samples of all rows, evenly spaced along x.
@@ -43,8 +42,7 @@ class RestRow {
       : dropper_(dropper),
         floor_mm_(job.floor_mm),
         beside_mm_(job.options.finish_floor ? job.floor_mm : kNowhere),
-        chord_mm_(kChordShare * job.options.tolerance_mm),
-        step_mm_(kStepShare * job.options.tolerance_mm),
+        tolerance_mm_(job.options.tolerance_mm),
         columns_(ColumnsOf(job)),
         rise_(Tan(job.options.rest_angle_deg * std::numbers::pi / 180)),
         y_mm_(y_mm),
@@ -93,39 +91,17 @@ class RestRow {
     return std::abs(z_[i + 1] - z_[i]) <= 2 * std::max(rise_, 0.1) * columns_.pitch_mm;
   }
 
-  /// The place halfway between two others; x and z as a plane.
-  Eigen::Vector2d Halfway(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {
-    const double x = (a.x() + b.x()) / 2;
-    return {x, Height(x, y_mm_)};
-  }
-
-  /// The way from a to b; `middle` lies on it. Three places within are asked: at the foot of a step
-  /// the middle alone may happen to lie on the chord.
-  void Bend(const Eigen::Vector2d& a, const Eigen::Vector2d& middle, const Eigen::Vector2d& b,
-            Polyline& line) const {
-    const Eigen::Vector2d before = Halfway(a, middle), after = Halfway(middle, b);
-    bool bent = false, known = true;
-    for (const Eigen::Vector2d& p : {before, middle, after}) {
-      const double share = (p.x() - a.x()) / (b.x() - a.x());
-      bent = bent || std::abs(p.y() - (a.y() + share * (b.y() - a.y()))) > chord_mm_;
-      known = known && p.y() != kNowhere;
-    }
-    if (bent && known && b.x() - a.x() > step_mm_) {
-      Bend(a, before, middle, line);
-      Bend(middle, after, b, line);
-      return;
-    }
-    line.push_back(PointOf(b));
-  }
-
   RestRun RunOver(int first, int last) const {
+    const auto height = [this](const Eigen::Vector2d& p) { return Height(p.x(), p.y()); };
     Polyline line = {PointOf({columns_.At(first), z_[first]})};  // x and z as a plane
     for (int i = first; i < last; ++i) {
-      const Eigen::Vector2d a(columns_.At(i), z_[i]), b(columns_.At(i + 1), z_[i + 1]);
-      Bend(a, Halfway(a, b), b, line);
+      const Eigen::Vector3d a(columns_.At(i), y_mm_, z_[i]);
+      const Eigen::Vector3d b(columns_.At(i + 1), y_mm_, z_[i + 1]);
+      for (const Eigen::Vector3d& p : SurfaceWay(a, b, tolerance_mm_, height))
+        line.push_back(PointOf({p.x(), p.z()}));
     }
     RestRun run;
-    for (const Point p : SimplifyLine(line, FromMm(chord_mm_))) {
+    for (const Point p : SimplifyLine(line, FromMm(kChordShare * tolerance_mm_))) {
       const Eigen::Vector2d place = PlaceOf(p);
       run.push_back({place.x(), y_mm_, place.y()});
     }
@@ -135,8 +111,7 @@ class RestRow {
   const DropCutter& dropper_;
   double floor_mm_;
   double beside_mm_;  ///< height where nothing of the part is under the cutter
-  double chord_mm_;
-  double step_mm_;
+  double tolerance_mm_;
   RestColumns columns_;
   double rise_;
   double y_mm_;
