@@ -68,7 +68,8 @@ TEST(RestRows, DoNotCutTheFootOfAStep) {
         const MillingJob job = JobOf(step, options);
         const GrownCutter less = options.cutter.Grown(-options.tolerance_mm);
         const DropCutter dropper(job.part, less.cutter);
-        for (const RestRun& run : RowsOf(job, {2})[0]) {
+        const std::vector<RestRun> runs = RowsOf(job, {2})[0];
+        for (const RestRun& run : runs) {
           for (size_t i = 0; i + 1 < run.size(); ++i) {
             for (double share = 0; share <= 1; share += 1 / 16.0) {
               const Eigen::Vector3d tip = run[i] + share * (run[i + 1] - run[i]);
