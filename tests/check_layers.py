@@ -3,7 +3,7 @@
 
 usage: check_layers.py [repo root]        exit 1 and one line per violation
 
-The way is base <- gcode, geometry <- model <- macro <- config, stage, algo <- wire, rpc, sandbox <- remote, store <- run <- server, sim, client;
+The way is base <- gcode, geometry <- model <- macro, kinematics <- config, stage, algo <- wire, rpc, sandbox <- remote, store <- run <- server, sim, client;
 a service never includes another one, except in the two places where whole programs are put together: services/worker and
 services/cli. What is of one process lies in processes/<name>, a folder for each side that asks for it (settings, task, wire,
 job); the others reach it through processes/list alone, and name no process but in common/model/process.h.
@@ -22,6 +22,7 @@ LAYERS = [
     ("gcode", r"common/gcode/", {"base", "gcode"}, f"{WIRE}|{GRPC}"),
     ("geometry", r"common/geometry/", {"base", "geometry"}, f"{WIRE}|{GRPC}"),
     ("model", r"common/model/", PURE, f"{WIRE}|{GRPC}"),
+    ("kinematics", r"common/kinematics/", PURE | {"kinematics"}, f"{WIRE}|{GRPC}"),
     ("macro", r"common/macro/", {"base", "geometry", "model", "macro"}, f"{WIRE}|{GRPC}"),
     ("config", r"common/config/", PURE | {"config", "stage", "macro"}, f"{WIRE}|{GRPC}"),
     ("stage", r"common/stage/", PURE | {"stage"}, f"{WIRE}|{GRPC}"),
@@ -31,7 +32,7 @@ LAYERS = [
     ("job", r"processes/\w+/jobs?(?:[/.]|_test)", PURE | {"stage", "task", "algo", "job"}, f"{WIRE}|{GRPC}"),
     ("wire", r"common/wire/", PURE | {"stage", "wire"}, r"\.grpc\.pb\.h$|^grpc"),
     ("rpc", r"common/rpc/", PURE | {"rpc"}, r"slicefarm/v1/(?!shared).*\.pb\.h$"),
-    ("algo", r"services/(\w+)/algo/", PURE | {"algo", "stage", "macro"}, f"{WIRE}|{GRPC}"),
+    ("algo", r"services/(\w+)/algo/", PURE | {"algo", "stage", "macro", "kinematics"}, f"{WIRE}|{GRPC}"),
     ("sandbox", r"services/(\w+)/sandbox/", PURE | {"algo", "sandbox"}, f"{WIRE}|{GRPC}"),
     ("remote", r"services/(\w+)/remote/", EDGE | {"remote", "task_wire"}, None),
     ("store", r"services/(\w+)/store/", PURE | {"store", "algo", "rpc", "wire"}, GRPC),
@@ -88,7 +89,7 @@ OLD_VECTORS = {
     "services/slicing/algo/section/local_width.h": {"Direction"},
     "services/slicing/algo/thumbnail/thumbnail.cc": {"Vector"},
 }
-LIBM_FREE = {"base", "gcode", "geometry", "model", "macro", "config", "stage", "algo", "settings", "task", "job"}
+LIBM_FREE = {"base", "gcode", "geometry", "model", "kinematics", "macro", "config", "stage", "algo", "settings", "task", "job"}
 NO_GCODE = {"load"}  # services that make none
 MAX_LINES, MAX_TEST_LINES = 500, 1000
 TEST_FILE = re.compile(r"_test\.(cc|h)$")  # as in cmake/build_info.cmake
@@ -184,7 +185,7 @@ def check(root, file):
         yield from check_vectors(path, text)
     if re.search(r"^(TYPED_)?TEST(_[FP])?\(", text, re.M) and not re.search(rf"^namespace slicefarm\S*::{file.stem} {{$", text, re.M):
         yield f"{path}: no namespace of its own, slicefarm::..::{file.stem}: files compiled as one share names"
-    if layer in ("algo", "geometry", "model", "config", "run", "settings", "task", "job") and not is_test:
+    if layer in ("algo", "geometry", "model", "kinematics", "config", "run", "settings", "task", "job") and not is_test:
         for m in IMPURE.finditer(text):
             # A literal for tests may die; nothing else in pure code may touch the world.
             if "OrDie" not in text:
@@ -196,7 +197,7 @@ def check(root, file):
         for number, line in enumerate(text.splitlines(), 1):
             if m := LIBM.search(line.split("//")[0]):
                 yield f"{path}:{number}: {m.group(1) or m.group(2)} of libm; use common/base/portable_math.h"
-    if layer in ("algo", "geometry", "run") and path.endswith(".cc") and not is_test:
+    if layer in ("algo", "geometry", "kinematics", "run") and path.endswith(".cc") and not is_test:
         if not file.with_name(file.stem + "_test.cc").exists():
             yield f"{path}: no {file.stem}_test.cc beside it"
 

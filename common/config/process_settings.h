@@ -46,7 +46,7 @@ struct FileFormat {
   std::string_view suffix;  ///< ".svg"
   std::string_view key;     ///< the setting that says so
   std::string_view value;
-  bool alone = false;  ///< no other process makes files of such a name
+  bool alone = false;  ///< only processes that list the suffix make files of such a name
 };
 
 /// What the settings of one process are and what they come to. common/config reads, resolves and

@@ -162,8 +162,14 @@ void AddFileFormat(const std::string& output, Process process,
   }
 }
 
-/// Another process, if it alone makes files of such a name.
+bool Makes(Process process, std::string_view output) {
+  return std::ranges::any_of(config::SettingsOf(process).FileFormats(),
+                             [&](const auto& format) { return output.ends_with(format.suffix); });
+}
+
+/// Another process that makes files of such a name, which this one does not.
 const ProcessInfo* OwnerOf(std::string_view output, Process process) {
+  if (Makes(process, output)) return nullptr;
   for (const ProcessInfo& info : kProcesses) {
     if (info.process == process) continue;
     for (const config::FileFormat& format : config::SettingsOf(info.process).FileFormats())

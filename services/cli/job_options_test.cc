@@ -89,5 +89,13 @@ TEST(GivenJobSettings, NamesOfLasersFilesAreForLasers) {
   EXPECT_TRUE(GivenJobSettings(options, "part.nc").ok());
 }
 
+TEST(GivenJobSettings, ProcessesMayShareAName) {
+  JobOptions options;
+  options.process = Process::kMill;
+  EXPECT_THAT(*GivenJobSettings(options, "level.svg"),
+              ElementsAre(Setting{"output_format", "svg", Source::kRequest}));
+  EXPECT_FALSE(GivenJobSettings(options, "part.dxf").ok());
+}
+
 }  // namespace
 }  // namespace slicefarm::cli::job_options_test

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -19,6 +21,7 @@ namespace {
 
 constexpr int kWaterlineRounds = 3;
 constexpr int kManyLevels = 50;
+constexpr int kLevelsOfMillion = 100;
 
 /// What OpenCAMlib's Waterline::run gave on one level with one thread.
 struct PeerWaterline {
@@ -86,6 +89,20 @@ constexpr std::array kWaterlineCases = {
                     {"ball:4", 1, 676, 1.28},
                     {"bull:4:1", 1, 684, 4.37},
                     {"cone:4:45", 1, 668, 1.25}}}},
+    WaterlineCase{"spider",
+                  .37,
+                  .05,
+                  {{{"cyl:0.6", 1, 1828, 1.65},
+                    {"ball:0.6", 1, 1828, 2.00},
+                    {"bull:0.6:0.15", 1, 1828, 5.16},
+                    {"cone:0.6:45", 1, 1828, 2.36}}}},
+    WaterlineCase{"carpet2",
+                  .37,
+                  .5,
+                  {{{"cyl:3", 12, 1716, 0.97},
+                    {"ball:3", 11, 1702, 1.31},
+                    {"bull:3:0.75", 11, 1706, 3.17},
+                    {"cone:3:45", 12, 1698, 1.39}}}},
 };
 
 std::optional<milling::TriangleMesh> MeshIn(const std::string& path) {
@@ -99,6 +116,26 @@ std::optional<milling::TriangleMesh> MeshIn(const std::string& path) {
   return mesh;
 }
 
+/// Waves on 100 x 100 mm, up to 22 mm high.
+milling::TriangleMesh Waves() {
+  constexpr uint32_t kCells = 708;  // 1,002,528 triangles
+  constexpr double kPitchMm = 100.0 / kCells;
+  milling::TriangleMesh mesh;
+  for (uint32_t j = 0; j <= kCells; ++j)
+    for (uint32_t i = 0; i <= kCells; ++i) {
+      const double x = i * kPitchMm, y = j * kPitchMm;
+      mesh.points_mm.push_back(
+          {x, y, 11 + 8 * std::sin(x / 7) * std::cos(y / 9) + 3 * std::sin(x + y)});
+    }
+  for (uint32_t j = 0; j < kCells; ++j)
+    for (uint32_t i = 0; i < kCells; ++i) {
+      const uint32_t a = j * (kCells + 1) + i, b = a + kCells + 1;
+      mesh.triangles.push_back({a, a + 1, b});
+      mesh.triangles.push_back({a + 1, b + 1, b});
+    }
+  return mesh;
+}
+
 struct TimedWaterline {
   size_t loops = 0;
   size_t points = 0;
@@ -106,9 +143,10 @@ struct TimedWaterline {
 };
 
 TimedWaterline Timed(const milling::TriangleMesh& mesh, const Cutter& cutter,
-                     const std::vector<double>& levels_mm, double sampling_mm) {
+                     const std::vector<double>& levels_mm, double sampling_mm,
+                     int rounds = kWaterlineRounds) {
   TimedWaterline timed{.seconds = 1e9};
-  for (int round = 0; round < kWaterlineRounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     const double start = ThreadSeconds();
     const auto levels = milling::Waterlines(mesh, cutter, levels_mm, {.sampling_mm = sampling_mm});
     timed.seconds = std::min(timed.seconds, ThreadSeconds() - start);
@@ -122,21 +160,46 @@ TimedWaterline Timed(const milling::TriangleMesh& mesh, const Cutter& cutter,
   return timed;
 }
 
+/// `count` levels, evenly over the height.
+std::vector<double> LevelsOf(const milling::TriangleMesh& mesh, int count) {
+  const auto by_z = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return a.z() < b.z();
+  };
+  const auto [lowest, highest] =
+      std::minmax_element(mesh.points_mm.begin(), mesh.points_mm.end(), by_z);
+  std::vector<double> levels;
+  for (int i = 0; i < count; ++i)
+    levels.push_back(lowest->z() + (i + 0.5) / count * (highest->z() - lowest->z()));
+  return levels;
+}
+
+void BenchMillion() {
+  const milling::TriangleMesh mesh = Waves();
+  std::printf(
+      "%zu triangles, %d levels, fibers every 0.1 mm: cutter | loops / points | s | points/s\n",
+      mesh.triangles.size(), kLevelsOfMillion);
+  for (const char* cutter : {"cyl:6", "ball:6", "bull:6:1"}) {
+    const TimedWaterline all =
+        Timed(mesh, *ParseCutter(cutter), LevelsOf(mesh, kLevelsOfMillion), 0.1, 1);
+    std::printf("%s | %zu / %zu | %.1f | %.0f\n", cutter, all.loops, all.points, all.seconds,
+                static_cast<double>(all.points) / all.seconds);
+  }
+}
+
 void BenchModel(const WaterlineCase& model, const milling::TriangleMesh& mesh) {
   double low = mesh.points_mm[0].z(), high = low;
   for (const Eigen::Vector3d& p : mesh.points_mm)
     low = std::min(low, p.z()), high = std::max(high, p.z());
-  std::vector<double> many;
-  for (int i = 0; i < kManyLevels; ++i)
-    many.push_back(low + (i + 0.5) / kManyLevels * (high - low));
+  const std::vector<double> many = LevelsOf(mesh, kManyLevels);
   for (const PeerWaterline& peer : model.peer) {
     const auto cutter = ParseCutter(peer.cutter);
     const TimedWaterline one =
         Timed(mesh, *cutter, {low + model.share * (high - low)}, model.sampling_mm);
     const TimedWaterline all = Timed(mesh, *cutter, many, model.sampling_mm);
-    std::printf("%s | %zu | %s | %zu / %zu | %.1f | %.2f | %d / %d | %.0f | %.0f | %.0f\n",
+    std::printf("%s | %zu | %s | %zu / %zu | %.1f | %.2f | %.0f | %d / %d | %.0f | %.0f | %.0f\n",
                 model.file, mesh.triangles.size(), peer.cutter, one.loops, one.points,
-                1e3 * one.seconds, 1e3 * all.seconds / kManyLevels, peer.loops, peer.points,
+                1e3 * one.seconds, 1e3 * all.seconds / kManyLevels,
+                static_cast<double>(all.points) / all.seconds, peer.loops, peer.points,
                 1e3 * peer.seconds, peer.seconds / one.seconds,
                 peer.seconds * kManyLevels / all.seconds);
   }
@@ -146,7 +209,8 @@ void BenchModel(const WaterlineCase& model, const milling::TriangleMesh& mesh) {
 
 int BenchWaterline(const std::string& models) {
   std::printf(
-      "model | triangles | cutter | loops / points | ms | ms a level of 50 | OpenCAMlib's loops / "
+      "model | triangles | cutter | loops / points | ms | ms a level of 50 | points/s | "
+      "OpenCAMlib's loops / "
       "points | ms | times faster | of 50 levels\n");
   for (const WaterlineCase& model : kWaterlineCases) {
     const auto mesh = MeshIn(models + "/" + model.file + ".stl");
@@ -155,6 +219,7 @@ int BenchWaterline(const std::string& models) {
     else
       std::fprintf(stderr, "%s.stl is not in %s\n", model.file, models.c_str());
   }
+  BenchMillion();
   return 0;
 }
 

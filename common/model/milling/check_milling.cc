@@ -61,6 +61,10 @@ absl::Status CheckMillingOptions(const MillingOptions& options) {
       NumberRule{"spindle", static_cast<double>(machining.spindle_rpm), 1, 1e6},
       NumberRule{"tool_number", static_cast<double>(machining.tool_number), 0, 99'999},
       NumberRule{"tool_length", machining.tool_length_mm, 0, 1000},
+      NumberRule{"machine_max_acceleration_x", machining.max_acceleration_mm_s2[0], 1, 1e6},
+      NumberRule{"machine_max_acceleration_y", machining.max_acceleration_mm_s2[1], 1, 1e6},
+      NumberRule{"machine_max_acceleration_z", machining.max_acceleration_mm_s2[2], 1, 1e6},
+      NumberRule{"jerk_limit", machining.jerk_mm_s3, 1, 1e8},
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -50,11 +51,16 @@ struct MachiningOptions {
   double clearance_mm = 0.5;     ///< between a rapid move and the stock that is left
   double feed_mm_min = 800;
   double plunge_feed_mm_min = 300;  ///< downwards, ramps and helices too
-  double rapid_mm_min = 3000;       ///< of the machine: for times only
+  double rapid_mm_min = 3000;       ///< the machine's fastest: for times only
   int spindle_rpm = 12'000;
   Coolant coolant = Coolant::kOff;
   int tool_number = 1;
   double tool_length_mm = 0;  ///< below its holder; 0: not known, so not checked
+
+  /// machine_max_acceleration_x, _y, _z
+  std::array<double, 3> max_acceleration_mm_s2 = {500, 500, 300};
+  double jerk_mm_s3 = 20'000;  ///< jerk_limit: change of acceleration
+  bool corner_feeds = false;   ///< feeds are lowered to what these limits allow
 
   friend bool operator==(const MachiningOptions&, const MachiningOptions&) = default;
 };
@@ -71,7 +77,7 @@ struct MillingOptions {
   double finish_stepover_mm = 0.25;  ///< between parallel ways
   double rest_angle_deg = 45;        ///< flatter than this the part is finished by parallel ways
   bool finish_floor = false;         ///< the stock's floor beside the part, too
-  double sampling_mm = 0.2;          ///< distance of fibers
+  double sampling_mm = 0.1;          ///< distance of fibers
   double tolerance_mm = 0.01;        ///< between ways and those that touch the mesh exactly
   double stock_margin_mm = 1;        ///< of a box of stock around the part, at its sides and top
   double bottom_mm = 0;              ///< the tip stays as high above the stock's bottom

@@ -14,6 +14,9 @@ namespace {
 
 static_assert(v1::MILL_PHASE_REST == static_cast<int>(MillPhase::kRest) + 1);
 
+/// Where places of the tip may lie, as those of outlines.
+constexpr double kMostRunMm = static_cast<double>(limits::kMaxCoord) / 1e6;
+
 using Numbers = google::protobuf::RepeatedField<double>;
 
 bool AreFinite(const Numbers& numbers) {
@@ -55,6 +58,9 @@ absl::StatusOr<CutArea> AreaOf(const v1::CutArea& proto) {
 absl::StatusOr<RestRun> RunOf(const v1::RestRun& proto) {
   if (proto.xyz_mm_size() % 3 != 0) return Malformed("xyz_mm", "not three numbers a point");
   if (!AreFinite(proto.xyz_mm())) return Malformed("xyz_mm", "is not finite");
+  if (proto.xyz_mm_size() < 6) return Malformed("xyz_mm", "fewer than two points");
+  for (const double number : proto.xyz_mm())
+    if (std::abs(number) > kMostRunMm) return Malformed("xyz_mm", "is out of range");
   RestRun run;
   for (int i = 0; i < proto.xyz_mm_size(); i += 3) run.push_back(PointAt(proto.xyz_mm(), i));
   return run;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <vector>
 
 #include "common/geometry/text_format.h"
 #include "common/wire/support/round_trip_test.h"
@@ -41,7 +42,7 @@ MillLayout Layout() {
 TEST(MilledWire, StepsReturn) {
   ExpectReturns<v1::MilledStep>(Level());
   ExpectReturns<v1::MilledStep>(
-      MilledStep{{MillPhase::kRest, -7}, {}, {{{0, 1, 0.1}, {2, 1, 3}}, {}}});
+      MilledStep{{MillPhase::kRest, -7}, {}, {{{0, 1, 0.1}, {2, 1, 3}}, {{0, 2, 1}, {1, 2, 1}}}});
   ExpectReturns<v1::MillReport>(Report());
   ExpectReturns<v1::MillReport>(MillReport());
   ExpectEveryChangeReturns<v1::MillReport, MillReport>(ProtoOf<v1::MillReport>(Report()));
@@ -73,6 +74,11 @@ TEST(MilledWire, RefusesWhatIsNoStep) {
   step.mutable_runs(0)->add_xyz_mm(1);
   step.mutable_runs(0)->add_xyz_mm(std::numeric_limits<double>::quiet_NaN());
   ExpectMalformed(FromProto(step).status(), "runs[0].xyz_mm");
+  for (const std::vector<double>& run : std::vector<std::vector<double>>{
+           {}, {1, 1, 1}, {1, 1, 1, 1e9, 1, 1}}) {  // no point, one, one that is far away
+    step.mutable_runs(0)->mutable_xyz_mm()->Assign(run.begin(), run.end());
+    ExpectMalformed(FromProto(step).status(), "runs[0].xyz_mm");
+  }
 }
 
 TEST(MilledWire, RefusesWhatIsNoLayout) {

@@ -33,6 +33,11 @@ void Put(const MachiningOptions& machining, v1::MachiningOptions* proto) {
   proto->set_coolant(EnumToProto<v1::Coolant>(machining.coolant));
   proto->set_tool_number(machining.tool_number);
   proto->set_tool_length_mm(machining.tool_length_mm);
+  proto->set_max_acceleration_x_mm_s2(machining.max_acceleration_mm_s2[0]);
+  proto->set_max_acceleration_y_mm_s2(machining.max_acceleration_mm_s2[1]);
+  proto->set_max_acceleration_z_mm_s2(machining.max_acceleration_mm_s2[2]);
+  proto->set_jerk_mm_s3(machining.jerk_mm_s3);
+  proto->set_corner_feeds(machining.corner_feeds);
 }
 
 MachiningOptions Taken(const v1::MachiningOptions& proto) {
@@ -52,6 +57,11 @@ MachiningOptions Taken(const v1::MachiningOptions& proto) {
   machining.coolant = Known<Coolant>(proto.coolant());
   machining.tool_number = proto.tool_number();
   machining.tool_length_mm = proto.tool_length_mm();
+  machining.max_acceleration_mm_s2 = {proto.max_acceleration_x_mm_s2(),
+                                      proto.max_acceleration_y_mm_s2(),
+                                      proto.max_acceleration_z_mm_s2()};
+  machining.jerk_mm_s3 = proto.jerk_mm_s3();
+  machining.corner_feeds = proto.corner_feeds();
   return machining;
 }
 

@@ -23,7 +23,9 @@ constexpr Need kNeeds[] = {
     {"stock_margin", "no stock: a box",
      [](const JobSettings& s) { return MillOf(s).stock.empty(); }},
     {"output_step", "output_format = svg", [](const JobSettings& s) { return !IsProgram(s); }},
-    {"dialect arcs direction entry feed plunge_feed rapid spindle coolant tool_number",
+    {"dialect arcs direction entry feed plunge_feed rapid spindle coolant tool_number "
+     "machine_max_acceleration_x machine_max_acceleration_y machine_max_acceleration_z jerk_limit "
+     "corner_feeds",
      "output_format = gcode", IsProgram},
 };
 

@@ -91,7 +91,7 @@ std::vector<SettingSpec> StrategySettings() {
              Bind([](auto& s) -> auto& { return s.how.rest_angle_deg; })),
       Flag("finish_floor", "0", "Parallel ways on the stock's floor beside the part, too",
            Bind([](auto& s) -> auto& { return s.how.finish_floor; })),
-      Number("sampling", {"mm", 0.001, 100}, "0.2",
+      Number("sampling", {"mm", 0.001, 100}, "0.1",
              "Distance of the fibers by which waterlines are found; what is narrower is not seen",
              Bind([](auto& s) -> auto& { return s.how.sampling_mm; })),
       Number("tolerance", {"mm", 0.002, 1}, "0.01",
@@ -167,6 +167,18 @@ std::vector<SettingSpec> MachineSettings() {
       Number("tool_length", {"mm", 0, 1000}, "0",
              "Of the cutter below its holder; deeper it must not go. 0: not known",
              Bind([](auto& s) -> auto& { return s.machining.tool_length_mm; })),
+      Number("machine_max_acceleration_x", {"mm/s2", 1, 1e6}, "500", "Of the machine's x axis",
+             Bind([](auto& s) -> auto& { return s.machining.max_acceleration_mm_s2[0]; })),
+      Number("machine_max_acceleration_y", {"mm/s2", 1, 1e6}, "500", "Of the machine's y axis",
+             Bind([](auto& s) -> auto& { return s.machining.max_acceleration_mm_s2[1]; })),
+      Number("machine_max_acceleration_z", {"mm/s2", 1, 1e6}, "300", "Of the machine's z axis",
+             Bind([](auto& s) -> auto& { return s.machining.max_acceleration_mm_s2[2]; })),
+      Number("jerk_limit", {"mm/s3", 1, 1e8}, "20000", "Change of the machine's acceleration",
+             Bind([](auto& s) -> auto& { return s.machining.jerk_mm_s3; })),
+      Flag("corner_feeds", "0",
+           "Feeds are lowered where acceleration and jerk let the machine go no faster: in curves "
+           "and on short moves",
+           Bind([](auto& s) -> auto& { return s.machining.corner_feeds; })),
   };
 }
 

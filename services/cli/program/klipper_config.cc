@@ -12,11 +12,6 @@
 namespace slicefarm::cli {
 namespace {
 
-using motion::kE;
-using motion::kX;
-using motion::kY;
-using motion::kZ;
-
 /// Numbers by `section.key`.
 class Values {
  public:

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "common/base/error.h"
-#include "services/motion/algo/kinematics/trapezoid.h"
+#include "common/kinematics/trapezoid.h"
 
 namespace slicefarm::motion::program_envelope_test {
 namespace {

@@ -1,6 +1,7 @@
 #include "services/milling/algo/motion/mill_program.h"
 
 #include "services/milling/algo/motion/cut_order.h"
+#include "services/milling/algo/motion/mill_clock.h"
 #include "services/milling/algo/motion/move_builder.h"
 #include "services/milling/algo/motion/rest_cutter.h"
 #include "services/milling/algo/motion/way_cutter.h"
@@ -41,6 +42,8 @@ absl::StatusOr<MillProgram> AssembleProgram(const MillingJob& job,
   moves.Retract();
   program.removed_mm3 = moves.stock().removed_mm3();
   program.moves = moves.TakeMoves();
+  if (job.options.machining.corner_feeds) LowerFeeds(job.options, program.moves, cancel);
+  if (absl::Status status = cancel.Check(); !status.ok()) return status;
   return program;
 }
 

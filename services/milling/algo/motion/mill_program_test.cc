@@ -97,6 +97,21 @@ TEST(MillProgram, RoughingLeavesTheAllowance) {
   EXPECT_EQ(oracle.rapid_in_stock(), 0);
 }
 
+/// Holes 0.2 mm wider than the cutter, as of screws, are milled without finer sampling.
+TEST(MillProgram, ReachesHolesALittleWiderThanTheCutter) {
+  for (const double side : {3.2, 3.37}) {
+    const Pillars plate{.heights = {{3, 3, 3}, {3, 1, 3}, {3, 3, 3}}, .side = side};
+    MillingOptions options = OptionsFor(side < 3.3 ? "cyl:3" : "cyl:3.2");
+    options.finish_floor = true;
+    const MillingJob job = JobOf(plate.Mesh(), options);
+    HeightMapOracle oracle(job, [&](double x, double y) { return plate.HeightAt(x, y); });
+    oracle.Run(ProgramOf(job));
+    EXPECT_LT(oracle.Gouge(), 0.012) << side;
+    EXPECT_EQ(oracle.rapid_in_stock(), 0) << side;
+    EXPECT_LT(oracle.LeftReachable(), 0.05) << side << " at " << oracle.left_at().transpose();
+  }
+}
+
 TEST(MillProgram, TakesStockOfItsOwn) {
   const Pillars part = PocketPart();
   MillingOptions options = FineOptions("cyl:1.5");

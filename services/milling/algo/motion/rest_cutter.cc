@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "services/milling/algo/strategy/surface_way.h"
+
 namespace slicefarm::milling {
 namespace {
 
@@ -112,19 +114,21 @@ std::optional<RestRun> SurfaceLink(const MillingJob& job, const DropCutter& drop
   const double length = (to - from).head<2>().norm();
   if (length > kMostLinkRows * row || std::abs(to.z() - from.z()) > kMostLinkRows * row)
     return std::nullopt;
+  const auto height = [&](const Eigen::Vector2d& p) {
+    const auto drop = dropper.At(p);
+    return drop ? std::max(drop->z_mm, job.floor_mm) : job.floor_mm;
+  };
   RestRun link;
   const double steps = std::max(1.0, std::ceil(length / (kLinkStepShare * row)));
-  double last = from.z();
-  for (double k = 1; k < steps; ++k) {
-    const Eigen::Vector3d p = from + (to - from) * (k / steps);
-    const auto drop = dropper.At(p.head<2>());
-    const double z = drop ? std::max(drop->z_mm, job.floor_mm) : job.floor_mm;
-    if (std::abs(z - last) > row) return std::nullopt;
-    last = z;
-    link.push_back({p.x(), p.y(), z});
+  Eigen::Vector3d last = from;
+  for (double k = 1; k <= steps; ++k) {
+    Eigen::Vector3d next = k == steps ? to : from + (to - from) * (k / steps);
+    if (k < steps) next.z() = height(next.head<2>());
+    if (std::abs(next.z() - last.z()) > row) return std::nullopt;
+    for (const Eigen::Vector3d& p : SurfaceWay(last, next, job.options.tolerance_mm, height))
+      link.push_back(p);
+    last = next;
   }
-  if (std::abs(to.z() - last) > row) return std::nullopt;
-  link.push_back(to);
   return link;
 }
 

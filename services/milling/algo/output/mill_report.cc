@@ -7,18 +7,17 @@
 
 #include "common/base/parallel.h"
 #include "services/milling/algo/drop/drop_cutter.h"
+#include "services/milling/algo/motion/mill_clock.h"
 
 namespace slicefarm::milling {
 namespace {
 
 constexpr size_t kPlacesATask = 4096;
 
-void Count(const MillMove& move, const Eigen::Vector3d& from, const MachiningOptions& machining,
-           PhaseReport& phase) {
-  const double length = LengthOf(move, from);
+void Count(const MillMove& move, const Eigen::Vector3d& from, double seconds, PhaseReport& phase) {
   const bool rapid = move.kind == MoveKind::kRapid;
-  (rapid ? phase.rapid_mm : phase.cut_mm) += length;
-  phase.seconds += 60 * length / (rapid ? machining.rapid_mm_min : move.feed_mm_min);
+  (rapid ? phase.rapid_mm : phase.cut_mm) += LengthOf(move, from);
+  phase.seconds += seconds;
   ++phase.moves;
   if (move.kind == MoveKind::kClockwise || move.kind == MoveKind::kCounterClockwise) ++phase.arcs;
 }
@@ -61,9 +60,10 @@ absl::StatusOr<MillReport> ReportOf(const MillingJob& job, const MillProgram& pr
   MillReport report;
   report.ways = program.ways;
   report.removed_mm3 = program.removed_mm3;
+  const std::vector<MoveTime> times = TimesOf(program.moves, job.options, cancel);
   for (size_t i = 1; i < program.moves.size(); ++i) {
     const MillMove& move = program.moves[i];
-    Count(move, program.moves[i - 1].to_mm, job.options.machining,
+    Count(move, program.moves[i - 1].to_mm, times[i].seconds,
           report.phases[static_cast<size_t>(move.phase)]);
   }
   const std::vector<Eigen::Vector3d> places = PlacesOfTip(program, job.options.tolerance_mm);

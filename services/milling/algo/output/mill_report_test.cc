@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "services/milling/algo/motion/mill_clock.h"
 #include "services/milling/algo/sample_jobs_test.h"
 
 namespace slicefarm::milling::mill_report_test {
@@ -29,7 +30,9 @@ TEST(ReportOf, SumsByPhase) {
   ASSERT_TRUE(report.ok());
   EXPECT_NEAR(report->phases[0].rapid_mm, 5, 1e-12);
   EXPECT_NEAR(report->phases[0].cut_mm, 3, 1e-12);
-  EXPECT_NEAR(report->phases[0].seconds, 0.3 + 60 * 5 / job.options.machining.rapid_mm_min, 1e-9);
+  const std::vector<MoveTime> times = TimesOf(program.moves, job.options);
+  EXPECT_NEAR(report->phases[0].seconds, times[1].seconds + times[2].seconds, 1e-12);
+  EXPECT_NEAR(report->phases[1].seconds, times[3].seconds, 1e-12);
   EXPECT_NEAR(report->phases[1].cut_mm, std::numbers::pi, 1e-12);
   EXPECT_EQ(report->phases[1].arcs, 1u);
   EXPECT_EQ(report->ways, 2);

@@ -11,12 +11,12 @@
 #include "common/geometry/rings/simplify.h"
 #include "services/milling/algo/drop/drop_cutter.h"
 #include "services/milling/algo/strategy/plane.h"
+#include "services/milling/algo/strategy/surface_way.h"
 
 namespace slicefarm::milling {
 namespace {
 
-constexpr int kMostHalvings = 6;
-/// Of the tolerance: what chords between drops may take.
+/// Of the tolerance: what leaving out points of a run may take.
 constexpr double kChordShare = 0.1;
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
 
@@ -42,7 +42,7 @@ class RestRow {
       : dropper_(dropper),
         floor_mm_(job.floor_mm),
         beside_mm_(job.options.finish_floor ? job.floor_mm : kNowhere),
-        chord_mm_(kChordShare * job.options.tolerance_mm),
+        tolerance_mm_(job.options.tolerance_mm),
         columns_(ColumnsOf(job)),
         rise_(Tan(job.options.rest_angle_deg * std::numbers::pi / 180)),
         y_mm_(y_mm),
@@ -91,25 +91,17 @@ class RestRow {
     return std::abs(z_[i + 1] - z_[i]) <= 2 * std::max(rise_, 0.1) * columns_.pitch_mm;
   }
 
-  void Bend(const Eigen::Vector2d& a, const Eigen::Vector2d& b, int halvings,
-            Polyline& line) const {
-    const double x = (a.x() + b.x()) / 2, z = Height(x, y_mm_);
-    const bool bent = std::abs(z - (a.y() + b.y()) / 2) > chord_mm_;
-    // What bends both ways has its middle on the chord: the first halving is always made.
-    if (halvings > 0 && z != kNowhere && (bent || halvings == kMostHalvings)) {
-      Bend(a, {x, z}, halvings - 1, line);
-      Bend({x, z}, b, halvings - 1, line);
-      return;
-    }
-    line.push_back(PointOf(b));
-  }
-
   RestRun RunOver(int first, int last) const {
+    const auto height = [this](const Eigen::Vector2d& p) { return Height(p.x(), p.y()); };
     Polyline line = {PointOf({columns_.At(first), z_[first]})};  // x and z as a plane
-    for (int i = first; i < last; ++i)
-      Bend({columns_.At(i), z_[i]}, {columns_.At(i + 1), z_[i + 1]}, kMostHalvings, line);
+    for (int i = first; i < last; ++i) {
+      const Eigen::Vector3d a(columns_.At(i), y_mm_, z_[i]);
+      const Eigen::Vector3d b(columns_.At(i + 1), y_mm_, z_[i + 1]);
+      for (const Eigen::Vector3d& p : SurfaceWay(a, b, tolerance_mm_, height))
+        line.push_back(PointOf({p.x(), p.z()}));
+    }
     RestRun run;
-    for (const Point p : SimplifyLine(line, FromMm(chord_mm_))) {
+    for (const Point p : SimplifyLine(line, FromMm(kChordShare * tolerance_mm_))) {
       const Eigen::Vector2d place = PlaceOf(p);
       run.push_back({place.x(), y_mm_, place.y()});
     }
@@ -119,7 +111,7 @@ class RestRow {
   const DropCutter& dropper_;
   double floor_mm_;
   double beside_mm_;  ///< height where nothing of the part is under the cutter
-  double chord_mm_;
+  double tolerance_mm_;
   RestColumns columns_;
   double rise_;
   double y_mm_;

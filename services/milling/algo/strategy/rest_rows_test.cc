@@ -54,6 +54,36 @@ TEST(RestRows, FollowTheSurface) {
   }
 }
 
+/// Over a low step, wherever it lies between the samples and however far apart these are, the
+/// cutter less the tolerance meets nothing on its way.
+TEST(RestRows, DoNotCutTheFootOfAStep) {
+  for (const std::string_view text : {"bull:2:0.5", "ball:2", "cyl:2"}) {
+    for (const double stepover : {0.25, 0.7}) {
+      for (int shift = 0; shift < 25; ++shift) {
+        MillingOptions options = OptionsFor(text);
+        options.finish_stepover_mm = stepover;
+        TriangleMesh step = Pillars{.heights = {{2, 2.3, 2.3}}, .side = 4}.Mesh();
+        for (Eigen::Vector3d& p : step.points_mm)
+          if (p.x() == 4) p.x() += 0.013 * shift;
+        const MillingJob job = JobOf(step, options);
+        const GrownCutter less = options.cutter.Grown(-options.tolerance_mm);
+        const DropCutter dropper(job.part, less.cutter);
+        const std::vector<RestRun> runs = RowsOf(job, {2})[0];
+        for (const RestRun& run : runs) {
+          for (size_t i = 0; i + 1 < run.size(); ++i) {
+            for (double share = 0; share <= 1; share += 1 / 16.0) {
+              const Eigen::Vector3d tip = run[i] + share * (run[i + 1] - run[i]);
+              const auto drop = dropper.At(tip.head<2>());
+              ASSERT_LE(drop ? drop->z_mm : 0, tip.z() + less.tip_mm)
+                  << text << " " << stepover << " " << shift << ": " << tip.transpose();
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(RestRows, StopWhenCancelled) {
   const MillingJob job = JobOf(PocketPart().Mesh(), OptionsFor("cyl:1"));
   const auto rows = RestRows(job, std::vector<double>{1, 2}, CancelToken([] { return true; }));

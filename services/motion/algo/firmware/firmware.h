@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
+#include "common/gcode/gcode_text.h"
+#include "common/kinematics/planner.h"
 #include "common/model/options/motion_options.h"
 #include "common/model/program_summary.h"
-#include "common/gcode/gcode_text.h"
-#include "services/motion/algo/kinematics/planner.h"
 #include "services/motion/algo/program/gcode_line.h"
 
 namespace slicefarm::motion {

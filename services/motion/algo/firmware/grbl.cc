@@ -1,7 +1,7 @@
 #include "services/motion/algo/firmware/grbl.h"
 
+#include "common/kinematics/marlin_planner.h"
 #include "services/motion/algo/firmware/known_commands.h"
-#include "services/motion/algo/kinematics/marlin_planner.h"
 
 namespace slicefarm::motion {
 namespace {

@@ -1,7 +1,7 @@
 #include "services/motion/algo/firmware/jerk.h"
 
+#include "common/kinematics/jerk_planner.h"
 #include "services/motion/algo/firmware/marlin.h"
-#include "services/motion/algo/kinematics/jerk_planner.h"
 
 namespace slicefarm::motion {
 namespace {

@@ -4,9 +4,9 @@
 #include <array>
 
 #include "common/geometry/measure.h"
+#include "common/kinematics/klipper_planner.h"
 #include "services/motion/algo/firmware/known_commands.h"
 #include "services/motion/algo/firmware/limit_command.h"
-#include "services/motion/algo/kinematics/klipper_planner.h"
 
 namespace slicefarm::motion {
 namespace {

@@ -1,8 +1,8 @@
 #include "services/motion/algo/firmware/marlin.h"
 
+#include "common/kinematics/marlin_planner.h"
 #include "services/motion/algo/firmware/known_commands.h"
 #include "services/motion/algo/firmware/limit_command.h"
-#include "services/motion/algo/kinematics/marlin_planner.h"
 
 namespace slicefarm::motion {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/kinematics/reprap_planner.h"
 #include "services/motion/algo/firmware/known_commands.h"
 #include "services/motion/algo/firmware/limit_command.h"
 #include "services/motion/algo/firmware/numbered_objects.h"
-#include "services/motion/algo/kinematics/reprap_planner.h"
 
 namespace slicefarm::motion {
 namespace {

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "common/kinematics/kinematic_move.h"
 #include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
-#include "services/motion/algo/kinematics/kinematic_move.h"
 #include "services/motion/algo/program/arc_chords.h"
 #include "services/motion/algo/program/gcode_line.h"
 #include "services/motion/algo/program/heat_waits.h"

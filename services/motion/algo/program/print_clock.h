@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "common/kinematics/planner.h"
 #include "common/model/options/motion_options.h"
 #include "common/model/program_summary.h"
-#include "services/motion/algo/kinematics/planner.h"
 #include "services/motion/algo/program/gcode_machine.h"
 #include "services/motion/algo/program/heat_waits.h"
 

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "common/kinematics/trapezoid.h"
 #include "services/motion/algo/firmware/klipper.h"
 #include "services/motion/algo/firmware/marlin.h"
 #include "services/motion/algo/firmware/reprap.h"
-#include "services/motion/algo/kinematics/trapezoid.h"
 
 namespace slicefarm::motion::program_time_test {
 namespace {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
+#include "common/kinematics/kinematic_move.h"
 #include "common/model/layer.h"
-#include "services/motion/algo/kinematics/kinematic_move.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
 namespace slicefarm::motion {

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "common/kinematics/planner.h"
 #include "common/model/layer.h"
 #include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
-#include "services/motion/algo/kinematics/planner.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
 namespace slicefarm::motion {

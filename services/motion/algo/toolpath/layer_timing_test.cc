@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "services/motion/algo/kinematics/trapezoid.h"
+#include "common/kinematics/trapezoid.h"
 
 namespace slicefarm::motion::layer_timing_test {
 namespace {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "common/kinematics/two_pass_planner.h"
+
+namespace slicefarm {
+
+/// Marlin's look-ahead, by junction deviation where the limits have one, else by classic jerk
+/// (marlin_junction.h).
+struct MarlinPlanner : TwoPassPlanner {
+  explicit MarlinPlanner(const MachineLimits& limits);
+};
+
+}  // namespace slicefarm
