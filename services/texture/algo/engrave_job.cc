@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "services/texture/algo/map/exact_turn.h"
 #include "services/texture/algo/pattern/computed_heights.h"
 #include "services/texture/algo/pattern/image_heights.h"
 #include "services/texture/algo/pattern/texture_spec.h"
+#include "services/texture/algo/surface/disk.h"
 
 namespace slicefarm::texture {
 namespace {
@@ -99,9 +101,23 @@ absl::StatusOr<ProgramOptions> ProgramIn(const EngraveMachineSettings& settings)
   return program;
 }
 
+/// Whoever sends a map may send any: walks over it rely on a disk without flips.
+absl::Status CheckMap(const MappedSurface& surface) {
+  if (absl::Status disk = BoundaryOfDisk(surface.mesh).status(); !disk.ok()) return disk;
+  const auto& map = surface.map_mm;
+  if (map.size() == surface.mesh.points_mm.size() &&
+      std::ranges::all_of(surface.mesh.triangles, [&](const auto& t) {
+        return ExactTurn(map[t[0]], map[t[1]], map[t[2]]) > 0;
+      }))
+    return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                   "the map is not one of the surface: a triangle is flipped");
+}
+
 }  // namespace
 
 absl::StatusOr<EngraveJob> PrepareEngraving(const EngraveInput& input) {
+  if (absl::Status sound = CheckMap(input.surface); !sound.ok()) return sound;
   auto texture = TextureIn(input);
   if (!texture.ok()) return texture.status();
   std::optional<HeightGrid> mask;

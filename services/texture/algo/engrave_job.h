@@ -14,8 +14,8 @@ struct EngraveJob {
   EngraveFormat format = EngraveFormat::kCsv;
 };
 
-/// Errors: those of reading the texture, of NumbersOf and of PlanEngraving; SETTING_MALFORMED for a
-/// map that is not the surface's.
+/// Errors: those of reading the texture, of NumbersOf, of BoundaryOfDisk and of PlanEngraving;
+/// REQUEST_MALFORMED for a map with flips.
 absl::StatusOr<EngraveJob> PrepareEngraving(const EngraveInput& input);
 
 }  // namespace slicefarm::texture

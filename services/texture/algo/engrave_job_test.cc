@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "common/base/error.h"
 
 namespace slicefarm::texture::engrave_job_test {
@@ -28,6 +30,16 @@ TEST(PrepareEngraving, TakesTheSettings) {
             (std::vector<LineStyle>{{0.1, 0}, {0.2, 45}, {0.1, 90}}));
   EXPECT_EQ(job->program.axes.centre_mm, Eigen::Vector3d(4, 5, 6));
   EXPECT_EQ(job->program.layer_mm, 0.05);
+}
+
+TEST(PrepareEngraving, RefusesMapsWithFlips) {
+  EngraveInput input = OnASquare();
+  std::swap(input.surface.map_mm[0], input.surface.map_mm[2]);
+  EXPECT_EQ(DetailOf(PrepareEngraving(input).status()).reason, Reason::kRequestMalformed);
+  input = OnASquare();
+  input.surface.mesh.triangles.pop_back();
+  input.surface.mesh.triangles.push_back({0, 1, 2});
+  EXPECT_EQ(DetailOf(PrepareEngraving(input).status()).reason, Reason::kMeshMalformed);
 }
 
 TEST(PrepareEngraving, AnObjectIsTheTexture) {
