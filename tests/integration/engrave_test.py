@@ -88,7 +88,7 @@ def check_points(program, folder):
     text = engrave(program, roof, folder / "out.csv", "bumps:pitch=2,height=0.3", "--report", folder / "r.json").decode()
     report = json.loads((folder / "r.json").read_text())
     layers = report["engraving"]["layers"]
-    assert report["layer_count"] == len(layers) == 6, report
+    assert report["engraving"]["layer_count"] == len(layers) == 6, report
     assert set(report["engraving"]["map"]["stretch"]) == {"p1", "p50", "p99"}
     rows = list(csv.DictReader(text.splitlines()))
     assert list(rows[0]) == ["path", "layer", "x", "y", "z", "nx", "ny", "nz", "on"]
@@ -132,7 +132,7 @@ def check_refusals(program, folder):
         (roof, [*engraving, "--texture", folder / "none.png"], "none.png"),
         (roof, [*engraving, "--set", "perimeters=3"], "process fdm"),
         (roof, [*engraving, "--copies", "roof.obj=2"], "one copy"),
-        (broken, engraving, "component"),
+        (broken, engraving, "do not hang together"),
         (roof, ["--texture", "bumps"], "--machine engrave"),
     ):
         done = run(program, "slice", model, "-o", folder / "bad.csv" if "--machine" in given else folder / "bad.gcode", *given)

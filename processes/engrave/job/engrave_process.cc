@@ -180,6 +180,16 @@ class EngraveJob : public PlannedJob {
                      absl::StrCat(layers.size(), " of ", count, " layers came back"));
   }
 
+  /// Of points, no program says it: as if the tip kept its speeds.
+  double Seconds(const EngraveJobReport& own) const {
+    if (own.report.program.moves > 0) return own.report.program.seconds;
+    const EngraveMachineSettings& machine = input_->settings.machine;
+    double minutes = 0;
+    for (const LayerNumbers& layer : own.report.layers)
+      minutes += layer.on_mm / machine.feed_mm_min + layer.off_mm / machine.link_mm_min;
+    return 60 * minutes;
+  }
+
   void Tell(const std::vector<SpooledLayer>& layers) {
     auto own = std::make_unique<EngraveJobReport>();
     own->report.map = layout_.map;
@@ -190,7 +200,7 @@ class EngraveJob : public PlannedJob {
           std::max(report_.object_height_mm, spooled.layer.numbers.height_mm);
     }
     report_.layer_count = layout_.layer_count;
-    report_.print_time_s = own->report.program.seconds;
+    report_.print_time_s = Seconds(*own);
     std::ranges::move(WarningsOf(own->report.map, own->report.layers),
                       std::back_inserter(report_.warnings));
     report_.own = std::move(own);
