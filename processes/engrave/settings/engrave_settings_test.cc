@@ -52,7 +52,8 @@ TEST(ResolveEngrave, NamesTextsThatCannotBeRead) {
 TEST(ResolveEngrave, AMachineNeedsAProgram) {
   const auto resolved = OfEngrave({{"axes", "none"}});
   ASSERT_TRUE(resolved.ok()) << resolved.status();
-  EXPECT_THAT(resolved->warnings, testing::Contains(testing::HasSubstr("output_format = gcode")));
+  EXPECT_THAT(resolved->no_effect,
+              testing::ElementsAre("axes = none: needs output_format = gcode"));
 }
 
 }  // namespace
