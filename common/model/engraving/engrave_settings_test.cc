@@ -12,7 +12,8 @@ TEST(NumbersOf, ReadsNumbersBetweenCommas) {
   EXPECT_THAT(*NumbersOf("anchor", "1,-2.5, 3", 3), testing::ElementsAre(1, -2.5, 3));
   EXPECT_TRUE(NumbersOf("anchor", "", 3)->empty());
   for (const std::string_view text : {"1,2", "1,2,x", "1,2,3,4", "1,,3"})
-    EXPECT_EQ(DetailOf(NumbersOf("anchor", text, 3).status()).metadata["setting"], "anchor") << text;
+    EXPECT_EQ(DetailOf(NumbersOf("anchor", text, 3).status()).metadata["setting"], "anchor")
+        << text;
 }
 
 TEST(CheckTexts, NamesTheSettingThatCannotBeRead) {

@@ -21,7 +21,8 @@ JobOptions Engraving(TextureArguments texture) {
 }
 
 TEST(TakeTexture, AComputedOneIsASetting) {
-  JobOptions options = Engraving({.texture = "knurl:pitch=2", .anchor = "1,2,3", .orient = "0,1,0"});
+  JobOptions options =
+      Engraving({.texture = "knurl:pitch=2", .anchor = "1,2,3", .orient = "0,1,0"});
   ASSERT_TRUE(TakeTexture(options).ok());
   EXPECT_THAT(options.sets, ElementsAre("texture=knurl:pitch=2", "anchor=1,2,3", "orient=0,1,0"));
   EXPECT_THAT(options.models, ElementsAre("face.obj"));

@@ -26,8 +26,7 @@ TEST(PrepareEngraving, TakesTheSettings) {
   const auto job = PrepareEngraving(input);
   ASSERT_TRUE(job.ok()) << job.status();
   EXPECT_EQ(job->plan.options.placement.anchor_mm, Eigen::Vector3d(1, 2, 3));
-  EXPECT_EQ(job->plan.options.lines,
-            (std::vector<LineStyle>{{0.1, 0}, {0.2, 45}, {0.1, 90}}));
+  EXPECT_EQ(job->plan.options.lines, (std::vector<LineStyle>{{0.1, 0}, {0.2, 45}, {0.1, 90}}));
   EXPECT_EQ(job->program.axes.centre_mm, Eigen::Vector3d(4, 5, 6));
   EXPECT_EQ(job->program.layer_mm, 0.05);
 }

@@ -9,7 +9,8 @@ namespace slicefarm::texture::surface_mapping_test {
 namespace {
 
 SurfaceMesh Tetrahedron() {
-  return {{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+  return {{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}},
+          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
 }
 
 TEST(MapSurface, CutsWhatIsNoDisk) {

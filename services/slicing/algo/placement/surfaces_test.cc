@@ -9,7 +9,8 @@ namespace {
 
 SliceInput Given() {
   SliceInput input;
-  input.files = {{"s", MeshFormat::kObj, "v 0.1 0 0\nv 1e-12 1 0\nv 0 0 1\nv 0.1 0 0\nf 1 2 3\nf 4 3 2\n"}};
+  input.files = {
+      {"s", MeshFormat::kObj, "v 0.1 0 0\nv 1e-12 1 0\nv 0 0 1\nv 0.1 0 0\nf 1 2 3\nf 4 3 2\n"}};
   input.objects = {{.name = "s", .parts = {{}}, .ranges = {}}};
   input.objects[0].parts[0].mesh.mesh = kOnlyMesh;
   return input;
