@@ -52,7 +52,7 @@ def check_command(where, words, services):
     for flag in values:
         expect(flag in flags_of(program), f"{where}: {program} has no {flag}")
     for flag, value in values.items():
-        if flag not in ("--slicing", "--planning", "--motion", "--exposure", "--milling", "--workers", "--beading", "--infill", "--ordering"):
+        if flag not in ("--slicing", "--planning", "--motion", "--exposure", "--milling", "--texture", "--workers", "--beading", "--infill", "--ordering"):
             continue
         for address in value.split(","):
             name, _, port = address.partition(":")

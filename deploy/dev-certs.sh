@@ -23,7 +23,7 @@ while [[ $# -gt 0 ]]; do
   esac
 done
 [[ "$days" =~ ^[0-9]+$ ]] || usage
-stages=(slicing planning beading infill ordering motion exposure milling)
+stages=(slicing planning beading infill ordering motion exposure milling texture)
 [[ ${#roles[@]} -gt 0 ]] || roles=(coordinator worker "${stages[@]/#/stage/}" tenant/dev)
 
 umask 077

@@ -103,6 +103,7 @@ up() {
   replicas planning 1 planning
   replicas exposure 1 exposure
   replicas milling 1 milling
+  replicas texture 1 texture
   if [[ "$mode" == fused ]]; then
     replicas motion 1 motion
     replicas worker "$workers" workers

@@ -19,6 +19,7 @@ PAUSE_S = 0.6  # between kills, on average
 LEAD = 4  # jobs that wait or run while processes are killed: there is always work to lose
 LASERS = 4  # every so many jobs is one of lasers
 MILLS = 6  # and of milling
+ENGRAVES = 7  # and of engraving
 PATIENCE_S = 600  # for all jobs to end when nothing is killed any more
 
 
@@ -28,12 +29,36 @@ def settings_of(number):
         return ["--machine", "laser", "--set", "layer_height=0.06", "--set", "output_format=cli", "--set", f"hatch_speed={400 + number * 0.01:.2f}"]
     if number % MILLS == MILLS - 2:
         return ["--machine", "mill", "--set", "cutter=cyl:2", "--set", "finish_stepover=0.5", "--set", f"feed={400 + number * 0.01:.2f}"]
+    if number % ENGRAVES == ENGRAVES - 2:
+        return ["--machine", "engrave", "--set", "output_format=csv", "--set", f"spacing={0.2 + number * 0.0001:.4f}"]
     return ["--set", "layer_height=0.06", "--set", f"infill_speed={40 + number * 0.01:.2f}"]
+
+
+def model_of(number, directory):
+    """A surface for textures, and else a part."""
+    if "engrave" not in settings_of(number):
+        return MODEL
+    surface = directory / "surface.obj"
+    if not surface.exists():
+        surface.write_text(roof())
+    return surface
+
+
+def roof(side=40):
+    """A bent square of so many mm, with as many points a side."""
+    rows = range(side + 1)
+    points = "".join(f"v {x} {y} {(x - side / 2) ** 2 / side}\n" for y in rows for x in rows)
+    corner = lambda x, y: y * (side + 1) + x + 1
+    cells = ((x, y) for y in range(side) for x in range(side))
+    faces = "".join(
+        f"f {corner(x, y)} {corner(x + 1, y)} {corner(x + 1, y + 1)}\nf {corner(x, y)} {corner(x + 1, y + 1)} {corner(x, y + 1)}\n" for x, y in cells
+    )
+    return points + faces
 
 
 def expected_digest(number, directory):
     out = directory / f"expected-{number}.gcode"
-    subprocess.run([BIN / "slicefarm", "slice", MODEL, "-q", "-o", out, *settings_of(number)], check=True)
+    subprocess.run([BIN / "slicefarm", "slice", model_of(number, directory), "-q", "-o", out, *settings_of(number)], check=True)
     digest = hashlib.sha256(out.read_bytes()).hexdigest()
     out.unlink()
     return digest
@@ -42,8 +67,9 @@ def expected_digest(number, directory):
 class Submitter(threading.Thread):
     """Submits jobs one after the other, each until it is acknowledged; not before it is let."""
 
-    def __init__(self, farm, count):
+    def __init__(self, farm, count, directory):
         super().__init__()
+        self.directory = directory
         self.farm, self.count, self.acknowledged, self.refused = farm, count, {}, []
         self.let, self.allowed = threading.Semaphore(0), 0
 
@@ -55,7 +81,7 @@ class Submitter(threading.Thread):
     def run(self):
         for number in range(self.count):
             self.let.acquire()
-            done = self.farm.client("submit", MODEL, "--detach", "-q", "--label", f"number={number}", *settings_of(number))
+            done = self.farm.client("submit", model_of(number, self.directory), "--detach", "-q", "--label", f"number={number}", *settings_of(number))
             if done.returncode == 0:
                 self.acknowledged[number] = done.stdout.strip()
             else:
@@ -135,7 +161,7 @@ def main():
     random.seed(options.seed)
     with running_farm(options.store, directory, workers=options.workers, split=options.split) as farm:
         progress = Progress(farm.coordinators)
-        submitter = Submitter(farm, options.jobs)
+        submitter = Submitter(farm, options.jobs, directory)
         try:
             submitter.start()
             killed, ranges = kill_at_random(farm, submitter, options)

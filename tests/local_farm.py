@@ -117,7 +117,7 @@ class Farm:
         self.log = directory / "log"
         self.log.mkdir()
         name_of = f"{directory.name}-" if postgres else ""
-        singles = [Service(name, self.log, programs=programs) for name in ("slicing", "planning", "motion", "exposure", "milling")]
+        singles = [Service(name, self.log, programs=programs) for name in ("slicing", "planning", "motion", "exposure", "milling", "texture")]
         stages = ("beading", "infill", "ordering") if split else ("worker",)
         slots = [] if split else ["--slots", "1"]
         self.workers = [Service(f"{name}-{i + 1}", self.log, *slots, programs=programs) for name in stages for i in range(workers)]

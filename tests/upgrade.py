@@ -36,7 +36,7 @@ CREATE INDEX CONCURRENTLY of_a_later_build ON jobs (of_a_later_build, number);
 INSERT INTO slicefarm_migrations (name) VALUES ('9999_of_a_later_build');
 """
 PATIENCE_S = 600
-PROGRAMS = [f"slicefarm-{name}" for name in ("coordinator", "worker", "slicing", "mesh-reader", "planning", "motion", "exposure", "milling")]
+PROGRAMS = [f"slicefarm-{name}" for name in ("coordinator", "worker", "slicing", "mesh-reader", "planning", "motion", "exposure", "milling", "texture")]
 
 
 def build_id():

@@ -56,6 +56,9 @@ inline constexpr int32_t kMaxRaftLayers = 100;
 /// Of a milling job: its levels and rows; what a step weighs.
 inline constexpr int64_t kMaxMillSteps = 200'000;
 inline constexpr int32_t kMaxMillWeight = 1'000;
+/// Of a surface that is engraved, and of a texture that is an object: each travels as one message.
+inline constexpr int64_t kMaxSurfaceTriangles = 1'000'000;
+inline constexpr int64_t kMaxSurfacePoints = 2'000'000;
 inline constexpr int64_t kMaxLinesPerFill = 200'000;
 inline constexpr int32_t kMaxThumbnails = 8;
 inline constexpr int32_t kMaxThumbnailPx = 1'024;
@@ -88,9 +91,10 @@ inline constexpr int64_t kMaxProfileRevisions = 10'000;  ///< of a tenant
 inline constexpr int64_t kMaxUrlBytes = 2'048;
 inline constexpr int64_t kMaxOpenJobs = 10'000;  ///< of a tenant, waiting and running
 
-/// Of a setting, by its name: fields hold a grid's values.
+/// Of a setting, by its name: fields hold a grid's values, images a file.
 constexpr int64_t MaxSettingBytes(std::string_view key) {
-  return key.ends_with("_field") ? kMaxFieldBytes : kMaxSettingBytes;
+  const bool is_long = key.ends_with("_field") || key.ends_with("_image");
+  return is_long ? kMaxFieldBytes : kMaxSettingBytes;
 }
 
 }  // namespace slicefarm::limits

@@ -12,6 +12,7 @@ enum class Process : uint8_t {
   kFdm,
   kLaser,
   kMill,
+  kEngrave,
 };
 
 struct ProcessInfo {
@@ -25,6 +26,7 @@ inline constexpr ProcessInfo kProcesses[] = {
     {Process::kFdm, "fdm", "Filament is laid down in beads; the result is G-code"},
     {Process::kLaser, "laser", "A laser scans each layer's area, in powder or resin"},
     {Process::kMill, "mill", "A cutter mills a part out of its stock, in three axes"},
+    {Process::kEngrave, "engrave", "A texture is worked onto a curved surface or into it"},
 };
 
 /// That of jobs that name none.

@@ -20,6 +20,7 @@ enum class Stage : uint8_t {
   kExposure,
   kPlacing,  ///< a method of the slicing service
   kMilling,
+  kTexture,
 };
 
 struct StageInfo {
@@ -32,6 +33,7 @@ inline constexpr StageInfo kStages[] = {
     {Stage::kSlicing, "slicing"},   {Stage::kPlanning, "planning"}, {Stage::kBeading, "beading"},
     {Stage::kInfill, "infill"},     {Stage::kOrdering, "ordering"}, {Stage::kMotion, "motion"},
     {Stage::kExposure, "exposure"}, {Stage::kPlacing, "placing"},   {Stage::kMilling, "milling"},
+    {Stage::kTexture, "texture"},
 };
 
 inline constexpr size_t kStageCount = std::size(kStages);

@@ -11,6 +11,8 @@
 #include "common/base/cancel_token.h"
 #include "common/base/shared/shared.h"
 #include "common/base/trace_context.h"
+#include "common/model/engraving/engrave_input.h"
+#include "common/model/engraving/engraved_layer.h"
 #include "common/model/exposed_program.h"
 #include "common/model/job_facts.h"
 #include "common/model/job_plan.h"
@@ -144,6 +146,11 @@ class PlacingStage {
   virtual ~PlacingStage() = default;
   virtual absl::StatusOr<PlacedScene> Place(const StageCall& call, SliceInput input,
                                             const SlicingOptions& options) const = 0;
+  /// The objects as their files have them, transformed and not placed: for processes that need the
+  /// doubles. Errors: REQUEST_MALFORMED for an object that is not one part and one copy;
+  /// MESH_TOO_LARGE.
+  virtual absl::StatusOr<std::vector<SurfaceMesh>> ReadSurfaces(
+      const StageCall& call, SliceInput input, const SlicingOptions& options) const = 0;
 };
 
 /// What planning looks at.
@@ -266,6 +273,22 @@ class MillingStage {
                                                  std::string_view settings_text) const = 0;
 };
 
+/// Surfaces to textures on them. Any ranges of a job's layers can be made apart.
+class TextureStage {
+ public:
+  virtual ~TextureStage() = default;
+  /// Lays the surface flat. Made once for all who ask with the same value.
+  virtual absl::StatusOr<MappedSurface> Map(const StageCall& call,
+                                            const Shared<SurfaceInput>& surface) const = 0;
+  virtual absl::StatusOr<EngraveLayout> LayOut(const StageCall& call,
+                                               const Shared<EngraveInput>& input) const = 0;
+  /// One for each layer of the range, in order of work. REQUEST_MALFORMED for a range that the job
+  /// has not.
+  virtual absl::StatusOr<std::vector<EngravedLayer>> Engrave(const StageCall& call,
+                                                             const Shared<EngraveInput>& input,
+                                                             LayerRange range) const = 0;
+};
+
 /// The stages that somebody has, local or remote; null: not this one. What they are must outlive
 /// who is given them.
 struct Stages {
@@ -278,6 +301,7 @@ struct Stages {
   const ExposureStage* exposure = nullptr;
   const PlacingStage* placing = nullptr;
   const MillingStage* milling = nullptr;
+  const TextureStage* texture = nullptr;
 };
 
 }  // namespace slicefarm

@@ -1,5 +1,6 @@
 #include "processes/list/jobs.h"
 
+#include "processes/engrave/job/engrave_process.h"
 #include "processes/fdm/job/fdm_process.h"
 #include "processes/laser/job/laser_process.h"
 #include "processes/mill/job/mill_process.h"
@@ -17,6 +18,8 @@ std::unique_ptr<coordinator::JobProcess> JobOver(Process process, const Stages& 
       return coordinator::LaserProcess::Over(stages, spool_directory);
     case Process::kMill:
       return coordinator::MillProcess::Over(stages, spool_directory);
+    case Process::kEngrave:
+      return coordinator::EngraveProcess::Over(stages, spool_directory);
   }
   return nullptr;
 }

@@ -20,14 +20,17 @@ TEST(JobsOver, AreOfTheProcessesWhoseStagesAreThere) {
                       .motion = Somewhere<MotionStage>(),
                       .exposure = Somewhere<ExposureStage>(),
                       .placing = Somewhere<PlacingStage>(),
-                      .milling = Somewhere<MillingStage>()};
+                      .milling = Somewhere<MillingStage>(),
+                      .texture = Somewhere<TextureStage>()};
   const auto jobs = JobsOver(all, "");
   ASSERT_EQ(jobs.size(), static_cast<size_t>(kProcessCount));
   for (size_t i = 0; i < jobs.size(); ++i) EXPECT_EQ(jobs[i]->process(), kProcesses[i].process);
   Stages some = all;
   some.exposure = nullptr;
-  EXPECT_EQ(JobsOver(some, "").size(), 2u);
+  EXPECT_EQ(JobsOver(some, "").size(), 3u);
   some.milling = nullptr;
+  EXPECT_EQ(JobsOver(some, "").size(), 2u);
+  some.texture = nullptr;
   EXPECT_EQ(JobsOver(some, "").size(), 1u);
 }
 

@@ -1,6 +1,7 @@
 #include <cstdlib>
 
 #include "common/config/process_settings.h"
+#include "processes/engrave/settings/engrave_settings.h"
 #include "processes/fdm/settings/fdm_settings.h"
 #include "processes/laser/settings/laser_settings.h"
 #include "processes/mill/settings/mill_settings.h"
@@ -15,6 +16,8 @@ const ProcessSettings& SettingsOf(Process process) {
       return laser::Settings();
     case Process::kMill:
       return mill::Settings();
+    case Process::kEngrave:
+      return engrave::Settings();
   }
   std::abort();  // a Process is one of them
 }

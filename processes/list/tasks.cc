@@ -1,5 +1,6 @@
 #include "processes/list/tasks.h"
 
+#include "processes/engrave/task/engrave_chain.h"
 #include "processes/fdm/task/layer_chain.h"
 #include "processes/laser/task/laser_chain.h"
 #include "processes/mill/task/mill_chain.h"
@@ -16,6 +17,8 @@ std::shared_ptr<const TaskRunner> RunnerOver(const Stages& stages, Process proce
       return LaserChain::Over(stages);
     case Process::kMill:
       return MillChain::Over(stages);
+    case Process::kEngrave:
+      return EngraveChain::Over(stages);
   }
   return nullptr;
 }
@@ -30,6 +33,8 @@ std::vector<Stage> TaskStagesOf(Process process) {
       return LaserChain::StagesOf();
     case Process::kMill:
       return MillChain::StagesOf();
+    case Process::kEngrave:
+      return EngraveChain::StagesOf();
   }
   return {};
 }

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "processes/engrave/wire/engrave_wire.h"
 #include "processes/fdm/wire/fdm_wire.h"
 #include "processes/laser/wire/laser_wire.h"
 #include "processes/mill/wire/mill_wire.h"
@@ -16,6 +17,8 @@ const TaskWire& WireOf(Process process) {
       return LaserWire();
     case Process::kMill:
       return MillWire();
+    case Process::kEngrave:
+      return EngraveWire();
   }
   std::abort();  // a Process is one of them
 }

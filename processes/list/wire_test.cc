@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/wire/support/round_trip_test.h"
+#include "processes/engrave/task/engrave_task.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "processes/laser/task/laser_task.h"
 #include "processes/mill/task/mill_task.h"
@@ -55,6 +56,8 @@ struct Sample {
         return LaserTask{{0, 1}, layers, ExposureJob{laser_settings, copies}};
       case Process::kMill:
         return MillTask{{2, 3}, MillPhase::kFinishing, 1, 3, mill_input};
+      case Process::kEngrave:
+        return EngraveTask{{2, 3}, EngraveInput{}};
     }
     return {};
   }
@@ -81,6 +84,12 @@ struct Sample {
         MillResult result;
         result.steps = {{{MillPhase::kFinishing, 2.5}, {}, {{{0, 1, 2}, {3, 4, 5}}}}};
         result.times[Stage::kMilling] = 0.5;
+        return result;
+      }
+      case Process::kEngrave: {
+        EngraveResult result;
+        result.layers = {{.numbers = {.layer = 2, .points = 1}, .program = {}, .text = "0,2,1\n"}};
+        result.times[Stage::kTexture] = 0.5;
         return result;
       }
     }

@@ -4,11 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <csignal>
-#include <cstdint>
 #include <exception>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "common/base/build_info.h"
 #include "services/cli/commands/commands.h"
@@ -76,24 +73,6 @@ ExitCode Parse(CLI::App& app, int argc, char** argv) {
   return ExitCode::kOk;
 }
 
-/// `slice SURFACE --machine engrave` is `engrave-program SURFACE`: no farm makes it yet.
-std::vector<char*> WithEngraving(int argc, char** argv) {
-  static char command[] = "engrave-program";
-  std::vector<char*> words(argv, argv + argc);
-  if (argc < 2 || std::string_view(argv[1]) != "slice") return words;
-  for (size_t i = 2; i < words.size(); ++i) {
-    const std::string_view word = words[i];
-    const bool two = word == "--machine" && i + 1 < words.size() &&
-                     std::string_view(words[i + 1]) == "engrave";
-    if (!two && word != "--machine=engrave") continue;
-    const auto at = words.begin() + static_cast<int64_t>(i);
-    words.erase(at, at + (two ? 2 : 1));
-    words[1] = command;
-    break;
-  }
-  return words;
-}
-
 ExitCode Run(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is an error of writing
   Interrupt interrupt;
@@ -108,9 +87,7 @@ ExitCode Run(int argc, char** argv) {
         AddToken, AddEngraveProgram, AddMillProgram, AddWaterline, AddVersion}) {
     add(app, context);
   }
-  std::vector<char*> words = WithEngraving(argc, argv);
-  if (const ExitCode parsed = Parse(app, static_cast<int>(words.size()), words.data());
-      parsed != ExitCode::kOk || !context.run) {
+  if (const ExitCode parsed = Parse(app, argc, argv); parsed != ExitCode::kOk || !context.run) {
     return parsed;
   }
   return context.run();

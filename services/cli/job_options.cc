@@ -108,6 +108,16 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
   app.add_option("--materials", options.fields.materials,
                  "Shares of the materials of a mixing extruder, by place on the plate")
       ->type_name("FIELD.json");
+  app.add_option("--texture", options.texture.texture,
+                 "With --machine engrave: a planar solid (STL, OBJ, PLY), a height image (PNG), or "
+                 "a computed texture, kind:key=value,...")
+      ->type_name("TEXTURE");
+  app.add_option("--mask", options.texture.mask,
+                 "PNG over the surface's map: engraving works where it is bright")
+      ->type_name("MASK.png");
+  app.add_option("--anchor", options.texture.anchor,
+                 "Where on the surface the texture's origin lies")
+      ->type_name("X,Y,Z");
   app.add_option("--report", options.report, "Write what came out as JSON; -: to stdout")
       ->type_name("REPORT.json");
   app.add_flag("-q,--quiet", options.quiet, "No progress, no summary; warnings and errors only");

@@ -26,6 +26,14 @@ struct FieldOptions {
   std::string materials;
 };
 
+/// Of engraving; empty: not given.
+struct TextureArguments {
+  std::string texture;  ///< a file, or a computed texture
+  std::string mask;
+  std::string anchor;
+  std::string orient;
+};
+
 /// What `slice` and `submit` are told about the job, as written on the command line.
 struct JobOptions : SettingOptions {
   std::vector<std::string> models;
@@ -41,6 +49,7 @@ struct JobOptions : SettingOptions {
   int plate = 0;                     ///< of a project, from 1; 0: the only one
   bool plates = false;               ///< a job for each plate
   FieldOptions fields;
+  TextureArguments texture;
   std::string report;
   bool quiet = false;
 };

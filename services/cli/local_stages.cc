@@ -9,6 +9,7 @@
 #include "services/planning/algo/local_planning_stage.h"
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "services/slicing/algo/placement/local_placing_stage.h"
+#include "services/texture/algo/local_texture_stage.h"
 
 namespace slicefarm::cli {
 
@@ -21,11 +22,13 @@ LocalStages::LocalStages()
       motion_(motion::MakeLocalMotion()),
       exposure_(exposure::MakeLocalExposure()),
       placing_(slicing::MakeLocalPlacing()),
-      milling_(milling::MakeLocalMilling()) {}
+      milling_(milling::MakeLocalMilling()),
+      texture_(texture::MakeLocalTexture()) {}
 
 Stages LocalStages::all() const {
   return {slicing_.get(), planning_.get(), beading_.get(), infill_.get(), ordering_.get(),
-          motion_.get(),  exposure_.get(), placing_.get(), milling_.get()};
+          motion_.get(),  exposure_.get(), placing_.get(), milling_.get(),
+          texture_.get()};
 }
 
 }  // namespace slicefarm::cli

@@ -23,6 +23,7 @@ class LocalStages {
   const std::unique_ptr<ExposureStage> exposure_;
   const std::unique_ptr<PlacingStage> placing_;
   const std::unique_ptr<MillingStage> milling_;
+  const std::unique_ptr<TextureStage> texture_;
 };
 
 }  // namespace slicefarm::cli

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/wire/engraving/engrave_input_wire.h"
 #include "common/wire/layers/fill_use_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/program_wire.h"
@@ -21,6 +22,7 @@
 #include "services/milling/algo/local_milling_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
+#include "services/texture/algo/local_texture_stage.h"
 #include "tests/fuzz/calls.pb.h"
 #include "tests/fuzz/proto_mutator.h"
 #include "tests/fuzz/stage_call.h"
@@ -61,12 +63,14 @@ void Run(const WorkCall& given) {
   static const auto motion = motion::MakeLocalMotion();
   static const auto exposure = exposure::MakeLocalExposure();
   static const auto milling = milling::MakeLocalMilling();
+  static const auto texture = texture::MakeLocalTexture();
   static const ProcessRunners runners = RunnersOver({.beading = beading.get(),
                                                      .infill = infill.get(),
                                                      .ordering = ordering.get(),
                                                      .motion = motion.get(),
                                                      .exposure = exposure.get(),
-                                                     .milling = milling.get()});
+                                                     .milling = milling.get(),
+                                                     .texture = texture.get()});
   for (const v1::WorkRequest& request : given.requests()) {
     CheckRoundTrip(request.start().fdm());
     CheckRoundTrip(request.start().laser());
@@ -84,6 +88,8 @@ void Run(const WorkCall& given) {
     Name(given.laser(), *first.mutable_start()->mutable_laser(), shared);
   else if (first.start().has_mill())
     Name(given.mill(), *first.mutable_start()->mutable_mill(), shared);
+  else if (first.start().has_engrave())
+    Name(given.engrave(), *first.mutable_start()->mutable_engrave(), shared);
   const TaskWire* wire = WireOf(first.start());
   if (wire == nullptr || !FromProto(first.start().call()).ok()) return;
   const CancelToken cancel = WithDeadline();

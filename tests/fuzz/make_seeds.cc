@@ -13,6 +13,8 @@
 #include "common/base/sha256.h"
 #include "common/config/plate.h"
 #include "common/model/milling/cutter_text.h"
+#include "common/wire/engraving/engrave_input_wire.h"
+#include "common/wire/engraving/texture_start_wire.h"
 #include "common/wire/layers/exposure_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
@@ -36,6 +38,7 @@
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
 #include "services/milling/algo/local_milling_stage.h"
+#include "services/texture/algo/local_texture_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "services/planning/algo/local_planning_stage.h"
@@ -435,6 +438,33 @@ void WriteMillSeeds(const Seeds& seeds) {
   }
 }
 
+/// Of a roof: its own stage's calls, and a worker's.
+void WriteEngraveSeeds(const Seeds& seeds) {
+  const SurfaceInput surface{{{{0, 0, 0}, {2, 0, 1}, {4, 0, 0}, {0, 3, 0}, {2, 3, 1}, {4, 3, 0}},
+                              {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}}};
+  EngraveInput input;
+  input.surface = Must(texture::MakeLocalTexture()->Map({}, surface));
+  input.settings.lines.spacing = "0.5";
+  for (const char* kind : {"bumps", "grooves", "letters"}) {
+    input.settings.texture.texture = kind;
+    input.settings.format = EngraveFormat::kGcode;
+    TextureCall call;
+    v1::TextureStart& start = *call.mutable_request()->mutable_start();
+    Must(ToProto(TextureStart{{}, {}, {0, 3}}, &start));
+    Anonymous(&start);
+    Must(ToProto(surface, call.mutable_surface()));
+    Must(ToProto(input, call.mutable_shared()));
+    seeds.Write("engraving", kind, call);
+    WorkCall work;
+    v1::WorkStart& whole = *work.add_requests()->mutable_start();
+    *whole.mutable_call() = ToProto(StageCall());
+    *whole.mutable_engrave()->mutable_range() = ToProto(LayerRange{0, 3});
+    Must(ToProto(input, work.mutable_engrave()));
+    Anonymous(&whole);
+    seeds.Write("worker", std::string("engrave_") + kind, work);
+  }
+}
+
 /// Each stage's call, with what the stage before it gave.
 void WriteStageSeeds(const Seeds& seeds, const std::string& name, Job job) {
   WriteSliceSeed(seeds, name, job);
@@ -454,6 +484,7 @@ int main(int argc, char** argv) {
   const slicefarm::fuzz::Seeds seeds(argv[1]);
   slicefarm::fuzz::WriteCoordinatorSeeds(seeds);
   slicefarm::fuzz::WriteMillSeeds(seeds);
+  slicefarm::fuzz::WriteEngraveSeeds(seeds);
   slicefarm::fuzz::WriteStageSeeds(seeds, "box", slicefarm::fuzz::JobOf(slicefarm::fuzz::Box()));
   slicefarm::fuzz::Job boxes = slicefarm::fuzz::JobOf(slicefarm::fuzz::BoxesWithModifier());
   FdmOf(boxes.settings).motion.labels = slicefarm::ObjectLabels::kFirmware;

@@ -5,6 +5,7 @@
 #include "common/rpc/client/channel.h"
 #include "services/coordinator/remote/remote_milling.h"
 #include "services/coordinator/remote/remote_stages.h"
+#include "services/coordinator/remote/remote_texture.h"
 #include "services/coordinator/remote/remote_worker.h"
 
 namespace slicefarm {
@@ -24,6 +25,7 @@ struct RemoteClients {
         motion(replica, options),
         exposure(replica, options),
         milling(replica, options),
+        texture(replica, options),
         worker(replica, options) {}
 
   coordinator::SingleReplica replica;
@@ -37,6 +39,7 @@ struct RemoteClients {
   coordinator::RemoteMotion motion;
   coordinator::RemoteExposure exposure;
   coordinator::RemoteMilling milling;
+  coordinator::RemoteTexture texture;
   coordinator::RemoteWorker worker;
 };
 

@@ -15,6 +15,7 @@
 #include "services/motion/server/motion_service.h"
 #include "services/ordering/server/ordering_service.h"
 #include "services/slicing/server/slicing_service.h"
+#include "services/texture/server/texture_service.h"
 #include "services/worker/server/worker_service.h"
 
 namespace slicefarm {
@@ -40,6 +41,8 @@ StageHost::StageHost(const HostedStages& stages, const rpc::CallGateOptions& gat
     services_.push_back(exposure::MakeExposureService(*stages.exposure, gate_, keeper_.cache()));
   if (stages.milling != nullptr)
     services_.push_back(milling::MakeMillingService(*stages.milling, gate_, keeper_.cache()));
+  if (stages.texture != nullptr)
+    services_.push_back(texture::MakeTextureService(*stages.texture, gate_, keeper_.cache()));
   std::vector<grpc::Service*> services = {&keeper_.service()};
   for (const auto& service : services_) services.push_back(service.get());
   auto server = rpc::Server::Start(options, services, call_metrics_);

@@ -30,6 +30,7 @@ struct HostedStages {
       planning::MakePlanningService;
   const ExposureStage* exposure = nullptr;  ///< null: it is not served
   const MillingStage* milling = nullptr;    ///< likewise
+  const TextureStage* texture = nullptr;    ///< likewise
 };
 
 /// All services of the stages and the worker behind one real socket.

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "common/model/engraving/engrave_settings.h"
 #include "common/model/milling/milling_options.h"
 #include "common/model/options/exposure_settings.h"
 #include "common/model/options/fdm_settings.h"
@@ -11,7 +12,7 @@
 namespace slicefarm {
 
 /// What each process has of its own. One alternative a process, in the order of Process.
-using OwnSettings = std::variant<FdmSettings, ExposureSettings, MillSettings>;
+using OwnSettings = std::variant<FdmSettings, ExposureSettings, MillSettings, EngraveSettings>;
 
 static_assert(std::variant_size_v<OwnSettings> == kProcessCount);
 
@@ -41,5 +42,12 @@ inline const MillSettings& MillOf(const JobSettings& settings) {
   return std::get<MillSettings>(settings.own);
 }
 inline MillSettings& MillOf(JobSettings& settings) { return std::get<MillSettings>(settings.own); }
+
+inline const EngraveSettings& EngraveOf(const JobSettings& settings) {
+  return std::get<EngraveSettings>(settings.own);
+}
+inline EngraveSettings& EngraveOf(JobSettings& settings) {
+  return std::get<EngraveSettings>(settings.own);
+}
 
 }  // namespace slicefarm

@@ -35,6 +35,10 @@ class FakePlacing : public PlacingStage {
     }
     return scene;
   }
+  absl::StatusOr<std::vector<SurfaceMesh>> ReadSurfaces(const StageCall&, SliceInput,
+                                                        const SlicingOptions&) const override {
+    return std::vector<SurfaceMesh>();
+  }
 };
 
 class MillProcessTest : public testing::Test {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,10 +13,10 @@
 
 #include "common/base/error.h"
 #include "common/base/parallel.h"
+#include "common/model/engraving/engrave_report.h"
 #include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
-#include "services/cli/engrave_report_json.h"
 #include "services/cli/files.h"
 #include "services/cli/models/surface_mesh.h"
 #include "services/cli/render/surface_picture.h"
@@ -66,7 +67,7 @@ texture::EngraveOptions EngraveOptionsOf(const EngraveCommandOptions& options) {
   how.placement.repeat = !options.once;
   how.placement.middle = options.once;
   how.connect = !options.separate;
-  if (options.interpolated) how.normals = texture::NormalKind::kInterpolated;
+  if (options.interpolated) how.normals = NormalKind::kInterpolated;
   how.lines.clear();
   for (size_t i = 0; i < std::max(options.spacings.size(), options.angles.size()); ++i)
     how.lines.push_back(
@@ -137,7 +138,7 @@ std::string CsvOf(const std::vector<texture::LayerPath>& paths) {
 absl::StatusOr<std::string> ProgramOf(const EngraveCommandOptions& options,
                                       const texture::EngravePlan& plan,
                                       const std::vector<texture::LayerPath>& paths,
-                                      texture::ProgramFacts* facts) {
+                                      ProgramFacts* facts) {
   texture::ProgramOptions how = options.program;
   how.axes.centre_mm = VectorOf(options.centre).value_or(Eigen::Vector3d::Zero());
   how.layer_mm = plan.texture.height_mm / plan.layer_count();
@@ -217,33 +218,39 @@ double Since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void PrintFigures(const EngraveJobReport& report) {
+/// How long it took.
+struct EngraveTimes {
+  double map_s = 0;
+  double path_s = 0;
+};
+
+void PrintFigures(const EngraveReport& report, const EngraveTimes& times) {
   double on = 0, off = 0;
   int64_t points = 0;
-  for (const texture::LayerNumbers& layer : report.layers) {
+  for (const LayerNumbers& layer : report.layers) {
     on += layer.on_mm;
     off += layer.off_mm;
     points += layer.points;
   }
-  const texture::MapReport& map = report.map;
+  const MapReport& map = report.map;
   Print(
       fmt::format("faces {}\nlayers {}\nenergy_mean_over_4 {:.6f}\nline_distance_mm {:.4f} {:.4f} "
                   "{:.4f}\nline_even {:.4f}\npoints {}\non_mm {:.1f}\noff_mm {:.1f}\n"
                   "map_seconds {:.3f}\npath_seconds {:.3f}\n",
                   map.faces, report.layers.size(), map.energy_mean, map.line_distance_mm.p1,
                   map.line_distance_mm.p50, map.line_distance_mm.p99, map.line_even, points, on,
-                  off, report.map_seconds, report.path_seconds));
+                  off, times.map_s, times.path_s));
 }
 
 absl::Status Engrave(const EngraveCommandOptions& options) {
   const auto start = Clock::now();
   const auto plan = PlanOf(options);
   if (!plan.ok()) return plan.status();
-  EngraveJobReport report{.map = {}, .layers = {}, .program = {}, .warnings = {}};
-  report.map_seconds = Since(start);
+  EngraveReport report;
+  EngraveTimes times{.map_s = Since(start)};
   const auto paths = PathsOf(*plan, options.threads);
   if (!paths.ok()) return paths.status();
-  report.path_seconds = Since(start) - report.map_seconds;
+  times.path_s = Since(start) - times.map_s;
   const auto text = options.output.ends_with(".csv")
                         ? absl::StatusOr<std::string>(CsvOf(*paths))
                         : ProgramOf(options, *plan, *paths, &report.program);
@@ -252,14 +259,13 @@ absl::Status Engrave(const EngraveCommandOptions& options) {
   if (!map.ok()) return map.status();
   report.map = *map;
   for (const texture::LayerPath& path : *paths) report.layers.push_back(texture::NumbersOf(path));
-  report.warnings = texture::WarningsOf(report.map, report.layers);
   absl::Status written = WriteFile(options.output, *text);
   written.Update(WriteDisplaced(options, *plan));
   written.Update(WritePictures(options, *plan, *paths));
-  if (!options.report.empty()) written.Update(WriteFile(options.report, EngraveReportJson(report)));
+  if (!options.report.empty()) written.Update(WriteFile(options.report, JsonOf(report).dump(2) + "\n"));
   if (!written.ok()) return written;
-  Warn(report.warnings);
-  PrintFigures(report);
+  Warn(WarningsOf(report.map, report.layers));
+  PrintFigures(report, times);
   return absl::OkStatus();
 }
 
@@ -319,15 +325,15 @@ void AddLineOptions(CLI::App& command, EngraveCommandOptions& options) {
 void AddProgramOptions(CLI::App& command, EngraveCommandOptions& options) {
   texture::ProgramOptions& program = options.program;
   command.add_option("--axes", program.axes.layout, "What turns, besides X, Y and Z")
-      ->transform(OneOf<texture::AxisLayout>({{"none", texture::AxisLayout::kNone},
-                                              {"table-ab", texture::AxisLayout::kTableAb},
-                                              {"table-bc", texture::AxisLayout::kTableBc},
-                                              {"head-ab", texture::AxisLayout::kHeadAb},
-                                              {"head-bc", texture::AxisLayout::kHeadBc}}));
+      ->transform(OneOf<AxisLayout>({{"none", AxisLayout::kNone},
+                                              {"table-ab", AxisLayout::kTableAb},
+                                              {"table-bc", AxisLayout::kTableBc},
+                                              {"head-ab", AxisLayout::kHeadAb},
+                                              {"head-bc", AxisLayout::kHeadBc}}));
   command.add_option("--tool", program.tool, "What works")
-      ->transform(OneOf<texture::ToolKind>({{"beam", texture::ToolKind::kBeam},
-                                            {"spindle", texture::ToolKind::kSpindle},
-                                            {"extruder", texture::ToolKind::kExtruder}}));
+      ->transform(OneOf<ToolKind>({{"beam", ToolKind::kBeam},
+                                            {"spindle", ToolKind::kSpindle},
+                                            {"extruder", ToolKind::kExtruder}}));
   AddVector(command, "--centre", options.centre, "Where a table's axes meet; else the origin");
   AddNumberTo(command, "--pivot", program.axes.pivot_mm, "From a head's axes to the tip, mm");
   AddNumberTo(command, "--tilt", program.axes.tilt_deg, "Most of A and B, degrees either way");

@@ -18,6 +18,7 @@
 #include "services/cli/job_options.h"
 #include "services/cli/local_pipeline.h"
 #include "services/cli/models/given_models.h"
+#include "services/cli/models/texture_argument.h"
 #include "services/cli/summary.h"
 #include "services/coordinator/algo/pipeline/report_json.h"
 
@@ -124,7 +125,8 @@ ExitCode SlicePlate(SliceOptions options, std::vector<MeshFile> files, const Giv
   return ExitCode::kOk;
 }
 
-ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
+ExitCode Slice(SliceOptions options, Interrupt& interrupt) {
+  if (absl::Status taken = TakeTexture(options.job); !taken.ok()) return Fail(taken);
   if (absl::Status ok = CheckOutputs(options.job, options.output); !ok.ok()) return Fail(ok);
   const bool named = config::FindSetting("output_filename_format", options.job.process) >= 0;
   if (!named && IsNamedBySettings(options.output))
@@ -164,6 +166,10 @@ void AddSlice(CLI::App& app, CommandContext& context) {
                    "folder, or nothing "
                    "for that of the model: a file there, called as output_filename_format says")
       ->type_name("OUT.gcode");
+  command
+      ->add_option("--orient", options->job.texture.orient,
+                   "Along which the texture's x runs at --anchor; on a farm: --set orient=X,Y,Z")
+      ->type_name("X,Y,Z");
   command
       ->add_option("--threads", options->threads,
                    "How many to use; the result is the same. Default: one per processor")

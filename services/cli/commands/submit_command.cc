@@ -17,6 +17,7 @@
 #include "services/cli/job_options.h"
 #include "services/cli/jobs_client.h"
 #include "services/cli/models/given_models.h"
+#include "services/cli/models/texture_argument.h"
 #include "services/cli/server_options.h"
 #include "services/cli/summary.h"
 
@@ -283,7 +284,8 @@ ExitCode FetchAll(const SubmitOptions& options, const std::vector<v1::Job>& jobs
   return worst;
 }
 
-ExitCode Submit(const SubmitOptions& options, Interrupt& interrupt) {
+ExitCode Submit(SubmitOptions options, Interrupt& interrupt) {
+  if (absl::Status taken = TakeTexture(options.job); !taken.ok()) return Fail(taken);
   if (absl::Status fits = CheckWishes(options); !fits.ok()) return Fail(fits);
   JobsClientOptions client_options = ClientOptions(options.server, &interrupt);
   client_options.trace = TraceOf(options);

@@ -31,12 +31,16 @@ void RemoteStageSet::Add(Stage stage, ReplicaSource& replicas) {
     case Stage::kMilling:
       milling_ = std::make_unique<RemoteMilling>(replicas);
       return;
+    case Stage::kTexture:
+      texture_ = std::make_unique<RemoteTexture>(replicas);
+      return;
   }
 }
 
 Stages RemoteStageSet::all() const {
   return {slicing_.get(), planning_.get(), beading_.get(), infill_.get(), ordering_.get(),
-          motion_.get(),  exposure_.get(), placing_.get(), milling_.get()};
+          motion_.get(),  exposure_.get(), placing_.get(), milling_.get(),
+          texture_.get()};
 }
 
 }  // namespace slicefarm::coordinator

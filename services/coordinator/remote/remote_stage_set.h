@@ -5,6 +5,7 @@
 #include "common/stage/stage_list.h"
 #include "services/coordinator/remote/remote_milling.h"
 #include "services/coordinator/remote/remote_stages.h"
+#include "services/coordinator/remote/remote_texture.h"
 
 namespace slicefarm::coordinator {
 
@@ -28,6 +29,7 @@ class RemoteStageSet {
   std::unique_ptr<RemoteMotion> motion_;
   std::unique_ptr<RemoteExposure> exposure_;
   std::unique_ptr<RemoteMilling> milling_;
+  std::unique_ptr<RemoteTexture> texture_;
 };
 
 }  // namespace slicefarm::coordinator

@@ -5,6 +5,7 @@
 #include "common/model/limits.h"
 #include "common/rpc/client/client_call.h"
 #include "common/stage/job_memory.h"
+#include "common/wire/engraving/surface_wire.h"
 #include "common/wire/layers/exposure_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
@@ -148,6 +149,20 @@ absl::StatusOr<PlacedScene> RemotePlacing::Place(const StageCall& call, SliceInp
       [&](auto& stream) { return ReadScene(stream, call, &scene); });
   if (!status.ok()) return status;
   return scene;
+}
+
+absl::StatusOr<std::vector<SurfaceMesh>> RemotePlacing::ReadSurfaces(
+    const StageCall& call, SliceInput input, const SlicingOptions& options) const {
+  std::vector<SurfaceMesh> surfaces;
+  const absl::Status status = StreamOver(
+      replicas_, options_.DeadlineFor(MostPoints()), call, kPlacing,
+      &v1::Slicing::Stub::PrepareAsyncReadSurfaces,
+      [&](auto& stream) { return WriteFiles(stream, call, input, options); },
+      [&](auto& stream) { return ReadAll<v1::SurfaceMesh>(stream, &surfaces); });
+  if (!status.ok()) return status;
+  if (surfaces.size() != input.objects.size())
+    return BadAnswer(kPlacing, Malformed("surfaces", "are not one for each object"));
+  return surfaces;
 }
 
 absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const SlicedOutlines& job,

@@ -51,6 +51,8 @@ class RemotePlacing : public PlacingStage {
 
   absl::StatusOr<PlacedScene> Place(const StageCall& call, SliceInput input,
                                     const SlicingOptions& options) const override;
+  absl::StatusOr<std::vector<SurfaceMesh>> ReadSurfaces(
+      const StageCall& call, SliceInput input, const SlicingOptions& options) const override;
 
  private:
   ReplicaSource& replicas_;

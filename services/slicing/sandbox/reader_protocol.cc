@@ -153,7 +153,7 @@ absl::StatusOr<Project> CheckedProject(std::string_view encoded, std::span<const
   std::vector<int64_t> triangles;
   for (const RawMesh& mesh : meshes)
     triangles.push_back(static_cast<int64_t>(mesh.triangles.size()));
-  const auto of_meshes = depth == ReadDepth::kMeshes
+  const auto of_meshes = depth != ReadDepth::kStructure
                              ? std::optional(std::span<const int64_t>(triangles))
                              : std::nullopt;
   const std::string_view fault = FaultOf(*project, of_meshes);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/rpc/server/server_stream.h"
+#include "common/wire/engraving/surface_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/placed_scene_wire.h"
 #include "common/wire/slicing_wire.h"
@@ -36,6 +37,9 @@ class SlicingService final : public v1::Slicing::Service {
   grpc::Status Place(
       grpc::ServerContext* context,
       grpc::ServerReaderWriter<v1::PlaceResponse, v1::SliceRequest>* stream) override;
+  grpc::Status ReadSurfaces(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::SurfaceMesh, v1::SliceRequest>* stream) override;
   grpc::Status ReadProject(
       grpc::ServerContext* context,
       grpc::ServerReaderWriter<v1::ReadProjectResponse, v1::SliceRequest>* stream) override;
@@ -47,6 +51,8 @@ class SlicingService final : public v1::Slicing::Service {
   absl::Status SliceFiles(rpc::Call& call, Stream& stream) const;
   using ProjectStream = rpc::ServerStream<v1::ReadProjectResponse, v1::SliceRequest>;
   absl::Status ArrangeFiles(rpc::Call& call, PlacesStream& stream) const;
+  using SurfaceStream = rpc::ServerStream<v1::SurfaceMesh, v1::SliceRequest>;
+  absl::Status ReadFiles(rpc::Call& call, SurfaceStream& stream) const;
   absl::Status PlaceFiles(rpc::Call& call, SceneStream& stream) const;
   absl::Status ReadFile(rpc::Call& call, ProjectStream& stream) const;
   static absl::Status Answer(const SlicedJob& job, Stream& stream);
@@ -112,6 +118,25 @@ grpc::Status SlicingService::Place(
     grpc::ServerReaderWriter<v1::PlaceResponse, v1::SliceRequest>* stream) {
   SceneStream buffered(*stream);
   return gate_.Run(*context, "Place", [&](rpc::Call& call) { return PlaceFiles(call, buffered); });
+}
+
+grpc::Status SlicingService::ReadSurfaces(
+    grpc::ServerContext* context,
+    grpc::ServerReaderWriter<v1::SurfaceMesh, v1::SliceRequest>* stream) {
+  SurfaceStream buffered(*stream);
+  return gate_.Run(*context, "ReadSurfaces",
+                   [&](rpc::Call& call) { return ReadFiles(call, buffered); });
+}
+
+absl::Status SlicingService::ReadFiles(rpc::Call& call, SurfaceStream& stream) const {
+  absl::StatusOr<Request> request = ReadRequest(call, stream, memory_);
+  if (!request.ok()) return request.status();
+  const auto surfaces =
+      placing_.ReadSurfaces(request->call, std::move(request->input), request->options);
+  if (!surfaces.ok()) return surfaces.status();
+  return WriteEach<v1::SurfaceMesh>(
+      stream, *surfaces,
+      [](const SurfaceMesh& mesh, v1::SurfaceMesh* proto) { return ToProto(mesh, proto); });
 }
 
 grpc::Status SlicingService::ReadProject(

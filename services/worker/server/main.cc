@@ -14,6 +14,7 @@
 #include "services/milling/algo/local_milling_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
+#include "services/texture/algo/local_texture_stage.h"
 #include "services/worker/server/worker_service.h"
 
 namespace {
@@ -50,12 +51,14 @@ int main(int argc, char** argv) {
   const auto motion = slicefarm::motion::MakeLocalMotion();
   const auto exposure = slicefarm::exposure::MakeLocalExposure();
   const auto milling = slicefarm::milling::MakeLocalMilling();
+  const auto texture = slicefarm::texture::MakeLocalTexture();
   const slicefarm::ProcessRunners runners = RunnersOf(names, {.beading = beading.get(),
                                                               .infill = infill.get(),
                                                               .ordering = ordering.get(),
                                                               .motion = motion.get(),
                                                               .exposure = exposure.get(),
-                                                              .milling = milling.get()});
+                                                              .milling = milling.get(),
+                                                              .texture = texture.get()});
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
   program.Show(gate);
   slicefarm::rpc::SharedKeeper keeper(program.log());

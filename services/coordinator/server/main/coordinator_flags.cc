@@ -117,6 +117,7 @@ constexpr StageFlag kStageFlags[] = {
     {Stage::kOrdering, "Addresses of ordering services"},
     {Stage::kExposure, "Addresses of exposure services; without, no jobs that need it are made"},
     {Stage::kMilling, "Addresses of milling services; without, no jobs that need it are made"},
+    {Stage::kTexture, "Addresses of texture services; without, no jobs that need it are made"},
 };
 static_assert(std::size(kStageFlags) == kStageCount - 1, "all but placing, which slicing does");
 

@@ -11,6 +11,7 @@ namespace slicefarm::slicing {
 enum class ReadDepth : uint8_t {
   kStructure,  ///< the project alone: no mesh is kept
   kMeshes,     ///< and all meshes
+  kNumbered,   ///< and all meshes, with the vertices of OBJ files by their numbers: none are welded
 };
 
 /// What is in a mesh file. `meshes` are those that MeshRef::mesh of the project's parts counts:

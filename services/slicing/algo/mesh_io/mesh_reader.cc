@@ -48,6 +48,12 @@ absl::StatusOr<RawMesh> ReadOneMesh(std::string_view bytes, MeshFormat format,
                    "neither STL, OBJ, PLY nor 3MF; export the part in one of these formats");
 }
 
+absl::StatusOr<RawMesh> NotEmpty(absl::StatusOr<RawMesh> mesh) {
+  if (!mesh.ok() || !mesh->triangles.empty()) return mesh;
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshEmpty,
+                   "the file has no triangles");
+}
+
 /// One object with the file's only mesh, to be put anywhere.
 Project ProjectOfOneMesh() {
   Instance instance;
@@ -85,11 +91,7 @@ absl::StatusOr<RawMesh> ReadMesh(std::string_view bytes, MeshFormat format, doub
                                  const CancelToken& cancel) {
   if (absl::Status status = CheckSize(bytes); !status.ok()) return status;
   if (format == MeshFormat::kUnknown) format = DetectFormat(bytes);
-  absl::StatusOr<RawMesh> mesh = ReadOneMesh(bytes, format, coordinate_limit, cancel);
-  if (mesh.ok() && mesh->triangles.empty())
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshEmpty,
-                     "the file has no triangles");
-  return mesh;
+  return NotEmpty(ReadOneMesh(bytes, format, coordinate_limit, cancel));
 }
 
 absl::StatusOr<MeshFileContents> ReadMeshFile(std::string_view bytes, MeshFormat format,
@@ -98,11 +100,14 @@ absl::StatusOr<MeshFileContents> ReadMeshFile(std::string_view bytes, MeshFormat
   if (absl::Status status = CheckSize(bytes); !status.ok()) return status;
   if (format == MeshFormat::kUnknown) format = DetectFormat(bytes);
   if (format == MeshFormat::k3mf) return Read3mf(bytes, coordinate_limit, depth, cancel);
-  absl::StatusOr<RawMesh> mesh = ReadMesh(bytes, format, coordinate_limit, cancel);
+  const bool numbered = depth == ReadDepth::kNumbered && format == MeshFormat::kObj;
+  absl::StatusOr<RawMesh> mesh =
+      numbered ? NotEmpty(ReadObjAsNumbered(bytes, coordinate_limit, cancel))
+               : ReadMesh(bytes, format, coordinate_limit, cancel);
   if (!mesh.ok()) return mesh.status();
   MeshFileContents contents;
   contents.project = ProjectOfOneMesh();
-  if (depth == ReadDepth::kMeshes) contents.meshes.push_back(*std::move(mesh));
+  if (depth != ReadDepth::kStructure) contents.meshes.push_back(*std::move(mesh));
   return contents;
 }
 

@@ -4,6 +4,7 @@
 
 #include "common/stage/job_memory.h"
 #include "services/slicing/algo/placement/prepared_object.h"
+#include "services/slicing/algo/placement/surfaces.h"
 
 namespace slicefarm::slicing {
 namespace {
@@ -30,6 +31,11 @@ class LocalPlacing : public PlacingStage {
     const absl::Status room = HoldMemory(call, JobMemory::Kind::kMeshes, MemoryOf(scene));
     if (!room.ok()) return room;
     return scene;
+  }
+
+  absl::StatusOr<std::vector<SurfaceMesh>> ReadSurfaces(
+      const StageCall& call, SliceInput input, const SlicingOptions& /*options*/) const override {
+    return SurfacesOf(std::move(input), *source_, call.cancel);
   }
 
  private:

@@ -53,12 +53,13 @@ absl::Status Malformed(std::string_view message) {
 }
 
 PartMeshes::PartMeshes(std::vector<MeshFile> files, const std::vector<ObjectInput>& objects,
-                       const MeshSource& source, const CancelToken& cancel)
+                       const MeshSource& source, const CancelToken& cancel, ReadDepth depth)
     : files_(std::move(files)),
       meshes_(files_.size()),
       uses_(files_.size(), 0),
       source_(source),
-      cancel_(cancel) {
+      cancel_(cancel),
+      depth_(depth) {
   for (const ObjectInput& object : objects)
     for (const PartInput& part : object.parts)
       if (Has(part.mesh)) ++uses_[static_cast<size_t>(part.mesh.file)];
@@ -71,7 +72,7 @@ absl::StatusOr<RawMesh> PartMeshes::Take(const MeshRef& ref) {
     if (ref.mesh == kOnlyMesh)
       if (absl::Status ok = CheckNoProject(files_[file]); !ok.ok()) return ok;
     auto read = source_.Read(std::exchange(files_[file].bytes, {}), files_[file].format,
-                             limits::kMaxMeshCoordinateMm, ReadDepth::kMeshes, cancel_);
+                             limits::kMaxMeshCoordinateMm, depth_, cancel_);
     if (!read.ok()) return read.status();
     meshes_[file] = std::move(read->meshes);
   }

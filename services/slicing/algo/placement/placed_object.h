@@ -20,7 +20,8 @@ class PartMeshes {
  public:
   /// `objects`: whose parts will be taken, each once. `source` and `cancel` must outlive this.
   PartMeshes(std::vector<MeshFile> files, const std::vector<ObjectInput>& objects,
-             const MeshSource& source, const CancelToken& cancel);
+             const MeshSource& source, const CancelToken& cancel,
+             ReadDepth depth = ReadDepth::kMeshes);
 
   /// Errors: those of the source; REQUEST_MALFORMED for a mesh that is not there, and for a project
   /// that is taken for a single mesh; MESH_TOO_LARGE if all that was taken has more triangles than
@@ -36,6 +37,7 @@ class PartMeshes {
   int64_t taken_ = 0;      ///< triangles
   const MeshSource& source_;
   const CancelToken& cancel_;
+  const ReadDepth depth_;
 };
 
 /// A part's triangles in nm, and the edges as the file has them where rounding welds corners.

@@ -3,16 +3,15 @@
 #include <string>
 
 #include "absl/status/statusor.h"
+#include "common/model/engraving/engrave_report.h"
+#include "common/model/engraving/engrave_settings.h"
 #include "services/texture/algo/output/rotary_axes.h"
 #include "services/texture/algo/paths/layer_paths.h"
 
 namespace slicefarm::texture {
 
-enum class ToolKind : uint8_t {
-  kBeam,      ///< on and off by M3 and M5
-  kSpindle,   ///< turns all the time
-  kExtruder,  ///< lays down filament
-};
+using slicefarm::ProgramFacts;
+using slicefarm::ToolKind;
 
 /// What a machine's program needs to know.
 struct ProgramOptions {
@@ -27,15 +26,6 @@ struct ProgramOptions {
   double safe_mm = 20;          ///< above the highest point, before the first and after the last
   double filament_mm = 1.75;    ///< its diameter
   double layer_mm = 0.05;       ///< height of what an extruder lays down
-};
-
-/// What a program comes to.
-struct ProgramFacts {
-  double seconds = 0;
-  double filament_mm = 0;
-  int64_t moves = 0;
-  Eigen::Vector2d least_deg = Eigen::Vector2d::Zero();  ///< of the angles
-  Eigen::Vector2d most_deg = Eigen::Vector2d::Zero();
 };
 
 /// A height of the machine's Z from which the tool sees the part below it, however it is turned.

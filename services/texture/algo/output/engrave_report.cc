@@ -1,7 +1,5 @@
 #include "services/texture/algo/output/engrave_report.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -11,7 +9,6 @@
 namespace slicefarm::texture {
 namespace {
 
-constexpr double kUneven = 1.5;  // of p99 to p1: a warning
 constexpr double kEvenShare = 0.1;
 
 /// Singular values of a map's Jacobian, the greater one first. Source: closed form of 2 x 2.
@@ -78,34 +75,6 @@ LayerNumbers NumbersOf(const LayerPath& path) {
           path.spacing_mm, path.runs,      static_cast<int64_t>(path.points.size()),
           path.on_mm,      path.off_mm,    path.section_mm2,
           path.folds,      path.folds_mm,  path.first_fold_mm};
-}
-
-std::vector<std::string> WarningsOf(const MapReport& map, const std::vector<LayerNumbers>& layers) {
-  std::vector<std::string> warnings;
-  const Spread& distance = map.line_distance_mm;
-  if (distance.p99 > kUneven * distance.p1)
-    warnings.push_back(
-        fmt::format("lines lie {:.3g} to {:.3g} mm apart on the surface (1 % to 99 % of it): the "
-                    "map is stretched; equidistant lines or another cut would help",
-                    distance.p1, distance.p99));
-  int64_t folds = 0;
-  double folds_mm = 0;
-  const LayerNumbers* first = nullptr;
-  for (const LayerNumbers& layer : layers) {
-    folds += layer.folds;
-    folds_mm += layer.folds_mm;
-    if (layer.folds > 0 && first == nullptr) first = &layer;
-  }
-  if (first != nullptr) {
-    const Eigen::Vector3d& p = first->first_fold_mm;
-    warnings.push_back(fmt::format(
-        "the surface bends more than the texture is high in {} places, {:.2f} mm of lines in all: "
-        "there the tool turns back on its way; first in layer {} at ({:.3f}, {:.3f}, {:.3f})",
-        folds, folds_mm, first->layer, p.x(), p.y(), p.z()));
-  }
-  if (std::all_of(layers.begin(), layers.end(), [](auto& layer) { return layer.runs == 0; }))
-    warnings.push_back("no line of the texture lies on the surface");
-  return warnings;
 }
 
 }  // namespace slicefarm::texture

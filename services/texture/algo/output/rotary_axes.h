@@ -5,16 +5,11 @@
 #include <cstdint>
 #include <optional>
 
+#include "common/model/engraving/engrave_settings.h"
+
 namespace slicefarm::texture {
 
-/// Which axes a machine has besides X, Y and Z.
-enum class AxisLayout : uint8_t {
-  kNone,     ///< the tool points down
-  kTableAb,  ///< the part turns by B about Y, then by A about X
-  kTableBc,  ///< the part turns by C about Z, then by B about Y
-  kHeadAb,   ///< the head turns by A about X, then by B about Y
-  kHeadBc,   ///< the head turns by B about Y, then by C about Z
-};
+using slicefarm::AxisLayout;
 
 /// A machine's axes. Angles in degrees; positive ones turn counter-clockwise as seen from the end
 /// of the axis they turn about.

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "common/model/engraving/engrave_settings.h"
 #include "services/texture/algo/surface/cut_open.h"
 #include "services/texture/algo/surface/surface_mesh.h"
 
@@ -19,10 +20,7 @@ struct SurfacePoint {
   Eigen::Vector3d weights = Eigen::Vector3d::Zero();
 };
 
-enum class NormalKind : uint8_t {
-  kFaces,  ///< the face's; on an edge the mean of its two faces', at a vertex that of its ring
-  kInterpolated,  ///< between the vertices' normals
-};
+using slicefarm::NormalKind;
 
 /// A surface of disk topology, with holes or without, and its one-to-one map into the plane.
 ///

@@ -2,17 +2,12 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <array>
-#include <cstdint>
-#include <vector>
+
+#include "common/model/engraving/surface_mesh.h"
 
 namespace slicefarm::texture {
 
-/// A surface of triangles, in mm. A point may be used by no triangle.
-struct SurfaceMesh {
-  std::vector<Eigen::Vector3d> points_mm;
-  std::vector<std::array<int32_t, 3>> triangles;  ///< counter-clockwise as seen from outside
-};
+using slicefarm::SurfaceMesh;
 
 /// Twice the area, along the normal.
 inline Eigen::Vector3d DoubleAreaVector(const SurfaceMesh& mesh, size_t triangle) {

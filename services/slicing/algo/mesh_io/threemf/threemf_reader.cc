@@ -17,7 +17,7 @@ absl::StatusOr<MeshFileContents> Read3mf(std::string_view bytes, double coordina
   const absl::StatusOr<threemf::Archive> archive = threemf::Archive::Open(bytes);
   if (!archive.ok()) return archive.status();
   threemf::MeshReading reading;
-  reading.keep = depth == ReadDepth::kMeshes;
+  reading.keep = depth != ReadDepth::kStructure;
   reading.coordinate_limit_mm = coordinate_limit;
   absl::StatusOr<threemf::Package> package = threemf::ReadPackage(*archive, reading, cancel);
   if (!package.ok()) return package.status();

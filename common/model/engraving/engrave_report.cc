@@ -1,17 +1,22 @@
-#include "services/cli/engrave_report_json.h"
+#include "common/model/engraving/engrave_report.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace slicefarm::cli {
+namespace slicefarm {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-OrderedJson JsonOf(const texture::Spread& spread) {
+constexpr double kUneven = 1.5;  // of p99 to p1: a warning
+
+OrderedJson JsonOf(const Spread& spread) {
   return {{"p1", spread.p1}, {"p50", spread.p50}, {"p99", spread.p99}};
 }
 
-OrderedJson JsonOf(const texture::LayerNumbers& layer) {
+OrderedJson JsonOf(const LayerNumbers& layer) {
   OrderedJson json = {{"layer", layer.layer},
                       {"height_mm", layer.height_mm},
                       {"offset_mm", layer.offset_mm},
@@ -32,10 +37,46 @@ OrderedJson JsonOf(const texture::LayerNumbers& layer) {
 
 }  // namespace
 
-std::string EngraveReportJson(const EngraveJobReport& report) {
+void ProgramFacts::Add(const ProgramFacts& other) {
+  seconds += other.seconds;
+  filament_mm += other.filament_mm;
+  moves += other.moves;
+  least_deg = least_deg.cwiseMin(other.least_deg);
+  most_deg = most_deg.cwiseMax(other.most_deg);
+}
+
+std::vector<std::string> WarningsOf(const MapReport& map, const std::vector<LayerNumbers>& layers) {
+  std::vector<std::string> warnings;
+  const Spread& distance = map.line_distance_mm;
+  if (distance.p99 > kUneven * distance.p1)
+    warnings.push_back(
+        fmt::format("lines lie {:.3g} to {:.3g} mm apart on the surface (1 % to 99 % of it): the "
+                    "map is stretched; equidistant lines or another cut would help",
+                    distance.p1, distance.p99));
+  int64_t folds = 0;
+  double folds_mm = 0;
+  const LayerNumbers* first = nullptr;
+  for (const LayerNumbers& layer : layers) {
+    folds += layer.folds;
+    folds_mm += layer.folds_mm;
+    if (layer.folds > 0 && first == nullptr) first = &layer;
+  }
+  if (first != nullptr) {
+    const Eigen::Vector3d& p = first->first_fold_mm;
+    warnings.push_back(fmt::format(
+        "the surface bends more than the texture is high in {} places, {:.2f} mm of lines in all: "
+        "there the tool turns back on its way; first in layer {} at ({:.3f}, {:.3f}, {:.3f})",
+        folds, folds_mm, first->layer, p.x(), p.y(), p.z()));
+  }
+  if (std::all_of(layers.begin(), layers.end(), [](auto& layer) { return layer.runs == 0; }))
+    warnings.push_back("no line of the texture lies on the surface");
+  return warnings;
+}
+
+OrderedJson JsonOf(const EngraveReport& report) {
   double on = 0, off = 0;
   OrderedJson layers = OrderedJson::array();
-  for (const texture::LayerNumbers& layer : report.layers) {
+  for (const LayerNumbers& layer : report.layers) {
     on += layer.on_mm;
     off += layer.off_mm;
     layers.push_back(JsonOf(layer));
@@ -51,19 +92,16 @@ std::string EngraveReportJson(const EngraveJobReport& report) {
                       {"line_length_within_10_percent", report.map.line_even},
                       {"on_mm", on},
                       {"off_mm", off},
-                      {"layers", layers},
-                      {"map_seconds", report.map_seconds},
-                      {"path_seconds", report.path_seconds},
-                      {"warnings", report.warnings}};
+                      {"layers", layers}};
   if (report.program.moves > 0) {
-    const texture::ProgramFacts& program = report.program;
+    const ProgramFacts& program = report.program;
     json["program"] = {{"moves", program.moves},
                        {"time_s", program.seconds},
                        {"filament_mm", program.filament_mm},
                        {"least_angles_deg", {program.least_deg.x(), program.least_deg.y()}},
                        {"most_angles_deg", {program.most_deg.x(), program.most_deg.y()}}};
   }
-  return json.dump(2) + "\n";
+  return json;
 }
 
-}  // namespace slicefarm::cli
+}  // namespace slicefarm

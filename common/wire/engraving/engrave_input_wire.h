@@ -1,0 +1,38 @@
+#pragma once
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/model/engraving/engrave_input.h"
+#include "common/wire/engraving/surface_wire.h"
+#include "common/wire/shared_wire.h"
+#include "slicefarm/v1/texture.pb.h"
+
+namespace slicefarm {
+
+/// What the calls of an engraving job have in common. Settings are complete or refused
+/// (settings_check.h) and travel without images; whether the numbers make sense is for the stage to
+/// say. Errors: REQUEST_MALFORMED with the way to the field; MESH_TOO_LARGE.
+absl::Status ToProto(const EngraveSettings& settings, v1::EngraveSettings* proto);
+absl::StatusOr<EngraveSettings> FromProto(const v1::EngraveSettings& proto);
+absl::Status ToProto(const SurfaceInput& surface, v1::SurfaceInput* proto);
+absl::StatusOr<SurfaceInput> FromProto(const v1::SurfaceInput& proto);
+absl::Status ToProto(const MappedSurface& surface, v1::MappedSurface* proto);
+absl::StatusOr<MappedSurface> FromProto(const v1::MappedSurface& proto);
+absl::Status ToProto(const EngraveInput& input, v1::EngraveInput* proto);
+absl::StatusOr<EngraveInput> FromProto(const v1::EngraveInput& proto);
+
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+using slicefarm::ToProto;
+}  // namespace v1
+
+template <>
+struct MessageOf<SurfaceInput> {
+  using Type = v1::SurfaceInput;
+};
+template <>
+struct MessageOf<EngraveInput> {
+  using Type = v1::EngraveInput;
+};
+
+}  // namespace slicefarm

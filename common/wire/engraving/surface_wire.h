@@ -1,0 +1,19 @@
+#pragma once
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/model/engraving/surface_mesh.h"
+#include "slicefarm/v1/surface.pb.h"
+
+namespace slicefarm {
+
+/// Errors: REQUEST_MALFORMED for numbers that are not finite, not by threes, and corners that no
+/// point is at; MESH_TOO_LARGE.
+absl::Status ToProto(const SurfaceMesh& mesh, v1::SurfaceMesh* proto);
+absl::StatusOr<SurfaceMesh> FromProto(const v1::SurfaceMesh& proto);
+
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
+}  // namespace slicefarm

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/stage/stages.h"
+#include "slicefarm/v1/texture.pb.h"
+
+namespace slicefarm {
+
+/// What begins a call of the texture service. Errors: those of stage_call_wire.h and layer_wire.h.
+struct TextureStart {
+  StageCall call;
+  std::string shared;     ///< of a SurfaceInput or an EngraveInput
+  LayerRange range = {};  ///< of EngraveLayers
+};
+absl::Status ToProto(const TextureStart& start, v1::TextureStart* proto);
+absl::StatusOr<TextureStart> FromProto(const v1::TextureStart& proto);
+
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
+}  // namespace slicefarm

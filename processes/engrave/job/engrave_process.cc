@@ -1,0 +1,251 @@
+#include "processes/engrave/job/engrave_process.h"
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "common/base/error.h"
+#include "common/base/span_log.h"
+#include "common/base/stopwatch.h"
+#include "common/stage/job_memory.h"
+#include "processes/engrave/task/engrave_task.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+/// What a report tells of engraving: `engraving`.
+struct EngraveJobReport : OwnReport {
+  EngraveReport report;
+
+  void AddTo(nlohmann::ordered_json& json) const override { json["engraving"] = JsonOf(report); }
+};
+
+/// Which objects of a job are its surface and its texture.
+struct Roles {
+  size_t surface = 0;
+  size_t texture = 0;  ///< the surface: no object is the texture
+};
+
+absl::StatusOr<Roles> RolesOf(const std::vector<ObjectInput>& objects,
+                              const TextureSettings& settings) {
+  const auto named = std::ranges::find(objects, settings.texture, &ObjectInput::name);
+  const bool is_object = settings.image.empty() && named != objects.end() && objects.size() > 1;
+  if (objects.size() != (is_object ? 2u : 1u))
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                     "a job of engraving has one object that is the surface, and one besides if "
+                     "`texture` names it");
+  if (!is_object) return Roles();
+  const auto texture = static_cast<size_t>(named - objects.begin());
+  return Roles{1 - texture, texture};
+}
+
+/// What a surface takes as long as the job runs.
+int64_t BytesOf(const SurfaceMesh& mesh) {
+  return static_cast<int64_t>(mesh.points_mm.size() * sizeof(mesh.points_mm[0]) +
+                              mesh.triangles.size() * sizeof(mesh.triangles[0]));
+}
+
+absl::StatusOr<EngraveInput> InputOf(std::vector<SurfaceMesh> meshes, const Roles& roles,
+                                     EngraveSettings settings, MappedSurface surface) {
+  auto image = ImageBytes("texture_image", settings.texture.image);
+  if (!image.ok()) return image.status();
+  auto mask = ImageBytes("mask_image", settings.texture.mask);
+  if (!mask.ok()) return mask.status();
+  settings.texture.image.clear();
+  settings.texture.mask.clear();
+  EngraveInput input{std::move(settings), {}, *std::move(image), *std::move(mask),
+                     std::move(surface)};
+  if (roles.texture != roles.surface) input.solid = std::move(meshes[roles.texture]);
+  return input;
+}
+
+/// A job whose surface has its map.
+struct LaidOut {
+  Shared<EngraveInput> input;
+  EngraveLayout layout;
+};
+
+absl::StatusOr<LaidOut> LayOutJob(const StageCall& call, const PlacingStage& placing,
+                                  const TextureStage& texture, JobInput input, StageTimes& times) {
+  EngraveSettings& settings = EngraveOf(input.settings);
+  const auto roles = RolesOf(input.meshes.objects, settings.texture);
+  if (!roles.ok()) return roles.status();
+  auto meshes = Timed(times[Stage::kPlacing], [&] {
+    const ScopedSpan span(call.spans, "reading");
+    return placing.ReadSurfaces(call, std::move(input.meshes), input.settings.slicing);
+  });
+  if (!meshes.ok()) return meshes.status();
+  const absl::Status room =
+      HoldMemory(call, JobMemory::Kind::kMeshes, 4 * BytesOf((*meshes)[roles->surface]));
+  if (!room.ok()) return room;
+  const SurfaceInput surface{std::move((*meshes)[roles->surface]), settings.lines.seam};
+  auto mapped = Timed(times[Stage::kTexture], [&] {
+    const ScopedSpan span(call.spans, "map");
+    return texture.Map(call, surface);
+  });
+  if (!mapped.ok()) return mapped.status();
+  auto whole = InputOf(*std::move(meshes), *roles, std::move(settings), *std::move(mapped));
+  if (!whole.ok()) return whole.status();
+  LaidOut job{*std::move(whole), {}};
+  auto layout = Timed(times[Stage::kTexture], [&] {
+    const ScopedSpan span(call.spans, "layout");
+    return texture.LayOut(call, job.input);
+  });
+  if (!layout.ok()) return layout.status();
+  if (layout->layer_count == 0)
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
+                     "the texture has no layer");
+  job.layout = *std::move(layout);
+  return job;
+}
+
+/// A layer's part of the file, whose text is in a spool.
+struct SpooledLayer {
+  EngravedLayer layer;  ///< without its text
+  SpoolFile::Place text;
+};
+
+class EngraveJob : public PlannedJob {
+ public:
+  EngraveJob(LaidOut job, JobReport report, std::unique_ptr<SpoolFile> spool)
+      : input_(std::move(job.input)),
+        layout_(std::move(job.layout)),
+        report_(std::move(report)),
+        spool_(std::move(spool)) {}
+
+  int32_t Weight() const override { return layout_.layer_count; }
+
+  /// Few ranges: each finds the lines of its layers' styles once.
+  absl::StatusOr<std::vector<Task>> Tasks(int slots) override {
+    const int32_t layers = layout_.layer_count;
+    const int32_t parts = std::clamp(2 * slots, 1, layers);
+    std::vector<Task> tasks;
+    for (int32_t i = 0; i < parts; ++i) {
+      const auto begin = [&](int64_t part) { return static_cast<int32_t>(layers * part / parts); };
+      tasks.emplace_back(EngraveTask{{begin(i), begin(i + 1)}, input_});
+    }
+    ranges_.resize(tasks.size());
+    return tasks;
+  }
+
+  absl::Status Take(size_t task, TaskResult result) override {
+    auto& made = result.As<EngraveResult>();
+    ranges_[task].times = made.times;
+    for (EngravedLayer& layer : made.layers) {
+      const auto place = spool_->Add(layer.text);
+      if (!place.ok()) return place.status();
+      std::string().swap(layer.text);
+      ranges_[task].layers.push_back({std::move(layer), *place});
+    }
+    return absl::OkStatus();
+  }
+
+  absl::StatusOr<JobOutput> Assemble(const StageCall& call) override {
+    const ScopedSpan span(call.spans, "assembly");
+    std::vector<SpooledLayer> layers;
+    for (Range& range : ranges_) {
+      report_.stage_times.Add(range.times);
+      std::ranges::move(range.layers, std::back_inserter(layers));
+    }
+    if (absl::Status whole = CheckLayers(layers); !whole.ok()) return whole;
+    SpooledText file(std::move(spool_));
+    file.Add(std::move(layout_.header));
+    for (const SpooledLayer& layer : layers) file.Add(layer.text);
+    file.Add(std::move(layout_.footer));
+    Tell(layers);
+    return JobOutput{std::move(file), std::move(report_)};
+  }
+
+ private:
+  /// What a task came to.
+  struct Range {
+    std::vector<SpooledLayer> layers;
+    StageTimes times;
+  };
+
+  absl::Status CheckLayers(const std::vector<SpooledLayer>& layers) const {
+    const int32_t count = layout_.layer_count;
+    for (int32_t i = 0; i < static_cast<int32_t>(layers.size()); ++i) {
+      const int32_t want = input_->settings.texture.outside ? count - 1 - i : i;
+      const int32_t got = layers[static_cast<size_t>(i)].layer.numbers.layer;
+      if (got != want)
+        return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                         absl::StrCat("layer ", want, " came back as ", got));
+    }
+    if (std::ssize(layers) == count) return absl::OkStatus();
+    return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                     absl::StrCat(layers.size(), " of ", count, " layers came back"));
+  }
+
+  /// Of points, no program says it: as if the tip kept its speeds.
+  double Seconds(const EngraveJobReport& own) const {
+    if (own.report.program.moves > 0) return own.report.program.seconds;
+    const EngraveMachineSettings& machine = input_->settings.machine;
+    double minutes = 0;
+    for (const LayerNumbers& layer : own.report.layers)
+      minutes += layer.on_mm / machine.feed_mm_min + layer.off_mm / machine.link_mm_min;
+    return 60 * minutes;
+  }
+
+  void Tell(const std::vector<SpooledLayer>& layers) {
+    auto own = std::make_unique<EngraveJobReport>();
+    own->report.map = layout_.map;
+    for (const SpooledLayer& spooled : layers) {
+      own->report.layers.push_back(spooled.layer.numbers);
+      own->report.program.Add(spooled.layer.program);
+      report_.object_height_mm =
+          std::max(report_.object_height_mm, spooled.layer.numbers.height_mm);
+    }
+    report_.layer_count = layout_.layer_count;
+    report_.print_time_s = Seconds(*own);
+    std::ranges::move(WarningsOf(own->report.map, own->report.layers),
+                      std::back_inserter(report_.warnings));
+    report_.own = std::move(own);
+  }
+
+  const Shared<EngraveInput> input_;
+  EngraveLayout layout_;
+  JobReport report_;
+  std::unique_ptr<SpoolFile> spool_;
+  std::vector<Range> ranges_;  ///< by task
+};
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<PlannedJob>> EngraveProcess::Plan(const StageCall& call,
+                                                                 JobInput input) const {
+  JobReport report;
+  report.warnings = std::move(input.warnings);
+  auto job = LayOutJob(call, placing_, texture_, std::move(input), report.stage_times);
+  if (!job.ok()) return job.status();
+  auto spool = SpoolFile::Make(spool_directory_);
+  if (!spool.ok()) return spool.status();
+  return std::make_unique<EngraveJob>(*std::move(job), std::move(report), *std::move(spool));
+}
+
+absl::StatusOr<JobEstimate> EngraveProcess::Estimate(const StageCall& call, SlicedJob /*sliced*/,
+                                                     JobInput input,
+                                                     TaskExecutor& /*executor*/) const {
+  StageTimes times;
+  const double feed_mm_min = EngraveOf(input.settings).machine.feed_mm_min;
+  const auto job = LayOutJob(call, placing_, texture_, std::move(input), times);
+  if (!job.ok()) return job.status();
+  const MapReport& map = job->layout.map;
+  JobEstimate estimate;
+  estimate.layers = job->layout.layer_count;
+  if (map.line_distance_mm.p50 > 0)
+    estimate.print_time_s = 60 * job->layout.layer_count * map.area_mm2 /
+                            (map.line_distance_mm.p50 * feed_mm_min);
+  return estimate;
+}
+
+std::unique_ptr<JobProcess> EngraveProcess::Over(const Stages& stages,
+                                                 const std::string& spool_directory) {
+  if (stages.placing == nullptr || stages.texture == nullptr) return nullptr;
+  return std::make_unique<EngraveProcess>(*stages.placing, *stages.texture, spool_directory);
+}
+
+}  // namespace slicefarm::coordinator

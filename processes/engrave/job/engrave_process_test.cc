@@ -1,0 +1,88 @@
+#include "processes/engrave/job/engrave_process.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "common/base/error.h"
+#include "processes/engrave/task/engrave_chain.h"
+#include "processes/engrave/task/fake_texture_test.h"
+#include "services/coordinator/algo/dispatch/dispatcher.h"
+#include "services/coordinator/algo/pipeline/job_pipeline.h"
+
+namespace slicefarm::coordinator::engrave_process_test {
+namespace {
+
+/// A triangle for each object.
+class FakeSurfaces : public PlacingStage {
+ public:
+  absl::StatusOr<PlacedScene> Place(const StageCall&, SliceInput,
+                                    const SlicingOptions&) const override {
+    return PlacedScene();
+  }
+  absl::StatusOr<std::vector<SurfaceMesh>> ReadSurfaces(const StageCall&, SliceInput input,
+                                                        const SlicingOptions&) const override {
+    return std::vector<SurfaceMesh>(input.objects.size(),
+                                    {{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {{0, 1, 2}}});
+  }
+};
+
+class EngraveProcessTest : public testing::Test {
+ protected:
+  absl::StatusOr<JobOutput> Run(int slots, const std::vector<std::string>& objects = {"face"}) {
+    Dispatcher dispatcher;
+    dispatcher.Join({.name = "here", .tasks = chain_, .slots = slots});
+    JobInput input;
+    input.settings.own = settings_;
+    input.warnings = {"of the settings"};
+    for (const std::string& name : objects)
+      input.meshes.objects.push_back({.name = name, .parts = {{}}, .ranges = {}});
+    std::vector<std::unique_ptr<JobProcess>> processes;
+    processes.push_back(std::make_unique<EngraveProcess>(placing_, texture_));
+    return JobPipeline(std::move(processes), dispatcher).Run({}, std::move(input), nullptr);
+  }
+
+  EngraveSettings settings_;
+  FakeSurfaces placing_;
+  FakeTexture texture_;
+  std::shared_ptr<EngraveChain> chain_ = std::make_shared<EngraveChain>(texture_);
+};
+
+TEST_F(EngraveProcessTest, PutsTheFileTogetherWhateverTheCut) {
+  for (const int slots : {1, 2, 16}) {
+    const auto output = Run(slots);
+    ASSERT_TRUE(output.ok()) << output.status();
+    EXPECT_EQ(*output->program.Whole(),
+              "head\nlayer 0\nlayer 1\nlayer 2\nlayer 3\nlayer 4\nlayer 5\nlayer 6\nfoot\n");
+  }
+  settings_.texture.outside = true;
+  const auto output = Run(2);
+  ASSERT_TRUE(output.ok()) << output.status();
+  EXPECT_THAT(*output->program.Whole(), testing::StartsWith("head\nlayer 6\nlayer 5\n"));
+}
+
+TEST_F(EngraveProcessTest, ReportsWhatItCameTo) {
+  const auto output = Run(2);
+  ASSERT_TRUE(output.ok()) << output.status();
+  EXPECT_EQ(output->report.layer_count, 7);
+  EXPECT_EQ(output->report.print_time_s, 21);
+  EXPECT_THAT(output->report.warnings, testing::ElementsAre("of the settings"));
+  nlohmann::ordered_json json;
+  output->report.own->AddTo(json);
+  EXPECT_EQ(json["engraving"]["on_mm"], 14);
+  EXPECT_EQ(json["engraving"]["map"]["faces"], 1);
+}
+
+TEST_F(EngraveProcessTest, AnObjectMayBeTheTexture) {
+  EXPECT_EQ(DetailOf(Run(1, {"face", "leaf"}).status()).reason, Reason::kRequestMalformed);
+  settings_.texture.texture = "leaf";
+  EXPECT_TRUE(Run(1, {"face", "leaf"}).ok());
+  EXPECT_TRUE(Run(1, {"leaf", "face"}).ok());
+  EXPECT_FALSE(Run(1, {"leaf", "face", "hand"}).ok());
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator::engrave_process_test

@@ -1,0 +1,66 @@
+#include "processes/engrave/settings/engrave_settings.h"
+
+#include <iterator>
+
+#include "processes/engrave/settings/engrave_table.h"
+
+namespace slicefarm::config::engrave {
+namespace {
+
+bool IsProgram(const JobSettings& s) { return EngraveOf(s).format == EngraveFormat::kGcode; }
+bool HasImage(const JobSettings& s) { return !EngraveOf(s).texture.image.empty(); }
+
+constexpr Need kNeeds[] = {
+    {"texture_width texture_height", "a texture_image", HasImage},
+    {"texture texture_pitch", "no texture_image, which takes its place",
+     [](const JobSettings& s) { return !HasImage(s); }},
+    {"axes tool centre pivot tilt steepest power feed link_feed turn_feed",
+     "output_format = gcode", IsProgram},
+};
+
+/// Nothing of engraving is by region.
+class NoRegionRows : public RegionRows {
+ public:
+  absl::StatusOr<int32_t> RowOf(const JobSettings& /*settings*/) override { return 0; }
+  int64_t size() const override { return 1; }
+  void PutInto(JobSettings& /*settings*/) const override {}
+};
+
+class OfEngraving : public ProcessSettings {
+ public:
+  /// Surfaces stay where their files have them: all that can be read has room.
+  JobSettings Standards() const override {
+    JobSettings standards{.slicing = {}, .own = EngraveSettings()};
+    constexpr Coord kRoom = 2'000'000'000;
+    standards.slicing.bed = {{-kRoom, -kRoom}, {kRoom, -kRoom}, {kRoom, kRoom}, {-kRoom, kRoom}};
+    standards.slicing.thumbnails = {};
+    return standards;
+  }
+  std::vector<SettingSpec> Table() const override { return EngraveTable(); }
+  std::vector<Need> Needs() const override { return {std::begin(kNeeds), std::end(kNeeds)}; }
+  absl::Status Derive(Draft& /*draft*/, ResolvedSettings& /*result*/) const override {
+    return absl::OkStatus();
+  }
+  absl::Status Check(const Draft& /*draft*/) const override { return absl::OkStatus(); }
+  absl::Status Finish(const Draft& /*draft*/, ResolvedSettings& result) const override {
+    return CheckTexts(EngraveOf(result.settings));
+  }
+  std::unique_ptr<RegionRows> NewRows() const override { return std::make_unique<NoRegionRows>(); }
+  std::string_view Example() const override {
+    return "slicefarm slice mask.obj -o mask.csv --machine engrave --texture knurl:pitch=2";
+  }
+  std::vector<FileFormat> FileFormats() const override {
+    return {{".csv", "output_format", "csv", true},
+            {".nc", "output_format", "gcode"},
+            {".gcode", "output_format", "gcode"}};
+  }
+};
+
+}  // namespace
+
+const ProcessSettings& Settings() {
+  static const OfEngraving settings;
+  return settings;
+}
+
+}  // namespace slicefarm::config::engrave

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "processes/engrave/task/engrave_task.h"
+
+namespace slicefarm {
+
+/// The stage that engraves, local or remote. It must outlive the chain.
+class EngraveChain : public EngraveRunner {
+ public:
+  explicit EngraveChain(const TextureStage& texture) : texture_(texture) {}
+
+  /// Null: it is missing.
+  static std::shared_ptr<const EngraveChain> Over(const Stages& stages) {
+    if (stages.texture == nullptr) return nullptr;
+    return std::make_shared<EngraveChain>(*stages.texture);
+  }
+  static std::vector<Stage> StagesOf() { return {Stage::kTexture}; }
+
+  absl::StatusOr<EngraveResult> Run(const StageCall& call, const EngraveTask& task) const override;
+
+ private:
+  const TextureStage& texture_;
+};
+
+}  // namespace slicefarm

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/stage/stages.h"
+
+namespace slicefarm {
+
+/// A map that is the surface seen from above, and seven layers of a line of text each.
+class FakeTexture : public TextureStage {
+ public:
+  static constexpr int32_t kLayers = 7;
+
+  absl::StatusOr<MappedSurface> Map(const StageCall&,
+                                    const Shared<SurfaceInput>& surface) const override {
+    MappedSurface mapped{surface->mesh, {}, {}};
+    for (const Eigen::Vector3d& p : surface->mesh.points_mm) {
+      mapped.vertex_of.push_back(static_cast<int32_t>(mapped.vertex_of.size()));
+      mapped.map_mm.push_back({p.x(), p.y()});
+    }
+    return mapped;
+  }
+  absl::StatusOr<EngraveLayout> LayOut(const StageCall&,
+                                       const Shared<EngraveInput>&) const override {
+    return EngraveLayout{kLayers, "head\n", "foot\n", {.faces = 1}};
+  }
+  absl::StatusOr<std::vector<EngravedLayer>> Engrave(const StageCall&,
+                                                     const Shared<EngraveInput>& input,
+                                                     LayerRange range) const override {
+    std::vector<EngravedLayer> layers;
+    for (int32_t i = range.first; i < range.last; ++i) {
+      const int32_t layer = input->settings.texture.outside ? kLayers - 1 - i : i;
+      layers.push_back({.numbers = {.layer = layer, .runs = 1, .on_mm = 2},
+                        .program = {.seconds = 3, .moves = 1},
+                        .text = "layer " + std::to_string(layer) + "\n"});
+    }
+    return layers;
+  }
+};
+
+}  // namespace slicefarm

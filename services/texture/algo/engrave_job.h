@@ -1,0 +1,21 @@
+#pragma once
+
+#include "absl/status/statusor.h"
+#include "common/model/engraving/engrave_input.h"
+#include "services/texture/algo/output/engrave_program.h"
+#include "services/texture/algo/paths/engrave_plan.h"
+
+namespace slicefarm::texture {
+
+/// All that the layers of a job share: steps 8 to 10 of the README.
+struct EngraveJob {
+  EngravePlan plan;
+  ProgramOptions program;
+  EngraveFormat format = EngraveFormat::kCsv;
+};
+
+/// Errors: those of reading the texture, of NumbersOf, of BoundaryOfDisk and of PlanEngraving;
+/// REQUEST_MALFORMED for a map with flips.
+absl::StatusOr<EngraveJob> PrepareEngraving(const EngraveInput& input);
+
+}  // namespace slicefarm::texture

@@ -1,0 +1,103 @@
+#include "services/texture/algo/local_texture_stage.h"
+
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "common/base/error.h"
+#include "services/texture/algo/engrave_job.h"
+#include "services/texture/algo/output/csv_text.h"
+#include "services/texture/algo/output/engrave_report.h"
+#include "services/texture/algo/surface_mapping.h"
+
+namespace slicefarm::texture {
+namespace {
+
+/// The map of a surface, made by the first call that asks. A call that is cancelled leaves none.
+struct MapSlot {
+  std::mutex mutex;
+  std::optional<MappedSurface> map;
+};
+
+/// The job, prepared once for all calls about it: a call that ends early would spoil it for the
+/// others, so preparing is not cancelled.
+absl::StatusOr<const EngraveJob*> JobOf(const StageCall& call, const Shared<EngraveInput>& input) {
+  if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
+  const absl::StatusOr<EngraveJob>& job = input.Once(PrepareEngraving);
+  if (!job.ok()) return job.status();
+  return &*job;
+}
+
+absl::StatusOr<EngravedLayer> LayerOf(const EngraveJob& job, const LayerPath& path) {
+  EngravedLayer layer{.numbers = NumbersOf(path), .program = {}, .text = {}};
+  if (job.format == EngraveFormat::kCsv) {
+    layer.text = CsvRows(path);
+    return layer;
+  }
+  EngraveProgram program(job.program, SafeHeight(job.plan, job.program));
+  auto text = program.Layer(path);
+  if (!text.ok()) return text.status();
+  layer.text = *std::move(text);
+  layer.program = program.facts();
+  return layer;
+}
+
+absl::StatusOr<std::vector<EngravedLayer>> LayersOf(const EngraveJob& job, LayerRange range,
+                                                    const CancelToken& cancel) {
+  const auto paths = LayerPaths(job.plan, range.first, range.last, cancel);
+  if (!paths.ok()) return paths.status();
+  std::vector<EngravedLayer> layers;
+  for (const LayerPath& path : *paths) {
+    auto layer = LayerOf(job, path);
+    if (!layer.ok()) return layer.status();
+    layers.push_back(*std::move(layer));
+  }
+  return layers;
+}
+
+class LocalTexture : public TextureStage {
+ public:
+  absl::StatusOr<MappedSurface> Map(const StageCall& call,
+                                    const Shared<SurfaceInput>& surface) const override {
+    const auto& slot =
+        surface.Once([](const SurfaceInput&) { return std::make_unique<MapSlot>(); });
+    const std::lock_guard lock(slot->mutex);
+    if (slot->map) return *slot->map;
+    auto map = MapSurface(*surface, call.cancel);
+    if (map.ok()) slot->map = *map;
+    return map;
+  }
+
+  absl::StatusOr<EngraveLayout> LayOut(const StageCall& call,
+                                       const Shared<EngraveInput>& input) const override {
+    const auto job = JobOf(call, input);
+    if (!job.ok()) return job.status();
+    const auto map = MapReportOf((*job)->plan, call.cancel);
+    if (!map.ok()) return map.status();
+    EngraveLayout layout{(*job)->plan.layer_count(), kCsvHeader, "", *map};
+    if ((*job)->format == EngraveFormat::kGcode) {
+      EngraveProgram program((*job)->program, SafeHeight((*job)->plan, (*job)->program));
+      layout.header = program.Start();
+      layout.footer = program.End();
+    }
+    return layout;
+  }
+
+  absl::StatusOr<std::vector<EngravedLayer>> Engrave(const StageCall& call,
+                                                     const Shared<EngraveInput>& input,
+                                                     LayerRange range) const override {
+    const auto job = JobOf(call, input);
+    if (!job.ok()) return job.status();
+    if (range.first < 0 || range.first > range.last || range.last > (*job)->plan.layer_count())
+      return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                       "the job has no such range of layers");
+    return LayersOf(**job, range, call.cancel);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<TextureStage> MakeLocalTexture() { return std::make_unique<LocalTexture>(); }
+
+}  // namespace slicefarm::texture

@@ -1,0 +1,83 @@
+#include "services/texture/algo/local_texture_stage.h"
+
+#include <gtest/gtest.h>
+
+#include "common/base/error.h"
+
+namespace slicefarm::texture::local_texture_stage_test {
+namespace {
+
+/// A bent strip.
+SurfaceMesh Strip() {
+  SurfaceMesh mesh;
+  constexpr int kColumns = 12, kRows = 8;
+  for (int j = 0; j <= kRows; ++j)
+    for (int i = 0; i <= kColumns; ++i) mesh.points_mm.push_back({1.0 * i, 1.0 * j, 0.05 * i * i});
+  for (int j = 0; j < kRows; ++j) {
+    for (int i = 0; i < kColumns; ++i) {
+      const int a = j * (kColumns + 1) + i, b = a + kColumns + 1;
+      mesh.triangles.push_back({a, a + 1, b + 1});
+      mesh.triangles.push_back({a, b + 1, b});
+    }
+  }
+  return mesh;
+}
+
+class LocalTextureTest : public testing::Test {
+ protected:
+  Shared<EngraveInput> Input(EngraveFormat format) const {
+    const auto map = stage_->Map({}, SurfaceInput{Strip()});
+    EXPECT_TRUE(map.ok()) << map.status();
+    EngraveInput input;
+    input.settings.format = format;
+    input.settings.texture.texture = "bumps:pitch=2,height=0.3";
+    input.settings.lines.spacing = "0.4";
+    input.surface = *map;
+    return input;
+  }
+
+  const std::unique_ptr<TextureStage> stage_ = MakeLocalTexture();
+};
+
+TEST_F(LocalTextureTest, RangesGiveTheSameLayersAsAllTogether) {
+  for (const EngraveFormat format : {EngraveFormat::kCsv, EngraveFormat::kGcode}) {
+    const auto input = Input(format);
+    const auto layout = stage_->LayOut({}, input);
+    ASSERT_TRUE(layout.ok()) << layout.status();
+    ASSERT_EQ(layout->layer_count, 6);
+    EXPECT_EQ(layout->footer.empty(), format == EngraveFormat::kCsv);
+    const auto all = stage_->Engrave({}, input, {0, 6});
+    ASSERT_TRUE(all.ok()) << all.status();
+    for (int32_t i = 0; i < 6; ++i) {
+      const auto one = stage_->Engrave({}, input, {i, i + 1});
+      ASSERT_TRUE(one.ok()) << one.status();
+      EXPECT_EQ(one->front(), (*all)[static_cast<size_t>(i)]) << i;
+      EXPECT_FALSE(one->front().text.empty()) << i;
+    }
+  }
+}
+
+TEST_F(LocalTextureTest, NamesWhatCannotBe) {
+  const auto input = Input(EngraveFormat::kCsv);
+  EXPECT_EQ(DetailOf(stage_->Engrave({}, input, {0, 7}).status()).reason,
+            Reason::kRequestMalformed);
+  EngraveInput wrong = *input;
+  wrong.settings.texture.anchor = "1,2";
+  EXPECT_EQ(DetailOf(stage_->LayOut({}, wrong).status()).metadata["setting"], "anchor");
+  wrong = *input;
+  wrong.image = "no PNG";
+  EXPECT_FALSE(stage_->LayOut({}, wrong).ok());
+}
+
+TEST_F(LocalTextureTest, AMapThatIsCancelledIsMadeByTheNextCall) {
+  const Shared<SurfaceInput> surface(SurfaceInput{Strip()});
+  StageCall cancelled;
+  cancelled.cancel = CancelToken([] { return true; });
+  EXPECT_FALSE(stage_->Map(cancelled, surface).ok());
+  const auto map = stage_->Map({}, surface);
+  ASSERT_TRUE(map.ok()) << map.status();
+  EXPECT_EQ(*map, *stage_->Map({}, surface));
+}
+
+}  // namespace
+}  // namespace slicefarm::texture::local_texture_stage_test

@@ -1,0 +1,30 @@
+#include "services/texture/algo/surface_mapping.h"
+
+#include <iterator>
+#include <utility>
+
+#include "common/base/error.h"
+#include "common/model/limits.h"
+#include "services/texture/algo/map/flatten.h"
+#include "services/texture/algo/surface/cut_open.h"
+#include "services/texture/algo/surface/disk.h"
+#include "services/texture/algo/surface/seam.h"
+
+namespace slicefarm::texture {
+
+absl::StatusOr<MappedSurface> MapSurface(const SurfaceInput& surface, const CancelToken& cancel) {
+  const SurfaceMesh& mesh = surface.mesh;
+  if (std::ssize(mesh.triangles) > limits::kMaxSurfaceTriangles)
+    return LimitError(Reason::kMeshTooLarge, "triangles of a surface", limits::kMaxSurfaceTriangles,
+                      std::ssize(mesh.triangles));
+  const auto topology = TopologyOf(mesh);
+  if (!topology.ok()) return topology.status();
+  const auto seam = surface.seam ? SeamOf(mesh, *topology) : std::vector<SeamEdge>();
+  OpenedSurface opened = CutOpen(mesh, seam);
+  auto map = Flatten(opened.mesh, {}, cancel);
+  if (!map.ok()) return map.status();
+  return MappedSurface{std::move(opened.mesh), std::move(opened.vertex_of),
+                       std::move(map->points_mm)};
+}
+
+}  // namespace slicefarm::texture

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <grpcpp/impl/codegen/service_type.h>
+
+#include <memory>
+
+#include "common/base/shared/shared_cache.h"
+#include "common/rpc/server/call_gate.h"
+#include "common/stage/stages.h"
+
+namespace slicefarm::texture {
+
+/// Translates slicefarm.v1.Texture to a TextureStage and back.
+/// `stage`, `gate` and `shared` must outlive the service.
+std::unique_ptr<grpc::Service> MakeTextureService(const TextureStage& stage, rpc::CallGate& gate,
+                                                  SharedCache& shared);
+
+}  // namespace slicefarm::texture

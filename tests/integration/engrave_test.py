@@ -1,0 +1,190 @@
+#!/usr/bin/env python3
+"""Jobs of engraving from surface to points: the report, each kind of texture, what is refused and how, LinuxCNC's interpreter where it is installed,
+and a farm of real processes, killed meanwhile, that gives the bytes of `slicefarm slice`.
+
+usage: engrave_test.py SLICEFARM
+"""
+import csv
+import json
+import math
+import os
+import pathlib
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import zlib
+
+SIDE = 20
+
+
+def run(program, *arguments):
+    return subprocess.run([program, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def must(program, *arguments):
+    done = run(program, *arguments)
+    assert done.returncode == 0, f"{arguments}: {done.returncode} {done.stderr}"
+    return done.stdout
+
+
+def height(x):
+    return (x - SIDE / 2) ** 2 / 30
+
+
+def write_roof(path):
+    """A square bent to a parabola, far from the file's origin, with coordinates that are no whole nanometres."""
+    at = lambda x: 100 + x / 3
+    points = "".join(f"v {at(x)!r} {y / 3!r} {height(x) / 3!r}\n" for y in range(SIDE + 1) for x in range(SIDE + 1))
+    corner = lambda x, y: y * (SIDE + 1) + x + 1
+    faces = "".join(
+        f"f {corner(x, y)} {corner(x + 1, y)} {corner(x + 1, y + 1)}\nf {corner(x, y)} {corner(x + 1, y + 1)} {corner(x, y + 1)}\n"
+        for y in range(SIDE)
+        for x in range(SIDE)
+    )
+    path.write_text(points + faces)
+    return path
+
+
+def write_png(path, size=8):
+    rows = b"".join(b"\0" + bytes(255 if 2 <= x < 6 and 2 <= y < 6 else 0 for x in range(size)) for y in range(size))
+    chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    header = struct.pack(">IIBBBBB", size, size, 8, 0, 0, 0, 0)
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+    return path
+
+
+def write_pyramid(path):
+    corners = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (1, 1, 0.3)]
+    faces = [(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4), (0, 2, 1), (0, 3, 2)]
+    data = b"\0" * 80 + struct.pack("<I", len(faces))
+    for face in faces:
+        data += struct.pack("<3f", 0, 0, 0) + b"".join(struct.pack("<3f", *corners[i]) for i in face) + b"\0\0"
+    path.write_bytes(data)
+    return path
+
+
+def engrave(program, surface, out, texture, *more):
+    must(program, "slice", surface, "--machine", "engrave", "--texture", texture, "-o", out, "-q", "--set", "spacing=0.2", *more)
+    return out.read_bytes()
+
+
+def distance_to_roof(x, y, z):
+    """Above the strip below a point, along its normal: strips of a parabola are planes."""
+    column = min(max(int((x - 100) * 3), 0), SIDE - 1)
+    best = math.inf
+    for i in range(max(column - 1, 0), min(column + 2, SIDE)):
+        x0, x1, z0, z1 = 100 + i / 3, 100 + (i + 1) / 3, height(i) / 3, height(i + 1) / 3
+        long = math.hypot(x1 - x0, z1 - z0)
+        t = min(max(((x - x0) * (x1 - x0) + (z - z0) * (z1 - z0)) / long**2, 0), 1)
+        best = min(best, math.hypot(x - x0 - t * (x1 - x0), z - z0 - t * (z1 - z0)))
+    return best
+
+
+def check_points(program, folder):
+    """Points of the base lie as high above the surface as their layer, by the doubles of the file; --anchor and --orient are heeded."""
+    roof = write_roof(folder / "roof.obj")
+    text = engrave(program, roof, folder / "out.csv", "bumps:pitch=2,height=0.3", "--report", folder / "r.json").decode()
+    report = json.loads((folder / "r.json").read_text())
+    layers = report["engraving"]["layers"]
+    assert report["engraving"]["layer_count"] == len(layers) == 6, report
+    assert set(report["engraving"]["map"]["stretch"]) == {"p1", "p50", "p99"}
+    rows = list(csv.DictReader(text.splitlines()))
+    assert list(rows[0]) == ["path", "layer", "x", "y", "z", "nx", "ny", "nz", "on"]
+    assert len(rows) == sum(layer["points"] for layer in layers)
+    worst = 0
+    for row in rows:
+        x, y, z, nx, ny, nz = (float(row[k]) for k in ("x", "y", "z", "nx", "ny", "nz"))
+        offset = layers[int(row["layer"])]["offset_mm"]
+        worst = max(worst, distance_to_roof(x - offset * nx, y - offset * ny, z - offset * nz))
+    assert worst < 1e-9, worst
+    turned = engrave(program, roof, folder / "turned.csv", "bumps:pitch=2,height=0.3", "--anchor", "103,3,0", "--orient", "0,1,0")
+    assert turned != text.encode()
+
+
+def check_textures(program, folder):
+    """Files as textures and masks; the same bytes as without a job, for each number of threads."""
+    roof = write_roof(folder / "roof.obj")
+    png, solid = write_png(folder / "t.png"), write_pyramid(folder / "t.stl")
+    for texture, more, lab in (
+        ("knurl:pitch=2,height=0.2", [], []),
+        (png, ["--set", "texture_width=2", "--set", "texture_height=0.2"], ["--texture-width", "2", "--texture-height", "0.2"]),
+        (solid, ["--set", "texture_pitch=2.5,3"], ["--texture-pitch", "2.5,3"]),
+        ("waves", ["--mask", png, "--set", "equidistant=1"], ["--mask", png, "--equidistant"]),
+    ):
+        for suffix in ("csv", "nc"):
+            one = engrave(program, roof, folder / f"one.{suffix}", texture, *more, "--threads", 1)
+            assert one == engrave(program, roof, folder / f"five.{suffix}", texture, *more, "--threads", 5), texture
+            must(program, "engrave-program", roof, "--texture", texture, "-o", folder / f"lab.{suffix}", "--spacing", "0.2", *lab)
+            assert one == (folder / f"lab.{suffix}").read_bytes(), f"{texture} {suffix}"
+
+
+def check_refusals(program, folder):
+    roof = write_roof(folder / "roof.obj")
+    broken = folder / "broken.obj"
+    broken.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 1 2 3\nf 4 5 6\n")
+    engraving = ["--machine", "engrave"]
+    for model, given, words in (
+        (roof, [*engraving, "--texture", "bricks"], "bricks"),
+        (roof, [*engraving, "--texture", "bumps:pitch=-1"], "pitch"),
+        (roof, [*engraving, "--anchor", "1,2"], "anchor"),
+        (roof, [*engraving, "--texture", folder / "none.png"], "none.png"),
+        (roof, [*engraving, "--set", "perimeters=3"], "process fdm"),
+        (roof, [*engraving, "--copies", "roof.obj=2"], "one copy"),
+        (broken, engraving, "do not hang together"),
+        (roof, ["--texture", "bumps"], "--machine engrave"),
+    ):
+        done = run(program, "slice", model, "-o", folder / "bad.csv" if "--machine" in given else folder / "bad.gcode", *given)
+        assert done.returncode not in (0, 1) and words in done.stderr, f"{given}: {done.returncode} {done.stderr}"
+        assert not (folder / "bad.csv").exists()
+
+
+def check_interpreter(program, folder):
+    """LinuxCNC's own interpreter reads the programs of all layouts of axes."""
+    rs274 = shutil.which("rs274")
+    if rs274 is None:
+        print("rs274 is not installed (linuxcnc-uspace): programs are not read by it")
+        return
+    roof = write_roof(folder / "roof.obj")
+    for axes in ("none", "table-ab", "table-bc", "head-ab", "head-bc"):
+        engrave(program, roof, folder / "rs.nc", "bumps:pitch=2,height=0.1", "--set", f"axes={axes}")
+        done = run(rs274, "-g", folder / "rs.nc")
+        assert done.returncode == 0 and "error" not in done.stderr.lower(), f"{axes}: {done.stderr[-2000:]}"
+
+
+def check_farm(program, folder):
+    """The same bytes embedded, from fused workers and from split stages, while these are killed."""
+    os.environ["SLICEFARM_BIN"] = str(pathlib.Path(program).resolve().parent)
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+    from local_farm import running_farm
+
+    roof, solid = write_roof(folder / "roof.obj"), write_pyramid(folder / "t.stl")
+    given = ["--machine", "engrave", "--texture", solid, "--set", "spacing=0.05", "--set", "layer_height=0.01", "--set", "output_format=csv"]
+    must(program, "slice", roof, "-o", folder / "here.csv", "-q", *given)
+    here = (folder / "here.csv").read_bytes()
+    for split in (False, True):
+        with running_farm(split=split) as farm:
+            waiting = farm.client("submit", roof, "--detach", "-q", *given)
+            assert waiting.returncode == 0, waiting.stderr
+            killed = farm.workers[0] if not split else next(s for s in farm.services if s.name.startswith("texture"))
+            for _ in range(2):
+                killed.kill()
+                killed.start()
+            job = waiting.stdout.strip()
+            done = farm.client("watch", job)
+            assert done.returncode == 0, done.stderr
+            done = farm.client("get", job, "-o", folder / "there.csv")
+            assert done.returncode == 0, done.stderr
+            assert (folder / "there.csv").read_bytes() == here, f"split {split}"
+
+
+def main(program):
+    with tempfile.TemporaryDirectory() as name:
+        for check in (check_points, check_textures, check_refusals, check_interpreter, check_farm):
+            check(program, pathlib.Path(name))
+            print(f"{check.__name__}: ok", flush=True)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
