@@ -79,6 +79,7 @@ TEST_F(JobStatementsTest, ASmallJobIsAtMostThirty) {
     if (news == JobFeed::News::kEvents && ++times == 2) ended.set_value();  // after RUNNING
   });
   JobRunnerOptions options;
+  options.owner = "me";
   options.jobs = 1;
   options.poll = options.renew = std::chrono::hours(1);
   {
