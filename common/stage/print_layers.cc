@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace slicefarm {
@@ -12,6 +13,11 @@ using SectionsByTop = std::map<Coord, std::vector<ObjectSection>>;
 Coord LiftOf(const Stack& stack, std::span<const Coord> lifts_nm) {
   const auto object = static_cast<size_t>(stack.object);
   return object < lifts_nm.size() ? lifts_nm[object] : 0;
+}
+
+/// Whether the parts alone, as they are, make the print.
+bool AreThePrint(std::span<const Coord> lifts_nm, std::span<const AddedStack> added) {
+  return added.empty() && std::ranges::all_of(lifts_nm, [](Coord lift_nm) { return lift_nm == 0; });
 }
 
 void AddParts(std::vector<SlicedLayer> parts, std::span<const Coord> lifts_nm,
@@ -26,11 +32,24 @@ void AddParts(std::vector<SlicedLayer> parts, std::span<const Coord> lifts_nm,
 
 }  // namespace
 
+size_t PrintLayerCount(std::span<const SlicedLayer> parts, std::span<const Coord> lifts_nm,
+                       std::span<const AddedStack> added) {
+  if (AreThePrint(lifts_nm, added)) return parts.size();
+  std::set<Coord> tops;
+  for (const SlicedLayer& layer : parts) {
+    if (layer.sections.empty()) tops.insert(layer.frame.print_z_nm);
+    for (const ObjectSection& section : layer.sections)
+      tops.insert(layer.frame.print_z_nm + LiftOf(section.stack, lifts_nm));
+  }
+  for (const AddedStack& stack : added)
+    for (const ObjectSection& section : stack.sections) tops.insert(stack.lift_nm + section.z_nm);
+  return tops.size();
+}
+
 std::vector<SlicedLayer> PrintLayers(std::vector<SlicedLayer> parts,
                                      std::span<const Coord> lifts_nm,
                                      std::vector<AddedStack> added) {
-  const bool lifted = std::ranges::any_of(lifts_nm, [](Coord lift_nm) { return lift_nm != 0; });
-  if (!lifted && added.empty()) return parts;
+  if (AreThePrint(lifts_nm, added)) return parts;
   SectionsByTop by_top;
   AddParts(std::move(parts), lifts_nm, by_top);
   for (AddedStack& stack : added)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -17,5 +18,9 @@ namespace slicefarm {
 std::vector<SlicedLayer> PrintLayers(std::vector<SlicedLayer> parts,
                                      std::span<const Coord> lifts_nm,
                                      std::vector<AddedStack> added);
+
+/// How many layers that are.
+size_t PrintLayerCount(std::span<const SlicedLayer> parts, std::span<const Coord> lifts_nm,
+                       std::span<const AddedStack> added);
 
 }  // namespace slicefarm

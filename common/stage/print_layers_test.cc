@@ -88,5 +88,14 @@ TEST(PrintLayers, HeightsDoNotDependOnTheOrderOfStacks) {
   }
 }
 
+TEST(PrintLayerCount, IsThatOfTheLayers) {
+  const AddedStack support{
+      kSupportStack, 5, {SectionOf(kSupportStack, 0, 15, 15), SectionOf(kSupportStack, 1, 30, 15)}};
+  const std::vector<SlicedLayer> parts = Parts({3, 2}, 20);
+  for (const std::vector<Coord>& lifts : {std::vector<Coord>{}, {0, 0}, {5, 0}, {20, 20}})
+    for (const std::vector<AddedStack>& added : {std::vector<AddedStack>{}, {support}})
+      EXPECT_EQ(PrintLayerCount(parts, lifts, added), PrintLayers(parts, lifts, added).size());
+}
+
 }  // namespace
 }  // namespace slicefarm::print_layers_test

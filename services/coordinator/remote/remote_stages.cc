@@ -5,6 +5,7 @@
 #include "common/model/limits.h"
 #include "common/rpc/client/client_call.h"
 #include "common/stage/job_memory.h"
+#include "common/stage/print_layers.h"
 #include "common/wire/engraving/surface_wire.h"
 #include "common/wire/layers/exposure_wire.h"
 #include "common/wire/layers/layer_wire.h"
@@ -223,8 +224,7 @@ absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const Sliced
       DuplexOver(replicas_, options_.DeadlineFor(PointsIn(job.layers)), call, kPlanning,
                  &v1::Planning::Stub::PrepareAsyncPlanJob, begin, write, take);
   if (!status.ok()) return status;
-  const bool adds_layers = !plan.stacks.empty();
-  if (!ended || (plan.layers.size() != job.layers.size() && !adds_layers) ||
+  if (!ended || plan.layers.size() != PrintLayerCount(job.layers, plan.lifts_nm, plan.stacks) ||
       plan.copies.size() != job.copies.size())
     return BadAnswer(kPlanning, Malformed("layer", "not a plan for each layer and copy"));
   return plan;

@@ -95,11 +95,16 @@ TEST_F(JobStatementsTest, ASmallJobIsAtMostThirty) {
   const auto job = SqlJobStore(database_).Get(id);
   ASSERT_EQ(job->state, JobState::kSucceeded) << (job->error ? job->error->message : "");
   const std::vector<std::string> of_run = counting_->Statements();
-  // From what finds its turn on, of the thread that claimed it, all belongs to the job.
+  // From what finds its turn on, of the thread that claimed it, all belongs to the job. One look for
+  // work found it; other threads' looks were in vain.
+  std::set<std::string> looks;
   for (const std::string& statement : of_run) {
+    const bool looks_for_work = statement.starts_with("WITH RECURSIVE open_tenants") ||
+                                statement.starts_with("SELECT number, action_digest FROM jobs");
+    const bool in_vain = looks_for_work && !looks.insert(statement).second;
     const bool of_life = statement.find("SET owner = ''") != std::string::npos ||
-                         statement.find("SELECT id FROM jobs") == 0;
-    if (!of_life) statements.push_back(statement);
+                         statement.starts_with("SELECT id FROM jobs");
+    if (!of_life && !in_vain) statements.push_back(statement);
   }
   RecordProperty("statements", static_cast<int>(statements.size()));
   EXPECT_LE(statements.size(), 30u) << absl::StrJoin(statements, "\n");
