@@ -5,6 +5,8 @@
 
 #include <chrono>
 #include <future>
+#include <set>
+#include <string>
 
 #include "absl/strings/str_join.h"
 #include "common/base/sha256.h"
