@@ -28,10 +28,10 @@ struct FieldOptions {
 
 /// Of engraving; empty: not given.
 struct TextureArguments {
-  std::string texture;  ///< a file, or a computed texture
-  std::string mask;
-  std::string anchor;
-  std::string orient;
+  std::string texture = {};  ///< a file, or a computed texture
+  std::string mask = {};
+  std::string anchor = {};
+  std::string orient = {};
 };
 
 /// What `slice` and `submit` are told about the job, as written on the command line.
