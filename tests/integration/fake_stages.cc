@@ -4,6 +4,7 @@
 
 #include "common/geometry/text_format.h"
 #include "common/stage/slice_input_test.h"
+#include "common/stage/print_layers.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/start_wire.h"
@@ -138,14 +139,16 @@ JobSettings SettingsWithAll() {
   return settings;
 }
 
-JobPlan PlanWithAll() {
+JobPlan PlanWithAll(std::span<const SlicedLayer> outlines) {
   JobPlan plan;
-  for (int32_t i = 0; i < 3; ++i)
-    plan.layers.push_back({{1, i}, false, false, {{0, {2, 3}, {}, {{4, 5}}}}, {}, {}});
   const Stack brim(3, 0, StackKind::kBrim);
   plan.stacks = {{brim, 5'000, {SectionOf(brim, 0, {{Role::kBrim, 1, 0, Islands()}})}}};
   plan.skirt = {{PathOf(Feature::kSkirt, "(-5 -5, 40 -5)", false)}, 2};
   plan.lifts_nm = {300'000, 0, 0};
+  const size_t layers = PrintLayerCount(outlines, plan.lifts_nm, plan.stacks);
+  for (size_t i = 0; i < layers; ++i)
+    plan.layers.push_back(
+        {{1, static_cast<Coord>(i)}, false, false, {{0, {2, 3}, {}, {{4, 5}}}}, {}, {}});
   plan.copies = {{0, {1'000, -2'000}, 0}, {0, {}, 1}, {2, {7'000, 0}, 0}};
   plan.seams = {9, 8, 1, 2.5, 4, 3, 1};
   return plan;
@@ -160,7 +163,7 @@ Sample MakeSample() {
   sample.job.meshes.resize(3);
   sample.job.meshes[1].triangles = 12;
   sample.job.thumbnails = {{32, 32, "\x89PNG"}};
-  sample.plan = PlanWithAll();
+  sample.plan = PlanWithAll(sample.job.layers);
   for (int32_t i = 2; i < 6; ++i) sample.outlines.push_back(OutlinesOf(i));
   for (int32_t i = Sample::kRange.first; i < Sample::kRange.last; ++i) AddLayer(i, &sample);
   sample.facts = {Sample::kLayerCount,
