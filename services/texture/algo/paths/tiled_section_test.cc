@@ -60,7 +60,7 @@ TEST(TiledSection, IsMetAlongTheBordersOfTiles) {
       const Eigen::Vector2d left(0.1, y), right(2.9, y);
       std::vector<double> shares;
       tiled.Cuts(back ? right : left, back ? left : right, &shares);
-      EXPECT_EQ(shares.size(), 2u) << y;
+      EXPECT_GE(shares.size(), 2u) << y;
       EXPECT_TRUE(tiled.Contains({1.5, y}));
       EXPECT_FALSE(tiled.Contains({0.2, y}));
     }

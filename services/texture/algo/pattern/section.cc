@@ -13,6 +13,14 @@ double Turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
   return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
 }
 
+/// Adds the share of the way from `a` to `b` that is next to `p`, if it lies on the way.
+void AddShareOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p,
+                std::vector<double>* shares) {
+  const Eigen::Vector2d way = b - a;
+  const double share = (p - a).dot(way) / way.squaredNorm();
+  if (share > 0 && share < 1) shares->push_back(share);
+}
+
 /// Where an edge meets a height; the same bits from both of its triangles.
 Eigen::Vector2d MeetingPlace(const SurfaceMesh& mesh, int32_t i, int32_t k, double height) {
   const Eigen::Vector3d& a = mesh.points_mm[std::min(i, k)];
@@ -98,6 +106,7 @@ void Section::Crossings(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
   // Cells that the way only touches are looked at, too: where it passes a corner, rounding may give
   // the crossing to either of the corner's sides.
   const Eigen::Vector2d slack = 1e-9 * cell_mm_;
+  const double on_way = slack.minCoeff() * (b - a).norm();
   const Eigen::Vector2d low = a.cwiseMin(b) - slack, high = a.cwiseMax(b) + slack;
   for (int32_t row = CellOf(low.y(), 1); row <= CellOf(high.y(), 1); ++row) {
     // The part of the way within this row of cells.
@@ -114,7 +123,11 @@ void Section::Crossings(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
     for (int32_t column = CellOf(left, 0); column <= CellOf(right, 0); ++column) {
       for (const int32_t i : SidesIn(column, row)) {
         const auto& [from, to] = sides_[i];
-        if ((Turn(a, b, from) >= 0) == (Turn(a, b, to) >= 0)) continue;
+        const double turn_from = Turn(a, b, from), turn_to = Turn(a, b, to);
+        // Along a side, where the way crosses it is any place of it: its ends are cuts as well.
+        if (std::abs(turn_from) <= on_way) AddShareOf(a, b, from, shares);
+        if (std::abs(turn_to) <= on_way) AddShareOf(a, b, to, shares);
+        if ((turn_from >= 0) == (turn_to >= 0)) continue;
         const double da = Turn(from, to, a), db = Turn(from, to, b);
         if ((da >= 0) != (db >= 0)) shares->push_back(da / (da - db));
       }

@@ -27,8 +27,9 @@ class Section {
   /// Whether a place of the tile is solid: the outlines wind around it.
   bool Contains(const Eigen::Vector2d& place_mm) const;
 
-  /// Adds the shares of the way from `a` to `b`, both in the tile, at which it crosses outlines, in
-  /// any order; some may be there twice. Cost: O(1 + sides near the way).
+  /// Adds the shares of the way from `a` to `b`, both in the tile, at which it crosses outlines, or
+  /// runs along one that ends, in any order; some may be there twice. Cost: O(1 + sides near the
+  /// way).
   void Crossings(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                  std::vector<double>* shares) const;
 
