@@ -7,7 +7,7 @@
 namespace slicefarm::texture {
 namespace {
 
-constexpr double kMostCells = 512;  // along a side
+constexpr double kMostMarginCells = 512;  // along a side
 
 double SquaredDistance(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
                        const Eigen::Vector2d& b) {
@@ -47,7 +47,7 @@ void AddBeside(const Eigen::Vector2d& a, const Eigen::Vector2d& way, const Eigen
 BoundaryMargin::BoundaryMargin(const SurfaceMap& map, double margin_mm)
     : margin_mm_(margin_mm), low_mm_(map.low_mm()) {
   const Eigen::Vector2d size = map.high_mm() - map.low_mm();
-  cell_mm_ = std::max(margin_mm, size.maxCoeff() / kMostCells);
+  cell_mm_ = std::max(margin_mm, size.maxCoeff() / kMostMarginCells);
   for (const int axis : {0, 1})
     counts_[axis] = static_cast<int32_t>(std::floor(size[axis] / cell_mm_)) + 1;
   for (const auto& loop : map.loops())
