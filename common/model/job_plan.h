@@ -29,6 +29,7 @@ struct SectionPlan {
   std::optional<Point> exit;  ///< end it near here, where the section above starts
   /// Where walls start, by the ring of OutlineOf; empty: near the nozzle.
   std::vector<Point> seams;
+  MultiPolygon carried = {};  ///< supports lie right below its underside here
 
   friend bool operator==(const SectionPlan&, const SectionPlan&) = default;
 };

@@ -179,6 +179,7 @@ struct PathBlock {
   std::optional<Leave> leave = {};  ///< where the block may end a layer that ends ready
   /// What the stack's layer below covers, where motion asks for it (LooksBelow); else empty.
   MultiPolygon below = {};
+  MultiPolygon carried = {};  ///< as SectionPlan::carried, where motion asks for `below`
 
   friend bool operator==(const PathBlock&, const PathBlock&) = default;
 };

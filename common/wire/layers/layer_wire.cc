@@ -279,6 +279,10 @@ absl::Status ToProto(const PathBlock& block, v1::PathBlock* proto) {
     status = ToProto(*block.leave, proto->mutable_leave());
     if (!status.ok()) return Within("leave", status);
   }
+  if (!block.carried.empty()) {
+    status = ToProto(block.carried, proto->mutable_carried());
+    if (!status.ok()) return Within("carried", status);
+  }
   if (block.below.empty()) return status;
   status = ToProto(block.below, proto->mutable_below());
   return status.ok() ? status : Within("below", status);
@@ -301,6 +305,9 @@ absl::StatusOr<PathBlock> FromProto(const v1::PathBlock& proto) {
   absl::StatusOr<MultiPolygon> below = FromProto(proto.below());
   if (!below.ok()) return Within("below", below.status());
   block->below = *std::move(below);
+  absl::StatusOr<MultiPolygon> carried = FromProto(proto.carried());
+  if (!carried.ok()) return Within("carried", carried.status());
+  block->carried = *std::move(carried);
   return block;
 }
 

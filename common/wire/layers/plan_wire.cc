@@ -101,6 +101,9 @@ absl::Status ToProto(const SectionPlan& plan, v1::SectionPlan* proto) {
     if (absl::Status status = ToProto(*plan.exit, proto->mutable_exit()); !status.ok())
       return Within("exit", status);
   }
+  if (!plan.carried.empty())
+    if (absl::Status status = ToProto(plan.carried, proto->mutable_carried()); !status.ok())
+      return Within("carried", status);
   return PackPoints(plan.seams, proto->mutable_seams_xy_nm());
 }
 
@@ -108,7 +111,10 @@ absl::StatusOr<SectionPlan> FromProto(const v1::SectionPlan& proto) {
   if (absl::Status status = CheckStack("stack", proto.stack()); !status.ok()) return status;
   absl::StatusOr<std::vector<Point>> seams = UnpackPoints(proto.seams_xy_nm(), "seams_xy_nm");
   if (!seams.ok()) return seams.status();
-  SectionPlan plan{proto.stack(), FromProto(proto.entry()), {}, *std::move(seams)};
+  absl::StatusOr<MultiPolygon> carried = FromProto(proto.carried());
+  if (!carried.ok()) return Within("carried", carried.status());
+  SectionPlan plan{
+      proto.stack(), FromProto(proto.entry()), {}, *std::move(seams), *std::move(carried)};
   if (proto.has_exit()) plan.exit = FromProto(proto.exit());
   return plan;
 }

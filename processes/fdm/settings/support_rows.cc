@@ -44,7 +44,8 @@ void SetLines(const ObjectPlanOptions& object, SupportRow row, BeadingOptions& b
       FillAlike(0, angle_rad, infill);
       return;
     case SupportRow::kInterface:
-      beading.perimeters = 0;
+      // A loop ends exactly at the region's edge, and fits into strips where no line across would.
+      beading.perimeters = 1;
       FillAlike(Density(support.width_nm, support.interface_spacing_nm),
                 angle_rad + std::numbers::pi / 2, infill);
       if (support.interface_pattern == InterfacePattern::kConcentric)

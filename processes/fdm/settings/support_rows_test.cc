@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Rows, SupportRegionRowTest,
                                          Case{"Base", SupportRow::kBase, 1, 0.4 / 2.5, 0},
                                          Case{"Branch", SupportRow::kBranch, 1, 0, 0},
                                          Case{"ThickBranch", SupportRow::kThickBranch, 2, 0, 0},
-                                         Case{"Interface", SupportRow::kInterface, 0, 0.8, 1}),
+                                         Case{"Interface", SupportRow::kInterface, 1, 0.8, 1}),
                          [](const auto& info) { return info.param.name; });
 
 TEST(SupportRegionRow, TheSheathMayBeLeftOut) {

@@ -22,14 +22,18 @@ Neighbourhood Trimmed(const Neighbourhood& all, int32_t halo) {
           all.layers.subspan(static_cast<size_t>(kept.first), static_cast<size_t>(kept.size()))};
 }
 
-/// Gives motion the outlines that it looks at below walls.
-void AddBelow(std::span<const SlicedLayer> sliced, std::vector<OrderedLayer>& ordered) {
+/// Gives motion what it looks at below walls. `plans`: one a layer.
+void AddBelow(std::span<const SlicedLayer> sliced, std::span<const LayerPlan> plans,
+              std::vector<OrderedLayer>& ordered) {
   const ObjectLayers stacks(sliced);
-  for (OrderedLayer& layer : ordered) {
-    for (PathBlock& block : layer.blocks) {
+  for (size_t i = 0; i < ordered.size(); ++i) {
+    for (PathBlock& block : ordered[i].blocks) {
       if (!block.stack.IsPart() || block.layer == 0) continue;
       if (const ObjectSection* below = stacks.Find(block.stack.id, block.layer - 1))
         block.below = OutlineOf(*below);
+      const auto& sections = plans[i].sections;
+      const auto plan = std::ranges::find(sections, block.stack.id, &SectionPlan::stack);
+      if (plan != sections.end()) block.carried = plan->carried;
     }
   }
 }
@@ -105,7 +109,7 @@ absl::StatusOr<FdmResult> LayerChain::Run(const StageCall& call, const FdmTask& 
     return ordering_.Order(call, *std::move(filled), task.plans, jobs.ordering);
   });
   if (!ordered.ok()) return ordered.status();
-  if (LooksBelow(settings.motion)) AddBelow(task.layers, *ordered);
+  if (LooksBelow(settings.motion)) AddBelow(task.layers, task.plans, *ordered);
   auto programs = Timed(result.times[Stage::kMotion],
                         [&] { return motion_.Program(call, *std::move(ordered), jobs.motion); });
   if (!programs.ok()) return programs.status();

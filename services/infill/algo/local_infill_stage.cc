@@ -47,7 +47,7 @@ class LocalInfill : public InfillStage {
       filled.frame = layer.frame;
       for (WalledSection& section : layer.sections) {
         if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
-        auto result = FillSection(std::move(section), layer.frame.index == 0, objects, plan.infill,
+        auto result = FillSection(std::move(section), layer.frame.index == 0, objects, plan,
                                   *regions, fields);
         if (!result.ok()) return result.status();
         filled.sections.push_back(*std::move(result));

@@ -40,6 +40,7 @@ struct SectionView {
   Coord height_nm = 0;
   bool on_bed = false;
   const ObjectLayers& stacks;
+  const MultiPolygon& carried;  ///< supports lie right below the section here
   Coord z_nm = 0;  ///< of the layer's middle, above the stack's bottom
 
   /// Of the stack, or of its region of a row alone. Null: it has none there.
@@ -118,6 +119,12 @@ const PlannedInfill* PlanOf(std::span<const PlannedInfill> plans, int32_t stack,
   };
   const auto found = std::ranges::lower_bound(plans, std::pair(stack, row), {}, place);
   return found == plans.end() || place(*found) != std::pair(stack, row) ? nullptr : &*found;
+}
+
+const MultiPolygon& CarriedOf(int32_t stack, const LayerPlan& plan) {
+  static const MultiPolygon kNothing;
+  const auto found = std::ranges::find(plan.sections, stack, &SectionPlan::stack);
+  return found == plan.sections.end() ? kNothing : found->carried;
 }
 
 /// Gives beads that are `from_nm` high `share` of their plastic, in a layer that is `to_nm` high.
@@ -272,8 +279,10 @@ class RegionFill {
     Coord width_nm = 0;
     double share = 1;
   };
-  BridgeBead BridgeBeadOf() const {
-    if (!options_.thick_bridges) return {Width(options_.solid_width_nm), options_.bridge_flow};
+  /// Threads hang below their layer, and would weld themselves to a support.
+  BridgeBead BridgeBeadOf(bool carried) const {
+    if (!options_.thick_bridges || carried)
+      return {Width(options_.solid_width_nm), options_.bridge_flow};
     const double thread_nm =
         static_cast<double>(options_.nozzle_nm) * std::sqrt(options_.bridge_flow);
     const double spacing_nm = thread_nm + kThreadGapNm;
@@ -286,8 +295,9 @@ class RegionFill {
   absl::Status AppendBridges(const MultiPolygon& regions, Fills& fills) const {
     const auto& bearers = cover_.bearers.empty() ? cover_.below : cover_.bearers;
     const MultiPolygon* below = bearers.empty() ? nullptr : bearers[0];
-    const BridgeBead bead = BridgeBeadOf();
     for (const PolygonWithHoles& region : regions) {
+      const BridgeBead bead =
+          BridgeBeadOf(!view_.carried.empty() && !Intersection({region}, view_.carried).empty());
       const auto span = SpanOf(region, below);
       AskedFill asked{Feature::kBridgeInfill, options_.bottom_pattern, Area(region),
                       view_.height_nm, bead.share};
@@ -417,10 +427,11 @@ void Sign(const FillArea& area, Fills& fills) {
 
 absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
                                           const ObjectLayers& objects,
-                                          std::span<const PlannedInfill> plans,
+                                          const LayerPlan& plan,
                                           std::span<const InfillOptions> regions,
                                           RegionFields& fields) {
-  SectionView view{walled.stack, walled.layer, walled.height_nm, on_bed, objects};
+  SectionView view{walled.stack, walled.layer, walled.height_nm,
+                   on_bed,       objects,      CarriedOf(walled.stack.id, plan)};
   if (const ObjectSection* own = objects.Find(walled.stack.id, walled.layer); own != nullptr)
     view.z_nm = own->z_nm - own->height_nm / 2;
   FilledSection filled{walled.stack, walled.layer, walled.height_nm, {}};
@@ -436,7 +447,7 @@ absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
       if (!usable.ok()) return usable;
       const auto filler = fillers
                               .try_emplace(area.settings, view, area.settings, options,
-                                           PlanOf(plans, view.stack.id, area.settings))
+                                           PlanOf(plan.infill, view.stack.id, area.settings))
                               .first;
       const auto field = fields.Of(area.settings, walled.stack.id, walled.layer,
                                    ToMm(static_cast<double>(view.z_nm)));

@@ -166,7 +166,10 @@ FilledSection SquareOf(const InfillOptions& options, std::span<const PlannedInfi
   island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 19 1, 19 19, 1 19)")}};
   const auto rows = ParseFields(regions);
   RegionFields fields(*rows, layers);
-  auto filled = FillSection({0, layer, 200'000, {island}}, false, objects, plans, regions, fields);
+  LayerPlan plan;
+  plan.infill.assign(plans.begin(), plans.end());
+  auto filled = FillSection({0, layer, 200'000, {island}}, false, objects, plan,
+                            regions, fields);
   EXPECT_TRUE(filled.ok()) << filled.status();
   return *std::move(filled);
 }

@@ -101,8 +101,10 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
   for (const PathBlock& block : layer.blocks) {
     std::optional<LayerBelow> below;
     if (!block.below.empty() && LooksBelow(options)) below.emplace(block.below);
+    std::optional<LayerBelow> carried;
+    if (below && !block.carried.empty()) carried.emplace(block.carried);
     ToolpathBuilder builder(options, layer.frame, block.height_nm, GroundOf(layer.frame, block),
-                            below ? &*below : nullptr);
+                            below ? &*below : nullptr, carried ? &*carried : nullptr);
     if (BeginsReady(block, layer)) builder.BeginReady();
     static const Travel kStraight;
     for (size_t i = 0; i < block.paths.size(); ++i)

@@ -114,7 +114,8 @@ absl::Status JobPlanner::PlanRegions(const CancelToken& cancel, JobPlan& plan) {
   RegionPlan regions{.next_id = static_cast<int32_t>(options_->objects.size()),
                      .lifts_nm = {},
                      .stacks = {},
-                     .warnings = {}};
+                     .warnings = {},
+                     .carried = {}};
   for (const auto& planner : region_planners_)
     if (absl::Status ok = planner->Plan(parts_, cancel, regions); !ok.ok()) return ok;
   plan.lifts_nm = std::move(regions.lifts_nm);
@@ -127,6 +128,12 @@ absl::Status JobPlanner::PlanRegions(const CancelToken& cancel, JobPlan& plan) {
   for (const SlicedLayer& layer : layers) {
     if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
     LookAt(layer);
+    for (const ObjectSection& section : layer.sections) {
+      if (!section.stack.IsPart()) continue;
+      const auto carried = regions.carried.find({section.stack.object, section.layer});
+      if (carried == regions.carried.end()) continue;
+      PlanOf(section.stack.id, layers_.At(layer.frame.index)).carried = std::move(carried->second);
+    }
   }
   return absl::OkStatus();
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -16,6 +18,8 @@ struct RegionPlan {
   std::vector<Coord> lifts_nm;      ///< by object: its part's bottom, above the bed
   std::vector<AddedStack> stacks;   ///< by ascending id
   std::vector<std::string> warnings;  ///< for the job's report
+  /// By object and layer of its part: where supports lie right below it.
+  std::map<std::pair<int32_t, int32_t>, MultiPolygon> carried;
 
   /// A stack without layers yet.
   AddedStack& Add(int32_t object, StackKind kind) {

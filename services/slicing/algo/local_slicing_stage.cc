@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "common/base/error.h"
 #include "common/base/parallel.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/moved.h"
 #include "common/model/limits.h"
 #include "common/stage/job_memory.h"
@@ -22,6 +25,7 @@
 #include "services/slicing/algo/section/regions.h"
 #include "services/slicing/algo/section/seam_area.h"
 #include "services/slicing/algo/section/section_regions.h"
+#include "services/slicing/algo/section/surface_slabs.h"
 #include "services/slicing/algo/section/sweep.h"
 #include "services/slicing/algo/thumbnail/thumbnail.h"
 
@@ -33,6 +37,7 @@ struct SweptPart {
   const PreparedPart* part = nullptr;
   Sweep sweep;
   std::vector<GapCounts> gaps;  ///< by own layer
+  std::optional<SurfaceSlabs> slabs = {};  ///< of marks on a surface, by own layer
 };
 
 /// An object on its way to sections.
@@ -104,8 +109,25 @@ class SlicingRun {
       if (!sweep.ok()) return sweep.status();
       points_ += sweep->segments();
       swept.parts.push_back({&part, *std::move(sweep), std::vector<GapCounts>(heights.size())});
+      if (part.IsMarkedSurface()) swept.parts.back().slabs = SlabsOf(part, swept.planes);
     }
     return swept;
+  }
+
+  /// Seams: level faces are marked on the layers that they are the bottom or the top of. Supports:
+  /// what hangs over in a layer is the surface from the cut of the layer below to its own.
+  static SurfaceSlabs SlabsOf(const PreparedPart& part, const std::vector<LayerPlane>& planes) {
+    std::vector<Slab> slabs;
+    Coord below = std::numeric_limits<int32_t>::min();
+    for (const LayerPlane& plane : planes) {
+      const Coord top = plane.frame.print_z_nm;
+      slabs.push_back(part.IsForSeams() ? Slab{top - plane.frame.height_nm, top}
+                                        : Slab{below, plane.z_nm});
+      below = plane.z_nm;
+    }
+    return SurfaceSlabs(part.connected.mesh, std::move(slabs),
+                        part.IsForSeams() ? SurfaceSlabs::Faces::kLevelAlone
+                                          : SurfaceSlabs::Faces::kAll);
   }
 
   /// Sections of equal height above the objects' own bottoms lie together.
@@ -213,8 +235,7 @@ class SlicingRun {
       const PartInput& input = swept.part->input;
       manifold = manifold && (input.role != PartRole::kSolid || swept.part->IsManifold());
       parts.push_back({input.role, input.regions[range], &input.changes,
-                       swept.part->IsForSeams() ? SeamOutlines(swept, section, scratch)
-                                                : Outlines(swept, section, scratch)});
+                       MarkedOrSolid(swept, section, scratch)});
     }
     const ObjectSlicingOptions& slicing = SlicingOf(section);
     PartitionedSection partition = Partition(
@@ -238,12 +259,25 @@ class SlicingRun {
     return options_.objects[static_cast<size_t>(section.stack.object)];
   }
 
+  MultiPolygon MarkedOrSolid(SweptPart& swept, const ObjectSection& section,
+                             SweepScratch& scratch) {
+    if (swept.part->IsForSeams()) return SeamOutlines(swept, section, scratch);
+    if (!swept.part->IsMarkedSurface()) return Outlines(swept, section, scratch);
+    const auto layer = static_cast<size_t>(section.layer);
+    const Coord reach_nm = SupportReach(EditsFor(section.layer, true, SlicingOf(section)));
+    // An enforcer with a hole in its mesh is a body all the same.
+    return Union(Outlines(swept, section, scratch), swept.slabs->Shadow(layer, reach_nm));
+  }
+
   MultiPolygon SeamOutlines(SweptPart& swept, const ObjectSection& section, SweepScratch& scratch) {
     const Coord reach_nm = SeamReach(EditsFor(section.layer, true, SlicingOf(section)));
-    if (!swept.part->IsSeamSurface())
+    if (!swept.part->IsMarkedSurface())
       return AroundBody(Outlines(swept, section, scratch), reach_nm);
-    const Section cut = swept.sweep.Cut(static_cast<size_t>(section.layer), scratch);
-    return AroundSurface(cut, reach_nm, options_.resolution_nm);
+    const auto layer = static_cast<size_t>(section.layer);
+    const MultiPolygon level = swept.slabs->Shadow(layer, reach_nm);
+    MultiPolygon cut =
+        AroundSurface(swept.sweep.Cut(layer, scratch), reach_nm, options_.resolution_nm);
+    return level.empty() ? cut : Union(cut, level);
   }
 
   MultiPolygon Outlines(SweptPart& swept, const ObjectSection& section, SweepScratch& scratch) {
@@ -277,7 +311,7 @@ class SlicingRun {
       PreparedObject& object = objects_[i];
       for (SweptPart& swept : swept_[i].parts) {
         // What would be defects of a body are none of a surface.
-        if (swept.part->IsSeamSurface()) continue;
+        if (swept.part->IsMarkedSurface()) continue;
         MeshReport report = ReportOf(swept, options_.objects[i]);
         if (&swept == &swept_[i].parts.front()) {
           report.overlapping_copies = overlapping_[i];

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,10 @@
 namespace slicefarm::slicing::local_slicing_stage_test {
 namespace {
 
+using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::Pair;
 using testing::SizeIs;
 
 constexpr Coord kMm = kNmPerMm;
@@ -238,6 +241,63 @@ TEST(LocalSlicing, AnOpenSurfaceForSeamsCountsAroundItself) {
   EXPECT_THAT(job->meshes, SizeIs(2)) << "that it is open is no defect";
   const auto again = Slice(input, options, 4);
   EXPECT_EQ(again->layers, job->layers);
+}
+
+/// A square of 4 mm painted on the underside of the cube, and on its top.
+TEST(LocalSlicing, LevelPaintCountsOnTheLayersThatItIsTheEdgeOf) {
+  const RawMesh low = {{{3, 3, 0}, {3, 7, 0}, {7, 7, 0}, {7, 3, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const RawMesh high = {{{3, 3, 10}, {7, 3, 10}, {7, 7, 10}, {3, 7, 10}}, {{0, 1, 2}, {0, 2, 3}}};
+  SliceInput input = InputOf({File(Cube(0, 0, 0)), File(low), File(high)});
+  ObjectInput& object = input.objects[0];
+  object.parts.resize(5, object.parts[0]);
+  input.objects.resize(1);
+  object.parts[1].mesh.file = object.parts[3].mesh.file = 1;
+  object.parts[2].mesh.file = object.parts[4].mesh.file = 2;
+  object.parts[1].role = PartRole::kSeamEnforcer;
+  object.parts[2].role = PartRole::kSeamBlocker;
+  object.parts[3].role = PartRole::kSupportEnforcer;
+  object.parts[4].role = PartRole::kSupportBlocker;
+  const auto job = Slice(input);
+  ASSERT_TRUE(job.ok()) << job.status();
+  const auto areas_of = [&](PartRole role) {
+    std::map<int32_t, double> areas;
+    for (const SlicedLayer& layer : job->layers)
+      if (const double area = Area(MarkedIn(layer.sections[0], role)) * 1e-12; area > 0)
+        areas[layer.frame.index] = area;
+    return areas;
+  };
+  const int32_t last = job->layers.back().frame.index;
+  const auto seam = Pair(0, DoubleNear(4.6 * 4.6, 0.1));
+  EXPECT_THAT(areas_of(PartRole::kSeamEnforcer), ElementsAre(seam));
+  EXPECT_THAT(areas_of(PartRole::kSeamBlocker), ElementsAre(Pair(last, DoubleNear(4.6 * 4.6, 0.1))));
+  EXPECT_THAT(areas_of(PartRole::kSupportEnforcer),
+              ElementsAre(Pair(0, DoubleNear(4.2 * 4.2, 0.1))));
+  EXPECT_THAT(areas_of(PartRole::kSupportBlocker), IsEmpty()) << "no layer hangs over by a top";
+  EXPECT_THAT(job->meshes, SizeIs(1));
+}
+
+/// A slope painted from x = 0 to 10, rising from z = 2 to 6: each layer has the strip that is
+/// between its cut and that of the layer below.
+TEST(LocalSlicing, ASlopePaintedForSupportsIsTheStripThatHangsOver) {
+  const RawMesh slope = {{{0, 0, 2}, {0, 10, 2}, {10, 10, 6}, {10, 0, 6}}, {{0, 1, 2}, {0, 2, 3}}};
+  SliceInput input = InputOf({File(Cube(0, 0, 0)), File(slope)});
+  ObjectInput& object = input.objects[0];
+  object.parts.resize(2, object.parts[0]);
+  input.objects.resize(1);
+  object.parts[1].mesh.file = 1;
+  object.parts[1].role = PartRole::kSupportEnforcer;
+  const auto job = Slice(input);
+  ASSERT_TRUE(job.ok()) << job.status();
+  for (const SlicedLayer& layer : job->layers) {
+    const double z = ToMm(layer.sections[0].z_nm) - 0.1;  // of the cut
+    const Box box = Bounds(MarkedIn(layer.sections[0], PartRole::kSupportEnforcer));
+    if (z < 2 || z > 6.2) {
+      EXPECT_TRUE(box.Empty()) << z;
+    } else if (z > 2.3 && z < 5.9) {
+      EXPECT_NEAR(ToMm(box.max.x), (z - 2) * 2.5 - 5 + 0.1, 1e-3) << z;
+      EXPECT_NEAR(ToMm(box.min.x), (z - 2.2) * 2.5 - 5 - 0.1, 1e-3) << z;
+    }
+  }
 }
 
 TEST(LocalSlicing, PartsModifiersAndNegativesMakeRegions) {

@@ -54,7 +54,8 @@ bool LiftsIn(const RetractionOptions& retraction, const LayerFrame& frame) {
 }
 
 ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame,
-                                 Coord bead_height_nm, Ground ground, const LayerBelow* below)
+                                 Coord bead_height_nm, Ground ground, const LayerBelow* below,
+                                 const LayerBelow* carried)
     : options_(options),
       first_layer_(frame.index == 0),
       speeds_(options, ground),
@@ -63,6 +64,7 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
                          options.filament_diameter_mm),
       bead_height_nm_(bead_height_nm),
       below_(below),
+      carried_(carried),
       wipe_(WipeOf(options)) {
   const RetractionOptions& retraction = options.retraction;
   const Coord offset_nm = FromMm(options.z_offset_mm);
@@ -184,7 +186,7 @@ void ToolpathBuilder::PrintOverAir(const Path& path, Point from,
     at_.rest = piece.rest;
     const double over_air_mm_s = speeds_.OverAir(path, speed_mm_s, piece.rest);
     if (piece.rest == 0 && region.bridging_walls) {
-      PrintBridge(path, from, piece.to, width_nm, over_air_mm_s);
+      PrintBridges(path, from, piece.to, width_nm, over_air_mm_s);
     } else {
       PrintSegment(from, piece.to, BeadOf(width_nm, over_air_mm_s));
     }
@@ -193,16 +195,28 @@ void ToolpathBuilder::PrintOverAir(const Path& path, Point from,
   at_.rest = kFullRest;
 }
 
-/// A piece of a wall that rests on nothing, as bridges are printed.
+/// A piece of a wall that rests on no layer of its own: where nothing carries it, a thread. A thread
+/// hangs below its layer, and would weld itself to a support.
+void ToolpathBuilder::PrintBridges(const Path& path, Point from, Point to, Coord width_nm,
+                                   double speed_mm_s) {
+  if (carried_ == nullptr) return PrintBridge(path, from, to, width_nm, speed_mm_s, true);
+  for (const RestingPiece& piece :
+       RestAlong(*carried_, RestSteps::kAirAlone).PiecesOf(from, to, width_nm)) {
+    PrintBridge(path, from, piece.to, width_nm, speed_mm_s, piece.rest == 0);
+    from = piece.to;
+  }
+}
+
+/// As bridges are printed. `thread`: if the settings want threads.
 void ToolpathBuilder::PrintBridge(const Path& path, Point from, Point to, Coord width_nm,
-                                  double speed_mm_s) {
+                                  double speed_mm_s, bool thread) {
   const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
   constexpr Feature kBridge = Feature::kOverhangPerimeter;
   const double bridge_mm_s = region.speed_mm_s[static_cast<size_t>(kBridge)];
   if (!region.dynamic_overhangs && bridge_mm_s > 0) speed_mm_s = bridge_mm_s;
   Bead bead = BeadOf(width_nm, speed_mm_s);
   double section_mm2 = SectionMm2(width_nm, bead_height_nm_) * region.bridge_flow;
-  if (region.thick_bridges) {
+  if (region.thick_bridges && thread) {
     const double thread_mm = options_.nozzle_diameter_mm * std::sqrt(region.bridge_flow);
     section_mm2 = std::numbers::pi / 4 * thread_mm * thread_mm;
     bead.width_nm = FromMm(thread_mm);

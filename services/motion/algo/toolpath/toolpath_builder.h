@@ -35,9 +35,11 @@ bool LiftsIn(const RetractionOptions& retraction, const LayerFrame& frame);
 class ToolpathBuilder {
  public:
   /// `options` must outlive the builder, and so must `below`, by which walls are slowed down over
-  /// air; null: that is not asked for, or not known. `bead_height_nm`: of the paths.
+  /// air; null: that is not asked for, or not known. `carried`: where supports lie right below, on
+  /// which walls are no threads; null: nowhere. `bead_height_nm`: of the paths.
   ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame, Coord bead_height_nm,
-                  Ground ground = Ground::kLayers, const LayerBelow* below = nullptr);
+                  Ground ground = Ground::kLayers, const LayerBelow* below = nullptr,
+                  const LayerBelow* carried = nullptr);
 
   /// The filament is ready to print. To be called before anything is added.
   void BeginReady() { retracted_ = false; }
@@ -71,7 +73,9 @@ class ToolpathBuilder {
   std::optional<RestAlong> RestUnder(const Path& path) const;
   void PrintOverAir(const Path& path, Point from, const std::vector<RestingPiece>& pieces,
                     Coord width_nm, double speed_mm_s);
-  void PrintBridge(const Path& path, Point from, Point to, Coord width_nm, double speed_mm_s);
+  void PrintBridges(const Path& path, Point from, Point to, Coord width_nm, double speed_mm_s);
+  void PrintBridge(const Path& path, Point from, Point to, Coord width_nm, double speed_mm_s,
+                   bool thread);
   void PrintSegment(Point from, Point to, const Bead& bead);
   void PrintTo(Point from, Point to, const Bead& bead);
   void MoveTo(int32_t x_um, int32_t y_um);
@@ -93,6 +97,7 @@ class ToolpathBuilder {
   Coord bead_height_nm_;
   int32_t bottom_um_;  ///< of the beads
   const LayerBelow* below_;
+  const LayerBelow* carried_;
   int32_t z_um_;
   int32_t lift_um_;
   Wipe wipe_;

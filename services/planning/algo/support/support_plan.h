@@ -53,6 +53,8 @@ struct SupportFinding {
 struct SupportPlan {
   std::vector<SupportLayer> layers;      ///< upwards, one for each height
   std::vector<SupportFinding> findings;  ///< by layer of the part, then place
+  /// By layer of the part: where supports lie right below its underside, grown a line wide.
+  std::vector<MultiPolygon> carried;
 
   friend bool operator==(const SupportPlan&, const SupportPlan&) = default;
 };

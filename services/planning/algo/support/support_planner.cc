@@ -62,6 +62,7 @@ class Planner {
       KeepStanding(problem_, options_, threads_, cancel_, plan_.layers);
     }
     plan_.findings = Findings();
+    FindCarried();
     if (cancel_.Cancelled()) return cancel_.Check();
     return std::move(plan_);
   }
@@ -130,6 +131,27 @@ class Planner {
         if (h[k] && !b[k]) undersides[i].push_back(static_cast<int32_t>(k));
     });
     return undersides;
+  }
+
+  /// Supports count whose top is at most a layer farther below than the gap: that far threads sag.
+  void FindCarried() {
+    plan_.carried.resize(overhangs_.size());
+    ForEachIndex(threads_, overhangs_.size(), [&](size_t i, int) {
+      const MultiPolygon& contact = overhangs_[i].contact;
+      if (contact.empty() || cancel_.Cancelled()) return;
+      const Coord bottom = problem_.part[i].bottom_nm();
+      const Coord lowest = bottom - options_.top_gap_nm - options_.layer_height_nm;
+      const MultiPolygon wide = FastOffset(contact, options_.width_nm);
+      const Box box = Bounds(wide);
+      std::vector<Polygon> rings;
+      auto layer = std::partition_point(plan_.layers.begin(), plan_.layers.end(),
+                                        [&](const SupportLayer& l) { return l.top_nm < lowest; });
+      for (; layer != plan_.layers.end() && layer->top_nm <= bottom; ++layer)
+        for (const SupportRegion& region : layer->regions)
+          AppendRingsNear(region.outlines, box, rings);
+      if (!rings.empty())
+        plan_.carried[i] = Intersection(wide, Union(rings, FillRule::kNonZero));
+    });
   }
 
   std::vector<SupportFinding> Findings() const {

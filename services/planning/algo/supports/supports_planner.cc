@@ -105,6 +105,9 @@ absl::Status SupportsPlanner::Plan(std::span<const SlicedLayer> parts, const Can
     auto planned = PlanSupports(problem, options.support, threads_, cancel);
     if (!planned.ok()) return planned.status();
     Tell(NameOf(object, object_names_), std::move(planned->findings), plan.warnings);
+    for (size_t i = 0; i < planned->carried.size(); ++i)
+      if (!planned->carried[i].empty())
+        plan.carried[{object, static_cast<int32_t>(i)}] = std::move(planned->carried[i]);
     if (planned->layers.empty()) continue;
     AddedStack& added = done.emplace_back();
     added.stack = plan.Add(object, StackKind::kSupport).stack;

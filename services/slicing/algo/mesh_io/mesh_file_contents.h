@@ -16,7 +16,7 @@ enum class ReadDepth : uint8_t {
 
 /// What is in a mesh file. `meshes` are those that MeshRef::mesh of the project's parts counts:
 /// for STL, OBJ and PLY the only one; for 3MF those of all objects that have one, in mm, in the
-/// order of the file, and after them the surfaces that are painted on them as seams. Empty if only
+/// order of the file, and after them the surfaces that are painted on them as seams and supports. Empty if only
 /// the structure was read.
 struct MeshFileContents {
   std::vector<RawMesh> meshes;

@@ -25,8 +25,11 @@ struct PreparedPart {
   bool IsForSeams() const {
     return input.role == PartRole::kSeamEnforcer || input.role == PartRole::kSeamBlocker;
   }
-  /// Seams may be painted on a surface that encloses nothing.
-  bool IsSeamSurface() const { return IsForSeams() && !connected.closed; }
+  bool IsForSupports() const {
+    return input.role == PartRole::kSupportEnforcer || input.role == PartRole::kSupportBlocker;
+  }
+  /// Marks may be painted on a surface that encloses nothing.
+  bool IsMarkedSurface() const { return (IsForSeams() || IsForSupports()) && !connected.closed; }
 };
 
 /// An object around its own origin: the middle of its solid parts' box lies over x = y = 0, and its

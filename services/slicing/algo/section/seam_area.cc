@@ -12,6 +12,7 @@ namespace slicefarm::slicing {
 namespace {
 
 constexpr Coord kBeyondAreaNm = 300'000;
+constexpr Coord kBeyondSupportNm = 100'000;
 
 /// A rectangle around the segment, which goes beyond both ends.
 Polygon Around(Point a, Point b, Coord reach_nm) {
@@ -22,12 +23,16 @@ Polygon Around(Point a, Point b, Coord reach_nm) {
   return {a - along - left, b + along - left, b + along + left, a - along + left};
 }
 
+/// How far outlines may move.
+Coord Moved(const RegionEdits& edits) {
+  return std::abs(edits.grow_nm) + std::abs(edits.foot_nm) + std::abs(edits.widen_holes_nm);
+}
+
 }  // namespace
 
-Coord SeamReach(const RegionEdits& edits) {
-  return kBeyondAreaNm + std::abs(edits.grow_nm) + std::abs(edits.foot_nm) +
-         std::abs(edits.widen_holes_nm);
-}
+Coord SeamReach(const RegionEdits& edits) { return kBeyondAreaNm + Moved(edits); }
+
+Coord SupportReach(const RegionEdits& edits) { return kBeyondSupportNm + Moved(edits); }
 
 MultiPolygon AroundBody(const MultiPolygon& region, Coord reach_nm) {
   return FastOffset(region, reach_nm);

@@ -11,6 +11,10 @@ namespace slicefarm::slicing {
 /// PrusaSlicer has 0.35 mm.
 Coord SeamReach(const RegionEdits& edits);
 
+/// How far around itself a painted surface counts for supports: neighbouring faces leave no crack,
+/// and it reaches outlines that `edits` moved.
+Coord SupportReach(const RegionEdits& edits);
+
 /// Of a body: its region, grown. Cost: that of FastOffset.
 MultiPolygon AroundBody(const MultiPolygon& region, Coord reach_nm);
 

@@ -38,9 +38,13 @@ bool IsSeamPaint(std::string_view name) {
   return name == "custom_seam" || name == "paint_seam";
 }
 
+bool IsSupportPaint(std::string_view name) {
+  name = WithoutPrefix(name);
+  return name == "custom_supports" || name == "paint_supports";
+}
+
 uint8_t PaintOf(std::string_view name) {
   name = WithoutPrefix(name);
-  if (name == "custom_supports" || name == "paint_supports") return kPaintedSupports;
   if (name == "mmu_segmentation" || name == "paint_color") return kPaintedColours;
   if (name == "fuzzy_skin" || name == "paint_fuzzy_skin") return kPaintedFuzzySkin;
   return 0;
@@ -75,11 +79,12 @@ absl::Status MeshCollector::Vertex(XmlAttributes attributes) {
 absl::Status MeshCollector::Triangle(XmlAttributes attributes) {
   std::array<uint32_t, 3> corners;
   unsigned seen = 0;
-  std::string_view seam;
+  std::string_view seam, support;
   for (const XmlAttribute& attribute : attributes) {
     const std::string_view name = attribute.name;
     if (name.size() != 2 || name[0] != 'v' || name[1] < '1' || name[1] > '3') {
       if (IsSeamPaint(name)) seam = attribute.value;
+      if (IsSupportPaint(name)) support = attribute.value;
       Note(attribute);
       continue;
     }
@@ -95,7 +100,10 @@ absl::Status MeshCollector::Triangle(XmlAttributes attributes) {
   if (absl::Status status = CountTriangle(); !status.ok()) return status;
   ++triangles_;
   if (reading_.keep) mesh_.triangles.push_back(corners);
-  return seam.empty() ? absl::OkStatus() : PaintSeam(seam, corners);
+  absl::Status status;
+  if (!seam.empty()) status = AddMarks(seam, corners, seams_);
+  if (status.ok() && !support.empty()) status = AddMarks(support, corners, supports_);
+  return status;
 }
 
 absl::Status MeshCollector::CountTriangle() {
@@ -105,8 +113,8 @@ absl::Status MeshCollector::CountTriangle() {
   return absl::OkStatus();
 }
 
-absl::Status MeshCollector::PaintSeam(std::string_view code,
-                                      const std::array<uint32_t, 3>& corners) {
+absl::Status MeshCollector::AddMarks(std::string_view code,
+                                     const std::array<uint32_t, 3>& corners, Marks& marks) {
   Facet facet;
   if (reading_.keep)
     for (size_t i = 0; i < 3; ++i) facet[i] = mesh_.positions[corners[i]];
@@ -116,8 +124,8 @@ absl::Status MeshCollector::PaintSeam(std::string_view code,
     if (piece.state == PaintState::kNone) continue;
     if (absl::Status status = CountTriangle(); !status.ok()) return status;
     const bool enforcer = piece.state == PaintState::kEnforcer;
-    ++(enforcer ? seams_.enforcers : seams_.blockers).triangles;
-    if (reading_.keep) (enforcer ? enforcers_ : blockers_).Add(piece.corners);
+    ++(enforcer ? marks.paint.enforcers : marks.paint.blockers).triangles;
+    if (reading_.keep) (enforcer ? marks.enforcers : marks.blockers).Add(piece.corners);
   }
   return absl::OkStatus();
 }
@@ -128,11 +136,13 @@ void MeshCollector::Note(const XmlAttribute& attribute) {
   paint_ |= PaintOf(attribute.name);
 }
 
-SeamPaint MeshCollector::TakeSeams() {
-  seams_.enforcers.mesh = std::move(enforcers_).Take();
-  seams_.blockers.mesh = std::move(blockers_).Take();
-  return std::move(seams_);
+MarkPaint MeshCollector::Marks::Take() {
+  paint.enforcers.mesh = std::move(enforcers).Take();
+  paint.blockers.mesh = std::move(blockers).Take();
+  return std::move(paint);
 }
+
+MeshPaint MeshCollector::TakeMarks() { return {seams_.Take(), supports_.Take()}; }
 
 RawMesh MeshCollector::Take() && { return Welded(mesh_); }
 

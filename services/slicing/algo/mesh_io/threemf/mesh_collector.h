@@ -12,11 +12,10 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// What people paint on the triangles of a mesh besides seams, as flags.
+/// What people paint on the triangles of a mesh besides seams and supports, as flags.
 enum Paint : uint8_t {
-  kPaintedSupports = 1,
-  kPaintedColours = 2,
-  kPaintedFuzzySkin = 4,
+  kPaintedColours = 1,
+  kPaintedFuzzySkin = 2,
 };
 
 /// How meshes are read, and how much there was of all of them so far.
@@ -24,11 +23,11 @@ struct MeshReading {
   bool keep = true;  ///< else they are only checked and counted
   double coordinate_limit_mm = 0;
   int64_t vertices = 0;
-  int64_t triangles = 0;  ///< pieces that are painted as seams included
+  int64_t triangles = 0;  ///< painted pieces included
   int64_t resources = 0;  ///< objects, their uses as components, and painted areas
 };
 
-/// One mesh on its way from `vertex` and `triangle` elements, and the seams painted on it. Errors
+/// One mesh on its way from `vertex` and `triangle` elements, and what is painted on it. Errors
 /// (without a place): MESH_MALFORMED for missing numbers, indices of no vertex and paint that is
 /// none, MESH_NOT_FINITE, OUT_OF_RANGE, MESH_TOO_LARGE.
 class MeshCollector {
@@ -37,8 +36,8 @@ class MeshCollector {
   MeshCollector(double unit_mm, MeshReading& reading)
       : unit_mm_(unit_mm),
         reading_(reading),
-        enforcers_(0, reading.coordinate_limit_mm),
-        blockers_(0, reading.coordinate_limit_mm) {}
+        seams_(reading.coordinate_limit_mm),
+        supports_(reading.coordinate_limit_mm) {}
 
   absl::Status Vertex(XmlAttributes attributes);
   absl::Status Triangle(XmlAttributes attributes);
@@ -49,20 +48,30 @@ class MeshCollector {
   bool coloured() const { return coloured_; }
 
   /// The areas' meshes leave this.
-  SeamPaint TakeSeams();
+  MeshPaint TakeMarks();
   /// Welded; without anything if meshes are not kept.
   RawMesh Take() &&;
 
  private:
+  /// Marks of one use on their way.
+  struct Marks {
+    explicit Marks(double limit_mm) : enforcers(0, limit_mm), blockers(0, limit_mm) {}
+
+    MarkPaint Take();
+
+    MeshBuilder enforcers, blockers;
+    MarkPaint paint;  ///< its meshes are those of the builders
+  };
+
   absl::Status CountTriangle();
   void Note(const XmlAttribute& attribute);
-  absl::Status PaintSeam(std::string_view code, const std::array<uint32_t, 3>& corners);
+  absl::Status AddMarks(std::string_view code, const std::array<uint32_t, 3>& corners,
+                        Marks& marks);
 
   double unit_mm_;
   MeshReading& reading_;
   RawMesh mesh_;
-  MeshBuilder enforcers_, blockers_;
-  SeamPaint seams_;  ///< its meshes are those of the builders
+  Marks seams_, supports_;
   int64_t vertices_ = 0;
   int64_t triangles_ = 0;
   uint8_t paint_ = 0;

@@ -88,11 +88,11 @@ TEST(MeshCollector, NotesPaint) {
     std::string_view name;
     int want;
   };
-  for (const Case& c : std::initializer_list<Case>{{"slic3rpe:custom_supports", kPaintedSupports},
+  for (const Case& c : std::initializer_list<Case>{{"slic3rpe:custom_supports", 0},
                                                    {"slic3rpe:custom_seam", 0},
                                                    {"slic3rpe:mmu_segmentation", kPaintedColours},
                                                    {"slic3rpe:fuzzy_skin", kPaintedFuzzySkin},
-                                                   {"paint_supports", kPaintedSupports},
+                                                   {"paint_supports", 0},
                                                    {"paint_seam", 0},
                                                    {"paint_color", kPaintedColours},
                                                    {"face_property", 0}}) {
@@ -111,8 +111,9 @@ TEST(MeshCollector, NotesPaint) {
 }
 
 /// Half of the first triangle is enforced, half of it blocked; the second is enforced as a whole.
-TEST(MeshCollector, TakesPaintedSeams) {
-  for (const std::string_view name : {"slic3rpe:custom_seam", "paint_seam"}) {
+TEST(MeshCollector, TakesPaintedSeamsAndSupports) {
+  for (const std::string_view name : {"slic3rpe:custom_seam", "paint_seam",
+                                      "slic3rpe:custom_supports", "paint_supports"}) {
     for (const bool keep : {true, false}) {
       MeshReading reading = {.keep = keep, .coordinate_limit_mm = 100};
       MeshCollector mesh(1, reading);
@@ -126,7 +127,11 @@ TEST(MeshCollector, TakesPaintedSeams) {
       }
       EXPECT_EQ(mesh.triangles(), 4);
       EXPECT_EQ(reading.triangles, 7) << "with the pieces that are painted";
-      const SeamPaint seams = mesh.TakeSeams();
+      const MeshPaint marks = mesh.TakeMarks();
+      const bool supports = name.ends_with("supports");
+      const MarkPaint& seams = supports ? marks.supports : marks.seams;
+      const MarkPaint& none = supports ? marks.seams : marks.supports;
+      EXPECT_EQ(none.enforcers.triangles + none.blockers.triangles, 0);
       EXPECT_EQ(seams.enforcers.triangles, 2);
       EXPECT_EQ(seams.blockers.triangles, 1);
       EXPECT_EQ(seams.blockers.number, -1);

@@ -33,7 +33,7 @@ struct ObjectResource {
   int32_t mesh = -1;  ///< by the order of all meshes of all model files; -1: it has none
   int64_t triangles = 0;
   uint8_t paint = 0;  ///< Paint flags
-  SeamPaint seams;
+  MeshPaint marks;
   bool coloured = false;
   std::vector<ObjectUse> components;
   int64_t line = 0;

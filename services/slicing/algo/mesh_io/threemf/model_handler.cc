@@ -239,10 +239,10 @@ absl::Status ModelHandler::FinishMesh() {
   object.triangles = mesh_->triangles();
   object.paint = mesh_->paint();
   object.coloured |= mesh_->coloured();
-  object.seams = mesh_->TakeSeams();
+  object.marks = mesh_->TakeMarks();
   meshes_.push_back(std::move(*mesh_).Take());
   mesh_.reset();
-  for (const PaintedArea* area : {&object.seams.enforcers, &object.seams.blockers})
+  for (const PaintedArea* area : object.marks.Areas())
     if (area->triangles > 0)
       if (absl::Status status = CountResource(); !status.ok()) return status;
   return absl::OkStatus();

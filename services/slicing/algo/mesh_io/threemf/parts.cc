@@ -12,7 +12,6 @@ namespace slicefarm::slicing::threemf {
 namespace {
 
 void NotePaint(const ObjectResource& object, std::string_view name, Notes& notes) {
-  if (object.paint & kPaintedSupports) notes.Add("painted supports", name);
   if (object.paint & kPaintedColours) notes.Add("painted filaments", name);
   if (object.paint & kPaintedFuzzySkin) notes.Add("painted fuzzy skin", name);
   if (object.coloured) notes.Add("materials and colours", name);
@@ -78,19 +77,21 @@ Part PartOf(const FlatPart& flat, const ObjectResource& mesh, const PartSettings
   return part;
 }
 
-/// The seams painted on a mesh of the object, as parts.
-void AddSeams(const SeamPaint& seams, const Transform& to_object, std::vector<Part>& parts) {
-  const auto add = [&](const PaintedArea& area, PartRole role) {
+/// What is painted on a mesh of the object, as parts.
+void AddMarks(const MeshPaint& marks, const Transform& to_object, std::vector<Part>& parts) {
+  const auto add = [&](const PaintedArea& area, std::string_view name, PartRole role) {
     if (area.triangles == 0) return;
     Part& part = parts.emplace_back();
-    part.name = "painted seams";
+    part.name = name;
     part.role = role;
     part.mesh.mesh = area.number;
     part.mesh.triangle_count = area.triangles;
     part.to_object = to_object;
   };
-  add(seams.enforcers, PartRole::kSeamEnforcer);
-  add(seams.blockers, PartRole::kSeamBlocker);
+  add(marks.seams.enforcers, "painted seams", PartRole::kSeamEnforcer);
+  add(marks.seams.blockers, "painted seams", PartRole::kSeamBlocker);
+  add(marks.supports.enforcers, "painted supports", PartRole::kSupportEnforcer);
+  add(marks.supports.blockers, "painted supports", PartRole::kSupportBlocker);
 }
 
 bool HasVolumes(const ObjectResource& object, const ObjectSettings* settings) {
@@ -112,7 +113,7 @@ absl::StatusOr<std::vector<Part>> PartsOf(const PartsSource& source, const Objec
     int64_t used = 0;
     for (const Part& part : *volumes) used += part.mesh.triangle_count;
     if (used < object.triangles) notes.Add("triangles of no part", name);
-    AddSeams(object.seams, Transform(Transform::Identity()), *volumes);
+    AddMarks(object.marks, Transform(Transform::Identity()), *volumes);
     return volumes;
   }
   const absl::StatusOr<std::vector<FlatPart>> flat = source.tree.Flatten(key);
@@ -126,7 +127,7 @@ absl::StatusOr<std::vector<Part>> PartsOf(const PartsSource& source, const Objec
       continue;
     }
     parts.push_back(PartOf(each, mesh, SettingsOf(settings, each.component)));
-    AddSeams(mesh.seams, each.to_object, parts);
+    AddMarks(mesh.marks, each.to_object, parts);
   }
   return parts;
 }

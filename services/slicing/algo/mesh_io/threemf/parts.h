@@ -19,7 +19,7 @@ struct PartsSource {
 };
 
 /// The parts of an object: its meshes, or, if PrusaSlicer says so, ranges of its mesh's triangles;
-/// and the seams that are painted on them, as enforcers and blockers.
+/// and the seams and supports that are painted on them, as enforcers and blockers.
 /// `name`: the object's, for notes on what has no effect. Errors: those of Flatten; MESH_MALFORMED
 /// for ranges beyond the mesh or over each other.
 absl::StatusOr<std::vector<Part>> PartsOf(const PartsSource& source, const ObjectKey& key,

@@ -65,7 +65,7 @@ TEST(PartsOf, AreVolumesInTheirOrder) {
 
 TEST(PartsOf, AreSeamsPaintedOnTheMesh) {
   Package package = MeshOf24();
-  SeamPaint& seams = package.files[0].objects[0].seams;
+  MarkPaint& seams = package.files[0].objects[0].marks.seams;
   seams.enforcers = {.triangles = 7, .mesh = {}, .number = 1};
   seams.blockers = {.triangles = 3, .mesh = {}, .number = 2};
   for (const ModelSettings& settings : {ModelSettings(), Volumes({{0, 11}, {12, 23}})}) {
@@ -85,7 +85,7 @@ TEST(PartsOf, AreSeamsPaintedOnTheMesh) {
 TEST(PartsOf, MovesPaintAsItsMesh) {
   Package package = MeshOf24();
   ModelFile& file = package.files[0];
-  file.objects[0].seams.blockers = {.triangles = 3, .mesh = {}, .number = 1};
+  file.objects[0].marks.seams.blockers = {.triangles = 3, .mesh = {}, .number = 1};
   ObjectResource twice;
   twice.id = 6;
   for (const double x : {10, 30}) {
@@ -125,14 +125,14 @@ TEST(PartsOf, RefusesVolumesThatCannotBe) {
 
 TEST(PartsOf, NotesPaintAndEmptyMeshes) {
   Package package = MeshOf24();
-  package.files[0].objects[0].paint = kPaintedSupports | kPaintedColours;
+  package.files[0].objects[0].paint = kPaintedFuzzySkin | kPaintedColours;
   package.files[0].objects[0].triangles = 0;
   Notes notes;
   const auto parts = Parts(package, {}, notes);
   ASSERT_TRUE(parts.ok()) << parts.status();
   EXPECT_TRUE(parts->empty());
   EXPECT_THAT(notes.Lines(),
-              testing::ElementsAre("painted supports of `thing`", "painted filaments of `thing`",
+              testing::ElementsAre("painted filaments of `thing`", "painted fuzzy skin of `thing`",
                                    "parts without a triangle of `thing`"));
 }
 

@@ -96,7 +96,7 @@ class PackageReader {
   void TakePaint() {
     for (ModelFile& file : package_.files)
       for (ObjectResource& object : file.objects)
-        for (PaintedArea* area : {&object.seams.enforcers, &object.seams.blockers}) {
+        for (PaintedArea* area : object.marks.Areas()) {
           if (area->triangles == 0) continue;
           area->number = static_cast<int32_t>(package_.meshes.size());
           package_.meshes.push_back(std::exchange(area->mesh, {}));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "services/slicing/algo/mesh_io/raw_mesh.h"
@@ -14,9 +15,19 @@ struct PaintedArea {
       -1;  ///< of the mesh among its package's; -1: it has not yet been taken, or is none
 };
 
-/// Where seams are wanted on a mesh, and where not.
-struct SeamPaint {
+/// Where something is wanted on a mesh, and where not.
+struct MarkPaint {
   PaintedArea enforcers, blockers;
+};
+
+/// What is planned by paint.
+struct MeshPaint {
+  MarkPaint seams, supports;
+
+  /// All of them, in the order in which a package has their meshes.
+  std::array<PaintedArea*, 4> Areas() {
+    return {&seams.enforcers, &seams.blockers, &supports.enforcers, &supports.blockers};
+  }
 };
 
 }  // namespace slicefarm::slicing::threemf
