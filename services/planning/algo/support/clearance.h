@@ -11,7 +11,7 @@
 namespace slicefarm::planning {
 
 /// Between the edge of a step and a top under the next one: without it they would touch.
-inline constexpr Coord kEdgeNm = 2'000;
+inline constexpr Coord kEdgeNm = 8'000;
 
 /// Where support may be: off the part and the other objects, on the bed. Const and safe from any
 /// thread.

@@ -42,9 +42,6 @@ std::vector<SupportLayer> NotEmpty(std::vector<SupportLayer> layers) {
   return layers;
 }
 
-/// What is narrower would get a bead that is wider, and so nearer to the part than the gap.
-Coord LeastWidth(const SupportOptions& options) { return options.width_nm * 6 / 10; }
-
 /// Contacts of this layer and of the n - 1 above.
 size_t EndOfSheet(size_t layer, size_t count, const SupportOptions& options) {
   return std::min(count, layer + static_cast<size_t>(std::max(1, options.top_interface_layers)));
@@ -67,7 +64,6 @@ std::vector<MultiPolygon> Sheets(const SupportHeights& heights, const Contacts& 
     const MultiPolygon wide = Widened(sheets[i], options.width_nm * 4 / 5);
     if (!wide.empty())
       sheets[i] = Union(sheets[i], clearance.Free(wide, height.bottom_nm, height.top_nm));
-    sheets[i] = WhereWide(sheets[i], LeastWidth(options));
     std::erase_if(sheets[i],
                   [](const PolygonWithHoles& s) { return Area(s) < support::kLeastRegionNm2; });
   });
@@ -115,7 +111,6 @@ std::vector<SupportLayer> ColumnLayers(const SupportProblem& problem, const Supp
       if (!top.empty()) top = Intersection(FastOffset(top, options.width_nm / 2), columns[i]);
     }
     MultiPolygon base = top.empty() ? columns[i] : Difference(columns[i], top);
-    top = WhereWide(top, LeastWidth(options));
     const MultiPolygon bottom = Intersection(floors[i], base);
     if (!bottom.empty()) base = Difference(base, bottom);
     Add(SupportRole::kBase, std::move(base), layers[i]);

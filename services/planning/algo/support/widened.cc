@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
 
@@ -29,12 +28,6 @@ MultiPolygon Widened(const MultiPolygon& islands, Coord width_nm) {
     std::move(wide.begin(), wide.end(), std::back_inserter(widened));
   }
   return widened;
-}
-
-MultiPolygon WhereWide(const MultiPolygon& region, Coord width_nm) {
-  const MultiPolygon core = FastOffset(region, -width_nm / 2);
-  // A little more, so that what is wide keeps its edges whatever rounding did.
-  return core.empty() ? core : Intersection(region, FastOffset(core, width_nm * 11 / 20));
 }
 
 }  // namespace slicefarm::planning

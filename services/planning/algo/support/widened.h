@@ -8,7 +8,4 @@ namespace slicefarm::planning {
 /// for each.
 MultiPolygon Widened(const MultiPolygon& islands, Coord width_nm);
 
-/// Of a region, where a disc of `width_nm` fits in. Cost: two offsets.
-MultiPolygon WhereWide(const MultiPolygon& region, Coord width_nm);
-
 }  // namespace slicefarm::planning
