@@ -217,7 +217,7 @@ def check_what_has_no_effect(program, folder):
     told = "\n".join(json.loads((folder / "report.json").read_text())["settings_without_effect"])
     assert "scripts" in told and "no_such_setting" in told, told
     assert "evil" not in (folder / "out.gcode").read_text()
-    files = painted_files(lambda x, y, z: 1 if x < 1e-6 else 0, "slic3rpe:custom_supports")
+    files = painted_files(lambda x, y, z: 1 if x < 1e-6 else 0, "slic3rpe:fuzzy_skin")
     files["Metadata/Slic3r_PE.config"] += "; spiral_vase = 1\n; host_type = prusalink\n"
     files["Metadata/thumbnail.png"] = "no picture"
     lines = run(program, "slice", write(folder / "weights.3mf", files), "-o", folder / "out.gcode").stderr.splitlines()

@@ -248,6 +248,7 @@ constexpr OrcaRow kRows[] = {
     {"template_custom_gcode", "template_custom_gcode", OrcaValue::kGcode},
     {"filename_format", "output_filename_format", OrcaValue::kGcode},
     {"custom_gcode_per_print_z", "custom_gcode_per_print_z", OrcaValue::kWhole},
+    {"layer_height_profile", "layer_height_profile", OrcaValue::kWhole},
     {"retraction_length", "retract_length"},
     {"retraction_speed", "retract_speed"},
     {"deretraction_speed", "deretract_speed"},

@@ -32,6 +32,7 @@ enum class Kind {
   kAngles,         ///< angles by layer (common/model/options/fill_angles.h); empty: none
   kFlowTable,      ///< factors by length (common/model/options/flow_table.h)
   kHeightCode,     ///< JSON on one line (common/model/options/height_code.h); empty: none
+  kLayerHeights,   ///< z and height by turns (common/model/options/layer_heights.h); empty: none
   kSubstitutions,  ///< texts by fours (common/gcode/substitutions.h); empty: none
   kCutter,         ///< a milling cutter (common/model/milling/cutter_text.h)
 };
@@ -124,6 +125,8 @@ void Store(T& member, const Value& value, double divisor) {
     if (auto bed = ParseBedShape(value.text); bed.ok()) member = *std::move(bed);
   } else if constexpr (std::is_same_v<T, Cutter>) {
     if (auto cutter = ParseCutter(value.text); cutter.ok()) member = *std::move(cutter);
+  } else if constexpr (std::is_same_v<T, std::vector<LayerHeightAt>>) {
+    if (auto heights = ParseLayerHeights(value.text); heights.ok()) member = *std::move(heights);
   } else if constexpr (std::is_class_v<T>) {
     if (auto sizes = ParseSizes(value.text); sizes.ok()) member = *std::move(sizes);
   } else {
@@ -143,6 +146,8 @@ Value Load(const T& member, double divisor) {
     return {.text = PrintBedShape(member)};
   } else if constexpr (std::is_same_v<T, Cutter>) {
     return {.text = member.name()};
+  } else if constexpr (std::is_same_v<T, std::vector<LayerHeightAt>>) {
+    return {.text = PrintLayerHeights(member)};
   } else if constexpr (std::is_class_v<T>) {
     return {.text = PrintSizes(member)};
   } else {

@@ -174,6 +174,9 @@ absl::StatusOr<Value> ParseValue(const SettingSpec& spec, std::string_view text)
     case Kind::kHeightCode:
       return Canonical<std::vector<HeightCode>>(spec, text, ParseHeightCodes(text),
                                                 PrintHeightCodes);
+    case Kind::kLayerHeights:
+      return Canonical<std::vector<LayerHeightAt>>(spec, text, ParseLayerHeights(text),
+                                                   PrintLayerHeights);
     case Kind::kSubstitutions:
       return ParseSubstitutions(spec, text);
     case Kind::kCutter:
@@ -211,6 +214,7 @@ std::string PrintValue(const SettingSpec& spec, const Value& value) {
     case Kind::kAngles:
     case Kind::kFlowTable:
     case Kind::kHeightCode:
+    case Kind::kLayerHeights:
     case Kind::kSubstitutions:
     case Kind::kCutter:
       return value.text.str();
@@ -264,6 +268,8 @@ std::string DescribeRange(const SettingSpec& spec) {
       return "LENGTH,FACTOR;LENGTH,FACTOR;... from 0 mm up to factor 1";
     case Kind::kHeightCode:
       return "a JSON list as [{\"z\":1.2,\"type\":\"pause\",\"text\":\"...\"}]";
+    case Kind::kLayerHeights:
+      return "Z;HEIGHT;Z;HEIGHT;... upwards, mm";
     case Kind::kSubstitutions:
       return "\"pattern\";\"replacement\";\"flags\";\"notes\", and so on";
     case Kind::kCutter:

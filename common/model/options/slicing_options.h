@@ -6,6 +6,7 @@
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/polygon.h"
+#include "common/model/options/layer_heights.h"
 #include "common/model/scene/mesh.h"
 
 namespace slicefarm {
@@ -28,6 +29,10 @@ struct ObjectSlicingOptions {
   /// What that leaves of thin places; PrusaSlicer: width + spacing of the first layer's outer wall.
   Coord elephant_foot_min_width_nm = 757'000;
   Coord lift_nm = 0;  ///< how high above the bed it will stand: the build volume holds that too
+  AdaptiveHeights adaptive;
+  /// layer_height_profile: heights by z, in between in proportion, instead of layer_height, ranges
+  /// of heights and `adaptive`; upwards. None: by those.
+  std::vector<LayerHeightAt> height_profile;
 
   friend bool operator==(const ObjectSlicingOptions&, const ObjectSlicingOptions&) = default;
 };

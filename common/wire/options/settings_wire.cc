@@ -46,6 +46,33 @@ absl::Status CheckThumbnails(const v1::SlicingOptions& proto) {
   return absl::OkStatus();
 }
 
+absl::Status Check(const v1::AdaptiveHeights& proto) {
+  absl::Status status = CheckComplete(proto);
+  status.Update(CheckPositive({{"cusp_nm", proto.cusp_nm()}, {"min_nm", proto.min_nm()}}));
+  if (proto.max_nm() < proto.min_nm() || proto.max_nm() > limits::kMaxCoord)
+    status.Update(Malformed("max_nm", "is out of range"));
+  if (!(proto.max_ratio() >= 1 && proto.max_ratio() <= kMostHeightRatio))
+    status.Update(Malformed("max_ratio", "is out of range"));
+  return status;
+}
+
+absl::StatusOr<std::vector<LayerHeightAt>> ProfileFromProto(const v1::ObjectSlicingOptions& proto) {
+  constexpr const char* kField = "height_profile_nm";
+  const auto& numbers = proto.height_profile_nm();
+  if (numbers.size() % 2 != 0) return Malformed(kField, "has a z without a height");
+  if (numbers.size() / 2 > kMaxLayerHeightPoints)
+    return LimitError(Reason::kRequestTooLarge, "layer heights of an object",
+                      kMaxLayerHeightPoints, numbers.size() / 2);
+  std::vector<LayerHeightAt> profile;
+  for (int i = 0; i < numbers.size(); i += 2) {
+    const Coord z = numbers[i], height = numbers[i + 1], least = profile.empty() ? 0 : profile.back().z_nm;
+    if (z < least || z > limits::kMaxCoord || height <= 0 || height > limits::kMaxCoord)
+      return Malformed(kField, "is no list of heights by z, upwards");
+    profile.push_back({z, height});
+  }
+  return profile;
+}
+
 absl::Status Check(const v1::ObjectSlicingOptions& proto) {
   absl::Status status = CheckComplete(proto);
   status.Update(CheckPositive({{"layer_height_nm", proto.layer_height_nm()}}));
@@ -112,6 +139,16 @@ v1::ObjectSlicingOptions ToProto(const ObjectSlicingOptions& options) {
   proto.set_elephant_foot_min_width_nm(options.elephant_foot_min_width_nm);
   proto.set_on_bed(options.on_bed);
   proto.set_lift_nm(options.lift_nm);
+  v1::AdaptiveHeights& adaptive = *proto.mutable_adaptive();
+  adaptive.set_on(options.adaptive.on);
+  adaptive.set_cusp_nm(options.adaptive.cusp_nm);
+  adaptive.set_min_nm(options.adaptive.min_nm);
+  adaptive.set_max_nm(options.adaptive.max_nm);
+  adaptive.set_max_ratio(options.adaptive.max_ratio);
+  for (const LayerHeightAt& at : options.height_profile) {
+    proto.add_height_profile_nm(at.z_nm);
+    proto.add_height_profile_nm(at.height_nm);
+  }
   return proto;
 }
 
@@ -128,6 +165,15 @@ absl::StatusOr<ObjectSlicingOptions> ObjectFromProto(const v1::ObjectSlicingOpti
   options.elephant_foot_min_width_nm = proto.elephant_foot_min_width_nm();
   options.on_bed = proto.on_bed();
   options.lift_nm = proto.lift_nm();
+  if (absl::Status status = Check(proto.adaptive()); !status.ok()) return Within("adaptive", status);
+  options.adaptive = {.on = proto.adaptive().on(),
+                      .cusp_nm = proto.adaptive().cusp_nm(),
+                      .min_nm = proto.adaptive().min_nm(),
+                      .max_nm = proto.adaptive().max_nm(),
+                      .max_ratio = proto.adaptive().max_ratio()};
+  auto profile = ProfileFromProto(proto);
+  if (!profile.ok()) return profile.status();
+  options.height_profile = *std::move(profile);
   return options;
 }
 

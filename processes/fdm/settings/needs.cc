@@ -24,6 +24,8 @@ constexpr Need kNeeds[] = {
     {"retract_restart_extra filament_retract_restart_extra",
      "use_firmware_retraction = 0, as the machine pushes what it is set to",
      [](const JobSettings& s) { return !FdmOf(s).motion.writing.firmware_retraction; }},
+    {"adaptive_layer_cusp adaptive_layer_ratio", "adaptive_layer_height = 1",
+     [](const JobSettings& s) { return s.slicing.objects[0].adaptive.on; }},
     {"custom_gcode_per_print_z", "complete_objects = 0",
      [](const JobSettings& s) { return !FdmOf(s).planning.sequence.complete_objects; }},
     {"retract_lift_above retract_lift_below filament_retract_lift_above "

@@ -113,6 +113,17 @@ void TakeAdhesion(JobSettings& settings) {
   FdmOf(settings).planning.bed = settings.slicing.bed;
 }
 
+constexpr Coord kLowestLayerNm = 10'000;
+
+/// A range of heights for layers that fit the shape.
+void TakeAdaptiveHeights(JobSettings& settings) {
+  AdaptiveHeights& adaptive = settings.slicing.objects[0].adaptive;
+  const Coord nozzle_nm = FromMm(FdmOf(settings).motion.nozzle_diameter_mm);
+  if (adaptive.max_nm == 0) adaptive.max_nm = nozzle_nm * 3 / 4;
+  adaptive.max_nm = std::max(adaptive.max_nm, kLowestLayerNm);
+  adaptive.min_nm = std::clamp<Coord>(adaptive.min_nm, kLowestLayerNm, adaptive.max_nm);
+}
+
 /// What supports take from settings that are about other things.
 void TakeSupports(JobSettings& settings) {
   SupportOptions& support = FdmOf(settings).planning.objects[0].support;
@@ -211,6 +222,7 @@ absl::Status Settle(const Settling& settling) {
   if (!macro::NamesClock(*code)) settling.told.erase("creation_time");
   TakeClearance(settings);
   TakeAdhesion(settings);
+  TakeAdaptiveHeights(settings);
   TakeSupports(settings);
   if (absl::Status ok = TakeDensityField(settings); !ok.ok()) return ok;
   if (absl::Status ok = CheckPlannedPattern(FdmOf(settings).infill[0]); !ok.ok()) return ok;

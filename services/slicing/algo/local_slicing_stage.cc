@@ -20,6 +20,7 @@
 #include "services/slicing/algo/placement/arranging/overlaps.h"
 #include "services/slicing/algo/placement/orientation/orientation_advice.h"
 #include "services/slicing/algo/placement/prepared_object.h"
+#include "services/slicing/algo/section/adaptive_heights.h"
 #include "services/slicing/algo/section/layer_heights.h"
 #include "services/slicing/algo/section/open_loops.h"
 #include "services/slicing/algo/section/regions.h"
@@ -77,9 +78,7 @@ class SlicingRun {
     for (size_t i = 0; i < objects_.size(); ++i) {
       const PreparedObject& object = objects_[i];
       const ObjectSlicingOptions& slicing = options_.objects[i];
-      const Coord first_nm =
-          slicing.on_bed ? options_.first_layer_height_nm : slicing.layer_height_nm;
-      auto planes = LayerPlanes(object.top_nm, {first_nm, slicing.layer_height_nm, object.ranges});
+      auto planes = PlanesOf(object, slicing);
       if (!planes.ok()) return planes.status();
       absl::StatusOr<SweptObject> swept = Swept(object, *std::move(planes));
       if (!swept.ok()) return swept.status();
@@ -90,6 +89,22 @@ class SlicingRun {
     if (!room.ok()) return room;
     LayOutSections();
     return absl::OkStatus();
+  }
+
+  absl::StatusOr<std::vector<LayerPlane>> PlanesOf(const PreparedObject& object,
+                                                   const ObjectSlicingOptions& slicing) const {
+    const Coord first_nm =
+        slicing.on_bed ? options_.first_layer_height_nm : slicing.layer_height_nm;
+    const AdaptiveHeights& adaptive = slicing.adaptive;
+    // Of an object lower than half the first layer nothing is printed, which is told below.
+    if (!adaptive.on || !slicing.height_profile.empty() || first_nm / 2 >= object.top_nm)
+      return LayerPlanes(object.top_nm, {first_nm, slicing.layer_height_nm, object.ranges,
+                                         slicing.height_profile, adaptive.min_nm / 2});
+    HeightProblem problem{
+        .solids = {}, .top_nm = object.top_nm, .first_nm = first_nm, .ranges = object.ranges};
+    for (const PreparedPart& part : object.parts)
+      if (part.input.role == PartRole::kSolid) problem.solids.push_back(&part.connected.mesh);
+    return PlanesBelow(AdaptiveTops(problem, adaptive));
   }
 
   int64_t Triangles() const {

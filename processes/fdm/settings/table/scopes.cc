@@ -6,6 +6,9 @@ namespace slicefarm::config::fdm {
 namespace {
 
 constexpr std::string_view kOfObjects[] = {
+    "adaptive_layer_cusp",
+    "adaptive_layer_height",
+    "adaptive_layer_ratio",
     "brim_ears_detection_length",
     "brim_ears_max_angle",
     "brim_separation",
@@ -15,6 +18,7 @@ constexpr std::string_view kOfObjects[] = {
     "elefant_foot_compensation",
     "extrusion_width",
     "interface_shells",
+    "layer_height_profile",
     "lock_outer_width",
     "max_bead_width",
     "min_bead_width",

@@ -26,17 +26,17 @@ constexpr Coord kSameNm = 2'000;
 constexpr int64_t kLayer = 1'000'000;
 constexpr int64_t kMissedLevel = 10 * kLayer;
 constexpr int64_t kJump = 5 * kLayer;  ///< neighbours that differ by more than the ratio
-constexpr Coord kChangeNm = 100;  ///< costs 1
+constexpr Coord kChangeNm = 100;       ///< costs 1
 constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
 
-struct Face {
+struct Slope {
   Coord low = 0;
   Coord high = 0;
   double level = 0;  ///< |normal z|
   double area2_nm2 = 0;
 };
 
-Face FaceOf(const IndexedMesh& mesh, const Triangle& t) {
+Slope SteepnessOf(const IndexedMesh& mesh, const Triangle& t) {
   const std::array<Vertex, 3> v = {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
   const auto a = [&](int i) {
     return std::array<double, 3>{static_cast<double>(v[i].x - v[0].x),
@@ -52,9 +52,9 @@ Face FaceOf(const IndexedMesh& mesh, const Triangle& t) {
 }
 
 /// The heights of level faces between `from` and `to`, upwards; those near each other are one.
-std::vector<Coord> Levels(const std::vector<Face>& faces, Coord from, Coord to) {
+std::vector<Coord> Levels(const std::vector<Slope>& faces, Coord from, Coord to) {
   std::map<Coord, double> areas;
-  for (const Face& face : faces)
+  for (const Slope& face : faces)
     if (face.low == face.high && from < face.low && face.low < to)
       areas[face.low] += face.area2_nm2 / 2;
   std::vector<Coord> levels;
@@ -66,15 +66,15 @@ std::vector<Coord> Levels(const std::vector<Face>& faces, Coord from, Coord to) 
 
 /// The places at which layers may end: from one level to the next in equal steps, and beyond the
 /// top as far as the last layer may reach.
-struct Places {
+struct LayerEnds {
   std::vector<Coord> z;
   std::vector<uint8_t> level;  ///< whether it is one
   size_t top = 0;              ///< index of the object's top
 };
 
-Places PlacesFor(const std::vector<Coord>& levels, Coord first, Coord top, Coord step,
+LayerEnds EndsFor(const std::vector<Coord>& levels, Coord first, Coord top, Coord step,
                  Coord beyond) {
-  Places places;
+  LayerEnds places;
   const auto fill = [&](Coord from, Coord to) {
     const Coord steps = std::max<Coord>(1, (to - from + step / 2) / step);
     for (Coord i = 1; i <= steps; ++i) {
@@ -96,18 +96,18 @@ Places PlacesFor(const std::vector<Coord>& levels, Coord first, Coord top, Coord
 }
 
 /// By the stretch from a place to the next: how high a layer may be that has it.
-std::vector<Coord> Bounds(std::vector<Face> faces, const Places& places,
+std::vector<Coord> Bounds(std::vector<Slope> faces, const LayerEnds& places,
                           const AdaptiveHeights& options) {
   const size_t count = places.z.size() - 1;
   std::vector<Coord> bounds(count, options.max_nm);
-  const auto allowed = [&](const Face& face) {
+  const auto allowed = [&](const Slope& face) {
     return static_cast<double>(options.cusp_nm) / face.level;
   };
-  std::erase_if(faces, [&](const Face& face) {
+  std::erase_if(faces, [&](const Slope& face) {
     return face.low == face.high || face.level == 0 ||
            allowed(face) >= static_cast<double>(options.max_nm);
   });
-  std::ranges::sort(faces, [&](const Face& a, const Face& b) {
+  std::ranges::sort(faces, [&](const Slope& a, const Slope& b) {
     return std::tuple(allowed(a), a.low, a.high) < std::tuple(allowed(b), b.low, b.high);
   });
   // The strictest faces first; what one has bounded, `next` leaps over.
@@ -117,10 +117,11 @@ std::vector<Coord> Bounds(std::vector<Face> faces, const Places& places,
     while (next[i] != i) i = next[i] = next[next[i]];
     return i;
   };
-  for (const Face& face : faces) {
+  for (const Slope& face : faces) {
     const auto begin = std::ranges::upper_bound(places.z, face.low);
     size_t i = begin == places.z.begin() ? 0 : static_cast<size_t>(begin - places.z.begin()) - 1;
-    for (i = free_from(std::min(i, count)); i < count && places.z[i] < face.high; i = free_from(i)) {
+    for (i = free_from(std::min(i, count)); i < count && places.z[i] < face.high;
+         i = free_from(i)) {
       bounds[i] = static_cast<Coord>(allowed(face));
       next[i] = i + 1;
     }
@@ -140,7 +141,7 @@ std::optional<Coord> AskedAt(Coord bottom_nm, const std::vector<RangeInput>& ran
 class Fitting {
  public:
   /// `most_nm`: the highest layer that there may be.
-  Fitting(const Places& places, std::vector<Coord> bounds, const HeightProblem& problem,
+  Fitting(const LayerEnds& places, std::vector<Coord> bounds, const HeightProblem& problem,
           const AdaptiveHeights& options, Coord step_nm, Coord most_nm)
       : places_(places),
         bounds_(std::move(bounds)),
@@ -199,9 +200,10 @@ class Fitting {
   enum class Fit : uint8_t { kTooLow, kGood, kJump, kTooHigh };
 
   Fit FitOf(Coord height, Coord before, Coord bound, std::optional<Coord> asked) const {
-    if (asked) {  // steps are at most half as long again
-      if (height < *asked - step_nm_) return Fit::kTooLow;
-      return height <= *asked + step_nm_ ? Fit::kGood : Fit::kTooHigh;
+    if (asked) {  // steps are at most half as long again: one of them is so near
+      const Coord off = step_nm_ * 3 / 4 + 1;
+      if (height < *asked - off) return Fit::kTooLow;
+      return height <= *asked + off ? Fit::kGood : Fit::kTooHigh;
     }
     if (height < options_.min_nm) return Fit::kTooLow;
     const bool lowest = height < options_.min_nm + 2 * step_nm_;
@@ -244,7 +246,7 @@ class Fitting {
     return tops;
   }
 
-  const Places& places_;
+  const LayerEnds& places_;
   const std::vector<Coord> bounds_;
   const HeightProblem& problem_;
   const AdaptiveHeights& options_;
@@ -257,16 +259,16 @@ class Fitting {
 }  // namespace
 
 std::vector<Coord> AdaptiveTops(const HeightProblem& problem, const AdaptiveHeights& options) {
-  std::vector<Face> faces;
+  std::vector<Slope> faces;
   for (const IndexedMesh* mesh : problem.solids)
-    for (const Triangle& t : mesh->triangles) faces.push_back(FaceOf(*mesh, t));
+    for (const Triangle& t : mesh->triangles) faces.push_back(SteepnessOf(*mesh, t));
   if (problem.top_nm <= problem.first_nm) return {problem.first_nm};
   const std::vector<Coord> levels =
       Levels(faces, problem.first_nm + kSameNm, problem.top_nm - kSameNm);
   Coord most = options.max_nm;
   for (const RangeInput& range : problem.ranges) most = std::max(most, range.layer_height_nm);
   const Coord step = std::max(kLeastStepNm, most / kMostSteps);
-  const Places places = PlacesFor(levels, problem.first_nm, problem.top_nm, step, most);
+  const LayerEnds places = EndsFor(levels, problem.first_nm, problem.top_nm, step, most);
   return Fitting(places, Bounds(std::move(faces), places, options), problem, options, step, most)
       .Tops();
 }

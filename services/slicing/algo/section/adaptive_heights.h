@@ -22,7 +22,8 @@ struct HeightProblem {
 /// - none leaves a step (cusp) of more than `options.cusp_nm`, measured along the surface's normal:
 ///   a layer beside a face is at most cusp / |normal z| high, but never less than `options.min_nm`;
 /// - all lie between `options.min_nm` and `options.max_nm`, in ranges at their height;
-/// - none is more than `options.max_ratio` times as high as its neighbour (but for the first);
+/// - none is more than `options.max_ratio` times as high as its neighbour (but for the first, and where
+///   steps are coarser than that);
 /// - each level face of at least 1 mm2 is the top of a layer. Of those nearer than the lowest layer
 ///   some are not; so is the object's top where nothing else fits.
 ///

@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <string>
 
 #include "common/geometry/point.h"
@@ -20,7 +23,21 @@ absl::Status HeightError(std::string_view setting, Coord got_nm) {
 /// A range whose start lies no more than this above a layer's bottom holds the layer.
 constexpr Coord kReachNm = 35'000;
 
+/// In proportion between two heights that are told; before the first and after the last, theirs.
+Coord HeightIn(const std::vector<LayerHeightAt>& profile, Coord z_nm) {
+  const auto above = std::ranges::upper_bound(profile, z_nm, {}, &LayerHeightAt::z_nm);
+  if (above == profile.begin()) return above->height_nm;
+  const LayerHeightAt& low = *std::prev(above);
+  if (above == profile.end()) return low.height_nm;
+  const double share = static_cast<double>(z_nm - low.z_nm) /
+                       static_cast<double>(above->z_nm - low.z_nm);
+  return low.height_nm +
+         std::llround(share * static_cast<double>(above->height_nm - low.height_nm));
+}
+
 Coord HeightAt(Coord bottom_nm, const LayerHeights& heights) {
+  if (!heights.profile.empty())
+    return HeightIn(heights.profile, bottom_nm + heights.profile_above_nm);
   const Coord at = bottom_nm + kReachNm;
   for (const RangeInput& range : heights.ranges)
     if (range.from_nm <= at && at < range.to_nm) return range.layer_height_nm;
@@ -58,6 +75,19 @@ absl::StatusOr<std::vector<LayerPlane>> LayerPlanes(Coord top_nm, const LayerHei
     planes.push_back({{index, bottom + height, height}, bottom + height / 2});
     bottom += height;
   }
+}
+
+absl::StatusOr<std::vector<LayerPlane>> PlanesBelow(std::span<const Coord> tops_nm) {
+  if (std::ssize(tops_nm) > limits::kMaxLayers)
+    return LimitError(Reason::kMeshTooLarge, "layers", limits::kMaxLayers, std::ssize(tops_nm));
+  std::vector<LayerPlane> planes;
+  Coord bottom = 0;
+  for (const Coord top : tops_nm) {
+    planes.push_back(
+        {{static_cast<int32_t>(planes.size()), top, top - bottom}, bottom + (top - bottom) / 2});
+    bottom = top;
+  }
+  return planes;
 }
 
 }  // namespace slicefarm::slicing

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/model/layer.h"
+#include "common/model/options/layer_heights.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::slicing {
@@ -19,6 +21,9 @@ struct LayerHeights {
   Coord first_nm = 200'000;
   Coord others_nm = 200'000;
   std::vector<RangeInput> ranges;  ///< heights of their own; the first one that holds counts
+  /// If there is one, it says all heights but the first.
+  std::vector<LayerHeightAt> profile = {};
+  Coord profile_above_nm = 0;  ///< how far above its bottom a layer looks into the profile
 };
 
 /// Layers for an object of height `top_nm` that stands on 0: the first has its own height, all above
@@ -29,5 +34,8 @@ struct LayerHeights {
 /// `limit`, `got` for too many layers; NOTHING_TO_PRINT if not even the first layer's middle lies
 /// below the top.
 absl::StatusOr<std::vector<LayerPlane>> LayerPlanes(Coord top_nm, const LayerHeights& heights);
+
+/// Layers with these tops, which ascend from above 0. Errors: MESH_TOO_LARGE.
+absl::StatusOr<std::vector<LayerPlane>> PlanesBelow(std::span<const Coord> tops_nm);
 
 }  // namespace slicefarm::slicing

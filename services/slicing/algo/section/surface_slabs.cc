@@ -39,8 +39,8 @@ SurfaceSlabs::SurfaceSlabs(const IndexedMesh& mesh, std::vector<Slab> slabs, Fac
     : mesh_(&mesh), slabs_(std::move(slabs)), faces_(slabs_.size()) {
   for (uint32_t face = 0; face < mesh.triangles.size(); ++face) {
     const Triangle& t = mesh.triangles[face];
-    const auto [low, high] = std::minmax(
-        {mesh.vertices[t[0]].z, mesh.vertices[t[1]].z, mesh.vertices[t[2]].z});
+    const auto [low, high] =
+        std::minmax({mesh.vertices[t[0]].z, mesh.vertices[t[1]].z, mesh.vertices[t[2]].z});
     if (faces == Faces::kLevelAlone && low != high) continue;
     auto slab = std::partition_point(slabs_.begin(), slabs_.end(),
                                      [low = low](const Slab& s) { return s.high_nm < low; });

@@ -13,7 +13,8 @@ using Faces = SurfaceSlabs::Faces;
 /// 10 mm x 10 mm that rise by 5 mm along x.
 IndexedMesh Slope() {
   IndexedMesh mesh;
-  mesh.vertices = {{0, 0, 0}, {10 * kMm, 0, 5 * kMm}, {10 * kMm, 10 * kMm, 5 * kMm}, {0, 10 * kMm, 0}};
+  mesh.vertices = {
+      {0, 0, 0}, {10 * kMm, 0, 5 * kMm}, {10 * kMm, 10 * kMm, 5 * kMm}, {0, 10 * kMm, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   return mesh;
 }

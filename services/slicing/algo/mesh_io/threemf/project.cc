@@ -12,6 +12,7 @@
 #include "services/slicing/algo/mesh_io/threemf/place.h"
 #include "services/slicing/algo/mesh_io/threemf/plates.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/notes.h"
+#include "services/slicing/algo/mesh_io/threemf/settings/setting_list.h"
 
 namespace slicefarm::slicing::threemf {
 namespace {
@@ -100,7 +101,12 @@ class ProjectBuilder {
     object.parts = *std::move(parts);
     if (const ObjectSettings* settings = SettingsOf(key); settings != nullptr)
       object.settings = settings->settings;
-    const auto ranges = metadata_.ranges.find(static_cast<int64_t>(project_.objects.size()) + 1);
+    const auto number = static_cast<int64_t>(project_.objects.size()) + 1;
+    if (const auto own = metadata_.profiles.find(number); own != metadata_.profiles.end())
+      if (absl::Status added = AddSetting("layer_height_profile", own->second, object.settings);
+          !added.ok())
+        return PlacedAt({package_.files.front().part, line}, added);
+    const auto ranges = metadata_.ranges.find(number);
     if (ranges != metadata_.ranges.end()) object.ranges = std::move(ranges->second);
     project_.objects.push_back(std::move(object));
     return found->second;

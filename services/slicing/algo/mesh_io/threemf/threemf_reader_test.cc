@@ -151,10 +151,10 @@ TEST(Read3mf, TellsTheStructureWithoutMeshes) {
 TEST(Read3mf, NotesPaint) {
   Files files = CubeFiles();
   files[0].second =
-      Replaced(files[0].second, "v1=\"0\" ", "slic3rpe:custom_supports=\"4\" v1=\"0\" ");
+      Replaced(files[0].second, "v1=\"0\" ", "slic3rpe:fuzzy_skin=\"4\" v1=\"0\" ");
   const auto contents = Read(files);
   ASSERT_TRUE(contents.ok()) << contents.status();
-  EXPECT_THAT(contents->project.without_effect, ElementsAre("painted supports of `object 1`"));
+  EXPECT_THAT(contents->project.without_effect, ElementsAre("painted fuzzy skin of `object 1`"));
 }
 
 TEST(Read3mf, ReadsPaintedSeamsAsParts) {

@@ -14,15 +14,17 @@ namespace {
 
 /// Where each slicer puts what.
 struct Names {
-  std::string_view project, model, ranges, heights;
+  std::string_view project, model, ranges, heights, profiles;
 };
 
 constexpr Names kPrusaNames = {"Metadata/Slic3r_PE.config", "Metadata/Slic3r_PE_model.config",
                                "Metadata/Prusa_Slicer_layer_config_ranges.xml",
-                               "Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml"};
+                               "Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml",
+                               "Metadata/Slic3r_PE_layer_heights_profile.txt"};
 constexpr Names kOrcaNames = {"Metadata/project_settings.config", "Metadata/model_settings.config",
                               "Metadata/layer_config_ranges.xml",
-                              "Metadata/custom_gcode_per_layer.xml"};
+                              "Metadata/custom_gcode_per_layer.xml",
+                              "Metadata/layer_heights_profile.txt"};
 
 /// A file that has no effect, and what it is. `mark`: what it holds if there is anything in it.
 struct Idle {
@@ -31,9 +33,7 @@ struct Idle {
   std::string_view words;
 };
 
-constexpr std::array<Idle, 9> kIdle = {{
-    {"Metadata/Slic3r_PE_layer_heights_profile.txt", "object_id", "layer heights drawn by hand"},
-    {"Metadata/layer_heights_profile.txt", "object_id", "layer heights drawn by hand"},
+constexpr std::array<Idle, 7> kIdle = {{
     {"Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml", "type=\"2\"",
      "changes of tool at certain heights"},
     {"Metadata/custom_gcode_per_layer.xml", "type=\"2\"", "changes of tool at certain heights"},
@@ -92,6 +92,10 @@ absl::StatusOr<Metadata> ReadMetadata(const Archive& archive) {
   metadata.project = *std::move(project);
   metadata.model = *std::move(model);
   metadata.ranges = *std::move(ranges);
+  absl::StatusOr<HeightProfiles> profiles =
+      ReadIfThere<HeightProfiles>(archive, names.profiles, ReadHeightProfiles);
+  if (!profiles.ok()) return profiles.status();
+  metadata.profiles = *std::move(profiles);
   const auto heights = ReadIfThere<PlateHeightCodes>(archive, names.heights, ReadHeightCodes);
   if (!heights.ok()) return heights.status();
   absl::Status added = AddHeightCodes(*heights, metadata);

@@ -2,6 +2,7 @@
 
 #include "absl/status/statusor.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive.h"
+#include "services/slicing/algo/mesh_io/threemf/settings/height_profiles.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/height_ranges.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/object_settings.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/project_settings.h"
@@ -14,6 +15,7 @@ struct Metadata {
   ProjectSettings project;
   ModelSettings model;
   HeightRanges ranges;
+  HeightProfiles profiles;
   /// Whether the project was saved for some printer: only then its places mean anything.
   bool has_printer = false;
 };

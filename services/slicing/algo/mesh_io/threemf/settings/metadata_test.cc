@@ -65,9 +65,20 @@ TEST(ReadMetadata, NamesTheFileThatIsWrong) {
   EXPECT_EQ(DetailOf(json.status()).reason, Reason::kMeshMalformed);
 }
 
+TEST(ReadMetadata, HasTheHeightsDrawnByHand) {
+  const char* profile = "object_id=1|0.000000;0.200000;5.000000;0.100000\n";
+  Files prusa = PrusaFiles(), bambu = BambuFiles();
+  prusa.emplace_back("Metadata/Slic3r_PE_layer_heights_profile.txt", profile);
+  bambu.emplace_back("Metadata/layer_heights_profile.txt", profile);
+  for (const Files& files : {prusa, bambu}) {
+    const auto metadata = Read(files);
+    ASSERT_TRUE(metadata.ok()) << metadata.status();
+    EXPECT_EQ(metadata->profiles.at(1), "0;0.2;5;0.1");
+  }
+}
+
 TEST(FilesWithoutEffect, AreNamedInWords) {
   Files files = PrusaFiles();
-  files.emplace_back("Metadata/Slic3r_PE_layer_heights_profile.txt", "object_id=1|0;0.2;5;0.1\n");
   files.emplace_back("Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml",
                      "<custom_gcodes_per_print_z>\n</custom_gcodes_per_print_z>");
   files.emplace_back("Metadata/custom_gcode_per_layer.xml",
@@ -75,8 +86,7 @@ TEST(FilesWithoutEffect, AreNamedInWords) {
   const std::string bytes = Zipped(files);
   const auto idle = FilesWithoutEffect(*Archive::Open(bytes));
   ASSERT_TRUE(idle.ok()) << idle.status();
-  EXPECT_THAT(*idle, testing::ElementsAre("layer heights drawn by hand",
-                                          "changes of tool at certain heights"));
+  EXPECT_THAT(*idle, testing::ElementsAre("changes of tool at certain heights"));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// What has no effect, of which objects: "painted supports of `a`, `b` and 3 more".
+/// What has no effect, of which objects: "painted filaments of `a`, `b` and 3 more".
 class Notes {
  public:
   /// `object`: its name; empty: of the file.

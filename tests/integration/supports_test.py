@@ -1,0 +1,190 @@
+#!/usr/bin/env python3
+"""Supports and layer heights, from file to G-code: what hangs is carried at the gap, painted supports are where the paint is, nothing thick is
+printed right over a support, heights drawn by hand and those that fit the shape are kept; and the bytes are the same for any number of
+threads, and from a farm of real processes.
+
+usage: supports_test.py SLICEFARM MODELS
+"""
+import collections
+import os
+import pathlib
+import re
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from project_test import cube, item, mesh_xml, model_xml, must, painted, write
+
+BED = "0x0,256x0,256x256,0x256"
+SETTINGS = {"bed_shape": BED, "layer_height": "0.25", "first_layer_height": "0.25", "support_material": "1", "support_material_contact_distance": "0.25",
+            "nozzle_diameter": "0.4", "thick_bridges": "1", "gcode_label_objects": "octoprint"}
+
+Bead = collections.namedtuple("Bead", "feature label z height a b")
+
+
+def box(x0, y0, z0, x1, y1, z1):
+    corners, faces = cube(0, 0, 0, 1)
+    return [(x0 + x * (x1 - x0), y0 + y * (y1 - y0), z0 + z * (z1 - z0)) for x, y, z in corners], faces
+
+
+def table(state=None, attribute="", more=None, places=((50, 60, False), (120, 60, True))):
+    """A slab of 20 mm x 20 mm on a post at its middle, its underside 10 mm above the bed; two copies, the second one turned."""
+    mesh = mesh_xml(box(8, 8, 0, 12, 12, 11), box(0, 0, 10, 20, 20, 13))
+    if state is not None:
+        mesh = painted(mesh, state, attribute)
+    return {"3D/3dmodel.model": model_xml(f'<object id="1" type="model">{mesh}</object>', "".join(item(1, *place) for place in places), "PrusaSlicer-2.9.2"),
+            "Metadata/Slic3r_PE.config": "".join(f"; {key} = {value}\n" for key, value in (SETTINGS | (more or {})).items())}
+
+
+def beads_of(gcode):
+    """All beads, with relative or absolute E."""
+    feature = label = ""
+    x = y = z = e = height = 0.0
+    relative, beads = False, []
+    for line in gcode.splitlines():
+        if line.startswith(";TYPE:"):
+            feature = line[6:]
+        elif line.startswith(";HEIGHT:"):
+            height = float(line[8:])
+        elif line.startswith("; printing object "):
+            label = line[18:]
+        elif line.startswith(("M82", "M83")):
+            relative = line.startswith("M83")
+        if not line.startswith(("G1 ", "G92 ")):
+            continue
+        words = {letter: float(value) for letter, value in re.findall(r"([XYZE])(-?\d*\.?\d+)", line.split(";")[0])}
+        pushed = words.get("E", 0) if relative else words.get("E", e) - e
+        e = words.get("E", e)
+        before, (x, y, z) = (x, y), (words.get("X", x), words.get("Y", y), words.get("Z", z))
+        if line.startswith("G1 ") and pushed > 0 and before != (x, y):
+            beads.append(Bead(feature, label, z, height, before, (x, y)))
+    return beads
+
+
+def sliced(program, folder, project, *arguments):
+    must(program, "slice", project, "-o", folder / "out.gcode", "-q", *arguments)
+    return beads_of((folder / "out.gcode").read_text())
+
+
+def supports(beads):
+    return [bead for bead in beads if bead.feature.startswith("Support material")]
+
+
+def on_object(bead):
+    """Places of a bead's ends on the object itself, in which copy it is."""
+    def place(p):
+        return (p[0] - 50, p[1] - 60) if p[0] < 80 else (p[1] - 60, 120 - p[0])
+    return place(bead.a), place(bead.b)
+
+
+def check_automatic(program, folder):
+    project = write(folder / "table.3mf", table())
+    for style in ("grid", "snug", "organic"):
+        beads = sliced(program, folder, project, "--set", f"support_material_style={style}")
+        held = supports(beads)
+        assert abs(max(bead.z for bead in held) - 9.75) < 1e-6, f"{style}: the top lies at the gap, {max(bead.z for bead in held)}"
+        tops = [place for bead in held if abs(bead.z - 9.75) < 1e-6 for place in on_object(bead)]
+        for corner in ((0, 0), (20, 0), (0, 20), (20, 20)):
+            assert min(abs(x - corner[0]) + abs(y - corner[1]) for x, y in tops) < 1.5, f"{style}: nothing below the corner {corner}"
+        for bead in held:
+            for x, y in on_object(bead):
+                assert not (7.9 < x < 12.1 and 7.9 < y < 12.1), f"{style}: {bead} is in the post"
+        thick = [bead for bead in beads if bead.height > 0.25 + 1e-6]
+        assert not thick, f"{style}: threads right over a support, {thick[:3]}"
+        counts = collections.Counter(bead.label for bead in held)
+        assert len(counts) == 2 and len(set(counts.values())) == 1, f"{style}: each copy has its own, all alike, {counts}"
+
+
+def check_bridges_without_supports_are_threads(program, folder):
+    beads = sliced(program, folder, write(folder / "table.3mf", table()), "--set", "support_material=0")
+    assert not supports(beads)
+    assert any(bead.height > 0.35 for bead in beads), "thick_bridges makes threads where nothing carries them"
+
+
+def check_painted(program, folder):
+    """The underside is level: no plane cuts its paint."""
+    def left(enforce):
+        return lambda x, y, z: (1 if enforce else 2) if abs(z - 10) < 1e-6 and x < 7 else 0
+
+    for attribute in ("slic3rpe:custom_supports", "paint_supports"):
+        project = write(folder / "enforced.3mf", table(left(True), attribute, {"support_material_auto": "0"}))
+        assert '"support_enforcer"' in must(program, "inspect", project)
+        held = supports(sliced(program, folder, project))
+        xs = [x for bead in held for x, _ in on_object(bead)]
+        assert held and min(xs) < 1 and max(x for bead in held if bead.z > 9.7 for x, _ in on_object(bead)) < 8, (min(xs), max(xs))
+        assert len({bead.label for bead in held}) == 2
+        blocked = write(folder / "blocked.3mf", table(left(False), attribute))
+        tops = [x for bead in supports(sliced(program, folder, blocked)) if bead.z > 9.7 for x, _ in on_object(bead)]
+        assert tops and min(tops) > 6.3 and max(tops) > 19, (min(tops), max(tops))
+    assert not supports(sliced(program, folder, write(folder / "none.3mf", table(more={"support_material_auto": "0"}))))
+
+
+def check_heights_drawn_by_hand(program, folder):
+    files = table(more={"support_material": "0"})
+    files["Metadata/Slic3r_PE_layer_heights_profile.txt"] = "object_id=1|0.000000;0.250000;4.000000;0.250000;6.000000;0.100000;13.000000;0.100000\n"
+    done = sliced(program, folder, write(folder / "drawn.3mf", files))
+    heights = sorted({bead.z for bead in done})
+    steps = [round(b - a, 4) for a, b in zip(heights, heights[1:])]
+    assert all(abs(step - 0.25) < 1e-3 for step, z in zip(steps, heights) if z < 3.9), steps
+    assert all(abs(step - 0.1) < 1e-3 for step, z in zip(steps, heights) if z > 6), steps
+    assert any(0.11 < step < 0.24 for step in steps), "in between in proportion"
+    held = supports(sliced(program, folder, folder / "drawn.3mf", "--set", "support_material=1"))
+    assert held and abs(max(bead.z for bead in held) - (min(z for z in heights if z > 10) - 0.1 - 0.25)) < 0.11, "supports follow"
+
+
+def check_adaptive(program, folder, models):
+    def heights(*arguments):
+        return sorted({bead.z for bead in sliced(program, folder, models / "spot.stl", "--set", "first_layer_height=0.2", *arguments)
+                       if bead.feature == "External perimeter"})
+    fitted = heights("--set", "adaptive_layer_height=1")
+    steps = {round(b - a, 3) for a, b in zip(fitted, fitted[1:])}
+    assert min(steps) >= 0.069 and max(steps) <= 0.301 and len(steps) > 5, steps
+    coarse = heights("--set", "adaptive_layer_height=1", "--set", "adaptive_layer_cusp=0.2")
+    assert len(coarse) < len(fitted)
+    project = write(folder / "table.3mf", table(more={"adaptive_layer_height": "1", "support_material": "0"}))
+    tops = {bead.z for bead in sliced(program, folder, project)}
+    assert 10 in tops and 13 in tops, "level faces are met exactly"
+    held = sliced(program, folder, models / "spot.stl", "--set", "adaptive_layer_height=1", "--set", "support_material=1", "--set",
+                  "support_material_style=organic")
+    assert supports(held), "branches beside layers of many heights"
+
+
+def check_same_bytes(program, folder, models):
+    os.environ["SLICEFARM_BIN"] = str(pathlib.Path(program).resolve().parent)
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+    from local_farm import running_farm
+
+    def left(x, y, z):
+        return 1 if abs(z - 10) < 1e-6 and x < 7 else 0
+
+    painted_table = write(folder / "enforced.3mf", table(left, "paint_supports", {"support_material_auto": "0"}))
+    everything = ["--set", "support_material=1", "--set", "adaptive_layer_height=1", "--set", "raft_layers=2", "--set", "brim_type=outer_only",
+                  "--set", "brim_width=3", "--set", "first_layer_height=0.2"]
+    jobs = {"painted": [painted_table], "organic": [models / "spot.stl", *everything, "--set", "support_material_style=organic"],
+            "grid": [models / "spot.stl", *everything, "--set", "support_material_style=grid"]}
+    want = {}
+    for name, job in jobs.items():
+        must(program, "slice", *job, "-o", folder / f"{name}.gcode", "-q", "--threads", 1)
+        want[name] = (folder / f"{name}.gcode").read_bytes()
+        must(program, "slice", *job, "-o", folder / "again.gcode", "-q", "--threads", 4)
+        assert (folder / "again.gcode").read_bytes() == want[name], f"{name}: another number of threads"
+    with running_farm() as farm:
+        for name, job in jobs.items():
+            done = farm.client("submit", *job, "-o", folder / "there.gcode")
+            assert done.returncode == 0, done.stderr
+            assert (folder / "there.gcode").read_bytes() == want[name], f"{name}: a farm makes other bytes"
+
+
+def main(program, models):
+    with tempfile.TemporaryDirectory() as name:
+        folder, models = pathlib.Path(name), pathlib.Path(models)
+        for check in (check_automatic, check_bridges_without_supports_are_threads, check_painted, check_heights_drawn_by_hand):
+            check(program, folder)
+            print(f"{check.__name__}: ok", flush=True)
+        for check in (check_adaptive, check_same_bytes):
+            check(program, folder, models)
+            print(f"{check.__name__}: ok", flush=True)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
