@@ -107,13 +107,13 @@ def check_painted(program, folder):
         return lambda x, y, z: (1 if enforce else 2) if abs(z - 10) < 1e-6 and x < 7 else 0
 
     for attribute in ("slic3rpe:custom_supports", "paint_supports"):
-        project = write(folder / "enforced.3mf", table(left(True), attribute, {"support_material_auto": "0"}))
+        project = write(folder / "enforced.3mf", table(left(True), attribute, {"support_material_auto": "0", "support_material_style": "snug"}))
         assert '"support_enforcer"' in must(program, "inspect", project)
         held = supports(sliced(program, folder, project))
         xs = [x for bead in held for x, _ in on_object(bead)]
         assert held and min(xs) < 1 and max(x for bead in held if bead.z > 9.7 for x, _ in on_object(bead)) < 8, (min(xs), max(xs))
         assert len({bead.label for bead in held}) == 2
-        blocked = write(folder / "blocked.3mf", table(left(False), attribute))
+        blocked = write(folder / "blocked.3mf", table(left(False), attribute, {"support_material_style": "snug"}))
         tops = [x for bead in supports(sliced(program, folder, blocked)) if bead.z > 9.7 for x, _ in on_object(bead)]
         assert tops and min(tops) > 6.3 and max(tops) > 19, (min(tops), max(tops))
     assert not supports(sliced(program, folder, write(folder / "none.3mf", table(more={"support_material_auto": "0"}))))
