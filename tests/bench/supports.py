@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""What supports a G-code file holds: `supports.py FILE` prints `support_mm3 layers`.
+"""What supports a G-code file holds, and a plate to look at.
+
+`supports.py FILE` prints `support_mm3 layers`. `supports.py cones` prints an STL: cones upside down, whose sides rise by 20 to 80
+degrees from level, on feet of 4 mm.
 
 By the E values of beads whose `;TYPE:` begins with `Support material`; filament of 1.75 mm. `layers`: heights at which
 such beads lie.
@@ -36,6 +39,37 @@ def measure(path):
     return used * FILAMENT_MM2, len(heights)
 
 
+def cones(corners=180):
+    """Facets of cones in a row, 6 mm high each."""
+    facets, x = [], 0.0
+    for degrees in range(20, 81, 10):
+        spread = 6 / math.tan(math.radians(degrees))
+        x += spread + 4
+        rings = [[(x + r * math.cos(2 * math.pi * k / corners), r * math.sin(2 * math.pi * k / corners), z) for k in range(corners)]
+                 for r, z in ((2, 0), (2, 1), (2 + spread, 7))]
+        for low, high in zip(rings, rings[1:]):
+            for k in range(corners):
+                n = (k + 1) % corners
+                facets += [(low[k], low[n], high[n]), (low[k], high[n], high[k])]
+        for k in range(1, corners - 1):
+            facets += [(rings[0][0], rings[0][k + 1], rings[0][k]), (rings[-1][0], rings[-1][k], rings[-1][k + 1])]
+        x += spread + 4
+    return facets
+
+
+def print_stl(facets):
+    print('solid cones')
+    for facet in facets:
+        print('facet normal 0 0 0\nouter loop')
+        for corner in facet:
+            print('vertex {:.6f} {:.6f} {:.6f}'.format(*corner))
+        print('endloop\nendfacet')
+    print('endsolid cones')
+
+
 if __name__ == '__main__':
+    if sys.argv[1] == 'cones':
+        print_stl(cones())
+        sys.exit()
     volume, layers = measure(sys.argv[1])
     print(f'{volume:.0f} {layers}')

@@ -65,6 +65,8 @@ std::vector<std::string> Samples(const SettingSpec& spec) {
       return {
           "",
           R"({"parts":[{"kind":"height","table":[[0,0.4]]},{"kind":"height","table":[[0,0.6]]}]})"};
+    case Kind::kLayerHeights:
+      return {"", "0;0.2", "0;0.2;5.5;0.1;5.5;0.3"};
     case Kind::kAngles:
       return {"", "0,90", "45#2,+30"};
     case Kind::kHeightCode:

@@ -100,7 +100,7 @@ FilledLayer Filled() {
 }
 OrderedLayer Ordered() {
   PathBlock first;
-  auto& [stack, layer, height, paths, travels, leave, below] = first;
+  auto& [stack, layer, height, paths, travels, leave, below, carried] = first;
   stack = kRaftStack;
   layer = 2;
   height = 150'000;
@@ -114,6 +114,7 @@ OrderedLayer Ordered() {
   to = {5, -6};
   way = {true, {{7, 8}}};
   below = *ParseMultiPolygon("(0 0, 9 0, 9 9)");
+  carried = *ParseMultiPolygon("(1 1, 3 1, 3 3)");
   BlockVisit visit;
   auto& [block, copy, pass, shift] = visit;
   block = 1;

@@ -37,11 +37,12 @@ PlacedCopy DistinctPlaced() {
 
 SectionPlan DistinctSection(int32_t of) {
   SectionPlan plan;
-  auto& [stack, entry, exit, seams] = plan;
+  auto& [stack, entry, exit, seams, carried] = plan;
   stack = of;
   entry = {2, -3};
   exit = {-8, 9};
   seams = {{4, 5}, {-6, 7}};
+  carried = MakePolygonsOrDie("(2 2, 7 2, 7 7)");
   return plan;
 }
 
@@ -151,7 +152,7 @@ TEST(PlanWire, EveryFieldChangedAloneReturns) {
   ExpectEveryChangeReturns<v1::PlacedCopy, PlacedCopy>(ProtoOf<v1::PlacedCopy>(DistinctPlaced()),
                                                        {"shift"});
   ExpectEveryChangeReturns<v1::SectionPlan, SectionPlan>(
-      ProtoOf<v1::SectionPlan>(DistinctSection(1)));
+      ProtoOf<v1::SectionPlan>(DistinctSection(1)), {"ring_sizes", "rings_per_island"});
   // Infill's stacks ascend.
   ExpectEveryChangeReturns<v1::LayerPlan, LayerPlan>(
       ProtoOf<v1::LayerPlan>(DistinctLayer()),

@@ -20,7 +20,8 @@ using google::protobuf::util::MessageDifferencer;
 ObjectSlicingOptions DistinctObjectSlicing() {
   ObjectSlicingOptions options;
   auto& [layer_height, fill_rule, close_holes, closing_radius, xy_compensation, hole_compensation,
-         on_bed, elephant_foot, elephant_foot_min_width, lift] = options;
+         on_bed, elephant_foot, elephant_foot_min_width, lift, adaptive, height_profile] = options;
+  auto& [adapts, cusp, min, max, ratio] = adaptive;
   layer_height = 101;
   fill_rule = FillRule::kPositive;
   close_holes = true;
@@ -31,6 +32,12 @@ ObjectSlicingOptions DistinctObjectSlicing() {
   elephant_foot_min_width = 110;
   on_bed = true;
   lift = 602;
+  adapts = true;
+  cusp = 603;
+  min = 604;
+  max = 605;
+  ratio = 2.25;
+  height_profile = {{606, 607}, {608, 609}};
   return options;
 }
 
@@ -70,6 +77,8 @@ constexpr char kDistinctSlicing[] = R"pb(
     elephant_foot_min_width_nm: 110
     on_bed: true
     lift_nm: 602
+    adaptive { on: true cusp_nm: 603 min_nm: 604 max_nm: 605 max_ratio: 2.25 }
+    height_profile_nm: [ 606, 607, 608, 609 ]
   }
 )pb";
 
@@ -88,7 +97,7 @@ TEST(SlicingOptionsWire, Returns) {
   for (const SlicingOptions& options : {SlicingOptions{}, DistinctSlicing()})
     ExpectReturns<v1::SlicingOptions>(options);
   ExpectEveryChangeReturns<v1::SlicingOptions, SlicingOptions>(
-      ProtoOf<v1::SlicingOptions>(SlicingOptions{}));
+      ProtoOf<v1::SlicingOptions>(SlicingOptions{}), {"max_ratio"});
 }
 
 struct RefusedSlicing {
@@ -115,6 +124,21 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedSlicing{"LiftBelowTheBed",
                        [](auto& p) { p.mutable_objects(0)->set_lift_nm(-1); },
                        "objects[0].lift_nm"},
+        RefusedSlicing{"HeightsUpsideDown",
+                       [](auto& p) { p.mutable_objects(0)->mutable_adaptive()->set_max_nm(1); },
+                       "objects[0].adaptive.max_nm"},
+        RefusedSlicing{"NoRatio",
+                       [](auto& p) { p.mutable_objects(0)->mutable_adaptive()->set_max_ratio(0.5); },
+                       "objects[0].adaptive.max_ratio"},
+        RefusedSlicing{"AHeightWithoutZ",
+                       [](auto& p) { p.mutable_objects(0)->add_height_profile_nm(1); },
+                       "objects[0].height_profile_nm"},
+        RefusedSlicing{"AProfileThatFalls",
+                       [](auto& p) {
+                         for (const Coord at : {9, 1, 8, 1})
+                           p.mutable_objects(0)->add_height_profile_nm(at);
+                       },
+                       "objects[0].height_profile_nm"},
         RefusedSlicing{"NoSlicedObjects", [](auto& p) { p.clear_objects(); }, "objects"},
         RefusedSlicing{"NoLayerHeight",
                        [](auto& p) { p.mutable_objects(0)->set_layer_height_nm(0); },

@@ -21,8 +21,8 @@ std::vector<SlicedLayer> Prism() {
   std::vector<SlicedLayer> layers(10);
   for (int i = 0; i < 10; ++i) {
     layers[i].frame = {i, 200'000 * (i + 1), 200'000};
-    layers[i].sections = {{0, i, 10, 200'000,
-                           {{Role::kPart, 0, 0, P("(0 0, 20 0, 20 20, 0 20)")}}, {}, 0, {}}};
+    layers[i].sections = {
+        {0, i, 10, 200'000, {{Role::kPart, 0, 0, P("(0 0, 20 0, 20 20, 0 20)")}}, {}, 0, {}}};
   }
   return layers;
 }
@@ -151,7 +151,8 @@ TEST(FillSection, ThePlateHasNoNeighbours) {
   regions[0].top_solid_layers = regions[0].bottom_solid_layers = 0;
   WalledIsland island;
   island.fill_areas = {{Role::kRaft, 0, 0, P("(1 1, 10 1, 10 19, 1 19)")}};
-  const auto filled = FillPlain({Stack(1, kPlateObject, StackKind::kRaft), 0, 300'000, {island}}, true, objects, regions);
+  const auto filled = FillPlain({Stack(1, kPlateObject, StackKind::kRaft), 0, 300'000, {island}},
+                                true, objects, regions);
   ASSERT_TRUE(filled.ok()) << filled.status();
   EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kSupport});
 }
@@ -168,8 +169,7 @@ FilledSection SquareOf(const InfillOptions& options, std::span<const PlannedInfi
   RegionFields fields(*rows, layers);
   LayerPlan plan;
   plan.infill.assign(plans.begin(), plans.end());
-  auto filled = FillSection({0, layer, 200'000, {island}}, false, objects, plan,
-                            regions, fields);
+  auto filled = FillSection({0, layer, 200'000, {island}}, false, objects, plan, regions, fields);
   EXPECT_TRUE(filled.ok()) << filled.status();
   return *std::move(filled);
 }
@@ -450,7 +450,8 @@ TEST(FillSection, InterfaceShellsLieWhereAnotherRegionBegins) {
 }
 
 /// A layer of a slab on two pillars; its lowest one has the number 5.
-FilledSection BridgeBy(const InfillOptions& options, int32_t layer = 5) {
+FilledSection BridgeBy(const InfillOptions& options, int32_t layer = 5,
+                       const LayerPlan& plan = {}) {
   auto layers = Prism();
   for (int i = 0; i < 5; ++i)
     layers[static_cast<size_t>(i)].sections[0].regions[0].outlines =
@@ -459,7 +460,9 @@ FilledSection BridgeBy(const InfillOptions& options, int32_t layer = 5) {
   WalledIsland island;
   island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 19 1, 19 19, 1 19)")}};
   const std::vector<InfillOptions> regions = {options};
-  auto filled = FillPlain({0, layer, 200'000, {island}}, false, objects, regions);
+  const auto rows = ParseFields(regions);
+  RegionFields none(*rows, {});
+  auto filled = FillSection({0, layer, 200'000, {island}}, false, objects, plan, regions, none);
   EXPECT_TRUE(filled.ok()) << filled.status();
   return *std::move(filled);
 }
@@ -489,6 +492,23 @@ TEST(FillSection, ThickBridgesAreRoundThreads) {
     EXPECT_NEAR(share(BridgeBy(options)),
                 std::numbers::pi / 4 * thread_mm * thread_mm / (thread_mm + 0.05) / 0.2, 0.02);
   }
+}
+
+// Threads hang below their layer: right over a support lines are as high as the layer.
+TEST(FillSection, BridgesOverSupportsAreNoThreads) {
+  const InfillOptions options = Thin();
+  InfillOptions flat = options;
+  flat.thick_bridges = false;
+  const auto carried_by = [](int32_t stack) {
+    LayerPlan plan;
+    plan.sections.emplace_back().stack = stack;
+    plan.sections[0].carried = P("(8 8, 9 8, 9 9, 8 9)");
+    return plan;
+  };
+  const LayerPlan beside = carried_by(1), carried = carried_by(0);
+  EXPECT_EQ(PathsIn(BridgeBy(options, 5, beside)), PathsIn(BridgeBy(options)));
+  EXPECT_NE(PathsIn(BridgeBy(options, 5, carried)), PathsIn(BridgeBy(options)));
+  EXPECT_EQ(PathsIn(BridgeBy(options, 5, carried)), PathsIn(BridgeBy(flat)));
 }
 
 // With a speed of its own; else it is solid infill as any.

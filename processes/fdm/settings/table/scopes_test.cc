@@ -30,7 +30,7 @@ TEST(SetScopes, FindsAllThatTheListsSay) {
     objects += spec.scope == Scope::kObject;
   }
   EXPECT_EQ(regions, 79);
-  EXPECT_EQ(objects, 59);
+  EXPECT_EQ(objects, 63);
 }
 
 }  // namespace

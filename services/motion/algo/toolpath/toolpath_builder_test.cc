@@ -8,9 +8,9 @@
 #include <numbers>
 #include <random>
 
+#include "common/gcode/gcode_text.h"
 #include "common/model/bead_section.h"
 #include "common/model/paths_test.h"
-#include "common/gcode/gcode_text.h"
 
 namespace slicefarm::motion::toolpath_builder_test {
 namespace {
@@ -115,9 +115,8 @@ TEST(ToolpathBuilder, RisesAlongItsWay) {
   using enum MoveKind;
   // To the first path it rises straight up.
   const Built far = Build({Line("(0 0, 10 0)"), Line("(20 0, 30 0)")}, options);
-  EXPECT_THAT(Kinds(far.path),
-              ElementsAre(kLift, kTravel, kLift, kRestart, kPrint, kRetract, kTravel, kTravel,
-                          kLift, kRestart, kPrint, kRetract));
+  EXPECT_THAT(Kinds(far.path), ElementsAre(kLift, kTravel, kLift, kRestart, kPrint, kRetract,
+                                           kTravel, kTravel, kLift, kRestart, kPrint, kRetract));
   EXPECT_EQ(far.path.moves[6].x_um, 11'000);
   EXPECT_EQ(far.path.moves[6].z_um, 1'400);
   EXPECT_EQ(far.path.moves[7].z_um, 1'400);
@@ -125,13 +124,12 @@ TEST(ToolpathBuilder, RisesAlongItsWay) {
   EXPECT_EQ(far.stats.travel_mm, 10);
   // Too near for a retraction.
   const Built near = Build({Line("(0 0, 10 0)"), Line("(11 0, 30 0)")}, options);
-  EXPECT_THAT(Kinds(near.path), ElementsAre(kLift, kTravel, kLift, kRestart, kPrint, kTravel,
-                                            kPrint, kRetract));
+  EXPECT_THAT(Kinds(near.path),
+              ElementsAre(kLift, kTravel, kLift, kRestart, kPrint, kTravel, kPrint, kRetract));
   options.retraction.ramp_slope_deg = 90;
   const Built up = Build({Line("(0 0, 10 0)"), Line("(20 0, 30 0)")}, options);
-  EXPECT_THAT(Kinds(up.path),
-              ElementsAre(kLift, kTravel, kLift, kRestart, kPrint, kRetract, kLift, kTravel, kLift,
-                          kRestart, kPrint, kRetract));
+  EXPECT_THAT(Kinds(up.path), ElementsAre(kLift, kTravel, kLift, kRestart, kPrint, kRetract, kLift,
+                                          kTravel, kLift, kRestart, kPrint, kRetract));
 }
 
 TEST(ToolpathBuilder, LoopsOfWallsEndAtTheirGap) {
@@ -156,9 +154,8 @@ TEST(ToolpathBuilder, WallsOverNothingAreBridges) {
   options.speeds[0].bridge_flow = 0.81;
   options.acceleration_mm_s2[static_cast<size_t>(Feature::kOverhangPerimeter)] = 700;
   options.default_acceleration_mm_s2 = 1000;
-  const LayerBelow below({{{{0, FromMm(-5)}, {FromMm(10), FromMm(-5)}, {FromMm(10), FromMm(5)},
-                            {0, FromMm(5)}},
-                           {}}});
+  const LayerBelow below(
+      {{{{0, FromMm(-5)}, {FromMm(10), FromMm(-5)}, {FromMm(10), FromMm(5)}, {0, FromMm(5)}}, {}}});
   const auto build = [&](const Path& path) {
     ToolpathBuilder builder(options, kFrame, kFrame.height_nm, Ground::kLayers, &below);
     builder.Add(path);
@@ -187,6 +184,38 @@ TEST(ToolpathBuilder, WallsOverNothingAreBridges) {
   EXPECT_EQ(flat.path.moves.end()[-2].width_um, 450);
   options.speeds[0].bridging_walls = false;
   EXPECT_EQ(build(wall).path.moves.end()[-2].feature, Feature::kPerimeter);
+}
+
+// Over a support a wall is as slow as a bridge, but no thread, which would hang into it.
+TEST(ToolpathBuilder, WallsOverSupportsAreNoThreads) {
+  MotionOptions options;
+  options.speeds[0].bridging_walls = true;
+  const auto square = [](double from_mm, double to_mm) {
+    return LayerBelow({{{{FromMm(from_mm), FromMm(-5)},
+                         {FromMm(to_mm), FromMm(-5)},
+                         {FromMm(to_mm), FromMm(5)},
+                         {FromMm(from_mm), FromMm(5)}},
+                        {}}});
+  };
+  const LayerBelow below = square(0, 10), carried = square(10, 20);
+  ToolpathBuilder builder(options, kFrame, kFrame.height_nm, Ground::kLayers, &below, &carried);
+  Path wall = Line("(1 0, 30 0)");
+  wall.feature = Feature::kPerimeter;
+  builder.Add(wall);
+  const Toolpath toolpath = builder.Finish();
+  int flat = 0, threads = 0;
+  int32_t from_um = 0;
+  for (const Move& move : toolpath.moves) {
+    if (move.kind == MoveKind::kPrint && move.feature == Feature::kOverhangPerimeter) {
+      EXPECT_EQ(move.feed_rate, 60 * 30) << "bridge_speed";
+      const int32_t middle_um = (from_um + move.x_um) / 2;
+      ++(middle_um < 20'000 ? flat : threads);
+      EXPECT_EQ(move.height_um, middle_um < 20'000 ? 200 : 400) << middle_um;
+    }
+    from_um = move.x_um;
+  }
+  EXPECT_GT(flat, 0);
+  EXPECT_GT(threads, 0);
 }
 
 // Of many points near to a curve few are printed, with the filament of all; 0 prints all of them.
@@ -422,8 +451,7 @@ TEST(ToolpathBuilder, ZOffsetShiftsEverything) {
 }
 
 TEST(ToolpathBuilder, OwnHeightAndWidthAreToldPerMove) {
-  const Built built =
-      Build({Line("(0 0, 10 0, 20 0)", {400'000, 500'000, 600'000})}, {}, 150'000);
+  const Built built = Build({Line("(0 0, 10 0, 20 0)", {400'000, 500'000, 600'000})}, {}, 150'000);
   EXPECT_EQ(built.path.moves[3].width_um, 450);
   EXPECT_EQ(built.path.moves[4].width_um, 550);
   EXPECT_EQ(built.path.moves[4].height_um, 150);
@@ -527,7 +555,8 @@ TEST(ToolpathBuilder, AScarfRisesOverItsLayerAndTakesTheSameFilament) {
   options.speeds[0].scarf.placement = ScarfPlacement::kContours;
   const Built scarf = Build({loop}, options);
   EXPECT_NEAR(static_cast<double>(Printed(scarf.path)), static_cast<double>(Printed(plain.path)),
-              25) << "rounding, once for each piece that would have none";
+              25)
+      << "rounding, once for each piece that would have none";
   int32_t z_um = 200;
   for (const Move& move : scarf.path.moves) {
     if (move.kind != MoveKind::kPrint) continue;

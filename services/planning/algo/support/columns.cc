@@ -223,7 +223,7 @@ class ColumnMaker {
     }
     std::vector<Polygon> rings;
     for (const Polygon& ring : Outline(wide)) {
-      Polygon simple = SimplifyRing(ring, grid_.pixel_nm * 55 / 100);
+      Polygon simple = SimplifyRing(ring, grid_.pixel_nm * 105 / 100);
       if (simple.size() >= 3) rings.push_back(std::move(simple));
     }
     for (size_t i = index; i < std::min(contacts_.size(), index + kExactLayers); ++i)

@@ -62,10 +62,10 @@ TEST(Columns, StandOnThePartIfTheyMay) {
   auto columns = ColumnsUnder(plate.Problem(), BoxOf(0, 0, 5, 5), options);
   EXPECT_NEAR(AreaMm2((*columns)[19]), 5.7 * 5.7, 1.2);
   EXPECT_NEAR(AreaMm2((*columns)[6]), 5.7 * 5.7, 1.2);
-  EXPECT_NEAR(AreaMm2((*columns)[2]), 5.7 * (5.35 - 2.725), 1.2);
+  EXPECT_NEAR(AreaMm2((*columns)[2]), 5.7 * (5.35 - 2.725), 1.7);
   options.bed_only = true;
   columns = ColumnsUnder(plate.Problem(), BoxOf(0, 0, 5, 5), options);
-  EXPECT_NEAR(AreaMm2((*columns)[19]), 5.7 * (5.35 - 2.725), 1.2);
+  EXPECT_NEAR(AreaMm2((*columns)[19]), 5.7 * (5.35 - 2.725), 1.7);
 }
 
 TEST(Columns, DoNotStandOnOthers) {
@@ -74,7 +74,7 @@ TEST(Columns, DoNotStandOnOthers) {
   problem.others.push_back(plate.Layers());
   const auto columns = ColumnsUnder(problem, BoxOf(0, 0, 5, 5), Style(SupportStyle::kSnug));
   for (const MultiPolygon& column : *columns)
-    EXPECT_NEAR(AreaMm2(column), 5.7 * (5.35 - 2.725), 1.2);
+    EXPECT_NEAR(AreaMm2(column), 5.7 * (5.35 - 2.725), 1.7);
 }
 
 TEST(Columns, CanBeCancelled) {

@@ -13,6 +13,9 @@
 namespace slicefarm::planning {
 namespace {
 
+/// Below it branches have spread by less than they are apart.
+constexpr Coord kPlinthNm = 2'000'000;
+
 MultiPolygon UnionOf(const std::vector<MultiPolygon>& regions, size_t from, size_t to) {
   std::vector<Polygon> rings;
   size_t filled = 0, last = 0;
@@ -42,6 +45,12 @@ std::vector<SupportLayer> NotEmpty(std::vector<SupportLayer> layers) {
   return layers;
 }
 
+/// Where pixels met the part columns have teeth narrower than a line: they carry nothing.
+MultiPolygon WithoutTeeth(const MultiPolygon& base, Coord width_nm) {
+  const MultiPolygon core = FastOffset(base, -width_nm * 2 / 5);
+  return core.empty() ? base : Intersection(base, FastOffset(core, width_nm * 9 / 20));
+}
+
 /// Contacts of this layer and of the n - 1 above.
 size_t EndOfSheet(size_t layer, size_t count, const SupportOptions& options) {
   return std::min(count, layer + static_cast<size_t>(std::max(1, options.top_interface_layers)));
@@ -68,6 +77,20 @@ std::vector<MultiPolygon> Sheets(const SupportHeights& heights, const Contacts& 
                   [](const PolygonWithHoles& s) { return Area(s) < support::kLeastRegionNm2; });
   });
   return sheets;
+}
+
+std::vector<MultiPolygon> Plinths(const SupportHeights& heights, const Contacts& contacts,
+                                  const Clearance& clearance, int threads) {
+  std::vector<MultiPolygon> plinths(heights.layers.size());
+  const auto end = static_cast<size_t>(
+      std::ranges::upper_bound(heights.layers, kPlinthNm, {}, &SupportHeight::top_nm) -
+      heights.layers.begin());
+  ForEachIndex(threads, end, [&](size_t i, int) {
+    const MultiPolygon higher = UnionOf(contacts, i, end);
+    const SupportHeight& height = heights.layers[i];
+    if (!higher.empty()) plinths[i] = clearance.Free(higher, height.bottom_nm, height.top_nm);
+  });
+  return plinths;
 }
 
 std::vector<MultiPolygon> Floors(const SupportProblem& problem, const SupportHeights& heights,
@@ -113,6 +136,7 @@ std::vector<SupportLayer> ColumnLayers(const SupportProblem& problem, const Supp
     MultiPolygon base = top.empty() ? columns[i] : Difference(columns[i], top);
     const MultiPolygon bottom = Intersection(floors[i], base);
     if (!bottom.empty()) base = Difference(base, bottom);
+    base = WithoutTeeth(base, options.width_nm);
     Add(SupportRole::kBase, std::move(base), layers[i]);
     Add(SupportRole::kTopInterface, std::move(top), layers[i]);
     Add(SupportRole::kBottomInterface, bottom, layers[i]);
@@ -123,6 +147,7 @@ std::vector<SupportLayer> ColumnLayers(const SupportProblem& problem, const Supp
 std::vector<SupportLayer> BranchLayers(const SupportProblem& problem, const SupportHeights& heights,
                                        const std::vector<BranchSections>& branches,
                                        const std::vector<MultiPolygon>& sheets,
+                                       const std::vector<MultiPolygon>& plinths,
                                        const SupportOptions& options, int threads) {
   const size_t count = heights.layers.size();
   std::vector<MultiPolygon> bodies(count);
@@ -135,6 +160,11 @@ std::vector<SupportLayer> BranchLayers(const SupportProblem& problem, const Supp
   ForEachIndex(threads, count, [&](size_t i, int) {
     layers[i] = LayerAt(heights, i);
     MultiPolygon taken = sheets[i];
+    if (!plinths[i].empty()) {
+      Add(SupportRole::kBase, taken.empty() ? plinths[i] : Difference(plinths[i], taken),
+          layers[i]);
+      taken = Union(taken, plinths[i]);
+    }
     const auto add = [&](SupportRole role, const MultiPolygon& branch) {
       MultiPolygon rest = taken.empty() ? branch : Difference(branch, taken);
       if (floors[i].empty()) return Add(role, std::move(rest), layers[i]);

@@ -31,10 +31,16 @@ std::vector<SupportLayer> ColumnLayers(const SupportProblem& problem, const Supp
                                        const Contacts& contacts, const SupportOptions& options,
                                        int threads);
 
-/// Layers of support from branches and the sheets on them.
+/// What carries sheets so near the bed that branches cannot spread below them: in each layer, all that
+/// is free of the contacts up to a height above the bed.
+std::vector<MultiPolygon> Plinths(const SupportHeights& heights, const Contacts& contacts,
+                                  const Clearance& clearance, int threads);
+
+/// Layers of support from branches, the sheets on them, and plinths, which have sparse lines.
 std::vector<SupportLayer> BranchLayers(const SupportProblem& problem, const SupportHeights& heights,
                                        const std::vector<BranchSections>& branches,
                                        const std::vector<MultiPolygon>& sheets,
+                                       const std::vector<MultiPolygon>& plinths,
                                        const SupportOptions& options, int threads);
 
 }  // namespace slicefarm::planning

@@ -75,12 +75,25 @@ TEST_F(InterfacesTest, OfBranches) {
     if (i >= 6) branches[i].thin = BoxOf(2, 2, 3, 3);
     branches[i].thick = BoxOf(6, 6, 9, 9);
   }
-  const auto layers = BranchLayers(problem, Even(), branches, sheets, options, 1);
+  const std::vector<MultiPolygon> no_plinths(kLayers);
+  const auto layers = BranchLayers(problem, Even(), branches, sheets, no_plinths, options, 1);
   EXPECT_EQ(AreaOf(layers, 19, SupportRole::kBranch), 0);
   EXPECT_NEAR(AreaOf(layers, 17, SupportRole::kBranch), 1, 1e-6);
   EXPECT_NEAR(AreaOf(layers, 17, SupportRole::kThickBranch), 9, 1e-6);
   EXPECT_NEAR(AreaOf(layers, 6, SupportRole::kBottomInterface), 1, 1e-6);
   EXPECT_NEAR(AreaOf(layers, 19, SupportRole::kTopInterface), 100, 1e-6);
+}
+
+TEST_F(InterfacesTest, NearTheBedPlinthsCarryContacts) {
+  const SupportProblem problem = plate_.Problem();
+  const Clearance clearance(problem, {}, 100'000'000, 1);
+  Contacts contacts(kLayers);
+  contacts[6] = BoxOf(40, 40, 50, 50);
+  contacts[15] = BoxOf(60, 40, 70, 50);
+  const auto plinths = Plinths(Even(), contacts, clearance, 1);
+  for (size_t i = 0; i < kLayers; ++i)
+    EXPECT_NEAR(AreaMm2(plinths[i]), i <= 6 ? 100 : 0, 1e-6)
+        << i << ": the higher one has branches";
 }
 
 }  // namespace

@@ -113,7 +113,9 @@ class Planner {
     const auto sections =
         DrawBranches(*branches, *field, heights_, clearance, options_, threads_, cancel_);
     if (cancel_.Cancelled()) return cancel_.Check();
-    plan_.layers = BranchLayers(problem_, heights_, sections, sheets, options_, threads_);
+    plan_.layers =
+        BranchLayers(problem_, heights_, sections, sheets,
+                     Plinths(heights_, contacts_, clearance, threads_), options_, threads_);
     return absl::OkStatus();
   }
 
@@ -149,8 +151,7 @@ class Planner {
       for (; layer != plan_.layers.end() && layer->top_nm <= bottom; ++layer)
         for (const SupportRegion& region : layer->regions)
           AppendRingsNear(region.outlines, box, rings);
-      if (!rings.empty())
-        plan_.carried[i] = Intersection(wide, Union(rings, FillRule::kNonZero));
+      if (!rings.empty()) plan_.carried[i] = Intersection(wide, Union(rings, FillRule::kNonZero));
     });
   }
 
