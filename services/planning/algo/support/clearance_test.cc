@@ -31,11 +31,11 @@ TEST_P(ClearanceTest, IsExact) {
 INSTANTIATE_TEST_SUITE_P(Box, ClearanceTest,
                          testing::Values(Case{"FarBelow", 1'000'000, 1'200'000, 0},
                                          Case{"AtTheGap", 1'600'000, 1'800'000, 0},
-                                         Case{"NearerThanTheGap", 1'650'000, 1'850'000, 5.002},
-                                         Case{"Touching", 1'800'000, 2'000'000, 5.002},
+                                         Case{"NearerThanTheGap", 1'650'000, 1'850'000, 5.008},
+                                         Case{"Touching", 1'800'000, 2'000'000, 5.008},
                                          Case{"Beside", 1'900'000, 2'100'000, 5.225},
-                                         Case{"OnTop", 4'000'000, 4'200'000, 5.002},
-                                         Case{"NearTheTop", 4'200'000, 4'400'000, 5.002},
+                                         Case{"OnTop", 4'000'000, 4'200'000, 5.008},
+                                         Case{"NearTheTop", 4'200'000, 4'400'000, 5.008},
                                          Case{"AtTheLowerGap", 4'300'000, 4'500'000, 0}),
                          [](const auto& info) { return info.param.name; });
 
