@@ -49,6 +49,13 @@ struct FileFormat {
   bool alone = false;  ///< only processes that list the suffix make files of such a name
 };
 
+/// What users are told of a job's parts and of its time.
+struct ResultWords {
+  std::string_view one = "layer";
+  std::string_view many = "layers";
+  std::string_view to_make = "to print";
+};
+
 /// What the settings of one process are and what they come to. common/config reads, resolves and
 /// explains settings, and asks this for all that differs: it knows no process by name. One object a
 /// process, in processes/<name>/settings; processes/list/settings.cc lists them.
@@ -119,6 +126,7 @@ class ProcessSettings {
   }
   /// A call of `slicefarm slice` that shows what is its own, for help; empty: none.
   virtual std::string_view Example() const { return {}; }
+  virtual ResultWords Words() const { return {}; }
   /// What the material costs; 0: whatever the farm says.
   virtual double MaterialCostPerKg(const JobSettings& /*settings*/) const { return 0; }
 };

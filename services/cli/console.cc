@@ -14,10 +14,15 @@ namespace slicefarm::cli {
 
 namespace {
 
-bool IsSettingOfAnyProcess(std::string_view key) {
-  return std::ranges::any_of(kProcesses, [&](const ProcessInfo& info) {
-    return config::FindSetting(key, info.process) >= 0;
-  });
+/// How `slicefarm settings` shows a setting; empty: no process has it.
+std::string HowToShow(std::string_view key) {
+  for (const ProcessInfo& info : kProcesses) {
+    if (config::FindSetting(key, info.process) < 0) continue;
+    const bool other = info.process != kDefaultProcess;
+    return fmt::format("slicefarm settings {}{}{}", key, other ? " --machine " : "",
+                       other ? info.name : "");
+  }
+  return "";
 }
 
 /// `detail`: of an error about the value of a setting.
@@ -25,9 +30,10 @@ std::string AdviceOnValue(const ErrorDetail& detail) {
   if (detail.metadata.contains("objects"))
     return "give all of them the same extruder, or print them as jobs of their own";
   const auto setting = detail.metadata.find("setting");
-  if (setting == detail.metadata.end() || !IsSettingOfAnyProcess(setting->second)) return "";
-  return fmt::format("`slicefarm settings {0}` says what it means; --set {0}=VALUE replaces it",
-                     setting->second);
+  if (setting == detail.metadata.end()) return "";
+  const std::string how = HowToShow(setting->second);
+  if (how.empty()) return "";
+  return fmt::format("`{}` says what it means; --set {}=VALUE replaces it", how, setting->second);
 }
 
 }  // namespace
@@ -38,7 +44,7 @@ std::string Advice(const absl::Status& status) {
   switch (detail.reason) {
     case Reason::kSettingUnknown:
     case Reason::kSettingMisplaced:
-      return "`slicefarm settings` lists every setting with its range";
+      return "`slicefarm settings [--machine MACHINE]` lists every setting with its range";
     case Reason::kSettingMalformed:
     case Reason::kSettingOutOfRange:
       return AdviceOnValue(detail);

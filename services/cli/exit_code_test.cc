@@ -74,6 +74,8 @@ TEST(Advice, FitsTheError) {
   };
   EXPECT_THAT(advice(Reason::kSettingOutOfRange, {{"setting", "skirts"}}),
               HasSubstr("--set skirts=VALUE"));
+  EXPECT_THAT(advice(Reason::kSettingOutOfRange, {{"setting", "cutter"}}),
+              HasSubstr("`slicefarm settings cutter --machine mill`"));
   EXPECT_THAT(
       advice(Reason::kSettingOutOfRange, {{"setting", "extruder"}, {"objects", "\"a\"; \"b\""}}),
       HasSubstr("the same extruder"));
@@ -97,6 +99,8 @@ TEST(SummaryText, SaysWhatMatters) {
                          .settings_without_effect = 3}),
             "1 layer, 5s to print, 0.01 m of filament; found by content, not made anew\n"
             "3 of the given settings have no effect; --report FILE.json lists them\n");
+  EXPECT_EQ(SummaryText({.words = {"step", "steps", "to mill"}, .layers = 3, .print_time_s = 60}),
+            "3 steps, 1m 0s to mill\n");
   EXPECT_EQ(
       SummaryText({.output = "a", .layers = 2, .settings_without_effect = 1, .report = "r.json"}),
       "a: 2 layers, 0s to print\n"

@@ -8,8 +8,9 @@ namespace slicefarm::cli {
 
 std::string SummaryText(const Summary& summary) {
   std::string text = summary.output.empty() ? "" : summary.output + ": ";
-  text += fmt::format("{} {}, {} to print", summary.layers,
-                      summary.layers == 1 ? "layer" : "layers", DurationText(summary.print_time_s));
+  text += fmt::format("{} {}, {} {}", summary.layers,
+                      summary.layers == 1 ? summary.words.one : summary.words.many,
+                      DurationText(summary.print_time_s), summary.words.to_make);
   // Not every process needs any.
   if (summary.filament_mm > 0)
     text += fmt::format(", {:.2f} m of filament", summary.filament_mm / 1000);

@@ -4,11 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "common/config/process_settings.h"
+
 namespace slicefarm::cli {
 
 /// What a user wants to know of a result at a glance.
 struct Summary {
-  std::string output = {};  ///< where the G-code is; empty: nowhere yet
+  std::string output = {};  ///< where the result is; empty: nowhere yet
+  config::ResultWords words = {};
   int layers = 0;
   double print_time_s = 0;
   double filament_mm = 0;

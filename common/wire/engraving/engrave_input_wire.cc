@@ -10,6 +10,9 @@
 namespace slicefarm {
 namespace {
 
+/// A surface that is folded up may be laid out far wider than it is.
+constexpr double kMostMapMm = 1e9;
+
 static_assert(v1::NORMAL_KIND_INTERPOLATED == static_cast<int>(NormalKind::kInterpolated) + 1);
 static_assert(v1::AXIS_LAYOUT_HEAD_BC == static_cast<int>(AxisLayout::kHeadBc) + 1);
 static_assert(v1::TOOL_KIND_EXTRUDER == static_cast<int>(ToolKind::kExtruder) + 1);
@@ -144,7 +147,7 @@ absl::StatusOr<MappedSurface> FromProto(const v1::MappedSurface& proto) {
   for (const int32_t vertex : proto.vertex_of())
     if (vertex < 0 || vertex >= points) return Malformed("vertex_of", "no point is there");
   for (const double c : proto.xy_mm())
-    if (!std::isfinite(c)) return Malformed("xy_mm", "is not finite");
+    if (!(std::abs(c) <= kMostMapMm)) return Malformed("xy_mm", "is no place of a map");
   MappedSurface surface{*std::move(mesh), {proto.vertex_of().begin(), proto.vertex_of().end()}, {}};
   for (int i = 0; i < 2 * points; i += 2)
     surface.map_mm.push_back({proto.xy_mm(i), proto.xy_mm(i + 1)});

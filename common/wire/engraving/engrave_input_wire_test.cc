@@ -46,6 +46,12 @@ TEST(EngraveInputWire, RefusesWhatDoesNotFit) {
   proto.mutable_surface()->mutable_mesh()->set_xyz_mm(0, std::numeric_limits<double>::infinity());
   ExpectMalformed(FromProto(proto).status(), "surface.mesh.xyz_mm");
   proto = ProtoOf<v1::EngraveInput>(Input());
+  proto.mutable_surface()->mutable_mesh()->set_xyz_mm(3, 1e300);  // its program had "Zinf"
+  ExpectMalformed(FromProto(proto).status(), "surface.mesh.xyz_mm");
+  proto = ProtoOf<v1::EngraveInput>(Input());
+  proto.mutable_surface()->set_xy_mm(3, -1e300);
+  ExpectMalformed(FromProto(proto).status(), "surface.xy_mm");
+  proto = ProtoOf<v1::EngraveInput>(Input());
   proto.mutable_settings()->clear_lines();
   EXPECT_EQ(DetailOf(FromProto(proto).status()).reason, Reason::kRequestMalformed);
 }

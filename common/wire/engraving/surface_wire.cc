@@ -26,7 +26,8 @@ absl::StatusOr<SurfaceMesh> FromProto(const v1::SurfaceMesh& proto) {
     return LimitError(Reason::kMeshTooLarge, "triangles of a surface", limits::kMaxSurfaceTriangles,
                       triangles);
   for (const double c : proto.xyz_mm())
-    if (!std::isfinite(c)) return Malformed("xyz_mm", "is not finite");
+    if (!(std::abs(c) <= limits::kMaxMeshCoordinateMm))
+      return Malformed("xyz_mm", "is farther from the origin than a mesh may be");
   for (const int32_t corner : proto.corners())
     if (corner < 0 || corner >= points) return Malformed("corners", "no point is there");
   SurfaceMesh mesh;

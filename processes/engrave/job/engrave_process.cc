@@ -48,6 +48,39 @@ int64_t BytesOf(const SurfaceMesh& mesh) {
                               mesh.triangles.size() * sizeof(mesh.triangles[0]));
 }
 
+int64_t OpenEdgesOf(const SurfaceMesh& mesh) {
+  std::vector<std::pair<int32_t, int32_t>> sides;
+  sides.reserve(3 * mesh.triangles.size());
+  for (const auto& corners : mesh.triangles)
+    for (size_t k = 0; k < 3; ++k) sides.push_back(std::minmax(corners[k], corners[(k + 1) % 3]));
+  std::ranges::sort(sides);
+  int64_t open = 0;
+  for (size_t i = 0; i < sides.size();) {
+    const size_t first = i;
+    while (i < sides.size() && sides[i] == sides[first]) ++i;
+    open += i - first == 1;
+  }
+  return open;
+}
+
+MeshReport ReportOf(const std::string& name, const SurfaceMesh& mesh) {
+  MeshReport report{.name = name,
+                    .triangles = std::ssize(mesh.triangles),
+                    .vertices = std::ssize(mesh.points_mm),
+                    .open_edges = OpenEdgesOf(mesh)};
+  if (mesh.triangles.empty()) return report;
+  Eigen::Vector3d low = mesh.points_mm[mesh.triangles[0][0]], high = low;
+  for (const auto& corners : mesh.triangles) {
+    for (const int32_t corner : corners) {
+      low = low.cwiseMin(mesh.points_mm[corner]);
+      high = high.cwiseMax(mesh.points_mm[corner]);
+    }
+  }
+  report.min_mm = {low.x(), low.y(), low.z()};
+  report.max_mm = {high.x(), high.y(), high.z()};
+  return report;
+}
+
 absl::StatusOr<EngraveInput> InputOf(std::vector<SurfaceMesh> meshes, const Roles& roles,
                                      EngraveSettings settings, MappedSurface surface) {
   auto image = ImageBytes("texture_image", settings.texture.image);
@@ -56,8 +89,8 @@ absl::StatusOr<EngraveInput> InputOf(std::vector<SurfaceMesh> meshes, const Role
   if (!mask.ok()) return mask.status();
   settings.texture.image.clear();
   settings.texture.mask.clear();
-  EngraveInput input{std::move(settings), {}, *std::move(image), *std::move(mask),
-                     std::move(surface)};
+  EngraveInput input{
+      std::move(settings), {}, *std::move(image), *std::move(mask), std::move(surface)};
   if (roles.texture != roles.surface) input.solid = std::move(meshes[roles.texture]);
   return input;
 }
@@ -66,6 +99,7 @@ absl::StatusOr<EngraveInput> InputOf(std::vector<SurfaceMesh> meshes, const Role
 struct LaidOut {
   Shared<EngraveInput> input;
   EngraveLayout layout;
+  MeshReport surface;
 };
 
 absl::StatusOr<LaidOut> LayOutJob(const StageCall& call, const PlacingStage& placing,
@@ -73,6 +107,7 @@ absl::StatusOr<LaidOut> LayOutJob(const StageCall& call, const PlacingStage& pla
   EngraveSettings& settings = EngraveOf(input.settings);
   const auto roles = RolesOf(input.meshes.objects, settings.texture);
   if (!roles.ok()) return roles.status();
+  const std::string name = input.meshes.objects[roles->surface].name;
   auto meshes = Timed(times[Stage::kPlacing], [&] {
     const ScopedSpan span(call.spans, "reading");
     return placing.ReadSurfaces(call, std::move(input.meshes), input.settings.slicing);
@@ -81,6 +116,7 @@ absl::StatusOr<LaidOut> LayOutJob(const StageCall& call, const PlacingStage& pla
   const absl::Status room =
       HoldMemory(call, JobMemory::Kind::kMeshes, 4 * BytesOf((*meshes)[roles->surface]));
   if (!room.ok()) return room;
+  MeshReport told = ReportOf(name, (*meshes)[roles->surface]);
   const SurfaceInput surface{std::move((*meshes)[roles->surface]), settings.lines.seam};
   auto mapped = Timed(times[Stage::kTexture], [&] {
     const ScopedSpan span(call.spans, "map");
@@ -89,7 +125,7 @@ absl::StatusOr<LaidOut> LayOutJob(const StageCall& call, const PlacingStage& pla
   if (!mapped.ok()) return mapped.status();
   auto whole = InputOf(*std::move(meshes), *roles, std::move(settings), *std::move(mapped));
   if (!whole.ok()) return whole.status();
-  LaidOut job{*std::move(whole), {}};
+  LaidOut job{*std::move(whole), {}, std::move(told)};
   auto layout = Timed(times[Stage::kTexture], [&] {
     const ScopedSpan span(call.spans, "layout");
     return texture.LayOut(call, job.input);
@@ -221,6 +257,7 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> EngraveProcess::Plan(const StageCall
   report.warnings = std::move(input.warnings);
   auto job = LayOutJob(call, placing_, texture_, std::move(input), report.stage_times);
   if (!job.ok()) return job.status();
+  report.meshes = {job->surface};
   auto spool = SpoolFile::Make(spool_directory_);
   if (!spool.ok()) return spool.status();
   return std::make_unique<EngraveJob>(*std::move(job), std::move(report), *std::move(spool));
@@ -236,9 +273,10 @@ absl::StatusOr<JobEstimate> EngraveProcess::Estimate(const StageCall& call, Slic
   const MapReport& map = job->layout.map;
   JobEstimate estimate;
   estimate.layers = job->layout.layer_count;
+  estimate.meshes = {job->surface};
   if (map.line_distance_mm.p50 > 0)
-    estimate.print_time_s = 60 * job->layout.layer_count * map.area_mm2 /
-                            (map.line_distance_mm.p50 * feed_mm_min);
+    estimate.print_time_s =
+        60 * job->layout.layer_count * map.area_mm2 / (map.line_distance_mm.p50 * feed_mm_min);
   return estimate;
 }
 

@@ -9,7 +9,8 @@
 namespace slicefarm::coordinator {
 
 /// A surface and a texture to ways over the surface:
-///   1 meshes as doubles   2 the map   3 layers laid out   4 tasks: ranges of layers   5 their texts
+///   1 meshes as doubles   2 the map   3 layers laid out   4 tasks: ranges of layers   5 their
+///   texts
 /// The first object is the surface, or the only one but that which `texture` names.
 class EngraveProcess : public JobProcess {
  public:
@@ -25,6 +26,7 @@ class EngraveProcess : public JobProcess {
   /// Errors also: REQUEST_MALFORMED for objects that are neither surface nor texture.
   absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
                                                    JobInput input) const override;
+  bool EstimatesByOutlines() const override { return false; }
   /// By area, distance of lines and layers: as if all of each layer were worked.
   absl::StatusOr<JobEstimate> Estimate(const StageCall& call, SlicedJob sliced, JobInput input,
                                        TaskExecutor& executor) const override;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -12,6 +13,7 @@
 #include "processes/engrave/task/fake_texture_test.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
+#include "services/coordinator/algo/pipeline/preflight.h"
 
 namespace slicefarm::coordinator::engrave_process_test {
 namespace {
@@ -30,19 +32,36 @@ class FakeSurfaces : public PlacingStage {
   }
 };
 
+/// Plane slicing has no business with a surface.
+class NoSlicing : public SlicingStage {
+ public:
+  absl::StatusOr<SlicedJob> Slice(const StageCall&, SliceInput,
+                                  const SlicingOptions&) const override {
+    return absl::InternalError("a surface was sliced");
+  }
+};
+
 class EngraveProcessTest : public testing::Test {
  protected:
   absl::StatusOr<JobOutput> Run(int slots, const std::vector<std::string>& objects = {"face"}) {
     Dispatcher dispatcher;
     dispatcher.Join({.name = "here", .tasks = chain_, .slots = slots});
+    return Pipeline(dispatcher).Run({}, Input(objects), nullptr);
+  }
+
+  JobInput Input(const std::vector<std::string>& objects) const {
     JobInput input;
     input.settings.own = settings_;
     input.warnings = {"of the settings"};
     for (const std::string& name : objects)
       input.meshes.objects.push_back({.name = name, .parts = {{}}, .ranges = {}});
+    return input;
+  }
+
+  JobPipeline Pipeline(Dispatcher& dispatcher) const {
     std::vector<std::unique_ptr<JobProcess>> processes;
     processes.push_back(std::make_unique<EngraveProcess>(placing_, texture_));
-    return JobPipeline(std::move(processes), dispatcher).Run({}, std::move(input), nullptr);
+    return {std::move(processes), dispatcher};
   }
 
   EngraveSettings settings_;
@@ -70,10 +89,25 @@ TEST_F(EngraveProcessTest, ReportsWhatItCameTo) {
   EXPECT_EQ(output->report.layer_count, 7);
   EXPECT_EQ(output->report.print_time_s, 21);
   EXPECT_THAT(output->report.warnings, testing::ElementsAre("of the settings"));
+  EXPECT_EQ(output->report.meshes.size(), 1u);
   nlohmann::ordered_json json;
   output->report.own->AddTo(json);
   EXPECT_EQ(json["engraving"]["on_mm"], 14);
   EXPECT_EQ(json["engraving"]["map"]["faces"], 1);
+}
+
+TEST_F(EngraveProcessTest, IsLookedAtWithoutSlicing) {
+  Dispatcher dispatcher;
+  const auto found = LookAt({}, Input({"face"}), NoSlicing(), Pipeline(dispatcher));
+  ASSERT_TRUE(found.ok()) << found.status();
+  EXPECT_EQ(found->layers, FakeTexture::kLayers);
+  EXPECT_EQ(found->first_layer_area_mm2, 0);
+  EXPECT_THAT(found->warnings, testing::ElementsAre("of the settings"));
+  ASSERT_EQ(found->meshes.size(), 1u);
+  EXPECT_EQ(found->meshes[0].name, "face");
+  EXPECT_EQ(found->meshes[0].triangles, 1);
+  EXPECT_EQ(found->meshes[0].open_edges, 3);
+  EXPECT_EQ(found->meshes[0].max_mm, (std::array<double, 3>{9, 9, 0}));
 }
 
 TEST_F(EngraveProcessTest, AnObjectMayBeTheTexture) {

@@ -14,8 +14,8 @@ constexpr Need kNeeds[] = {
     {"texture_width texture_height", "a texture_image", HasImage},
     {"texture texture_pitch", "no texture_image, which takes its place",
      [](const JobSettings& s) { return !HasImage(s); }},
-    {"axes tool centre pivot tilt steepest power feed link_feed turn_feed",
-     "output_format = gcode", IsProgram},
+    {"axes tool centre pivot tilt steepest power feed link_feed turn_feed", "output_format = gcode",
+     IsProgram},
 };
 
 /// Nothing of engraving is by region.
@@ -46,6 +46,7 @@ class OfEngraving : public ProcessSettings {
     return CheckTexts(EngraveOf(result.settings));
   }
   std::unique_ptr<RegionRows> NewRows() const override { return std::make_unique<NoRegionRows>(); }
+  ResultWords Words() const override { return {.to_make = "to engrave"}; }
   std::string_view Example() const override {
     return "slicefarm slice mask.obj -o mask.csv --machine engrave --texture knurl:pitch=2";
   }

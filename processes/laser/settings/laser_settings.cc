@@ -44,6 +44,7 @@ class LaserSettings : public ProcessSettings {
     return macro::CheckExposureCode(ExposureOf(result.settings).output, result.effective_text);
   }
   std::unique_ptr<RegionRows> NewRows() const override { return std::make_unique<ExposureRows>(); }
+  ResultWords Words() const override { return {.to_make = "to expose"}; }
   std::string_view Example() const override {
     return "slicefarm slice part.stl -o part.cli --machine laser --set scan_strategy=stripes";
   }

@@ -74,6 +74,7 @@ class OfMilling : public ProcessSettings {
     return CheckMillingOptions(MillOf(result.settings).how);
   }
   std::unique_ptr<RegionRows> NewRows() const override { return std::make_unique<NoRows>(); }
+  ResultWords Words() const override { return {"step", "steps", "to mill"}; }
   std::string_view Example() const override {
     return "slicefarm slice part.stl -o part.nc --machine mill --set cutter=ball:4";
   }

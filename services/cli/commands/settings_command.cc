@@ -59,23 +59,46 @@ ExitCode ListCoverage(const std::string& path) {
   return ExitCode::kOk;
 }
 
-ExitCode ListSettings(const SettingsOptions& options) {
-  if (!options.coverage.empty()) return ListCoverage(options.coverage);
+struct Listed {
   std::string text;
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const config::SettingSpec& spec : config::SettingsTable(options.process)) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+
+  bool empty() const { return text.empty() && json.empty(); }
+};
+
+void List(const SettingsOptions& options, Process process, Listed& listed) {
+  for (const config::SettingSpec& spec : config::SettingsTable(process)) {
     if (spec.key.find(options.pattern) == std::string_view::npos) continue;
     if (options.json) {
-      all.push_back(ToJson(spec));
+      listed.json.push_back(ToJson(spec));
     } else {
-      text += options.ini ? ToIni(spec) : ToText(spec);
+      listed.text += options.ini ? ToIni(spec) : ToText(spec);
     }
   }
-  if (text.empty() && all.empty()) {
+}
+
+/// What the default process does not know, another one may.
+Listed ListedElsewhere(const SettingsOptions& options) {
+  Listed listed;
+  for (const ProcessInfo& info : kProcesses) {
+    List(options, info.process, listed);
+    if (listed.empty()) continue;
+    fmt::print(stderr, "of --machine {}:\n", info.name);
+    break;
+  }
+  return listed;
+}
+
+ExitCode ListSettings(const SettingsOptions& options) {
+  if (!options.coverage.empty()) return ListCoverage(options.coverage);
+  Listed listed;
+  List(options, options.process, listed);
+  if (listed.empty() && options.process == kDefaultProcess) listed = ListedElsewhere(options);
+  if (listed.empty()) {
     return Fail(MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingUnknown,
                           fmt::format("no setting has '{}' in its name", options.pattern)));
   }
-  Print(options.json ? all.dump(2) + "\n" : text);
+  Print(options.json ? listed.json.dump(2) + "\n" : listed.text);
   return ExitCode::kOk;
 }
 

@@ -56,6 +56,10 @@ coordinator::JobInput InputOf(std::vector<MeshFile> files, const config::Resolve
           .warnings = plate.warnings};
 }
 
+config::ResultWords WordsOf(const SliceOptions& options) {
+  return config::SettingsOf(options.job.process).Words();
+}
+
 absl::StatusOr<coordinator::JobOutput> Run(const SliceOptions& options, coordinator::JobInput input,
                                            Interrupt& interrupt) {
   const LocalPipeline local(ThreadsOf(options));
@@ -63,8 +67,9 @@ absl::StatusOr<coordinator::JobOutput> Run(const SliceOptions& options, coordina
       .job_id = "local", .cancel = interrupt.Token(), .threads = ThreadsOf(options)};
   ProgressBar bar(!options.job.quiet);
   bar.Show("reading", 0, 0);
+  const config::ResultWords words = WordsOf(options);
   return local.pipeline().Run(call, std::move(input), [&](coordinator::PipelineProgress progress) {
-    bar.Show("layers", progress.done, progress.total);
+    bar.Show(words.many, progress.done, progress.total);
   });
 }
 
@@ -94,6 +99,7 @@ void PrintSummary(const SliceOptions& options, const coordinator::JobReport& rep
   if (options.job.quiet) return;
   const bool result_on_stdout = options.output == "-" || options.job.report == "-";
   Print(SummaryText({.output = options.output == "-" ? "" : options.output,
+                     .words = WordsOf(options),
                      .layers = report.layer_count,
                      .print_time_s = report.print_time_s,
                      .filament_mm = report.filament.length_mm,

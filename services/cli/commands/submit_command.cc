@@ -175,11 +175,16 @@ ExitCode CancelAfterInterrupt(const SubmitOptions& options, const std::string& i
   return ExitCode::kCancelled;
 }
 
+config::ResultWords WordsOf(const SubmitOptions& options) {
+  return config::SettingsOf(options.job.process).Words();
+}
+
 void PrintSummary(const SubmitOptions& options, const v1::Job& job) {
   Warn({job.warnings().begin(), job.warnings().end()});
   if (options.job.quiet) return;
   const v1::JobResult& result = job.result();
   Print(SummaryText({.output = options.output == "-" ? "" : options.output,
+                     .words = WordsOf(options),
                      .layers = result.layers(),
                      .print_time_s = result.print_time_s(),
                      .filament_mm = result.filament_mm(),
@@ -226,18 +231,22 @@ std::string AdviceText(const v1::OrientationAdvice& advice) {
       describe(advice.asked()));
 }
 
-void PrintPreflight(const v1::Job& job) {
+void PrintPreflight(const SubmitOptions& options, const v1::Job& job) {
   Warn({job.warnings().begin(), job.warnings().end()});
   const v1::Preflight& found = job.preflight();
   for (const v1::MeshReport& mesh : found.meshes()) {
     const auto side = [&](int i) { return mesh.max_mm(i) - mesh.min_mm(i); };
-    Print(fmt::format("{}: {} triangles, {}, {:.1f} x {:.1f} x {:.1f} mm, {:.1f} cm3\n",
-                      mesh.name(), mesh.triangles(), mesh.open_edges() == 0 ? "closed" : "open",
-                      side(0), side(1), side(2), mesh.volume_mm3() / 1000));
+    const bool closed = mesh.open_edges() == 0;
+    Print(fmt::format("{}: {} triangles, {}, {:.1f} x {:.1f} x {:.1f} mm{}\n", mesh.name(),
+                      mesh.triangles(), closed ? "closed" : "open", side(0), side(1), side(2),
+                      closed ? fmt::format(", {:.1f} cm3", mesh.volume_mm3() / 1000) : ""));
   }
   for (const v1::OrientationAdvice& advice : found.orientations()) Print(AdviceText(advice));
-  Print(fmt::format("first layer: {:.1f} cm2\nestimate: ", found.first_layer_area_mm2() / 100) +
-        SummaryText({.layers = found.layers(),
+  if (found.first_layer_area_mm2() > 0)
+    Print(fmt::format("first layer: {:.1f} cm2\n", found.first_layer_area_mm2() / 100));
+  Print("estimate: " +
+        SummaryText({.words = WordsOf(options),
+                     .layers = found.layers(),
                      .print_time_s = found.print_time_s(),
                      .filament_mm = found.filament_mm(),
                      .filament_g = found.filament_g(),
@@ -297,7 +306,7 @@ ExitCode Submit(SubmitOptions options, Interrupt& interrupt) {
   Warn(WaitsOf(*created));
   if (!options.check && !options.detach) return FetchAll(options, *created, client, interrupt);
   for (const v1::Job& job : *created) {
-    if (options.check) PrintPreflight(job);
+    if (options.check) PrintPreflight(options, job);
     if (options.detach) Print(job.id() + "\n");
   }
   return ExitCode::kOk;

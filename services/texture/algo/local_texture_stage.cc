@@ -1,5 +1,7 @@
 #include "services/texture/algo/local_texture_stage.h"
 
+#include <chrono>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -16,9 +18,21 @@ namespace {
 
 /// The map of a surface, made by the first call that asks. A call that is cancelled leaves none.
 struct MapSlot {
-  std::mutex mutex;
+  std::timed_mutex mutex;
   std::optional<MappedSurface> map;
 };
+
+/// How long a call that waits for another one's map does not look whether it is wanted.
+constexpr std::chrono::milliseconds kLookEvery(20);
+
+/// Errors: Cancelled.
+absl::StatusOr<std::unique_lock<std::timed_mutex>> Locked(MapSlot& slot,
+                                                          const CancelToken& cancel) {
+  std::unique_lock lock(slot.mutex, std::defer_lock);
+  while (!lock.try_lock_for(kLookEvery))
+    if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
+  return lock;
+}
 
 /// The job, prepared once for all calls about it: a call that ends early would spoil it for the
 /// others, so preparing is not cancelled.
@@ -62,7 +76,8 @@ class LocalTexture : public TextureStage {
                                     const Shared<SurfaceInput>& surface) const override {
     const auto& slot =
         surface.Once([](const SurfaceInput&) { return std::make_unique<MapSlot>(); });
-    const std::lock_guard lock(slot->mutex);
+    const auto lock = Locked(*slot, call.cancel);
+    if (!lock.ok()) return lock.status();
     if (slot->map) return *slot->map;
     auto map = MapSurface(*surface, call.cancel);
     if (map.ok()) slot->map = *map;

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <future>
+#include <utility>
+
 #include "common/base/error.h"
 
 namespace slicefarm::texture::local_texture_stage_test {
@@ -77,6 +81,26 @@ TEST_F(LocalTextureTest, AMapThatIsCancelledIsMadeByTheNextCall) {
   const auto map = stage_->Map({}, surface);
   ASSERT_TRUE(map.ok()) << map.status();
   EXPECT_EQ(*map, *stage_->Map({}, surface));
+}
+
+/// Two jobs of one surface: the second one may end while the first one's map is made.
+TEST_F(LocalTextureTest, WaitingForAMapCanBeCancelled) {
+  const Shared<SurfaceInput> surface(SurfaceInput{Strip()});
+  std::promise<void> begun, second_ended;
+  const std::shared_future<void> ended = second_ended.get_future();
+  bool is_first_look = true;
+  StageCall first;
+  first.cancel = CancelToken([&] {  // asked while the map is made
+    if (std::exchange(is_first_look, false)) begun.set_value();
+    return ended.wait_for(std::chrono::seconds(60)) != std::future_status::ready;
+  });
+  auto made = std::async(std::launch::async, [&] { return stage_->Map(first, surface).status(); });
+  begun.get_future().wait();
+  StageCall second;
+  second.cancel = CancelToken([] { return true; });
+  EXPECT_EQ(stage_->Map(second, surface).status().code(), absl::StatusCode::kCancelled);
+  second_ended.set_value();
+  EXPECT_EQ(made.get(), absl::OkStatus());
 }
 
 }  // namespace

@@ -11,6 +11,14 @@
 #include "services/texture/algo/surface/seam.h"
 
 namespace slicefarm::texture {
+namespace {
+
+/// A map travels in one message (limits::kMaxStageMessageBytes): 43 bytes a point, 9 a triangle.
+constexpr int64_t kMostMapPoints = 1'200'000;
+static_assert(43 * kMostMapPoints + 9 * limits::kMaxSurfaceTriangles <
+              limits::kMaxStageMessageBytes);
+
+}  // namespace
 
 absl::StatusOr<MappedSurface> MapSurface(const SurfaceInput& surface, const CancelToken& cancel) {
   const SurfaceMesh& mesh = surface.mesh;
@@ -21,6 +29,9 @@ absl::StatusOr<MappedSurface> MapSurface(const SurfaceInput& surface, const Canc
   if (!topology.ok()) return topology.status();
   const auto seam = surface.seam ? SeamOf(mesh, *topology) : std::vector<SeamEdge>();
   OpenedSurface opened = CutOpen(mesh, seam);
+  if (std::ssize(opened.mesh.points_mm) > kMostMapPoints)
+    return LimitError(Reason::kMeshTooLarge, "points of a surface that is laid flat",
+                      kMostMapPoints, std::ssize(opened.mesh.points_mm));
   auto map = Flatten(opened.mesh, {}, cancel);
   if (!map.ok()) return map.status();
   return MappedSurface{std::move(opened.mesh), std::move(opened.vertex_of),

@@ -25,5 +25,12 @@ TEST(MapSurface, RefusesItIfItMayNotBeCut) {
   EXPECT_EQ(DetailOf(MapSurface({Tetrahedron(), false}).status()).reason, Reason::kMeshMalformed);
 }
 
+/// Points of no triangle count as well: they travel with the map.
+TEST(MapSurface, RefusesWhatNoMessageHolds) {
+  SurfaceInput surface{HalfCylinder(4, 5, 3)};
+  surface.mesh.points_mm.resize(1'200'001, Eigen::Vector3d::Zero());
+  EXPECT_EQ(DetailOf(MapSurface(surface).status()).reason, Reason::kMeshTooLarge);
+}
+
 }  // namespace
 }  // namespace slicefarm::texture::surface_mapping_test

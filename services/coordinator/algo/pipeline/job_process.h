@@ -50,6 +50,7 @@ struct JobEstimate {
   double print_time_s = 0;
   FilamentUse filament;
   std::optional<int32_t> layers = {};      ///< if they are not those that were sliced
+  std::vector<MeshReport> meshes = {};     ///< if nothing was sliced
   std::vector<std::string> warnings = {};  ///< about what is planned
 };
 
@@ -92,6 +93,10 @@ class JobProcess {
   /// The stages that see the whole job. Errors: theirs; NOTHING_TO_PRINT.
   virtual absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
                                                            JobInput input) const = 0;
+
+  /// Whether Estimate looks at the outlines of all layers. If not, nothing is sliced for it: the
+  /// job comes as it is, with its meshes.
+  virtual bool EstimatesByOutlines() const { return true; }
 
   /// What the job will take, by its outlines; where the process can, and `executor` has slots for
   /// it, by a few tasks that are made. Errors: those of stages that see the whole job.

@@ -21,10 +21,10 @@ struct Preflight {
   std::vector<std::string> warnings;  ///< those of the settings, then what the meshes lack
 };
 
-/// Slices the meshes and looks at the outlines; the job's process estimates what it will take, and
-/// may make some of its tasks to see. Errors: those of slicing, OUT_OF_BUILD_VOLUME among them;
-/// NOTHING_TO_PRINT; those of planning, OBJECTS_COLLIDE among them; those of the stages that make
-/// layers; PROCESS_UNAVAILABLE.
+/// Slices the meshes and looks at the outlines, if the job's process asks for them; it estimates
+/// what the job will take, and may make some of its tasks to see. Errors: those of slicing,
+/// OUT_OF_BUILD_VOLUME among them; NOTHING_TO_PRINT; those of planning, OBJECTS_COLLIDE among them;
+/// those of the stages that make layers; PROCESS_UNAVAILABLE.
 absl::StatusOr<Preflight> LookAt(const StageCall& call, JobInput input, const SlicingStage& slicing,
                                  const JobPipeline& pipeline);
 

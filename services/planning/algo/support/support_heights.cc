@@ -68,7 +68,7 @@ SupportHeights HeightsFor(const SupportProblem& problem, const std::vector<Overh
     std::vector<SupportHeight>& layers = heights.layers;
     if (options.synchronize_layers) {
       const auto at = std::partition_point(layers.begin(), layers.end(),
-                                           [&](const auto& l) { return l.top_nm < top; });
+                                           [&, top = top](const auto& l) { return l.top_nm < top; });
       heights.under[part_layer] = static_cast<int32_t>(at - layers.begin());
       continue;
     }

@@ -28,6 +28,19 @@ absl::Status CheckSurfaceSize(const RawMesh& mesh) {
   return absl::OkStatus();
 }
 
+absl::Status CheckWithin(const SurfaceMesh& mesh, const std::string& object) {
+  for (const Eigen::Vector3d& p : mesh.points_mm) {
+    const double farthest = p.cwiseAbs().maxCoeff();
+    if (farthest <= limits::kMaxMeshCoordinateMm) continue;
+    return MakeError(
+        absl::StatusCode::kInvalidArgument, Reason::kMeshTooLarge,
+        absl::StrCat("object \"", absl::Utf8SafeCEscape(object), "\", transformed, has a point ",
+                     farthest, " mm from the origin; ", limits::kMaxMeshCoordinateMm,
+                     " mm are possible"));
+  }
+  return absl::OkStatus();
+}
+
 /// The identity changes no bit of a coordinate.
 SurfaceMesh Transformed(const RawMesh& raw, const Transform& transform) {
   SurfaceMesh mesh;
@@ -58,6 +71,7 @@ absl::StatusOr<std::vector<SurfaceMesh>> SurfacesOf(SliceInput input, const Mesh
     if (!raw.ok()) return raw.status();
     if (absl::Status fits = CheckSurfaceSize(*raw); !fits.ok()) return fits;
     surfaces.push_back(Transformed(*raw, Combined(object.to_plate, part.to_object)));
+    if (absl::Status near = CheckWithin(surfaces.back(), object.name); !near.ok()) return near;
   }
   return surfaces;
 }

@@ -34,6 +34,13 @@ TEST(SurfacesOf, HeedsTheScale) {
   EXPECT_EQ(surfaces->front().points_mm[0], Eigen::Vector3d(0.2, 0, 0));
 }
 
+TEST(SurfacesOf, RefusesWhatIsFarFromTheOrigin) {
+  SliceInput input = Given();
+  input.objects[0].to_plate *= 1e6;
+  const auto surfaces = SurfacesOf(std::move(input), *MakeDirectMeshSource(), {});
+  EXPECT_EQ(DetailOf(surfaces.status()).reason, Reason::kMeshTooLarge);
+}
+
 TEST(SurfacesOf, RefusesCopies) {
   SliceInput input = Given();
   input.objects[0].copies.resize(2);

@@ -18,6 +18,7 @@ constexpr double kSufficientDecrease = 1e-4;  // Armijo
 constexpr double kFarDrop = 0.1;    // drops of the surface's energy in an iteration, relative:
 constexpr double kNearDrop = 0.01;  // above: far from the shapes; below: near the end
 constexpr double kStalledGain = 1e-3;
+constexpr int kPatience = 8;  // iterations with less gain in a row, after which references are true
 constexpr double kLeastStep = 1e-14;
 
 /// The shell resists less and less; at last it only keeps order. Source: EBP.
@@ -64,6 +65,7 @@ absl::StatusOr<int> Minimize(FlatProblem& problem, const FlattenOptions& options
   const ShellPhase* phase = kPhases;
   bool progressive = true;
   double drop = 1;
+  int stalled = 0;
   for (int i = 0; i < options.max_iterations; ++i) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;
     const double before = problem.MeanEnergy(*points);
@@ -79,8 +81,9 @@ absl::StatusOr<int> Minimize(FlatProblem& problem, const FlattenOptions& options
     const bool moved = Descend(problem, *way, points);
     const double gain = (total - problem.TotalEnergy(*points)) / total;
     drop = (before - problem.MeanEnergy(*points)) / before;
+    stalled = gain < kStalledGain ? stalled + 1 : 0;
     // References that the map no longer comes nearer to hold it back.
-    if (exact ? drop < kNearDrop : gain < kStalledGain) progressive = false;
+    if (exact ? drop < kNearDrop : stalled == kPatience) progressive = false;
     if (!exact) continue;
     const bool last = phase + 1 == std::end(kPhases);
     if (last && (!moved || gain < options.least_drop)) return i + 1;

@@ -11,7 +11,7 @@ namespace slicefarm::texture {
 
 struct FlattenOptions {
   int max_iterations = 500;
-  double least_drop = 1e-6;  ///< of the energy in an iteration, relative; below: done
+  double least_drop = 1e-5;  ///< of the energy in an iteration, relative; below: done
 };
 
 struct FlatMap {

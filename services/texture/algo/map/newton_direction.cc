@@ -8,22 +8,15 @@ namespace {
 
 constexpr double kHold = 1e-9;  // of the mean diagonal: nothing else holds the map's place
 
-void AddPlaces(int32_t a, int32_t b, std::vector<SparseCholesky::Place>* places) {
-  for (int32_t i = 0; i < 2; ++i) {
-    for (int32_t k = 0; k < 2; ++k) places->emplace_back(2 * a + i, 2 * b + k);
-  }
-}
-
+/// Pairs of points that have a part in a term of the energy together.
 std::vector<SparseCholesky::Place> PlacesOf(const FlatProblem& problem) {
   std::vector<SparseCholesky::Place> places;
-  for (const Corners& t : problem.triangles()) {
-    for (int i = 0; i < 3; ++i) {
-      for (int k = 0; k <= i; ++k) AddPlaces(t[i], t[k], &places);
-    }
-  }
+  places.reserve(3 * problem.triangles().size());
+  for (const Corners& t : problem.triangles())
+    for (int k = 0; k < 3; ++k) places.emplace_back(t[k], t[(k + 1) % 3]);
   for (const int32_t a : problem.frame()) {
     for (const int32_t b : problem.frame()) {
-      if (a <= b) AddPlaces(a, b, &places);
+      if (a < b) places.emplace_back(a, b);
     }
   }
   return places;
@@ -45,7 +38,7 @@ std::array<int32_t, 21> EntriesOf(const SparseCholesky& system, const Corners& c
 }  // namespace
 
 NewtonDirection::NewtonDirection(const FlatProblem& problem)
-    : system_(2 * problem.point_count(), PlacesOf(problem)) {
+    : system_(problem.point_count(), PlacesOf(problem), 2) {
   entries_.reserve(problem.triangles().size());
   for (const Corners& t : problem.triangles()) entries_.push_back(EntriesOf(system_, t));
   for (int32_t i = 0; i < 2 * problem.point_count(); ++i)

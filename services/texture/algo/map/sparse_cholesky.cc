@@ -7,88 +7,163 @@
 #include "common/base/error.h"
 
 namespace slicefarm::texture {
+namespace {
 
-struct SparseCholesky::Impl {
-  cholmod_common common;
-  cholmod_sparse* matrix = nullptr;  ///< lower triangle, columns in order, rows sorted
-  cholmod_factor* factor = nullptr;
+using Place = SparseCholesky::Place;
 
-  Impl() {
-    cholmod_start(&common);
-    common.supernodal = CHOLMOD_SUPERNODAL;
-    common.print = 0;
-    common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_METIS;
-    common.postorder = 1;
-  }
-  ~Impl() {
-    cholmod_free_factor(&factor, &common);
-    cholmod_free_sparse(&matrix, &common);
-    cholmod_finish(&common);
-  }
-  Impl(const Impl&) = delete;
-  Impl& operator=(const Impl&) = delete;
-
-  int32_t* columns() const { return static_cast<int32_t*>(matrix->p); }
-  int32_t* rows() const { return static_cast<int32_t*>(matrix->i); }
-  double* numbers() const { return static_cast<double*>(matrix->x); }
+/// A pattern's lower triangle, as CHOLMOD has it.
+struct Pattern {
+  std::vector<int32_t> columns;  ///< where each begins in rows
+  std::vector<int32_t> rows;     ///< ascending in each column
 };
 
-SparseCholesky::SparseCholesky(int32_t size, std::span<const Place> places)
-    : impl_(std::make_unique<Impl>()) {
+Pattern BlocksAt(int32_t count, std::span<const Place> places) {
   std::vector<Place> lower;  // column and row
-  lower.reserve(places.size() + static_cast<size_t>(size));
+  lower.reserve(places.size() + static_cast<size_t>(count));
   for (const auto& [row, column] : places)
     lower.emplace_back(std::min(row, column), std::max(row, column));
-  for (int32_t i = 0; i < size; ++i) lower.emplace_back(i, i);
+  for (int32_t i = 0; i < count; ++i) lower.emplace_back(i, i);
   std::sort(lower.begin(), lower.end());
   lower.erase(std::unique(lower.begin(), lower.end()), lower.end());
-
-  const auto n = static_cast<size_t>(size);
-  impl_->matrix =
-      cholmod_allocate_sparse(n, n, lower.size(), 1, 1, -1, CHOLMOD_REAL, &impl_->common);
-  std::fill(impl_->columns(), impl_->columns() + n + 1, 0);
-  for (size_t i = 0; i < lower.size(); ++i) {
-    ++impl_->columns()[lower[i].first + 1];
-    impl_->rows()[i] = lower[i].second;
-    impl_->numbers()[i] = 0;
+  Pattern pattern;
+  pattern.columns.assign(static_cast<size_t>(count) + 1, 0);
+  pattern.rows.reserve(lower.size());
+  for (const auto& [column, row] : lower) {
+    ++pattern.columns[column + 1];
+    pattern.rows.push_back(row);
   }
-  for (size_t i = 0; i < n; ++i) impl_->columns()[i + 1] += impl_->columns()[i];
-  impl_->factor = cholmod_analyze(impl_->matrix, &impl_->common);
+  for (int32_t i = 0; i < count; ++i) pattern.columns[i + 1] += pattern.columns[i];
+  return pattern;
 }
 
-SparseCholesky::~SparseCholesky() = default;
-SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
+/// Each entry becomes a block, those on the diagonal its lower triangle.
+Pattern Expanded(const Pattern& blocks, int32_t block) {
+  Pattern pattern;
+  pattern.columns.push_back(0);
+  for (size_t i = 0; i + 1 < blocks.columns.size(); ++i) {
+    for (int32_t k = 0; k < block; ++k) {
+      const auto column = static_cast<int32_t>(i) * block + k;
+      for (int32_t at = blocks.columns[i]; at < blocks.columns[i + 1]; ++at) {
+        for (int32_t row = blocks.rows[at] * block; row < (blocks.rows[at] + 1) * block; ++row)
+          if (row >= column) pattern.rows.push_back(row);
+      }
+      pattern.columns.push_back(static_cast<int32_t>(pattern.rows.size()));
+    }
+  }
+  return pattern;
+}
+
+class Cholmod {
+ public:
+  Cholmod() {
+    cholmod_start(&common_);
+    common_.supernodal = CHOLMOD_SUPERNODAL;
+    common_.print = 0;
+    common_.nmethods = 1;
+    common_.method[0].ordering = CHOLMOD_GIVEN;
+    common_.postorder = 1;
+  }
+  ~Cholmod() { cholmod_finish(&common_); }
+  Cholmod(const Cholmod&) = delete;
+  Cholmod& operator=(const Cholmod&) = delete;
+
+  /// An order of the blocks that leaves few entries in the factor.
+  std::vector<int32_t> OrderOf(const Pattern& blocks) {
+    cholmod_sparse view = ViewOf(blocks);
+    std::vector<int32_t> order(view.nrow);
+    if (cholmod_metis(&view, nullptr, 0, 1, order.data(), &common_) == 0)
+      for (size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int32_t>(i);
+    return order;
+  }
+
+  /// The factor's shape; `order` becomes that of its rows.
+  SupernodalShape Analyse(const Pattern& pattern, std::vector<int32_t>* order) {
+    cholmod_sparse view = ViewOf(pattern);
+    cholmod_factor* factor = cholmod_analyze_p(&view, order->data(), nullptr, 0, &common_);
+    const auto copy = [](const void* from, size_t count) {
+      const auto* numbers = static_cast<const int32_t*>(from);
+      return std::vector<int32_t>(numbers, numbers + count);
+    };
+    SupernodalShape shape;
+    if (factor != nullptr && factor->is_super != 0) {
+      *order = copy(factor->Perm, factor->n);
+      shape = {.first_column = copy(factor->super, factor->nsuper + 1),
+               .first_row = copy(factor->pi, factor->nsuper + 1),
+               .rows = copy(factor->s, factor->ssize)};
+    }
+    cholmod_free_factor(&factor, &common_);
+    return shape;
+  }
+
+ private:
+  static cholmod_sparse ViewOf(const Pattern& pattern) {
+    cholmod_sparse view = {};
+    view.nrow = view.ncol = pattern.columns.size() - 1;
+    view.nzmax = pattern.rows.size();
+    view.p = const_cast<int32_t*>(pattern.columns.data());
+    view.i = const_cast<int32_t*>(pattern.rows.data());
+    view.stype = -1;
+    view.itype = CHOLMOD_INT;
+    view.xtype = CHOLMOD_PATTERN;
+    view.sorted = view.packed = 1;
+    return view;
+  }
+
+  cholmod_common common_;
+};
+
+}  // namespace
+
+SparseCholesky::SparseCholesky(int32_t count, std::span<const Place> places, int32_t block) {
+  const Pattern blocks = BlocksAt(count, places);
+  Pattern pattern = Expanded(blocks, block);
+  Cholmod cholmod;
+  for (const int32_t at : cholmod.OrderOf(blocks))
+    for (int32_t k = 0; k < block; ++k) order_.push_back(at * block + k);
+  SupernodalShape shape = cholmod.Analyse(pattern, &order_);
+  columns_ = std::move(pattern.columns);
+  rows_ = std::move(pattern.rows);
+  values_.assign(rows_.size(), 0);
+  if (shape.first_column.empty()) return;  // no memory: Factor says so
+  factor_.emplace(std::move(shape));
+  std::vector<int32_t> row_of(order_.size());
+  for (size_t i = 0; i < order_.size(); ++i) row_of[order_[i]] = static_cast<int32_t>(i);
+  places_.reserve(rows_.size());
+  for (size_t column = 0; column + 1 < columns_.size(); ++column) {
+    for (int32_t at = columns_[column]; at < columns_[column + 1]; ++at) {
+      const auto [low, high] = std::minmax(row_of[column], row_of[rows_[at]]);
+      places_.push_back(factor_->PlaceOf(high, low));
+    }
+  }
+}
 
 int32_t SparseCholesky::IndexOf(int32_t row, int32_t column) const {
   if (row < column) std::swap(row, column);
-  const int32_t* begin = impl_->rows() + impl_->columns()[column];
-  const int32_t* end = impl_->rows() + impl_->columns()[column + 1];
-  return static_cast<int32_t>(std::lower_bound(begin, end, row) - impl_->rows());
+  const auto begin = rows_.begin() + columns_[column], end = rows_.begin() + columns_[column + 1];
+  return static_cast<int32_t>(std::lower_bound(begin, end, row) - rows_.begin());
 }
 
-std::span<double> SparseCholesky::values() { return {impl_->numbers(), impl_->matrix->nzmax}; }
-
 absl::Status SparseCholesky::Factor() {
-  if (impl_->factor != nullptr) cholmod_factorize(impl_->matrix, impl_->factor, &impl_->common);
-  if (impl_->factor == nullptr || impl_->common.status != CHOLMOD_OK ||
-      impl_->factor->minor < impl_->factor->n)
-    return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
-                     "a system of the surface's map is not positive definite");
-  return absl::OkStatus();
+  bool done = false;
+  if (factor_) {
+    std::vector<double> numbers = factor_->TakeNumbers();
+    numbers.assign(static_cast<size_t>(factor_->place_count()), 0);
+    for (size_t i = 0; i < values_.size(); ++i) numbers[places_[i]] = values_[i];
+    done = factor_->Factor(std::move(numbers));
+  }
+  if (done) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                   "a system of the surface's map is not positive definite");
 }
 
 Eigen::VectorXd SparseCholesky::Solve(const Eigen::VectorXd& right) const {
-  cholmod_dense view = {};
-  view.nrow = view.nzmax = view.d = static_cast<size_t>(right.size());
-  view.ncol = 1;
-  view.x = const_cast<double*>(right.data());
-  view.xtype = CHOLMOD_REAL;
-  view.dtype = CHOLMOD_DOUBLE;
-  cholmod_dense* solved = cholmod_solve(CHOLMOD_A, impl_->factor, &view, &impl_->common);
-  Eigen::VectorXd result =
-      Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(solved->x), right.size());
-  cholmod_free_dense(&solved, &impl_->common);
+  Eigen::VectorXd permuted(right.size());
+  for (size_t i = 0; i < order_.size(); ++i)
+    permuted[static_cast<Eigen::Index>(i)] = right[order_[i]];
+  factor_->Solve(&permuted);
+  Eigen::VectorXd result(right.size());
+  for (size_t i = 0; i < order_.size(); ++i)
+    result[order_[i]] = permuted[static_cast<Eigen::Index>(i)];
   return result;
 }
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kRoundsOfSquares = 10;  // then the sum of what gradients are off, not of its squares
 constexpr int kMostRounds = 400;
+constexpr double kSlack = 0.05;  // lengths of gradients that are this near to 1 will do
 constexpr double kShrink = 0.3;  // how much of what a gradient is off is forgiven in a round
 // Done when so much of the lines' length lies within so much of the distance asked for.
 constexpr double kEven = 0.1;
@@ -37,13 +38,14 @@ Eigen::Vector2d GradientOf(const FlatHats& hats, const std::array<int32_t, 3>& c
          field[corners[2]] * hats.gradients[2];
 }
 
-/// The vector whose length is as far from 1 as the given one's less `forgiven`, or 1.
-Eigen::Vector2d NearestUnit(const Eigen::Vector2d& v, double forgiven) {
+/// The vector whose length is as far from a length that will do as the given one's less `forgiven`,
+/// or that length.
+Eigen::Vector2d NearestFair(const Eigen::Vector2d& v, double forgiven) {
   const double length = v.norm();
   if (length == 0) return v;
-  const double off = length - 1;
-  const double kept = std::max(std::abs(off) - forgiven, 0.0);
-  return v / length * (1 + (forgiven == 0 ? 0 : std::copysign(kept, off)));
+  const double fair = std::clamp(length, 1 - kSlack, 1 + kSlack), off = length - fair;
+  const double kept = forgiven == 0 ? 0 : std::max(std::abs(off) - forgiven, 0.0);
+  return v / length * (fair + std::copysign(kept, off));
 }
 
 /// Finds fields by their gradients, in the least squares over the surface.
@@ -119,6 +121,8 @@ absl::StatusOr<std::vector<double>> EquidistantField(const SurfaceMap& map,
   std::vector<double> field = StraightField(map, direction);
   std::vector<Eigen::Vector2d> wanted(fit.hats().size(), Eigen::Vector2d::Zero());
   std::vector<Eigen::Vector2d> rest = wanted;
+  std::vector<double> best;
+  double best_share = -1;
   for (int round = 0; round < kMostRounds; ++round) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;
     double length = 0, even_length = 0;  // of the levels
@@ -128,18 +132,20 @@ absl::StatusOr<std::vector<double>> EquidistantField(const SurfaceMap& map,
       length += levels;
       if (std::abs(1 / gradient.norm() - 1) <= kEven) even_length += levels;
       if (round < kRoundsOfSquares) {
-        wanted[t] = NearestUnit(gradient, 0);
+        wanted[t] = NearestFair(gradient, 0);
         continue;
       }
       const Eigen::Vector2d sum = gradient + rest[t];
-      const Eigen::Vector2d near = NearestUnit(sum, kShrink);
+      const Eigen::Vector2d near = NearestFair(sum, kShrink);
       rest[t] = sum - near;
       wanted[t] = near - rest[t];
     }
-    if (even_length >= kEnough * length) break;
+    const double share = length > 0 ? even_length / length : 0;
+    if (share > best_share) best_share = share, best = field;
+    if (share >= kEnough) break;
     field = fit.FieldOf(wanted);
   }
-  return field;
+  return best;
 }
 
 double GradientLength(const SurfaceMap& map, const std::vector<double>& field, int32_t triangle) {

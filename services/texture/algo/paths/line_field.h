@@ -14,8 +14,9 @@ namespace slicefarm::texture {
 std::vector<double> StraightField(const SurfaceMap& map, const Eigen::Vector2d& direction);
 
 /// One whose levels lie as far apart on the surface as they differ, wherever the surface lets them:
-/// a field next to the straight one whose gradients are of length 1, but for few places. Lines bend
-/// for it, and where a surface shrinks or bulges some end or begin in ridges of the field.
+/// a field next to the straight one whose gradients are within 5 % of length 1, but for few places.
+/// Lines bend for it, and where a surface shrinks or bulges some end or begin in ridges of the
+/// field. A ridge is a strip of triangles, so fine meshes are more even.
 ///
 /// Steps: each gradient is scaled towards length 1, and the field whose gradients are next to those
 /// (a sparse system, factored once) is the next one; first by least squares, then by the least sum

@@ -41,7 +41,7 @@ TEST(EquidistantField, IsEvenWhereAStraightOneIsNot) {
     const SurfaceMap map = FlatMapOf(Cap(20, lowest));
     const auto field = EquidistantField(map, {1, 0});
     ASSERT_TRUE(field.ok()) << field.status();
-    EXPECT_GT(EvenShare(map, *field), 0.94) << lowest;
+    EXPECT_GT(EvenShare(map, *field), 0.955) << lowest;
     EXPECT_LT(EvenShare(map, StraightField(map, {1, 0})), 0.8) << lowest;
   }
 }

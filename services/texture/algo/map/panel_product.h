@@ -1,0 +1,91 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace slicefarm::texture {
+
+/// A dense block within a matrix that is kept column by column.
+struct Panel {
+  const double* numbers = nullptr;
+  ptrdiff_t stride = 0;  ///< from a column to the next
+  int32_t rows = 0;
+  int32_t columns = 0;
+};
+
+/// Products of panels with their own first rows, transposed: what a Cholesky factorization is made
+/// of. Each sum is taken in the order of the columns, so its last bit depends on nothing else.
+class PanelProduct {
+ public:
+  /// Calls store(i, k, sum) for the rows i and k of the panel, k < tops and k <= i (for some
+  /// k > i, too), with the sum of their products.
+  /// Cost: about 3 sums of a product a cycle where the panel is large.
+  template <typename Store>
+  void Multiply(const Panel& panel, int32_t tops, const Store& store) {
+    Pack(panel, tops, &tops_);
+    for (int32_t i = 0; i < panel.rows; i += kStrip) {
+      const int32_t last = std::min(i + kStrip, panel.rows) - 1;
+      const double* rows = tops_.data() + ptrdiff_t{i} * panel.columns;
+      if (i >= tops) {
+        PackStrip(panel, i, last + 1, strip_.data());
+        rows = strip_.data();
+      }
+      for (int32_t k = 0; k < tops && k <= last; k += kStrip) {
+        const Block block =
+            BlockOf(rows, tops_.data() + ptrdiff_t{k} * panel.columns, panel.columns);
+        for (int32_t column = k; column < std::min(k + kStrip, tops); ++column)
+          for (int32_t row = i; row <= last; ++row)
+            store(row, column, block[kStrip * (column - k) + row - i]);
+      }
+    }
+  }
+
+ private:
+  static constexpr int32_t kStrip = 4;
+  /// Numbers that every x86-64 computes with at once.
+  using Two = double __attribute__((vector_size(16)));
+  using Block = std::array<double, kStrip * kStrip>;  ///< column by column
+
+  /// Strips of four rows, each column by column.
+  void Pack(const Panel& panel, int32_t rows, std::vector<double>* packed) {
+    const int32_t strips = (rows + kStrip - 1) / kStrip;
+    strip_.resize(static_cast<size_t>(kStrip) * panel.columns);
+    packed->resize(static_cast<size_t>(strips) * kStrip * panel.columns);
+    for (int32_t i = 0; i < rows; i += kStrip) {
+      // The last strip has the rows below, too: a strip of all rows that it is part of is the same.
+      PackStrip(panel, i, std::min(i + kStrip, panel.rows),
+                packed->data() + ptrdiff_t{i} * panel.columns);
+    }
+  }
+
+  static void PackStrip(const Panel& panel, int32_t from, int32_t to, double* packed) {
+    const double* numbers = panel.numbers + from;
+    for (int32_t column = 0; column < panel.columns; ++column, numbers += panel.stride) {
+      for (int32_t i = 0; i < kStrip; ++i) *packed++ = from + i < to ? numbers[i] : 0;
+    }
+  }
+
+  static Block BlockOf(const double* rows, const double* tops, int32_t columns) {
+    Two a0 = {}, a1 = {}, b0 = {}, b1 = {}, c0 = {}, c1 = {}, d0 = {}, d1 = {};
+    for (int32_t i = 0; i < columns; ++i, rows += kStrip, tops += kStrip) {
+      const Two low = {rows[0], rows[1]}, high = {rows[2], rows[3]};
+      a0 += low * tops[0];
+      a1 += high * tops[0];
+      b0 += low * tops[1];
+      b1 += high * tops[1];
+      c0 += low * tops[2];
+      c1 += high * tops[2];
+      d0 += low * tops[3];
+      d1 += high * tops[3];
+    }
+    return {a0[0], a0[1], a1[0], a1[1], b0[0], b0[1], b1[0], b1[1],
+            c0[0], c0[1], c1[0], c1[1], d0[0], d0[1], d1[0], d1[1]};
+  }
+
+  std::vector<double> tops_, strip_;
+};
+
+}  // namespace slicefarm::texture
