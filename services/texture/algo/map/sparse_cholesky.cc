@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "common/base/error.h"
+#include "services/texture/algo/map/thread_random.h"
 
 namespace slicefarm::texture {
 
@@ -54,6 +55,7 @@ SparseCholesky::SparseCholesky(int32_t size, std::span<const Place> places)
     impl_->numbers()[i] = 0;
   }
   for (size_t i = 0; i < n; ++i) impl_->columns()[i + 1] += impl_->columns()[i];
+  SeedThreadRandom(1);  // as METIS, which orders, seeds it again
   impl_->factor = cholmod_analyze(impl_->matrix, &impl_->common);
 }
 
