@@ -7,7 +7,8 @@ Prints its port, once it listens. Every request must be signed by Signature Vers
 description, and be of the last 15 minutes; what is put must have the SHA-256 that it says it has. An object is there when all
 of it is, and stays when the server is killed.
 
-Faults: with --rate, that part of all requests fails in some way, by the seed. Or by a file DIR/.faults, a JSON list of
+Faults: with --rate, that part of all requests fails in some way, by the seed (but for GETs of wrong bytes, of which a download
+knows only at its end). Or by a file DIR/.faults, a JSON list of
 {"method": "PUT", "kind": KIND, "times": N}, which is taken away when it is read: the next N such requests fail, KIND being one of
     500, 503, 403      that answer
     stall              no answer, until the client is tired of it
@@ -33,7 +34,7 @@ import threading
 import time
 import urllib.parse
 
-KINDS = ["500", "503", "403", "cut", "wrong", "lost"]  # at a rate: what takes no time
+KINDS = ["500", "503", "403", "cut", "lost"]  # at a rate: what takes no time, and PUTs of wrong bytes too
 BLOCK = 1 << 20
 CODES = {"500": "InternalError", "503": "SlowDown", "403": "AccessDenied"}
 
@@ -58,7 +59,8 @@ class Bucket:
                     rule["times"] -= 1
                     self.counts[f"{method} {rule['kind']}"] += 1
                     return rule["kind"]
-            return self.rng.choice(KINDS) if self.rng.random() < self.options.rate else None
+            kinds = [*KINDS, "wrong"] if method == "PUT" else KINDS
+            return self.rng.choice(kinds) if self.rng.random() < self.options.rate else None
 
     def new_file(self):
         with self.lock:

@@ -51,7 +51,7 @@ bool OpenReloaded(const std::string& path, const std::string& name,
 /// The credentials of the bucket, which outlive who asks for them: those of the file as it is now,
 /// or of the environment.
 absl::StatusOr<S3CredentialsNow> CredentialsNow(
-    const S3Flags& flags, const std::unique_ptr<ReloadedFile<S3Credentials>>& file) {
+    const std::unique_ptr<ReloadedFile<S3Credentials>>& file) {
   if (file != nullptr) return [&file = *file] { return file.Get(); };
   const auto credentials = S3CredentialsOfEnvironment();
   if (!credentials.ok()) return credentials.status();
@@ -64,7 +64,7 @@ bool OpenBucket(const S3Flags& flags, rpc::ServerProgram& program,
                 std::shared_ptr<S3Client>& bucket) {
   if (flags.url.empty()) return true;
   if (!OpenReloaded(flags.credentials_file, "s3", ParseS3Credentials, program, file)) return false;
-  const auto credentials = CredentialsNow(flags, file);
+  const auto credentials = CredentialsNow(file);
   auto client = credentials.ok() ? MakeS3Client(flags, *credentials) : credentials.status();
   if (client.ok()) {
     bucket = *std::move(client);

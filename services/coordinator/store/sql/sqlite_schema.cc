@@ -221,6 +221,8 @@ CREATE TABLE s3_loose (
 ) STRICT, WITHOUT ROWID;
 CREATE INDEX s3_loose_by_tenant ON s3_loose (tenant);
 )"},
+    // Who watches all jobs of a tenant goes on from a time.
+    {"events_by_time", "CREATE INDEX events_by_time ON events (time_us, job, sequence);"},
 };
 
 absl::StatusOr<int64_t> Version(SqliteConnection& db) {
