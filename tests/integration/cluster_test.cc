@@ -45,9 +45,9 @@ class ClusterTest : public FarmProcessesTest {
     FarmClient client;
   };
 
-  void Start(std::optional<Coordinator>& coordinator, const char* name) {
+  void Start(std::optional<Coordinator>& coordinator, const char* name, const char* jobs = "1") {
     coordinator.emplace(
-        Arguments({"--postgres", database_, "--name", name, "--lease", "2", "--jobs", "1"}));
+        Arguments({"--postgres", database_, "--name", name, "--lease", "2", "--jobs", jobs}));
   }
 
   ClusterTest() {
@@ -122,7 +122,7 @@ TEST_F(ClusterTest, ACancelledJobOfADeadOwnerEndsBesideAnEqualOneThatRuns) {
   b_.reset();
   const std::string cancelled = Running(*a_);
   a_->server.process.Signal(SIGSTOP);
-  Start(b_, "b");
+  Start(b_, "b", "2");
   grpc::ClientContext context;
   v1::CancelJobRequest request;
   request.set_id(cancelled);

@@ -108,9 +108,9 @@ std::string LayersJson(const std::vector<LayerPlace>& layers, const std::vector<
   for (size_t i = 0; i < layers.size(); ++i) {
     const LayerPlace& layer = layers[i];
     ProgramJson json = {{"offset", layer.offset},
-                 {"z_mm", layer.z_mm},
-                 {"height_mm", layer.height_mm},
-                 {"moves", layer.moves}};
+                        {"z_mm", layer.z_mm},
+                        {"height_mm", layer.height_mm},
+                        {"moves", layer.moves}};
     if (times_s.size() == layers.size()) json["time_s"] = times_s[i];
     list.push_back(std::move(json));
   }

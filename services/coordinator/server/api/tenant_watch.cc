@@ -9,7 +9,7 @@ namespace {
 /// However much happens, the store is not asked more often.
 constexpr std::chrono::milliseconds kPause{100};
 /// Whether the client is still there is looked at as often, and the store is asked.
-constexpr std::chrono::milliseconds kAskEvery{1'000};
+constexpr std::chrono::milliseconds kLookEvery{1'000};
 constexpr int64_t kSignOfLifeUs = 15'000'000;
 
 absl::Status ClientLeft() { return absl::CancelledError("the client has left"); }
@@ -28,7 +28,7 @@ TenantWatch::TenantWatch(JobStore& jobs, JobFeed& feed, const std::function<int6
 void TenantWatch::AwaitNews() {
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, kPause, [&] { return feed_.closed(); });
-  changed_.wait_for(lock, kAskEvery - kPause, [&] { return news_ || feed_.closed(); });
+  changed_.wait_for(lock, kLookEvery - kPause, [&] { return news_ || feed_.closed(); });
   news_ = false;
 }
 

@@ -22,7 +22,8 @@ class FakeS3 {
   FakeS3() {
     // In a shell of its own, so that it can be ended by its id.
     const std::string line = "echo $$; exec python3 '" SLICEFARM_SOURCE
-                             "/tests/fake_s3.py' --dir '" + directory_.path() + "'";
+                             "/tests/fake_s3.py' --dir '" +
+                             directory_.path() + "'";
     output_ = popen(line.c_str(), "r");
     if (output_ == nullptr || std::fscanf(output_, "%d %d", &pid_, &port_) != 2) std::abort();
   }

@@ -91,8 +91,7 @@ void SetRules(CURL* curl, const HttpClientOptions& options) {
   curl_easy_setopt(curl, CURLOPT_LOW_SPEED_TIME, static_cast<long>(options.stall.count()));
   curl_easy_setopt(curl, CURLOPT_UPLOAD_BUFFERSIZE, 512L << 10);
   curl_easy_setopt(curl, CURLOPT_BUFFERSIZE, 256L << 10);
-  if (!options.ca_file.empty())
-    curl_easy_setopt(curl, CURLOPT_CAINFO, options.ca_file.c_str());
+  if (!options.ca_file.empty()) curl_easy_setopt(curl, CURLOPT_CAINFO, options.ca_file.c_str());
 }
 
 void SetMethod(CURL* curl, const HttpRequest& request, Sending& sending) {
@@ -168,7 +167,8 @@ absl::StatusOr<HttpAnswer> HttpClient::Do(const HttpRequest& request) {
   curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, error.data());
   const CURLcode code = curl_easy_perform(curl);
   if (!sending.status.ok()) return sending.status;
-  if (receiving.too_much) return absl::UnavailableError("the answer is longer than what was asked for");
+  if (receiving.too_much)
+    return absl::UnavailableError("the answer is longer than what was asked for");
   if (code == CURLE_OK) return AnswerOf(curl, std::move(receiving.bytes));
   return absl::UnavailableError(error[0] == '\0' ? curl_easy_strerror(code) : error.data());
 }

@@ -40,11 +40,12 @@ bool IsPlainPath(std::string_view path) {
 
 absl::StatusOr<S3Address> ParseS3Address(const std::string& url, bool bucket_in_host) {
   const auto bad = [&](std::string_view why) {
-    return absl::InvalidArgumentError(fmt::format(
-        "the address of a bucket is http[s]://HOST[:PORT]/BUCKET[/PREFIX]: {}", why));
+    return absl::InvalidArgumentError(
+        fmt::format("the address of a bucket is http[s]://HOST[:PORT]/BUCKET[/PREFIX]: {}", why));
   };
   const size_t scheme = url.find("://");
-  if (scheme == std::string::npos || (url.substr(0, scheme) != "https" && url.substr(0, scheme) != "http"))
+  if (scheme == std::string::npos ||
+      (url.substr(0, scheme) != "https" && url.substr(0, scheme) != "http"))
     return bad("it begins with http:// or https://");
   const std::string_view rest = std::string_view(url).substr(scheme + 3);
   const size_t slash = std::min(rest.find('/'), rest.size());

@@ -157,9 +157,8 @@ absl::StatusOr<std::string> S3BlobStore::PutText(const SpooledText& text) {
   const auto here = HasGood(digest);
   if (!here.ok()) return here.status();
   if (*here) return digest;
-  const BodySource body{text.size(), [&](int64_t offset, int64_t limit) {
-                          return text.Read(offset, limit);
-                        }};
+  const BodySource body{text.size(),
+                        [&](int64_t offset, int64_t limit) { return text.Read(offset, limit); }};
   if (absl::Status put = PutObject(digest, body); !put.ok()) return put;
   if (const auto deleted = staged_->Delete(digest, 0); !deleted.ok()) return deleted.status();
   return digest;

@@ -58,7 +58,7 @@ const std::string& DigestOfNothing() {
 struct S3Client::Wanted {
   std::string method;
   std::string key;
-  std::string range = {};           ///< of GET
+  std::string range = {};            ///< of GET
   const BodySource* body = nullptr;  ///< of PUT
   std::string sha256 = DigestOfNothing();
   int64_t most_bytes = 64 << 10;

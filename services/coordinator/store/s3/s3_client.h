@@ -20,7 +20,7 @@ struct S3Options {
   std::string region = "us-east-1";
   S3CredentialsNow credentials;
   HttpClientOptions http = {};
-  int tries = 4;  ///< of what may go better a moment later
+  int tries = 4;                               ///< of what may go better a moment later
   std::chrono::milliseconds first_pause{200};  ///< twice as long each time
 };
 
@@ -30,8 +30,7 @@ struct S3Options {
 /// us; Unavailable for everything else, after as many tries as the options say.
 class S3Client {
  public:
-  explicit S3Client(S3Options options)
-      : options_(std::move(options)), http_(options_.http) {}
+  explicit S3Client(S3Options options) : options_(std::move(options)), http_(options_.http) {}
 
   /// The server compares the digest with what came, so that nothing else becomes the object.
   /// Errors also: those of the body.

@@ -23,8 +23,8 @@ class S3Reader : public BlobReader {
 
   const std::shared_ptr<S3Client> bucket_;
   const S3Index::Found found_;
-  int64_t next_ = 0;        ///< where who reads in order reads next
-  std::string ahead_;       ///< what was fetched and not asked for yet, from ahead_at_ on
+  int64_t next_ = 0;   ///< where who reads in order reads next
+  std::string ahead_;  ///< what was fetched and not asked for yet, from ahead_at_ on
   int64_t ahead_at_ = 0;
 };
 

@@ -49,7 +49,8 @@ Pairs Sorted(Pairs headers) {
 
 std::string CanonicalRequest(const S3Request& request, const Pairs& headers,
                              const std::string& signed_names) {
-  std::string text = absl::StrCat(request.method, "\n", request.path, "\n", CanonicalQuery(request), "\n");
+  std::string text =
+      absl::StrCat(request.method, "\n", request.path, "\n", CanonicalQuery(request), "\n");
   for (const auto& [name, value] : headers) absl::StrAppend(&text, name, ":", value, "\n");
   absl::StrAppend(&text, "\n", signed_names, "\n", request.payload_sha256);
   return text;
@@ -76,9 +77,8 @@ std::string S3Authorization(const S3Request& request, const S3Credentials& crede
   const std::string names = absl::StrJoin(
       headers, ";", [](std::string* out, const auto& header) { *out += header.first; });
   const std::string scope = absl::StrCat(day, "/", region, "/s3/aws4_request");
-  const std::string to_sign =
-      absl::StrCat(kAlgorithm, "\n", time, "\n", scope, "\n",
-                   Sha256Hex(CanonicalRequest(request, headers, names)));
+  const std::string to_sign = absl::StrCat(kAlgorithm, "\n", time, "\n", scope, "\n",
+                                           Sha256Hex(CanonicalRequest(request, headers, names)));
   const std::string of_day = Hmac("AWS4" + credentials.secret_key, day);
   const std::string key = Hmac(Hmac(Hmac(of_day, region), "s3"), "aws4_request");
   return absl::StrCat(kAlgorithm, " Credential=", credentials.access_key, "/", scope,

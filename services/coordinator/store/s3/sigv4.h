@@ -16,7 +16,7 @@ struct S3Credentials {
 /// An HTTP request that is to be signed.
 struct S3Request {
   std::string method;
-  std::string path;  ///< as UriEncoded made it
+  std::string path;                                             ///< as UriEncoded made it
   std::vector<std::pair<std::string, std::string>> query = {};  ///< not encoded
   /// All that are signed, `host` among them; names in lower case.
   std::vector<std::pair<std::string, std::string>> headers;

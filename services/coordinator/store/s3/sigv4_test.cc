@@ -33,8 +33,7 @@ S3Request Request(const std::string& method, const std::string& path,
 class S3AuthorizationTest : public testing::TestWithParam<Case> {};
 
 TEST_P(S3AuthorizationTest, IsWhatTheReferenceSays) {
-  const std::string header =
-      S3Authorization(GetParam().request, kCredentials, "us-east-1", kTime);
+  const std::string header = S3Authorization(GetParam().request, kCredentials, "us-east-1", kTime);
   EXPECT_TRUE(header.starts_with(
       "AWS4-HMAC-SHA256 Credential=AKIAIOSFODNN7EXAMPLE/20130524/us-east-1/s3/aws4_request,"))
       << header;
@@ -46,8 +45,7 @@ const std::string kWelcome = Sha256Hex("Welcome to Amazon S3.");
 INSTANTIATE_TEST_SUITE_P(
     Reference, S3AuthorizationTest,
     testing::Values(
-        Case{"GetAnObject",
-             Request("GET", "/test.txt", {}, {{"range", "bytes=0-9"}}, kNothing),
+        Case{"GetAnObject", Request("GET", "/test.txt", {}, {{"range", "bytes=0-9"}}, kNothing),
              "f0e8bdb87c964420e857bd35b5d6ed310bd44f0170aba48dd91039c6036bdb41"},
         Case{"PutAnObject",
              Request("PUT", UriEncoded("/test$file.text", true), {},
@@ -57,8 +55,7 @@ INSTANTIATE_TEST_SUITE_P(
              "98ad721746da40c64f1a55b78f14c238d841ea1380cd77a1b5971af0ece108bd"},
         Case{"AQueryWithoutAValue", Request("GET", "/", {{"lifecycle", ""}}, {}, kNothing),
              "fea454ca298b7da1c68078a5d1bdbfbbe0d65c699e0f91ac7a200a0136783543"},
-        Case{"ListObjects",
-             Request("GET", "/", {{"prefix", "J"}, {"max-keys", "2"}}, {}, kNothing),
+        Case{"ListObjects", Request("GET", "/", {{"prefix", "J"}, {"max-keys", "2"}}, {}, kNothing),
              "34b48302e7b5fa45bde8084f4b7868a86f0a534bc59db6670ed5711ef69dc6f7"}),
     [](const auto& info) { return info.param.name; });
 

@@ -81,7 +81,9 @@ TEST(SqliteSchema, AddsToWhatHasTheVersionAlready) {
   TempDirectory directory;
   const auto db = *SqliteConnection::Open(directory.path() + "/jobs.db");
   ASSERT_TRUE(MigrateSqlite(*db).ok());
-  ASSERT_TRUE(db->Execute("DROP TABLE migrations; DROP TABLE s3_blobs; DROP TABLE s3_loose").ok());
+  ASSERT_TRUE(db->Execute("DROP TABLE migrations; DROP TABLE s3_blobs; DROP TABLE s3_loose;"
+                          "DROP INDEX events_by_time")
+                  .ok());
   ASSERT_TRUE(MigrateSqlite(*db).ok());
   SqlQuery added(*db, "SELECT count(*) FROM s3_loose");
   EXPECT_TRUE(added.Next()) << added.status();
