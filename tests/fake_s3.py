@@ -15,7 +15,7 @@ knows only at its end). Or by a file DIR/.faults, a JSON list of
     cut                the connection ends in the middle of the body, the client's or the server's
     wrong              bytes that were changed on the way
     lost               done, and the connection ends without an answer
-GET /counts: how many requests of each method were answered or failed.
+GET /counts: how many requests of each method came or failed, and how many bytes of objects were `sent`.
 """
 import argparse
 import calendar
@@ -226,6 +226,8 @@ class Handler(http.server.BaseHTTPRequestHandler):
                 block, fault = bytes([block[0] ^ 1]) + block[1:], None
             self.wfile.write(block)
             count -= len(block)
+            with self.bucket.lock:
+                self.bucket.counts["sent"] += len(block)
 
     def do_DELETE(self):
         admitted = self.admit()

@@ -122,6 +122,10 @@ class FakeS3:
         self.process = subprocess.Popen(self.command, stdout=subprocess.PIPE, stdin=subprocess.DEVNULL)
         self.process.stdout.readline()  # it listens
 
+    def counts(self):
+        with urllib.request.urlopen(f"http://127.0.0.1:{self.port}/counts") as answer:
+            return json.loads(answer.read())
+
     def kill(self):
         self.process.kill()
         self.process.wait()
