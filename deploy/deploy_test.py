@@ -145,6 +145,20 @@ def check_migration():
     expect(policy["spec"]["podSelector"]["matchLabels"].items() <= pod["metadata"]["labels"].items(), "kubernetes: migrate: policy")
 
 
+def check_bucket():
+    """All that the programs read of a bucket from their environment, compose files and the component `s3` set; and nothing else."""
+    run = subprocess.run([BIN / "slicefarm-coordinator", "--help"], stdout=subprocess.PIPE, text=True)
+    wanted = {"AWS_ACCESS_KEY_ID", "AWS_SECRET_ACCESS_KEY", *re.findall(r"Env:(SLICEFARM_S3|AWS_\w+)", run.stdout)}
+    expect(len(wanted) == 4, f"the coordinator's --help names {wanted}")
+    for path in COMPOSE:
+        names = set(yaml.safe_load(path.read_text())["services"]["coordinator"].get("environment", {}))
+        expect(wanted <= names, f"{path.name}: a bucket needs {wanted - names}")
+    component = yaml.safe_load((DEPLOY / "kubernetes/s3/kustomization.yaml").read_text())
+    added = [step["value"] for patch in component["patches"] for step in yaml.safe_load(patch["patch"])]
+    expect({value["name"] for value in added if "name" in value} == wanted, "kubernetes: s3: other variables")
+    expect(any(port["port"] == 443 for value in added for port in value.get("ports", [])), "kubernetes: s3: no way out")
+
+
 def documents(folder):
     for path in sorted(folder.glob("*.yaml")):
         for document in yaml.safe_load_all(path.read_text()):
@@ -338,6 +352,7 @@ def main():
     check_split_stages()
     check_dockerfile()
     check_migration()
+    check_bucket()
     manifests = Manifests(DEPLOY / "kubernetes")
     manifests.check()
     notes = [check_kubernetes_types(manifests), check_monitoring()]

@@ -20,6 +20,7 @@ LEAD = 4  # jobs that wait or run while processes are killed: there is always wo
 LASERS = 4  # every so many jobs is one of lasers
 MILLS = 6  # and of milling
 ENGRAVES = 7  # and of engraving
+S3_FAULTS = 0.02  # of the bucket's answers
 PATIENCE_S = 600  # for all jobs to end when nothing is killed any more
 
 
@@ -151,7 +152,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--kills", type=int, default=100)
     parser.add_argument("--jobs", type=int, default=50)
-    parser.add_argument("--store", choices=["sqlite", "postgres"], default="sqlite")
+    parser.add_argument("--store", choices=["sqlite", "postgres", "s3"], default="sqlite")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--split", action="store_true")
@@ -159,7 +160,8 @@ def main():
     options = parser.parse_args()
     directory = pathlib.Path(tempfile.mkdtemp(prefix="slicefarm-faults-"))
     random.seed(options.seed)
-    with running_farm(options.store, directory, workers=options.workers, split=options.split) as farm:
+    s3_faults = S3_FAULTS if options.store == "s3" else 0
+    with running_farm(options.store, directory, workers=options.workers, split=options.split, s3_faults=s3_faults) as farm:
         progress = Progress(farm.coordinators)
         submitter = Submitter(farm, options.jobs, directory)
         try:

@@ -106,12 +106,39 @@ class Postgres:
         self.run("stop")
 
 
+class FakeS3:
+    """fake_s3.py: a bucket, whose objects stay when it is killed. `rate`: the part of its answers that are faults."""
+
+    name = "s3"
+
+    def __init__(self, directory, rate=0.0, seed=1):
+        self.port = free_port()
+        self.command = ["python3", ROOT / "tests/fake_s3.py", "--dir", directory, "--port", str(self.port), "--rate", str(rate), "--seed", str(seed)]
+        self.url = f"http://127.0.0.1:{self.port}/farm"
+        self.environment = {"AWS_ACCESS_KEY_ID": "access", "AWS_SECRET_ACCESS_KEY": "secret"}
+        self.start()
+
+    def start(self):
+        self.process = subprocess.Popen(self.command, stdout=subprocess.PIPE, stdin=subprocess.DEVNULL)
+        self.process.stdout.readline()  # it listens
+
+    def counts(self):
+        with urllib.request.urlopen(f"http://127.0.0.1:{self.port}/counts") as answer:
+            return json.loads(answer.read())
+
+    def kill(self):
+        self.process.kill()
+        self.process.wait()
+
+    stop = kill
+
+
 class Farm:
-    """Workers of one slot each, on one coordinator with SQLite or on two with PostgreSQL. `split`: so many replicas of each
-    layer stage instead. `extra`: arguments of the coordinators. `postgres`: a server that is there, of several farms.
+    """Workers of one slot each, on one coordinator with SQLite or on two with PostgreSQL, or with PostgreSQL and a bucket (`s3`),
+    of whose answers the part `s3_faults` are faults. `split`: so many replicas of each layer stage instead. `extra`: arguments of the coordinators. `postgres`: a server that is there, of several farms.
     `programs`: where those of its build are."""
 
-    def __init__(self, store, directory, workers=2, split=False, extra=(), postgres=None, programs=BIN):
+    def __init__(self, store, directory, workers=2, split=False, extra=(), postgres=None, programs=BIN, s3_faults=0.0):
         directory = pathlib.Path(directory)
         directory.chmod(0o755)  # PostgreSQL's user goes through it
         self.log = directory / "log"
@@ -125,12 +152,16 @@ class Farm:
         for name in stages if workers else ():
             addresses = [service.address for service in self.workers if service.name.startswith(name)]
             arguments += ["--workers" if name == "worker" else f"--{name}", ",".join(addresses)]
-        self.postgres = postgres or (Postgres(directory / "postgres") if store == "postgres" else None)
+        self.postgres = postgres or (Postgres(directory / "postgres") if store in ("postgres", "s3") else None)
         self.owns_postgres = postgres is None
         if self.postgres:
             state = ["--postgres", self.postgres.connection]
         else:
             state = ["--state-dir", str(directory / "state")]
+        self.s3 = FakeS3(directory / "s3", s3_faults) if store == "s3" else None
+        if self.s3:
+            os.environ.update(self.s3.environment)  # of the coordinators
+            state += ["--s3", self.s3.url]
         self.coordinators = [
             Service(f"coordinator-{i}", self.log, "--name", f"{name_of}coordinator-{i}", *state, *arguments, *extra, programs=programs)
             for i in range(1, 3 if self.postgres else 2)
@@ -138,7 +169,7 @@ class Farm:
         self.services = [*singles, *self.workers, *self.coordinators]
         for service in self.services:
             service.start()
-        self.victims = [*self.services, *([self.postgres] if self.postgres else [])]
+        self.victims = [*self.services, *(store for store in (self.postgres, self.s3) if store)]
 
     def await_serving(self):
         """Until each service answers. One that ended instead is an error, with its last words: its clients would wait for it."""
@@ -196,6 +227,8 @@ class Farm:
             service.stop()
         if self.postgres and self.owns_postgres:
             self.postgres.stop()
+        if self.s3:
+            self.s3.stop()
 
 
 @contextlib.contextmanager

@@ -145,7 +145,7 @@ def main():
         ending.callback(lambda: [progress.stop() for progress in seen])
         farms.start("old")
         begun = time.monotonic()
-        submitter = Submitter(farms, options.jobs)
+        submitter = Submitter(farms, options.jobs, directory)
         submitter.start()
         upgrade_and_back(farms, submitter, options, seen)
         submitter.join()

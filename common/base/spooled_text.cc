@@ -76,6 +76,35 @@ absl::Status SpooledText::ForEachBlock(const Visit& visit) const {
   return blocks.Flush();
 }
 
+/// `count` bytes of a piece, from `offset` in it on.
+absl::Status SpooledText::Append(const Piece& piece, int64_t offset, int64_t count,
+                                 std::string& text) const {
+  if (const auto* part = std::get_if<std::string>(&piece)) {
+    text.append(*part, static_cast<size_t>(offset), static_cast<size_t>(count));
+    return absl::OkStatus();
+  }
+  const size_t have = text.size();
+  text.resize(have + static_cast<size_t>(count));
+  const auto& place = std::get<SpoolFile::Place>(piece);
+  return spool_->ReadAt(place.offset + offset, std::span(text).subspan(have));
+}
+
+absl::StatusOr<std::string> SpooledText::Read(int64_t offset, int64_t limit) const {
+  std::string text;
+  int64_t begin = 0;  // of the piece
+  for (const Piece& piece : pieces_) {
+    const auto* part = std::get_if<std::string>(&piece);
+    const int64_t size = part != nullptr ? std::ssize(*part) : std::get<SpoolFile::Place>(piece).size;
+    const int64_t from = offset + std::ssize(text) - begin;
+    const int64_t count = std::min(size - from, limit - std::ssize(text));
+    begin += size;
+    if (count <= 0) continue;
+    if (absl::Status read = Append(piece, from, count, text); !read.ok()) return read;
+    if (std::ssize(text) == limit) break;
+  }
+  return text;
+}
+
 absl::StatusOr<std::string> SpooledText::Whole() const {
   std::string text;
   text.reserve(static_cast<size_t>(size_));

@@ -37,12 +37,20 @@ class SpooledText {
   /// called again, with the same bytes. Errors: those of `visit`; STORE_FAILED.
   absl::Status ForEachBlock(const Visit& visit) const;
 
+  /// Up to `limit` bytes from `offset` on; fewer only at the end. Cost: looks at all pieces before
+  /// them. Errors: STORE_FAILED. REQUIRES: 0 <= offset, limit.
+  absl::StatusOr<std::string> Read(int64_t offset, int64_t limit) const;
+
   /// All of it, for texts that fit into memory. Errors: STORE_FAILED.
   absl::StatusOr<std::string> Whole() const;
 
  private:
+  using Piece = std::variant<std::string, SpoolFile::Place>;
+
+  absl::Status Append(const Piece& piece, int64_t offset, int64_t count, std::string& text) const;
+
   std::unique_ptr<const SpoolFile> spool_;
-  std::vector<std::variant<std::string, SpoolFile::Place>> pieces_;
+  std::vector<Piece> pieces_;
   int64_t size_ = 0;
 };
 

@@ -37,6 +37,27 @@ TEST(SpooledText, IsItsPiecesInTheirOrder) {
   EXPECT_EQ(text.size(), std::ssize(*text.Whole()));
 }
 
+TEST(SpooledText, AnyPartOfItCanBeRead) {
+  auto spool = NewSpool();
+  const SpoolFile::Place place = *spool->Add("0123456789");
+  SpooledText text(std::move(spool));
+  text.Add(std::string("abc"));
+  text.Add(place);
+  text.Add(SpoolFile::Place{4, 2});
+  text.Add(std::string("xyz"));
+  const std::string whole = *text.Whole();
+  for (int64_t offset = 0; offset <= text.size() + 1; ++offset) {
+    for (int64_t limit = 0; limit <= text.size() + 1; ++limit) {
+      const auto read = text.Read(offset, limit);
+      ASSERT_TRUE(read.ok()) << read.status();
+      const size_t from = std::min<size_t>(offset, whole.size());
+      EXPECT_EQ(*read, whole.substr(from, limit)) << offset << " " << limit;
+    }
+  }
+  text.Add(SpoolFile::Place{9, 2});  // the spool has but one of them
+  EXPECT_EQ(DetailOf(text.Read(0, text.size()).status()).reason, Reason::kStoreFailed);
+}
+
 TEST(SpooledText, ComesInWholeBlocksHoweverItsPiecesLie) {
   for (const size_t piece : {size_t{1'000}, kBlock - 1, kBlock, kBlock + 1, 3 * kBlock}) {
     auto spool = NewSpool();

@@ -82,9 +82,12 @@ ExitCode Run(int argc, char** argv) {
   app.set_version_flag("--version", VersionLine());
   app.require_subcommand(1);
   for (const auto add :
-       {AddSlice, AddSubmit, AddInspect, AddWatch, AddList, AddGet, AddCancel, AddDelete, AddTrace, AddWebhook,
-        AddProfile, AddRender, AddBeads, AddFill, AddFlatten, AddDecompose, AddSupportLab, AddTsp, AddTime, AddCheck, AddSettings, AddHealth,
-        AddToken, AddEngraveProgram, AddMillProgram, AddWaterline, AddVersion}) {
+       {AddSlice,       AddSubmit,    AddInspect,  AddWatch,     AddList,       AddGet,
+        AddCancel,      AddDelete,    AddTrace,    AddWebhook,   AddUpdate,     AddArtifacts,
+        AddEvents,      AddMeshes,    AddUsage,    AddCaller,    AddProfile,    AddRender,
+        AddBeads,       AddFill,      AddFlatten,  AddDecompose, AddSupportLab, AddTsp,
+        AddTime,        AddCheck,     AddSettings, AddHealth,    AddToken,      AddEngraveProgram,
+        AddMillProgram, AddWaterline, AddVersion}) {
     add(app, context);
   }
   if (const ExitCode parsed = Parse(app, argc, argv); parsed != ExitCode::kOk || !context.run) {

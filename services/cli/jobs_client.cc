@@ -254,6 +254,72 @@ absl::Status JobsClient::DeleteJob(const std::string& id) {
   return absl::IsNotFound(deleted) && attempts > 1 ? absl::OkStatus() : deleted;
 }
 
+absl::StatusOr<v1::BatchCancelJobsResponse> JobsClient::CancelJobs(
+    const v1::BatchCancelJobsRequest& request) {
+  return Call<v1::BatchCancelJobsResponse>(
+      request, [&](auto... a) { return jobs_->AsyncBatchCancelJobs(a...); });
+}
+
+absl::StatusOr<v1::Job> JobsClient::UpdateJob(const v1::UpdateJobRequest& request) {
+  return Call<v1::Job>(request, [&](auto... a) { return jobs_->AsyncUpdateJob(a...); });
+}
+
+absl::StatusOr<v1::ListArtifactsResponse> JobsClient::ListArtifacts(const std::string& job_id) {
+  v1::ListArtifactsRequest request;
+  request.set_id(job_id);
+  return Call<v1::ListArtifactsResponse>(
+      request, [&](auto... a) { return jobs_->AsyncListArtifacts(a...); }, kTransferDeadline);
+}
+
+absl::StatusOr<v1::GetCallerResponse> JobsClient::GetCaller() {
+  return Call<v1::GetCallerResponse>(v1::GetCallerRequest(),
+                                     [&](auto... a) { return jobs_->AsyncGetCaller(a...); });
+}
+
+absl::StatusOr<v1::Usage> JobsClient::GetUsage(const v1::GetUsageRequest& request) {
+  return Call<v1::Usage>(request, [&](auto... a) { return jobs_->AsyncGetUsage(a...); });
+}
+
+absl::StatusOr<v1::ListMeshesResponse> JobsClient::ListMeshes(
+    const v1::ListMeshesRequest& request) {
+  return Call<v1::ListMeshesResponse>(request,
+                                      [&](auto... a) { return meshes_->AsyncListMeshes(a...); });
+}
+
+/// One whose answer was lost on the way has deleted it all the same.
+absl::StatusOr<bool> JobsClient::DeleteMesh(const std::string& sha256) {
+  v1::DeleteMeshRequest request;
+  request.set_sha256(sha256);
+  int attempts = 0;
+  const auto done = Call<v1::DeleteMeshResponse>(request, [&](auto... a) {
+    ++attempts;
+    return meshes_->AsyncDeleteMesh(a...);
+  });
+  if (!done.ok()) return done.status();
+  return done->deleted() || attempts > 1;
+}
+
+absl::Status JobsClient::DownloadMesh(const std::string& sha256, OutputFile& file) {
+  v1::DownloadMeshRequest request;
+  request.set_sha256(sha256);
+  Sha256 sha;
+  const absl::Status status = Persist([&] {
+    return ReadStream<v1::DownloadResponse>(
+        {kTransferDeadline, options_.cancel, options_.trace},
+        [&](grpc::ClientContext* context, grpc::CompletionQueue* queue) {
+          return meshes_->PrepareAsyncDownloadMesh(context, request, queue);
+        },
+        &answered_,
+        [&](const v1::DownloadResponse& response) {
+          answered_ = true;
+          request.set_offset(request.offset() + static_cast<int64_t>(response.data().size()));
+          sha.Add(response.data());
+          return file.Write(response.data());
+        });
+  });
+  return status.ok() ? CheckDigest(sha256, sha.Hex()) : status;
+}
+
 absl::StatusOr<v1::Webhook> JobsClient::GetWebhook(const std::string& job_id) {
   v1::GetWebhookRequest request;
   request.set_job_id(job_id);
@@ -313,6 +379,31 @@ absl::StatusOr<v1::Job> JobsClient::WatchJob(const std::string& id,
   });
   if (!status.ok()) return status;
   return last;
+}
+
+absl::Status JobsClient::WatchJobs(
+    v1::WatchJobsRequest request,
+    const std::function<absl::Status(const v1::WatchJobsResponse&)>& told) {
+  absl::Status enough;
+  const absl::Status status = Persist([&]() -> absl::Status {
+    absl::Status end = ReadStream<v1::WatchJobsResponse>(
+        {kWatchDeadline, options_.cancel, options_.trace},
+        [&](grpc::ClientContext* context, grpc::CompletionQueue* queue) {
+          return jobs_->PrepareAsyncWatchJobs(context, request, queue);
+        },
+        &answered_,
+        [&](const v1::WatchJobsResponse& response) {
+          answered_ = true;
+          request.set_cursor(response.cursor());
+          enough = told(response);
+          return enough;
+        });
+    if (!enough.ok()) return absl::OkStatus();
+    if (!end.ok()) return end;
+    return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
+                     "the server stopped telling of jobs");
+  });
+  return enough.ok() ? status : enough;
 }
 
 absl::Status JobsClient::Download(const v1::Job& job, v1::Artifact artifact, OutputFile& file) {

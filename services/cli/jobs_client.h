@@ -47,8 +47,19 @@ class JobsClient {
   absl::StatusOr<v1::Job> GetJob(const std::string& id);
   absl::StatusOr<v1::Job> CancelJob(const std::string& id);
   absl::Status DeleteJob(const std::string& id);
+  /// Of at most 1000 jobs, each by itself.
+  absl::StatusOr<v1::BatchCancelJobsResponse> CancelJobs(const v1::BatchCancelJobsRequest& request);
+  absl::StatusOr<v1::Job> UpdateJob(const v1::UpdateJobRequest& request);
   absl::StatusOr<v1::Webhook> GetWebhook(const std::string& job_id);
+  absl::StatusOr<v1::ListArtifactsResponse> ListArtifacts(const std::string& job_id);
+  absl::StatusOr<v1::GetCallerResponse> GetCaller();
+  absl::StatusOr<v1::Usage> GetUsage(const v1::GetUsageRequest& request);
   absl::StatusOr<v1::ListJobsResponse> ListJobs(const v1::ListJobsRequest& request);
+
+  absl::StatusOr<v1::ListMeshesResponse> ListMeshes(const v1::ListMeshesRequest& request);
+  absl::StatusOr<bool> DeleteMesh(const std::string& sha256);
+  /// Writes it to `file`, as a whole or with an error. Errors: also BLOB_DIGEST_MISMATCH.
+  absl::Status DownloadMesh(const std::string& sha256, OutputFile& file);
 
   absl::StatusOr<v1::Profile> PutProfile(const v1::PutProfileRequest& request);
   absl::StatusOr<v1::Profile> GetProfile(const v1::GetProfileRequest& request);
@@ -58,6 +69,11 @@ class JobsClient {
   /// Tells each event of the job, those of the past too, and returns the job as it ended.
   absl::StatusOr<v1::Job> WatchJob(const std::string& id,
                                    const std::function<void(const v1::Job&)>& changed);
+
+  /// Tells what happens to all jobs, until `told` returns an error, which is returned. Goes on
+  /// where it broke off: some events come twice.
+  absl::Status WatchJobs(v1::WatchJobsRequest request,
+                         const std::function<absl::Status(const v1::WatchJobsResponse&)>& told);
 
   /// Writes a result to `file`, as a whole or with an error. Errors: also BLOB_DIGEST_MISMATCH if
   /// it is not what `job.result()` says; a trace, of which that says nothing, is taken as it comes.

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "common/base/error.h"
 #include "common/rpc/status_mapping.h"
@@ -44,9 +45,9 @@ class ClusterTest : public FarmProcessesTest {
     FarmClient client;
   };
 
-  void Start(std::optional<Coordinator>& coordinator, const char* name) {
+  void Start(std::optional<Coordinator>& coordinator, const char* name, const char* jobs = "1") {
     coordinator.emplace(
-        Arguments({"--postgres", database_, "--name", name, "--lease", "2", "--jobs", "1"}));
+        Arguments({"--postgres", database_, "--name", name, "--lease", "2", "--jobs", jobs}));
   }
 
   ClusterTest() {
@@ -89,6 +90,49 @@ TEST_F(ClusterTest, WhatOneTakesTheOtherKnows) {
   const std::string id = SubmitTo(*a_);
   ExpectTheSame(AwaitEnd(*b_, id));
   ExpectTheSame(AwaitEnd(*a_, id));
+}
+
+// One of them is killed with the work in hand, and comes back.
+TEST_F(ClusterTest, EqualJobsOfTwoCoordinatorsAreComputedOnce) {
+  constexpr int kJobs = 200;
+  StopWorkers();
+  std::vector<std::string> ids;
+  ASSERT_TRUE(a_->client.Upload(mesh_).ok());
+  for (int i = 0; i < kJobs; ++i) {
+    const auto job = (i % 2 == 0 ? a_ : b_)->client.Create(FarmClient::RequestFor(mesh_));
+    ASSERT_TRUE(job.ok()) << job.status();
+    ids.push_back(job->id());
+  }
+  b_->client.Watch(ids.front(), 0, IsSliced);
+  a_->server.process.Signal(SIGKILL);
+  Start(a_, "a");
+  ContinueWorkers();
+  int computed = 0;
+  for (const std::string& id : ids) {
+    const v1::Job job = AwaitEnd(*b_, id).job();
+    EXPECT_EQ(job.state(), v1::JOB_STATE_SUCCEEDED) << job.error().message();
+    EXPECT_EQ(job.result().gcode_sha256(), quiet_);
+    computed += job.result().cached() ? 0 : 1;
+  }
+  EXPECT_EQ(computed, 1);
+}
+
+// Nor does it wait for the equal job that runs: that one's end may be far away.
+TEST_F(ClusterTest, ACancelledJobOfADeadOwnerEndsBesideAnEqualOneThatRuns) {
+  b_.reset();
+  const std::string cancelled = Running(*a_);
+  a_->server.process.Signal(SIGSTOP);
+  Start(b_, "b", "2");
+  grpc::ClientContext context;
+  v1::CancelJobRequest request;
+  request.set_id(cancelled);
+  v1::Job answer;
+  ASSERT_TRUE(b_->client.jobs_->CancelJob(&context, request, &answer).ok());
+  const std::string equal = SubmitTo(*b_);
+  EXPECT_EQ(AwaitEnd(*b_, cancelled).job().state(), v1::JOB_STATE_CANCELLED);
+  a_->server.process.Signal(SIGKILL);
+  ContinueWorkers();
+  ExpectTheSame(AwaitEnd(*b_, equal));
 }
 
 TEST_F(ClusterTest, TheOtherTakesOverFromAKilledOne) {

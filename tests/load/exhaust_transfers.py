@@ -1,4 +1,4 @@
-"""Large results: how much is read from PostgreSQL for a download, and how fast; whether downloads that take every place cost a
+"""Large results: how much is read from PostgreSQL, or a bucket, for a download, and how fast; whether downloads that take every place cost a
 job its run; and how much a coordinator reads for equal jobs, whose result it has."""
 import os
 import pathlib
@@ -7,7 +7,7 @@ import tempfile
 import threading
 import time
 
-from exhaust_memory import prism
+from exhaust_memory import Most, prism
 from exhaust_rows import sql
 from local_farm import MODELS, running_farm
 
@@ -72,7 +72,24 @@ def from_postgres(directory):
         yield from beside_downloads(farm, job_id)
 
 
-def beside_downloads(farm, job_id):
+def from_s3(directory):
+    """The same from a bucket, and what a coordinator holds meanwhile."""
+    with running_farm("s3") as farm:
+        job_id, size = succeeded(farm, *long_job(directory, RESULT_MB))
+        coordinator = farm.coordinators[0]
+        assert download(farm, job_id, coordinator) == 0  # checks it
+        before, cpu, memory, begun = farm.s3.counts()["sent"], coordinator.cpu_s(), Most(coordinator), time.monotonic()
+        assert download(farm, job_id, coordinator) == 0
+        seconds, held = time.monotonic() - begun, memory.stop()
+        yield "transfers_s3_result_mb", size / 1e6, None
+        yield "transfers_s3_read_over_sent", (farm.s3.counts()["sent"] - before) / size, 1.1
+        yield "transfers_s3_coordinator_cpu_s", coordinator.cpu_s() - cpu, None
+        yield "transfers_s3_coordinator_mib", held, 256
+        yield "transfers_s3_mb_per_s", size / 1e6 / seconds, None
+        yield from beside_downloads(farm, job_id, "transfers_s3")
+
+
+def beside_downloads(farm, job_id, name="transfers"):
     codes = []
     threads = [threading.Thread(target=lambda: codes.append(download(farm, job_id))) for _ in range(DOWNLOADS)]
     for thread in threads:
@@ -83,8 +100,8 @@ def beside_downloads(farm, job_id):
     farm.await_end()
     listed = ",".join(f"'{job}'" for job in jobs)
     ended = sql(farm, f"SELECT count(*) FROM jobs WHERE id IN ({listed}) AND state = 'SUCCEEDED' AND owner_epoch = 1")
-    yield "transfers_downloads_that_failed", sum(code != 0 for code in codes), 0
-    yield "transfers_runs_thrown_away", len(jobs) - int(ended), 0
+    yield f"{name}_downloads_that_failed", sum(code != 0 for code in codes), 0
+    yield f"{name}_runs_thrown_away", len(jobs) - int(ended), 0
 
 
 def read_bytes(farm):
@@ -116,4 +133,5 @@ def of_equal_jobs(directory):
 def measure():
     with tempfile.TemporaryDirectory(prefix="slicefarm-exhaust-") as directory:
         yield from from_postgres(directory)
+        yield from from_s3(directory)
         yield from of_equal_jobs(directory)

@@ -17,10 +17,16 @@ namespace slicefarm::cli {
 namespace {
 
 constexpr int kPageSize = 100;
+constexpr size_t kCancelledAtOnce = 1000;  // the most that a call takes
 
 struct JobCommandOptions {
   ServerOptions server;
   std::string id;
+};
+
+struct CancelOptions {
+  ServerOptions server;
+  std::vector<std::string> ids;
 };
 
 struct GetOptions : JobCommandOptions {
@@ -96,12 +102,42 @@ ExitCode Trace(const GetOptions& options, Interrupt& interrupt) {
   return fetched.ok() ? ExitCode::kOk : Fail(fetched);
 }
 
-ExitCode Cancel(const JobCommandOptions& options, Interrupt& interrupt) {
+void TellCancelled(const v1::Job& job) {
+  Print(fmt::format("job {}: {}\n", job.id(),
+                    HasEnded(job) ? StateName(job.state()) : "is being cancelled"));
+}
+
+/// Each by itself: one that cannot be cancelled leaves the others alone. The exit code is that of
+/// the first error.
+ExitCode CancelAll(JobsClient& client, const std::vector<std::string>& ids) {
+  ExitCode code = ExitCode::kOk;
+  for (size_t first = 0; first < ids.size(); first += kCancelledAtOnce) {
+    v1::BatchCancelJobsRequest request;
+    for (size_t i = first; i < std::min(ids.size(), first + kCancelledAtOnce); ++i)
+      request.add_ids(ids[i]);
+    const auto done = client.CancelJobs(request);
+    if (!done.ok()) return Fail(done.status());
+    for (const auto& outcome : done->outcomes()) {
+      if (outcome.has_job()) {
+        TellCancelled(outcome.job());
+        continue;
+      }
+      v1::Job failed;
+      failed.set_state(v1::JOB_STATE_FAILED);
+      *failed.mutable_error() = outcome.error();
+      const ExitCode error = Fail(OutcomeOf(failed));
+      if (code == ExitCode::kOk) code = error;
+    }
+  }
+  return code;
+}
+
+ExitCode Cancel(const CancelOptions& options, Interrupt& interrupt) {
   JobsClient client(ClientOptions(options.server, &interrupt));
-  const auto job = client.CancelJob(options.id);
+  if (options.ids.size() > 1) return CancelAll(client, options.ids);
+  const auto job = client.CancelJob(options.ids.front());
   if (!job.ok()) return Fail(job.status());
-  Print(fmt::format("job {}: {}\n", job->id(),
-                    HasEnded(*job) ? StateName(job->state()) : "is being cancelled"));
+  TellCancelled(*job);
   return ExitCode::kOk;
 }
 
@@ -220,8 +256,10 @@ void AddGet(CLI::App& app, CommandContext& context) {
 }
 
 void AddCancel(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("cancel", "Stop a job; its record stays");
-  const auto options = AddJobCommand(*command, std::make_shared<JobCommandOptions>());
+  CLI::App* command = app.add_subcommand("cancel", "Stop jobs; their records stay");
+  const auto options = std::make_shared<CancelOptions>();
+  command->add_option("JOB", options->ids, "As submit --detach and list print them")->required();
+  AddServerOptions(*command, options->server);
   command->callback([options, &context] {
     context.run = [options, &context] { return Cancel(*options, *context.interrupt); };
   });

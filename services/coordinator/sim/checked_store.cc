@@ -124,7 +124,8 @@ void CheckedStore::CheckClaim(const JobRecord& job, const std::string& owner, in
   for (const auto& [number, entry] : jobs_.entries()) {
     const JobRecord& other = entry.job;
     const bool held = !other.owner.empty() && other.owner_until_us > now_us && other.id != job.id;
-    if (held && !other.cancel_requested && other.action_digest == job.action_digest)
+    const bool both_wanted = !other.cancel_requested && !job.cancel_requested;
+    if (held && both_wanted && other.action_digest == job.action_digest)
       world_.Violated("{} was claimed while {} has the same done", job.id, other.id);
   }
   if (job.owner_epoch != before.owner_epoch + 1) {

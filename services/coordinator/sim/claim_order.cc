@@ -32,7 +32,8 @@ void ClaimOrder::Before(const std::map<int64_t, MemoryJobs::Entry>& jobs, const 
       if (!job.owner.empty()) ++tenant.held;
       continue;
     }
-    if (work.contains(job.action_digest) || job.priority < call.at_least) continue;
+    const bool waits = work.contains(job.action_digest) && !job.cancel_requested;
+    if (waits || job.priority < call.at_least) continue;
     if (!tenant.next || ComesBefore(job, *tenant.next)) tenant.next = job;
   }
 }

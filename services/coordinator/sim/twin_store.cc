@@ -112,6 +112,12 @@ absl::StatusOr<std::vector<JobEventRecord>> TwinStore::Events(const std::string&
   return Both("Events", [&](JobStore& store) { return store.Events(id, after, limit); });
 }
 
+absl::StatusOr<std::vector<TenantEvent>> TwinStore::EventsOf(const std::string& tenant,
+                                                             const EventPlace& after,
+                                                             int32_t limit) {
+  return Both("EventsOf", [&](JobStore& store) { return store.EventsOf(tenant, after, limit); });
+}
+
 absl::StatusOr<std::optional<JobResult>> TwinStore::FindResult(const std::string& action_digest) {
   return Both("FindResult", [&](JobStore& store) { return store.FindResult(action_digest); });
 }

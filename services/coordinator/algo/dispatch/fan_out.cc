@@ -175,6 +175,7 @@ DispatchCounts FanOut::Counts() const {
   for (const auto& [id, job] : jobs_) {
     counts.requeued += job.scheduler.Requeued();
     counts.hedged += job.scheduler.Hedged();
+    counts.waiting += job.scheduler.Queued() + job.scheduler.Suspects();
   }
   return counts;
 }

@@ -21,6 +21,7 @@ struct DispatchCounts {
   int64_t hedged = 0;
   int64_t poisoned = 0;
   int64_t differing = 0;  ///< second answers that are unlike the first
+  int64_t waiting = 0;    ///< now: ranges that no runner has
 };
 
 /// The ranges of any number of jobs over the runners there are: which range of which job a free

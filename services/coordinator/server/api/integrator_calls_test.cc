@@ -3,6 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
 #include "common/base/error.h"
 #include "services/coordinator/server/main/coordinator_fixture_test.h"
 
@@ -110,6 +115,50 @@ TEST_F(IntegratorCallsTest, WhatTheMaskNamesIsChanged) {
   EXPECT_EQ(DetailOf(Update(request).status()).reason, Reason::kRequestMalformed);
   request.mutable_update_mask()->clear_paths();
   EXPECT_EQ(DetailOf(Update(request).status()).reason, Reason::kRequestMalformed);
+}
+
+TEST_F(IntegratorCallsTest, AllJobsOfATenantAreWatched) {
+  v1::WatchJobsRequest request;
+  request.mutable_from()->set_seconds(1);
+  grpc::ClientContext context;
+  Bound(context);
+  const auto stream = jobs_->WatchJobs(&context, request);
+  stream->WaitForInitialMetadata();
+  const std::string first = Submit("x"), second = Submit("xx");
+  std::map<std::string, std::vector<int64_t>> told;
+  std::set<std::string> ended;
+  std::string cursor;
+  v1::WatchJobsResponse response;
+  while (ended.size() < 2 && stream->Read(&response)) {
+    const v1::JobEvent& event = response.event();
+    told[event.job().id()].push_back(event.sequence());
+    if (event.job().state() == v1::JOB_STATE_SUCCEEDED) ended.insert(event.job().id());
+    cursor = response.cursor();
+  }
+  EXPECT_THAT(told[first], ElementsAre(1, 2, 3));
+  EXPECT_THAT(told[second], ElementsAre(1, 2, 3));
+  context.TryCancel();
+  EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::CANCELLED);
+
+  request.Clear();
+  request.set_cursor(cursor);
+  grpc::ClientContext again;
+  Bound(again);
+  const auto resumed = jobs_->WatchJobs(&again, request);
+  ASSERT_TRUE(resumed->Read(&response));
+  EXPECT_TRUE(told.contains(response.event().job().id())) << "what is young comes once more";
+  again.TryCancel();
+}
+
+TEST_F(IntegratorCallsTest, ACursorIsOneOfAnAnswer) {
+  v1::WatchJobsRequest request;
+  request.set_cursor("yesterday");
+  grpc::ClientContext context;
+  Bound(context);
+  const auto stream = jobs_->WatchJobs(&context, request);
+  v1::WatchJobsResponse response;
+  EXPECT_FALSE(stream->Read(&response));
+  EXPECT_EQ(DetailOf(rpc::FromGrpc(stream->Finish())).reason, Reason::kRequestMalformed);
 }
 
 // Its coordinator hears of it when it renews its claim.

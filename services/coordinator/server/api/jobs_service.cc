@@ -15,6 +15,7 @@
 #include "services/coordinator/algo/pipeline/preflight.h"
 #include "services/coordinator/server/api/artifact.h"
 #include "services/coordinator/server/api/blob_download.h"
+#include "services/coordinator/server/api/derived_artifacts.h"
 #include "services/coordinator/server/api/farm_facts.h"
 #include "services/coordinator/server/api/job_watch.h"
 #include "services/coordinator/server/api/jobs_wire.h"
@@ -413,12 +414,20 @@ absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenTrace(const JobReco
   return std::make_unique<TextReader>(*std::move(trace));
 }
 
+absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenDerived(const JobRecord& job,
+                                                                     v1::Artifact artifact) {
+  auto bytes = Derive(job, artifact, backend_.blobs);
+  if (!bytes.ok()) return bytes.status();
+  return std::make_unique<TextReader>(*std::move(bytes));
+}
+
 absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenArtifact(
     const Caller& caller, const v1::DownloadRequest& request) {
   const auto job = Find(caller, request.id(), Of::kTenant);
   if (!job.ok()) return job.status();
-  auto reader = request.artifact() == v1::ARTIFACT_TRACE
-                    ? OpenTrace(*job)
+  auto reader = request.artifact() == v1::ARTIFACT_TRACE ? OpenTrace(*job)
+                : IsDerived(request.artifact())
+                    ? OpenDerived(*job, request.artifact())
                     : OpenResult(*job, request.artifact(), request.offset());
   if (!reader.ok()) return reader.status();
   absl::Status within = CheckPart(**reader, request.offset(), request.limit());

@@ -17,6 +17,7 @@
 #include "services/coordinator/server/api/job_watch.h"
 #include "services/coordinator/server/api/plate_submissions.h"
 #include "services/coordinator/server/api/tenant_turns.h"
+#include "services/coordinator/server/api/tenant_watch.h"
 #include "services/coordinator/server/api/transfers.h"
 #include "services/coordinator/server/api/watch_reads.h"
 #include "services/coordinator/server/execution/job_feed.h"
@@ -60,6 +61,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
         preflight_turns_(kPreflightSlots),
         lists_of_tenants_(kLists),
         watches_of_tenants_(watches.calls),
+        watches_of_all_jobs_(kTenantWatches),
         watch_reads_(backend_.jobs, kWatchReaders) {}
 
   grpc::Status CreateJob(grpc::ServerContext* context, const v1::CreateJobRequest* request,
@@ -80,12 +82,16 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
                                v1::BatchCancelJobsResponse* response) override;
   grpc::Status UpdateJob(grpc::ServerContext* context, const v1::UpdateJobRequest* request,
                          v1::Job* response) override;
+  grpc::Status ListArtifacts(grpc::ServerContext* context, const v1::ListArtifactsRequest* request,
+                             v1::ListArtifactsResponse* response) override;
   grpc::Status GetCaller(grpc::ServerContext* context, const v1::GetCallerRequest* request,
                          v1::GetCallerResponse* response) override;
   grpc::Status GetUsage(grpc::ServerContext* context, const v1::GetUsageRequest* request,
                         v1::Usage* response) override;
   grpc::Status ListSettings(grpc::ServerContext* context, const v1::ListSettingsRequest* request,
                             v1::ListSettingsResponse* response) override;
+  grpc::Status WatchJobs(grpc::ServerContext* context, const v1::WatchJobsRequest* request,
+                         grpc::ServerWriter<v1::WatchJobsResponse>* stream) override;
   grpc::Status DeleteJob(grpc::ServerContext* context, const v1::DeleteJobRequest* request,
                          google::protobuf::Empty* response) override;
   grpc::Status GetWebhook(grpc::ServerContext* context, const v1::GetWebhookRequest* request,
@@ -134,6 +140,8 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenResult(const JobRecord& job,
                                                          v1::Artifact artifact, int64_t offset);
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenTrace(const JobRecord& job);
+  absl::StatusOr<std::unique_ptr<BlobReader>> OpenDerived(const JobRecord& job,
+                                                          v1::Artifact artifact);
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenArtifact(const Caller& caller,
                                                            const v1::DownloadRequest& request);
   absl::Status Send(const Caller& caller, const v1::DownloadRequest& request,
@@ -147,6 +155,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   TenantTurns preflight_turns_;
   TenantPlaces lists_of_tenants_;
   TenantPlaces watches_of_tenants_;
+  TenantPlaces watches_of_all_jobs_;
   WatchReads watch_reads_;
   std::optional<JobWatches> watches_;
 };

@@ -2,8 +2,10 @@
 #include "common/config/table/settings_table.h"
 #include "common/rpc/status_mapping.h"
 #include "common/wire/support/enum_wire.h"
+#include "services/coordinator/server/api/derived_artifacts.h"
 #include "services/coordinator/server/api/farm_facts.h"
 #include "services/coordinator/server/api/jobs_service.h"
+#include "services/coordinator/server/api/jobs_wire.h"
 
 namespace slicefarm::coordinator {
 
@@ -33,6 +35,38 @@ grpc::Status JobsService::GetUsage(grpc::ServerContext* context, const v1::GetUs
   const auto usage = UsageOf(*tenant, backend_.jobs, backend_.blobs);
   if (usage.ok()) *response = *usage;
   return rpc::ToGrpc(usage.status());
+}
+
+grpc::Status JobsService::ListArtifacts(grpc::ServerContext* context,
+                                        const v1::ListArtifactsRequest* request,
+                                        v1::ListArtifactsResponse* response) {
+  const auto caller = backend_.callers.Find(*context, {Scope::kRead});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  const auto job = Find(*caller, request->id(), Of::kTenant);
+  if (!job.ok()) return rpc::ToGrpc(job.status());
+  // It reads a program.
+  const auto place = lists_of_tenants_.Enter(caller->tenant);
+  if (!place.ok()) return rpc::ToGrpc(place.status());
+  auto list = coordinator::ListArtifacts(*job, backend_.blobs);
+  if (list.ok()) *response = *std::move(list);
+  return rpc::ToGrpc(list.status());
+}
+
+grpc::Status JobsService::WatchJobs(grpc::ServerContext* context,
+                                    const v1::WatchJobsRequest* request,
+                                    grpc::ServerWriter<v1::WatchJobsResponse>* stream) {
+  const auto caller = backend_.callers.Find(*context, {Scope::kRead, Scope::kAdmin});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  const auto tenant = TenantAskedFor(*caller, request->has_tenant(), request->tenant());
+  if (!tenant.ok()) return rpc::ToGrpc(tenant.status());
+  const auto from_us = WatchedFrom(*request, backend_.now_us());
+  if (!from_us.ok()) return rpc::ToGrpc(from_us.status());
+  const auto place = watches_of_all_jobs_.Enter(caller->tenant);
+  if (!place.ok()) return rpc::ToGrpc(place.status());
+  TenantWatch watch(backend_.jobs, backend_.feed, backend_.now_us);
+  context->AddInitialMetadata("slicefarm-watch", "open");  // a client cannot tell it from silence
+  stream->SendInitialMetadata();
+  return rpc::ToGrpc(watch.Run({backend_.jobs, *tenant, *from_us}, *context, *stream));
 }
 
 grpc::Status JobsService::ListSettings(grpc::ServerContext* context,

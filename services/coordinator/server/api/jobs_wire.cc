@@ -8,6 +8,7 @@
 #include "common/wire/options/given_settings_wire.h"
 #include "common/wire/support/enum_wire.h"
 #include "common/wire/support/wire_error.h"
+#include "services/coordinator/server/api/tenant_events.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -282,6 +283,17 @@ v1::JobEvent ToProto(const JobEventRecord& event, const JobRecord& job) {
   SetTime(event.time_us, proto.mutable_time());
   *proto.mutable_job() = SummaryToProto(then);
   return proto;
+}
+
+absl::StatusOr<int64_t> WatchedFrom(const v1::WatchJobsRequest& request, int64_t now_us) {
+  if (!request.cursor().empty()) {
+    const auto time_us = TimeOfCursor(request.cursor());
+    if (!time_us) return Malformed("cursor", "is none of an answer");
+    return *time_us;
+  }
+  if (!request.has_from()) return now_us;
+  auto from_us = FromProto(request.from());
+  return from_us.ok() ? from_us : Within("from", from_us.status());
 }
 
 v1::Webhook ToProto(const WebhookRecord& webhook) {

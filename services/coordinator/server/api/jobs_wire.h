@@ -47,6 +47,9 @@ v1::Job ToProto(const JobRecord& job);
 /// The job as of then, without its spec.
 v1::JobEvent ToProto(const JobEventRecord& event, const JobRecord& job);
 
+/// When what is watched begins. Errors: also for a cursor that is none.
+absl::StatusOr<int64_t> WatchedFrom(const v1::WatchJobsRequest& request, int64_t now_us);
+
 v1::Webhook ToProto(const WebhookRecord& webhook);
 
 v1::Upload ToProto(const std::string& digest, const BlobStatus& status);

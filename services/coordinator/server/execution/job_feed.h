@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "services/coordinator/store/jobs/job_changes.h"
 
@@ -22,6 +23,9 @@ class JobFeed {
   /// `listener` is called from any thread, one call at a time; it must be quick, and call nothing
   /// of the feed but closed().
   int64_t Listen(const std::string& job_id, Listener listener);
+
+  /// The same of any job's new events, without its progress.
+  int64_t ListenToAll(Listener listener) { return Listen("", std::move(listener)); }
 
   /// Afterwards the listener is not called any more.
   void Forget(int64_t ticket);

@@ -144,6 +144,7 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
       app.add_option("--postgres", flags->stores.postgres,
                      "Or a PostgreSQL database, which coordinators share: its connection string")
           ->envname("SLICEFARM_POSTGRES");
+  AddS3Flags(app, &flags->s3);
   app.add_option("--name", flags->runner.owner,
                  "Of this coordinator among those that share a database; the same after a restart")
       ->capture_default_str();

@@ -9,6 +9,7 @@
 #include "services/coordinator/server/execution/job_runner.h"
 #include "services/coordinator/server/execution/maintenance.h"
 #include "services/coordinator/server/execution/stage_pools.h"
+#include "services/coordinator/server/main/s3_flags.h"
 #include "services/coordinator/server/main/stores.h"
 
 namespace slicefarm::coordinator {
@@ -17,7 +18,8 @@ namespace slicefarm::coordinator {
 /// each name may stand for any number of replicas.
 struct CoordinatorFlags {
   rpc::ServeFlags serve;
-  StoreOptions stores;
+  StoreOptions stores;  ///< but for the bucket, which `s3` says
+  S3Flags s3;
   std::string spool_dir;  ///< empty: CoordinatorOptions::spool_dir says
   std::map<Stage, std::string>
       stages;           ///< those that are services; which there must be, Check says

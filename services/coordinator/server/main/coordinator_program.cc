@@ -20,7 +20,9 @@
 #include "services/coordinator/server/main/coordinator.h"
 #include "services/coordinator/server/main/coordinator_flags.h"
 #include "services/coordinator/server/main/migrate.h"
+#include "services/coordinator/server/main/move_blobs.h"
 #include "services/coordinator/server/main/rates_file.h"
+#include "services/coordinator/server/main/s3_flags.h"
 #include "services/coordinator/server/observe/coordinator_metrics.h"
 #include "services/coordinator/server/observe/status_board.h"
 #include "services/coordinator/server/reloaded_file.h"
@@ -44,6 +46,37 @@ bool OpenReloaded(const std::string& path, const std::string& name,
   program.log().Error("cannot use the " + name,
                       {{"error", std::string(opened.status().message())}});
   return false;
+}
+
+/// The credentials of the bucket, which outlive who asks for them: those of the file as it is now,
+/// or of the environment.
+absl::StatusOr<S3CredentialsNow> CredentialsNow(
+    const std::unique_ptr<ReloadedFile<S3Credentials>>& file) {
+  if (file != nullptr) return [&file = *file] { return file.Get(); };
+  const auto credentials = S3CredentialsOfEnvironment();
+  if (!credentials.ok()) return credentials.status();
+  return [shared = std::make_shared<const S3Credentials>(*credentials)] { return shared; };
+}
+
+/// None: blobs are with the other state. False: it cannot be used, and the log says why.
+bool OpenBucket(const S3Flags& flags, rpc::ServerProgram& program,
+                std::unique_ptr<ReloadedFile<S3Credentials>>& file,
+                std::shared_ptr<S3Client>& bucket) {
+  if (flags.url.empty()) return true;
+  if (!OpenReloaded(flags.credentials_file, "s3", ParseS3Credentials, program, file)) return false;
+  const auto credentials = CredentialsNow(file);
+  auto client = credentials.ok() ? MakeS3Client(flags, *credentials) : credentials.status();
+  if (client.ok()) {
+    bucket = *std::move(client);
+    return true;
+  }
+  program.log().Error("cannot use the bucket", {{"error", std::string(client.status().message())}});
+  return false;
+}
+
+std::string StoreName(const CoordinatorFlags& flags) {
+  const std::string jobs = flags.stores.postgres.empty() ? "SQLite" : "PostgreSQL";
+  return flags.s3.url.empty() ? jobs : jobs + ", blobs in S3";
 }
 
 constexpr std::chrono::seconds kAskStoreEvery{1};
@@ -108,8 +141,11 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
   if (!OpenReloaded(flags.webhooks_file, "webhooks", WebhookPolicy::Parse, program, webhooks) ||
       !OpenReloaded(flags.tenants_file, "tenants", ParseTenants, program, tenants))
     return 1;
+  std::unique_ptr<ReloadedFile<S3Credentials>> s3_credentials;
+  StoreOptions stores = flags.stores;
+  if (!OpenBucket(flags.s3, program, s3_credentials, stores.s3)) return 1;
   CoordinatorOptions options{
-      .stores = flags.stores,
+      .stores = std::move(stores),
       .spool_dir = flags.spool_dir,
       .runner = flags.runner_options(),
       .rates = *rates,
@@ -140,7 +176,7 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
                                   flags.maintenance().sweep.keep_jobs_s}));
   const StatusBoard board(
       {.name = flags.runner.owner,
-       .store = flags.stores.postgres.empty() ? "SQLite" : "PostgreSQL",
+       .store = StoreName(flags),
        .state_dir = flags.stores.state_dir,
        .jobs = (*coordinator)->jobs(),
        .fleet = fleet,
@@ -164,9 +200,12 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
 
 int Main(int argc, char** argv) {
   if (argc > 1 && std::string_view(argv[1]) == "migrate") return Migrate(argc - 1, argv + 1);
+  if (argc > 1 && std::string_view(argv[1]) == "move-blobs") return MoveBlobs(argc - 1, argv + 1);
   rpc::ServerProgram program("coordinator");
   CLI::App app("slicefarm-coordinator: jobs, fan-out over workers or stages, durable state");
-  app.footer("`slicefarm-coordinator migrate` brings a PostgreSQL database to the present schema.");
+  app.footer(
+      "`slicefarm-coordinator migrate` brings a PostgreSQL database to the present schema,\n"
+      "`slicefarm-coordinator move-blobs` moves blobs into a bucket.");
   CoordinatorFlags flags;
   AddCoordinatorFlags(app, &flags);
   CLI11_PARSE(app, argc, argv);

@@ -2,18 +2,40 @@
 
 #include <utility>
 
+#include "absl/strings/str_cat.h"
+#include "common/base/error.h"
 #include "services/coordinator/store/blobs/posix_file.h"
 #include "services/coordinator/store/jobs/postgres_job_changes.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 #include "services/coordinator/store/jobs/sql_profile_store.h"
 #include "services/coordinator/store/jobs/sql_webhook_store.h"
+#include "services/coordinator/store/s3/s3_blobs.h"
 #include "services/coordinator/store/sql/postgres_database.h"
 #include "services/coordinator/store/sql/sqlite_database.h"
 
 namespace slicefarm::coordinator {
 namespace {
 
-absl::StatusOr<Stores> OpenDirectory(const std::string& directory) {
+/// In the bucket, if there is one; `staged` has what is not.
+std::unique_ptr<BlobStores> InBucket(const StoreOptions& options,
+                                     std::shared_ptr<SqlDatabase> database,
+                                     std::unique_ptr<BlobStores> staged) {
+  if (options.s3 == nullptr) return staged;
+  return std::make_unique<S3Blobs>(options.s3, std::move(database), std::move(staged));
+}
+
+/// Better now than with each job.
+absl::Status CheckBucket(const StoreOptions& options) {
+  if (options.s3 == nullptr) return absl::OkStatus();
+  const absl::Status usable = options.s3->Probe();
+  if (usable.ok()) return usable;
+  const std::string why = absl::StrCat("S3: ", usable.message());
+  if (absl::IsUnavailable(usable)) return StoreAway(why);
+  return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kStoreFailed, why);
+}
+
+absl::StatusOr<Stores> OpenDirectory(const StoreOptions& options) {
+  const std::string& directory = options.state_dir;
   if (absl::Status made = MakeDirectory(directory); !made.ok()) return made;
   auto lock = StateLock::Take(directory);
   if (!lock.ok()) return lock.status();
@@ -25,7 +47,7 @@ absl::StatusOr<Stores> OpenDirectory(const std::string& directory) {
   return Stores{.lock = *std::move(lock),
                 .jobs = std::make_unique<SqlJobStore>(database),
                 .runs = std::make_unique<SqlJobStore>(database),
-                .blobs = *std::move(blobs),
+                .blobs = InBucket(options, database, *std::move(blobs)),
                 .run_blobs = nullptr,
                 .profiles = std::make_unique<SqlProfileStore>(database),
                 .webhooks = std::make_unique<SqlWebhookStore>(database),
@@ -34,15 +56,17 @@ absl::StatusOr<Stores> OpenDirectory(const std::string& directory) {
 
 /// Runs and blobs have connections of their own, so that neither callers nor transfers keep jobs
 /// waiting; each run has one for its blobs, which it may hold for as long as a large result takes.
-absl::StatusOr<Stores> OpenPostgres(const std::string& conninfo, int runs) {
-  auto opened = PostgresDatabase::Open(conninfo);
+absl::StatusOr<Stores> OpenPostgres(const StoreOptions& options, int runs) {
+  auto opened = PostgresDatabase::Open(options.postgres);
   if (!opened.ok()) return opened.status();
   const std::shared_ptr<PostgresDatabase> database = *std::move(opened);
+  const std::shared_ptr<SqlDatabase> of_transfers = database->More();
+  const std::shared_ptr<SqlDatabase> of_runs = database->More(runs);
   return Stores{.lock = nullptr,
                 .jobs = std::make_unique<SqlJobStore>(database),
                 .runs = std::make_unique<SqlJobStore>(database->More()),
-                .blobs = MakePostgresBlobs(database->More()),
-                .run_blobs = MakePostgresBlobs(database->More(runs)),
+                .blobs = InBucket(options, of_transfers, MakePostgresBlobs(of_transfers)),
+                .run_blobs = InBucket(options, of_runs, MakePostgresBlobs(of_runs)),
                 .profiles = std::make_unique<SqlProfileStore>(database),
                 .webhooks = std::make_unique<SqlWebhookStore>(database),
                 .fill = [database] { return FillOf(*database); }};
@@ -51,8 +75,8 @@ absl::StatusOr<Stores> OpenPostgres(const std::string& conninfo, int runs) {
 }  // namespace
 
 absl::StatusOr<Stores> OpenStores(const StoreOptions& options, int runs) {
-  return options.postgres.empty() ? OpenDirectory(options.state_dir)
-                                  : OpenPostgres(options.postgres, runs);
+  if (absl::Status usable = CheckBucket(options); !usable.ok()) return usable;
+  return options.postgres.empty() ? OpenDirectory(options) : OpenPostgres(options, runs);
 }
 
 std::unique_ptr<JobChanges> ListenForChanges(const StoreOptions& options,

@@ -10,6 +10,7 @@
 #include "services/coordinator/store/jobs/job_store.h"
 #include "services/coordinator/store/jobs/profile_store.h"
 #include "services/coordinator/store/jobs/webhook_store.h"
+#include "services/coordinator/store/s3/s3_client.h"
 #include "services/coordinator/store/sql/database_fill.h"
 
 namespace slicefarm::coordinator {
@@ -19,6 +20,7 @@ struct StoreOptions {
   std::string state_dir;  ///< SQLite and files in this directory, of one coordinator
   std::string
       postgres;  ///< or a PostgreSQL database, which several may share: how to connect to it
+  std::shared_ptr<S3Client> s3 = nullptr;  ///< where blobs are; null: with the other state
 };
 
 /// What a coordinator keeps its state in.
@@ -37,7 +39,8 @@ struct Stores {
 };
 
 /// `runs`: how many jobs run at the same time. Errors: those of the stores; Unavailable if another
-/// process uses the directory.
+/// process uses the directory; STORE_FAILED if the bucket is away (Unavailable) or refuses us
+/// (FailedPrecondition).
 absl::StatusOr<Stores> OpenStores(const StoreOptions& options, int runs);
 
 /// What other coordinators do to the jobs; null where there are none.

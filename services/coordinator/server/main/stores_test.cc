@@ -6,6 +6,8 @@
 #include <thread>
 #include <vector>
 
+#include "common/base/error.h"
+#include "services/coordinator/store/s3/fake_s3_test.h"
 #include "services/coordinator/store/sql/postgres_connection.h"
 #include "services/coordinator/store/sql/postgres_database.h"
 #include "services/coordinator/store/sql/shared_postgres_test.h"
@@ -63,6 +65,24 @@ TEST(Stores, CallersWhoTakeAllConnectionsKeepNoLeaseWaiting) {
   EXPECT_TRUE(held.ok() && held->size() == 1) << held.status();
   EXPECT_TRUE(lock.Commit().ok());
   for (std::thread& caller : callers) caller.join();
+}
+
+TEST(Stores, ABucketThatRefusesUsIsToldAtTheStart) {
+  const FakeS3 bucket;
+  const TempDirectory directory;
+  StoreOptions options{.state_dir = directory.path(), .postgres = ""};
+  options.s3 = bucket.Client("another secret");
+  const absl::Status refused = OpenStores(options, 1).status();
+  EXPECT_TRUE(absl::IsFailedPrecondition(refused)) << refused;
+  EXPECT_EQ(DetailOf(refused).reason, Reason::kStoreFailed);
+  options.s3 = bucket.Client();
+  const auto stores = OpenStores(options, 1);
+  ASSERT_TRUE(stores.ok()) << stores.status();
+  const auto digest = (*stores->blobs->Of("acme"))->Put("a result");
+  ASSERT_TRUE(digest.ok()) << digest.status();
+  EXPECT_EQ(*(*stores->blobs->Of("acme"))->Get(*digest), "a result");
+  EXPECT_FALSE((*stores->blobs->Of(""))->Status(*digest)->complete);
+  EXPECT_EQ(stores->blobs->Tenants()->size(), 2u);
 }
 
 // Or else what was computed would be thrown away, for want of a connection to keep it by.

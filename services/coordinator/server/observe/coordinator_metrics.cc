@@ -82,6 +82,12 @@ MetricFamily Ranges(const DispatchCounts& counts) {
   return family;
 }
 
+/// What autoscalers go by, beside the slots that are busy.
+MetricFamily Waiting(const DispatchCounts& counts) {
+  return Gauge("slicefarm_ranges_waiting", "Layer ranges that no worker has yet",
+               static_cast<double>(counts.waiting));
+}
+
 void AddFleet(const Fleet& fleet, std::vector<MetricFamily>& families) {
   int slots = 0;
   int busy = 0;
@@ -166,7 +172,9 @@ double SecondsSince(int64_t us) { return std::max(0.0, static_cast<double>(UnixU
 std::vector<MetricFamily> CoordinatorMetrics::Collect() const {
   std::vector<MetricFamily> families;
   AddStore(sources_.jobs, counts_, families);
-  families.push_back(Ranges(sources_.dispatcher.Counts()));
+  const DispatchCounts ranges = sources_.dispatcher.Counts();
+  families.push_back(Ranges(ranges));
+  families.push_back(Waiting(ranges));
   AddFleet(sources_.fleet, families);
   AddDisk(sources_.state_dir, families);
   AddDatabase(sources_, families);

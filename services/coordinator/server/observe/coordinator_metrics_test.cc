@@ -72,10 +72,27 @@ TEST_F(CoordinatorMetricsTest, ShowsWhoIsBusy) {
   ranges_->AwaitCall();
   EXPECT_EQ(Value("slicefarm_worker_slots", {{"state", "busy"}}), 1);
   EXPECT_EQ(Value("slicefarm_worker_slots", {{"state", "idle"}}), 4);
+  EXPECT_EQ(Value("slicefarm_ranges_waiting"), 0);
   ranges_->LetGo();
   job.join();
   EXPECT_EQ(Value("slicefarm_ranges_total", {{"outcome", "ok"}}), 1);
   EXPECT_EQ(Value("slicefarm_worker_slots", {{"state", "busy"}}), 0);
+}
+
+// Autoscalers go by it: jobs alone do not tell whether more workers would have anything to do.
+TEST_F(CoordinatorMetricsTest, ShowsHowManyRangesWait) {
+  fleet_.Join({.name = "w:1", .tasks = ranges_, .slots = 1});
+  ranges_->Hold();
+  std::thread job([&] {
+    const std::vector<Task> tasks = {FdmTask{}, FdmTask{}, FdmTask{}};
+    const auto take = [](size_t, const TaskResult&) { return absl::OkStatus(); };
+    EXPECT_TRUE(dispatcher_.Execute({}, tasks, take, {}).ok());
+  });
+  ranges_->AwaitCall();
+  EXPECT_EQ(Value("slicefarm_ranges_waiting"), 2);
+  ranges_->LetGo();
+  job.join();
+  EXPECT_EQ(Value("slicefarm_ranges_waiting"), 0);
 }
 
 TEST_F(CoordinatorMetricsTest, ShowsHowFullASharedDatabaseIs) {

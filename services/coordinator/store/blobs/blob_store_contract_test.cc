@@ -13,8 +13,11 @@
 #include "services/coordinator/store/blobs/checking_reader.h"
 #include "services/coordinator/store/blobs/directory_blob_store.h"
 #include "services/coordinator/store/blobs/postgres_blob_store.h"
+#include "services/coordinator/store/s3/fake_s3_test.h"
+#include "services/coordinator/store/s3/s3_blob_store.h"
 #include "services/coordinator/store/sql/postgres_database.h"
 #include "services/coordinator/store/sql/shared_postgres_test.h"
+#include "services/coordinator/store/sql/sqlite_database.h"
 #include "services/coordinator/store/store_place_test.h"
 
 namespace slicefarm::coordinator::blob_store_contract_test {
@@ -47,10 +50,38 @@ class PostgresPlace : public StorePlace<BlobStore> {
   const std::string database_ = SharedPostgres().NewDatabase();
 };
 
+/// Uploads beside the jobs, in a directory or in PostgreSQL.
+class S3Place : public StorePlace<BlobStore> {
+ public:
+  explicit S3Place(bool postgres) : postgres_(postgres) {}
+
+  std::unique_ptr<BlobStore> Open() override {
+    if (!postgres_) {
+      auto database = SqliteDatabase::Open(directory_.path() + "/jobs.db");
+      auto staged = DirectoryBlobStore::OpenAt(directory_.path());
+      EXPECT_TRUE(database.ok() && staged.ok()) << database.status() << staged.status();
+      return std::make_unique<S3BlobStore>(bucket_.Client(), *std::move(database),
+                                           *std::move(staged), "");
+    }
+    if (name_.empty()) name_ = SharedPostgres().NewDatabase();
+    std::shared_ptr<SqlDatabase> database = *PostgresDatabase::Open(name_);
+    auto staged = std::make_shared<PostgresBlobStore>(database, "acme");
+    return std::make_unique<S3BlobStore>(bucket_.Client(), database, std::move(staged), "acme");
+  }
+
+ private:
+  const bool postgres_;
+  TempDirectory directory_;
+  FakeS3 bucket_;
+  std::string name_;
+};
+
 const std::vector<StoreKind<BlobStore>> kStores = {
     {"Directory", [] { return std::make_unique<DirectoryPlace>(); }},
     {"Postgres", [] { return std::make_unique<PostgresPlace>(); }},
     {"PostgresOfATenant", [] { return std::make_unique<PostgresPlace>("acme"); }},
+    {"S3BesideADirectory", [] { return std::make_unique<S3Place>(/*postgres=*/false); }},
+    {"S3OfATenantBesidePostgres", [] { return std::make_unique<S3Place>(/*postgres=*/true); }},
 };
 
 class BlobStoreTest : public testing::TestWithParam<StoreKind<BlobStore>> {

@@ -69,6 +69,11 @@ class ForwardingJobStore : public JobStore {
                                                      int32_t limit) override {
     return store_.Events(id, after, limit);
   }
+  absl::StatusOr<std::vector<TenantEvent>> EventsOf(const std::string& tenant,
+                                                    const EventPlace& after,
+                                                    int32_t limit) override {
+    return store_.EventsOf(tenant, after, limit);
+  }
   absl::StatusOr<std::optional<JobResult>> FindResult(const std::string& action_digest) override {
     return store_.FindResult(action_digest);
   }

@@ -54,8 +54,8 @@ std::string TakeSql(const SqlDialect& dialect, std::string_view columns) {
       "UPDATE jobs SET owner = ?, owner_epoch = owner_epoch + 1, owner_until_us = ?"
       " WHERE number = (SELECT number FROM jobs WHERE number = ? AND " SLICEFARM_OPEN
       " AND owner_until_us <= ?",
-      std::string(dialect.skip_locked), ") AND action_digest NOT IN (", HeldWorkSql(dialect),
-      ") RETURNING ", std::string(columns));
+      std::string(dialect.skip_locked), ") AND (cancel_requested <> 0 OR action_digest NOT IN (",
+      HeldWorkSql(dialect), ")) RETURNING ", std::string(columns));
 }
 
 /// The same, and its tenant has had its turn.
@@ -123,9 +123,10 @@ std::string TenantsSql(const SqlDialect& dialect) {
 std::string ClaimableSql(const SqlDialect& dialect) {
   return absl::StrCat("SELECT number, action_digest FROM jobs", dialect.Through("jobs_open"),
                       " WHERE tenant = ? AND " SLICEFARM_OPEN
-                      " AND priority >= ? AND owner_until_us <= ? AND action_digest NOT IN (",
+                      " AND priority >= ? AND owner_until_us <= ?"
+                      " AND (cancel_requested <> 0 OR action_digest NOT IN (",
                       HeldWorkSql(dialect),
-                      ") ORDER BY priority DESC, deadline_us, number LIMIT 1");
+                      ")) ORDER BY priority DESC, deadline_us, number LIMIT 1");
 }
 
 absl::StatusOr<std::optional<Queue>> FindQueue(SqlConnection& db, const ClaimRequest& request) {

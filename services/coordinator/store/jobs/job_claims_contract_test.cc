@@ -50,6 +50,26 @@ TEST_P(JobClaimsTest, ClaimsPassOverWorkThatSomebodyHolds) {
   EXPECT_EQ(*store_->Claim("me", 120, 200), std::nullopt);
 }
 
+// Its owner died before it could end it: it has not to wait for the other one's end.
+TEST_P(JobClaimsTest, AJobThatIsToBeCancelledWaitsForNoEqualWork) {
+  for (const char* id : {"a", "a again", "a once more"}) {
+    NewJob job = JobOf(id);
+    job.action_digest = "action-a";
+    ASSERT_TRUE(store_->Create(job, 1).ok());
+  }
+  ASSERT_EQ((*store_->Claim("me", 10, 100))->id, "a");
+  ASSERT_TRUE(store_->RequestCancel("a", 11).ok());
+  ASSERT_EQ((*store_->Claim("you", 12, 500))->id, "a again");
+  EXPECT_EQ(*store_->Claim("you", 99, 500), std::nullopt);
+  const auto cancelled = *store_->Claim("you", 101, 500);
+  ASSERT_TRUE(cancelled);
+  EXPECT_EQ(cancelled->id, "a");
+  EXPECT_TRUE(cancelled->cancel_requested);
+  EXPECT_EQ(store_->Update({"a", cancelled->owner_epoch}, {.state = kQueued}, 102)->state,
+            JobState::kCancelled);
+  EXPECT_EQ(*store_->Claim("you", 103, 500), std::nullopt) << "the third one waits for the work";
+}
+
 TEST_P(JobClaimsTest, WorkOfAJobThatIsToBeCancelledIsNotHeld) {
   for (const char* id : {"a", "a again", "b"}) {
     NewJob job = JobOf(id);

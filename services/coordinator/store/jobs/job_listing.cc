@@ -88,4 +88,29 @@ absl::StatusOr<std::vector<JobEventRecord>> ListEvents(SqlConnection& db, const 
   return events;
 }
 
+absl::StatusOr<std::vector<TenantEvent>> ListEventsOf(SqlConnection& db, const std::string& tenant,
+                                                      const EventPlace& after, int32_t limit) {
+  SqlQuery query(db,
+                 "SELECT jobs.id, events.time_us, events.job, events.sequence, events.state,"
+                 " events.layers_total, events.layers_done"
+                 " FROM events JOIN jobs ON jobs.number = events.job"
+                 " WHERE (events.time_us, events.job, events.sequence) > (?, ?, ?)"
+                 " AND jobs.tenant = ?"
+                 " ORDER BY events.time_us, events.job, events.sequence LIMIT ?");
+  query.Bind(after.time_us, after.number, after.sequence, tenant, limit);
+  std::vector<TenantEvent> events;
+  while (query.Next()) {
+    TenantEvent& event = events.emplace_back();
+    event.job_id = query.Text(0);
+    event.place = {query.Int(1), query.Int(2), query.Int(3)};
+    event.event = {.sequence = event.place.sequence,
+                   .time_us = event.place.time_us,
+                   .state = JobStateFromName(query.Text(4)).value_or(JobState::kQueued),
+                   .layers_total = static_cast<int32_t>(query.Int(5)),
+                   .layers_done = static_cast<int32_t>(query.Int(6))};
+  }
+  if (!query.status().ok()) return query.status();
+  return events;
+}
+
 }  // namespace slicefarm::coordinator

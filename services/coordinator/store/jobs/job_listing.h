@@ -9,9 +9,11 @@
 
 namespace slicefarm::coordinator {
 
-/// JobStore::List and Events in SQL.
+/// JobStore::List, Events and EventsOf in SQL.
 absl::StatusOr<std::vector<JobRecord>> ListJobs(SqlConnection& db, const ListQuery& list);
 absl::StatusOr<std::vector<JobEventRecord>> ListEvents(SqlConnection& db, const std::string& id,
                                                        int64_t after, int32_t limit);
+absl::StatusOr<std::vector<TenantEvent>> ListEventsOf(SqlConnection& db, const std::string& tenant,
+                                                      const EventPlace& after, int32_t limit);
 
 }  // namespace slicefarm::coordinator

@@ -91,6 +91,23 @@ struct ListQuery {
   int32_t limit = 50;
 };
 
+/// Where an event stands among those of all jobs.
+struct EventPlace {
+  int64_t time_us = 0;
+  int64_t number = -1;  ///< of the job
+  int64_t sequence = -1;
+
+  friend auto operator<=>(const EventPlace&, const EventPlace&) = default;
+};
+
+struct TenantEvent {
+  std::string job_id;
+  EventPlace place;
+  JobEventRecord event;
+
+  friend bool operator==(const TenantEvent&, const TenantEvent&) = default;
+};
+
 /// A list ends with the job whose spec brings it to so many bytes of specs, whatever its limit.
 inline constexpr int64_t kListedSpecBytes = 8 << 20;
 
@@ -133,8 +150,8 @@ class JobStore {
 
   /// Gives a job that is QUEUED or RUNNING and that nobody holds to `owner` until `until_us`; none
   /// if there is none. Passes over jobs whose action_digest is that of a job that somebody holds
-  /// and that is not to be cancelled, so that the same work is done once, and those of lower
-  /// priority than `at_least`. Tenants take turns, those with fewer held jobs first; of a tenant's
+  /// and that is not to be cancelled, so that the same work is done once (but not over those that
+  /// are to be cancelled themselves: they end at once), and those of lower priority than `at_least`. Tenants take turns, those with fewer held jobs first; of a tenant's
   /// jobs those of higher priority come first, then those with the earlier deadline, then the older
   /// ones. Errors: DATA_LOSS if what is kept of the job cannot be read; it is passed over until
   /// `until_us`.
@@ -197,6 +214,14 @@ class JobStore {
   /// Events with a sequence above `after`, at most `limit`.
   virtual absl::StatusOr<std::vector<JobEventRecord>> Events(const std::string& id, int64_t after,
                                                              int32_t limit) = 0;
+
+  /// Events of the tenant's jobs, in the order of TenantEvent::place, that come after `after`; at
+  /// most `limit`. One may be there later than others of a later time: times are those of the
+  /// callers' clocks, and from before it was written. Cost: reads the events of all tenants from
+  /// that time on.
+  virtual absl::StatusOr<std::vector<TenantEvent>> EventsOf(const std::string& tenant,
+                                                            const EventPlace& after,
+                                                            int32_t limit) = 0;
 
   /// What the same work came to before.
   virtual absl::StatusOr<std::optional<JobResult>> FindResult(const std::string& action_digest) = 0;

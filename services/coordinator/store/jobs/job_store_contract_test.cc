@@ -279,6 +279,30 @@ TEST_P(JobStoreTest, EventsTellTheStory) {
   EXPECT_THAT(*store_->Events("a", 4, 100), IsEmpty());
 }
 
+TEST_P(JobStoreTest, EventsOfATenantComeInTheOrderOfTheirTimes) {
+  NewJob other = JobOf("x");
+  other.tenant = "other";
+  ASSERT_TRUE(store_->Create(other, 1).ok());
+  for (const char* id : {"a", "b", "c"}) ASSERT_TRUE(store_->Create(JobOf(id), 10).ok());
+  ASSERT_TRUE(store_->RequestCancel("b", 5).ok()) << "by a clock that is behind";
+  const auto ids = [](const std::vector<TenantEvent>& events) {
+    std::string text;
+    for (const TenantEvent& event : events)
+      text += event.job_id + std::to_string(event.place.sequence) + " ";
+    return text;
+  };
+  const std::string tenant = JobOf("a").tenant;
+  const auto all = store_->EventsOf(tenant, {}, 100);
+  ASSERT_TRUE(all.ok()) << all.status();
+  EXPECT_EQ(ids(*all), "b2 a1 b1 c1 ");
+  EXPECT_EQ(all->front().event, store_->Events("b", 1, 9)->front());
+  const auto first = *store_->EventsOf(tenant, {}, 2);
+  EXPECT_EQ(ids(first), "b2 a1 ");
+  EXPECT_EQ(ids(*store_->EventsOf(tenant, first.back().place, 100)), "b1 c1 ");
+  EXPECT_EQ(ids(*store_->EventsOf("other", {}, 100)), "x1 ");
+  EXPECT_THAT(*store_->EventsOf("nobody", {}, 100), IsEmpty());
+}
+
 TEST_P(JobStoreTest, CancelOfAWaitingJobEndsIt) {
   Make("a");
   const auto job = store_->RequestCancel("a", 9);

@@ -198,7 +198,7 @@ JobRecord* MemoryJobStore::Claimable(const std::string& tenant, int64_t now_us, 
     JobRecord& job = entry.job;
     const bool claimable = job.tenant == tenant && !IsTerminal(job.state) &&
                            job.priority >= at_least && job.owner_until_us <= now_us &&
-                           !held.contains(job.action_digest);
+                           (job.cancel_requested || !held.contains(job.action_digest));
     if (claimable && (!first || Urgency(job) < Urgency(*first))) first = &job;
   }
   return first;
@@ -381,19 +381,6 @@ absl::StatusOr<std::vector<JobRecord>> MemoryJobStore::FindRequested(
 absl::StatusOr<JobRecord> MemoryJobStore::GetWithoutSpec(const std::string& id) {
   auto job = Get(id);
   return job.ok() ? WithoutSpec(*std::move(job)) : job;
-}
-
-absl::StatusOr<std::vector<JobEventRecord>> MemoryJobStore::Events(const std::string& id,
-                                                                   int64_t after, int32_t limit) {
-  Lock lock(jobs_.mutex_);
-  const Entry* entry = Find(id);
-  if (!entry) return JobNotFound(id);
-  std::vector<JobEventRecord> events;
-  for (const JobEventRecord& event : entry->events) {
-    if (static_cast<int32_t>(events.size()) == limit) break;
-    if (event.sequence > after) events.push_back(event);
-  }
-  return events;
 }
 
 absl::StatusOr<std::optional<JobResult>> MemoryJobStore::FindResult(

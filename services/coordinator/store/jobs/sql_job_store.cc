@@ -357,6 +357,14 @@ absl::StatusOr<std::vector<JobEventRecord>> SqlJobStore::Events(const std::strin
   return ListEvents(**session, id, after, limit);
 }
 
+absl::StatusOr<std::vector<TenantEvent>> SqlJobStore::EventsOf(const std::string& tenant,
+                                                               const EventPlace& after,
+                                                               int32_t limit) {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  return ListEventsOf(**session, tenant, after, limit);
+}
+
 absl::StatusOr<std::optional<JobResult>> SqlJobStore::FindResult(const std::string& action_digest) {
   const auto session = database_->Read();
   if (!session.ok()) return session.status();

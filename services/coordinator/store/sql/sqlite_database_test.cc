@@ -58,6 +58,37 @@ TEST(SqliteSchema, MigratesOnce) {
   EXPECT_TRUE(MigrateSqlite(*db).ok());
 }
 
+// The build before knows nothing of what was added, and is the way back: it must find its version.
+TEST(SqliteSchema, WhatIsAddedChangesNoVersion) {
+  TempDirectory directory;
+  const auto db = *SqliteConnection::Open(directory.path() + "/jobs.db");
+  ASSERT_TRUE(MigrateSqlite(*db).ok());
+  {
+    SqlQuery version(*db, "PRAGMA user_version");
+    ASSERT_TRUE(version.Next());
+    EXPECT_EQ(version.Int(0), 12);
+  }
+  ASSERT_TRUE(db->Execute("INSERT INTO migrations (name) VALUES ('of a later build');"
+                          "CREATE TABLE of_a_later_build (x INTEGER)")
+                  .ok());
+  EXPECT_TRUE(MigrateSqlite(*db).ok());
+  SqlQuery added(*db, "SELECT count(*) FROM s3_blobs");
+  EXPECT_TRUE(added.Next()) << added.status();
+}
+
+// A database to which the last build could add nothing yet.
+TEST(SqliteSchema, AddsToWhatHasTheVersionAlready) {
+  TempDirectory directory;
+  const auto db = *SqliteConnection::Open(directory.path() + "/jobs.db");
+  ASSERT_TRUE(MigrateSqlite(*db).ok());
+  ASSERT_TRUE(db->Execute("DROP TABLE migrations; DROP TABLE s3_blobs; DROP TABLE s3_loose;"
+                          "DROP INDEX events_by_time")
+                  .ok());
+  ASSERT_TRUE(MigrateSqlite(*db).ok());
+  SqlQuery added(*db, "SELECT count(*) FROM s3_loose");
+  EXPECT_TRUE(added.Next()) << added.status();
+}
+
 /// What is asked all the time must not read all jobs, nor all of a tenant, nor all that wait.
 TEST(SqliteSchema, ClaimingUsesAnIndex) {
   TempDirectory directory;

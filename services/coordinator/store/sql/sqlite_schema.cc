@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string>
+#include <string_view>
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
@@ -10,7 +12,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Migration i leads from version i to i + 1. Those that were released never change.
+/// Migration i leads from version i to i + 1, which builds of an older version refuse. Those that
+/// were released never change.
 constexpr std::array kMigrations = {
     R"(
 CREATE TABLE jobs (
@@ -192,6 +195,36 @@ CREATE TABLE chores (
 )",
 };
 
+/// A later step, which only adds: builds that do not know it go on beside it, so it changes no
+/// version, and stands by its name in the table `migrations`.
+struct Addition {
+  std::string_view name;
+  std::string_view sql;
+};
+
+constexpr Addition kAdditions[] = {
+    {"s3", R"(
+CREATE TABLE s3_blobs (
+  tenant     TEXT    NOT NULL,
+  digest     TEXT    NOT NULL,
+  object     TEXT    NOT NULL,  -- its key, without the prefix of the bucket's address
+  size       INTEGER NOT NULL,
+  touched_us INTEGER NOT NULL,  -- put or asked for, last
+  PRIMARY KEY (tenant, digest)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE s3_loose (
+  object   TEXT    PRIMARY KEY,
+  tenant   TEXT    NOT NULL,
+  state    TEXT    NOT NULL,  -- PUTTING: is about to be a blob; GONE: was one; DAMAGED: the same
+  since_us INTEGER NOT NULL
+) STRICT, WITHOUT ROWID;
+CREATE INDEX s3_loose_by_tenant ON s3_loose (tenant);
+)"},
+    // Who watches all jobs of a tenant goes on from a time.
+    {"events_by_time", "CREATE INDEX events_by_time ON events (time_us, job, sequence);"},
+};
+
 absl::StatusOr<int64_t> Version(SqliteConnection& db) {
   SqlQuery query(db, "PRAGMA user_version");
   const int64_t version = query.Next() ? query.Int(0) : 0;
@@ -199,9 +232,32 @@ absl::StatusOr<int64_t> Version(SqliteConnection& db) {
   return version;
 }
 
-}  // namespace
+absl::StatusOr<bool> WasAdded(SqliteConnection& db, std::string_view name) {
+  SqlQuery query(db, "SELECT 1 FROM migrations WHERE name = ?");
+  const bool added = query.Bind(name).Next();
+  if (!query.status().ok()) return query.status();
+  return added;
+}
 
-absl::Status MigrateSqlite(SqliteConnection& db, int64_t to) {
+/// All at once, or none.
+absl::Status TakeAdditions(SqliteConnection& db) {
+  SqlTransaction transaction(db);
+  if (!transaction.status().ok()) return transaction.status();
+  absl::Status done =
+      db.Execute("CREATE TABLE IF NOT EXISTS migrations (name TEXT PRIMARY KEY) STRICT");
+  if (!done.ok()) return done;
+  for (const Addition& step : kAdditions) {
+    const auto added = WasAdded(db, step.name);
+    if (!added.ok()) return added.status();
+    if (*added) continue;
+    if (done = db.Execute(std::string(step.sql)); !done.ok()) return done;
+    SqlQuery note(db, "INSERT INTO migrations (name) VALUES (?)");
+    if (done = note.Bind(step.name).Run(); !done.ok()) return done;
+  }
+  return transaction.Commit();
+}
+
+absl::Status MigrateVersions(SqliteConnection& db, int64_t to) {
   while (true) {
     SqlTransaction transaction(db);
     if (!transaction.status().ok()) return transaction.status();
@@ -219,6 +275,14 @@ absl::Status MigrateSqlite(SqliteConnection& db, int64_t to) {
     if (absl::Status done = db.Execute(step); !done.ok()) return done;
     if (absl::Status done = transaction.Commit(); !done.ok()) return done;
   }
+}
+
+}  // namespace
+
+absl::Status MigrateSqlite(SqliteConnection& db, int64_t to) {
+  absl::Status migrated = MigrateVersions(db, to);
+  if (!migrated.ok() || to < std::ssize(kMigrations)) return migrated;
+  return TakeAdditions(db);
 }
 
 }  // namespace slicefarm::coordinator

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "common/base/error.h"
+#include "services/texture/algo/map/thread_random.h"
 
 namespace slicefarm::texture {
 namespace {
@@ -71,6 +72,7 @@ class Cholmod {
   std::vector<int32_t> OrderOf(const Pattern& blocks) {
     cholmod_sparse view = ViewOf(blocks);
     std::vector<int32_t> order(view.nrow);
+    SeedThreadRandom(1);  // as METIS seeds it again
     if (cholmod_metis(&view, nullptr, 0, 1, order.data(), &common_) == 0)
       for (size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int32_t>(i);
     return order;

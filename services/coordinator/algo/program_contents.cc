@@ -1,0 +1,165 @@
+#include "services/coordinator/algo/program_contents.h"
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "absl/strings/escaping.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+using ProgramJson = nlohmann::ordered_json;
+
+constexpr size_t kMostOfLine = 256;  // what is looked for is shorter
+constexpr std::string_view kThumbnail = "; thumbnail begin ";
+
+/// 0 for what is no number.
+double NumberOf(std::string_view text) {
+  double number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+bool IsMove(std::string_view line) {
+  if (line.size() < 2 || line[0] != 'G' || line[1] < '0' || line[1] > '3') return false;
+  return line.size() == 2 || line[2] == ' ';
+}
+
+/// The line that begins there, without its end; `at` goes to the next one.
+std::string_view TakeLine(std::string_view text, size_t& at) {
+  const size_t end = std::min(text.find('\n', at), text.size());
+  const std::string_view line = text.substr(at, end - at);
+  at = std::min(end + 1, text.size());
+  return line;
+}
+
+/// What follows `; thumbnail begin WxH BYTES`, up to its end.
+std::string Base64At(std::string_view text, size_t& at) {
+  std::string base64;
+  while (at < text.size()) {
+    std::string_view line = TakeLine(text, at);
+    if (line.starts_with("; thumbnail end")) break;
+    if (line.starts_with("; ")) line.remove_prefix(2);
+    base64 += line;
+  }
+  return base64;
+}
+
+/// W times H; 0: it is no size.
+int64_t AreaOf(std::string_view size) {
+  int64_t width = 0;
+  int64_t height = 0;
+  const char* const end = size.data() + size.size();
+  const auto read = std::from_chars(size.data(), end, width);
+  if (read.ptr == end || *read.ptr != 'x') return 0;
+  std::from_chars(read.ptr + 1, end, height);
+  return width * height;
+}
+
+ProgramJson ParsedReport(const std::string& report) {
+  ProgramJson json = ProgramJson::parse(report, nullptr, /*allow_exceptions=*/false);
+  return json.is_object() ? json : ProgramJson::object();
+}
+
+}  // namespace
+
+void LayerScan::Line(std::string_view line, int64_t offset) {
+  if (line.starts_with(";LAYER_CHANGE")) {
+    layers_.push_back({.offset = offset});
+  } else if (layers_.empty()) {
+    return;
+  } else if (line.starts_with(";Z:")) {
+    layers_.back().z_mm = NumberOf(line.substr(3));
+  } else if (line.starts_with(";HEIGHT:")) {
+    if (layers_.back().height_mm == 0) layers_.back().height_mm = NumberOf(line.substr(8));
+  } else if (IsMove(line)) {
+    ++layers_.back().moves;
+  }
+}
+
+void LayerScan::Add(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const size_t end = bytes.find('\n');
+    const std::string_view part = bytes.substr(0, end);
+    const bool whole = end != std::string_view::npos;
+    if (whole && line_.empty()) {
+      Line(part, line_at_);
+    } else {
+      line_.append(part.substr(0, kMostOfLine - std::min(line_.size(), kMostOfLine)));
+      if (whole) Line(line_, line_at_);
+      if (whole) line_.clear();
+    }
+    const size_t taken = whole ? end + 1 : bytes.size();
+    offset_ += static_cast<int64_t>(taken);
+    if (whole) line_at_ = offset_;
+    bytes.remove_prefix(taken);
+  }
+}
+
+std::vector<LayerPlace> LayerScan::Layers() && {
+  if (!line_.empty()) Line(line_, line_at_);
+  return std::move(layers_);
+}
+
+std::string LayersJson(const std::vector<LayerPlace>& layers, const std::vector<double>& times_s) {
+  ProgramJson list = ProgramJson::array();
+  for (size_t i = 0; i < layers.size(); ++i) {
+    const LayerPlace& layer = layers[i];
+    ProgramJson json = {{"offset", layer.offset},
+                        {"z_mm", layer.z_mm},
+                        {"height_mm", layer.height_mm},
+                        {"moves", layer.moves}};
+    if (times_s.size() == layers.size()) json["time_s"] = times_s[i];
+    list.push_back(std::move(json));
+  }
+  return ProgramJson{{"layers", std::move(list)}}.dump() + "\n";
+}
+
+std::optional<std::string> LargestThumbnail(std::string_view beginning) {
+  std::optional<std::string> largest;
+  int64_t largest_area = 0;
+  for (size_t at = 0; at < beginning.size();) {
+    const std::string_view line = TakeLine(beginning, at);
+    if (!line.starts_with(kThumbnail)) continue;
+    const int64_t area = AreaOf(line.substr(kThumbnail.size()));
+    std::string bytes;
+    if (!absl::Base64Unescape(Base64At(beginning, at), &bytes) || area <= largest_area) continue;
+    largest_area = area;
+    largest = std::move(bytes);
+  }
+  return largest;
+}
+
+std::vector<double> LayerTimesOf(const std::string& report) {
+  const ProgramJson json = ParsedReport(report);
+  std::vector<double> times_s;
+  const auto times = json.find("times");
+  if (times == json.end() || !times->is_object() || !times->contains("layers_s")) return times_s;
+  for (const ProgramJson& time : (*times)["layers_s"])
+    times_s.push_back(time.is_number() ? time.get<double>() : 0);
+  return times_s;
+}
+
+std::string ProgramName(const std::string& report, const std::string& job_id) {
+  const ProgramJson json = ParsedReport(report);
+  const auto name = json.find("file_name");
+  const bool given = name != json.end() && name->is_string() && !name->empty();
+  const std::string text = given ? name->get<std::string>() : std::string();
+  const bool plain = !text.empty() && text.find_first_of("/\\") == std::string::npos;
+  return plain ? text : job_id + ".gcode";
+}
+
+std::string_view MediaTypeOf(std::string_view file_name) {
+  constexpr std::pair<std::string_view, std::string_view> kTypes[] = {
+      {".gcode", "text/x.gcode"}, {".nc", "text/x.gcode"},   {".csv", "text/csv"},
+      {".svg", "image/svg+xml"},  {".dxf", "image/vnd.dxf"}, {".stl", "model/stl"},
+      {".obj", "model/obj"},      {".cli", "text/plain"},    {".json", "application/json"},
+      {".png", "image/png"}};
+  for (const auto& [ending, type] : kTypes)
+    if (file_name.ends_with(ending)) return type;
+  return "application/octet-stream";
+}
+
+}  // namespace slicefarm::coordinator

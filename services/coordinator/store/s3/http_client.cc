@@ -1,0 +1,176 @@
+#include "services/coordinator/store/s3/http_client.h"
+
+#include <curl/curl.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr int64_t kBlockBytes = 1 << 20;  ///< that are read of a body at a time
+constexpr size_t kMostIdle = 64;
+constexpr long kLeastBytesPerSecond = 1024;
+
+/// What a request is sent from, block by block.
+struct Sending {
+  const BodySource& body;
+  int64_t next = 0;  ///< where the block that is not read yet begins
+  std::string block = {};
+  size_t used = 0;  ///< of the block
+  absl::Status status = {};
+
+  /// False: there is no more, or it cannot be read.
+  bool Refill() {
+    if (used < block.size()) return true;
+    if (next == body.size) return false;
+    auto read = body.read(next, std::min(kBlockBytes, body.size - next));
+    status = read.ok() && read->empty() ? absl::DataLossError("a body ended early") : read.status();
+    if (!status.ok()) return false;
+    next += std::ssize(*read);
+    block = *std::move(read);
+    used = 0;
+    return true;
+  }
+};
+
+struct Receiving {
+  std::string bytes;
+  int64_t most = 0;
+  bool too_much = false;
+};
+
+size_t Send(char* to, size_t size, size_t count, void* user) {
+  auto& sending = *static_cast<Sending*>(user);
+  if (!sending.Refill()) return sending.status.ok() ? 0 : CURL_READFUNC_ABORT;
+  const size_t taken = std::min(size * count, sending.block.size() - sending.used);
+  std::memcpy(to, sending.block.data() + sending.used, taken);
+  sending.used += taken;
+  return taken;
+}
+
+/// When libcurl sends a body again, over another connection than it began with.
+int Rewind(void* user, curl_off_t offset, int) {
+  auto& sending = *static_cast<Sending*>(user);
+  sending.next = offset;
+  sending.block.clear();
+  sending.used = 0;
+  return CURL_SEEKFUNC_OK;
+}
+
+size_t Receive(char* from, size_t size, size_t count, void* user) {
+  auto& receiving = *static_cast<Receiving*>(user);
+  receiving.too_much = std::ssize(receiving.bytes) + static_cast<int64_t>(count) > receiving.most;
+  if (receiving.too_much) return 0;
+  receiving.bytes.append(from, size * count);
+  return size * count;
+}
+
+using HeaderList = std::unique_ptr<curl_slist, decltype(&curl_slist_free_all)>;
+
+HeaderList ListOf(const std::vector<std::string>& headers) {
+  curl_slist* list = nullptr;
+  for (const std::string& header : headers) list = curl_slist_append(list, header.c_str());
+  return {list, &curl_slist_free_all};
+}
+
+void SetRules(CURL* curl, const HttpClientOptions& options) {
+  curl_easy_setopt(curl, CURLOPT_PROTOCOLS_STR, "http,https");
+  curl_easy_setopt(curl, CURLOPT_HTTP_VERSION, static_cast<long>(CURL_HTTP_VERSION_1_1));
+  curl_easy_setopt(curl, CURLOPT_FOLLOWLOCATION, 0L);
+  curl_easy_setopt(curl, CURLOPT_PATH_AS_IS, 1L);
+  curl_easy_setopt(curl, CURLOPT_PROXY, "");
+  curl_easy_setopt(curl, CURLOPT_NOSIGNAL, 1L);
+  curl_easy_setopt(curl, CURLOPT_USERAGENT, "slicefarm");
+  curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT, static_cast<long>(options.connect.count()));
+  curl_easy_setopt(curl, CURLOPT_LOW_SPEED_LIMIT, kLeastBytesPerSecond);
+  curl_easy_setopt(curl, CURLOPT_LOW_SPEED_TIME, static_cast<long>(options.stall.count()));
+  curl_easy_setopt(curl, CURLOPT_UPLOAD_BUFFERSIZE, 512L << 10);
+  curl_easy_setopt(curl, CURLOPT_BUFFERSIZE, 256L << 10);
+  if (!options.ca_file.empty()) curl_easy_setopt(curl, CURLOPT_CAINFO, options.ca_file.c_str());
+}
+
+void SetMethod(CURL* curl, const HttpRequest& request, Sending& sending) {
+  if (request.method == "PUT") {
+    curl_easy_setopt(curl, CURLOPT_UPLOAD, 1L);
+    curl_easy_setopt(curl, CURLOPT_INFILESIZE_LARGE, static_cast<curl_off_t>(sending.body.size));
+    curl_easy_setopt(curl, CURLOPT_READFUNCTION, &Send);
+    curl_easy_setopt(curl, CURLOPT_READDATA, &sending);
+    curl_easy_setopt(curl, CURLOPT_SEEKFUNCTION, &Rewind);
+    curl_easy_setopt(curl, CURLOPT_SEEKDATA, &sending);
+  } else if (request.method == "HEAD") {
+    curl_easy_setopt(curl, CURLOPT_NOBODY, 1L);
+  } else if (request.method != "GET") {
+    curl_easy_setopt(curl, CURLOPT_CUSTOMREQUEST, request.method.c_str());
+  }
+}
+
+HttpAnswer AnswerOf(CURL* curl, std::string body) {
+  long status = 0;
+  curl_off_t length = 0;
+  curl_easy_getinfo(curl, CURLINFO_RESPONSE_CODE, &status);
+  curl_easy_getinfo(curl, CURLINFO_CONTENT_LENGTH_DOWNLOAD_T, &length);
+  return {static_cast<int>(status), std::move(body), length};
+}
+
+}  // namespace
+
+HttpClient::~HttpClient() {
+  for (void* handle : idle_) curl_easy_cleanup(static_cast<CURL*>(handle));
+}
+
+void* HttpClient::Take() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!idle_.empty()) {
+      void* const handle = idle_.back();
+      idle_.pop_back();
+      return handle;
+    }
+  }
+  static const CURLcode initialised = curl_global_init(CURL_GLOBAL_DEFAULT);
+  return initialised == CURLE_OK ? curl_easy_init() : nullptr;
+}
+
+void HttpClient::GiveBack(void* handle) {
+  curl_easy_reset(static_cast<CURL*>(handle));  // its connections stay
+  {
+    const std::lock_guard lock(mutex_);
+    if (idle_.size() < kMostIdle) {
+      idle_.push_back(handle);
+      return;
+    }
+  }
+  curl_easy_cleanup(static_cast<CURL*>(handle));
+}
+
+absl::StatusOr<HttpAnswer> HttpClient::Do(const HttpRequest& request) {
+  const std::unique_ptr<void, std::function<void(void*)>> handle(
+      Take(), [this](void* taken) { GiveBack(taken); });
+  if (handle == nullptr) return absl::UnavailableError("no HTTP client");
+  auto* const curl = static_cast<CURL*>(handle.get());
+  static const BodySource kNoBody = {};
+  Sending sending{request.body != nullptr ? *request.body : kNoBody};
+  Receiving receiving{.bytes = {}, .most = request.most_bytes};
+  const HeaderList headers = ListOf(request.headers);
+  std::array<char, CURL_ERROR_SIZE> error = {};
+  SetRules(curl, options_);
+  SetMethod(curl, request, sending);
+  curl_easy_setopt(curl, CURLOPT_URL, request.url.c_str());
+  curl_easy_setopt(curl, CURLOPT_HTTPHEADER, headers.get());
+  curl_easy_setopt(curl, CURLOPT_WRITEFUNCTION, &Receive);
+  curl_easy_setopt(curl, CURLOPT_WRITEDATA, &receiving);
+  curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, error.data());
+  const CURLcode code = curl_easy_perform(curl);
+  if (!sending.status.ok()) return sending.status;
+  if (receiving.too_much)
+    return absl::UnavailableError("the answer is longer than what was asked for");
+  if (code == CURLE_OK) return AnswerOf(curl, std::move(receiving.bytes));
+  return absl::UnavailableError(error[0] == '\0' ? curl_easy_strerror(code) : error.data());
+}
+
+}  // namespace slicefarm::coordinator

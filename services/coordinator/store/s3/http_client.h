@@ -1,0 +1,63 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+
+namespace slicefarm::coordinator {
+
+/// Bytes that are sent, read as they are needed, and again if they must be sent again.
+struct BodySource {
+  using Read = std::function<absl::StatusOr<std::string>(int64_t offset, int64_t limit)>;
+
+  int64_t size = 0;
+  Read read;  ///< up to `limit` bytes from `offset` on; fewer only at the end
+};
+
+struct HttpRequest {
+  std::string method;  ///< GET, HEAD, PUT or DELETE
+  std::string url;
+  std::vector<std::string> headers = {};  ///< "Name: value"
+  const BodySource* body = nullptr;       ///< of PUT
+  int64_t most_bytes = 64 << 10;          ///< of the answer; more is an error
+};
+
+struct HttpAnswer {
+  int status = 0;
+  std::string body;
+  int64_t content_length = 0;  ///< as the header says, also of HEAD
+};
+
+struct HttpClientOptions {
+  std::string ca_file = {};  ///< of those who sign the servers' certificates; empty: the system's
+  std::chrono::seconds connect{5};
+  std::chrono::seconds stall{30};  ///< without so much as a KiB a second in all that time
+};
+
+/// Requests over connections that are kept, as many as there are requests at a time. Follows no
+/// redirect and uses no proxy. Thread-safe.
+class HttpClient {
+ public:
+  explicit HttpClient(HttpClientOptions options) : options_(std::move(options)) {}
+  ~HttpClient();
+  HttpClient(const HttpClient&) = delete;
+  HttpClient& operator=(const HttpClient&) = delete;
+
+  /// Errors: those of the body; Unavailable with the cause if there was no whole answer.
+  absl::StatusOr<HttpAnswer> Do(const HttpRequest& request);
+
+ private:
+  void* Take();
+  void GiveBack(void* handle);
+
+  const HttpClientOptions options_;
+  std::mutex mutex_;
+  std::vector<void*> idle_;  ///< handles of libcurl, each with its connections
+};
+
+}  // namespace slicefarm::coordinator

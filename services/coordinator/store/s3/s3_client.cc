@@ -1,0 +1,144 @@
+#include "services/coordinator/store/s3/s3_client.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "absl/time/clock.h"
+#include "absl/time/time.h"
+#include "common/base/sha256.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr std::string_view kProbeKey = "slicefarm-probe";
+
+/// What stands between <Code> and </Code>, which is all that an error's XML is read for.
+std::string_view CodeOf(std::string_view body) {
+  const size_t begin = body.find("<Code>");
+  if (begin == std::string_view::npos) return {};
+  body.remove_prefix(begin + 6);
+  return body.substr(0, body.find('<'));
+}
+
+/// Whether a request that was answered so may be answered otherwise a moment later.
+bool MayGoBetter(int status, std::string_view code) {
+  if (status == 400) {  // the bytes came as others, or not all of them
+    for (const char* each :
+         {"XAmzContentSHA256Mismatch", "BadDigest", "IncompleteBody", "RequestTimeout"})
+      if (code == each) return true;
+  }
+  return status == 409 || status == 429 || status >= 500;
+}
+
+absl::Status ErrorOf(const HttpAnswer& answer, const std::string& method) {
+  const std::string_view code = CodeOf(answer.body);
+  const std::string text =
+      fmt::format("the bucket answers {} with {} {}", method, answer.status, code);
+  if (answer.status == 404 && code != "NoSuchBucket") return absl::NotFoundError(text);
+  if (answer.status == 416) return absl::NotFoundError(text);  // the object is shorter
+  if (answer.status == 403 || answer.status == 401 || code == "NoSuchBucket")
+    return absl::PermissionDeniedError(text);
+  return absl::UnavailableError(text);
+}
+
+std::string Now() { return absl::FormatTime("%Y%m%dT%H%M%SZ", absl::Now(), absl::UTCTimeZone()); }
+
+const std::string& DigestOfNothing() {
+  static const std::string digest = Sha256Hex("");
+  return digest;
+}
+
+}  // namespace
+
+struct S3Client::Wanted {
+  std::string method;
+  std::string key;
+  std::string range = {};            ///< of GET
+  const BodySource* body = nullptr;  ///< of PUT
+  std::string sha256 = DigestOfNothing();
+  int64_t most_bytes = 64 << 10;
+};
+
+absl::StatusOr<HttpAnswer> S3Client::AskOnce(const Wanted& wanted, bool& again) {
+  const std::string path = UriEncoded(options_.address.PathOf(wanted.key), /*is_path=*/true);
+  const auto credentials = options_.credentials();
+  const std::string time = Now();
+  S3Request request{wanted.method, path, {}, {}, wanted.sha256};
+  request.headers = {{"host", options_.address.host},
+                     {"x-amz-content-sha256", wanted.sha256},
+                     {"x-amz-date", time}};
+  if (!wanted.range.empty()) request.headers.emplace_back("range", wanted.range);
+  if (!credentials->session_token.empty())
+    request.headers.emplace_back("x-amz-security-token", credentials->session_token);
+  HttpRequest http{wanted.method, options_.address.endpoint + path};
+  for (const auto& [name, value] : request.headers)
+    http.headers.push_back(absl::StrCat(name, ": ", value));
+  http.headers.push_back(absl::StrCat(
+      "authorization: ", S3Authorization(request, *credentials, options_.region, time)));
+  http.body = wanted.body;
+  http.most_bytes = wanted.most_bytes;
+  auto answer = http_.Do(http);
+  again = absl::IsUnavailable(answer.status());
+  if (!answer.ok() || answer->status / 100 == 2) return answer;
+  again = MayGoBetter(answer->status, CodeOf(answer->body));
+  return ErrorOf(*answer, wanted.method);
+}
+
+absl::StatusOr<HttpAnswer> S3Client::Ask(const Wanted& wanted) {
+  std::chrono::milliseconds pause = options_.first_pause;
+  for (int left = options_.tries;;) {
+    bool again = false;
+    auto answer = AskOnce(wanted, again);
+    if (answer.ok() || !again || --left == 0) return answer;
+    std::this_thread::sleep_for(pause);
+    pause *= 2;
+  }
+}
+
+absl::Status S3Client::Put(const std::string& key, const std::string& sha256,
+                           const BodySource& body) {
+  return Ask({.method = "PUT", .key = key, .body = &body, .sha256 = sha256}).status();
+}
+
+absl::StatusOr<std::string> S3Client::Get(const std::string& key, int64_t offset, int64_t count) {
+  auto answer = Ask({.method = "GET",
+                     .key = key,
+                     .range = absl::StrCat("bytes=", offset, "-", offset + count - 1),
+                     .most_bytes = std::max<int64_t>(count, 64 << 10)});
+  if (!answer.ok()) return answer.status();
+  // Who knows no ranges sends all, which is the same only from the beginning on.
+  if ((answer->status != 206 && offset > 0) || std::ssize(answer->body) > count)
+    return absl::UnavailableError("the bucket answers with other bytes than were asked for");
+  return std::move(answer->body);
+}
+
+absl::StatusOr<int64_t> S3Client::Size(const std::string& key) {
+  const auto answer = Ask({.method = "HEAD", .key = key});
+  if (!answer.ok()) return answer.status();
+  return answer->content_length;
+}
+
+absl::Status S3Client::Delete(const std::string& key) {
+  const absl::Status deleted = Ask({.method = "DELETE", .key = key}).status();
+  return absl::IsNotFound(deleted) ? absl::OkStatus() : deleted;
+}
+
+absl::Status S3Client::Probe() {
+  const std::string text = "slicefarm keeps its blobs here\n";
+  const BodySource body{std::ssize(text), [&](int64_t offset, int64_t limit) {
+                          return absl::StatusOr<std::string>(text.substr(offset, limit));
+                        }};
+  const std::string key(kProbeKey);
+  if (absl::Status put = Put(key, Sha256Hex(text), body); !put.ok()) return put;
+  const auto got = Get(key, 0, std::ssize(text));
+  if (!got.ok()) return got.status();
+  if (*got == text) return absl::OkStatus();
+  return absl::UnavailableError("the bucket answers with other bytes than were put");
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "services/coordinator/store/blobs/blob_store.h"
+#include "services/coordinator/store/s3/s3_client.h"
+#include "services/coordinator/store/s3/s3_index.h"
+
+namespace slicefarm::coordinator {
+
+/// Reads an object. Who goes through it in order gets several pieces by each request.
+class S3Reader : public BlobReader {
+ public:
+  S3Reader(std::shared_ptr<S3Client> bucket, S3Index::Found found)
+      : bucket_(std::move(bucket)), found_(std::move(found)) {}
+
+  int64_t size() const override { return found_.size; }
+
+ private:
+  absl::StatusOr<std::string> ReadWithin(int64_t offset, int64_t count) override;
+  absl::StatusOr<std::string> Fetch(int64_t offset, int64_t count);
+
+  const std::shared_ptr<S3Client> bucket_;
+  const S3Index::Found found_;
+  int64_t next_ = 0;   ///< where who reads in order reads next
+  std::string ahead_;  ///< what was fetched and not asked for yet, from ahead_at_ on
+  int64_t ahead_at_ = 0;
+};
+
+/// What S3Client says, as what a store says: what is refused may be allowed again, as a server that
+/// is away comes back.
+absl::Status BucketAway(const absl::Status& status);
+
+/// Reads a blob of another store, and goes on in the bucket if it moved there meanwhile.
+class MovingReader : public BlobReader {
+ public:
+  MovingReader(std::unique_ptr<BlobReader> reader, std::string digest,
+               std::shared_ptr<S3Client> bucket, std::shared_ptr<S3Index> index)
+      : reader_(std::move(reader)),
+        digest_(std::move(digest)),
+        bucket_(std::move(bucket)),
+        index_(std::move(index)) {}
+
+  int64_t size() const override { return reader_->size(); }
+
+ private:
+  absl::StatusOr<std::string> ReadWithin(int64_t offset, int64_t count) override;
+
+  std::unique_ptr<BlobReader> reader_;
+  const std::string digest_;
+  const std::shared_ptr<S3Client> bucket_;
+  const std::shared_ptr<S3Index> index_;
+};
+
+}  // namespace slicefarm::coordinator

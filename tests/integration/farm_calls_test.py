@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""The command line's calls for who looks after a farm, on one of real processes: events of all jobs, what a job's artifacts are,
+meshes, what is kept, changing and cancelling jobs.
+
+usage: farm_calls_test.py SLICEFARM
+"""
+import hashlib
+import json
+import pathlib
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from local_farm import MODELS, running_farm
+
+MODEL = MODELS / "textbox.stl"
+
+
+def call(farm, *arguments):
+    done = farm.client(*arguments)
+    assert done.returncode == 0, (arguments, done.stderr)
+    return done.stdout
+
+
+def check_artifacts(farm, job, folder):
+    program = folder / "part.gcode"
+    call(farm, "get", job, "-o", str(program))
+    gcode = program.read_bytes()
+    listed = {each["artifact"]: each for each in json.loads(call(farm, "artifacts", job))["artifacts"]}
+    assert set(listed) == {"ARTIFACT_GCODE", "ARTIFACT_REPORT", "ARTIFACT_LAYERS", "ARTIFACT_THUMBNAIL"}, listed
+    assert listed["ARTIFACT_GCODE"]["sha256"] == hashlib.sha256(gcode).hexdigest()
+    assert listed["ARTIFACT_GCODE"]["file_name"] == "textbox.gcode", listed["ARTIFACT_GCODE"]
+    assert listed["ARTIFACT_THUMBNAIL"]["media_type"] == "image/png"
+    for kind in ("report", "layers", "thumbnail"):
+        out = folder / kind
+        call(farm, "artifacts", job, "--kind", kind, "-o", str(out))
+        info = listed[f"ARTIFACT_{kind.upper()}"]
+        assert (hashlib.sha256(out.read_bytes()).hexdigest(), out.stat().st_size) == (info["sha256"], int(info["size"])), info
+    assert (folder / "thumbnail").read_bytes().startswith(b"\x89PNG")
+    layers = json.loads((folder / "layers").read_text())["layers"]
+    assert len(layers) == gcode.count(b";LAYER_CHANGE") > 10
+    for layer in layers:
+        text = gcode[layer["offset"]:].split(b"\n", 3)
+        assert text[:3] == [b";LAYER_CHANGE", f";Z:{layer['z_mm']:g}".encode(), f";HEIGHT:{layer['height_mm']:g}".encode()], (layer, text[:3])
+        assert layer["moves"] > 0 and layer["time_s"] > 0
+
+
+def check_events(farm, job):
+    lines = [json.loads(line) for line in call(farm, "events", "--from", "2020-01-01T00:00:00Z", "--count", "3", "--json").splitlines()]
+    assert [(line["event"]["job"]["id"], line["event"]["sequence"], line["event"]["job"]["state"]) for line in lines] == [
+        (job, "1", "JOB_STATE_QUEUED"), (job, "2", "JOB_STATE_RUNNING"), (job, "3", "JOB_STATE_SUCCEEDED")], lines
+    again = call(farm, "events", "--cursor", lines[-1]["cursor"], "--count", "1")
+    assert job in again, again
+
+
+def check_waiting(farm):
+    """Jobs of a farm whose workers are gone wait."""
+    for worker in farm.workers:
+        worker.kill()
+    waiting = [farm.submit(MODEL, "--set", f"layer_height=0.{n}") for n in (21, 22, 23)]
+    call(farm, "update", waiting[0], "--priority", "interactive", "--label", "order=17", "--deadline", "2100-01-01T00:00:00Z")
+    job = json.loads(call(farm, "get", waiting[0]))
+    assert (job["priority"], job["labels"], job["deadline"]) == ("JOB_PRIORITY_INTERACTIVE", {"order": "17"}, "2100-01-01T00:00:00Z"), job
+    call(farm, "update", waiting[0], "--deadline", "none")
+    assert "deadline" not in json.loads(call(farm, "get", waiting[0]))
+    done = farm.client("cancel", waiting[0], "none", waiting[1], waiting[2])
+    assert done.returncode != 0 and "none" in done.stderr and all(job in done.stdout for job in waiting), (done.stdout, done.stderr)
+    assert {job["state"] for job in farm.await_end() if job["id"] in waiting} == {"JOB_STATE_CANCELLED"}
+
+
+def check_meshes(farm, folder):
+    digest = hashlib.sha256(MODEL.read_bytes()).hexdigest()
+    assert digest in call(farm, "meshes", "list")
+    call(farm, "meshes", "get", digest, "-o", str(folder / "mesh"))
+    assert (folder / "mesh").read_bytes() == MODEL.read_bytes()
+    assert call(farm, "meshes", "delete", digest).startswith("kept")
+    usage = json.loads(call(farm, "usage"))
+    assert int(usage["kept_jobs"]) == 1 and int(usage["kept_bytes"]) > MODEL.stat().st_size, usage
+    assert set(json.loads(call(farm, "caller"))["scopes"]) >= {"submit", "read"}
+
+
+def main(_):
+    with tempfile.TemporaryDirectory(prefix="slicefarm-") as name, running_farm() as farm:
+        folder = pathlib.Path(name)
+        job = farm.submit(MODEL)
+        assert farm.await_end()[0]["state"] == "JOB_STATE_SUCCEEDED"
+        check_artifacts(farm, job, folder)
+        check_events(farm, job)
+        check_meshes(farm, folder)
+        check_waiting(farm)
+    print("artifacts, events, meshes, usage and changes are as they should be")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
