@@ -95,6 +95,36 @@ def check_automatic(program, folder):
         assert len(counts) == 2 and len(set(counts.values())) == 1, f"{style}: each copy has its own, all alike, {counts}"
 
 
+def check_another_object_below(program, folder):
+    """A block of 5 mm stands below the slab: supports go round it, and none stands on it."""
+    mesh, block = mesh_xml(box(8, 8, 0, 12, 12, 11), box(0, 0, 10, 20, 20, 13)), mesh_xml(box(0, 0, 0, 5, 5, 5))
+    files = table()
+    files["3D/3dmodel.model"] = model_xml(f'<object id="1" type="model">{mesh}</object><object id="2" type="model">{block}</object>',
+                                          item(1, 50, 60) + item(2, 51, 61), "PrusaSlicer-2.9.2")
+    project = write(folder / "two.3mf", files)
+    for style in ("grid", "snug", "organic"):
+        held = supports(sliced(program, folder, project, "--set", f"support_material_style={style}"))
+        assert held, style
+        for bead in held:
+            for x, y in (bead.a, bead.b):
+                assert not (bead.z < 5.2 and 50.9 < x < 56.1 and 60.9 < y < 66.1), f"{style}: {bead} is in the block"
+        corner = [bead for bead in held if bead.z > 9.7 and 51.2 < bead.a[0] < 55.8 and 61.2 < bead.a[1] < 65.8]
+        assert style == "organic" or not corner, f"{style}: a column stands on the block"
+
+
+def check_copies(program, folder):
+    """Ten copies: each has the same supports, under its own label."""
+    places = [(30 + 40 * (i % 5), 60 + 40 * (i // 5), False) for i in range(10)]
+    held = supports(sliced(program, folder, write(folder / "ten.3mf", table(places=places))))
+    by_label = collections.defaultdict(list)
+    for bead in held:
+        by_label[bead.label].append(bead)
+    assert len(by_label) == 10
+    shapes = {tuple(sorted((round(bead.a[0] - min(b.a[0] for b in beads), 3), round(bead.a[1] - min(b.a[1] for b in beads), 3), bead.z)
+                           for bead in beads)) for beads in by_label.values()}
+    assert len(shapes) == 1, "all alike"
+
+
 def check_bridges_without_supports_are_threads(program, folder):
     beads = sliced(program, folder, write(folder / "table.3mf", table()), "--set", "support_material=0")
     assert not supports(beads)
@@ -178,7 +208,7 @@ def check_same_bytes(program, folder, models):
 def main(program, models):
     with tempfile.TemporaryDirectory() as name:
         folder, models = pathlib.Path(name), pathlib.Path(models)
-        for check in (check_automatic, check_bridges_without_supports_are_threads, check_painted, check_heights_drawn_by_hand):
+        for check in (check_automatic, check_another_object_below, check_copies, check_bridges_without_supports_are_threads, check_painted, check_heights_drawn_by_hand):
             check(program, folder)
             print(f"{check.__name__}: ok", flush=True)
         for check in (check_adaptive, check_same_bytes):
