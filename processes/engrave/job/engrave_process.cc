@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -138,6 +139,36 @@ absl::StatusOr<LaidOut> LayOutJob(const StageCall& call, const PlacingStage& pla
   return job;
 }
 
+/// Of points, no program says it: as if the tip kept its speeds.
+double SecondsOf(const LayerNumbers& numbers, const ProgramFacts& program,
+                 const EngraveMachineSettings& machine) {
+  if (program.moves > 0) return program.seconds;
+  return 60 * (numbers.on_mm / machine.feed_mm_min + numbers.off_mm / machine.link_mm_min);
+}
+
+/// Layers evenly among all.
+constexpr int32_t kSampledLayers = 5;
+
+/// What all layers take, by a few that are made. REQUIRES: a slot.
+absl::StatusOr<double> SampledSeconds(const StageCall& call, const LaidOut& job,
+                                      TaskExecutor& executor) {
+  const int32_t layers = job.layout.layer_count, samples = std::min(layers, kSampledLayers);
+  std::vector<Task> tasks;
+  for (int32_t i = 0; i < samples; ++i) {
+    const auto layer = static_cast<int32_t>((2 * int64_t{i} + 1) * layers / (2 * samples));
+    tasks.emplace_back(EngraveTask{{layer, layer + 1}, job.input});
+  }
+  std::vector<double> seconds(tasks.size(), 0);
+  const EngraveMachineSettings& machine = job.input->settings.machine;
+  const auto take = [&](size_t task, TaskResult result) {
+    for (const EngravedLayer& layer : result.As<EngraveResult>().layers)
+      seconds[task] += SecondsOf(layer.numbers, layer.program, machine);
+    return absl::OkStatus();
+  };
+  if (absl::Status made = executor.Execute(call, tasks, take, nullptr); !made.ok()) return made;
+  return layers * std::accumulate(seconds.begin(), seconds.end(), 0.0) / samples;
+}
+
 /// A layer's part of the file, whose text is in a spool.
 struct SpooledLayer {
   EngravedLayer layer;  ///< without its text
@@ -216,27 +247,18 @@ class EngraveJob : public PlannedJob {
                      absl::StrCat(layers.size(), " of ", count, " layers came back"));
   }
 
-  /// Of points, no program says it: as if the tip kept its speeds.
-  double Seconds(const EngraveJobReport& own) const {
-    if (own.report.program.moves > 0) return own.report.program.seconds;
-    const EngraveMachineSettings& machine = input_->settings.machine;
-    double minutes = 0;
-    for (const LayerNumbers& layer : own.report.layers)
-      minutes += layer.on_mm / machine.feed_mm_min + layer.off_mm / machine.link_mm_min;
-    return 60 * minutes;
-  }
-
   void Tell(const std::vector<SpooledLayer>& layers) {
     auto own = std::make_unique<EngraveJobReport>();
     own->report.map = layout_.map;
     for (const SpooledLayer& spooled : layers) {
       own->report.layers.push_back(spooled.layer.numbers);
       own->report.program.Add(spooled.layer.program);
+      report_.print_time_s +=
+          SecondsOf(spooled.layer.numbers, spooled.layer.program, input_->settings.machine);
       report_.object_height_mm =
           std::max(report_.object_height_mm, spooled.layer.numbers.height_mm);
     }
     report_.layer_count = layout_.layer_count;
-    report_.print_time_s = Seconds(*own);
     std::ranges::move(WarningsOf(own->report.map, own->report.layers),
                       std::back_inserter(report_.warnings));
     report_.own = std::move(own);
@@ -264,19 +286,23 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> EngraveProcess::Plan(const StageCall
 }
 
 absl::StatusOr<JobEstimate> EngraveProcess::Estimate(const StageCall& call, SlicedJob /*sliced*/,
-                                                     JobInput input,
-                                                     TaskExecutor& /*executor*/) const {
+                                                     JobInput input, TaskExecutor& executor) const {
   StageTimes times;
-  const double feed_mm_min = EngraveOf(input.settings).machine.feed_mm_min;
   const auto job = LayOutJob(call, placing_, texture_, std::move(input), times);
   if (!job.ok()) return job.status();
-  const MapReport& map = job->layout.map;
   JobEstimate estimate;
   estimate.layers = job->layout.layer_count;
   estimate.meshes = {job->surface};
+  if (executor.Slots(Process::kEngrave) > 0) {
+    const auto seconds = SampledSeconds(call, *job, executor);
+    if (!seconds.ok()) return seconds.status();
+    estimate.print_time_s = *seconds;
+    return estimate;
+  }
+  const MapReport& map = job->layout.map;
   if (map.line_distance_mm.p50 > 0)
-    estimate.print_time_s =
-        60 * job->layout.layer_count * map.area_mm2 / (map.line_distance_mm.p50 * feed_mm_min);
+    estimate.print_time_s = 60 * job->layout.layer_count * map.area_mm2 /
+                            (map.line_distance_mm.p50 * job->input->settings.machine.feed_mm_min);
   return estimate;
 }
 

@@ -27,7 +27,8 @@ class EngraveProcess : public JobProcess {
   absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
                                                    JobInput input) const override;
   bool EstimatesByOutlines() const override { return false; }
-  /// By area, distance of lines and layers: as if all of each layer were worked.
+  /// By a few layers that are made; where nobody makes them, by area, distance of lines and layers,
+  /// as if all of each layer were worked.
   absl::StatusOr<JobEstimate> Estimate(const StageCall& call, SlicedJob sliced, JobInput input,
                                        TaskExecutor& executor) const override;
 

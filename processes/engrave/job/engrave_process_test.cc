@@ -110,6 +110,15 @@ TEST_F(EngraveProcessTest, IsLookedAtWithoutSlicing) {
   EXPECT_EQ(found->meshes[0].max_mm, (std::array<double, 3>{9, 9, 0}));
 }
 
+/// As a whole job takes.
+TEST_F(EngraveProcessTest, TimeIsEstimatedByLayersThatAreMade) {
+  Dispatcher dispatcher;
+  dispatcher.Join({.name = "here", .tasks = chain_, .slots = 2});
+  const auto found = LookAt({}, Input({"face"}), NoSlicing(), Pipeline(dispatcher));
+  ASSERT_TRUE(found.ok()) << found.status();
+  EXPECT_DOUBLE_EQ(found->print_time_s, 21);
+}
+
 TEST_F(EngraveProcessTest, AnObjectMayBeTheTexture) {
   EXPECT_EQ(DetailOf(Run(1, {"face", "leaf"}).status()).reason, Reason::kRequestMalformed);
   settings_.texture.texture = "leaf";
