@@ -156,7 +156,7 @@ grpc::Status JobsService::CreatePlates(grpc::ServerContext* context,
     auto jobs = MakePlates(*caller, *request, call);
     if (!jobs.ok()) return jobs.status();
     for (v1::Job& job : *jobs) {
-      KeepWhatIsOnThePlate(*job.mutable_spec());
+      job.clear_spec();
       job.clear_labels();  // the answer is one message
       *response->add_jobs() = std::move(job);
     }
