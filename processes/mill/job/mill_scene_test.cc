@@ -37,7 +37,9 @@ PlacingInput TwoObjects() {
   job.meshes.objects = {
       {.name = "part.stl", .parts = {{.name = "", .mesh = {0, kOnlyMesh}}}, .ranges = {}},
       {.name = "blank.stl", .parts = {{.name = "", .mesh = {1, kOnlyMesh}}}, .ranges = {}}};
-  job.options.objects = {{.layer_height_nm = 1}, {.layer_height_nm = 2}};
+  job.options.objects.resize(2);
+  job.options.objects[0].layer_height_nm = 1;
+  job.options.objects[1].layer_height_nm = 2;
   return job;
 }
 
