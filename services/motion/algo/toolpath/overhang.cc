@@ -10,8 +10,6 @@ namespace slicefarm::motion {
 namespace {
 
 constexpr Coord kSquareNm = kNmPerMm / 2;
-/// By how many steps a wall may be off the step that it keeps.
-constexpr double kKeptSteps = 0.8;
 constexpr double kRestingPieceMm = 1;
 /// A share of a nanometre that is no simple fraction.
 constexpr double kAside = 0.3183;
@@ -92,7 +90,7 @@ void LayerBelow::FindMiddlesInside() {
       middle_inside_[square] = middle_inside_[square] != middle_inside_[square - 1];
 }
 
-double LayerBelow::ExactRestOf(Point point, Coord width_nm) const {
+uint8_t LayerBelow::RestOf(Point point, Coord width_nm) const {
   if (edges_.size() == 0) return 0;
   const Coord reach = width_nm / 2;
   const Box near = {{point.x - reach, point.y - reach}, {point.x + reach, point.y + reach}};
@@ -106,11 +104,7 @@ double LayerBelow::ExactRestOf(Point point, Coord width_nm) const {
   });
   const double out = std::sqrt(nearest) * (Covers(point) ? -1 : 1);
   const double share = 0.5 - out / static_cast<double>(width_nm);
-  return std::clamp(share, 0.0, 1.0) * kFullRest;
-}
-
-uint8_t LayerBelow::RestOf(Point point, Coord width_nm) const {
-  return static_cast<uint8_t>(std::lround(ExactRestOf(point, width_nm)));
+  return static_cast<uint8_t>(std::lround(std::clamp(share, 0.0, 1.0) * kFullRest));
 }
 
 /// By what lies between the point and the middle of its square: upwards or downwards first, then
@@ -149,35 +143,27 @@ std::vector<double> LayerBelow::EdgesOn(Point from, Point to) const {
   return shares;
 }
 
-double RestAlong::RestOf(Point point, Coord width_nm) {
+int RestAlong::RestOf(Point point, Coord width_nm) {
   if (point != at_ || width_nm != width_nm_) {
-    if (width_nm != width_nm_) step_ = -1;
     at_ = point;
     width_nm_ = width_nm;
     // What lies within the outlines rests by half at least, however near to their edge.
     const bool is_enough = steps_ == RestSteps::kAirAlone && below_.Covers(point);
-    rest_ = is_enough ? kFullRest : below_.ExactRestOf(point, width_nm);
+    rest_ = is_enough ? kFullRest : below_.RestOf(point, width_nm);
   }
   return rest_;
-}
-
-uint8_t RestAlong::StepOf(double before, double at_end) {
-  if (steps_ == RestSteps::kAirAlone)
-    return (std::lround(before) + std::lround(at_end)) / 2 > 0 ? kFullRest : 0;
-  const double rest = (before + at_end) / 2;
-  if (step_ < 0 || std::abs(rest - step_) > kKeptSteps) step_ = static_cast<int>(std::lround(rest));
-  return static_cast<uint8_t>(step_);
 }
 
 std::vector<RestingPiece> RestAlong::PiecesOf(Point from, Point to, Coord width_nm) {
   const auto count =
       std::max<int64_t>(1, std::llround(std::ceil(ToMm(Distance(from, to)) / kRestingPieceMm)));
   std::vector<RestingPiece> pieces;
-  double before = RestOf(from, width_nm);
+  int before = RestOf(from, width_nm);
   for (int64_t i = 1; i <= count; ++i) {
     const Point end = {from.x + (to.x - from.x) * i / count, from.y + (to.y - from.y) * i / count};
-    const double at_end = RestOf(end, width_nm);
-    const uint8_t rest = StepOf(before, at_end);
+    const int at_end = RestOf(end, width_nm);
+    auto rest = static_cast<uint8_t>((before + at_end) / 2);
+    if (steps_ == RestSteps::kAirAlone && rest > 0) rest = kFullRest;
     before = at_end;
     if (!pieces.empty() && pieces.back().rest == rest) {
       pieces.back().to = end;

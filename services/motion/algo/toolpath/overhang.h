@@ -22,9 +22,6 @@ class LayerBelow {
   /// the point).
   uint8_t RestOf(Point point, Coord width_nm) const;
 
-  /// The same, not rounded to a step.
-  double ExactRestOf(Point point, Coord width_nm) const;
-
   /// Whether the point lies within the outlines. Cost: O(edges beside the point).
   bool Covers(Point point) const;
 
@@ -59,8 +56,7 @@ enum class RestSteps {
 };
 
 /// Looks below the beads of a wall, each of which begins where the one before ends: once at a
-/// point. A wall keeps its step as long as it is off by less than a step: along a loop that hangs
-/// over evenly speeds do not flicker between two steps.
+/// point.
 class RestAlong {
  public:
   /// `below` must outlive this.
@@ -70,15 +66,13 @@ class RestAlong {
   std::vector<RestingPiece> PiecesOf(Point from, Point to, Coord width_nm);
 
  private:
-  double RestOf(Point point, Coord width_nm);
-  uint8_t StepOf(double before, double at_end);
+  int RestOf(Point point, Coord width_nm);
 
   const LayerBelow& below_;
   const RestSteps steps_;
   Point at_;
   Coord width_nm_ = -1;  ///< none: no point was looked at
-  double rest_ = 0;
-  int step_ = -1;  ///< of the last piece; none: there was none
+  int rest_ = 0;
 };
 
 /// A value that is told for rests of 0, 25, 50 and 75 %, in between and up to `full` at 100 % in

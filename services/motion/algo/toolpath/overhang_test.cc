@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
 
 #include "common/geometry/measure.h"
 
@@ -104,22 +103,6 @@ TEST(PiecesOf, CutsWhereNothingRestsIfThatIsAll) {
   EXPECT_EQ(over[1].rest, 0);
   EXPECT_EQ(over[1].to, Mm(11, 10));
   EXPECT_EQ(over[2].rest, kFullRest);
-}
-
-/// Along the outer edge, now a little nearer to it and now a little farther.
-TEST(PiecesOf, AWallThatHangsOverEvenlyKeepsItsStep) {
-  const LayerBelow below(Frame());
-  RestAlong along(below, RestSteps::kAll);
-  std::set<uint8_t> steps;
-  Point from = Mm(1, -0.109);
-  for (int i = 1; i < 15; ++i) {
-    const Point to = Mm(1 + i, i % 2 == 0 ? -0.105 : -0.116);
-    for (const RestingPiece& piece : along.PiecesOf(from, to, kWidth)) steps.insert(piece.rest);
-    from = to;
-  }
-  EXPECT_EQ(steps.size(), 1u);
-  EXPECT_NE(below.RestOf(Mm(5, -0.105), kWidth), below.RestOf(Mm(5, -0.116), kWidth))
-      << "two steps by themselves";
 }
 
 TEST(PiecesOf, ForgetsNoWidth) {
