@@ -131,6 +131,7 @@ TEST_F(ObservabilityTest, DashboardsAndAlertsNameWhatThereIs) {
                       {"--tls-cert", tls.cert, "--tls-key", tls.key, "--tls-ca", tls.ca});
   std::set<std::string> there = {"up",                             // Prometheus' own
                                  "slicefarm_tenants_file_usable",  // with --tenants
+                                 "slicefarm_ranges",               // what the adapter makes
                                  // with --postgres and --max-database
                                  "slicefarm_database_bytes", "slicefarm_database_connections",
                                  "slicefarm_database_max_bytes",
