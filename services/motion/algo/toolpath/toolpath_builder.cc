@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "common/base/portable_math.h"
+#include "common/gcode/gcode_text.h"
 #include "common/geometry/arc_fit.h"
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
-#include "common/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/material_mix.h"
 #include "services/motion/algo/toolpath/open_seam.h"
 #include "services/motion/algo/toolpath/scarf.h"
@@ -195,8 +196,8 @@ void ToolpathBuilder::PrintOverAir(const Path& path, Point from,
   at_.rest = kFullRest;
 }
 
-/// A piece of a wall that rests on no layer of its own: where nothing carries it, a thread. A thread
-/// hangs below its layer, and would weld itself to a support.
+/// A piece of a wall that rests on no layer of its own: where nothing carries it, a thread. A
+/// thread hangs below its layer, and would weld itself to a support.
 void ToolpathBuilder::PrintBridges(const Path& path, Point from, Point to, Coord width_nm,
                                    double speed_mm_s) {
   if (carried_ == nullptr) return PrintBridge(path, from, to, width_nm, speed_mm_s, true);
@@ -229,12 +230,10 @@ void ToolpathBuilder::PrintBridge(const Path& path, Point from, Point to, Coord 
   print_acceleration_ = accelerations_.Print(kBridge);
   const int64_t before = filament_;
   PrintSegment(from, to, bead);
-  const auto used = [&](Feature feature) -> FeatureUse& {
-    return stats_.features[static_cast<size_t>(feature)];
-  };
-  const FeatureUse use = UseOf(ToMm(Distance(from, to)), filament_ - before);
-  used(kBridge).Add(use);
-  used(path.feature).Add({0, -use.length_mm, -use.filament_mm, -use.volume_mm3});
+  const double length_mm = ToMm(Distance(from, to));
+  stats_.features[static_cast<size_t>(kBridge)].Add(UseOf(length_mm, filament_ - before));
+  bridged_mm_ += length_mm;
+  bridged_filament_ += filament_ - before;
   at_.feature = path.feature;
   at_.height_um = ToUm(bead_height_nm_);
   print_acceleration_ = accelerations_.Print(path.feature);
@@ -420,7 +419,11 @@ FeatureUse ToolpathBuilder::UseOf(double length_mm, int64_t filament) const {
 }
 
 void ToolpathBuilder::Count(const Path& path, int64_t filament) {
-  stats_.features[static_cast<size_t>(path.feature)].Add(UseOf(ToMm(PathLength(path)), filament));
+  // What was a bridge is counted as one. Of a path that is one all along rounding must not leave
+  // less than nothing.
+  const double own_mm = std::max(0.0, ToMm(PathLength(path)) - std::exchange(bridged_mm_, 0));
+  const int64_t own_filament = filament - std::exchange(bridged_filament_, 0);
+  stats_.features[static_cast<size_t>(path.feature)].Add(UseOf(own_mm, own_filament));
   const Coord reach = *std::max_element(path.widths_nm.begin(), path.widths_nm.end()) / 2;
   stats_.bounds.Add(Bounds(path.points).Grown(reach));
 }

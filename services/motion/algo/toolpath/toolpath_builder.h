@@ -115,6 +115,8 @@ class ToolpathBuilder {
   bool moved_on_ = false;   ///< beyond the end of the path before: a scarf ends over its beginning
   double owed_ = 0;         ///< filament that rounding left, in 1e-5 mm
   int64_t filament_ = 0;    ///< printed in all, in 1e-5 mm
+  double bridged_mm_ = 0;   ///< of the path being printed, as bridges
+  int64_t bridged_filament_ = 0;
   ProgramStats stats_;
 };
 

@@ -186,6 +186,32 @@ TEST(ToolpathBuilder, WallsOverNothingAreBridges) {
   EXPECT_EQ(build(wall).path.moves.end()[-2].feature, Feature::kPerimeter);
 }
 
+// Bridges are counted apart from the wall that they are pieces of: what is left of one that is a
+// bridge all along was less than nothing by rounding, and no amount on the wire.
+TEST(ToolpathBuilder, WhatIsNoBridgeOfAWallIsNeverLessThanNothing) {
+  MotionOptions options;
+  options.speeds[0].bridging_walls = true;
+  const LayerBelow below({{{{0, 0}, {FromMm(1), 0}, {FromMm(1), FromMm(1)}, {0, FromMm(1)}}, {}}});
+  for (int corners = 3; corners < 40; ++corners) {
+    Path wall = Line("(1 0, 30 0)");
+    wall.feature = Feature::kPerimeter;
+    wall.closed = true;
+    wall.points.clear();
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corners;
+      wall.points.push_back({FromMm(60 + 7.3 * std::cos(angle)), FromMm(7.3 * std::sin(angle))});
+    }
+    ToolpathBuilder builder(options, kFrame, kFrame.height_nm, Ground::kLayers, &below);
+    builder.Add(wall);
+    builder.Finish();
+    const FeatureUse& rest = builder.stats().features[static_cast<size_t>(Feature::kPerimeter)];
+    EXPECT_GE(rest.length_mm, 0) << corners;
+    EXPECT_GE(rest.filament_mm, 0) << corners;
+    EXPECT_GE(rest.volume_mm3, 0) << corners;
+    EXPECT_LT(rest.length_mm, 0.2) << corners << ": all of it hangs in the air";
+  }
+}
+
 // Over a support a wall is as slow as a bridge, but no thread, which would hang into it.
 TEST(ToolpathBuilder, WallsOverSupportsAreNoThreads) {
   MotionOptions options;
