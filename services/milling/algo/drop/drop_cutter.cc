@@ -98,17 +98,6 @@ void TouchEdge(const Cutter& cutter, Eigen::Vector3d a, Eigen::Vector3d b, Rest&
   }
 }
 
-/// No contact with the triangle rests higher: its top, at the place of its box next to the axis.
-/// What rounding may add is in it.
-double HighestRest(const Cutter& cutter, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                   const Eigen::Vector3d& c) {
-  const Eigen::Vector3d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
-  const double x = std::max({0.0, low.x(), -high.x()}), y = std::max({0.0, low.y(), -high.y()});
-  const double away = std::sqrt(x * x + y * y) - kOnSideMm;
-  if (away > cutter.radius_mm()) return -std::numeric_limits<double>::infinity();
-  return high.z() + kOnSideMm - cutter.HeightAt(std::clamp(away, 0.0, cutter.radius_mm()));
-}
-
 /// The inside of a triangle: where its slope rests on the outline, up the slope from the axis.
 void TouchFacet(const Cutter& cutter, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                 const Eigen::Vector3d& c, Rest& rest) {
@@ -148,7 +137,7 @@ std::optional<Drop> DropCutter::At(const Eigen::Vector2d& place_mm) const {
     const Eigen::Vector3d a = mesh_.points_mm[corners[0]] - axis,
                           b = mesh_.points_mm[corners[1]] - axis,
                           c = mesh_.points_mm[corners[2]] - axis;
-    if (HighestRest(cutter_, a, b, c) <= rest.z) return;
+    if (std::max({a.z(), b.z(), c.z()}) <= rest.z) return;
     TouchEdge(cutter_, a, b, rest);
     TouchEdge(cutter_, b, c, rest);
     TouchEdge(cutter_, c, a, rest);

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -23,16 +22,6 @@ struct Fiber {
 /// What lies this little above the tip's height is level with it: touching is not a hit, and a flat
 /// at the tip's height leaves the cutter free, however its corners are rounded. In mm.
 inline constexpr double kTouchMm = 1e-9;
-
-/// More than what the rounding of an interval's end may add: what is covered with it has no say in
-/// any end.
-inline constexpr double kRoundingMm = 1e-9;
-
-/// How far along a fiber a cutter of this width may touch what lies so far beside it; below 0: not
-/// at all.
-inline double ReachAlong(double width, double away) {
-  return away < width ? std::sqrt((width - away) * (width + away)) + kRoundingMm : -1;
-}
 
 /// A mesh seen along the fibers of one axis. The mesh and its edges must outlive it.
 class FiberFrame {

@@ -113,11 +113,10 @@ std::vector<Interval> Intersection(const std::vector<Interval>& a, const std::ve
   return both;
 }
 
-/// A triangle on one level: its box from above, and how wide the cutter is at its top.
+/// A triangle on one level: where it may be touched.
 struct Candidate {
   double along_low = 0, along_high = 0;
   double across_low = 0, across_high = 0;
-  double width = 0;
   uint32_t triangle = 0;
   bool settled = false;  ///< beside the shaft alone
 };
@@ -140,8 +139,6 @@ class BlockPush {
 
   /// False: cancelled.
   bool Run(int32_t first, int32_t last) {
-    first_across_mm_ = job_.grid.At(first);
-    last_across_mm_ = job_.grid.At(last - 1);
     settled_.resize(static_cast<size_t>(last - first));
     for (size_t level = 0; level < job_.levels_mm.size(); ++level) {
       if (level > 0) KnowOfAll(job_.result[level - 1], first, last);
@@ -169,11 +166,6 @@ class BlockPush {
     AddKnown(all, known_);
   }
 
-  /// Whether it finds nothing on any fiber of the block that is not known to be gouged.
-  bool Knows(const TriangleBox& box, double reach) const {
-    return reach < 0 || known_.Covers(box.along_low - reach, box.along_high + reach);
-  }
-
   void Gather(double z_mm) {
     while (next_ < triangles_.size() && job_.boxes[triangles_[next_]].top - z_mm > kTouchMm)
       active_.push_back(triangles_[next_++]);
@@ -181,14 +173,12 @@ class BlockPush {
     const double radius = job_.cutter.radius_mm();
     std::erase_if(active_, [&](uint32_t t) {
       const TriangleBox& box = job_.boxes[t];
-      const double away =
-          std::max({0.0, box.across_low - last_across_mm_, first_across_mm_ - box.across_high});
       // The shaft is the widest: what it finds nothing beside, nothing finds on any level below.
-      if (Knows(box, ReachAlong(radius, away))) return true;
-      const double width = job_.cutter.Width(box.top - z_mm);
-      if (Knows(box, ReachAlong(width, away))) return false;
-      candidates_.push_back({box.along_low, box.along_high, box.across_low, box.across_high, width,
-                             t, IsSettled(t, z_mm)});
+      if (known_.Covers(box.along_low - radius, box.along_high + radius)) return true;
+      const double reach = job_.cutter.Width(box.top - z_mm);
+      if (known_.Covers(box.along_low - reach, box.along_high + reach)) return false;
+      candidates_.push_back({box.along_low - reach, box.along_high + reach, box.across_low - reach,
+                             box.across_high + reach, t, IsSettled(t, z_mm)});
       return false;
     });
   }
@@ -199,10 +189,8 @@ class BlockPush {
     gouged_ = settled;
     if (level > 0) AddKnown(job_.result[level - 1][index], gouged_);
     for (const Candidate& c : candidates_) {
-      const double away =
-          std::max({0.0, c.across_low - fiber.across_mm, fiber.across_mm - c.across_high});
-      const double reach = ReachAlong(c.width, away);
-      if (reach < 0 || gouged_.Covers(c.along_low - reach, c.along_high + reach)) continue;
+      if (!(c.across_low < fiber.across_mm && fiber.across_mm < c.across_high)) continue;
+      if (gouged_.Covers(c.along_low, c.along_high)) continue;
       const Interval found = PushOne(c.triangle, fiber);
       if (!(found.low < found.high)) continue;
       gouged_.Add(found);
@@ -229,7 +217,6 @@ class BlockPush {
   const PushJob& job_;
   std::span<const uint32_t> triangles_;
   EdgeMemory& memory_;
-  double first_across_mm_ = 0, last_across_mm_ = 0;  ///< of the block's fibers
   size_t next_ = 0;
   std::vector<uint32_t> active_;
   std::vector<Candidate> candidates_;

@@ -21,19 +21,16 @@ FlatBox FlatBoxOf(const TriangleMesh& mesh, uint32_t triangle) {
   return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
 }
 
-/// Whether the triangle's box comes as near to the fiber as the cutter is wide at its top, and may
-/// gouge what is not gouged already.
-bool MayAdd(const FiberFrame& frame, const Cutter& cutter, uint32_t triangle, const Fiber& fiber,
-            const IntervalSet& gouged) {
+/// Whether the triangle's box comes as near to the fiber as the cutter is wide at its top.
+bool MayReach(const FiberFrame& frame, const Cutter& cutter, uint32_t triangle,
+              const Fiber& fiber) {
   const auto& t = frame.mesh().triangles[triangle];
   const FiberPoint a = frame.At(t[0], fiber), b = frame.At(t[1], fiber), c = frame.At(t[2], fiber);
   const double top = std::max({a.height, b.height, c.height});
   if (top <= kTouchMm) return false;
-  const double away = std::max(
-      {0.0, std::min({a.across, b.across, c.across}), -std::max({a.across, b.across, c.across})});
-  const double reach = ReachAlong(cutter.Width(top), away);
-  return reach >= 0 && !gouged.Covers(std::min({a.along, b.along, c.along}) - reach,
-                                      std::max({a.along, b.along, c.along}) + reach);
+  const double width = cutter.Width(top);
+  return std::min({a.across, b.across, c.across}) < width &&
+         std::max({a.across, b.across, c.across}) > -width;
 }
 
 }  // namespace
@@ -60,18 +57,16 @@ TriangleGrid::TriangleGrid(const TriangleMesh& mesh) {
   };
   for (const FlatBox& box : boxes) visit_cells(box, [&](size_t cell) { ++starts_[cell + 1]; });
   for (size_t cell = 1; cell < starts_.size(); ++cell) starts_[cell] += starts_[cell - 1];
-  entries_.resize(starts_.back());
+  triangles_.resize(starts_.back());
   std::vector<size_t> next(starts_.begin(), starts_.end() - 1);
-  for (uint32_t t = 0; t < boxes.size(); ++t) {
-    const Entry entry{t, CellOf(boxes[t].low)};
-    visit_cells(boxes[t], [&](size_t cell) { entries_[next[cell]++] = entry; });
-  }
+  for (uint32_t t = 0; t < boxes.size(); ++t)
+    visit_cells(boxes[t], [&](size_t cell) { triangles_[next[cell]++] = t; });
 }
 
 TriangleGrid::Cell TriangleGrid::CellOf(const Eigen::Vector2d& p) const {
   const Eigen::Vector2d at = (p - low_) / cell_mm_;
-  return {static_cast<int16_t>(std::clamp(at.x(), 0.0, columns_ - 1.0)),
-          static_cast<int16_t>(std::clamp(at.y(), 0.0, rows_ - 1.0))};
+  return {static_cast<int32_t>(std::clamp(at.x(), 0.0, columns_ - 1.0)),
+          static_cast<int32_t>(std::clamp(at.y(), 0.0, rows_ - 1.0))};
 }
 
 IntervalSet PushLocally(const FiberFrame& frame, const Cutter& cutter,
@@ -85,7 +80,7 @@ IntervalSet PushLocally(const FiberFrame& frame, const Cutter& cutter,
   const Eigen::Vector2d& y = along_x ? sides : ends;
   IntervalSet gouged;
   triangles.ForEachIn({x[0], y[0]}, {x[1], y[1]}, [&](uint32_t t) {
-    if (!MayAdd(frame, cutter, t, fiber, gouged)) return;
+    if (!MayReach(frame, cutter, t, fiber)) return;
     const Interval found = frame.PushTriangle(cutter, t, fiber);
     if (found.low < found.high) gouged.Add(found);
   });

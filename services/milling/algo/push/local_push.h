@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -13,32 +12,22 @@ class TriangleGrid {
  public:
   explicit TriangleGrid(const TriangleMesh& mesh);
 
-  /// Calls visit(triangle) for those that may have a point in the box, for each once.
+  /// Calls visit(triangle) for those that may have a point in the box, for some more than once.
   template <typename Visit>
   void ForEachIn(const Eigen::Vector2d& low, const Eigen::Vector2d& high, Visit visit) const {
     const Cell a = CellOf(low), b = CellOf(high);
     for (int32_t row = a.row; row <= b.row; ++row) {
       for (int32_t column = a.column; column <= b.column; ++column) {
         const size_t cell = static_cast<size_t>(row) * columns_ + column;
-        for (size_t i = starts_[cell]; i < starts_[cell + 1]; ++i) {
-          // A large triangle lies in many cells: it counts in the first one of those asked for.
-          const auto& [triangle, first] = entries_[i];
-          if (column == std::max(first.column, a.column) && row == std::max(first.row, a.row))
-            visit(triangle);
-        }
+        for (size_t i = starts_[cell]; i < starts_[cell + 1]; ++i) visit(triangles_[i]);
       }
     }
   }
 
  private:
   struct Cell {
-    int16_t column = 0;
-    int16_t row = 0;
-  };
-  /// A triangle in a cell, and the first cell that it lies in.
-  struct Entry {
-    uint32_t triangle = 0;
-    Cell first;
+    int32_t column = 0;
+    int32_t row = 0;
   };
   Cell CellOf(const Eigen::Vector2d& p) const;  ///< the nearest one
 
@@ -47,7 +36,7 @@ class TriangleGrid {
   int32_t columns_ = 1;
   int32_t rows_ = 1;
   std::vector<size_t> starts_;
-  std::vector<Entry> entries_;
+  std::vector<uint32_t> triangles_;
 };
 
 /// A piece of a fiber on which to look: what is gouged there.

@@ -27,19 +27,6 @@ TEST(TriangleGrid, FindsAllInABox) {
   }
 }
 
-/// A large triangle among small ones lies in many cells.
-TEST(TriangleGrid, VisitsEachOnce) {
-  TriangleMesh mesh = Waves(8, 20);
-  Append(mesh, Box({-3, -3, -2}, {11, 11, -1}));
-  const TriangleGrid grid(mesh);
-  for (const double size : {0.0, 2.5, 20.0}) {
-    std::multiset<uint32_t> found;
-    grid.ForEachIn({1.5, 2}, {1.5 + size, 2 + size}, [&](uint32_t t) { found.insert(t); });
-    for (const uint32_t t : found) EXPECT_EQ(found.count(t), 1u) << t;
-    EXPECT_GE(found.size(), 4u);
-  }
-}
-
 TEST(PushLocally, IsWhatTheWholeFiberHasThere) {
   const TriangleMesh mesh = Waves(8, 16);
   const MeshEdges edges = EdgesOf(mesh);
