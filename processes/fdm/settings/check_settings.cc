@@ -115,6 +115,16 @@ absl::Status CheckWords(const Draft& draft) {
   return absl::OkStatus();
 }
 
+/// Between which heights layers that fit the shape lie.
+absl::Status CheckAdaptiveHeights(const Draft& draft) {
+  if (draft.Number("adaptive_layer_height") == 0) return absl::OkStatus();
+  const double most = draft.Number("max_layer_height"), least = draft.Number("min_layer_height");
+  if (most == 0 || least <= most) return absl::OkStatus();
+  return Refuse(draft, "max_layer_height",
+                fmt::format("it must be no less than min_layer_height = {} mm", PrintNumber(least)),
+                least, kUnbounded);
+}
+
 }  // namespace
 
 absl::Status CheckSettings(const Draft& draft) {
@@ -123,6 +133,7 @@ absl::Status CheckSettings(const Draft& draft) {
   }
   if (absl::Status status = CheckWidths(draft); !status.ok()) return status;
   if (absl::Status status = CheckRaft(draft); !status.ok()) return status;
+  if (absl::Status status = CheckAdaptiveHeights(draft); !status.ok()) return status;
   if (absl::Status status = CheckSkirt(draft); !status.ok()) return status;
   if (absl::Status status = CheckMixing(draft); !status.ok()) return status;
   if (absl::Status status = CheckWords(draft); !status.ok()) return status;
