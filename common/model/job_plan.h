@@ -10,6 +10,7 @@
 #include "common/model/options/fill_patterns.h"
 #include "common/model/path.h"
 #include "common/model/region.h"
+#include "common/model/spiral.h"
 
 namespace slicefarm {
 
@@ -30,6 +31,7 @@ struct SectionPlan {
   /// Where walls start, by the ring of OutlineOf; empty: near the nozzle.
   std::vector<Point> seams;
   MultiPolygon carried = {};  ///< supports lie right below its underside here
+  std::optional<SpiralTurn> spiral = {};  ///< its only wall is a turn of a spiral
 
   friend bool operator==(const SectionPlan&, const SectionPlan&) = default;
 };
@@ -58,6 +60,7 @@ struct LayerPlan {
   bool ends_ready = false;
   std::vector<SectionPlan> sections;  ///< by ascending stack
   std::vector<Path> paths;            ///< finished ones in plate coordinates, printed first
+  Coord paths_height_nm = 0;          ///< how high `paths` are; 0: as the layer
   std::vector<PlannedInfill> infill;  ///< by ascending stack, then row; none: nothing is decided
 
   friend bool operator==(const LayerPlan&, const LayerPlan&) = default;
@@ -75,7 +78,7 @@ struct AddedStack {
 /// Finished paths in plate coordinates that the lowest layers of the print begin with.
 struct Skirt {
   std::vector<Path> loops;
-  int32_t layers = 0;
+  int32_t layers = 0;  ///< from the lowest, but for those of supports alone (OnlySupports)
 
   friend bool operator==(const Skirt&, const Skirt&) = default;
 };

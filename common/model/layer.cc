@@ -50,4 +50,14 @@ void ProgramStats::Add(const ProgramStats& other) {
   bounds.Add(other.bounds);
 }
 
+bool OnlySupports(const SlicedLayer& layer) {
+  bool supports = false;
+  for (const ObjectSection& section : layer.sections) {
+    if (section.regions.empty()) continue;
+    if (section.stack.kind != StackKind::kSupport) return false;
+    supports = true;
+  }
+  return supports;
+}
+
 }  // namespace slicefarm

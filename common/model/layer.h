@@ -13,6 +13,7 @@
 #include "common/model/print_times.h"
 #include "common/model/region.h"
 #include "common/model/scene/part_role.h"
+#include "common/model/spiral.h"
 #include "common/model/stack.h"
 
 namespace slicefarm {
@@ -63,6 +64,8 @@ struct ObjectSection {
   MultiPolygon whole;
   Coord z_nm = 0;  ///< of the layer's top, above the stack's own bottom
   std::vector<Mark> marks;  ///< for planning alone; at most one of a role
+  /// spiral_vase: it has nothing but one wall, along its outline.
+  bool hollow = false;
 
   friend bool operator==(const ObjectSection&, const ObjectSection&) = default;
 };
@@ -80,6 +83,9 @@ struct SlicedLayer {
 
   friend bool operator==(const SlicedLayer&, const SlicedLayer&) = default;
 };
+
+/// Whether nothing but supports is printed in a layer, between those of all parts.
+bool OnlySupports(const SlicedLayer& layer);
 
 /// What is left for the infill of one region: the area that the infill's beads may cover, edge to
 /// edge, less any overlap with the walls (which is the infill's option).
@@ -177,9 +183,11 @@ struct PathBlock {
   /// where the block begins a layer that begins ready.
   std::vector<Travel> travels = {};
   std::optional<Leave> leave = {};  ///< where the block may end a layer that ends ready
-  /// What the stack's layer below covers, where motion asks for it (LooksBelow); else empty.
+  /// What the stack's layer below covers, where motion asks for it (LooksBelow), and below turns of
+  /// a spiral; else empty.
   MultiPolygon below = {};
   MultiPolygon carried = {};  ///< as SectionPlan::carried, where motion asks for `below`
+  std::optional<SpiralTurn> spiral = {};  ///< as SectionPlan's, of the only path
 
   friend bool operator==(const PathBlock&, const PathBlock&) = default;
 };
@@ -199,7 +207,7 @@ struct OrderedLayer {
   std::vector<PathBlock> blocks;
   std::vector<BlockVisit> visits;  ///< in the order of printing
   /// The filament is ready to print where the layer begins or ends; else it is retracted. If so, no
-  /// block has two visits.
+  /// block has two visits, but for a turn of a spiral alone: one in each pass.
   bool begins_ready = false;
   bool ends_ready = false;
 

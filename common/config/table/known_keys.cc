@@ -20,7 +20,6 @@ constexpr KnownKey kSwitches[] = {
     {"post_process", "scripts are never run", "", true, true, true},
     {"printer_technology", kResin, "FFF", true, true, true},
     {"single_extruder_multi_material", kNotYet, "0", true},
-    {"spiral_vase", kNotYet, "0", true, true, true},
     // These make it better or different in detail.
     {"avoid_crossing_curled_overhangs", kNotYet, "0", true},
     {"colorprint_heights", kNotYet, "", true, true, true},

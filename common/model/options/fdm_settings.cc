@@ -11,12 +11,6 @@ bool NeedsPlan(const InfillOptions& infill) {
          infill.only_where_needed;
 }
 
-/// Of the walls of an island that has room for all of them.
-Coord WallsOf(const BeadingOptions& beading) {
-  if (beading.perimeters == 0) return 0;
-  return beading.external_width_nm + (beading.perimeters - 1) * beading.inner_width_nm;
-}
-
 }  // namespace
 
 std::vector<InfillPlanOptions> InfillPlansOf(const FdmSettings& settings) {
@@ -30,7 +24,7 @@ std::vector<InfillPlanOptions> InfillPlansOf(const FdmSettings& settings) {
                      .density = infill.density,
                      .angle_rad = infill.angle_rad,
                      .width_nm = infill.sparse_width_nm,
-                     .walls_nm = WallsOf(settings.beading[row]),
+                     .walls_nm = infill.walls_nm,
                      .top_solid_layers = infill.top_solid_layers,
                      .bottom_solid_layers = infill.bottom_solid_layers,
                      .interface_shells = infill.interface_shells,
@@ -43,9 +37,13 @@ std::vector<InfillPlanOptions> InfillPlansOf(const FdmSettings& settings) {
 int32_t HaloLayers(const FdmSettings& settings) {
   int32_t halo = BeadingHaloLayers(settings);
   for (const InfillOptions& infill : settings.infill)
-    halo = std::max({halo, infill.top_solid_layers, infill.bottom_solid_layers,
+    halo = std::max({halo, infill.top_solid_layers,
+                     infill.bottom_solid_layers + (BridgesSparse(infill) ? 1 : 0),
                      infill.field_halo_layers, infill.over_bridges ? kOverBridgeHaloLayers : 0});
-  if (LooksBelow(settings.motion)) halo = std::max(halo, 1);
+  const bool winds_up = std::ranges::any_of(
+      settings.planning.objects,
+      [](const ObjectPlanOptions& object) { return object.spiral.width_nm > 0; });
+  if (LooksBelow(settings.motion) || winds_up) halo = std::max(halo, 1);
   return halo;
 }
 

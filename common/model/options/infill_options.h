@@ -68,6 +68,7 @@ struct InfillOptions {
   double bridge_angle_rad = 0;       ///< bridge_angle; 0: found for each bridge
   double bridge_flow = 1;            ///< bridge_flow_ratio: plastic of bridges' beads
   bool thick_bridges = true;         ///< thick_bridges: round threads as wide as the nozzle
+  Coord walls_nm = 0;              ///< how thick the walls are about which it lies
   bool over_bridges = false;       ///< over_bridge_speed: solid infill over bridges goes by itself
   bool interface_shells = false;   ///< interface_shells: skins where another region begins
   Coord nozzle_nm = 400'000;       ///< nozzle_diameter
@@ -87,5 +88,13 @@ struct InfillOptions {
 
   friend bool operator==(const InfillOptions&, const InfillOptions&) = default;
 };
+
+/// Whether skins over sparse infill are bridges: where two beads and more would have room between
+/// its lines. What fields say of densities is not looked at.
+inline bool BridgesSparse(const InfillOptions& options) {
+  constexpr double kDensest = 1.0 / 3;
+  return options.density <= kDensest && options.density_field.empty() &&
+         options.stress_field.empty();
+}
 
 }  // namespace slicefarm

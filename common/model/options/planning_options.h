@@ -19,6 +19,14 @@ enum class SeamPosition : uint8_t {
   kHidden,   ///< in line, where the least is seen of it
 };
 
+/// spiral_vase: hollow layers are printed as one bead that winds up.
+struct SpiralOptions {
+  Coord width_nm = 0;  ///< of the bead; 0: no spiral
+  bool blends = true;  ///< turns lead over into each other: not where their skin is fuzzy
+
+  friend bool operator==(const SpiralOptions&, const SpiralOptions&) = default;
+};
+
 /// What planning is told of one object.
 struct ObjectPlanOptions {
   SeamPosition seam = SeamPosition::kAligned;  ///< seam_position
@@ -28,6 +36,7 @@ struct ObjectPlanOptions {
   std::vector<int32_t> raft_settings = {};  ///< rows, one for each layer of the raft
   SupportOptions support = {};
   SupportRows support_settings = {};
+  SpiralOptions spiral = {};
 
   friend bool operator==(const ObjectPlanOptions&, const ObjectPlanOptions&) = default;
 };

@@ -29,6 +29,9 @@ struct ObjectSlicingOptions {
   /// What that leaves of thin places; PrusaSlicer: width + spacing of the first layer's outer wall.
   Coord elephant_foot_min_width_nm = 757'000;
   Coord lift_nm = 0;  ///< how high above the bed it will stand: the build volume holds that too
+  /// spiral_vase: layers from this one on are hollow, and of their outlines the largest stays; 0:
+  /// none are.
+  int32_t hollow_from = 0;
   AdaptiveHeights adaptive;
   /// layer_height_profile: heights by z, in between in proportion, instead of layer_height, ranges
   /// of heights and `adaptive`; upwards. None: by those.

@@ -128,6 +128,7 @@ absl::Status ToProto(const ObjectSection& section, v1::ObjectSection* proto) {
   PlaceToProto(section, proto);
   proto->set_layer_count(section.layer_count);
   proto->set_z_nm(section.z_nm);
+  proto->set_hollow(section.hollow);
   absl::Status status = AllToProto(section.regions, "regions", proto->mutable_regions());
   if (!section.whole.empty()) status.Update(ToProto(section.whole, proto->mutable_whole()));
   status.Update(AllToProto(section.marks, "marks", proto->mutable_marks()));
@@ -148,6 +149,7 @@ absl::StatusOr<ObjectSection> FromProto(const v1::ObjectSection& proto) {
   section->whole = *std::move(whole);
   status = AllFromProto(proto.marks(), "marks", &section->marks);
   if (!status.ok()) return status;
+  section->hollow = proto.hollow();
   section->z_nm = proto.z_nm();
   if (section->z_nm < 0 || section->z_nm > limits::kMaxCoord)
     return Malformed("z_nm", "is not a height");
@@ -269,6 +271,20 @@ absl::StatusOr<Leave> FromProto(const v1::Leave& proto) {
   return Leave{FromProto(proto.to()), *std::move(way)};
 }
 
+absl::Status ToProto(const SpiralTurn& turn, v1::SpiralTurn* proto) {
+  proto->set_last(turn.last);
+  proto->set_blends(turn.blends);
+  absl::Status status = ToProto(turn.start, proto->mutable_start());
+  if (turn.from) status.Update(ToProto(*turn.from, proto->mutable_from()));
+  return status;
+}
+
+SpiralTurn FromProto(const v1::SpiralTurn& proto) {
+  SpiralTurn turn{FromProto(proto.start()), {}, proto.last(), proto.blends()};
+  if (proto.has_from()) turn.from = FromProto(proto.from());
+  return turn;
+}
+
 absl::Status ToProto(const PathBlock& block, v1::PathBlock* proto) {
   PlaceToProto(block, proto);
   absl::Status status = AllToProto(block.paths, "paths", proto->mutable_paths());
@@ -278,6 +294,10 @@ absl::Status ToProto(const PathBlock& block, v1::PathBlock* proto) {
   if (block.leave) {
     status = ToProto(*block.leave, proto->mutable_leave());
     if (!status.ok()) return Within("leave", status);
+  }
+  if (block.spiral) {
+    status = ToProto(*block.spiral, proto->mutable_spiral());
+    if (!status.ok()) return Within("spiral", status);
   }
   if (!block.carried.empty()) {
     status = ToProto(block.carried, proto->mutable_carried());
@@ -308,6 +328,7 @@ absl::StatusOr<PathBlock> FromProto(const v1::PathBlock& proto) {
   absl::StatusOr<MultiPolygon> carried = FromProto(proto.carried());
   if (!carried.ok()) return Within("carried", carried.status());
   block->carried = *std::move(carried);
+  if (proto.has_spiral()) block->spiral = FromProto(proto.spiral());
   return block;
 }
 

@@ -52,6 +52,9 @@ absl::StatusOr<FilledLayer> FromProto(const v1::FilledLayer& proto);
 absl::Status ToProto(const Travel& travel, v1::Travel* proto);
 absl::StatusOr<Travel> FromProto(const v1::Travel& proto);
 
+absl::Status ToProto(const SpiralTurn& turn, v1::SpiralTurn* proto);
+SpiralTurn FromProto(const v1::SpiralTurn& proto);
+
 absl::Status ToProto(const PathBlock& block, v1::PathBlock* proto);
 absl::StatusOr<PathBlock> FromProto(const v1::PathBlock& proto);
 

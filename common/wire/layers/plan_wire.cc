@@ -104,6 +104,9 @@ absl::Status ToProto(const SectionPlan& plan, v1::SectionPlan* proto) {
   if (!plan.carried.empty())
     if (absl::Status status = ToProto(plan.carried, proto->mutable_carried()); !status.ok())
       return Within("carried", status);
+  if (plan.spiral)
+    if (absl::Status status = ToProto(*plan.spiral, proto->mutable_spiral()); !status.ok())
+      return Within("spiral", status);
   return PackPoints(plan.seams, proto->mutable_seams_xy_nm());
 }
 
@@ -116,6 +119,7 @@ absl::StatusOr<SectionPlan> FromProto(const v1::SectionPlan& proto) {
   SectionPlan plan{
       proto.stack(), FromProto(proto.entry()), {}, *std::move(seams), *std::move(carried)};
   if (proto.has_exit()) plan.exit = FromProto(proto.exit());
+  if (proto.has_spiral()) plan.spiral = FromProto(proto.spiral());
   return plan;
 }
 
@@ -165,6 +169,7 @@ absl::Status ToProto(const LayerPlan& plan, v1::LayerPlan* proto) {
   }
   proto->set_begins_ready(plan.begins_ready);
   proto->set_ends_ready(plan.ends_ready);
+  proto->set_paths_height_nm(plan.paths_height_nm);
   absl::Status status = AllToProto(plan.sections, "sections", proto->mutable_sections());
   if (!status.ok()) return status;
   status = AllToProto(plan.paths, "paths", proto->mutable_paths());
@@ -177,6 +182,9 @@ absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto) {
   plan.entry = FromProto(proto.entry());
   plan.begins_ready = proto.begins_ready();
   plan.ends_ready = proto.ends_ready();
+  plan.paths_height_nm = proto.paths_height_nm();
+  if (plan.paths_height_nm < 0 || plan.paths_height_nm > limits::kMaxCoord)
+    return Malformed("paths_height_nm", "is not a height");
   absl::Status status = AllFromProto(proto.sections(), "sections", &plan.sections);
   status.Update(AllFromProto(proto.paths(), "paths", &plan.paths));
   status.Update(AllFromProto(proto.infill(), "infill", &plan.infill));

@@ -120,6 +120,7 @@ v1::InfillOptions RowToProto(const InfillOptions& options, TextWriter& texts) {
   proto.set_thick_bridges(options.thick_bridges);
   proto.set_nozzle_nm(options.nozzle_nm);
   proto.set_over_bridges(options.over_bridges);
+  proto.set_walls_nm(options.walls_nm);
   proto.set_interface_shells(options.interface_shells);
   proto.set_small_area_flow(options.small_area_flow);
   v1::IroningOptions& ironing = *proto.mutable_ironing();
@@ -173,6 +174,7 @@ absl::StatusOr<InfillOptions> RowFromProto(const v1::InfillOptions& proto,
   options.thick_bridges = proto.thick_bridges();
   options.nozzle_nm = proto.nozzle_nm();
   options.over_bridges = proto.over_bridges();
+  options.walls_nm = proto.walls_nm();
   options.interface_shells = proto.interface_shells();
   options.small_area_flow = proto.small_area_flow();
   options.ironing = {proto.ironing().enabled(), Known<IroningType>(proto.ironing().type()),

@@ -311,6 +311,8 @@ v1::ObjectPlanOptions ToProto(const ObjectPlanOptions& options) {
   *proto.mutable_support() = ToProto(options.support);
   proto.mutable_support_settings()->Assign(options.support_settings.begin(),
                                            options.support_settings.end());
+  proto.mutable_spiral()->set_width_nm(options.spiral.width_nm);
+  proto.mutable_spiral()->set_blends(options.spiral.blends);
   return proto;
 }
 
@@ -329,6 +331,8 @@ absl::StatusOr<ObjectPlanOptions> ObjectFromProto(const v1::ObjectPlanOptions& p
   if (!raft.ok()) return Within("raft", raft.status());
   const absl::StatusOr<SupportOptions> support = SupportFromProto(proto.support());
   if (!support.ok()) return Within("support", support.status());
+  if (proto.spiral().width_nm() < 0 || proto.spiral().width_nm() > limits::kMaxCoord)
+    return Malformed("spiral.width_nm", "is no width");
   ObjectPlanOptions options{
       .seam = Known<SeamPosition>(proto.seam()),
       .brim = *brim,
@@ -336,7 +340,8 @@ absl::StatusOr<ObjectPlanOptions> ObjectFromProto(const v1::ObjectPlanOptions& p
       .raft = *raft,
       .raft_settings = {proto.raft_settings().begin(), proto.raft_settings().end()},
       .support = *support,
-      .support_settings = {}};
+      .support_settings = {},
+      .spiral = {proto.spiral().width_nm(), proto.spiral().blends()}};
   std::ranges::copy(proto.support_settings(), options.support_settings.begin());
   return options;
 }

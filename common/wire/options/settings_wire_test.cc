@@ -143,7 +143,8 @@ PlanningOptions DistinctPlanning() {
   clearance_radius = 151;
   clearance_height = 152;
   ObjectPlanOptions object;
-  auto& [seam, brim, brim_settings, raft, raft_settings, support, support_settings] = object;
+  auto& [seam, brim, brim_settings, raft, raft_settings, support, support_settings, spiral] =
+      object;
   seam = SeamPosition::kRear;
   brim = DistinctBrim();
   brim_settings = 641;
@@ -151,6 +152,7 @@ PlanningOptions DistinctPlanning() {
   raft_settings = {642, 643};
   support = DistinctSupport();
   support_settings = {681, 682, 683, 684, 685};
+  spiral = {686, false};
   objects = {object, {SeamPosition::kNearest}};
   skirt = DistinctSkirt();
   skirt_settings = 644;
@@ -197,7 +199,7 @@ InfillOptions DistinctInfill() {
   auto& [top_layers, bottom_layers, density, pattern, choose_pattern, goal, solid_pattern,
          top_pattern, bottom_pattern, angle, angle_template, solid_angle_template, sparse_width,
          solid_width, top_width, first_layer_width, overlap, solid_below_area, anchor, anchor_max,
-         smoothing, solid_every_layers, bridge_angle, bridge_flow, thick_bridges, over_bridges,
+         smoothing, solid_every_layers, bridge_angle, bridge_flow, thick_bridges, walls, over_bridges,
          interface_shells, nozzle, every_layers, only_where_needed, shells, overhang_lines, ironing,
          small_area_flow, small_area_flow_table, density_field, stress_field, field_halo_layers] =
       options;
@@ -212,6 +214,7 @@ InfillOptions DistinctInfill() {
   small_area_flow = true;
   small_area_flow_table = "0,0.5;3.24,1";
   nozzle = 323;
+  walls = 324;
   every_layers = 321;
   only_where_needed = true;
   shells = ShellThickness::kPartial;
@@ -491,6 +494,7 @@ constexpr char kDistinct[] = R"pb(
         }
       }
       support_settings: [ 681, 682, 683, 684, 685 ]
+      spiral { width_nm: 686 }
     }
     skirt {
       loops: 11
@@ -578,6 +582,7 @@ constexpr char kDistinct[] = R"pb(
     shells: SHELL_THICKNESS_PARTIAL
     overhang_lines: true
     nozzle_nm: 323
+    walls_nm: 324
     over_bridges: true
     interface_shells: true
     small_area_flow: true

@@ -66,8 +66,17 @@ absl::StatusOr<std::vector<SlicedLayer>> TakeLayers(std::vector<SlicedLayer> par
     return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
                      absl::StrCat("planning planned ", plan.layers.size(), " layers and a skirt on ",
                                   skirt.layers, " of ", layers.size()));
-  for (int32_t i = 0; i < skirt.layers; ++i)
-    plan.layers[static_cast<size_t>(i)].paths = skirt.loops;
+  int32_t left = skirt.layers;
+  Coord below_nm = 0;
+  for (size_t i = 0; i < layers.size() && left > 0; ++i) {
+    if (OnlySupports(layers[i])) continue;
+    plan.layers[i].paths = skirt.loops;
+    const LayerFrame& frame = layers[i].frame;
+    if (frame.print_z_nm - below_nm != frame.height_nm)
+      plan.layers[i].paths_height_nm = frame.print_z_nm - below_nm;
+    below_nm = frame.print_z_nm;
+    --left;
+  }
   return layers;
 }
 

@@ -206,6 +206,22 @@ std::optional<std::string> TakeSequentialSkirt(Draft& draft) {
   return note;
 }
 
+/// A vase has one wall, no infill and no top, whatever profiles ask for. Returns what to say of it.
+std::vector<std::string> TakeVase(Draft& draft) {
+  std::vector<std::string> notes;
+  if (draft.Number("spiral_vase") == 0) return notes;
+  constexpr std::pair<std::string_view, double> kVase[] = {
+      {"perimeters", 1}, {"top_solid_layers", 0}, {"fill_density", 0}};
+  for (const auto& [key, value] : kVase) {
+    const Draft::Entry& entry = draft.At(key);
+    if (draft.Number(key) == value) continue;
+    if (entry.given)
+      notes.push_back(fmt::format("{} = {}: it is {} with spiral_vase = 1", key, entry.written, value));
+    draft.SetNumber(key, value);
+  }
+  return notes;
+}
+
 }  // namespace
 
 absl::Status Derive(Draft& draft, ResolvedSettings& result) {
@@ -213,6 +229,7 @@ absl::Status Derive(Draft& draft, ResolvedSettings& result) {
     result.no_effect.push_back(*note);
     result.warnings.push_back(*std::move(note));
   }
+  for (std::string& note : TakeVase(draft)) result.no_effect.push_back(std::move(note));
   TakePercentage(draft, "first_layer_height");
   RaiseTo(draft, "outline_resolution", "resolution");
   DeriveWidths(draft);

@@ -135,6 +135,25 @@ void TakeSupports(JobSettings& settings) {
   support.min_layer_height_nm = std::min(support.min_layer_height_nm, support.layer_height_nm);
 }
 
+/// How thick the walls are of an island that has room for all of them.
+void TakeWalls(JobSettings& settings) {
+  const BeadingOptions& walls = FdmOf(settings).beading[0];
+  FdmOf(settings).infill[0].walls_nm =
+      walls.perimeters == 0 ? 0
+                            : walls.external_width_nm + (walls.perimeters - 1) * walls.inner_width_nm;
+}
+
+/// From where on a vase is hollow: its bottom has no fewer layers than asked for, and one at least.
+void TakeVase(JobSettings& settings) {
+  int32_t& hollow_from = settings.slicing.objects[0].hollow_from;
+  if (hollow_from == 0) return;
+  const FdmSettings& fdm = FdmOf(settings);
+  hollow_from = std::max(1, fdm.infill[0].bottom_solid_layers);
+  FdmOf(settings).planning.objects[0].spiral = {
+      .width_nm = fdm.beading[0].external_width_nm,
+      .blends = fdm.beading[0].fuzzy == FuzzySkin::kNone};
+}
+
 /// A density that depends on the distance to the surface looks as many layers up and down as it
 /// reaches.
 absl::Status TakeDensityField(JobSettings& settings) {
@@ -224,6 +243,8 @@ absl::Status Settle(const Settling& settling) {
   TakeAdhesion(settings);
   TakeAdaptiveHeights(settings);
   TakeSupports(settings);
+  TakeVase(settings);
+  TakeWalls(settings);
   if (absl::Status ok = TakeDensityField(settings); !ok.ok()) return ok;
   if (absl::Status ok = CheckPlannedPattern(FdmOf(settings).infill[0]); !ok.ok()) return ok;
   if (auto note = TakeEveryLayers(settings)) settling.result.no_effect.push_back(*std::move(note));

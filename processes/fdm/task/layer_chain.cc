@@ -22,13 +22,14 @@ Neighbourhood Trimmed(const Neighbourhood& all, int32_t halo) {
           all.layers.subspan(static_cast<size_t>(kept.first), static_cast<size_t>(kept.size()))};
 }
 
-/// Gives motion what it looks at below walls. `plans`: one a layer.
-void AddBelow(std::span<const SlicedLayer> sliced, std::span<const LayerPlan> plans,
+/// Gives motion what it looks at: below walls if it `looks` there, and below turns of a spiral.
+/// `plans`: one a layer.
+void AddBelow(std::span<const SlicedLayer> sliced, std::span<const LayerPlan> plans, bool looks,
               std::vector<OrderedLayer>& ordered) {
   const ObjectLayers stacks(sliced);
   for (size_t i = 0; i < ordered.size(); ++i) {
     for (PathBlock& block : ordered[i].blocks) {
-      if (!block.stack.IsPart() || block.layer == 0) continue;
+      if (!block.stack.IsPart() || block.layer == 0 || !(looks || block.spiral)) continue;
       if (const ObjectSection* below = stacks.Find(block.stack.id, block.layer - 1))
         block.below = OutlineOf(*below);
       const auto& sections = plans[i].sections;
@@ -109,7 +110,7 @@ absl::StatusOr<FdmResult> LayerChain::Run(const StageCall& call, const FdmTask& 
     return ordering_.Order(call, *std::move(filled), task.plans, jobs.ordering);
   });
   if (!ordered.ok()) return ordered.status();
-  if (LooksBelow(settings.motion)) AddBelow(task.layers, task.plans, *ordered);
+  AddBelow(task.layers, task.plans, LooksBelow(settings.motion), *ordered);
   auto programs = Timed(result.times[Stage::kMotion],
                         [&] { return motion_.Program(call, *std::move(ordered), jobs.motion); });
   if (!programs.ok()) return programs.status();

@@ -11,6 +11,7 @@
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/model/bead_section.h"
+#include "common/model/spiral.h"
 #include "services/beading/algo/arachne/arachne_island.h"
 #include "services/beading/algo/classic/classic_island.h"
 #include "services/beading/algo/extra_walls.h"
@@ -217,6 +218,24 @@ std::vector<FillArea> PartByRegion(MultiPolygon area, const Group& group) {
   return areas;
 }
 
+/// The walls of an island; of a hollow section one, along its outline, and nothing inside.
+absl::StatusOr<IslandBeads> WallsOf(const PolygonWithHoles& outline, const SectionPlace& place,
+                                    const IslandWaller& waller, const BeadingOptions& options,
+                                    const CancelToken& cancel, int32_t& plain_islands) {
+  if (!place.section.hollow) return waller.Wall(outline, cancel, plain_islands);
+  if (std::optional<Polygon> loop = SpiralLoop({outline}, options.external_width_nm)) {
+    IslandBeads turn;
+    turn.walls.push_back({.feature = Feature::kExternalPerimeter,
+                          .closed = true,
+                          .points = *std::move(loop),
+                          .widths_nm = {options.external_width_nm}});
+    return turn;
+  }
+  absl::StatusOr<IslandBeads> island = waller.Wall(outline, cancel, plain_islands);
+  if (island.ok()) island->fill_area.clear();
+  return island;
+}
+
 /// Says of each wall whose it is.
 void Sign(const Region& region, std::vector<Path>& walls) {
   for (Path& wall : walls) {
@@ -238,16 +257,17 @@ absl::StatusOr<SectionResult> WallSection(const SectionPlace& place,
   result.walled.height_nm = section.height_nm;
   for (const Group& group : GroupsOf(section, regions)) {
     const Region& first = *group.front();
-    const auto waller = IslandWaller::Make(place, regions[static_cast<size_t>(first.settings)]);
+    const BeadingOptions& options = regions[static_cast<size_t>(first.settings)];
+    const auto waller = IslandWaller::Make(place, options);
     if (!waller.ok()) return waller.status();
     for (const PolygonWithHoles& outline : OutlinesOf(group, section)) {
-      absl::StatusOr<IslandBeads> walls = waller->Wall(outline, cancel, result.plain_islands);
+      absl::StatusOr<IslandBeads> walls =
+          WallsOf(outline, place, *waller, options, cancel, result.plain_islands);
       if (!walls.ok()) return walls.status();
       if (section.stack.IsPart()) {
         NameRings(OutlineOf(section), walls->walls);
         if (section.layer > 0)
-          Roughen(regions[static_cast<size_t>(first.settings)], {section.stack.object, section.layer},
-                  walls->walls);
+          Roughen(options, {section.stack.object, section.layer}, walls->walls);
       }
       Sign(first, walls->walls);
       result.walled.islands.push_back(

@@ -15,15 +15,19 @@
 #include "common/base/error.h"
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/offset/offset.h"
 #include "common/model/bead_section.h"
 #include "common/model/options/fill_angles.h"
 #include "services/infill/algo/fields/mean_density.h"
 #include "services/infill/algo/ironing.h"
+#include "services/infill/algo/patterns/registry.h"
 #include "services/infill/algo/lines/line_flow.h"
 #include "services/infill/algo/quality/fill_plastic.h"
 #include "services/infill/algo/skins/bridge_angle.h"
 #include "services/infill/algo/skins/overhang_fill.h"
 #include "services/infill/algo/skins/skins.h"
+#include "services/infill/algo/skins/sparse_bridges.h"
 #include "services/infill/algo/solid.h"
 #include "services/infill/algo/sparse.h"
 
@@ -32,6 +36,9 @@ namespace {
 
 /// Round threads of thick bridges lie so far apart, edge to edge: they sag, and would touch.
 constexpr double kThreadGapNm = 50'000;
+
+/// Over no infill at all, skins this many beads wide are bridges.
+constexpr double kVoidPitchBeads = 5;
 
 /// A section as all its fill areas see it.
 struct SectionView {
@@ -188,16 +195,22 @@ class RegionFill {
   absl::Status Fill(const FillArea& fill_area, const LayerField* field, Fills& fills) const {
     static const MultiPolygon kNone;
     const MultiPolygon* outline = view_.OutlineAt(view_.layer, row_);
-    const Skins skins = PartFillArea(fill_area.area, outline != nullptr ? *outline : kNone, cover_,
+    Skins skins = PartFillArea(fill_area.area, outline != nullptr ? *outline : kNone, cover_,
                                      {.width_nm = Width(options_.solid_width_nm),
                                       .solid_below_area_mm2 = options_.solid_below_area_mm2,
                                       .all_solid = PlainDensity(field) >= 1 || IsSolidLayer(field),
                                       .shells = options_.shells,
                                       .over_bridges = options_.over_bridges});
+    const auto under = SparseUnder(fill_area, skins, field);
+    if (!under.ok()) return under.status();
+    SparseBridges over_sparse;
+    if (*under)
+      over_sparse = TakeSparseBridges(**under, Width(options_.solid_width_nm), skins);
     const FillPattern inner = cover_.on_bed ? options_.bottom_pattern : options_.solid_pattern;
     absl::Status status = AppendSolid(skins.top, Feature::kTopSolidInfill, options_.top_pattern,
                                       options_.top_width_nm, fills);
     if (status.ok()) status = AppendBridges(skins.bridge, fills);
+    if (status.ok()) status = AppendSparseBridges(over_sparse, fills);
     const auto append = [&](const MultiPolygon& regions, Feature feature, FillPattern pattern) {
       if (status.ok())
         status = AppendSolid(regions, feature, pattern, options_.solid_width_nm, fills);
@@ -283,6 +296,9 @@ class RegionFill {
   BridgeBead BridgeBeadOf(bool carried) const {
     if (!options_.thick_bridges || carried)
       return {Width(options_.solid_width_nm), options_.bridge_flow};
+    return ThreadBead();
+  }
+  BridgeBead ThreadBead() const {
     const double thread_nm =
         static_cast<double>(options_.nozzle_nm) * std::sqrt(options_.bridge_flow);
     const double spacing_nm = thread_nm + kThreadGapNm;
@@ -314,6 +330,91 @@ class RegionFill {
       }
       ScaleSections(bead.share, view_.height_nm, view_.height_nm, lines.paths);
       Append(std::move(lines), asked, fills);
+    }
+    return absl::OkStatus();
+  }
+
+  /// The sparse infill of the layer below; nothing where skins need not bridge it, or there is none.
+  absl::StatusOr<std::optional<SparseBelow>> SparseUnder(const FillArea& fill_area,
+                                                         const Skins& skins,
+                                                         const LayerField* field) const {
+    std::optional<SparseBelow> none;
+    const ObjectSection* section = view_.stacks.Find(view_.stack.id, view_.layer - 1);
+    const MultiPolygon* outline = view_.OutlineAt(view_.layer - 1, row_);
+    if (fill_area.role != Role::kPart || !BridgesSparse(options_) || skins.solid.empty() ||
+        section == nullptr || outline == nullptr || !SkinsBegin(field))
+      return none;
+    SectionView below = view_;
+    --below.layer;
+    below.z_nm = section->z_nm - section->height_nm / 2;
+    below.height_nm = section->height_nm;
+    const bool solid = options_.density > 0 && options_.solid_every_layers > 0 &&
+                       below.layer % options_.solid_every_layers == 0;
+    Skins skins_below = PartFillArea(fill_area.area, *outline, CoverOf(below, options_, row_),
+                                     {.width_nm = options_.solid_width_nm,
+                                      .solid_below_area_mm2 = options_.solid_below_area_mm2,
+                                      .all_solid = solid,
+                                      .shells = options_.shells});
+    SparseBelow sparse{.region = std::move(skins_below.sparse), .beads = {}, .pitch_nm = 0};
+    if (const MultiPolygon* own = view_.OutlineAt(view_.layer, row_); own == nullptr || *own != *outline)
+      sparse.region = Intersection(sparse.region, FastOffset(*outline, -options_.walls_nm));
+    if (sparse.region.empty()) return none;
+    if (absl::Status ok = LayOutBelow(below, sparse); !ok.ok()) return ok;
+    return sparse;
+  }
+
+  /// Whether there may be skins here that the layer below has not: its skins reach one layer less
+  /// high.
+  bool SkinsBegin(const LayerField* field) const {
+    if (IsSolidLayer(field)) return true;
+    const auto& above = cover_.above;
+    return above.size() < 2 || above.back() == nullptr || above.back() != above[above.size() - 2];
+  }
+
+  /// The lines of sparse infill in a layer, where a law says how they lie.
+  absl::Status LayOutBelow(const SectionView& below, SparseBelow& sparse) const {
+    const Coord spacing = Spacing(options_.sparse_width_nm, below.height_nm);
+    const FillPattern pattern = plan_ == nullptr ? options_.pattern : plan_->pattern;
+    const FillPatternInfo& info = InfoOf(pattern);
+    sparse.pitch_nm = options_.density > 0 ? static_cast<double>(spacing) / options_.density
+                                           : kVoidPitchBeads * static_cast<double>(spacing);
+    if (options_.density <= 0 || info.planned || info.solid == SolidWay::kAlongEdge ||
+        (plan_ != nullptr && !plan_->combined.empty()))
+      return absl::OkStatus();
+    const FillAngles angles = AnglesOf(options_, below.layer);
+    const auto pieces =
+        PatternOf(pattern)(sparse.region, {.z_nm = below.z_nm,
+                                           .layer = angles.sparse_planned ? 0 : below.layer,
+                                           .pitch_nm = sparse.pitch_nm,
+                                           .angle_rad = angles.sparse_rad,
+                                           .spacing_nm = spacing,
+                                           .smoothing_nm = options_.smoothing_nm});
+    if (!pieces.ok()) return pieces.status();
+    std::vector<Polyline> lines;
+    for (const Piece& piece : *pieces) {
+      Polyline& line = lines.emplace_back(piece.points);
+      if (piece.closed) line.push_back(piece.points.front());
+    }
+    if (!lines.empty())
+      sparse.beads = OffsetLines(lines, options_.sparse_width_nm / 2, Cap::kButt);
+    return absl::OkStatus();
+  }
+
+  /// Threads from line to line of the sparse infill below, thick whatever thick_bridges says: they
+  /// are seen from nowhere, and must not tear.
+  absl::Status AppendSparseBridges(const SparseBridges& bridges, Fills& fills) const {
+    const BridgeBead bead = ThreadBead();
+    for (const PolygonWithHoles& region : bridges.regions) {
+      const auto span = BridgeAngle(region, bridges.bearers, options_.solid_width_nm);
+      auto lines = SolidLines(region, Feature::kBridgeInfill, FillPattern::kRectilinear,
+                              span ? span->angle_rad : SolidAngle(FillPattern::kRectilinear),
+                              bead.width_nm);
+      if (!lines.ok()) return lines.status();
+      ScaleSections(bead.share, view_.height_nm, view_.height_nm, lines->paths);
+      Append(*std::move(lines),
+             {Feature::kBridgeInfill, FillPattern::kRectilinear, Area(region), view_.height_nm,
+              bead.share},
+             fills);
     }
     return absl::OkStatus();
   }

@@ -51,7 +51,10 @@ bool InBounds(const PathBlock& block) {
   };
   const bool leaves_in_bounds =
       !block.leave || (InBounds(block.leave->to) && has_bounds(block.leave->way));
-  return 0 <= block.height_nm && block.height_nm <= kMaxBeadNm && !block.paths.empty() &&
+  const bool turns_in_bounds =
+      !block.spiral ||
+      (InBounds(block.spiral->start) && InBounds(block.spiral->from.value_or(Point{})));
+  return turns_in_bounds && 0 <= block.height_nm && block.height_nm <= kMaxBeadNm && !block.paths.empty() &&
          (block.travels.empty() || block.travels.size() == block.paths.size()) &&
          leaves_in_bounds && std::ranges::all_of(block.travels, has_bounds) &&
          std::ranges::all_of(block.paths, [](const Path& path) { return InBounds(path); });
@@ -70,11 +73,14 @@ bool AreInOrder(const OrderedLayer& layer) {
   return true;
 }
 
-/// A block is built once for all its visits: it cannot be the first of some and not of others.
+/// A block is built once for all its visits: it cannot be the first of some and not of others. A
+/// layer's only block is the first of all passes.
 bool CanBeReady(const OrderedLayer& layer) {
   if (!layer.begins_ready && !layer.ends_ready) return true;
+  const bool only_block = layer.blocks.size() == 1 && layer.blocks.front().spiral;
   std::vector<int32_t> blocks;
-  for (const BlockVisit& visit : layer.visits) blocks.push_back(visit.block);
+  for (const BlockVisit& visit : layer.visits)
+    blocks.push_back(only_block ? visit.pass : visit.block);
   std::ranges::sort(blocks);
   return std::ranges::adjacent_find(blocks) == blocks.end();
 }

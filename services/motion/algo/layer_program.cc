@@ -106,9 +106,13 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
     ToolpathBuilder builder(options, layer.frame, block.height_nm, GroundOf(layer.frame, block),
                             below ? &*below : nullptr, carried ? &*carried : nullptr);
     if (BeginsReady(block, layer)) builder.BeginReady();
+    if (block.spiral && block.paths.size() == 1) {
+      builder.AddTurn(block.paths.front(), *block.spiral, block.below);
+    } else {
     static const Travel kStraight;
-    for (size_t i = 0; i < block.paths.size(); ++i)
-      builder.Add(block.paths[i], block.travels.empty() ? kStraight : block.travels[i]);
+      for (size_t i = 0; i < block.paths.size(); ++i)
+        builder.Add(block.paths[i], block.travels.empty() ? kStraight : block.travels[i]);
+    }
     Toolpath path = EndsReady(block, layer) ? builder.FinishReady(block.leave) : builder.Finish();
     if (slopes.rise_mm3_s2 > 0 || slopes.fall_mm3_s2 > 0) SmoothFlow(slopes, filament_mm2, path);
     // A mix holds for one move.
@@ -119,13 +123,19 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
   return built;
 }
 
+/// Where the first bead begins: that of a turn of a spiral where the one below ended.
+Point StartOf(const PathBlock& block) {
+  if (block.spiral && block.spiral->blends && block.spiral->from) return *block.spiral->from;
+  return StartOf(block.paths.front());
+}
+
 /// Plate coordinates of where a visit begins and ends.
 Point EntryOf(const BlockVisit& visit, const OrderedLayer& layer) {
   const PathBlock& block = BlockOf(visit, layer);
   const bool turns = layer.begins_ready && &visit == &layer.visits.front() &&
                      !block.travels.empty() && !block.travels.front().corners.empty();
   return visit.shift +
-         (turns ? block.travels.front().corners.front() : StartOf(block.paths.front()));
+         (turns ? block.travels.front().corners.front() : StartOf(block));
 }
 Point ExitOf(const BlockVisit& visit, std::span<const BuiltBlock> built) {
   return visit.shift + built[static_cast<size_t>(visit.block)].Exit();
@@ -154,7 +164,7 @@ class PassProgram {
       stats_.travel_mm += ToMm(Distance(ExitOf(visits[i - 1], built), EntryOf(visits[i], layer)));
     const std::vector<Stretch> stretches = Stretches();
     LayerTiming timing(FirmwareOf(options.flavor), options.limits);
-    AddTimes(stretches, SlowDown(options.cooling, stretches, timing, paths_), stats_);
+    AddTimes(stretches, SlowDown(CoolingOf(visits), stretches, timing, paths_), stats_);
     edges_ = EdgesOf(stretches);
   }
 
@@ -181,6 +191,16 @@ class PassProgram {
   }
 
  private:
+  /// Supports between the part's own layers have no part to cool.
+  CoolingOptions CoolingOf(std::span<const BlockVisit> visits) const {
+    CoolingOptions cooling = options_.cooling;
+    if (std::ranges::all_of(visits, [&](const BlockVisit& visit) {
+          return BlockOf(visit, layer_).stack.kind == StackKind::kSupport;
+        }))
+      cooling.slowdown_below_layer_time_s = 0;
+    return cooling;
+  }
+
   bool Lifts() const { return LiftsIn(options_.retraction, layer_.frame); }
 
   const Toolpath& PathOf(const BlockVisit& visit) const {

@@ -139,6 +139,12 @@ class LayerVisits {
   const std::map<int32_t, ObjectBlocks> by_object_;
 };
 
+/// Whether the layer is a turn of a spiral, which goes on whatever layers do elsewhere.
+bool IsTurn(const LayerPlan& plan) {
+  return std::ranges::any_of(plan.sections,
+                             [](const SectionPlan& section) { return section.spiral.has_value(); });
+}
+
 /// Where a section starts: an object's stacks go on from each other, and so do those of the plate.
 /// What a single copy begins with starts where the nozzle comes from.
 Point EntryOf(const Stack& stack, const OrderedLayer& layer, const LayerPlan& plan,
@@ -164,11 +170,12 @@ absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan
   OrderedLayer ordered{.frame = layer.frame,
                        .blocks = {},
                        .visits = {},
-                       .begins_ready = plan.begins_ready && may_be_ready,
-                       .ends_ready = plan.ends_ready && may_be_ready};
+                       .begins_ready = plan.begins_ready && (may_be_ready || IsTurn(plan)),
+                       .ends_ready = plan.ends_ready && (may_be_ready || IsTurn(plan))};
   if (!plan.paths.empty())
     ordered.blocks.push_back(
-        {kSkirtStack, layer.frame.index, layer.frame.height_nm, plan.paths, {}});
+        {kSkirtStack, layer.frame.index,
+         plan.paths_height_nm > 0 ? plan.paths_height_nm : layer.frame.height_nm, plan.paths, {}});
   for (FilledSection& section : layer.sections) {
     WorkBudget budget{options.improvement_moves};
     SectionPlan section_plan = PlanOf(section.stack, plan);

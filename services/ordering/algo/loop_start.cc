@@ -63,7 +63,18 @@ size_t NearestCorner(std::span<const Point> loop, Point to, double reach_nm) {
   return best;
 }
 
-/// The place of the loop that is nearest to `to`.
+/// Width at `at` between the points of an edge.
+Coord WidthBetween(const Path& path, size_t edge, Point at) {
+  const size_t next = (edge + 1) % path.points.size();
+  const double length = Distance(path.points[edge], path.points[next]);
+  const double share = length > 0 ? Distance(path.points[edge], at) / length : 0;
+  const auto from = static_cast<double>(path.WidthAt(edge));
+  const auto to = static_cast<double>(path.WidthAt(next));
+  return std::llround(from + share * (to - from));
+}
+
+}  // namespace
+
 LoopPlace NearestPlace(std::span<const Point> loop, Point to) {
   LoopPlace best{0, loop[0]};
   double least = std::numeric_limits<double>::infinity();
@@ -76,18 +87,6 @@ LoopPlace NearestPlace(std::span<const Point> loop, Point to) {
   }
   return best;
 }
-
-/// Width at `at` between the points of an edge.
-Coord WidthBetween(const Path& path, size_t edge, Point at) {
-  const size_t next = (edge + 1) % path.points.size();
-  const double length = Distance(path.points[edge], path.points[next]);
-  const double share = length > 0 ? Distance(path.points[edge], at) / length : 0;
-  const auto from = static_cast<double>(path.WidthAt(edge));
-  const auto to = static_cast<double>(path.WidthAt(next));
-  return std::llround(from + share * (to - from));
-}
-
-}  // namespace
 
 LoopPlace NearestVertex(std::span<const Point> loop, Point to) {
   LoopPlace best;

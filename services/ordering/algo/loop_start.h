@@ -15,6 +15,9 @@ struct LoopPlace {
   friend bool operator==(const LoopPlace&, const LoopPlace&) = default;
 };
 
+/// The place nearest to `to`, wherever it lies. REQUIRES: loop not empty.
+LoopPlace NearestPlace(std::span<const Point> loop, Point to);
+
 /// The vertex nearest to `to`; of several, the least. REQUIRES: loop not empty.
 LoopPlace NearestVertex(std::span<const Point> loop, Point to);
 

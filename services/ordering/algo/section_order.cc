@@ -11,6 +11,7 @@
 #include "services/ordering/algo/comb/island_travels.h"
 #include "services/ordering/algo/comb/outside_travels.h"
 #include "services/ordering/algo/fill_order.h"
+#include "services/ordering/algo/loop_start.h"
 #include "services/ordering/algo/path_key.h"
 #include "services/ordering/algo/route.h"
 #include "services/ordering/algo/wall_order.h"
@@ -140,8 +141,29 @@ void PrintIsland(FilledIsland& island, std::optional<Point> next, const Ordering
 
 }  // namespace
 
+namespace {
+
+/// The only path of a turn of a spiral, from where it starts; none if the section is not that.
+std::optional<PathBlock> TurnOf(FilledSection& section, const SectionPlan& plan, bool clockwise) {
+  if (!plan.spiral || section.islands.size() != 1) return std::nullopt;
+  FilledIsland& island = section.islands.front();
+  if (island.walls.size() != 1 || !island.fills.empty() || !island.walls.front().closed)
+    return std::nullopt;
+  Path& loop = island.walls.front();
+  if (clockwise) Reverse(loop);
+  StartAt(NearestPlace(loop.points, plan.spiral->start), loop);
+  PathBlock block{
+      .stack = section.stack, .layer = section.layer, .height_nm = section.height_nm, .paths = {}};
+  block.paths.push_back(std::move(loop));
+  block.spiral = plan.spiral;
+  return block;
+}
+
+}  // namespace
+
 PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
                        const OrderingOptions& options, WorkBudget& budget) {
+  if (auto turn = TurnOf(section, plan, options.clockwise)) return *std::move(turn);
   const std::vector<Stop> stops = StopsOf(section, plan);
   std::vector<Leg> legs;
   legs.reserve(stops.size());

@@ -14,6 +14,7 @@
 #include "services/planning/algo/infill/infill_planner.h"
 #include "services/planning/algo/seams/seam_planner.h"
 #include "services/planning/algo/sequence/sequence_planner.h"
+#include "services/planning/algo/spiral/spiral_planner.h"
 #include "services/planning/algo/supports/supports_planner.h"
 #include "services/planning/algo/travel/travel_planner.h"
 
@@ -74,6 +75,8 @@ JobPlanner::JobPlanner(const PlanningOptions& options, std::span<const PlacedCop
   planners_.push_back(std::make_unique<TravelPlanner>(copies));
   if (options.sequence.complete_objects)
     planners_.push_back(std::make_unique<SequencePlanner>(options.sequence, copies, object_names));
+  if (SpiralPlanner::IsNeeded(options))
+    planners_.push_back(std::make_unique<SpiralPlanner>(options, copies));
   planners_.push_back(std::make_unique<AdhesionPlanner>(options, copies));
   if (InfillPlanner::IsNeeded(options))
     planners_.push_back(std::make_unique<InfillPlanner>(options, object_names));
@@ -87,6 +90,7 @@ absl::StatusOr<JobPlanner> JobPlanner::Make(const PlanningOptions& options,
     if (absl::Status ok = CheckObject(copy.object, options); !ok.ok()) return ok;
   for (const ObjectPlanOptions& object : options.objects)
     if (absl::Status ok = CheckRaft(object); !ok.ok()) return ok;
+  if (absl::Status ok = SpiralPlanner::Check(options, copies); !ok.ok()) return ok;
   if (absl::Status ok = CheckRaftsAreAlike(options, copies, object_names); !ok.ok()) return ok;
   return JobPlanner(options, copies, object_names, threads);
 }

@@ -21,6 +21,7 @@
 #include "services/slicing/algo/placement/orientation/orientation_advice.h"
 #include "services/slicing/algo/placement/prepared_object.h"
 #include "services/slicing/algo/section/adaptive_heights.h"
+#include "services/slicing/algo/section/largest_contour.h"
 #include "services/slicing/algo/section/layer_heights.h"
 #include "services/slicing/algo/section/open_loops.h"
 #include "services/slicing/algo/section/regions.h"
@@ -158,6 +159,8 @@ class SlicingRun {
         section.layer_count = static_cast<int32_t>(planes.size());
         section.height_nm = plane.frame.height_nm;
         section.z_nm = plane.frame.print_z_nm;
+        const int32_t hollow_from = options_.objects[object].hollow_from;
+        section.hollow = hollow_from > 0 && section.layer >= hollow_from;
         by_top[plane.frame.print_z_nm].push_back(std::move(section));
       }
     }
@@ -258,6 +261,7 @@ class SlicingRun {
     section.regions = std::move(partition.regions);
     section.whole = std::move(partition.whole);
     section.marks = std::move(partition.marks);
+    if (section.hollow) KeepLargestContour(section);
   }
 
   /// The index of the range of heights that holds the section; that of all others is the last.

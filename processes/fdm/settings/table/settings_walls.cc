@@ -30,6 +30,15 @@ SettingSpec OfNozzle(std::string_view key, std::string_view standard, std::strin
           .field = field};
 }
 
+/// From which layer on follows from other settings (settle.h).
+void SetSpiral(JobSettings& settings, const Value& value) {
+  settings.slicing.objects[0].hollow_from = value.number != 0 ? 1 : 0;
+}
+
+Value Spiral(const JobSettings& settings) {
+  return {.number = settings.slicing.objects[0].hollow_from > 0 ? 1.0 : 0.0};
+}
+
 std::vector<SettingSpec> VariableWalls() {
   const auto generator = [](WallGenerator value) { return static_cast<int>(value); };
   return {
@@ -162,6 +171,13 @@ std::vector<SettingSpec> WallSettings() {
                    {"top", static_cast<int>(OneWallOnTop::kSurfaces)},
                    {"topmost", static_cast<int>(OneWallOnTop::kTopmost)}},
        .field = Bind([](auto& s) -> auto& { return s.beading[0].one_on_top; })},
+      {.key = "spiral_vase",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Above the solid bottom layers the outline of one object is one bead that winds up: "
+              "no seam, no infill, no top; of each layer the largest contour counts. Several "
+              "copies need complete_objects",
+       .field = {SetSpiral, Spiral}},
       {.key = "extra_perimeters",
        .kind = Kind::kFlag,
        .standard = "0",

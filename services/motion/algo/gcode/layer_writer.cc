@@ -34,6 +34,7 @@ void WriteFan(int32_t percent, GcodeText& out) {
 void LayerWriter::Write(const Toolpath& path, size_t first, size_t last, ShiftUm shift,
                         GcodeText& out) {
   at_.reset();
+  if (z_um_ == -1) z_um_ = path.start_z_um;
   auto arc = std::ranges::lower_bound(path.arcs, first, {}, &MoveArc::first);
   for (size_t i = first; i < last;) {
     if (arc != path.arcs.end() && arc->first == i) {
@@ -147,7 +148,7 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
   TellWipe(move.kind == MoveKind::kWipe, out);
   if (WriteByFirmware(move, out)) return;
   const bool climbs = (move.kind == MoveKind::kPrint || move.kind == MoveKind::kTravel) &&
-                      z_um_ != -1 && move.z_um != z_um_;
+                      move.z_um != z_um_;
   SetAcceleration(move, out);
   out << "G1";
   if (MovesInPlane(move.kind)) WritePlace({move.x_um + shift.x, move.y_um + shift.y}, out);

@@ -13,6 +13,7 @@
 #include "services/motion/algo/gcode/material_mix.h"
 #include "services/motion/algo/toolpath/open_seam.h"
 #include "services/motion/algo/toolpath/scarf.h"
+#include "services/motion/algo/toolpath/spiral_turn.h"
 #include "services/motion/algo/toolpath/travel_ramp.h"
 
 namespace slicefarm::motion {
@@ -78,6 +79,31 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
   at_.z_um = path_.start_z_um;
 }
 
+void ToolpathBuilder::BeginPath(const Path& path, const SimplifiedPath& simple) {
+  print_acceleration_ = accelerations_.Print(path.feature);
+  at_.feature = path.feature;
+  at_.height_um = ToUm(bead_height_nm_);
+  at_.of_surface = IsWall(path.feature) && path.inset <= 1;
+  flow_ = simple.flow;
+}
+
+void ToolpathBuilder::AddTurn(const Path& path, const SpiralTurn& turn, const MultiPolygon& below) {
+  const SimplifiedPath simple =
+      Simplified(path, {.tolerance_nm = options_.resolution_nm, .bead_height_nm = bead_height_nm_});
+  BeginPath(path, simple);
+  const int64_t filament_before = filament_;
+  const int32_t top_um = std::exchange(z_um_, bottom_um_);
+  const bool goes_on = turn.blends && turn.from;
+  Approach(goes_on ? *turn.from : StartOf(path), {.hidden = !retracted_, .corners = {}});
+  if (retracted_) Restart();
+  z_um_ = top_um;
+  PrintTurn(simple, turn, below, speeds_.Of(path, ToMm(PathLength(path))));
+  moved_on_ = false;
+  wipe_way_.clear();
+  if (wipe_.length_mm > 0) wipe_way_ = WipeWay(simple.path, wipe_.length_mm);
+  Count(simple.path, filament_ - filament_before);
+}
+
 void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
   const ScarfOptions& scarf = options_.speeds[static_cast<size_t>(path.settings)].scarf;
   const bool scarfed = !first_layer_ && HasScarf(path, scarf);
@@ -89,11 +115,7 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
                         .keep_arcs = arcs,
                         .width_share = IsSolidInfill(path.feature) ? kSolidWidthShare : 0});
   const double speed_mm_s = speeds_.Of(path, ToMm(PathLength(path)));
-  print_acceleration_ = accelerations_.Print(path.feature);
-  at_.feature = path.feature;
-  at_.height_um = ToUm(bead_height_nm_);
-  at_.of_surface = IsWall(path.feature) && path.inset <= 1;
-  flow_ = simple.flow;
+  BeginPath(path, simple);
   const int64_t filament_before = filament_;
   if (path_.approach == Toolpath::kNone) {
     Approach(StartOf(path), retracted_ ? Travel{} : travel);
@@ -166,6 +188,43 @@ void ToolpathBuilder::PrintScarf(const Path& path, const ScarfOptions& options, 
     PrintSegment(from, piece.to, bead);
     from = piece.to;
   }
+}
+
+void ToolpathBuilder::PrintTurn(const SimplifiedPath& simple, const SpiralTurn& turn,
+                                const MultiPolygon& below, double speed_mm_s) {
+  const auto height_um = static_cast<double>(z_um_ - bottom_um_);
+  const Coord width_nm = simple.path.widths_nm.front();
+  std::optional<RestAlong> rest = RestUnder(simple.path);
+  Point from{FromUm(at_.x_um), FromUm(at_.y_um)};
+  double from_rise = 0;
+  for (const TurnPiece& piece : TurnOf(simple.path, turn, below)) {
+    const Point start = from;
+    const double length = Distance(start, piece.to);
+    at_.height_um = std::max(1, static_cast<int32_t>(std::lround(piece.flow * height_um)));
+    std::vector<RestingPiece> parts = {{piece.to, kFullRest}};
+    if (rest) parts = rest->PiecesOf(start, piece.to, width_nm);
+    for (const RestingPiece& part : parts) {
+      const double share = length > 0 ? Distance(start, part.to) / length : 1;
+      const double rise = from_rise + share * (piece.rise - from_rise);
+      at_.z_um = bottom_um_ + static_cast<int32_t>(std::lround(rise * height_um));
+      at_.rest = part.rest;
+      Bead bead = BeadOf(width_nm, TurnSpeed(simple.path, speed_mm_s, part.rest));
+      bead.filament_per_mm *= piece.flow;
+      PrintSegment(from, part.to, bead);
+      from = part.to;
+    }
+    from_rise = piece.rise;
+  }
+  at_.rest = kFullRest;
+}
+
+/// Over air as fast as a bridge.
+double ToolpathBuilder::TurnSpeed(const Path& path, double speed_mm_s, uint8_t rest) const {
+  const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
+  const double bridge_mm_s = region.speed_mm_s[static_cast<size_t>(Feature::kOverhangPerimeter)];
+  const bool as_bridge = rest == 0 && region.bridging_walls && !region.dynamic_overhangs;
+  if (as_bridge && bridge_mm_s > 0) return bridge_mm_s;
+  return speeds_.OverAir(path, speed_mm_s, rest);
 }
 
 /// Nothing: it is printed alike whatever lies below it.

@@ -47,6 +47,13 @@ class ToolpathBuilder {
   /// `travel`: the way to it; of the first path it is looked at after BeginReady alone.
   void Add(const Path& path, const Travel& travel = {});
 
+  /// The only bead of a layer: a loop along which the nozzle rises from the bottom of the layer to
+  /// its top. Where it leads over from the turn below, which ran along the outline `below`, each
+  /// point lies between the two by how far along the loop it is. The first turn grows from nothing,
+  /// and over the last one a level one thins out to nothing, so that all together are as much as as
+  /// many loops. `path` starts where the turn does.
+  void AddTurn(const Path& path, const SpiralTurn& turn, const MultiPolygon& below);
+
   /// Hands over what was added, after a retraction. To be called once.
   Toolpath Finish();
 
@@ -69,6 +76,10 @@ class ToolpathBuilder {
   void GoTo(Point to, const Travel& travel);
   void Rise(std::span<const PlaceUm> way);
   void PrintSegments(const SimplifiedPath& simple, double speed_mm_s);
+  void BeginPath(const Path& path, const SimplifiedPath& simple);
+  double TurnSpeed(const Path& path, double speed_mm_s, uint8_t rest) const;
+  void PrintTurn(const SimplifiedPath& simple, const SpiralTurn& turn, const MultiPolygon& below,
+                 double speed_mm_s);
   void PrintScarf(const Path& path, const ScarfOptions& options, double speed_mm_s);
   std::optional<RestAlong> RestUnder(const Path& path) const;
   void PrintOverAir(const Path& path, Point from, const std::vector<RestingPiece>& pieces,

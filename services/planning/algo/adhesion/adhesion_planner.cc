@@ -59,9 +59,10 @@ void AdhesionPlanner::Look(const SlicedLayer& layer, LayerPlan&) {
   if (frame.index == 0) first_height_nm_ = frame.height_nm;
   for (const ObjectSection& section : layer.sections) {
     if (OutlineOf(section).empty()) continue;
-    if (section.stack.IsPart()) layers_ = frame.index + 1;
+    if (section.stack.IsPart()) layers_ = below_ + 1;
     LookAt(layer, section);
   }
+  if (!OnlySupports(layer)) ++below_;
 }
 
 void AdhesionPlanner::LookAt(const SlicedLayer& layer, const ObjectSection& section) {
@@ -73,7 +74,7 @@ void AdhesionPlanner::LookAt(const SlicedLayer& layer, const ObjectSection& sect
     MultiPolygon& own = section.stack.kind == StackKind::kRaft ? seen.raft : seen.on_bed;
     own = own.empty() ? outline : Union(own, outline);
   }
-  if (frame.index < SkirtLayers(options_.skirt, frame.index + 1)) {
+  if (below_ < SkirtLayers(options_.skirt, below_ + 1)) {
     for (const PolygonWithHoles& island : outline)
       seen.hull.insert(seen.hull.end(), island.outer.begin(), island.outer.end());
     seen.hull = ConvexHull(std::move(seen.hull));

@@ -70,7 +70,8 @@ class AdhesionPlanner : public Planner {
   const Polygon bed_;
   const bool wanted_;
   std::map<int32_t, Seen> seen_;  ///< by object; the plate's too
-  int32_t layers_ = 0;            ///< up to the last one with outlines of parts
+  int32_t below_ = 0;   ///< layers seen, but for those of supports alone
+  int32_t layers_ = 0;  ///< of them, up to the last one with outlines of parts
   Coord first_height_nm_ = 0;
 };
 

@@ -12,6 +12,7 @@
 #include "common/geometry/rings/simplify.h"
 #include "services/planning/algo/support/raster.h"
 #include "services/planning/algo/support/reach_field.h"
+#include "services/planning/algo/support/tolerances.h"
 #include "services/planning/algo/support/widened.h"
 
 namespace slicefarm::planning {
@@ -25,10 +26,6 @@ constexpr double kLeastAreaNm2 = 0.05e12;
 constexpr double kMostPixels = 2'000'000;
 /// Layers that are worked on together; their pixels are kept at once.
 constexpr size_t kLayersAtOnce = 32;
-
-/// For so many layers from its top down a contact has its exact outline: there the part is so near
-/// that the edges of pixels would look like contacts at the wrong distance. Then its pixels go on.
-constexpr uint8_t kExactLayers = 4;
 
 /// One layer on its way.
 struct RasterLayer {
@@ -192,7 +189,7 @@ class ColumnMaker {
       if (wanted_[i] & (useless[i] ^ 1)) state = 1;
       if (blocked[i]) state = 0;
       // Beside the part a pixel that holds a contact may be free only below.
-      if (contact[i] && state == 0) state = kExactLayers + 1;
+      if (contact[i] && state == 0) state = support::kExactLayers + 1;
       state_[i] = state;
       column[i] = state == 1 ? 1 : 0;
     }
@@ -226,7 +223,7 @@ class ColumnMaker {
       Polygon simple = SimplifyRing(ring, grid_.pixel_nm * 105 / 100);
       if (simple.size() >= 3) rings.push_back(std::move(simple));
     }
-    for (size_t i = index; i < std::min(contacts_.size(), index + kExactLayers); ++i)
+    for (size_t i = index; i < std::min(contacts_.size(), index + support::kExactLayers); ++i)
       // Those of higher steps a little more, so that none is apart from the next.
       for (Polygon& ring : Rings(i == index ? contacts_[i] : FastOffset(contacts_[i], 2 * kEdgeNm)))
         rings.push_back(std::move(ring));

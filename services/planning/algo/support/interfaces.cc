@@ -51,6 +51,22 @@ MultiPolygon WithoutTeeth(const MultiPolygon& base, Coord width_nm) {
   return core.empty() ? base : Intersection(base, FastOffset(core, width_nm * 9 / 20));
 }
 
+/// Moves islands of the base to `top` that a base's lines may miss: those right under contacts,
+/// narrower than the lines' distance. A column holds a line all along; what has a contact's own
+/// outline may not, and the interface would be printed into the air.
+void TakeNarrow(const MultiPolygon& contacts, Coord spacing_nm, MultiPolygon& base,
+                MultiPolygon& top) {
+  MultiPolygon narrow;
+  std::erase_if(base, [&](const PolygonWithHoles& island) {
+    const Box box = Bounds(island.outer);
+    const Coord width_nm = std::min(box.max.x - box.min.x, box.max.y - box.min.y);
+    if (width_nm >= spacing_nm || Intersection({island}, contacts).empty()) return false;
+    narrow.push_back(island);
+    return true;
+  });
+  if (!narrow.empty()) top = top.empty() ? narrow : Union(top, narrow);
+}
+
 /// Contacts of this layer and of the n - 1 above.
 size_t EndOfSheet(size_t layer, size_t count, const SupportOptions& options) {
   return std::min(count, layer + static_cast<size_t>(std::max(1, options.top_interface_layers)));
@@ -137,6 +153,8 @@ std::vector<SupportLayer> ColumnLayers(const SupportProblem& problem, const Supp
     const MultiPolygon bottom = Intersection(floors[i], base);
     if (!bottom.empty()) base = Difference(base, bottom);
     base = WithoutTeeth(base, options.width_nm);
+    const MultiPolygon under = UnionOf(contacts, i, std::min(count, i + support::kExactLayers));
+    if (!under.empty()) TakeNarrow(under, options.spacing_nm + options.width_nm, base, top);
     Add(SupportRole::kBase, std::move(base), layers[i]);
     Add(SupportRole::kTopInterface, std::move(top), layers[i]);
     Add(SupportRole::kBottomInterface, bottom, layers[i]);

@@ -54,6 +54,18 @@ TEST_F(InterfacesTest, OfColumns) {
   }
 }
 
+// The lines of a base may pass a narrow island by, and the interface would have nothing below it.
+TEST_F(InterfacesTest, NarrowIslandsUnderContactsAreInterface) {
+  SupportOptions options;
+  options.top_interface_layers = 2;
+  for (MultiPolygon& body : bodies_) body = BoxOf(0, 0, 1, 4);
+  contacts_.back() = BoxOf(0, 0, 1, 4);
+  const SupportProblem problem = plate_.Problem();
+  const auto layers = ColumnLayers(problem, Even(), bodies_, contacts_, options, 1);
+  for (size_t i = 0; i < kLayers; ++i)
+    EXPECT_NEAR(AreaOf(layers, i, SupportRole::kTopInterface), i + 4 >= kLayers ? 4 : 0, 1e-6) << i;
+}
+
 TEST_F(InterfacesTest, NoneIfNoneAreWanted) {
   SupportOptions options;
   options.top_interface_layers = options.bottom_interface_layers = 0;

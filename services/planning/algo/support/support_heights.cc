@@ -1,6 +1,7 @@
 #include "services/planning/algo/support/support_heights.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace slicefarm::planning {
@@ -9,20 +10,37 @@ namespace {
 /// Tops that differ by less are one.
 constexpr Coord kSameNm = 1'000;
 
-/// Adds layers from the top of the last one to `top_nm`.
-void FillUpTo(Coord top_nm, const SupportOptions& options, std::vector<SupportHeight>& layers) {
-  Coord from = layers.empty() ? 0 : layers.back().top_nm;
-  if (layers.empty() && top_nm > options.first_layer_height_nm + kSameNm &&
-      top_nm - options.first_layer_height_nm >= options.min_layer_height_nm) {
-    layers.push_back({0, options.first_layer_height_nm});
-    from = options.first_layer_height_nm;
+/// A layer between contacts takes the height of a layer of the part that is so near; a contact only
+/// goes down, and by less.
+constexpr Coord kSnapNm = 20'000, kSnapContactNm = 8'000;
+
+/// The top of a layer of the part in [top_nm - below_nm, top_nm + above_nm], the nearest to `top_nm`;
+/// else `top_nm`. A layer of the print for each of two heights that near would be printed for nothing.
+Coord Snapped(Coord top_nm, Coord below_nm, Coord above_nm, const SupportProblem& problem) {
+  const auto from = std::ranges::lower_bound(problem.part, top_nm - below_nm, {}, &PartLayer::top_nm);
+  Coord nearest = top_nm, least = below_nm + above_nm + 1;
+  for (auto layer = from; layer != problem.part.end() && layer->top_nm <= top_nm + above_nm; ++layer) {
+    const Coord distance = std::abs(layer->top_nm - top_nm);
+    if (distance < least) nearest = layer->top_nm;
+    least = std::min(least, distance);
   }
+  return nearest;
+}
+
+/// Adds layers from the top of the last one to `top_nm`. The first one is as high as the part's own:
+/// no nozzle prints lower.
+void FillUpTo(Coord top_nm, const SupportProblem& problem, const SupportOptions& options,
+              std::vector<SupportHeight>& layers) {
+  if (layers.empty()) layers.push_back({0, options.first_layer_height_nm});
+  const Coord from = layers.back().top_nm;
   const Coord rise = top_nm - from;
-  if (rise <= 0) return;
+  if (rise < std::max<Coord>(1, options.min_layer_height_nm)) return;
   const Coord most = std::max<Coord>(1, options.layer_height_nm + kSameNm);
   const Coord count = (rise + most - 1) / most;
-  for (Coord i = 0; i < count; ++i)
-    layers.push_back({from + rise * i / count, from + rise * (i + 1) / count});
+  const Coord reach = std::min(kSnapNm, rise / count / 4);
+  for (Coord i = 1; i < count; ++i)
+    layers.push_back({layers.back().top_nm, Snapped(from + rise * i / count, reach, reach, problem)});
+  layers.push_back({layers.back().top_nm, top_nm});
 }
 
 /// The tops that overhangs ask for: by height, each with the layers of the part that ask for it.
@@ -40,7 +58,8 @@ std::vector<std::pair<Coord, size_t>> TopsWanted(const SupportProblem& problem,
       if (above == problem.part.begin()) continue;
       top = std::prev(above)->top_nm;
     }
-    if (top >= options.min_layer_height_nm) tops.push_back({top, i});
+    if (!options.synchronize_layers) top = Snapped(top, kSnapContactNm, 0, problem);
+    if (top >= options.first_layer_height_nm - kSameNm) tops.push_back({top, i});
   }
   return tops;
 }
@@ -73,7 +92,7 @@ SupportHeights HeightsFor(const SupportProblem& problem, const std::vector<Overh
       continue;
     }
     if (layers.empty() || top - layers.back().top_nm >= options.min_layer_height_nm)
-      FillUpTo(top, options, layers);
+      FillUpTo(top, problem, options, layers);
     heights.under[part_layer] = static_cast<int32_t>(layers.size()) - 1;
   }
   return heights;

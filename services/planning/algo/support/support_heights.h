@@ -26,9 +26,10 @@ struct SupportHeights {
 
 /// Layers with a top top_gap_nm below each layer of the part that hangs over. Tops that
 /// are nearer than min_layer_height_nm to each other become the lower one. Between them layers are
-/// as high as can be up to layer_height_nm; the first one is first_layer_height_nm if that fits.
+/// as high as can be up to layer_height_nm, or a tenth more where that is the top of a layer of the
+/// part; the first one is first_layer_height_nm, as the part's own.
 /// With synchronize_layers tops are those of the part's layers, the next below what they carry.
-/// Overhangs so low that not even the lowest layer fits under them have none: the bed is near.
+/// Overhangs so low that the first layer does not fit under them have none: the bed is near.
 SupportHeights HeightsFor(const SupportProblem& problem, const std::vector<Overhang>& overhangs,
                           const SupportOptions& options);
 

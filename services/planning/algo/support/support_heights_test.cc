@@ -69,6 +69,34 @@ TEST(HeightsFor, NoRoomUnderTheSecondLayer) {
   EXPECT_THAT(Tops(heights), ElementsAre(0.2));
 }
 
+// The nozzle would be too near to the bed, and the part's first layer no first layer any more.
+TEST(HeightsFor, TheFirstLayerIsNeverLowerThanThePartsOwn) {
+  SupportOptions options;
+  options.top_gap_nm = 150'000;
+  const struct {
+    const char* name;
+    std::vector<size_t> hanging;
+    std::vector<double> tops;
+  } cases[] = {
+      {"below it", {1}, {}},                     // 0.05
+      {"a little above it", {2}, {0.2}},         // 0.25
+      {"both, and more", {1, 2, 3}, {0.2, 0.325, 0.45}},
+  };
+  for (const auto& [name, hanging, tops] : cases) {
+    const SupportHeights heights = HeightsFor(kPart.Problem(), In(20, hanging), options);
+    EXPECT_EQ(Tops(heights), tops) << name;
+    EXPECT_EQ(heights.under[1], -1) << name;
+  }
+}
+
+TEST(HeightsFor, LayersThatLieNearThePartsAreAtItsHeights) {
+  SupportOptions options;
+  options.top_gap_nm = 195'000;
+  // 1.005 would be a layer of the print beside 1.0; between, fifths of it.
+  const SupportHeights heights = HeightsFor(kPart.Problem(), In(20, {6}), options);
+  EXPECT_THAT(Tops(heights), ElementsAre(0.2, 0.4, 0.6, 0.8, 1.0));
+}
+
 TEST(HeightsFor, SynchronizedTopsAreThePartsOwn) {
   SupportOptions options;
   options.top_gap_nm = 150'000;

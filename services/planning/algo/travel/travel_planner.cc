@@ -142,6 +142,7 @@ absl::Status TravelPlanner::Finish(const CancelToken& cancel, OpenLayers& layers
     SectionPlan* const left = FindPlanOf(copy.object, below);
     const SectionPlan* const entered = FindPlanOf(copy.object, above);
     if (left == nullptr || entered == nullptr) continue;  // one has supports alone
+    if (left->spiral || entered->spiral) continue;        // they meet where turns do
     const RingRange rings = last_rings_[static_cast<size_t>(i - 1)];
     const auto meeting = SeamToMeetAt(*entered, SeamsOf(*left, rings));
     if (!meeting || begins_with_support_[static_cast<size_t>(i)]) continue;

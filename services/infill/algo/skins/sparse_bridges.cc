@@ -1,0 +1,63 @@
+#include "services/infill/algo/skins/sparse_bridges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/rings/simplify.h"
+
+namespace slicefarm::infill {
+namespace {
+
+/// Results of boolean operations have steps of noise, which miters would make longer.
+constexpr Coord kStepsNm = 5'000;
+
+MultiPolygon Grown(const MultiPolygon& region, Coord by_nm) {
+  return FastOffset(Simplify(region, kStepsNm), by_nm);
+}
+
+/// What of `region` is at least `width_nm` wide, and what lies beside that within half as much.
+MultiPolygon WidePart(const MultiPolygon& region, Coord width_nm) {
+  const MultiPolygon core = Grown(region, -width_nm / 2);
+  if (core.empty()) return {};
+  return Intersection(region, Grown(core, width_nm));
+}
+
+/// The cells between beads that `bridged` reaches into by more than a dot.
+MultiPolygon CellsUnder(const MultiPolygon& bridged, const MultiPolygon& cells, Coord width_nm) {
+  const double dot = static_cast<double>(width_nm) * static_cast<double>(width_nm);
+  MultiPolygon reached;
+  for (const PolygonWithHoles& cell : cells)
+    if (Area(Intersection({cell}, bridged)) > std::min(dot, Area(cell) / 2))
+      reached.push_back(cell);
+  return reached;
+}
+
+/// With whole cells, and onto the beads around them.
+MultiPolygon ToBeads(const MultiPolygon& bridged, const SparseBelow& below,
+                     const MultiPolygon& room, Coord width_nm) {
+  const auto reach_nm = static_cast<Coord>(std::llround(below.pitch_nm));
+  const MultiPolygon near = Intersection(room, Grown(bridged, reach_nm));
+  const MultiPolygon cells =
+      CellsUnder(bridged, Difference(Intersection(near, below.region), below.beads), width_nm);
+  return Intersection(near, Grown(Union(bridged, cells), width_nm));
+}
+
+}  // namespace
+
+SparseBridges TakeSparseBridges(const SparseBelow& below, Coord width_nm, Skins& skins) {
+  const auto least_nm = static_cast<Coord>(std::llround(below.pitch_nm)) + width_nm;
+  MultiPolygon bridged = WidePart(Intersection(skins.solid, below.region), least_nm);
+  if (bridged.empty()) return {};
+  const MultiPolygon room = Union(skins.solid, skins.sparse);
+  if (!below.beads.empty()) bridged = ToBeads(bridged, below, room, width_nm);
+  skins.solid = Difference(skins.solid, bridged);
+  skins.sparse = Difference(skins.sparse, bridged);
+  const MultiPolygon around = Difference(Grown(bridged, width_nm), below.region);
+  return {std::move(bridged), below.beads.empty() ? around : Union(around, below.beads)};
+}
+
+}  // namespace slicefarm::infill
