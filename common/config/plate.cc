@@ -190,6 +190,8 @@ class ObjectResolver {
     own_ = *std::move(own);
     absl::StatusOr<JobSettings> settings = resolver_.With(object_.name, own_);
     if (!settings.ok()) return settings.status();
+    for (const std::string& unmet : process_.UnmetNeedsOf(object_, *settings))
+      resolver_.Warn(object_.name + ": " + unmet);
     Result result;
     result.input.name = object_.name;
     if (absl::Status ok = AddRanges(result.input); !ok.ok()) return ok;
