@@ -147,7 +147,7 @@ TEST(ResolvePlate, TellsOfHeightsThatAProfileTakesThePlaceOf) {
   SceneObject object = ObjectNamed("cup");
   object.ranges = {{1, 2, Settings({{"layer_height", "0.1"}, {"perimeters", "4"}})}};
   EXPECT_THAT(PlateOrDie({}, {object}).no_effect, IsEmpty());
-  object.settings = Settings({{"layer_height_profile", "0,0.2,10,0.2"}});
+  object.settings = Settings({{"layer_height_profile", "0;0.2;10;0.2"}});
   EXPECT_THAT(PlateOrDie({}, {object}).no_effect,
               ElementsAre("cup: layer_height = 0.1 from 1 to 2 mm: needs no layer_height_profile, "
                           "which takes its place"));

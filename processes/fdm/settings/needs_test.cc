@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "no stress_field, whose streamlines take its place"},
         NeedCase{"AdaptiveBesideAProfile",
                  {"adaptive_layer_height", "1"},
-                 {"layer_height_profile", "0,0.2,10,0.2"},
+                 {"layer_height_profile", "0;0.2;10;0.2"},
                  {"layer_height_profile", ""},
                  "no layer_height_profile, which takes its place"},
         NeedCase{"Clearance",
