@@ -27,6 +27,7 @@ constexpr std::array kNames = std::to_array<std::pair<Reason, std::string_view>>
     {Reason::kOutOfBuildVolume, "OUT_OF_BUILD_VOLUME"},
     {Reason::kNothingToPrint, "NOTHING_TO_PRINT"},
     {Reason::kObjectsCollide, "OBJECTS_COLLIDE"},
+    {Reason::kPathsConflict, "PATHS_CONFLICT"},
     {Reason::kSettingUnknown, "SETTING_UNKNOWN"},
     {Reason::kSettingMalformed, "SETTING_MALFORMED"},
     {Reason::kSettingOutOfRange, "SETTING_OUT_OF_RANGE"},

@@ -27,6 +27,7 @@ enum class Reason {
   kOutOfBuildVolume,
   kNothingToPrint,
   kObjectsCollide,
+  kPathsConflict,
   // Settings and requests.
   kSettingUnknown,
   kSettingMalformed,

@@ -67,6 +67,7 @@ class Resolver {
     plate_.no_effect = base->no_effect;
     plate_.warnings = base->warnings;
     told_.insert(base->no_effect.begin(), base->no_effect.end());
+    of_job_ = told_;
     warned_.insert(base->warnings.begin(), base->warnings.end());
     known_[Settings{}] = base->settings;
     growth_ = base->growth;
@@ -134,7 +135,7 @@ class Resolver {
   /// What needs a setting that the job lacks has its effect where a place gives that setting.
   void DropMetNeeds(const Settings& own, const std::vector<std::string>& notes_there) {
     std::erase_if(plate_.no_effect, [&](const std::string& note) {
-      if (note.find(": needs ") == std::string::npos) return false;
+      if (!of_job_.contains(note) || note.find(": needs ") == std::string::npos) return false;
       const bool still = std::ranges::find(notes_there, note) != notes_there.end();
       const bool replaced = std::ranges::any_of(
           own, [&](const Setting& setting) { return note.starts_with(setting.key + " = "); });
@@ -155,6 +156,7 @@ class Resolver {
   ResolvedPlate& plate_;
   Growth growth_;
   std::set<std::string> told_, warned_;
+  std::set<std::string> of_job_;  ///< notes on the job's own settings
   std::map<Settings, JobSettings, Less> known_;  ///< by own settings
   ParsedTexts parsed_;
   ResolvedBytes bytes_;  ///< of those that are known
@@ -190,6 +192,8 @@ class ObjectResolver {
     own_ = *std::move(own);
     absl::StatusOr<JobSettings> settings = resolver_.With(object_.name, own_);
     if (!settings.ok()) return settings.status();
+    for (const std::string& unmet : process_.UnmetNeedsOf(object_, *settings))
+      resolver_.Warn(object_.name + ": " + unmet);
     Result result;
     result.input.name = object_.name;
     if (absl::Status ok = AddRanges(result.input); !ok.ok()) return ok;

@@ -127,6 +127,32 @@ TEST(ResolvePlate, ANeedThatAnObjectMeetsIsMet) {
   EXPECT_EQ(ResolvePlate(job, replaced, Process::kFdm)->no_effect.size(), 1u);
 }
 
+TEST(ResolvePlate, TellsOfEnforcersWithoutSupports) {
+  SceneObject object = ObjectNamed("cup");
+  object.parts.push_back(PartOf(1, PartRole::kSupportEnforcer, {}));
+  object.parts.push_back(PartOf(2, PartRole::kSupportBlocker, {}));
+  const std::string note = "cup: support enforcers, painted or as parts: needs support_material = 1";
+  const ResolvedPlate without = PlateOrDie({}, {object});
+  EXPECT_THAT(without.no_effect, ElementsAre(note));
+  EXPECT_THAT(without.warnings, ElementsAre(note));
+  EXPECT_THAT(PlateOrDie({{"support_material", "1"}}, {object}).warnings, IsEmpty());
+  object.settings = Settings({{"support_material", "1"}});
+  EXPECT_THAT(PlateOrDie({}, {object}).warnings, IsEmpty()) << "the object has supports";
+  object.settings = {};
+  object.parts.erase(object.parts.begin() + 1);
+  EXPECT_THAT(PlateOrDie({}, {object}).warnings, IsEmpty()) << "what is blocked is not there";
+}
+
+TEST(ResolvePlate, TellsOfHeightsThatAProfileTakesThePlaceOf) {
+  SceneObject object = ObjectNamed("cup");
+  object.ranges = {{1, 2, Settings({{"layer_height", "0.1"}, {"perimeters", "4"}})}};
+  EXPECT_THAT(PlateOrDie({}, {object}).no_effect, IsEmpty());
+  object.settings = Settings({{"layer_height_profile", "0;0.2;10;0.2"}});
+  EXPECT_THAT(PlateOrDie({}, {object}).no_effect,
+              ElementsAre("cup: layer_height = 0.1 from 1 to 2 mm: needs no layer_height_profile, "
+                          "which takes its place"));
+}
+
 TEST(ResolvePlate, OneObjectWithoutSettingsOfItsOwn) {
   const ResolvedPlate plate = PlateOrDie({{"fill_density", "30%"}}, {ObjectNamed("box")});
   ASSERT_THAT(plate.objects, SizeIs(1));

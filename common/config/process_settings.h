@@ -97,6 +97,12 @@ class ProcessSettings {
   virtual std::unique_ptr<RegionRows> NewRows() const = 0;
   /// Takes from the job's settings the options by object, which come object by object.
   virtual void BeginPlate(JobSettings& /*plate*/) const {}
+  /// What an object's parts and ranges ask for and its settings switch off, each as
+  /// `what: needs ...`.
+  virtual std::vector<std::string> UnmetNeedsOf(const SceneObject& /*object*/,
+                                                const JobSettings& /*settings*/) const {
+    return {};
+  }
   /// Adds the rows of what is planned for an object; `object`: its settings, which name them then.
   virtual absl::Status AddRows(JobSettings& /*object*/, RegionRows& /*rows*/) const {
     return absl::OkStatus();

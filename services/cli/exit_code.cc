@@ -27,6 +27,7 @@ ExitCode ExitCodeOf(const absl::Status& status) {
     case Reason::kOutOfBuildVolume:
     case Reason::kNothingToPrint:
     case Reason::kObjectsCollide:
+    case Reason::kPathsConflict:
       return ExitCode::kBadMesh;
     case Reason::kUnavailable:
     case Reason::kMeshReaderKilled:

@@ -550,6 +550,7 @@ TEST_F(Program, ListsSettings) {
   ASSERT_EQ(json.size(), 3);
   EXPECT_EQ(json[1]["key"], "perimeter_speed");
   EXPECT_EQ(json[1]["unit"], "mm/s");
+  EXPECT_EQ(json[1]["scope"], "region");
   Put("defaults.ini", Run({"settings", "--ini"}).out);
   ASSERT_EQ(Slice().code, ExitCode::kOk);
   const std::string gcode = Text("out.gcode");

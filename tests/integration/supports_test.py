@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Supports and layer heights, from file to G-code: what hangs is carried at the gap, painted supports are where the paint is, nothing thick is
-printed right over a support, heights drawn by hand and those that fit the shape are kept; and the bytes are the same for any number of
+printed right over a support, copies that share room are refused, heights drawn by hand and those that fit the shape are kept; and the bytes are the same for any number of
 threads, and from a farm of real processes.
 
 usage: supports_test.py SLICEFARM MODELS
@@ -13,11 +13,14 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from project_test import cube, item, mesh_xml, model_xml, must, painted, write
+from project_test import cube, item, mesh_xml, model_xml, must, painted, run, write
 
 BED = "0x0,256x0,256x256,0x256"
 SETTINGS = {"bed_shape": BED, "layer_height": "0.25", "first_layer_height": "0.25", "support_material": "1", "support_material_contact_distance": "0.25",
             "nozzle_diameter": "0.4", "thick_bridges": "1", "gcode_label_objects": "octoprint"}
+
+BAD_MESH = 4  # exit code
+CLOSE = ((50, 60, False), (69, 65, False))
 
 Bead = collections.namedtuple("Bead", "feature label z height a b")
 
@@ -125,6 +128,21 @@ def check_copies(program, folder):
     assert len(shapes) == 1, "all alike"
 
 
+def check_conflicts(program, folder):
+    """Copies whose supports or parts share room are refused, with the names of both; those that only touch are not."""
+    def refusal(places, *arguments):
+        done = run(program, "slice", write(folder / "plate.3mf", table(places=places)), "-o", folder / "out.gcode", "-q", *arguments)
+        assert done.returncode in (0, BAD_MESH), done.stderr
+        return done.stderr if done.returncode else ""
+
+    for style in ("grid", "snug", "organic"):
+        assert not refusal(((50, 60, False), (70, 60, False)), "--set", f"support_material_style={style}", "--set", "brim_width=3")
+    met = refusal(CLOSE)
+    assert "object 1 (copy 1)" in met and "object 1 (copy 2)" in met and "share room" in met, met
+    assert "share room" in refusal(CLOSE, "--set", "support_material=0")
+    assert not refusal(CLOSE, "--set", "objects_may_overlap=1")
+
+
 def check_bridges_without_supports_are_threads(program, folder):
     beads = sliced(program, folder, write(folder / "table.3mf", table()), "--set", "support_material=0")
     assert not supports(beads)
@@ -198,17 +216,30 @@ def check_same_bytes(program, folder, models):
         want[name] = (folder / f"{name}.gcode").read_bytes()
         must(program, "slice", *job, "-o", folder / "again.gcode", "-q", "--threads", 4)
         assert (folder / "again.gcode").read_bytes() == want[name], f"{name}: another number of threads"
-    with running_farm() as farm:
-        for name, job in jobs.items():
-            done = farm.client("submit", *job, "-o", folder / "there.gcode")
-            assert done.returncode == 0, done.stderr
-            assert (folder / "there.gcode").read_bytes() == want[name], f"{name}: a farm makes other bytes"
+    for workers in (1, 2, 8):
+        with running_farm(workers=workers) as farm:
+            for name, job in jobs.items():
+                done = farm.client("submit", *job, "-o", folder / "there.gcode")
+                assert done.returncode == 0, done.stderr
+                assert (folder / "there.gcode").read_bytes() == want[name], f"{name}: a farm of {workers} makes other bytes"
+            check_conflict_there(farm, folder)
+
+
+def check_conflict_there(farm, folder):
+    """The job ends before any range is sent."""
+    def sent():
+        return sum(coordinator.metric("slicefarm_ranges_total") or 0 for coordinator in farm.coordinators)
+
+    before = sent()
+    done = farm.client("submit", write(folder / "close.3mf", table(places=CLOSE)), "-o", folder / "there.gcode")
+    assert done.returncode == BAD_MESH and "share room" in done.stderr, done.stderr
+    assert sent() == before, "ranges of a job that is refused"
 
 
 def main(program, models):
     with tempfile.TemporaryDirectory() as name:
         folder, models = pathlib.Path(name), pathlib.Path(models)
-        for check in (check_automatic, check_another_object_below, check_copies, check_bridges_without_supports_are_threads, check_painted, check_heights_drawn_by_hand):
+        for check in (check_automatic, check_another_object_below, check_copies, check_conflicts, check_bridges_without_supports_are_threads, check_painted, check_heights_drawn_by_hand):
             check(program, folder)
             print(f"{check.__name__}: ok", flush=True)
         for check in (check_adaptive, check_same_bytes):

@@ -74,6 +74,7 @@ struct PlanningOptions {
   SkirtOptions skirt;
   int32_t skirt_settings = 0;             ///< row of the job's tables of region settings
   std::vector<InfillPlanOptions> infill;  ///< by region; empty: none needs a plan
+  bool objects_may_overlap = false;       ///< objects_may_overlap
   Polygon bed;  ///< bed_shape: nothing is added outside of it; empty: no limit
 
   friend bool operator==(const PlanningOptions&, const PlanningOptions&) = default;

@@ -398,6 +398,7 @@ absl::Status ToProto(const PlanningOptions& options, v1::PlanningOptions* proto)
   sequence.set_clearance_height_nm(options.sequence.clearance_height_nm);
   *proto->mutable_skirt() = ToProto(options.skirt);
   proto->set_skirt_settings(options.skirt_settings);
+  proto->set_objects_may_overlap(options.objects_may_overlap);
   const absl::Status status = PackPoints(options.bed, proto->mutable_bed_xy_nm());
   return status.ok() ? status : Within("bed_xy_nm", status);
 }
@@ -432,6 +433,7 @@ absl::StatusOr<PlanningOptions> FromProto(const v1::PlanningOptions& proto) {
                       sequence.clearance_height_nm()};
   options.skirt = *skirt;
   options.skirt_settings = proto.skirt_settings();
+  options.objects_may_overlap = proto.objects_may_overlap();
   options.bed = *std::move(bed);
   return options;
 }

@@ -136,7 +136,7 @@ InfillPlanOptions DistinctInfillPlan() {
 
 PlanningOptions DistinctPlanning() {
   PlanningOptions options;
-  auto& [objects, sequence, skirt, skirt_settings, infill, bed] = options;
+  auto& [objects, sequence, skirt, skirt_settings, infill, may_overlap, bed] = options;
   infill = {DistinctInfillPlan()};
   auto& [complete_objects, clearance_radius, clearance_height] = sequence;
   complete_objects = true;
@@ -156,6 +156,7 @@ PlanningOptions DistinctPlanning() {
   objects = {object, {SeamPosition::kNearest}};
   skirt = DistinctSkirt();
   skirt_settings = 644;
+  may_overlap = true;
   bed = {{0, 1}, {2, 3}, {4, 2'000'000'000}};
   return options;
 }
@@ -508,6 +509,7 @@ constexpr char kDistinct[] = R"pb(
     }
     skirt_settings: 644
     bed_xy_nm: [ 0, 1, 2, 3, 4, 2000000000 ]
+    objects_may_overlap: true
     infill {
       pattern: FILL_PATTERN_SUPPORT_CUBIC
       choose_pattern: true

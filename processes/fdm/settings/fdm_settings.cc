@@ -52,6 +52,10 @@ class OfFdm : public ProcessSettings {
   }
   void BeginPlate(JobSettings& plate) const override { FdmOf(plate).planning.objects.clear(); }
   std::unique_ptr<RegionRows> NewRows() const override { return std::make_unique<RegionTable>(); }
+  std::vector<std::string> UnmetNeedsOf(const SceneObject& object,
+                                        const JobSettings& settings) const override {
+    return NeedsOfObject(object, settings);
+  }
   absl::Status AddRows(JobSettings& object, RegionRows& rows) const override {
     return AddAdhesionRows(object, rows);
   }

@@ -1,5 +1,8 @@
 #include "processes/fdm/settings/needs.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <iterator>
 
 namespace slicefarm::config::fdm {
@@ -8,6 +11,8 @@ namespace {
 bool HasSupports(const JobSettings& s) { return FdmOf(s).planning.objects[0].support.on; }
 
 bool Combines(const Draft& draft) { return draft.Number("automatic_infill_combination") != 0; }
+
+constexpr std::string_view kNoProfile = "no layer_height_profile, which takes its place";
 
 constexpr Need kNeeds[] = {
     {"retract_lift retract_speed deretract_speed retract_restart_extra retract_before_travel "
@@ -26,6 +31,11 @@ constexpr Need kNeeds[] = {
      [](const JobSettings& s) { return !FdmOf(s).motion.writing.firmware_retraction; }},
     {"adaptive_layer_cusp adaptive_layer_ratio", "adaptive_layer_height = 1",
      [](const JobSettings& s) { return s.slicing.objects[0].adaptive.on; }},
+    {"adaptive_layer_height adaptive_layer_cusp adaptive_layer_ratio", kNoProfile,
+     [](const JobSettings& s) {
+       const ObjectSlicingOptions& object = s.slicing.objects[0];
+       return !object.adaptive.on || object.height_profile.empty();
+     }},
     {"custom_gcode_per_print_z", "complete_objects = 0",
      [](const JobSettings& s) { return !FdmOf(s).planning.sequence.complete_objects; }},
     {"retract_lift_above retract_lift_below filament_retract_lift_above "
@@ -135,6 +145,21 @@ constexpr Need kNeeds[] = {
 };
 
 }  // namespace
+
+std::vector<std::string> NeedsOfObject(const SceneObject& object, const JobSettings& settings) {
+  std::vector<std::string> unmet;
+  const bool enforced =
+      std::ranges::count(object.parts, PartRole::kSupportEnforcer, &Part::role) > 0;
+  if (enforced && !HasSupports(settings))
+    unmet.push_back("support enforcers, painted or as parts: needs support_material = 1");
+  if (settings.slicing.objects[0].height_profile.empty()) return unmet;
+  for (const HeightRange& range : object.ranges)
+    for (const Setting& setting : range.settings)
+      if (setting.key == "layer_height")
+        unmet.push_back(fmt::format("layer_height = {} from {} to {} mm: needs {}", setting.value,
+                                    range.from_mm, range.to_mm, kNoProfile));
+  return unmet;
+}
 
 std::vector<Need> Needs() { return {std::begin(kNeeds), std::end(kNeeds)}; }
 

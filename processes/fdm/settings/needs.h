@@ -9,4 +9,7 @@ namespace slicefarm::config::fdm {
 /// Of settings that have an effect on filament printing.
 std::vector<Need> Needs();
 
+/// See ProcessSettings::UnmetNeedsOf.
+std::vector<std::string> NeedsOfObject(const SceneObject& object, const JobSettings& settings);
+
 }  // namespace slicefarm::config::fdm

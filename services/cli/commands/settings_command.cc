@@ -23,16 +23,25 @@ struct SettingsOptions {
   bool ini = false;
 };
 
+/// The narrowest place that a setting may be given to.
+std::string_view PlaceOf(const config::SettingSpec& spec) {
+  std::string_view place = config::ScopeName(spec.scope);
+  return place.substr(place.find(' ') + 1);
+}
+
 nlohmann::ordered_json ToJson(const config::SettingSpec& spec) {
   nlohmann::ordered_json json = {{"key", std::string(spec.key)},
                                  {"default", std::string(spec.standard)},
                                  {"range", config::DescribeRange(spec)},
                                  {"unit", std::string(spec.unit)},
+                                 {"scope", std::string(PlaceOf(spec))},
                                  {"doc", std::string(spec.doc)}};
   if (spec.min < spec.max) {
     json["min"] = spec.min;
     json["max"] = spec.max;
   }
+  for (const config::Choice& choice : spec.choices)
+    if (choice.note.empty()) json["choices"].push_back(std::string(choice.name));
   return json;
 }
 

@@ -11,6 +11,7 @@
 #include "common/stage/print_layers.h"
 #include "services/planning/algo/adhesion/adhesion_planner.h"
 #include "services/planning/algo/adhesion/raft_planner.h"
+#include "services/planning/algo/conflicts/conflict_planner.h"
 #include "services/planning/algo/infill/infill_planner.h"
 #include "services/planning/algo/seams/seam_planner.h"
 #include "services/planning/algo/sequence/sequence_planner.h"
@@ -78,6 +79,8 @@ JobPlanner::JobPlanner(const PlanningOptions& options, std::span<const PlacedCop
   if (SpiralPlanner::IsNeeded(options))
     planners_.push_back(std::make_unique<SpiralPlanner>(options, copies));
   planners_.push_back(std::make_unique<AdhesionPlanner>(options, copies));
+  if (!options.objects_may_overlap)
+    planners_.push_back(std::make_unique<ConflictPlanner>(options, copies, object_names));
   if (InfillPlanner::IsNeeded(options))
     planners_.push_back(std::make_unique<InfillPlanner>(options, object_names));
 }

@@ -28,7 +28,8 @@ namespace slicefarm::planning {
 ///   2 travel   where layers, objects and copies are entered and meet (travel/travel_planner.h)
 ///   3 sequence with complete_objects: which copy is printed when (sequence/sequence_planner.h)
 ///   4 adhesion brims and the skirt, which add no heights (adhesion/adhesion_planner.h)
-///   5 infill   lines and places of sparse infill that depend on many layers
+///   5 conflicts what would be printed in the same place (conflicts/conflict_planner.h)
+///   6 infill   lines and places of sparse infill that depend on many layers
 ///   (infill/infill_planner.h)
 ///
 /// A job that asks for no region planner is planned as its layers stream in, and its plans stream

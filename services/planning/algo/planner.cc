@@ -29,4 +29,13 @@ std::string NameOf(int32_t object, std::span<const std::string> names) {
   return index < names.size() ? names[index] : fmt::format("object {}", object);
 }
 
+std::string NameOfCopy(size_t copy, std::span<const PlacedCopy> copies,
+                       std::span<const std::string> names) {
+  const int32_t object = copies[copy].object;
+  const auto same = [&](const PlacedCopy& other) { return other.object == object; };
+  std::string name = NameOf(object, names);
+  if (std::ranges::count_if(copies, same) == 1) return name;
+  return fmt::format("{} (copy {})", name, std::ranges::count_if(copies.first(copy + 1), same));
+}
+
 }  // namespace slicefarm::planning

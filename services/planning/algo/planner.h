@@ -10,6 +10,7 @@
 #include "common/base/cancel_token.h"
 #include "common/model/job_plan.h"
 #include "common/model/layer.h"
+#include "common/stage/stages.h"
 
 namespace slicefarm::planning {
 
@@ -64,5 +65,9 @@ SectionPlan& PlanOf(int32_t stack, LayerPlan& plan);
 
 /// What messages call an object. `names`: by object; may be fewer.
 std::string NameOf(int32_t object, std::span<const std::string> names);
+
+/// What messages call a copy: its object, and which copy it is if there are several.
+std::string NameOfCopy(size_t copy, std::span<const PlacedCopy> copies,
+                       std::span<const std::string> names);
 
 }  // namespace slicefarm::planning

@@ -389,6 +389,12 @@ std::vector<SettingSpec> Sequence() {
        .standard = "0",
        .doc = "Prints one copy after the other, each as a whole",
        .field = Bind([](auto& s) -> auto& { return s.planning.sequence.complete_objects; })},
+      {.key = "objects_may_overlap",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Prints copies that share room through one another, and warns of it, instead of "
+              "refusing the job",
+       .field = Bind([](auto& s) -> auto& { return s.planning.objects_may_overlap; })},
       {.key = "extruder_clearance_radius",
        .unit = "mm",
        .min = 0,

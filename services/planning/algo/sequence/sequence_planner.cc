@@ -33,14 +33,6 @@ absl::Status SequencePlanner::CheckLayers() const {
                     limits::kMaxLayerPrograms, layers);
 }
 
-std::string SequencePlanner::NameOfCopy(size_t copy) const {
-  const int32_t object = copies_[copy].object;
-  const auto same = [&](const PlacedCopy& other) { return other.object == object; };
-  std::string name = NameOf(object, object_names_);
-  if (std::ranges::count_if(copies_, same) == 1) return name;
-  return fmt::format("{} (copy {})", name, std::ranges::count_if(copies_.first(copy + 1), same));
-}
-
 Polygon SequencePlanner::FootprintOf(const PlacedCopy& copy,
                                      std::span<const AddedStack> added) const {
   Polygon points = copy.footprint;
@@ -63,7 +55,7 @@ absl::Status SequencePlanner::Finish(const CancelToken& cancel, OpenLayers& /*la
   for (size_t i = 0; i < copies_.size(); ++i) {
     const auto printed = printed_.find(copies_[i].object);
     if (printed == printed_.end()) continue;
-    items.push_back({FootprintOf(copies_[i], plan.stacks), printed->second.top_nm, NameOfCopy(i)});
+    items.push_back({FootprintOf(copies_[i], plan.stacks), printed->second.top_nm, NameOfCopy(i, copies_, object_names_)});
     copy_of.push_back(i);
   }
   const auto order = PrintSequence(items, {.clearance_radius_nm = options_.clearance_radius_nm,

@@ -36,7 +36,6 @@ class SequencePlanner : public Planner {
   absl::Status CheckLayers() const;
   /// A copy's place with that of its supports.
   Polygon FootprintOf(const PlacedCopy& copy, std::span<const AddedStack> added) const;
-  std::string NameOfCopy(size_t copy) const;
 
   const SequencePlanOptions& options_;
   const std::span<const PlacedCopy> copies_;

@@ -1,0 +1,180 @@
+#!/usr/bin/env python3
+"""Every setting that a region may have does something there. Each one of the table is given to a modifier that lies over one end of a part, with a
+value that differs from the part's, and to a range of heights: then the beads there differ, or the report names the setting.
+
+usage: region_settings_test.py SLICEFARM
+"""
+import json
+import math
+import os
+import pathlib
+import re
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from project_test import cube, item, mesh_xml, model_xml, must, run, write
+
+JOB = {"bed_shape": "0x0,256x0,256x256,0x256", "layer_height": "0.3", "first_layer_height": "0.3", "nozzle_diameter": "0.4", "fill_density": "20%",
+       "perimeters": "3", "fill_pattern": "rectilinear", "gcode_resolution": "0.05", "thumbnails": "", "perimeter_generator": "arachne"}
+SPEEDS = {"enable_dynamic_overhang_speeds": "1", "overhang_speed_0": "11", "overhang_speed_1": "12", "overhang_speed_2": "13", "overhang_speed_3": "14"}
+# What the job must be like for a setting to matter, by how its name begins.
+CONTEXTS = {
+    "overhang_speed_": SPEEDS, "ironing_": {"ironing": "1"}, "fuzzy_skin_": {"fuzzy_skin": "external"}, "infill_goal": {"fill_pattern": "auto"},
+    "scarf_seam_": {"scarf_seam_placement": "everywhere"}, "infill_smoothing": {"fill_pattern": "medialaxis"},
+    "infill_anchor": {"infill_anchor": "600%", "infill_anchor_max": "50"}, "small_area_infill_flow_compensation_model": {
+        "small_area_infill_flow_compensation": "1"},
+    "automatic_infill_combination": {"layer_height": "0.15", "first_layer_height": "0.15"},
+    "automatic_infill_combination_max_layer_height": {"automatic_infill_combination": "1"}, "gap_fill_": {"perimeter_generator": "classic"},
+    "scarf_seam_on_inner_perimeters": {"scarf_seam_only_on_smooth": "0"}, "thin_walls": {"perimeter_generator": "classic"}, "extra_perimeters": {"perimeters": "1"},
+    "top_solid_min_thickness": {"top_solid_layers": "1"}, "bottom_solid_min_thickness": {"bottom_solid_layers": "1"}}
+# Where half of a number, or twice as much, is not what the setting is about.
+VALUES = {
+    "density_field": ['{"kind":"constant","density":0.5}'], "stress_field": ['{"kind":"constant","stress":[1,0,0]}'],
+    "fill_angle_template": ["10,70"], "solid_fill_angle_template": ["10,70"], "bridge_angle": ["30"], "fill_angle": ["20"],
+    "small_area_infill_flow_compensation_model": ["0,0;5,0.5;20,1"], "infill_every_layers": ["2"], "solid_infill_every_layers": ["3"],
+    "top_solid_min_thickness": ["1.2"], "bottom_solid_min_thickness": ["1.2"], "solid_infill_below_area": ["0", "300"], "over_bridge_speed": ["33"],
+    "perimeters": ["5"], "infill_anchor_max": ["2"], "top_solid_layers": ["5"], "bottom_solid_layers": ["5"], "scarf_seam_start_height": ["50%"],
+    "automatic_infill_combination_max_layer_height": ["50%"], "gap_fill_max_width": ["0.3"], "gap_fill_min_width": ["0.4"]}
+
+
+def cone(x, y, z0, z1, r0, r1, corners=4):
+    """A frustum, turned so that its sides follow the axes where it has four."""
+    def ring(z, r):
+        return [(x + r * math.cos(2 * math.pi * (i + 0.5) / corners), y + r * math.sin(2 * math.pi * (i + 0.5) / corners), z) for i in range(corners)]
+    n = corners
+    faces = [(0, i + 1, i) for i in range(1, n - 1)] + [(n, n + i, n + i + 1) for i in range(1, n - 1)]
+    faces += [f for i in range(n) for f in ((i, (i + 1) % n, n + i), ((i + 1) % n, n + (i + 1) % n, n + i))]
+    return ring(z0, r0) + ring(z1, r1), faces
+
+
+def box(x0, y0, z0, x1, y1, z1):
+    corners, faces = cube(0, 0, 0, 1)
+    return [(x0 + x * (x1 - x0), y0 + y * (y1 - y0), z0 + z * (z1 - z0)) for x, y, z in corners], faces
+
+
+def wedge(x0, x1, y, z0, z1, thin, thick):
+    """A fin that is `thin` at x0 and `thick` at x1."""
+    corners = [(x, y + side * width / 2, z) for z in (z0, z1) for x, side, width in
+               ((x0, -1, thin), (x1, -1, thick), (x1, 1, thick), (x0, 1, thin))]
+    return corners, [(0, 2, 1), (0, 3, 2), (4, 5, 6), (4, 6, 7)] + [f for i in range(4) for f in ((i, (i + 1) % 4, 4 + i), ((i + 1) % 4, 4 + (i + 1) % 4, 4 + i))]
+
+
+PART = (box(-14, 0, 0, 58, 30, 3), box(2, 4, 2, 5, 16, 6), box(15, 4, 2, 18, 16, 6), box(2, 4, 5.4, 18, 16, 7.5), wedge(2, 18, 24, 2, 5, 0.3, 1.7),
+        cone(26, 7, 2, 6, 3, 8.5), cone(26, 22, 2, 4.5, 3, 9), cone(39, 7, 2, 5, 1.5, 1.5, 16), cone(10, 10, 7, 9, 8, 2),
+        box(47, 8, 2, 50, 22, 6), box(47, 8, 5.4, 56, 22, 7))
+MODIFIER = box(-1, -5, -1, 70, 40, 20)
+HEIGHTS = (0, 20)
+
+
+def metadata(settings):
+    return "".join(f'<metadata type="volume" key="{key}" value="{value.replace(chr(34), "&quot;")}"/>' for key, value in settings.items())
+
+
+def project(job, modifier=None, heights=None):
+    meshes = [*PART, MODIFIER] if modifier is not None else PART
+    faces = sum(len(mesh[1]) for mesh in PART)
+    files = {"3D/3dmodel.model": model_xml(f'<object id="1" type="model">{mesh_xml(*meshes)}</object>', item(1, 100, 100), "PrusaSlicer-2.9.2"),
+             "Metadata/Slic3r_PE.config": "".join(f"; {key} = {value}\n" for key, value in (JOB | job).items())}
+    if modifier is not None:
+        files["Metadata/Slic3r_PE_model.config"] = (
+            f'<config><object id="1"><volume firstid="0" lastid="{faces - 1}"><metadata type="volume" key="volume_type" value="ModelPart"/></volume>'
+            f'<volume firstid="{faces}" lastid="{faces + 11}"><metadata type="volume" key="volume_type" value="ParameterModifier"/>{metadata(modifier)}'
+            "</volume></object></config>")
+    if heights is not None:
+        options = "".join(f'<option opt_key="{key}">{value.replace(chr(34), "&quot;")}</option>' for key, value in heights.items())
+        files["Metadata/Prusa_Slicer_layer_config_ranges.xml"] = (
+            f'<objects><object id="1"><range min_z="{HEIGHTS[0]}" max_z="{HEIGHTS[1]}">{options}</range></object></objects>')
+    return files
+
+
+def beads_of(gcode):
+    """Beads as (middle x, middle z, all there is to know of them)."""
+    beads, feature, height = [], "", ""
+    x = y = z = speed = 0.0
+    for line in gcode.splitlines():
+        if line.startswith(";TYPE:"):
+            feature = line
+        elif line.startswith(";HEIGHT:"):
+            height = line
+        elif line.startswith("G1 "):
+            words = {letter: float(value) for letter, value in re.findall(r"([XYZEF])(-?\d*\.?\d+)", line.split(";")[0])}
+            before, (x, y, z), speed = (x, y), (words.get("X", x), words.get("Y", y), words.get("Z", z)), words.get("F", speed)
+            if words.get("E", 0) > 0 and before != (x, y):
+                beads.append(((before[0] + x) / 2, z, (before, x, y, z, words["E"], speed, feature, height)))
+    return beads
+
+
+class Slicer:
+    def __init__(self, program, folder):
+        self.program, self.folder, self.known = program, folder, {}
+
+    def __call__(self, job, **places):
+        """The beads, and what the report tells; none, and why, if the part is refused."""
+        key = json.dumps([job, places], sort_keys=True)
+        if key not in self.known:
+            path = write(self.folder / "part.3mf", project(job, **places))
+            done = run(self.program, "slice", path, "-o", self.folder / "out.gcode", "--report", self.folder / "report.json", "-q",
+                       "--set", "use_relative_e_distances=1")
+            if done.returncode:
+                return [], done.stderr
+            told = json.loads((self.folder / "report.json").read_text())
+            self.known[key] = beads_of((self.folder / "out.gcode").read_text()), json.dumps([told["warnings"], told["settings_without_effect"], told.get("notes")])
+        return self.known[key]
+
+
+def context_of(key):
+    job = {}
+    for start in sorted(CONTEXTS, key=len):
+        if key.startswith(start):
+            job |= CONTEXTS[start]
+    return job
+
+
+def values_of(setting, job):
+    key, now = setting["key"], (JOB | job).get(setting["key"], setting["default"])
+    if key in VALUES:
+        return VALUES[key]
+    if setting.get("choices"):
+        return [choice for choice in setting["choices"] if choice != now]
+    if setting["range"] == "0 or 1":
+        return ["1" if now == "0" else "0"]
+    number, sign = float(now.rstrip("%")), "%" if now.endswith("%") else ""
+    return [f"{value:g}{sign}" for value in ((number / 2, number * 2) if number else (0.6,))]
+
+
+def inside(beads, place):
+    low, high = (100 - 1, math.inf) if place == "modifier" else HEIGHTS
+    axis = 0 if place == "modifier" else 1
+    return [bead[2] for bead in beads if low < bead[axis] < high]
+
+
+def effect(slicer, setting, place):
+    """Nothing if the setting does something at the place, else what was tried."""
+    key = setting["key"]
+    job = context_of(key)
+    base = inside(slicer(job, **{place: {}})[0], place)
+    assert len(base) > 100, f"{key}: the part has no beads in the {place}"
+    tried = []
+    for value in values_of(setting, job):
+        beads, told = slicer(job, **{place: {key: value}})
+        if key in told or beads and inside(beads, place) != base:
+            return None
+        tried.append(value)
+    return f"{key} = {' or '.join(tried)} in a {place}: the G-code is as before, and nothing is told"
+
+
+def main():
+    program = sys.argv[1]
+    table = [s for s in json.loads(must(program, "settings", "--json")) if s["scope"] == "region"]
+    assert len(table) > 70, len(table)
+    with tempfile.TemporaryDirectory() as folder:
+        slicer = Slicer(program, pathlib.Path(folder))
+        silent = [text for setting in table for place in ("modifier", "heights") if (text := effect(slicer, setting, place))]
+    assert not silent, "\n".join(silent)
+
+
+if __name__ == "__main__":
+    main()
+    sys.stdout.flush()
+    os._exit(0)
