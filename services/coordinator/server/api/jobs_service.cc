@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "common/base/cancel_scope.h"
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 #include "common/config/process_settings.h"
@@ -171,6 +172,7 @@ grpc::Status JobsService::Preflight(
   const auto place = preflights_of_tenants_.Enter(caller.tenant);
   if (!place.ok()) return rpc::ToGrpc(place.status());
   return preflights_.Run(context, method, [&](const rpc::Call& call) {
+    const CancelScope scope(call.cancel);
     const auto turn = preflight_turns_.Enter(caller.tenant, call.cancel);
     return turn.ok() ? work(call) : turn.status();
   });
