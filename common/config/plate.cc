@@ -15,6 +15,7 @@
 #include "common/config/resolved_bytes.h"
 #include "common/config/setting_reader.h"
 #include "common/config/table/settings_table.h"
+#include "common/config/written_rows.h"
 #include "common/stage/copy_groups.h"
 
 namespace slicefarm::config {
@@ -349,6 +350,7 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
   const ProcessSettings& own = SettingsOf(process);
   if (absl::Status ok = own.TakeTogether(job, objects); !ok.ok()) return ok;
   if (absl::Status ok = CheckResolvedBytes(job, objects); !ok.ok()) return ok;
+  if (absl::Status ok = CheckWrittenRows(objects, process); !ok.ok()) return ok;
   ResolvedPlate plate;
   Resolver resolver(job, process, cancel, plate);
   if (absl::Status ok = resolver.ResolveJob(); !ok.ok()) return ok;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "common/base/from_environment_test.h"
 #include "common/rpc/status_mapping.h"
 #include "services/coordinator/store/sql/postgres_connection.h"
 #include "tests/integration/farm_processes_test.h"
@@ -93,13 +94,16 @@ TEST_F(ClusterTest, WhatOneTakesTheOtherKnows) {
 }
 
 // One of them is killed with the work in hand, and comes back.
-TEST_F(ClusterTest, EqualJobsOfTwoCoordinatorsAreComputedOnce) {
-  constexpr int kJobs = 200;
+TEST_F(ClusterTest, EqualJobsOfThreeCoordinatorsAreComputedOnce) {
+  const int64_t jobs = FromEnvironment("SLICEFARM_EQUAL_JOBS", 200);
+  std::optional<Coordinator> c;
+  Start(c, "c");
   StopWorkers();
   std::vector<std::string> ids;
   ASSERT_TRUE(a_->client.Upload(mesh_).ok());
-  for (int i = 0; i < kJobs; ++i) {
-    const auto job = (i % 2 == 0 ? a_ : b_)->client.Create(FarmClient::RequestFor(mesh_));
+  for (int64_t i = 0; i < jobs; ++i) {
+    std::optional<Coordinator>& taker = i % 3 == 0 ? a_ : i % 3 == 1 ? b_ : c;
+    const auto job = taker->client.Create(FarmClient::RequestFor(mesh_));
     ASSERT_TRUE(job.ok()) << job.status();
     ids.push_back(job->id());
   }

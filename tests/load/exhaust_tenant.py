@@ -1,5 +1,5 @@
 """One tenant takes every place that it can get: uploads that bring next to nothing, downloads that are hardly read, watches of
-jobs, checks, and more jobs than the farm can make. Another one goes on beside it: what its calls take then, against what they
+jobs, of all its jobs, checks, lists, gets, and more jobs than the farm can make. Another one goes on beside it: what its calls take then, against what they
 took alone, and whether the first one was refused at all. Needs curl with HTTP/2."""
 import json
 import os
@@ -14,15 +14,17 @@ import time
 from local_farm import BIN, MODELS, percentile, running_farm
 
 SECONDS = int(os.environ.get("SLICEFARM_EXHAUST_SECONDS", "60"))
+ALONE_SECONDS = min(SECONDS, 300)
 UPLOADS = DOWNLOADS = 80  # more than there are places for
 WATCHERS = 1000  # of each of the greedy tenant's watched jobs
 CHECKS = 8
+TENANT_WATCHES = 40
 OPEN_JOBS = {"hog": 500, "calm": 10_000}
 MODEL = MODELS / "textbox.stl"
 # A program that no client takes in before it reads.
 LONG = [part for key in ("before_layer_gcode", "layer_gcode") for part in ("--set", f"{key}=; " + "x" * 60_000)]
 LONG += ["--set", "layer_height=0.05", "--set", "first_layer_height=0.1"]
-TAKEN = ("UploadMesh", "Download", "CreateJob", "WatchJob")  # what all places are taken of
+TAKEN = ("UploadMesh", "Download", "CreateJob", "WatchJob", "WatchJobs")  # what all places are taken of
 STEPS = ("Upload", "CreateJob", "WatchOpen", "WatchJob", "Download")
 # p99 under which a doubling is not told from what the machine's scheduler does.
 LEAST_S = 0.05
@@ -98,10 +100,10 @@ class Calm(threading.Thread):
                 self.failed += done.returncode != 0
 
 
-def calm_calls(farm, token):
+def calm_calls(farm, token, seconds):
     """p99 in seconds of each kind of call, and how many fail."""
     others = Calm(farm, token)
-    report = farm.load("--token-file", token, "--rate", "2", "--seconds", str(SECONDS), "--mix", "tiny")
+    report = farm.load("--token-file", token, "--rate", "2", "--seconds", str(seconds), "--mix", "tiny")
     others.ended.set()
     others.join()
     p99 = {step: report["steps"][step]["p99"] / 1e9 for step in STEPS}
@@ -119,13 +121,16 @@ class Hog:
         self.loads = [
             self.load("--scenario", "submit", "--rate", "100", "--in-flight", "2048"),
             self.load("--scenario", "watch", "--rate", "0.5", "--watchers", str(WATCHERS)),
+            self.load("--scenario", "get", "--rate", "200"),
         ]
         self.await_uploads()
         self.uploads = [Slow(address, text, "Meshes/UploadMesh", first_chunk(n), framed(b"\x22\x01x"), self.ended) for n in range(UPLOADS)]
         self.downloads = [Slow(address, text, "Jobs/Download", download, b"", self.ended) for _ in range(DOWNLOADS)]
-        self.checks = [threading.Thread(target=self.check) for _ in range(CHECKS)]
-        for check in self.checks:
-            check.start()
+        of_all = ("events", "--json")
+        calls = [self.check] * CHECKS + [lambda: self.again("list", "--limit", "1000")] + [lambda: self.again(*of_all)] * TENANT_WATCHES
+        self.clients = [threading.Thread(target=call) for call in calls]
+        for client in self.clients:
+            client.start()
 
     def await_uploads(self):
         """Its jobs need some, and it takes all places for uploads then."""
@@ -137,17 +142,24 @@ class Hog:
         return subprocess.Popen([*command, "--seconds", "7200", "--mix", "tiny", *arguments], stdout=subprocess.DEVNULL)
 
     def check(self):
-        command = [BIN / "slicefarm", "submit", MODEL, "--check", "-q", "--token-file", self.token_file,
+        self.again("submit", MODEL, "--check", "-q")
+
+    def again(self, *arguments):
+        """A call of the command line, begun anew whenever it ends."""
+        command = [BIN / "slicefarm", *arguments, "--token-file", self.token_file,
                    "--server", self.farm.coordinators[0].address, "--patience", "10"]
         while not self.ended.is_set():
-            subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as call:
+                while call.poll() is None and not self.ended.wait(0.1):
+                    continue
+                call.kill()
 
     def stop(self):
         self.ended.set()
         for load in self.loads:
             load.kill()
             load.wait()
-        for thread in (*self.uploads, *self.downloads, *self.checks):
+        for thread in (*self.uploads, *self.downloads, *self.clients):
             thread.join()
         # What a download's client has not read yet may be on its own side.
         return max(upload.longest_s for upload in self.uploads)
@@ -162,10 +174,10 @@ def measure():
         file = pathlib.Path(directory) / "tenants.json"
         tokens = make_tenants(file)
         with running_farm(directory=directory, extra=["--tenants", str(file), "--jobs", "8"]) as farm:
-            alone, failed_alone = calm_calls(farm, tokens["calm"])
+            alone, failed_alone = calm_calls(farm, tokens["calm"], ALONE_SECONDS)
             hog = Hog(farm, tokens["hog"])
             time.sleep(5)
-            beside, failed = calm_calls(farm, tokens["calm"])
+            beside, failed = calm_calls(farm, tokens["calm"], SECONDS)
             held_s = hog.stop()
             for kind, before in alone.items():
                 yield f"tenant_{kind}_alone_p99_ms", 1000 * before, None

@@ -9,7 +9,7 @@ namespace slicefarm::coordinator {
 namespace {
 
 constexpr int32_t kJobsAtOnce = 100;
-constexpr size_t kBlobsAtOnce = 20'000;
+constexpr size_t kBlobsAtOnce = 25'000;
 
 /// The first error is returned when all went that can go.
 absl::Status SweepJobs(JobStore& jobs, int64_t ended_before_us, const CancelToken& cancel,

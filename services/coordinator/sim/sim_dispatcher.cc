@@ -21,12 +21,13 @@ int64_t RestUs(int failures) {
 }
 
 /// True if the rule of SchedulerOptions, as it stands, ends a job for a range that failed so.
-bool MustPoison(const std::vector<RunnerId>& failed_on) {
+bool MustPoison(const std::vector<RunnerId>& failed_on, int refusals) {
   const SchedulerOptions rule;
   const auto tries = static_cast<int>(failed_on.size());
   const auto runners =
       static_cast<int>(std::set<RunnerId>(failed_on.begin(), failed_on.end()).size());
-  return tries >= rule.max_tries || (tries >= rule.poison_tries && runners >= rule.poison_runners);
+  return tries >= rule.max_tries || refusals >= rule.refused_tries ||
+         (tries >= rule.poison_tries && runners >= rule.poison_runners);
 }
 
 }  // namespace
@@ -224,6 +225,7 @@ void SimDispatcher::Reject(const Slot& slot, const FanOut::Grant& grant,
   const bool counts = !slot.left && !absl::IsInvalidArgument(error) &&
                       DetailOf(error).reason != Reason::kBuildMismatch;
   if (counts) range.failed_on.push_back(slot.runner);
+  if (counts && absl::IsInternal(error)) ++range.refusals;
   if (world_.variant.failures_untold) return;
   const FanOut::Verdict verdict = fan_out_->Failed(grant, error);
   if (absl::IsInvalidArgument(error) != (verdict == FanOut::Verdict::kInputAtFault)) {
@@ -244,7 +246,7 @@ void SimDispatcher::Reject(const Slot& slot, const FanOut::Grant& grant,
 
 void SimDispatcher::CheckPoison(const Range& range, FanOut::Verdict verdict, bool other_copies) {
   const bool poisoned = verdict == FanOut::Verdict::kPoisoned;
-  if (poisoned != (MustPoison(range.failed_on) && !other_copies)) {
+  if (poisoned != (MustPoison(range.failed_on, range.refusals) && !other_copies)) {
     world_.Violated("c{}: a range {} after {} tries", coordinator_,
                     poisoned ? "ends its job" : "goes on", range.failed_on.size());
   }

@@ -46,6 +46,7 @@ class SimDispatcher {
     bool done = false;
     RangeHashes layers = {};
     std::vector<RunnerId> failed_on = {};
+    int refusals = 0;  ///< of these
   };
   struct Job {
     Work work;

@@ -196,6 +196,23 @@ TEST(Dispatcher, PoisonedRangeNamesItsLayers) {
   EXPECT_TRUE(IsWhole(Results(dispatcher, {}, tasks, nullptr), tasks)) << "the next job is well";
 }
 
+// It would fail for ever; and the job beside it has its runner back.
+TEST(Dispatcher, WhatOneRunnerCannotMakeIsTriedThreeTimes) {
+  Dispatcher dispatcher(Quick());
+  std::atomic<int> calls = 0;
+  dispatcher.Join(RunnerOf("only", [&](const StageCall&, const FdmTask& task) {
+    if (task.range.first != 20) return absl::OkStatus();
+    ++calls;
+    return absl::InternalError("no such layer");
+  }));
+  const auto results = Results(dispatcher, {}, Tasks(5), nullptr);
+  EXPECT_EQ(DetailOf(results.status()).reason, Reason::kRangePoisoned) << results.status();
+  EXPECT_EQ(DetailOf(results.status()).metadata.at("tries"), "3");
+  EXPECT_EQ(calls, 3);
+  const auto tasks = Tasks(2);
+  EXPECT_TRUE(IsWhole(Results(dispatcher, {}, tasks, nullptr), tasks));
+}
+
 TEST(Dispatcher, ABrokenRunnerCostsOnlyTries) {
   Dispatcher dispatcher(Quick());
   dispatcher.Join(RunnerOf("broken", Unavailable, 1));
@@ -442,6 +459,8 @@ class MortalRunner {
 TEST(Dispatcher, WhatARunnerDiesOfTakesOthersWithItOnce) {
   DispatcherOptions options = Quick();
   options.scheduler.hedge_burst = 0;
+  // Else it may be tried anywhere after 2 s, which pass on a busy machine: once more on the same one.
+  options.scheduler.elsewhere_after_s = 1e6;
   Dispatcher dispatcher(options);
   MortalRunner one, two;
   dispatcher.Join(one.WithSlots("one", 2));

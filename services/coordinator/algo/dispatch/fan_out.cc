@@ -15,6 +15,10 @@ bool IsFinal(const absl::Status& status) {
   return absl::IsInvalidArgument(status) || absl::IsOutOfRange(status);
 }
 
+/// True if a runner says that it cannot make the range, and not that this is a bad moment: it would
+/// say so again.
+bool IsRefusal(const absl::Status& status) { return absl::IsInternal(status); }
+
 /// True if the connection to the runner broke, and no server said why: as far as can be told, the
 /// runner died of what it ran. A server that stops, or is busy, says so.
 bool IsDeath(const absl::Status& status) {
@@ -141,6 +145,8 @@ FanOut::Verdict FanOut::Failed(const Grant& grant, const absl::Status& error) {
   }
   if (IsDeath(error))
     scheduler->Died(grant.ticket);
+  else if (IsRefusal(error))
+    scheduler->Refused(grant.ticket);
   else
     scheduler->Failed(grant.ticket);
   if (scheduler->Poisoned() != grant.range) return Verdict::kGoesOn;

@@ -34,7 +34,8 @@ struct DispatchCounts {
 /// has waited longest. A slow range is doubled only when nothing is queued, and not more than
 /// `hedge_share` of all: when everything is slow, second copies would make it slower.
 ///
-/// A range that a runner died of (UNAVAILABLE that no server has said) is tried alone on an idle
+/// A range that runners refuse (INTERNAL) is not tried as often as one that they are too busy for. A
+/// range that a runner died of (UNAVAILABLE that no server has said) is tried alone on an idle
 /// runner, one such range of all jobs at a time. A runner whose slots are never all free is kept
 /// free for it after SchedulerOptions::elsewhere_after_s. Not thread-safe.
 class FanOut {

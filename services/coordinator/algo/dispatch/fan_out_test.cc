@@ -99,6 +99,17 @@ TEST(FanOut, ErrorsEndAJobOrDoNot) {
   EXPECT_EQ(fan_out.Failed(grant, absl::InvalidArgumentError("")), Verdict::kInputAtFault);
 }
 
+TEST(FanOut, OneRunnerMayBeBusyMoreOftenThanItMayRefuse) {
+  const auto tries_of = [](const absl::Status& error) {
+    FanOut fan_out;
+    const auto job = fan_out.Add(1, Process::kFdm);
+    while (fan_out.Failed(*fan_out.Take(1, 0), error) == Verdict::kGoesOn) continue;
+    return fan_out.Tries(job, 0);
+  };
+  EXPECT_EQ(tries_of(absl::InternalError("no such layer")), 3);
+  EXPECT_EQ(tries_of(absl::ResourceExhaustedError("no slot is free")), 10);
+}
+
 const absl::Status kBroken = absl::UnavailableError("Socket closed");
 
 TEST(FanOut, WhatARunnerDiedOfRunsAlone) {

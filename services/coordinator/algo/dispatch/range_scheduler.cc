@@ -132,6 +132,12 @@ void RangeScheduler::Failed(Ticket ticket) {
   Requeue(copy->range);
 }
 
+void RangeScheduler::Refused(Ticket ticket) {
+  if (const auto found = running_.find(ticket); found != running_.end())
+    ++ranges_[found->second.range].refusals;
+  Failed(ticket);
+}
+
 void RangeScheduler::Died(Ticket ticket) {
   const std::optional<Copy> copy = Stopped(ticket);
   if (!copy) return;
@@ -168,7 +174,7 @@ void RangeScheduler::CountFailure(int32_t range, RunnerId runner) {
 }
 
 bool RangeScheduler::FailedTooOften(const Range& range) const {
-  return range.tries >= options_.max_tries ||
+  return range.tries >= options_.max_tries || range.refusals >= options_.refused_tries ||
          (range.tries >= options_.poison_tries &&
           static_cast<int>(range.failed_on.size()) >= options_.poison_runners);
 }

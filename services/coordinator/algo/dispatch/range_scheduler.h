@@ -14,7 +14,8 @@ namespace slicefarm::coordinator {
 struct SchedulerOptions {
   int poison_tries = 3;          ///< a range that failed this often ...
   int poison_runners = 2;        ///< ... on this many runners fails the job,
-  int max_tries = 10;            ///< and so does one that failed this often on however many
+  int refused_tries = 3;         ///< and so does one that runners refused this often,
+  int max_tries = 10;            ///< and one that failed this often, on however many runners
   double elsewhere_after_s = 2;  ///< what a runner died of waits this long for that one to be back
   double hedge_after_s = 1;      ///< a range is slow when it runs longer than this ...
   double hedge_after_ratio = 2;  ///< ... and than this many times the slowest range that is done
@@ -81,6 +82,9 @@ class RangeScheduler {
   /// A copy came to nothing: back to the queue, unless another copy runs or the range is done.
   void Failed(Ticket ticket);
 
+  /// The same, and the copy's runner lives to say that the range cannot be made.
+  void Refused(Ticket ticket);
+
   /// The same, and the copy's runner died, or its connection: the range becomes suspect.
   void Died(Ticket ticket);
 
@@ -106,6 +110,7 @@ class RangeScheduler {
     bool done = false;
     int copies = 0;
     int tries = 0;
+    int refusals = 0;  ///< of the tries
     bool suspect = false;
     std::optional<double> waits_since_s = {};  ///< as a suspect, when that was first asked
     std::set<RunnerId> failed_on = {};

@@ -71,6 +71,16 @@ TEST(RangeScheduler, OneRunnerAloneGetsMoreTries) {
   EXPECT_EQ(scheduler.Poisoned(), 0);
 }
 
+TEST(RangeScheduler, WhatOneRunnerRefusesIsTriedThreeTimes) {
+  RangeScheduler scheduler(1);
+  scheduler.Failed(scheduler.Next(kA, 0)->ticket);
+  for (int i = 0; i < 2; ++i) scheduler.Refused(scheduler.Next(kA, 0)->ticket);
+  EXPECT_FALSE(scheduler.Poisoned()) << "it was refused twice";
+  scheduler.Refused(scheduler.Next(kA, 0)->ticket);
+  EXPECT_EQ(scheduler.Poisoned(), 0);
+  EXPECT_EQ(scheduler.Tries(0), 4);
+}
+
 TEST(RangeScheduler, WhatARunnerDiedOfWaitsBesideTheQueue) {
   RangeScheduler scheduler(3);
   const auto first = scheduler.Next(kA, 0);

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "common/base/cancel_scope.h"
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 #include "common/config/process_settings.h"
@@ -156,7 +157,7 @@ grpc::Status JobsService::CreatePlates(grpc::ServerContext* context,
     auto jobs = MakePlates(*caller, *request, call);
     if (!jobs.ok()) return jobs.status();
     for (v1::Job& job : *jobs) {
-      job.clear_spec();
+      KeepWhatIsOnThePlate(*job.mutable_spec());
       job.clear_labels();  // the answer is one message
       *response->add_jobs() = std::move(job);
     }
@@ -171,6 +172,7 @@ grpc::Status JobsService::Preflight(
   const auto place = preflights_of_tenants_.Enter(caller.tenant);
   if (!place.ok()) return rpc::ToGrpc(place.status());
   return preflights_.Run(context, method, [&](const rpc::Call& call) {
+    const CancelScope scope(call.cancel);
     const auto turn = preflight_turns_.Enter(caller.tenant, call.cancel);
     return turn.ok() ? work(call) : turn.status();
   });
@@ -270,8 +272,9 @@ absl::StatusOr<JobRecord> JobsService::Create(const Caller& caller,
 absl::StatusOr<Submission> JobsService::Read(const Caller& caller,
                                              const v1::CreateJobRequest& request) {
   if (absl::Status ok = CheckRequestId(request.request_id()); !ok.ok()) return ok;
-  const auto spec = WithProfiles(request.spec(), caller.tenant, backend_.profiles);
+  auto spec = WithProfiles(request.spec(), caller.tenant, backend_.profiles);
   if (!spec.ok()) return spec.status();
+  spec->clear_plate();  // which is told, not asked for
   auto job = FromProto(*spec);
   if (!job.ok()) return Within("spec", job.status());
   const auto priority = FromProto(request.priority());

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "common/base/error.h"
@@ -43,9 +44,12 @@ absl::StatusOr<std::vector<std::vector<SceneObject>>> OnBeds(const StageCall& ca
 /// The submission with these objects in place of its own. What a plate has no use for, such as
 /// other plates' meshes, does not belong to its job.
 absl::StatusOr<Submission> WithObjects(const Submission& submission,
-                                       const std::vector<SceneObject>& objects) {
+                                       const std::vector<SceneObject>& objects, size_t of_request,
+                                       size_t bed) {
   v1::JobSpec spec;
   spec.ParseFromString(submission.spec);
+  spec.mutable_plate()->set_request(static_cast<int32_t>(of_request));
+  spec.mutable_plate()->set_bed(static_cast<int32_t>(bed));
   spec.clear_objects();
   for (const SceneObject& object : objects)
     ToProto(object, submission.request.scene.meshes, spec.add_objects());
@@ -83,6 +87,17 @@ std::vector<std::string> PlateRequestIds(const std::string& request_id) {
   return ids;
 }
 
+void KeepWhatIsOnThePlate(v1::JobSpec& spec) {
+  v1::JobSpec kept;
+  if (spec.has_plate()) *kept.mutable_plate() = spec.plate();
+  for (const v1::Object& object : spec.objects()) {
+    v1::Object& named = *kept.add_objects();
+    named.set_name(object.name());
+    named.set_copies(std::max(object.instances_size(), std::max(object.copies(), 1)));
+  }
+  spec = std::move(kept);
+}
+
 std::string SpecDigest(const v1::CreatePlatesRequest& request) {
   std::string digests;
   for (const v1::CreateJobRequest& each : request.requests())
@@ -110,8 +125,9 @@ absl::Status PlateRequests::Add(const StageCall& call, Submission submission,
 absl::StatusOr<std::vector<Plate>> PlateRequests::Plates() && {
   std::vector<Plate> plates;
   for (size_t i = 0; i < requests_.size(); ++i) {
-    for (const std::vector<SceneObject>& objects : requests_[i].beds) {
-      auto plate = WithObjects(requests_[i].submission, objects);
+    const auto& beds = requests_[i].beds;
+    for (size_t bed = 0; bed < beds.size(); ++bed) {
+      auto plate = WithObjects(requests_[i].submission, beds[bed], i, bed);
       if (!plate.ok()) return Within("requests", static_cast<int>(i), plate.status());
       plate->request_id = PlateRequestId(request_id_, plates.size());
       plates.push_back({static_cast<int>(i), *std::move(plate)});

@@ -28,6 +28,10 @@ absl::Status CheckPlates(const v1::CreatePlatesRequest& request);
 /// among them.
 std::vector<std::string> PlateRequestIds(const std::string& request_id);
 
+/// Leaves of a plate's spec what tells it from the others: where it is from, and which objects, and
+/// how many copies of each, are on it.
+void KeepWhatIsOnThePlate(v1::JobSpec& spec);
+
 /// Equal for equal specs in the same order.
 std::string SpecDigest(const v1::CreatePlatesRequest& request);
 

@@ -60,7 +60,9 @@ TEST_F(PlatesTest, EachPlateIsAJobOfItsOwn) {
   ASSERT_TRUE(jobs.ok()) << jobs.status();
   ASSERT_THAT(*jobs, SizeIs(3));
   for (const v1::Job& made : *jobs) {
-    EXPECT_FALSE(made.has_spec());
+    EXPECT_EQ(made.spec().objects(0).name(), "part.stl");
+    EXPECT_EQ(made.spec().objects(0).copies(), 1);
+    EXPECT_EQ(made.spec().objects(0).mesh_sha256(), "") << "the answer is one message";
     const v1::Job job = AwaitEnd(made.id());
     EXPECT_EQ(job.state(), v1::JOB_STATE_SUCCEEDED) << job.error().message();
     EXPECT_EQ(job.labels().at("order"), "17");
@@ -82,8 +84,43 @@ TEST_F(PlatesTest, PlatesOfSeveralRequestsComeInTheirOrder) {
   const auto jobs = CreatePlates(request);
   ASSERT_TRUE(jobs.ok()) << jobs.status();
   ASSERT_THAT(*jobs, SizeIs(3));
-  const int layers[] = {3, 3, 5};
-  for (size_t i = 0; i < 3; ++i) EXPECT_EQ(AwaitEnd(jobs->at(i).id()).result().layers(), layers[i]);
+  const int layers[] = {3, 3, 5}, requests[] = {0, 0, 1}, beds[] = {0, 1, 0};
+  for (size_t i = 0; i < 3; ++i) {
+    const v1::Job job = AwaitEnd(jobs->at(i).id());
+    EXPECT_EQ(job.result().layers(), layers[i]);
+    for (const v1::Job& told : {jobs->at(i), job}) {
+      EXPECT_EQ(told.spec().plate().request(), requests[i]);
+      EXPECT_EQ(told.spec().plate().bed(), beds[i]);
+    }
+  }
+}
+
+TEST_F(PlatesTest, CopiesOnABedAreToldAsMany) {
+  v1::JobSpec spec;
+  spec.mutable_plate()->set_request(1);
+  spec.mutable_plate()->set_bed(2);
+  spec.add_settings()->set_key("layer_height");
+  for (const char* name : {"one", "three"}) spec.add_objects()->set_name(name);
+  spec.mutable_objects(0)->set_mesh_sha256("a digest");
+  for (int i = 0; i < 3; ++i) spec.mutable_objects(1)->add_instances();
+  KeepWhatIsOnThePlate(spec);
+  EXPECT_EQ(spec.plate().request(), 1);
+  EXPECT_EQ(spec.plate().bed(), 2);
+  EXPECT_THAT(spec.settings(), IsEmpty());
+  ASSERT_EQ(spec.objects_size(), 2);
+  EXPECT_EQ(spec.objects(0).mesh_sha256(), "");
+  EXPECT_EQ(spec.objects(0).copies(), 1);
+  EXPECT_EQ(spec.objects(1).name(), "three");
+  EXPECT_EQ(spec.objects(1).copies(), 3);
+}
+
+TEST_F(PlatesTest, NoClientSaysWhatPlateItsJobIs) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  v1::CreateJobRequest request = RequestFor("xxx");
+  request.mutable_spec()->mutable_plate()->set_bed(7);
+  const auto job = Create(request);
+  ASSERT_TRUE(job.ok()) << job.status();
+  EXPECT_FALSE(AwaitEnd(job->id()).spec().has_plate());
 }
 
 TEST_F(PlatesTest, ARepeatedCallReturnsTheFirstOnesJobs) {
@@ -93,6 +130,7 @@ TEST_F(PlatesTest, ARepeatedCallReturnsTheFirstOnesJobs) {
   const auto second = CreatePlates(PlatesFor("xxx", 3, "an id"));
   ASSERT_TRUE(second.ok()) << second.status();
   EXPECT_EQ(Ids(*second), Ids(*first));
+  EXPECT_EQ(second->at(2).spec().plate().bed(), 2) << "as it is kept";
   EXPECT_EQ(arranging_.runs(), 1) << "nothing is done twice";
   EXPECT_THAT(List(), SizeIs(3));
   EXPECT_EQ(DetailOf(CreatePlates(PlatesFor("xxx", 4, "an id")).status()).reason,

@@ -1,5 +1,7 @@
 #include "services/coordinator/server/api/transfers.h"
 
+#include "common/base/cancel_scope.h"
+
 namespace slicefarm::coordinator {
 
 absl::Status Transfers::Run(grpc::ServerContext& context, const std::string& tenant,
@@ -7,6 +9,7 @@ absl::Status Transfers::Run(grpc::ServerContext& context, const std::string& ten
   const auto place = places_.Enter(tenant);
   if (!place.ok()) return place.status();
   rpc::StreamWatch::Guard guard(watch_, context);
+  const CancelScope scope(CancelToken([&] { return context.IsCancelled(); }));
   return guard.Outcome(work([&](int64_t bytes) { guard.Moved(bytes); }));
 }
 

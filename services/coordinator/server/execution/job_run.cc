@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "common/base/cancel_scope.h"
 #include "common/base/error.h"
 #include "services/coordinator/algo/job_trace.h"
 #include "services/coordinator/algo/pipeline/report_json.h"
@@ -75,8 +76,7 @@ absl::StatusOr<bool> JobRun::Take(RunSteps::Step step, const absl::Status& error
 }
 
 absl::StatusOr<bool> JobRun::FindCached() {
-  const CancelToken given_up([this] { return wishes_->GivenUp(environment_.now_us()); });
-  auto resolved = environment_.resolved.Of(job_.spec, result_tenant_, given_up);
+  auto resolved = environment_.resolved.Of(job_.spec, result_tenant_, GivenUp());
   if (!resolved.ok()) return resolved.status();
   resolved_ = *std::move(resolved);
   std::optional<ScopedSpan> looking(std::in_place, &spans_, "cache");
@@ -97,7 +97,8 @@ absl::StatusOr<bool> JobRun::Compute() {
   std::optional<ScopedSpan> loading(std::in_place, &spans_, "meshes");
   const auto blobs = environment_.blobs.Of(job_.tenant);
   if (!blobs.ok()) return blobs.status();
-  const CancelToken given_up([this] { return wishes_->GivenUp(environment_.now_us()); });
+  const CancelToken given_up = GivenUp();
+  const CancelScope scope(given_up);
   StageCall call;
   call.job_id = job_.id;
   call.claimant = {job_.tenant, static_cast<int>(job_.priority)};
@@ -122,13 +123,19 @@ absl::StatusOr<bool> JobRun::Compute() {
 
 absl::StatusOr<bool> JobRun::Keep() {
   std::optional<ScopedSpan> keeping(std::in_place, &spans_, "artifacts");
+  std::optional<CancelScope> scope(std::in_place, GivenUp());
   auto update = environment_.results.Keep(*resolved_, *output_, result_tenant_);
+  scope.reset();
   output_.reset();
   if (!update.ok()) return update.status();
   keeping.reset();
   update->trace_sha256 = KeepTrace("ok");
   if (absl::Status written = Write(*update); !written.ok()) return written;
   return true;
+}
+
+CancelToken JobRun::GivenUp() const {
+  return CancelToken([this] { return wishes_->GivenUp(environment_.now_us()); });
 }
 
 /// What was done so far; empty if it cannot be kept: no job is to fail for want of its trace.

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "common/base/cancel_token.h"
 #include "common/base/span_log.h"
 #include "common/base/stopwatch.h"
 #include "common/rpc/observe/json_log.h"
@@ -67,6 +68,7 @@ class JobRun {
   absl::StatusOr<bool> Compute();
   absl::StatusOr<bool> Keep();
   absl::StatusOr<bool> Conclude(const absl::Status& error);
+  CancelToken GivenUp() const;
   void Progress(PipelineProgress progress);
   absl::Status Write(JobUpdate update);
   absl::Status Written(const absl::Status& status);

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "common/base/cancel_scope.h"
 #include "common/base/stoppable_sleep.h"
 
 namespace slicefarm::coordinator {
@@ -25,6 +26,7 @@ void Maintenance::Run(const std::stop_token& stop) {
 
 void Maintenance::SweepOnce(const std::stop_token& stop) {
   const CancelToken cancel([&] { return stop.stop_requested(); });
+  const CancelScope scope(cancel);
   // Less than from one to the next, so that the same one may go on.
   const auto turn_us = std::chrono::microseconds(options_.every).count() * 9 / 10;
   const auto mine = jobs_.TakeChore("sweep", now_us_(), now_us_() + turn_us);

@@ -47,7 +47,8 @@ class BlobReader {
 /// Bytes by their SHA-256 (64 lower-case hex digits). A blob that is complete is on disk and never
 /// changes. Thread-safe.
 ///
-/// Errors of all: STORE_FAILED, DISK_FULL; REQUEST_MALFORMED for a name that is no digest.
+/// Errors of all: STORE_FAILED, DISK_FULL; CANCELLED by the thread's CancelScope, of stores that
+/// wait for a network; REQUEST_MALFORMED for a name that is no digest.
 class BlobStore {
  public:
   virtual ~BlobStore() = default;

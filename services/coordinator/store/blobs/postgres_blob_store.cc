@@ -8,11 +8,10 @@
 
 #include "common/base/sha256.h"
 #include "services/coordinator/store/blobs/blob_errors.h"
+#include "services/coordinator/store/blobs/blob_pages.h"
 
 namespace slicefarm::coordinator {
 namespace {
-
-constexpr int32_t kListed = 20'000;  ///< blobs a query
 
 /// Of a row.
 struct Key {
@@ -384,29 +383,16 @@ absl::StatusOr<int64_t> PostgresBlobStore::DropDamaged(double aside_s) {
 }
 
 absl::Status PostgresBlobStore::ForEach(const std::function<void(const BlobEntry&)>& visit) {
-  std::string after;
-  for (bool more = true; more;) {
-    std::vector<BlobEntry> page;
-    {
-      const auto session = database_->Read();
-      if (!session.ok()) return session.status();
-      SqlQuery query(**session,
-                     "SELECT digest, size, complete,"
-                     " (extract(epoch FROM now() - touched) * 1000000)::BIGINT FROM blobs"
-                     " WHERE tenant = ? AND digest > ? AND digest NOT LIKE 'corrupt/%' ORDER BY "
-                     "digest LIMIT ?");
-      query.Bind(tenant_, after, kListed);
-      while (query.Next()) {
-        page.push_back({query.Text(0), query.Int(1), query.Int(2) != 0,
-                        static_cast<double>(query.Int(3)) * 1e-6});
-      }
-      if (!query.status().ok()) return query.status();
-    }
-    for (const BlobEntry& entry : page) visit(entry);
-    more = static_cast<int32_t>(page.size()) == kListed;
-    if (more) after = page.back().digest;
-  }
-  return absl::OkStatus();
+  return ForEachBlobOf(
+      *database_,
+      "SELECT digest, size, complete, (extract(epoch FROM now() - touched) * 1000000)::BIGINT"
+      " FROM blobs WHERE digest NOT LIKE 'corrupt/%' AND",
+      tenant_,
+      [](const SqlQuery& row) {
+        return BlobEntry{row.Text(0), row.Int(1), row.Int(2) != 0,
+                         static_cast<double>(row.Int(3)) * 1e-6};
+      },
+      visit);
 }
 
 }  // namespace slicefarm::coordinator

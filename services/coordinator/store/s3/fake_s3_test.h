@@ -36,8 +36,8 @@ class FakeS3 {
 
   std::string Url() const { return "http://127.0.0.1:" + std::to_string(port_) + "/farm/prefix"; }
 
-  /// A client that gives up soon.
-  std::shared_ptr<S3Client> Client(const std::string& secret = "secret") const {
+  /// Of a client that gives up soon.
+  S3Options Options(const std::string& secret = "secret") const {
     const auto credentials =
         std::make_shared<const S3Credentials>(S3Credentials{"access", secret, ""});
     S3Options options;
@@ -45,7 +45,11 @@ class FakeS3 {
     options.credentials = [credentials] { return credentials; };
     options.http.stall = std::chrono::seconds(1);
     options.first_pause = std::chrono::milliseconds(1);
-    return std::make_shared<S3Client>(std::move(options));
+    return options;
+  }
+
+  std::shared_ptr<S3Client> Client(const std::string& secret = "secret") const {
+    return std::make_shared<S3Client>(Options(secret));
   }
 
   /// From now on the next `times` requests of this method fail so; those before it do not any more.

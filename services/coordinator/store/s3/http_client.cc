@@ -70,6 +70,11 @@ size_t Receive(char* from, size_t size, size_t count, void* user) {
   return size * count;
 }
 
+/// Not 0: the transfer is to end.
+int GoOn(void* user, curl_off_t, curl_off_t, curl_off_t, curl_off_t) {
+  return static_cast<const CancelToken*>(user)->Cancelled() ? 1 : 0;
+}
+
 using HeaderList = std::unique_ptr<curl_slist, decltype(&curl_slist_free_all)>;
 
 HeaderList ListOf(const std::vector<std::string>& headers) {
@@ -164,11 +169,15 @@ absl::StatusOr<HttpAnswer> HttpClient::Do(const HttpRequest& request) {
   curl_easy_setopt(curl, CURLOPT_HTTPHEADER, headers.get());
   curl_easy_setopt(curl, CURLOPT_WRITEFUNCTION, &Receive);
   curl_easy_setopt(curl, CURLOPT_WRITEDATA, &receiving);
+  curl_easy_setopt(curl, CURLOPT_NOPROGRESS, 0L);
+  curl_easy_setopt(curl, CURLOPT_XFERINFOFUNCTION, &GoOn);
+  curl_easy_setopt(curl, CURLOPT_XFERINFODATA, &request.cancel);
   curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, error.data());
   const CURLcode code = curl_easy_perform(curl);
   if (!sending.status.ok()) return sending.status;
   if (receiving.too_much)
     return absl::UnavailableError("the answer is longer than what was asked for");
+  if (code == CURLE_ABORTED_BY_CALLBACK) return request.cancel.Check();
   if (code == CURLE_OK) return AnswerOf(curl, std::move(receiving.bytes));
   return absl::UnavailableError(error[0] == '\0' ? curl_easy_strerror(code) : error.data());
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/base/cancel_token.h"
 
 namespace slicefarm::coordinator {
 
@@ -25,6 +26,7 @@ struct HttpRequest {
   std::vector<std::string> headers = {};  ///< "Name: value"
   const BodySource* body = nullptr;       ///< of PUT
   int64_t most_bytes = 64 << 10;          ///< of the answer; more is an error
+  CancelToken cancel = {};                ///< looked at once a second, and when bytes move
 };
 
 struct HttpAnswer {
@@ -48,7 +50,7 @@ class HttpClient {
   HttpClient(const HttpClient&) = delete;
   HttpClient& operator=(const HttpClient&) = delete;
 
-  /// Errors: those of the body; Unavailable with the cause if there was no whole answer.
+  /// Errors: those of the body; CANCELLED; Unavailable with the cause if there was no whole answer.
   absl::StatusOr<HttpAnswer> Do(const HttpRequest& request);
 
  private:

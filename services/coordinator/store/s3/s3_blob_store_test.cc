@@ -5,10 +5,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <utility>
 
+#include "common/base/cancel_scope.h"
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 #include "services/coordinator/store/blobs/checking_reader.h"
@@ -160,6 +163,25 @@ TEST_P(S3FaultsTest, NothingAcknowledgedIsLost) {
   UntilDone([&] { return store_->DropDamaged(0).status(); });
   EXPECT_EQ(std::ssize(Objects()), Rows("s3_blobs"));
   EXPECT_EQ(Rows("s3_loose"), 0);
+}
+
+// Whoever waits for a bucket that is away, or says nothing, can be called off. Without that, this
+// takes an hour.
+TEST_F(S3BlobStoreTest, AWaitForTheBucketEndsWhenItIsNotWantedAnyMore) {
+  // Looked at often between two tries, and once a second while nothing comes.
+  for (const auto& [kind, looks] : {std::pair("503", 30), std::pair("stall", 3)}) {
+    S3Options options = bucket_.Options();
+    options.http.stall = std::chrono::hours(1);
+    options.first_pause = std::chrono::hours(1);
+    S3BlobStore store(std::make_shared<S3Client>(options), database_, staged_, "");
+    bucket_.Fail("PUT", kind, 1);
+    std::atomic<int> asked = 0;
+    const CancelScope scope(CancelToken([&] { return ++asked > looks; }));
+    const auto put = store.Put("a small one");
+    EXPECT_TRUE(absl::IsCancelled(put.status())) << put.status();
+    EXPECT_EQ(DetailOf(put.status()).reason, Reason::kCancelled);
+  }
+  EXPECT_TRUE(store_->Put(bytes_).ok());
 }
 
 TEST_F(S3BlobStoreTest, AWrongSecretIsTold) {

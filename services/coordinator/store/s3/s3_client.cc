@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <string_view>
-#include <thread>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "absl/time/clock.h"
 #include "absl/time/time.h"
+#include "common/base/cancel_scope.h"
 #include "common/base/sha256.h"
+#include "common/base/stoppable_sleep.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -64,7 +65,8 @@ struct S3Client::Wanted {
   int64_t most_bytes = 64 << 10;
 };
 
-absl::StatusOr<HttpAnswer> S3Client::AskOnce(const Wanted& wanted, bool& again) {
+absl::StatusOr<HttpAnswer> S3Client::AskOnce(const Wanted& wanted, const CancelToken& cancel,
+                                             bool& again) {
   const std::string path = UriEncoded(options_.address.PathOf(wanted.key), /*is_path=*/true);
   const auto credentials = options_.credentials();
   const std::string time = Now();
@@ -82,6 +84,7 @@ absl::StatusOr<HttpAnswer> S3Client::AskOnce(const Wanted& wanted, bool& again) 
       "authorization: ", S3Authorization(request, *credentials, options_.region, time)));
   http.body = wanted.body;
   http.most_bytes = wanted.most_bytes;
+  http.cancel = cancel;
   auto answer = http_.Do(http);
   again = absl::IsUnavailable(answer.status());
   if (!answer.ok() || answer->status / 100 == 2) return answer;
@@ -90,12 +93,14 @@ absl::StatusOr<HttpAnswer> S3Client::AskOnce(const Wanted& wanted, bool& again) 
 }
 
 absl::StatusOr<HttpAnswer> S3Client::Ask(const Wanted& wanted) {
+  const CancelToken cancel = CancelScope::Current();
   std::chrono::milliseconds pause = options_.first_pause;
   for (int left = options_.tries;;) {
     bool again = false;
-    auto answer = AskOnce(wanted, again);
+    auto answer = AskOnce(wanted, cancel, again);
     if (answer.ok() || !again || --left == 0) return answer;
-    std::this_thread::sleep_for(pause);
+    if (absl::Status wanted_still = SleepUnlessCancelled(cancel, pause); !wanted_still.ok())
+      return wanted_still;
     pause *= 2;
   }
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "absl/status/statusor.h"
+#include "common/base/cancel_token.h"
 #include "services/coordinator/store/s3/http_client.h"
 #include "services/coordinator/store/s3/s3_address.h"
 #include "services/coordinator/store/s3/sigv4.h"
@@ -27,7 +28,8 @@ struct S3Options {
 /// Objects of a bucket, by Amazon's S3 API or another one that speaks it. Thread-safe.
 ///
 /// Errors of all: NotFound for an object that is not there; PermissionDenied if the bucket refuses
-/// us; Unavailable for everything else, after as many tries as the options say.
+/// us; CANCELLED by the thread's CancelScope, also between two tries; Unavailable for everything
+/// else, after as many tries as the options say.
 class S3Client {
  public:
   explicit S3Client(S3Options options) : options_(std::move(options)), http_(options_.http) {}
@@ -51,7 +53,7 @@ class S3Client {
   struct Wanted;
 
   absl::StatusOr<HttpAnswer> Ask(const Wanted& wanted);
-  absl::StatusOr<HttpAnswer> AskOnce(const Wanted& wanted, bool& again);
+  absl::StatusOr<HttpAnswer> AskOnce(const Wanted& wanted, const CancelToken& cancel, bool& again);
 
   const S3Options options_;
   HttpClient http_;

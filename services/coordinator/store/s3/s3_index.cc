@@ -2,10 +2,11 @@
 
 #include <utility>
 
+#include "services/coordinator/store/blobs/blob_pages.h"
+
 namespace slicefarm::coordinator {
 namespace {
 
-constexpr int32_t kRowsListed = 20'000;  ///< blobs a query
 /// By then an object was put, or never will be: a stalled one is given up within a minute.
 constexpr int64_t kPutWithinUs = int64_t{24} * 3600 * 1'000'000;
 
@@ -147,27 +148,13 @@ absl::StatusOr<int64_t> S3Index::Bytes() {
 }
 
 absl::Status S3Index::ForEach(const std::function<void(const BlobEntry&)>& visit, int64_t now_us) {
-  std::string after;
-  for (bool more = true; more;) {
-    std::vector<BlobEntry> page;
-    {
-      const auto session = database_->Read();
-      if (!session.ok()) return session.status();
-      SqlQuery query(**session,
-                     "SELECT digest, size, touched_us FROM s3_blobs WHERE tenant = ?"
-                     " AND digest > ? ORDER BY digest LIMIT ?");
-      query.Bind(tenant_, after, kRowsListed);
-      while (query.Next()) {
-        page.push_back({query.Text(0), query.Int(1), /*complete=*/true,
-                        static_cast<double>(now_us - query.Int(2)) * 1e-6});
-      }
-      if (!query.status().ok()) return query.status();
-    }
-    for (const BlobEntry& entry : page) visit(entry);
-    more = static_cast<int32_t>(page.size()) == kRowsListed;
-    if (more) after = page.back().digest;
-  }
-  return absl::OkStatus();
+  return ForEachBlobOf(
+      *database_, "SELECT digest, size, touched_us FROM s3_blobs WHERE", tenant_,
+      [now_us](const SqlQuery& row) {
+        return BlobEntry{row.Text(0), row.Int(1), /*complete=*/true,
+                         static_cast<double>(now_us - row.Int(2)) * 1e-6};
+      },
+      visit);
 }
 
 absl::StatusOr<std::vector<std::string>> S3Index::Tenants(SqlDatabase& database) {
