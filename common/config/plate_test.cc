@@ -90,13 +90,13 @@ double Density(const ResolvedPlate& plate, int32_t row) {
 
 TEST(ResolvePlate, WarnsOnceOfWhatObjectsAskFor) {
   SceneObject a = ObjectOfFile("a", 0, {}, 1), b = ObjectOfFile("b", 1, {}, 1);
-  a.settings = b.settings = {{"spiral_vase", "1", Source::kProfile}};
+  a.settings = b.settings = {{"colorprint_heights", "5", Source::kProfile}};
   EXPECT_THAT(PlateOrDie({}, {a, b}).warnings,
-              testing::ElementsAre(testing::StartsWith("a: spiral_vase = 1")));
-  const std::vector<Setting> job = {{"spiral_vase", "1", Source::kProfile}};
+              testing::ElementsAre(testing::StartsWith("a: colorprint_heights = 5")));
+  const std::vector<Setting> job = {{"colorprint_heights", "5", Source::kProfile}};
   const auto plate = ResolvePlate(job, std::vector<SceneObject>{a, b}, Process::kFdm);
   ASSERT_TRUE(plate.ok()) << plate.status();
-  EXPECT_THAT(plate->warnings, testing::ElementsAre(testing::StartsWith("spiral_vase = 1")));
+  EXPECT_THAT(plate->warnings, testing::ElementsAre(testing::StartsWith("colorprint_heights = 5")));
 }
 
 TEST(ResolvePlate, ArrangedCopiesLeaveRoomForTheWidestBrim) {

@@ -45,7 +45,7 @@ TEST_P(TellTest, Tells) {
 
 INSTANTIATE_TEST_SUITE_P(
     Keys, TellTest,
-    testing::Values(TellCase{"NotSupportedYet", "spiral_vase", "1", "1"},
+    testing::Values(TellCase{"NotSupportedYet", "wipe_tower", "1", "1"},
                     TellCase{"OfTheProfile", "printer_notes", "MK3\\nS", "MK3\\nS"},
                     TellCase{"Unknown", "new_in_3_0", "x", "x"},
                     TellCase{"OneLine", "notes", "a\nM112\r", "a M112"},

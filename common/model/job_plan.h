@@ -60,8 +60,8 @@ struct LayerPlan {
   bool ends_ready = false;
   std::vector<SectionPlan> sections;  ///< by ascending stack
   std::vector<Path> paths;            ///< finished ones in plate coordinates, printed first
-  Coord paths_height_nm = 0;          ///< how high `paths` are; 0: as the layer
   std::vector<PlannedInfill> infill;  ///< by ascending stack, then row; none: nothing is decided
+  Coord paths_height_nm = 0;          ///< how high `paths` are; 0: as the layer
 
   friend bool operator==(const LayerPlan&, const LayerPlan&) = default;
 };

@@ -10,7 +10,7 @@ namespace slicefarm {
 /// of the layer below to the top of its own.
 struct SpiralTurn {
   Point start;                ///< of the loop, and its end
-  std::optional<Point> from;  ///< where the turn below ends, and this one goes on; none: the first
+  std::optional<Point> from = {};  ///< where the turn below ends, and this one goes on; none: the first
   bool last = false;          ///< no turn follows
   bool blends = true;         ///< it leads over from the turn below all along, else at once
 

@@ -237,10 +237,10 @@ TEST_F(Program, TakesTheSettingsOfItsOwnGcode) {
 }
 
 TEST_F(Program, WritesAReport) {
-  Put("vase.ini", "spiral_vase = 1\n");
-  const Outcome outcome = Slice({"--report", Path("r.json"), "--config", Path("vase.ini")});
+  Put("heights.ini", "colorprint_heights = 5\n");
+  const Outcome outcome = Slice({"--report", Path("r.json"), "--config", Path("heights.ini")});
   ASSERT_EQ(outcome.code, ExitCode::kOk);
-  EXPECT_THAT(outcome.err, HasSubstr("warning: spiral_vase = 1"));
+  EXPECT_THAT(outcome.err, HasSubstr("warning: colorprint_heights = 5"));
   const auto report = nlohmann::json::parse(Text("r.json"));
   for (const char* key :
        {"meshes", "layers", "print_time_s", "print_time", "filament", "features", "travel",
@@ -252,8 +252,8 @@ TEST_F(Program, WritesAReport) {
   EXPECT_EQ(report["meshes"][0]["triangles"], 12);
   EXPECT_TRUE(report["meshes"][0]["closed"]);
   EXPECT_NEAR(report["meshes"][0]["volume_mm3"], 1000, 1e-6);
-  EXPECT_THAT(report["settings_without_effect"][0], HasSubstr("spiral_vase = 1"));
-  EXPECT_THAT(report["warnings"][0], HasSubstr("spiral_vase = 1"));
+  EXPECT_THAT(report["settings_without_effect"][0], HasSubstr("colorprint_heights = 5"));
+  EXPECT_THAT(report["warnings"][0], HasSubstr("colorprint_heights = 5"));
 }
 
 TEST_F(Program, PlacesThePart) {

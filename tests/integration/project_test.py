@@ -218,10 +218,10 @@ def check_what_has_no_effect(program, folder):
     assert "scripts" in told and "no_such_setting" in told, told
     assert "evil" not in (folder / "out.gcode").read_text()
     files = painted_files(lambda x, y, z: 1 if x < 1e-6 else 0, "slic3rpe:fuzzy_skin")
-    files["Metadata/Slic3r_PE.config"] += "; spiral_vase = 1\n; host_type = prusalink\n"
+    files["Metadata/Slic3r_PE.config"] += "; colorprint_heights = 5\n; host_type = prusalink\n"
     files["Metadata/thumbnail.png"] = "no picture"
     lines = run(program, "slice", write(folder / "weights.3mf", files), "-o", folder / "out.gcode").stderr.splitlines()
-    assert [line.split(":")[1].split()[0] for line in lines] == ["spiral_vase", "painted"], lines
+    assert [line.split(":")[1].split()[0] for line in lines] == ["colorprint_heights", "painted"], lines
 
 
 def painted_files(state, attribute):

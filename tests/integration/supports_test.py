@@ -197,6 +197,21 @@ def check_adaptive(program, folder, models):
     assert supports(held), "branches beside layers of many heights"
 
 
+def check_first_layer(program, folder):
+    """What hangs lower than the first layer of supports can carry lowers no first layer, and skirts step over layers of supports alone."""
+    mesh = mesh_xml(box(0, 0, 0, 10, 10, 5), box(10, 0, 0.4, 14, 10, 5), box(-8, 0, 2.05, 0, 10, 5))
+    settings = SETTINGS | {"first_layer_height": "0.3", "layer_height": "0.1", "support_material_contact_distance": "0.15", "skirts": "1", "skirt_height": "5",
+                           "skirt_distance": "3", "brim_type": "no_brim"}
+    files = {"3D/3dmodel.model": model_xml(f'<object id="1" type="model">{mesh}</object>', item(1, 50, 60, False), "PrusaSlicer-2.9.2"),
+             "Metadata/Slic3r_PE.config": "".join(f"; {key} = {value}\n" for key, value in settings.items())}
+    for style in ("grid", "organic"):
+        beads = sliced(program, folder, write(folder / "low.3mf", files), "--set", f"support_material_style={style}")
+        assert min(bead.z for bead in beads) == 0.3, min(bead.z for bead in beads)
+        assert any(bead.feature == "Support material" for bead in beads), style
+        skirt = sorted({(bead.z, bead.height) for bead in beads if bead.feature == "Skirt/Brim"})
+        assert skirt == [(0.3, 0.3), (0.4, 0.1), (0.5, 0.1), (0.6, 0.1), (0.7, 0.1)], skirt
+
+
 def check_same_bytes(program, folder, models):
     os.environ["SLICEFARM_BIN"] = str(pathlib.Path(program).resolve().parent)
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
@@ -239,7 +254,7 @@ def check_conflict_there(farm, folder):
 def main(program, models):
     with tempfile.TemporaryDirectory() as name:
         folder, models = pathlib.Path(name), pathlib.Path(models)
-        for check in (check_automatic, check_another_object_below, check_copies, check_conflicts, check_bridges_without_supports_are_threads, check_painted, check_heights_drawn_by_hand):
+        for check in (check_automatic, check_another_object_below, check_copies, check_conflicts, check_bridges_without_supports_are_threads, check_painted, check_heights_drawn_by_hand, check_first_layer):
             check(program, folder)
             print(f"{check.__name__}: ok", flush=True)
         for check in (check_adaptive, check_same_bytes):

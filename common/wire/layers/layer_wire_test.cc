@@ -53,7 +53,7 @@ const Stack kRaftStack(9, kPlateObject, StackKind::kRaft);
 
 ObjectSection DistinctSection(Stack of) {
   ObjectSection section;
-  auto& [stack, layer, layer_count, height, regions, whole, z, marks] = section;
+  auto& [stack, layer, layer_count, height, regions, whole, z, marks, hollow] = section;
   stack = of;
   layer = 5;
   layer_count = 9;
@@ -61,6 +61,7 @@ ObjectSection DistinctSection(Stack of) {
   regions = {{Role::kPart, 1, 2, Islands()}, {Role::kRaft, 3, 4, {}}};
   whole = Islands();
   z = 950'000;
+  hollow = true;
   marks = {{PartRole::kSupportBlocker, {Islands()[0]}}, {PartRole::kSeamEnforcer, {Islands()[1]}}};
   return section;
 }
@@ -100,7 +101,7 @@ FilledLayer Filled() {
 }
 OrderedLayer Ordered() {
   PathBlock first;
-  auto& [stack, layer, height, paths, travels, leave, below, carried] = first;
+  auto& [stack, layer, height, paths, travels, leave, below, carried, spiral] = first;
   stack = kRaftStack;
   layer = 2;
   height = 150'000;
@@ -115,6 +116,7 @@ OrderedLayer Ordered() {
   way = {true, {{7, 8}}};
   below = *ParseMultiPolygon("(0 0, 9 0, 9 9)");
   carried = *ParseMultiPolygon("(1 1, 3 1, 3 3)");
+  spiral = {{1, 2}, Point{3, 4}, true, false};
   BlockVisit visit;
   auto& [block, copy, pass, shift] = visit;
   block = 1;

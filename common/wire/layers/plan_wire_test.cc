@@ -37,12 +37,13 @@ PlacedCopy DistinctPlaced() {
 
 SectionPlan DistinctSection(int32_t of) {
   SectionPlan plan;
-  auto& [stack, entry, exit, seams, carried] = plan;
+  auto& [stack, entry, exit, seams, carried, spiral] = plan;
   stack = of;
   entry = {2, -3};
   exit = {-8, 9};
   seams = {{4, 5}, {-6, 7}};
   carried = MakePolygonsOrDie("(2 2, 7 2, 7 7)");
+  spiral = {{10, 11}, Point{-12, 13}, true, false};
   return plan;
 }
 
@@ -61,12 +62,13 @@ PlannedInfill DistinctInfill(int32_t of) {
 
 LayerPlan DistinctLayer() {
   LayerPlan plan;
-  auto& [entry, begins_ready, ends_ready, sections, paths, infill] = plan;
+  auto& [entry, begins_ready, ends_ready, sections, paths, infill, paths_height] = plan;
   entry = {-1, 2};
   begins_ready = true;
   ends_ready = true;
   sections = {DistinctSection(3), DistinctSection(5)};
   paths = {MakePathOrDie("(0 0, 9 0, 9 9)", true)};
+  paths_height = 230'000;
   infill = {DistinctInfill(3), DistinctInfill(4)};
   return plan;
 }

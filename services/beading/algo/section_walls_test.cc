@@ -184,5 +184,22 @@ TEST(WallSection, WhatIsNotThePartIsCalledByItsRole) {
   }
 }
 
+TEST(WallSection, AHollowSectionHasOneWallAndNothingInside) {
+  ObjectSection section{0, 3, 9, 200'000, {}, {}, 0, {}};
+  section.regions = {{Role::kPart, 0, 0, MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)")}};
+  section.hollow = true;
+  const WalledSection walled = Walled(section, {{}});
+  ASSERT_EQ(walled.islands.size(), 1u);
+  ASSERT_EQ(walled.islands[0].walls.size(), 1u);
+  EXPECT_TRUE(walled.islands[0].fill_areas.empty());
+  const Path& wall = walled.islands[0].walls[0];
+  EXPECT_EQ(wall.feature, Feature::kExternalPerimeter);
+  EXPECT_NEAR(PathLength(wall) / 1e6, 4 * (20 - .45), 1e-6);
+  // Where no single loop runs, as many walls as others have, and nothing inside all the same.
+  section.regions[0].outlines = MakePolygonsOrDie("(0 0, 20 0, 20 .6, 0 .6)");
+  for (const WalledIsland& island : Walled(section, {{}}).islands)
+    EXPECT_TRUE(island.fill_areas.empty());
+}
+
 }  // namespace
 }  // namespace slicefarm::beading::section_walls_test

@@ -547,5 +547,46 @@ TEST(FillSection, BridgesHaveTheFlowThatIsAskedFor) {
   }
 }
 
+/// The length of a feature's paths, mm.
+double LengthOf(const FilledSection& section, Feature feature) {
+  double length = 0;
+  for (const FilledIsland& island : section.islands)
+    for (const FillGroup& group : island.fills)
+      for (const Path& path : group.paths)
+        if (path.feature == feature) length += PathLength(path) / 1e6;
+  return length;
+}
+
+// Of the skins the lowest alone lies over sparse infill.
+TEST(FillSection, SkinsOverSparseInfillAreBridges) {
+  const auto layers = Prism();
+  const ObjectLayers objects(layers);
+  std::vector<InfillOptions> regions(1);
+  regions[0].top_solid_layers = 3;
+  regions[0].bottom_solid_layers = 0;
+  WalledIsland island;
+  island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 19 1, 19 19, 1 19)")}};
+  const struct {
+    double density;
+    int32_t layer;
+    std::set<Feature> features;
+  } cases[] = {{.2, 6, {Feature::kInternalInfill}},
+               {.2, 7, {Feature::kBridgeInfill}},
+               {.2, 8, {Feature::kSolidInfill}},
+               {.2, 9, {Feature::kTopSolidInfill}},
+               {0, 7, {Feature::kBridgeInfill}},
+               {.5, 7, {Feature::kSolidInfill}}};
+  for (const auto& [density, layer, features] : cases) {
+    regions[0].density = density;
+    const auto filled = FillPlain({0, layer, 200'000, {island}}, false, objects, regions);
+    ASSERT_TRUE(filled.ok()) << filled.status();
+    EXPECT_EQ(FeaturesOf(*filled, 0), features) << density << " in layer " << layer;
+    // Threads 0.45 mm apart.
+    if (features.contains(Feature::kBridgeInfill)) {
+      EXPECT_NEAR(LengthOf(*filled, Feature::kBridgeInfill), 18 * 18 / .45, 60);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace slicefarm::infill::section_fill_test

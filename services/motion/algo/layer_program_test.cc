@@ -543,5 +543,55 @@ TEST(ProgramLayer, AnEmptyLayerHandsTheFilamentOnAsItShould) {
   EXPECT_THAT(Programmed(layer).gcode, Not(HasSubstr("G1")));
 }
 
+TEST(ProgramLayer, SupportsBetweenThePartsLayersAreNotSlowedDown) {
+  MotionOptions options = Options();
+  options.cooling.enabled = true;
+  options.cooling.slowdown_below_layer_time_s = 8;
+  OrderedLayer layer = Square();
+  layer.blocks[0].stack = Stack(1, 0, StackKind::kSupport);
+  EXPECT_LT(Programmed(layer, options).stats.TimeS(), 4);
+  layer.blocks.push_back(Square().blocks[0]);
+  layer.visits.push_back({1, 0, 0, {}});
+  EXPECT_NEAR(Programmed(layer, options).stats.TimeS(), 8, 0.03) << "with the part";
+}
+
+/// A turn of a spiral along a square, that begins where the one below ended.
+OrderedLayer Turn() {
+  OrderedLayer layer = Square();
+  layer.blocks[0].paths.pop_back();
+  const Point start = layer.blocks[0].paths[0].points[0];
+  layer.blocks[0].spiral = {.start = start, .from = start, .last = false, .blends = false};
+  layer.begins_ready = layer.ends_ready = true;
+  return layer;
+}
+
+TEST(ProgramLayer, ATurnOfASpiralRisesAlongItsWay) {
+  const LayerProgram turn = Programmed(Turn());
+  EXPECT_EQ(turn.stats.retractions, 0);
+  for (const char* move : {"G1 X30 Z.45 ", "G1 Y30 Z.5 ", "G1 X10 Z.55 ", "G1 Y10 Z.6 "})
+    EXPECT_THAT(turn.gcode, HasSubstr(move));
+  EXPECT_THAT(turn.gcode, Not(HasSubstr("G1 Z")));
+}
+
+TEST(ProgramLayer, TheFirstAndTheLastTurnThinOut) {
+  const double whole = Programmed(Turn()).stats.FilamentMm();
+  OrderedLayer first = Turn();
+  first.begins_ready = false;
+  first.blocks[0].spiral->from.reset();
+  EXPECT_NEAR(Programmed(first).stats.FilamentMm(), whole / 2, whole / 100);
+  OrderedLayer last = Turn();
+  last.ends_ready = false;
+  last.blocks[0].spiral->last = true;
+  EXPECT_NEAR(Programmed(last).stats.FilamentMm(), whole * 3 / 2, whole / 100);
+}
+
+TEST(ProgramLayer, ATurnIsTheFirstOfEachPass) {
+  OrderedLayer layer = Turn();
+  layer.visits.push_back({0, 1, 1, {FromMm(50), 0}});
+  const auto passes = Passes(layer);
+  ASSERT_EQ(passes.size(), 2u);
+  for (const LayerProgram& pass : passes) EXPECT_EQ(pass.stats.retractions, 0);
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::layer_program_test

@@ -166,5 +166,17 @@ TEST(OrderLayer, RefusesBrokenPaths) {
   }
 }
 
+TEST(OrderLayer, ATurnOfASpiralStartsWhereThePlanSays) {
+  LayerPlan plan;
+  plan.begins_ready = plan.ends_ready = true;
+  plan.sections = {{.stack = 0, .entry = {}, .exit = {}, .seams = {}}};
+  plan.sections[0].spiral = {.start = Mm(5, 1), .from = Mm(5, 0.9)};
+  const OrderedLayer ordered = Order(LayerOf({SectionOf(0, kSquare)}), {{0, {}, 0}}, plan);
+  ASSERT_THAT(ordered.blocks, SizeIs(1));
+  EXPECT_EQ(ordered.blocks[0].spiral, plan.sections[0].spiral);
+  EXPECT_EQ(ordered.blocks[0].paths[0].points.front(), Mm(5, 1));
+  EXPECT_TRUE(ordered.begins_ready && ordered.ends_ready);
+}
+
 }  // namespace
 }  // namespace slicefarm::ordering::layer_order_test
