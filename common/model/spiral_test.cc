@@ -5,7 +5,7 @@
 
 #include "common/geometry/measure.h"
 
-namespace slicefarm {
+namespace slicefarm::spiral_test {
 namespace {
 
 using ::testing::DoubleNear;
@@ -55,4 +55,4 @@ TEST(NearestOnLoop, FindsCornersAndEdges) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::spiral_test

@@ -15,79 +15,26 @@
 #include "common/base/error.h"
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset/clean_offset.h"
-#include "common/geometry/offset/offset.h"
 #include "common/model/bead_section.h"
 #include "common/model/options/fill_angles.h"
 #include "services/infill/algo/fields/mean_density.h"
 #include "services/infill/algo/ironing.h"
-#include "services/infill/algo/patterns/registry.h"
 #include "services/infill/algo/lines/line_flow.h"
 #include "services/infill/algo/quality/fill_plastic.h"
+#include "services/infill/algo/section_view.h"
 #include "services/infill/algo/skins/bridge_angle.h"
 #include "services/infill/algo/skins/overhang_fill.h"
 #include "services/infill/algo/skins/skins.h"
 #include "services/infill/algo/skins/sparse_bridges.h"
 #include "services/infill/algo/solid.h"
 #include "services/infill/algo/sparse.h"
+#include "services/infill/algo/sparse_under.h"
 
 namespace slicefarm::infill {
 namespace {
 
 /// Round threads of thick bridges lie so far apart, edge to edge: they sag, and would touch.
 constexpr double kThreadGapNm = 50'000;
-
-/// Over no infill at all, skins this many beads wide are bridges.
-constexpr double kVoidPitchBeads = 5;
-
-/// A section as all its fill areas see it.
-struct SectionView {
-  Stack stack;
-  int32_t layer = 0;  ///< of the stack's own
-  Coord height_nm = 0;
-  bool on_bed = false;
-  const ObjectLayers& stacks;
-  const MultiPolygon& carried;  ///< supports lie right below the section here
-  Coord z_nm = 0;  ///< of the layer's middle, above the stack's bottom
-
-  /// Of the stack, or of its region of a row alone. Null: it has none there.
-  const MultiPolygon* OutlineAt(int32_t own_layer, std::optional<int32_t> row = {}) const {
-    const ObjectSection* section = stacks.Find(stack.id, own_layer);
-    if (section == nullptr) return nullptr;
-    if (!row) return &OutlineOf(*section);
-    const auto own = std::ranges::find(section->regions, *row, &Region::settings);
-    return own == section->regions.end() ? nullptr : &own->outlines;
-  }
-};
-
-/// The outlines above or below. In a prism all layers are equal to `outline`, that of the layer in
-/// question: that is found out here, once for all islands.
-std::vector<const MultiPolygon*> Side(const SectionView& view, std::optional<int32_t> row,
-                                      const MultiPolygon* outline, int32_t step, int32_t count) {
-  std::vector<const MultiPolygon*> side;
-  const MultiPolygon* nearer = outline;
-  for (int32_t i = 1; i <= count; ++i) {
-    const MultiPolygon* layer = view.OutlineAt(view.layer + i * step, row);
-    for (const MultiPolygon* same : {outline, nearer})
-      if (same != nullptr && layer != nullptr && *layer == *same) layer = same;
-    side.push_back(layer);
-    nearer = layer;
-  }
-  return side;
-}
-
-/// The layers that skins of a region look at: `row` alone, or the whole object's. Bridges are where
-/// the whole object is bare.
-Cover CoverOf(const SectionView& view, const InfillOptions& options, std::optional<int32_t> row) {
-  const MultiPolygon* outline = view.OutlineAt(view.layer, row);
-  Cover cover{.above = Side(view, row, outline, 1, options.top_solid_layers),
-              .below = Side(view, row, outline, -1, options.bottom_solid_layers),
-              .on_bed = view.layer == 0};
-  const int32_t bearers = options.over_bridges ? kOverBridgeHaloLayers : 1;
-  if (row || options.over_bridges)
-    cover.bearers = Side(view, {}, outline, -1, std::min(bearers, view.layer));
-  return cover;
-}
 
 /// Lines closer than nothing to each other would be infinitely many.
 absl::Status CheckWidths(const SectionView& view, const InfillOptions& options) {
@@ -148,29 +95,6 @@ FlowTable FlowsOf(const InfillOptions& options) {
   return *FlowTableOf(options);
 }
 
-/// Which way lines run in a layer.
-struct FillAngles {
-  double sparse_rad = 0;
-  double solid_rad = 0;
-  bool sparse_planned = false;  ///< by a template, which says all that turns
-  bool solid_planned = false;
-};
-
-/// The angle that a template names for a layer; none: there is no template.
-std::optional<double> PlannedAngle(const SharedText& angles, double base_rad, int32_t layer) {
-  constexpr double kDegree = std::numbers::pi / 180;
-  const auto& steps = angles.Once([](const std::string& text) { return ParseFillAngles(text); });
-  if (!steps.ok()) return std::nullopt;
-  return FillAngleAt(*steps, base_rad / kDegree, layer) * kDegree;
-}
-
-FillAngles AnglesOf(const InfillOptions& options, int32_t layer) {
-  const auto sparse = PlannedAngle(options.angle_template, options.angle_rad, layer);
-  const auto solid = PlannedAngle(options.solid_angle_template, options.angle_rad, layer);
-  return {sparse.value_or(options.angle_rad), solid.value_or(options.angle_rad), sparse.has_value(),
-          solid.has_value()};
-}
-
 /// What areas are filled with, and what it comes to.
 struct Fills {
   std::vector<FillGroup> groups;
@@ -201,11 +125,13 @@ class RegionFill {
                                       .all_solid = PlainDensity(field) >= 1 || IsSolidLayer(field),
                                       .shells = options_.shells,
                                       .over_bridges = options_.over_bridges});
-    const auto under = SparseUnder(fill_area, skins, field);
-    if (!under.ok()) return under.status();
     SparseBridges over_sparse;
-    if (*under)
-      over_sparse = TakeSparseBridges(**under, Width(options_.solid_width_nm), skins);
+    if (fill_area.role == Role::kPart && BridgesSparse(options_) && !skins.solid.empty() &&
+        SkinsBegin(field)) {
+      const auto under = SparseUnder(fill_area.area, {view_, options_, plan_, row_});
+      if (!under.ok()) return under.status();
+      over_sparse = TakeSparseBridges(*under, Width(options_.solid_width_nm), skins);
+    }
     const FillPattern inner = cover_.on_bed ? options_.bottom_pattern : options_.solid_pattern;
     absl::Status status = AppendSolid(skins.top, Feature::kTopSolidInfill, options_.top_pattern,
                                       options_.top_width_nm, fills);
@@ -334,70 +260,12 @@ class RegionFill {
     return absl::OkStatus();
   }
 
-  /// The sparse infill of the layer below; nothing where skins need not bridge it, or there is none.
-  absl::StatusOr<std::optional<SparseBelow>> SparseUnder(const FillArea& fill_area,
-                                                         const Skins& skins,
-                                                         const LayerField* field) const {
-    std::optional<SparseBelow> none;
-    const ObjectSection* section = view_.stacks.Find(view_.stack.id, view_.layer - 1);
-    const MultiPolygon* outline = view_.OutlineAt(view_.layer - 1, row_);
-    if (fill_area.role != Role::kPart || !BridgesSparse(options_) || skins.solid.empty() ||
-        section == nullptr || outline == nullptr || !SkinsBegin(field))
-      return none;
-    SectionView below = view_;
-    --below.layer;
-    below.z_nm = section->z_nm - section->height_nm / 2;
-    below.height_nm = section->height_nm;
-    const bool solid = options_.density > 0 && options_.solid_every_layers > 0 &&
-                       below.layer % options_.solid_every_layers == 0;
-    Skins skins_below = PartFillArea(fill_area.area, *outline, CoverOf(below, options_, row_),
-                                     {.width_nm = options_.solid_width_nm,
-                                      .solid_below_area_mm2 = options_.solid_below_area_mm2,
-                                      .all_solid = solid,
-                                      .shells = options_.shells});
-    SparseBelow sparse{.region = std::move(skins_below.sparse), .beads = {}, .pitch_nm = 0};
-    if (const MultiPolygon* own = view_.OutlineAt(view_.layer, row_); own == nullptr || *own != *outline)
-      sparse.region = Intersection(sparse.region, FastOffset(*outline, -options_.walls_nm));
-    if (sparse.region.empty()) return none;
-    if (absl::Status ok = LayOutBelow(below, sparse); !ok.ok()) return ok;
-    return sparse;
-  }
-
   /// Whether there may be skins here that the layer below has not: its skins reach one layer less
   /// high.
   bool SkinsBegin(const LayerField* field) const {
     if (IsSolidLayer(field)) return true;
     const auto& above = cover_.above;
     return above.size() < 2 || above.back() == nullptr || above.back() != above[above.size() - 2];
-  }
-
-  /// The lines of sparse infill in a layer, where a law says how they lie.
-  absl::Status LayOutBelow(const SectionView& below, SparseBelow& sparse) const {
-    const Coord spacing = Spacing(options_.sparse_width_nm, below.height_nm);
-    const FillPattern pattern = plan_ == nullptr ? options_.pattern : plan_->pattern;
-    const FillPatternInfo& info = InfoOf(pattern);
-    sparse.pitch_nm = options_.density > 0 ? static_cast<double>(spacing) / options_.density
-                                           : kVoidPitchBeads * static_cast<double>(spacing);
-    if (options_.density <= 0 || info.planned || info.solid == SolidWay::kAlongEdge ||
-        (plan_ != nullptr && !plan_->combined.empty()))
-      return absl::OkStatus();
-    const FillAngles angles = AnglesOf(options_, below.layer);
-    const auto pieces =
-        PatternOf(pattern)(sparse.region, {.z_nm = below.z_nm,
-                                           .layer = angles.sparse_planned ? 0 : below.layer,
-                                           .pitch_nm = sparse.pitch_nm,
-                                           .angle_rad = angles.sparse_rad,
-                                           .spacing_nm = spacing,
-                                           .smoothing_nm = options_.smoothing_nm});
-    if (!pieces.ok()) return pieces.status();
-    std::vector<Polyline> lines;
-    for (const Piece& piece : *pieces) {
-      Polyline& line = lines.emplace_back(piece.points);
-      if (piece.closed) line.push_back(piece.points.front());
-    }
-    if (!lines.empty())
-      sparse.beads = OffsetLines(lines, options_.sparse_width_nm / 2, Cap::kButt);
-    return absl::OkStatus();
   }
 
   /// Threads from line to line of the sparse infill below, thick whatever thick_bridges says: they
@@ -505,7 +373,7 @@ class RegionFill {
   const PlannedInfill* plan_;
   const std::optional<int32_t> row_;  ///< the region that skins are of; none: of the whole object
   const Cover cover_;
-  const FillAngles angles_;
+  const FillLineAngles angles_;
   const FlowTable flows_;
 };
 

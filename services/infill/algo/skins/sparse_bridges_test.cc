@@ -9,7 +9,7 @@
 #include "common/geometry/offset/offset.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::sparse_bridges_test {
 namespace {
 
 constexpr Coord kWidth = 450'000;
@@ -85,4 +85,4 @@ TEST(TakeSparseBridges, LinesMayLieOnBeadsAndOnWhatIsSolidAround) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::sparse_bridges_test

@@ -7,7 +7,7 @@
 
 #include "common/geometry/measure.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::spiral_turn_test {
 namespace {
 
 using ::testing::DoubleNear;
@@ -93,4 +93,4 @@ TEST(SpiralTurn, DoesNotLeadOverFromFarAwayNorWhereItMustNot) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::spiral_turn_test

@@ -7,7 +7,7 @@
 
 #include "common/geometry/measure.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::largest_contour_test {
 namespace {
 
 Polygon Square(double x_mm, double y_mm, double side_mm) {
@@ -63,4 +63,4 @@ TEST(KeepLargestContour, EmptyAndPlainSectionsStay) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::largest_contour_test

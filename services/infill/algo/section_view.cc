@@ -1,0 +1,65 @@
+#include "services/infill/algo/section_view.h"
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "common/model/options/fill_angles.h"
+
+namespace slicefarm::infill {
+namespace {
+
+/// The outlines above or below. In a prism all layers are equal to `outline`, that of the layer in
+/// question: that is found out here, once for all islands.
+std::vector<const MultiPolygon*> Side(const SectionView& view, std::optional<int32_t> row,
+                                      const MultiPolygon* outline, int32_t step, int32_t count) {
+  std::vector<const MultiPolygon*> side;
+  const MultiPolygon* nearer = outline;
+  for (int32_t i = 1; i <= count; ++i) {
+    const MultiPolygon* layer = view.OutlineAt(view.layer + i * step, row);
+    for (const MultiPolygon* same : {outline, nearer})
+      if (same != nullptr && layer != nullptr && *layer == *same) layer = same;
+    side.push_back(layer);
+    nearer = layer;
+  }
+  return side;
+}
+
+/// The angle that a template names for a layer; none: there is no template.
+std::optional<double> PlannedAngle(const SharedText& angles, double base_rad, int32_t layer) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  const auto& steps = angles.Once([](const std::string& text) { return ParseFillAngles(text); });
+  if (!steps.ok()) return std::nullopt;
+  return FillAngleAt(*steps, base_rad / kDegree, layer) * kDegree;
+}
+
+}  // namespace
+
+const MultiPolygon* SectionView::OutlineAt(int32_t own_layer, std::optional<int32_t> row) const {
+  const ObjectSection* section = stacks.Find(stack.id, own_layer);
+  if (section == nullptr) return nullptr;
+  if (!row) return &OutlineOf(*section);
+  const auto own = std::ranges::find(section->regions, *row, &Region::settings);
+  return own == section->regions.end() ? nullptr : &own->outlines;
+}
+
+Cover CoverOf(const SectionView& view, const InfillOptions& options, std::optional<int32_t> row) {
+  const MultiPolygon* outline = view.OutlineAt(view.layer, row);
+  Cover cover{.above = Side(view, row, outline, 1, options.top_solid_layers),
+              .below = Side(view, row, outline, -1, options.bottom_solid_layers),
+              .on_bed = view.layer == 0};
+  const int32_t bearers = options.over_bridges ? kOverBridgeHaloLayers : 1;
+  if (row || options.over_bridges)
+    cover.bearers = Side(view, {}, outline, -1, std::min(bearers, view.layer));
+  return cover;
+}
+
+FillLineAngles AnglesOf(const InfillOptions& options, int32_t layer) {
+  const auto sparse = PlannedAngle(options.angle_template, options.angle_rad, layer);
+  const auto solid = PlannedAngle(options.solid_angle_template, options.angle_rad, layer);
+  return {sparse.value_or(options.angle_rad), solid.value_or(options.angle_rad), sparse.has_value(),
+          solid.has_value()};
+}
+
+}  // namespace slicefarm::infill
