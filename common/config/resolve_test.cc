@@ -90,6 +90,7 @@ TEST(Resolve, ReadsThePeersProfile) {
   EXPECT_EQ(FdmOf(s).beading[0], walls);
   InfillOptions infill;  // the rest is the model's
   infill.angle_rad = std::numbers::pi / 4;
+  infill.walls_nm = 1'350'000;
   EXPECT_EQ(FdmOf(s).infill[0], infill);
   EXPECT_EQ(FdmOf(s).ordering, OrderingOptions{});
 
@@ -406,7 +407,7 @@ TEST(Resolve, ReportsUnknownKeysOfAProfile) {
 
 TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
   for (const auto& [key, value] :
-       Pairs{{"colorprint_heights", "5"}, {"spiral_vase", "1"}, {"post_process", "/bin/rm"}}) {
+       Pairs{{"colorprint_heights", "5"}, {"post_process", "/bin/rm"}}) {
     const ResolvedSettings resolved = ResolveOrDie(Settings({{key, value}}, Source::kProfile));
     EXPECT_THAT(resolved.no_effect, ElementsAre(HasSubstr(key + " = " + value))) << key;
     EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr(key + " = " + value))) << key;
@@ -580,6 +581,7 @@ TEST(Resolve, ReadsTheSpeedOverBridges) {
   constexpr auto kFeature = static_cast<size_t>(Feature::kSolidOverBridge);
   const std::vector<Setting> flat = Settings({{"bottom_solid_layers", "1"},
                                               {"top_solid_layers", "1"},
+                                              {"fill_density", "50%"},
                                               {"perimeter_generator", "classic"}});
   const JobSettings without = ResolveOrDie(flat).settings;
   EXPECT_FALSE(FdmOf(without).infill[0].over_bridges);

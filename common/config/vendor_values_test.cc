@@ -98,14 +98,14 @@ TEST(Resolve, CreationTimeCountsOnlyIfItIsNamed) {
 
 TEST(Resolve, ToldByWeight) {
   const ResolvedSettings resolved =
-      Profile({{"a_new_key", "1"}, {"notes", "mine"}, {"spiral_vase", "1"}, {"wipe_tower", "1"}});
+      Profile({{"a_new_key", "1"}, {"notes", "mine"}, {"colorprint_heights", "5"}, {"wipe_tower", "1"}});
   const auto at = [&](const char* key) {
     const auto& notes = resolved.no_effect;
     return std::find_if(notes.begin(), notes.end(),
                         [&](const std::string& note) { return note.starts_with(key); }) -
            notes.begin();
   };
-  EXPECT_EQ(at("spiral_vase"), 0);
+  EXPECT_EQ(at("colorprint_heights"), 0);
   EXPECT_LT(at("wipe_tower"), at("notes"));
   EXPECT_LT(at("a_new_key"), at("notes"));
 }

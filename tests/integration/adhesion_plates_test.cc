@@ -82,6 +82,13 @@ Plate PlateOf(const MultiPolygon& outline, const std::vector<Point>& places, int
 }
 
 /// The layers of the print, and the skirt in its plans, as the pipeline does it.
+/// Random plates have copies that overlap.
+PlanningOptions MayOverlap(const JobSettings& settings) {
+  PlanningOptions options = FdmOf(settings).planning;
+  options.objects_may_overlap = true;
+  return options;
+}
+
 void TakePlan(JobPlan& plan, std::vector<SlicedLayer>& layers) {
   layers = PrintLayers(std::move(layers), plan.lifts_nm, plan.stacks);
   for (int32_t i = 0; i < plan.skirt.layers; ++i)
@@ -92,7 +99,7 @@ class Stages {
  public:
   /// What is printed on the plate besides the parts, in the order of printing, by layer.
   std::vector<std::vector<Path>> OnPlate(Plate& plate, const JobSettings& settings) const {
-    auto plan = planning_->Plan({}, {plate.layers, plate.copies}, FdmOf(settings).planning);
+    auto plan = planning_->Plan({}, {plate.layers, plate.copies}, MayOverlap(settings));
     EXPECT_TRUE(plan.ok()) << plan.status();
     TakePlan(*plan, plate.layers);
     // The parts' own beads are none of this test's business: only the plate is walled.
@@ -300,7 +307,7 @@ TEST(AdhesionPlates, RangesDoNotMatter) {
   std::mt19937 random(34);
   Plate plate = PlateOf(RandomIsland(random, {}, 9), RandomPlaces(random), 8, settings);
   auto plan = planning::MakeLocalPlanning()->Plan({}, {plate.layers, plate.copies},
-                                                  FdmOf(settings).planning);
+                                                  MayOverlap(settings));
   ASSERT_TRUE(plan.ok()) << plan.status();
   TakePlan(*plan, plate.layers);
   const auto beading = beading::MakeLocalBeading();

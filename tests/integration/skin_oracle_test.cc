@@ -28,6 +28,8 @@ constexpr double kWidthNm = 450'000;
 /// Bare parts that hold a disc of this radius must be solid, but for the seam of the raster.
 constexpr double kDiscNm = 300'000;
 constexpr double kSeamNm = 150'000;
+/// How far bridges over sparse infill reach beyond skins: a pitch of its lines at 20 %, and a bead.
+constexpr double kCellNm = 2'700'000;
 /// How far skins may reach beyond what is bare: two beads, and twice that at the tip of a miter.
 constexpr double kAnchorNm = 2 * 2 * kWidthNm;
 /// Sparse places that hold no such disc may be solid.
@@ -175,18 +177,19 @@ class SkinOracle {
 /// What is wrong with the lines of a layer.
 struct Faults {
   double sparse_mm = 0;  ///< sparse lines where solid is due
-  double solid_mm = 0;   ///< solid lines where sparse is due
+  double solid_mm = 0;   ///< solid lines where sparse is due; bridges: farther than a cell from solid
   double open_mm2 = 0;   ///< due to be solid, and no solid line near
 };
 
 Faults FaultsOf(const FilledLayer& layer, const SkinOracle::Due& due, const RasterFrame& frame) {
   Faults faults;
   Raster open = due.solid, solid(frame);
+  const Raster far = due.sparse.Grown(-kCellNm);
   const bool any = !open.Empty();
   ForEachLine(layer, [&](const Path& path, Point a, Point b) {
     if (path.feature == Feature::kInternalInfill) faults.sparse_mm += LengthIn(due.solid, a, b);
     if (!IsSolid(path.feature)) return;
-    faults.solid_mm += LengthIn(due.sparse, a, b);
+    faults.solid_mm += LengthIn(path.feature == Feature::kBridgeInfill ? far : due.sparse, a, b);
     if (any) solid.Stroke(a, b, 1.5 * kWidthNm);
   });
   open -= solid;
@@ -278,6 +281,14 @@ std::map<Feature, double> AreasOf(const std::vector<FilledLayer>& layers) {
 /// What goes from one feature to another where a place is just as wide as a bead.
 constexpr double kDotMm2 = 0.25;
 
+/// What lies over sparse infill is bridged by whole cells: a skin reaches into one, or just not.
+double CellsMm2(Feature feature, const std::map<Feature, double>& areas) {
+  const auto bridges = areas.find(Feature::kBridgeInfill);
+  const bool is_concerned = feature == Feature::kBridgeInfill || feature == Feature::kSolidInfill ||
+                            feature == Feature::kInternalInfill;
+  return is_concerned && bridges != areas.end() ? 0.04 * bridges->second : 0;
+}
+
 // In a part that stands upright, edges of many layers lie on each other.
 TEST(SkinOracle, NoiseOfSomeNanometresMovesNoSkin) {
   for (const char* model : {"cable_cover", "printhead_rear", "featuretype"}) {
@@ -290,7 +301,7 @@ TEST(SkinOracle, NoiseOfSomeNanometresMovesNoSkin) {
       const auto noisy = Filled(Noisy(*part, seed), 5);
       ASSERT_TRUE(noisy.ok()) << noisy.status();
       for (const auto& [feature, area] : AreasOf(*noisy))
-        EXPECT_NEAR(area, areas.at(feature), kDotMm2 + 0.001 * area)
+        EXPECT_NEAR(area, areas.at(feature), kDotMm2 + 0.001 * area + CellsMm2(feature, areas))
             << model << ' ' << FeatureName(feature) << ' ' << seed;
     }
   }

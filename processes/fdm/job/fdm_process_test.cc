@@ -93,11 +93,11 @@ class FakeRanges : public FdmRunner {
  public:
   absl::StatusOr<FdmResult> Run(const StageCall& call, const FdmTask& task) const override {
     EXPECT_EQ(call.threads, 1);
-    EXPECT_EQ(task.layers.front().frame.index, std::max(0, task.range.first - 5));
+    EXPECT_EQ(task.layers.front().frame.index, std::max(0, task.range.first - 6));
     // Of several passes the facts count the layers together.
     const auto layers =
         task.job->facts.layer_count / std::max<int32_t>(1, std::ssize(task.job->facts.passes));
-    EXPECT_EQ(task.layers.back().frame.index, std::min(layers, task.range.last + 5) - 1);
+    EXPECT_EQ(task.layers.back().frame.index, std::min(layers, task.range.last + 6) - 1);
     EXPECT_EQ(task.job->facts.copies.size(), task.job->copies.size());
     std::set<int32_t> passes;
     for (const Copy& copy : task.job->copies) passes.insert(copy.pass);

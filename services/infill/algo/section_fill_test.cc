@@ -101,7 +101,7 @@ TEST(FillSection, EverySoManyLayersAreSolid) {
     ASSERT_TRUE(filled.ok()) << filled.status();
     EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kInternalInfill});
     EXPECT_EQ(FeaturesOf(*filled, 1),
-              std::set{layer == 6 ? Feature::kSolidInfill : Feature::kInternalInfill});
+              std::set{layer == 6 ? Feature::kBridgeInfill : Feature::kInternalInfill});
   }
 }
 

@@ -568,7 +568,7 @@ OrderedLayer Turn() {
 TEST(ProgramLayer, ATurnOfASpiralRisesAlongItsWay) {
   const LayerProgram turn = Programmed(Turn());
   EXPECT_EQ(turn.stats.retractions, 0);
-  for (const char* move : {"G1 X30 Z.45 ", "G1 Y30 Z.5 ", "G1 X10 Z.55 ", "G1 Y10 Z.6 "})
+  for (const char* move : {"G1 X30 Y10 Z.45 ", "G1 Y30 Z.5 ", "G1 X10 Z.55 ", "G1 Y10 Z.6 "})
     EXPECT_THAT(turn.gcode, HasSubstr(move));
   EXPECT_THAT(turn.gcode, Not(HasSubstr("G1 Z")));
 }

@@ -15,7 +15,7 @@ using ::testing::IsEmpty;
 
 constexpr std::string_view kSmall = "(-5 -5, 5 -5, 5 5, -5 5)";
 constexpr std::string_view kLarge = "(-5.2 -5.2, 5.2 -5.2, 5.2 5.2, -5.2 5.2)";
-constexpr std::string_view kHoled = "(-5 -5, 5 -5, 5 5, -5 5), (-2 -2, -2 2, 2 2, 2 -2)";
+constexpr std::string_view kHoled = "(-5 -5, 5 -5, 5 5, -5 5) (-2 -2, -2 2, 2 2, 2 -2)";
 
 PlanningOptions Vases() {
   PlanningOptions options;
