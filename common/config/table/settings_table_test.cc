@@ -293,7 +293,7 @@ TEST(KnownKeys, SayWhy) {
 TEST(KnownKeys, KnowWhichValueAsksForNothing) {
   EXPECT_TRUE(IsNeutral(*FindKnownKey("wipe_tower"), "0"));
   EXPECT_FALSE(IsNeutral(*FindKnownKey("wipe_tower"), "1"));
-  EXPECT_TRUE(IsNeutral(*FindKnownKey("spiral_vase"), "0.0"));
+  EXPECT_TRUE(IsNeutral(*FindKnownKey("ooze_prevention"), "0.0"));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("extruder_offset"), "0x0,0x0"));
   EXPECT_FALSE(IsNeutral(*FindKnownKey("extruder_offset"), "0x0,1x0"));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("post_process"), ""));

@@ -85,7 +85,12 @@ TEST(SpiralPlanner, ASkirtBesideItIsNoPartOfTheSpiral) {
 }
 
 TEST(SpiralPlanner, OneAfterTheOther) {
-  const std::vector<PlacedCopy> two = {{0, {}, {}}, {0, {FromMm(100), 0}, {}}};
+  const auto square_at = [](Coord x) -> Polygon {
+    return {{x - FromMm(5), FromMm(-5)}, {x + FromMm(5), FromMm(-5)}, {x + FromMm(5), FromMm(5)},
+            {x - FromMm(5), FromMm(5)}};
+  };
+  const std::vector<PlacedCopy> two = {{0, {}, square_at(0)},
+                                       {0, {FromMm(100), 0}, square_at(FromMm(100))}};
   PlanningOptions options = Vases();
   auto plan = Planned(Hollow({kSmall, kSmall, kSmall}), options, two);
   EXPECT_THAT(plan.status().message(), HasSubstr("the plate has 2 copies"));
