@@ -127,7 +127,9 @@ class RegionFill {
                                       .over_bridges = options_.over_bridges});
     SparseBridges over_sparse;
     if (fill_area.role == Role::kPart && BridgesSparse(options_) && !skins.solid.empty() &&
-        SkinsBegin(field)) {
+        SkinsBegin(field) &&
+        MayHoldBridges(skins.solid, SparsePitchNm(options_, view_.height_nm),
+                       Width(options_.solid_width_nm))) {
       const auto under = SparseUnder(fill_area.area, {view_, options_, plan_, row_});
       if (!under.ok()) return under.status();
       over_sparse = TakeSparseBridges(*under, Width(options_.solid_width_nm), skins);

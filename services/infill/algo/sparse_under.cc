@@ -40,9 +40,7 @@ MultiPolygon BeadsOf(const std::vector<Piece>& pieces, Coord width_nm) {
 absl::Status LayOut(const SectionView& layer, const RegionView& region, SparseBelow& sparse) {
   const InfillOptions& options = region.options;
   const FillPattern pattern = region.plan == nullptr ? options.pattern : region.plan->pattern;
-  const Coord spacing = Spacing(options.sparse_width_nm, layer.height_nm);
-  sparse.pitch_nm = options.density > 0 ? static_cast<double>(spacing) / options.density
-                                        : kVoidPitchBeads * static_cast<double>(spacing);
+  sparse.pitch_nm = SparsePitchNm(options, layer.height_nm);
   if (!HasLaw(pattern, region)) return absl::OkStatus();
   const FillLineAngles angles = AnglesOf(options, layer.layer);
   const auto pieces =
@@ -50,7 +48,7 @@ absl::Status LayOut(const SectionView& layer, const RegionView& region, SparseBe
                                          .layer = angles.sparse_planned ? 0 : layer.layer,
                                          .pitch_nm = sparse.pitch_nm,
                                          .angle_rad = angles.sparse_rad,
-                                         .spacing_nm = spacing,
+                                         .spacing_nm = Spacing(options.sparse_width_nm, layer.height_nm),
                                          .smoothing_nm = options.smoothing_nm});
   if (!pieces.ok()) return pieces.status();
   sparse.beads = BeadsOf(*pieces, options.sparse_width_nm);
@@ -58,6 +56,11 @@ absl::Status LayOut(const SectionView& layer, const RegionView& region, SparseBe
 }
 
 }  // namespace
+
+double SparsePitchNm(const InfillOptions& options, Coord height_nm) {
+  const auto spacing = static_cast<double>(Spacing(options.sparse_width_nm, height_nm));
+  return options.density > 0 ? spacing / options.density : kVoidPitchBeads * spacing;
+}
 
 absl::StatusOr<SparseBelow> SparseUnder(const MultiPolygon& fill_area, const RegionView& region) {
   SectionView below = region.section;

@@ -18,6 +18,10 @@ struct RegionView {
   std::optional<int32_t> row = {};      ///< the region that skins are of; none: of the whole object
 };
 
+/// How far apart the lines of sparse infill lie in a layer so high; of none at all, what skins over
+/// it take for it.
+double SparsePitchNm(const InfillOptions& options, Coord height_nm);
+
 /// The sparse infill of the layer below within `fill_area`: where outlines say that it has no skins
 /// and no walls there, and its lines, where a law says how they lie. REQUIRES: BridgesSparse.
 /// Errors: as MakePattern. Cost: that of PartFillArea, and of the pattern.

@@ -46,11 +46,22 @@ MultiPolygon ToBeads(const MultiPolygon& bridged, const SparseBelow& below,
   return Intersection(near, Grown(Union(bridged, cells), width_nm));
 }
 
+/// The narrowest part of a skin that is bridged.
+Coord LeastBridgeNm(double pitch_nm, Coord width_nm) {
+  return static_cast<Coord>(std::llround(pitch_nm)) + width_nm;
+}
+
 }  // namespace
 
+bool MayHoldBridges(const MultiPolygon& solid, double pitch_nm, Coord width_nm) {
+  // The layer below may be higher, and its lines nearer to each other.
+  constexpr double kSurely = 0.8;
+  return !Grown(solid, -LeastBridgeNm(kSurely * pitch_nm, width_nm) / 2).empty();
+}
+
 SparseBridges TakeSparseBridges(const SparseBelow& below, Coord width_nm, Skins& skins) {
-  const auto least_nm = static_cast<Coord>(std::llround(below.pitch_nm)) + width_nm;
-  MultiPolygon bridged = WidePart(Intersection(skins.solid, below.region), least_nm);
+  MultiPolygon bridged = WidePart(Intersection(skins.solid, below.region),
+                                  LeastBridgeNm(below.pitch_nm, width_nm));
   if (bridged.empty()) return {};
   const MultiPolygon room = Union(skins.solid, skins.sparse);
   if (!below.beads.empty()) bridged = ToBeads(bridged, below, room, width_nm);

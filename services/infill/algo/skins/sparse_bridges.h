@@ -20,6 +20,10 @@ struct SparseBridges {
   MultiPolygon bearers;  ///< what their lines may lie on: the beads below, and what is solid there
 };
 
+/// Whether a solid part may hold a bridge over cells of such a pitch: a quick look, for most do not.
+/// Cost: an offset.
+bool MayHoldBridges(const MultiPolygon& solid, double pitch_nm, Coord width_nm);
+
 /// Takes from the skins what lies over sparse infill and has to be bridged: the solid part there that
 /// is wide enough to hold a cell of the lines below. A cell that it touches is bridged as a whole, up
 /// to a pitch away and onto the beads around it, so that lines end on beads: that comes from the
