@@ -21,7 +21,4 @@ struct SpiralTurn {
 /// loop: a hole, several islands, or a place too narrow for two beads.
 std::optional<Polygon> SpiralLoop(const MultiPolygon& outline, Coord width_nm);
 
-/// The point of a loop nearest to `to`. Cost: O(n). REQUIRES: loop not empty.
-Point NearestOnLoop(Point to, const Polygon& loop);
-
 }  // namespace slicefarm

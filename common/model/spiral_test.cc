@@ -47,12 +47,5 @@ TEST(SpiralLoop, NoneWhereOneBeadCannotGoRoundAll) {
     EXPECT_THAT(SpiralLoop(outline, kWidth), Eq(std::nullopt)) << name;
 }
 
-TEST(NearestOnLoop, FindsCornersAndEdges) {
-  const Polygon square = Rectangle(0, 0, 10, 10);
-  EXPECT_EQ(NearestOnLoop({FromMm(5), FromMm(-3)}, square), (Point{FromMm(5), 0}));
-  EXPECT_EQ(NearestOnLoop({FromMm(-1), FromMm(-1)}, square), (Point{0, 0}));
-  EXPECT_EQ(NearestOnLoop({FromMm(1), FromMm(6)}, square), (Point{0, FromMm(6)}));
-}
-
 }  // namespace
 }  // namespace slicefarm::spiral_test

@@ -207,7 +207,7 @@ std::optional<std::string> TakeSequentialSkirt(Draft& draft) {
 }
 
 /// A vase has one wall, no infill and no top, whatever profiles ask for. Returns what to say of it.
-std::vector<std::string> TakeVase(Draft& draft) {
+std::vector<std::string> DeriveVase(Draft& draft) {
   std::vector<std::string> notes;
   if (draft.Number("spiral_vase") == 0) return notes;
   constexpr std::pair<std::string_view, double> kVase[] = {
@@ -229,7 +229,7 @@ absl::Status Derive(Draft& draft, ResolvedSettings& result) {
     result.no_effect.push_back(*note);
     result.warnings.push_back(*std::move(note));
   }
-  for (std::string& note : TakeVase(draft)) result.no_effect.push_back(std::move(note));
+  for (std::string& note : DeriveVase(draft)) result.no_effect.push_back(std::move(note));
   TakePercentage(draft, "first_layer_height");
   RaiseTo(draft, "outline_resolution", "resolution");
   DeriveWidths(draft);

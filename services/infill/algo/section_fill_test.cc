@@ -44,12 +44,18 @@ absl::StatusOr<FilledSection> FillPlain(WalledSection walled, bool on_bed,
   return FillSection(std::move(walled), on_bed, objects, {}, regions, none);
 }
 
-std::set<Feature> FeaturesOf(const FilledSection& section, int32_t row) {
-  std::set<Feature> features;
+std::vector<Path> PathsOf(const FilledSection& section) {
+  std::vector<Path> paths;
   for (const FilledIsland& island : section.islands)
     for (const FillGroup& group : island.fills)
-      for (const Path& path : group.paths)
-        if (path.settings == row) features.insert(path.feature);
+      paths.insert(paths.end(), group.paths.begin(), group.paths.end());
+  return paths;
+}
+
+std::set<Feature> FeaturesOf(const FilledSection& section, int32_t row) {
+  std::set<Feature> features;
+  for (const Path& path : PathsOf(section))
+    if (path.settings == row) features.insert(path.feature);
   return features;
 }
 
@@ -550,10 +556,8 @@ TEST(FillSection, BridgesHaveTheFlowThatIsAskedFor) {
 /// The length of a feature's paths, mm.
 double LengthOf(const FilledSection& section, Feature feature) {
   double length = 0;
-  for (const FilledIsland& island : section.islands)
-    for (const FillGroup& group : island.fills)
-      for (const Path& path : group.paths)
-        if (path.feature == feature) length += PathLength(path) / 1e6;
+  for (const Path& path : PathsOf(section))
+    if (path.feature == feature) length += PathLength(path) / 1e6;
   return length;
 }
 

@@ -2,21 +2,10 @@
 
 #include <span>
 
+#include "common/geometry/rings/loop_place.h"
 #include "common/model/path.h"
 
 namespace slicefarm::ordering {
-
-/// A place on a loop: on the edge from point `edge` to the next; `at` is that point itself if it
-/// lies there.
-struct LoopPlace {
-  size_t edge = 0;
-  Point at;
-
-  friend bool operator==(const LoopPlace&, const LoopPlace&) = default;
-};
-
-/// The place nearest to `to`, wherever it lies. REQUIRES: loop not empty.
-LoopPlace NearestPlace(std::span<const Point> loop, Point to);
 
 /// The vertex nearest to `to`; of several, the least. REQUIRES: loop not empty.
 LoopPlace NearestVertex(std::span<const Point> loop, Point to);

@@ -10,6 +10,7 @@
 #include "common/geometry/offset/offset.h"
 #include "common/geometry/rings/simplify.h"
 #include "services/infill/algo/skins/region_mask.h"
+#include "services/infill/algo/skins/smooth_offset.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -17,17 +18,7 @@ namespace {
 /// How far skins reach into the sparse region, and bridges onto what bears them, in beads.
 constexpr Coord kAnchorBeads = 2;
 
-/// Edges of layers that lie on each other in the part do so to some tens of nanometres in sections.
-/// What differs by less is noise.
-constexpr Coord kNoiseNm = 5'000;
-
-/// Offsets a result of boolean operations, whose edges may have steps and tips of noise where
-/// operands' edges lay on each other: miters would make them as long as the offset.
-MultiPolygon SmoothOffset(const MultiPolygon& region, Coord distance_nm) {
-  return FastOffset(Simplify(region, kNoiseNm), distance_nm);
-}
-
-/// The same with round corners, to 2 % of the distance: what miters reach jumps with an angle, at
+/// SmoothOffset with round corners, to 2 % of the distance: what miters reach jumps with an angle, at
 /// tips of 60 degrees.
 MultiPolygon RoundOffset(const MultiPolygon& region, Coord distance_nm) {
   return Offset(Simplify(region, kNoiseNm), distance_nm,

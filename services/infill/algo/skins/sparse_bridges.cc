@@ -6,24 +6,16 @@
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset/clean_offset.h"
-#include "common/geometry/rings/simplify.h"
+#include "services/infill/algo/skins/smooth_offset.h"
 
 namespace slicefarm::infill {
 namespace {
 
-/// Results of boolean operations have steps of noise, which miters would make longer.
-constexpr Coord kStepsNm = 5'000;
-
-MultiPolygon Grown(const MultiPolygon& region, Coord by_nm) {
-  return FastOffset(Simplify(region, kStepsNm), by_nm);
-}
-
 /// What of `region` is at least `width_nm` wide, and what lies beside that within half as much.
 MultiPolygon WidePart(const MultiPolygon& region, Coord width_nm) {
-  const MultiPolygon core = Grown(region, -width_nm / 2);
+  const MultiPolygon core = SmoothOffset(region, -width_nm / 2);
   if (core.empty()) return {};
-  return Intersection(region, Grown(core, width_nm));
+  return Intersection(region, SmoothOffset(core, width_nm));
 }
 
 /// The cells between beads that `bridged` reaches into by more than a dot.
@@ -40,10 +32,10 @@ MultiPolygon CellsUnder(const MultiPolygon& bridged, const MultiPolygon& cells, 
 MultiPolygon ToBeads(const MultiPolygon& bridged, const SparseBelow& below,
                      const MultiPolygon& room, Coord width_nm) {
   const auto reach_nm = static_cast<Coord>(std::llround(below.pitch_nm));
-  const MultiPolygon near = Intersection(room, Grown(bridged, reach_nm));
+  const MultiPolygon near = Intersection(room, SmoothOffset(bridged, reach_nm));
   const MultiPolygon cells =
       CellsUnder(bridged, Difference(Intersection(near, below.region), below.beads), width_nm);
-  return Intersection(near, Grown(Union(bridged, cells), width_nm));
+  return Intersection(near, SmoothOffset(Union(bridged, cells), width_nm));
 }
 
 /// The narrowest part of a skin that is bridged.
@@ -56,7 +48,7 @@ Coord LeastBridgeNm(double pitch_nm, Coord width_nm) {
 bool MayHoldBridges(const MultiPolygon& solid, double pitch_nm, Coord width_nm) {
   // The layer below may be higher, and its lines nearer to each other.
   constexpr double kSurely = 0.8;
-  return !Grown(solid, -LeastBridgeNm(kSurely * pitch_nm, width_nm) / 2).empty();
+  return !SmoothOffset(solid, -LeastBridgeNm(kSurely * pitch_nm, width_nm) / 2).empty();
 }
 
 SparseBridges TakeSparseBridges(const SparseBelow& below, Coord width_nm, Skins& skins) {
@@ -67,7 +59,7 @@ SparseBridges TakeSparseBridges(const SparseBelow& below, Coord width_nm, Skins&
   if (!below.beads.empty()) bridged = ToBeads(bridged, below, room, width_nm);
   skins.solid = Difference(skins.solid, bridged);
   skins.sparse = Difference(skins.sparse, bridged);
-  const MultiPolygon around = Difference(Grown(bridged, width_nm), below.region);
+  const MultiPolygon around = Difference(SmoothOffset(bridged, width_nm), below.region);
   return {std::move(bridged), below.beads.empty() ? around : Union(around, below.beads)};
 }
 

@@ -6,6 +6,7 @@
 
 #include "common/geometry/between.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/rings/loop_place.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -52,7 +53,7 @@ std::vector<TurnPiece> TurnOf(const Path& path, const SpiralTurn& turn, const Mu
       turn.blends && turn.from ? SpiralLoop(below, width_nm) : std::nullopt;
   const auto placed = [&](Point point, double share) {
     if (!turn_below) return point;
-    const Point under = NearestOnLoop(point, *turn_below);
+    const Point under = NearestPlace(*turn_below, point).at;
     const bool near = Distance(point, under) <= kNearWidths * static_cast<double>(width_nm);
     return near ? PointBetween(under, point, share) : point;
   };

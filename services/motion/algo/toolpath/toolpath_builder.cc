@@ -98,10 +98,7 @@ void ToolpathBuilder::AddTurn(const Path& path, const SpiralTurn& turn, const Mu
   if (retracted_) Restart();
   z_um_ = top_um;
   PrintTurn(simple, turn, below, speeds_.Of(path, ToMm(PathLength(path))));
-  moved_on_ = false;
-  wipe_way_.clear();
-  if (wipe_.length_mm > 0) wipe_way_ = WipeWay(simple.path, wipe_.length_mm);
-  Count(simple.path, filament_ - filament_before);
+  EndPath(simple.path, /*moved_on=*/false, filament_before);
 }
 
 void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
@@ -131,10 +128,14 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
                   speed_mm_s);
   }
   at_.on_arc = false;
-  moved_on_ = scarfed;
+  EndPath(simple.path, scarfed, filament_before);
+}
+
+void ToolpathBuilder::EndPath(const Path& path, bool moved_on, int64_t filament_before) {
+  moved_on_ = moved_on;
   wipe_way_.clear();
-  if (wipe_.length_mm > 0 && !scarfed) wipe_way_ = WipeWay(simple.path, wipe_.length_mm);
-  Count(simple.path, filament_ - filament_before);
+  if (wipe_.length_mm > 0 && !moved_on) wipe_way_ = WipeWay(path, wipe_.length_mm);
+  Count(path, filament_ - filament_before);
 }
 
 Toolpath ToolpathBuilder::Finish() {

@@ -77,6 +77,7 @@ class ToolpathBuilder {
   void Rise(std::span<const PlaceUm> way);
   void PrintSegments(const SimplifiedPath& simple, double speed_mm_s);
   void BeginPath(const Path& path, const SimplifiedPath& simple);
+  void EndPath(const Path& path, bool moved_on, int64_t filament_before);
   double TurnSpeed(const Path& path, double speed_mm_s, uint8_t rest) const;
   void PrintTurn(const SimplifiedPath& simple, const SpiralTurn& turn, const MultiPolygon& below,
                  double speed_mm_s);

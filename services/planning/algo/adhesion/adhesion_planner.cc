@@ -16,7 +16,6 @@
 #include "services/planning/algo/adhesion/automatic_brim.h"
 #include "services/planning/algo/adhesion/brim.h"
 #include "services/planning/algo/adhesion/room.h"
-#include "services/planning/algo/adhesion/skirt.h"
 
 namespace slicefarm::planning {
 namespace {
@@ -41,7 +40,8 @@ AdhesionPlanner::AdhesionPlanner(const PlanningOptions& options, std::span<const
       bed_(RoomOf(options.bed)),
       wanted_(options.skirt.loops > 0 ||
               std::ranges::any_of(
-                  copies, [this](const PlacedCopy& copy) { return HasBrim(copy.object); })) {}
+                  copies, [this](const PlacedCopy& copy) { return HasBrim(copy.object); })),
+      skirt_reach_(options.skirt) {}
 
 bool AdhesionPlanner::HasRaft(int32_t object) const {
   return options_.objects[static_cast<size_t>(object)].raft.heights.layers > 0;
@@ -57,15 +57,16 @@ void AdhesionPlanner::Look(const SlicedLayer& layer, LayerPlan&) {
   if (!wanted_) return;
   const LayerFrame& frame = layer.frame;
   if (frame.index == 0) first_height_nm_ = frame.height_nm;
+  const bool in_skirt = skirt_reach_.Next(layer);
   for (const ObjectSection& section : layer.sections) {
     if (OutlineOf(section).empty()) continue;
-    if (section.stack.IsPart()) layers_ = below_ + 1;
-    LookAt(layer, section);
+    if (section.stack.IsPart()) layers_ = skirt_reach_.layers();
+    LookAt(layer, section, in_skirt);
   }
-  if (!OnlySupports(layer)) ++below_;
 }
 
-void AdhesionPlanner::LookAt(const SlicedLayer& layer, const ObjectSection& section) {
+void AdhesionPlanner::LookAt(const SlicedLayer& layer, const ObjectSection& section,
+                             bool in_skirt) {
   const MultiPolygon& outline = OutlineOf(section);
   const LayerFrame& frame = layer.frame;
   Seen& seen = seen_[section.stack.object];
@@ -74,7 +75,7 @@ void AdhesionPlanner::LookAt(const SlicedLayer& layer, const ObjectSection& sect
     MultiPolygon& own = section.stack.kind == StackKind::kRaft ? seen.raft : seen.on_bed;
     own = own.empty() ? outline : Union(own, outline);
   }
-  if (below_ < SkirtLayers(options_.skirt, below_ + 1)) {
+  if (in_skirt) {
     for (const PolygonWithHoles& island : outline)
       seen.hull.insert(seen.hull.end(), island.outer.begin(), island.outer.end());
     seen.hull = ConvexHull(std::move(seen.hull));

@@ -9,6 +9,7 @@
 #include "common/model/options/adhesion_options.h"
 #include "common/model/options/planning_options.h"
 #include "common/stage/stages.h"
+#include "services/planning/algo/adhesion/skirt.h"
 #include "services/planning/algo/planner.h"
 
 namespace slicefarm::planning {
@@ -47,7 +48,7 @@ class AdhesionPlanner : public Planner {
 
   bool HasRaft(int32_t object) const;
   bool HasBrim(int32_t object) const;
-  void LookAt(const SlicedLayer& layer, const ObjectSection& section);
+  void LookAt(const SlicedLayer& layer, const ObjectSection& section, bool in_skirt);
 
   /// In plate coordinates: `of` each object at the places of its copies.
   MultiPolygon OnPlate(MultiPolygon Seen::*of) const;
@@ -70,8 +71,8 @@ class AdhesionPlanner : public Planner {
   const Polygon bed_;
   const bool wanted_;
   std::map<int32_t, Seen> seen_;  ///< by object; the plate's too
-  int32_t below_ = 0;   ///< layers seen, but for those of supports alone
-  int32_t layers_ = 0;  ///< of them, up to the last one with outlines of parts
+  SkirtReach skirt_reach_;
+  int32_t layers_ = 0;  ///< that a skirt counts, up to the last one with outlines of parts
   Coord first_height_nm_ = 0;
 };
 

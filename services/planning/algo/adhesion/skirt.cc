@@ -100,6 +100,12 @@ int32_t SkirtLayers(const SkirtOptions& options, int32_t layer_count) {
   return std::clamp(options.height_layers, 0, std::max(layer_count, 0));
 }
 
+bool SkirtReach::Next(const SlicedLayer& layer) {
+  const bool reaches = layers_ < SkirtLayers(options_, layers_ + 1);
+  if (!OnlySupports(layer)) ++layers_;
+  return reaches;
+}
+
 std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brims,
                              const SkirtOptions& options) {
   const Coord spacing_nm = Spacing(options.width_nm, options.height_nm);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
+#include "common/model/layer.h"
 #include "common/model/options/adhesion_options.h"
 #include "common/model/path.h"
 
@@ -12,6 +13,24 @@ namespace slicefarm::planning {
 /// On how many layers, from the first one, there is a skirt: skirt_height, or all with a draft
 /// shield that is enabled.
 int32_t SkirtLayers(const SkirtOptions& options, int32_t layer_count);
+
+/// Which layers of a print a skirt reaches, told from the lowest up. It steps over layers of supports
+/// alone (OnlySupports), which do not count.
+class SkirtReach {
+ public:
+  /// `options` must outlive this.
+  explicit SkirtReach(const SkirtOptions& options) : options_(options) {}
+
+  /// Whether it reaches the next layer: stands on it or, of one of supports alone, passes it.
+  bool Next(const SlicedLayer& layer);
+
+  /// How many layers count so far.
+  int32_t layers() const { return layers_; }
+
+ private:
+  const SkirtOptions& options_;
+  int32_t layers_ = 0;
+};
 
 /// The loops of a skirt around the convex hull of everything, the outermost first, so that the last
 /// one ends near the parts: PrusaSlicer's order. All layers get the same loops.

@@ -105,6 +105,26 @@ TEST(SkirtLayers, AreAllWithAShieldOnly) {
   EXPECT_EQ(SkirtLayers({.loops = 0, .draft_shield = DraftShield::kEnabled}, 10), 0);
 }
 
+TEST(SkirtReach, StepsOverLayersOfSupportsAlone) {
+  const auto layer_of = [](std::vector<StackKind> kinds) {
+    SlicedLayer layer;
+    for (const StackKind kind : kinds) {
+      ObjectSection& section = layer.sections.emplace_back();
+      section.stack = Stack(0, 0, kind);
+      section.regions.resize(1);
+    }
+    return layer;
+  };
+  const SkirtOptions options{.loops = 1, .height_layers = 2};
+  SkirtReach reach(options);
+  EXPECT_TRUE(reach.Next(layer_of({StackKind::kSupport, StackKind::kPart})));
+  EXPECT_TRUE(reach.Next(layer_of({StackKind::kSupport})));
+  EXPECT_TRUE(reach.Next(layer_of({StackKind::kPart})));
+  EXPECT_FALSE(reach.Next(layer_of({StackKind::kSupport})));
+  EXPECT_FALSE(reach.Next(layer_of({StackKind::kPart})));
+  EXPECT_EQ(reach.layers(), 3);
+}
+
 TEST(WithinBed, CutsWhatLeavesTheBed) {
   const Polygon bed = P("(-3 -20, 40 -20, 40 40, -3 40)")[0].outer;
   const std::vector<Path> loops = SkirtLoops(Box20(), {}, {.loops = 2, .distance_nm = 2'500'000});

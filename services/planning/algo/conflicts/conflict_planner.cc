@@ -10,7 +10,6 @@
 #include "common/geometry/convex.h"
 #include "common/geometry/moved.h"
 #include "common/geometry/offset/offset.h"
-#include "services/planning/algo/adhesion/skirt.h"
 #include "services/planning/algo/conflicts/meeting.h"
 
 namespace slicefarm::planning {
@@ -60,7 +59,8 @@ ConflictPlanner::ConflictPlanner(const PlanningOptions& options,
       copies_(copies),
       object_names_(object_names),
       low_nm_(LowHeight(options)),
-      near_(copies) {
+      near_(copies),
+      skirt_reach_(options.skirt) {
   for (const PlacedCopy& copy : copies)
     if (!copy.footprint.empty())
       near_.Claim(copy.object, Bounds(Moved(copy.footprint, Point{} - copy.shift)));
@@ -72,6 +72,7 @@ ConflictPlanner::Slice ConflictPlanner::SliceOf(const ObjectSection& section, Co
 }
 
 void ConflictPlanner::Look(const SlicedLayer& layer, LayerPlan& /*plan*/) {
+  const bool in_skirt = skirt_reach_.Next(layer);
   if (!found_.ok()) return;
   const LayerFrame& frame = layer.frame;
   for (const ObjectSection& section : layer.sections)
@@ -81,8 +82,7 @@ void ConflictPlanner::Look(const SlicedLayer& layer, LayerPlan& /*plan*/) {
     const MultiPolygon& outline = OutlineOf(section);
     if (outline.empty()) continue;
     const int32_t object = section.stack.object;
-    if (object != kPlateObject && frame.index < SkirtLayers(options_.skirt, frame.index + 1))
-      AddToHull(object, outline);
+    if (object != kPlateObject && in_skirt) AddToHull(object, outline);
     const bool low = frame.print_z_nm - section.height_nm < low_nm_;
     const bool near = object != kPlateObject && !near_.Of(object).empty();
     if (!low && !near) continue;

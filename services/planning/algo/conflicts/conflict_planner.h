@@ -8,6 +8,7 @@
 
 #include "common/model/options/planning_options.h"
 #include "common/stage/stages.h"
+#include "services/planning/algo/adhesion/skirt.h"
 #include "services/planning/algo/conflicts/near_copies.h"
 #include "services/planning/algo/planner.h"
 
@@ -71,7 +72,8 @@ class ConflictPlanner : public Planner {
   NearCopies near_;
   Slices kept_;  ///< of copies near others: what the next sections may meet
   Slices low_;   ///< what begins below low_nm_, the plate's too
-  std::map<int32_t, Polygon> hulls_;           ///< by object, on layers that have a skirt
+  SkirtReach skirt_reach_;
+  std::map<int32_t, Polygon> hulls_;  ///< by object, on layers that the skirt reaches
   absl::Status found_;
 };
 

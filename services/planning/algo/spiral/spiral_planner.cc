@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/geometry/rings/loop_place.h"
 #include "common/model/spiral.h"
-#include "services/planning/algo/adhesion/skirt.h"
 
 namespace slicefarm::planning {
 namespace {
@@ -52,7 +52,6 @@ absl::Status SpiralPlanner::Check(const PlanningOptions& options,
 }
 
 std::optional<Polygon> SpiralPlanner::LoopOf(const SlicedLayer& layer) const {
-  if (layer.frame.index < SkirtLayers(options_.skirt, layer.frame.index + 1)) return std::nullopt;
   const ObjectSection* section = OnlySection(layer);
   if (section == nullptr || !section->hollow || section->regions.size() > 1) return std::nullopt;
   const auto object = static_cast<size_t>(section->stack.object);
@@ -62,7 +61,8 @@ std::optional<Polygon> SpiralPlanner::LoopOf(const SlicedLayer& layer) const {
 void SpiralPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
   ++seen_;
   const bool hollow = std::ranges::any_of(layer.sections, &ObjectSection::hollow);
-  const std::optional<Polygon> loop = hollow ? LoopOf(layer) : std::nullopt;
+  const bool beside_skirt = skirt_reach_.Next(layer);
+  const std::optional<Polygon> loop = hollow && !beside_skirt ? LoopOf(layer) : std::nullopt;
   if (hollow) ++hollow_;
   if (hollow && !loop) no_turns_nm_.push_back(layer.frame.print_z_nm);
   goes_on_ = loop && left_at_;
@@ -72,7 +72,7 @@ void SpiralPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
   }
   const Stack& stack = OnlySection(layer)->stack;
   SectionPlan& section = PlanOf(stack.id, plan);
-  const Point start = NearestOnLoop(left_at_.value_or(section.entry), *loop);
+  const Point start = NearestPlace(*loop, left_at_.value_or(section.entry)).at;
   section.spiral = {.start = start,
                     .from = left_at_,
                     .last = true,

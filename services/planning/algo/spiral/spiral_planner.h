@@ -7,6 +7,7 @@
 
 #include "common/model/options/planning_options.h"
 #include "common/stage/stages.h"
+#include "services/planning/algo/adhesion/skirt.h"
 #include "services/planning/algo/planner.h"
 
 namespace slicefarm::planning {
@@ -28,7 +29,7 @@ class SpiralPlanner : public Planner {
 
   /// Both must outlive this.
   SpiralPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies)
-      : options_(options), copies_(copies) {}
+      : options_(options), copies_(copies), skirt_reach_(options.skirt) {}
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
   /// The last layer but one is settled: whether its turn is the last is known.
@@ -41,6 +42,7 @@ class SpiralPlanner : public Planner {
 
   const PlanningOptions& options_;
   const std::span<const PlacedCopy> copies_;
+  SkirtReach skirt_reach_;
   int32_t seen_ = 0;                ///< layers
   std::optional<Point> left_at_;    ///< where the last layer's turn ends
   bool goes_on_ = false;            ///< the last layer's turn follows another one
