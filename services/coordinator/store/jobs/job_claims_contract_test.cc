@@ -270,6 +270,20 @@ TEST_P(JobClaimsTest, AnOwnerThatDoesNotRenewLosesItsJobs) {
   EXPECT_TRUE(Update({"a", (*yours)->owner_epoch}, kRunning).ok());
 }
 
+TEST_P(JobClaimsTest, LostRunsAreThoseOfTheLastWrite) {
+  Make("a");
+  const auto write = [&](const JobUpdate& update) {
+    return store_->Update(Claim(), update, ++now_).ok() && store_->Release("me").ok();
+  };
+  ASSERT_TRUE(write({.state = kRunning, .lost_runs = 5}));
+  EXPECT_EQ(store_->Get("a")->lost_runs, 5) << "nothing more was heard of it";
+  ASSERT_TRUE(write({.state = kQueued, .lost_runs = 4}));
+  EXPECT_EQ(store_->Get("a")->lost_runs, 4) << "it was handed back";
+  Claim();
+  ASSERT_TRUE(store_->Release("me").ok());
+  EXPECT_EQ(store_->Get("a")->lost_runs, 4) << "it did not begin";
+}
+
 TEST_P(JobClaimsTest, LostRunsAreKeptUntilAnotherBuildAdopts) {
   Make("a");
   const Lease lease = Claim();
