@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "common/base/error.h"
-#include "services/coordinator/run/run_steps.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -14,7 +13,6 @@ constexpr int64_t kNoRoomPauseUs = 1'000'000;
 constexpr int64_t kUpgradePauseUs = 5'000'000;
 constexpr int64_t kDiskFullRetryUs = 10'000'000;
 constexpr int64_t kMaxRetryUs = 60'000'000;
-constexpr int64_t kFirstRestUs = 1'000'000;
 
 /// True if the services that are needed are not there; for some time there may be others in their
 /// places that do not know this coordinator.
@@ -46,17 +44,10 @@ int32_t MostRetries(const absl::Status& error) {
   return IsAway(error) ? kMaxRetries : 0;
 }
 
-/// Meanwhile the coordinators can do the work of others. Jobs that ran beside each other rest for
-/// different times, so that the one they died of is alone some day.
-int64_t RestUs(const JobRecord& job) {
-  const int doublings = std::clamp(job.lost_runs - kSuspectRuns, 0, kMaxLostRuns);
-  return (kFirstRestUs << doublings) * (8 + job.number % 8) / 8;
-}
-
 }  // namespace
 
-JobUpdate Conclusion(const JobRecord& job, const RunWishes& wishes, const absl::Status& error,
-                     const PipelineProgress& told, int64_t now_us) {
+JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunWishes& wishes,
+                     const absl::Status& error, const PipelineProgress& told, int64_t now_us) {
   JobUpdate update;
   update.state = JobState::kQueued;
   update.layers_total = told.total;
@@ -79,8 +70,8 @@ JobUpdate Conclusion(const JobRecord& job, const RunWishes& wishes, const absl::
     update.claimable_from_us = now_us + kNoRoomPauseUs;  // it waits again when it is claimed
   } else if (DetailOf(error).reason == Reason::kBuildMismatch) {
     update.claimable_from_us = now_us + kUpgradePauseUs;  // which takes its time, and ends
-  } else if (DetailOf(error).reason == Reason::kJobPoisoned && job.lost_runs < kMaxLostRuns) {
-    update.claimable_from_us = now_us + RestUs(job);
+  } else if (DetailOf(error).reason == Reason::kJobPoisoned && !lost_runs.condemned()) {
+    update.claimable_from_us = now_us + lost_runs.rest_us();
   } else if (job.retries < MostRetries(error)) {
     update.claimable_from_us = now_us + PauseUs(job.retries);
     update.retry = true;

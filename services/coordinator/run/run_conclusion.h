@@ -4,13 +4,11 @@
 
 #include "absl/status/status.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
+#include "services/coordinator/run/lost_runs.h"
 #include "services/coordinator/run/run_wishes.h"
 #include "services/coordinator/store/jobs/job_store.h"
 
 namespace slicefarm::coordinator {
-
-/// A job that lost so many runs has killed its coordinators, as far as can be told.
-inline constexpr int32_t kMaxLostRuns = 10;
 
 /// What a run that ended with `error` makes of its job, as it was claimed. Pure.
 ///
@@ -24,13 +22,13 @@ inline constexpr int32_t kMaxLostRuns = 10;
 ///   services are not there                                QUEUED, in 0.5 s, ever later, five times
 ///   the workers of a range died, each time, or a stage    the same, but once: it may have been
 ///   of the whole job was lost, twice                      something else that they died of
-///   JOB_POISONED: coordinators may die of it              QUEUED, in 1 s, ever later, until 10
-///                                                         runs are lost
+///   JOB_POISONED: coordinators may die of it              QUEUED, until LostRuns lets it begin;
+///                                                         not once 10 runs are lost
 ///   anything else                                         FAILED
 ///
 /// "Ever later": twice as long each time.
-JobUpdate Conclusion(const JobRecord& job, const RunWishes& wishes, const absl::Status& error,
-                     const PipelineProgress& told, int64_t now_us);
+JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunWishes& wishes,
+                     const absl::Status& error, const PipelineProgress& told, int64_t now_us);
 
 /// Why a job ends that has not ended by its deadline.
 JobError DeadlinePassed();

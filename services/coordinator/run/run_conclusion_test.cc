@@ -47,7 +47,8 @@ TEST_P(ConclusionTest, OfAnErrorAfterEarlierOnes) {
   job.retries = c.retries;
   job.store_failures = c.store_failures;
   job.lost_runs = c.lost_runs;
-  const JobUpdate update = Conclusion(job, RunWishes(), c.error, {9, 4}, kNowUs);
+  job.state = kRunning;
+  const JobUpdate update = Conclusion(job, LostRuns(job, 0), RunWishes(), c.error, {9, 4}, kNowUs);
   EXPECT_EQ(update.state, c.state);
   EXPECT_EQ(update.layers_total, 9);
   if (c.state == kQueued) {
@@ -75,32 +76,24 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"ARangeKillsItsWorkers", RangePoisoned("UNAVAILABLE"), 0, 0, kQueued, 500'000},
         Case{"ARangeKillsThemAgain", RangePoisoned("UNAVAILABLE"), 1, 0, kFailed, 0},
         Case{"ARangeFailsItsWorkers", RangePoisoned("INTERNAL"), 0, 0, kFailed, 0},
-        Case{"ThirdCoordinatorDies", JobPoisoned(), 9, 0, kQueued, 1'000'000, 3},
-        Case{"NinthCoordinatorDies", JobPoisoned(), 9, 0, kQueued, 64'000'000, 9},
+        Case{"ThirdCoordinatorDies", JobPoisoned(), 9, 0, kQueued, 4'000'000, 3},
+        Case{"NinthCoordinatorDies", JobPoisoned(), 9, 0, kQueued, 256'000'000, 9},
         Case{"TenthCoordinatorDies", JobPoisoned(), 0, 0, kFailed, 0, 10},
         Case{"AStageIsLost", LostStage(), 0, 0, kQueued, 500'000},
         Case{"AStageIsLostAgain", LostStage(), 1, 0, kFailed, 0},
         Case{"InputAtFault", absl::InvalidArgumentError("bad mesh"), 0, 0, kFailed, 0}),
     [](const auto& info) { return info.param.name; });
 
-TEST(Conclusion, JobsThatRanBesideEachOtherRestForDifferentTimes) {
-  JobRecord job;
-  job.lost_runs = 4;
-  job.number = 7;
-  EXPECT_EQ(Conclusion(job, RunWishes(), JobPoisoned(), {}, kNowUs).claimable_from_us,
-            kNowUs + 2'000'000 * 15 / 8);
-}
-
 TEST(Conclusion, WhatAFailureCountsAs) {
-  const JobUpdate away = Conclusion({}, RunWishes(), Away(), {}, kNowUs);
+  const JobUpdate away = Conclusion({}, {}, RunWishes(), Away(), {}, kNowUs);
   EXPECT_TRUE(away.retry);
   EXPECT_FALSE(away.store_failed);
-  const JobUpdate store = Conclusion({}, RunWishes(), StoreFailed(), {}, kNowUs);
+  const JobUpdate store = Conclusion({}, {}, RunWishes(), StoreFailed(), {}, kNowUs);
   EXPECT_FALSE(store.retry);
   EXPECT_TRUE(store.store_failed);
   const absl::Status misfit =
       MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch, "");
-  EXPECT_FALSE(Conclusion({}, RunWishes(), misfit, {}, kNowUs).retry);
+  EXPECT_FALSE(Conclusion({}, {}, RunWishes(), misfit, {}, kNowUs).retry);
 }
 
 TEST(Conclusion, WishesComeBeforeErrors) {
@@ -108,23 +101,23 @@ TEST(Conclusion, WishesComeBeforeErrors) {
   wishes.HandBack();
   JobRecord job;
   job.retries = 5;
-  const JobUpdate back = Conclusion(job, wishes, Away(), {}, kNowUs);
+  const JobUpdate back = Conclusion(job, {}, wishes, Away(), {}, kNowUs);
   EXPECT_EQ(back.state, kQueued);
   EXPECT_EQ(back.claimable_from_us, kNowUs);
   EXPECT_FALSE(back.retry);
   wishes.Cancel();
-  EXPECT_EQ(Conclusion(job, wishes, Away(), {}, kNowUs).state, kCancelled);
+  EXPECT_EQ(Conclusion(job, {}, wishes, Away(), {}, kNowUs).state, kCancelled);
 }
 
 TEST(Conclusion, ADeadlineComesBeforeErrorsAndAfterOtherWishes) {
   RunWishes wishes(/*deadline_us=*/kNowUs);
-  EXPECT_EQ(Conclusion({}, wishes, Away(), {}, kNowUs - 1).state, kQueued);
-  const JobUpdate late = Conclusion({}, wishes, Away(), {9, 4}, kNowUs);
+  EXPECT_EQ(Conclusion({}, {}, wishes, Away(), {}, kNowUs - 1).state, kQueued);
+  const JobUpdate late = Conclusion({}, {}, wishes, Away(), {9, 4}, kNowUs);
   EXPECT_EQ(late.state, kFailed);
   EXPECT_EQ(late.layers_done, 4);
   EXPECT_EQ(late.error->reason, "DEADLINE_EXCEEDED");
   wishes.HandBack();
-  EXPECT_EQ(Conclusion({}, wishes, Away(), {}, kNowUs).state, kQueued);
+  EXPECT_EQ(Conclusion({}, {}, wishes, Away(), {}, kNowUs).state, kQueued);
 }
 
 }  // namespace

@@ -1,9 +1,5 @@
 #include "services/coordinator/run/run_steps.h"
 
-#include <fmt/core.h>
-
-#include "common/base/error.h"
-
 namespace slicefarm::coordinator {
 namespace {
 
@@ -25,19 +21,15 @@ Step After(Step step) {
   return Step::kOver;
 }
 
-absl::Status Poisoned(int32_t lost_runs) {
-  return MakeError(absl::StatusCode::kInternal, Reason::kJobPoisoned,
-                   fmt::format("{} runs of this job began and came to no end", lost_runs),
-                   {{"lost_runs", fmt::format("{}", lost_runs)}});
-}
-
 }  // namespace
 
 Step RunSteps::Next(const RunWishes& wishes, int64_t now_us) {
   if (wishes.lost()) return Step::kOver;
   const bool begun = step_ != Step::kFindCached && step_ != Step::kBegin;
   if (!begun && wishes.GivenUp(now_us)) Took(absl::CancelledError("given up before it began"));
-  if (step_ == Step::kBegin && lost_runs_ >= kSuspectRuns) Took(Poisoned(lost_runs_));
+  if (step_ == Step::kBegin) {
+    if (absl::Status may = lost_runs_.MayBegin(); !may.ok()) Took(may);
+  }
   return step_;
 }
 

@@ -70,23 +70,18 @@ TEST_F(RunStepsTest, WhatIsOverdueDoesNotBegin) {
   EXPECT_EQ(Next(), Step::kOver);
 }
 
-TEST_F(RunStepsTest, AJobThatLostManyRunsRestsBeforeTheNext) {
+TEST_F(RunStepsTest, ASuspectRestsBeforeItBegins) {
   JobRecord job;
   job.state = JobState::kRunning;
-  job.lost_runs = kSuspectRuns - 1;
-  RunSteps unlucky(job);
-  unlucky.Took(false);
-  EXPECT_EQ(unlucky.Next(wishes_, 0), Step::kBegin);
-
   job.lost_runs = kSuspectRuns;
-  RunSteps suspect(job);
+  RunSteps suspect(LostRuns(job, /*calm_us=*/0));
   EXPECT_EQ(suspect.Next(wishes_, 0), Step::kFindCached) << "the same work may have been done";
   suspect.Took(false);
   EXPECT_EQ(suspect.Next(wishes_, 0), Step::kConclude);
   EXPECT_EQ(DetailOf(suspect.status()).reason, Reason::kJobPoisoned);
 
   job.state = JobState::kQueued;
-  RunSteps rested(job);
+  RunSteps rested(LostRuns(job, /*calm_us=*/INT64_MAX));
   rested.Took(false);
   EXPECT_EQ(rested.Next(wishes_, 0), Step::kBegin);
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "common/base/error.h"
-#include "services/coordinator/run/run_conclusion.h"
+#include "services/coordinator/run/lost_runs.h"
 
 namespace slicefarm::coordinator::sim {
 namespace {
@@ -354,9 +354,12 @@ void CheckedStore::CheckFailure(const JobRecord& job, const Seen& seen) {
   const bool overdue =
       job.end_us >= job.deadline_us && reason == ReasonName(Reason::kDeadlineExceeded);
   // That a range failed often enough is checked where it fails: sim_dispatcher.h.
-  const bool poisoned =
-      reason == ReasonName(Reason::kRangePoisoned) ||
-      (reason == ReasonName(Reason::kJobPoisoned) && seen.job.lost_runs >= kMaxLostRuns);
+  // A job that coordinators do not die of is never said to be one, however many were killed.
+  const bool kills = work.fault == Work::Fault::kKillsCoordinators;
+  const bool condemned =
+      kills && reason == ReasonName(Reason::kJobPoisoned) && seen.job.lost_runs >= kMaxLostRuns;
+  world_.totals.condemned += condemned;
+  const bool poisoned = condemned || reason == ReasonName(Reason::kRangePoisoned);
   if (!bad_input && !away && !overdue && !poisoned) {
     world_.Violated("{} failed with '{}' after {} retries", job.id, reason, seen.job.retries);
   }

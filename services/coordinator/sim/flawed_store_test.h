@@ -32,6 +32,7 @@ class FlawedStore : public ForwardingJobStore {
     kTenantsIgnored,       ///< the tenants' turns are not kept
     kSomeNeverClaimed,     ///< the jobs of some work are never claimed
     kEventsSkipped,        ///< a reader of events misses one
+    kLostRunsForgotten,    ///< how many runs of a job were lost is not written
     kReferencesForgotten,  ///< artifacts of jobs are said not to be needed
   };
 
@@ -86,6 +87,7 @@ class FlawedStore : public ForwardingJobStore {
   }
   absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
                                    int64_t now_us) override {
+    if (flaw_ == Flaw::kLostRunsForgotten) return store().Update(lease, Uncounted(update), now_us);
     const bool unwritten =
         (flaw_ == Flaw::kHandBackNotWritten && update.state == JobState::kQueued) ||
         (flaw_ == Flaw::kEndNotWritten && update.state == JobState::kSucceeded);
@@ -125,6 +127,11 @@ class FlawedStore : public ForwardingJobStore {
     created.job.action_digest = job.action_digest;
     created.job.build_id = job.build_id;
     return created;
+  }
+
+  static JobUpdate Uncounted(JobUpdate update) {
+    update.lost_runs = 0;
+    return update;
   }
 
   static std::vector<HeldJob> AllHeld(const std::vector<Lease>& leases) {

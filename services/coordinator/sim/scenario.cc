@@ -93,6 +93,23 @@ void MixProcesses(Random& random, Scenario& scenario) {
   }
 }
 
+/// One piece of work kills the coordinators that run it. Not with two builds, each of which begins
+/// to count anew.
+void MixKiller(Scenario& scenario) {
+  for (const CoordinatorPlan& coordinator : scenario.coordinators)
+    if (coordinator.build != scenario.coordinators.front().build) return;
+  const int64_t killer = scenario.clients.back().work.id;
+  for (ClientPlan& client : scenario.clients)
+    if (client.work.id == killer) client.work.fault = Work::Fault::kKillsCoordinators;
+}
+
+/// For most of an hour coordinators are killed every few seconds.
+void MakeStorm(Random& random, Scenario& scenario) {
+  scenario.faults = {Fault::kKillCoordinator};
+  scenario.quiet_from_us = 3000 * kSecondUs;
+  scenario.fault_every_us = random.Between(2, 10) * kSecondUs;
+}
+
 }  // namespace
 
 Scenario MakeScenario(Random& random) {
@@ -116,6 +133,8 @@ Scenario MakeScenario(Random& random) {
   scenario.store_fault_permille = Permille(random, 100);
   scenario.worker_fault_permille = Permille(random, 150);
   if (random.Chance(400)) MixProcesses(random, scenario);
+  if (random.Chance(20)) MixKiller(scenario);
+  if (random.Chance(5)) MakeStorm(random, scenario);
   return scenario;
 }
 

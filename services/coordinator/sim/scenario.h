@@ -34,6 +34,7 @@ struct Variant {
   bool processes_untold = false;     ///< FanOut is not told what a worker can run
   bool cancels_unread = false;       ///< who claims a job does not look whether it is to end
   bool deadlines_unread = false;     ///< nor by when
+  bool calm_unasked = false;         ///< suspects begin as if all coordinators were calm
 };
 
 /// What a client is going to want.

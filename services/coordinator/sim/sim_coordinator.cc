@@ -43,7 +43,13 @@ SimCoordinator::SimCoordinator(World& world, CheckedStore& store, Farm& farm, in
       process_(world.events),
       link_(world, process_, store),
       dispatcher_(world, process_, farm, index),
-      desk_{world, process_, link_, dispatcher_, plan_.build, [this] { return NowUs(); }} {
+      desk_{world,
+            process_,
+            link_,
+            dispatcher_,
+            plan_.build,
+            [this] { return NowUs(); },
+            [this] { Die(); }} {
   for (const ClientPlan& client : world.scenario.clients) works_[client.work.id] = client.work;
 }
 
@@ -57,6 +63,7 @@ void SimCoordinator::Start() {
 void SimCoordinator::Released(const absl::Status& released) {
   if (!released.ok()) return process_.After(kRestartUs, [this] { Start(); });
   leases_.emplace(kLeaseUs);
+  calm_since_us_ = NowUs();
   places_.assign(kPlaces, {});
   dispatcher_.Begin();
   for (int place = 0; place < kPlaces; ++place) Serve(place);
@@ -73,6 +80,16 @@ void SimCoordinator::Kill() {
   claims_wanted_.clear();
   claiming_ = false;
   stopping_ = false;
+}
+
+/// Of a job; as a service manager does, it is started again.
+void SimCoordinator::Die() {
+  world_.Tell("{} dies", Owner());
+  ++world_.totals.deaths;
+  Kill();
+  world_.events.After(kRestartUs, [this] {
+    if (!process_.up()) Start();
+  });
 }
 
 void SimCoordinator::Stop() {
@@ -163,12 +180,14 @@ void SimCoordinator::PutBack(int place, const Lease& lease) {
 }
 
 void SimCoordinator::Run(int place, int64_t claimed_us, const JobRecord& job) {
-  const auto run = std::make_shared<SimRun>(desk_, works_.at(std::stoll(job.spec)), job);
+  const int64_t calm_us = world_.variant.calm_unasked ? INT64_MAX : NowUs() - calm_since_us_;
+  const auto run = std::make_shared<SimRun>(desk_, works_.at(std::stoll(job.spec)), job, calm_us);
   if (stopping_) run->wishes()->HandBack();
   leases_->Add(run->lease(), claimed_us, run->wishes());
   runs_[run->lease()] = run;
   claiming_ = false;
   run->Start([this, place, lease = run->lease()] {
+    if (runs_.at(lease)->lost()) calm_since_us_ = NowUs();
     leases_->Remove(lease);
     runs_.erase(lease);
     Serve(place);

@@ -72,6 +72,7 @@ class SimCoordinator {
   void CheckGivenUp(const SimRun& run);
   void SweepFromTimeToTime();
   void Notice();
+  void Die();
   void EndIfStopped();
   std::string Owner() const { return "c" + std::to_string(index_); }
   int64_t NowUs() const { return world_.wall_us() + plan_.skew_us; }
@@ -88,6 +89,7 @@ class SimCoordinator {
 
   // Of this life.
   std::optional<LeaseBook> leases_;
+  int64_t calm_since_us_ = 0;
   std::map<Lease, std::shared_ptr<SimRun>> runs_;
   std::map<Lease, std::string> unheard_;  ///< what a run could have heard at the last renewal
   std::vector<Place> places_;

@@ -20,10 +20,11 @@ JobUpdate Success(JobResult result) {
 
 }  // namespace
 
-SimRun::SimRun(RunDesk& desk, Work work, JobRecord job)
+SimRun::SimRun(RunDesk& desk, Work work, JobRecord job, int64_t calm_us)
     : desk_(desk),
       work_(std::move(work)),
       job_(std::move(job)),
+      lost_runs_(job_, calm_us),
       lease_{job_.id, job_.owner_epoch},
       wishes_(std::make_shared<RunWishes>(desk.world.variant.deadlines_unread ? kNoDeadlineUs
                                                                               : job_.deadline_us)),
@@ -56,6 +57,7 @@ void SimRun::Advance() {
 }
 
 void SimRun::Took(const absl::StatusOr<bool>& succeeded) {
+  ended_ = succeeded.ok() && *succeeded;
   steps_.Took(succeeded);
   Advance();
 }
@@ -120,6 +122,11 @@ void SimRun::Sliced() {
   if (work_.fault == Work::Fault::kBadInput) {
     return Computed(BadInput());
   }
+  if (work_.fault == Work::Fault::kKillsCoordinators) {
+    return desk_.process.After(world.random.Between(0, 2 * kSecondUs), [self = shared_from_this()] {
+      if (self->computing_) self->desk_.die();
+    });
+  }
   fan_out_ = desk_.dispatcher.Execute(
       work_, desk_.build, [this](int32_t done) { told_.done = done; },
       [self = shared_from_this()](absl::StatusOr<RangeHashes> layers) {
@@ -168,13 +175,16 @@ void SimRun::PutBlobs() {
 }
 
 void SimRun::Conclude() {
-  const JobUpdate update = Conclusion(job_, *wishes_, steps_.status(), told_, desk_.now_us());
-  Write(update, [this](const absl::Status&) { Took(true); });
+  const JobUpdate update =
+      Conclusion(job_, lost_runs_, *wishes_, steps_.status(), told_, desk_.now_us());
+  Write(update, [this](const absl::Status& written) {
+    Took(written.ok() ? absl::StatusOr<bool>(true) : written);
+  });
 }
 
 void SimRun::Write(JobUpdate update, Then then) {
   if (wishes_->lost()) return then(absl::AbortedError("fenced"));
-  update.lost_runs = LostRunsAfter(job_, update.state);
+  update.lost_runs = lost_runs_.After(update.state);
   if (fenced_) desk_.world.Violated("{} is written to by who knows that it is fenced", job_.id);
   desk_.link.Do([lease = lease_, update, now_us = desk_.now_us()](
                     JobStore& store) { return store.Update(lease, update, now_us).status(); },

@@ -19,6 +19,8 @@ constexpr int64_t kLateUs = 21 * kSecondUs;
 /// What jobs may wait for at most when nothing goes wrong any more: the longest delay of a store
 /// failure, leases of the dead, deadlines of calls; their work comes on top.
 constexpr int64_t kWaitUs = 180 * kSecondUs;
+/// What LostRuns has a suspect wait for in all, at most, and the deaths of coordinators between.
+constexpr int64_t kCondemnUs = 1100 * kSecondUs;
 constexpr int64_t kYesterdayUs = World::kBeginUs - int64_t{24} * 3600 * kSecondUs;
 
 class Simulation {
@@ -47,7 +49,7 @@ class Simulation {
     if (!world_.scenario.faults.empty()) NextFault();
     const int64_t quiet_us = world_.scenario.quiet_from_us;
     world_.events.At(quiet_us, [this] { world_.quiet = true; });
-    const int64_t bound_us = quiet_us + kWaitUs + WorkUs();
+    const int64_t bound_us = quiet_us + kWaitUs + WorkUs() + CondemnedUs();
     while (!world_.violation && !(world_.events.now_us() > quiet_us + kLateUs && AllOver())) {
       world_.events.Step();
       if (world_.events.now_us() > bound_us) world_.Violated("{} does not end", store_.Unended());
@@ -98,6 +100,15 @@ class Simulation {
       SimCoordinator& to = *coordinator;
       to.process().Arrive(delay_us, [&to, told] { to.Changed(told); });
     }
+  }
+
+  /// Until jobs that coordinators die of are found out: the calm before each of their runs, which
+  /// those of others end.
+  int64_t CondemnedUs() const {
+    return kCondemnUs *
+           std::ranges::count_if(world_.scenario.clients, [](const ClientPlan& client) {
+             return client.work.fault == Work::Fault::kKillsCoordinators;
+           });
   }
 
   /// Of all jobs, one after the other on the slowest worker, twice; what cannot be made, as often

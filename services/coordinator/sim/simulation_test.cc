@@ -81,8 +81,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"FailuresUntold", {.failures_untold = true}, "does not end"},
         Case{"ProcessesUntold", {.processes_untold = true}, "that it does not run"},
         Case{"CancelsUnread", {.cancels_unread = true}, "after it was to be cancelled"},
+        Case{"CalmUnasked", {.calm_unasked = true}, "failed with 'JOB_POISONED'"},
+        Case{"LostRunsForgotten", OfStore(Flaw::kLostRunsForgotten), "does not end"},
         Case{"DeadlinesUnread", {.deadlines_unread = true}, "after its deadline"},
-        Case{"BlobsNotKept", {.keep_blobs_s = 0}, "BLOB_NOT_FOUND"}),
+        Case{"BlobsNotKept", {.keep_blobs_s = 0}, "lacks its blob"}),
     [](const auto& info) { return info.param.name; });
 
 std::string TraceOf(uint64_t seed) {

@@ -17,6 +17,8 @@ struct Totals {
   int64_t request_ids_reused = 0;
   int64_t swept_blobs = 0;
   int64_t kills = 0;
+  int64_t deaths = 0;     ///< of coordinators, of their jobs
+  int64_t condemned = 0;  ///< jobs, because of these
   int64_t stops = 0;
   int64_t pauses = 0;
   int64_t partitions = 0;
@@ -53,6 +55,8 @@ inline constexpr TotalsField kTotals[] = {
     {"request_ids_reused", &Totals::request_ids_reused},
     {"swept_blobs", &Totals::swept_blobs},
     {"kills", &Totals::kills},
+    {"deaths", &Totals::deaths},
+    {"condemned", &Totals::condemned},
     {"stops", &Totals::stops},
     {"pauses", &Totals::pauses},
     {"partitions", &Totals::partitions},

@@ -13,9 +13,10 @@ namespace slicefarm::coordinator::sim {
 struct Work {
   enum class Fault {
     kNone,
-    kBadInput,     ///< the slicing stage says so
-    kBadLayer,     ///< workers say so, of the layer in the middle
-    kPoisonLayer,  ///< no worker can make the layer in the middle
+    kBadInput,           ///< the slicing stage says so
+    kBadLayer,           ///< workers say so, of the layer in the middle
+    kPoisonLayer,        ///< no worker can make the layer in the middle
+    kKillsCoordinators,  ///< that run it
   };
 
   int64_t id = 0;  ///< equal for equal work

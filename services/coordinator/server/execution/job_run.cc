@@ -34,9 +34,10 @@ RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view bu
 
 }  // namespace
 
-JobRun::JobRun(RunEnvironment& environment, JobRecord job)
+JobRun::JobRun(RunEnvironment& environment, JobRecord job, int64_t calm_us)
     : environment_(environment),
       job_(std::move(job)),
+      lost_runs_(job_, calm_us),
       result_tenant_(ResultTenant(environment.sharing, job_.tenant)),
       lease_{job_.id, job_.owner_epoch},
       spans_(environment.now_us(), kMaxJobSpans) {
@@ -44,13 +45,15 @@ JobRun::JobRun(RunEnvironment& environment, JobRecord job)
 }
 
 void JobRun::Run() {
-  RunSteps steps(job_);
+  RunSteps steps(lost_runs_);
   const auto next = [&] { return steps.Next(*wishes_, environment_.now_us()); };
   for (auto step = next(); step != RunSteps::Step::kOver; step = next()) {
-    steps.Took(Take(step, steps.status()));
+    const auto ended = Take(step, steps.status());
+    ended_ = ended.ok() && *ended;
+    steps.Took(ended);
   }
   environment_.feed.Ended(job_.id, lease_.epoch);
-  if (wishes_->lost()) {
+  if (lost()) {
     environment_.log.Warn("job lost", Fields({{"seconds", clock_.Seconds()}}));
   } else if (steps.status().ok()) {
     environment_.log.Info("job done", Fields({{"seconds", clock_.Seconds()}}));
@@ -167,7 +170,8 @@ void JobRun::Progress(PipelineProgress progress) {
 }
 
 absl::StatusOr<bool> JobRun::Conclude(const absl::Status& error) {
-  JobUpdate update = Conclusion(job_, *wishes_, error, progress_.told(), environment_.now_us());
+  JobUpdate update =
+      Conclusion(job_, lost_runs_, *wishes_, error, progress_.told(), environment_.now_us());
   const std::string reason(ReasonName(DetailOf(error).reason));
   met_other_build_ = DetailOf(error).reason == Reason::kBuildMismatch;
   environment_.log.Warn("job not done", Fields({{"state", std::string(JobStateName(update.state))},
@@ -177,15 +181,16 @@ absl::StatusOr<bool> JobRun::Conclude(const absl::Status& error) {
                                                 {"error", std::string(error.message())}}));
   update.trace_sha256 = KeepTrace(reason);
   const absl::Status written = Write(update);
-  if (written.ok() || wishes_->lost()) return true;
-  environment_.log.Warn("job's state not written: it will be claimed again",
-                        Fields({{"error", std::string(written.message())}}));
-  return true;
+  if (written.ok()) return true;
+  if (!wishes_->lost())
+    environment_.log.Warn("job's state not written: it will be claimed again",
+                          Fields({{"error", std::string(written.message())}}));
+  return written;
 }
 
 absl::Status JobRun::Write(JobUpdate update) {
   if (wishes_->lost()) return absl::AbortedError("fenced");
-  update.lost_runs = LostRunsAfter(job_, update.state);
+  update.lost_runs = lost_runs_.After(update.state);
   const auto job = environment_.jobs.Update(lease_, update, environment_.now_us());
   // A cancel, or another deadline, that came after the claim, and before this run could be told.
   if (update.state == JobState::kRunning && job.ok()) {

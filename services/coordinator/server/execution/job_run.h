@@ -12,6 +12,7 @@
 #include "common/rpc/observe/json_log.h"
 #include "common/stage/memory_budget.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
+#include "services/coordinator/run/lost_runs.h"
 #include "services/coordinator/run/progress_gate.h"
 #include "services/coordinator/run/run_steps.h"
 #include "services/coordinator/run/run_wishes.h"
@@ -50,9 +51,13 @@ struct RunEnvironment {
 /// written any more.
 class JobRun {
  public:
-  JobRun(RunEnvironment& environment, JobRecord job);
+  /// `calm_us`: how long its coordinator has been calm, as LostRuns has it.
+  JobRun(RunEnvironment& environment, JobRecord job, int64_t calm_us);
 
   void Run();
+
+  /// True of a run that is over and wrote no end.
+  bool lost() const { return !ended_; }
 
   /// True of a run that ended because stages are of another build.
   bool met_other_build() const { return met_other_build_; }
@@ -77,12 +82,14 @@ class JobRun {
 
   RunEnvironment& environment_;
   const JobRecord job_;
+  const LostRuns lost_runs_;
   const std::string result_tenant_;
   const Lease lease_;
   const std::shared_ptr<RunWishes> wishes_ = std::make_shared<RunWishes>(job_.deadline_us);
   std::shared_ptr<const ResolvedJob> resolved_;  ///< from FindCached on
   std::optional<RunOutput> output_;              ///< from Compute to Keep
   ProgressGate progress_;
+  bool ended_ = false;
   bool met_other_build_ = false;
   Stopwatch clock_;
   SpanLog spans_;

@@ -26,6 +26,7 @@ absl::Status JobRunner::Start() {
   if (absl::Status released = environment_.jobs.Release(options_.owner); !released.ok()) {
     return released;
   }
+  calm_since_us_ = NowUs();
   for (int i = 0; i < options_.jobs; ++i) {
     threads_.emplace_back([this] { Serve(Priority::kBulk); });
   }
@@ -85,6 +86,7 @@ void JobRunner::Serve(Priority at_least) {
     std::unique_lock lock(mutex_);
     --at_work_;
     if (run) leases_.Remove(run->lease());
+    if (run && run->lost()) calm_since_us_ = NowUs();
     if (draining_) wake_.notify_all();
     if (run) continue;
     wake_.wait_for(lock, options_.poll, [&] { return stopping_ || draining_ || wakes_ != seen; });
@@ -142,8 +144,8 @@ std::unique_ptr<JobRun> JobRunner::Claim(Priority at_least) {
   if (!job.ok()) Warn("no job claimed", job.status());  // the store is asked again soon
   if (!job.ok() || !*job) return nullptr;
   if ((*job)->build_id != environment_.build_id && !Adopt(**job)) return nullptr;
-  auto run = std::make_unique<JobRun>(environment_, **std::move(job));
   std::lock_guard lock(mutex_);
+  auto run = std::make_unique<JobRun>(environment_, **std::move(job), now_us - calm_since_us_);
   if (stopping_) run->wishes()->HandBack();
   leases_.Add(run->lease(), now_us, run->wishes());
   return run;

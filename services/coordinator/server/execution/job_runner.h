@@ -68,9 +68,10 @@ class JobRunner {
   std::mutex claim_mutex_;  ///< one claim at a time: more would wait for each other in the store
   std::mutex mutex_;
   std::condition_variable wake_;
-  LeaseBook leases_;         ///< of the jobs that run
-  bool unanswered_ = false;  ///< the last renewal failed, or is still under way
-  int at_work_ = 0;          ///< threads that claim or run a job
+  LeaseBook leases_;           ///< of the jobs that run
+  int64_t calm_since_us_ = 0;  ///< this life began, or lost a claim
+  bool unanswered_ = false;    ///< the last renewal failed, or is still under way
+  int at_work_ = 0;            ///< threads that claim or run a job
   bool draining_ = false;
   bool stopping_ = false;
   int64_t wakes_ = 0;

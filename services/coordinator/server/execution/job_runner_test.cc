@@ -45,9 +45,10 @@ class JobRunnerTest : public testing::Test {
     return [this] { return NowUs(); };
   }
 
-  std::unique_ptr<JobRunner> Runner(const std::string& owner = "me") {
+  std::unique_ptr<JobRunner> Runner(const std::string& owner = "me", int jobs = 2) {
     JobRunnerOptions options;
     options.owner = owner;
+    options.jobs = jobs;
     options.poll = options.renew = std::chrono::milliseconds(10);
     auto runner = std::make_unique<JobRunner>(
         RunEnvironment{failing_, *blobs_, resolved_, results_, pipeline_, *memory_, feed_, Clock(),
@@ -106,6 +107,15 @@ class JobRunnerTest : public testing::Test {
     } while (!IsTerminal(job.state));
     feed_.Forget(ticket);
     return job;
+  }
+
+  /// Until it is in the queue, and not to be claimed now.
+  void AwaitRest(const std::string& id) {
+    JobRecord job;
+    do {
+      std::this_thread::yield();
+      job = *jobs_->Get(id);
+    } while (job.state != JobState::kQueued || !job.owner.empty() || job.owner_until_us <= NowUs());
   }
 
   /// A job that coordinators died of so often, in the middle of its runs. REQUIRES: no runner; no
@@ -245,10 +255,47 @@ TEST_F(JobRunnerTest, AJobThatMayKillItsCoordinatorRestsBeforeItRunsAgain) {
   const std::string other = Submit("xxx");
   const auto runner = Runner();
   EXPECT_EQ(AwaitEnd(other).state, JobState::kSucceeded);
-  while (jobs_->Get(suspect)->state != JobState::kQueued) std::this_thread::yield();
+  AwaitRest(suspect);
   EXPECT_EQ(slicing_.runs(), 1);
-  Pass(2 * kSecondUs);
+  Pass(8 * kSecondUs);
   EXPECT_EQ(AwaitEnd(suspect).state, JobState::kSucceeded);
+}
+
+TEST_F(JobRunnerTest, ASuspectBeginsOnACalmCoordinatorAlone) {
+  const std::string suspect = SubmitSuspect("xx", kSuspectRuns);
+  {
+    const auto first = Runner("first");
+    AwaitRest(suspect);
+  }
+  Pass(8 * kSecondUs);
+  const auto young = Runner("second");
+  AwaitRest(suspect);
+  EXPECT_EQ(slicing_.runs(), 0);
+  Pass(8 * kSecondUs);
+  EXPECT_EQ(AwaitEnd(suspect).state, JobState::kSucceeded);
+}
+
+// Something else than its jobs is wrong.
+TEST_F(JobRunnerTest, ACoordinatorThatLosesAClaimIsNotCalm) {
+  const std::string suspect = SubmitSuspect("xx", kSuspectRuns);
+  const auto job = *jobs_->Claim("dead", NowUs(), NowUs() + kSecondUs);
+  const JobUpdate rests = {.state = JobState::kQueued,
+                           .claimable_from_us = NowUs() + 10 * kSecondUs,
+                           .lost_runs = kSuspectRuns};
+  ASSERT_TRUE(jobs_->Update({job->id, job->owner_epoch}, rests, NowUs()).ok());
+  const auto runner = Runner("me", /*jobs=*/1);
+  const std::string held = SubmitHeld(*runner, "xxx");
+  failing_.Fail(Call::kRenew, absl::InternalError("away"));
+  AwaitCalls(Call::kRenew, 2);
+  Pass(9 * kSecondUs);  // most of a lease
+  while (ranges_->cancelled() == 0) std::this_thread::yield();
+  failing_.Recover();
+  ranges_->LetGo();
+  Pass(kSecondUs);
+  AwaitRest(suspect);
+  Pass(8 * kSecondUs);
+  EXPECT_EQ(AwaitEnd(suspect).state, JobState::kSucceeded);
+  EXPECT_EQ(AwaitEnd(held).state, JobState::kSucceeded);
 }
 
 TEST_F(JobRunnerTest, AJobThatKillsItsCoordinatorsFailsInTheEnd) {
