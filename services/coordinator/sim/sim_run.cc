@@ -10,6 +10,10 @@
 namespace slicefarm::coordinator::sim {
 namespace {
 
+// As JobRun has them.
+constexpr int kLastWrites = 50;
+constexpr int64_t kLastWritePauseUs = 200 * kMillisecondUs;
+
 JobUpdate Success(JobResult result) {
   JobUpdate update;
   update.state = JobState::kSucceeded;
@@ -177,8 +181,18 @@ void SimRun::PutBlobs() {
 void SimRun::Conclude() {
   const JobUpdate update =
       Conclusion(job_, lost_runs_, *wishes_, steps_.status(), told_, desk_.now_us());
-  Write(update, [this](const absl::Status& written) {
-    Took(written.ok() ? absl::StatusOr<bool>(true) : written);
+  WriteAtLast(update, kLastWrites);
+}
+
+/// As JobRun::WriteAtLast does; so often at most.
+void SimRun::WriteAtLast(const JobUpdate& update, int writes) {
+  Write(update, [this, update, writes](const absl::Status& written) {
+    const bool failed = DetailOf(written).reason == Reason::kStoreFailed;
+    if (!failed || writes == 1 || wishes_->handed_back())
+      return Took(written.ok() ? absl::StatusOr<bool>(true) : written);
+    desk_.process.After(kLastWritePauseUs, [self = shared_from_this(), update, writes] {
+      self->WriteAtLast(update, writes - 1);
+    });
   });
 }
 

@@ -56,6 +56,7 @@ class SimRun : public std::enable_shared_from_this<SimRun> {
   void Keep();
   void PutBlobs();
   void Conclude();
+  void WriteAtLast(const JobUpdate& update, int writes);
   void Write(JobUpdate update, Then then);
 
   RunDesk& desk_;

@@ -1,11 +1,13 @@
 #include "services/coordinator/server/execution/job_run.h"
 
+#include <chrono>
 #include <optional>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "common/base/cancel_scope.h"
 #include "common/base/error.h"
+#include "common/base/stoppable_sleep.h"
 #include "services/coordinator/algo/job_trace.h"
 #include "services/coordinator/algo/pipeline/report_json.h"
 #include "services/coordinator/run/run_conclusion.h"
@@ -16,6 +18,10 @@
 
 namespace slicefarm::coordinator {
 namespace {
+
+// For as long as a database takes to start.
+constexpr int kLastWrites = 50;
+constexpr std::chrono::milliseconds kLastWritePause{200};
 
 RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view build_id) {
   JobReport& report = output.report;
@@ -180,11 +186,23 @@ absl::StatusOr<bool> JobRun::Conclude(const absl::Status& error) {
                                                 {"reason", reason},
                                                 {"error", std::string(error.message())}}));
   update.trace_sha256 = KeepTrace(reason);
-  const absl::Status written = Write(update);
+  const absl::Status written = WriteAtLast(update);
   if (written.ok()) return true;
   if (!wishes_->lost())
     environment_.log.Warn("job's state not written: it will be claimed again",
                           Fields({{"error", std::string(written.message())}}));
+  return written;
+}
+
+/// A run of which nothing more is heard counts as lost, so a store that is away for a moment, as
+/// one that is started again, is asked again.
+absl::Status JobRun::WriteAtLast(const JobUpdate& update) {
+  const CancelToken in_vain([this] { return wishes_->lost() || wishes_->handed_back(); });
+  absl::Status written = Write(update);
+  for (int i = 1; i < kLastWrites && DetailOf(written).reason == Reason::kStoreFailed; ++i) {
+    if (!SleepUnlessCancelled(in_vain, kLastWritePause).ok()) break;
+    written = Write(update);
+  }
   return written;
 }
 

@@ -75,6 +75,7 @@ class JobRun {
   absl::StatusOr<bool> Conclude(const absl::Status& error);
   CancelToken GivenUp() const;
   void Progress(PipelineProgress progress);
+  absl::Status WriteAtLast(const JobUpdate& update);
   absl::Status Write(JobUpdate update);
   absl::Status Written(const absl::Status& status);
   std::string KeepTrace(std::string_view outcome);

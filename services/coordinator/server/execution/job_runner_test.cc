@@ -298,6 +298,21 @@ TEST_F(JobRunnerTest, ACoordinatorThatLosesAClaimIsNotCalm) {
   EXPECT_EQ(AwaitEnd(held).state, JobState::kSucceeded);
 }
 
+TEST_F(JobRunnerTest, AnEndIsWrittenWhenTheStoreIsBack) {
+  const auto runner = Runner();
+  const std::string id = SubmitHeld(*runner);
+  failing_.Fail(Call::kUpdate, MakeError(absl::StatusCode::kUnavailable, Reason::kStoreFailed,
+                                         "PostgreSQL: it is starting up"));
+  ranges_->LetGo();
+  AwaitCalls(Call::kUpdate, 3);
+  failing_.Recover();
+  AwaitRest(id);
+  EXPECT_EQ(jobs_->Get(id)->store_failures, 1);
+  EXPECT_EQ(jobs_->Get(id)->lost_runs, 0) << "its coordinator lives";
+  Pass(kSecondUs);
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+}
+
 TEST_F(JobRunnerTest, AJobThatKillsItsCoordinatorsFailsInTheEnd) {
   const std::string poisoned = SubmitSuspect("xx", kMaxLostRuns);
   const std::string other = Submit("xxx");
