@@ -61,8 +61,10 @@ absl::Status StreamOver(ReplicaSource& replicas, std::chrono::milliseconds deadl
     if (!written.ok()) return stream.Abandon(written);
     stream.WritesDone();
     const absl::Status answer = read(stream);
-    return OutcomeOf(stage, deadline,
-                     answer.ok() ? stream.Finish() : stream.Abandon(BadAnswer(stage, answer)));
+    if (!answer.ok() && stream.alive()) return stream.Abandon(BadAnswer(stage, answer));
+    // An answer that was cut off may not fit: then the call's end says why.
+    const absl::Status outcome = OutcomeOf(stage, deadline, stream.Finish());
+    return answer.ok() || !outcome.ok() ? outcome : BadAnswer(stage, answer);
   });
 }
 
