@@ -16,6 +16,7 @@ constexpr OrcaRow kRows[] = {
     {"xy_hole_compensation", "xy_hole_compensation"},
     {"elefant_foot_compensation", "elefant_foot_compensation"},
     {"spiral_mode", "spiral_vase"},
+    {"counterbore_hole_bridging", "counterbore_hole_bridging"},
 
     {"wall_loops", "perimeters"},
     {"wall_generator", "perimeter_generator"},

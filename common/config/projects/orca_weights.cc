@@ -18,7 +18,6 @@ constexpr Weighty kWeighty[] = {
     {"top_solid_infill_flow_ratio", "1"},
     {"bottom_solid_infill_flow_ratio", "1"},
     {"hole_to_polyhole", "0"},
-    {"counterbore_hole_bridging", "none"},
     {"make_overhang_printable", "0"},
     {"zaa_enabled", "0"},
     {"precise_z_height", "0"},

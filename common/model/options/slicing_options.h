@@ -13,6 +13,13 @@ namespace slicefarm {
 
 /// Names in the comments are the settings' (PrusaSlicer's, where it has the setting).
 
+/// What is done where a hole begins over a wider recess.
+enum class CounterboreBridging : uint8_t {
+  kNone,         ///< its edge is printed on air
+  kPartial,      ///< bridges beside it, others across those, and then the hole
+  kSacrificial,  ///< a bridge over the recess, to be drilled through
+};
+
 /// How one object is cut.
 struct ObjectSlicingOptions {
   Coord layer_height_nm = 200'000;          ///< layer_height
@@ -32,6 +39,7 @@ struct ObjectSlicingOptions {
   /// spiral_vase: layers from this one on are hollow, and of their outlines the largest stays; 0:
   /// none are.
   int32_t hollow_from = 0;
+  CounterboreBridging counterbores = CounterboreBridging::kNone;  ///< counterbore_hole_bridging
   AdaptiveHeights adaptive;
   /// layer_height_profile: heights by z, in between in proportion, instead of layer_height, ranges
   /// of heights and `adaptive`; upwards. None: by those.

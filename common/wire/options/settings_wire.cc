@@ -146,6 +146,7 @@ v1::ObjectSlicingOptions ToProto(const ObjectSlicingOptions& options) {
   adaptive.set_max_nm(options.adaptive.max_nm);
   adaptive.set_max_ratio(options.adaptive.max_ratio);
   proto.set_hollow_from(options.hollow_from);
+  proto.set_counterbores(EnumToProto<v1::CounterboreBridging>(options.counterbores));
   for (const LayerHeightAt& at : options.height_profile) {
     proto.add_height_profile_nm(at.z_nm);
     proto.add_height_profile_nm(at.height_nm);
@@ -175,6 +176,7 @@ absl::StatusOr<ObjectSlicingOptions> ObjectFromProto(const v1::ObjectSlicingOpti
   options.hollow_from = proto.hollow_from();
   if (options.hollow_from < 0 || options.hollow_from > limits::kMaxLayers)
     return Malformed("hollow_from", "is not the index of a layer");
+  options.counterbores = Known<CounterboreBridging>(proto.counterbores());
   auto profile = ProfileFromProto(proto);
   if (!profile.ok()) return profile.status();
   options.height_profile = *std::move(profile);

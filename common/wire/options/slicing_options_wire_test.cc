@@ -20,8 +20,8 @@ using google::protobuf::util::MessageDifferencer;
 ObjectSlicingOptions DistinctObjectSlicing() {
   ObjectSlicingOptions options;
   auto& [layer_height, fill_rule, close_holes, closing_radius, xy_compensation, hole_compensation,
-         on_bed, elephant_foot, elephant_foot_min_width, lift, hollow_from, adaptive,
-         height_profile] = options;
+         on_bed, elephant_foot, elephant_foot_min_width, lift, hollow_from, counterbores,
+         adaptive, height_profile] = options;
   auto& [adapts, cusp, min, max, ratio] = adaptive;
   layer_height = 101;
   fill_rule = FillRule::kPositive;
@@ -34,6 +34,7 @@ ObjectSlicingOptions DistinctObjectSlicing() {
   on_bed = true;
   lift = 602;
   hollow_from = 610;
+  counterbores = CounterboreBridging::kSacrificial;
   adapts = true;
   cusp = 603;
   min = 604;
@@ -82,6 +83,7 @@ constexpr char kDistinctSlicing[] = R"pb(
     adaptive { on: true cusp_nm: 603 min_nm: 604 max_nm: 605 max_ratio: 2.25 }
     height_profile_nm: [ 606, 607, 608, 609 ]
     hollow_from: 610
+    counterbores: COUNTERBORE_BRIDGING_SACRIFICIAL
   }
 )pb";
 

@@ -16,6 +16,7 @@
 #include "common/model/limits.h"
 #include "common/stage/job_memory.h"
 #include "common/stage/print_layers.h"
+#include "services/slicing/algo/counterbores/bridged_counterbores.h"
 #include "services/slicing/algo/placement/arranging/footprint.h"
 #include "services/slicing/algo/placement/arranging/overlaps.h"
 #include "services/slicing/algo/placement/orientation/orientation_advice.h"
@@ -212,10 +213,20 @@ class SlicingRun {
         CutSection(scratch[static_cast<size_t>(worker)], section);
     });
     if (call_.cancel.Cancelled()) return call_.cancel.Check();
+    ChangeCounterbores();
     for (const SlicedLayer& layer : job_.layers)
       for (const ObjectSection& section : layer.sections)
         if (!section.regions.empty()) return absl::OkStatus();
     return NoOutlines();
+  }
+
+  void ChangeCounterbores() {
+    std::vector<std::vector<ObjectSection*>> sections(objects_.size());
+    for (SlicedLayer& layer : job_.layers)
+      for (ObjectSection& section : layer.sections)
+        sections[static_cast<size_t>(section.stack.object)].push_back(&section);
+    for (size_t object = 0; object < objects_.size(); ++object)
+      BridgeCounterbores(options_.objects[object].counterbores, sections[object], call_.threads);
   }
 
   absl::Status NoOutlines() const {

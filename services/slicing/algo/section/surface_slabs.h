@@ -6,6 +6,7 @@
 
 #include "common/geometry/polygon.h"
 #include "common/model/scene/mesh.h"
+#include "services/slicing/algo/topology/edge_table.h"
 
 namespace slicefarm::slicing {
 

@@ -1,0 +1,83 @@
+#include "services/slicing/algo/counterbores/bridged_counterbores.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "common/base/parallel.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
+#include "services/slicing/algo/counterbores/counterbore.h"
+
+namespace slicefarm::slicing {
+namespace {
+
+/// What is done to a section.
+struct Edit {
+  MultiPolygon cut;
+  MultiPolygon filled;
+};
+
+/// Whether holes go through the outlines as well, but for what a draft takes of them.
+bool GoThrough(const MultiPolygon& holes, const MultiPolygon& outlines) {
+  constexpr double kDraft = 0.02;
+  return Area(Intersection(holes, outlines)) <= kDraft * Area(holes);
+}
+
+void CutOut(const MultiPolygon& room, ObjectSection& section) {
+  for (Region& region : section.regions) region.outlines = Difference(region.outlines, room);
+  std::erase_if(section.regions, [](const Region& region) { return region.outlines.empty(); });
+  section.whole = section.regions.size() > 1 ? Difference(section.whole, room) : MultiPolygon{};
+}
+
+/// Each hole goes to the region that has the most of its edge.
+void FillUp(const MultiPolygon& holes, ObjectSection& section) {
+  constexpr Coord kEdgeNm = 50'000;
+  for (const PolygonWithHoles& hole : holes) {
+    const MultiPolygon edge = FastOffset({hole}, kEdgeNm);
+    const auto region =
+        std::ranges::max_element(section.regions, {}, [&](const Region& each) {
+          return Area(Intersection(each.outlines, edge));
+        });
+    if (region != section.regions.end()) region->outlines = Union(region->outlines, {hole});
+  }
+  if (section.regions.size() > 1) section.whole = Union(section.whole, holes);
+}
+
+std::vector<std::vector<Counterbore>> Found(std::span<ObjectSection* const> sections, int threads) {
+  std::vector<std::vector<Counterbore>> found(sections.size());
+  ForEachIndex(threads, sections.size(), [&](size_t layer, int) {
+    if (layer == 0 || sections[layer]->hollow) return;
+    found[layer] = CounterboresOver(OutlineOf(*sections[layer - 1]), OutlineOf(*sections[layer]));
+  });
+  return found;
+}
+
+}  // namespace
+
+void BridgeCounterbores(CounterboreBridging how, std::span<ObjectSection* const> sections,
+                        int threads) {
+  if (how == CounterboreBridging::kNone) return;
+  const std::vector<std::vector<Counterbore>> found = Found(sections, threads);
+  std::vector<Edit> edits(sections.size());
+  for (size_t layer = 0; layer < sections.size(); ++layer)
+    for (const Counterbore& counterbore : found[layer]) {
+      if (how == CounterboreBridging::kSacrificial) {
+        MultiPolygon& filled = edits[layer].filled;
+        filled = Union(filled, counterbore.holes);
+        continue;
+      }
+      for (size_t i = 0; i < counterbore.rooms.size() && layer + i < sections.size(); ++i) {
+        if (!GoThrough(counterbore.holes, OutlineOf(*sections[layer + i]))) break;
+        MultiPolygon& cut = edits[layer + i].cut;
+        cut = Union(cut, counterbore.rooms[i]);
+      }
+    }
+  for (size_t layer = 0; layer < sections.size(); ++layer) {
+    if (!edits[layer].cut.empty()) CutOut(edits[layer].cut, *sections[layer]);
+    if (!edits[layer].filled.empty()) FillUp(edits[layer].filled, *sections[layer]);
+  }
+}
+
+}  // namespace slicefarm::slicing

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+#include "common/model/layer.h"
+#include "common/model/options/slicing_options.h"
+
+namespace slicefarm::slicing {
+
+/// Changes the sections of one object, by layer, where holes begin over wider recesses: kPartial
+/// leaves open in them the rooms of Counterbore, as far up as the holes go; kSacrificial closes the
+/// holes for one layer. Sections that are hollow stay. Cost: see CounterboresOver, on `threads`.
+void BridgeCounterbores(CounterboreBridging how, std::span<ObjectSection* const> sections,
+                        int threads);
+
+}  // namespace slicefarm::slicing

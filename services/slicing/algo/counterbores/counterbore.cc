@@ -1,0 +1,214 @@
+#include "services/slicing/algo/counterbores/counterbore.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/vector.h"
+
+namespace slicefarm::slicing {
+namespace {
+
+/// How far around a hole air lies, at least: a bead, most of which would lie on none.
+constexpr Coord kRimNm = 400'000;
+/// How far beyond its end a bridge is looked for what it rests on.
+constexpr double kBeyondNm = 20'000;
+constexpr int kDirections = 12;
+
+Vector2 ToVector(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+Point ToPoint(const Vector2& v) { return {std::llround(v.x()), std::llround(v.y())}; }
+
+bool Covers(const MultiPolygon& outlines, Point p) {
+  return std::ranges::any_of(
+      outlines, [&](const auto& island) { return Locate(p, island) != Side::kOutside; });
+}
+
+/// The stripe that a ring fills out, seen along a direction.
+struct Stripe {
+  Vector2 along;
+  double right = std::numeric_limits<double>::max();  ///< of `along` turned left
+  double left = std::numeric_limits<double>::lowest();
+};
+
+Stripe StripeOf(const Polygon& ring, const Vector2& along) {
+  Stripe stripe{along};
+  for (const Point p : ring) {
+    const double across = Dot(ToVector(p), TurnedLeft(along));
+    stripe.right = std::min(stripe.right, across);
+    stripe.left = std::max(stripe.left, across);
+  }
+  return stripe;
+}
+
+/// The part of a stripe that reaches `reach_nm` from `middle`.
+MultiPolygon AreaOf(const Stripe& stripe, const Vector2& middle, double reach_nm) {
+  const Vector2 across = TurnedLeft(stripe.along);
+  const double at = Dot(middle, stripe.along);
+  const auto corner = [&](double ahead, double aside) {
+    return ToPoint((at + ahead) * stripe.along + aside * across);
+  };
+  return {{{corner(-reach_nm, stripe.right), corner(reach_nm, stripe.right),
+            corner(reach_nm, stripe.left), corner(-reach_nm, stripe.left)},
+           {}}};
+}
+
+/// What lies under holes: the air that they share.
+class Recess {
+ public:
+  Recess(const PolygonWithHoles& air, const MultiPolygon& below) : air_(air), below_(below) {
+    const Box box = Bounds(air.outer);
+    reach_nm_ = 2 * (ToVector(box.max) - ToVector(box.min)).norm();
+  }
+
+  bool IsUnder(const MultiPolygon& hole_and_rim) const {
+    return Difference(hole_and_rim, {air_}).empty();
+  }
+
+  void Add(Polygon hole) { holes_.push_back(std::move(hole)); }
+
+  std::optional<Counterbore> Bridged() const {
+    if (holes_.empty()) return std::nullopt;
+    const std::optional<Vector2> along = BestWay();
+    if (!along) return std::nullopt;
+    const Vector2 across = TurnedLeft(*along);
+    const double half = std::numbers::sqrt2 / 2;
+    Counterbore bridged;
+    for (const Polygon& hole : holes_) bridged.holes.push_back({hole, {}});
+    bridged.rooms.push_back(Crossed({air_}, {*along}));
+    bridged.rooms.push_back(Crossed({air_}, {*along, across}));
+    if (!Difference(bridged.rooms.back(), FastOffset(bridged.holes, kRimNm)).empty())
+      bridged.rooms.push_back(Crossed(
+          {air_}, {*along, across, half * (*along + across), half * (*along - across)}));
+    return bridged;
+  }
+
+ private:
+  /// Where `area` is open to all the stripes of one of the holes, around it.
+  MultiPolygon Crossed(const MultiPolygon& area, const std::vector<Vector2>& ways) const {
+    MultiPolygon all;
+    for (const Polygon& hole : holes_) {
+      MultiPolygon open = area;
+      for (const Vector2& way : ways)
+        open = Intersection(open, AreaOf(StripeOf(hole, way), ToVector(hole.front()), reach_nm_));
+      std::erase_if(open, [&](const auto& part) {
+        return Intersection({part}, {{hole, {}}}).empty();
+      });
+      all.insert(all.end(), open.begin(), open.end());
+    }
+    return Union(Rings(all), FillRule::kNonZero);
+  }
+
+  /// The way whose crossed stripes lie closest around the holes, so that least is left to the
+  /// layers above; of those that lie about as close, that of the shortest bridges.
+  std::optional<Vector2> BestWay() const {
+    constexpr double kAlike = 1.01;
+    std::optional<Vector2> best;
+    double closest = 0, shortest = 0;
+    for (const Polygon& edges : {air_.outer, holes_.front()})
+      for (int i = 0; i < kDirections; ++i) {
+        const Vector2 way =
+            Eigen::Rotation2Dd(std::numbers::pi * i / kDirections) * LongestEdge(edges);
+        const std::optional<double> span = LongestSpan(way);
+        if (!span) continue;
+        const double area = CrossedArea(way);
+        if (best && area * kAlike > closest && (area > closest * kAlike || *span >= shortest))
+          continue;
+        best = way;
+        closest = area;
+        shortest = *span;
+      }
+    return best;
+  }
+
+  static Vector2 LongestEdge(const Polygon& ring) {
+    Vector2 longest{0, 0};
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Vector2 edge = ToVector(ring[(i + 1) % ring.size()]) - ToVector(ring[i]);
+      if (edge.norm() > longest.norm()) longest = edge;
+    }
+    return longest.normalized();
+  }
+
+  double CrossedArea(const Vector2& way) const {
+    double area = 0;
+    for (const Polygon& hole : holes_) {
+      const Stripe one = StripeOf(hole, way), other = StripeOf(hole, TurnedLeft(way));
+      area += (one.left - one.right) * (other.left - other.right);
+    }
+    return area;
+  }
+
+  std::optional<double> LongestSpan(const Vector2& along) const {
+    double longest = 0;
+    for (const Polygon& hole : holes_) {
+      const Stripe stripe = StripeOf(hole, along);
+      const double at = Dot(ToVector(Centroid(hole)), along);
+      for (const double aside : {stripe.left + kRimNm / 2.0, stripe.right - kRimNm / 2.0}) {
+        const std::optional<double> span = SpanAt(along, at, aside);
+        if (!span) return std::nullopt;
+        longest = std::max(longest, *span);
+      }
+    }
+    return longest;
+  }
+
+  /// How long a bridge is through a place `at` along and `aside`; none where an end has no hold.
+  std::optional<double> SpanAt(const Vector2& along, double at, double aside) const {
+    const Vector2 across = TurnedLeft(along);
+    if (Locate(ToPoint(at * along + aside * across), air_) == Side::kOutside) return std::nullopt;
+    double from = std::numeric_limits<double>::lowest();
+    double to = std::numeric_limits<double>::max();
+    ForEachRing({air_}, [&](const Polygon& ring) {
+      for (size_t i = 0; i < ring.size(); ++i) {
+        const Vector2 a = ToVector(ring[i]), b = ToVector(ring[(i + 1) % ring.size()]);
+        const double a_aside = Dot(a, across) - aside, b_aside = Dot(b, across) - aside;
+        if ((a_aside < 0) == (b_aside < 0)) continue;
+        const double share = a_aside / (a_aside - b_aside);
+        const double ahead = Dot(a, along) + share * (Dot(b, along) - Dot(a, along));
+        (ahead < at ? from : to) = ahead < at ? std::max(from, ahead) : std::min(to, ahead);
+      }
+    });
+    for (const double end : {from - kBeyondNm, to + kBeyondNm})
+      if (!Covers(below_, ToPoint(end * along + aside * across))) return std::nullopt;
+    return to - from;
+  }
+
+  const PolygonWithHoles& air_;
+  const MultiPolygon& below_;
+  double reach_nm_ = 0;
+  std::vector<Polygon> holes_;
+};
+
+void AddCounterbores(const MultiPolygon& below, const PolygonWithHoles& island,
+                     std::vector<Counterbore>& found) {
+  const MultiPolygon air = Difference({{island.outer, {}}}, below);
+  std::vector<Recess> recesses;
+  for (const PolygonWithHoles& part : air) recesses.emplace_back(part, below);
+  for (const Polygon& ring : island.holes) {
+    const Polygon hole(ring.rbegin(), ring.rend());
+    const MultiPolygon with_rim = FastOffset({{hole, {}}}, kRimNm);
+    for (Recess& recess : recesses)
+      if (recess.IsUnder(with_rim)) recess.Add(hole);
+  }
+  for (const Recess& recess : recesses)
+    if (std::optional<Counterbore> bridged = recess.Bridged()) found.push_back(*std::move(bridged));
+}
+
+}  // namespace
+
+std::vector<Counterbore> CounterboresOver(const MultiPolygon& below, const MultiPolygon& here) {
+  if (below == here || FastOffset(Difference(here, below), -kRimNm / 4).empty()) return {};
+  std::vector<Counterbore> found;
+  for (const PolygonWithHoles& island : here)
+    if (!island.holes.empty()) AddCounterbores(below, island, found);
+  return found;
+}
+
+}  // namespace slicefarm::slicing
