@@ -45,11 +45,16 @@ void FillUp(const MultiPolygon& holes, ObjectSection& section) {
   if (section.regions.size() > 1) section.whole = Union(section.whole, holes);
 }
 
+/// By layer. The slit that is left of a round channel below its top is open for one layer alone, and
+/// is closed as well without help.
 std::vector<std::vector<Counterbore>> Found(std::span<ObjectSection* const> sections, int threads) {
   std::vector<std::vector<Counterbore>> found(sections.size());
   ForEachIndex(threads, sections.size(), [&](size_t layer, int) {
-    if (layer == 0 || sections[layer]->hollow) return;
+    if (layer == 0 || layer + 1 >= sections.size() || sections[layer]->hollow) return;
     found[layer] = CounterboresOver(OutlineOf(*sections[layer - 1]), OutlineOf(*sections[layer]));
+    std::erase_if(found[layer], [&](const Counterbore& each) {
+      return !GoThrough(each.holes, OutlineOf(*sections[layer + 1]));
+    });
   });
   return found;
 }

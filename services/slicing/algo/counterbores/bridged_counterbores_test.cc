@@ -5,7 +5,11 @@
 #include <vector>
 
 #include "common/geometry/boolean/boolean.h"
+#include "common/stage/slice_input_test.h"
 #include "services/slicing/algo/counterbores/shapes_test.h"
+#include "services/slicing/algo/local_slicing_stage.h"
+#include "services/slicing/algo/mesh_io/mesh_source.h"
+#include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing::bridged_counterbores_test {
 namespace {
@@ -62,7 +66,7 @@ TEST(BridgeCounterbores, SlotSquareOctagonHole) {
 }
 
 TEST(BridgeCounterbores, NothingIsOpenedBeyondTheHole) {
-  ExpectOpen(Bridged(kPartial, Bored(1)), {28.27, 28.27, 19.3, 0});
+  for (const auto how : {kPartial, kSacrificial}) EXPECT_EQ(Bridged(how, Bored(1)), Bored(1));
   ExpectOpen(Bridged(kPartial, Bored(2)), {28.27, 28.27, 19.3, 11.56, 0});
 }
 
@@ -100,6 +104,38 @@ TEST(BridgeCounterbores, HollowSectionsStay) {
 
 TEST(BridgeCounterbores, ThreadsChangeNothing) {
   EXPECT_EQ(Bridged(kPartial, Bored(9), 4), Bridged(kPartial, Bored(9)));
+}
+
+/// A cube of 20 mm with a recess of 10 by 10 by 10 mm, and a hole of 4 by 4 by 2 mm above it.
+SliceInput BoredCube() {
+  SliceInput input;
+  for (const RawMesh& mesh : {Cube(0, 0, 0, 20), Cube(5, 5, 0, 10), Cube(8, 8, 8, 4)})
+    input.files.push_back({"part", MeshFormat::kUnknown, ToBinaryStl(mesh)});
+  input = InputOf(std::move(input.files), {Placement{}});
+  ObjectInput& object = input.objects[0];
+  object.parts.resize(3, object.parts[0]);
+  for (const int32_t i : {1, 2}) {
+    object.parts[static_cast<size_t>(i)].mesh.file = i;
+    object.parts[static_cast<size_t>(i)].role = PartRole::kNegative;
+  }
+  input.objects.resize(1);
+  return input;
+}
+
+TEST(BridgeCounterbores, OfObjectsThatAskForIt) {
+  for (const auto& [how, open_mm2] :
+       {std::pair(kNone, 16.0), std::pair(kPartial, 40.0), std::pair(kSacrificial, 0.0)}) {
+    SlicingOptions options;
+    options.objects[0].counterbores = how;
+    const auto job = MakeLocalSlicing(MakeDirectMeshSource())->Slice({}, BoredCube(), options);
+    ASSERT_TRUE(job.ok()) << job.status();
+    const auto covered_mm2 = [&](size_t layer) {
+      return Mm2(OutlineOf(job->layers[layer].sections[0]));
+    };
+    EXPECT_NEAR(covered_mm2(49), 300, 1e-6);
+    EXPECT_NEAR(covered_mm2(50), 400 - open_mm2, 1e-3);
+    EXPECT_NEAR(covered_mm2(51), 400 - 16, 1e-3);
+  }
 }
 
 }  // namespace

@@ -59,16 +59,12 @@ MultiPolygon AreaOf(const Stripe& stripe, const Vector2& middle, double reach_nm
            {}}};
 }
 
-/// What lies under holes: the air that they share.
+/// What of an island lies over air, with the holes in it.
 class Recess {
  public:
   Recess(const PolygonWithHoles& air, const MultiPolygon& below) : air_(air), below_(below) {
     const Box box = Bounds(air.outer);
     reach_nm_ = 2 * (ToVector(box.max) - ToVector(box.min)).norm();
-  }
-
-  bool IsUnder(const MultiPolygon& hole_and_rim) const {
-    return Difference(hole_and_rim, {air_}).empty();
   }
 
   void Add(Polygon hole) { holes_.push_back(std::move(hole)); }
@@ -186,19 +182,29 @@ class Recess {
   std::vector<Polygon> holes_;
 };
 
+/// The holes of an island around which nothing lies below.
+std::vector<Polygon> HolesOverAir(const MultiPolygon& below, const PolygonWithHoles& island) {
+  std::vector<Polygon> holes;
+  for (const Polygon& ring : island.holes) {
+    Polygon hole(ring.rbegin(), ring.rend());
+    const MultiPolygon with_rim = FastOffset({{hole, {}}}, kRimNm);
+    if (Difference(with_rim, {{island.outer, {}}}).empty() && Intersection(with_rim, below).empty())
+      holes.push_back(std::move(hole));
+  }
+  return holes;
+}
+
 void AddCounterbores(const MultiPolygon& below, const PolygonWithHoles& island,
                      std::vector<Counterbore>& found) {
-  const MultiPolygon air = Difference({{island.outer, {}}}, below);
-  std::vector<Recess> recesses;
-  for (const PolygonWithHoles& part : air) recesses.emplace_back(part, below);
-  for (const Polygon& ring : island.holes) {
-    const Polygon hole(ring.rbegin(), ring.rend());
-    const MultiPolygon with_rim = FastOffset({{hole, {}}}, kRimNm);
-    for (Recess& recess : recesses)
-      if (recess.IsUnder(with_rim)) recess.Add(hole);
-  }
-  for (const Recess& recess : recesses)
+  const std::vector<Polygon> holes = HolesOverAir(below, island);
+  if (holes.empty()) return;
+  const MultiPolygon bored = Union({island}, Union(holes, FillRule::kNonZero));
+  for (const PolygonWithHoles& air : Difference(bored, below)) {
+    Recess recess(air, below);
+    for (const Polygon& hole : holes)
+      if (Locate(hole.front(), air) != Side::kOutside) recess.Add(hole);
     if (std::optional<Counterbore> bridged = recess.Bridged()) found.push_back(*std::move(bridged));
+  }
 }
 
 }  // namespace

@@ -77,11 +77,15 @@ TEST(CounterboresOver, OthersAreNone) {
       {"a hole whose edge rests on one side", Plate({Disc(0, 0, 5)}), Plate({Disc(3.2, 0, 1.7)})},
       {"a layer over nothing", {}, Plate({Disc(0, 0, 3)})},
       {"a ledge, held on one side", {{Box(-15, -15, 10, 30), {}}}, Plate({Disc(5, 0, 2)})},
+      {"a boss on one wall of a well, above its bottom", Plate({Box(-10, -10, 20, 20)}),
+       Plate({Box(-10, -10, 20, 20)})},
       {"a post in the recess", Plate({Disc(0, 0, 5)}), Plate({Disc(3, 0, 1)})},
   };
   for (NoneCase each : cases) {
     if (each.name == "a post in the recess")
       each.below = Union(each.below, {{Disc(2.5, 0, 1), {}}});
+    if (each.name == "a boss on one wall of a well, above its bottom")
+      each.here = Union(each.here, {{Box(-4, 4, 8, 8), {AsHole(Disc(0, 7, 1.5))}}});
     EXPECT_TRUE(CounterboresOver(each.below, each.here).empty()) << each.name;
   }
 }
