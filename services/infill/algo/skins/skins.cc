@@ -63,8 +63,13 @@ MultiPolygon IslandsUnder(const MultiPolygon& area, const MultiPolygon& layer, b
 /// Takes from a fill area what its skins need.
 class SparseRegion {
  public:
+  /// `fill_area` must outlive this.
   SparseRegion(const MultiPolygon& fill_area, Coord width_nm)
-      : region_(fill_area), mask_(fill_area), width_nm_(width_nm) {}
+      : fill_area_(fill_area),
+        fill_mask_(fill_area),
+        region_(fill_area),
+        mask_(fill_mask_),
+        width_nm_(width_nm) {}
 
   /// Takes the parts over (or under) which `layer` is missing, if they are at least `least_nm`
   /// wide, and an anchor around them.
@@ -75,6 +80,13 @@ class SparseRegion {
       return;
     }
     TakeWide(Difference(region_, layer), least_nm);
+  }
+
+  /// The same over the nearest layer below, whatever others took: where a recess widens from layer
+  /// to layer, farther ones have taken all that is bare, and bridges need their anchors around that.
+  void TakeUnborneParts(const MultiPolygon& layer, Coord least_nm) {
+    if (!fill_mask_.MayMeet(layer)) return TakeBareParts(layer, least_nm);
+    TakeWide(Difference(fill_area_, layer), least_nm);
   }
 
   /// The same, of what `nearer` covers.
@@ -97,6 +109,8 @@ class SparseRegion {
     mask_ = RegionMask(region_);
   }
 
+  const MultiPolygon& fill_area_;
+  const RegionMask fill_mask_;
   MultiPolygon region_;
   RegionMask mask_;
   Coord width_nm_;
@@ -153,7 +167,8 @@ MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outl
   SparseRegion sparse(fill_area, options.width_nm);
   const bool partial = options.shells == ShellThickness::kPartial;
   for (const auto* side : {&cover.above, &cover.below}) {
-    for (size_t i = side->size(); i-- > 0 && !sparse.region().empty();) {
+    const size_t nearest = side == &cover.below ? 1 : 0;
+    for (size_t i = side->size(); i-- > nearest && !sparse.region().empty();) {
       const MultiPolygon* layer = (*side)[i];
       const bool seen = i + 1 < side->size() && layer == (*side)[i + 1];
       // What lies open itself is a skin, however narrow.
@@ -162,6 +177,8 @@ MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outl
       if (!seen && layer != &outline) sparse.TakeBareParts(*layer, least_nm);
     }
   }
+  if (!cover.below.empty() && cover.below[0] != &outline)
+    sparse.TakeUnborneParts(*cover.below[0], LeastBare(options));
   return sparse.region();
 }
 

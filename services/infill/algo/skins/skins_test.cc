@@ -105,6 +105,30 @@ TEST(Skins, OverhangingStepHasABridge) {
 }
 
 // Layers of a region alone, the upper half of which stands on another one.
+// Each layer of a recess that widens upwards is bare for itself; what is bare in farther layers takes
+// what the nearest one leaves bare, and less around that than bridges need.
+TEST(Skins, BridgesOverAWideningRecessHaveWholeAnchors) {
+  const auto recess = [](double half_mm) {
+    const double a = 10 - half_mm, b = 10 + half_mm;
+    return MultiPolygon{{P("(0 0, 20 0, 20 20, 0 20)")[0].outer,
+                         {{{FromMm(a), FromMm(a)},
+                           {FromMm(a), FromMm(b)},
+                           {FromMm(b), FromMm(b)},
+                           {FromMm(b), FromMm(a)}}}}};
+  };
+  const MultiPolygon near = recess(5), far = recess(4.7), farther = recess(4.4);
+  const std::vector<const MultiPolygon*> roof = {&kWhole, &kWhole, &kWhole};
+  for (const auto& [name, cover] : {std::pair<std::string, Cover>(
+                                        "widens", {roof, {&near, &far, &farther}, false}),
+                                    {"is straight", {roof, {&near, &near, &near}, false}},
+                                    {"with a smaller one above", {{&kWhole, &far}, {&near, &near}, false}}}) {
+    const Skins skins = PartFillArea(kFill, kWhole, cover, {});
+    ASSERT_EQ(skins.bridge.size(), 1U) << name;
+    EXPECT_NEAR(Mm2(skins.bridge), 11.8 * 11.8, 0.1) << name << ": two beads of 0.45 mm around it";
+    ExpectPartition(skins, kFill);
+  }
+}
+
 TEST(Skins, OverAnotherRegionIsABottomAndNoBridge) {
   Cover cover{.above = {&kWhole}, .below = {&kLeftHalf}, .bearers = {&kWhole}};
   Skins skins = PartFillArea(kFill, kWhole, cover, {});
