@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <numbers>
 #include <set>
 
@@ -134,6 +135,35 @@ TEST(LocalInfill, BridgesReachOntoWhatBearsThem) {
     }
     EXPECT_LT(left, FromMm(9.4));
     EXPECT_GT(right, FromMm(30.6));
+  }
+}
+
+// A slab on two walls that are as thick as its own: what bears it lies under its walls alone.
+TEST(LocalInfill, BridgesRunFromWallToWallOverThinOnes) {
+  InfillOptions options;
+  options.walls_nm = FromMm(1);
+  for (const int first : {3, 4}) {
+    std::vector<SlicedLayer> layers(8);
+    for (int i = 0; i < 8; ++i) {
+      layers[i].frame = {i, 200'000 * (i + 1), 200'000};
+      layers[i].sections = {
+          Section(i, 8,
+                  i < first ? P("(0 0, 1 0, 1 30, 0 30) ; (19 0, 20 0, 20 30, 19 30)")
+                            : P("(0 0, 20 0, 20 30, 0 30)"))};
+    }
+    const auto filled = Fill(layers, {first, first + 1}, 5, options);
+    ASSERT_TRUE(filled.ok()) << filled.status();
+    int lines = 0;
+    for (const FillGroup& group : (*filled)[0].sections[0].islands[0].fills)
+      for (const Path& path : group.paths)
+        for (size_t i = 1; i < path.points.size(); ++i) {
+          const Point by = path.points[i] - path.points[i - 1];
+          EXPECT_EQ(path.feature, Feature::kBridgeInfill);
+          if (std::abs(by.x) + std::abs(by.y) < FromMm(1)) continue;  // to the next line
+          EXPECT_EQ(by.y, 0) << first;
+          ++lines;
+        }
+    EXPECT_GT(lines, 50);
   }
 }
 

@@ -15,6 +15,7 @@
 #include "common/base/error.h"
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "common/model/bead_section.h"
 #include "common/model/options/fill_angles.h"
 #include "services/infill/algo/fields/mean_density.h"
@@ -294,7 +295,21 @@ class RegionFill {
                                    const MultiPolygon* below) const {
     if (options_.bridge_angle_rad > 0) return BridgeSpan{options_.bridge_angle_rad, true};
     if (below == nullptr) return std::nullopt;
-    return BridgeAngle(region, *below, options_.solid_width_nm);
+    const auto span = BridgeAngle(region, *below, options_.solid_width_nm);
+    if (span && span->held) return span;
+    const auto through_walls = BridgeAngle(WithWalls(region), *below, options_.solid_width_nm);
+    return through_walls ? through_walls : span;
+  }
+
+  /// With the walls around it: where those below are no thicker, lines rest on them through the walls
+  /// that they end on.
+  PolygonWithHoles WithWalls(const PolygonWithHoles& region) const {
+    const MultiPolygon* outline = view_.OutlineAt(view_.layer);
+    if (outline == nullptr || options_.walls_nm == 0) return region;
+    for (PolygonWithHoles& grown :
+         Intersection(FastOffset({region}, options_.walls_nm), *outline))
+      if (Locate(region.outer.front(), grown) != Side::kOutside) return std::move(grown);
+    return region;
   }
 
   FillGroup OverhangLines(const PolygonWithHoles& region, const MultiPolygon& below,
