@@ -61,6 +61,7 @@ struct SupportOptions {
   bool sheath = true;               ///< support_material_with_sheath: a line runs round the body
   Coord width_nm = 400'000;         ///< support_material_extrusion_width
   Coord wall_width_nm = 450'000;    ///< of the part's outer wall
+  Coord walls_nm = 0;               ///< how thick all its walls are together
   Coord layer_height_nm = 200'000;  ///< the object's
   Coord first_layer_height_nm = 200'000;  ///< of what stands on the bed
   Coord min_layer_height_nm = 70'000;     ///< min_layer_height

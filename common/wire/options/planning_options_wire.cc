@@ -243,6 +243,7 @@ v1::SupportOptions ToProto(const SupportOptions& options) {
   proto.set_sheath(options.sheath);
   proto.set_width_nm(options.width_nm);
   proto.set_wall_width_nm(options.wall_width_nm);
+  proto.set_walls_nm(options.walls_nm);
   proto.set_layer_height_nm(options.layer_height_nm);
   proto.set_first_layer_height_nm(options.first_layer_height_nm);
   proto.set_min_layer_height_nm(options.min_layer_height_nm);
@@ -257,7 +258,8 @@ absl::StatusOr<SupportOptions> SupportFromProto(const v1::SupportOptions& proto)
                                           {"xy_gap_nm", proto.xy_gap_nm()},
                                           {"closing_radius_nm", proto.closing_radius_nm()},
                                           {"spacing_nm", proto.spacing_nm()},
-                                          {"interface_spacing_nm", proto.interface_spacing_nm()}});
+                                          {"interface_spacing_nm", proto.interface_spacing_nm()},
+                                          {"walls_nm", proto.walls_nm()}});
   status.Update(CheckPositive({{"width_nm", proto.width_nm()},
                                {"wall_width_nm", proto.wall_width_nm()},
                                {"layer_height_nm", proto.layer_height_nm()},
@@ -294,6 +296,7 @@ absl::StatusOr<SupportOptions> SupportFromProto(const v1::SupportOptions& proto)
                         .sheath = proto.sheath(),
                         .width_nm = proto.width_nm(),
                         .wall_width_nm = proto.wall_width_nm(),
+                        .walls_nm = proto.walls_nm(),
                         .layer_height_nm = proto.layer_height_nm(),
                         .first_layer_height_nm = proto.first_layer_height_nm(),
                         .min_layer_height_nm = proto.min_layer_height_nm(),

@@ -85,7 +85,7 @@ SupportOptions DistinctSupport() {
   auto& [on, automatic, style, threshold, enforced_layers, bed_only, skip_bridges, top_gap,
          bottom_gap, xy_gap, closingius, top_interface_layers, bottom_interface_layers, spacing,
          interface_spacing, pattern, interface_pattern, angle, sheath, width, wall_width,
-         layer_height, first_layer_height, min_layer_height, synchronize_layers, tree] = options;
+         walls, layer_height, first_layer_height, min_layer_height, synchronize_layers, tree] = options;
   on = true;
   automatic = true;
   style = SupportStyle::kTree;
@@ -107,6 +107,7 @@ SupportOptions DistinctSupport() {
   sheath = true;
   width = 670;
   wall_width = 671;
+  walls = 677;
   layer_height = 672;
   first_layer_height = 673;
   min_layer_height = 674;
@@ -481,7 +482,7 @@ constexpr char kDistinct[] = R"pb(
         xy_gap_nm: 660 closing_radius_nm: 661 top_interface_layers: 662
         bottom_interface_layers: 663 spacing_nm: 664 interface_spacing_nm: 665
         pattern: SUPPORT_PATTERN_HONEYCOMB interface_pattern: INTERFACE_PATTERN_CONCENTRIC
-        angle_rad: 0.668 sheath: true width_nm: 670 wall_width_nm: 671 layer_height_nm: 672
+        angle_rad: 0.668 sheath: true width_nm: 670 wall_width_nm: 671 walls_nm: 677 layer_height_nm: 672
         first_layer_height_nm: 673 min_layer_height_nm: 674 synchronize_layers: true
         tree {
           angle_rad: 0.691

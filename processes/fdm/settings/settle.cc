@@ -128,6 +128,7 @@ void TakeAdaptiveHeights(JobSettings& settings) {
 void TakeSupports(JobSettings& settings) {
   SupportOptions& support = FdmOf(settings).planning.objects[0].support;
   support.wall_width_nm = FdmOf(settings).beading[0].external_width_nm;
+  support.walls_nm = FdmOf(settings).infill[0].walls_nm;
   support.layer_height_nm = settings.slicing.objects[0].layer_height_nm;
   support.first_layer_height_nm = settings.slicing.objects[0].on_bed
                                       ? settings.slicing.first_layer_height_nm
@@ -249,9 +250,9 @@ absl::Status Settle(const Settling& settling) {
   TakeClearance(settings);
   TakeAdhesion(settings);
   TakeAdaptiveHeights(settings);
+  TakeWalls(settings);
   TakeSupports(settings);
   TakeVase(settings);
-  TakeWalls(settings);
   if (absl::Status ok = TakeDensityField(settings); !ok.ok()) return ok;
   if (absl::Status ok = CheckPlannedPattern(FdmOf(settings).infill[0]); !ok.ok()) return ok;
   if (auto note = TakeEveryLayers(settings)) settling.result.no_effect.push_back(*std::move(note));

@@ -12,6 +12,7 @@
 #include "common/geometry/boolean/without_rings.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
+#include "services/planning/algo/support/bridge_walls.h"
 
 namespace slicefarm::planning {
 namespace {
@@ -127,19 +128,23 @@ bool IsNarrow(const PolygonWithHoles& part, Coord width_nm) {
   return Area(part) < width_nm * edges;
 }
 
-MultiPolygon Bridge(const PolygonWithHoles& part, const MultiPolygon& below, Coord width_nm) {
+MultiPolygon Bridge(const PolygonWithHoles& part, const MultiPolygon& below,
+                    const BridgeBeads& beads) {
+  const Coord width_nm = beads.width_nm;
+  const BridgeWalls walls = WallsOf(part, below, beads.walls_nm);
+  const MultiPolygon lined = Difference({part}, walls.area);
   std::vector<Span> best;
   Direction along;
   double most = 0;
   for (const Direction& direction : Candidates(part, width_nm)) {
-    std::vector<Span> spans = AnchoredSpans({part}, below, direction, width_nm);
+    std::vector<Span> spans = AnchoredSpans(lined, below, direction, width_nm);
     const double covered = Covered(spans);
     if (covered <= most * 1.001) continue;
     most = covered;
     best = std::move(spans);
     along = direction;
   }
-  if (most * width_nm < kLeastShare * Area(part)) return {};
+  if (most * width_nm + Area(walls.held) < kLeastShare * Area(part)) return {};
   std::vector<Polygon> strips;
   const Coord half = width_nm / 2 + width_nm / 10;
   for (const Span& s : best) {
@@ -151,24 +156,25 @@ MultiPolygon Bridge(const PolygonWithHoles& part, const MultiPolygon& below, Coo
     strips.push_back(std::move(strip));
   }
   // A single line is carried by its neighbours at best.
+  for (Polygon& ring : Rings(walls.held)) strips.push_back(std::move(ring));
   return OffsetTwice(Union(strips, FillRule::kNonZero), -width_nm * 9 / 10, width_nm * 9 / 10);
 }
 
 }  // namespace
 
 MultiPolygon BridgesOf(const MultiPolygon& hanging, const MultiPolygon& steep,
-                       const MultiPolygon& below, Coord width_nm) {
+                       const MultiPolygon& below, const BridgeBeads& beads) {
   MultiPolygon bridges;
   for (const PolygonWithHoles& part : hanging) {
     const Box box = Bounds(part.outer);
     const bool looked_at = std::any_of(steep.begin(), steep.end(), [&](const auto& island) {
       return Bounds(island.outer).Intersects(box);
     });
-    if (!looked_at || IsNarrow(part, width_nm) || Intersection({part}, steep).empty()) continue;
+    if (!looked_at || IsNarrow(part, beads.width_nm) || Intersection({part}, steep).empty()) continue;
     std::vector<Polygon> rings;
     AppendRingsNear(below, box.Grown(1'000'000), rings);
     if (rings.empty()) continue;
-    bridges = Union(bridges, Bridge(part, Union(rings, FillRule::kNonZero), width_nm));
+    bridges = Union(bridges, Bridge(part, Union(rings, FillRule::kNonZero), beads));
   }
   return bridges;
 }

@@ -18,7 +18,7 @@ class BridgesTest : public testing::TestWithParam<Case> {};
 
 TEST_P(BridgesTest, CoversThisMuch) {
   const MultiPolygon hanging = Difference(GetParam().above, GetParam().below);
-  const MultiPolygon bridges = BridgesOf(hanging, hanging, GetParam().below, 450'000);
+  const MultiPolygon bridges = BridgesOf(hanging, hanging, GetParam().below, {450'000, 1'350'000});
   EXPECT_NEAR(AreaMm2(Intersection(bridges, hanging)) / AreaMm2(hanging), GetParam().bridged, 0.05);
 }
 
@@ -31,19 +31,30 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Shelf", BoxOf(0, 0, 10, 10), BoxOf(0, 0, 5, 10), 0},
         Case{"Roof", BoxOf(-3, -3, 13, 13), BoxOf(0, 0, 10, 10), 0},
         Case{"Hole", BoxOf(0, 0, 10, 10), Difference(BoxOf(0, 0, 10, 10), BoxOf(3, 3, 7, 7)), 1},
-        // Between the legs in front and at the back, or those left and right.
+        // Lines between the legs in front and at the back, or those left and right, and walls.
         Case{"FourLegs", BoxOf(0, 0, 20, 20),
              Union(Union(BoxOf(0, 0, 4, 4), BoxOf(16, 0, 20, 4)),
                    Union(BoxOf(0, 16, 4, 20), BoxOf(16, 16, 20, 20))),
-             2 * 12 * 4 / 336.0},
+             (2 * 12 * 4 + 2 * 12 * 1.35) / 336},
         Case{"CornerOfAWall", BoxOf(0, 0, 10, 10), Union(BoxOf(0, 0, 10, 2), BoxOf(0, 0, 2, 10)),
-             0.5}),
+             6.65 * 6.65 / 2 / 64},
+        Case{"Beam", BoxOf(0, 0, 14, 2), Union(BoxOf(0, 0, 2, 2), BoxOf(12, 0, 14, 2)), 1},
+        // The walls around the hole turn in the air, and so do lines that end on them.
+        Case{"HoleInARoof", Difference(BoxOf(0, 0, 20, 20), BoxOf(8, 8, 12, 12)),
+             Difference(BoxOf(0, 0, 20, 20), BoxOf(2, 2, 18, 18)),
+             1 - (16 * 6.7 - 16) / (256. - 16)},
+        // Bars between slots, as wide as their walls, and a frame around them.
+        Case{"Grating",
+             Difference(BoxOf(0, 0, 30, 30),
+                        Union(Union(BoxOf(6, 6, 10, 24), BoxOf(12, 6, 16, 24)), BoxOf(18, 6, 24, 24))),
+             Difference(BoxOf(0, 0, 30, 30), BoxOf(1, 1, 29, 29)),
+             2 * 28 * (6 - 1 - 1.35) / (28. * 28 - 14 * 18)}),
     [](const auto& info) { return info.param.name; });
 
 TEST(BridgesOf, LooksOnlyWhereSomethingIsSteep) {
   const MultiPolygon below = Union(BoxOf(0, 0, 2, 10), BoxOf(12, 0, 14, 10));
   const MultiPolygon hanging = Difference(BoxOf(0, 0, 14, 10), below);
-  EXPECT_TRUE(BridgesOf(hanging, BoxOf(50, 50, 51, 51), below, 450'000).empty());
+  EXPECT_TRUE(BridgesOf(hanging, BoxOf(50, 50, 51, 51), below, {450'000, 1'350'000}).empty());
 }
 
 }  // namespace

@@ -87,7 +87,8 @@ Overhang OverhangOf(const SupportProblem& problem, size_t index, const SupportOp
   if (options.automatic) {
     overhang.steep = FartherThan(hanging, below, threshold);
     if (options.skip_bridges && !overhang.steep.empty() && !enforced_layer) {
-      const MultiPolygon bridges = BridgesOf(hanging, overhang.steep, below, options.wall_width_nm);
+      const MultiPolygon bridges = BridgesOf(hanging, overhang.steep, below,
+                                             {options.wall_width_nm, options.walls_nm});
       overhang.steep = Difference(overhang.steep, bridges);
       if (!overhang.steep.empty()) hanging = Difference(hanging, bridges);
     }

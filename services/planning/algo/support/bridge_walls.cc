@@ -1,0 +1,92 @@
+#include "services/planning/algo/support/bridge_walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/offset/offset.h"
+#include "common/geometry/vector.h"
+
+namespace slicefarm::planning {
+namespace {
+
+/// How far beyond an edge, or an end, something is looked for.
+constexpr double kBesideNm = 100'000;
+/// How far a straight wall may lie from its chord.
+constexpr double kBendNm = 100'000;
+
+Vector2 ToVector(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+Point ToPoint(const Vector2& v) { return {std::llround(v.x()), std::llround(v.y())}; }
+
+bool Covers(const MultiPolygon& outlines, const Vector2& at) {
+  const Point p = ToPoint(at);
+  return std::ranges::any_of(
+      outlines, [&](const auto& island) { return Locate(p, island) != Side::kOutside; });
+}
+
+/// Inside lies to the left of every edge.
+bool IsFree(Point a, Point b, const MultiPolygon& below) {
+  const Vector2 along = (ToVector(b) - ToVector(a)).normalized();
+  return !Covers(below, (ToVector(a) + ToVector(b)) / 2 - kBesideNm * TurnedLeft(along));
+}
+
+/// The chains of a ring's free edges; a ring that is free all around is one that goes round its first
+/// corner again.
+std::vector<Polyline> FreeEdges(const Polygon& ring, const MultiPolygon& below) {
+  const size_t size = ring.size();
+  std::vector<bool> free(size);
+  for (size_t i = 0; i < size; ++i) free[i] = IsFree(ring[i], ring[(i + 1) % size], below);
+  const auto held = static_cast<size_t>(std::ranges::find(free, false) - free.begin());
+  const size_t first = held == size ? 0 : held;
+  std::vector<Polyline> chains;
+  bool goes_on = false;
+  for (size_t k = 0; k < size; ++k) {
+    const size_t i = (first + k) % size;
+    if (free[i]) {
+      if (!goes_on) chains.push_back({ring[i]});
+      chains.back().push_back(ring[(i + 1) % size]);
+    }
+    goes_on = free[i];
+  }
+  if (held == size) chains.front().push_back(ring[1]);
+  return chains;
+}
+
+bool IsStraight(const Polyline& chain) {
+  return std::ranges::all_of(chain, [&](Point p) {
+    return DistanceToSegment(p, chain.front(), chain.back()) <= kBendNm;
+  });
+}
+
+/// A wall hangs from both ends of its chain, or not at all: between corners it turns.
+bool IsHeld(const Polyline& chain, const MultiPolygon& below) {
+  if (!IsStraight(chain)) return false;
+  const Vector2 from = ToVector(chain.front()), to = ToVector(chain.back());
+  const Vector2 ahead = kBesideNm * (to - from).normalized();
+  const Vector2 aside = TurnedLeft(ahead);
+  return Covers(below, from - ahead + aside) && Covers(below, to + ahead + aside);
+}
+
+MultiPolygon Along(const std::vector<Polyline>& chains, Coord walls_nm, const PolygonWithHoles& part) {
+  if (chains.empty()) return {};
+  return Intersection(OffsetLines(chains, walls_nm, Cap::kButt), {part});
+}
+
+}  // namespace
+
+BridgeWalls WallsOf(const PolygonWithHoles& part, const MultiPolygon& below, Coord walls_nm) {
+  if (walls_nm == 0) return {};
+  std::vector<Polyline> all, held;
+  ForEachRing({part}, [&](const Polygon& ring) {
+    for (Polyline& chain : FreeEdges(ring, below)) {
+      if (IsHeld(chain, below)) held.push_back(chain);
+      all.push_back(std::move(chain));
+    }
+  });
+  return {Along(all, walls_nm, part), Along(held, walls_nm, part)};
+}
+
+}  // namespace slicefarm::planning
