@@ -9,7 +9,8 @@ namespace slicefarm::slicing {
 
 /// Changes the sections of one object, by layer, where holes begin over wider recesses: kPartial
 /// leaves open in them the rooms of Counterbore, as far up as the holes go; kSacrificial closes the
-/// holes for one layer. Holes of one layer alone stay, and so do sections that are hollow. Cost: see CounterboresOver, on `threads`.
+/// holes for one layer. Holes of one layer alone stay, and so do sections that are hollow. Cost: see
+/// CounterboresOver, on `threads`.
 void BridgeCounterbores(CounterboreBridging how, std::span<ObjectSection* const> sections,
                         int threads);
 
