@@ -88,17 +88,6 @@ std::vector<SettingSpec> LayerSettings() {
        .doc = "Grows the holes, besides xy_size_compensation",
        .scope = Scope::kObject,
        .field = Bind([](auto& s) -> auto& { return s.slicing.objects[0].hole_compensation_nm; })},
-      {.key = "counterbore_hole_bridging",
-       .kind = Kind::kChoice,
-       .standard = "none",
-       .doc = "Where a hole begins over a wider recess: its edge is printed on air (none), on bridges "
-              "beside it and others across these (partiallybridge), or the recess is closed by one "
-              "layer, to be drilled through (sacrificiallayer)",
-       .choices = {{"none", static_cast<int>(CounterboreBridging::kNone)},
-                   {"partiallybridge", static_cast<int>(CounterboreBridging::kPartial)},
-                   {"sacrificiallayer", static_cast<int>(CounterboreBridging::kSacrificial)}},
-       .scope = Scope::kObject,
-       .field = Bind([](auto& s) -> auto& { return s.slicing.objects[0].counterbores; })},
       {.key = "outline_resolution",
        .unit = "mm",
        .min = 0,

@@ -14,6 +14,7 @@ constexpr std::string_view kOfObjects[] = {
     "brim_separation",
     "brim_type",
     "brim_width",
+    "counterbore_hole_bridging",
     "dont_support_bridges",
     "elefant_foot_compensation",
     "extrusion_width",

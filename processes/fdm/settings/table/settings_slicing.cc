@@ -11,6 +11,16 @@ std::vector<SettingSpec> SlicingSettings() {
        .standard = "0",
        .doc = "Shrinks the first layer, which spreads under its weight",
        .field = Bind([](auto& s) -> auto& { return s.slicing.objects[0].elephant_foot_nm; })},
+      {.key = "counterbore_hole_bridging",
+       .kind = Kind::kChoice,
+       .standard = "none",
+       .doc = "Where a hole begins over a wider recess: its edge is printed on air (none), on bridges "
+              "beside it and others across these (partiallybridge), or the recess is closed by one "
+              "layer, to be drilled through (sacrificiallayer)",
+       .choices = {{"none", static_cast<int>(CounterboreBridging::kNone)},
+                   {"partiallybridge", static_cast<int>(CounterboreBridging::kPartial)},
+                   {"sacrificiallayer", static_cast<int>(CounterboreBridging::kSacrificial)}},
+       .field = Bind([](auto& s) -> auto& { return s.slicing.objects[0].counterbores; })},
       {.key = "adaptive_layer_height",
        .kind = Kind::kFlag,
        .standard = "0",
