@@ -130,7 +130,8 @@ class ColumnMaker {
   }
 
  private:
-  /// What is new in a layer.
+  /// What is new in a layer. Squares leave stairs, at each of whose corners a printer slows down:
+  /// closing makes slopes of them.
   void Begin(size_t index, RasterLayer& layer) const {
     layer.contact.Fill(contacts_[index]);
     layer.contact.FillEdges(contacts_[index]);  // so that the thinnest has a column
@@ -138,7 +139,7 @@ class ColumnMaker {
     const auto side = std::max<Coord>(1, cell / grid_.pixel_nm);
     layer.beside =
         options_.style == SupportStyle::kGrid
-            ? Cells(layer.contact, static_cast<int32_t>(side))
+            ? Closed(Cells(layer.contact, static_cast<int32_t>(side)), options_.closing_radius_nm)
             : Closed(Grown(layer.contact, options_.width_nm), options_.closing_radius_nm);
     if (highest_start_.empty()) return;
     for (size_t i = 0; i < grid_.size(); ++i)
