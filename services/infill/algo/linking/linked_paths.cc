@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "common/geometry/covers.h"
 #include "common/geometry/edge_index.h"
 #include "common/geometry/measure.h"
 #include "services/infill/algo/lines/shortened.h"
@@ -184,11 +185,6 @@ EdgeIndex Fences(const MultiPolygon& region, std::span<const Path> lines, Coord 
   return EdgeIndex(fences, square_nm);
 }
 
-bool IsInside(const MultiPolygon& region, Point p) {
-  return std::ranges::any_of(
-      region, [p](const PolygonWithHoles& island) { return Locate(p, island) != Side::kOutside; });
-}
-
 /// A few paths of what lies at even distances: rings, and what has loose ends.
 std::vector<Path> FacingPaths(const MultiPolygon& region, const EdgeEnds& ends,
                               const LinkOptions& options) {
@@ -204,7 +200,7 @@ std::vector<Path> FacingPaths(const MultiPolygon& region, const EdgeEnds& ends,
       Fences(region, paths, std::max<Coord>(1, std::llround(options.facing_nm)));
   // From edge to edge across a bay a link would meet nothing.
   const auto may_link = [&](Point a, Point b) {
-    return !fences.Meets(a, b) && IsInside(region, {(a.x + b.x) / 2, (a.y + b.y) / 2});
+    return !fences.Meets(a, b) && Covers(region, {(a.x + b.x) / 2, (a.y + b.y) / 2});
   };
   for (Polyline& line : LinkRings(rings, options.facing_nm, may_link)) {
     Path& path = paths.emplace_back();

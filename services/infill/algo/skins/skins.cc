@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/geometry/boolean/boolean.h"
+#include "common/geometry/covers.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/offset/offset.h"
@@ -43,12 +44,6 @@ bool IsAir(const MultiPolygon* layer) { return layer == nullptr || layer->empty(
 
 bool HasAir(const std::vector<const MultiPolygon*>& layers) {
   return std::any_of(layers.begin(), layers.end(), IsAir);
-}
-
-bool Covers(const MultiPolygon& layer, Point p) {
-  return std::any_of(layer.begin(), layer.end(), [p](const PolygonWithHoles& island) {
-    return Locate(p, island) != Side::kOutside;
-  });
 }
 
 /// The islands of `area` that lie under `layer`, of which no edge meets `area`; or with `covered`

@@ -7,6 +7,7 @@
 #include "common/geometry/between.h"
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/convex.h"
+#include "common/geometry/covers.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
 #include "common/model/bead_section.h"
@@ -80,10 +81,7 @@ class LineClipper {
 
  private:
   void AddPiece(Point a, Point b, Point middle) {
-    const bool inside = std::ranges::any_of(region_, [&](const PolygonWithHoles& island) {
-      return Locate(middle, island) != Side::kOutside;
-    });
-    if (!inside || a == b) return;
+    if (a == b || !Covers(region_, middle)) return;
     if (pieces_.empty() || pieces_.back().back() != a) pieces_.push_back({a});
     pieces_.back().push_back(b);
   }

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "common/geometry/covers.h"
 #include "services/planning/algo/seams/ring_shape.h"
 
 namespace slicefarm::planning {
@@ -89,12 +90,6 @@ std::vector<double> Spread(std::vector<Along> wanted, const RingShape& shape, do
   return all;
 }
 
-bool Holds(const MultiPolygon& polygons, Point p) {
-  return std::ranges::any_of(polygons, [p](const PolygonWithHoles& island) {
-    return Locate(p, island) != Side::kOutside;
-  });
-}
-
 /// Tells enforced places how far they are from the middle of their run. Rings that are enforced all
 /// around have none. `along`: where the places are; they ascend.
 void MeasureRuns(const std::vector<double>& along, double length_nm,
@@ -170,8 +165,8 @@ class LayerRings {
       place.at = bend.at;
       place.turn_rad = static_cast<float>(bend.TurnRad());
       place.outward = static_cast<uint8_t>(bend.Outward());
-      place.enforced = Holds(enforcers, place.at);
-      place.blocked = Holds(blockers, place.at);
+      place.enforced = Covers(enforcers, place.at);
+      place.blocked = Covers(blockers, place.at);
     }
     MeasureRuns(along, shape.length_nm(), places);
     return places;
@@ -198,7 +193,7 @@ void MeasureOver(const MultiPolygon& below, const RegionEdges& edges, Coord heig
                  SeamPlace& place) {
   const auto hit = edges.Nearest(place.at, kReachNm);
   const double away_nm = hit ? hit->distance_nm : static_cast<double>(kReachNm);
-  const bool inside = hit ? hit->inside : Holds(below, place.at);
+  const bool inside = hit ? hit->inside : Covers(below, place.at);
   place.away_mm = static_cast<float>(ToMm(away_nm));
   place.overhang = inside ? 0 : static_cast<float>(away_nm / static_cast<double>(height_nm));
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/geometry/boolean/boolean.h"
+#include "common/geometry/covers.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
 #include "common/geometry/vector.h"
@@ -21,16 +22,10 @@ Vector2 ToVector(Point p) { return {static_cast<double>(p.x), static_cast<double
 
 Point ToPoint(const Vector2& v) { return {std::llround(v.x()), std::llround(v.y())}; }
 
-bool Covers(const MultiPolygon& outlines, const Vector2& at) {
-  const Point p = ToPoint(at);
-  return std::ranges::any_of(
-      outlines, [&](const auto& island) { return Locate(p, island) != Side::kOutside; });
-}
-
 /// Inside lies to the left of every edge.
 bool IsFree(Point a, Point b, const MultiPolygon& below) {
   const Vector2 along = (ToVector(b) - ToVector(a)).normalized();
-  return !Covers(below, (ToVector(a) + ToVector(b)) / 2 - kBesideNm * TurnedLeft(along));
+  return !Covers(below, ToPoint((ToVector(a) + ToVector(b)) / 2 - kBesideNm * TurnedLeft(along)));
 }
 
 /// The chains of a ring's free edges; a ring that is free all around is one that goes round its first
@@ -67,7 +62,7 @@ bool IsHeld(const Polyline& chain, const MultiPolygon& below) {
   const Vector2 from = ToVector(chain.front()), to = ToVector(chain.back());
   const Vector2 ahead = kBesideNm * (to - from).normalized();
   const Vector2 aside = TurnedLeft(ahead);
-  return Covers(below, from - ahead + aside) && Covers(below, to + ahead + aside);
+  return Covers(below, ToPoint(from - ahead + aside)) && Covers(below, ToPoint(to + ahead + aside));
 }
 
 MultiPolygon Along(const std::vector<Polyline>& chains, Coord walls_nm, const PolygonWithHoles& part) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/geometry/boolean/boolean.h"
+#include "common/geometry/covers.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/vector.h"
@@ -24,11 +25,6 @@ constexpr int kDirections = 12;
 Vector2 ToVector(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
 Point ToPoint(const Vector2& v) { return {std::llround(v.x()), std::llround(v.y())}; }
-
-bool Covers(const MultiPolygon& outlines, Point p) {
-  return std::ranges::any_of(
-      outlines, [&](const auto& island) { return Locate(p, island) != Side::kOutside; });
-}
 
 /// The stripe that a ring fills out, seen along a direction.
 struct Stripe {

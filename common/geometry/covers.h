@@ -1,0 +1,17 @@
+#pragma once
+
+#include <algorithm>
+
+#include "common/geometry/measure.h"
+#include "common/geometry/polygon.h"
+
+namespace slicefarm {
+
+/// Whether `p` lies in one of the islands, or on its edge. Exact. Cost: O(n).
+inline bool Covers(const MultiPolygon& polygons, Point p) {
+  return std::ranges::any_of(polygons, [p](const PolygonWithHoles& island) {
+    return Locate(p, island) != Side::kOutside;
+  });
+}
+
+}  // namespace slicefarm
