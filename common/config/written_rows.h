@@ -3,6 +3,7 @@
 #include <span>
 
 #include "absl/status/status.h"
+#include "common/model/process.h"
 #include "common/model/scene/scene.h"
 
 namespace slicefarm::config {

@@ -137,12 +137,16 @@ bool Contains(const std::string& text, std::initializer_list<std::string_view> p
   return false;
 }
 
-/// What gRPC says when there is nothing behind it but a connection that went away.
+/// What gRPC says when there is nothing behind it but a connection that went away. It says the same
+/// and more, of earlier connections, where none can be made.
 bool IsBrokenConnection(const grpc::Status& status) {
   const grpc::StatusCode code = status.error_code();
-  return (code == grpc::StatusCode::UNKNOWN || code == grpc::StatusCode::INTERNAL) &&
-         Contains(status.error_message(), {"RST_STREAM", "Stream removed", "Socket closed",
-                                           "Connection reset", "Broken pipe"});
+  const std::string& message = status.error_message();
+  return (code == grpc::StatusCode::UNKNOWN || code == grpc::StatusCode::INTERNAL ||
+          code == grpc::StatusCode::UNAVAILABLE) &&
+         Contains(message, {"RST_STREAM", "Stream removed", "Socket closed", "Connection reset",
+                            "Connection timed out", "Broken pipe", "keepalive", "ping timeout"}) &&
+         !Contains(message, {"ailed to connect", "last error"});
 }
 
 absl::Status FromLibrary(const grpc::Status& status) {
@@ -155,7 +159,8 @@ absl::Status FromLibrary(const grpc::Status& status) {
     return MakeError(code, Reason::kOverloaded, message);
   }
   if (IsBrokenConnection(status)) {
-    return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, message);
+    return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, message,
+                     {{kConnectionBroke, "true"}});
   }
   const bool unknown = code == absl::StatusCode::kUnimplemented && message.empty();
   return MakeError(code, DetailOf(absl::Status(code, message)).reason,

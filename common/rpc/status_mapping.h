@@ -12,6 +12,10 @@ inline constexpr char kErrorDomain[] = "slicefarm";
 /// Metadata that says after how many milliseconds to try again; travels as google.rpc.RetryInfo.
 inline constexpr char kRetryAfterMs[] = "retry_after_ms";
 
+/// Metadata of an error that gRPC itself made: the connection broke in the middle of the call. Not
+/// there if none could be made.
+inline constexpr char kConnectionBroke[] = "connection_broke";
+
 /// An error with its reason and metadata, as google.rpc.Status with ErrorInfo in
 /// `grpc-status-details-bin`; equal errors give equal bytes. Long texts are cut, so that the
 /// trailers stay within what HTTP/2 peers accept.

@@ -168,6 +168,7 @@ struct Library {
   grpc::Status status;
   absl::StatusCode code;
   Reason reason;
+  bool broke = false;
 };
 
 class FromLibrary : public testing::TestWithParam<Library> {};
@@ -176,6 +177,7 @@ TEST_P(FromLibrary, GetsCodeAndReason) {
   const absl::Status status = FromGrpc(GetParam().status);
   EXPECT_EQ(status.code(), GetParam().code) << status;
   EXPECT_EQ(DetailOf(status).reason, GetParam().reason) << status;
+  EXPECT_EQ(DetailOf(status).metadata.contains(kConnectionBroke), GetParam().broke);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -192,11 +194,24 @@ INSTANTIATE_TEST_SUITE_P(
                     Library{"ConnectionReset",
                             {grpc::StatusCode::UNKNOWN, "Stream removed"},
                             absl::StatusCode::kUnavailable,
-                            Reason::kUnavailable},
+                            Reason::kUnavailable,
+                            true},
+                    Library{"ServerKilled",
+                            {grpc::StatusCode::UNAVAILABLE, "Socket closed"},
+                            absl::StatusCode::kUnavailable,
+                            Reason::kUnavailable,
+                            true},
+                    Library{
+                        "KilledAndNotBackYet",
+                        {grpc::StatusCode::UNAVAILABLE,
+                         "failed to connect to all addresses; last error: UNKNOWN: Socket closed"},
+                        absl::StatusCode::kUnavailable,
+                        Reason::kUnavailable},
                     Library{"StreamReset",
                             {grpc::StatusCode::INTERNAL, "Received RST_STREAM with error code 2"},
                             absl::StatusCode::kUnavailable,
-                            Reason::kUnavailable},
+                            Reason::kUnavailable,
+                            true},
                     Library{"Refused",
                             {grpc::StatusCode::UNAVAILABLE, "failed to connect to all addresses"},
                             absl::StatusCode::kUnavailable,

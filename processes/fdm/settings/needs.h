@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "common/config/setting_need.h"
+#include "common/model/scene/scene.h"
 
 namespace slicefarm::config::fdm {
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "common/base/error.h"
+#include "common/rpc/status_mapping.h"
 #include "common/stage/job_memory.h"
 
 namespace slicefarm::coordinator {
@@ -20,13 +21,11 @@ absl::Status BadAnswer(std::string_view stage, const absl::Status& why) {
 absl::Status OutcomeOf(std::string_view stage, std::chrono::milliseconds deadline,
                        absl::Status status) {
   if (absl::IsDeadlineExceeded(status))
-    return LostCall(stage, fmt::format("did not answer within {:.0f} s",
-                                       std::chrono::duration<double>(deadline).count()));
-  // A server that is there says why it is not to be had: gRPC alone gives no details.
-  bool told = false;
-  status.ForEachPayload([&](auto, const auto&) { told = true; });
-  if (absl::IsUnavailable(status) && !told)
-    return LostCall(stage, "was lost: " + std::string(status.message()));
+    return LostCall(stage, "answer",
+                    fmt::format("did not answer within {:.0f} s",
+                                std::chrono::duration<double>(deadline).count()));
+  if (DetailOf(status).metadata.contains(rpc::kConnectionBroke))
+    return LostCall(stage, "connection", "was lost: " + std::string(status.message()));
   return status;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/rpc/status_mapping.h"
 #include "common/wire/support/wire_error.h"
 #include "services/coordinator/remote/fake_replica_test.h"
 
@@ -34,8 +35,26 @@ TEST(RemoteCall, AnAnswerThatDoesNotFitIsTheServersFault) {
 // A stage that is killed while it answers has not answered what does not fit.
 TEST(RemoteCall, AnAnswerThatIsCutOffIsOfAServerThatWentAway) {
   const absl::Status status =
-      CallThatEndsWith(grpc::Status(grpc::StatusCode::UNAVAILABLE, "the connection broke"));
+      CallThatEndsWith(grpc::Status(grpc::StatusCode::UNAVAILABLE, "Socket closed"));
   EXPECT_TRUE(absl::IsUnavailable(status)) << status;
+  EXPECT_TRUE(WasLost(status)) << status;
+}
+
+// Else what kills stages is tried as often as a stage that is away.
+TEST(RemoteCall, OnlyACallThatWasUnderWayIsLost) {
+  const absl::Status stops = rpc::FromGrpc(rpc::ToGrpc(
+      MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, "Socket closed")));
+  EXPECT_FALSE(WasLost(CallThatEndsWith(rpc::ToGrpc(stops)))) << "its server says why";
+  SingleReplica nobody(rpc::MakeChannel("127.0.0.1:1"));
+  const absl::Status away = nobody.Call({}, [](const auto& channel) {
+    grpc::ClientContext context;
+    v1::WorkerInfo info;
+    return OutcomeOf("work", std::chrono::seconds(60),
+                     rpc::FromGrpc(v1::Worker::NewStub(channel)->GetWorkerInfo(
+                         &context, v1::GetWorkerInfoRequest(), &info)));
+  });
+  EXPECT_TRUE(absl::IsUnavailable(away)) << away;
+  EXPECT_FALSE(WasLost(away)) << away;
 }
 
 }  // namespace

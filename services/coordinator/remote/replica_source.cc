@@ -25,10 +25,10 @@ bool IsReplicasFault(const absl::Status& status) {
          absl::IsUnauthenticated(status) || DetailOf(status).reason == Reason::kBuildMismatch;
 }
 
-absl::Status LostCall(std::string_view stage, std::string_view how) {
+absl::Status LostCall(std::string_view stage, std::string_view what, std::string_view how) {
   return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
                    fmt::format("{} {}", stage, how),
-                   {{"stage", std::string(stage)}, {"lost", "call"}});
+                   {{"stage", std::string(stage)}, {"lost", std::string(what)}});
 }
 
 bool WasLost(const absl::Status& status) { return DetailOf(status).metadata.contains("lost"); }

@@ -45,8 +45,8 @@ bool IsReplicasFault(const absl::Status& status);
 
 /// Says of a call that it was under way when nothing more was heard of its server: the connection
 /// broke, or no answer came in time. Whoever sees it again may think that the call is what the
-/// servers die of.
-absl::Status LostCall(std::string_view stage, std::string_view how);
+/// servers die of. `what` was lost: "connection" or "answer".
+absl::Status LostCall(std::string_view stage, std::string_view what, std::string_view how);
 bool WasLost(const absl::Status& status);
 
 /// True if the server is there and takes no more calls for now; not if this process has no room.

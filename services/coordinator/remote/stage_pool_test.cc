@@ -129,7 +129,7 @@ TEST_F(StagePoolTest, ACallThatIsLostTwiceIsNotMadeAgain) {
   int tries = 0;
   const absl::Status status = pool.Call({}, [&](const auto&) {
     ++tries;
-    return LostCall("test", "was lost");
+    return LostCall("test", "connection", "was lost");
   });
   EXPECT_EQ(tries, 2);
   EXPECT_TRUE(WasLost(status)) << status;

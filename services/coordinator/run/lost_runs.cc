@@ -11,22 +11,32 @@ namespace {
 
 constexpr int64_t kFirstCalmUs = 4'000'000;
 
-/// How calm a coordinator has to be. Jobs that were lost beside each other begin at different
-/// times, so that the one that coordinators die of is alone some day.
-int64_t CalmUs(const JobRecord& job) {
-  const int doublings = std::min(job.lost_runs, kMaxLostRuns) - kSuspectRuns;
-  const int64_t eighths = job.lost_runs % 2 == 0 ? job.number % 8 : job.number / 8 % 8;
-  return (kFirstCalmUs << doublings) * (8 + eighths) / 8;
+/// How calm a coordinator has to be before the n-th time, from 0. Jobs that were lost beside each
+/// other begin at different times, so that the one that others die of is alone some day.
+int64_t CalmUs(int n, int64_t number) {
+  const int64_t eighths = n % 2 == 0 ? number / 8 % 8 : number % 8;
+  return (kFirstCalmUs << n) * (8 + eighths) / 8;
+}
+
+int64_t CalmAfterLostRunsUs(int32_t runs, int64_t number) {
+  return runs < kSuspectRuns ? 0 : CalmUs(std::min(runs, kMaxLostRuns) - kSuspectRuns, number);
+}
+
+/// A deadly run has cost two or three lives already: 8 s, 64 s.
+int64_t CalmAfterDeadlyRunsUs(int32_t runs, int64_t number) {
+  return runs == 0 ? 0 : CalmUs(3 * std::min(runs, kMaxDeadlyRuns) - 2, number);
 }
 
 }  // namespace
 
-LostRuns::LostRuns(const JobRecord& job, int64_t calm_us) : count_(job.lost_runs) {
-  if (count_ < kSuspectRuns) return;
+LostRuns::LostRuns(const JobRecord& job, int64_t calm_us)
+    : count_(job.lost_runs), deadly_(job.deadly_runs), number_(job.number) {
+  const int64_t wanted_us =
+      std::max(CalmAfterLostRunsUs(count_, number_), CalmAfterDeadlyRunsUs(deadly_, number_));
   // Else it would take one calm coordinator after the other.
   const bool was_lost = job.state == JobState::kRunning;
   const int64_t before_us = was_lost ? 0 : std::max<int64_t>(0, calm_us);
-  rest_us_ = std::max<int64_t>(0, CalmUs(job) - before_us);
+  rest_us_ = std::max<int64_t>(0, wanted_us - before_us);
 }
 
 absl::Status LostRuns::MayBegin() const {
@@ -34,6 +44,11 @@ absl::Status LostRuns::MayBegin() const {
   return MakeError(absl::StatusCode::kInternal, Reason::kJobPoisoned,
                    fmt::format("{} runs of this job began and came to no end", count_),
                    {{"lost_runs", fmt::format("{}", count_)}});
+}
+
+std::optional<int64_t> LostRuns::RestAfterDeadlyRunUs() const {
+  if (deadly_ + 1 >= kMaxDeadlyRuns) return std::nullopt;
+  return CalmAfterDeadlyRunsUs(deadly_ + 1, number_);
 }
 
 int32_t LostRuns::After(JobState state) const {

@@ -70,6 +70,21 @@ TEST(LostRuns, JobsThatWereLostBesideEachOtherRestForDifferentTimes) {
     EXPECT_TRUE(rest_us(8, 0) != rest_us(8, other) || rest_us(9, 0) != rest_us(9, other)) << other;
 }
 
+TEST(LostRuns, ServicesMayDieOfTwoRuns) {
+  JobRecord job = JobOf(kQueued, 0);
+  EXPECT_EQ(LostRuns(job, 0).RestAfterDeadlyRunUs(), 8 * kSecondUs);
+  job.deadly_runs = 1;
+  EXPECT_EQ(LostRuns(job, 3 * kSecondUs).rest_us(), 5 * kSecondUs);
+  EXPECT_TRUE(LostRuns(job, 8 * kSecondUs).MayBegin().ok());
+  EXPECT_EQ(LostRuns(job, 0).RestAfterDeadlyRunUs(), 64 * kSecondUs);
+  job.deadly_runs = 2;
+  EXPECT_EQ(LostRuns(job, 0).rest_us(), 64 * kSecondUs);
+  EXPECT_FALSE(LostRuns(job, 0).condemned()) << "it has one more";
+  EXPECT_EQ(LostRuns(job, 0).RestAfterDeadlyRunUs(), std::nullopt);
+  job.lost_runs = 9;
+  EXPECT_EQ(LostRuns(job, 0).rest_us(), 256 * kSecondUs) << "the longer of both";
+}
+
 TEST(LostRuns, ARunThatBeginsMayBeLost) {
   const LostRuns runs(JobOf(kQueued, 4), 1000 * kSecondUs);
   EXPECT_EQ(runs.After(kRunning), 5);

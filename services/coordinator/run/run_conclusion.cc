@@ -38,10 +38,10 @@ bool CallWasLost(const absl::Status& status) {
   return absl::IsUnavailable(status) && DetailOf(status).metadata.contains("lost");
 }
 
-/// How often a job whose run ended with this error is run again.
-int32_t MostRetries(const absl::Status& error) {
-  if (WorkersDied(error) || CallWasLost(error)) return 1;
-  return IsAway(error) ? kMaxRetries : 0;
+void Fail(const absl::Status& error, const PipelineProgress& told, JobUpdate& update) {
+  update.state = JobState::kFailed;
+  update.layers_done = told.done;
+  update.error = JobErrorOf(error);
 }
 
 }  // namespace
@@ -72,13 +72,18 @@ JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunW
     update.claimable_from_us = now_us + kUpgradePauseUs;  // which takes its time, and ends
   } else if (DetailOf(error).reason == Reason::kJobPoisoned && !lost_runs.condemned()) {
     update.claimable_from_us = now_us + lost_runs.rest_us();
-  } else if (job.retries < MostRetries(error)) {
+  } else if (WorkersDied(error) || CallWasLost(error)) {
+    if (const auto rest_us = lost_runs.RestAfterDeadlyRunUs()) {
+      update.claimable_from_us = now_us + *rest_us;
+      update.deadly = true;
+    } else {
+      Fail(error, told, update);
+    }
+  } else if (IsAway(error) && job.retries < kMaxRetries) {
     update.claimable_from_us = now_us + PauseUs(job.retries);
     update.retry = true;
   } else {
-    update.state = JobState::kFailed;
-    update.layers_done = told.done;
-    update.error = JobErrorOf(error);
+    Fail(error, told, update);
   }
   return update;
 }

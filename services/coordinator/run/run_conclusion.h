@@ -20,8 +20,9 @@ namespace slicefarm::coordinator {
 ///   it makes room in memory for others                    QUEUED, in 1 s, however often
 ///   services are of another build                         QUEUED, in 5 s, however often
 ///   services are not there                                QUEUED, in 0.5 s, ever later, five times
-///   the workers of a range died, each time, or a stage    the same, but once: it may have been
-///   of the whole job was lost, twice                      something else that they died of
+///   the workers of a range died, each time, or a stage    QUEUED, until LostRuns lets it begin: it
+///   of the whole job was lost, twice                      may have been something else that they
+///                                                         died of; not after the third such run
 ///   JOB_POISONED: coordinators may die of it              QUEUED, until LostRuns lets it begin;
 ///                                                         not once 10 runs are lost
 ///   anything else                                         FAILED

@@ -20,7 +20,7 @@ absl::Status StoreFailed() {
 
 absl::Status LostStage() {
   return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, "slicing was lost",
-                   {{"lost", "call"}});
+                   {{"lost", "connection"}});
 }
 absl::Status RangePoisoned(const std::string& cause) {
   return MakeError(absl::StatusCode::kInternal, Reason::kRangePoisoned, "", {{"cause", cause}});
@@ -37,6 +37,7 @@ struct Case {
   JobState state;
   int64_t delay_us;
   int lost_runs = 0;
+  int deadly_runs = 0;
 };
 
 class ConclusionTest : public testing::TestWithParam<Case> {};
@@ -47,6 +48,7 @@ TEST_P(ConclusionTest, OfAnErrorAfterEarlierOnes) {
   job.retries = c.retries;
   job.store_failures = c.store_failures;
   job.lost_runs = c.lost_runs;
+  job.deadly_runs = c.deadly_runs;
   job.state = kRunning;
   const JobUpdate update = Conclusion(job, LostRuns(job, 0), RunWishes(), c.error, {9, 4}, kNowUs);
   EXPECT_EQ(update.state, c.state);
@@ -73,14 +75,18 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"StoreFailsStill", StoreFailed(), 5, 1000, kQueued, 60'000'000},
         Case{"DiskFull", MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskFull, ""), 5,
              9, kQueued, 10'000'000},
-        Case{"ARangeKillsItsWorkers", RangePoisoned("UNAVAILABLE"), 0, 0, kQueued, 500'000},
-        Case{"ARangeKillsThemAgain", RangePoisoned("UNAVAILABLE"), 1, 0, kFailed, 0},
+        Case{"ARangeKillsItsWorkers", RangePoisoned("UNAVAILABLE"), 5, 9, kQueued, 8'000'000, 2},
+        Case{"ARangeKillsThemAgain", RangePoisoned("UNAVAILABLE"), 0, 0, kQueued, 64'000'000, 9, 1},
+        Case{"ARangeKillsThemAtLast", RangePoisoned("UNAVAILABLE"), 0, 0, kFailed, 0, 0, 2},
         Case{"ARangeFailsItsWorkers", RangePoisoned("INTERNAL"), 0, 0, kFailed, 0},
         Case{"ThirdCoordinatorDies", JobPoisoned(), 9, 0, kQueued, 4'000'000, 3},
         Case{"NinthCoordinatorDies", JobPoisoned(), 9, 0, kQueued, 256'000'000, 9},
         Case{"TenthCoordinatorDies", JobPoisoned(), 0, 0, kFailed, 0, 10},
-        Case{"AStageIsLost", LostStage(), 0, 0, kQueued, 500'000},
-        Case{"AStageIsLostAgain", LostStage(), 1, 0, kFailed, 0},
+        Case{"AStageIsLost", LostStage(), 5, 9, kQueued, 8'000'000},
+        Case{"AStageIsLostAgain", LostStage(), 0, 0, kQueued, 64'000'000, 0, 1},
+        Case{"AStageIsLostAtLast", LostStage(), 0, 0, kFailed, 0, 0, 2},
+        Case{"AJobThatServicesDiedOfRests", JobPoisoned(), 0, 0, kQueued, 64'000'000, 1, 2},
+        Case{"ItIsAwayBesides", Away(), 4, 0, kQueued, 8'000'000, 0, 2},
         Case{"InputAtFault", absl::InvalidArgumentError("bad mesh"), 0, 0, kFailed, 0}),
     [](const auto& info) { return info.param.name; });
 
@@ -91,6 +97,10 @@ TEST(Conclusion, WhatAFailureCountsAs) {
   const JobUpdate store = Conclusion({}, {}, RunWishes(), StoreFailed(), {}, kNowUs);
   EXPECT_FALSE(store.retry);
   EXPECT_TRUE(store.store_failed);
+  const JobUpdate deadly = Conclusion({}, {}, RunWishes(), LostStage(), {}, kNowUs);
+  EXPECT_TRUE(deadly.deadly);
+  EXPECT_FALSE(deadly.retry);
+  EXPECT_FALSE(away.deadly);
   const absl::Status misfit =
       MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch, "");
   EXPECT_FALSE(Conclusion({}, {}, RunWishes(), misfit, {}, kNowUs).retry);

@@ -153,7 +153,7 @@ void SimCoordinator::Adopt(int place, int64_t claimed_us, JobRecord job) {
   const Lease lease{job.id, job.owner_epoch};
   job.action_digest = ActionOf(works_.at(std::stoll(job.spec)), plan_.build);
   job.build_id = plan_.build;
-  job.lost_runs = 0;
+  job.lost_runs = job.deadly_runs = 0;
   const JobIdentity identity{job.settings_digest, job.action_digest, job.build_id};
   link_.Do([lease, identity,
             now_us = NowUs()](JobStore& store) { return store.Adopt(lease, identity, now_us); },

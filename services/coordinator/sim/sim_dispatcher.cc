@@ -239,8 +239,10 @@ void SimDispatcher::Reject(const Slot& slot, const FanOut::Grant& grant,
     case FanOut::Verdict::kInputAtFault:
       return EndJob(grant.job, error);
     case FanOut::Verdict::kPoisoned:
-      return EndJob(grant.job, MakeError(absl::StatusCode::kInternal, Reason::kRangePoisoned,
-                                         "a range failed too often"));
+      return EndJob(
+          grant.job,
+          MakeError(absl::StatusCode::kInternal, Reason::kRangePoisoned, "a range failed too often",
+                    {{"cause", std::string(ReasonName(DetailOf(error).reason))}}));
   }
 }
 

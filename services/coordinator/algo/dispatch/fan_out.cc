@@ -23,8 +23,10 @@ bool IsRefusal(const absl::Status& status) { return absl::IsInternal(status); }
 /// runner died of what it ran. A server that stops, or is busy, says so.
 bool IsDeath(const absl::Status& status) {
   const ErrorDetail detail = DetailOf(status);
-  return absl::IsUnavailable(status) && detail.reason == Reason::kUnavailable &&
-         detail.metadata.empty();
+  const auto lost = detail.metadata.find("lost");
+  const bool untold =
+      detail.metadata.empty() || (lost != detail.metadata.end() && lost->second == "connection");
+  return absl::IsUnavailable(status) && detail.reason == Reason::kUnavailable && untold;
 }
 
 }  // namespace

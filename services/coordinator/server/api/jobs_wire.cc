@@ -78,7 +78,8 @@ v1::Job SummaryToProto(const JobRecord& job) {
   proto.set_build_id(job.build_id);
   proto.set_cancel_requested(job.cancel_requested && !IsTerminal(job.state));
   const bool ended_run = IsTerminal(job.state) && job.start_us != 0;
-  proto.set_attempts(job.retries + job.store_failures + job.lost_runs + (ended_run ? 1 : 0));
+  proto.set_attempts(job.retries + job.store_failures + job.lost_runs + job.deadly_runs +
+                     (ended_run ? 1 : 0));
   if (job.state == JobState::kQueued && job.owner.empty() && job.owner_until_us > 0)
     SetTime(job.owner_until_us, proto.mutable_next_attempt_time());
   if (!job.result) return proto;

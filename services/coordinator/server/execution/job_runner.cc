@@ -114,7 +114,7 @@ bool JobRunner::Adopt(JobRecord& job) {
   job.settings_digest = identity.settings_digest;
   job.action_digest = identity.action_digest;
   job.build_id = identity.build_id;
-  job.lost_runs = 0;  // as the store has it
+  job.lost_runs = job.deadly_runs = 0;  // as the store has it
   return true;
 }
 

@@ -284,6 +284,20 @@ TEST_P(JobClaimsTest, LostRunsAreThoseOfTheLastWrite) {
   EXPECT_EQ(store_->Get("a")->lost_runs, 4) << "it did not begin";
 }
 
+TEST_P(JobClaimsTest, DeadlyRunsAreCountedUntilAnotherBuildAdopts) {
+  Make("a");
+  const JobUpdate deadly = {.state = kQueued, .deadly = true};
+  for (int i = 1; i <= 2; ++i) {
+    ASSERT_TRUE(store_->Update(Claim(), deadly, ++now_).ok());
+    EXPECT_EQ(store_->Get("a")->deadly_runs, i);
+    EXPECT_EQ(store_->Get("a")->retries, 0);
+  }
+  ASSERT_TRUE(store_->Update(Claim(), {.state = kQueued, .retry = true}, ++now_).ok());
+  EXPECT_EQ(store_->Get("a")->deadly_runs, 2) << "another failure says nothing of it";
+  ASSERT_TRUE(store_->Adopt(Claim(), {"settings", "action", "build 2"}, now_).ok());
+  EXPECT_EQ(store_->Get("a")->deadly_runs, 0);
+}
+
 TEST_P(JobClaimsTest, LostRunsAreKeptUntilAnotherBuildAdopts) {
   Make("a");
   const Lease lease = Claim();

@@ -80,6 +80,7 @@ struct JobRecord {
   int32_t retries = 0;         ///< how often a run failed and it was put back
   int32_t store_failures = 0;  ///< how often a store failed and it was put back
   int32_t lost_runs = 0;       ///< runs, by the present build, that began and came to no end
+  int32_t deadly_runs = 0;     ///< runs, by the present build, that services died of, as it seems
   int64_t last_sequence = 0;
   std::string trace_sha256;  ///< what its runs did, and when (JobTrace); empty: not kept
 

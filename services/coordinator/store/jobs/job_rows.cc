@@ -76,15 +76,16 @@ absl::StatusOr<JobRecord> SelectJob(SqlConnection& db, const std::string& id,
 constexpr std::string_view kStep =
     "UPDATE jobs SET state = ?, start_us = ?, end_us = ?, layers_total = ?, layers_done = ?,"
     " error = ?, result = ?, gcode_sha256 = ?, report_sha256 = ?, result_tenant = ?,"
-    " cancel_requested = ?, retries = ?, store_failures = ?, lost_runs = ?, last_sequence = ?,"
-    " trace_sha256 = ?, owner = ?, owner_epoch = ?, owner_until_us = ? WHERE number = ?";
+    " cancel_requested = ?, retries = ?, store_failures = ?, lost_runs = ?, deadly_runs = ?,"
+    " last_sequence = ?, trace_sha256 = ?, owner = ?, owner_epoch = ?, owner_until_us = ? WHERE "
+    "number = ?";
 
 void BindStep(SqlQuery& update, const JobRecord& job) {
   update.Bind(JobStateName(job.state), job.start_us, job.end_us, job.layers_total, job.layers_done,
               job.error ? ToJson(*job.error) : "", job.result ? ToJson(*job.result) : "",
               job.result ? job.result->gcode_sha256 : "",
               job.result ? job.result->report_sha256 : "", job.result ? job.result->tenant : "",
-              job.cancel_requested, job.retries, job.store_failures, job.lost_runs,
+              job.cancel_requested, job.retries, job.store_failures, job.lost_runs, job.deadly_runs,
               job.last_sequence, job.trace_sha256, job.owner, job.owner_epoch, job.owner_until_us,
               job.number);
 }
@@ -118,7 +119,7 @@ std::string JobColumns(std::string_view spec) {
       "number, id, tenant, state, priority, deadline_us, ", std::string(spec),
       ", labels, settings_digest, action_digest, build_id, traceparent, create_us, start_us,"
       " end_us, layers_total, layers_done, error, result, cancel_requested, retries,"
-      " store_failures, lost_runs, last_sequence, trace_sha256, owner, owner_epoch,"
+      " store_failures, lost_runs, deadly_runs, last_sequence, trace_sha256, owner, owner_epoch,"
       " owner_until_us");
 }
 
@@ -128,8 +129,8 @@ absl::Status ReadJob(const SqlQuery& query, JobRecord& job) {
                   job.spec, job.labels, job.settings_digest, job.action_digest, job.build_id,
                   job.traceparent, job.create_us, job.start_us, job.end_us, job.layers_total,
                   job.layers_done, job.error, job.result, job.cancel_requested, job.retries,
-                  job.store_failures, job.lost_runs, job.last_sequence, job.trace_sha256, job.owner,
-                  job.owner_epoch, job.owner_until_us);
+                  job.store_failures, job.lost_runs, job.deadly_runs, job.last_sequence,
+                  job.trace_sha256, job.owner, job.owner_epoch, job.owner_until_us);
   return columns.status(job.id);
 }
 

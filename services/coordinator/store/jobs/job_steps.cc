@@ -40,6 +40,7 @@ absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& up
   if (!update.trace_sha256.empty()) job.trace_sha256 = update.trace_sha256;
   if (update.retry) ++job.retries;
   if (update.store_failed) ++job.store_failures;
+  if (update.deadly) ++job.deadly_runs;
   job.lost_runs = update.lost_runs;
   if (begins && job.start_us == 0) job.start_us = now_us;
   if (IsTerminal(job.state)) job.end_us = now_us;

@@ -66,6 +66,7 @@ struct JobUpdate {
   int64_t claimable_from_us = 0;
   bool retry = false;             ///< with QUEUED: because a run failed
   bool store_failed = false;      ///< with QUEUED: because a store failed
+  bool deadly = false;            ///< with QUEUED: because services died of the run, as it seems
   int32_t lost_runs = 0;          ///< of the record, if this is the last that is heard of the run
   std::string trace_sha256 = {};  ///< empty: what was there stays
 };

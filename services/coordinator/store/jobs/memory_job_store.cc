@@ -248,6 +248,7 @@ absl::StatusOr<bool> MemoryJobStore::Adopt(const Lease& lease, const JobIdentity
   entry->job.action_digest = identity.action_digest;
   entry->job.build_id = identity.build_id;
   entry->job.lost_runs = 0;
+  entry->job.deadly_runs = 0;
   return !HeldWork(now_us, lease.job_id).contains(identity.action_digest);
 }
 

@@ -252,8 +252,8 @@ absl::StatusOr<bool> SqlJobStore::Adopt(const Lease& lease, const JobIdentity& i
     if (!others.ok()) return others;
     SqlQuery adopt(
         db,
-        "UPDATE jobs SET settings_digest = ?, action_digest = ?, build_id = ?, lost_runs = 0"
-        " WHERE id = ? AND owner_epoch = ? AND owner <> '' RETURNING id");
+        "UPDATE jobs SET settings_digest = ?, action_digest = ?, build_id = ?, lost_runs = 0,"
+        " deadly_runs = 0 WHERE id = ? AND owner_epoch = ? AND owner <> '' RETURNING id");
     adopt.Bind(identity.settings_digest, identity.action_digest, identity.build_id, lease.job_id,
                lease.epoch);
     bool held = false;

@@ -223,6 +223,7 @@ CREATE INDEX s3_loose_by_tenant ON s3_loose (tenant);
 )"},
     // Who watches all jobs of a tenant goes on from a time.
     {"events_by_time", "CREATE INDEX events_by_time ON events (time_us, job, sequence);"},
+    {"deadly_runs", "ALTER TABLE jobs ADD COLUMN deadly_runs INTEGER NOT NULL DEFAULT 0;"},
 };
 
 absl::StatusOr<int64_t> Version(SqliteConnection& db) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/geometry/point.h"
+#include "common/geometry/polygon.h"
 
 namespace slicefarm::exposure {
 

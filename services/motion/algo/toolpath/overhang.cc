@@ -11,6 +11,10 @@ namespace {
 
 constexpr Coord kSquareNm = kNmPerMm / 2;
 constexpr double kRestingPieceMm = 1;
+/// Of the width: what rests alike.
+constexpr double kAlike = 0.05;
+/// Of the width: less than half a step at both ends on average is air.
+constexpr double kAirSteps = 20;
 /// A share of a nanometre that is no simple fraction.
 constexpr double kAside = 0.3183;
 
@@ -90,7 +94,7 @@ void LayerBelow::FindMiddlesInside() {
       middle_inside_[square] = middle_inside_[square] != middle_inside_[square - 1];
 }
 
-uint8_t LayerBelow::RestOf(Point point, Coord width_nm) const {
+double LayerBelow::RestOf(Point point, Coord width_nm) const {
   if (edges_.size() == 0) return 0;
   const Coord reach = width_nm / 2;
   const Box near = {{point.x - reach, point.y - reach}, {point.x + reach, point.y + reach}};
@@ -103,8 +107,7 @@ uint8_t LayerBelow::RestOf(Point point, Coord width_nm) const {
     nearest = std::min(nearest, SquaredDistance(point, edge.a, edge.b));
   });
   const double out = std::sqrt(nearest) * (Covers(point) ? -1 : 1);
-  const double share = 0.5 - out / static_cast<double>(width_nm);
-  return static_cast<uint8_t>(std::lround(std::clamp(share, 0.0, 1.0) * kFullRest));
+  return std::clamp(0.5 - out / static_cast<double>(width_nm), 0.0, 1.0);
 }
 
 /// By what lies between the point and the middle of its square: upwards or downwards first, then
@@ -143,34 +146,93 @@ std::vector<double> LayerBelow::EdgesOn(Point from, Point to) const {
   return shares;
 }
 
-int RestAlong::RestOf(Point point, Coord width_nm) {
-  if (point != at_ || width_nm != width_nm_) {
-    at_ = point;
-    width_nm_ = width_nm;
-    // What lies within the outlines rests by half at least, however near to their edge.
-    const bool is_enough = steps_ == RestSteps::kAirAlone && below_.Covers(point);
-    rest_ = is_enough ? kFullRest : below_.RestOf(point, width_nm);
+namespace {
+
+/// Looks once at a point that is the end of a segment and the beginning of the next one.
+class Look {
+ public:
+  Look(const LayerBelow& below, RestSteps steps) : below_(below), steps_(steps) {}
+
+  double RestOf(Point point, Coord width_nm) {
+    if (point != at_ || width_nm != width_nm_) {
+      at_ = point;
+      width_nm_ = width_nm;
+      // What lies within the outlines rests by half at least, however near to their edge.
+      const bool is_enough = steps_ == RestSteps::kAirAlone && below_.Covers(point);
+      rest_ = is_enough ? 1 : below_.RestOf(point, width_nm);
+    }
+    return rest_;
   }
-  return rest_;
+
+ private:
+  const LayerBelow& below_;
+  const RestSteps steps_;
+  Point at_;
+  Coord width_nm_ = -1;  ///< none: no point was looked at
+  double rest_ = 0;
+};
+
+/// Pieces that rest alike, as far as they have come.
+struct Alike {
+  double least = 0, most = 0;
+
+  bool Take(double rest) {
+    const double low = std::min(least, rest), high = std::max(most, rest);
+    const bool is_end = IsEnd(rest) || IsEnd(least);
+    if (high - low > (is_end ? 0 : kAlike)) return false;
+    least = low;
+    most = high;
+    return true;
+  }
+  uint8_t Rest() const { return static_cast<uint8_t>(std::lround((least + most) / 2 * kFullRest)); }
+
+ private:
+  static bool IsEnd(double rest) { return rest == 0 || rest == 1; }
+};
+
+/// Of a piece, by what rests at its ends. What is next to nothing is nothing, the same with all.
+double RestBetween(double from, double to, RestSteps steps) {
+  if (steps == RestSteps::kAirAlone)
+    return std::lround(from * kAirSteps) + std::lround(to * kAirSteps) < 2 ? 0 : 1;
+  const double rest = (from + to) / 2;
+  if (rest < kAlike / 2) return 0;
+  return rest > 1 - kAlike / 2 ? 1 : rest;
 }
 
-std::vector<RestingPiece> RestAlong::PiecesOf(Point from, Point to, Coord width_nm) {
-  const auto count =
-      std::max<int64_t>(1, std::llround(std::ceil(ToMm(Distance(from, to)) / kRestingPieceMm)));
+}  // namespace
+
+std::vector<RestingPiece> PiecesOver(const LayerBelow& below, RestSteps steps,
+                                     std::span<const PathSegment> segments) {
+  Look look(below, steps);
   std::vector<RestingPiece> pieces;
-  int before = RestOf(from, width_nm);
-  for (int64_t i = 1; i <= count; ++i) {
-    const Point end = {from.x + (to.x - from.x) * i / count, from.y + (to.y - from.y) * i / count};
-    const int at_end = RestOf(end, width_nm);
-    auto rest = static_cast<uint8_t>((before + at_end) / 2);
-    if (steps_ == RestSteps::kAirAlone && rest > 0) rest = kFullRest;
-    before = at_end;
-    if (!pieces.empty() && pieces.back().rest == rest) {
-      pieces.back().to = end;
-    } else {
-      pieces.push_back({end, rest});
+  std::optional<Alike> alike;
+  size_t first_alike = 0;
+  const auto close = [&] {
+    for (size_t i = first_alike; i < pieces.size(); ++i) pieces[i].rest = alike->Rest();
+    first_alike = pieces.size();
+  };
+  for (size_t segment = 0; segment < segments.size(); ++segment) {
+    const auto& [from, to, width_nm] = segments[segment];
+    const auto count =
+        std::max<int64_t>(1, std::llround(std::ceil(ToMm(Distance(from, to)) / kRestingPieceMm)));
+    double before = look.RestOf(from, width_nm);
+    for (int64_t i = 1; i <= count; ++i) {
+      const Point end = {from.x + (to.x - from.x) * i / count,
+                         from.y + (to.y - from.y) * i / count};
+      const double at_end = look.RestOf(end, width_nm);
+      const double rest = RestBetween(before, at_end, steps);
+      before = at_end;
+      const bool goes_on = alike && alike->Take(rest);
+      if (!goes_on && alike) close();
+      if (!goes_on) alike = Alike{rest, rest};
+      if (goes_on && i > 1) {
+        pieces.back().to = end;
+      } else {
+        pieces.push_back({segment, end});
+      }
     }
   }
+  if (alike) close();
   return pieces;
 }
 

@@ -28,17 +28,17 @@ Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 
 TEST(LayerBelow, BeadsRestByTheirPlace) {
   const LayerBelow below(Frame());
-  EXPECT_EQ(below.RestOf(Mm(5, 5), kWidth), kFullRest);
-  EXPECT_EQ(below.RestOf(Mm(0.2, 5), kWidth), kFullRest);
-  EXPECT_EQ(below.RestOf(Mm(0.1, 5), kWidth), 15);
-  EXPECT_EQ(below.RestOf(Mm(0, 5), kWidth), 10);
-  EXPECT_EQ(below.RestOf(Mm(-0.1, 5), kWidth), 5);
+  EXPECT_EQ(below.RestOf(Mm(5, 5), kWidth), 1);
+  EXPECT_EQ(below.RestOf(Mm(0.2, 5), kWidth), 1);
+  EXPECT_EQ(below.RestOf(Mm(0.1, 5), kWidth), 0.75);
+  EXPECT_EQ(below.RestOf(Mm(0, 5), kWidth), 0.5);
+  EXPECT_EQ(below.RestOf(Mm(-0.1, 5), kWidth), 0.25);
   EXPECT_EQ(below.RestOf(Mm(-0.2, 5), kWidth), 0);
   EXPECT_EQ(below.RestOf(Mm(10, 10), kWidth), 0) << "over the hole";
-  EXPECT_EQ(below.RestOf(Mm(10, 7.9), kWidth), 15);
+  EXPECT_EQ(below.RestOf(Mm(10, 7.9), kWidth), 0.75);
   EXPECT_EQ(below.RestOf(Mm(50, 50), kWidth), 0);
-  EXPECT_EQ(below.RestOf(Mm(10, -0.1), kWidth), 5);
-  EXPECT_EQ(below.RestOf(Mm(10, 20.1), kWidth), 5);
+  EXPECT_EQ(below.RestOf(Mm(10, -0.1), kWidth), 0.25);
+  EXPECT_EQ(below.RestOf(Mm(10, 20.1), kWidth), 0.25);
 }
 
 /// Teeth, a slanted hole and an island in it; corners in whole quarters of a millimetre.
@@ -77,27 +77,32 @@ TEST(LayerBelow, CoversWhatLiesInTheOutlines) {
 
 TEST(LayerBelow, OverAirNothingRests) { EXPECT_EQ(LayerBelow({}).RestOf(Mm(0, 0), kWidth), 0); }
 
-TEST(PiecesOf, CutsWhereTheRestChanges) {
+/// Of a straight wall.
+std::vector<RestingPiece> PiecesOf(const LayerBelow& below, RestSteps steps, Point from, Point to,
+                                   Coord width_nm = kWidth) {
+  const PathSegment wall = {from, to, width_nm};
+  return PiecesOver(below, steps, {&wall, 1});
+}
+
+TEST(PiecesOver, CutsWhereTheRestChanges) {
   const LayerBelow below(Frame());
-  RestAlong along(below, RestSteps::kAll);
-  const auto within = along.PiecesOf(Mm(2, 5), Mm(18, 5), kWidth);
+  const auto within = PiecesOf(below, RestSteps::kAll, Mm(2, 5), Mm(18, 5));
   ASSERT_EQ(within.size(), 1);
   EXPECT_EQ(within[0].to, Mm(18, 5));
-  const auto over = along.PiecesOf(Mm(2, 10), Mm(18, 10), kWidth);
+  const auto over = PiecesOf(below, RestSteps::kAll, Mm(2, 10), Mm(18, 10));
   ASSERT_EQ(over.size(), 7);
   EXPECT_EQ(over[0].to, Mm(7, 10));
   EXPECT_EQ(over[0].rest, kFullRest);
-  EXPECT_EQ(over[1].rest, 15);
-  EXPECT_EQ(over[2].rest, 5);
+  EXPECT_EQ(over[1].rest, 75);
+  EXPECT_EQ(over[2].rest, 25);
   EXPECT_EQ(over[3].rest, 0);
   EXPECT_EQ(over[3].to, Mm(11, 10));
   EXPECT_EQ(over[6].to, Mm(18, 10));
 }
 
-TEST(PiecesOf, CutsWhereNothingRestsIfThatIsAll) {
+TEST(PiecesOver, CutsWhereNothingRestsIfThatIsAll) {
   const LayerBelow below(Frame());
-  RestAlong along(below, RestSteps::kAirAlone);
-  const auto over = along.PiecesOf(Mm(2, 10), Mm(18, 10), kWidth);
+  const auto over = PiecesOf(below, RestSteps::kAirAlone, Mm(2, 10), Mm(18, 10));
   ASSERT_EQ(over.size(), 3);
   EXPECT_EQ(over[0].rest, kFullRest);
   EXPECT_EQ(over[1].rest, 0);
@@ -105,22 +110,64 @@ TEST(PiecesOf, CutsWhereNothingRestsIfThatIsAll) {
   EXPECT_EQ(over[2].rest, kFullRest);
 }
 
-TEST(PiecesOf, ForgetsNoWidth) {
+/// Along the outer edge, now a little nearer to it and now a little farther.
+std::vector<PathSegment> Wavering(double out_mm, double by_mm) {
+  std::vector<PathSegment> wall;
+  Point from = Mm(1, -out_mm);
+  for (int i = 1; i < 15; ++i) {
+    const Point to = Mm(1 + i, -out_mm - (i % 3 == 0 ? by_mm : 0));
+    wall.push_back({from, to, kWidth});
+    from = to;
+  }
+  return wall;
+}
+
+TEST(PiecesOver, AWallThatHangsOverEvenlyRestsAlike) {
   const LayerBelow below(Frame());
-  RestAlong along(below, RestSteps::kAll);
+  for (const double out_mm : {-0.09, -0.042, 0.0, 0.031, 0.104}) {
+    const auto wall = Wavering(out_mm, 0.018);
+    const auto pieces = PiecesOver(below, RestSteps::kAll, wall);
+    ASSERT_EQ(pieces.size(), wall.size());
+    for (const RestingPiece& piece : pieces) EXPECT_EQ(piece.rest, pieces[0].rest) << out_mm;
+    EXPECT_NEAR(pieces[0].rest, 50 - (out_mm + 0.009) / 0.4 * 100, 1.5) << out_mm;
+  }
+  const auto pieces = PiecesOver(below, RestSteps::kAll, Wavering(0, 0.06));
+  const auto [least, most] = std::ranges::minmax(pieces, {}, &RestingPiece::rest);
+  EXPECT_LT(least.rest, most.rest) << "more than that is told apart";
+}
+
+/// The wall's own bridge, and what needs no slowing down, begin where they did.
+TEST(PiecesOver, NothingAndAllAreNotAveraged) {
+  const LayerBelow below(Frame());
+  const std::vector<PathSegment> wall = {{Mm(1, -0.2), Mm(2, -0.2), kWidth},
+                                         {Mm(2, -0.2), Mm(3, -0.17), kWidth},
+                                         {Mm(3, -0.17), Mm(4, -0.17), kWidth}};
+  const auto over = PiecesOver(below, RestSteps::kAll, wall);
+  EXPECT_EQ(over[0].rest, 0);
+  EXPECT_GT(over[2].rest, 0);
+  const std::vector<PathSegment> inner = {{Mm(1, 0.17), Mm(2, 0.17), kWidth},
+                                          {Mm(2, 0.17), Mm(3, 0.2), kWidth},
+                                          {Mm(3, 0.2), Mm(4, 0.2), kWidth}};
+  const auto under = PiecesOver(below, RestSteps::kAll, inner);
+  EXPECT_LT(under[0].rest, kFullRest);
+  EXPECT_EQ(under[2].rest, kFullRest);
+}
+
+TEST(PiecesOver, ForgetsNoWidth) {
+  const LayerBelow below(Frame());
   const Point from = Mm(7.8, 9), to = Mm(8.2, 9);
-  along.PiecesOf(from, to, kWidth);
-  EXPECT_EQ(along.PiecesOf(to, from, 4 * kWidth).front().rest,
-            RestAlong(below, RestSteps::kAll).PiecesOf(to, from, 4 * kWidth).front().rest);
+  const std::vector<PathSegment> both = {{from, to, kWidth}, {to, from, 4 * kWidth}};
+  EXPECT_EQ(PiecesOver(below, RestSteps::kAll, both).back().rest,
+            PiecesOf(below, RestSteps::kAll, to, from, 4 * kWidth).front().rest);
 }
 
 TEST(ByRest, GoesInProportionBetweenDegrees) {
   const std::array<double, 4> speeds = {10, 20, 40, 50};
   EXPECT_EQ(ByRest(speeds, 100, 0), 10);
-  EXPECT_EQ(ByRest(speeds, 100, 5), 20);
-  EXPECT_EQ(ByRest(speeds, 100, 8), 32);
-  EXPECT_EQ(ByRest(speeds, 100, 15), 50);
-  EXPECT_EQ(ByRest(speeds, 100, 18), 80);
+  EXPECT_EQ(ByRest(speeds, 100, 25), 20);
+  EXPECT_EQ(ByRest(speeds, 100, 40), 32);
+  EXPECT_EQ(ByRest(speeds, 100, 75), 50);
+  EXPECT_EQ(ByRest(speeds, 100, 90), 80);
   EXPECT_EQ(ByRest(speeds, 100, kFullRest), 100);
 }
 

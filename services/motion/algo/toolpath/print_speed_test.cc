@@ -64,9 +64,9 @@ TEST(PrintSpeeds, WallsOverAirAreSlower) {
   options.speeds[0].dynamic_overhangs = true;
   options.speeds[0].overhang_speed_mm_s = {10, 0, 20, 90};
   EXPECT_EQ(speeds.OverAir(path, 40, 0), 10);
-  EXPECT_EQ(speeds.OverAir(path, 40, 5), 40) << "0: not slowed down";
-  EXPECT_EQ(speeds.OverAir(path, 40, 10), 20);
-  EXPECT_EQ(speeds.OverAir(path, 40, 15), 40) << "never faster";
+  EXPECT_EQ(speeds.OverAir(path, 40, 25), 40) << "0: not slowed down";
+  EXPECT_EQ(speeds.OverAir(path, 40, 50), 20);
+  EXPECT_EQ(speeds.OverAir(path, 40, 75), 40) << "never faster";
   EXPECT_EQ(speeds.OverAir(path, 40, kFullRest), 40);
 }
 

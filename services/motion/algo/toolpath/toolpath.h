@@ -11,7 +11,7 @@ namespace slicefarm::motion {
 
 /// How much of a bead's width rests on the layer below, in steps: 0 is nothing, kFullRest all of
 /// it.
-inline constexpr uint8_t kFullRest = 20;
+inline constexpr uint8_t kFullRest = 100;
 
 /// A length as moves have it: whole micrometres, half of one away from zero. REQUIRES: below 2 km.
 inline int32_t ToUm(Coord nm) {

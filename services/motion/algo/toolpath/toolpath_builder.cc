@@ -38,6 +38,14 @@ bool IsWall(Feature feature) {
          feature == Feature::kOverhangPerimeter;
 }
 
+size_t SegmentsOf(const Path& path) { return path.points.size() - (path.closed ? 0 : 1); }
+
+/// As wide as its ends on average.
+PathSegment SegmentOf(const Path& path, size_t i) {
+  const size_t to = i + 1 < path.points.size() ? i + 1 : 0;
+  return {path.points[i], path.points[to], (path.WidthAt(i) + path.WidthAt(to)) / 2};
+}
+
 bool IsLoopOfWalls(const Path& path) {
   return path.closed && (IsWall(path.feature) || path.feature == Feature::kSkirt);
 }
@@ -158,21 +166,13 @@ ToolpathBuilder::Bead ToolpathBuilder::BeadOf(Coord width_nm, double speed_mm_s)
 
 void ToolpathBuilder::PrintSegments(const SimplifiedPath& simple, double speed_mm_s) {
   const Path& path = simple.path;
+  if (const auto steps = RestUnder(path)) return PrintOverAir(simple, *steps, speed_mm_s);
   Bead bead = BeadOf(path.widths_nm.front(), speed_mm_s);
-  std::optional<RestAlong> rest = RestUnder(path);
-  const size_t count = path.points.size();
-  for (size_t i = 1; i < count + (path.closed ? 1 : 0); ++i) {
-    const size_t to = i < count ? i : 0;
-    const Coord width_nm = (path.WidthAt(i - 1) + path.WidthAt(to)) / 2;
-    if (width_nm != bead.width_nm) bead = BeadOf(width_nm, speed_mm_s);
-    at_.on_arc = simple.on_arc[i - 1];
-    if (rest) {
-      PrintOverAir(path, path.points[i - 1],
-                   rest->PiecesOf(path.points[i - 1], path.points[to], width_nm), width_nm,
-                   speed_mm_s);
-    } else {
-      PrintSegment(path.points[i - 1], path.points[to], bead);
-    }
+  for (size_t i = 0; i < SegmentsOf(path); ++i) {
+    const PathSegment segment = SegmentOf(path, i);
+    if (segment.width_nm != bead.width_nm) bead = BeadOf(segment.width_nm, speed_mm_s);
+    at_.on_arc = simple.on_arc[i];
+    PrintSegment(segment.from, segment.to, bead);
   }
 }
 
@@ -195,28 +195,35 @@ void ToolpathBuilder::PrintTurn(const SimplifiedPath& simple, const SpiralTurn& 
                                 const MultiPolygon& below, double speed_mm_s) {
   const auto height_um = static_cast<double>(z_um_ - bottom_um_);
   const Coord width_nm = simple.path.widths_nm.front();
-  std::optional<RestAlong> rest = RestUnder(simple.path);
+  const std::vector<TurnPiece> turns = TurnOf(simple.path, turn, below);
+  std::vector<PathSegment> segments;
   Point from{FromUm(at_.x_um), FromUm(at_.y_um)};
-  double from_rise = 0;
-  for (const TurnPiece& piece : TurnOf(simple.path, turn, below)) {
-    const Point start = from;
-    const double length = Distance(start, piece.to);
+  for (const TurnPiece& piece : turns)
+    segments.push_back({segments.empty() ? from : segments.back().to, piece.to, width_nm});
+  for (const RestingPiece& part : PiecesUnder(simple.path, segments)) {
+    const PathSegment& segment = segments[part.segment];
+    const TurnPiece& piece = turns[part.segment];
+    const double from_rise = part.segment > 0 ? turns[part.segment - 1].rise : 0;
+    const double length = Distance(segment.from, segment.to);
+    const double share = length > 0 ? Distance(segment.from, part.to) / length : 1;
+    const double rise = from_rise + share * (piece.rise - from_rise);
     at_.height_um = std::max(1, static_cast<int32_t>(std::lround(piece.flow * height_um)));
-    std::vector<RestingPiece> parts = {{piece.to, kFullRest}};
-    if (rest) parts = rest->PiecesOf(start, piece.to, width_nm);
-    for (const RestingPiece& part : parts) {
-      const double share = length > 0 ? Distance(start, part.to) / length : 1;
-      const double rise = from_rise + share * (piece.rise - from_rise);
-      at_.z_um = bottom_um_ + static_cast<int32_t>(std::lround(rise * height_um));
-      at_.rest = part.rest;
-      Bead bead = BeadOf(width_nm, TurnSpeed(simple.path, speed_mm_s, part.rest));
-      bead.filament_per_mm *= piece.flow;
-      PrintSegment(from, part.to, bead);
-      from = part.to;
-    }
-    from_rise = piece.rise;
+    at_.z_um = bottom_um_ + static_cast<int32_t>(std::lround(rise * height_um));
+    at_.rest = part.rest;
+    Bead bead = BeadOf(width_nm, TurnSpeed(simple.path, speed_mm_s, part.rest));
+    bead.filament_per_mm *= piece.flow;
+    PrintSegment(from, part.to, bead);
+    from = part.to;
   }
   at_.rest = kFullRest;
+}
+
+std::vector<RestingPiece> ToolpathBuilder::PiecesUnder(
+    const Path& path, std::span<const PathSegment> segments) const {
+  if (const auto steps = RestUnder(path)) return PiecesOver(*below_, *steps, segments);
+  std::vector<RestingPiece> pieces(segments.size());
+  for (size_t i = 0; i < segments.size(); ++i) pieces[i] = {i, segments[i].to};
+  return pieces;
 }
 
 /// Over air as fast as a bridge.
@@ -229,21 +236,25 @@ double ToolpathBuilder::TurnSpeed(const Path& path, double speed_mm_s, uint8_t r
 }
 
 /// Nothing: it is printed alike whatever lies below it.
-std::optional<RestAlong> ToolpathBuilder::RestUnder(const Path& path) const {
+std::optional<RestSteps> ToolpathBuilder::RestUnder(const Path& path) const {
   if (below_ == nullptr || !IsWall(path.feature)) return std::nullopt;
   const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
-  if (region.dynamic_overhangs || options_.cooling.dynamic_fan)
-    return RestAlong(*below_, RestSteps::kAll);
+  if (region.dynamic_overhangs || options_.cooling.dynamic_fan) return RestSteps::kAll;
   if (!region.bridging_walls) return std::nullopt;
-  return RestAlong(*below_, RestSteps::kAirAlone);
+  return RestSteps::kAirAlone;
 }
 
 /// In pieces that rest on the layer below by different shares.
-void ToolpathBuilder::PrintOverAir(const Path& path, Point from,
-                                   const std::vector<RestingPiece>& pieces, Coord width_nm,
+void ToolpathBuilder::PrintOverAir(const SimplifiedPath& simple, RestSteps steps,
                                    double speed_mm_s) {
+  const Path& path = simple.path;
   const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
-  for (const RestingPiece& piece : pieces) {
+  std::vector<PathSegment> segments(SegmentsOf(path));
+  for (size_t i = 0; i < segments.size(); ++i) segments[i] = SegmentOf(path, i);
+  Point from = path.points.front();
+  for (const RestingPiece& piece : PiecesOver(*below_, steps, segments)) {
+    const Coord width_nm = segments[piece.segment].width_nm;
+    at_.on_arc = simple.on_arc[piece.segment];
     at_.rest = piece.rest;
     const double over_air_mm_s = speeds_.OverAir(path, speed_mm_s, piece.rest);
     if (piece.rest == 0 && region.bridging_walls) {
@@ -261,8 +272,8 @@ void ToolpathBuilder::PrintOverAir(const Path& path, Point from,
 void ToolpathBuilder::PrintBridges(const Path& path, Point from, Point to, Coord width_nm,
                                    double speed_mm_s) {
   if (carried_ == nullptr) return PrintBridge(path, from, to, width_nm, speed_mm_s, true);
-  for (const RestingPiece& piece :
-       RestAlong(*carried_, RestSteps::kAirAlone).PiecesOf(from, to, width_nm)) {
+  const PathSegment whole = {from, to, width_nm};
+  for (const RestingPiece& piece : PiecesOver(*carried_, RestSteps::kAirAlone, {&whole, 1})) {
     PrintBridge(path, from, piece.to, width_nm, speed_mm_s, piece.rest == 0);
     from = piece.to;
   }

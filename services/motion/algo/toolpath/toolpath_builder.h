@@ -82,9 +82,10 @@ class ToolpathBuilder {
   void PrintTurn(const SimplifiedPath& simple, const SpiralTurn& turn, const MultiPolygon& below,
                  double speed_mm_s);
   void PrintScarf(const Path& path, const ScarfOptions& options, double speed_mm_s);
-  std::optional<RestAlong> RestUnder(const Path& path) const;
-  void PrintOverAir(const Path& path, Point from, const std::vector<RestingPiece>& pieces,
-                    Coord width_nm, double speed_mm_s);
+  std::optional<RestSteps> RestUnder(const Path& path) const;
+  std::vector<RestingPiece> PiecesUnder(const Path& path,
+                                        std::span<const PathSegment> segments) const;
+  void PrintOverAir(const SimplifiedPath& simple, RestSteps steps, double speed_mm_s);
   void PrintBridges(const Path& path, Point from, Point to, Coord width_nm, double speed_mm_s);
   void PrintBridge(const Path& path, Point from, Point to, Coord width_nm, double speed_mm_s,
                    bool thread);

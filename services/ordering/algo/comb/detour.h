@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/geometry/measure.h"
+#include "common/geometry/point.h"
 #include "common/model/options/ordering_options.h"
 
 namespace slicefarm::ordering {

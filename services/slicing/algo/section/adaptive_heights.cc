@@ -11,6 +11,8 @@
 #include <tuple>
 #include <utility>
 
+#include "services/slicing/algo/topology/edge_table.h"
+
 namespace slicefarm::slicing {
 namespace {
 

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <random>
 
+#include "services/slicing/algo/topology/edge_table.h"
+
 namespace slicefarm::slicing::adaptive_heights_test {
 namespace {
 

@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""Fails where a file names a type whose header it does not reach by its includes.
+
+usage: check_includes.py [repo root]        exit 1 and one line per violation
+
+Where all files of a library are compiled as one (the preset `cold`), a missing include goes unseen as long as another file has it.
+Looked at are the types that no two headers declare under the same name.
+"""
+import functools
+import pathlib
+import re
+import sys
+
+INCLUDE = re.compile(r'^#include "([^"]+)"', re.M)
+# Neither comments nor what is quoted.
+NOISE = re.compile(r'R"\((?:.|\n)*?\)"|"(?:\\.|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', re.S)
+DECLARED = re.compile(r"^(?:(?:class|struct|enum class)(?: \[\[\w+\]\])? (\w+)(?: final)?(?=[\s:{;])|using (\w+) =)", re.M)
+FORWARD = re.compile(r"^(?:class|struct|enum class) (\w+)(?: : \w+)?;", re.M)
+
+FOREIGN = {"boost", "v1", "grpc", "std", "testing"}
+# Words that types of classes, or of one file, go by as well.
+ELSEWHERE = set(
+    """Attempt Call Candidate Claimed Done Entries Join Kind Link Move Path Piece Plate Reply Run Shared Span Stack Tenant Then Turn
+    Value Visit boost""".split()
+)
+USE = re.compile(r"(?<![.\w>])(?:(\w+)::)?(\w+)(?=\s*[&*>{]|::|\s+\w)")
+
+
+def sources(root):
+    files = [f for d in ("common", "processes", "services") for e in ("h", "cc") for f in sorted((root / d).rglob(f"*.{e}"))]
+    return {str(f.relative_to(root)): f.read_text() for f in files}
+
+
+def headers_by_type(code):
+    """The header of each type; None: several declare it."""
+    found = {}
+    for path, text in code.items():
+        if not path.endswith(".h"):
+            continue
+        for names in DECLARED.finditer(text):
+            name = names.group(1) or names.group(2)
+            if FORWARD.match(text, names.start()) or name in ELSEWHERE:
+                continue
+            found[name] = path if found.get(name, path) == path else None
+    return {name: path for name, path in found.items() if path}
+
+
+def check(texts):
+    includes = {path: [i for i in INCLUDE.findall(text) if i in texts] for path, text in texts.items()}
+    code = {path: NOISE.sub(" ", text) for path, text in texts.items()}
+    types = headers_by_type(code)
+
+    @functools.cache
+    def reached(path):
+        seen, left = {path}, [path]
+        while left:
+            for included in includes[left.pop()]:
+                if included not in seen:
+                    seen.add(included)
+                    left.append(included)
+        return seen
+
+    for path, text in sorted(code.items()):
+        own = {a or b for a, b in re.findall(r"\b(?:class|struct|enum|enum class|typename) (\w+)\b|\busing (\w+) =", text)}
+        for name in sorted({name for scope, name in USE.findall(text) if scope not in FOREIGN}):
+            header = types.get(name)
+            if header and name not in own and header not in reached(path):
+                yield f"{path}: names {name}, and does not include {header}"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+    errors = list(check(sources(root)))
+    print("\n".join(errors))
+    sys.exit(1 if errors else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,41 @@
+#!/usr/bin/env python3
+"""check_includes.py must find what is planted into a small tree, and nothing else."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+CHECK = pathlib.Path(__file__).with_name("check_includes.py")
+SCENE = "struct SceneObject {\n  int parts;\n};\nenum class PartRole : int { kPart };\n"
+# path: (text, the types of each that are named without their headers)
+TREE = {
+    "common/model/scene.h": (SCENE, []),
+    "common/model/twice.h": ("struct TwoHeaders {};\nclass ReplicaSet;\n", []),
+    "services/a/twice.h": ("struct TwoHeaders {};\n", []),
+    "services/a/through.h": ('#include "common/model/scene.h"\n', []),
+    "services/a/reached.cc": ('#include "services/a/through.h"\nSceneObject object;\n', []),
+    "services/a/missed.h": ("void Take(const SceneObject& object, PartRole role);\n", ["PartRole", "SceneObject"]),
+    "services/a/missed.cc": ('#include "services/a/missed.h"\nauto role = PartRole::kPart;\n', ["PartRole"]),
+    "services/a/forward.h": ("struct SceneObject;\nvoid Take(const SceneObject& object);\n", []),
+    "services/a/wire.cc": ("v1::SceneObject proto;\n", []),
+    "services/a/quoted.cc": ('// SceneObject object\nauto s = "SceneObject object";\n', []),
+    "services/a/either.cc": ("TwoHeaders two;\nReplicaSet set;\n", []),
+}
+
+
+def main():
+    with tempfile.TemporaryDirectory() as root:
+        for path, (text, _) in TREE.items():
+            file = pathlib.Path(root, path)
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text)
+        run = subprocess.run([sys.executable, CHECK, root], capture_output=True, text=True)
+    assert run.returncode == 1, run
+    planted = [(path, name) for path, (_, names) in TREE.items() for name in names]
+    told = [(line.split(":")[0], line.split()[2].rstrip(",")) for line in run.stdout.splitlines()]
+    assert sorted(told) == sorted(planted), run.stdout
+    print(f"{len(planted)} planted violations found, nothing else")
+
+
+if __name__ == "__main__":
+    main()
