@@ -9,6 +9,7 @@
 #include "common/geometry/edge_index.h"
 #include "common/geometry/polygon.h"
 #include "common/model/options/motion_options.h"
+#include "services/motion/algo/toolpath/path_segment.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
 namespace slicefarm::motion {
@@ -42,12 +43,6 @@ class LayerBelow {
   EdgeIndex edges_;
   int32_t columns_ = 0;
   std::vector<bool> middle_inside_;  ///< by square: whether its middle lies within the outlines
-};
-
-/// A straight bead of a wall. It begins where the one before ends.
-struct PathSegment {
-  Point from, to;
-  Coord width_nm = 0;
 };
 
 /// A piece of a segment that rests alike.

@@ -38,14 +38,6 @@ bool IsWall(Feature feature) {
          feature == Feature::kOverhangPerimeter;
 }
 
-size_t SegmentsOf(const Path& path) { return path.points.size() - (path.closed ? 0 : 1); }
-
-/// As wide as its ends on average.
-PathSegment SegmentOf(const Path& path, size_t i) {
-  const size_t to = i + 1 < path.points.size() ? i + 1 : 0;
-  return {path.points[i], path.points[to], (path.WidthAt(i) + path.WidthAt(to)) / 2};
-}
-
 bool IsLoopOfWalls(const Path& path) {
   return path.closed && (IsWall(path.feature) || path.feature == Feature::kSkirt);
 }

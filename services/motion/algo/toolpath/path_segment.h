@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+
+#include "common/geometry/point.h"
+#include "common/model/path.h"
+
+namespace slicefarm::motion {
+
+/// A straight bead of a path. It begins where the one before ends.
+struct PathSegment {
+  Point from, to;
+  Coord width_nm = 0;
+};
+
+inline size_t SegmentsOf(const Path& path) { return path.points.size() - (path.closed ? 0 : 1); }
+
+/// As wide as its ends on average.
+inline PathSegment SegmentOf(const Path& path, size_t i) {
+  const size_t to = i + 1 < path.points.size() ? i + 1 : 0;
+  return {path.points[i], path.points[to], (path.WidthAt(i) + path.WidthAt(to)) / 2};
+}
+
+}  // namespace slicefarm::motion
