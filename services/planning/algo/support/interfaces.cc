@@ -67,6 +67,21 @@ void TakeNarrow(const MultiPolygon& contacts, Coord spacing_nm, MultiPolygon& ba
   if (!narrow.empty()) top = top.empty() ? narrow : Union(top, narrow);
 }
 
+/// What of the bodies lies on outlines of the part. Body by body: few have the part below them, and
+/// what is near one of them is little of the part.
+MultiPolygon LyingOn(const std::vector<const MultiPolygon*>& part, const MultiPolygon& bodies) {
+  MultiPolygon lying;
+  for (const PolygonWithHoles& body : bodies) {
+    std::vector<Polygon> rings;
+    const Box box = Bounds(body.outer);
+    for (const MultiPolygon* outlines : part) AppendRingsNear(*outlines, box, rings);
+    if (rings.empty()) continue;
+    for (PolygonWithHoles& on : Difference({body}, WithoutRings({body}, rings)))
+      lying.push_back(std::move(on));
+  }
+  return lying;
+}
+
 /// Contacts of this layer and of the n - 1 above.
 size_t EndOfSheet(size_t layer, size_t count, const SupportOptions& options) {
   return std::min(count, layer + static_cast<size_t>(std::max(1, options.top_interface_layers)));
@@ -120,12 +135,10 @@ std::vector<MultiPolygon> Floors(const SupportProblem& problem, const SupportHei
     const Coord highest =
         heights.layers[i].bottom_nm - options.bottom_gap_nm + support::kSameHeightNm;
     const Coord lowest = highest - options.layer_height_nm;
-    std::vector<Polygon> rings;
-    const Box box = Bounds(bodies[i]);
+    std::vector<const MultiPolygon*> part;
     for (const PartLayer& layer : problem.part)
-      if (layer.top_nm > lowest && layer.top_nm <= highest)
-        AppendRingsNear(*layer.outlines, box, rings);
-    if (!rings.empty()) lying[i] = Difference(bodies[i], WithoutRings(bodies[i], rings));
+      if (layer.top_nm > lowest && layer.top_nm <= highest) part.push_back(layer.outlines);
+    if (!part.empty()) lying[i] = LyingOn(part, bodies[i]);
   });
   ForEachIndex(threads, count, [&](size_t i, int) {
     const auto below = static_cast<size_t>(options.bottom_interface_layers);

@@ -187,19 +187,20 @@ class Planner {
     if (under < 0) return {};
     const Coord reach = options_.style == SupportStyle::kTree ? kCarriedTreeNm : kCarriedNm;
     const Coord top = heights_.layers[static_cast<size_t>(under)].top_nm;
-    std::vector<Polygon> rings;
-    const auto add = [&](const MultiPolygon& region) {
+    // Supports first: they are small, and most of the time enough.
+    MultiPolygon left = steep;
+    const auto take = [&](const MultiPolygon& carrier) {
+      if (left.empty()) return;
       std::vector<Polygon> near;
-      AppendRingsNear(region, Bounds(steep).Grown(2 * reach), near);
-      for (Polygon& ring : Rings(FastOffset(Union(near, FillRule::kNonZero), reach)))
-        rings.push_back(std::move(ring));
+      AppendRingsNear(carrier, Bounds(left).Grown(2 * reach), near);
+      left = WithoutRings(left, Rings(FastOffset(Union(near, FillRule::kNonZero), reach)));
     };
-    add(*problem_.part[part_layer - 1].outlines);
     const auto layer = std::partition_point(plan_.layers.begin(), plan_.layers.end(),
                                             [&](const SupportLayer& l) { return l.top_nm < top; });
     if (layer != plan_.layers.end() && layer->top_nm == top)
-      for (const SupportRegion& region : layer->regions) add(region.outlines);
-    return WithoutRings(steep, rings);
+      for (const SupportRegion& region : layer->regions) take(region.outlines);
+    take(*problem_.part[part_layer - 1].outlines);
+    return left;
   }
 
   const SupportProblem& problem_;
