@@ -66,6 +66,7 @@ class Resolver {
     plate_.settings = base->settings;
     plate_.effective_text = base->effective_text;
     plate_.no_effect = base->no_effect;
+    plate_.beside_print = base->beside_print;
     plate_.warnings = base->warnings;
     told_.insert(base->no_effect.begin(), base->no_effect.end());
     of_job_ = told_;

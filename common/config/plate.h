@@ -23,6 +23,7 @@ struct ResolvedPlate {
   std::string effective_text;
   /// See ResolvedSettings; those of an object begin with its name.
   std::vector<std::string> no_effect;
+  int64_t beside_print = 0;
   std::vector<std::string> warnings;
 };
 

@@ -30,6 +30,7 @@ struct ResolvedSettings {
   std::string effective_text;
   /// Settings that were given and have no effect, or not the full one: `key = value: why`.
   std::vector<std::string> no_effect;
+  int64_t beside_print = 0;  ///< of no_effect: those that cannot matter to a print like this one
   /// Those of them that change what is printed, and other things worth a look.
   std::vector<std::string> warnings;
 };

@@ -142,6 +142,8 @@ TEST(Resolve, TakesAWholeProfile) {
   EXPECT_THAT(resolved.no_effect, Not(Contains(HasSubstr(": unknown"))));
   EXPECT_THAT(resolved.no_effect, Contains(HasSubstr("clip_multipart_objects = 1")));
   EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("gcode_flavor = reprap")));
+  // Which are those that a user should look at.
+  EXPECT_EQ(std::ssize(resolved.no_effect) - resolved.beside_print, 2);
 
   // Where the standards differ from PrusaSlicer's, it is for a reason given in the table's
   // documentation.

@@ -155,6 +155,7 @@ Draft SettingReader::Finish(ResolvedSettings& result) {
   for (const auto& [key, other] : foreign_)
     no_effect_.push_back(
         fmt::format("{}: a setting of process {}", Quoted(key, other.second), other.first));
+  result.beside_print = std::ssize(last_notes_);
   SortNotes();
   result.no_effect = std::move(no_effect_);
   result.warnings = std::move(warnings_);
@@ -248,11 +249,12 @@ void SettingReader::NoteOtherItems(const SettingSpec& spec, const Draft::Entry& 
                                            ? "the first value"
                                            : fmt::format("that of extruder {}", tool_ + 1),
                                        entry.written);
-  // A profile has values for all extruders, and which of them prints is known.
+  // A profile has values for all extruders, and which of them prints is known; no machine is
+  // silent.
   if (spec.list == List::kPerExtruder && entry.requested) {
     Warn(text);
   } else {
-    no_effect_.push_back(text);
+    last_notes_.push_back(text);
   }
 }
 
@@ -274,7 +276,8 @@ void SettingReader::NoteOther(const std::string& key, const KnownKey* known,
   if (known->changes_print) {
     Warn(text);
   } else {
-    (known->of_print ? no_effect_ : last_notes_).push_back(text);
+    const bool matters = known->of_print && !known->of_several_extruders;
+    (matters ? no_effect_ : last_notes_).push_back(text);
   }
 }
 

@@ -60,7 +60,7 @@ class SettingReader {
   Draft draft_;
   std::vector<std::string> no_effect_;
   std::vector<std::string> warnings_;
-  std::vector<std::string> last_notes_;  ///< those of no_effect_ that matter least
+  std::vector<std::string> last_notes_;  ///< those of no_effect_ that do not matter to the print
   std::map<std::string, std::pair<std::string_view, std::string>> foreign_;
   std::map<std::string, std::pair<const KnownKey*, std::string>> others_;
   std::map<std::pair<Source, std::string>, std::string> last_;

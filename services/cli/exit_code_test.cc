@@ -99,6 +99,12 @@ TEST(SummaryText, SaysWhatMatters) {
                          .settings_without_effect = 3}),
             "1 layer, 5s to print, 0.01 m of filament; found by content, not made anew\n"
             "3 of the given settings have no effect; --report FILE.json lists them\n");
+  EXPECT_EQ(SummaryText({.layers = 1, .settings_without_effect = 54, .beside_print = 52}),
+            "1 layer, 0s to print\n"
+            "2 of the given settings have no effect (52 others do not matter to this print); "
+            "--report FILE.json lists them\n");
+  EXPECT_EQ(SummaryText({.layers = 1, .settings_without_effect = 52, .beside_print = 52}),
+            "1 layer, 0s to print\n");
   EXPECT_EQ(SummaryText({.words = {"step", "steps", "to mill"}, .layers = 3, .print_time_s = 60}),
             "3 steps, 1m 0s to mill\n");
   EXPECT_EQ(

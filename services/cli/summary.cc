@@ -18,13 +18,14 @@ std::string SummaryText(const Summary& summary) {
   if (!summary.cost.empty()) text += ", " + summary.cost;
   if (summary.cached) text += "; found by content, not made anew";
   text += '\n';
-  if (summary.settings_without_effect > 0) {
-    text += fmt::format(
-        "{} of the given settings {} no effect; {}\n", summary.settings_without_effect,
-        summary.settings_without_effect == 1 ? "has" : "have",
-        summary.report.empty() ? "--report FILE.json lists them" : "listed in " + summary.report);
-  }
-  return text;
+  const int64_t matter = summary.settings_without_effect - summary.beside_print;
+  if (matter <= 0) return text;
+  text +=
+      fmt::format("{} of the given settings {} no effect", matter, matter == 1 ? "has" : "have");
+  if (summary.beside_print > 0)
+    text += fmt::format(" ({} others do not matter to this print)", summary.beside_print);
+  return text + fmt::format("; {}\n", summary.report.empty() ? "--report FILE.json lists them"
+                                                             : "listed in " + summary.report);
 }
 
 std::string MoneyText(double amount, const std::string& currency) {

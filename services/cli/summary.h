@@ -19,6 +19,7 @@ struct Summary {
   std::string cost = {};  ///< "12.50 EUR"; empty: nothing is charged
   bool cached = false;
   int64_t settings_without_effect = 0;
+  int64_t beside_print = 0;  ///< of these, those that do not matter to it
   std::string report = {};  ///< where the report is; empty: nowhere
 };
 

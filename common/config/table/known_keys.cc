@@ -10,6 +10,7 @@ namespace slicefarm::config {
 namespace {
 
 constexpr std::string_view kNotYet = "not supported yet";
+constexpr std::string_view kSeveral = "not supported yet; prints with one extruder do without";
 constexpr std::string_view kProfile = "describes the profile, not the print";
 constexpr std::string_view kSending = "concerns sending files to a printer";
 constexpr std::string_view kResin = "concerns resin printers";
@@ -30,6 +31,9 @@ constexpr KnownKey kSwitches[] = {
     {"ooze_prevention", kNotYet, "0", true},
     {"perimeter_extruder", kNotYet, "1", true},
     {"solid_infill_extruder", kNotYet, "1", true},
+    {"support_material_extruder", kNotYet, "1", true},
+    {"support_material_interface_contact_loops", kNotYet, "0", true},
+    {"support_material_interface_extruder", kNotYet, "1", true},
     {"toolchange_gcode", kNotYet, "", true},
     {"wipe_into_infill", kNotYet, "0", true},
     {"wipe_into_objects", kNotYet, "0", true},
@@ -44,8 +48,9 @@ struct Group {
 
 /// Settings of features that are not there yet, and those that no slicing ever looks at.
 constexpr Group kGroups[] = {
-    {kNotYet,
-     "bed_temperature_extruder clip_multipart_objects "
+    {kNotYet, "clip_multipart_objects interlocking_*"},
+    {kSeveral,
+     "bed_temperature_extruder "
      "cooling_tube_* "
      "extra_loading_move "
      "filament_cooling_* filament_load_time filament_loading_* "
@@ -55,14 +60,11 @@ constexpr Group kGroups[] = {
      "filament_soluble filament_stamping_* filament_toolchange_delay "
      "filament_unload_time filament_unloading_* "
      "high_current_on_filament_swap "
-     "interlocking_* "
      "mmu_* multimaterial_purging "
      "parking_pos_retraction retract_length_toolchange "
      "retract_restart_extra_toolchange "
      "single_extruder_multi_material_priming "
-     "standby_temperature_delta support_material_extruder support_material_interface_extruder "
-     "support_material_interface_contact_loops "
-     "variable_layer_height "
+     "standby_temperature_delta "
      "wipe_tower_* wiping_volumes_*"},
     {kProfile,
      "bed_custom_model bed_custom_texture color_change_* custom_parameters_* "
@@ -72,7 +74,7 @@ constexpr Group kGroups[] = {
      "nozzle_high_flow physical_printer_settings_id preset_name preset_names print_settings_id "
      "printer_notes "
      "printer_settings_id printer_variant printer_vendor profile_vendor profile_version "
-     "silent_mode"},
+     "silent_mode variable_layer_height"},
     {"decides between several tools, and one prints", "idle_temperature"},
     {"the widths that it has led to are written beside it", "automatic_extrusion_widths"},
     {kProfile, "compatible_*", false},
@@ -85,8 +87,12 @@ std::vector<KnownKey> MakeKnownKeys() {
   std::vector<KnownKey> table(std::begin(kSwitches), std::end(kSwitches));
   for (const Group& group : kGroups) {
     for (const std::string_view key : Split(group.keys, " ")) {
-      table.push_back(
-          {.key = key, .why = group.why, .of_print = group.why == kNotYet, .told = group.told});
+      const bool of_print = group.why == kNotYet || group.why == kSeveral;
+      table.push_back({.key = key,
+                       .why = group.why,
+                       .of_print = of_print,
+                       .told = group.told,
+                       .of_several_extruders = group.why == kSeveral});
     }
   }
   return table;

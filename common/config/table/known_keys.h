@@ -12,11 +12,12 @@ struct KnownKey {
   /// such value.
   std::string_view neutral = {};
   bool has_neutral = false;
-  bool of_print = true;        ///< concerns the print at all, not profiles, hosts or other machines
-  bool changes_print = false;  ///< the part comes out otherwise than asked: worth a warning
+  bool of_print = true;  ///< concerns the print at all, not profiles, hosts or other machines
+  bool changes_print = false;         ///< the part comes out otherwise than asked: worth a warning
   /// Templates may name it, and the G-code quotes it. Not so for what is nobody's business who gets
   /// the file, such as a print host's password.
   bool told = true;
+  bool of_several_extruders = false;  ///< decides between them, and one prints
 };
 
 /// The entry of `key`, or nullptr: not known to PrusaSlicer either, or it has an effect

@@ -104,7 +104,8 @@ void PrintSummary(const SliceOptions& options, const coordinator::JobReport& rep
                      .print_time_s = report.print_time_s,
                      .filament_mm = report.filament.length_mm,
                      .filament_g = report.filament.mass_g,
-                     .settings_without_effect = static_cast<int64_t>(resolved.no_effect.size()),
+                     .settings_without_effect = std::ssize(resolved.no_effect),
+                     .beside_print = resolved.beside_print,
                      .report = options.job.report}),
         result_on_stdout);
 }

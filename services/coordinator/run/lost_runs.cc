@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <string>
 
 #include "common/base/error.h"
 
@@ -41,8 +42,12 @@ LostRuns::LostRuns(const JobRecord& job, int64_t calm_us)
 
 absl::Status LostRuns::MayBegin() const {
   if (!condemned() && rest_us_ == 0) return absl::OkStatus();
-  return MakeError(absl::StatusCode::kInternal, Reason::kJobPoisoned,
-                   fmt::format("{} runs of this job began and came to no end", count_),
+  const std::string text =
+      condemned()
+          ? fmt::format("{} runs of this job began and came to no end", count_)
+          : fmt::format("the job rests: {} of its runs came to no end, and of {} services died",
+                        count_, deadly_);
+  return MakeError(absl::StatusCode::kInternal, Reason::kJobPoisoned, text,
                    {{"lost_runs", fmt::format("{}", count_)}});
 }
 

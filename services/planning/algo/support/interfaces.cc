@@ -1,6 +1,7 @@
 #include "services/planning/algo/support/interfaces.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "common/base/parallel.h"
@@ -82,6 +83,23 @@ MultiPolygon LyingOn(const std::vector<const MultiPolygon*>& part, const MultiPo
   return lying;
 }
 
+/// What of columns is printed beside a sheet of contacts: columns that carry others above it, and
+/// of those that reach it no more than that. The rest has done its work.
+MultiPolygon BesideSheet(const MultiPolygon& columns, const MultiPolygon& sheet,
+                         const MultiPolygon& columns_above) {
+  MultiPolygon beside, reaching;
+  for (const PolygonWithHoles& column : columns)
+    if (!Intersection({column}, sheet).empty())
+      reaching.push_back(column);
+    else if (!Intersection({column}, columns_above).empty())
+      beside.push_back(column);
+  if (reaching.empty()) return beside;
+  MultiPolygon rest = Intersection(reaching, columns_above);
+  if (!rest.empty()) rest = Difference(rest, sheet);
+  std::ranges::move(rest, std::back_inserter(beside));
+  return beside;
+}
+
 /// Contacts of this layer and of the n - 1 above.
 size_t EndOfSheet(size_t layer, size_t count, const SupportOptions& options) {
   return std::min(count, layer + static_cast<size_t>(std::max(1, options.top_interface_layers)));
@@ -157,12 +175,15 @@ std::vector<SupportLayer> ColumnLayers(const SupportProblem& problem, const Supp
   std::vector<SupportLayer> layers(count);
   ForEachIndex(threads, count, [&](size_t i, int) {
     layers[i] = LayerAt(heights, i);
+    const size_t end = EndOfSheet(i, count, options);
     MultiPolygon top;
     if (options.top_interface_layers > 0) {
-      top = UnionOf(contacts, i, EndOfSheet(i, count, options));
+      top = UnionOf(contacts, i, end);
       if (!top.empty()) top = Intersection(FastOffset(top, options.width_nm / 2), columns[i]);
     }
-    MultiPolygon base = top.empty() ? columns[i] : Difference(columns[i], top);
+    MultiPolygon base =
+        top.empty() ? columns[i]
+                    : BesideSheet(columns[i], top, end < count ? columns[end] : MultiPolygon());
     const MultiPolygon bottom = Intersection(floors[i], base);
     if (!bottom.empty()) base = Difference(base, bottom);
     base = WithoutTeeth(base, options.width_nm);

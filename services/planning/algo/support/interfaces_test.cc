@@ -54,6 +54,26 @@ TEST_F(InterfacesTest, OfColumns) {
   }
 }
 
+// What is left of a column beside its contact carries nothing any more.
+TEST_F(InterfacesTest, ColumnsEndWithTheirSheets) {
+  SupportOptions options;
+  options.top_interface_layers = 2;
+  options.bottom_interface_layers = 0;
+  for (MultiPolygon& body : bodies_) body = BoxOf(0, 0, 10, 10);
+  bodies_.back().push_back(BoxOf(20, 0, 30, 10).front());  // of no contact
+  contacts_.back() = BoxOf(0, 0, 6, 10);
+  contacts_[10] = BoxOf(0, 0, 4, 10);  // others go on above it
+  const SupportProblem problem = plate_.Problem();
+  const auto layers = ColumnLayers(problem, Even(), bodies_, contacts_, options, 1);
+  for (size_t i = 0; i < kLayers; ++i) {
+    const double sheet = i >= 18 ? 6 : (i == 9 || i == 10 ? 4 : 0);
+    const double beyond = sheet > 0 ? ToMm(options.width_nm / 2) : 0;
+    EXPECT_NEAR(AreaOf(layers, i, SupportRole::kBase), i >= 18 ? 0 : 100 - 10 * (sheet + beyond),
+                0.1)
+        << i;
+  }
+}
+
 // The lines of a base may pass a narrow island by, and the interface would have nothing below it.
 TEST_F(InterfacesTest, NarrowIslandsUnderContactsAreInterface) {
   SupportOptions options;
