@@ -1,7 +1,6 @@
 #include "services/planning/algo/support/interfaces.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "common/base/parallel.h"
@@ -83,21 +82,11 @@ MultiPolygon LyingOn(const std::vector<const MultiPolygon*>& part, const MultiPo
   return lying;
 }
 
-/// What of columns is printed beside a sheet of contacts: columns that carry others above it, and
-/// of those that reach it no more than that. The rest has done its work.
-MultiPolygon BesideSheet(const MultiPolygon& columns, const MultiPolygon& sheet,
-                         const MultiPolygon& columns_above) {
-  MultiPolygon beside, reaching;
-  for (const PolygonWithHoles& column : columns)
-    if (!Intersection({column}, sheet).empty())
-      reaching.push_back(column);
-    else if (!Intersection({column}, columns_above).empty())
-      beside.push_back(column);
-  if (reaching.empty()) return beside;
-  MultiPolygon rest = Intersection(reaching, columns_above);
-  if (!rest.empty()) rest = Difference(rest, sheet);
-  std::ranges::move(rest, std::back_inserter(beside));
-  return beside;
+/// Takes away what is left of columns beside their sheets and carries nothing above these.
+void DropSpent(const MultiPolygon& columns_above, MultiPolygon& base) {
+  std::erase_if(base, [&](const PolygonWithHoles& island) {
+    return Area(Intersection({island}, columns_above)) < support::kLeastRegionNm2;
+  });
 }
 
 /// Contacts of this layer and of the n - 1 above.
@@ -181,9 +170,9 @@ std::vector<SupportLayer> ColumnLayers(const SupportProblem& problem, const Supp
       top = UnionOf(contacts, i, end);
       if (!top.empty()) top = Intersection(FastOffset(top, options.width_nm / 2), columns[i]);
     }
-    MultiPolygon base =
-        top.empty() ? columns[i]
-                    : BesideSheet(columns[i], top, end < count ? columns[end] : MultiPolygon());
+    MultiPolygon base = top.empty() ? columns[i] : Difference(columns[i], top);
+    if (options.top_interface_layers > 0)
+      DropSpent(end < count ? columns[end] : MultiPolygon(), base);
     const MultiPolygon bottom = Intersection(floors[i], base);
     if (!bottom.empty()) base = Difference(base, bottom);
     base = WithoutTeeth(base, options.width_nm);
