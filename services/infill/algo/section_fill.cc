@@ -20,6 +20,7 @@
 #include "common/model/options/fill_angles.h"
 #include "services/infill/algo/fields/mean_density.h"
 #include "services/infill/algo/ironing.h"
+#include "services/infill/algo/lines/middle_lines.h"
 #include "services/infill/algo/lines/line_flow.h"
 #include "services/infill/algo/quality/fill_plastic.h"
 #include "services/infill/algo/section_view.h"
@@ -116,8 +117,10 @@ class RegionFill {
         angles_(AnglesOf(options, view.layer)),
         flows_(FlowsOf(options)) {}
 
-  /// `field`: what the region's fields say about the layer; null: there are none.
-  absl::Status Fill(const FillArea& fill_area, const LayerField* field, Fills& fills) const {
+  /// `bare`: no wall holds the area. `field`: what the region's fields say about the layer; null:
+  /// there are none.
+  absl::Status Fill(const FillArea& fill_area, bool bare, const LayerField* field,
+                    Fills& fills) const {
     static const MultiPolygon kNone;
     const MultiPolygon* outline = view_.OutlineAt(view_.layer, row_);
     Skins skins = PartFillArea(fill_area.area, outline != nullptr ? *outline : kNone, cover_,
@@ -148,6 +151,8 @@ class RegionFill {
     append(skins.over_bridge, Feature::kSolidOverBridge, inner);
     append(skins.solid, Feature::kSolidInfill, inner);
     if (status.ok()) status = AppendSparse(skins.sparse, field, fills);
+    if (status.ok() && bare && fill_area.role == Role::kSupport && fills.groups.empty())
+      AppendMiddle(skins.sparse, PlainDensity(field), fills);
     if (status.ok() && options_.ironing.enabled) status = AppendIroning(skins, fills);
     return status;
   }
@@ -361,6 +366,15 @@ class RegionFill {
     return AppendSparsePart(Intersection(filled, plan_->combined), fill, fills);
   }
 
+  /// Of a column of supports that the pattern's lines pass by: what the column carries would be
+  /// printed into the air.
+  void AppendMiddle(const MultiPolygon& column, double density, Fills& fills) const {
+    const Coord width_nm = Width(options_.sparse_width_nm);
+    const double least_nm = kMinLoneWidths * static_cast<double>(width_nm);
+    Append({false, MiddleLines(column, width_nm, least_nm)},
+           {Feature::kInternalInfill, std::nullopt, 0, view_.height_nm, density}, fills);
+  }
+
   /// Beads of another height than the layer's are as wide as their plastic would be in the layer.
   absl::Status AppendSparsePart(const MultiPolygon& region, const SparseFill& fill,
                                 Fills& fills) const {
@@ -439,7 +453,8 @@ absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
                                    ToMm(static_cast<double>(view.z_nm)));
       if (!field.ok()) return field.status();
       Fills fills;
-      absl::Status ok = filler->second.Fill(area, field->has_value() ? &**field : nullptr, fills);
+      absl::Status ok = filler->second.Fill(area, result.walls.empty(),
+                                            field->has_value() ? &**field : nullptr, fills);
       if (!ok.ok()) return ok;
       Sign(area, fills);
       std::ranges::move(fills.groups, std::back_inserter(result.fills));

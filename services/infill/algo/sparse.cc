@@ -26,9 +26,6 @@ constexpr double kReachInOctree = 8, kAddedInOctree = 0.9;
 constexpr double kReachInField = 4, kAddedInField = 0.25;
 /// Pieces shorter than this many widths hold nothing.
 constexpr double kMinPieceWidths = 1;
-/// A lone path of a pattern by law is worth a travel from this many widths on: it would be a dot
-/// in a corner, of 0.1 mm3 at most, which no wall and no line needs.
-constexpr double kMinLoneWidths = 2.5;
 
 /// By how much beads are thinned or thickened where the cells of a dithered field come to another
 /// density than it asks for. Smooth surfaces have up to 15 % more lines in some layers than in

@@ -10,6 +10,10 @@
 
 namespace slicefarm::infill {
 
+/// A lone path of a pattern by law is worth a travel from this many widths on: it would be a dot
+/// in a corner, of 0.1 mm3 at most, which no wall and no line needs.
+inline constexpr double kMinLoneWidths = 2.5;
+
 struct SparseFill {
   FillPattern pattern = FillPattern::kGrid;
   double density = 0.2;  ///< (0, 1]

@@ -155,6 +155,22 @@ std::vector<MultiPolygon> Floors(const SupportProblem& problem, const SupportHei
   return floors;
 }
 
+void DropUseless(const Contacts& contacts, Coord narrow_nm, std::vector<MultiPolygon>& columns) {
+  for (size_t i = columns.size(); i-- > 0;) {
+    const auto carries = [&](const PolygonWithHoles& column, const MultiPolygon& above) {
+      return !above.empty() &&
+             Area(Intersection({column}, above)) >= support::kLeastRegionNm2;
+    };
+    std::erase_if(columns[i], [&](const PolygonWithHoles& column) {
+      const Box box = Bounds(column.outer);
+      const Coord width_nm = std::min(box.max.x - box.min.x, box.max.y - box.min.y);
+      if (width_nm >= narrow_nm) return false;
+      return !carries(column, contacts[i]) &&
+             !(i + 1 < columns.size() && carries(column, columns[i + 1]));
+    });
+  }
+}
+
 std::vector<SupportLayer> ColumnLayers(const SupportProblem& problem, const SupportHeights& heights,
                                        const std::vector<MultiPolygon>& columns,
                                        const Contacts& contacts, const SupportOptions& options,

@@ -26,6 +26,11 @@ std::vector<MultiPolygon> Floors(const SupportProblem& problem, const SupportHei
                                  const SupportOptions& options, int threads);
 
 /// Layers of support from columns and the contacts on them.
+/// Takes away islands of columns, narrower than `narrow_nm`, that carry neither a contact nor a
+/// column above them: where what is not free has cut them off. Cost: a boolean operation or two for
+/// each narrow island.
+void DropUseless(const Contacts& contacts, Coord narrow_nm, std::vector<MultiPolygon>& columns);
+
 std::vector<SupportLayer> ColumnLayers(const SupportProblem& problem, const SupportHeights& heights,
                                        const std::vector<MultiPolygon>& columns,
                                        const Contacts& contacts, const SupportOptions& options,

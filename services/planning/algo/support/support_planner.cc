@@ -94,6 +94,7 @@ class Planner {
   absl::Status Raise(const Clearance& clearance) {
     auto columns = Columns(problem_, heights_, contacts_, clearance, options_, threads_, cancel_);
     if (!columns.ok()) return columns.status();
+    DropUseless(contacts_, 2 * (options_.spacing_nm + options_.width_nm), *columns);
     plan_.layers = ColumnLayers(problem_, heights_, *columns, contacts_, options_, threads_);
     return absl::OkStatus();
   }
