@@ -46,7 +46,11 @@ class Planner {
  public:
   Planner(const SupportProblem& problem, const SupportOptions& options, int threads,
           const CancelToken& cancel)
-      : problem_(problem), options_(options), threads_(threads), cancel_(cancel) {}
+      : problem_(problem),
+        options_(options),
+        standing_(options),
+        threads_(threads),
+        cancel_(cancel) {}
 
   absl::StatusOr<SupportPlan> Run() {
     FindOverhangs();
@@ -59,7 +63,7 @@ class Planner {
       const absl::Status made =
           options_.style == SupportStyle::kTree ? Grow(clearance) : Raise(clearance);
       if (!made.ok()) return made;
-      KeepStanding(problem_, options_, threads_, cancel_, plan_.layers);
+      KeepStanding(problem_, standing_, threads_, cancel_, plan_.layers);
     }
     plan_.findings = Findings();
     FindCarried();
@@ -81,21 +85,47 @@ class Planner {
     for (size_t i = 0; i < heights_.under.size(); ++i)
       if (heights_.under[i] >= 0) on[static_cast<size_t>(heights_.under[i])].push_back(i);
     contacts_.resize(count);
+    enforced_.resize(count);
     ForEachIndex(threads_, count, [&](size_t i, int) {
       if (cancel_.Cancelled()) return;
-      MultiPolygon contact;
-      for (const size_t part_layer : on[i])
+      MultiPolygon contact, enforced;
+      for (const size_t part_layer : on[i]) {
         contact = Union(contact, overhangs_[part_layer].contact);
+        if (options_.bed_only) enforced = Union(enforced, EnforcedContact(part_layer));
+      }
       const SupportHeight& height = heights_.layers[i];
       contacts_[i] = clearance.Free(contact, height.bottom_nm, height.top_nm);
+      if (!enforced.empty()) enforced_[i] = Intersection(contacts_[i], enforced);
     });
+  }
+
+  /// What of a contact somebody has marked.
+  MultiPolygon EnforcedContact(size_t part_layer) const {
+    const MultiPolygon* enforcers = problem_.part[part_layer].enforcers;
+    if (enforcers == nullptr || overhangs_[part_layer].contact.empty()) return {};
+    return Intersection(overhangs_[part_layer].contact, FastOffset(*enforcers, options_.width_nm));
   }
 
   absl::Status Raise(const Clearance& clearance) {
     auto columns = Columns(problem_, heights_, contacts_, clearance, options_, threads_, cancel_);
     if (!columns.ok()) return columns.status();
+    if (absl::Status added = AddEnforced(clearance, *columns); !added.ok()) return added;
     DropUseless(contacts_, 2 * (options_.spacing_nm + options_.width_nm), *columns);
-    plan_.layers = ColumnLayers(problem_, heights_, *columns, contacts_, options_, threads_);
+    plan_.layers = ColumnLayers(problem_, heights_, *columns, contacts_, standing_, threads_);
+    return absl::OkStatus();
+  }
+
+  /// Where supports are to stand on the bed alone, those of marked places may stand on the part:
+  /// who marks a place wants it carried.
+  absl::Status AddEnforced(const Clearance& clearance, std::vector<MultiPolygon>& columns) {
+    const auto none = [](const MultiPolygon& contact) { return contact.empty(); };
+    if (std::ranges::all_of(enforced_, none)) return absl::OkStatus();
+    standing_.bed_only = false;
+    auto own = Columns(problem_, heights_, enforced_, clearance, standing_, threads_, cancel_);
+    if (!own.ok()) return own.status();
+    ForEachIndex(threads_, columns.size(), [&](size_t i, int) {
+      if (!(*own)[i].empty()) columns[i] = Union(columns[i], (*own)[i]);
+    });
     return absl::OkStatus();
   }
 
@@ -206,11 +236,13 @@ class Planner {
 
   const SupportProblem& problem_;
   const SupportOptions& options_;
+  SupportOptions standing_;  ///< where supports may stand, after all
   const int threads_;
   const CancelToken& cancel_;
   std::vector<Overhang> overhangs_;
   SupportHeights heights_;
   Contacts contacts_;
+  Contacts enforced_;  ///< of these, what is marked, where supports stand on the bed alone
   SupportPlan plan_;
 };
 

@@ -258,6 +258,25 @@ TEST_P(StyleTest, OnBedOnlyLeavesWhatStandsOverThePart) {
   EXPECT_GT(plan.findings[0].area_mm2, 100);
 }
 
+// Who marks a place wants it carried, wherever its supports have to stand. Branches keep to the bed.
+TEST_P(StyleTest, OnBedOnlyWhatIsMarkedMayStandOnThePart) {
+  const TestStack stack(60, kShapes[5].outline);
+  options_.bed_only = true;
+  SupportProblem problem = stack.Problem();
+  const MultiPolygon left = BoxOf(-100, -100, 5, 100);
+  problem.part[45].enforcers = &left;
+  const SupportPlan plan = Plan(problem, options_);
+  const double uncarried = plan.findings.empty() ? 0 : plan.findings[0].area_mm2;
+  const SupportPlan without = Plan(stack.Problem(), options_);
+  ASSERT_THAT(without.findings, SizeIs(1));
+  if (options_.style == SupportStyle::kTree) {
+    EXPECT_NEAR(uncarried, without.findings[0].area_mm2, 1);
+  } else {
+    EXPECT_LT(uncarried, 0.8 * without.findings[0].area_mm2);
+    EXPECT_GT(uncarried, 0) << "the rest of it is not marked";
+  }
+}
+
 TEST_P(StyleTest, IslandsInTheAirAreToldOf) {
   const TestStack stack(60, [](double z) {
     return z < 5 ? BoxOf(0, 0, 5, 5) : Union(BoxOf(0, 0, 5, 5), BoxOf(10, 0, 14, 4));
