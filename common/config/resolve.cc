@@ -2,8 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <set>
+#include <string_view>
 #include <utility>
+#include <vector>
 
+#include "common/base/text.h"
 #include "common/config/draft.h"
 #include "common/config/process_settings.h"
 #include "common/config/setting_need.h"
@@ -20,6 +24,31 @@ absl::Status CheckLimits(std::span<const Setting> given) {
     status.Update(CheckSettingSize(setting.key, setting.value));
   }
   return status;
+}
+
+/// Which of `given` a later one of the same key replaces: what they say need not hold. A profile's
+/// empty value replaces nothing, as it may be no value at all.
+std::vector<bool> Replaced(std::span<const Setting> given) {
+  std::vector<bool> replaced(given.size());
+  std::set<std::string_view> later;
+  for (size_t i = given.size(); i-- > 0;) {
+    replaced[i] = later.contains(given[i].key);
+    const bool says = given[i].source == Source::kRequest || !Trim(given[i].value).empty();
+    if (says) later.insert(given[i].key);
+  }
+  return replaced;
+}
+
+absl::Status ReadAll(std::span<const Setting> given, SettingReader& reader) {
+  const std::vector<bool> replaced = Replaced(given);
+  for (size_t i = 0; i < given.size(); ++i) {
+    if (replaced[i]) {
+      reader.Skip(given[i]);
+    } else if (absl::Status status = reader.Read(given[i]); !status.ok()) {
+      return status;
+    }
+  }
+  return absl::OkStatus();
 }
 
 /// Gives each value its place.
@@ -44,9 +73,7 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
   const ProcessSettings& own = SettingsOf(process);
   result.settings = own.Standards();
   SettingReader reader(process, own.ListItem(given), parsed);
-  for (const Setting& setting : given) {
-    if (absl::Status status = reader.Read(setting); !status.ok()) return status;
-  }
+  if (absl::Status status = ReadAll(given, reader); !status.ok()) return status;
   ToldSettings told = reader.Told();
   Draft draft = reader.Finish(result);
   TellDerived(draft, told);
@@ -63,7 +90,8 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
 
 namespace {
 
-/// Few jobs have fields, angles by layer, heights by z, or G-code at heights: those that have none do not say so.
+/// Few jobs have fields, angles by layer, heights by z, or G-code at heights: those that have none
+/// do not say so.
 bool IsRare(const SettingSpec& spec) {
   return spec.kind == Kind::kDensityField || spec.kind == Kind::kStressField ||
          spec.kind == Kind::kMaterialField || spec.kind == Kind::kAngles ||

@@ -36,7 +36,8 @@ struct ResolvedSettings {
 };
 
 /// Settings as text to settings as a job needs them: complete, in range, percentages worked out.
-/// Later settings win; what none gives has the standard of settings_table.h.
+/// Later settings win, whatever the earlier ones say; what none gives has the standard of
+/// settings_table.h.
 ///
 /// Errors: REQUEST_TOO_LARGE past the limits, for what the layers' G-code names too;
 /// SETTING_UNKNOWN for a kRequest key that neither slicefarm nor PrusaSlicer knows (metadata

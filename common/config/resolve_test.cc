@@ -158,9 +158,8 @@ TEST(Resolve, TakesAWholeProfile) {
   ours.slicing.thumbnails.clear();
   FdmOf(ours).motion.writing.relative_e = false;
   FdmOf(ours).motion.start_gcode = FdmOf(ours).motion.start_gcode.str() + "; Filament gcode\n";
-  FdmOf(ours).motion.end_gcode =
-      "; Filament-specific end gcode \n;END gcode for filament\n" +
-      FdmOf(ours).motion.end_gcode.str();
+  FdmOf(ours).motion.end_gcode = "; Filament-specific end gcode \n;END gcode for filament\n" +
+                                 FdmOf(ours).motion.end_gcode.str();
   EXPECT_EQ(EffectiveText(resolved.settings), EffectiveText(ours));
   EXPECT_EQ(resolved.settings, ours);
 }
@@ -338,6 +337,39 @@ TEST(Resolve, LetsLaterSettingsWin) {
   EXPECT_EQ(FdmOf(Job({{"perimeters", "2"}, {"perimeters", "4"}})).beading[0].perimeters, 4);
 }
 
+// A remedy that an error names, or another profile, must get through.
+TEST(Resolve, LooksAtNoValueThatALaterOneReplaces) {
+  const Source kSources[] = {Source::kProfile, Source::kRequest};
+  for (const Source last : kSources) {
+    for (const Source first : kSources) {
+      for (const char* bad : {"-3", "many", "", "1e99"}) {
+        const std::vector<Setting> given = {{"perimeters", bad, first}, {"perimeters", "4", last}};
+        EXPECT_EQ(FdmOf(ResolveOrDie(given).settings).beading[0].perimeters, 4) << bad;
+      }
+      const std::vector<Setting> now_bad = {{"perimeters", "4", first}, {"perimeters", "-3", last}};
+      EXPECT_EQ(DetailOf(Resolve(now_bad, Process::kFdm).status()).reason,
+                Reason::kSettingOutOfRange);
+    }
+  }
+}
+
+TEST(Resolve, SaysThatAValueIsReplacedThoughItIsOutOfRange) {
+  EXPECT_THAT(ResolveOrDie(Settings({{"perimeters", "-3"}, {"perimeters", "4"}})).no_effect,
+              Contains("perimeters = -3: overridden by a later perimeters"));
+}
+
+TEST(Resolve, LetsNoEmptyValueOfAProfileReplaceANumber) {
+  const Pairs kPairs = {{"perimeters", "4"}, {"perimeters", ""}};
+  const ResolvedSettings resolved = ResolveOrDie(Settings(kPairs, Source::kProfile));
+  EXPECT_EQ(FdmOf(resolved.settings).beading[0].perimeters, 4);
+}
+
+// PrusaSlicer proposes values up to 35 % and takes larger ones; projects have 60 % and 100 %.
+TEST(Resolve, TakesTreesThatCoverAllOfWhatTheyCarry) {
+  const JobSettings s = Job({{"support_tree_top_rate", "100%"}});
+  EXPECT_DOUBLE_EQ(FdmOf(s).planning.objects[0].support.tree.top_rate, 1);
+}
+
 // The text is the settings: it resolves to them, and to itself.
 TEST(Resolve, ReadsItsOwnEffectiveText) {
   const std::vector<Pairs> kCases = {
@@ -408,8 +440,7 @@ TEST(Resolve, ReportsUnknownKeysOfAProfile) {
 }
 
 TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
-  for (const auto& [key, value] :
-       Pairs{{"colorprint_heights", "5"}, {"post_process", "/bin/rm"}}) {
+  for (const auto& [key, value] : Pairs{{"colorprint_heights", "5"}, {"post_process", "/bin/rm"}}) {
     const ResolvedSettings resolved = ResolveOrDie(Settings({{key, value}}, Source::kProfile));
     EXPECT_THAT(resolved.no_effect, ElementsAre(HasSubstr(key + " = " + value))) << key;
     EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr(key + " = " + value))) << key;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
+#include "common/base/text.h"
 #include "common/config/draft.h"
 #include "common/config/resolve.h"
 #include "common/config/table/known_keys.h"
@@ -33,6 +34,9 @@ class SettingReader {
 
   /// Errors: those of Resolve that are about one setting.
   absl::Status Read(const Setting& setting);
+
+  /// Of a setting that a later one replaces, of whatever source.
+  void Skip(const Setting& setting) { NoteOverridden(setting, Trim(setting.value)); }
 
   /// What was read and no stage works with.
   ToldSettings Told() const;

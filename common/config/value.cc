@@ -163,6 +163,16 @@ std::string QuoteText(std::string_view text) {
   return quoted + '"';
 }
 
+namespace {
+
+/// A corner that is said twice in a row, as files do that close the outline, says nothing.
+void DropRepeated(Polygon& bed) {
+  bed.erase(std::unique(bed.begin(), bed.end()), bed.end());
+  while (bed.size() > 1 && bed.front() == bed.back()) bed.pop_back();
+}
+
+}  // namespace
+
 absl::StatusOr<Polygon> ParseBedShape(std::string_view text) {
   Polygon bed;
   for (const std::string_view corner : Split(text, ",")) {
@@ -172,6 +182,7 @@ absl::StatusOr<Polygon> ParseBedShape(std::string_view text) {
     if (bed.size() > kMaxCorners)
       return Malformed(fmt::format("more than {} corners", kMaxCorners));
   }
+  DropRepeated(bed);
   if (bed.size() < 3) return Malformed("fewer than three corners");
   const Polygon* const outline = &bed;
   if (!AreSimple({&outline, 1})) return Malformed("the outline crosses or touches itself");

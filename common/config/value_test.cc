@@ -121,6 +121,15 @@ TEST(ParseBedShape, TakesConcaveAndOffCentreBeds) {
   EXPECT_TRUE(ParseBedShape("-86.6x-50,86.6x-50,0x100").ok());
 }
 
+TEST(ParseBedShape, DropsRepeatedCorners) {
+  for (const char* text : {"0x0,256x0,256x256,0x256,0x256", "0x0,256x0,256x256,0x256,0x0",
+                           "0x0,0x0,256x0,256x0,256x256,256x256,0x256,0x0,0x0"}) {
+    const auto bed = ParseBedShape(text);
+    ASSERT_TRUE(bed.ok()) << text << bed.status();
+    EXPECT_EQ(PrintBedShape(*bed), "0x0,256x0,256x256,0x256") << text;
+  }
+}
+
 TEST(ParseBedShape, SaysWhatIsWrong) {
   const std::pair<const char*, const char*> kCases[] = {
       {"", "XxY"},
@@ -129,7 +138,8 @@ TEST(ParseBedShape, SaysWhatIsWrong) {
       {"0x0,10x0,axb", "mm"},
       {"0x0,10x10,10x0,0x10", "crosses"},
       {"0x0,10x0,10x10,10x0", "crosses"},
-      {"0x0,0x0,10x0,0x10", "crosses"},
+      {"0x0,10x0,10x0,0x0", "fewer than three"},
+      {"0x0,10x0,10x10,5x5,0x0,5x5,0x10", "crosses"},
       {"0x0,10x0,5x0", "crosses"},
       {"0x0,5000x0,0x10", "from the origin"},
   };

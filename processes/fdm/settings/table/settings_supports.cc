@@ -215,7 +215,7 @@ std::vector<SettingSpec> Trees() {
        .kind = Kind::kPercent,
        .unit = "%",
        .min = 5,
-       .max = 35,
+       .max = 100,
        .standard = "15%",
        .doc = "Share of what is carried that tips cover",
        .field = Bind<Scale::kPercent>(
