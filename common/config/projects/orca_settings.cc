@@ -118,6 +118,7 @@ class OrcaReader {
       known_.insert("exclude_object");
     }
     TakeSlopes();
+    TakeOrganicTrees();
     for (const std::string_view key : {"pressure_advance", "enable_pressure_advance"})
       if (by_key_.contains(key)) known_.emplace(key);
     const auto advance = by_key_.find("pressure_advance");
@@ -182,6 +183,35 @@ class OrcaReader {
     for (const auto& [from, to] : {std::pair{"z_hop", "travel_max_lift"},
                                    std::pair{"filament_z_hop", "filament_travel_max_lift"}})
       if (const auto height = NumberOf(from)) Set(to, PrintNumber(*height), kSource);
+  }
+
+  /// Whether trees are organic ones: so they are by default.
+  bool HasOrganicTrees() const {
+    const auto style = by_key_.find("support_style");
+    if (style == by_key_.end()) return true;
+    const std::string name = FirstOf(style->second->value).value_or("");
+    return name != "tree_slim" && name != "tree_strong" && name != "tree_hybrid";
+  }
+
+  /// OrcaSlicer has some settings twice, for organic trees and for its other ones; projects of
+  /// Bambu Studio have those without an ending only, for both. A place that chooses the style, an
+  /// object for example, has all that goes with it.
+  void TakeOrganicTrees() {
+    constexpr std::pair<std::string_view, std::string_view> kTwice[] = {
+        {"tree_support_branch_angle", "support_tree_angle"},
+        {"tree_support_branch_diameter", "support_tree_branch_diameter"},
+        {"tree_support_branch_distance", "support_tree_branch_distance"}};
+    const auto style = by_key_.find("support_style");
+    const bool styled = style != by_key_.end() && style->second->source == Source::kRequest;
+    for (const auto& [plain, to] : kTwice) {
+      const auto organic = by_key_.find(std::string(plain) + "_organic");
+      if (organic == by_key_.end()) continue;
+      known_.emplace(organic->first);
+      const auto used = HasOrganicTrees() ? organic : by_key_.find(plain);
+      if (used == by_key_.end()) continue;
+      const std::string value = FirstOf(used->second->value).value_or("");
+      if (!value.empty()) Set(to, value, styled ? Source::kRequest : used->second->source);
+    }
   }
 
   bool IsOn(std::string_view key) const {

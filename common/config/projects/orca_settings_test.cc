@@ -221,6 +221,48 @@ TEST(FromOrca, GivesNamesAndValuesOfPrusaSlicer) {
   }
 }
 
+TEST(FromOrca, OrganicTreesHaveSettingsOfTheirOwn) {
+  const std::vector<Setting> trees = {
+      {"tree_support_branch_angle", "40"},   {"tree_support_branch_angle_organic", "50"},
+      {"tree_support_branch_diameter", "5"}, {"tree_support_branch_diameter_organic", "2"},
+      {"tree_support_branch_distance", "5"}, {"tree_support_branch_distance_organic", "1"},
+      {"tree_support_tip_diameter", "0.8"}};
+  const std::vector<std::string> organic = {
+      "support_tree_angle = 50", "support_tree_branch_diameter = 2",
+      "support_tree_branch_distance = 1", "support_tree_tip_diameter = 0.8"};
+  const std::vector<std::string> others = {
+      "support_tree_angle = 40", "support_tree_branch_diameter = 5",
+      "support_tree_branch_distance = 5", "support_tree_tip_diameter = 0.8"};
+  const auto lines = [](const std::vector<Setting>& given) {
+    OrcaUnused unused;
+    std::vector<Setting> taken = FromOrca(given, &unused, 0);
+    std::erase_if(taken, [](const Setting& s) { return s.key == "support_material_style"; });
+    EXPECT_THAT(unused.of_print, IsEmpty());
+    return Lines(taken);
+  };
+  EXPECT_EQ(lines(trees), organic);
+  for (const std::string style : {"default", "organic", "snug", "tree_slim", "tree_strong"}) {
+    std::vector<Setting> given = trees;
+    given.push_back({"support_style", style});
+    EXPECT_EQ(lines(given), style.starts_with("tree_") ? others : organic) << style;
+  }
+  // Bambu Studio.
+  EXPECT_EQ(lines({{"tree_support_branch_angle", "40"}, {"support_style", "organic"}}),
+            std::vector<std::string>{"support_tree_angle = 40"});
+}
+
+/// Of a project, an object that chooses other trees takes their settings with it.
+TEST(FromOrca, WhoChoosesTheTreesHasTheirSettings) {
+  const std::vector<Setting> given = {{"tree_support_branch_angle", "40", Source::kProfile},
+                                      {"tree_support_branch_angle_organic", "50", Source::kProfile},
+                                      {"support_style", "tree_slim", Source::kProfile},
+                                      {"support_style", "organic", Source::kRequest}};
+  const std::vector<Setting> taken = FromOrca(given, nullptr);
+  const auto angle = std::ranges::find(taken, "support_tree_angle", &Setting::key);
+  ASSERT_NE(angle, taken.end());
+  EXPECT_EQ(*angle, (Setting{"support_tree_angle", "50", Source::kRequest}));
+}
+
 TEST(FromOrca, KeepsWhoAsks) {
   const std::vector<Setting> from = {{"wall_loops", "3", Source::kProfile},
                                      {"layer_height", "0.1"}};
