@@ -70,7 +70,9 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
   app.add_flag(
          "--plates", options.plates,
          "A job for each plate of a project, or for as many beds as all parts and copies take; "
-         "-o OUT.gcode gives OUT-1.gcode, OUT-2.gcode, ...")
+         "-o OUT.gcode gives OUT-1.gcode, OUT-2.gcode, ... `slice` makes those that can be made, "
+         "and "
+         "ends with the error of the first that cannot; `submit` makes all or none")
       ->excludes(plate);
   app.add_option("--copies", options.copies,
                  "How often a model, or an object of a project, is printed; may be repeated")

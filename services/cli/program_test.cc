@@ -24,6 +24,7 @@
 #include "services/cli/render/gcode_layer.h"
 #include "services/cli/render/layer_drawing.h"
 #include "services/cli/render/picture_test.h"
+#include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"
 
 extern char** environ;
@@ -109,7 +110,7 @@ TEST_F(Program, HelpNamesEveryCommandAndExitCode) {
   EXPECT_EQ(help.code, ExitCode::kOk);
   for (const char* command :
        {"slice", "submit", "watch", "list", "get", "cancel", "delete", "trace", "webhook", "render",
-         "decompose", "settings", "health", "token", "tsp", "version"}) {
+        "decompose", "settings", "health", "token", "tsp", "version"}) {
     EXPECT_THAT(help.out, HasSubstr(std::string("\n  ") + command + " "));
     const Outcome own = Run({command, "--help"});
     EXPECT_EQ(own.code, ExitCode::kOk) << command;
@@ -141,8 +142,8 @@ constexpr char kComb[] =
 
 TEST_F(Program, FindsAShortTour) {
   Put("comb.tsp", kComb);
-  const Arguments tsp = {"tsp",   Path("comb.tsp"), "--seconds", "1",
-                         "--seed", "3",             "--tour",    Path("comb.tour")};
+  const Arguments tsp = {"tsp", Path("comb.tsp"), "--seconds",      "1", "--seed",
+                         "3",   "--tour",         Path("comb.tour")};
   const Outcome outcome = Run(tsp);
   ASSERT_EQ(outcome.code, ExitCode::kOk) << outcome.err;
   EXPECT_THAT(outcome.out, StartsWith("name comb\nn 12\nlength 12\nlower_bound 12\nseconds "));
@@ -151,8 +152,8 @@ TEST_F(Program, FindsAShortTour) {
   EXPECT_EQ(Run(tsp).code, ExitCode::kOk);
   EXPECT_EQ(Text("comb.tour"), tour) << "the same seed";
   for (const char* start : {"nearest", "greedy", "insertion", "christofides"}) {
-    const Outcome first = Run({"tsp", Path("comb.tsp"), "--start", start, "--moves", "none",
-                               "--local", "--bounds"});
+    const Outcome first =
+        Run({"tsp", Path("comb.tsp"), "--start", start, "--moves", "none", "--local", "--bounds"});
     EXPECT_EQ(first.code, ExitCode::kOk) << start << first.err;
     EXPECT_THAT(first.out, HasSubstr("\nspanning_tree 11\nodd_matching ")) << start;
   }
@@ -291,6 +292,34 @@ TEST_F(Program, NamesFilesAsTheirSettingsSay) {
   EXPECT_TRUE(Exists("folder/cube-1.gcode"));
 }
 
+/// A project of two plates, of which the second is a vase; `plate` is refused for its walls.
+std::string ProjectWithBadPlate(int plate) {
+  namespace threemf = slicing::threemf;
+  const std::string number = "key=\"plater_id\" value=\"" + std::to_string(plate) + "\"/>";
+  threemf::Files files = threemf::BambuFiles();
+  for (auto& [name, text] : files)
+    if (const size_t at = text.find(number); at != std::string::npos)
+      text.insert(at + number.size(), R"(<metadata key="wall_loops" value="-5"/>)");
+  return threemf::Zipped(files);
+}
+
+TEST_F(Program, MakesThePlatesThatCanBeMade) {
+  for (const int bad : {1, 2}) {
+    Put("project.3mf", ProjectWithBadPlate(bad));
+    const std::string output = "bad" + std::to_string(bad);
+    const Arguments slice = {"slice", Path("project.3mf"), "--plates", "-o",
+                             Path(output + ".gcode")};
+    const Outcome outcome = Run(slice);
+    EXPECT_EQ(outcome.code, ExitCode::kBadSettings) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("error: plate " + std::to_string(bad) + ": perimeters"));
+    EXPECT_EQ(Exists(output + "-1.gcode"), bad != 1) << outcome.err;
+    EXPECT_EQ(Exists(output + "-2.gcode"), bad != 2) << outcome.err;
+    Arguments no_plates_fault = slice;
+    no_plates_fault.insert(no_plates_fault.end(), {"--set", "perimeters=-4"});
+    EXPECT_THAT(Run(no_plates_fault).err, StartsWith("error: perimeters = -4"));
+  }
+}
+
 TEST_F(Program, PausesAtAHeight) {
   const Outcome outcome = Slice(
       {"--set", R"(custom_gcode_per_print_z=[{"z":1,"type":"pause","text":"insert the nut"}])"});
@@ -310,9 +339,9 @@ TEST_F(Program, SlicesAPlateOfSeveralModels) {
   EXPECT_EQ(report["meshes"][0]["name"], "cube.obj");
   EXPECT_EQ(report["meshes"][1]["name"], "bar.obj");
   const std::string gcode = Text("out.gcode");
-  for (const char* label : {"; printing object cube.obj id:0 copy 0\n",
-                            "; printing object cube.obj id:0 copy 2\n",
-                            "; printing object bar.obj id:1 copy 0\n"})
+  for (const char* label :
+       {"; printing object cube.obj id:0 copy 0\n", "; printing object cube.obj id:0 copy 2\n",
+        "; printing object bar.obj id:1 copy 0\n"})
     EXPECT_THAT(gcode, HasSubstr(label));
   EXPECT_THAT(gcode, Not(HasSubstr("id:0 copy 3\n")));
   EXPECT_THAT(gcode, HasSubstr(";Z:5\n"));
@@ -450,11 +479,11 @@ INSTANTIATE_TEST_SUITE_P(
                     {"slice", "@cube.obj", "-o", "@out.gcode", "--object-set", "perimeters=2"},
                     ExitCode::kUsage,
                     "--object-set perimeters=2"},
-        FailureCase{"SettingOfTheJobForAnObject",
-                    {"slice", "@cube.obj", "-o", "@out.gcode", "--object-set",
-                     "cube.obj:temperature=210"},
-                    ExitCode::kBadSettings,
-                    "temperature"},
+        FailureCase{
+            "SettingOfTheJobForAnObject",
+            {"slice", "@cube.obj", "-o", "@out.gcode", "--object-set", "cube.obj:temperature=210"},
+            ExitCode::kBadSettings,
+            "temperature"},
         FailureCase{"SecondModelMissing",
                     {"slice", "@cube.obj", "@none.stl", "-o", "@out.gcode"},
                     ExitCode::kUsage,
@@ -576,10 +605,9 @@ TEST_F(Program, SubmitsAndFetches) {
 TEST_F(Program, SubmitsAPlateOfSeveralModels) {
   Put("bar.obj", kBar);
   FakeCoordinator server;
-  const Outcome outcome =
-      Run({"submit", Path("cube.obj"), Path("bar.obj"), Path("cube.obj"), "-o", Path("out.gcode"),
-           "--server", server.address(), "--copies", "bar.obj=4", "--object-set",
-           "bar.obj:perimeters=1"});
+  const Outcome outcome = Run({"submit", Path("cube.obj"), Path("bar.obj"), Path("cube.obj"), "-o",
+                               Path("out.gcode"), "--server", server.address(), "--copies",
+                               "bar.obj=4", "--object-set", "bar.obj:perimeters=1"});
   ASSERT_EQ(outcome.code, ExitCode::kOk) << outcome.err;
   EXPECT_EQ(server.meshes.size(), 2) << "the same file is sent once";
   const v1::JobSpec& spec = server.created.spec();

@@ -110,17 +110,21 @@ void PrintSummary(const SliceOptions& options, const coordinator::JobReport& rep
         result_on_stdout);
 }
 
-ExitCode SlicePlate(SliceOptions options, std::vector<MeshFile> files, const GivenPlate& given,
+/// Of one of the `models`, whose files it takes.
+ExitCode SlicePlate(SliceOptions options, std::vector<MeshFile> files, const GivenModels& models,
                     const std::vector<Setting>& settings, size_t plate, Interrupt& interrupt) {
+  const GivenPlate& given = models.plates[plate];
+  const auto fail = [&](const absl::Status& why) { return Fail(OfPlate(models, plate, why)); };
+  if (!given.refused.ok()) return fail(given.refused);
   const auto resolved = Resolve(given, settings, options.job.process);
   if (resolved.ok()) Warn(resolved->warnings);
   Warn(given.warnings);
-  if (!resolved.ok()) return Fail(resolved.status());
+  if (!resolved.ok()) return fail(resolved.status());
   auto output = Run(options, InputOf(std::move(files), *resolved), interrupt);
   if (!output.ok()) {
     const bool mesh = ExitCodeOf(output.status()) == ExitCode::kBadMesh;
     const bool one = options.job.models.size() == 1;
-    return Fail(mesh && one ? InFile(options.job.models[0], output.status()) : output.status());
+    return fail(mesh && one ? InFile(options.job.models[0], output.status()) : output.status());
   }
   options.output = NamedOutput(options.job, options.output, output->report.file_name, plate);
   options.job.report = OutputOf(options.job, options.job.report, plate);
@@ -130,6 +134,25 @@ ExitCode SlicePlate(SliceOptions options, std::vector<MeshFile> files, const Giv
   Warn(config::SettingsOf(options.job.process).NameWarnings(resolved->settings, options.output));
   PrintSummary(options, output->report, *resolved);
   return ExitCode::kOk;
+}
+
+/// Whether the next plate may do better.
+bool IsOfPlate(ExitCode code) {
+  return code == ExitCode::kBadSettings || code == ExitCode::kBadMesh || code == ExitCode::kUsage;
+}
+
+/// Makes the plates that can be made. Returns the first error's code.
+ExitCode SlicePlates(const SliceOptions& options, GivenModels models,
+                     const std::vector<Setting>& settings, Interrupt& interrupt) {
+  ExitCode first = ExitCode::kOk;
+  for (size_t i = 0; i < models.plates.size(); ++i) {
+    const bool last = i + 1 == models.plates.size();
+    std::vector<MeshFile> files = last ? std::move(models.files) : models.files;
+    const ExitCode code = SlicePlate(options, std::move(files), models, settings, i, interrupt);
+    if (first == ExitCode::kOk) first = code;
+    if (code != ExitCode::kOk && !IsOfPlate(code)) return code;
+  }
+  return first;
 }
 
 ExitCode Slice(SliceOptions options, Interrupt& interrupt) {
@@ -145,19 +168,13 @@ ExitCode Slice(SliceOptions options, Interrupt& interrupt) {
   if (!settings.ok()) return Fail(settings.status());
   auto models = ReadModels(options.job);
   if (!models.ok()) return Fail(models.status());
-  if (absl::Status ok = PutOnBeds(options.job, *settings, *models); !ok.ok()) return Fail(ok);
+  PutOnBeds(options.job, *settings, *models);
+  if (absl::Status all = ErrorOfAll(*models); !all.ok()) return Fail(all);
   for (size_t i = 0; i < models->plates.size(); ++i) {
     absl::Status may = CheckWritable(options.job, options.output, i);
     if (!may.ok()) return Fail(may);
   }
-  for (size_t i = 0; i < models->plates.size(); ++i) {
-    const bool last = i + 1 == models->plates.size();
-    std::vector<MeshFile> files = last ? std::move(models->files) : models->files;
-    const ExitCode code =
-        SlicePlate(options, std::move(files), models->plates[i], *settings, i, interrupt);
-    if (code != ExitCode::kOk) return code;
-  }
-  return ExitCode::kOk;
+  return SlicePlates(options, *std::move(models), *settings, interrupt);
 }
 
 }  // namespace

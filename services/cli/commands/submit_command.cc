@@ -136,6 +136,7 @@ absl::StatusOr<std::vector<v1::Job>> Create(const SubmitOptions& options, JobsCl
   if (!settings.ok()) return settings.status();
   const auto models = ReadModels(options.job);
   if (!models.ok()) return models.status();
+  if (absl::Status all = CheckPlates(*models); !all.ok()) return all;
   for (size_t i = 0; i < models->plates.size(); ++i)
     if (absl::Status may = CheckWritable(options.job, options.output, i); !may.ok()) return may;
   std::vector<v1::CreateJobRequest> requests;

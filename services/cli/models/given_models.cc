@@ -59,8 +59,7 @@ class PlateReader {
 
  private:
   absl::Status Read(const std::string& path) {
-    const auto [file, is_new] =
-        files_.try_emplace(path, static_cast<int32_t>(given_.files.size()));
+    const auto [file, is_new] = files_.try_emplace(path, static_cast<int32_t>(given_.files.size()));
     if (is_new) {
       auto read = ReadModelFile(path);
       if (!read.ok()) return read.status();
@@ -104,9 +103,10 @@ class PlateReader {
     if (turn == Placement() && centers.empty()) return absl::OkStatus();
     for (Instance& instance : object.instances) {
       if (instance.placed) {
-        return Malformed(fmt::format("--scale, --rotate, --rotate-z and --center would move what "
-                                     "{} has placed; with --arrange it is placed anew",
-                                     path));
+        return Malformed(
+            fmt::format("--scale, --rotate, --rotate-z and --center would move what "
+                        "{} has placed; with --arrange it is placed anew",
+                        path));
       }
       instance.to_plate = Combined(TransformOf(turn), instance.to_plate);
     }
@@ -146,9 +146,10 @@ class PlateReader {
       for (NamedObject& named : objects_) {
         if (!named.IsCalled(of.name)) continue;
         if (named.IsPlaced()) {
-          return Malformed(fmt::format("--copies {}: the project has placed it; with --arrange its "
-                                       "copies are placed anew",
-                                       text));
+          return Malformed(
+              fmt::format("--copies {}: the project has placed it; with --arrange its "
+                          "copies are placed anew",
+                          text));
         }
         named.object.instances.assign(static_cast<size_t>(*count), named.object.instances.front());
       }
@@ -160,9 +161,10 @@ class PlateReader {
     for (const std::string& text : options_.object_sets) {
       const OfModel of = TakeApart(text, ':', KnownNames());
       if (of.name.empty()) {
-        return Malformed(fmt::format("--object-set {}: MODEL:key=value is needed, with one of the "
-                                     "models",
-                                     text));
+        return Malformed(
+            fmt::format("--object-set {}: MODEL:key=value is needed, with one of the "
+                        "models",
+                        text));
       }
       const auto setting = ParseSet("--object-set", of.what);
       if (!setting.ok()) return setting.status();
@@ -202,8 +204,7 @@ absl::StatusOr<std::vector<int>> PlatesToPrint(const JobOptions& options) {
 /// The plate's copies on as many beds as it takes.
 absl::StatusOr<std::vector<GivenPlate>> OnBeds(const std::vector<MeshFile>& files,
                                                const GivenPlate& plate,
-                                               const std::vector<Setting>& given,
-                                               Process process) {
+                                               const std::vector<Setting>& given, Process process) {
   const auto resolved = config::ResolvePlate(SettingsOf(plate, given), plate.objects, process);
   if (!resolved.ok()) return resolved.status();
   const auto places = slicing::MakeLocalArranging()->PutOnPlates(
@@ -223,9 +224,16 @@ absl::StatusOr<GivenModels> ReadAllPlates(const JobOptions& options) {
   GivenModels all;
   for (const int number : *numbers) {
     auto one = PlateReader(options, number).Run();
+    if (!one.ok() && DetailOf(one.status()).reason == Reason::kNothingToPrint) {
+      all.plates.push_back({.number = number, .refused = one.status()});
+      continue;
+    }
     if (!one.ok()) return one.status();
     all.files = std::move(one->files);
-    std::ranges::move(one->plates, std::back_inserter(all.plates));
+    for (GivenPlate& plate : one->plates) {
+      plate.number = number;
+      all.plates.push_back(std::move(plate));
+    }
   }
   return all;
 }
@@ -237,17 +245,38 @@ absl::StatusOr<GivenModels> ReadModels(const JobOptions& options) {
   return PlateReader(options, options.plate).Run();
 }
 
-absl::Status PutOnBeds(const JobOptions& options, const std::vector<Setting>& given,
-                       GivenModels& models) {
-  if (!options.plates) return absl::OkStatus();
+void PutOnBeds(const JobOptions& options, const std::vector<Setting>& given, GivenModels& models) {
+  if (!options.plates) return;
   std::vector<GivenPlate> all;
-  for (const GivenPlate& plate : models.plates) {
-    auto beds = OnBeds(models.files, plate, given, options.process);
-    if (!beds.ok()) return beds.status();
-    std::ranges::move(*beds, std::back_inserter(all));
+  for (GivenPlate& plate : models.plates) {
+    if (plate.refused.ok()) {
+      auto beds = OnBeds(models.files, plate, given, options.process);
+      plate.refused = beds.status();
+      if (beds.ok()) std::ranges::move(*beds, std::back_inserter(all));
+    }
+    if (!plate.refused.ok()) all.push_back(std::move(plate));
   }
   models.plates = std::move(all);
+}
+
+absl::Status OfPlate(const GivenModels& models, size_t plate, const absl::Status& status) {
+  if (models.plates.size() == 1 || status.ok()) return status;
+  const int of_project = models.plates[plate].number;
+  const int number = of_project > 0 ? of_project : static_cast<int>(plate) + 1;
+  return InFile(fmt::format("plate {}", number), status);
+}
+
+absl::Status CheckPlates(const GivenModels& models) {
+  for (size_t i = 0; i < models.plates.size(); ++i)
+    if (!models.plates[i].refused.ok()) return OfPlate(models, i, models.plates[i].refused);
   return absl::OkStatus();
+}
+
+absl::Status ErrorOfAll(const GivenModels& models) {
+  const absl::Status& first = models.plates.front().refused;
+  const bool alike = std::ranges::all_of(
+      models.plates, [&](const GivenPlate& plate) { return plate.refused == first; });
+  return alike ? first : absl::OkStatus();
 }
 
 std::vector<Setting> SettingsOf(const GivenPlate& plate, const std::vector<Setting>& given) {

@@ -12,10 +12,12 @@ namespace slicefarm::cli {
 
 /// What one job prints.
 struct GivenPlate {
-  std::vector<SceneObject> objects;
-  std::vector<Setting> settings;            ///< of projects; those given by hand win
-  std::vector<std::string> without_effect;  ///< what projects have besides
-  std::vector<std::string> warnings;        ///< of projects, to be shown
+  int number = 0;  ///< in the project, from 1; 0: what is no plate of a project
+  absl::Status refused = {};  ///< why it cannot be made; else it has objects
+  std::vector<SceneObject> objects = {};
+  std::vector<Setting> settings = {};            ///< of projects; those given by hand win
+  std::vector<std::string> without_effect = {};  ///< what projects have besides
+  std::vector<std::string> warnings = {};        ///< of projects, to be shown
 };
 
 /// The files of the models, and the objects that are made of them. A model that is named twice is
@@ -30,13 +32,23 @@ struct GivenModels {
 /// of the plate that is chosen.
 ///
 /// Errors: REQUEST_MALFORMED naming the option or the file, also for options that would move what a
-/// project has placed; MESH_TOO_LARGE; those of reading a project and of config::JobOfProject.
+/// project has placed; MESH_TOO_LARGE; those of reading a project and of config::JobOfProject. With
+/// --plates, a plate without anything to print is refused, and the others are there.
 absl::StatusOr<GivenModels> ReadModels(const JobOptions& options);
 
 /// With --plates: each plate as many as it takes beds to put its copies on. `given`: the job's
-/// settings, which have the bed. Errors: those of config::ResolvePlate and of arranging.
-absl::Status PutOnBeds(const JobOptions& options, const std::vector<Setting>& given,
-                       GivenModels& models);
+/// settings, which have the bed. Refuses plates with the errors of config::ResolvePlate and of
+/// arranging.
+void PutOnBeds(const JobOptions& options, const std::vector<Setting>& given, GivenModels& models);
+
+/// The error of the plate with this index, which it names where there are several.
+absl::Status OfPlate(const GivenModels& models, size_t plate, const absl::Status& status);
+
+/// That of the first plate that is refused.
+absl::Status CheckPlates(const GivenModels& models);
+
+/// The error that all plates are refused for alike, as for a setting that is unknown; else OK.
+absl::Status ErrorOfAll(const GivenModels& models);
 
 /// The settings of a plate's projects, then those given by hand.
 std::vector<Setting> SettingsOf(const GivenPlate& plate, const std::vector<Setting>& given);

@@ -234,12 +234,22 @@ TEST(PutOnBeds, CopiesTakeAsManyPlatesAsNeeded) {
   auto models = ReadModels(options);
   ASSERT_TRUE(models.ok()) << models.status();
   ASSERT_EQ(models->plates.size(), 1);
-  const absl::Status put = PutOnBeds(options, bed, *models);
-  ASSERT_TRUE(put.ok()) << put;
+  PutOnBeds(options, bed, *models);
+  EXPECT_TRUE(CheckPlates(*models).ok()) << CheckPlates(*models);
   ASSERT_GE(models->plates.size(), 2);
   size_t copies = 0;
   for (const GivenPlate& plate : models->plates) copies += plate.objects[0].instances.size();
   EXPECT_EQ(copies, 20);
+}
+
+TEST(CheckPlates, NamesThePlate) {
+  GivenModels models;
+  models.plates.push_back({.refused = Malformed("why")});
+  EXPECT_EQ(CheckPlates(models).message(), "why");
+  models.plates.insert(models.plates.begin(), GivenPlate{.number = 2});
+  EXPECT_EQ(CheckPlates(models).message(), "plate 2: why") << "of models, by the result's number";
+  models.plates[1].number = 7;
+  EXPECT_EQ(CheckPlates(models).message(), "plate 7: why");
 }
 
 TEST(OutputOf, NumbersThePlates) {
