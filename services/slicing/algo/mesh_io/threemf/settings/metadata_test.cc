@@ -89,5 +89,15 @@ TEST(FilesWithoutEffect, AreNamedInWords) {
   EXPECT_THAT(*idle, testing::ElementsAre("changes of tool at certain heights"));
 }
 
+TEST(FilesWithoutEffect, AreAllSettingsOfCura) {
+  Files files = CubeFiles();
+  files.emplace_back("Cura/Ender.global.cfg", "[general]\n");
+  files.emplace_back("Cura/pla.xml.fdm_material", "<fdmmaterial/>");
+  const std::string bytes = Zipped(files);
+  EXPECT_THAT(*FilesWithoutEffect(*Archive::Open(bytes)),
+              testing::ElementsAre("settings of this Cura project, which are not read (give a "
+                                   "profile with --config)"));
+}
+
 }  // namespace
 }  // namespace slicefarm::slicing::threemf::metadata_test
