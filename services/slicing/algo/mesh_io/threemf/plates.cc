@@ -1,14 +1,11 @@
 #include "services/slicing/algo/mesh_io/threemf/plates.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
 
-#include "common/base/text.h"
-#include "common/model/limits.h"
-#include "services/slicing/algo/mesh_io/text_lines.h"
+#include "services/slicing/algo/mesh_io/threemf/bed_box.h"
 
 namespace slicefarm::slicing::threemf {
 namespace {
@@ -17,35 +14,6 @@ using Member = ProjectPlate::Member;
 
 /// From one plate to the next, in beds.
 constexpr double kPlatePitch = 1.2;
-
-/// mm; width and depth of the bed's bounding box.
-using BedSize = std::array<double, 2>;
-
-/// Of `["0x0","256x0","256x256","0x256"]`.
-std::optional<BedSize> ParseBedSize(std::string_view area) {
-  std::array<double, 2> least = {INFINITY, INFINITY}, most = {-INFINITY, -INFINITY};
-  for (const std::string_view corner : Split(area, "[]\", ")) {
-    const size_t cross = corner.find('x');
-    if (cross == std::string_view::npos) continue;
-    const std::array<std::optional<double>, 2> at = {ParseNumber(corner.substr(0, cross)),
-                                                     ParseNumber(corner.substr(cross + 1))};
-    for (size_t axis = 0; axis < 2; ++axis) {
-      if (!at[axis]) return std::nullopt;
-      least[axis] = std::min(least[axis], *at[axis]);
-      most[axis] = std::max(most[axis], *at[axis]);
-    }
-  }
-  const BedSize size = {most[0] - least[0], most[1] - least[1]};
-  const auto good = [](double mm) { return mm > 0 && mm <= limits::kMaxMeshCoordinateMm; };
-  return good(size[0]) && good(size[1]) ? std::optional(size) : std::nullopt;
-}
-
-std::optional<BedSize> BedSizeOf(const std::vector<Setting>& settings) {
-  const auto found = std::find_if(settings.begin(), settings.end(), [](const Setting& setting) {
-    return setting.key == "printable_area";
-  });
-  return found == settings.end() ? std::nullopt : ParseBedSize(found->value);
-}
 
 /// The plates by their numbers, if these are 1, 2, 3, ... in some order; else as the file has them.
 std::vector<const PlateSettings*> InOrder(const std::vector<PlateSettings>& plates) {
@@ -61,7 +29,7 @@ std::vector<const PlateSettings*> InOrder(const std::vector<PlateSettings>& plat
 
 class PlateLayout {
  public:
-  PlateLayout(size_t count, const std::optional<BedSize>& bed)
+  PlateLayout(size_t count, const std::optional<BedBox>& bed)
       : columns_(static_cast<size_t>(std::ceil(std::sqrt(static_cast<double>(count))))),
         bed_(bed) {}
 
@@ -72,13 +40,13 @@ class PlateLayout {
       instance.placed = false;
       return;
     }
-    instance.to_plate(0, 3) -= static_cast<double>(index % columns_) * kPlatePitch * (*bed_)[0];
-    instance.to_plate(1, 3) += static_cast<double>(index / columns_) * kPlatePitch * (*bed_)[1];
+    instance.to_plate(0, 3) -= static_cast<double>(index % columns_) * kPlatePitch * bed_->size[0];
+    instance.to_plate(1, 3) += static_cast<double>(index / columns_) * kPlatePitch * bed_->size[1];
   }
 
  private:
   size_t columns_;
-  std::optional<BedSize> bed_;
+  std::optional<BedBox> bed_;
 };
 
 std::optional<Member> Find(const PlateSettings::Member& named, const ItemsOfObject& items) {
@@ -92,7 +60,7 @@ std::optional<Member> Find(const PlateSettings::Member& named, const ItemsOfObje
 
 void AddPlates(const std::vector<PlateSettings>& plates, const ItemsOfObject& items,
                Project& project, Notes& notes) {
-  const PlateLayout layout(plates.size(), BedSizeOf(project.settings));
+  const PlateLayout layout(plates.size(), BedBoxOf(project.settings, "printable_area"));
   const std::vector<const PlateSettings*> order = InOrder(plates);
   std::set<std::pair<int32_t, int32_t>> on_plates;
   for (size_t i = 0; i < order.size(); ++i) {

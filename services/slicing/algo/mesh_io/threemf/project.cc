@@ -7,6 +7,7 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "services/slicing/algo/mesh_io/threemf/beds.h"
 #include "services/slicing/algo/mesh_io/threemf/components.h"
 #include "services/slicing/algo/mesh_io/threemf/parts.h"
 #include "services/slicing/algo/mesh_io/threemf/place.h"
@@ -42,6 +43,7 @@ class ProjectBuilder {
                        "the file has nothing to build");
     if (!metadata_.has_printer && HasPlaces(package_.files.front().items))
       notes_.Add("places on the bed (the file has no settings of a printer)", {});
+    AddBeds(metadata_.beds, project_, notes_);
     AddPlates(metadata_.model.plates, items_, project_, notes_);
     project_.without_effect = notes_.Lines();
     if (absl::Status status = CheckTextBytes(); !status.ok()) return status;

@@ -91,6 +91,20 @@ TEST(MakeProject, ObjectsOfOtherFilesHaveSettingsAndPlates) {
   EXPECT_EQ(project->objects[0].name, "object 1");
 }
 
+TEST(MakeProject, BedsArePlates) {
+  Package package = PackageOf(2);
+  package.files[0].items[1].transform(0, 3) = 500;
+  Metadata metadata;
+  metadata.has_printer = true;
+  metadata.project.settings.push_back({"bed_shape", "0x0,300x0,300x400,0x400"});
+  metadata.beds.resize(2);
+  const auto project = MakeProject(package, metadata);
+  ASSERT_TRUE(project.ok()) << project.status();
+  ASSERT_EQ(project->plates.size(), 2u);
+  for (const ProjectPlate& plate : project->plates) EXPECT_EQ(plate.members.size(), 1u);
+  EXPECT_NEAR(project->objects[1].instances[0].to_plate(0, 3), 100, 1e-9);
+}
+
 TEST(MakeProject, NotesWhatIsNoModel) {
   Package package = PackageOf(2);
   package.files[0].objects[1].type = "support";

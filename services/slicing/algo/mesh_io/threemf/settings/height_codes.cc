@@ -1,5 +1,7 @@
 #include "services/slicing/algo/mesh_io/threemf/settings/height_codes.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -36,15 +38,25 @@ std::string LinesOf(std::string_view text) {
   return lines;
 }
 
+/// PrusaSlicer's element for all codes of a bed.
+constexpr std::string_view kOfBed = "custom_gcodes_per_print_z";
+
+/// With several beds PrusaSlicer writes several roots, which is no XML: gives them one.
+std::string WithOneRoot(std::string_view text) {
+  const std::string element = fmt::format("<{}", kOfBed);
+  const size_t first = text.find(element);
+  if (first == std::string_view::npos || text.find(element, first + 1) == std::string_view::npos)
+    return std::string(text);
+  return fmt::format("{}<beds>{}</beds>", text.substr(0, first), text.substr(first));
+}
+
 /// <code print_z type color extra>, or <layer top_z ...> in a <plate> with <plate_info id>.
 class HeightCodesHandler : public XmlHandler {
  public:
   absl::Status Start(std::string_view name, XmlAttributes attributes, int64_t) override {
     if (name == "plate") plate_ = ++plates_;
-    if (name == "plate_info")
-      if (const auto id = ParseNumber(Find(attributes, "id").value_or(""));
-          id && *id >= 1 && *id <= limits::kMaxProjectPlates)
-        plate_ = static_cast<int64_t>(*id);
+    if (name == "plate_info") TakePlate(Find(attributes, "id"), 1);
+    if (name == kOfBed) TakePlate(Find(attributes, "bed_idx"), 0);
     if (name == "code") return Add(attributes, "print_z");
     return name == "layer" ? Add(attributes, "top_z") : absl::OkStatus();
   }
@@ -54,6 +66,12 @@ class HeightCodesHandler : public XmlHandler {
   PlateHeightCodes Take() && { return std::move(codes_); }
 
  private:
+  void TakePlate(std::optional<std::string_view> number, int64_t first) {
+    const auto plate = ParseNumber(number.value_or(""));
+    if (plate && *plate >= static_cast<double>(first) && *plate < limits::kMaxProjectPlates)
+      plate_ = static_cast<int64_t>(*plate) - first + 1;
+  }
+
   absl::Status Add(XmlAttributes attributes, std::string_view height) {
     const std::optional<double> z = ParseNumber(Find(attributes, height).value_or(""));
     const double most_mm = ToMm(static_cast<double>(limits::kMaxPrintHeight));
@@ -96,7 +114,7 @@ class HeightCodesHandler : public XmlHandler {
 
 absl::StatusOr<PlateHeightCodes> ReadHeightCodes(std::string_view text, const std::string& part) {
   HeightCodesHandler handler;
-  absl::Status status = ParseXml(text, part, handler);
+  absl::Status status = ParseXml(WithOneRoot(text), part, handler);
   if (!status.ok()) return status;
   return std::move(handler).Take();
 }

@@ -11,11 +11,11 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// What a project does at heights of the print, by plate. PrusaSlicer's projects have plate 1.
+/// What a project does at heights of the print, by plate. PrusaSlicer's plates are its beds.
 using PlateHeightCodes = std::map<int64_t, std::vector<HeightCode>>;
 
 /// Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml or Metadata/custom_gcode_per_layer.xml: the
-/// same codes, of which the second has lists by plate. Changes of tool are left out. Errors: those
+/// same codes, in lists by bed or by plate. Changes of tool are left out. Errors: those
 /// of XmlParser; MESH_MALFORMED for heights and types that are no numbers; MESH_TOO_LARGE.
 absl::StatusOr<PlateHeightCodes> ReadHeightCodes(std::string_view text, const std::string& part);
 

@@ -1,5 +1,7 @@
 #include "services/slicing/algo/mesh_io/threemf/settings/metadata.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -53,10 +55,33 @@ absl::StatusOr<T> ReadIfThere(const Archive& archive, std::string_view name, con
   return read(*text, entry->name);
 }
 
+/// PrusaSlicer 2.9 says where the wipe tower stands on each of its beds: so one knows how many
+/// there are. The file has an element for each and is no whole XML.
+size_t CountBeds(std::string_view wipe_towers) {
+  constexpr int kMostBeds = 9;  // PrusaSlicer's
+  for (int index = kMostBeds - 1; index > 0; --index)
+    if (wipe_towers.find(fmt::format("bed_idx=\"{}\"", index)) != std::string_view::npos)
+      return static_cast<size_t>(index) + 1;
+  return 1;
+}
+
+absl::StatusOr<std::vector<PlateSettings>> ReadBeds(const Archive& archive) {
+  const auto count =
+      ReadIfThere<size_t>(archive, "Metadata/Prusa_Slicer_wipe_tower_information.xml",
+                          [](std::string_view text, const std::string&) -> absl::StatusOr<size_t> {
+                            return CountBeds(text);
+                          });
+  if (!count.ok()) return count.status();
+  std::vector<PlateSettings> beds(*count > 1 ? *count : 0);
+  for (size_t i = 0; i < beds.size(); ++i) beds[i].number = static_cast<int64_t>(i) + 1;
+  return beds;
+}
+
 /// What is done at heights is a setting of the plate, or where there are none of the project.
 absl::Status AddHeightCodes(const PlateHeightCodes& codes, Metadata& metadata) {
   constexpr std::string_view kKey = "custom_gcode_per_print_z";
-  std::vector<PlateSettings>& plates = metadata.model.plates;
+  std::vector<PlateSettings>& plates =
+      metadata.beds.empty() ? metadata.model.plates : metadata.beds;
   if (plates.empty()) {
     const auto first = codes.find(1);
     if (first == codes.end()) return absl::OkStatus();
@@ -86,6 +111,10 @@ absl::StatusOr<Metadata> ReadMetadata(const Archive& archive) {
   absl::StatusOr<ModelSettings> model =
       ReadIfThere<ModelSettings>(archive, names.model, ReadModelSettings);
   if (!model.ok()) return model.status();
+  absl::StatusOr<std::vector<PlateSettings>> beds = std::vector<PlateSettings>();
+  if (!orca) beds = ReadBeds(archive);
+  if (!beds.ok()) return beds.status();
+  metadata.beds = *std::move(beds);
   absl::StatusOr<HeightRanges> ranges =
       ReadIfThere<HeightRanges>(archive, names.ranges, ReadHeightRanges);
   if (!ranges.ok()) return ranges.status();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "absl/status/statusor.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/height_profiles.h"
@@ -14,6 +16,7 @@ struct Metadata {
   SettingsDialect dialect = SettingsDialect::kPrusa;
   ProjectSettings project;
   ModelSettings model;
+  std::vector<PlateSettings> beds;  ///< PrusaSlicer's, without members; none if there is but one
   HeightRanges ranges;
   HeightProfiles profiles;
   /// Whether the project was saved for some printer: only then its places mean anything.

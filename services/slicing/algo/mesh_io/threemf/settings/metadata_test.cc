@@ -54,6 +54,37 @@ TEST(ReadMetadata, WhatIsDoneAtHeightsIsASetting) {
   }
 }
 
+/// PrusaSlicer writes an element for each bed, and none around them.
+TEST(ReadMetadata, BedsArePlates) {
+  Files files = PrusaFiles();
+  files.emplace_back("Metadata/Prusa_Slicer_wipe_tower_information.xml",
+                     "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n"
+                     "<wipe_tower_information bed_idx=\"0\" position_x=\"170\"/>\n"
+                     "<wipe_tower_information bed_idx=\"1\" position_x=\"170\"/>\n"
+                     "<wipe_tower_information bed_idx=\"2\" position_x=\"170\"/>");
+  files.emplace_back("Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml",
+                     "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n"
+                     R"(<custom_gcodes_per_print_z bed_idx="0"><mode value="SingleExtruder"/>)"
+                     "</custom_gcodes_per_print_z>\n"
+                     R"(<custom_gcodes_per_print_z bed_idx="2"><code print_z="1.2" type="1" )"
+                     R"(extra="nut"/></custom_gcodes_per_print_z>)");
+  const auto metadata = Read(files);
+  ASSERT_TRUE(metadata.ok()) << metadata.status();
+  ASSERT_EQ(metadata->beds.size(), 3u);
+  for (const PlateSettings& bed : metadata->beds)
+    EXPECT_EQ(bed.settings.empty(), bed.number != 3) << bed.number;
+  EXPECT_EQ(metadata->project.settings.size(), 2u);
+}
+
+TEST(ReadMetadata, OneBedIsNoPlate) {
+  Files files = PrusaFiles();
+  files.emplace_back("Metadata/Prusa_Slicer_wipe_tower_information.xml",
+                     "<wipe_tower_information bed_idx=\"0\" position_x=\"170\"/>");
+  const auto metadata = Read(files);
+  ASSERT_TRUE(metadata.ok()) << metadata.status();
+  EXPECT_TRUE(metadata->beds.empty());
+}
+
 TEST(ReadMetadata, NamesTheFileThatIsWrong) {
   for (const std::string name : {"Metadata/Slic3r_PE.config", "Metadata/Slic3r_PE_model.config",
                                  "Metadata/Prusa_Slicer_layer_config_ranges.xml"}) {
