@@ -90,13 +90,14 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
 
 namespace {
 
-/// Few jobs have fields, angles by layer, heights by z, or G-code at heights: those that have none
-/// do not say so.
+/// Few jobs have fields, angles by layer, heights by z, or G-code at heights or of the filament:
+/// those that have none do not say so.
 bool IsRare(const SettingSpec& spec) {
   return spec.kind == Kind::kDensityField || spec.kind == Kind::kStressField ||
          spec.kind == Kind::kMaterialField || spec.kind == Kind::kAngles ||
          spec.kind == Kind::kHeightCode || spec.kind == Kind::kLayerHeights ||
-         spec.kind == Kind::kSubstitutions;
+         spec.kind == Kind::kSubstitutions ||
+         (spec.kind == Kind::kGcode && spec.list == List::kPerExtruder);
 }
 
 }  // namespace
@@ -105,9 +106,9 @@ std::string EffectiveText(const JobSettings& settings, const ToldSettings& told)
   ToldSettings all = told;
   for (const SettingSpec& spec : SettingsTable(settings.process())) {
     if (spec.field.get == nullptr) continue;
-    std::string value = PrintValue(spec, spec.field.get(settings));
-    if (IsRare(spec) && value.empty()) continue;
-    all[std::string(spec.key)] = std::move(value);
+    const Value value = spec.field.get(settings);
+    if (IsRare(spec) && value.text.str().empty()) continue;
+    all[std::string(spec.key)] = PrintValue(spec, value);
   }
   std::string text;
   for (const auto& [key, value] : all) text += fmt::format("{} = {}\n", key, value);

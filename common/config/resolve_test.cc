@@ -157,9 +157,10 @@ TEST(Resolve, TakesAWholeProfile) {
   FdmOf(ours).infill[0].pattern = FillPattern::kStars;
   ours.slicing.thumbnails.clear();
   FdmOf(ours).motion.writing.relative_e = false;
-  FdmOf(ours).motion.start_gcode = FdmOf(ours).motion.start_gcode.str() + "; Filament gcode\n";
-  FdmOf(ours).motion.end_gcode = "; Filament-specific end gcode \n;END gcode for filament\n" +
-                                 FdmOf(ours).motion.end_gcode.str();
+  FdmOf(ours).motion.start_filament_gcode = "; Filament gcode\n";
+  FdmOf(ours).motion.end_gcode =
+      "; Filament-specific end gcode \n;END gcode for filament\n" +
+      FdmOf(ours).motion.end_gcode.str();
   EXPECT_EQ(EffectiveText(resolved.settings), EffectiveText(ours));
   EXPECT_EQ(resolved.settings, ours);
 }
@@ -324,8 +325,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "0"},
         DerivedCase{"FilamentGcodeAfterStart",
                     {{"start_gcode", "G28"}, {"start_filament_gcode", "\"M900 K0.05\\n\""}},
-                    "start_gcode",
-                    "G28\\nM900 K0.05\\n"},
+                    "start_filament_gcode",
+                    "\"M900 K0.05\\n\""},
         DerivedCase{"FilamentGcodeBeforeEnd",
                     {{"end_gcode", "M84"}, {"end_filament_gcode", "M900 K0"}},
                     "end_gcode",
@@ -386,6 +387,7 @@ TEST(Resolve, ReadsItsOwnEffectiveText) {
        {"default_acceleration", "900"}},
       {{"start_gcode", "\\ \\\tG28\\n G1 \\ "}, {"filament_settings_id", "\" blanks \""}},
       {{"end_filament_gcode", "\" M900 \""}},
+      {{"start_filament_gcode", "\" M117 \\\"a;b\\\"\\n\";\"M900\""}},
       {{"filament_retract_length", "0.3"}, {"max_volumetric_speed", "7.5"}, {"infill_speed", "0"}},
   };
   for (const Pairs& given : kCases) {
@@ -816,11 +818,9 @@ TEST(Resolve, BoundsNumberAndSize) {
   EXPECT_EQ(DetailOf(Refusal({{"start_gcode", big}})).reason, Reason::kRequestTooLarge);
   EXPECT_EQ(DetailOf(Refusal({{big, "1"}})).reason, Reason::kRequestTooLarge);
   const std::string half(limits::kMaxSettingBytes / 2 + 1, 'x');  // two that become one
-  for (const std::string at : {"start", "end"}) {
-    const absl::Status refusal = Refusal({{at + "_gcode", half}, {at + "_filament_gcode", half}});
-    EXPECT_EQ(DetailOf(refusal).reason, Reason::kRequestTooLarge) << refusal;
-    EXPECT_THAT(std::string(refusal.message()), HasSubstr(at + "_gcode"));
-  }
+  const absl::Status refusal = Refusal({{"end_gcode", half}, {"end_filament_gcode", half}});
+  EXPECT_EQ(DetailOf(refusal).reason, Reason::kRequestTooLarge) << refusal;
+  EXPECT_THAT(std::string(refusal.message()), HasSubstr("end_gcode"));
 }
 
 TEST(Resolve, CompleteObjectsAreArrangedWithRoomForTheHead) {

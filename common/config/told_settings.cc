@@ -89,7 +89,7 @@ void TellDerived(const Draft& draft, ToldSettings& told) {
     if (table[i].field.get != nullptr || !entry.given || !entry.value.has_value()) continue;
     // What a profile lists without need leaves no trace: the same job, the same bytes.
     if (IsStandard(table[i], entry.written)) continue;
-    // The filament's own G-code is part of start_gcode and end_gcode; it must not come twice.
+    // The filament's own G-code that ends is part of end_gcode; it must not come twice.
     if (table[i].kind != Kind::kGcode) Tell(table[i].key, entry.written, told);
   }
 }

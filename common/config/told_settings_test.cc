@@ -59,15 +59,16 @@ TEST(ToldSettings, StandInTheEffectiveText) {
   const ResolvedSettings resolved = ResolveOrDie(
       "print_settings_id = 0.20mm QUALITY\nfilament_notes = \"a\\nb\"\nspiral_vase = 0\n"
       "extrusion_width = 0.45\nmax_volumetric_speed = 0\nfilament_retract_lift = "
-      "nil\nstart_filament_gcode = \"M900\"\n"
+      "nil\nend_filament_gcode = \"M900\"\nstart_filament_gcode = \"M901\"\n"
       "printhost_password = secret\nperimeters = 2\n");
   const std::string& text = resolved.effective_text;
-  for (const char* line : {"print_settings_id = 0.20mm QUALITY\n", "filament_notes = \"a\\nb\"\n",
-                           "spiral_vase = 0\n", "\nextrusion_width = 0.45\n", "perimeters = 2\n"}) {
+  for (const char* line :
+       {"print_settings_id = 0.20mm QUALITY\n", "filament_notes = \"a\\nb\"\n", "spiral_vase = 0\n",
+        "\nextrusion_width = 0.45\n", "perimeters = 2\n", "start_filament_gcode = M901\n"}) {
     EXPECT_THAT(text, HasSubstr(line));
   }
   for (const char* none :
-       {"secret", "filament_retract_lift", "start_filament_gcode", "\nmax_volumetric_speed"}) {
+       {"secret", "filament_retract_lift", "end_filament_gcode", "\nmax_volumetric_speed"}) {
     EXPECT_THAT(text, Not(HasSubstr(none)));
   }
 }

@@ -20,8 +20,9 @@ bool AnyName(const Template& code, const Test& test) {
 
 bool LayersWait(const JobCode& code) {
   std::set<std::string> globals;
-  for (const Template* part : {&code.start, &code.before_layer, &code.layer, &code.between_objects,
-                               &code.color_change, &code.pause, &code.at_height})
+  for (const Template* part :
+       {&code.start, &code.start_filament, &code.before_layer, &code.layer, &code.between_objects,
+        &code.color_change, &code.pause, &code.at_height})
     globals.merge(GlobalsOf(*part));
   const auto waits = [&](const std::string& name) {
     // How many layers there are is known beforehand.
@@ -38,6 +39,7 @@ absl::StatusOr<JobCode> ParseJobCode(const MotionOptions& options) {
   JobCode code;
   const TemplatePlace places[] = {
       {"start_gcode", options.start_gcode.str(), code.start},
+      {"start_filament_gcode", options.start_filament_gcode.str(), code.start_filament},
       {"before_layer_gcode", options.before_layer_gcode.str(), code.before_layer},
       {"layer_gcode", options.layer_gcode.str(), code.layer},
       {"between_objects_gcode", options.between_objects_gcode.str(), code.between_objects},
@@ -63,8 +65,8 @@ absl::Status CheckJobCode(const MotionOptions& options, std::string_view setting
   const TemplateScope scope = {settings, print};
   TemplateMemory memory;
   for (const Template* part :
-       {&code->start, &code->before_layer, &code->layer, &code->color_change, &code->pause,
-        &code->at_height, &code->between_objects, &code->end, &code->file_name})
+       {&code->start, &code->start_filament, &code->before_layer, &code->layer, &code->color_change,
+        &code->pause, &code->at_height, &code->between_objects, &code->end, &code->file_name})
     if (absl::Status status = CheckTemplate(*part, scope, memory); !status.ok()) return status;
   return absl::OkStatus();
 }
@@ -73,11 +75,11 @@ bool NamesClock(const JobCode& code) {
   const auto is_clock = [](const std::string& name) {
     return std::ranges::find(kClock, name) != std::end(kClock);
   };
-  return AnyName(code.start, is_clock) || AnyName(code.before_layer, is_clock) ||
-         AnyName(code.layer, is_clock) || AnyName(code.between_objects, is_clock) ||
-         AnyName(code.color_change, is_clock) || AnyName(code.pause, is_clock) ||
-         AnyName(code.at_height, is_clock) || AnyName(code.end, is_clock) ||
-         AnyName(code.file_name, is_clock);
+  return AnyName(code.start, is_clock) || AnyName(code.start_filament, is_clock) ||
+         AnyName(code.before_layer, is_clock) || AnyName(code.layer, is_clock) ||
+         AnyName(code.between_objects, is_clock) || AnyName(code.color_change, is_clock) ||
+         AnyName(code.pause, is_clock) || AnyName(code.at_height, is_clock) ||
+         AnyName(code.end, is_clock) || AnyName(code.file_name, is_clock);
 }
 
 }  // namespace slicefarm::macro

@@ -13,6 +13,7 @@ namespace slicefarm::macro {
 /// The G-code templates of a job, parsed.
 struct JobCode {
   Template start;
+  Template start_filament;
   Template before_layer;
   Template layer;
   Template between_objects;

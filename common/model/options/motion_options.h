@@ -208,6 +208,8 @@ struct MotionOptions {
   bool progress = false;   ///< remaining_times: M73 before each layer
   double z_offset_mm = 0;  ///< z_offset
   SharedText start_gcode = "G28 ; home all axes\nG1 Z5 F5000 ; lift nozzle\n";  ///< start_gcode
+  /// start_filament_gcode: after start_gcode, when all is hot and the tool is chosen.
+  SharedText start_filament_gcode;
   SharedText end_gcode =
       "M104 S0 ; turn off temperature\nG28 X0 ; home X axis\nM84 ; disable motors\n";
   SharedText before_layer_gcode;  ///< before_layer_gcode

@@ -394,6 +394,7 @@ v1::MotionOptions ToProto(const MotionOptions& options) {
   proto.set_progress(options.progress);
   proto.set_z_offset_mm(options.z_offset_mm);
   proto.set_start_gcode(options.start_gcode.str());
+  proto.set_start_filament_gcode(options.start_filament_gcode.str());
   proto.set_end_gcode(options.end_gcode.str());
   proto.set_before_layer_gcode(options.before_layer_gcode.str());
   proto.set_layer_gcode(options.layer_gcode.str());
@@ -426,6 +427,7 @@ absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto) {
   options.progress = proto.progress();
   options.z_offset_mm = proto.z_offset_mm();
   options.start_gcode = proto.start_gcode();
+  options.start_filament_gcode = proto.start_filament_gcode();
   options.end_gcode = proto.end_gcode();
   options.before_layer_gcode = proto.before_layer_gcode();
   options.layer_gcode = proto.layer_gcode();

@@ -349,8 +349,8 @@ MotionOptions DistinctMotion() {
          filament_type, filament_colour, filament_settings_id, printer_model, temperature,
          first_layer_temperature, bed_temperature, first_layer_bed_temperature, chamber_temperature,
          chamber_least, emit_temperatures, tool, nozzle_heating, bed_heating, progress, z_offset,
-         start_gcode, end_gcode, before_layer_gcode, layer_gcode, layer_settings, labels,
-         between_objects_gcode, max_print_height, arc_fitting, resolution, material_field,
+         start_gcode, start_filament_gcode, end_gcode, before_layer_gcode, layer_gcode,
+         layer_settings, labels, between_objects_gcode, max_print_height, arc_fitting, resolution, material_field,
          writing] = options;
   flavor = GcodeFlavor::kKlipper;
   limits = DistinctLimits();
@@ -417,6 +417,7 @@ MotionOptions DistinctMotion() {
   progress = true;
   z_offset = -531;
   start_gcode = "start";
+  start_filament_gcode = "filament";
   end_gcode = "end";
   before_layer_gcode = "before";
   layer_gcode = "layer";
@@ -710,6 +711,7 @@ constexpr char kDistinct[] = R"pb(
     progress: true
     z_offset_mm: -531
     start_gcode: "start"
+    start_filament_gcode: "filament"
     end_gcode: "end"
     before_layer_gcode: "before"
     layer_gcode: "layer"

@@ -42,14 +42,10 @@ absl::Status Renamed(const absl::Status& status, ErrorDetail detail, std::string
 }  // namespace
 
 absl::Status JoinFilamentGcode(Draft& draft) {
-  SharedText& start = draft.At("start_gcode").value->text;
   SharedText& end = draft.At("end_gcode").value->text;
-  start = CodeOfBoth(start.str(), Text(draft, "start_filament_gcode"));
   end = CodeOfBoth(Text(draft, "end_filament_gcode"), end.str());
   // The two together are one setting to the stages.
-  absl::Status status = CheckSettingSize("start_gcode", start);
-  status.Update(CheckSettingSize("end_gcode", end));
-  return status;
+  return CheckSettingSize("end_gcode", end);
 }
 
 absl::Status NamingOwnGcode(const absl::Status& status, const Draft& draft) {
@@ -59,12 +55,6 @@ absl::Status NamingOwnGcode(const absl::Status& status, const Draft& draft) {
   if (status.ok() || setting == detail.metadata.end() || at == detail.metadata.end() ||
       !absl::SimpleAtoi(at->second, &line))
     return status;
-  if (setting->second == "start_gcode") {
-    const int32_t own = LinesOf(Text(draft, "start_filament_gcode"));
-    const int32_t before = LinesOf(Text(draft, "start_gcode")) - own;
-    if (own == 0 || line <= before) return status;
-    return Renamed(status, detail, "start_filament_gcode", line - before);
-  }
   if (setting->second != "end_gcode") return status;
   const int32_t own = LinesOf(Text(draft, "end_filament_gcode"));
   if (line <= own) return Renamed(status, detail, "end_filament_gcode", line);

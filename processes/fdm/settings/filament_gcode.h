@@ -5,12 +5,13 @@
 
 namespace slicefarm::config::fdm {
 
-/// The filament's own G-code is the last before the layers and the first after them: to the stages
-/// it is the end of start_gcode and the beginning of end_gcode.
+/// The filament's own G-code is the first after the layers: to the stages it is the beginning of
+/// end_gcode. What it has before the layers stays apart from start_gcode, since the machine is
+/// heated between the two.
 /// Errors: those of CheckSettingSize.
 absl::Status JoinFilamentGcode(Draft& draft);
 
-/// An error in a line of start_gcode or end_gcode (metadata `setting` and `line`), with the setting
+/// An error in a line of end_gcode (metadata `setting` and `line`), with the setting
 /// that the line is written in, and its line there. Other errors as they are.
 absl::Status NamingOwnGcode(const absl::Status& status, const Draft& draft);
 

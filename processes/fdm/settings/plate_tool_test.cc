@@ -155,7 +155,7 @@ TEST(ResolvePlate, TakesTheFilamentOfTheTool) {
   EXPECT_EQ(motion.retraction.length_mm, 1.2);
   EXPECT_EQ(motion.filament_density_g_cm3, 1.24);
   EXPECT_EQ(motion.tool, 1);
-  EXPECT_THAT(motion.start_gcode, HasSubstr("; two"));
+  EXPECT_EQ(motion.start_filament_gcode, "; two");
 }
 
 }  // namespace

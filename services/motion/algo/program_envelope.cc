@@ -4,11 +4,11 @@
 #include <string>
 #include <utility>
 
+#include "common/gcode/gcode_text.h"
 #include "common/macro/job_code.h"
 #include "common/model/filament_use.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/gcode/extruder_words.h"
-#include "common/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/machine_setup.h"
 #include "services/motion/algo/gcode/object_labels.h"
 #include "services/motion/algo/gcode/print_metadata.h"
@@ -53,14 +53,14 @@ std::string Head(const ProgramSummary& summary, const MotionOptions& options, do
 }
 
 std::string Prologue(const ProgramSummary& summary, const MotionOptions& options, double time_s,
-                     std::string_view start_gcode) {
+                     const StartCode& start) {
   const Firmware& firmware = FirmwareOf(options.flavor);
   const PrintFacts facts = FactsOf(summary, options, time_s);
   GcodeText out;
   out << firmware.comments().feature << "Custom\n";
   WriteMachineLimits(options, out);
   firmware.WriteChecks(options, facts, out);
-  WriteStart(options, start_gcode, out);
+  WriteStart(options, start, out);
   if (options.pressure_advance > 0) firmware.WritePressureAdvance(options.pressure_advance, out);
   DefineCopies(summary.copies, options, out);
   ExtruderWords extruder(options);
@@ -108,7 +108,7 @@ absl::StatusOr<FrameText> TextOf(const macro::JobCode& code, const ProgramSummar
   if (!filled.ok()) return filled.status();
   text.head = Head(summary, options, time_s);
   text.file_name = FileName(filled->file_name, options.writing.binary);
-  text.prologue = Prologue(summary, options, time_s, filled->start);
+  text.prologue = Prologue(summary, options, time_s, {filled->start, filled->start_filament});
   for (size_t i = 0; i < text.changes.size(); ++i)
     text.ways.push_back(GcodeOf(text.changes[i], filled->between[i], options));
   for (std::string& layer : filled->layers) {

@@ -29,14 +29,13 @@ class BuddyFirmware : public MarlinFirmware {
   /// Start G-code that checks by itself knows better.
   void WriteChecks(const MotionOptions& options, const PrintFacts& facts,
                    GcodeText& out) const override {
-    if (!Commands(options.start_gcode, {"M862"})) {
+    if (!StartCommands(options, {"M862"})) {
       out << "M862.1 P";
       out.Real(options.nozzle_diameter_mm, 3) << '\n';
       if (!options.printer_model.empty())
         out << "M862.3 P \"" << Quotable(options.printer_model) << "\"\n";
     }
-    if (!facts.bounds.Empty() && !Commands(options.start_gcode, {"M555"}))
-      WriteArea(facts.bounds, out);
+    if (!facts.bounds.Empty() && !StartCommands(options, {"M555"})) WriteArea(facts.bounds, out);
   }
 
  private:

@@ -30,28 +30,36 @@ void WriteTool(const MotionOptions& options, std::string_view start_gcode, Gcode
 
 }  // namespace
 
-void WriteStart(const MotionOptions& options, std::string_view start_gcode, GcodeText& out) {
+void WriteStart(const MotionOptions& options, const StartCode& code, GcodeText& out) {
   const bool leaves = !options.emit_temperatures;
-  const bool sets_bed = leaves || Commands(start_gcode, {"M140", "M190"});
-  const bool sets_nozzle = leaves || Commands(start_gcode, {"M104", "M109"});
-  const bool sets_chamber = leaves || Commands(start_gcode, {"M141", "M191"});
+  const bool sets_bed = leaves || Commands(code.machine, {"M140", "M190"});
+  const bool sets_nozzle = leaves || Commands(code.machine, {"M104", "M109"});
+  const bool sets_chamber = leaves || Commands(code.machine, {"M141", "M191"});
   if (!sets_chamber) WriteTemperature("M141", options.chamber_temperature_c, out);
   if (!sets_bed) WriteTemperature("M190", options.first_layer_bed_temperature_c, out);
   if (!sets_nozzle) WriteTemperature("M104", options.first_layer_temperature_c, out);
-  out.Lines(start_gcode);
+  out.Lines(code.machine);
   if (!sets_nozzle) WriteTemperature("M109", options.first_layer_temperature_c, out);
   if (!sets_chamber) WriteTemperature("M191", options.chamber_least_c, out);
   if (!sets_chamber) WriteTemperature("M141", options.chamber_temperature_c, out);
-  WriteTool(options, start_gcode, out);
+  WriteTool(options, code.machine, out);
+  out.Lines(code.filament);
+}
+
+bool StartCommands(const MotionOptions& options, std::initializer_list<std::string_view> commands) {
+  return Commands(options.start_gcode, commands) ||
+         Commands(options.start_filament_gcode, commands);
 }
 
 MachineLimits LimitsAfterStart(const MotionOptions& options) {
   const Firmware& firmware = FirmwareOf(options.flavor);
   MachineLimits limits = options.limits;
-  for (const std::string_view text : Split(options.start_gcode, "\n")) {
-    const GcodeLine line = ParseGcodeLine(text);
-    if (line.fault.empty() && text.find_first_of("{[") == text.npos)
-      firmware.ApplyLimits(line, limits);
+  for (const SharedText* code : {&options.start_gcode, &options.start_filament_gcode}) {
+    for (const std::string_view text : Split(*code, "\n")) {
+      const GcodeLine line = ParseGcodeLine(text);
+      if (line.fault.empty() && text.find_first_of("{[") == text.npos)
+        firmware.ApplyLimits(line, limits);
+    }
   }
   if (options.default_acceleration_mm_s2 > 0)
     limits.max_acceleration_extruding_mm_s2 = options.limits.max_acceleration_extruding_mm_s2;

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "common/model/options/motion_options.h"
 #include "common/gcode/gcode_text.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion {
 
@@ -15,14 +15,24 @@ void WriteMachineLimits(const MotionOptions& options, GcodeText& out);
 /// `M104 S210`; nothing for 0, which leaves the temperature as it is.
 void WriteTemperature(std::string_view command, int32_t celsius, GcodeText& out);
 
-/// Writes the start G-code, already filled in, and heats up around it: the bed before, the nozzle
-/// and the chamber begun before and waited for after; but leaves to the start G-code what it does by
-/// itself, or all of it (emit_temperatures). Then it chooses the tool, if there are several.
+/// G-code before the layers, filled in.
+struct StartCode {
+  std::string_view machine;   ///< start_gcode
+  std::string_view filament;  ///< start_filament_gcode
+};
+
+/// Writes the machine's start G-code and heats up around it: the bed before, the nozzle and the
+/// chamber begun before and waited for after; but leaves to it what it does by itself, or all of it
+/// (emit_temperatures). Then it chooses the tool, if there are several, and writes the filament's:
+/// temperatures there come on top of those that were waited for.
 /// Source: PrusaSlicer.
-void WriteStart(const MotionOptions& options, std::string_view start_gcode, GcodeText& out);
+void WriteStart(const MotionOptions& options, const StartCode& code, GcodeText& out);
 
 /// Whether some line of `gcode` is one of the commands, such as "M104".
 bool Commands(std::string_view gcode, std::initializer_list<std::string_view> commands);
+
+/// Whether start G-code, the machine's or the filament's, has one of the commands.
+bool StartCommands(const MotionOptions& options, std::initializer_list<std::string_view> commands);
 
 /// The limits that the layers run with: what start G-code says (M201, SET_VELOCITY_LIMIT, ...)
 /// holds over the settings. Accelerations that the layers tell by themselves stay the settings'.

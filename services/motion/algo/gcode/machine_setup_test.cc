@@ -34,12 +34,13 @@ TEST(WriteMachineLimits, Klipper) {
             "SET_VELOCITY_LIMIT VELOCITY=300 ACCEL=1500 SQUARE_CORNER_VELOCITY=5\n");
 }
 
-std::string Start(std::string_view start_gcode) {
+std::string Start(std::string_view machine, std::string_view filament = {}, int32_t tool = -1) {
   MotionOptions options;
   options.first_layer_temperature_c = 215;
   options.first_layer_bed_temperature_c = 60;
   GcodeText out;
-  WriteStart(options, start_gcode, out);
+  options.tool = tool;
+  WriteStart(options, {machine, filament}, out);
   return out.Take();
 }
 
@@ -51,6 +52,15 @@ TEST(WriteStart, LeavesTheStartGcodeItsWay) {
   EXPECT_EQ(Start("M104 S200\nG28\n"), "M190 S60\nM104 S200\nG28\n");
   EXPECT_EQ(Start("M140 S50\nG28\n"), "M104 S215\nM140 S50\nG28\nM109 S215\n");
   EXPECT_EQ(Start(""), "M190 S60\nM104 S215\nM109 S215\n");
+}
+
+// A filament that sets its temperature by itself waits for nothing: the print would begin cold.
+TEST(WriteStart, HeatsUpBeforeTheFilamentsCode) {
+  EXPECT_EQ(Start("G28", "M104 S215\nG4 S2"),
+            "M190 S60\nM104 S215\nG28\nM109 S215\nM104 S215\nG4 S2\n");
+  EXPECT_EQ(Start("G28\n", "M140 S60\n"), "M190 S60\nM104 S215\nG28\nM109 S215\nM140 S60\n");
+  EXPECT_EQ(Start("M109 S200\nM190 S50", "M900 K1"), "M109 S200\nM190 S50\nM900 K1\n");
+  EXPECT_EQ(Start("M109 S200\nM190 S50", "M900 K1", 1), "M109 S200\nM190 S50\nT1\nM900 K1\n");
 }
 
 TEST(Commands, AreWholeWordsAtTheStartOfALine) {
@@ -69,6 +79,8 @@ TEST(LimitsAfterStart, StartGcodeHoldsOverTheSettings) {
   EXPECT_EQ(limits.max_acceleration_mm_s2, options.limits.max_acceleration_mm_s2);
   EXPECT_EQ(limits.max_feedrate_mm_s[0], 90);
   EXPECT_EQ(limits.max_acceleration_extruding_mm_s2, 600);
+  options.start_filament_gcode = "M203 X80";
+  EXPECT_EQ(LimitsAfterStart(options).max_feedrate_mm_s[0], 80);
   options.default_acceleration_mm_s2 = 1000;
   EXPECT_EQ(LimitsAfterStart(options).max_acceleration_extruding_mm_s2,
             options.limits.max_acceleration_extruding_mm_s2)

@@ -28,6 +28,7 @@ class CodeWalk {
     // Before the first layer there is none.
     Put({.number = -1, .print_z_nm = 0, .top_nm = TopOf(summary_)}, 0);
     if (absl::Status ok = Add(code_.start, filled.start); !ok.ok()) return ok;
+    if (absl::Status ok = Add(code_.start_filament, filled.start_filament); !ok.ok()) return ok;
     if (absl::Status ok = AddLayers(changes, filled); !ok.ok()) return ok;
     Put(Last(), summary_.total.FilamentMm());
     if (absl::Status ok = Add(code_.end, filled.end); !ok.ok()) return ok;

@@ -15,6 +15,7 @@ namespace slicefarm::motion {
 /// A job's templates, filled in.
 struct PrintCode {
   std::string start;
+  std::string start_filament;
   std::vector<std::string> between;  ///< between_objects_gcode, by pass change
   /// before_layer_gcode and layer_gcode of each layer if they wait for the others; or none.
   std::vector<std::string> layers;

@@ -59,12 +59,14 @@ TEST(FillIn, SumsRunFromLayerToLayer) {
 
 TEST(FillIn, GlobalsLiveOverBlocks) {
   MotionOptions options;
-  options.start_gcode = "{global count = 10}";
+  options.start_gcode = "{global count = 9}";
+  options.start_filament_gcode = "{count = count + 1}{count}";
   options.before_layer_gcode = "{count = count + 1}";
   options.layer_gcode = "{count}";
   options.between_objects_gcode = "{count = 20}";
   options.end_gcode = "{count}";
   const PrintCode code = Filled(options);
+  EXPECT_EQ(code.start_filament, "10");
   EXPECT_THAT(code.layers, ElementsAre("", "11", "", "12", "", "21", "", "22"));
   EXPECT_EQ(code.end, "22");
 }
