@@ -11,11 +11,13 @@ namespace {
 /// More than fit into any brim.
 constexpr int32_t kAllLines = 1'000;
 
-double DensityOf(RaftLayerKind kind, const RaftLines& lines) {
-  if (kind == RaftLayerKind::kInterface) return 1;
+/// Rafts end in the supports' interface, and have its gaps.
+double DensityOf(RaftLayerKind kind, const RaftLines& lines, const SupportOptions& support) {
   if (kind == RaftLayerKind::kFirst) return lines.first_layer_density;
   const auto width = static_cast<double>(lines.width_nm);
-  return width / (width + static_cast<double>(lines.spacing_nm));
+  const Coord gap_nm =
+      kind == RaftLayerKind::kInterface ? support.interface_spacing_nm : lines.spacing_nm;
+  return width / (width + static_cast<double>(gap_nm));
 }
 
 }  // namespace
@@ -36,6 +38,7 @@ JobSettings BrimRow(JobSettings settings) {
 
 JobSettings RaftRow(JobSettings settings, int32_t layer) {
   const RaftOptions& raft = FdmOf(settings).planning.objects.front().raft;
+  const SupportOptions& support = FdmOf(settings).planning.objects.front().support;
   const int32_t layers = raft.heights.layers;
   const RaftLayerKind kind = RaftLayerKindOf(layer, layers);
   SetWidths(raft.lines.width_nm, settings);
@@ -47,7 +50,8 @@ JobSettings RaftRow(JobSettings settings, int32_t layer) {
   const bool two_bases = layers / 2 > 1;
   const bool across =
       kind == RaftLayerKind::kInterface || (kind == RaftLayerKind::kFirst && two_bases);
-  FillAlike(DensityOf(kind, raft.lines), raft.lines.angle_rad + (across ? std::numbers::pi / 2 : 0),
+  FillAlike(DensityOf(kind, raft.lines, support),
+            raft.lines.angle_rad + (across ? std::numbers::pi / 2 : 0),
             FdmOf(settings).infill.front());
   InfillOptions& infill = FdmOf(settings).infill.front();
   if (beading.perimeters == 0) infill.overlap_nm = 0;

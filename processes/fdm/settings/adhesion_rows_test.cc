@@ -77,5 +77,14 @@ TEST(RaftRow, DensityAndAngleOfEachLayer) {
   }
 }
 
+TEST(RaftRow, InterfacesHaveTheSupportsGaps) {
+  const JobSettings job = Resolved({{"raft_layers", "3"},
+                                    {"support_material_interface_spacing", "1"},
+                                    {"support_material_extrusion_width", "0.4"}});
+  EXPECT_DOUBLE_EQ(FdmOf(RaftRow(job, 0)).infill[0].density, 0.9);
+  for (const int32_t layer : {1, 2})
+    EXPECT_DOUBLE_EQ(FdmOf(RaftRow(job, layer)).infill[0].density, 0.4 / 1.4) << layer;
+}
+
 }  // namespace
 }  // namespace slicefarm::config::fdm::adhesion_rows_test

@@ -88,7 +88,8 @@ constexpr Need kNeeds[] = {
     {"raft_contact_distance raft_expansion raft_first_layer_expansion",
      "raft_layers of more than 0",
      [](const JobSettings& s) { return FdmOf(s).planning.objects[0].raft.heights.layers > 0; }},
-    {"raft_first_layer_density support_material_spacing support_material_angle",
+    {"raft_first_layer_density support_material_spacing support_material_angle "
+     "support_material_interface_spacing",
      "raft_layers of more than 0 or support_material = 1",
      [](const JobSettings& s) {
        const ObjectPlanOptions& object = FdmOf(s).planning.objects[0];
@@ -98,8 +99,7 @@ constexpr Need kNeeds[] = {
      "support_material_buildplate_only "
      "support_material_closing_radius support_material_contact_distance "
      "support_material_enforce_layers support_material_interface_layers "
-     "support_material_interface_pattern support_material_interface_spacing "
-     "support_material_pattern support_material_style "
+     "support_material_interface_pattern support_material_pattern support_material_style "
      "support_material_synchronize_layers support_material_threshold "
      "support_material_with_sheath",
      "support_material = 1", HasSupports},
