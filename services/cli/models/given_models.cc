@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <map>
 #include <utility>
@@ -33,6 +34,18 @@ struct NamedObject {
                                [](const Instance& instance) { return instance.placed; });
   }
 };
+
+/// Other programs go by the name, and say why they cannot read it; by its content alone, whatever
+/// is no other format counts as a broken binary STL.
+absl::Status CheckName(const std::string& path, const MeshFile& model, MeshFormat format) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (ending != ".3mf" || format == MeshFormat::k3mf || format == MeshFormat::kUnknown ||
+      model.bytes.empty())
+    return absl::OkStatus();
+  return InFile(path, MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshFormatUnknown,
+                                "no 3MF, which is a ZIP archive: this file does not begin as one"));
+}
 
 /// Reads the models for one plate.
 class PlateReader {
@@ -66,8 +79,9 @@ class PlateReader {
       given_.files.push_back(*std::move(read));
     }
     const MeshFile& model = given_.files[static_cast<size_t>(file->second)];
-    if (slicing::DetectFormat(model.bytes) == MeshFormat::k3mf)
-      return AddProject(path, file->second);
+    const MeshFormat format = slicing::DetectFormat(model.bytes);
+    if (format == MeshFormat::k3mf) return AddProject(path, file->second);
+    if (absl::Status ok = CheckName(path, model, format); !ok.ok()) return ok;
     Add(path, ObjectOfFile(NameOf(path), file->second, placement_, 0));
     return absl::OkStatus();
   }

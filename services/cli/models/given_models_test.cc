@@ -323,6 +323,15 @@ TEST(ReadModels, ObjectsOfAProjectCanBeNamed) {
               ElementsAre(Setting{"perimeters", "5"}, Setting{"fill_density", "40%"}));
 }
 
+TEST(ReadModels, WhatIsNamed3mfMustBeOne) {
+  JobOptions options;
+  options.models = {TempFile("page.3mf", "<!DOCTYPE html>\n" + std::string(200, ' '))};
+  const auto models = ReadModels(options);
+  EXPECT_EQ(DetailOf(models.status()).reason, Reason::kMeshFormatUnknown);
+  EXPECT_THAT(std::string(models.status().message()), HasSubstr("page.3mf"));
+  EXPECT_THAT(std::string(models.status().message()), HasSubstr("no 3MF"));
+}
+
 TEST(ReadModels, DamagedProjectsAreNamed) {
   JobOptions options;
   options.models = {TempFile("bad.3mf", "PK\x03\x04 and nothing more")};

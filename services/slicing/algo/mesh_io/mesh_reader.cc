@@ -23,6 +23,16 @@ bool IsForeign(std::string_view bytes) {
                      [&](std::string_view mark) { return bytes.starts_with(mark); });
 }
 
+/// What a repository holds in place of a large file that was not fetched.
+constexpr std::string_view kLfsMark = "version https://git-lfs.github.com/";
+
+absl::Status UnknownFormat(std::string_view bytes) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshFormatUnknown,
+                   bytes.starts_with(kLfsMark)
+                       ? "no model but the Git LFS pointer to one; git lfs pull fetches it"
+                       : "neither STL, OBJ, PLY nor 3MF; export the part in one of these formats");
+}
+
 absl::StatusOr<RawMesh> ReadStl(std::string_view bytes, double coordinate_limit,
                                 const CancelToken& cancel) {
   if (!IsBinaryStl(bytes) && LooksLikeAsciiStl(bytes))
@@ -44,8 +54,7 @@ absl::StatusOr<RawMesh> ReadOneMesh(std::string_view bytes, MeshFormat format,
     case MeshFormat::kUnknown:
       break;
   }
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshFormatUnknown,
-                   "neither STL, OBJ, PLY nor 3MF; export the part in one of these formats");
+  return UnknownFormat(bytes);
 }
 
 absl::StatusOr<RawMesh> NotEmpty(absl::StatusOr<RawMesh> mesh) {
@@ -83,7 +92,8 @@ MeshFormat DetectFormat(std::string_view bytes) {
   if (LooksLikePly(bytes)) return MeshFormat::kPly;
   if (LooksLike3mf(bytes)) return MeshFormat::k3mf;
   if (LooksLikeObj(bytes)) return MeshFormat::kObj;
-  if (bytes.size() < kSmallestBinaryStl || IsForeign(bytes)) return MeshFormat::kUnknown;
+  if (bytes.size() < kSmallestBinaryStl || bytes.starts_with(kLfsMark) || IsForeign(bytes))
+    return MeshFormat::kUnknown;
   return MeshFormat::kStl;
 }
 
@@ -101,9 +111,9 @@ absl::StatusOr<MeshFileContents> ReadMeshFile(std::string_view bytes, MeshFormat
   if (format == MeshFormat::kUnknown) format = DetectFormat(bytes);
   if (format == MeshFormat::k3mf) return Read3mf(bytes, coordinate_limit, depth, cancel);
   const bool numbered = depth == ReadDepth::kNumbered && format == MeshFormat::kObj;
-  absl::StatusOr<RawMesh> mesh =
-      numbered ? NotEmpty(ReadObjAsNumbered(bytes, coordinate_limit, cancel))
-               : ReadMesh(bytes, format, coordinate_limit, cancel);
+  absl::StatusOr<RawMesh> mesh = numbered
+                                     ? NotEmpty(ReadObjAsNumbered(bytes, coordinate_limit, cancel))
+                                     : ReadMesh(bytes, format, coordinate_limit, cancel);
   if (!mesh.ok()) return mesh.status();
   MeshFileContents contents;
   contents.project = ProjectOfOneMesh();

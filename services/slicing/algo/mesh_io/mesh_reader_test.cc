@@ -48,6 +48,8 @@ TEST(ReadMesh, SaysWhatIsWrong) {
       {"Gltf", "glTF" + std::string(100, 'x'), unknown, Reason::kMeshFormatUnknown},
       {"PlyWithoutEnd", "ply\nformat ascii 1.0\n", unknown, Reason::kMeshTruncated},
       {"Png", "\x89PNG" + std::string(100, 'x'), unknown, Reason::kMeshFormatUnknown},
+      {"GitLfs", "version https://git-lfs.github.com/spec/v1\noid sha256:" + std::string(64, '9'),
+       unknown, Reason::kMeshFormatUnknown},
       {"TruncatedBinary", binary.substr(0, 300), unknown, Reason::kMeshTruncated},
       {"NoTriangles", no_triangles, unknown, Reason::kMeshEmpty},
       {"AsciiNoFacet", "solid x\nendsolid x\n", unknown, Reason::kMeshEmpty},
