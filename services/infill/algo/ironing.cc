@@ -17,7 +17,7 @@ constexpr double kIroningLinkSpacings = 3;
 }  // namespace
 
 absl::StatusOr<FillGroup> IronedLines(const MultiPolygon& region, const IroningFill& fill) {
-  const MultiPolygon area = FastOffset(region, -fill.width_nm / 2);
+  const MultiPolygon area = FastOffset(region, -fill.ironing.spacing_nm / 2);
   const auto spacing = static_cast<double>(fill.ironing.spacing_nm);
   const auto lines = CutLines(area, {fill.angle_rad, 0, spacing});
   if (!lines.ok()) return lines.status();

@@ -14,9 +14,9 @@ struct IroningFill {
 };
 
 /// Lines that go over a printed region once more, close together, with `flow` of the plastic that
-/// would fill the layer: section of a bead = flow * spacing * height. They keep half a bead's width
-/// from the region's edge, so that nothing is pushed over it, are joined back and forth, and keep
-/// their order; ordering prints them after all else of the island.
+/// would fill the layer: section of a bead = flow * spacing * height. They end half a spacing
+/// before the region's edge, are joined back and forth, and keep their order; ordering prints them
+/// after all else of the island.
 /// Errors: those of CutLines. Cost: as CutLines.
 absl::StatusOr<FillGroup> IronedLines(const MultiPolygon& region, const IroningFill& fill);
 

@@ -70,9 +70,7 @@ absl::Status CheckFlows(const InfillOptions& options) {
 
 /// What is decided of a region's sparse infill; null: nothing.
 const PlannedInfill* PlanOf(std::span<const PlannedInfill> plans, int32_t stack, int32_t row) {
-  const auto place = [](const PlannedInfill& plan) {
-    return std::pair(plan.stack, plan.settings);
-  };
+  const auto place = [](const PlannedInfill& plan) { return std::pair(plan.stack, plan.settings); };
   const auto found = std::ranges::lower_bound(plans, std::pair(stack, row), {}, place);
   return found == plans.end() || place(*found) != std::pair(stack, row) ? nullptr : &*found;
 }
@@ -112,6 +110,7 @@ class RegionFill {
       : view_(view),
         options_(options),
         plan_(plan),
+        settings_(settings),
         row_(options.interface_shells ? std::optional(settings) : std::nullopt),
         cover_(CoverOf(view, options, row_)),
         angles_(AnglesOf(options, view.layer)),
@@ -124,11 +123,11 @@ class RegionFill {
     static const MultiPolygon kNone;
     const MultiPolygon* outline = view_.OutlineAt(view_.layer, row_);
     Skins skins = PartFillArea(fill_area.area, outline != nullptr ? *outline : kNone, cover_,
-                                     {.width_nm = Width(options_.solid_width_nm),
-                                      .solid_below_area_mm2 = options_.solid_below_area_mm2,
-                                      .all_solid = PlainDensity(field) >= 1 || IsSolidLayer(field),
-                                      .shells = options_.shells,
-                                      .over_bridges = options_.over_bridges});
+                               {.width_nm = Width(options_.solid_width_nm),
+                                .solid_below_area_mm2 = options_.solid_below_area_mm2,
+                                .all_solid = PlainDensity(field) >= 1 || IsSolidLayer(field),
+                                .shells = options_.shells,
+                                .over_bridges = options_.over_bridges});
     SparseBridges over_sparse;
     if (fill_area.role == Role::kPart && BridgesSparse(options_) && !skins.solid.empty() &&
         SkinsBegin(field) &&
@@ -199,6 +198,21 @@ class RegionFill {
     return absl::OkStatus();
   }
 
+  /// With the walls around `ironed`: as far as they lie open like it, or all of them where the
+  /// whole layer is solid. Half a nozzle from the part's edge, so that nothing is pushed over it.
+  MultiPolygon WithWallsIroned(MultiPolygon ironed, bool all) const {
+    const MultiPolygon* whole = view_.OutlineAt(view_.layer);
+    const MultiPolygon* own = view_.OutlineAt(view_.layer, settings_);
+    if (whole == nullptr || own == nullptr) return ironed;
+    if (options_.walls_nm > 0) {
+      MultiPolygon walls = Intersection(FastOffset(ironed, options_.walls_nm), *own);
+      const MultiPolygon* above = all ? nullptr : view_.OutlineAt(view_.layer + 1, row_);
+      if (above != nullptr) walls = Difference(walls, *above);
+      ironed = Union(ironed, walls);
+    }
+    return Intersection(ironed, FastOffset(*whole, -options_.nozzle_nm / 2));
+  }
+
   /// What lies open after this layer: the last one of the object, if only that is to be ironed.
   absl::Status AppendIroning(const Skins& skins, Fills& fills) const {
     const IroningType type = options_.ironing.type;
@@ -209,6 +223,8 @@ class RegionFill {
       for (const MultiPolygon* solid : {&skins.bottom, &skins.over_bridge, &skins.solid})
         if (!solid->empty()) ironed = Union(ironed, *solid);
     if (ironed.empty()) return absl::OkStatus();
+    const bool all = type == IroningType::kSolid && skins.sparse.empty() && skins.bridge.empty();
+    ironed = WithWallsIroned(std::move(ironed), all);
     auto group = IronedLines(ironed, {.angle_rad = SolidAngle(options_.top_pattern),
                                       .width_nm = Width(options_.top_width_nm),
                                       .height_nm = view_.height_nm,
@@ -282,9 +298,9 @@ class RegionFill {
     const BridgeBead bead = ThreadBead();
     for (const PolygonWithHoles& region : bridges.regions) {
       const auto span = BridgeAngle(region, bridges.bearers, options_.solid_width_nm);
-      auto lines = SolidLines(region, Feature::kBridgeInfill, FillPattern::kRectilinear,
-                              span ? span->angle_rad : SolidAngle(FillPattern::kRectilinear),
-                              bead.width_nm);
+      auto lines =
+          SolidLines(region, Feature::kBridgeInfill, FillPattern::kRectilinear,
+                     span ? span->angle_rad : SolidAngle(FillPattern::kRectilinear), bead.width_nm);
       if (!lines.ok()) return lines.status();
       ScaleSections(bead.share, view_.height_nm, view_.height_nm, lines->paths);
       Append(*std::move(lines),
@@ -306,13 +322,12 @@ class RegionFill {
     return through_walls ? through_walls : span;
   }
 
-  /// With the walls around it: where those below are no thicker, lines rest on them through the walls
-  /// that they end on.
+  /// With the walls around it: where those below are no thicker, lines rest on them through the
+  /// walls that they end on.
   PolygonWithHoles WithWalls(const PolygonWithHoles& region) const {
     const MultiPolygon* outline = view_.OutlineAt(view_.layer);
     if (outline == nullptr || options_.walls_nm == 0) return region;
-    for (PolygonWithHoles& grown :
-         Intersection(FastOffset({region}, options_.walls_nm), *outline))
+    for (PolygonWithHoles& grown : Intersection(FastOffset({region}, options_.walls_nm), *outline))
       if (Locate(region.outer.front(), grown) != Side::kOutside) return std::move(grown);
     return region;
   }
@@ -402,6 +417,7 @@ class RegionFill {
   const SectionView& view_;
   const InfillOptions& options_;
   const PlannedInfill* plan_;
+  const int32_t settings_;
   const std::optional<int32_t> row_;  ///< the region that skins are of; none: of the whole object
   const Cover cover_;
   const FillLineAngles angles_;
@@ -426,8 +442,7 @@ void Sign(const FillArea& area, Fills& fills) {
 }  // namespace
 
 absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
-                                          const ObjectLayers& objects,
-                                          const LayerPlan& plan,
+                                          const ObjectLayers& objects, const LayerPlan& plan,
                                           std::span<const InfillOptions> regions,
                                           RegionFields& fields) {
   SectionView view{walled.stack, walled.layer, walled.height_nm,

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "common/base/error.h"
+#include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 #include "common/model/bead_section.h"
 
@@ -370,6 +371,23 @@ TEST(FillSection, IroningGoesOverWhatIsAskedFor) {
   EXPECT_TRUE(irons(kSolid, 0));
 }
 
+// Tops of walls are seen as well: ironing ends half a nozzle from the part's edge.
+TEST(FillSection, IroningGoesOverWallsToo) {
+  InfillOptions options = Thin();
+  options.ironing.enabled = true;
+  options.walls_nm = 1'000'000;
+  options.nozzle_nm = 400'000;
+  Box reach;
+  for (const Path& path : PathsOf(options, {}, 9))
+    if (path.feature == Feature::kIroning)
+      for (const Point point : path.points) reach.Add(point);
+  const Coord edge_nm = 200'000 + options.ironing.spacing_nm / 2;
+  EXPECT_NEAR(reach.min.x, edge_nm, 100'000);
+  EXPECT_NEAR(reach.max.y, 20'000'000 - edge_nm, 100'000);
+  EXPECT_GE(reach.min.x, 200'000);
+  EXPECT_LE(reach.max.y, 19'800'000);
+}
+
 TEST(FillSection, IroningIsAUse) {
   InfillOptions options = Thin();
   options.ironing.enabled = true;
@@ -574,12 +592,9 @@ TEST(FillSection, SkinsOverSparseInfillAreBridges) {
     double density;
     int32_t layer;
     std::set<Feature> features;
-  } cases[] = {{.2, 6, {Feature::kInternalInfill}},
-               {.2, 7, {Feature::kBridgeInfill}},
-               {.2, 8, {Feature::kSolidInfill}},
-               {.2, 9, {Feature::kTopSolidInfill}},
-               {0, 7, {Feature::kBridgeInfill}},
-               {.5, 7, {Feature::kSolidInfill}}};
+  } cases[] = {{.2, 6, {Feature::kInternalInfill}}, {.2, 7, {Feature::kBridgeInfill}},
+               {.2, 8, {Feature::kSolidInfill}},    {.2, 9, {Feature::kTopSolidInfill}},
+               {0, 7, {Feature::kBridgeInfill}},    {.5, 7, {Feature::kSolidInfill}}};
   for (const auto& [density, layer, features] : cases) {
     regions[0].density = density;
     const auto filled = FillPlain({0, layer, 200'000, {island}}, false, objects, regions);
