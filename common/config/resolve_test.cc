@@ -158,9 +158,8 @@ TEST(Resolve, TakesAWholeProfile) {
   ours.slicing.thumbnails.clear();
   FdmOf(ours).motion.writing.relative_e = false;
   FdmOf(ours).motion.start_filament_gcode = "; Filament gcode\n";
-  FdmOf(ours).motion.end_gcode =
-      "; Filament-specific end gcode \n;END gcode for filament\n" +
-      FdmOf(ours).motion.end_gcode.str();
+  FdmOf(ours).motion.end_gcode = "; Filament-specific end gcode \n;END gcode for filament\n" +
+                                 FdmOf(ours).motion.end_gcode.str();
   EXPECT_EQ(EffectiveText(resolved.settings), EffectiveText(ours));
   EXPECT_EQ(resolved.settings, ours);
 }
@@ -307,22 +306,6 @@ INSTANTIATE_TEST_SUITE_P(
                     {{"retract_lift", "0.4"}, {"filament_retract_lift", "nil,nil"}},
                     "retract_lift",
                     "0.4"},
-        DerivedCase{"ThickerShell",
-                    {{"layer_height", "0.2"},
-                     {"top_solid_layers", "3"},
-                     {"top_solid_min_thickness", "0.7"}},
-                    "top_solid_layers",
-                    "4"},
-        DerivedCase{"ShellThicknessJustReached",
-                    {{"layer_height", "0.1"},
-                     {"bottom_solid_layers", "3"},
-                     {"bottom_solid_min_thickness", "0.7"}},
-                    "bottom_solid_layers",
-                    "7"},
-        DerivedCase{"NoShellStaysNone",
-                    {{"top_solid_layers", "0"}, {"top_solid_min_thickness", "0.7"}},
-                    "top_solid_layers",
-                    "0"},
         DerivedCase{"FilamentGcodeAfterStart",
                     {{"start_gcode", "G28"}, {"start_filament_gcode", "\"M900 K0.05\\n\""}},
                     "start_filament_gcode",
@@ -381,6 +364,9 @@ TEST(Resolve, ReadsItsOwnEffectiveText) {
        {"fill_density", "12.345678%"},
        {"external_perimeter_speed", "33.3333%"}},
       {{"start_gcode", "G28\\n; back\\\\slash\\nG1"}, {"top_solid_min_thickness", "1"}},
+      {{"first_layer_height", "0.2"},
+       {"layer_height", "0.15"},
+       {"bottom_solid_min_thickness", "0.5"}},
       {{"bed_shape", "-10x-10,10x-10,0x17.123457"},
        {"thumbnails", ""},
        {"infill_acceleration", "500"},

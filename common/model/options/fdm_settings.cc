@@ -27,6 +27,8 @@ std::vector<InfillPlanOptions> InfillPlansOf(const FdmSettings& settings) {
                      .walls_nm = infill.walls_nm,
                      .top_solid_layers = infill.top_solid_layers,
                      .bottom_solid_layers = infill.bottom_solid_layers,
+                     .top_spare = infill.top_spare,
+                     .bottom_spare = infill.bottom_spare,
                      .interface_shells = infill.interface_shells,
                      .every_layers = infill.every_layers,
                      .only_where_needed = infill.only_where_needed});

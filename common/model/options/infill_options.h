@@ -6,6 +6,7 @@
 #include "common/geometry/point.h"
 #include "common/model/options/fill_patterns.h"
 #include "common/model/options/flow_table.h"
+#include "common/model/options/skin_spare.h"
 
 namespace slicefarm {
 
@@ -40,10 +41,11 @@ enum class ShellThickness : uint8_t {
 inline constexpr int32_t kOverBridgeHaloLayers = 2;
 
 struct InfillOptions {
-  int32_t top_solid_layers = 5;              ///< top_solid_layers
-  int32_t bottom_solid_layers = 5;           ///< bottom_solid_layers
-  double density = 0.2;                      ///< fill_density, [0, 1]
-  FillPattern pattern = FillPattern::kGrid;  ///< fill_pattern
+  int32_t top_solid_layers = 5;                 ///< top_solid_layers
+  int32_t bottom_solid_layers = 5;              ///< bottom_solid_layers
+  SkinSpare top_spare = {}, bottom_spare = {};  ///< of these layers
+  double density = 0.2;                         ///< fill_density, [0, 1]
+  FillPattern pattern = FillPattern::kGrid;     ///< fill_pattern
   bool choose_pattern = false;          ///< fill_pattern = auto: planning names one for each object
   FillGoal goal = FillGoal::kStrength;  ///< infill_goal
   FillPattern solid_pattern = FillPattern::kRectilinear;  ///< inside: solid_fill_pattern
@@ -68,7 +70,7 @@ struct InfillOptions {
   double bridge_angle_rad = 0;       ///< bridge_angle; 0: found for each bridge
   double bridge_flow = 1;            ///< bridge_flow_ratio: plastic of bridges' beads
   bool thick_bridges = true;         ///< thick_bridges: round threads as wide as the nozzle
-  Coord walls_nm = 0;              ///< how thick the walls are about which it lies
+  Coord walls_nm = 0;                ///< how thick the walls are about which it lies
   bool over_bridges = false;       ///< over_bridge_speed: solid infill over bridges goes by itself
   bool interface_shells = false;   ///< interface_shells: skins where another region begins
   Coord nozzle_nm = 400'000;       ///< nozzle_diameter

@@ -6,6 +6,7 @@
 #include "common/geometry/polygon.h"
 #include "common/model/options/adhesion_options.h"
 #include "common/model/options/infill_options.h"
+#include "common/model/options/skin_spare.h"
 #include "common/model/options/support_options.h"
 
 namespace slicefarm {
@@ -61,6 +62,7 @@ struct InfillPlanOptions {
   Coord walls_nm = 0;  ///< how thick the walls are about which it lies
   int32_t top_solid_layers = 0;
   int32_t bottom_solid_layers = 0;
+  SkinSpare top_spare = {}, bottom_spare = {};
   bool interface_shells = false;
   int32_t every_layers = 1;
   bool only_where_needed = false;

@@ -7,6 +7,7 @@
 #include "common/base/error.h"
 #include "common/model/limits.h"
 #include "common/wire/options/settings_check.h"
+#include "common/wire/options/skin_spare_wire.h"
 #include "common/wire/support/enum_wire.h"
 #include "common/wire/support/wire_error.h"
 
@@ -24,6 +25,7 @@ static_assert(v1::IRONING_TYPE_SOLID == static_cast<int>(IroningType::kSolid) + 
 
 absl::Status Check(const v1::InfillOptions& proto) {
   absl::Status status = CheckComplete(proto);
+  status.Update(CheckSpares(proto));
   for (const auto& [field, layers] : {std::pair("top_solid_layers", proto.top_solid_layers()),
                                       std::pair("bottom_solid_layers", proto.bottom_solid_layers()),
                                       std::pair("field_halo_layers", proto.field_halo_layers())}) {
@@ -87,6 +89,8 @@ v1::InfillOptions RowToProto(const InfillOptions& options, TextWriter& texts) {
   v1::InfillOptions proto;
   proto.set_top_solid_layers(options.top_solid_layers);
   proto.set_bottom_solid_layers(options.bottom_solid_layers);
+  *proto.mutable_top_spare() = ToProto(options.top_spare);
+  *proto.mutable_bottom_spare() = ToProto(options.bottom_spare);
   proto.set_density(options.density);
   proto.set_pattern(EnumToProto<v1::FillPattern>(options.pattern));
   proto.set_solid_pattern(EnumToProto<v1::FillPattern>(options.solid_pattern));
@@ -137,6 +141,8 @@ absl::StatusOr<InfillOptions> RowFromProto(const v1::InfillOptions& proto,
   InfillOptions options;
   options.top_solid_layers = proto.top_solid_layers();
   options.bottom_solid_layers = proto.bottom_solid_layers();
+  options.top_spare = SpareFromProto(proto.top_spare());
+  options.bottom_spare = SpareFromProto(proto.bottom_spare());
   options.density = proto.density();
   options.pattern = Known<FillPattern>(proto.pattern());
   options.solid_pattern = Known<FillPattern>(proto.solid_pattern());

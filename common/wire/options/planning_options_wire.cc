@@ -11,6 +11,7 @@
 #include "common/wire/geometry_wire.h"
 #include "common/wire/options/settings_check.h"
 #include "common/wire/options/settings_wire.h"
+#include "common/wire/options/skin_spare_wire.h"
 #include "common/wire/support/enum_wire.h"
 #include "common/wire/support/wire_error.h"
 
@@ -360,6 +361,8 @@ v1::InfillPlanOptions ToProto(const InfillPlanOptions& options) {
   proto.set_walls_nm(options.walls_nm);
   proto.set_top_solid_layers(options.top_solid_layers);
   proto.set_bottom_solid_layers(options.bottom_solid_layers);
+  *proto.mutable_top_spare() = ToProto(options.top_spare);
+  *proto.mutable_bottom_spare() = ToProto(options.bottom_spare);
   proto.set_interface_shells(options.interface_shells);
   proto.set_every_layers(options.every_layers);
   proto.set_only_where_needed(options.only_where_needed);
@@ -370,6 +373,7 @@ absl::StatusOr<InfillPlanOptions> InfillFromProto(const v1::InfillPlanOptions& p
   absl::Status status =
       CheckCount("top_solid_layers", proto.top_solid_layers(), limits::kMaxLayers);
   status.Update(CheckCount("bottom_solid_layers", proto.bottom_solid_layers(), limits::kMaxLayers));
+  status.Update(CheckSpares(proto));
   status.Update(CheckPositive({{"width_nm", proto.width_nm()}}));
   status.Update(CheckNotNegative({{"walls_nm", proto.walls_nm()}}));
   if (proto.every_layers() < 1) status.Update(Malformed("every_layers", "is below 1"));
@@ -385,6 +389,8 @@ absl::StatusOr<InfillPlanOptions> InfillFromProto(const v1::InfillPlanOptions& p
                            .walls_nm = proto.walls_nm(),
                            .top_solid_layers = proto.top_solid_layers(),
                            .bottom_solid_layers = proto.bottom_solid_layers(),
+                           .top_spare = SpareFromProto(proto.top_spare()),
+                           .bottom_spare = SpareFromProto(proto.bottom_spare()),
                            .interface_shells = proto.interface_shells(),
                            .every_layers = proto.every_layers(),
                            .only_where_needed = proto.only_where_needed()};

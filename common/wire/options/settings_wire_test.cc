@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <limits>
 #include <vector>
 
 #include "common/base/error.h"
@@ -84,8 +83,8 @@ SupportOptions DistinctSupport() {
   SupportOptions options;
   auto& [on, automatic, style, threshold, enforced_layers, bed_only, skip_bridges, top_gap,
          bottom_gap, xy_gap, closingius, top_interface_layers, bottom_interface_layers, spacing,
-         interface_spacing, pattern, interface_pattern, angle, sheath, width, wall_width,
-         walls, layer_height, first_layer_height, min_layer_height, synchronize_layers, tree] = options;
+         interface_spacing, pattern, interface_pattern, angle, sheath, width, wall_width, walls,
+         layer_height, first_layer_height, min_layer_height, synchronize_layers, tree] = options;
   on = true;
   automatic = true;
   style = SupportStyle::kTree;
@@ -119,7 +118,7 @@ SupportOptions DistinctSupport() {
 InfillPlanOptions DistinctInfillPlan() {
   InfillPlanOptions options;
   auto& [pattern, choose_pattern, goal, density, angle, width, walls, top_layers, bottom_layers,
-         interface_shells, every_layers, only_where_needed] = options;
+         top_spare, bottom_spare, interface_shells, every_layers, only_where_needed] = options;
   pattern = FillPattern::kSupportCubic;
   choose_pattern = true;
   goal = FillGoal::kFlexibility;
@@ -129,6 +128,8 @@ InfillPlanOptions DistinctInfillPlan() {
   walls = 151;
   top_layers = 152;
   bottom_layers = 153;
+  top_spare = {155, 156};
+  bottom_spare = {157, 158};
   interface_shells = true;
   every_layers = 154;
   only_where_needed = true;
@@ -198,13 +199,15 @@ BeadingOptions DistinctBeading() {
 
 InfillOptions DistinctInfill() {
   InfillOptions options;
-  auto& [top_layers, bottom_layers, density, pattern, choose_pattern, goal, solid_pattern,
-         top_pattern, bottom_pattern, angle, angle_template, solid_angle_template, sparse_width,
-         solid_width, top_width, first_layer_width, overlap, solid_below_area, anchor, anchor_max,
-         smoothing, solid_every_layers, bridge_angle, bridge_flow, thick_bridges, walls, over_bridges,
-         interface_shells, nozzle, every_layers, only_where_needed, shells, overhang_lines, ironing,
-         small_area_flow, small_area_flow_table, density_field, stress_field, field_halo_layers] =
-      options;
+  auto& [top_layers, bottom_layers, top_spare, bottom_spare, density, pattern, choose_pattern, goal,
+         solid_pattern, top_pattern, bottom_pattern, angle, angle_template, solid_angle_template,
+         sparse_width, solid_width, top_width, first_layer_width, overlap, solid_below_area, anchor,
+         anchor_max, smoothing, solid_every_layers, bridge_angle, bridge_flow, thick_bridges, walls,
+         over_bridges, interface_shells, nozzle, every_layers, only_where_needed, shells,
+         overhang_lines, ironing, small_area_flow, small_area_flow_table, density_field,
+         stress_field, field_halo_layers] = options;
+  top_spare = {325, 326};
+  bottom_spare = {327, 328};
   choose_pattern = true;
   goal = FillGoal::kTime;
   angle_template = "0,45";
@@ -350,8 +353,8 @@ MotionOptions DistinctMotion() {
          first_layer_temperature, bed_temperature, first_layer_bed_temperature, chamber_temperature,
          chamber_least, emit_temperatures, tool, nozzle_heating, bed_heating, progress, z_offset,
          start_gcode, start_filament_gcode, end_gcode, before_layer_gcode, layer_gcode,
-         layer_settings, labels, between_objects_gcode, max_print_height, arc_fitting, resolution, material_field,
-         writing] = options;
+         layer_settings, labels, between_objects_gcode, max_print_height, arc_fitting, resolution,
+         material_field, writing] = options;
   flavor = GcodeFlavor::kKlipper;
   limits = DistinctLimits();
   retraction = DistinctRetraction();
@@ -478,13 +481,32 @@ constexpr char kDistinct[] = R"pb(
       }
       raft_settings: [ 642, 643 ]
       support {
-        on: true automatic: true style: SUPPORT_STYLE_TREE threshold_rad: 0.654
-        enforced_layers: 655 bed_only: true skip_bridges: true top_gap_nm: 658 bottom_gap_nm: 659
-        xy_gap_nm: 660 closing_radius_nm: 661 top_interface_layers: 662
-        bottom_interface_layers: 663 spacing_nm: 664 interface_spacing_nm: 665
-        pattern: SUPPORT_PATTERN_HONEYCOMB interface_pattern: INTERFACE_PATTERN_CONCENTRIC
-        angle_rad: 0.668 sheath: true width_nm: 670 wall_width_nm: 671 walls_nm: 677 layer_height_nm: 672
-        first_layer_height_nm: 673 min_layer_height_nm: 674 synchronize_layers: true
+        on: true
+        automatic: true
+        style: SUPPORT_STYLE_TREE
+        threshold_rad: 0.654
+        enforced_layers: 655
+        bed_only: true
+        skip_bridges: true
+        top_gap_nm: 658
+        bottom_gap_nm: 659
+        xy_gap_nm: 660
+        closing_radius_nm: 661
+        top_interface_layers: 662
+        bottom_interface_layers: 663
+        spacing_nm: 664
+        interface_spacing_nm: 665
+        pattern: SUPPORT_PATTERN_HONEYCOMB
+        interface_pattern: INTERFACE_PATTERN_CONCENTRIC
+        angle_rad: 0.668
+        sheath: true
+        width_nm: 670
+        wall_width_nm: 671
+        walls_nm: 677
+        layer_height_nm: 672
+        first_layer_height_nm: 673
+        min_layer_height_nm: 674
+        synchronize_layers: true
         tree {
           angle_rad: 0.691
           slow_angle_rad: 0.692
@@ -522,6 +544,8 @@ constexpr char kDistinct[] = R"pb(
       walls_nm: 151
       top_solid_layers: 152
       bottom_solid_layers: 153
+      top_spare { layers: 155 enough_nm: 156 }
+      bottom_spare { layers: 157 enough_nm: 158 }
       every_layers: 154
       only_where_needed: true
       interface_shells: true
@@ -556,6 +580,8 @@ constexpr char kDistinct[] = R"pb(
   infill {
     top_solid_layers: 301
     bottom_solid_layers: 302
+    top_spare { layers: 325 enough_nm: 326 }
+    bottom_spare { layers: 327 enough_nm: 328 }
     density: 0.303
     pattern: FILL_PATTERN_GYROID
     solid_pattern: FILL_PATTERN_CONCENTRIC
@@ -854,147 +880,6 @@ TEST(SettingsWire, RefusesTablesOfMoreRowsThanAJobMayHave) {
     EXPECT_EQ(DetailOf(status).metadata["limit"], "1000");
   }
 }
-
-struct Refused {
-  std::string name;
-  std::function<void(v1::FdmSettings&)> spoil;
-  std::string field;
-  Reason reason = Reason::kRequestMalformed;
-};
-
-class SettingsWireRefuses : public testing::TestWithParam<Refused> {};
-
-TEST_P(SettingsWireRefuses, NamingTheField) {
-  v1::FdmSettings proto = Proto(FdmSettings{});
-  GetParam().spoil(proto);
-  const absl::Status status = FromProto(proto).status();
-  EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument) << status;
-  EXPECT_EQ(DetailOf(status).reason, GetParam().reason) << status;
-  EXPECT_EQ(DetailOf(status).metadata["field"], GetParam().field) << status;
-}
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-INSTANTIATE_TEST_SUITE_P(
-    Settings, SettingsWireRefuses,
-    testing::Values(
-        Refused{"NoMotion", [](auto& p) { p.clear_motion(); }, "motion.flavor"},
-        Refused{"NoLimits", [](auto& p) { p.mutable_motion()->clear_limits(); }, "motion.limits"},
-        Refused{"UnknownSeam",
-                [](auto& p) {
-                  p.mutable_planning()->mutable_objects(0)->set_seam(v1::SeamPosition(77));
-                },
-                "planning.objects[0].seam"},
-        Refused{"NoSeam", [](auto& p) { p.mutable_planning()->mutable_objects(0)->clear_seam(); },
-                "planning.objects[0].seam"},
-        Refused{"NoPlanning", [](auto& p) { p.clear_planning(); }, "planning.objects"},
-        Refused{"NoPlannedObjects", [](auto& p) { p.mutable_planning()->clear_objects(); },
-                "planning.objects"},
-        Refused{
-            "NegativeClearance",
-            [](auto& p) { p.mutable_planning()->mutable_sequence()->set_clearance_height_nm(-1); },
-            "planning.clearance_height_nm"},
-        Refused{"NegativePrintHeight",
-                [](auto& p) { p.mutable_motion()->set_max_print_height_nm(-1); },
-                "motion.max_print_height_nm"},
-        Refused{"NegativeMotionResolution",
-                [](auto& p) { p.mutable_motion()->set_resolution_nm(-1); }, "motion.resolution_nm"},
-        Refused{"NoSkirt", [](auto& p) { p.mutable_planning()->clear_skirt(); }, "planning.skirt"},
-        Refused{"TooManySkirts",
-                [](auto& p) { p.mutable_planning()->mutable_skirt()->set_loops(501); },
-                "planning.skirt.loops"},
-        Refused{"SkirtWithoutWidth",
-                [](auto& p) { p.mutable_planning()->mutable_skirt()->set_width_nm(0); },
-                "planning.skirt.width_nm"},
-        Refused{"NoFilament",
-                [](auto& p) { p.mutable_planning()->mutable_skirt()->set_filament_area_mm2(0); },
-                "planning.skirt.filament_area_mm2"},
-        Refused{"NegativeSkirtLength",
-                [](auto& p) { p.mutable_planning()->mutable_skirt()->set_min_length_nm(-1); },
-                "planning.skirt.min_length_nm"},
-        Refused{"NegativeBrim",
-                [](auto& p) {
-                  p.mutable_planning()->mutable_objects(0)->mutable_brim()->set_width_nm(-1);
-                },
-                "planning.objects[0].brim.width_nm"},
-        Refused{"EarAngle",
-                [](auto& p) {
-                  p.mutable_planning()->mutable_objects(0)->mutable_brim()->set_ear_max_angle_rad(
-                      7);
-                },
-                "planning.objects[0].brim.ear_max_angle_rad"},
-        Refused{"BrimRow",
-                [](auto& p) { p.mutable_planning()->mutable_objects(0)->set_brim_settings(-1); },
-                "planning.objects[0].brim_settings"},
-        Refused{"NoBeading", [](auto& p) { p.clear_beading(); }, "beading"},
-        Refused{"NoInfill", [](auto& p) { p.clear_infill(); }, "settings"},
-        Refused{"NoWallOrder", [](auto& p) { p.mutable_ordering()->clear_walls(); },
-                "ordering.walls"},
-        Refused{"NoTravel", [](auto& p) { p.mutable_ordering()->clear_travel(); },
-                "ordering.travel"},
-        Refused{"NegativeDetour",
-                [](auto& p) { p.mutable_ordering()->mutable_travel()->set_max_detour_mm(-1); },
-                "ordering.travel"},
-        Refused{"NoSpeeds", [](auto& p) { p.mutable_motion()->clear_speeds(); }, "motion.speeds"},
-        Refused{"NoArcFitting", [](auto& p) { p.mutable_motion()->clear_arc_fitting(); },
-                "motion.arc_fitting"},
-        Refused{"NoLabels", [](auto& p) { p.mutable_motion()->clear_labels(); }, "motion.labels"},
-        Refused{"UnknownLabels",
-                [](auto& p) { p.mutable_motion()->set_labels(v1::ObjectLabels(4)); },
-                "motion.labels"},
-        Refused{"NanDensity", [](auto& p) { p.mutable_infill(0)->set_density(kNan); },
-                "infill[0].density"},
-        Refused{"DensityAboveOne", [](auto& p) { p.mutable_infill(0)->set_density(1.01); },
-                "infill[0].density"},
-        Refused{
-            "InfiniteJerk",
-            [](auto& p) { p.mutable_motion()->mutable_limits()->set_max_jerk_mm_s(2, kInfinity); },
-            "motion.limits.max_jerk_mm_s"},
-        Refused{"FiveAxes",
-                [](auto& p) { p.mutable_motion()->mutable_limits()->add_max_jerk_mm_s(1); },
-                "motion.limits.max_jerk_mm_s"},
-        Refused{"NineSpeeds",
-                [](auto& p) {
-                  p.mutable_motion()->mutable_speeds(0)->mutable_speed_mm_s()->RemoveLast();
-                },
-                "motion.speeds.speed_mm_s"},
-        Refused{"ScarfBelowItsLayer",
-                [](auto& p) {
-                  p.mutable_motion()->mutable_speeds(0)->mutable_scarf()->set_start_height_ratio(
-                      -1);
-                },
-                "motion.speeds.scarf.start_height_ratio"},
-        Refused{"ScarfLength",
-                [](auto& p) {
-                  p.mutable_motion()->mutable_speeds(0)->mutable_scarf()->set_length_mm(-1);
-                },
-                "motion.speeds.scarf.length_mm"},
-        Refused{"ScarfOfEndlessPieces",
-                [](auto& p) {
-                  p.mutable_motion()->mutable_speeds(0)->mutable_scarf()->set_max_segment_mm(0);
-                },
-                "motion.speeds.scarf.max_segment_mm"},
-        Refused{"NegativeSpeed",
-                [](auto& p) { p.mutable_motion()->mutable_speeds(0)->set_speed_mm_s(3, -1); },
-                "motion.speeds.speed_mm_s"},
-        Refused{"NegativeFan",
-                [](auto& p) {
-                  p.mutable_motion()->mutable_cooling()->set_min_fan_percent(
-                      std::numeric_limits<int32_t>::min());
-                },
-                "motion.cooling"},
-        Refused{"NegativePerimeters", [](auto& p) { p.mutable_beading(0)->set_perimeters(-1); },
-                "beading[0].perimeters"},
-        Refused{"NoWidth", [](auto& p) { p.mutable_beading(0)->set_inner_width_nm(0); },
-                "beading[0].inner_width_nm"},
-        Refused{"LongStartGcode",
-                [](auto& p) {
-                  p.mutable_motion()->set_start_gcode(
-                      std::string(limits::kMaxSettingBytes + 1, 'G'));
-                },
-                "motion", Reason::kRequestTooLarge}),
-    [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace slicefarm::settings_wire_test

@@ -105,16 +105,6 @@ void DeriveLimits(Draft& draft) {
   }
 }
 
-/// As many layers as the shell needs to be `thickness` thick, and no fewer than `layers` says.
-void DeriveShell(Draft& draft, std::string_view layers, std::string_view thickness) {
-  const double number = draft.Number(layers);
-  if (number == 0) return;
-  constexpr double kRounding = 1e-6;
-  const double needed =
-      std::ceil(draft.Number(thickness) / draft.Number("layer_height") - kRounding);
-  draft.SetNumber(layers, std::max(number, needed));
-}
-
 /// As many layers as their infill may be high. Their most is the setting's own.
 void DeriveCombination(Draft& draft) {
   constexpr std::string_view kHeight = "automatic_infill_combination_max_layer_height";
@@ -216,7 +206,8 @@ std::vector<std::string> DeriveVase(Draft& draft) {
     const Draft::Entry& entry = draft.At(key);
     if (draft.Number(key) == value) continue;
     if (entry.given)
-      notes.push_back(fmt::format("{} = {}: it is {} with spiral_vase = 1", key, entry.written, value));
+      notes.push_back(
+          fmt::format("{} = {}: it is {} with spiral_vase = 1", key, entry.written, value));
     draft.SetNumber(key, value);
   }
   return notes;
@@ -239,8 +230,6 @@ absl::Status Derive(Draft& draft, ResolvedSettings& result) {
   DeriveSpeeds(draft);
   DeriveAccelerations(draft);
   DeriveLimits(draft);
-  DeriveShell(draft, "top_solid_layers", "top_solid_min_thickness");
-  DeriveShell(draft, "bottom_solid_layers", "bottom_solid_min_thickness");
   DeriveCombination(draft);
   DeriveFilament(draft);
   TakePercentage(draft, "seam_gap_distance");

@@ -153,32 +153,6 @@ INSTANTIATE_TEST_SUITE_P(Accelerations, DerivedNumber,
                                              "None", {}, "external_perimeter_acceleration", 0}),
                          NameOf);
 
-INSTANTIATE_TEST_SUITE_P(Shells, DerivedNumber,
-                         testing::Values(NumberCase{"ThicknessAsksForMore",
-                                                    {{"top_solid_layers", "2"},
-                                                     {"top_solid_min_thickness", "0.9"},
-                                                     {"layer_height", "0.2"}},
-                                                    "top_solid_layers",
-                                                    5},
-                                         NumberCase{"ExactMultiplesTakeNoMore",
-                                                    {{"bottom_solid_layers", "2"},
-                                                     {"bottom_solid_min_thickness", "0.6"},
-                                                     {"layer_height", "0.2"}},
-                                                    "bottom_solid_layers",
-                                                    3},
-                                         NumberCase{"LayersAskForMore",
-                                                    {{"top_solid_layers", "7"},
-                                                     {"top_solid_min_thickness", "0.9"},
-                                                     {"layer_height", "0.2"}},
-                                                    "top_solid_layers",
-                                                    7},
-                                         NumberCase{"NoneStaysNone",
-                                                    {{"top_solid_layers", "0"},
-                                                     {"top_solid_min_thickness", "0.9"}},
-                                                    "top_solid_layers",
-                                                    0}),
-                         NameOf);
-
 INSTANTIATE_TEST_SUITE_P(
     Combination, DerivedNumber,
     testing::Values(
@@ -281,8 +255,8 @@ struct GcodeCase {
 // The filament's is the first after the layers; before them the two stay apart.
 TEST(Derive, JoinsTheGcodesOfTheEnd) {
   const std::vector<GcodeCase> cases = {
-      {"Both", "M", "F", "F\nM"}, {"BreaksThatAreThere", "M\n", "F\n", "F\nM\n"},
-      {"NoFilament", "M", "", "M"},  {"NoMachine", "", "F", "F"},
+      {"Both", "M", "F", "F\nM"},   {"BreaksThatAreThere", "M\n", "F\n", "F\nM\n"},
+      {"NoFilament", "M", "", "M"}, {"NoMachine", "", "F", "F"},
       {"None", "", "", ""},
   };
   for (const GcodeCase& c : cases) {

@@ -18,6 +18,7 @@ void MakePlain(BeadingOptions& beading) {
 
 void FillAlike(double density, double angle_rad, InfillOptions& infill) {
   infill.top_solid_layers = infill.bottom_solid_layers = 0;
+  infill.top_spare = infill.bottom_spare = {};
   infill.density = density;
   infill.pattern = FillPattern::kAlignedRectilinear;
   infill.choose_pattern = false;

@@ -18,6 +18,7 @@
 #include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
 #include "processes/fdm/settings/filament_gcode.h"
+#include "processes/fdm/settings/shells.h"
 
 namespace slicefarm::config::fdm {
 namespace {
@@ -140,8 +141,9 @@ void TakeSupports(JobSettings& settings) {
 void TakeWalls(JobSettings& settings) {
   const BeadingOptions& walls = FdmOf(settings).beading[0];
   FdmOf(settings).infill[0].walls_nm =
-      walls.perimeters == 0 ? 0
-                            : walls.external_width_nm + (walls.perimeters - 1) * walls.inner_width_nm;
+      walls.perimeters == 0
+          ? 0
+          : walls.external_width_nm + (walls.perimeters - 1) * walls.inner_width_nm;
 }
 
 /// From where on a vase is hollow: its bottom has no fewer layers than asked for, and one at least.
@@ -149,10 +151,9 @@ void TakeVase(JobSettings& settings) {
   int32_t& hollow_from = settings.slicing.objects[0].hollow_from;
   if (hollow_from == 0) return;
   const FdmSettings& fdm = FdmOf(settings);
-  hollow_from = std::max(1, fdm.infill[0].bottom_solid_layers);
-  FdmOf(settings).planning.objects[0].spiral = {
-      .width_nm = fdm.beading[0].external_width_nm,
-      .blends = fdm.beading[0].fuzzy == FuzzySkin::kNone};
+  hollow_from = std::max(1, BottomLayers(settings));
+  FdmOf(settings).planning.objects[0].spiral = {.width_nm = fdm.beading[0].external_width_nm,
+                                                .blends = fdm.beading[0].fuzzy == FuzzySkin::kNone};
 }
 
 /// A density that depends on the distance to the surface looks as many layers up and down as it
@@ -252,6 +253,7 @@ absl::Status Settle(const Settling& settling) {
   TakeAdaptiveHeights(settings);
   TakeWalls(settings);
   TakeSupports(settings);
+  TakeShells(settling.draft, settings);
   TakeVase(settings);
   if (absl::Status ok = TakeDensityField(settings); !ok.ok()) return ok;
   if (absl::Status ok = CheckPlannedPattern(FdmOf(settings).infill[0]); !ok.ok()) return ok;

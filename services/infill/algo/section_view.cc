@@ -13,15 +13,21 @@ namespace {
 /// The outlines above or below. In a prism all layers are equal to `outline`, that of the layer in
 /// question: that is found out here, once for all islands.
 std::vector<const MultiPolygon*> Side(const SectionView& view, std::optional<int32_t> row,
-                                      const MultiPolygon* outline, int32_t step, int32_t count) {
+                                      const MultiPolygon* outline, int32_t step, int32_t count,
+                                      const SkinSpare& spare = {}) {
   std::vector<const MultiPolygon*> side;
   const MultiPolygon* nearer = outline;
+  Coord between_nm = 0;
   for (int32_t i = 1; i <= count; ++i) {
-    const MultiPolygon* layer = view.OutlineAt(view.layer + i * step, row);
+    // A surface beyond that layer would have enough between it and this one.
+    if (IsSpared(spare, count, i, between_nm)) break;
+    const int32_t own_layer = view.layer + i * step;
+    const MultiPolygon* layer = view.OutlineAt(own_layer, row);
     for (const MultiPolygon* same : {outline, nearer})
       if (same != nullptr && layer != nullptr && *layer == *same) layer = same;
     side.push_back(layer);
     nearer = layer;
+    between_nm += view.HeightAt(own_layer);
   }
   return side;
 }
@@ -44,11 +50,17 @@ const MultiPolygon* SectionView::OutlineAt(int32_t own_layer, std::optional<int3
   return own == section->regions.end() ? nullptr : &own->outlines;
 }
 
+Coord SectionView::HeightAt(int32_t own_layer) const {
+  const ObjectSection* section = stacks.Find(stack.id, own_layer);
+  return section == nullptr ? 0 : section->height_nm;
+}
+
 Cover CoverOf(const SectionView& view, const InfillOptions& options, std::optional<int32_t> row) {
   const MultiPolygon* outline = view.OutlineAt(view.layer, row);
-  Cover cover{.above = Side(view, row, outline, 1, options.top_solid_layers),
-              .below = Side(view, row, outline, -1, options.bottom_solid_layers),
-              .on_bed = view.layer == 0};
+  Cover cover{
+      .above = Side(view, row, outline, 1, options.top_solid_layers, options.top_spare),
+      .below = Side(view, row, outline, -1, options.bottom_solid_layers, options.bottom_spare),
+      .on_bed = view.layer == 0};
   const int32_t bearers = options.over_bridges ? kOverBridgeHaloLayers : 1;
   if (row || options.over_bridges)
     cover.bearers = Side(view, {}, outline, -1, std::min(bearers, view.layer));

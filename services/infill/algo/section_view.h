@@ -22,6 +22,9 @@ struct SectionView {
 
   /// Of the stack, or of its region of a row alone. Null: it has none there.
   const MultiPolygon* OutlineAt(int32_t own_layer, std::optional<int32_t> row = {}) const;
+
+  /// 0: the stack has no such layer.
+  Coord HeightAt(int32_t own_layer) const;
 };
 
 /// The layers that skins of a region look at: `row` alone, or the whole object's. Bridges are where

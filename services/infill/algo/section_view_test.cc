@@ -1,8 +1,8 @@
 #include "services/infill/algo/section_view.h"
 
-#include <vector>
-
 #include <gtest/gtest.h>
+
+#include <vector>
 
 #include "common/geometry/text_format.h"
 
@@ -18,7 +18,8 @@ std::vector<SlicedLayer> Layers() {
     section.layer = i;
     section.layer_count = 5;
     section.height_nm = 200'000;
-    section.regions = {{.outlines = MakePolygonsOrDie(i == 3 ? "(0 0, 9 0, 9 9, 0 9)" : "(0 0, 20 0, 20 20, 0 20)")}};
+    section.regions = {{.outlines = MakePolygonsOrDie(i == 3 ? "(0 0, 9 0, 9 9, 0 9)"
+                                                             : "(0 0, 20 0, 20 20, 0 20)")}};
     layers[i].sections = {section};
   }
   return layers;
@@ -40,6 +41,30 @@ TEST(CoverOf, EqualLayersAreOnePointer) {
   EXPECT_EQ(cover.above[2], own);
   EXPECT_EQ(cover.below, (std::vector<const MultiPolygon*>{own, nullptr}));
   EXPECT_EQ(view.OutlineAt(7), nullptr);
+}
+
+// A first layer of 0.3 mm and two of 0.2 are 0.7 mm: a fourth is solid only over other bottoms.
+TEST(CoverOf, LayersThatOnlyThicknessAsksForAreLeftOutByTheirHeights) {
+  auto layers = Layers();
+  layers[0].sections[0].height_nm = 300'000;
+  const ObjectLayers stacks(layers);
+  const MultiPolygon nothing;
+  InfillOptions options;
+  options.top_solid_layers = options.bottom_solid_layers = 4;
+  options.top_spare = options.bottom_spare = {.layers = 2, .enough_nm = 701'000};
+  const auto below = [&](int32_t layer) {
+    const SectionView view{.stack = 0, .layer = layer, .stacks = stacks, .carried = nothing};
+    return CoverOf(view, options, {}).below;
+  };
+  ASSERT_EQ(below(3).size(), 3u);
+  EXPECT_NE(below(3).back(), nullptr) << "three lie below, which are enough";
+  ASSERT_EQ(below(2).size(), 4u);
+  EXPECT_EQ(below(2).back(), nullptr);
+  const SectionView top{.stack = 0, .layer = 1, .stacks = stacks, .carried = nothing};
+  EXPECT_EQ(CoverOf(top, options, {}).above.size(), 4u) << "three layers of 0.2 mm are not";
+  options.top_spare.layers = 1;
+  options.top_spare.enough_nm = 601'000;
+  EXPECT_EQ(CoverOf(top, options, {}).above.size(), 3u);
 }
 
 }  // namespace

@@ -79,6 +79,21 @@ SettingSpec SolidFill(std::string_view key, std::string_view standard, std::stri
           .field = field};
 }
 
+/// As the setting says; thickness adds layers of its own (shells.h).
+template <int32_t InfillOptions::*kLayers, SkinSpare InfillOptions::*kSpare>
+Field LayersField() {
+  return {
+      .set =
+          [](JobSettings& s, const Value& value) {
+            FdmOf(s).infill[0].*kLayers = static_cast<int32_t>(value.number);
+          },
+      .get =
+          [](const JobSettings& s) {
+            const InfillOptions& infill = FdmOf(s).infill[0];
+            return Value{.number = static_cast<double>(infill.*kLayers - (infill.*kSpare).layers)};
+          }};
+}
+
 SettingSpec SolidLayers(std::string_view key, std::string_view doc, Field field) {
   return {.key = key,
           .kind = Kind::kInteger,
@@ -98,9 +113,9 @@ SettingSpec MinThickness(std::string_view key, std::string_view doc) {
 std::vector<SettingSpec> InfillSettings() {
   std::vector<SettingSpec> settings = {
       SolidLayers("top_solid_layers", "Number of solid layers under a top surface",
-                  Bind([](auto& s) -> auto& { return s.infill[0].top_solid_layers; })),
+                  LayersField<&InfillOptions::top_solid_layers, &InfillOptions::top_spare>()),
       SolidLayers("bottom_solid_layers", "Number of solid layers over a bottom surface",
-                  Bind([](auto& s) -> auto& { return s.infill[0].bottom_solid_layers; })),
+                  LayersField<&InfillOptions::bottom_solid_layers, &InfillOptions::bottom_spare>()),
       MinThickness("top_solid_min_thickness",
                    "Makes top_solid_layers more until they are this thick; not if it is 0"),
       MinThickness("bottom_solid_min_thickness",

@@ -89,9 +89,9 @@ struct SparsePlaces {
 SparsePlaces PlacesOf(const InfillPlanOptions& options, const ObjectStack& stack) {
   SparsePlaces places;
   places.inner = InnerAreas(stack, options.walls_nm);
-  places.areas = SparseAreas(
-      stack, places.inner,
-      {options.top_solid_layers, options.bottom_solid_layers, options.interface_shells});
+  places.areas = SparseAreas(stack, places.inner,
+                             {options.top_solid_layers, options.bottom_solid_layers,
+                              options.top_spare, options.bottom_spare, options.interface_shells});
   places.roofs = RoofsOf(places.areas);
   return places;
 }

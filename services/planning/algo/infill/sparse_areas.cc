@@ -15,14 +15,17 @@ using Outlines = MultiPolygon StackLayer::*;
 
 /// What is left of `area` below (or above) `count` layers' `outlines`. In a prism all are equal.
 MultiPolygon Covered(MultiPolygon area, const ObjectStack& stack, Outlines outlines, size_t layer,
-                     int32_t step, int32_t count) {
+                     int32_t step, int32_t count, const SkinSpare& spare) {
   const MultiPolygon* nearer = &(stack[layer].*outlines);
+  Coord between_nm = 0;
   for (int32_t i = 1; i <= count && !area.empty(); ++i) {
+    if (IsSpared(spare, count, i, between_nm)) break;
     const int64_t other = static_cast<int64_t>(layer) + static_cast<int64_t>(i) * step;
     if (other < 0 || other >= std::ssize(stack)) return {};
     const MultiPolygon& cover = stack[static_cast<size_t>(other)].*outlines;
     if (cover != *nearer) area = Intersection(area, cover);
     nearer = &cover;
+    between_nm += stack[static_cast<size_t>(other)].height_nm;
   }
   return area;
 }
@@ -44,8 +47,9 @@ std::vector<MultiPolygon> SparseAreas(const ObjectStack& stack, std::vector<Mult
   const Outlines outlines = rules.of_region_alone ? &StackLayer::region : &StackLayer::whole;
   for (size_t i = 0; i < stack.size(); ++i) {
     MultiPolygon& area = inner[i];
-    area = Covered(std::move(area), stack, outlines, i, 1, rules.top_solid_layers);
-    area = Covered(std::move(area), stack, outlines, i, -1, rules.bottom_solid_layers);
+    area = Covered(std::move(area), stack, outlines, i, 1, rules.top_solid_layers, rules.top_spare);
+    area = Covered(std::move(area), stack, outlines, i, -1, rules.bottom_solid_layers,
+                   rules.bottom_spare);
   }
   return inner;
 }

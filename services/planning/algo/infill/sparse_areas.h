@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/model/options/skin_spare.h"
 #include "services/planning/algo/infill/object_stack.h"
 
 namespace slicefarm::planning {
@@ -11,6 +12,7 @@ namespace slicefarm::planning {
 struct SkinRules {
   int32_t top_solid_layers = 0;
   int32_t bottom_solid_layers = 0;
+  SkinSpare top_spare = {}, bottom_spare = {};
   bool of_region_alone = false;  ///< skins also where another region lies above or below
 };
 

@@ -27,12 +27,25 @@ TEST(SparseAreas, LieInsideOfWallsAndSkins) {
   EXPECT_NEAR(Mm2(roofs[16]), 8 * 8, 1e-6);
 }
 
+TEST(SparseAreas, LayersThatOnlyThicknessAsksForAreLeftOutByTheirHeights) {
+  ObjectStack stack = Prism(10, "(0 0, 20 0, 20 10, 0 10)");
+  for (StackLayer& layer : stack) layer.height_nm = 200'000;
+  stack[0].height_nm = 300'000;
+  const SkinSpare spare{.layers = 2, .enough_nm = 700'000};
+  const auto areas = SparseAreas(
+      stack, InnerAreas(stack, 1'000'000),
+      {.top_solid_layers = 4, .bottom_solid_layers = 4, .top_spare = spare, .bottom_spare = spare});
+  for (size_t i = 0; i < stack.size(); ++i) EXPECT_EQ(areas[i].empty(), i < 3 || i > 5) << i;
+}
+
 // A prism whose right half is another region from layer 5 on.
 TEST(SparseAreas, OfARegionAloneEndBelowOtherRegions) {
   ObjectStack stack = Prism(10, "(0 0, 20 0, 20 10, 0 10)");
   for (size_t i = 5; i < 10; ++i) stack[i].region = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");
   for (const bool alone : {false, true}) {
-    const auto areas = SparseAreas(stack, InnerAreas(stack, 1'000'000), {2, 1, alone});
+    const auto areas =
+        SparseAreas(stack, InnerAreas(stack, 1'000'000),
+                    {.top_solid_layers = 2, .bottom_solid_layers = 1, .of_region_alone = alone});
     EXPECT_NEAR(Mm2(areas[2]), 18 * 8, 1e-6);
     EXPECT_NEAR(Mm2(areas[4]), (alone ? 9 : 18) * 8, 1e-6);
     EXPECT_NEAR(Mm2(areas[6]), 8 * 8, 1e-6);

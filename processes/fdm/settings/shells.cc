@@ -1,0 +1,65 @@
+#include "processes/fdm/settings/shells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "common/model/limits.h"
+
+namespace slicefarm::config::fdm {
+namespace {
+
+/// Of layers that lie on each other, the lowest may have a height of its own.
+struct LayerStack {
+  Coord first_nm = 0;
+  Coord others_nm = 0;
+};
+
+LayerStack StackOf(const JobSettings& settings) {
+  const auto& object = settings.slicing.objects[0];
+  return {object.on_bed ? settings.slicing.first_layer_height_nm : object.layer_height_nm,
+          object.layer_height_nm};
+}
+
+/// How many layers are `thickness_mm` thick, wherever they lie.
+double MostLayers(double thickness_mm, const LayerStack& stack) {
+  constexpr double kRounding = 1e-6;
+  const double others_mm = ToMm(static_cast<double>(stack.others_nm));
+  const double first_mm = ToMm(static_cast<double>(std::min(stack.first_nm, stack.others_nm)));
+  return std::ceil((thickness_mm - first_mm) / others_mm - kRounding) + 1;
+}
+
+void TakeShell(double thickness_mm, const LayerStack& stack, int32_t& layers, SkinSpare& spare) {
+  spare = {};
+  if (layers == 0 || thickness_mm <= 0) return;
+  const auto most = static_cast<int32_t>(std::clamp<double>(
+      MostLayers(thickness_mm, stack), layers, std::max<double>(layers, limits::kMaxLayers)));
+  spare = {.layers = most - layers, .enough_nm = FromMm(thickness_mm)};
+  layers = most;
+}
+
+}  // namespace
+
+void TakeShells(const Draft& draft, JobSettings& settings) {
+  InfillOptions& infill = FdmOf(settings).infill[0];
+  const LayerStack stack = StackOf(settings);
+  TakeShell(draft.Number("top_solid_min_thickness"), stack, infill.top_solid_layers,
+            infill.top_spare);
+  TakeShell(draft.Number("bottom_solid_min_thickness"), stack, infill.bottom_solid_layers,
+            infill.bottom_spare);
+}
+
+int32_t BottomLayers(const JobSettings& settings) {
+  const InfillOptions& infill = FdmOf(settings).infill[0];
+  const LayerStack stack = StackOf(settings);
+  int32_t layers = 0;
+  Coord height_nm = 0;
+  while (layers < infill.bottom_solid_layers &&
+         !IsSpared(infill.bottom_spare, infill.bottom_solid_layers, layers + 1, height_nm)) {
+    height_nm += layers == 0 ? stack.first_nm : stack.others_nm;
+    ++layers;
+  }
+  return layers;
+}
+
+}  // namespace slicefarm::config::fdm
