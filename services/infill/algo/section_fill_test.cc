@@ -164,6 +164,31 @@ TEST(FillSection, ThePlateHasNoNeighbours) {
   EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kSupport});
 }
 
+// Else what a narrow column of supports carries would be printed into the air.
+TEST(FillSection, AColumnThatTheLinesPassByHasOneAlongItsMiddle) {
+  const auto layers = Prism();
+  const ObjectLayers objects(layers);
+  std::vector<InfillOptions> regions(1);
+  regions[0].top_solid_layers = regions[0].bottom_solid_layers = 0;
+  regions[0].pattern = FillPattern::kAlignedRectilinear;
+  regions[0].density = 0.15;
+  const auto paths = [&](Role role, bool walled) {
+    WalledIsland island;
+    island.fill_areas = {{role, 0, 0, P("(4 2, 4.4 2, 4.4 9, 4 9)")}};
+    if (walled) island.walls.emplace_back();
+    const auto filled = FillPlain({Stack(1, 0, StackKind::kSupport), 3, 200'000, {island}}, false,
+                                  objects, regions);
+    EXPECT_TRUE(filled.ok()) << filled.status();
+    return PathsOf(*filled);
+  };
+  const auto middle = paths(Role::kSupport, /*walled=*/false);
+  ASSERT_EQ(middle.size(), 1);
+  EXPECT_EQ(middle[0].feature, Feature::kSupport);
+  for (const Point point : middle[0].points) EXPECT_NEAR(ToMm(point.x), 4.2, 0.03);
+  EXPECT_TRUE(paths(Role::kSupport, /*walled=*/true).empty()) << "a wall is a line";
+  EXPECT_TRUE(paths(Role::kPart, /*walled=*/false).empty());
+}
+
 /// What one row fills of layer 5, all of the square.
 FilledSection SquareOf(const InfillOptions& options, std::span<const PlannedInfill> plans,
                        int32_t layer = 5) {

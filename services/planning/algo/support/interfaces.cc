@@ -82,11 +82,14 @@ MultiPolygon LyingOn(const std::vector<const MultiPolygon*>& part, const MultiPo
   return lying;
 }
 
+bool Carries(const PolygonWithHoles& column, const MultiPolygon& above) {
+  return !above.empty() && Area(Intersection({column}, above)) >= support::kLeastRegionNm2;
+}
+
 /// Takes away what is left of columns beside their sheets and carries nothing above these.
 void DropSpent(const MultiPolygon& columns_above, MultiPolygon& base) {
-  std::erase_if(base, [&](const PolygonWithHoles& island) {
-    return Area(Intersection({island}, columns_above)) < support::kLeastRegionNm2;
-  });
+  std::erase_if(base,
+                [&](const PolygonWithHoles& island) { return !Carries(island, columns_above); });
 }
 
 /// Contacts of this layer and of the n - 1 above.
@@ -157,16 +160,11 @@ std::vector<MultiPolygon> Floors(const SupportProblem& problem, const SupportHei
 
 void DropUseless(const Contacts& contacts, Coord narrow_nm, std::vector<MultiPolygon>& columns) {
   for (size_t i = columns.size(); i-- > 0;) {
-    const auto carries = [&](const PolygonWithHoles& column, const MultiPolygon& above) {
-      return !above.empty() &&
-             Area(Intersection({column}, above)) >= support::kLeastRegionNm2;
-    };
     std::erase_if(columns[i], [&](const PolygonWithHoles& column) {
       const Box box = Bounds(column.outer);
       const Coord width_nm = std::min(box.max.x - box.min.x, box.max.y - box.min.y);
-      if (width_nm >= narrow_nm) return false;
-      return !carries(column, contacts[i]) &&
-             !(i + 1 < columns.size() && carries(column, columns[i + 1]));
+      return width_nm < narrow_nm && !Carries(column, contacts[i]) &&
+             !(i + 1 < columns.size() && Carries(column, columns[i + 1]));
     });
   }
 }

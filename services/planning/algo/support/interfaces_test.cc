@@ -74,6 +74,18 @@ TEST_F(InterfacesTest, ColumnsEndWithTheirSheets) {
   }
 }
 
+// Where the part has cut them off from what they stood under.
+TEST(DropUseless, TakesNarrowColumnsThatCarryNothing) {
+  const PolygonWithHoles carries = BoxOf(0, 0, 1, 4).front(), cut = BoxOf(5, 0, 6, 4).front(),
+                         wide = BoxOf(10, 0, 20, 10).front();
+  std::vector<MultiPolygon> columns = {{carries, cut, wide}, {carries, cut}, {carries}};
+  const Contacts contacts = {{}, {}, BoxOf(0, 0, 1, 4)};
+  DropUseless(contacts, 3'000'000, columns);
+  EXPECT_EQ(columns[2], MultiPolygon{carries});
+  EXPECT_EQ(columns[1], MultiPolygon{carries});
+  EXPECT_EQ(columns[0], (MultiPolygon{carries, wide})) << "wide ones are not looked at";
+}
+
 // The lines of a base may pass a narrow island by, and the interface would have nothing below it.
 TEST_F(InterfacesTest, NarrowIslandsUnderContactsAreInterface) {
   SupportOptions options;
