@@ -32,6 +32,7 @@ struct SectionPlan {
   std::vector<Point> seams;
   MultiPolygon carried = {};  ///< supports lie right below its underside here
   std::optional<SpiralTurn> spiral = {};  ///< its only wall is a turn of a spiral
+  MultiPolygon curled = {};  ///< what hangs over stands above the layer here: travels keep off
 
   friend bool operator==(const SectionPlan&, const SectionPlan&) = default;
 };

@@ -198,6 +198,9 @@ struct BlockVisit {
   int32_t copy = -1;  ///< index into the job's copies; -1: of the plate
   int32_t pass = 0;   ///< of the copy
   Point shift;        ///< from the object's origin to the copy's place
+  /// Of the way from the visit before, on the plate; none: straight on. Not looked at for the first
+  /// visit of a pass.
+  std::vector<Point> corners = {};
 
   friend bool operator==(const BlockVisit&, const BlockVisit&) = default;
 };

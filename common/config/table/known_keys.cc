@@ -22,7 +22,6 @@ constexpr KnownKey kSwitches[] = {
     {"printer_technology", kResin, "FFF", true, true, true},
     {"single_extruder_multi_material", kNotYet, "0", true},
     // These make it better or different in detail.
-    {"avoid_crossing_curled_overhangs", kNotYet, "0", true},
     {"colorprint_heights", kNotYet, "", true, true, true},
     {"extruder_offset", kNotYet, "0x0", true},
     {"extrusion_axis", kNotYet, "E", true},

@@ -77,6 +77,7 @@ struct PlanningOptions {
   int32_t skirt_settings = 0;             ///< row of the job's tables of region settings
   std::vector<InfillPlanOptions> infill;  ///< by region; empty: none needs a plan
   bool objects_may_overlap = false;       ///< objects_may_overlap
+  bool avoid_curled = false;  ///< avoid_crossing_curled_overhangs: tells where parts curl up
   Polygon bed;  ///< bed_shape: nothing is added outside of it; empty: no limit
 
   friend bool operator==(const PlanningOptions&, const PlanningOptions&) = default;

@@ -336,6 +336,8 @@ absl::Status ToProto(const BlockVisit& visit, v1::BlockVisit* proto) {
   proto->set_block(visit.block);
   proto->set_copy(visit.copy);
   proto->set_pass(visit.pass);
+  const absl::Status status = PackPoints(visit.corners, proto->mutable_corners_xy_nm());
+  if (!status.ok()) return Within("corners_xy_nm", status);
   return ToProto(visit.shift, proto->mutable_shift());
 }
 
@@ -345,7 +347,10 @@ absl::StatusOr<BlockVisit> FromProto(const v1::BlockVisit& proto) {
     return Malformed("copy", "is not the index of a copy");
   }
   if (proto.pass() < 0) return Malformed("pass", "is negative");
-  return BlockVisit{proto.block(), proto.copy(), proto.pass(), FromProto(proto.shift())};
+  absl::StatusOr<std::vector<Point>> corners = UnpackPoints(proto.corners_xy_nm(), "corners_xy_nm");
+  if (!corners.ok()) return corners.status();
+  return BlockVisit{proto.block(), proto.copy(), proto.pass(), FromProto(proto.shift()),
+                    *std::move(corners)};
 }
 
 absl::Status ToProto(const OrderedLayer& layer, v1::OrderedLayer* proto) {

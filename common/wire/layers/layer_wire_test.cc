@@ -118,11 +118,12 @@ OrderedLayer Ordered() {
   carried = *ParseMultiPolygon("(1 1, 3 1, 3 3)");
   spiral = {{1, 2}, Point{3, 4}, true, false};
   BlockVisit visit;
-  auto& [block, copy, pass, shift] = visit;
+  auto& [block, copy, pass, shift, turns] = visit;
   block = 1;
   copy = 11;
   pass = 12;
   shift = {-13'000, 14'000};
+  turns = {{9, 8}, {-7, 6}};
   return {
       kFrame, {first, {4, 3, 200'000, {PlainPath("(0 0, 1 0, 1 1)")}}}, {{}, visit}, true, true};
 }

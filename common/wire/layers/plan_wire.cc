@@ -105,6 +105,9 @@ absl::Status ToProto(const SectionPlan& plan, v1::SectionPlan* proto) {
   if (!plan.carried.empty())
     if (absl::Status status = ToProto(plan.carried, proto->mutable_carried()); !status.ok())
       return Within("carried", status);
+  if (!plan.curled.empty())
+    if (absl::Status status = ToProto(plan.curled, proto->mutable_curled()); !status.ok())
+      return Within("curled", status);
   if (plan.spiral)
     if (absl::Status status = ToProto(*plan.spiral, proto->mutable_spiral()); !status.ok())
       return Within("spiral", status);
@@ -117,10 +120,13 @@ absl::StatusOr<SectionPlan> FromProto(const v1::SectionPlan& proto) {
   if (!seams.ok()) return seams.status();
   absl::StatusOr<MultiPolygon> carried = FromProto(proto.carried());
   if (!carried.ok()) return Within("carried", carried.status());
+  absl::StatusOr<MultiPolygon> curled = FromProto(proto.curled());
+  if (!curled.ok()) return Within("curled", curled.status());
   SectionPlan plan{
       proto.stack(), FromProto(proto.entry()), {}, *std::move(seams), *std::move(carried)};
   if (proto.has_exit()) plan.exit = FromProto(proto.exit());
   if (proto.has_spiral()) plan.spiral = FromProto(proto.spiral());
+  plan.curled = *std::move(curled);
   return plan;
 }
 

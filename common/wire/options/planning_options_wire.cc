@@ -408,6 +408,7 @@ absl::Status ToProto(const PlanningOptions& options, v1::PlanningOptions* proto)
   *proto->mutable_skirt() = ToProto(options.skirt);
   proto->set_skirt_settings(options.skirt_settings);
   proto->set_objects_may_overlap(options.objects_may_overlap);
+  proto->set_avoid_curled(options.avoid_curled);
   const absl::Status status = PackPoints(options.bed, proto->mutable_bed_xy_nm());
   return status.ok() ? status : Within("bed_xy_nm", status);
 }
@@ -443,6 +444,7 @@ absl::StatusOr<PlanningOptions> FromProto(const v1::PlanningOptions& proto) {
   options.skirt = *skirt;
   options.skirt_settings = proto.skirt_settings();
   options.objects_may_overlap = proto.objects_may_overlap();
+  options.avoid_curled = proto.avoid_curled();
   options.bed = *std::move(bed);
   return options;
 }

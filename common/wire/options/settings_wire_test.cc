@@ -138,7 +138,8 @@ InfillPlanOptions DistinctInfillPlan() {
 
 PlanningOptions DistinctPlanning() {
   PlanningOptions options;
-  auto& [objects, sequence, skirt, skirt_settings, infill, may_overlap, bed] = options;
+  auto& [objects, sequence, skirt, skirt_settings, infill, may_overlap, avoid_curled, bed] =
+      options;
   infill = {DistinctInfillPlan()};
   auto& [complete_objects, clearance_radius, clearance_height] = sequence;
   complete_objects = true;
@@ -158,7 +159,7 @@ PlanningOptions DistinctPlanning() {
   objects = {object, {SeamPosition::kNearest}};
   skirt = DistinctSkirt();
   skirt_settings = 644;
-  may_overlap = true;
+  may_overlap = avoid_curled = true;
   bed = {{0, 1}, {2, 3}, {4, 2'000'000'000}};
   return options;
 }
@@ -534,6 +535,7 @@ constexpr char kDistinct[] = R"pb(
     skirt_settings: 644
     bed_xy_nm: [ 0, 1, 2, 3, 4, 2000000000 ]
     objects_may_overlap: true
+    avoid_curled: true
     infill {
       pattern: FILL_PATTERN_SUPPORT_CUBIC
       choose_pattern: true

@@ -12,12 +12,12 @@ namespace {
 constexpr int32_t kAllLines = 1'000;
 
 /// Rafts end in the supports' interface, and have its gaps.
-double DensityOf(RaftLayerKind kind, const RaftLines& lines, const SupportOptions& support) {
-  if (kind == RaftLayerKind::kFirst) return lines.first_layer_density;
-  const auto width = static_cast<double>(lines.width_nm);
-  const Coord gap_nm =
-      kind == RaftLayerKind::kInterface ? support.interface_spacing_nm : lines.spacing_nm;
-  return width / (width + static_cast<double>(gap_nm));
+double DensityOf(const RaftOptions& raft, int32_t layer, const SupportOptions& support) {
+  const RaftLayerKind kind = RaftLayerKindOf(layer, raft.heights.layers);
+  if (kind == RaftLayerKind::kFirst) return raft.lines.first_layer_density;
+  const Coord free_nm =
+      kind == RaftLayerKind::kInterface ? support.interface_spacing_nm : raft.lines.spacing_nm;
+  return LineDensity(raft.lines.width_nm, raft.heights.HeightOf(layer), free_nm);
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ JobSettings RaftRow(JobSettings settings, int32_t layer) {
   const bool two_bases = layers / 2 > 1;
   const bool across =
       kind == RaftLayerKind::kInterface || (kind == RaftLayerKind::kFirst && two_bases);
-  FillAlike(DensityOf(kind, raft.lines, support),
+  FillAlike(DensityOf(raft, layer, support),
             raft.lines.angle_rad + (across ? std::numbers::pi / 2 : 0),
             FdmOf(settings).infill.front());
   InfillOptions& infill = FdmOf(settings).infill.front();

@@ -16,12 +16,12 @@ JobSettings BrimRow(JobSettings settings);
 ///
 ///   layer        density                           lines run at support_material_angle
 ///   first        raft_first_layer_density          + 90 degrees if there are two base layers
-///   other base   width / (width + spacing)
-///   interface    1                                 + 90 degrees
+///   other base   by support_material_spacing
+///   interface    by its spacing                    + 90 degrees
 ///
 /// A line runs round those that are no interface. Source: measured, PrusaSlicer 2.5.0; its
 /// snug style turns the topmost interface by 45 degrees: not followed. It lays interfaces of height
-/// 0.3 at the spacing of lines of layer_height, 6 % too little plastic: density 1 fills here.
+/// 0.3 at the spacing of lines of layer_height, 6 % too little plastic: a spacing of 0 fills here.
 JobSettings RaftRow(JobSettings settings, int32_t layer);
 
 }  // namespace slicefarm::config::fdm

@@ -12,6 +12,8 @@ namespace slicefarm::config::fdm::adhesion_rows_test {
 namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2;
+/// Of lines 0.4 mm wide that fill a layer of 0.3 mm: three quarters of the nozzle.
+constexpr double kSpacing = 0.4 - 0.3 * (1 - std::numbers::pi / 4);
 
 JobSettings Resolved(const std::vector<std::pair<std::string, std::string>>& given) {
   std::vector<Setting> settings;
@@ -50,7 +52,7 @@ struct Layer {
 
 // As PrusaSlicer 2.5.0 prints them.
 TEST(RaftRow, DensityAndAngleOfEachLayer) {
-  const double base = 0.4 / 2.9;
+  const double base = kSpacing / (kSpacing + 2.5);
   const std::vector<std::vector<Layer>> rafts = {
       {{1, 1, 0}},
       {{0.9, 0, 1}, {1, 1, 0}},
@@ -65,7 +67,7 @@ TEST(RaftRow, DensityAndAngleOfEachLayer) {
     for (size_t i = 0; i < raft.size(); ++i) {
       const JobSettings row = RaftRow(job, static_cast<int32_t>(i));
       const InfillOptions& infill = FdmOf(row).infill[0];
-      EXPECT_DOUBLE_EQ(infill.density, raft[i].density) << raft.size() << " " << i;
+      EXPECT_NEAR(infill.density, raft[i].density, 1e-6) << raft.size() << " " << i;
       EXPECT_DOUBLE_EQ(infill.angle_rad, std::numbers::pi / 6 + kQuarter * raft[i].turn);
       EXPECT_EQ(infill.pattern, FillPattern::kAlignedRectilinear);
       EXPECT_EQ(infill.top_solid_layers, 0);
@@ -83,7 +85,9 @@ TEST(RaftRow, InterfacesHaveTheSupportsGaps) {
                                     {"support_material_extrusion_width", "0.4"}});
   EXPECT_DOUBLE_EQ(FdmOf(RaftRow(job, 0)).infill[0].density, 0.9);
   for (const int32_t layer : {1, 2})
-    EXPECT_DOUBLE_EQ(FdmOf(RaftRow(job, layer)).infill[0].density, 0.4 / 1.4) << layer;
+    EXPECT_NEAR(FdmOf(RaftRow(job, layer)).infill[0].density, kSpacing / (kSpacing + 1),
+                1e-6)
+        << layer;
 }
 
 }  // namespace

@@ -1,5 +1,9 @@
 #include "processes/fdm/settings/plain_row.h"
 
+#include <algorithm>
+
+#include "common/model/bead_section.h"
+
 namespace slicefarm::config::fdm {
 
 void SetWidths(Coord width_nm, JobSettings& settings) {
@@ -39,6 +43,12 @@ void FillAlike(double density, double angle_rad, InfillOptions& infill) {
   infill.density_field.clear();
   infill.stress_field.clear();
   infill.field_halo_layers = 0;
+}
+
+double LineDensity(Coord width_nm, Coord height_nm, Coord free_nm) {
+  // Widths that are none are refused where lines are laid.
+  const auto spacing = static_cast<double>(std::max<Coord>(Spacing(width_nm, height_nm), 1));
+  return spacing / (spacing + static_cast<double>(free_nm));
 }
 
 }  // namespace slicefarm::config::fdm

@@ -16,4 +16,8 @@ void MakePlain(BeadingOptions& beading);
 /// No skins: all of a region is filled alike, with lines that do not turn from layer to layer.
 void FillAlike(double density, double angle_rad, InfillOptions& infill);
 
+/// The density of lines that lie `free_nm` further apart than lines that fill a layer of that height:
+/// what PrusaSlicer calls support_material_spacing.
+double LineDensity(Coord width_nm, Coord height_nm, Coord free_nm);
+
 }  // namespace slicefarm::config::fdm

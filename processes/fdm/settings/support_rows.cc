@@ -7,11 +7,6 @@
 namespace slicefarm::config::fdm {
 namespace {
 
-/// Of lines that leave `free_nm` between each other.
-double Density(Coord width_nm, Coord free_nm) {
-  return static_cast<double>(width_nm) / static_cast<double>(width_nm + free_nm);
-}
-
 FillPattern PatternOf(SupportPattern pattern) {
   switch (pattern) {
     case SupportPattern::kRectilinear:
@@ -28,6 +23,9 @@ void SetLines(const ObjectPlanOptions& object, SupportRow row, BeadingOptions& b
               InfillOptions& infill) {
   const SupportOptions& support = object.support;
   const double angle_rad = support.angle_rad;
+  const auto density = [&](Coord free_nm) {
+    return LineDensity(support.width_nm, support.layer_height_nm, free_nm);
+  };
   switch (row) {
     case SupportRow::kFirstLayer:
       beading.perimeters = 1;
@@ -35,7 +33,7 @@ void SetLines(const ObjectPlanOptions& object, SupportRow row, BeadingOptions& b
       return;
     case SupportRow::kBase:
       beading.perimeters = support.sheath ? 1 : 0;
-      FillAlike(Density(support.width_nm, support.spacing_nm), angle_rad, infill);
+      FillAlike(density(support.spacing_nm), angle_rad, infill);
       infill.pattern = PatternOf(support.pattern);
       return;
     case SupportRow::kBranch:
@@ -46,8 +44,7 @@ void SetLines(const ObjectPlanOptions& object, SupportRow row, BeadingOptions& b
     case SupportRow::kInterface:
       // A loop ends exactly at the region's edge, and fits into strips where no line across would.
       beading.perimeters = 1;
-      FillAlike(Density(support.width_nm, support.interface_spacing_nm),
-                angle_rad + std::numbers::pi / 2, infill);
+      FillAlike(density(support.interface_spacing_nm), angle_rad + std::numbers::pi / 2, infill);
       if (support.interface_pattern == InterfacePattern::kConcentric)
         infill.pattern = infill.solid_pattern = infill.top_pattern = infill.bottom_pattern =
             FillPattern::kConcentric;

@@ -8,11 +8,11 @@ namespace slicefarm::config::fdm {
 /// The settings of a support's regions, as those of an object come to them: a row for RegionTable.
 /// `settings`: resolved; what counts is the first region.
 ///
-///   row           density                              lines
-///   first layer   raft_first_layer_density             at support_material_angle, in a loop
-///   base          width / (width + spacing)            the same; in a loop with a sheath
-///   branches      0                                    one loop or two
-///   interface     width / (width + interface spacing)  + 90 degrees
+///   row           density                    lines
+///   first layer   raft_first_layer_density   at support_material_angle, in a loop
+///   base          by its spacing             the same; in a loop with a sheath
+///   branches      0                          one loop or two
+///   interface     by its spacing             + 90 degrees
 JobSettings SupportRegionRow(JobSettings settings, SupportRow row);
 
 }  // namespace slicefarm::config::fdm

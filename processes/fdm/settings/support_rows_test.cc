@@ -12,6 +12,8 @@ namespace slicefarm::config::fdm::support_rows_test {
 namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2;
+/// Of lines 0.4 mm wide that fill a layer of 0.3 mm.
+constexpr double kSpacing = 0.4 - 0.3 * (1 - std::numbers::pi / 4);
 
 JobSettings Resolved(const std::vector<std::pair<std::string, std::string>>& given) {
   std::vector<Setting> settings = {{"support_material", "1", Source::kRequest}};
@@ -34,6 +36,7 @@ TEST_P(SupportRegionRowTest, HasItsLines) {
   const Case& c = GetParam();
   const JobSettings row = SupportRegionRow(Resolved({{"support_material_extrusion_width", "0.4"},
                                                      {"support_material_spacing", "2.1"},
+                                                     {"layer_height", "0.3"},
                                                      {"support_material_interface_spacing", "0.1"},
                                                      {"support_material_angle", "30"},
                                                      {"perimeters", "4"},
@@ -41,17 +44,17 @@ TEST_P(SupportRegionRowTest, HasItsLines) {
                                            c.row);
   EXPECT_EQ(FdmOf(row).beading[0].perimeters, c.walls);
   EXPECT_EQ(FdmOf(row).beading[0].external_width_nm, 400'000);
-  EXPECT_DOUBLE_EQ(FdmOf(row).infill[0].density, c.density);
+  EXPECT_NEAR(FdmOf(row).infill[0].density, c.density, 1e-6);
   EXPECT_DOUBLE_EQ(FdmOf(row).infill[0].angle_rad, std::numbers::pi / 6 + kQuarter * c.turn);
   EXPECT_EQ(FdmOf(row).infill[0].top_solid_layers, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rows, SupportRegionRowTest,
                          testing::Values(Case{"FirstLayer", SupportRow::kFirstLayer, 1, 0.9, 0},
-                                         Case{"Base", SupportRow::kBase, 1, 0.4 / 2.5, 0},
+                                         Case{"Base", SupportRow::kBase, 1, kSpacing / (kSpacing + 2.1), 0},
                                          Case{"Branch", SupportRow::kBranch, 1, 0, 0},
                                          Case{"ThickBranch", SupportRow::kThickBranch, 2, 0, 0},
-                                         Case{"Interface", SupportRow::kInterface, 1, 0.8, 1}),
+                                         Case{"Interface", SupportRow::kInterface, 1, kSpacing / (kSpacing + 0.1), 1}),
                          [](const auto& info) { return info.param.name; });
 
 TEST(SupportRegionRow, TheSheathMayBeLeftOut) {

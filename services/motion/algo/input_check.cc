@@ -38,17 +38,19 @@ bool InBounds(Point point) {
   return std::abs(point.x) <= limits::kMaxCoord && std::abs(point.y) <= limits::kMaxCoord;
 }
 
+bool InBounds(const std::vector<Point>& points) {
+  return std::ranges::all_of(points, [](Point p) { return InBounds(p); });
+}
+
 bool InBounds(const Path& path) {
   const auto is_width = [](Coord width) { return 0 <= width && width <= kMaxBeadNm; };
   return WellFormed(path) && std::all_of(path.widths_nm.begin(), path.widths_nm.end(), is_width) &&
-         std::all_of(path.points.begin(), path.points.end(), [](Point p) { return InBounds(p); }) &&
+         InBounds(path.points) &&
          static_cast<int>(path.feature) < kFeatureCount;
 }
 
 bool InBounds(const PathBlock& block) {
-  const auto has_bounds = [](const Travel& travel) {
-    return std::ranges::all_of(travel.corners, [](Point p) { return InBounds(p); });
-  };
+  const auto has_bounds = [](const Travel& travel) { return InBounds(travel.corners); };
   const bool leaves_in_bounds =
       !block.leave || (InBounds(block.leave->to) && has_bounds(block.leave->way));
   const bool turns_in_bounds =
@@ -67,7 +69,7 @@ bool AreInOrder(const OrderedLayer& layer) {
     if (visit.block < 0 || visit.block >= std::ssize(layer.blocks)) return false;
     if (!InBounds(visit.shift) || !is_shift(visit.shift.x) || !is_shift(visit.shift.y))
       return false;
-    if (visit.pass < pass) return false;
+    if (visit.pass < pass || !InBounds(visit.corners)) return false;
     pass = visit.pass;
   }
   return true;

@@ -93,6 +93,7 @@ TEST(CheckLayer, NamesTheLayer) {
       [](auto& l) { l.visits[1].shift.y = INT64_MIN + 1; },
       [](auto& l) { l.visits[1].shift.x = 1'500; },
       [](auto& l) { l.visits[1].shift.y = -1; },
+      [](auto& l) { l.visits[1].corners = {{0, INT64_MIN + 1}}; },
       [](auto& l) { l.visits[0].pass = 2; },
       [](auto& l) { l.visits[0].pass = -1; },
       [](auto& l) { l.begins_ready = true; },  // its block has two visits

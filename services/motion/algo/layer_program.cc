@@ -146,6 +146,12 @@ ProgramStats Moved(ProgramStats stats, Point shift) {
   return stats;
 }
 
+double TravelMm(Point from, std::span<const Point> corners, Point to) {
+  double length_nm = 0;
+  for (const Point corner : corners) length_nm += Distance(std::exchange(from, corner), corner);
+  return ToMm(length_nm + Distance(from, to));
+}
+
 /// The program of one pass.
 class PassProgram {
  public:
@@ -160,8 +166,10 @@ class PassProgram {
         paths_.push_back(built[block].path);
       stats_.Add(Moved(built[block].stats, visit.shift));
     }
+    for (const BlockVisit& visit : visits) ways_.push_back(WayTo(visit));
     for (size_t i = 1; i < visits.size(); ++i)
-      stats_.travel_mm += ToMm(Distance(ExitOf(visits[i - 1], built), EntryOf(visits[i], layer)));
+      stats_.travel_mm += TravelMm(ExitOf(visits[i - 1], built), visits[i].corners,
+                                   EntryOf(visits[i], layer));
     const std::vector<Stretch> stretches = Stretches();
     LayerTiming timing(FirmwareOf(options.flavor), options.limits);
     AddTimes(stretches, SlowDown(CoolingOf(visits), stretches, timing, paths_), stats_);
@@ -181,6 +189,8 @@ class PassProgram {
       const size_t approach = path.approach;
       const bool first = &visit == &visits_.front();
       if (first || Lifts()) writer.Write(path, 0, approach, shift, out);
+      const Toolpath& way = WayOf(visit);
+      writer.Write(way, 0, way.moves.size(), {}, out);
       if (first) KeepPlace(code, out, places);
       if (first) out.Lines(code.after);
       if (first && code.has_after) writer.Forget();
@@ -211,14 +221,39 @@ class PassProgram {
     return {ToUm(visit.shift.x), ToUm(visit.shift.y)};
   }
 
+  const Toolpath& WayOf(const BlockVisit& visit) const {
+    return ways_[static_cast<size_t>(&visit - &visits_.front())];
+  }
+
+  /// To the corners on the way from the visit before, on the plate: as the approach goes.
+  Toolpath WayTo(const BlockVisit& visit) const {
+    Toolpath way;
+    if (&visit == &visits_.front()) return way;
+    const Toolpath& path = PathOf(visit);
+    for (const Point corner : visit.corners) {
+      Move move = path.moves[path.approach];
+      move.x_um = ToUm(corner.x);
+      move.y_um = ToUm(corner.y);
+      way.moves.push_back(move);
+    }
+    return way;
+  }
+
   /// What is written, in its order. Copies after the first are at their height, unless travels
   /// rise.
   std::vector<Stretch> Stretches() const {
     std::vector<Stretch> stretches;
     for (const BlockVisit& visit : visits_) {
       const Toolpath& path = PathOf(visit);
-      const bool whole = &visit == &visits_.front() || Lifts();
-      stretches.push_back({&path, whole ? 0 : path.approach, path.moves.size(), ShiftOf(visit)});
+      const Toolpath& way = WayOf(visit);
+      const ShiftUm shift = ShiftOf(visit);
+      size_t first = &visit == &visits_.front() || Lifts() ? 0 : path.approach;
+      if (!way.moves.empty()) {
+        stretches.push_back({&path, first, path.approach, shift});
+        stretches.push_back({&way, 0, way.moves.size(), {}});
+        first = path.approach;
+      }
+      stretches.push_back({&path, first, path.moves.size(), shift});
     }
     return stretches;
   }
@@ -244,6 +279,7 @@ class PassProgram {
   const MaterialField* materials_;
   std::map<int32_t, size_t> place_of_;  ///< in paths_, by block of the layer
   std::vector<Toolpath> paths_;
+  std::vector<Toolpath> ways_;  ///< by visit
   ProgramStats stats_;
   LayerEdges edges_;
 };

@@ -419,6 +419,27 @@ TEST(ProgramLayer, CopiesAreCountedWithTheWayBetweenThem) {
 }
 
 // Where a copy stands must not change what is printed of it: the same moves, and the same speed.
+TEST(ProgramLayer, TheWayToACopyGoesOverItsCorners) {
+  const OrderedLayer straight = TwoSquares();
+  OrderedLayer round = straight;
+  round.visits[1].corners = {{FromMm(35), FromMm(40)}, {FromMm(50), FromMm(40)}};
+  for (const double lift_mm : {0.0, 0.4}) {
+    MotionOptions options = Options();
+    options.retraction.lift_mm = lift_mm;
+    const LayerProgram before = Programmed(straight, options), after = Programmed(round, options);
+    EXPECT_THAT(after.gcode, HasSubstr("X35 Y40"));
+    const Printed direct = Print(before.gcode), led = Print(after.gcode);
+    const double more_mm = std::hypot(35 - 28, 40 - 28) + 15 + std::hypot(60 - 50, 40 - 10) -
+                           std::hypot(60 - 28, 28 - 10);
+    EXPECT_NEAR(led.travel_mm - direct.travel_mm, more_mm, 1e-6) << lift_mm;
+    EXPECT_NEAR(after.stats.travel_mm - before.stats.travel_mm, more_mm, 1e-6);
+    EXPECT_GT(after.stats.travel_time_s, before.stats.travel_time_s);
+    EXPECT_EQ(led.extruded_mm, direct.extruded_mm);
+    EXPECT_EQ(led.z, direct.z);
+    EXPECT_EQ(after.edges.head, before.edges.head);
+  }
+}
+
 TEST(ProgramLayer, ThePlaceOfACopyChangesNothingButItsPlace) {
   OrderedLayer far = TwoSquares();
   far.visits[1].shift = {FromMm(100), FromMm(70)};

@@ -10,11 +10,15 @@
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 #include "common/model/region_check.h"
+#include "services/ordering/algo/comb/copy_ways.h"
 #include "services/ordering/algo/section_order.h"
 #include "services/ordering/algo/travel_order.h"
 
 namespace slicefarm::ordering {
 namespace {
+
+/// Lines of sight that may be looked at between copies, to find ways round what has curled up.
+constexpr int64_t kSightsOfCopies = 50'000;
 
 template <typename Visitor>
 void ForEachPath(const FilledLayer& layer, const LayerPlan& plan, const Visitor& visit) {
@@ -53,7 +57,10 @@ SectionPlan PlanOf(const Stack& stack, const LayerPlan& plan) {
   if (const SectionPlan* own = FindPlan(stack.id, plan); own != nullptr) return *own;
   const SectionPlan* part = FindPlan(stack.object, plan);
   SectionPlan none;
-  if (part != nullptr) none.entry = part->entry;
+  if (part != nullptr) {
+    none.entry = part->entry;
+    none.curled = part->curled;
+  }
   return none;
 }
 
@@ -186,6 +193,8 @@ absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan
   }
   WorkBudget budget{options.improvement_moves};
   LayerVisits(ordered, copies).Add(plan.entry, budget);
+  WorkBudget sights{kSightsOfCopies};
+  KeepOffCurled(plan, sights, ordered);
   return ordered;
 }
 

@@ -159,6 +159,19 @@ std::optional<PathBlock> TurnOf(FilledSection& section, const SectionPlan& plan,
   return block;
 }
 
+/// Where ways lead that keep off what has curled up: the bed is no smaller.
+Box RoomOf(const FilledSection& section) {
+  Box room;
+  for (const FilledIsland& island : section.islands) room.Add(Bounds(island.outline.outer));
+  return room;
+}
+
+/// Leads a way between islands off what has curled up, if it can.
+void KeepOff(CurledWays& curled, Point from, Point to, WorkBudget& sights, Travel& travel) {
+  if (!curled.Meets(from, travel.corners, to)) return;
+  if (auto corners = curled.Around(from, to, sights)) travel.corners = *std::move(corners);
+}
+
 }  // namespace
 
 PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
@@ -176,6 +189,8 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
   WorkBudget sights{kSights};
   const bool looks_at_walls = options.travel.hide || options.travel.avoid_crossing;
   OutsideTravels outside(section, options.travel);
+  std::optional<CurledWays> curled;
+  if (!plan.curled.empty()) curled.emplace(plan.curled, RoomOf(section));
   for (size_t i = 0; i < visits.size(); ++i) {
     const bool is_first = i == 0, is_last = i + 1 == visits.size();
     const std::optional<Point> next =
@@ -190,11 +205,14 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
     if (is_first) meetings.below = plan.entry;
     if (is_last) meetings.above = plan.exit;
     IslandWays ways = WaysInIsland(island.outline, edges, std::span(route.paths()).subspan(first),
-                                   meetings, options.travel, sights);
+                                   meetings, options.travel, sights, curled ? &*curled : nullptr);
     std::ranges::move(ways.travels, std::back_inserter(travels));
     if (is_last) leave = std::move(ways.leave);
-    if (!is_first)
-      travels[first] = outside.Between(route.paths()[first - 1], route.paths()[first], sights);
+    if (is_first) continue;
+    const Path& last = route.paths()[first - 1];
+    const Path& path = route.paths()[first];
+    travels[first] = outside.Between(last, path, sights);
+    if (curled) KeepOff(*curled, EndOf(last), StartOf(path), sights, travels[first]);
   }
   if (std::ranges::all_of(travels, [](const Travel& travel) { return travel == Travel{}; }))
     travels.clear();

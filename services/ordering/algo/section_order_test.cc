@@ -8,6 +8,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
+#include "services/ordering/algo/comb/curled_ways.h"
 #include "services/ordering/algo/route.h"
 
 namespace slicefarm::ordering::section_order_test {
@@ -216,6 +217,27 @@ TEST(OrderSection, WallsGoByTheirRegionsOrder) {
   for (const Path& path : Order(section, options))
     if (path.closed) insets.push_back(path.inset);
   EXPECT_THAT(insets, ElementsAre(1, 0, 0, 1));
+}
+
+TEST(OrderSection, KeepsOffWhatHasCurledUp) {
+  FilledSection section{0, 3, 200'000, {}};
+  section.islands = {Island(0, 0), Island(60, 0)};
+  for (FilledIsland& island : section.islands) island.outline.outer = island.walls[0].points;
+  SectionPlan plan;
+  plan.entry = Mm(0, 0);
+  WorkBudget budget{100'000};
+  const PathBlock straight = OrderSection(section, plan, {}, budget);
+  plan.curled = MakePolygonsOrDie("(29.5 3, 30.5 3, 30.5 19, 29.5 19)");
+  const PathBlock round = OrderSection(section, plan, {}, budget);
+  EXPECT_EQ(round.paths, straight.paths);
+  const CurledWays ways(plan.curled, {});
+  int met = 0;
+  for (size_t i = 1; i < round.paths.size(); ++i) {
+    const Point from = EndOf(round.paths[i - 1]), to = StartOf(round.paths[i]);
+    met += ways.Meets(from, straight.travels[i].corners, to) ? 1 : 0;
+    EXPECT_FALSE(ways.Meets(from, round.travels[i].corners, to)) << i;
+  }
+  EXPECT_EQ(met, 1);
 }
 
 TEST(OrderSection, OrderOfInputDoesNotMatter) {

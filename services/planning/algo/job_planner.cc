@@ -12,6 +12,7 @@
 #include "services/planning/algo/adhesion/adhesion_planner.h"
 #include "services/planning/algo/adhesion/raft_planner.h"
 #include "services/planning/algo/conflicts/conflict_planner.h"
+#include "services/planning/algo/curl/curl_planner.h"
 #include "services/planning/algo/infill/infill_planner.h"
 #include "services/planning/algo/seams/seam_planner.h"
 #include "services/planning/algo/sequence/sequence_planner.h"
@@ -78,6 +79,7 @@ JobPlanner::JobPlanner(const PlanningOptions& options, std::span<const PlacedCop
     planners_.push_back(std::make_unique<SequencePlanner>(options.sequence, copies, object_names));
   if (SpiralPlanner::IsNeeded(options))
     planners_.push_back(std::make_unique<SpiralPlanner>(options, copies));
+  if (options.avoid_curled) planners_.push_back(std::make_unique<CurlPlanner>(options));
   planners_.push_back(std::make_unique<AdhesionPlanner>(options, copies));
   if (!options.objects_may_overlap)
     planners_.push_back(std::make_unique<ConflictPlanner>(options, copies, object_names));
@@ -102,7 +104,8 @@ absl::Status JobPlanner::Next(const SlicedLayer& layer) {
   for (const ObjectSection& section : layer.sections)
     if (absl::Status ok = CheckSection(section, *options_); !ok.ok()) return ok;
   if (region_planners_.empty()) {
-    LookAt(layer);
+    RegionPlan::Carried none;
+    LookAt(layer, none);
   } else {
     parts_bytes_ += MemoryOf(layer);
     parts_.push_back(layer);
@@ -110,8 +113,14 @@ absl::Status JobPlanner::Next(const SlicedLayer& layer) {
   return absl::OkStatus();
 }
 
-void JobPlanner::LookAt(const SlicedLayer& layer) {
+void JobPlanner::LookAt(const SlicedLayer& layer, RegionPlan::Carried& carried) {
   LayerPlan& plan = layers_.Add();
+  for (const ObjectSection& section : layer.sections) {
+    if (!section.stack.IsPart()) continue;
+    const auto found = carried.find({section.stack.object, section.layer});
+    if (found == carried.end()) continue;
+    PlanOf(section.stack.id, plan).carried = std::move(found->second);
+  }
   for (const auto& planner : planners_) planner->Look(layer, plan);
   settled_ = layers_.end();
   for (const auto& planner : planners_) settled_ = std::min(settled_, planner->Settle(layers_));
@@ -134,13 +143,7 @@ absl::Status JobPlanner::PlanRegions(const CancelToken& cancel, JobPlan& plan) {
                       limits::kMaxLayers, std::ssize(layers));
   for (const SlicedLayer& layer : layers) {
     if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
-    LookAt(layer);
-    for (const ObjectSection& section : layer.sections) {
-      if (!section.stack.IsPart()) continue;
-      const auto carried = regions.carried.find({section.stack.object, section.layer});
-      if (carried == regions.carried.end()) continue;
-      PlanOf(section.stack.id, layers_.At(layer.frame.index)).carried = std::move(carried->second);
-    }
+    LookAt(layer, regions.carried);
   }
   return absl::OkStatus();
 }

@@ -27,9 +27,10 @@ namespace slicefarm::planning {
 ///   1 seams    where walls start (seams/seam_planner.h)
 ///   2 travel   where layers, objects and copies are entered and meet (travel/travel_planner.h)
 ///   3 sequence with complete_objects: which copy is printed when (sequence/sequence_planner.h)
-///   4 adhesion brims and the skirt, which add no heights (adhesion/adhesion_planner.h)
-///   5 conflicts what would be printed in the same place (conflicts/conflict_planner.h)
-///   6 infill   lines and places of sparse infill that depend on many layers
+///   4 curl     where overhangs curl up, which travels keep off (curl/curl_planner.h)
+///   5 adhesion brims and the skirt, which add no heights (adhesion/adhesion_planner.h)
+///   6 conflicts what would be printed in the same place (conflicts/conflict_planner.h)
+///   7 infill   lines and places of sparse infill that depend on many layers
 ///   (infill/infill_planner.h)
 ///
 /// A job that asks for no region planner is planned as its layers stream in, and its plans stream
@@ -73,7 +74,8 @@ class JobPlanner {
 
   /// Runs the region planners, then looks at the layers of the print.
   absl::Status PlanRegions(const CancelToken& cancel, JobPlan& plan);
-  void LookAt(const SlicedLayer& layer);
+  /// `carried`: as RegionPlan's; what the layer has of it goes into its plan.
+  void LookAt(const SlicedLayer& layer, RegionPlan::Carried& carried);
 
   const PlanningOptions* options_;
   std::span<const PlacedCopy> copies_;

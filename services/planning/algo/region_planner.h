@@ -19,7 +19,8 @@ struct RegionPlan {
   std::vector<AddedStack> stacks;   ///< by ascending id
   std::vector<std::string> warnings;  ///< for the job's report
   /// By object and layer of its part: where supports lie right below it.
-  std::map<std::pair<int32_t, int32_t>, MultiPolygon> carried;
+  using Carried = std::map<std::pair<int32_t, int32_t>, MultiPolygon>;
+  Carried carried;
 
   /// A stack without layers yet.
   AddedStack& Add(int32_t object, StackKind kind) {

@@ -225,6 +225,11 @@ std::vector<SettingSpec> Travels() {
        .doc = "Leads travels round outer walls, inside the part",
        .field = Bind([](auto& s) -> auto& { return s.ordering.travel.avoid_crossing; })},
       MaxDetour(),
+      {.key = "avoid_crossing_curled_overhangs",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Leads travels round overhangs that are likely to have curled up",
+       .field = Bind([](auto& s) -> auto& { return s.planning.avoid_curled; })},
   };
 }
 

@@ -41,11 +41,12 @@ class IslandTravels {
  public:
   /// All must outlive this.
   IslandTravels(const PolygonWithHoles& outline, const IslandEdges& edges,
-                std::span<const Path> paths, const TravelOptions& options)
+                std::span<const Path> paths, const TravelOptions& options, CurledWays* curled)
       : outline_(outline),
         edges_(edges),
         paths_(paths),
         options_(options),
+        curled_(curled),
         clearance_(OuterWallRadius(paths)),
         tops_(TopsOf(paths)) {}
 
@@ -84,6 +85,8 @@ class IslandTravels {
     Travel travel;
     if (clearance_ > 0 && IsToGoRound(from, to))
       travel.corners = Around(from, to, LongestFor(from, to), budget);
+    if (curled_ != nullptr && curled_->Meets(from, travel.corners, to))
+      if (auto corners = AroundCurled(from, to, budget)) travel.corners = *std::move(corners);
     const bool seen = printed < paths_.size() && IsSeen(paths_[printed].feature);
     const double longest = seen ? kLongestToSeenNm : LongestHidden();
     travel.hidden = options_.hide && IsHidden(from, to, travel.corners, printed, longest);
@@ -129,6 +132,12 @@ class IslandTravels {
     return Ways().Find(from, to, longest_nm, budget).value_or(std::vector<Point>{});
   }
 
+  std::optional<std::vector<Point>> AroundCurled(Point from, Point to, WorkBudget& budget) {
+    if (!uncurled_) uncurled_.emplace(curled_->WaysThrough({outline_}));
+    auto corners = curled_->Within(*uncurled_, from, to, LongestHidden(), budget);
+    return corners ? corners : curled_->Around(from, to, budget);
+  }
+
   /// Of a way after the first `printed` paths.
   bool IsHidden(Point from, Point to, const std::vector<Point>& corners, size_t printed,
                 double longest_nm) const {
@@ -150,21 +159,23 @@ class IslandTravels {
   const IslandEdges& edges_;
   std::span<const Path> paths_;
   const TravelOptions& options_;
+  CurledWays* const curled_;  ///< null: nothing has curled up
   const Coord clearance_;
   EdgeStrips tops_;
   std::optional<ClearWays> ways_;  ///< once asked for
+  std::optional<ClearWays> uncurled_;  ///< the same, off what has curled up
 };
 
 }  // namespace
 
 IslandWays WaysInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
                         std::span<const Path> paths, const Meetings& meetings,
-                        const TravelOptions& options, WorkBudget& budget) {
+                        const TravelOptions& options, WorkBudget& budget, CurledWays* curled) {
   IslandWays ways{std::vector<Travel>(paths.size()), {}};
   if (meetings.above) ways.leave = Leave{*meetings.above, {}};
   if (edges.empty() || paths.empty()) return ways;
-  if (!options.hide && !options.avoid_crossing) return ways;
-  IslandTravels island(outline, edges, paths, options);
+  if (!options.hide && !options.avoid_crossing && curled == nullptr) return ways;
+  IslandTravels island(outline, edges, paths, options, curled);
   if (meetings.below) ways.travels[0] = island.From(*meetings.below, budget);
   for (size_t i = 1; i < paths.size(); ++i) ways.travels[i] = island.To(i, budget);
   if (meetings.above) ways.leave = island.To(*meetings.above, budget);

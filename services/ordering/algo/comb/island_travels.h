@@ -6,6 +6,7 @@
 
 #include "common/model/layer.h"
 #include "common/model/options/ordering_options.h"
+#include "services/ordering/algo/comb/curled_ways.h"
 #include "services/ordering/algo/comb/island_edges.h"
 #include "services/ordering/algo/travel_order.h"
 
@@ -35,9 +36,11 @@ struct IslandWays {
 /// walls goes round if a detour that is allowed leads there.
 /// Layers meet where the first inner wall starts that starts at the seam: the outer wall above may
 /// lie on either side of the one below. Where none does, they meet at the place nearest to the seam
-/// that keeps off the walls. `budget`: for lines of sight.
+/// that keeps off the walls. `budget`: for lines of sight. `curled`: a way that meets it goes round,
+/// within the island if it can; null: nothing has curled up.
 IslandWays WaysInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
                         std::span<const Path> paths, const Meetings& meetings,
-                        const TravelOptions& options, WorkBudget& budget);
+                        const TravelOptions& options, WorkBudget& budget,
+                        CurledWays* curled = nullptr);
 
 }  // namespace slicefarm::ordering

@@ -44,6 +44,41 @@ IslandWays Ways(const std::vector<Path>& paths, const Meetings& meetings,
   return WaysInIsland(island.outline, IslandEdges(island), paths, meetings, options, budget);
 }
 
+/// The last path's travel, where the curled area lies in the way.
+Travel OffCurled(const std::vector<Path>& paths, const char* curled,
+                 const TravelOptions& options = {}) {
+  WorkBudget budget{100'000};
+  FilledIsland island;
+  island.outline = MakePolygonsOrDie(kFork).front();
+  CurledWays ways(MakePolygonsOrDie(curled), Bounds(island.outline.outer));
+  return WaysInIsland(island.outline, IslandEdges(island), paths, {}, options, budget, &ways)
+      .travels.back();
+}
+
+TEST(WaysInIsland, KeepOffWhatHasCurledUp) {
+  const std::vector<Path> paths = {Sparse("(1 2, 5 2)"), Sparse("(19 2, 23 2)")};
+  const char* curled = "(11 0, 12 0, 12 4, 11 4)";
+  const Travel inside = OffCurled(paths, curled);
+  EXPECT_TRUE(inside.hidden) << "there is room inside";
+  ASSERT_FALSE(inside.corners.empty());
+  for (const Point corner : inside.corners) EXPECT_GT(corner.y, FromMm(4));
+  const Travel seen = OffCurled(paths, curled, {.hide = false});
+  EXPECT_FALSE(seen.hidden);
+  EXPECT_EQ(seen.corners, inside.corners);
+  EXPECT_TRUE(OffCurled(paths, "(11 6, 12 6, 12 9, 11 9)").corners.empty()) << "not in the way";
+}
+
+// All of the joint between the arms: the only way leads outside.
+TEST(WaysInIsland, LeaveTheIslandForWhatHasCurledUp) {
+  const std::vector<Path> paths = {Sparse("(1 2, 5 2)"), Sparse("(19 2, 23 2)")};
+  const Travel outside = OffCurled(paths, "(11 -1, 12 -1, 12 11, 11 11)");
+  EXPECT_FALSE(outside.hidden);
+  ASSERT_FALSE(outside.corners.empty());
+  for (const Point corner : outside.corners) EXPECT_GT(corner.y, FromMm(11));
+  // Nothing leads round: straight on.
+  EXPECT_TRUE(OffCurled(paths, "(11 -1, 12 -1, 12 21, 11 21)").corners.empty());
+}
+
 std::vector<Travel> Travels(const std::vector<Path>& paths, const TravelOptions& options = {},
                             int64_t sights = 100'000) {
   return Ways(paths, {}, options, sights).travels;

@@ -1,4 +1,4 @@
-#include "services/planning/algo/seams/ring_shape.h"
+#include "services/planning/algo/ring_shape.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "services/planning/algo/seams/ring_shape.h"
+#include "services/planning/algo/ring_shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@
 namespace slicefarm::planning {
 namespace {
 
-constexpr double kArmNm = 500'000;
 /// Of rings that are shorter than a few arms.
 constexpr double kArmOfLength = 1.0 / 8;
 /// Turns below this are no corners.
@@ -49,13 +48,13 @@ double OutwardAngleRad(int outward) {
   return (outward + 0.5) * 2 * std::numbers::pi / kOutwards;
 }
 
-RingShape::RingShape(const Polygon& ring) : ring_(&ring) {
+RingShape::RingShape(const Polygon& ring, double arm_nm) : ring_(&ring) {
   ends_.reserve(ring.size() + 1);
   ends_.push_back(0);
   for (size_t i = 0; i < ring.size(); ++i)
     ends_.push_back(ends_.back() + Distance(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]));
   length_nm_ = ends_.back();
-  arm_nm_ = std::min(kArmNm, length_nm_ * kArmOfLength);
+  arm_nm_ = std::min(arm_nm, length_nm_ * kArmOfLength);
 }
 
 Point RingShape::At(double along_nm, size_t& edge) const {

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "common/geometry/measure.h"
 #include "common/geometry/polygon.h"
 
 namespace slicefarm::planning {
@@ -13,8 +14,8 @@ struct Corner {
   double turn_rad = 0;  ///< > 0: the solid's corner sticks out
 };
 
-/// A place on a ring, and how the ring runs there: the arms are half a millimetre long, so that
-/// fine facets do not hide a corner; shorter on small rings.
+/// A place on a ring, and how the ring runs there: the arms are half a millimetre long if nothing else
+/// is said, so that fine facets do not hide a corner; shorter on small rings.
 struct Bend {
   Point at;
   Point in;   ///< the arm from the point before it
@@ -36,10 +37,15 @@ double OutwardAngleRad(int outward);
 /// A ring by the length along it.
 class RingShape {
  public:
+  static constexpr double kArmNm = 0.5 * kNmPerMm;
+
   /// `ring` must outlive this. REQUIRES: a length, and below 10^9 points.
-  explicit RingShape(const Polygon& ring);
+  explicit RingShape(const Polygon& ring, double arm_nm = kArmNm);
 
   double length_nm() const { return length_nm_; }
+
+  /// Of a Bend's arms.
+  double arm_nm() const { return arm_nm_; }
 
   /// How far along the ring its point `i` lies.
   double AlongTo(size_t i) const { return ends_[i]; }

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+
+#include "common/model/options/planning_options.h"
+#include "services/planning/algo/curl/curled_edges.h"
+#include "services/planning/algo/planner.h"
+
+namespace slicefarm::planning {
+
+/// Tells ordering where parts curl up, so that travels keep off (avoid_crossing_curled_overhangs).
+class CurlPlanner : public Planner {
+ public:
+  /// `options` must outlive this.
+  explicit CurlPlanner(const PlanningOptions& options) : options_(options) {}
+
+  void Look(const SlicedLayer& layer, LayerPlan& plan) override;
+
+ private:
+  const PlanningOptions& options_;
+  std::map<int32_t, CurledEdges> objects_;
+};
+
+}  // namespace slicefarm::planning
