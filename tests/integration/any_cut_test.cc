@@ -102,6 +102,7 @@ class Plate {
 
 const Pairs kJob = {{"support_material", "1"}, {"layer_height", "0.06"},
                     {"first_layer_height", "0.2"}, {"avoid_crossing_perimeters", "1"},
+                    {"avoid_crossing_curled_overhangs", "1"},
                     {"enable_dynamic_overhang_speeds", "1"}, {"skirts", "1"},
                     {"fill_pattern", "lightning"}, {"seam_position", "aligned"},
                     {"infill_every_layers", "2"}, {"wipe", "1"}, {"thumbnails", ""},
