@@ -13,6 +13,7 @@ struct WallOrder {
   bool towards_holes = false;
   /// staggered_inner_seams: each inner loop starts further along than the one outside of it.
   bool stagger_seams = false;
+  bool whole_loops = false;  ///< no link to another path takes from an inner loop
 
   friend bool operator==(const WallOrder&, const WallOrder&) = default;
 };

@@ -313,6 +313,7 @@ v1::OrderingOptions ToProto(const OrderingOptions& options) {
     walls->set_inner_outer_inner(order.inner_outer_inner);
     walls->set_towards_holes(order.towards_holes);
     walls->set_stagger_seams(order.stagger_seams);
+    walls->set_whole_loops(order.whole_loops);
   }
   return proto;
 }
@@ -337,7 +338,7 @@ absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
   options.walls.clear();
   for (const v1::WallOrder& walls : proto.walls())
     options.walls.push_back({walls.external_perimeters_first(), walls.inner_outer_inner(),
-                             walls.towards_holes(), walls.stagger_seams()});
+                             walls.towards_holes(), walls.stagger_seams(), walls.whole_loops()});
   return options;
 }
 

@@ -269,11 +269,11 @@ OrderingOptions DistinctOrdering() {
   layer_change = true;
   improvement_moves = 404;
   WallOrder order;
-  auto& [external_first, inner_outer_inner, towards_holes, stagger] = order;
+  auto& [external_first, inner_outer_inner, towards_holes, stagger, whole_loops] = order;
   external_first = true;
   inner_outer_inner = false;
   towards_holes = true;
-  stagger = true;
+  stagger = whole_loops = true;
   walls = {order, {false, true}};
   return options;
 }
@@ -632,7 +632,7 @@ constexpr char kDistinct[] = R"pb(
       max_detour_ratio: 4.03
       retract_layer_change: true
     }
-    walls { external_perimeters_first: true towards_holes: true stagger_seams: true }
+    walls { external_perimeters_first: true towards_holes: true stagger_seams: true whole_loops: true }
   }
   motion {
     flavor: GCODE_FLAVOR_KLIPPER

@@ -212,11 +212,12 @@ std::optional<std::string> TakeEveryLayers(JobSettings& settings) {
                      asked, most);
 }
 
-/// Returns what to say of scarfs that are asked for and mostly are not there.
-std::optional<std::string> NoteOnInnerScarfs(const ScarfOptions& scarf) {
-  if (scarf.placement == ScarfPlacement::kNowhere || !scarf.on_inner) return std::nullopt;
-  return "scarf_seam_on_inner_perimeters = 1: inner walls that are printed in one go with the next "
-         "ones have no seam, and so no scarf";
+/// Inner walls with a scarf are loops by themselves: what is printed in one go with the next wall has
+/// no seam.
+void TakeInnerScarfs(JobSettings& settings) {
+  const ScarfOptions& scarf = FdmOf(settings).motion.speeds[0].scarf;
+  FdmOf(settings).ordering.walls[0].whole_loops =
+      scarf.placement != ScarfPlacement::kNowhere && scarf.on_inner;
 }
 
 /// Which of the machine's tools prints, where it has several.
@@ -255,11 +256,10 @@ absl::Status Settle(const Settling& settling) {
   TakeSupports(settings);
   TakeShells(settling.draft, settings);
   TakeVase(settings);
+  TakeInnerScarfs(settings);
   if (absl::Status ok = TakeDensityField(settings); !ok.ok()) return ok;
   if (absl::Status ok = CheckPlannedPattern(FdmOf(settings).infill[0]); !ok.ok()) return ok;
   if (auto note = TakeEveryLayers(settings)) settling.result.no_effect.push_back(*std::move(note));
-  if (auto note = NoteOnInnerScarfs(FdmOf(settings).motion.speeds[0].scarf))
-    settling.result.no_effect.push_back(*std::move(note));
   return absl::OkStatus();
 }
 

@@ -20,10 +20,17 @@ void Route::Enter(const RouteEdges& edges) {
   is_linkable_ = false;
 }
 
+/// Whether a link could only come from the plastic of an inner loop that is to stay whole.
+bool Route::IsKeptWhole(const Path& next) const {
+  const auto is_inner = [](const Path& path) { return path.feature == Feature::kPerimeter; };
+  return edges_.whole_loops &&
+         ((last_is_loop_ && is_inner(paths_.back())) || (next.closed && is_inner(next)));
+}
+
 void Route::Print(Path path, bool reversed) {
   if (reversed) Reverse(path);
   const bool is_loop = path.closed;
-  if (is_linkable_ && edges_.for_links != nullptr) {
+  if (is_linkable_ && edges_.for_links != nullptr && !IsKeptWhole(path)) {
     auto link =
         LinkBetween({paths_.back(), last_is_loop_}, path, height_nm_, *edges_.for_links);
     if (link) paths_.push_back(*std::move(link));

@@ -18,6 +18,7 @@ void Reverse(Path& path);
 struct RouteEdges {
   const Barrier* for_order = nullptr;
   const Barrier* for_links = nullptr;
+  bool whole_loops = false;  ///< no link takes from an inner loop
 };
 
 /// The paths printed so far, and where they leave the nozzle.
@@ -40,6 +41,8 @@ class Route {
   void PrintLoop(Path loop, LoopPlace start);
 
  private:
+  bool IsKeptWhole(const Path& next) const;
+
   Point at_;
   Coord height_nm_;
   RouteEdges edges_;

@@ -78,5 +78,39 @@ TEST(Route, LinksWhatLiesNearWithinAnIsland) {
   EXPECT_EQ(route.paths().size(), 6);
 }
 
+TEST(Route, LoopsThatStayWholeAreNotLinked) {
+  const auto loop = [](Feature feature, Coord inset) {
+    Path path;
+    path.feature = feature;
+    path.closed = true;
+    const Coord low = inset, high = 20'000'000 - inset;
+    path.points = {{low, low}, {high, low}, {high, high}, {low, high}};
+    path.widths_nm = {450'000};
+    return path;
+  };
+  const Nothing nothing;
+  for (const bool whole : {false, true}) {
+    Route route({0, 0}, 200'000);
+    route.Enter({nullptr, &nothing, whole});
+    route.Print(loop(Feature::kPerimeter, 900'000));
+    route.Print(loop(Feature::kPerimeter, 450'000));
+    route.Print(loop(Feature::kExternalPerimeter, 0));
+    EXPECT_EQ(route.paths().size(), whole ? 3U : 5U);
+    EXPECT_EQ(route.paths()[0].closed, whole);
+    // Lines are linked as ever.
+    const auto line = [](Coord from) {
+      Path path;
+      path.points = {{from, 0}, {from + 5'000'000, 0}};
+      path.widths_nm = {450'000};
+      return path;
+    };
+    route.Enter({nullptr, &nothing, whole});
+    const size_t before = route.paths().size();
+    route.Print(line(0));
+    route.Print(line(5'200'000));
+    EXPECT_EQ(route.paths().size(), before + 3);
+  }
+}
+
 }  // namespace
 }  // namespace slicefarm::ordering::route_test

@@ -198,7 +198,7 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
     FilledIsland& island = *stops[visits[i].leg].island;
     const IslandEdges edges(island);
     const Barrier* known = edges.empty() ? nullptr : &edges;
-    route.Enter({looks_at_walls ? known : nullptr, known});
+    route.Enter({looks_at_walls ? known : nullptr, known, OrderOf(island, options).whole_loops});
     PrintIsland(island, next, options, plan.seams, route, budget);
     const size_t first = travels.size();
     Meetings meetings;
