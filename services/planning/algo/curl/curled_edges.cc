@@ -89,12 +89,12 @@ void CurledEdges::AddRing(const Polygon& ring, const Places& below, const MultiP
   const auto height = static_cast<double>(height_nm);
   for (size_t i = 0; i < count; ++i) {
     const Point at = bends[i].at;
-    if (!carried.empty() && Covers(carried, at)) continue;
     const double pressed = std::max(0.0, below.MostNear(at) - kPressed * height);
     const double turn_rad = bends[i].TurnRad();
     const double own = turn_rad > 0 ? RiseAt(at, shape.arm_nm() / turn_rad) : 0;
     const double rise = std::min(pressed + own, kMostLayers * height);
-    if (rise > 0) risen.push_back({at, bends[(i + 1) % count].at, rise});
+    if (rise > 0 && !Covers(carried, at))
+      risen.push_back({at, bends[(i + 1) % count].at, rise});
   }
 }
 
