@@ -274,7 +274,8 @@ class RegionFill {
       } else {
         auto solid =
             SolidLines(region, asked.feature, options_.bottom_pattern,
-                       span ? span->angle_rad : SolidAngle(options_.bottom_pattern), bead.width_nm);
+                       span ? span->angle_rad : SolidAngle(options_.bottom_pattern), bead.width_nm,
+                       /*anchored=*/true);
         if (!solid.ok()) return solid.status();
         lines = *std::move(solid);
       }
@@ -341,7 +342,7 @@ class RegionFill {
 
   absl::StatusOr<FillGroup> SolidLines(const PolygonWithHoles& region, Feature feature,
                                        FillPattern pattern, double angle_rad,
-                                       Coord width_nm) const {
+                                       Coord width_nm, bool anchored = false) const {
     return FillSolid(region, {.feature = feature,
                               .pattern = pattern,
                               .angle_rad = angle_rad,
@@ -349,7 +350,8 @@ class RegionFill {
                               .height_nm = view_.height_nm,
                               .layer = view_.layer,
                               .overlap_nm = options_.overlap_nm,
-                              .beside_walls = view_.stack.IsPart()});
+                              .beside_walls = view_.stack.IsPart(),
+                              .anchored = anchored});
   }
 
   /// A field that says no more than one density for the whole layer is none of the pattern's

@@ -537,9 +537,12 @@ TEST(FillSection, ThickBridgesAreRoundThreads) {
         if (use.feature == Feature::kBridgeInfill) return use.plastic_mm3 / use.room_mm3;
       return 0.0;
     };
+    // They are half a spacing longer than the bridge at either end.
     const double thread_mm = 0.6 * std::sqrt(flow);
-    EXPECT_NEAR(share(BridgeBy(options)),
-                std::numbers::pi / 4 * thread_mm * thread_mm / (thread_mm + 0.05) / 0.2, 0.02);
+    const double of_room =
+        std::numbers::pi / 4 * thread_mm * thread_mm / (thread_mm + 0.05) / 0.2;
+    EXPECT_GT(share(BridgeBy(options)), of_room);
+    EXPECT_LT(share(BridgeBy(options)), 1.06 * of_room);
   }
 }
 

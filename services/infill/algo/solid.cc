@@ -45,6 +45,7 @@ struct EndDistances {
 };
 
 EndDistances EndsOf(Coord spacing, const SolidFill& fill, bool linked) {
+  if (fill.anchored) return {};
   const Coord full = EndDistance(spacing, fill.overlap_nm);
   if (!fill.beside_walls) return {full, full};
   const auto free = static_cast<Coord>(kFreeShare * static_cast<double>(full));

@@ -18,6 +18,9 @@ struct SolidFill {
   /// is left, too.
   Coord overlap_nm = 0;
   bool beside_walls = true;  ///< they lie around the region: ends of lines may reach into them
+  /// Straight lines end, and links run, on the region's edge: threads in the air hold by half of
+  /// their width to what lies beside them.
+  bool anchored = false;
 };
 
 /// Whether a pattern's lines run the same way in all layers.

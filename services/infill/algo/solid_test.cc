@@ -205,6 +205,30 @@ TEST(SolidGroup, BridgesHaveEvenLines) {
   EXPECT_GT(widths(Feature::kSolidInfill).size(), 1u);
 }
 
+// What holds threads in the air lies beside them.
+TEST(SolidGroup, AnchoredLinesEndOnTheEdge) {
+  const PolygonWithHoles region = Island("(0 0, 20 0, 20 10, 0 10)");
+  SolidFill fill{.feature = Feature::kBridgeInfill,
+                 .pattern = FillPattern::kRectilinear,
+                 .overlap_nm = 110'000};
+  const auto box_of = [&] {
+    Box box;
+    const auto group = FillSolid(region, fill);
+    EXPECT_TRUE(group.ok()) << group.status();
+    for (const Path& path : group->paths) box.Add(Bounds(path.points));
+    return box;
+  };
+  const Box plain = box_of();
+  EXPECT_GT(plain.min.x, FromMm(0.01));
+  fill.anchored = true;
+  const Box anchored = box_of();
+  EXPECT_EQ(anchored.min.x, 0);
+  EXPECT_EQ(anchored.max.x, FromMm(20));
+  // Those along the edge lie side by side with the wall as ever.
+  EXPECT_EQ(anchored.min.y, plain.min.y);
+  EXPECT_EQ(anchored.max.y, plain.max.y);
+}
+
 TEST(SolidGroup, LinesRunAtTheAngle) {
   const PolygonWithHoles region = Island("(0 0, 20 0, 20 20, 0 20)");
   const auto along = FillSolid(region, {.angle_rad = 0});
