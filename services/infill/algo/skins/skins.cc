@@ -227,10 +227,27 @@ MultiPolygon Take(MultiPolygon part, MultiPolygon& solid) {
   return part;
 }
 
+const std::vector<const MultiPolygon*>& BearersOf(const Cover& cover) {
+  return cover.bearers.empty() ? cover.below : cover.bearers;
+}
+
+/// What is seen from above, but for membranes: what lies over air too has to be a bridge, or it
+/// sags.
+MultiPolygon TopOf(const MultiPolygon& solid, const MultiPolygon& outline, const Cover& cover,
+                   Coord width_nm) {
+  MultiPolygon top = Exposed(solid, cover.above[0], outline, width_nm);
+  if (top.empty() || cover.on_bed || cover.below.empty()) return top;
+  const MultiPolygon membranes = WithoutSlivers(
+      Intersection(top, Exposed(solid, BearersOf(cover)[0], outline, width_nm)), width_nm);
+  if (membranes.empty()) return top;
+  return WithoutSlivers(Difference(top, SmoothOffset(membranes, kAnchorBeads * width_nm)),
+                        width_nm);
+}
+
 /// Parts the solid region by what lies below it.
 void PartByBearers(const MultiPolygon& outline, const Cover& cover, const SkinOptions& options,
                    Skins& skins) {
-  const auto& bearers = cover.bearers.empty() ? cover.below : cover.bearers;
+  const auto& bearers = BearersOf(cover);
   const auto bare = [&](const MultiPolygon* layer) {
     return Exposed(skins.solid, layer, outline, options.width_nm);
   };
@@ -256,7 +273,7 @@ Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, c
   if (small > 0)
     skins.solid = skins.sparse.empty() ? fill_area : Difference(fill_area, skins.sparse);
   if (!cover.above.empty())
-    skins.top = Take(Exposed(skins.solid, cover.above[0], outline, options.width_nm), skins.solid);
+    skins.top = Take(TopOf(skins.solid, outline, cover, options.width_nm), skins.solid);
   if (!cover.on_bed) PartByBearers(outline, cover, options, skins);
   return skins;
 }

@@ -31,7 +31,7 @@ struct SkinOptions {
 
 /// A partition of a fill area by what its infill is for.
 struct Skins {
-  MultiPolygon top;          ///< nothing above: the surface that is seen
+  MultiPolygon top;          ///< nothing above: the surface that is seen; no membranes over air
   MultiPolygon bridge;       ///< over air, and two beads of what bears it around that
   MultiPolygon bottom;       ///< over another region
   MultiPolygon over_bridge;  ///< over what is a bridge in the layer below

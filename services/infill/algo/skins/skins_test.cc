@@ -107,6 +107,28 @@ TEST(Skins, OverhangingStepHasABridge) {
 // Layers of a region alone, the upper half of which stands on another one.
 // Each layer of a recess that widens upwards is bare for itself; what is bare in farther layers takes
 // what the nearest one leaves bare, and less around that than bridges need.
+// One layer over a hole, and nothing over it: as in recesses for screws, where the hole is drilled
+// free after the print.
+TEST(Skins, AMembraneOverAirIsABridgeNotATop) {
+  const MultiPolygon area = P("(0 0, 20 0, 20 20, 0 20)");
+  const MultiPolygon holed = P("(0 0, 20 0, 20 20, 0 20) (7 7, 7 13, 13 13, 13 7)");
+  const MultiPolygon above = P("(0 0, 20 0, 20 20, 0 20) (5 5, 5 15, 15 15, 15 5)");
+  Cover cover;
+  cover.above = {&above};
+  cover.below = {&holed};
+  const Skins skins = PartFillArea(area, area, cover, {});
+  EXPECT_NEAR(Mm2(skins.bridge), 7.8 * 7.8, 0.3) << "the hole, and two beads around it";
+  EXPECT_NEAR(Mm2(skins.top), 10 * 10 - 7.8 * 7.8, 0.5);
+  // What is a floor over air from its first layer on has a top of its own.
+  cover.below = {&area, &holed};
+  const Skins second = PartFillArea(area, area, cover, {});
+  EXPECT_TRUE(second.bridge.empty());
+  EXPECT_NEAR(Mm2(second.top), 10 * 10, 0.1);
+  cover.on_bed = true;
+  cover.below = {};
+  EXPECT_NEAR(Mm2(PartFillArea(area, area, cover, {}).top), 10 * 10, 0.1);
+}
+
 TEST(Skins, BridgesOverAWideningRecessHaveWholeAnchors) {
   const auto recess = [](double half_mm) {
     const double a = 10 - half_mm, b = 10 + half_mm;
