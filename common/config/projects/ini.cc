@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "common/base/error.h"
 #include "common/base/text.h"
+#include "common/config/projects/super_settings.h"
 #include "common/config/table/setting_limits.h"
 
 namespace slicefarm::config {
@@ -130,6 +132,7 @@ absl::StatusOr<std::vector<Setting>> ReadIni(std::string_view text) {
   if (settings.ok() && settings->empty()) {
     return Malformed(1, gcode ? "this G-code quotes no settings" : "there are no settings in it");
   }
+  if (settings.ok() && IsSuperSlicers(text)) return FromSuperSlicer(*std::move(settings));
   return settings;
 }
 
