@@ -90,6 +90,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"filament_type = PETG;PLA\n", "{initial_filament_type} {size(filament_type)}",
              "PETG 2"},
         Case{"", "{is_nil(idle_temperature[0]) ? 150 : idle_temperature[0]} {zhop}", "150 0"},
+        Case{"", "{is_nil(filament_retract_length[0])}{is_nil(filament_wipe)}", "truetrue"},
+        Case{"filament_wipe = 1\n", "{is_nil(filament_wipe) ? 0 : filament_wipe[0]}", "true"},
+        Case{"", "{210 + extruder_temperature_offset[initial_extruder]}", "210"},
         Case{"", "{spiral_vase}{support_material}[printer_notes]{filament_vendor[0]}",
              "falsefalse(Unknown)"}));
 

@@ -4,6 +4,8 @@ namespace slicefarm::macro {
 
 std::string_view TemplateDefaults() {
   // What has no value at all in PrusaSlicer (printer_notes) is an empty text there as well.
+  // extruder_temperature_offset is SuperSlicer's, which left it in the G-code of its projects but
+  // not among the settings that PrusaSlicer reads.
   return R"(arc_fitting = disabled
 automatic_extrusion_widths = 0
 avoid_crossing_curled_overhangs = 0
@@ -37,12 +39,14 @@ extruder_clearance_height = 20
 extruder_clearance_radius = 20
 extruder_colour =
 extruder_offset = 0x0
+extruder_temperature_offset = 0
 extrusion_axis = E
 extrusion_width = 0
 filament_abrasive = 0
 filament_cooling_final_speed = 3.4
 filament_cooling_initial_speed = 2.2
 filament_cooling_moves = 4
+filament_deretract_speed = nil
 filament_load_time = 0
 filament_loading_speed = 28
 filament_loading_speed_start = 3
@@ -53,8 +57,17 @@ filament_multitool_ramming_volume = 10
 filament_notes =
 filament_purge_multiplier = 100%
 filament_ramming_parameters = 120 100 6.6 6.8 7.2 7.6 7.9 8.2 8.7 9.4 9.9 10.0| 0.05 6.6 0.45 6.8 0.95 7.8 1.45 8.3 1.95 9.7 2.45 10 2.95 7.6 3.45 7.6 3.95 7.6 4.45 7.6 4.95 7.6
+filament_retract_before_travel = nil
+filament_retract_before_wipe = nil
+filament_retract_layer_change = nil
+filament_retract_length = nil
 filament_retract_length_toolchange = nil
+filament_retract_lift = nil
+filament_retract_lift_above = nil
+filament_retract_lift_below = nil
+filament_retract_restart_extra = nil
 filament_retract_restart_extra_toolchange = nil
+filament_retract_speed = nil
 filament_seam_gap_distance = nil
 filament_shrinkage_compensation_xy = 0
 filament_shrinkage_compensation_z = 0
@@ -71,6 +84,7 @@ filament_unload_time = 0
 filament_unloading_speed = 90
 filament_unloading_speed_start = 100
 filament_vendor = (Unknown)
+filament_wipe = nil
 first_layer_speed_over_raft = 30
 full_fan_speed_layer = 0
 fuzzy_skin = none
