@@ -35,7 +35,7 @@ struct Idle {
   std::string_view words;
 };
 
-constexpr std::array<Idle, 7> kIdle = {{
+constexpr std::array<Idle, 8> kIdle = {{
     {"Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml", "type=\"2\"",
      "changes of tool at certain heights"},
     {"Metadata/custom_gcode_per_layer.xml", "type=\"2\"", "changes of tool at certain heights"},
@@ -44,6 +44,8 @@ constexpr std::array<Idle, 7> kIdle = {{
     {"Metadata/Slic3r_PE_sla_drain_holes.txt", "object_id", "drain holes of resin printers"},
     {"Metadata/Prusa_Slicer_cut_information.xml", "<connector", "connectors of cut objects"},
     {"Metadata/cut_information.xml", "<connector", "connectors of cut objects"},
+    {"Metadata/SuperSlicer_model.config", "key=\"print_extrusion_multiplier\"",
+     "flows of single objects (print_extrusion_multiplier of SuperSlicer)"},
 }};
 
 template <typename T, typename Read>

@@ -120,6 +120,18 @@ TEST(FilesWithoutEffect, AreNamedInWords) {
   EXPECT_THAT(*idle, testing::ElementsAre("changes of tool at certain heights"));
 }
 
+// SuperSlicer writes them a second time for PrusaSlicer, without those that are its own.
+TEST(FilesWithoutEffect, AreFlowsOfObjectsOfSuperSlicers) {
+  Files files = PrusaFiles();
+  files.emplace_back("Metadata/SuperSlicer_model.config",
+                     "<config><object id=\"1\"><metadata type=\"object\" "
+                     "key=\"print_extrusion_multiplier\" value=\"99.5%\"/></object></config>");
+  const std::string bytes = Zipped(files);
+  EXPECT_THAT(
+      *FilesWithoutEffect(*Archive::Open(bytes)),
+      testing::ElementsAre("flows of single objects (print_extrusion_multiplier of SuperSlicer)"));
+}
+
 TEST(FilesWithoutEffect, AreAllSettingsOfCura) {
   Files files = CubeFiles();
   files.emplace_back("Cura/Ender.global.cfg", "[general]\n");
