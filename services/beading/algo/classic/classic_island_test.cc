@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -93,6 +94,18 @@ TEST(ClassicIsland, GapsStayEmptyIfTheyAreTo) {
   plan.gap_fill = plan.thin_walls = false;
   EXPECT_EQ(IslandOf(kWallAndGap, plan).walls.size(), 1u);
   EXPECT_TRUE(IslandOf("(0 0, 20 0, 20 0.4, 0 0.4)", plan).walls.empty());
+}
+
+// 0.6 mm is room for one wall of 0.45 mm, not for two.
+TEST(ClassicIsland, WithoutThinWallsALoopOverlapsItself) {
+  WallPlan plan = Plan(3);
+  plan.thin_walls = false;
+  const IslandBeads island = IslandOf("(0 0, 20 0, 20 0.6, 0 0.6)", plan);
+  ASSERT_EQ(island.walls.size(), 1u);
+  EXPECT_EQ(island.walls[0].feature, Feature::kExternalPerimeter);
+  EXPECT_TRUE(island.walls[0].closed);
+  for (const Point p : island.walls[0].points)
+    EXPECT_NEAR(std::min(p.y, 600'000 - p.y), 225'000, 1);
 }
 
 TEST(ClassicIsland, StopsWhenCancelled) {

@@ -66,10 +66,11 @@ IslandWalls MakeConstantWalls(const PolygonWithHoles& island, const WallPlan& pl
     const Coord to_centre = (inset == 0 ? plan.external_width_nm : spacing) / 2;
     const Coord fit = std::llround(static_cast<double>(spacing) / 2 * (1 - kFitTolerance));
     MultiPolygon centre = FastOffset(region, -to_centre);
-    if (!IsWideThroughout(region, to_centre + fit)) {
+    const bool makes_way = inset > 0 || plan.thin_walls;
+    if (makes_way && !IsWideThroughout(region, to_centre + fit)) {
       const MultiPolygon core = FastOffset(centre, -fit);
       centre = Opened(centre, core, fit);
-      if (inset == 0 ? plan.thin_walls : plan.gap_fill)
+      if (inset == 0 || plan.gap_fill)
         AppendGaps(Residue(region, core, fit + to_centre), inset == 0, walls.gaps);
     }
     region = FastOffset(centre, -spacing / 2);

@@ -15,8 +15,10 @@ struct WallPlan {
   Coord inner_width_nm = 0;
   Coord external_spacing_nm = 0;
   Coord inner_spacing_nm = 0;
-  bool gap_fill = false;    ///< whether to look for gaps between walls
-  bool thin_walls = false;  ///< whether to look for places too thin for two walls
+  bool gap_fill = false;  ///< whether to look for gaps between walls
+  /// Places too thin for two of the outermost walls get one bead; else a loop that overlaps itself,
+  /// as PrusaSlicer lays it, if one wall fits: what is not printed at all would be missing.
+  bool thin_walls = false;
 
   static WallPlan Make(int perimeters, Coord external_width_nm, Coord inner_width_nm,
                        Coord layer_height_nm);
@@ -35,13 +37,13 @@ struct IslandWalls {
   MultiPolygon fill_area;  ///< what the infill's rectangles may cover
 };
 
-/// Insets an island wall by wall. A wall is laid only where two opposite ones fit side by side;
-/// what stays uncovered between walls, or beside the outline, comes back as gaps, and what is left
-/// inside the last wall as the fill area.
+/// Insets an island wall by wall. A wall is laid only where two opposite ones fit side by side (of
+/// the outermost ones: if WallPlan::thin_walls); what stays uncovered between walls, or beside the
+/// outline, comes back as gaps, and what is left inside the last wall as the fill area.
 ///
-/// Invariant: rectangles of the walls, gaps and fill area tile the island, but for corners (miters)
-/// and the stripe of (width - spacing) / 2 along the outline. Cost: with no gap O(n) a wall; else a
-/// handful of polygon sweeps a wall.
+/// Invariant: rectangles of the walls, gaps and fill area tile the island, but for corners
+/// (miters), loops that overlap themselves, and the stripe of (width - spacing) / 2 along the
+/// outline. Cost: with no gap O(n) a wall; else a handful of polygon sweeps a wall.
 IslandWalls MakeConstantWalls(const PolygonWithHoles& island, const WallPlan& plan);
 
 /// Where a connected area is narrower than some width.
