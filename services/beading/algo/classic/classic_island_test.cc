@@ -96,6 +96,17 @@ TEST(ClassicIsland, GapsStayEmptyIfTheyAreTo) {
   EXPECT_TRUE(IslandOf("(0 0, 20 0, 20 0.4, 0 0.4)", plan).walls.empty());
 }
 
+// A tooth of 55 degrees, cut off where it is 0.3 mm wide.
+TEST(ClassicIsland, TheWallGoesRoundATooth) {
+  const IslandBeads island =
+      IslandOf("(0 0, 20 0, 20 10, 11.35 10, 10.15 12.305, 9.85 12.305, 8.65 10, 0 10)", Plan(1));
+  ASSERT_EQ(island.walls.size(), 1u);
+  EXPECT_EQ(island.walls[0].feature, Feature::kExternalPerimeter);
+  Coord top = 0;
+  for (const Point p : island.walls[0].points) top = std::max(top, p.y);
+  EXPECT_GT(top, FromMm(12.05));
+}
+
 // 0.6 mm is room for one wall of 0.45 mm, not for two.
 TEST(ClassicIsland, WithoutThinWallsALoopOverlapsItself) {
   WallPlan plan = Plan(3);

@@ -6,6 +6,7 @@
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/offset/offset.h"
 #include "common/model/bead_section.h"
 
 namespace slicefarm::beading {
@@ -32,17 +33,24 @@ bool IsWideThroughout(const MultiPolygon& region, Coord distance_nm) {
   });
 }
 
+/// Corners of more than 39 degrees are kept when what was shrunk grows again: a wall that kept off
+/// the tip of a tooth would leave a gap there, and its bead would lie outside of the wall.
+MultiPolygon Regrown(const MultiPolygon& core, Coord distance_nm) {
+  constexpr double kMiterLimit = 3;
+  return Offset(core, distance_nm, {.miter_limit = kMiterLimit});
+}
+
 /// Where `region` is wide enough that discs of `radius_nm` fit, with sharp corners kept; `core` is
 /// where their middles are.
 MultiPolygon Opened(const MultiPolygon& region, const MultiPolygon& core, Coord radius_nm) {
   if (core.empty()) return {};
-  return Intersection(region, FastOffset(core, radius_nm + kRoundingNm));
+  return Intersection(region, Regrown(core, radius_nm + kRoundingNm));
 }
 
 /// What discs of `radius_nm` around `core` leave of `region`.
 MultiPolygon Residue(const MultiPolygon& region, const MultiPolygon& core, Coord radius_nm) {
   if (core.empty()) return region;
-  return Difference(region, FastOffset(core, radius_nm + kSafetyNm));
+  return Difference(region, Regrown(core, radius_nm + kSafetyNm));
 }
 
 }  // namespace
