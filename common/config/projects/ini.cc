@@ -88,6 +88,24 @@ std::string_view QuotedPart(std::string_view text) {
   return text.substr(first);
 }
 
+/// What OrcaSlicer and Bambu Studio have instead: presets are JSON, each with what it changes of
+/// another one; G-code quotes settings under their own names.
+absl::Status CheckNotOrca(std::string_view text) {
+  constexpr std::string_view kUse = "; save the project as 3MF, and slice that";
+  if (Trim(text).starts_with('{')) {
+    return Malformed(1,
+                     fmt::format("this is JSON, as OrcaSlicer and Bambu Studio keep presets, and "
+                                 "no config.ini{}",
+                                 kUse));
+  }
+  if (HasLine(text, "; CONFIG_BLOCK_START")) {
+    return Malformed(1, fmt::format("this is G-code of OrcaSlicer or Bambu Studio, whose settings "
+                                    "have other names{}",
+                                    kUse));
+  }
+  return absl::OkStatus();
+}
+
 absl::StatusOr<std::vector<Setting>> ReadQuoted(std::string_view text) {
   std::vector<Setting> settings;
   for (std::string_view line : Split(QuotedPart(text), "\n")) {
@@ -127,6 +145,7 @@ absl::StatusOr<std::vector<Setting>> ReadIni(std::string_view text) {
   if (text.find('\0') != std::string_view::npos) {
     return Malformed(1, "this is not a text file");
   }
+  if (absl::Status status = CheckNotOrca(text); !status.ok()) return status;
   const bool gcode = LooksLikeGcode(text);
   auto settings = gcode ? ReadQuoted(text) : ReadLines(text);
   if (settings.ok() && settings->empty()) {
