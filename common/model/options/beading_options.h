@@ -44,6 +44,8 @@ struct BeadingOptions {
   Coord min_gap_width_nm = 80'000;       ///< gap_fill_min_width: narrower gaps stay empty
   Coord max_gap_width_nm = 800'000;      ///< wider gaps are the infill's
   bool thin_walls = true;                ///< thin_walls: of kClassic; kArachne always prints them
+  /// Of kClassic: beside a wall, beads of thin walls shorter than this stay out: tips of supports.
+  Coord least_tip_nm = 0;
   Coord transition_length_nm = 400'000;  ///< wall_transition_length
   double transition_angle = 10 * 3.14159265358979323846 / 180;  ///< wall_transition_angle, radians
   Coord transition_deviation_nm = 100'000;  ///< wall_transition_filter_deviation

@@ -253,6 +253,7 @@ v1::BeadingOptions ToProto(const BeadingOptions& options) {
   proto.set_max_gap_width_nm(options.max_gap_width_nm);
   proto.set_generator(EnumToProto<v1::WallGenerator>(options.generator));
   proto.set_thin_walls(options.thin_walls);
+  proto.set_least_tip_nm(options.least_tip_nm);
   proto.set_transition_length_nm(options.transition_length_nm);
   proto.set_transition_angle(options.transition_angle);
   proto.set_transition_deviation_nm(options.transition_deviation_nm);
@@ -283,6 +284,7 @@ absl::StatusOr<BeadingOptions> FromProto(const v1::BeadingOptions& proto) {
   options.max_gap_width_nm = proto.max_gap_width_nm();
   options.generator = Known<WallGenerator>(proto.generator());
   options.thin_walls = proto.thin_walls();
+  options.least_tip_nm = proto.least_tip_nm();
   options.transition_length_nm = proto.transition_length_nm();
   options.transition_angle = proto.transition_angle();
   options.transition_deviation_nm = proto.transition_deviation_nm();

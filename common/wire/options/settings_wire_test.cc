@@ -168,7 +168,7 @@ BeadingOptions DistinctBeading() {
   BeadingOptions options;
   auto& [generator, perimeters, one_on_bed, one_on_top, extra, fuzzy, fuzzy_thickness,
          fuzzy_distance, external_width, inner_width, first_layer_width, gap_fill, min_gap_width,
-         max_gap_width, thin_walls, transition_length, transition_angle, transition_deviation,
+         max_gap_width, thin_walls, least_tip, transition_length, transition_angle, transition_deviation,
          distribution_count, min_feature, min_bead_width, max_bead_width, lock_outer_width,
          wall_class] = options;
   generator = WallGenerator::kClassic;
@@ -186,6 +186,7 @@ BeadingOptions DistinctBeading() {
   min_gap_width = 206;
   max_gap_width = 207;
   thin_walls = false;
+  least_tip = 220;
   transition_length = 209;
   transition_angle = 0.21;
   transition_deviation = 211;
@@ -563,6 +564,7 @@ constexpr char kDistinct[] = R"pb(
     max_gap_width_nm: 207
     generator: WALL_GENERATOR_CLASSIC
     thin_walls: false
+    least_tip_nm: 220
     transition_length_nm: 209
     transition_angle: 0.21
     transition_deviation_nm: 211

@@ -19,6 +19,9 @@ FillPattern PatternOf(SupportPattern pattern) {
   return FillPattern::kAlignedRectilinear;
 }
 
+/// Along a column's ragged side, tips have nothing to carry that lies farther off.
+constexpr Coord kLeastTipNm = 1 * kNmPerMm;
+
 void SetLines(const ObjectPlanOptions& object, SupportRow row, BeadingOptions& beading,
               InfillOptions& infill) {
   const SupportOptions& support = object.support;
@@ -33,6 +36,7 @@ void SetLines(const ObjectPlanOptions& object, SupportRow row, BeadingOptions& b
       return;
     case SupportRow::kBase:
       beading.perimeters = support.sheath ? 1 : 0;
+      beading.least_tip_nm = kLeastTipNm;
       FillAlike(density(support.spacing_nm), angle_rad, infill);
       infill.pattern = PatternOf(support.pattern);
       return;

@@ -104,6 +104,7 @@ class IslandWaller {
   PlanWaller Waller(int32_t perimeters, Coord outermost_nm, bool gap_fill = true) const {
     WallPlan plan = WallPlan::Make(perimeters, outermost_nm, inner_, place_.section.height_nm);
     plan.gap_fill = options_.gap_fill && gap_fill;
+    plan.least_tip_nm = options_.least_tip_nm;
     plan.thin_walls = options_.thin_walls || options_.generator == WallGenerator::kArachne;
     return PlanWaller(plan, options_, place_.section.height_nm, DecidingRadius());
   }

@@ -26,6 +26,14 @@ void AppendWalls(const std::vector<MultiPolygon>& centre_lines, const WallPlan& 
   }
 }
 
+/// Leaves out what is not worth a travel to a tip of an island that has walls.
+void DropTips(const WallPlan& plan, size_t walls, std::vector<Path>& beads) {
+  if (walls == 0 || plan.least_tip_nm == 0) return;
+  std::erase_if(beads, [&](const Path& bead) {
+    return PathLength(bead) < static_cast<double>(plan.least_tip_nm);
+  });
+}
+
 }  // namespace
 
 absl::StatusOr<IslandBeads> MakeClassicIsland(const PolygonWithHoles& outline,
@@ -38,6 +46,7 @@ absl::StatusOr<IslandBeads> MakeClassicIsland(const PolygonWithHoles& outline,
   island.fill_area = std::move(walls.fill_area);
   auto gap_paths = FillGaps(walls.gaps, gap_options, cancel);
   if (!gap_paths.ok()) return gap_paths.status();
+  DropTips(plan, island.walls.size(), *gap_paths);
   std::ranges::move(*gap_paths, std::back_inserter(island.walls));
   if (!plan.gap_fill || plan.perimeters == 0) return island;
   auto narrow_paths = FillNarrowParts(gap_options, cancel, island.fill_area);

@@ -107,6 +107,22 @@ TEST(ClassicIsland, TheWallGoesRoundATooth) {
   EXPECT_GT(top, FromMm(12.05));
 }
 
+// A square, with a spike 0.3 mm wide and a longer one.
+TEST(ClassicIsland, ShortTipsOfAWallMayStayOut) {
+  constexpr std::string_view kSpikes =
+      "(0 0, 20 0, 20 5, 20.8 5, 20.8 5.3, 20 5.3, 20 10, 24 10, 24 10.3, 20 10.3, 20 20, 0 20)";
+  const auto beads_beside_walls = [](std::string_view outline, Coord least_tip_nm) {
+    WallPlan plan = Plan(1);
+    plan.gap_fill = false;
+    plan.least_tip_nm = least_tip_nm;
+    const IslandBeads island = IslandOf(outline, plan);
+    return std::ranges::count(island.walls, false, &Path::closed);
+  };
+  EXPECT_EQ(beads_beside_walls(kSpikes, 0), 2);
+  EXPECT_EQ(beads_beside_walls(kSpikes, 1'500'000), 1);
+  EXPECT_EQ(beads_beside_walls("(0 0, 1 0, 1 0.3, 0 0.3)", 1'500'000), 1) << "all there is";
+}
+
 // 0.6 mm is room for one wall of 0.45 mm, not for two.
 TEST(ClassicIsland, WithoutThinWallsALoopOverlapsItself) {
   WallPlan plan = Plan(3);

@@ -19,6 +19,7 @@ struct WallPlan {
   /// Places too thin for two of the outermost walls get one bead; else a loop that overlaps itself,
   /// as PrusaSlicer lays it, if one wall fits: what is not printed at all would be missing.
   bool thin_walls = false;
+  Coord least_tip_nm = 0;  ///< beside a wall, beads of thin walls shorter than this stay out
 
   static WallPlan Make(int perimeters, Coord external_width_nm, Coord inner_width_nm,
                        Coord layer_height_nm);
