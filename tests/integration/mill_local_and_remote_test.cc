@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "common/base/error.h"
@@ -87,6 +89,23 @@ TEST_F(MillLocalAndRemote, ScenesAreTheSame) {
   ASSERT_EQ(there->objects[0].parts.size(), placed_.objects[0].parts.size());
   EXPECT_EQ(there->objects[0].parts[0].mesh, placed_.objects[0].parts[0].mesh);
   EXPECT_EQ(there->objects[0].parts[0].report, placed_.objects[0].parts[0].report);
+}
+
+TEST_F(MillLocalAndRemote, ABlankIsPlacedWithoutATableThereToo) {
+  const std::string blank = "blank";
+  SliceInput parts = TextBox();
+  parts.objects.push_back(parts.objects.front());
+  parts.objects.back().name = blank;
+  SlicingOptions options;
+  options.objects.resize(parts.objects.size());
+  auto split = coordinator::TakeStock({std::move(parts), options}, blank);
+  ASSERT_TRUE(split.ok()) << split.status();
+  coordinator::PutAround(placed_, *split->stock);
+  const auto here = placing_->Place(call_, split->stock->meshes, split->stock->options);
+  const auto there = remote_.placing.Place(call_, split->stock->meshes, split->stock->options);
+  ASSERT_TRUE(here.ok()) << here.status();
+  ASSERT_TRUE(there.ok()) << there.status();
+  EXPECT_EQ(there->objects.at(0).shifts, here->objects.at(0).shifts);
 }
 
 TEST_F(MillLocalAndRemote, RangesElsewhereGiveTheSameProgram) {

@@ -123,6 +123,16 @@ def check_interpreter(program, models, folder):
         assert done.returncode == 0 and "error" not in done.stderr.lower(), done.stderr[-2000:]
 
 
+def check_stock_of_farm(farm, program, folder):
+    """A blank that is wider than the table."""
+    models = [write_box(folder / "part.obj", (20, 10, 4)), write_box(folder / "blank.obj", (30, 16, 6))]
+    given = ["--machine", "mill", *COARSE, "--set", "stock=blank.obj", "--set", "bed_shape=0x0,25x0,25x25,0x25"]
+    must(program, "slice", *models, "-o", folder / "here.nc", "-q", *given)
+    done = farm.client("submit", *models, "-o", folder / "there.nc", "-q", *given)
+    assert done.returncode == 0, done.stderr
+    assert (folder / "there.nc").read_bytes() == (folder / "here.nc").read_bytes()
+
+
 def check_farm(program, models, folder):
     """The same bytes embedded, from fused workers and from split stages, while these are killed."""
     os.environ["SLICEFARM_BIN"] = str(pathlib.Path(program).resolve().parent)
@@ -149,6 +159,7 @@ def check_farm(program, models, folder):
             assert (folder / "there.nc").read_bytes() == here, f"split {split}"
             check = farm.client("submit", model, "--check", *given)
             assert check.returncode == 0, check.stderr
+            check_stock_of_farm(farm, program, folder)
 
 
 def main(program, models):

@@ -96,7 +96,8 @@ absl::Status Check(const v1::SlicingOptions& proto) {
                                   {"part_distance_nm", proto.part_distance_nm()},
                                   {"clearance_radius_nm", proto.clearance_radius_nm()}}));
   status.Update(CheckRows(proto.objects_size(), "objects"));
-  if (proto.bed_xy_nm_size() < 6) status.Update(Malformed("bed_xy_nm", "fewer than 3 points"));
+  if (proto.bed_xy_nm_size() > 0 && proto.bed_xy_nm_size() < 6)
+    status.Update(Malformed("bed_xy_nm", "fewer than 3 points"));
   status.Update(CheckThumbnails(proto));
   return status;
 }

@@ -105,6 +105,12 @@ TEST(SlicingOptionsWire, Returns) {
       ProtoOf<v1::SlicingOptions>(SlicingOptions{}), {"max_ratio"});
 }
 
+TEST(SlicingOptionsWire, ABedThatLimitsNothingReturns) {
+  SlicingOptions options;
+  options.bed.clear();
+  ExpectReturns<v1::SlicingOptions>(options);
+}
+
 struct RefusedSlicing {
   std::string name;
   std::function<void(v1::SlicingOptions&)> spoil;
