@@ -26,6 +26,11 @@ absl::Status OutcomeOf(std::string_view stage, std::chrono::milliseconds deadlin
                                 std::chrono::duration<double>(deadline).count()));
   if (DetailOf(status).metadata.contains(rpc::kConnectionBroke))
     return LostCall(stage, "connection", "was lost: " + std::string(status.message()));
+  if (absl::IsUnimplemented(status))
+    return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch,
+                     fmt::format("what answers as {} is another service, or of another build: {}",
+                                 stage, std::string(status.message())),
+                     {{"stage", std::string(stage)}});
   return status;
 }
 

@@ -34,8 +34,9 @@ struct RemoteOptions {
 /// it.
 absl::Status BadAnswer(std::string_view stage, const absl::Status& why);
 
-/// `status` of a call; LostCall if it ended at our deadline or with its connection, which says
-/// nothing of the input.
+/// `status` of a call; LostCall if it ended at our deadline or with its connection, and
+/// BUILD_MISMATCH if the server does not know the method: neither says anything of the input. An
+/// older build may lack a method that this one has, and so has no call whose build it could refuse.
 absl::Status OutcomeOf(std::string_view stage, std::chrono::milliseconds deadline,
                        absl::Status status);
 

@@ -40,6 +40,14 @@ TEST(RemoteCall, AnAnswerThatIsCutOffIsOfAServerThatWentAway) {
   EXPECT_TRUE(WasLost(status)) << status;
 }
 
+// A job that meets it, in an upgrade or behind a wrong address, waits for the right one.
+TEST(RemoteCall, AServerWithoutTheMethodIsOfAnotherBuild) {
+  const absl::Status status = CallThatEndsWith(grpc::Status(grpc::StatusCode::UNIMPLEMENTED, ""));
+  EXPECT_EQ(DetailOf(status).reason, Reason::kBuildMismatch) << status;
+  EXPECT_EQ(DetailOf(status).metadata.at("stage"), "work");
+  EXPECT_TRUE(IsReplicasFault(status)) << "another replica may be the right one";
+}
+
 // Else what kills stages is tried as often as a stage that is away.
 TEST(RemoteCall, OnlyACallThatWasUnderWayIsLost) {
   const absl::Status stops = rpc::FromGrpc(rpc::ToGrpc(
