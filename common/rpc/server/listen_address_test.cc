@@ -15,5 +15,14 @@ TEST(ListenAddress, LoopbackIsWhatOnlyThisMachineReaches) {
   }
 }
 
+TEST(ListenAddress, ANumberBeyondAllPortsIsNone) {
+  for (const char* address : {"127.0.0.1:0", "127.0.0.1:65535", "[::1]:50051", "farm:https"}) {
+    EXPECT_TRUE(PortFits(address)) << address;
+  }
+  for (const char* address : {"127.0.0.1:65536", "[::]:500510", "farm:99999999999999999999"}) {
+    EXPECT_FALSE(PortFits(address)) << address;
+  }
+}
+
 }  // namespace
 }  // namespace slicefarm::rpc::listen_address_test

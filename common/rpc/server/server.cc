@@ -8,6 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/rpc/client/health.h"
+#include "common/rpc/server/listen_address.h"
 #include "common/rpc/server/storage_errors.h"
 #include "common/rpc/server/unreadable_request.h"
 
@@ -47,6 +48,10 @@ void SetConnectionRules(const ServerOptions& options, grpc::ServerBuilder* build
 absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& options,
                                                       const std::vector<grpc::Service*>& services,
                                                       CallMetrics& metrics, QueuedMethods* queued) {
+  if (!PortFits(options.listen))
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfRange,
+                     "cannot listen on " + options.listen + ": the last port is 65535",
+                     {{"address", options.listen}});
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
   grpc::ServerBuilder builder;

@@ -36,7 +36,7 @@ struct ServerOptions {
 class Server {
  public:
   /// `services`, with those of `queued`, and `metrics` must outlive the server. Errors: Unavailable
-  /// if it cannot listen there.
+  /// if it cannot listen there; OUT_OF_RANGE if that is no port.
   static absl::StatusOr<std::unique_ptr<Server>> Start(const ServerOptions& options,
                                                        const std::vector<grpc::Service*>& services,
                                                        CallMetrics& metrics,
