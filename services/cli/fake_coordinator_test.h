@@ -80,7 +80,8 @@ class FakeCoordinator : public v1::Meshes::Service,
 
   // What the tests set before, and look at afterwards.
   std::atomic<int> break_upload_after = -1;  ///< chunks; then never again
-  std::atomic<int> break_watch_after = -1;   ///< events; then never again
+  grpc::Status upload_refused;  ///< unless OK, the end of each upload; nothing of it is kept
+  std::atomic<int> break_watch_after = -1;  ///< events; then never again
   std::atomic<int> break_download_after = -1;
   std::deque<grpc::StatusCode> quiet_watch_ends;  ///< of watches that end before any event
   bool hold_watches = false;                      ///< they tell nothing until they are cancelled
@@ -114,6 +115,7 @@ class FakeCoordinator : public v1::Meshes::Service,
 
   grpc::Status UploadMesh(grpc::ServerContext*, grpc::ServerReader<v1::UploadMeshRequest>* reader,
                           v1::Upload* response) override {
+    if (!upload_refused.ok()) return upload_refused;
     v1::UploadMeshRequest chunk;
     int64_t size = 0;
     std::string digest;

@@ -150,6 +150,7 @@ absl::StatusOr<std::string> JobsClient::UploadMesh(std::string_view bytes,
   const std::string sha256 = Sha256Hex(bytes);
   v1::GetUploadRequest request;
   request.set_sha256(sha256);
+  int64_t had = -1;  // what the server had at the attempt before
   const absl::Status status = Persist([&]() -> absl::Status {
     v1::Upload upload;
     const absl::Status got =
@@ -164,8 +165,12 @@ absl::StatusOr<std::string> JobsClient::UploadMesh(std::string_view bytes,
                                    upload.committed_size(), bytes.size()));
     }
     sent(upload.committed_size());
-    return upload.complete() ? absl::OkStatus()
-                             : SendFrom(upload.committed_size(), sha256, bytes, sent);
+    if (upload.complete()) return absl::OkStatus();
+    absl::Status outcome = SendFrom(upload.committed_size(), sha256, bytes, sent);
+    // Who has no room says how far it is, and lets bytes come, each time anew.
+    if (DetailOf(outcome).reason == Reason::kDiskLow) answered_ = upload.committed_size() > had;
+    had = upload.committed_size();
+    return outcome;
   });
   if (!status.ok()) return status;
   return sha256;

@@ -113,6 +113,15 @@ TEST_F(JobsClientTest, AFullDiskIsNotWaitedFor) {
   EXPECT_EQ(DetailOf(client_.GetJob("job-1").status()).reason, Reason::kDiskFull);
 }
 
+TEST_F(JobsClientTest, AnUploadForWhichThereIsNoRoomIsNotWaitedForForEver) {
+  JobsClient client({.server = server_.address(), .patience = std::chrono::milliseconds(50)});
+  server_.upload_refused =
+      rpc::ToGrpc(MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskLow, "no room",
+                            {{rpc::kRetryAfterMs, "1"}}));
+  const auto sha256 = client.UploadMesh(std::string(300'000, 'm'), Ignore);
+  EXPECT_EQ(DetailOf(sha256.status()).reason, Reason::kDiskLow) << sha256.status();
+}
+
 TEST_F(JobsClientTest, TellsEachEventOnceThoughTheStreamBreaks) {
   server_.break_watch_after = 2;
   std::vector<int> seen;
