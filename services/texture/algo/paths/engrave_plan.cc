@@ -24,20 +24,19 @@ absl::Status CheckRange(std::string_view name, double value, double least, doubl
 
 absl::Status CheckOptions(const EngraveOptions& options) {
   for (const absl::Status& status :
-       {CheckRange("engrave_layer_height", options.layer_height_mm, kLeastSpacingMm, kMostMm),
-        CheckRange("texture_margin", options.margin_mm, 0, kMostMm),
+       {CheckRange("layer_height", options.layer_height_mm, kLeastSpacingMm, kMostMm),
+        CheckRange("margin", options.margin_mm, 0, kMostMm),
         CheckRange("texture_scale", options.placement.scale, 1e-3, 1e3),
-        CheckRange("link_clearance", options.clearance_mm, 0, kMostMm),
-        CheckRange("shortest_line", options.least_run_mm, 0, kMostMm)})
+        CheckRange("clearance", options.clearance_mm, 0, kMostMm),
+        CheckRange("shortest", options.least_run_mm, 0, kMostMm)})
     if (!status.ok()) return status;
   for (const LineStyle& style : options.lines)
-    if (absl::Status status =
-            CheckRange("line_spacing", style.spacing_mm, kLeastSpacingMm, kMostMm);
+    if (absl::Status status = CheckRange("spacing", style.spacing_mm, kLeastSpacingMm, kMostMm);
         !status.ok())
       return status;
   if (options.lines.empty())
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                     "line_spacing needs a value", {{"setting", "line_spacing"}});
+                     "spacing needs a value", {{"setting", "spacing"}});
   return absl::OkStatus();
 }
 

@@ -41,10 +41,10 @@ TEST(PlanEngraving, RefusesOptionsOutOfRange) {
   const auto reason = [](const EngraveOptions& options) {
     return DetailOf(PlanWith(options).status());
   };
-  EXPECT_EQ(reason({.layer_height_mm = 0}).metadata.at("setting"), "engrave_layer_height");
-  EXPECT_EQ(reason({.lines = {{.spacing_mm = -1}}}).metadata.at("setting"), "line_spacing");
+  EXPECT_EQ(reason({.layer_height_mm = 0}).metadata.at("setting"), "layer_height");
+  EXPECT_EQ(reason({.lines = {{.spacing_mm = -1}}}).metadata.at("setting"), "spacing");
   EXPECT_EQ(reason({.lines = {}}).reason, Reason::kSettingOutOfRange);
-  EXPECT_EQ(reason({.margin_mm = -1}).metadata.at("setting"), "texture_margin");
+  EXPECT_EQ(reason({.margin_mm = -1}).metadata.at("setting"), "margin");
   EXPECT_EQ(reason({.placement = {.scale = 0}}).metadata.at("setting"), "texture_scale");
 }
 
