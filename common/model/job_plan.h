@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,12 @@ struct SectionPlan {
 
   friend bool operator==(const SectionPlan&, const SectionPlan&) = default;
 };
+
+/// The plan of a stack, by its id; null: nothing is decided for it. `plans`: by ascending stack.
+inline const SectionPlan* FindPlan(int32_t stack, std::span<const SectionPlan> plans) {
+  const auto found = std::ranges::lower_bound(plans, stack, {}, &SectionPlan::stack);
+  return found != plans.end() && found->stack == stack ? &*found : nullptr;
+}
 
 /// What is decided for the sparse infill of one region of a stack's section, in the object's own
 /// coordinates.

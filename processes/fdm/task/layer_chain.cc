@@ -32,9 +32,8 @@ void AddBelow(std::span<const SlicedLayer> sliced, std::span<const LayerPlan> pl
       if (!block.stack.IsPart() || block.layer == 0 || !(looks || block.spiral)) continue;
       if (const ObjectSection* below = stacks.Find(block.stack.id, block.layer - 1))
         block.below = OutlineOf(*below);
-      const auto& sections = plans[i].sections;
-      const auto plan = std::ranges::find(sections, block.stack.id, &SectionPlan::stack);
-      if (plan != sections.end()) block.carried = plan->carried;
+      if (const SectionPlan* plan = FindPlan(block.stack.id, plans[i].sections))
+        block.carried = plan->carried;
     }
   }
 }

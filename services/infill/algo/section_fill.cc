@@ -77,8 +77,8 @@ const PlannedInfill* PlanOf(std::span<const PlannedInfill> plans, int32_t stack,
 
 const MultiPolygon& CarriedOf(int32_t stack, const LayerPlan& plan) {
   static const MultiPolygon kNothing;
-  const auto found = std::ranges::find(plan.sections, stack, &SectionPlan::stack);
-  return found == plan.sections.end() ? kNothing : found->carried;
+  const SectionPlan* found = FindPlan(stack, plan.sections);
+  return found == nullptr ? kNothing : found->carried;
 }
 
 /// Gives beads that are `from_nm` high `share` of their plastic, in a layer that is `to_nm` high.

@@ -46,16 +46,10 @@ absl::Status CheckPaths(const FilledLayer& layer, const LayerPlan& plan, size_t 
                    {{"layer", std::to_string(layer.frame.index)}});
 }
 
-/// Null: nothing is planned for the stack, by its id.
-const SectionPlan* FindPlan(int32_t stack, const LayerPlan& plan) {
-  const auto found = std::ranges::lower_bound(plan.sections, stack, {}, &SectionPlan::stack);
-  return found != plan.sections.end() && found->stack == stack ? &*found : nullptr;
-}
-
 /// Of the stack, or of its object's part.
 SectionPlan PlanOf(const Stack& stack, const LayerPlan& plan) {
-  if (const SectionPlan* own = FindPlan(stack.id, plan); own != nullptr) return *own;
-  const SectionPlan* part = FindPlan(stack.object, plan);
+  if (const SectionPlan* own = FindPlan(stack.id, plan.sections); own != nullptr) return *own;
+  const SectionPlan* part = FindPlan(stack.object, plan.sections);
   SectionPlan none;
   if (part != nullptr) {
     none.entry = part->entry;

@@ -166,12 +166,6 @@ Box RoomOf(const FilledSection& section) {
   return room;
 }
 
-/// Leads a way between islands off what has curled up, if it can.
-void KeepOff(CurledWays& curled, Point from, Point to, WorkBudget& sights, Travel& travel) {
-  if (!curled.Meets(from, travel.corners, to)) return;
-  if (auto corners = curled.Around(from, to, sights)) travel.corners = *std::move(corners);
-}
-
 }  // namespace
 
 PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
@@ -212,7 +206,7 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
     const Path& last = route.paths()[first - 1];
     const Path& path = route.paths()[first];
     travels[first] = outside.Between(last, path, sights);
-    if (curled) KeepOff(*curled, EndOf(last), StartOf(path), sights, travels[first]);
+    if (curled) curled->KeepOff(EndOf(last), StartOf(path), sights, travels[first].corners);
   }
   if (std::ranges::all_of(travels, [](const Travel& travel) { return travel == Travel{}; }))
     travels.clear();

@@ -50,6 +50,10 @@ Point Beyond(Point a, Point b, double length_nm) {
 
 }  // namespace
 
+MultiPolygon RegionOf(const Box& box) {
+  return {{{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, {}}};
+}
+
 ClearWays::ClearWays(const MultiPolygon& region, Coord clearance_nm) : clearance_(clearance_nm) {
   ForEachRing(region, [&](const Polygon& ring) { edge_.AddRing(ring); });
   const MultiPolygon lanes = Simplify(FastOffset(region, -Times(kLane, clearance_nm)),

@@ -9,6 +9,9 @@
 
 namespace slicefarm::ordering {
 
+/// A region that is a box.
+MultiPolygon RegionOf(const Box& box);
+
 /// Short ways inside a region that keep off its edge, by a graph of visibility.
 ///
 /// The nozzle keeps off the edge by more than the clearance: it stays between lanes, which are

@@ -33,9 +33,8 @@ const PathBlock& BlockOf(const BlockVisit& visit, const OrderedLayer& layer) {
 std::vector<Obstacle> ObstaclesOf(const LayerPlan& plan, const OrderedLayer& layer) {
   std::vector<Obstacle> obstacles;
   for (const BlockVisit& visit : layer.visits) {
-    const int32_t stack = BlockOf(visit, layer).stack.id;
-    const auto section = std::ranges::lower_bound(plan.sections, stack, {}, &SectionPlan::stack);
-    if (section == plan.sections.end() || section->stack != stack) continue;
+    const SectionPlan* section = FindPlan(BlockOf(visit, layer).stack.id, plan.sections);
+    if (section == nullptr) continue;
     for (PolygonWithHoles& area : Moved(section->curled, visit.shift)) {
       const Box box = Bounds(area.outer);
       obstacles.push_back({std::move(area), box, visit.pass});
@@ -81,8 +80,7 @@ void KeepOffCurled(const LayerPlan& plan, WorkBudget& sights, OrderedLayer& laye
     for (const Obstacle& obstacle : obstacles)
       if (obstacle.pass == visit.pass && obstacle.box.Intersects(room)) near.push_back(obstacle.area);
     CurledWays ways(Union(near, {}), room);
-    if (!ways.Meets(from, {}, to)) continue;
-    visit.corners = ways.Around(from, to, sights).value_or(std::vector<Point>{});
+    ways.KeepOff(from, to, sights, visit.corners);
   }
 }
 

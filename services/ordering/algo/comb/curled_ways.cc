@@ -1,5 +1,6 @@
 #include "services/ordering/algo/comb/curled_ways.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -25,10 +26,6 @@ void CutBeginning(double length_nm, std::vector<Point>& way) {
     length_nm -= step;
   }
   way.erase(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(first));
-}
-
-MultiPolygon RoomOf(const Box& box) {
-  return {{{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, {}}};
 }
 
 }  // namespace
@@ -66,8 +63,13 @@ std::optional<std::vector<Point>> CurledWays::Within(ClearWays& region, Point fr
   return corners;
 }
 
+void CurledWays::KeepOff(Point from, Point to, WorkBudget& budget, std::vector<Point>& corners) {
+  if (!Meets(from, corners, to)) return;
+  if (auto around = Around(from, to, budget)) corners = *std::move(around);
+}
+
 std::optional<std::vector<Point>> CurledWays::Around(Point from, Point to, WorkBudget& budget) {
-  if (!ways_) ways_.emplace(WaysThrough(RoomOf(room_)));
+  if (!ways_) ways_.emplace(WaysThrough(RegionOf(room_)));
   return Within(*ways_, from, to, std::numeric_limits<double>::infinity(), budget);
 }
 

@@ -23,10 +23,13 @@ class CurledWays {
   bool Meets(Point from, std::span<const Point> corners, Point to) const;
 
   /// The corners of a short way that does not; none if there is no such way, or the budget, in lines
-  /// of sight, is spent. Ways::Find's cost.
+  /// of sight, is spent. Cost: ClearWays::Find's.
   std::optional<std::vector<Point>> Around(Point from, Point to, WorkBudget& budget);
 
-  /// The same, within a region.
+  /// Gives a way that meets it the corners of one Around, if there is one.
+  void KeepOff(Point from, Point to, WorkBudget& budget, std::vector<Point>& corners);
+
+  /// As Around, within a region.
   std::optional<std::vector<Point>> Within(ClearWays& region, Point from, Point to,
                                            double longest_nm, WorkBudget& budget) const;
 

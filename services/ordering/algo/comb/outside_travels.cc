@@ -17,10 +17,6 @@ constexpr Coord kMargin = 5 * kNmPerMm;
 /// What ways keep from the islands' outlines, in radii of the outer walls.
 constexpr double kClearance = 0.6;
 
-Polygon Rectangle(const Box& box) {
-  return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-}
-
 }  // namespace
 
 OutsideTravels::OutsideTravels(const FilledSection& section, const TravelOptions& options)
@@ -50,7 +46,7 @@ ClearWays& OutsideTravels::Ways() {
   MultiPolygon islands;
   for (const FilledIsland& island : section_.islands)
     if (!island.outline.outer.empty()) islands.push_back(island.outline);
-  const MultiPolygon around{{Rectangle(Bounds(islands).Grown(kMargin)), {}}};
+  const MultiPolygon around = RegionOf(Bounds(islands).Grown(kMargin));
   ways_.emplace(Difference(around, islands),
                 std::llround(kClearance * static_cast<double>(wall_radius_nm_)));
   return *ways_;
