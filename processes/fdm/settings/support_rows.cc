@@ -19,7 +19,8 @@ FillPattern PatternOf(SupportPattern pattern) {
   return FillPattern::kAlignedRectilinear;
 }
 
-/// Along a column's ragged side, tips have nothing to carry that lies farther off.
+/// The ragged side of a column has tips. What lies over a shorter one is no farther than this from the
+/// column's other beads.
 constexpr Coord kLeastTipNm = 1 * kNmPerMm;
 
 void SetLines(const ObjectPlanOptions& object, SupportRow row, BeadingOptions& beading,
