@@ -1,29 +1,41 @@
 # cmake -D SOURCE_DIR=.. -D TOOLS=.. -D TEMPLATE=.. -D OUTPUT=.. -D VERSION=.. -D RELEASE_DATE=.. -P build_info.cmake
 #
-# Fills in common/base/build_info.cc.in. The build id is a digest over all that decides what a job comes to, and nothing else: a
-# result stays in the cache, and a worker beside its coordinator, as long as it is the same. These are
-#   the names and contents of the files of the stages, and of what they include: not of the command line, the console, the load
-#   generator, webhooks, stores and the services that clients call, nor of tests (*_test.{h,cc}, which are in no program)
-#   TOOLS: the compiler, the C library and the libraries whose algorithms have a part in it, with their versions
+# Fills in common/base/build_info.cc.in. The build id is a digest over everything that decides the bytes of a result, and over
+# nothing else: as long as it stays the same, cached results stay valid and a worker may serve a coordinator. It covers
+#   all sources of common, processes and services, except the folders of `left_out` and tests (*_test.{h,cc}): a new folder is
+#     covered without being named
+#   TOOLS: the compiler, the C library and the libraries whose algorithms take part, with their versions
 # It is over contents, not over a commit: an image is built from a copy of the tree without its repository.
-set(folders
-  common/base common/geometry common/macro common/model common/config common/stage common/wire
-  services/slicing services/planning services/beading services/infill services/ordering services/motion services/exposure services/milling services/worker
-  services/coordinator/algo/pipeline processes)
+# With -D LISTING=FILE it also writes the names of the covered files, one a line.
+set(left_out
+  common/rpc                                    # carries messages
+  services/cli services/load                    # talk to users
+  services/coordinator/algo/[^/]+$ services/coordinator/algo/dispatch   # decide when and where a task runs
+  services/coordinator/remote services/coordinator/run services/coordinator/server services/coordinator/sim services/coordinator/store)
 set(files "")
-foreach(folder ${folders})
+foreach(folder common processes services)
   file(GLOB_RECURSE found RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/${folder}/*.h ${SOURCE_DIR}/${folder}/*.cc)
-  if(NOT found)
-    message(FATAL_ERROR "build_info.cmake: there is nothing in ${folder}")
-  endif()
   list(APPEND files ${found})
 endforeach()
+foreach(folder ${left_out})
+  list(LENGTH files before)
+  list(FILTER files EXCLUDE REGEX "^${folder}")
+  list(LENGTH files after)
+  if(before EQUAL after)
+    message(FATAL_ERROR "build_info.cmake: there is nothing in ${folder}")
+  endif()
+endforeach()
 list(FILTER files EXCLUDE REGEX "_test\\.(cc|h)$")
-# What stages and coordinators say to each other; what clients say is read before a job's digest is taken.
+# The messages between stages and coordinators. Messages of clients are read before a job's digest is taken.
 file(GLOB protos RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/proto/slicefarm/v1/*.proto)
 list(FILTER protos EXCLUDE REGEX "/(jobs|profiles|error_reason)\\.proto$")
 list(APPEND files ${protos} CMakeLists.txt cmake/targets.cmake cmake/build_info.cmake)
 list(SORT files)
+
+if(DEFINED LISTING)
+  list(JOIN files "\n" names)
+  file(WRITE ${LISTING} "${names}\n")
+endif()
 
 set(listing "${TOOLS}\n")
 foreach(file ${files})

@@ -1,18 +1,22 @@
 #!/usr/bin/env python3
-"""What the build id follows, and what it does not: cmake/build_info.cmake over a copy of the sources.
+"""Tests which files the build id covers: cmake/build_info.cmake over a copy of the sources.
 
 usage: build_id_test.py REPOSITORY
 """
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
 
 CHANGES = [
-    # path, whether a change of it is another build
+    # path, True if a change of it makes another build
     ("services/infill/algo/section_fill.cc", True),
     ("services/slicing/algo/section/sweep.h", True),
+    ("services/texture/algo/engrave_job.cc", True),
+    ("common/kinematics/jerk_planner.cc", True),
+    ("common/gcode/gcode_text.cc", True),
     ("services/slicing/sandbox/reader_side.cc", True),
     ("processes/fdm/job/fdm_programs.cc", True),
     ("services/coordinator/algo/pipeline/report_json.cc", True),
@@ -32,6 +36,10 @@ CHANGES = [
     ("README.md", False),
 ]
 
+# Folders whose files stage programs include, and which decide no bytes of a result.
+CARRIERS = re.compile(r"common/rpc/|services/coordinator/algo/dispatch/")
+INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
+
 
 def build_id(tree, tools="GNU=12.2.0,libc=glibc-2.36"):
     output = tree / "build_info.cc"
@@ -41,6 +49,37 @@ def build_id(tree, tools="GNU=12.2.0,libc=glibc-2.36"):
     text = output.read_text()
     output.unlink()
     return text
+
+
+def covered(tree):
+    """Returns the paths of the files that the build id covers."""
+    listing = tree / "listing.txt"
+    command = ["cmake", f"-DSOURCE_DIR={tree}", "-DTOOLS=", f"-DTEMPLATE={tree}/common/base/build_info.cc.in", f"-DLISTING={listing}",
+               f"-DOUTPUT={tree}/build_info.cc", "-DVERSION=1.2.3", "-DRELEASE_DATE=2026-11-21", "-P", str(tree / "cmake/build_info.cmake")]
+    subprocess.run(command, check=True)
+    names = set(listing.read_text().split())
+    listing.unlink()
+    (tree / "build_info.cc").unlink()
+    return names
+
+
+def files_of_stages(tree):
+    """Returns the paths of all files that stage programs and the pipeline are made of.
+
+    Follows the includes of their sources. A header stands for the sources beside it, since any of them may implement it.
+    """
+    roots = [*tree.glob("services/*/server/main.cc"), *tree.glob("services/coordinator/algo/pipeline/*.cc"), *tree.glob("processes/*/job/*.cc")]
+    found, left = set(), [r for r in roots if "coordinator/server" not in r.as_posix()]
+    while left:
+        file = left.pop()
+        name = file.relative_to(tree).as_posix()
+        if name in found or re.search(r"_test\.(cc|h)$", name):
+            continue
+        found.add(name)
+        if not CARRIERS.match(name):
+            left += [tree / path for path in INCLUDE.findall(file.read_text()) if (tree / path).exists()]
+            left += file.parent.glob("*.cc") if file.suffix == ".h" else []
+    return found
 
 
 def main():
@@ -63,10 +102,21 @@ def main():
             if (build_id(tree) != before) != matters:
                 failures.append(f"{path}: a change is {'the same' if matters else 'another'} build")
             (tree / path).write_bytes(content)
+        of_stages = files_of_stages(tree)
+        if len(of_stages) < 500:
+            failures.append(f"only {len(of_stages)} files of stages were found")
+        names = covered(tree)
+        failures += [f"{path}: stages are made of it, and the build id does not cover it"
+                     for path in sorted(of_stages - names) if not CARRIERS.match(path)]
         new = tree / "services/infill/algo/new_file.cc"
         new.write_text("")
         if build_id(tree) == before:
             failures.append("a new file of a stage is the same build")
+        new = tree / "services/a_new_stage/algo/new_file.cc"
+        new.parent.mkdir(parents=True)
+        new.write_text("")
+        if "services/a_new_stage/algo/new_file.cc" not in covered(tree):
+            failures.append("the build id does not cover a new service")
     for failure in failures:
         print(failure)
     return 1 if failures else 0

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "common/geometry/measure.h"
-#include "services/planning/algo/infill/branches.h"
+#include "services/planning/algo/infill/lightning_trees.h"
 #include "services/planning/algo/infill/grid_points.h"
 
 namespace slicefarm::planning {
@@ -18,7 +18,7 @@ struct Burden {
 };
 
 std::vector<Burden> BurdensOf(const MultiPolygon& roof, const RegionEdges& area,
-                              const Branches& branches, double radius_nm) {
+                              const LightningTrees& branches, double radius_nm) {
   const double step = std::max(radius_nm / 2, std::sqrt(Area(roof) / kMaxRoofPoints));
   std::vector<Burden> burdens;
   for (const Point p : GridPoints(roof, std::max<Coord>(1, std::llround(step)))) {
@@ -32,7 +32,7 @@ std::vector<Burden> BurdensOf(const MultiPolygon& roof, const RegionEdges& area,
 }
 
 void Carry(std::vector<Burden> burdens, const RegionEdges& area, double radius_nm,
-           Branches& branches) {
+           LightningTrees& branches) {
   while (!burdens.empty()) {
     const Burden farthest = *std::ranges::max_element(burdens, {}, &Burden::distance_nm);
     if (farthest.distance_nm <= radius_nm) return;
@@ -50,7 +50,7 @@ std::vector<std::vector<Polyline>> LightningLines(const ObjectStack& stack,
                                                   std::span<const MultiPolygon> roofs,
                                                   const LightningRules& rules) {
   std::vector<std::vector<Polyline>> lines(stack.size());
-  Branches branches;
+  LightningTrees branches;
   for (size_t i = stack.size(); i-- > 0;) {
     if (i + 1 < stack.size()) branches.Descend(static_cast<double>(stack[i + 1].height_nm));
     const RegionEdges area(areas[i]);

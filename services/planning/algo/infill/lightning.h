@@ -15,7 +15,7 @@ struct LightningRules {
 /// Lines that carry solid infill from below, and are as short as possible. From the top down: where
 /// something has to be carried, branches grow from the walls, or from branches that are there,
 /// first to the place that is farthest from both; from layer to layer they shrink into the walls,
-/// at 45 degrees (branches.h). `areas` and `roofs`: as SparseAreas and RoofsOf give them, one a
+/// at 45 degrees (lightning_trees.h). `areas` and `roofs`: as SparseAreas and RoofsOf give them, one a
 /// layer.
 ///
 /// Precision: places of solid infill are looked at on a grid of half the radius, or coarser where

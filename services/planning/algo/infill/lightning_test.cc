@@ -10,7 +10,7 @@
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
-#include "services/planning/algo/infill/branches.h"
+#include "services/planning/algo/infill/lightning_trees.h"
 #include "services/planning/algo/infill/grid_points.h"
 #include "services/planning/algo/infill/sparse_areas.h"
 #include "services/planning/algo/infill/stacks_test.h"

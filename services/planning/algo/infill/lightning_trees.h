@@ -17,19 +17,19 @@ struct Nearest {
 };
 
 /// A point of a tree that grows from the edge of a region. Roots have no parent.
-struct BranchNode {
+struct LightningNode {
   Point at;
   int32_t parent = -1;
 
-  friend bool operator==(const BranchNode&, const BranchNode&) = default;
+  friend bool operator==(const LightningNode&, const LightningNode&) = default;
 };
 
 /// Trees in a layer. From a layer to the one below they shrink: what is there can carry what is
 /// above, as no point of the upper trees is farther than twice the layer's height from the lower
 /// ones or from the region's edge.
-class Branches {
+class LightningTrees {
  public:
-  const std::vector<BranchNode>& nodes() const { return nodes_; }
+  const std::vector<LightningNode>& nodes() const { return nodes_; }
 
   /// The nearest place on a tree, with the node at its outer end. None: there is no tree.
   std::optional<std::pair<Nearest, int32_t>> NearestTo(Point p) const;
@@ -59,7 +59,7 @@ class Branches {
   /// Takes out the nodes that are not kept; whose parent goes becomes a root.
   void Keep(const std::vector<char>& kept);
 
-  std::vector<BranchNode> nodes_;
+  std::vector<LightningNode> nodes_;
 };
 
 }  // namespace slicefarm::planning

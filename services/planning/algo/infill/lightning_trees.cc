@@ -1,4 +1,4 @@
-#include "services/planning/algo/infill/branches.h"
+#include "services/planning/algo/infill/lightning_trees.h"
 
 #include <algorithm>
 #include <limits>
@@ -55,11 +55,11 @@ std::vector<Stretch> InsideStretches(const RegionEdges& region, Point a, Point b
 
 }  // namespace
 
-std::optional<std::pair<Nearest, int32_t>> Branches::NearestTo(Point p) const {
+std::optional<std::pair<Nearest, int32_t>> LightningTrees::NearestTo(Point p) const {
   if (nodes_.empty()) return std::nullopt;
   std::pair<Nearest, int32_t> best{{{}, std::numeric_limits<double>::infinity()}, -1};
   for (size_t i = 0; i < nodes_.size(); ++i) {
-    const BranchNode& node = nodes_[i];
+    const LightningNode& node = nodes_[i];
     const Point inner = node.parent < 0 ? node.at : nodes_[static_cast<size_t>(node.parent)].at;
     const Point at = NearestOnSegment(p, inner, node.at);
     const double distance = Distance(p, at);
@@ -68,7 +68,7 @@ std::optional<std::pair<Nearest, int32_t>> Branches::NearestTo(Point p) const {
   return best;
 }
 
-Point Branches::GrowTo(Point tip, const RegionEdges& region) {
+Point LightningTrees::GrowTo(Point tip, const RegionEdges& region) {
   const auto edge = region.Nearest(tip);
   const auto tree = NearestTo(tip);
   const auto count = static_cast<int32_t>(nodes_.size());
@@ -79,25 +79,25 @@ Point Branches::GrowTo(Point tip, const RegionEdges& region) {
     return root;
   }
   const Point at = tree->first.at;
-  BranchNode& outer = nodes_[static_cast<size_t>(tree->second)];
+  LightningNode& outer = nodes_[static_cast<size_t>(tree->second)];
   if (at == outer.at) {
     nodes_.push_back({tip, tree->second});
     return at;
   }
-  const BranchNode fork{at, outer.parent};
+  const LightningNode fork{at, outer.parent};
   outer.parent = count;
   nodes_.push_back(fork);
   nodes_.push_back({tip, count});
   return at;
 }
 
-void Branches::Descend(double step_nm) {
+void LightningTrees::Descend(double step_nm) {
   CutTips(step_nm);
   Straighten(step_nm);
   DropIdleNodes();
 }
 
-std::vector<std::vector<int32_t>> Branches::Children() const {
+std::vector<std::vector<int32_t>> LightningTrees::Children() const {
   std::vector<std::vector<int32_t>> children(nodes_.size());
   for (size_t i = 0; i < nodes_.size(); ++i)
     if (nodes_[i].parent >= 0)
@@ -105,7 +105,7 @@ std::vector<std::vector<int32_t>> Branches::Children() const {
   return children;
 }
 
-void Branches::CutTips(double step_nm) {
+void LightningTrees::CutTips(double step_nm) {
   const auto children = Children();
   std::vector<size_t> counts;
   for (const auto& of : children) counts.push_back(of.size());
@@ -130,9 +130,9 @@ void Branches::CutTips(double step_nm) {
   Keep(kept);
 }
 
-void Branches::Straighten(double step_nm) {
+void LightningTrees::Straighten(double step_nm) {
   const auto children = Children();
-  std::vector<BranchNode> moved = nodes_;
+  std::vector<LightningNode> moved = nodes_;
   for (size_t i = 0; i < nodes_.size(); ++i) {
     if (nodes_[i].parent < 0 || children[i].empty()) continue;
     Point sum = nodes_[static_cast<size_t>(nodes_[i].parent)].at;
@@ -145,14 +145,14 @@ void Branches::Straighten(double step_nm) {
   nodes_ = std::move(moved);
 }
 
-void Branches::DropIdleNodes() {
+void LightningTrees::DropIdleNodes() {
   auto children = Children();
   std::vector<char> kept(nodes_.size(), 1);
   for (size_t i = 0; i < nodes_.size(); ++i) {
     if (nodes_[i].parent < 0 || children[i].size() != 1) continue;
     const auto parent = static_cast<size_t>(nodes_[i].parent);
     const int32_t outer = children[i][0];
-    BranchNode& child = nodes_[static_cast<size_t>(outer)];
+    LightningNode& child = nodes_[static_cast<size_t>(outer)];
     if (DistanceToSegment(nodes_[i].at, nodes_[parent].at, child.at) > kIdleNm) continue;
     child.parent = nodes_[i].parent;
     std::ranges::replace(children[parent], static_cast<int32_t>(i), outer);
@@ -161,23 +161,23 @@ void Branches::DropIdleNodes() {
   Keep(kept);
 }
 
-void Branches::Keep(const std::vector<char>& kept) {
+void LightningTrees::Keep(const std::vector<char>& kept) {
   std::vector<int32_t> places(nodes_.size(), -1);
-  std::vector<BranchNode> left;
+  std::vector<LightningNode> left;
   for (size_t i = 0; i < nodes_.size(); ++i) {
     if (!kept[i]) continue;
     places[i] = static_cast<int32_t>(left.size());
     left.push_back(nodes_[i]);
   }
-  for (BranchNode& node : left)
+  for (LightningNode& node : left)
     if (node.parent >= 0) node.parent = places[static_cast<size_t>(node.parent)];
   nodes_ = std::move(left);
 }
 
-void Branches::Refit(const RegionEdges& region) {
+void LightningTrees::Refit(const RegionEdges& region) {
   const size_t count = nodes_.size();
   std::vector<char> kept(count, 0);
-  std::vector<BranchNode> old = nodes_;
+  std::vector<LightningNode> old = nodes_;
   // Each edge leaves what of it lies inside: next to its inner end, next to its outer one, or a
   // piece between two places on the region's edge.
   for (size_t i = 0; i < count; ++i) {
@@ -208,7 +208,7 @@ void Branches::Refit(const RegionEdges& region) {
   TieRoots(region);
 }
 
-void Branches::TieRoots(const RegionEdges& region) {
+void LightningTrees::TieRoots(const RegionEdges& region) {
   const size_t count = nodes_.size();
   for (size_t i = 0; i < count; ++i) {
     if (nodes_[i].parent >= 0) continue;
@@ -219,7 +219,7 @@ void Branches::TieRoots(const RegionEdges& region) {
   }
 }
 
-std::vector<Polyline> Branches::Lines(double beyond_nm) const {
+std::vector<Polyline> LightningTrees::Lines(double beyond_nm) const {
   const auto children = Children();
   std::vector<int32_t> order;  // parents before children
   for (size_t i = 0; i < nodes_.size(); ++i)

@@ -1,11 +1,11 @@
-#include "services/planning/algo/infill/branches.h"
+#include "services/planning/algo/infill/lightning_trees.h"
 
 #include <gtest/gtest.h>
 
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::planning::branches_test {
+namespace slicefarm::planning::lightning_trees_test {
 namespace {
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
@@ -14,14 +14,14 @@ const RegionEdges& Square() {
   return square;
 }
 
-double LengthOf(const Branches& branches) {
+double LengthOf(const LightningTrees& branches) {
   double length = 0;
   for (const Polyline& line : branches.Lines(0)) length += Length(line);
   return ToMm(length);
 }
 
-TEST(Branches, GrowFromTheEdgeOrFromATree) {
-  Branches branches;
+TEST(LightningTrees, GrowFromTheEdgeOrFromATree) {
+  LightningTrees branches;
   EXPECT_EQ(branches.GrowTo(Mm(8, 10), Square()), Mm(0, 10));
   EXPECT_EQ(branches.GrowTo(Mm(6, 12), Square()), Mm(6, 10));   // a fork
   EXPECT_EQ(branches.GrowTo(Mm(10, 10), Square()), Mm(8, 10));  // the tip goes on
@@ -33,8 +33,8 @@ TEST(Branches, GrowFromTheEdgeOrFromATree) {
   EXPECT_EQ(lines[0].back(), Mm(10, 10));
 }
 
-TEST(Branches, ShrinkOnTheWayDown) {
-  Branches branches;
+TEST(LightningTrees, ShrinkOnTheWayDown) {
+  LightningTrees branches;
   branches.GrowTo(Mm(5, 10), Square());
   branches.Descend(1e6);
   EXPECT_NEAR(LengthOf(branches), 4, 1e-6);
@@ -42,16 +42,16 @@ TEST(Branches, ShrinkOnTheWayDown) {
   EXPECT_TRUE(branches.nodes().empty());
 }
 
-TEST(Branches, AForkOutlivesItsTwigs) {
-  Branches branches;
+TEST(LightningTrees, AForkOutlivesItsTwigs) {
+  LightningTrees branches;
   branches.GrowTo(Mm(9, 10), Square());
   branches.GrowTo(Mm(5, 11.5), Square());
   branches.Descend(2e6);
   EXPECT_NEAR(LengthOf(branches), 7, 1e-3);
 }
 
-TEST(Branches, BendsStraighten) {
-  Branches branches;
+TEST(LightningTrees, BendsStraighten) {
+  LightningTrees branches;
   branches.GrowTo(Mm(4, 10), Square());
   branches.GrowTo(Mm(6.5, 12.5), Square());
   branches.GrowTo(Mm(10, 12.5), Square());
@@ -60,22 +60,22 @@ TEST(Branches, BendsStraighten) {
   EXPECT_LT(LengthOf(branches), before - 0.2);
 }
 
-TEST(Branches, AreTiedToAnotherRegion) {
-  Branches branches;
+TEST(LightningTrees, AreTiedToAnotherRegion) {
+  LightningTrees branches;
   branches.GrowTo(Mm(8, 10), Square());
-  Branches wider = branches;
+  LightningTrees wider = branches;
   wider.Refit(RegionEdges(MakePolygonsOrDie("(-3 -3, 20 -3, 20 20, -3 20)")));
   EXPECT_NEAR(LengthOf(wider), 11, 1e-6);  // the wall has gone away
-  Branches narrower = branches;
+  LightningTrees narrower = branches;
   narrower.Refit(RegionEdges(MakePolygonsOrDie("(5 0, 20 0, 20 20, 5 20)")));
   EXPECT_NEAR(LengthOf(narrower), 3, 1e-6);
-  Branches across = branches;
+  LightningTrees across = branches;
   across.Refit(RegionEdges(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (2 8, 2 12, 4 12, 4 8)")));
   EXPECT_NEAR(LengthOf(across), 2 + 4, 0.01);  // a hole lies in the way
-  Branches gone = branches;
+  LightningTrees gone = branches;
   gone.Refit(RegionEdges({}));
   EXPECT_TRUE(gone.nodes().empty());
 }
 
 }  // namespace
-}  // namespace slicefarm::planning::branches_test
+}  // namespace slicefarm::planning::lightning_trees_test
