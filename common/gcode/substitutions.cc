@@ -4,7 +4,9 @@
 #include <re2/re2.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <optional>
 #include <utility>
 
 #include "common/base/text.h"
@@ -14,6 +16,8 @@ namespace {
 
 constexpr size_t kItems = 4;
 constexpr int64_t kMostMemory = 8 << 20;
+constexpr size_t kMostGroups = 10;  // the whole match and those that a digit names
+constexpr int64_t kMatchesBetweenPolls = 256;
 
 bool HasFlag(std::string_view flags, char flag) {
   return std::ranges::any_of(
@@ -74,12 +78,27 @@ absl::Status BadSubstitution(std::string_view pattern, std::string_view why) {
   return absl::InvalidArgumentError(fmt::format("the substitution of '{:.60}': {}", pattern, why));
 }
 
+absl::Status TooLong(size_t most_bytes) {
+  return absl::ResourceExhaustedError(
+      fmt::format("a rule makes a text of more than {} bytes", most_bytes));
+}
+
+/// Returns where the UTF-8 character at `begin` ends; one byte beyond the text at its end.
+size_t EndOfCharacter(std::string_view text, size_t begin) {
+  size_t end = begin + 1;
+  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) ++end;
+  return end;
+}
+
 }  // namespace
 
 absl::StatusOr<Substitutions> Substitutions::Of(const std::vector<std::string>& items) {
   if (items.size() % kItems != 0)
     return absl::InvalidArgumentError(
         "four texts are needed for each: pattern, replacement, flags, notes");
+  if (items.size() > kItems * kMostRules)
+    return absl::InvalidArgumentError(fmt::format("there are {} rules, at most {} are possible",
+                                                  items.size() / kItems, kMostRules));
   Substitutions result;
   for (size_t i = 0; i < items.size(); i += kItems) {
     const std::string& look_for = items[i];
@@ -103,9 +122,43 @@ absl::StatusOr<Substitutions> Substitutions::Of(const std::vector<std::string>& 
   return result;
 }
 
-std::string Substitutions::Apply(std::string gcode) const {
-  for (const One& one : all_) re2::RE2::GlobalReplace(&gcode, *one.pattern, one.by);
+absl::StatusOr<std::string> Substitutions::Apply(std::string gcode, size_t most_bytes,
+                                                 const CancelToken& cancel) const {
+  for (const Rule& rule : all_) {
+    auto next = Apply(rule, gcode, most_bytes, cancel);
+    if (!next.ok()) return next;
+    gcode = *std::move(next);
+  }
   return gcode;
+}
+
+// RE2::GlobalReplace, with a bound on its result and a look at the token.
+absl::StatusOr<std::string> Substitutions::Apply(const Rule& rule, const std::string& gcode,
+                                                 size_t most_bytes, const CancelToken& cancel) {
+  std::array<re2::StringPiece, kMostGroups> groups;
+  const int count = 1 + re2::RE2::MaxSubmatch(rule.replacement);
+  std::string result;
+  size_t done = 0;
+  std::optional<size_t> last_end;
+  for (int64_t matches = 0; done <= gcode.size(); ++matches) {
+    if (matches % kMatchesBetweenPolls == 0)
+      if (absl::Status go_on = cancel.Check(); !go_on.ok()) return go_on;
+    if (!rule.pattern->Match(gcode, done, gcode.size(), re2::RE2::UNANCHORED, groups.data(), count))
+      break;
+    const auto begin = static_cast<size_t>(groups[0].data() - gcode.data());
+    result.append(gcode, done, begin - done);
+    if (groups[0].empty() && begin == last_end) {  // an empty match right behind the last one
+      done = EndOfCharacter(gcode, begin);
+      result.append(gcode, begin, done - begin);
+    } else {
+      rule.pattern->Rewrite(&result, rule.replacement, groups.data(), count);
+      done = begin + groups[0].size();
+      last_end = done;
+    }
+    if (result.size() > most_bytes) return TooLong(most_bytes);
+  }
+  if (done < gcode.size()) result.append(gcode, done);
+  return result.size() > most_bytes ? TooLong(most_bytes) : absl::StatusOr<std::string>(result);
 }
 
 std::vector<std::string> TextsOfList(std::string_view list) {

@@ -12,6 +12,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
+constexpr size_t kMuch = 1 << 20;
+
 TEST(Substitutions, ReplaceAsPrusaSlicerDoes) {
   struct Case {
     const char* name;
@@ -39,7 +41,7 @@ TEST(Substitutions, ReplaceAsPrusaSlicerDoes) {
   for (const Case& c : cases) {
     const auto substitutions = Substitutions::Of(c.items);
     ASSERT_TRUE(substitutions.ok()) << c.name << substitutions.status();
-    EXPECT_EQ(substitutions->Apply(c.gcode), c.want) << c.name;
+    EXPECT_EQ(*substitutions->Apply(c.gcode, kMuch, CancelToken()), c.want) << c.name;
   }
 }
 
@@ -61,7 +63,55 @@ TEST(Substitutions, NoBacktracking) {
   const auto slow = Substitutions::Of({"(a*)*b", "x", "r", ""});
   ASSERT_TRUE(slow.ok());
   const std::string text(100'000, 'a');
-  EXPECT_EQ(slow->Apply(text), text);
+  EXPECT_EQ(*slow->Apply(text, kMuch, CancelToken()), text);
+}
+
+TEST(Substitutions, GrowthEndsAtTheBound) {
+  std::vector<std::string> doubling;
+  for (int i = 0; i < 24; ++i) doubling.insert(doubling.end(), {".+", "$&$&", "rs", ""});
+  const std::string line = "G1 X1 Y1 E1\n";
+  std::string many_lines;
+  for (int i = 0; i < 1000; ++i) many_lines += line;
+  struct Case {
+    const char* name;
+    std::vector<std::string> items;
+    std::string gcode;
+  };
+  const Case cases[] = {
+      {"rules that double", doubling, line},
+      {"one rule with a long text", {"^G1", std::string(60'000, 'x'), "r", ""}, many_lines},
+      {"an empty pattern", {"x*", std::string(60'000, 'y'), "r", ""}, many_lines},
+  };
+  for (const Case& c : cases) {
+    const auto substitutions = Substitutions::Of(c.items);
+    ASSERT_TRUE(substitutions.ok()) << c.name << substitutions.status();
+    const auto grown = substitutions->Apply(c.gcode, 1 << 20, CancelToken());
+    EXPECT_TRUE(absl::IsResourceExhausted(grown.status())) << c.name << grown.status();
+  }
+}
+
+TEST(Substitutions, AreCancelledBetweenMatches) {
+  const auto substitutions = Substitutions::Of({"a", "b", "", ""});
+  int polls = 0;
+  const CancelToken cancel([&] { return ++polls == 3; });
+  const auto text = substitutions->Apply(std::string(100'000, 'a'), kMuch, cancel);
+  EXPECT_TRUE(absl::IsCancelled(text.status())) << text.status();
+  EXPECT_EQ(polls, 3);
+}
+
+TEST(Substitutions, EmptyMatchesKeepCharactersWhole) {
+  const auto substitutions = Substitutions::Of({"q*", "-", "r", ""});
+  EXPECT_EQ(*substitutions->Apply("\xC3\xA4z", kMuch, CancelToken()), "-\xC3\xA4-z-");
+}
+
+TEST(Substitutions, RulesAreCounted) {
+  std::vector<std::string> items;
+  for (size_t i = 0; i < Substitutions::kMostRules; ++i)
+    items.insert(items.end(), {"a", "b", "", ""});
+  EXPECT_TRUE(Substitutions::Of(items).ok());
+  items.insert(items.end(), {"a", "b", "", ""});
+  EXPECT_THAT(std::string(Substitutions::Of(items).status().message()),
+              HasSubstr("65 rules, at most 64"));
 }
 
 TEST(TextsOfList, AreUnescaped) {

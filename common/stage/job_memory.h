@@ -15,8 +15,8 @@ struct StageCall;
 /// while it comes, so that a job is stopped before it takes the memory of others.
 class JobMemory {
  public:
-  enum class Kind { kMeshes, kOutlines, kPlan };
-  static constexpr int kKinds = 3;
+  enum class Kind { kMeshes, kOutlines, kPlan, kProgram };
+  static constexpr int kKinds = 4;
 
   virtual ~JobMemory() = default;
 

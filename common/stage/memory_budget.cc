@@ -64,7 +64,7 @@ absl::Status MemoryBudget::TooLarge(int64_t bytes) const {
   auto metadata = limit.metadata;
   metadata[kMemoryKind] = "limit";
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestTooLarge,
-                   "the job's meshes, outlines and plans take " + std::to_string(bytes) +
+                   "the job's meshes, outlines, plan and program take " + std::to_string(bytes) +
                        " bytes of memory, at most " + std::to_string(limit_) + " are there",
                    std::move(metadata));
 }

@@ -55,17 +55,15 @@ void DropMarks(std::vector<SlicedLayer>& layers) {
 }
 
 /// The layers of the print, with all that planning adds, which is no longer in the plan then.
-absl::StatusOr<std::vector<SlicedLayer>> TakeLayers(std::vector<SlicedLayer> parts,
-                                                    JobPlan& plan) {
+absl::StatusOr<std::vector<SlicedLayer>> TakeLayers(std::vector<SlicedLayer> parts, JobPlan& plan) {
   DropMarks(parts);
-  std::vector<SlicedLayer> layers =
-      PrintLayers(std::move(parts), std::exchange(plan.lifts_nm, {}),
-                  std::exchange(plan.stacks, {}));
+  std::vector<SlicedLayer> layers = PrintLayers(std::move(parts), std::exchange(plan.lifts_nm, {}),
+                                                std::exchange(plan.stacks, {}));
   const Skirt skirt = std::exchange(plan.skirt, {});
   if (layers.size() != plan.layers.size() || skirt.layers > std::ssize(layers))
     return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
-                     absl::StrCat("planning planned ", plan.layers.size(), " layers and a skirt on ",
-                                  skirt.layers, " of ", layers.size()));
+                     absl::StrCat("planning planned ", plan.layers.size(),
+                                  " layers and a skirt on ", skirt.layers, " of ", layers.size()));
   int32_t left = skirt.layers;
   Coord below_nm = 0;
   for (size_t i = 0; i < layers.size() && left > 0; ++i) {
@@ -117,16 +115,20 @@ RangeSplitOptions SplitOptionsOf(const FdmSettings& settings) {
 absl::StatusOr<SpooledText> MakeFile(ProgramEnvelope frame,
                                      const std::vector<SpooledProgram>& programs,
                                      const WritingOptions& writing,
-                                     std::unique_ptr<SpoolFile> spool) {
+                                     std::unique_ptr<SpoolFile> spool, const StageCall& call) {
   const auto substitutions = gcode::Substitutions::Of(gcode::TextsOfList(writing.substitutions));
   if (!substitutions.ok())
     return MakeError(
         absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
         absl::StrCat("gcode_substitutions: ", std::string(substitutions.status().message())),
         {{"setting", "gcode_substitutions"}});
-  auto text = WholeProgram(std::move(frame), programs, *substitutions, std::move(spool));
+  auto text =
+      WholeProgram(std::move(frame), programs, *substitutions, std::move(spool), call.cancel);
   if (!text.ok() || !writing.binary) return text;
-  // Its metadata come before what they are about, and its blocks are compressed as a whole.
+  // Its metadata come before the text that they describe, and its blocks are compressed as a whole:
+  // the text and the file are in memory at one time.
+  if (absl::Status held = HoldMemory(call, JobMemory::Kind::kProgram, 2 * text->size()); !held.ok())
+    return held;
   const auto whole = text->Whole();
   if (!whole.ok()) return whole.status();
   auto file = gcode::BinaryGcode(*whole);
@@ -281,8 +283,8 @@ class FdmJob : public PlannedJob {
     report_.own = std::make_unique<FdmReport>(std::move(own_));
     if (std::string warning = WallWarning(warnings); !warning.empty())
       report_.warnings.push_back(std::move(warning));
-    auto file =
-        MakeFile(*std::move(frame), *programs, job_->settings.motion.writing, std::move(spool_));
+    auto file = MakeFile(*std::move(frame), *programs, job_->settings.motion.writing,
+                         std::move(spool_), call);
     if (!file.ok()) return file.status();
     return JobOutput{*std::move(file), std::move(report_)};
   }
@@ -339,9 +341,9 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
   });
   if (!plan.ok()) return plan.status();
   const SeamQuality seams = plan->seams;
-  std::ranges::move(BedWarnings(*plan, FdmOf(settings).planning.bed, sliced->copies,
-                                sliced->object_names),
-                    std::back_inserter(report.warnings));
+  std::ranges::move(
+      BedWarnings(*plan, FdmOf(settings).planning.bed, sliced->copies, sliced->object_names),
+      std::back_inserter(report.warnings));
   std::ranges::move(plan->warnings, std::back_inserter(report.warnings));
   report.notes = std::move(plan->notes);
   std::ranges::move(FieldNotesOf(settings), std::back_inserter(report.notes));

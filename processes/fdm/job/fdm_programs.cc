@@ -9,6 +9,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
+#include "common/model/limits.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -92,6 +93,18 @@ absl::StatusOr<std::string> TextOf(const SpooledProgram& layer, std::string_view
   return text.append(program, done);
 }
 
+/// Returns `text` after the substitutions, which may double it and add limits::kMaxExpandedBytes.
+absl::StatusOr<std::string> Substituted(std::string text, const gcode::Substitutions& substitutions,
+                                        const CancelToken& cancel) {
+  const size_t most = 2 * text.size() + limits::kMaxExpandedBytes;
+  auto substituted = substitutions.Apply(std::move(text), most, cancel);
+  if (!absl::IsResourceExhausted(substituted.status())) return substituted;
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestTooLarge,
+                   absl::StrCat("gcode_substitutions: ", substituted.status().message(),
+                                ", which is more than twice the text that it began with"),
+                   {{"setting", "gcode_substitutions"}, {"limit", absl::StrCat(most)}});
+}
+
 }  // namespace
 
 absl::StatusOr<std::vector<SpooledProgram>> Spooled(std::vector<LayerProgram> programs,
@@ -128,11 +141,14 @@ ProgramSummary Summarize(const std::vector<SpooledProgram>& programs) {
 absl::StatusOr<SpooledText> WholeProgram(ProgramEnvelope frame,
                                          const std::vector<SpooledProgram>& programs,
                                          const gcode::Substitutions& substitutions,
-                                         std::unique_ptr<SpoolFile> spool) {
+                                         std::unique_ptr<SpoolFile> spool,
+                                         const CancelToken& cancel) {
   SpoolFile& file = *spool;
   SpooledText gcode(std::move(spool));
   gcode.Add(std::move(frame.head));
-  gcode.Add(substitutions.Apply(std::move(frame.prologue)));
+  auto prologue = Substituted(std::move(frame.prologue), substitutions, cancel);
+  if (!prologue.ok()) return prologue.status();
+  gcode.Add(*std::move(prologue));
   frame.layer_prefixes.resize(programs.size());
   for (size_t i = 0; i < programs.size(); ++i) {
     const size_t first = std::min(i * kCodesOfALayer, frame.layer_code.size());
@@ -145,11 +161,18 @@ absl::StatusOr<SpooledText> WholeProgram(ProgramEnvelope frame,
     }
     auto text = TextOf(programs[i], frame.layer_prefixes[i], code, file);
     if (!text.ok()) return text.status();
-    const auto place = file.Add(substitutions.Apply(*std::move(text)));
+    auto substituted = Substituted(*std::move(text), substitutions, cancel);
+    if (!substituted.ok()) return substituted.status();
+    const auto place = file.Add(*substituted);
     if (!place.ok()) return place.status();
     gcode.Add(*place);
+    if (gcode.size() > limits::kMaxProgramBytes)
+      return LimitError(Reason::kRequestTooLarge, "bytes of the program after gcode_substitutions",
+                        limits::kMaxProgramBytes, gcode.size());
   }
-  gcode.Add(substitutions.Apply(std::move(frame.epilogue)));
+  auto epilogue = Substituted(std::move(frame.epilogue), substitutions, cancel);
+  if (!epilogue.ok()) return epilogue.status();
+  gcode.Add(*std::move(epilogue));
   gcode.Add(std::move(frame.tail));
   return gcode;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/base/cancel_token.h"
 #include "common/base/spooled_text.h"
 #include "common/gcode/substitutions.h"
 #include "common/model/layer.h"
@@ -32,12 +33,15 @@ absl::StatusOr<std::vector<SpooledProgram>> InPrintOrder(std::vector<SpooledProg
 /// What the frame of the job is made of.
 ProgramSummary Summarize(const std::vector<SpooledProgram>& programs);
 
-/// Head, prologue, prefixes and programs, epilogue, tail. `substitutions` are made in all but head
-/// and tail, layer by layer; what they make of layers goes to the spool. The spool is that of the
-/// programs. Errors: the spool's.
+/// Returns head, prologue, prefixes and programs, epilogue, tail. `substitutions` are made in all
+/// of it except head and tail, layer by layer; the text that they make of layers goes to `spool`,
+/// which holds the programs. Errors: REQUEST_TOO_LARGE where substitutions make a text more than
+/// twice as long and limits::kMaxExpandedBytes longer, or the whole longer than
+/// limits::kMaxProgramBytes; those of the spool; Cancelled.
 absl::StatusOr<SpooledText> WholeProgram(ProgramEnvelope frame,
                                          const std::vector<SpooledProgram>& programs,
                                          const gcode::Substitutions& substitutions,
-                                         std::unique_ptr<SpoolFile> spool);
+                                         std::unique_ptr<SpoolFile> spool,
+                                         const CancelToken& cancel);
 
 }  // namespace slicefarm::coordinator

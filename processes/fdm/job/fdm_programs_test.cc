@@ -29,7 +29,7 @@ class FdmProgramsTest : public testing::Test {
     return *Spooled(std::move(programs), *spool_);
   }
   std::string Whole(ProgramEnvelope frame, const std::vector<SpooledProgram>& programs) {
-    return *WholeProgram(std::move(frame), programs, {}, std::move(spool_))->Whole();
+    return *WholeProgram(std::move(frame), programs, {}, std::move(spool_), CancelToken())->Whole();
   }
 
   std::unique_ptr<SpoolFile> spool_ = *SpoolFile::Make("");
@@ -68,6 +68,40 @@ TEST_F(FdmProgramsTest, SumsUpLayers) {
   ASSERT_EQ(summary.layers.size(), 3u);
   EXPECT_TRUE(summary.layers[1].empty);
   EXPECT_DOUBLE_EQ(summary.total.TimeS(), 4);
+}
+
+TEST_F(FdmProgramsTest, SubstitutionsThatMakeLayersTooLongAreRefused) {
+  struct Case {
+    const char* name;
+    std::vector<std::string> items;
+    bool refused;
+  };
+  const Case cases[] = {
+      {"one longer word", {"x", "yy", "", ""}, false},
+      {"a long text for each word", {"x", std::string(60'000, 'y'), "", ""}, true},
+  };
+  for (const Case& c : cases) {
+    spool_ = *SpoolFile::Make("");
+    const auto programs = SpooledOf({Layer(0, "one"), Layer(1, std::string(100, 'x'))});
+    const auto substitutions = *gcode::Substitutions::Of(c.items);
+    const auto whole = WholeProgram({}, programs, substitutions, std::move(spool_), CancelToken());
+    if (!c.refused) {
+      ASSERT_TRUE(whole.ok()) << c.name << whole.status();
+      EXPECT_EQ(*whole->Whole(), "one" + std::string(200, 'y'));
+      continue;
+    }
+    const ErrorDetail detail = DetailOf(whole.status());
+    EXPECT_EQ(detail.reason, Reason::kRequestTooLarge) << c.name << whole.status();
+    EXPECT_EQ(detail.metadata.at("setting"), "gcode_substitutions");
+  }
+}
+
+TEST_F(FdmProgramsTest, SubstitutionsAreCancelled) {
+  const auto programs = SpooledOf({Layer(0, "x")});
+  const auto substitutions = *gcode::Substitutions::Of({"x", "y", "", ""});
+  const CancelToken cancelled([] { return true; });
+  const auto whole = WholeProgram({}, programs, substitutions, std::move(spool_), cancelled);
+  EXPECT_TRUE(absl::IsCancelled(whole.status())) << whole.status();
 }
 
 TEST_F(FdmProgramsTest, LaterTextsGoToTheirPlacesInTheLayers) {
