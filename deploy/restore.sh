@@ -15,6 +15,9 @@ umask 077
 usage() { sed -n '2,12s/^# \{0,1\}//p' "$0"; exit 2; }
 die() { echo "restore: $*" >&2; exit 1; }
 
+# Nothing is swept until a restored database has been in use for a day: it may be the wrong one.
+forget_use="DELETE FROM chores WHERE name IN ('use_begin', 'use_last')"
+
 # Files in the folders of $1 whose SHA-256 is another than their name.
 damaged() {
   (cd "$1" && find . -path '*blobs/*' -type f -name '[0-9a-f]*' -exec sha256sum {} +) |
@@ -32,6 +35,7 @@ restore_sqlite() {
   bad=$(damaged "$state")
   for blob in $bad; do rm "$state/$blob"; done
   cp "$backup/jobs.db" "$state/jobs.db.new"
+  sqlite3 "$state/jobs.db.new" "$forget_use"
   [[ $(id -u) -ne 0 ]] || chown -R --reference="$state" "$state" # else only root could run the coordinator
   sync --file-system "$state"
   mv "$state/jobs.db.new" "$state/jobs.db"
@@ -47,6 +51,7 @@ restore_postgres() {
   tables=$(sql "SELECT count(*) FROM pg_tables WHERE schemaname NOT IN ('pg_catalog', 'information_schema')")
   [[ $tables == 0 ]] || die "the database is not empty"
   pg_restore --no-owner --no-privileges --exit-on-error --single-transaction --dbname="$SLICEFARM_POSTGRES" "$backup/slicefarm.dump"
+  sql "$forget_use"
   # PostgreSQL puts a blob together in memory for this, up to 1 GB; coordinators check the others when they read them.
   bad=$(sql "SELECT b.tenant || '/' || b.digest FROM blobs b WHERE b.complete = 1 AND b.size < 900000000 AND b.digest <>
     (SELECT encode(sha256(coalesce(string_agg(p.bytes, ''::bytea ORDER BY p.at), ''::bytea)), 'hex')

@@ -67,6 +67,14 @@ class Store:
         command = [ROOT / "deploy/restore.sh", self.kind, backup, *to]
         return subprocess.run(command, env=self.env, stderr=subprocess.PIPE, text=True)
 
+    def notes_of_use(self):
+        """Returns how many notes of use the database has: a restored one has none, so nothing is swept for a day."""
+        sql = "SELECT count(*) FROM chores WHERE name IN ('use_begin', 'use_last')"
+        command = ["sqlite3", self.directory / "jobs.db", sql]
+        if self.kind == "postgres":
+            command = ["psql", "-XAtc", sql, self.env["SLICEFARM_POSTGRES"]]
+        return int(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+
     def close(self):
         if self.kind == "postgres":
             self.server("stop")
@@ -120,6 +128,7 @@ def bring_back(kind, work, place):
     store = Store(kind, work / place)
     outcome = store.restore(work / "backup")
     expect(outcome.returncode == 0, outcome.stderr)
+    expect(store.notes_of_use() == 0, "a restored database counts as one in use")
     return store
 
 
@@ -144,6 +153,7 @@ def run(kind, work, stages):
     enough.wait()
     farm.call("watch", acknowledged[0])  # at least one has ended, others wait or run
     before = list(acknowledged)
+    expect(original.notes_of_use() == 2, "a coordinator does not note its use of the database")
     original.backup(work / "backup")
     during = len(acknowledged) - len(before)
     stop.set()

@@ -76,7 +76,7 @@ def main():
     options = parser.parse_args()
     directory = pathlib.Path(tempfile.mkdtemp(prefix="slicefarm-soak-"))
     report = directory / "load.json"
-    old = ["--keep-jobs", str(KEPT_JOBS_DAYS), "--keep-blobs", str(KEPT_BLOBS_H)]
+    old = ["--keep-jobs", str(KEPT_JOBS_DAYS), "--keep-blobs", str(KEPT_BLOBS_H), "--sweep-after", "0"]
     with running_farm(options.store, directory, extra=old) as farm:
         watch = Watch(farm)
         try:

@@ -73,7 +73,16 @@ absl::Status SweepTenant(JobStore& jobs, const std::string& tenant, BlobStore& b
   return status;
 }
 
+/// Longest break in the use of a store that counts as use.
+constexpr int64_t kMostGapUs = int64_t{24} * 3600 * 1'000'000;
+
 }  // namespace
+
+absl::StatusOr<bool> IsSettled(JobStore& jobs, const SweepOptions& options, int64_t now_us) {
+  const auto since_us = jobs.InUseSince(now_us, kMostGapUs);
+  if (!since_us.ok()) return since_us.status();
+  return static_cast<double>(now_us - *since_us) >= options.settle_s * 1e6;
+}
 
 absl::StatusOr<Swept> Sweep(JobStore& jobs, BlobStores& blobs, const SweepOptions& options,
                             int64_t now_us, const CancelToken& cancel) {

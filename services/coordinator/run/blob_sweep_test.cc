@@ -55,6 +55,23 @@ class BlobSweepTest : public testing::Test {
   int64_t now_us_ = 0;
 };
 
+TEST_F(BlobSweepTest, AStoreSettlesInADayOfUseWithoutALongBreak) {
+  constexpr int64_t kHourUs = int64_t{3600} * 1'000'000;
+  struct Step {
+    int64_t hour;
+    bool settled;
+  };
+  // A restart within a day changes nothing; a break of two days may be an old backup.
+  const Step steps[] = {{0, false}, {1, false},  {23, false},  {24, true},
+                        {47, true}, {96, false}, {119, false}, {120, true}};
+  for (const Step& step : steps) {
+    const auto settled = IsSettled(*jobs_, {}, step.hour * kHourUs);
+    ASSERT_TRUE(settled.ok()) << settled.status();
+    EXPECT_EQ(*settled, step.settled) << step.hour;
+  }
+  EXPECT_TRUE(*IsSettled(*jobs_, {.settle_s = 0}, 1000 * kHourUs));
+}
+
 TEST_F(BlobSweepTest, KeepsWhatJobsReferTo) {
   const std::string mesh = *blobs_->Put("mesh"), other = *blobs_->Put("other mesh");
   const std::string gcode = *blobs_->Put("gcode"), report = *blobs_->Put("report");

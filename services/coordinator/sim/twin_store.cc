@@ -166,4 +166,8 @@ absl::StatusOr<bool> TwinStore::TakeChore(const std::string& chore, int64_t now_
               [&](JobStore& store) { return store.TakeChore(chore, now_us, until_us); });
 }
 
+absl::StatusOr<int64_t> TwinStore::InUseSince(int64_t now_us, int64_t most_gap_us) {
+  return Both("InUseSince", [&](JobStore& store) { return store.InUseSince(now_us, most_gap_us); });
+}
+
 }  // namespace slicefarm::coordinator::sim

@@ -57,6 +57,7 @@ class TwinStore : public JobStore {
   absl::StatusOr<std::set<std::string>> Artifacts(const std::string& tenant,
                                                   const std::set<std::string>& digests) override;
   absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) override;
+  absl::StatusOr<int64_t> InUseSince(int64_t now_us, int64_t most_gap_us) override;
   absl::StatusOr<bool> TakeChore(const std::string& chore, int64_t now_us,
                                  int64_t until_us) override;
 

@@ -7,7 +7,6 @@
 #include "common/base/stoppable_sleep.h"
 
 namespace slicefarm::coordinator {
-
 Maintenance::Maintenance(JobStore& jobs, BlobStores& blobs, ProfileStore& profiles, Options options,
                          std::function<int64_t()> now_us, rpc::JsonLog log)
     : jobs_(jobs),
@@ -32,6 +31,10 @@ void Maintenance::SweepOnce(const std::stop_token& stop) {
   const auto mine = jobs_.TakeChore("sweep", now_us_(), now_us_() + turn_us);
   if (!mine.ok()) log_.Warn("sweep failed", {{"error", std::string(mine.status().message())}});
   if (!mine.ok() || !*mine) return;
+  const auto settled = IsSettled(jobs_, options_.sweep, now_us_());
+  if (!settled.ok())
+    log_.Warn("sweep failed", {{"error", std::string(settled.status().message())}});
+  if (!settled.ok() || !*settled) return;
   const auto swept = Sweep(jobs_, blobs_, options_.sweep, now_us_(), cancel);
   if (!swept.ok()) {
     log_.Warn("sweep failed", {{"error", std::string(swept.status().message())}});

@@ -10,8 +10,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Sweeps the stores at once and from time to time, from a thread of its own; of the coordinators
-/// that share them, one does.
+/// Sweeps the stores from time to time, from a thread of its own; of the coordinators that share
+/// them, one does. Nothing is removed before the store IsSettled.
 class Maintenance {
  public:
   struct Options {

@@ -74,6 +74,7 @@ Maintenance::Options CoordinatorFlags::maintenance() const {
   Maintenance::Options options;
   options.sweep.keep_jobs_s = keep_jobs_days * 24 * 3600;
   options.sweep.keep_blobs_s = keep_blobs_hours * 3600;
+  options.sweep.settle_s = sweep_after_hours * 3600;
   return options;
 }
 
@@ -163,6 +164,11 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   app.add_option("--keep-blobs", flags->keep_blobs_hours,
                  "Hours for which meshes and results that no job refers to are kept")
       ->check(CLI::Range(1.0, 1e6))
+      ->capture_default_str();
+  app.add_option(
+         "--sweep-after", flags->sweep_after_hours,
+         "Hours for which nothing is removed after the start with a new or restored database")
+      ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   AddStageFlags(app, flags);
   app.add_option("--workers", flags->workers, "Addresses of fused workers");

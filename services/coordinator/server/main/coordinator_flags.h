@@ -36,6 +36,7 @@ struct CoordinatorFlags {
   double lease_s = 10;
   double keep_jobs_days = 0;
   double keep_blobs_hours = 24;
+  double sweep_after_hours = 24;
 
   /// Whether the stages of layers are services, rather than in workers.
   bool split() const { return Has(Stage::kBeading); }

@@ -1,5 +1,7 @@
 #include "services/coordinator/server/main/stores.h"
 
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -34,11 +36,29 @@ absl::Status CheckBucket(const StoreOptions& options) {
   return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kStoreFailed, why);
 }
 
+/// Returns FailedPrecondition if the directory has blobs, but no database that knows them. A new
+/// database would take them for blobs that no job needs, and the sweep would delete them.
+absl::Status CheckDatabaseOfBlobs(const std::string& directory) {
+  const std::string path = directory + "/jobs.db";
+  std::error_code missing;
+  if (const auto size = std::filesystem::file_size(path, missing); !missing && size > 0)
+    return absl::OkStatus();
+  const auto has_blobs = HasDirectoryBlobs(directory);
+  if (!has_blobs.ok()) return has_blobs.status();
+  if (!*has_blobs) return absl::OkStatus();
+  return MakeError(
+      absl::StatusCode::kFailedPrecondition, Reason::kStoreFailed,
+      absl::StrCat(path, missing ? " is missing" : " is empty", ", but ", directory,
+                   " has models and results: mount the right directory or restore the database; "
+                   "for a new farm, move them away"));
+}
+
 absl::StatusOr<Stores> OpenDirectory(const StoreOptions& options) {
   const std::string& directory = options.state_dir;
   if (absl::Status made = MakeDirectory(directory); !made.ok()) return made;
   auto lock = StateLock::Take(directory);
   if (!lock.ok()) return lock.status();
+  if (absl::Status known = CheckDatabaseOfBlobs(directory); !known.ok()) return known;
   auto opened = SqliteDatabase::Open(directory + "/jobs.db");
   if (!opened.ok()) return opened.status();
   const std::shared_ptr<SqlDatabase> database = *std::move(opened);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -83,6 +85,34 @@ TEST(Stores, ABucketThatRefusesUsIsToldAtTheStart) {
   EXPECT_EQ(*(*stores->blobs->Of("acme"))->Get(*digest), "a result");
   EXPECT_FALSE((*stores->blobs->Of(""))->Status(*digest)->complete);
   EXPECT_EQ(stores->blobs->Tenants()->size(), 2u);
+}
+
+// The sweep of a new database would delete all of them.
+TEST(Stores, BlobsWithoutTheirDatabaseAreRefused) {
+  for (const char* tenant : {"", "acme"}) {
+    const TempDirectory directory;
+    const StoreOptions options{.state_dir = directory.path(), .postgres = ""};
+    std::string digest;
+    {
+      const auto stores = OpenStores(options, 1);
+      ASSERT_TRUE(stores.ok()) << stores.status();
+      digest = *(*stores->blobs->Of(tenant))->Put("a result");
+    }
+    const std::string database = directory.path() + "/jobs.db";
+    for (const bool is_empty : {true, false}) {
+      std::filesystem::rename(database, database + ".kept");
+      if (is_empty) std::ofstream(database).flush();
+      const absl::Status refused = OpenStores(options, 1).status();
+      EXPECT_TRUE(absl::IsFailedPrecondition(refused)) << refused;
+      EXPECT_NE(refused.message().find(is_empty ? "jobs.db is empty" : "jobs.db is missing"),
+                std::string::npos)
+          << refused;
+      std::filesystem::rename(database + ".kept", database);
+    }
+    const auto stores = OpenStores(options, 1);
+    ASSERT_TRUE(stores.ok()) << stores.status();
+    EXPECT_EQ(*(*stores->blobs->Of(tenant))->Get(digest), "a result");
+  }
 }
 
 // Or else what was computed would be thrown away, for want of a connection to keep it by.

@@ -90,6 +90,22 @@ absl::StatusOr<std::unique_ptr<BlobStores>> OpenDirectoryBlobs(const std::string
   return blobs;
 }
 
+absl::StatusOr<bool> HasDirectoryBlobs(const std::string& root) {
+  if (!std::filesystem::exists(root)) return false;
+  DirectoryBlobs blobs(root);
+  const auto tenants = blobs.Tenants();
+  if (!tenants.ok()) return tenants.status();
+  for (const std::string& tenant : *tenants) {
+    const auto store = blobs.Of(tenant);
+    if (!store.ok()) return store.status();
+    bool any = false;
+    const absl::Status listed = (*store)->ForEach([&](const BlobEntry&) { any = true; });
+    if (!listed.ok()) return listed;
+    if (any) return true;
+  }
+  return false;
+}
+
 std::unique_ptr<BlobStores> MakePostgresBlobs(std::shared_ptr<SqlDatabase> database) {
   return std::make_unique<PostgresBlobs>(std::move(database));
 }

@@ -29,6 +29,10 @@ class BlobStores {
 /// process uses it.
 absl::StatusOr<std::unique_ptr<BlobStores>> OpenDirectoryBlobs(const std::string& root);
 
+/// Returns true if a directory of OpenDirectoryBlobs has a blob of any tenant. Errors:
+/// STORE_FAILED.
+absl::StatusOr<bool> HasDirectoryBlobs(const std::string& root);
+
 /// In PostgreSQL: see PostgresBlobStore.
 std::unique_ptr<BlobStores> MakePostgresBlobs(std::shared_ptr<SqlDatabase> database);
 

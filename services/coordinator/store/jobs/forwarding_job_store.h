@@ -100,6 +100,9 @@ class ForwardingJobStore : public JobStore {
   absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) override {
     return store_.EndedBefore(time_us, limit);
   }
+  absl::StatusOr<int64_t> InUseSince(int64_t now_us, int64_t most_gap_us) override {
+    return store_.InUseSince(now_us, most_gap_us);
+  }
   absl::StatusOr<bool> TakeChore(const std::string& chore, int64_t now_us,
                                  int64_t until_us) override {
     return store_.TakeChore(chore, now_us, until_us);

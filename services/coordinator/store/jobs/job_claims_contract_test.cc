@@ -155,6 +155,16 @@ TEST_P(JobClaimsTest, AChoreIsOneCallersAtATime) {
   EXPECT_FALSE(*store_->TakeChore("sweep", 200, 300));
 }
 
+TEST_P(JobClaimsTest, UseGoesOnOverShortBreaksAndForAllWhoShareTheStore) {
+  constexpr int64_t kGap = 50;
+  const auto other = place_->Open();
+  EXPECT_EQ(*store_->InUseSince(100, kGap), 100);
+  EXPECT_EQ(*other->InUseSince(150, kGap), 100);
+  EXPECT_EQ(*store_->InUseSince(200, kGap), 100);
+  EXPECT_EQ(*other->InUseSince(251, kGap), 251);
+  EXPECT_EQ(*store_->InUseSince(251, kGap), 251);
+}
+
 // It may be a MiB, which nobody who writes to a job needs.
 TEST_P(JobClaimsTest, WritesComeWithoutTheSpec) {
   Make("a");

@@ -152,10 +152,10 @@ class JobStore {
   /// Gives a job that is QUEUED or RUNNING and that nobody holds to `owner` until `until_us`; none
   /// if there is none. Passes over jobs whose action_digest is that of a job that somebody holds
   /// and that is not to be cancelled, so that the same work is done once (but not over those that
-  /// are to be cancelled themselves: they end at once), and those of lower priority than `at_least`. Tenants take turns, those with fewer held jobs first; of a tenant's
-  /// jobs those of higher priority come first, then those with the earlier deadline, then the older
-  /// ones. Errors: DATA_LOSS if what is kept of the job cannot be read; it is passed over until
-  /// `until_us`.
+  /// are to be cancelled themselves: they end at once), and those of lower priority than
+  /// `at_least`. Tenants take turns, those with fewer held jobs first; of a tenant's jobs those of
+  /// higher priority come first, then those with the earlier deadline, then the older ones. Errors:
+  /// DATA_LOSS if what is kept of the job cannot be read; it is passed over until `until_us`.
   virtual absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                          int64_t until_us,
                                                          Priority at_least = Priority::kBulk) = 0;
@@ -260,6 +260,11 @@ class JobStore {
   /// one has it.
   virtual absl::StatusOr<bool> TakeChore(const std::string& chore, int64_t now_us,
                                          int64_t until_us) = 0;
+
+  /// Notes that the store is in use at `now_us`. Returns since when it has been in use without a
+  /// break of more than `most_gap_us`; `now_us` for a new store, and for one restored from a
+  /// backup.
+  virtual absl::StatusOr<int64_t> InUseSince(int64_t now_us, int64_t most_gap_us) = 0;
 };
 
 }  // namespace slicefarm::coordinator

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "services/coordinator/store/jobs/job_chores.h"
 #include "services/coordinator/store/jobs/job_claims.h"
 #include "services/coordinator/store/jobs/job_creation.h"
 #include "services/coordinator/store/jobs/job_listing.h"
@@ -468,14 +469,13 @@ absl::StatusOr<bool> SqlJobStore::TakeChore(const std::string& chore, int64_t no
                                             int64_t until_us) {
   const auto session = database_->Write();
   if (!session.ok()) return session.status();
-  SqlQuery take(**session,
-                "INSERT INTO chores (name, until_us) VALUES (?, ?) ON CONFLICT (name) DO UPDATE SET"
-                " until_us = excluded.until_us WHERE chores.until_us <= ? RETURNING name");
-  take.Bind(chore, until_us, now_us);
-  bool taken = false;
-  while (take.Next()) taken = true;
-  if (!take.status().ok()) return take.status();
-  return taken;
+  return coordinator::TakeChore(**session, chore, now_us, until_us);
+}
+
+absl::StatusOr<int64_t> SqlJobStore::InUseSince(int64_t now_us, int64_t most_gap_us) {
+  const auto session = database_->Write();
+  if (!session.ok()) return session.status();
+  return coordinator::InUseSince(**session, now_us, most_gap_us);
 }
 
 absl::StatusOr<std::unique_ptr<JobStore>> OpenSqliteJobStore(const std::string& path) {

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <utility>
 
+#include "absl/strings/str_cat.h"
+#include "common/base/error.h"
 #include "services/coordinator/store/blobs/posix_file.h"
 #include "services/coordinator/store/sql/sqlite_schema.h"
 
@@ -25,12 +27,25 @@ absl::Status SettleLog(SqliteConnection& db, const std::string& path) {
   return transaction.Commit();
 }
 
+/// Returns FailedPrecondition if pages of the database are damaged. Cost: reads all of it.
+absl::Status CheckIntegrity(SqliteConnection& db, const std::string& path) {
+  SqlQuery check(db, "PRAGMA quick_check(1)");
+  std::string found;
+  while (check.Next()) found = check.Text(0);
+  if (!check.status().ok()) found = std::string(check.status().message());
+  if (found == "ok") return absl::OkStatus();
+  return MakeError(
+      absl::StatusCode::kFailedPrecondition, Reason::kStoreFailed,
+      absl::StrCat(path, " is damaged: ", found, "; restore it from a backup (deploy/restore.sh)"));
+}
+
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<SqliteDatabase>> SqliteDatabase::Open(const std::string& path) {
   auto writer = SqliteConnection::Open(path);
   if (!writer.ok()) return writer.status();
   if (absl::Status settled = SettleLog(**writer, path); !settled.ok()) return settled;
+  if (absl::Status intact = CheckIntegrity(**writer, path); !intact.ok()) return intact;
   if (absl::Status ready = MigrateSqlite(**writer); !ready.ok()) return ready;
   std::unique_ptr<SqliteDatabase> database(new SqliteDatabase(path, *std::move(writer)));
   // What cannot be read is to be heard of now.

@@ -15,8 +15,10 @@ namespace slicefarm::coordinator {
 /// others, so that no reader waits for a writer's fsync, or for a list over a million rows.
 class SqliteDatabase : public SqlDatabase {
  public:
-  /// Opens or creates the database and brings it to the present schema. What can be read then
-  /// survives a power cut, whatever happened to those who wrote it.
+  /// Opens or creates the database, checks its pages, and brings it to the present schema. What can
+  /// be read then survives a power cut, whatever happened to those who wrote it. Errors:
+  /// FailedPrecondition for a damaged file and for the schema of a newer build; STORE_FAILED. Cost:
+  /// reads all of the file.
   static absl::StatusOr<std::unique_ptr<SqliteDatabase>> Open(const std::string& path);
 
   static constexpr int kReaders = 4;

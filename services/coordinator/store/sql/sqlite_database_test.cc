@@ -30,6 +30,31 @@ TEST(SqliteDatabase, RefusesWhatIsNoDatabase) {
   EXPECT_FALSE(SqliteDatabase::Open(path).ok());
 }
 
+TEST(SqliteDatabase, RefusesDamagedPages) {
+  TempDirectory directory;
+  const std::string path = directory.path() + "/jobs.db";
+  {
+    const std::shared_ptr<SqlDatabase> database = *SqliteDatabase::Open(path);
+    SqlJobStore store(database);
+    for (int i = 0; i < 200; ++i) {
+      NewJob job;
+      job.id = absl::StrCat("job-", i);
+      job.spec = std::string(500, 's');
+      ASSERT_TRUE(store.Create(job, i + 1).ok());
+    }
+  }
+  ASSERT_TRUE((*SqliteConnection::Open(path))->Execute("PRAGMA wal_checkpoint(TRUNCATE)").ok());
+  {
+    constexpr int kPage = 4096;
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(2 * kPage);
+    file << std::string(6 * kPage, '\x5A');
+  }
+  const absl::Status refused = SqliteDatabase::Open(path).status();
+  EXPECT_TRUE(absl::IsFailedPrecondition(refused)) << refused;
+  EXPECT_TRUE(absl::StrContains(refused.message(), "is damaged")) << refused;
+}
+
 // Or else a list over a million rows would hold up whoever wants to know of one.
 TEST(SqliteDatabase, ManyReadAtATimeAndSeeWhatWasCommitted) {
   TempDirectory directory;
