@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Slices a small cube with each machine of OrcaSlicer's or Bambu Studio's vendor files, as a project of theirs.
 
-usage: orca_profiles.py PROFILES_DIR SLICEFARM [--vendor NAME] [--limit N] [--keep DIR]
+usage: orca_profiles.py PROFILES_DIR SLICEFARM [--vendor NAME] [--limit N] [--keep DIR] [--filaments]
 
 PROFILES_DIR is resources/profiles of their source: VENDOR.json lists presets, VENDOR/{machine,process,filament}/*.json are these. For
 each machine with nozzles that is instantiated, its default process and filament (else the first compatible ones) are resolved as
 OrcaSlicer does (a parent first, own keys over it), put into a 3MF as project_settings.config, and sliced. Machines whose resolved
-settings are equal but for names are run once. Rows: machines, distinct, broken (a parent is missing), no_process, no_filament,
+settings are equal but for names are run once. --filaments: each filament's own G-code is tried as well, each text once a vendor, with
+the first machine that it names. Rows: machines, distinct, broken (a parent is missing), no_process, no_filament,
 accepted, refused (of machines), then each refusal with how many it counts. Exit 0: none refused; 1: some, or none run; 2: usage.
 """
 import argparse
@@ -71,6 +72,21 @@ class Vendor:
         return self.library.of_machine(kind, machine, []) if self.library else None
 
 
+    def by_gcode(self, machine, seen):
+        """The filaments made for the machine whose own G-code is none of `seen`, where it is added."""
+        for name, preset in self.presets["filament"].items():
+            if preset.get("instantiation") != "true":
+                continue
+            try:
+                whole = self.resolved("filament", name)
+            except LookupError:
+                continue
+            gcode = json.dumps([whole.get(key) for key in ("filament_start_gcode", "filament_end_gcode")])
+            if machine in as_list(whole.get("compatible_printers")) and gcode not in seen:
+                seen.add(gcode)
+                yield whole
+
+
 def as_list(value):
     values = value if isinstance(value, list) else str(value or "").split(";")
     return [item for item in values if item]
@@ -113,14 +129,15 @@ def write_project(path, settings, size=10.0):
         archive.writestr("Metadata/project_settings.config", json.dumps(settings, indent=1))
 
 
-def projects(directory, only, counts):
-    """(vendor, machine, settings) of each machine."""
+def projects(directory, only, counts, each_filament=False):
+    """(vendor, machine, settings) of each machine; with `each_filament` of each filament's G-code as well."""
     names = sorted(name for name in os.listdir(directory) if os.path.isdir(os.path.join(directory, name, "machine")))
     library = Vendor(directory, LIBRARY) if os.path.isdir(os.path.join(directory, LIBRARY)) else None
     for name in names:
         if only and name != only:
             continue
         vendor = Vendor(directory, name, library)
+        seen = set()
         for machine, preset in vendor.presets["machine"].items():
             if preset.get("type") != "machine" or preset.get("instantiation") != "true":
                 continue
@@ -140,6 +157,10 @@ def projects(directory, only, counts):
             parts = [("machine", whole), ("process", process), ("filament", filament)]
             bed = model.get("default_bed_type") or "Cool Plate"
             yield name, machine, settings_of([part for part in parts if part[1]], BEDS.get(bed, bed))
+            for other in vendor.by_gcode(machine, seen) if each_filament else ():
+                counts["filaments"] += 1
+                yield name, f"{machine}, {other['name']}", settings_of(
+                    [part for part in (*parts[:2], ("filament", other)) if part[1]], BEDS.get(bed, bed))
 
 
 def reason_of(text):
@@ -154,9 +175,10 @@ def main():
     parser.add_argument("--vendor")
     parser.add_argument("--limit", type=int)
     parser.add_argument("--keep")
+    parser.add_argument("--filaments", action="store_true")
     args = parser.parse_args()
     counts, groups = collections.Counter(), {}
-    for vendor, machine, settings in projects(args.directory, args.vendor, counts):
+    for vendor, machine, settings in projects(args.directory, args.vendor, counts, args.filaments):
         form = json.dumps({k: v for k, v in settings.items() if not re.search(r"_id$|_notes$|printer_model|thumbnail", k)}, sort_keys=True)
         groups.setdefault(form, []).append((vendor, machine, settings))
     counts["distinct"] = len(groups)
@@ -175,7 +197,7 @@ def main():
                 examples.setdefault(reason_of(run.stderr), f"{vendor}/{machine}")
             if not args.keep and os.path.exists(gcode):
                 os.remove(gcode)
-    for key in ("machines", "distinct", "broken", "no_process", "no_filament", "accepted", "refused"):
+    for key in ("machines", "filaments", "distinct", "broken", "no_process", "no_filament", "accepted", "refused"):
         print(key, counts[key])
     for reason, number in reasons.most_common():
         print(f"refused {number} {reason} [{examples[reason]}]")

@@ -90,13 +90,13 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
 
 namespace {
 
-/// Few jobs have fields, angles by layer, heights by z, or G-code at heights or of the filament:
-/// those that have none do not say so.
+/// Few jobs have fields, angles by layer, heights by z, excluded areas, or G-code at heights or of
+/// the filament: those that have none do not say so.
 bool IsRare(const SettingSpec& spec) {
   return spec.kind == Kind::kDensityField || spec.kind == Kind::kStressField ||
          spec.kind == Kind::kMaterialField || spec.kind == Kind::kAngles ||
          spec.kind == Kind::kHeightCode || spec.kind == Kind::kLayerHeights ||
-         spec.kind == Kind::kSubstitutions ||
+         spec.kind == Kind::kSubstitutions || spec.kind == Kind::kAreas ||
          (spec.kind == Kind::kGcode && spec.list == List::kPerExtruder);
 }
 

@@ -15,6 +15,7 @@
 #include "common/config/projects/ini.h"
 #include "common/config/setting_pairs_test.h"
 #include "common/config/table/settings_table.h"
+#include "common/geometry/measure.h"
 #include "common/model/limits.h"
 
 namespace slicefarm::config::resolve_test {
@@ -443,6 +444,29 @@ TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
   EXPECT_THAT(off.warnings, IsEmpty());
 }
 
+TEST(Resolve, AllThatIsAddedAndTravelStayOutOfExcludedAreas) {
+  const auto resolve = [](const char* area) {
+    return Resolve(Settings({{"bed_shape", "0x0,256x0,256x256,0x256"}, {"bed_exclude_area", area}}),
+                   Process::kFdm);
+  };
+  const auto cut = resolve("0x0,18x0,18x28,0x28");
+  ASSERT_TRUE(cut.ok()) << cut.status();
+  const FdmSettings& fdm = FdmOf(cut->settings);
+  EXPECT_EQ(cut->settings.slicing.excluded.size(), 1u);
+  EXPECT_DOUBLE_EQ(Area(fdm.planning.bed) * 1e-12, 256.0 * 256 - 18 * 28);
+  EXPECT_EQ(fdm.ordering.travel.room, fdm.planning.bed);
+  EXPECT_EQ(fdm.motion.room, fdm.planning.bed);
+  EXPECT_THAT(cut->effective_text, HasSubstr("bed_exclude_area = 0x0,18x0,18x28,0x28\n"));
+  const auto none = resolve("0x0");
+  ASSERT_TRUE(none.ok()) << none.status();
+  EXPECT_TRUE(FdmOf(none->settings).motion.room.empty());
+  EXPECT_THAT(none->effective_text, Not(HasSubstr("bed_exclude_area")));
+  const auto all = resolve("-1x-1,300x-1,300x300,-1x300");
+  ASSERT_FALSE(all.ok());
+  EXPECT_EQ(DetailOf(all.status()).reason, Reason::kSettingOutOfRange);
+  EXPECT_EQ(DetailOf(all.status()).metadata["setting"], "bed_exclude_area");
+}
+
 TEST(Resolve, SkirtBrimAndRaftTakeWidthsAndHeightsOfOtherSettings) {
   const JobSettings settings = ResolveOrDie(Settings({{"first_layer_height", "0.25"},
                                                       {"first_layer_extrusion_width", "0.5"},
@@ -468,7 +492,8 @@ TEST(Resolve, SkirtBrimAndRaftTakeWidthsAndHeightsOfOtherSettings) {
   EXPECT_EQ(object.raft_settings.size(), 3u);
   EXPECT_FALSE(settings.slicing.objects[0].on_bed);
   EXPECT_EQ(settings.slicing.objects[0].lift_nm, object.raft.heights.LiftNm());
-  EXPECT_EQ(FdmOf(settings).planning.bed, settings.slicing.bed);
+  EXPECT_EQ(FdmOf(settings).planning.bed, (MultiPolygon{{settings.slicing.bed, {}}}));
+  EXPECT_TRUE(FdmOf(settings).motion.room.empty());
 }
 
 // Unlike PrusaSlicer's, whose standard is one skirt.

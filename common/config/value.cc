@@ -165,6 +165,29 @@ std::string QuoteText(std::string_view text) {
 
 namespace {
 
+constexpr size_t kRectangle = 4;
+
+absl::StatusOr<Polygon> ParseCorners(std::string_view text) {
+  Polygon corners;
+  for (const std::string_view corner : Split(text, ",")) {
+    const auto point = ParseCorner(Trim(corner));
+    if (!point.ok()) return point.status();
+    corners.push_back(*point);
+    if (corners.size() > kMaxCorners)
+      return Malformed(fmt::format("more than {} corners", kMaxCorners));
+  }
+  return corners;
+}
+
+/// Whether four corners are those of a rectangle along the axes, in order.
+bool IsRectangle(const Polygon& four) {
+  const bool x_first = four[0].y == four[1].y && four[1].x == four[2].x &&
+                       four[2].y == four[3].y && four[3].x == four[0].x;
+  const bool y_first = four[0].x == four[1].x && four[1].y == four[2].y &&
+                       four[2].x == four[3].x && four[3].y == four[0].y;
+  return x_first || y_first;
+}
+
 /// A corner that is said twice in a row, as files do that close the outline, says nothing.
 void DropRepeated(Polygon& bed) {
   bed.erase(std::unique(bed.begin(), bed.end()), bed.end());
@@ -174,14 +197,9 @@ void DropRepeated(Polygon& bed) {
 }  // namespace
 
 absl::StatusOr<Polygon> ParseBedShape(std::string_view text) {
-  Polygon bed;
-  for (const std::string_view corner : Split(text, ",")) {
-    const auto point = ParseCorner(Trim(corner));
-    if (!point.ok()) return point.status();
-    bed.push_back(*point);
-    if (bed.size() > kMaxCorners)
-      return Malformed(fmt::format("more than {} corners", kMaxCorners));
-  }
+  absl::StatusOr<Polygon> corners = ParseCorners(text);
+  if (!corners.ok()) return corners.status();
+  Polygon bed = *std::move(corners);
   DropRepeated(bed);
   if (bed.size() < 3) return Malformed("fewer than three corners");
   const Polygon* const outline = &bed;
@@ -192,11 +210,36 @@ absl::StatusOr<Polygon> ParseBedShape(std::string_view text) {
 
 std::string PrintBedShape(const Polygon& bed) {
   std::string text;
-  for (const Point p : bed) {
-    text += fmt::format("{}{}x{}", text.empty() ? "" : ",", PrintNumber(ToMm(p.x)),
-                        PrintNumber(ToMm(p.y)));
-  }
+  for (const Point p : bed) text += (text.empty() ? "" : ",") + PrintPoint(p);
   return text;
+}
+
+absl::StatusOr<std::vector<Polygon>> ParseAreas(std::string_view text) {
+  if (Trim(text).empty()) return std::vector<Polygon>();
+  const absl::StatusOr<Polygon> corners = ParseCorners(text);
+  if (!corners.ok()) return corners.status();
+  std::vector<Polygon> areas;
+  for (size_t i = 0; i + kRectangle <= corners->size(); i += kRectangle)
+    areas.emplace_back(corners->begin() + static_cast<std::ptrdiff_t>(i),
+                       corners->begin() + static_cast<std::ptrdiff_t>(i + kRectangle));
+  if (corners->size() % kRectangle != 0 || !std::ranges::all_of(areas, IsRectangle))
+    areas = {*corners};
+  for (Polygon& area : areas)
+    if (SignedArea(area) < 0) std::ranges::reverse(area);
+  std::erase_if(areas, [](const Polygon& area) { return area.size() < 3 || SignedArea(area) == 0; });
+  return areas;
+}
+
+std::string PrintAreas(const std::vector<Polygon>& areas) {
+  Polygon corners;
+  for (const Polygon& area : areas) corners.insert(corners.end(), area.begin(), area.end());
+  return PrintBedShape(corners);
+}
+
+absl::StatusOr<Point> ParsePoint(std::string_view text) { return ParseCorner(Trim(text)); }
+
+std::string PrintPoint(const Point& point) {
+  return fmt::format("{}x{}", PrintNumber(ToMm(point.x)), PrintNumber(ToMm(point.y)));
 }
 
 absl::StatusOr<std::vector<ThumbnailSize>> ParseSizes(std::string_view text) {

@@ -47,6 +47,16 @@ std::string QuoteText(std::string_view text);
 absl::StatusOr<Polygon> ParseBedShape(std::string_view text);
 std::string PrintBedShape(const Polygon& bed);
 
+/// Reads areas of the bed: corners as those of ParseBedShape. Corners that come to rectangles by
+/// fours are one area each, as Bambu Studio reads them; else all of them are one polygon, as
+/// OrcaSlicer reads them, which may touch itself. Fewer than three corners are no area.
+absl::StatusOr<std::vector<Polygon>> ParseAreas(std::string_view text);
+std::string PrintAreas(const std::vector<Polygon>& areas);
+
+/// Reads `2x0`, mm.
+absl::StatusOr<Point> ParsePoint(std::string_view text);
+std::string PrintPoint(const Point& point);
+
 /// `32x32, 300x300/QOI`, pixels; empty: none. The format may be any of PrusaSlicer's; what is made
 /// is QOI or JPG where it says so, else PNG. Errors: another format, more than
 /// limits::kMaxThumbnails pictures, a side beyond limits::kMaxThumbnailPx.

@@ -180,5 +180,37 @@ TEST(ParseSizes, RefusesWhatCannotBeMade) {
   }
 }
 
+TEST(ParseAreas, ReadsRectanglesByFoursAndElseOnePolygon) {
+  struct Case {
+    const char* text;
+    size_t areas;
+    const char* printed;
+  };
+  for (const Case& each :
+       {Case{"", 0, ""}, Case{"0x0", 0, ""}, Case{"0x0,0x0,0x0,0x0", 0, ""},
+        Case{"0x0, 18x0, 18x28, 0x28", 1, "0x0,18x0,18x28,0x28"},
+        Case{"0x28,18x28,18x0,0x0", 1, "0x0,18x0,18x28,0x28"},
+        Case{"25x245,25x240,115x240,115x245,208x245,208x240,245x240,245x245", 2,
+             "25x245,25x240,115x240,115x245,208x245,208x240,245x240,245x245"},
+        Case{"0x0,9x0,9x9,0x9,0x0,2x2,2x7,7x7,7x2,2x2", 1,
+             "0x0,9x0,9x9,0x9,0x0,2x2,2x7,7x7,7x2,2x2"},
+        Case{"0x0,5x0,3x4", 1, "0x0,5x0,3x4"}}) {
+    const auto areas = ParseAreas(each.text);
+    ASSERT_TRUE(areas.ok()) << each.text << ": " << areas.status();
+    EXPECT_EQ(areas->size(), each.areas) << each.text;
+    EXPECT_EQ(PrintAreas(*areas), each.printed);
+    EXPECT_EQ(*ParseAreas(PrintAreas(*areas)), *areas) << each.text;
+  }
+  EXPECT_FALSE(ParseAreas("0x0,18").ok());
+  EXPECT_FALSE(ParseAreas("a").ok());
+}
+
+TEST(ParsePoint, ReadsTwoNumbers) {
+  EXPECT_EQ(*ParsePoint(" -1.5x2 "), (Point{-1'500'000, 2'000'000}));
+  EXPECT_EQ(PrintPoint({-1'500'000, 2'000'000}), "-1.5x2");
+  for (const char* bad : {"", "1", "1x", "1x2x3", "1,2", "9999999x0"})
+    EXPECT_FALSE(ParsePoint(bad).ok()) << bad;
+}
+
 }  // namespace
 }  // namespace slicefarm::config::value_test

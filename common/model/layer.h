@@ -279,7 +279,9 @@ struct LayerProgram {
   LayerFrame frame;
   int32_t pass = 0;  ///< see Copy::pass
   std::string gcode;
-  Point entry;  ///< of the first path; the program's first move goes there from anywhere
+  /// Where the first path begins, in the G-code's coordinates; the program's first move goes there
+  /// from anywhere.
+  Point entry;
   Point exit;
   ProgramStats stats;  ///< times: from rest to rest, without the approach to the entry
   LayerEdges edges;

@@ -14,7 +14,7 @@ namespace slicefarm {
 struct LayerSummary {
   LayerFrame frame;
   int32_t pass = 0;
-  Point entry;
+  Point entry;  ///< this and the next: as LayerProgram has them
   Point exit;
   double time_s = 0;
   bool empty = false;  ///< nothing is printed in it; entry and exit mean nothing

@@ -47,7 +47,8 @@ absl::StatusOr<InfillTable> FromProto(const v1::InfillTable& proto) {
 }
 
 absl::Status ToProto(const OrderingJob& job, v1::OrderingJob* proto) {
-  *proto->mutable_options() = ToProto(job.options);
+  if (absl::Status status = ToProto(job.options, proto->mutable_options()); !status.ok())
+    return Within("options", status);
   return AllToProto(job.copies, "copies", proto->mutable_copies());
 }
 absl::StatusOr<OrderingJob> FromProto(const v1::OrderingJob& proto) {
@@ -59,7 +60,8 @@ absl::StatusOr<OrderingJob> FromProto(const v1::OrderingJob& proto) {
 }
 
 absl::Status ToProto(const MotionJob& job, v1::MotionJob* proto) {
-  *proto->mutable_options() = ToProto(job.options);
+  if (absl::Status status = ToProto(job.options, proto->mutable_options()); !status.ok())
+    return Within("options", status);
   *proto->mutable_facts() = ToProto(job.facts);
   return absl::OkStatus();
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include "common/base/text.h"
+#include "common/config/projects/orca_dialect.h"
 #include "common/config/projects/orca_mesh.h"
 #include "common/config/projects/orca_placeholders.h"
 #include "common/config/projects/orca_table.h"
@@ -111,12 +113,7 @@ class OrcaReader {
 
   /// What depends on a second setting: whether it is used at all, or how.
   void TakePairs() {
-    if (IsOn("exclude_object")) {
-      known_.insert("exclude_object");
-      Set("gcode_label_objects", "firmware", by_key_.find("exclude_object")->second->source);
-    } else if (by_key_.contains("exclude_object")) {
-      known_.insert("exclude_object");
-    }
+    TakeDialect();
     TakeSlopes();
     TakeOrganicTrees();
     for (const std::string_view key : {"pressure_advance", "enable_pressure_advance"})
@@ -129,6 +126,36 @@ class OrcaReader {
   }
 
  private:
+  OrcaLookup Lookup() {
+    return [this](std::string_view key) -> std::optional<std::string> {
+      const auto found = by_key_.find(key);
+      if (found == by_key_.end()) return std::nullopt;
+      known_.emplace(key);
+      return ItemOf(found->second->value, filament_);
+    };
+  }
+
+  /// What the program that owns the project writes whatever its settings say.
+  void TakeDialect() {
+    for (const Setting& setting : DialectOf(Lookup()))
+      Set(setting.key, setting.value, setting.source);
+    TakeFirstLayerScan();
+  }
+
+  /// Machines with a scanner look at the first layer before they print the second one.
+  /// Source: the G-code of Bambu Studio 2.4.
+  void TakeFirstLayerScan() {
+    if (!IsBambuMachine(Lookup()) || !IsOn("scan_first_layer")) return;
+    known_.insert("scan_first_layer");
+    const std::string code = Given("layer_gcode");
+    const bool open_end = !code.empty() && !code.ends_with("\\n");
+    Set("layer_gcode",
+        code + (open_end ? "\\n" : "") +
+            "{if layer_num==1}M976 S1 P1 ; scan model before printing 2nd layer\\nM400 P100\\n"
+            "{endif}",
+        by_key_.find("scan_first_layer")->second->source);
+  }
+
   /// The fan beside the bed, of machines that have one: off on the first layers, then at one speed.
   /// PrusaSlicer knows none, so the G-code of layers and of the end says it.
   /// Source: the G-code of OrcaSlicer 2.3 and Bambu Studio 2.
@@ -312,6 +339,8 @@ class OrcaReader {
   /// A setting that has an effect here goes by its name, as somebody may set it otherwise.
   std::optional<Placeholder> MeaningOf(std::string_view name) const {
     if (name == "outer_wall_volumetric_speed") return OuterWallFlow();
+    if (name == "during_print_exhaust_fan_speed_num") return ExhaustFan();
+    if (name == "in_head_wrap_detect_zone") return HeadWrap();
     if (name == "chamber_cooling_mode") return ChamberCooling();
     if (name == "flush_volumetric_speeds")
       return FlushOf("filament_flush_volumetric_speed", "filament_max_volumetric_speed");
@@ -326,9 +355,23 @@ class OrcaReader {
       if (same && (FindSetting(row.to, Process::kFdm) >= 0 || FindKnownKey(row.to) != nullptr))
         return Placeholder{std::string(row.to)};
     }
-    const auto found = by_key_.find(name);
-    if (found == by_key_.end()) return std::nullopt;
-    return ValuePlaceholder(Unescape(ItemOf(found->second->value, filament_).value_or("")));
+    if (const auto found = by_key_.find(name); found != by_key_.end())
+      return ValuePlaceholder(Unescape(ItemOf(found->second->value, filament_).value_or("")));
+    for (const OrcaStandard& standard : OrcaStandards())
+      if (standard.key == name) return ValuePlaceholder(standard.value);
+    return std::nullopt;
+  }
+
+  /// The fan's speed in M106's steps, rounded down.
+  std::optional<Placeholder> ExhaustFan() const {
+    const double percent = NumberOf("during_print_exhaust_fan_speed", filament_).value_or(60);
+    return ValuePlaceholder(PrintNumber(std::floor(percent / 100 * 255)));
+  }
+
+  std::optional<Placeholder> HeadWrap() const {
+    const auto zone = by_key_.find("head_wrap_detect_zone");
+    if (zone == by_key_.end()) return std::nullopt;
+    return Placeholder{HeadWrapExpression(Joined(zone->second->value, ",")), false};
   }
 
   /// Of Snapmaker's U1: 2, 1, 0 for a filament that goes soft at 50 C, at 70 C, or above.

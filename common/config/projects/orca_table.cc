@@ -21,6 +21,7 @@ constexpr OrcaRow kRows[] = {
     {"wall_loops", "perimeters"},
     {"wall_generator", "perimeter_generator"},
     {"wall_sequence", "external_perimeters_first", OrcaValue::kChoice},
+    {"wall_sequence", "inner_outer_inner", OrcaValue::kChoice},
     {"min_feature_size", "min_feature_size", OrcaValue::kPercent},
     {"min_bead_width", "min_bead_width", OrcaValue::kPercent},
     {"wall_transition_length", "wall_transition_length", OrcaValue::kPercent},
@@ -106,6 +107,8 @@ constexpr OrcaRow kRows[] = {
     {"initial_layer_speed", "first_layer_speed"},
     {"initial_layer_infill_speed", "first_layer_infill_speed"},
     {"travel_speed", "travel_speed"},
+    {"initial_layer_travel_speed", "first_layer_travel_speed", OrcaValue::kPercentOf,
+     "travel_speed"},
     {"travel_speed_z", "travel_speed_z"},
     {"enable_overhang_speed", "enable_dynamic_overhang_speeds"},
     {"overhang_1_4_speed", "overhang_speed_3"},
@@ -231,9 +234,11 @@ constexpr OrcaRow kRows[] = {
     {"filament_wipe", "filament_wipe"},
     {"filament_retract_lift_above", "filament_retract_lift_above"},
     {"filament_retract_lift_below", "filament_retract_lift_below"},
+    {"filament_retract_lift_enforce", "filament_retract_lift_enforce", OrcaValue::kChoice},
     {"chamber_minimal_temperature", "chamber_minimal_temperature"},
 
     {"printable_area", "bed_shape", OrcaValue::kPoints},
+    {"bed_exclude_area", "bed_exclude_area", OrcaValue::kPoints},
     {"printable_height", "max_print_height"},
     {"nozzle_diameter", "nozzle_diameter"},
     {"printer_model", "printer_model"},
@@ -244,6 +249,7 @@ constexpr OrcaRow kRows[] = {
     {"machine_end_gcode", "end_gcode", OrcaValue::kGcode},
     {"before_layer_change_gcode", "before_layer_gcode", OrcaValue::kGcode},
     {"layer_change_gcode", "layer_gcode", OrcaValue::kGcode},
+    {"time_lapse_gcode", "time_lapse_gcode", OrcaValue::kGcode},
     {"change_filament_gcode", "toolchange_gcode", OrcaValue::kGcode},
     {"machine_pause_gcode", "pause_print_gcode", OrcaValue::kGcode},
     {"template_custom_gcode", "template_custom_gcode", OrcaValue::kGcode},
@@ -261,6 +267,7 @@ constexpr OrcaRow kRows[] = {
     {"retract_before_wipe", "retract_before_wipe"},
     {"retract_lift_above", "retract_lift_above"},
     {"retract_lift_below", "retract_lift_below"},
+    {"retract_lift_enforce", "retract_lift_enforce", OrcaValue::kChoice},
     {"z_hop", "retract_lift"},
     {"wipe", "wipe"},
     {"z_offset", "z_offset"},
@@ -295,7 +302,19 @@ constexpr OrcaRow kRows[] = {
 constexpr OrcaChoice kChoices[] = {
     {"external_perimeters_first", "inner wall/outer wall", "0"},
     {"external_perimeters_first", "outer wall/inner wall", "1"},
-    {"external_perimeters_first", "inner-outer-inner wall", "0", false},
+    {"external_perimeters_first", "inner-outer-inner wall", "0"},
+    {"inner_outer_inner", "inner wall/outer wall", "0"},
+    {"inner_outer_inner", "outer wall/inner wall", "0"},
+    {"inner_outer_inner", "inner-outer-inner wall", "1"},
+    {"retract_lift_enforce", "All Surfaces", "all"},
+    {"retract_lift_enforce", "Top Only", "top"},
+    {"retract_lift_enforce", "Bottom Only", "bottom"},
+    {"retract_lift_enforce", "Top and Bottom", "top_and_bottom"},
+    {"filament_retract_lift_enforce", "nil", "nil"},
+    {"filament_retract_lift_enforce", "All Surfaces", "all"},
+    {"filament_retract_lift_enforce", "Top Only", "top"},
+    {"filament_retract_lift_enforce", "Bottom Only", "bottom"},
+    {"filament_retract_lift_enforce", "Top and Bottom", "top_and_bottom"},
     {"top_one_perimeter_type", "0", "none"},
     {"top_one_perimeter_type", "1", "top"},
     {"prefer_clockwise_movements", "auto", "0"},
@@ -435,10 +454,19 @@ constexpr OrcaVariable kVariables[] = {
     {"retraction_distance_when_ec", "retraction_distances_when_ec"},
 };
 
+// Source: OrcaSlicer 2.2, PrintConfig.
+constexpr OrcaStandard kStandards[] = {
+    {"activate_air_filtration", "0"}, {"enable_pressure_advance", "0"},
+    {"filament_notes", ""},           {"print_sequence", "by layer"},
+    {"printer_notes", ""},            {"scan_first_layer", "0"},
+    {"support_air_filtration", "1"},  {"timelapse_type", "0"},
+};
+
 }  // namespace
 
 std::span<const OrcaRow> OrcaRows() { return kRows; }
 std::span<const OrcaChoice> OrcaChoices() { return kChoices; }
 std::span<const OrcaVariable> OrcaVariables() { return kVariables; }
+std::span<const OrcaStandard> OrcaStandards() { return kStandards; }
 
 }  // namespace slicefarm::config

@@ -41,8 +41,15 @@ struct OrcaVariable {
   std::string_view to;  ///< PrusaSlicer's variable or setting
 };
 
+/// The value of a setting that G-code names and that a preset may leave out.
+struct OrcaStandard {
+  std::string_view key;
+  std::string_view value;
+};
+
 std::span<const OrcaRow> OrcaRows();
 std::span<const OrcaChoice> OrcaChoices();
 std::span<const OrcaVariable> OrcaVariables();
+std::span<const OrcaStandard> OrcaStandards();
 
 }  // namespace slicefarm::config

@@ -38,11 +38,9 @@ constexpr Weighty kWeighty[] = {
     {"spiral_mode_smooth", "0"},
     {"print_order", "default"},
     // Temperatures, fans, the machine.
-    {"activate_chamber_temp_control", "0"},
     {"activate_air_filtration", "0"},
     {"slow_down_layers", "0"},
     {"resonance_avoidance", "0"},
-    {"bed_exclude_area", "0x0|0,0"},
     {"printing_by_object_gcode", ""},
     {"change_extrusion_role_gcode", ""},
     {"process_change_extrusion_role_gcode", ""},

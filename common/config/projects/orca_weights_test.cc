@@ -19,8 +19,6 @@ TEST(WeightOf, DependsOnTheValue) {
                         Case{"top_surface_density", R"(["100%", "99.2%"])", OrcaWeight::kPrint},
                         Case{"printing_by_object_gcode", "", OrcaWeight::kNothing},
                         Case{"printing_by_object_gcode", R"(["G28"])", OrcaWeight::kPrint},
-                        Case{"bed_exclude_area", "[]", OrcaWeight::kNothing},
-                        Case{"bed_exclude_area", R"(["0x0","18x0","18x28"])", OrcaWeight::kPrint},
                         Case{"nozzle_volume", "92", OrcaWeight::kDetail}})
     EXPECT_EQ(WeightOf(c.key, c.value), c.weight) << c.key << " = " << c.value;
 }

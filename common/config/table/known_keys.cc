@@ -23,7 +23,6 @@ constexpr KnownKey kSwitches[] = {
     {"single_extruder_multi_material", kNotYet, "0", true},
     // These make it better or different in detail.
     {"colorprint_heights", kNotYet, "", true, true, true},
-    {"extruder_offset", kNotYet, "0x0", true},
     {"extrusion_axis", kNotYet, "E", true},
     {"infill_extruder", kNotYet, "1", true},
     {"interlocking_beam", kNotYet, "0", true},

@@ -24,6 +24,8 @@ enum class Kind {
   kText,             ///< one line
   kGcode,            ///< lines of G-code, `\n` between them
   kBedShape,
+  kAreas,  ///< areas of the bed (ParseAreas); empty: none
+  kPoint,  ///< `XxY`
   kSizes,
   // JSON on one line (common/model/fields/field_text.h); empty: none
   kDensityField,
@@ -123,6 +125,10 @@ void Store(T& member, const Value& value, double divisor) {
     member = value.text;
   } else if constexpr (std::is_same_v<T, Polygon>) {
     if (auto bed = ParseBedShape(value.text); bed.ok()) member = *std::move(bed);
+  } else if constexpr (std::is_same_v<T, std::vector<Polygon>>) {
+    if (auto areas = ParseAreas(value.text); areas.ok()) member = *std::move(areas);
+  } else if constexpr (std::is_same_v<T, Point>) {
+    if (const auto point = ParsePoint(value.text); point.ok()) member = *point;
   } else if constexpr (std::is_same_v<T, Cutter>) {
     if (auto cutter = ParseCutter(value.text); cutter.ok()) member = *std::move(cutter);
   } else if constexpr (std::is_same_v<T, std::vector<LayerHeightAt>>) {
@@ -144,6 +150,10 @@ Value Load(const T& member, double divisor) {
     return {.text = member};
   } else if constexpr (std::is_same_v<T, Polygon>) {
     return {.text = PrintBedShape(member)};
+  } else if constexpr (std::is_same_v<T, std::vector<Polygon>>) {
+    return {.text = PrintAreas(member)};
+  } else if constexpr (std::is_same_v<T, Point>) {
+    return {.text = PrintPoint(member)};
   } else if constexpr (std::is_same_v<T, Cutter>) {
     return {.text = member.name()};
   } else if constexpr (std::is_same_v<T, std::vector<LayerHeightAt>>) {

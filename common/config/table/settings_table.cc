@@ -159,6 +159,10 @@ absl::StatusOr<Value> ParseValue(const SettingSpec& spec, std::string_view text)
       return ParseChoice(spec, FirstItem(spec, text));
     case Kind::kBedShape:
       return Canonical<Polygon>(spec, text, ParseBedShape(text), PrintBedShape);
+    case Kind::kAreas:
+      return Canonical<std::vector<Polygon>>(spec, text, ParseAreas(text), PrintAreas);
+    case Kind::kPoint:
+      return Canonical<Point>(spec, text, ParsePoint(FirstItem(spec, text)), PrintPoint);
     case Kind::kSizes:
       return Canonical<std::vector<ThumbnailSize>>(spec, text, ParseSizes(text), PrintSizes);
     case Kind::kDensityField:
@@ -207,6 +211,8 @@ std::string PrintValue(const SettingSpec& spec, const Value& value) {
     case Kind::kGcode:
       return spec.list == List::kNone ? Escape(value.text) : QuoteText(value.text);
     case Kind::kBedShape:
+    case Kind::kAreas:
+    case Kind::kPoint:
     case Kind::kSizes:
     case Kind::kDensityField:
     case Kind::kStressField:
@@ -255,6 +261,10 @@ std::string DescribeRange(const SettingSpec& spec) {
       return "G-code, \\n between lines";
     case Kind::kBedShape:
       return "three or more corners XxY";
+    case Kind::kAreas:
+      return "three or more corners XxY, or none";
+    case Kind::kPoint:
+      return "XxY";
     case Kind::kSizes:
       return fmt::format("up to {} WIDTHxHEIGHT, WIDTHxHEIGHT/PNG, /JPG or /QOI, 1 to {} each",
                          limits::kMaxThumbnails, limits::kMaxThumbnailPx);

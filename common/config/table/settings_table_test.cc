@@ -53,6 +53,10 @@ std::vector<std::string> Samples(const SettingSpec& spec) {
                                       : std::vector<std::string>{"G28", "\"G28 ; home\\nM84\"", ""};
     case Kind::kBedShape:
       return {"0x0,250x0,250x210,0x210", "-50.5x-50,50x-50,0x50.000001"};
+    case Kind::kAreas:
+      return {"", "0x0,18x0,18x28,0x28", "0x0,9x0,9x9,0x9,20x0,30x0,30x9,20x9", "0x0,5x0,3x4.5"};
+    case Kind::kPoint:
+      return {"0x0", "-1.5x2"};
     case Kind::kSizes:
       return {"", "16x16", "32x32,300x200"};
     case Kind::kDensityField:
@@ -294,8 +298,8 @@ TEST(KnownKeys, KnowWhichValueAsksForNothing) {
   EXPECT_TRUE(IsNeutral(*FindKnownKey("wipe_tower"), "0"));
   EXPECT_FALSE(IsNeutral(*FindKnownKey("wipe_tower"), "1"));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("ooze_prevention"), "0.0"));
-  EXPECT_TRUE(IsNeutral(*FindKnownKey("extruder_offset"), "0x0,0x0"));
-  EXPECT_FALSE(IsNeutral(*FindKnownKey("extruder_offset"), "0x0,1x0"));
+  EXPECT_TRUE(IsNeutral(*FindKnownKey("infill_extruder"), "1,1"));
+  EXPECT_FALSE(IsNeutral(*FindKnownKey("infill_extruder"), "1,2"));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("post_process"), ""));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("post_process"), "\"\""));
   EXPECT_FALSE(IsNeutral(*FindKnownKey("post_process"), "rm.sh"));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/base/shared/shared_text.h"
-#include "common/geometry/point.h"
+#include "common/geometry/polygon.h"
 #include "common/model/path.h"
 
 namespace slicefarm {
@@ -38,6 +38,14 @@ struct MachineLimits {
   friend bool operator==(const MachineLimits&, const MachineLimits&) = default;
 };
 
+/// retract_lift_enforce: after which beads the nozzle rises for a travel.
+enum class LiftAfter : uint8_t {
+  kAll,
+  kTop,           ///< tops and ironing
+  kBottom,        ///< those of the first layer
+  kTopAndBottom,  ///< both
+};
+
 struct RetractionOptions {
   double length_mm = 0.8;          ///< retract_length; 0: none
   double speed_mm_s = 35;          ///< retract_speed
@@ -47,6 +55,7 @@ struct RetractionOptions {
   double lift_mm = 0;              ///< retract_lift
   double lift_above_mm = 0;        ///< retract_lift_above: no lift where the nozzle is lower
   double lift_below_mm = 0;        ///< retract_lift_below: nor higher than this; 0: however high
+  LiftAfter lift_after = LiftAfter::kAll;  ///< retract_lift_enforce
   bool ramping = false;            ///< travel_ramping_lift: the nozzle rises on its way
   double ramp_lift_mm = 0;         ///< travel_max_lift: in place of lift_mm
   double ramp_slope_deg = 0;       ///< travel_slope; 0 and 90: straight up
@@ -154,6 +163,7 @@ struct MotionOptions {
 
   std::vector<RegionSpeeds> speeds = {{}};   ///< by region
   double travel_speed_mm_s = 130;            ///< travel_speed
+  double first_layer_travel_speed_mm_s = 0;  ///< first_layer_travel_speed; 0: as the others
   double travel_speed_z_mm_s = 0;            ///< travel_speed_z; 0: the machine's z limit
   double first_layer_speed_mm_s = 30;        ///< first_layer_speed; 0: as above
   double first_layer_speed_ratio = 1;        ///< first_layer_speed in percent
@@ -197,6 +207,8 @@ struct MotionOptions {
 
   int32_t chamber_temperature_c = 0;  ///< chamber_temperature
   int32_t chamber_least_c = 0;        ///< chamber_minimal_temperature: waited for
+  /// activate_chamber_temp_control: else its temperatures are there for templates alone.
+  bool heats_chamber = true;
   /// autoemit_temperature_commands: what start_gcode does not heat is heated around it.
   bool emit_temperatures = true;
 
@@ -207,18 +219,21 @@ struct MotionOptions {
 
   bool progress = false;   ///< remaining_times: M73 before each layer
   double z_offset_mm = 0;  ///< z_offset
+  Point extruder_offset;   ///< extruder_offset, in nm: taken off all places in the G-code
   SharedText start_gcode = "G28 ; home all axes\nG1 Z5 F5000 ; lift nozzle\n";  ///< start_gcode
   /// start_filament_gcode: after start_gcode, when all is hot and the tool is chosen.
   SharedText start_filament_gcode;
   SharedText end_gcode =
       "M104 S0 ; turn off temperature\nG28 X0 ; home X axis\nM84 ; disable motors\n";
   SharedText before_layer_gcode;  ///< before_layer_gcode
-  SharedText layer_gcode;         ///< layer_gcode
+  SharedText layer_gcode;         ///< layer_gcode, with time_lapse_gcode
   /// The settings that these two name, as `key = value` lines.
   SharedText layer_settings;
   ObjectLabels labels = ObjectLabels::kNone;       ///< gcode_label_objects
   SharedText between_objects_gcode;                ///< between_objects_gcode
   Coord max_print_height_nm = 0;                   ///< max_print_height, 0: unlimited
+  /// bed_shape without bed_exclude_area: travel stays in it; empty: nothing is excluded.
+  MultiPolygon room;
   ArcFitting arc_fitting = ArcFitting::kDisabled;  ///< arc_fitting
   Coord resolution_nm = 12'500;  ///< gcode_resolution: paths are simplified within this; 0: not
   SharedText material_field;     ///< canonical text (fields/field_text.h); empty: no mixing

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/geometry/polygon.h"
+
 namespace slicefarm {
 
 /// The order of the walls of one region, and where they start.
@@ -27,6 +29,8 @@ struct TravelOptions {
   double max_detour_mm = 0;           ///< avoid_crossing_perimeters_max_detour; 0: however long
   double max_detour_ratio = 0;        ///< the same in percent of the straight way; 0: however long
   bool retract_layer_change = false;  ///< retract_layer_change: even if the way is hidden
+  /// bed_shape without bed_exclude_area: travel stays in it; empty: nothing is excluded.
+  MultiPolygon room = {};
 
   friend bool operator==(const TravelOptions&, const TravelOptions&) = default;
 };

@@ -78,7 +78,8 @@ struct PlanningOptions {
   std::vector<InfillPlanOptions> infill;  ///< by region; empty: none needs a plan
   bool objects_may_overlap = false;       ///< objects_may_overlap
   bool avoid_curled = false;  ///< avoid_crossing_curled_overhangs: tells where parts curl up
-  Polygon bed;  ///< bed_shape: nothing is added outside of it; empty: no limit
+  /// bed_shape without bed_exclude_area: nothing is added outside of it; empty: no limit.
+  MultiPolygon bed;
 
   friend bool operator==(const PlanningOptions&, const PlanningOptions&) = default;
 };

@@ -57,6 +57,7 @@ struct SlicingOptions {
   Coord resolution_nm = 5'000;  ///< outline_resolution: outlines are simplified to this tolerance
   /// bed_shape; empty: no limit.
   Polygon bed = {{0, 0}, {250'000'000, 0}, {250'000'000, 210'000'000}, {0, 210'000'000}};
+  std::vector<Polygon> excluded = {};  ///< bed_exclude_area: parts of the bed where nothing may be
   Coord max_print_height_nm = 0;  ///< max_print_height, 0: unlimited
   std::vector<ThumbnailSize> thumbnails = {{32, 32}, {300, 300}};  ///< thumbnails
   std::vector<ObjectSlicingOptions> objects = {{}};                ///< by object

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/model/limits.h"
+#include "common/wire/geometry_wire.h"
 #include "common/wire/options/settings_check.h"
 #include "common/wire/options/settings_wire.h"
 #include "common/wire/support/enum_wire.h"
@@ -32,6 +33,11 @@ static_assert(v1::OBJECT_LABELS_COMMENTS == static_cast<int>(ObjectLabels::kComm
 static_assert(v1::OBJECT_LABELS_FIRMWARE == static_cast<int>(ObjectLabels::kFirmware) + 1);
 static_assert(v1::ObjectLabels_MAX == v1::OBJECT_LABELS_FIRMWARE);
 
+static_assert(v1::LIFT_AFTER_ALL == static_cast<int>(LiftAfter::kAll) + 1);
+static_assert(v1::LIFT_AFTER_TOP == static_cast<int>(LiftAfter::kTop) + 1);
+static_assert(v1::LIFT_AFTER_BOTTOM == static_cast<int>(LiftAfter::kBottom) + 1);
+static_assert(v1::LIFT_AFTER_TOP_AND_BOTTOM == static_cast<int>(LiftAfter::kTopAndBottom) + 1);
+static_assert(v1::LiftAfter_MAX == v1::LIFT_AFTER_TOP_AND_BOTTOM);
 static_assert(v1::SCARF_PLACEMENT_NOWHERE == static_cast<int>(ScarfPlacement::kNowhere) + 1);
 static_assert(v1::SCARF_PLACEMENT_CONTOURS == static_cast<int>(ScarfPlacement::kContours) + 1);
 static_assert(v1::SCARF_PLACEMENT_EVERYWHERE == static_cast<int>(ScarfPlacement::kEverywhere) + 1);
@@ -154,6 +160,7 @@ v1::RetractionOptions ToProto(const RetractionOptions& retraction) {
   proto.set_ramp_lift_mm(retraction.ramp_lift_mm);
   proto.set_ramp_slope_deg(retraction.ramp_slope_deg);
   proto.set_before_obstacles(retraction.before_obstacles);
+  proto.set_lift_after(EnumToProto<v1::LiftAfter>(retraction.lift_after));
   proto.set_wipe(retraction.wipe);
   proto.set_before_wipe(retraction.before_wipe);
   return proto;
@@ -173,6 +180,7 @@ RetractionOptions FromProto(const v1::RetractionOptions& proto) {
   retraction.ramp_lift_mm = proto.ramp_lift_mm();
   retraction.ramp_slope_deg = proto.ramp_slope_deg();
   retraction.before_obstacles = proto.before_obstacles();
+  retraction.lift_after = Known<LiftAfter>(proto.lift_after());
   retraction.wipe = proto.wipe();
   retraction.before_wipe = proto.before_wipe();
   return retraction;
@@ -253,6 +261,7 @@ void PutSpeeds(const MotionOptions& options, v1::MotionOptions* proto) {
     speeds->set_thick_bridges(region.thick_bridges);
   }
   proto->set_travel_speed_mm_s(options.travel_speed_mm_s);
+  proto->set_first_layer_travel_speed_mm_s(options.first_layer_travel_speed_mm_s);
   proto->set_travel_speed_z_mm_s(options.travel_speed_z_mm_s);
   proto->set_first_layer_speed_mm_s(options.first_layer_speed_mm_s);
   proto->set_first_layer_speed_ratio(options.first_layer_speed_ratio);
@@ -286,6 +295,7 @@ void TakeSpeeds(const v1::MotionOptions& proto, MotionOptions* options) {
     speeds.thick_bridges = region.thick_bridges();
   }
   options->travel_speed_mm_s = proto.travel_speed_mm_s();
+  options->first_layer_travel_speed_mm_s = proto.first_layer_travel_speed_mm_s();
   options->travel_speed_z_mm_s = proto.travel_speed_z_mm_s();
   options->first_layer_speed_mm_s = proto.first_layer_speed_mm_s();
   options->first_layer_speed_ratio = proto.first_layer_speed_ratio();
@@ -325,6 +335,7 @@ void PutMaterial(const MotionOptions& options, v1::MotionOptions* proto) {
   proto->set_chamber_temperature_c(options.chamber_temperature_c);
   proto->set_chamber_least_c(options.chamber_least_c);
   proto->set_emit_temperatures(options.emit_temperatures);
+  proto->set_heats_chamber(options.heats_chamber);
   proto->set_tool(options.tool);
 }
 
@@ -347,6 +358,7 @@ void TakeMaterial(const v1::MotionOptions& proto, MotionOptions* options) {
   options->first_layer_bed_temperature_c = proto.first_layer_bed_temperature_c();
   options->chamber_temperature_c = proto.chamber_temperature_c();
   options->chamber_least_c = proto.chamber_least_c();
+  options->heats_chamber = proto.heats_chamber();
   options->emit_temperatures = proto.emit_temperatures();
   options->tool = proto.tool();
 }
@@ -383,30 +395,32 @@ WritingOptions TakeWriting(const v1::WritingOptions& proto) {
 
 }  // namespace
 
-v1::MotionOptions ToProto(const MotionOptions& options) {
-  v1::MotionOptions proto;
-  proto.set_flavor(EnumToProto<v1::GcodeFlavor>(options.flavor));
-  *proto.mutable_limits() = ToProto(options.limits);
-  *proto.mutable_retraction() = ToProto(options.retraction);
-  *proto.mutable_cooling() = ToProto(options.cooling);
-  PutSpeeds(options, &proto);
-  PutMaterial(options, &proto);
-  proto.set_progress(options.progress);
-  proto.set_z_offset_mm(options.z_offset_mm);
-  proto.set_start_gcode(options.start_gcode.str());
-  proto.set_start_filament_gcode(options.start_filament_gcode.str());
-  proto.set_end_gcode(options.end_gcode.str());
-  proto.set_before_layer_gcode(options.before_layer_gcode.str());
-  proto.set_layer_gcode(options.layer_gcode.str());
-  proto.set_layer_settings(options.layer_settings.str());
-  proto.set_labels(EnumToProto<v1::ObjectLabels>(options.labels));
-  proto.set_between_objects_gcode(options.between_objects_gcode.str());
-  proto.set_max_print_height_nm(options.max_print_height_nm);
-  proto.set_arc_fitting(EnumToProto<v1::ArcFitting>(options.arc_fitting));
-  proto.set_resolution_nm(options.resolution_nm);
-  proto.set_material_field(options.material_field.str());
-  PutWriting(options.writing, proto.mutable_writing());
-  return proto;
+absl::Status ToProto(const MotionOptions& options, v1::MotionOptions* proto) {
+  proto->set_flavor(EnumToProto<v1::GcodeFlavor>(options.flavor));
+  *proto->mutable_limits() = ToProto(options.limits);
+  *proto->mutable_retraction() = ToProto(options.retraction);
+  *proto->mutable_cooling() = ToProto(options.cooling);
+  PutSpeeds(options, proto);
+  PutMaterial(options, proto);
+  proto->set_progress(options.progress);
+  proto->set_z_offset_mm(options.z_offset_mm);
+  proto->set_start_gcode(options.start_gcode.str());
+  proto->set_start_filament_gcode(options.start_filament_gcode.str());
+  proto->set_end_gcode(options.end_gcode.str());
+  proto->set_before_layer_gcode(options.before_layer_gcode.str());
+  proto->set_layer_gcode(options.layer_gcode.str());
+  proto->set_layer_settings(options.layer_settings.str());
+  proto->set_labels(EnumToProto<v1::ObjectLabels>(options.labels));
+  proto->set_between_objects_gcode(options.between_objects_gcode.str());
+  proto->set_max_print_height_nm(options.max_print_height_nm);
+  proto->set_arc_fitting(EnumToProto<v1::ArcFitting>(options.arc_fitting));
+  proto->set_resolution_nm(options.resolution_nm);
+  proto->set_material_field(options.material_field.str());
+  PutWriting(options.writing, proto->mutable_writing());
+  absl::Status status = ToProto(options.extruder_offset, proto->mutable_extruder_offset());
+  if (!status.ok()) return Within("extruder_offset", status);
+  status = ToProto(options.room, proto->mutable_room());
+  return status.ok() ? status : Within("room", status);
 }
 
 absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto) {
@@ -417,8 +431,12 @@ absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto) {
   absl::StatusOr<GcodeFlavor> flavor =
       EnumFromProto<GcodeFlavor>(proto.flavor(), kFlavors, "flavor");
   if (!flavor.ok()) return flavor.status();
+  absl::StatusOr<MultiPolygon> room = FromProto(proto.room());
+  if (!room.ok()) return Within("room", room.status());
   MotionOptions options;
   options.flavor = *flavor;
+  options.extruder_offset = FromProto(proto.extruder_offset());
+  options.room = *std::move(room);
   options.limits = FromProto(proto.limits());
   options.retraction = FromProto(proto.retraction());
   options.cooling = FromProto(proto.cooling());

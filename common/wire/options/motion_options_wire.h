@@ -1,5 +1,6 @@
 #pragma once
 
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/model/options/motion_options.h"
 #include "slicefarm/v1/settings.pb.h"
@@ -7,7 +8,7 @@
 namespace slicefarm {
 
 /// The motion stage's options, by the rules of settings_wire.h.
-v1::MotionOptions ToProto(const MotionOptions& options);
+absl::Status ToProto(const MotionOptions& options, v1::MotionOptions* proto);
 absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto);
 
 namespace v1 {

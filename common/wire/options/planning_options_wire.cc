@@ -409,8 +409,8 @@ absl::Status ToProto(const PlanningOptions& options, v1::PlanningOptions* proto)
   proto->set_skirt_settings(options.skirt_settings);
   proto->set_objects_may_overlap(options.objects_may_overlap);
   proto->set_avoid_curled(options.avoid_curled);
-  const absl::Status status = PackPoints(options.bed, proto->mutable_bed_xy_nm());
-  return status.ok() ? status : Within("bed_xy_nm", status);
+  const absl::Status status = ToProto(options.bed, proto->mutable_bed());
+  return status.ok() ? status : Within("bed", status);
 }
 
 absl::StatusOr<PlanningOptions> FromProto(const v1::PlanningOptions& proto) {
@@ -431,9 +431,8 @@ absl::StatusOr<PlanningOptions> FromProto(const v1::PlanningOptions& proto) {
   }
   const absl::StatusOr<SkirtOptions> skirt = SkirtFromProto(proto.skirt());
   if (!skirt.ok()) return Within("skirt", skirt.status());
-  absl::StatusOr<Polygon> bed = UnpackPoints(proto.bed_xy_nm(), "bed_xy_nm");
-  if (!bed.ok()) return bed.status();
-  if (!bed->empty() && bed->size() < 3) return Malformed("bed_xy_nm", "has fewer than 3 points");
+  absl::StatusOr<MultiPolygon> bed = FromProto(proto.bed());
+  if (!bed.ok()) return Within("bed", bed.status());
   for (int i = 0; i < proto.infill_size(); ++i) {
     const auto infill = InfillFromProto(proto.infill(i));
     if (!infill.ok()) return Within("infill", i, infill.status());

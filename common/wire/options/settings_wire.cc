@@ -207,7 +207,11 @@ absl::Status ToProto(const SlicingOptions& options, v1::SlicingOptions* proto) {
   }
   for (const ObjectSlicingOptions& object : options.objects)
     *proto->add_objects() = ToProto(object);
-  const absl::Status status = PackPoints(options.bed, proto->mutable_bed_xy_nm());
+  MultiPolygon excluded;
+  for (const Polygon& area : options.excluded) excluded.push_back({area, {}});
+  absl::Status status = ToProto(excluded, proto->mutable_excluded());
+  if (!status.ok()) return Within("excluded", status);
+  status = PackPoints(options.bed, proto->mutable_bed_xy_nm());
   return status.ok() ? status : Within("bed_xy_nm", status);
 }
 
@@ -215,7 +219,10 @@ absl::StatusOr<SlicingOptions> FromProto(const v1::SlicingOptions& proto) {
   if (absl::Status status = Check(proto); !status.ok()) return status;
   absl::StatusOr<Polygon> bed = UnpackPoints(proto.bed_xy_nm(), "bed_xy_nm");
   if (!bed.ok()) return bed.status();
+  absl::StatusOr<MultiPolygon> excluded = FromProto(proto.excluded());
+  if (!excluded.ok()) return Within("excluded", excluded.status());
   SlicingOptions options;
+  for (PolygonWithHoles& area : *excluded) options.excluded.push_back(std::move(area.outer));
   options.first_layer_height_nm = proto.first_layer_height_nm();
   options.max_gap_nm = proto.max_gap_nm();
   options.resolution_nm = proto.resolution_nm();
@@ -298,27 +305,28 @@ absl::StatusOr<BeadingOptions> FromProto(const v1::BeadingOptions& proto) {
   return options;
 }
 
-v1::OrderingOptions ToProto(const OrderingOptions& options) {
-  v1::OrderingOptions proto;
-  proto.set_infill_first(options.infill_first);
-  proto.set_clockwise(options.clockwise);
-  proto.set_improvement_moves(options.improvement_moves);
+absl::Status ToProto(const OrderingOptions& options, v1::OrderingOptions* proto) {
+  proto->set_infill_first(options.infill_first);
+  proto->set_clockwise(options.clockwise);
+  proto->set_improvement_moves(options.improvement_moves);
   const TravelOptions& travel = options.travel;
-  proto.mutable_travel()->set_hide(travel.hide);
-  proto.mutable_travel()->set_longest_hidden_mm(travel.longest_hidden_mm);
-  proto.mutable_travel()->set_avoid_crossing(travel.avoid_crossing);
-  proto.mutable_travel()->set_max_detour_mm(travel.max_detour_mm);
-  proto.mutable_travel()->set_max_detour_ratio(travel.max_detour_ratio);
-  proto.mutable_travel()->set_retract_layer_change(travel.retract_layer_change);
+  v1::TravelOptions& of_travel = *proto->mutable_travel();
+  of_travel.set_hide(travel.hide);
+  of_travel.set_longest_hidden_mm(travel.longest_hidden_mm);
+  of_travel.set_avoid_crossing(travel.avoid_crossing);
+  of_travel.set_max_detour_mm(travel.max_detour_mm);
+  of_travel.set_max_detour_ratio(travel.max_detour_ratio);
+  of_travel.set_retract_layer_change(travel.retract_layer_change);
   for (const WallOrder& order : options.walls) {
-    v1::WallOrder* walls = proto.add_walls();
+    v1::WallOrder* walls = proto->add_walls();
     walls->set_external_perimeters_first(order.external_perimeters_first);
     walls->set_inner_outer_inner(order.inner_outer_inner);
     walls->set_towards_holes(order.towards_holes);
     walls->set_stagger_seams(order.stagger_seams);
     walls->set_whole_loops(order.whole_loops);
   }
-  return proto;
+  const absl::Status status = ToProto(travel.room, of_travel.mutable_room());
+  return status.ok() ? status : Within("room", status);
 }
 
 absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
@@ -335,9 +343,12 @@ absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
   options.clockwise = proto.clockwise();
   options.improvement_moves = proto.improvement_moves();
   const v1::TravelOptions& travel = proto.travel();
-  options.travel = {
-      travel.hide(),          travel.longest_hidden_mm(), travel.avoid_crossing(),
-      travel.max_detour_mm(), travel.max_detour_ratio(),  travel.retract_layer_change()};
+  absl::StatusOr<MultiPolygon> room = FromProto(travel.room());
+  if (!room.ok()) return Within("room", room.status());
+  options.travel = {travel.hide(),           travel.longest_hidden_mm(),
+                    travel.avoid_crossing(), travel.max_detour_mm(),
+                    travel.max_detour_ratio(), travel.retract_layer_change(),
+                    *std::move(room)};
   options.walls.clear();
   for (const v1::WallOrder& walls : proto.walls())
     options.walls.push_back({walls.external_perimeters_first(), walls.inner_outer_inner(),
@@ -348,9 +359,11 @@ absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
 absl::Status ToProto(const FdmSettings& settings, v1::FdmSettings* proto) {
   for (const BeadingOptions& row : settings.beading) *proto->add_beading() = ToProto(row);
   ToProto(settings.infill, proto->mutable_infill(), proto->mutable_texts());
-  *proto->mutable_ordering() = ToProto(settings.ordering);
-  *proto->mutable_motion() = ToProto(settings.motion);
-  const absl::Status status = ToProto(settings.planning, proto->mutable_planning());
+  absl::Status status = ToProto(settings.ordering, proto->mutable_ordering());
+  if (!status.ok()) return Within("ordering", status);
+  status = ToProto(settings.motion, proto->mutable_motion());
+  if (!status.ok()) return Within("motion", status);
+  status = ToProto(settings.planning, proto->mutable_planning());
   return status.ok() ? status : Within("planning", status);
 }
 

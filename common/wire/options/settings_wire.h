@@ -19,7 +19,7 @@ absl::StatusOr<SlicingOptions> FromProto(const v1::SlicingOptions& proto);
 v1::BeadingOptions ToProto(const BeadingOptions& options);
 absl::StatusOr<BeadingOptions> FromProto(const v1::BeadingOptions& proto);
 
-v1::OrderingOptions ToProto(const OrderingOptions& options);
+absl::Status ToProto(const OrderingOptions& options, v1::OrderingOptions* proto);
 absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto);
 
 absl::Status ToProto(const FdmSettings& settings, v1::FdmSettings* proto);

@@ -160,7 +160,7 @@ PlanningOptions DistinctPlanning() {
   skirt = DistinctSkirt();
   skirt_settings = 644;
   may_overlap = avoid_curled = true;
-  bed = {{0, 1}, {2, 3}, {4, 2'000'000'000}};
+  bed = {{{{0, 1}, {2, 3}, {4, 2'000'000'000}}, {}}};
   return options;
 }
 
@@ -261,13 +261,15 @@ OrderingOptions DistinctOrdering() {
   auto& [infill_first, clockwise, travel, improvement_moves, walls] = options;
   infill_first = true;
   clockwise = true;
-  auto& [hide, longest_hidden, avoid_crossing, max_detour, max_detour_ratio, layer_change] = travel;
+  auto& [hide, longest_hidden, avoid_crossing, max_detour, max_detour_ratio, layer_change,
+         travel_room] = travel;
   hide = false;
   longest_hidden = 401;
   avoid_crossing = true;
   max_detour = 402;
   max_detour_ratio = 4.03;
   layer_change = true;
+  travel_room = {{{{1, 2}, {4, 2}, {1, 5}}, {}}};
   improvement_moves = 404;
   WallOrder order;
   auto& [external_first, inner_outer_inner, towards_holes, stagger, whole_loops] = order;
@@ -303,7 +305,7 @@ MachineLimits DistinctLimits() {
 RetractionOptions DistinctRetraction() {
   RetractionOptions retraction;
   auto& [length, speed, restart_speed, restart_extra, min_travel, lift, lift_above, lift_below,
-         ramping, ramp_lift, ramp_slope, before_obstacles, wipe, before_wipe] = retraction;
+         lift_after, ramping, ramp_lift, ramp_slope, before_obstacles, wipe, before_wipe] = retraction;
   length = 21;
   speed = 22;
   restart_speed = 23;
@@ -312,6 +314,7 @@ RetractionOptions DistinctRetraction() {
   lift = 26;
   lift_above = 27;
   lift_below = 28;
+  lift_after = LiftAfter::kTop;
   ramping = true;
   ramp_lift = 30;
   ramp_slope = 31;
@@ -345,7 +348,8 @@ CoolingOptions DistinctCooling() {
 
 MotionOptions DistinctMotion() {
   MotionOptions options;
-  auto& [flavor, limits, retraction, cooling, speeds, travel_speed, travel_speed_z,
+  auto& [flavor, limits, retraction, cooling, speeds, travel_speed, first_layer_travel_speed,
+         travel_speed_z,
          first_layer_speed, first_layer_speed_ratio, first_layer_infill_speed, over_raft_speed,
          over_raft_speed_ratio, max_print_speed, max_volumetric_speed, flow_rise, flow_fall,
          pressure_advance, acceleration, default_acceleration, first_layer_acceleration,
@@ -353,9 +357,9 @@ MotionOptions DistinctMotion() {
          nozzle_diameter, filament_diameter, extrusion_multiplier, filament_density, filament_cost,
          filament_type, filament_colour, filament_settings_id, printer_model, temperature,
          first_layer_temperature, bed_temperature, first_layer_bed_temperature, chamber_temperature,
-         chamber_least, emit_temperatures, tool, nozzle_heating, bed_heating, progress, z_offset,
-         start_gcode, start_filament_gcode, end_gcode, before_layer_gcode, layer_gcode,
-         layer_settings, labels, between_objects_gcode, max_print_height, arc_fitting, resolution,
+         chamber_least, heats_chamber, emit_temperatures, tool, nozzle_heating, bed_heating, progress, z_offset,
+         extruder_offset, start_gcode, start_filament_gcode, end_gcode, before_layer_gcode, layer_gcode,
+         layer_settings, labels, between_objects_gcode, max_print_height, room, arc_fitting, resolution,
          material_field, writing] = options;
   flavor = GcodeFlavor::kKlipper;
   limits = DistinctLimits();
@@ -382,6 +386,7 @@ MotionOptions DistinctMotion() {
   overhang_speed = {541, 542, 543, 544};
   speeds = {region, {}};
   travel_speed = 507;
+  first_layer_travel_speed = 563;
   travel_speed_z = 508;
   first_layer_speed = 509;
   first_layer_speed_ratio = 510;
@@ -417,10 +422,13 @@ MotionOptions DistinctMotion() {
   first_layer_bed_temperature = 529;
   chamber_temperature = 530;
   chamber_least = 531;
+  heats_chamber = true;
   emit_temperatures = false;
   tool = 4;
   progress = true;
   z_offset = -531;
+  extruder_offset = {-561, 562};
+  room = {{{{3, 2}, {6, 2}, {3, 5}}, {}}};
   start_gcode = "start";
   start_filament_gcode = "filament";
   end_gcode = "end";
@@ -534,7 +542,11 @@ constexpr char kDistinct[] = R"pb(
       filament_area_mm2: 6.18
     }
     skirt_settings: 644
-    bed_xy_nm: [ 0, 1, 2, 3, 4, 2000000000 ]
+    bed {
+      xy_nm: [ 0, 1, 2, 3, 4, 2000000000 ]
+      ring_sizes: 3
+      rings_per_island: 1
+    }
     objects_may_overlap: true
     avoid_curled: true
     infill {
@@ -633,6 +645,11 @@ constexpr char kDistinct[] = R"pb(
       max_detour_mm: 402
       max_detour_ratio: 4.03
       retract_layer_change: true
+      room {
+        xy_nm: [ 1, 2, 4, 2, 1, 5 ]
+        ring_sizes: 3
+        rings_per_island: 1
+      }
     }
     walls { external_perimeters_first: true towards_holes: true stagger_seams: true whole_loops: true }
   }
@@ -666,6 +683,7 @@ constexpr char kDistinct[] = R"pb(
       ramp_lift_mm: 30
       ramp_slope_deg: 31
       before_obstacles: true
+      lift_after: LIFT_AFTER_TOP
       wipe: true
       before_wipe: 0.29
     }
@@ -740,6 +758,14 @@ constexpr char kDistinct[] = R"pb(
     tool: 4
     progress: true
     z_offset_mm: -531
+    heats_chamber: true
+    first_layer_travel_speed_mm_s: 563
+    extruder_offset { x_nm: -561 y_nm: 562 }
+    room {
+      xy_nm: [ 3, 2, 6, 2, 3, 5 ]
+      ring_sizes: 3
+      rings_per_island: 1
+    }
     start_gcode: "start"
     start_filament_gcode: "filament"
     end_gcode: "end"

@@ -46,12 +46,13 @@ ObjectSlicingOptions DistinctObjectSlicing() {
 
 SlicingOptions DistinctSlicing() {
   SlicingOptions options;
-  auto& [first_layer_height, max_gap, resolution, bed, max_print_height, thumbnails, objects,
+  auto& [first_layer_height, max_gap, resolution, bed, excluded, max_print_height, thumbnails, objects,
          part_distance, clearance_radius] = options;
   first_layer_height = 102;
   max_gap = 105;
   resolution = 109;
   bed = {{0, 1}, {2, 3}, {4, 2'100'000'000}};
+  excluded = {{{5, 6}, {7, 6}, {7, 8}}, {{9, 9}, {10, 9}, {9, 10}}};
   max_print_height = 111;
   thumbnails = {{12, 13, PictureFormat::kQoi}};
   part_distance = 112;
@@ -65,6 +66,11 @@ constexpr char kDistinctSlicing[] = R"pb(
   max_gap_nm: 105
   resolution_nm: 109
   bed_xy_nm: [ 0, 1, 2, 3, 4, 2100000000 ]
+  excluded {
+    xy_nm: [ 5, 6, 7, 6, 7, 8, 9, 9, 10, 9, 9, 10 ]
+    ring_sizes: [ 3, 3 ]
+    rings_per_island: [ 1, 1 ]
+  }
   max_print_height_nm: 111
   part_distance_nm: 112
   clearance_radius_nm: 113

@@ -27,10 +27,10 @@ Objects NearestTo(const Polygon& place, std::span<const PlacedCopy> copies) {
 }
 
 /// Those beside which a region ends at the edge.
-Objects CutBeside(const MultiPolygon& region, const Polygon& bed,
+Objects CutBeside(const MultiPolygon& region, const MultiPolygon& bed,
                   std::span<const PlacedCopy> copies) {
   Objects objects;
-  for (const PolygonWithHoles& beyond : Difference(Offset(region, kAtEdgeNm), {{bed, {}}}))
+  for (const PolygonWithHoles& beyond : Difference(Offset(region, kAtEdgeNm), bed))
     objects.merge(NearestTo(ConvexHull(beyond.outer), copies));
   return objects;
 }
@@ -60,7 +60,7 @@ std::string Warning(const std::string& what, const Objects& objects,
 
 }  // namespace
 
-std::vector<std::string> BedWarnings(const JobPlan& plan, const Polygon& bed,
+std::vector<std::string> BedWarnings(const JobPlan& plan, const MultiPolygon& bed,
                                      std::span<const PlacedCopy> copies,
                                      std::span<const std::string> names) {
   if (bed.empty()) return {};

@@ -38,7 +38,7 @@ class BedWarningsTest : public testing::Test {
 
   static Polygon Ring(std::string_view text) { return MakePolygonsOrDie(text)[0].outer; }
 
-  const Polygon bed_ = Ring("(0 0, 100 0, 100 100, 0 100)");
+  const MultiPolygon bed_ = {{Ring("(0 0, 100 0, 100 100, 0 100)"), {}}};
   const std::vector<PlacedCopy> copies_ = {{0, {}, Ring("(2 40, 12 40, 12 50, 2 50)")},
                                            {1, {}, Ring("(90 40, 99 40, 99 50, 90 50)")},
                                            {1, {}, Ring("(50 40, 60 40, 60 50, 50 50)")}};

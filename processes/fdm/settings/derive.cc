@@ -12,7 +12,7 @@
 #include "common/config/derive_steps.h"
 #include "common/config/table/settings_table.h"
 #include "common/model/options/fill_patterns.h"
-#include "processes/fdm/settings/filament_gcode.h"
+#include "processes/fdm/settings/joined_gcode.h"
 
 namespace slicefarm::config::fdm {
 namespace {
@@ -122,7 +122,8 @@ void DeriveFilament(Draft& draft) {
   for (const std::string_view key :
        {"retract_length", "retract_speed", "deretract_speed", "retract_restart_extra",
         "retract_before_travel", "retract_lift", "retract_lift_above", "retract_lift_below",
-        "travel_ramping_lift", "travel_max_lift", "travel_slope", "travel_lift_before_obstacle",
+        "retract_lift_enforce",
+        "retract_lift_enforce", "travel_ramping_lift", "travel_max_lift", "travel_slope", "travel_lift_before_obstacle",
         "seam_gap_distance", "wipe", "retract_before_wipe", "retract_layer_change"}) {
     const Draft::Entry& own = draft.At(fmt::format("filament_{}", key));
     if (own.value.has_value()) draft.At(key).value = own.value;
@@ -234,10 +235,10 @@ absl::Status Derive(Draft& draft, ResolvedSettings& result) {
   DeriveFilament(draft);
   TakePercentage(draft, "seam_gap_distance");
   DeriveExtraWalls(draft);
+  absl::Status status = JoinGcode(draft);
   DeriveLayerChange(draft);
   DeriveThumbnails(draft);
-  absl::Status status = CheckPercentages(draft);
-  status.Update(JoinFilamentGcode(draft));
+  status.Update(CheckPercentages(draft));
   return status;
 }
 

@@ -13,11 +13,12 @@
 #include "common/base/text.h"
 #include "common/config/told_settings.h"
 #include "common/config/value.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/macro/job_code.h"
 #include "common/model/bead_section.h"
 #include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
-#include "processes/fdm/settings/filament_gcode.h"
+#include "processes/fdm/settings/joined_gcode.h"
 #include "processes/fdm/settings/shells.h"
 
 namespace slicefarm::config::fdm {
@@ -111,7 +112,22 @@ void TakeAdhesion(JobSettings& settings) {
   settings.slicing.objects[0].on_bed = raft.layers == 0;
   settings.slicing.objects[0].lift_nm = raft.LiftNm();
   object.raft_settings.assign(static_cast<size_t>(raft.layers), 0);
-  FdmOf(settings).planning.bed = settings.slicing.bed;
+}
+
+/// Gives planning the bed without its excluded areas, and travel too if there are any.
+absl::Status TakeRoom(JobSettings& settings) {
+  const SlicingOptions& slicing = settings.slicing;
+  FdmSettings& fdm = FdmOf(settings);
+  if (slicing.bed.empty()) return absl::OkStatus();
+  fdm.planning.bed = {{slicing.bed, {}}};
+  if (slicing.excluded.empty()) return absl::OkStatus();
+  fdm.planning.bed =
+      Difference(fdm.planning.bed, Union(slicing.excluded, FillRule::kNonZero));
+  fdm.ordering.travel.room = fdm.motion.room = fdm.planning.bed;
+  if (!fdm.planning.bed.empty()) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   "bed_exclude_area leaves nothing of bed_shape",
+                   {{"setting", "bed_exclude_area"}});
 }
 
 constexpr Coord kLowestLayerNm = 10'000;
@@ -251,6 +267,7 @@ absl::Status Settle(const Settling& settling) {
   if (!macro::NamesClock(*code)) settling.told.erase("creation_time");
   TakeClearance(settings);
   TakeAdhesion(settings);
+  if (absl::Status ok = TakeRoom(settings); !ok.ok()) return ok;
   TakeAdaptiveHeights(settings);
   TakeWalls(settings);
   TakeSupports(settings);

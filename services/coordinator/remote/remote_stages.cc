@@ -343,7 +343,8 @@ absl::StatusOr<ProgramEnvelope> RemoteMotion::Envelope(const StageCall& call,
                                                        const MotionOptions& options) const {
   v1::FrameRequest request;
   *request.mutable_call() = ToProto(call);
-  *request.mutable_options() = ToProto(options);
+  if (absl::Status status = ToProto(options, request.mutable_options()); !status.ok())
+    return status;
   if (absl::Status status = ToProto(summary, &request); !status.ok()) return status;
   v1::ProgramFrame response;
   const absl::Status status = replicas_.Call(call.cancel, [&](const auto& channel) {

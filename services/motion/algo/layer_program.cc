@@ -20,6 +20,7 @@
 #include "services/motion/algo/toolpath/flow_smoothing.h"
 #include "services/motion/algo/toolpath/layer_place.h"
 #include "services/motion/algo/toolpath/layer_timing.h"
+#include "services/motion/algo/toolpath/lifts.h"
 #include "services/motion/algo/toolpath/move_arcs.h"
 #include "services/motion/algo/toolpath/toolpath_builder.h"
 
@@ -41,7 +42,7 @@ void WriteHeader(const LayerFrame& frame, const CommentWords& words, const Custo
   out.Real(z_mm, 3) << '\n' << words.height;
   out.Real(static_cast<double>(ToUm(frame.height_nm)) / kUmPerMm, 3) << '\n';
   // Printer hosts look for this pair of lines; many profiles bring it along.
-  if (!code.names_layer_change) {
+  if (words.before_layer_change && !code.names_layer_change) {
     out << ";BEFORE_LAYER_CHANGE\n;";
     out.Real(z_mm, 3) << '\n';
   }
@@ -190,10 +191,11 @@ class PassProgram {
       const bool first = &visit == &visits_.front();
       if (first || Lifts()) writer.Write(path, 0, approach, shift, out);
       const Toolpath& way = WayOf(visit);
-      writer.Write(way, 0, way.moves.size(), {}, out);
+      writer.Write(way, 0, way.moves.size(), OnMachine({}), out);
       if (first) KeepPlace(code, out, places);
       if (first) out.Lines(code.after);
       if (first && code.has_after) writer.Forget();
+      if (first && code.climbs) writer.ForgetHeight();
       if (first && code.primes && !layer_.begins_ready) writer.Prime();
       writer.Write(path, approach, approach + 1, shift, out);
       WriteCopy(visit, shift, facts, writer, out);
@@ -211,15 +213,18 @@ class PassProgram {
     return cooling;
   }
 
-  bool Lifts() const { return LiftsIn(options_.retraction, layer_.frame); }
+  bool Lifts() const { return LiftsToStart(options_.retraction, layer_.frame); }
 
   const Toolpath& PathOf(const BlockVisit& visit) const {
     return paths_[place_of_.at(visit.block)];
   }
 
-  static ShiftUm ShiftOf(const BlockVisit& visit) {
-    return {ToUm(visit.shift.x), ToUm(visit.shift.y)};
+  /// Returns what turns places around a point of the plate into the machine's.
+  ShiftUm OnMachine(Point at) const {
+    const Point shift = at - options_.extruder_offset;
+    return {ToUm(shift.x), ToUm(shift.y)};
   }
+  ShiftUm ShiftOf(const BlockVisit& visit) const { return OnMachine(visit.shift); }
 
   const Toolpath& WayOf(const BlockVisit& visit) const {
     return ways_[static_cast<size_t>(&visit - &visits_.front())];
@@ -250,7 +255,7 @@ class PassProgram {
       size_t first = &visit == &visits_.front() || Lifts() ? 0 : path.approach;
       if (!way.moves.empty()) {
         stretches.push_back({&path, first, path.approach, shift});
-        stretches.push_back({&way, 0, way.moves.size(), {}});
+        stretches.push_back({&way, 0, way.moves.size(), OnMachine({})});
         first = path.approach;
       }
       stretches.push_back({&path, first, path.moves.size(), shift});
@@ -321,14 +326,15 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
     program.pass = visits.front().pass;
     program.stats = pass->stats();
     program.edges = pass->edges();
-    program.entry = EntryOf(visits.front(), layer);
-    program.exit = ExitOf(visits.back(), built);
+    program.entry = EntryOf(visits.front(), layer) - options.extruder_offset;
+    program.exit = ExitOf(visits.back(), built) - options.extruder_offset;
   }
   LayerState state;
   state.fan_percent = FanPercent(options.cooling, place.index, program.stats.TimeS());
   state.bridge_fan_percent = BridgeFanPercent(options.cooling, place.index, state.fan_percent);
   state.overhang_fan_percent = OverhangFanPercent(options.cooling, place.index);
   state.height_um = ToUm(layer.frame.height_nm);
+  state.to_plate = {ToUm(options.extruder_offset.x), ToUm(options.extruder_offset.y)};
 
   size_t moves = 0;
   for (const BlockVisit& visit : visits)
@@ -336,6 +342,7 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
   GcodeText out(moves * kBytesPerMove + kBytesAround + code->before.size() + code->after.size());
   WriteHeader(layer.frame, FirmwareOf(options.flavor).comments(), *code, program.code_at, out);
   WriteTemperatures(options, place.index, out);
+  if (place.number == 1) FirmwareOf(options.flavor).WriteSecondLayer(out);
   WriteFan(state.fan_percent, out);
   if (pass) {
     pass->Write(*code, facts, state, program.code_at, out);

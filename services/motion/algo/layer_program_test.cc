@@ -365,6 +365,32 @@ TEST(ProgramLayer, AShiftedCopyIsAsMovedPathsAre) {
   EXPECT_EQ(Programmed(shifted), Programmed(moved));
 }
 
+/// Only the places are others, and those on the plate stay what they are.
+TEST(ProgramLayer, TheExtrudersOffsetIsTakenOffAllPlaces) {
+  MotionOptions options = Options();
+  const LayerProgram plain = Programmed(TwoSquares(), options);
+  options.extruder_offset = {FromMm(-1.5), FromMm(2)};
+  const LayerProgram offset = Programmed(TwoSquares(), options);
+  OrderedLayer moved = TwoSquares();
+  for (BlockVisit& visit : moved.visits) visit.shift = visit.shift - options.extruder_offset;
+  EXPECT_EQ(offset.gcode, Programmed(moved).gcode);
+  EXPECT_EQ(offset.entry, plain.entry - options.extruder_offset);
+  EXPECT_EQ(offset.exit, plain.exit - options.extruder_offset);
+  EXPECT_EQ(offset.stats, plain.stats);
+}
+
+TEST(ProgramLayer, CodeThatMovesInZIsFollowedByAHeight) {
+  MotionOptions options = Options();
+  const auto after_code = [&](const char* code) {
+    options.layer_gcode = code;
+    const std::string gcode = Programmed(Square(), options).gcode;
+    const size_t line = gcode.find("G1 X", gcode.find(code));
+    return gcode.substr(line, gcode.find('\n', line) - line);
+  };
+  EXPECT_THAT(after_code("M117"), Not(HasSubstr("Z")));
+  EXPECT_THAT(after_code("G1 Z9 ; look"), HasSubstr(" Z"));
+}
+
 TEST(ProgramLayer, CopiesAsText) {
   MotionOptions options = Options();
   options.labels = ObjectLabels::kComments;

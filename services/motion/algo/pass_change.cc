@@ -5,6 +5,7 @@
 #include "services/motion/algo/gcode/extruder_words.h"
 #include "common/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/machine_setup.h"
+#include "services/motion/algo/layer_ways.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
@@ -31,8 +32,11 @@ std::vector<PassChange> PassChanges(const ProgramSummary& summary) {
   for (size_t i = 0; i < summary.layers.size(); ++i) {
     const LayerSummary& layer = summary.layers[i];
     if (i > 0 && layer.pass != summary.layers[i - 1].pass) {
-      changes.push_back(
-          {.layer = i, .to = layer.entry, .top_nm = top_nm, .on_bed = layer.frame.index == 0});
+      changes.push_back({.layer = i,
+                         .from = summary.layers[i - 1].exit,
+                         .to = layer.entry,
+                         .top_nm = top_nm,
+                         .on_bed = layer.frame.index == 0});
     }
     top_nm = std::max(top_nm, layer.frame.print_z_nm);
   }
@@ -64,10 +68,10 @@ std::string GcodeOf(const PassChange& change, std::string_view custom,
     ExtruderWords(options).WriteCanonicalState(out);
     out << rise;
   }
-  out << "G1 X";
-  out.Micrometers(ToUm(change.to.x)) << " Y";
-  out.Micrometers(ToUm(change.to.y)) << " F";
-  out.Integer(FeedRate(TravelSpeed(options))) << '\n';
+  const LayerWays ways(options);
+  std::vector<Point> way = ways.Corners(ways.After(custom, change.from), change.to);
+  way.push_back(change.to);
+  out << ways.MovesTo(way);
   return out.Take();
 }
 

@@ -13,7 +13,7 @@ namespace slicefarm::motion {
 /// The way from the end of a pass to the beginning of the next one, over all that stands.
 struct PassChange {
   size_t layer = 0;  ///< the pass's first, among the summary's
-  Point to;
+  Point from, to;    ///< as LayerSummary::exit and entry
   Coord top_nm = 0;    ///< of all that is printed before
   bool on_bed = true;  ///< the pass begins on the bed, not on a raft
 };

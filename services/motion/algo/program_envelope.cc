@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/gcode/gcode_text.h"
+#include "common/geometry/measure.h"
 #include "common/macro/job_code.h"
 #include "common/model/filament_use.h"
 #include "services/motion/algo/firmware/firmware.h"
@@ -15,6 +16,7 @@
 #include "services/motion/algo/gcode/thumbnails_block.h"
 #include "services/motion/algo/macro/file_name.h"
 #include "services/motion/algo/macro/print_code.h"
+#include "services/motion/algo/layer_ways.h"
 #include "services/motion/algo/pass_change.h"
 #include "services/motion/algo/program/print_clock.h"
 #include "services/motion/algo/toolpath/print_speed.h"
@@ -41,6 +43,8 @@ PrintFacts FactsOf(const ProgramSummary& summary, const MotionOptions& options, 
           .volume_mm3 = use.volume_mm3,
           .mass_g = use.mass_g,
           .height_mm = ToMm(static_cast<double>(TopOf(summary))),
+          .density_g_cm3 = options.filament_density_g_cm3,
+          .diameter_mm = options.filament_diameter_mm,
           .bounds = summary.total.bounds};
 }
 
@@ -57,6 +61,7 @@ std::string Prologue(const ProgramSummary& summary, const MotionOptions& options
   const Firmware& firmware = FirmwareOf(options.flavor);
   const PrintFacts facts = FactsOf(summary, options, time_s);
   GcodeText out;
+  out.Lines(firmware.comments().program_begin);
   out << firmware.comments().feature << "Custom\n";
   WriteMachineLimits(options, out);
   firmware.WriteChecks(options, facts, out);
@@ -65,6 +70,7 @@ std::string Prologue(const ProgramSummary& summary, const MotionOptions& options
   DefineCopies(summary.copies, options, out);
   ExtruderWords extruder(options);
   extruder.WriteCanonicalState(out);
+  firmware.WriteLayersBegin(out);
   extruder.WriteFirstRetraction(options.retraction, out);
   return out.Take();
 }
@@ -84,8 +90,27 @@ std::string Ending(const ProgramSummary& summary, const MotionOptions& options,
   const Firmware& firmware = FirmwareOf(options.flavor);
   if (options.progress) firmware.WriteProgress(100, 0, std::ssize(summary.layers), out);
   out << firmware.comments().feature << "Custom\nM107\n";
+  firmware.WriteLayersEnd(out);
+  out.Lines(firmware.comments().end_gcode_begin);
   out.Lines(end_gcode);
+  out.Lines(firmware.comments().program_end);
   return out.Take();
+}
+
+/// The moves to each layer, from where the one before it ends, that lead round excluded areas.
+std::vector<std::string> WaysBetween(const ProgramSummary& summary, const MotionOptions& options,
+                                     std::string_view prologue) {
+  std::vector<std::string> moves(summary.layers.size());
+  if (options.room.empty()) return moves;
+  const LayerWays ways(options);
+  Point from = ways.After(prologue, {});
+  for (size_t i = 0; i < moves.size(); ++i) {
+    const LayerSummary& layer = summary.layers[i];
+    if (layer.empty) continue;
+    moves[i] = ways.To(layer, from);
+    from = layer.exit;
+  }
+  return moves;
 }
 
 /// All text around the layers, but what tells times.
@@ -93,7 +118,7 @@ struct FrameText {
   std::string head;
   std::string prologue;
   std::vector<PassChange> changes;
-  std::vector<std::string> ways;    ///< of the changes
+  std::vector<std::string> ways;    ///< to each layer, where it is not straight
   std::vector<std::string> layers;  ///< ProgramEnvelope::layer_code
   std::string ending;
   std::string file_name;
@@ -109,8 +134,9 @@ absl::StatusOr<FrameText> TextOf(const macro::JobCode& code, const ProgramSummar
   text.head = Head(summary, options, time_s);
   text.file_name = FileName(filled->file_name, options.writing.binary);
   text.prologue = Prologue(summary, options, time_s, {filled->start, filled->start_filament});
+  text.ways = WaysBetween(summary, options, text.prologue);
   for (size_t i = 0; i < text.changes.size(); ++i)
-    text.ways.push_back(GcodeOf(text.changes[i], filled->between[i], options));
+    text.ways[text.changes[i].layer] = GcodeOf(text.changes[i], filled->between[i], options);
   for (std::string& layer : filled->layers) {
     GcodeText lines;
     lines.Lines(layer);
@@ -124,25 +150,26 @@ PrintTimes TimesOf(const ProgramSummary& summary, const FrameText& text,
                    const MotionOptions& options) {
   PrintClock clock(summary, options);
   clock.ReadBefore(text.prologue);
-  auto change = text.changes.begin();
-  auto way = text.ways.begin();
   for (size_t i = 0; i < summary.layers.size(); ++i) {
-    if (change != text.changes.end() && change->layer == i) {
-      clock.ReadAt(i, *way++);
-      ++change;
-    }
+    if (!text.ways[i].empty()) clock.ReadAt(i, text.ways[i]);
     clock.AddLayer(i);
   }
   clock.ReadAfter(text.ending);
   return clock.Finish();
 }
 
-double TravelMm(const ProgramSummary& summary) {
+double TravelMm(const ProgramSummary& summary, const MotionOptions& options) {
+  const LayerWays ways(options);
   double travel_mm = summary.total.travel_mm;
   const LayerSummary* before = nullptr;
   for (const LayerSummary& layer : summary.layers) {
     if (layer.empty) continue;
-    if (before != nullptr) travel_mm += ToMm(Distance(before->exit, layer.entry));
+    if (before != nullptr) {
+      Polyline way = ways.Corners(before->exit, layer.entry);
+      way.insert(way.begin(), before->exit);
+      way.push_back(layer.entry);
+      travel_mm += ToMm(Length(way));
+    }
     before = &layer;
   }
   return travel_mm;
@@ -163,7 +190,7 @@ absl::StatusOr<ProgramEnvelope> FrameProgram(const ProgramSummary& summary,
   text = TextOf(*code, summary, options, time_s);
   if (!text.ok()) return text.status();
 
-  frame.travel_mm = TravelMm(summary);
+  frame.travel_mm = TravelMm(summary, options);
   frame.layer_prefixes.resize(summary.layers.size());
   if (options.progress) {
     double done_s = frame.times.before_s;
@@ -172,8 +199,7 @@ absl::StatusOr<ProgramEnvelope> FrameProgram(const ProgramSummary& summary,
       done_s += frame.times.layer_s[i];
     }
   }
-  for (size_t i = 0; i < text->changes.size(); ++i)
-    frame.layer_prefixes[text->changes[i].layer] += text->ways[i];
+  for (size_t i = 0; i < text->ways.size(); ++i) frame.layer_prefixes[i] += text->ways[i];
   frame.layer_code = std::move(text->layers);
   frame.prologue = std::move(text->prologue);
   frame.epilogue = std::move(text->ending);

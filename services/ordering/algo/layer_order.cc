@@ -11,6 +11,7 @@
 #include "common/base/error.h"
 #include "common/model/region_check.h"
 #include "services/ordering/algo/comb/copy_ways.h"
+#include "services/ordering/algo/comb/room_ways.h"
 #include "services/ordering/algo/section_order.h"
 #include "services/ordering/algo/travel_order.h"
 
@@ -189,6 +190,7 @@ absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan
   LayerVisits(ordered, copies).Add(plan.entry, budget);
   WorkBudget sights{kSightsOfCopies};
   KeepOffCurled(plan, sights, ordered);
+  KeepInRoom(options.travel.room, ordered);
   return ordered;
 }
 

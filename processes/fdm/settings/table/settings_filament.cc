@@ -148,6 +148,12 @@ std::vector<SettingSpec> Material() {
                    .standard = "0",
                    .doc = "Temperature of the chamber; 0: left as it is",
                    .field = Bind([](auto& s) -> auto& { return s.motion.chamber_temperature_c; })}),
+      {.key = "activate_chamber_temp_control",
+       .kind = Kind::kFlag,
+       .standard = "1",
+       .doc = "Heats the chamber (M141, M191); 0: its temperature is there for G-code of the "
+              "settings alone",
+       .field = Bind([](auto& s) -> auto& { return s.motion.heats_chamber; })},
       PerExtruder({.key = "chamber_minimal_temperature",
                    .kind = Kind::kInteger,
                    .unit = "C",

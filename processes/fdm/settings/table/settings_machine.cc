@@ -127,6 +127,19 @@ std::vector<SettingSpec> Retraction() {
   AddRetraction(settings, "retract_lift_below", "filament_retract_lift_below", "mm", 10'000, "0",
                 "Nor in layers higher than this; 0: however high",
                 Bind([](auto& s) -> auto& { return s.motion.retraction.lift_below_mm; }));
+  const auto after = [](LiftAfter a) { return static_cast<int>(a); };
+  AddRetraction(settings,
+                {.key = "retract_lift_enforce",
+                 .kind = Kind::kChoice,
+                 .standard = "all",
+                 .doc = "After which beads the nozzle rises for a travel: all, those of tops and of "
+                        "ironing, those of the first layer, or of both",
+                 .choices = {{"all", after(LiftAfter::kAll)},
+                             {"top", after(LiftAfter::kTop)},
+                             {"bottom", after(LiftAfter::kBottom)},
+                             {"top_and_bottom", after(LiftAfter::kTopAndBottom)}},
+                 .field = Bind([](auto& s) -> auto& { return s.motion.retraction.lift_after; })},
+                "filament_retract_lift_enforce");
   AddRetraction(settings,
                 {.key = "travel_ramping_lift",
                  .kind = Kind::kFlag,
@@ -301,6 +314,13 @@ std::vector<SettingSpec> Machine() {
        .standard = "0",
        .doc = "Added to all heights in the G-code",
        .field = Bind([](auto& s) -> auto& { return s.motion.z_offset_mm; })},
+      {.key = "extruder_offset",
+       .kind = Kind::kPoint,
+       .unit = "mm",
+       .standard = "0x0",
+       .doc = "Where the nozzle is in the head: all places in the G-code lie so much farther back",
+       .list = List::kPerExtruder,
+       .field = Bind([](auto& s) -> auto& { return s.motion.extruder_offset; })},
       {.key = "remaining_times",
        .kind = Kind::kFlag,
        .standard = "0",
@@ -368,6 +388,10 @@ std::vector<SettingSpec> CustomGcode() {
             Bind([](auto& s) -> auto& { return s.motion.before_layer_gcode; })),
       gcode("layer_gcode", "", "G-code after each layer's move up",
             Bind([](auto& s) -> auto& { return s.motion.layer_gcode; })),
+      {.key = "time_lapse_gcode",
+       .kind = Kind::kGcode,
+       .doc = "G-code that takes a picture, at each layer: before layer_gcode, on a machine of Bambu "
+              "Lab's after it"},
       gcode("between_objects_gcode", "",
             "G-code between objects that are printed one after the other, high above them",
             Bind([](auto& s) -> auto& { return s.motion.between_objects_gcode; })),
@@ -423,6 +447,15 @@ std::vector<SettingSpec> Sequence() {
 /// What all machines have, and what this one does with it besides.
 std::vector<SettingSpec> Plate() {
   std::vector<SettingSpec> settings = PlateSettings();
+  settings.push_back(
+      {.key = "bed_exclude_area",
+       .kind = Kind::kAreas,
+       .unit = "mm",
+       .standard = "",
+       .doc = "Areas of the bed that parts, skirts, brims and travel keep out of, such as that of a "
+              "cutter: corners XxY, by commas; each four that are a rectangle are one area, else "
+              "all corners are one polygon. G-code of the settings is not looked at",
+       .field = Bind([](auto& s) -> auto& { return s.slicing.excluded; })});
   for (SettingSpec& spec : settings) {
     if (spec.key == "max_print_height")
       spec.also = Bind([](auto& s) -> auto& { return s.motion.max_print_height_nm; });

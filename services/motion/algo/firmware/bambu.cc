@@ -16,7 +16,12 @@ constexpr CommentWords kComments = {.layer_change = "; CHANGE_LAYER",
                                     .feature = "; FEATURE: ",
                                     .width = "; LINE_WIDTH: ",
                                     .wipe_start = "; WIPE_START",
-                                    .wipe_end = "; WIPE_END"};
+                                    .wipe_end = "; WIPE_END",
+                                    .before_layer_change = false,
+                                    .program_begin = "; EXECUTABLE_BLOCK_START",
+                                    .program_end = "; EXECUTABLE_BLOCK_END",
+                                    .start_gcode_end = "; MACHINE_START_GCODE_END",
+                                    .end_gcode_begin = "; MACHINE_END_GCODE_START"};
 
 constexpr std::array<std::string_view, kFeatureCount> kFeatures = {"Outer wall",
                                                                    "Inner wall",
@@ -43,7 +48,7 @@ std::string MaskOf(size_t index) {
   return code;
 }
 
-/// Sources: files of Bambu Studio 2 and its documentation of M624, M625 and M73.
+/// Sources: G-code of Bambu Studio 2.4 and its documentation of M624, M625 and M73.
 class BambuFirmware : public MarlinFirmware {
  public:
   std::string_view name() const override { return "bambu"; }
@@ -65,11 +70,16 @@ class BambuFirmware : public MarlinFirmware {
     return MarlinFirmware::AccelerationFor(printing, limits);
   }
 
-  void WriteProgress(int64_t percent, int64_t left_min, int64_t layer,
-                     GcodeText& out) const override {
-    MarlinFirmware::WriteProgress(percent, left_min, layer, out);
-    out << "M73 L";
-    out.Integer(layer) << '\n';
+  /// It looks for spaghetti with its camera, and can go on after a loss of power. The layer's number
+  /// (M73 L) is written by layer_gcode of all its profiles.
+  void WriteLayersBegin(GcodeText& out) const override {
+    out << "M981 S1 P20000 ; open spaghetti detector\n";
+  }
+  void WriteSecondLayer(GcodeText& out) const override {
+    out << "; open powerlost recovery\nM1003 S1\n";
+  }
+  void WriteLayersEnd(GcodeText& out) const override {
+    out << "; close powerlost recovery\nM1003 S0\nM981 S0 P20000 ; close spaghetti detector\n";
   }
 
   void WriteHead(const PrintFacts& facts, GcodeText& out) const override {
@@ -78,9 +88,12 @@ class BambuFirmware : public MarlinFirmware {
         << "\n; total layer number: ";
     out.Integer(facts.layers) << "\n; total filament length [mm] : ";
     out.Real(facts.filament_mm, 2) << "\n; total filament volume [cm^3] : ";
-    out.Real(facts.volume_mm3 / 1000, 2) << "\n; total filament weight [g] : ";
-    out.Real(facts.mass_g, 2) << "\n; max_z_height: ";
-    out.Real(facts.height_mm, 2) << "\n; HEADER_BLOCK_END\n\n";
+    // In mm3, as Bambu Studio writes it.
+    out.Real(facts.volume_mm3, 2) << "\n; total filament weight [g] : ";
+    out.Real(facts.mass_g, 2) << "\n; filament_density: ";
+    out.Real(facts.density_g_cm3, 2) << "\n; filament_diameter: ";
+    out.Real(facts.diameter_mm, 2) << "\n; max_z_height: ";
+    out.Real(facts.height_mm, 2) << "\n; filament: 1\n; HEADER_BLOCK_END\n\n";
   }
 
   const CommentWords& comments() const override { return kComments; }
@@ -107,6 +120,15 @@ class BambuFirmware : public MarlinFirmware {
     if (index >= kMostLabels) return;
     out << "; stop printing object, unique label id: ";
     out.Integer(static_cast<int64_t>(index)) << "\nM625\n";
+  }
+
+ protected:
+  /// As legacy Marlin: one acceleration for printing and travel.
+  void WriteAccelerationLimits(const MachineLimits& limits, GcodeText& out) const override {
+    LimitCommand("M204", out)
+        .Set("P", limits.max_acceleration_extruding_mm_s2)
+        .Set("R", limits.max_acceleration_retracting_mm_s2)
+        .Set("T", limits.max_acceleration_extruding_mm_s2);
   }
 };
 

@@ -29,6 +29,13 @@ struct CommentWords {
   std::string_view width = ";WIDTH:";
   std::string_view wipe_start = ";WIPE_START";
   std::string_view wipe_end = ";WIPE_END";
+  /// The pair `;BEFORE_LAYER_CHANGE` and `;Z`, for which printer hosts look.
+  bool before_layer_change = true;
+  // Lines around what the printer runs, and around the settings' own G-code; empty: none.
+  std::string_view program_begin = {};
+  std::string_view program_end = {};
+  std::string_view start_gcode_end = {};
+  std::string_view end_gcode_begin = {};
 };
 
 /// What the head of a file may tell of a whole print.
@@ -40,6 +47,8 @@ struct PrintFacts {
   double volume_mm3 = 0;
   double mass_g = 0;
   double height_mm = 0;
+  double density_g_cm3 = 0;
+  double diameter_mm = 0;
   Box bounds;  ///< of what is extruded
 };
 
@@ -105,6 +114,11 @@ class Firmware {
   /// What has to stand at the head of a file, as comments.
   virtual void WriteHead(const PrintFacts& facts, GcodeText& out) const;
   virtual const CommentWords& comments() const;
+  /// Writes what the printer is told of the print before the first layer, at the second one, and
+  /// after the last one.
+  virtual void WriteLayersBegin(GcodeText& /*out*/) const {}
+  virtual void WriteSecondLayer(GcodeText& /*out*/) const {}
+  virtual void WriteLayersEnd(GcodeText& /*out*/) const {}
   /// What it calls a feature.
   virtual std::string_view WordsOf(Feature feature) const { return FeatureType(feature); }
 

@@ -143,7 +143,9 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
   if (move.kind == MoveKind::kPrint) {
     Describe(move, out);
     const auto mm = [](int32_t um) { return static_cast<double>(um) / kUmPerMm; };
-    mix_.SetFor({mm(move.x_um + shift.x), mm(move.y_um + shift.y), mm(move.z_um)}, out);
+    mix_.SetFor({mm(move.x_um + shift.x + state_.to_plate.x),
+                 mm(move.y_um + shift.y + state_.to_plate.y), mm(move.z_um)},
+                out);
   }
   TellWipe(move.kind == MoveKind::kWipe, out);
   if (WriteByFirmware(move, out)) return;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "common/gcode/gcode_text.h"
@@ -21,6 +22,7 @@ struct LayerState {
   int32_t fan_percent = 0;                                ///< told
   int32_t bridge_fan_percent = 0;                         ///< for bridges and overhangs
   std::optional<OverhangFans> overhang_fan_percent = {};  ///< for walls over air
+  ShiftUm to_plate = {};  ///< from places in the G-code to those on the plate
 };
 
 /// Writes moves as G-code, with what previewers and the firmware have to be told on the way:
@@ -64,6 +66,9 @@ class LayerWriter {
     acceleration_ = -1;
     travel_acceleration_ = -1;
   }
+
+  /// After text of others that moves in z: the next travel says its height.
+  void ForgetHeight() { z_um_ = std::numeric_limits<int32_t>::min(); }
 
  private:
   void WriteMove(const Toolpath& path, size_t index, ShiftUm shift, GcodeText& out);

@@ -34,11 +34,13 @@ void WriteStart(const MotionOptions& options, const StartCode& code, GcodeText& 
   const bool leaves = !options.emit_temperatures;
   const bool sets_bed = leaves || Commands(code.machine, {"M140", "M190"});
   const bool sets_nozzle = leaves || Commands(code.machine, {"M104", "M109"});
-  const bool sets_chamber = leaves || Commands(code.machine, {"M141", "M191"});
+  const bool sets_chamber =
+      leaves || !options.heats_chamber || Commands(code.machine, {"M141", "M191"});
   if (!sets_chamber) WriteTemperature("M141", options.chamber_temperature_c, out);
   if (!sets_bed) WriteTemperature("M190", options.first_layer_bed_temperature_c, out);
   if (!sets_nozzle) WriteTemperature("M104", options.first_layer_temperature_c, out);
   out.Lines(code.machine);
+  out.Lines(FirmwareOf(options.flavor).comments().start_gcode_end);
   if (!sets_nozzle) WriteTemperature("M109", options.first_layer_temperature_c, out);
   if (!sets_chamber) WriteTemperature("M191", options.chamber_least_c, out);
   if (!sets_chamber) WriteTemperature("M141", options.chamber_temperature_c, out);

@@ -1,10 +1,25 @@
 #include "services/motion/algo/macro/layer_code.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "common/base/text.h"
 #include "services/motion/algo/macro/template_variables.h"
 
 namespace slicefarm::motion {
+
+namespace {
+
+/// Returns true if a line of the code is a move in z.
+bool Climbs(std::string_view code) {
+  return std::ranges::any_of(Split(code, "\n"), [](std::string_view line) {
+    line = Trim(line.substr(0, line.find(';')));
+    return line.size() > 2 && line[0] == 'G' && line[1] >= '0' && line[1] <= '3' &&
+           line[2] == ' ' && line.find('Z') != line.npos;
+  });
+}
+
+}  // namespace
 
 absl::StatusOr<LayerCode> LayerCode::Of(const MotionOptions& options) {
   LayerCode layer;
@@ -16,6 +31,7 @@ absl::StatusOr<LayerCode> LayerCode::Of(const MotionOptions& options) {
   layer.names_layer_change_ =
       options.before_layer_gcode.str().find(";BEFORE_LAYER_CHANGE") != std::string::npos;
   layer.has_after_ = !options.layer_gcode.empty();
+  layer.climbs_ = Climbs(options.layer_gcode.str());
   if (!layer.any_) return layer;
   auto code = macro::ParseJobCode(options);
   if (!code.ok()) return code.status();
@@ -31,6 +47,7 @@ absl::StatusOr<CustomCode> LayerCode::At(const LayerFrame& layer, const LayerPla
   code.names_layer_change = names_layer_change_;
   code.has_after = has_after_ || heights_.IsAt(layer);
   code.primes = heights_.PrimesAt(layer);
+  code.climbs = climbs_;
   if (!any_ || code.waits) return code;
   const macro::TemplateVariables now = LayerVariables(place, facts);
   macro::TemplateMemory memory;

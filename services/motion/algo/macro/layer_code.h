@@ -21,6 +21,7 @@ struct CustomCode {
   bool names_layer_change = false;  ///< before_layer_gcode writes ;BEFORE_LAYER_CHANGE itself
   bool has_after = false;           ///< `after` is there, filled in or not
   bool primes = false;              ///< `after` leaves the filament ready to print
+  bool climbs = false;              ///< `after` moves in z
 };
 
 /// The templates that stand in layers, parsed once for all of them.
@@ -40,6 +41,7 @@ class LayerCode {
   bool any_ = false;
   bool names_layer_change_ = false;
   bool has_after_ = false;
+  bool climbs_ = false;
 };
 
 }  // namespace slicefarm::motion

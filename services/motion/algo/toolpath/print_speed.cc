@@ -69,7 +69,9 @@ double PrintSpeeds::LimitedByFlow(double speed_mm_s, double section_mm2) const {
   return std::min(speed_mm_s, most / section_mm2);
 }
 
-double TravelSpeed(const MotionOptions& options) {
+double TravelSpeed(const MotionOptions& options, bool first_layer) {
+  if (first_layer && options.first_layer_travel_speed_mm_s > 0)
+    return options.first_layer_travel_speed_mm_s;
   return options.travel_speed_mm_s > 0 ? options.travel_speed_mm_s : kDefaultSpeedMmS;
 }
 

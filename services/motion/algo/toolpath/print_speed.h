@@ -31,8 +31,8 @@ class PrintSpeeds {
   Ground ground_;
 };
 
-/// Speed of travels and of z moves, in mm/s.
-double TravelSpeed(const MotionOptions& options);
+/// Speed of travels, on the first layer if `first_layer`, and of z moves, in mm/s.
+double TravelSpeed(const MotionOptions& options, bool first_layer = false);
 double TravelSpeedZ(const MotionOptions& options);
 
 /// Feed rates stand in the G-code as whole mm/min, at least 1.

@@ -11,6 +11,7 @@
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
 #include "services/motion/algo/gcode/material_mix.h"
+#include "services/motion/algo/toolpath/lifts.h"
 #include "services/motion/algo/toolpath/open_seam.h"
 #include "services/motion/algo/toolpath/scarf.h"
 #include "services/motion/algo/toolpath/spiral_turn.h"
@@ -42,18 +43,16 @@ bool IsLoopOfWalls(const Path& path) {
   return path.closed && (IsWall(path.feature) || path.feature == Feature::kSkirt);
 }
 
+bool IsTop(Feature feature) {
+  return feature == Feature::kTopSolidInfill || feature == Feature::kIroning;
+}
+
 bool IsSolidInfill(Feature feature) {
   return feature == Feature::kSolidInfill || feature == Feature::kTopSolidInfill ||
          feature == Feature::kSolidOverBridge;
 }
 
 }  // namespace
-
-bool LiftsIn(const RetractionOptions& retraction, const LayerFrame& frame) {
-  const double z_mm = ToMm(static_cast<double>(frame.print_z_nm));
-  return LiftOf(retraction) > 0 && retraction.length_mm > 0 && z_mm >= retraction.lift_above_mm &&
-         (retraction.lift_below_mm == 0 || z_mm <= retraction.lift_below_mm);
-}
 
 ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame,
                                  Coord bead_height_nm, Ground ground, const LayerBelow* below,
@@ -74,7 +73,9 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
   bottom_um_ = ToUm(frame.print_z_nm - bead_height_nm + offset_nm);
   retract_units_ = Units(retraction.length_mm);
   restart_units_ = retract_units_ > 0 ? retract_units_ + Units(retraction.restart_extra_mm) : 0;
-  lift_um_ = LiftsIn(retraction, frame) ? ToUm(FromMm(LiftOf(retraction))) : 0;
+  const int32_t lift_um = ToUm(FromMm(LiftOf(retraction)));
+  lift_um_ = LiftsIn(retraction, frame) ? lift_um : 0;
+  start_lift_um_ = LiftsToStart(retraction, frame) ? lift_um : 0;
   path_.start_z_um = ToUm(frame.print_z_nm - frame.height_nm + offset_nm);
   at_.z_um = path_.start_z_um;
 }
@@ -133,6 +134,7 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
 
 void ToolpathBuilder::EndPath(const Path& path, bool moved_on, int64_t filament_before) {
   moved_on_ = moved_on;
+  if (path.feature != Feature::kGapFill) after_top_ = IsTop(path.feature);
   wipe_way_.clear();
   if (wipe_.length_mm > 0 && !moved_on) wipe_way_ = WipeWay(path, wipe_.length_mm);
   Count(path, filament_ - filament_before);
@@ -336,7 +338,7 @@ void ToolpathBuilder::PrintTo(Point from, Point to, const Bead& bead) {
 
 void ToolpathBuilder::Approach(Point to, const Travel& travel) {
   if (!travel.hidden) Retract();
-  MoveZ(z_um_ + (retracted_ ? lift_um_ : 0));
+  MoveZ(z_um_ + (retracted_ ? start_lift_um_ : 0));
   path_.approach = path_.moves.size();
   ++stats_.travels;
   for (size_t i = 0; i < travel.corners.size(); ++i) {
@@ -362,11 +364,13 @@ void ToolpathBuilder::GoTo(Point to, const Travel& travel) {
       at_.feature == Feature::kExternalPerimeter && WayMm(way) < options_.retraction.min_travel_mm;
   if ((!travel.hidden || moved_on_) && WayMm(way) >= options_.retraction.min_travel_mm) {
     Retract();
-    if (lift_um_ != 0 && RisesAlongTheWay(options_.retraction)) {
+    const bool rises = RisesAfter(options_.retraction.lift_after, first_layer_, after_top_);
+    const int32_t lift_um = rises ? lift_um_ : 0;
+    if (lift_um != 0 && RisesAlongTheWay(options_.retraction)) {
       Rise(way);
       return;
     }
-    if (lift_um_ != 0) MoveZ(z_um_ + lift_um_);
+    if (lift_um != 0) MoveZ(z_um_ + lift_um);
   }
   stats_.travel_mm += WayMm(way);
   ++stats_.travels;
@@ -402,7 +406,7 @@ void ToolpathBuilder::MoveTo(int32_t x_um, int32_t y_um) {
   at_.x_um = x_um;
   at_.y_um = y_um;
   at_.filament = 0;
-  at_.feed_rate = FeedRate(TravelSpeed(options_));
+  at_.feed_rate = FeedRate(TravelSpeed(options_, first_layer_));
   Push(MoveKind::kTravel, short_way_ && accelerations_.short_travel > 0
                               ? accelerations_.short_travel
                               : accelerations_.Travel(set_acceleration_));

@@ -15,9 +15,6 @@
 
 namespace slicefarm::motion {
 
-/// Whether travels rise in such a layer.
-bool LiftsIn(const RetractionOptions& retraction, const LayerFrame& frame);
-
 /// Turns paths into moves, one path after the other: travels with retraction and lift, beads with
 /// their filament.
 ///
@@ -112,7 +109,9 @@ class ToolpathBuilder {
   const LayerBelow* below_;
   const LayerBelow* carried_;
   int32_t z_um_;
-  int32_t lift_um_;
+  int32_t lift_um_;        ///< where travels rise
+  int32_t start_lift_um_;  ///< of the travel to the first path
+  bool after_top_ = false;  ///< the last bead but for fill of gaps is a top's
   Wipe wipe_;
   std::vector<PlaceUm> wipe_way_;  ///< from the end of the path before
   int32_t retract_units_;

@@ -399,6 +399,38 @@ TEST(ToolpathBuilder, LiftsAroundTravels) {
   EXPECT_EQ(built.path.moves[2].z_um, 400);
 }
 
+/// How many travels rise: to a wall, from there to a top, from there to a wall over fill of a gap.
+int RisesOf(LiftAfter after, int32_t layer) {
+  MotionOptions options;
+  options.retraction.lift_mm = 0.3;
+  options.retraction.lift_after = after;
+  const LayerFrame frame{layer, (layer + 1) * 200'000, 200'000};
+  ToolpathBuilder builder(options, frame, frame.height_nm);
+  Coord x = 0;
+  for (const Feature feature : {Feature::kExternalPerimeter, Feature::kTopSolidInfill,
+                                Feature::kGapFill, Feature::kExternalPerimeter}) {
+    Path path = Line("(0 0, 10 0)");
+    for (Point& p : path.points) p.x += x;
+    x += FromMm(30);
+    path.feature = feature;
+    builder.Add(path);
+  }
+  const Toolpath path = builder.Finish();
+  return static_cast<int>(std::ranges::count_if(path.moves, [&](const Move& move) {
+    return move.kind == MoveKind::kLift && move.z_um > ToUm(frame.print_z_nm);
+  }));
+}
+
+TEST(ToolpathBuilder, LiftsAfterWhatTheSettingsSay) {
+  EXPECT_EQ(RisesOf(LiftAfter::kAll, 1), 4);
+  EXPECT_EQ(RisesOf(LiftAfter::kTop, 1), 2) << "from the top, and over the gap";
+  EXPECT_EQ(RisesOf(LiftAfter::kTop, 0), 2);
+  EXPECT_EQ(RisesOf(LiftAfter::kBottom, 1), 0);
+  EXPECT_EQ(RisesOf(LiftAfter::kBottom, 0), 4);
+  EXPECT_EQ(RisesOf(LiftAfter::kTopAndBottom, 1), 2);
+  EXPECT_EQ(RisesOf(LiftAfter::kTopAndBottom, 0), 4);
+}
+
 TEST(ToolpathBuilder, WithoutRetractionNothingIsPulledOrLifted) {
   MotionOptions options;
   options.retraction.length_mm = 0;

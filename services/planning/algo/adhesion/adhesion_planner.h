@@ -68,7 +68,7 @@ class AdhesionPlanner : public Planner {
 
   const PlanningOptions& options_;
   const std::span<const PlacedCopy> copies_;
-  const Polygon bed_;
+  const MultiPolygon bed_;
   const bool wanted_;
   std::map<int32_t, Seen> seen_;  ///< by object; the plate's too
   SkirtReach skirt_reach_;

@@ -140,7 +140,7 @@ TEST(AdhesionPlanner, AnObjectWithRoomAroundItsCopiesHasItsOwnBrim) {
 
 TEST(AdhesionPlanner, NothingIsOutsideOfTheBed) {
   PlanningOptions options = WithBrim(4);
-  options.bed = {Mm(-6, -20), Mm(60, -20), Mm(60, 20), Mm(-6, 20)};
+  options.bed = {{{Mm(-6, -20), Mm(60, -20), Mm(60, 20), Mm(-6, 20)}, {}}};
   options.skirt = {.loops = 2};
   const Planned plan = PlanOrDie(options, {{0, {}, {}}}, LayersOrDie({kSquare}));
   const MultiPolygon brim = RegionsOf(plan, 0, Role::kBrim);

@@ -5,14 +5,14 @@
 namespace slicefarm::planning {
 namespace {
 
-bool LeavesBed(const Box& box, const Polygon& bed) {
+bool LeavesBed(const Box& box, const MultiPolygon& bed) {
   const Polygon ring = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-  return !Difference({{ring, {}}}, {{bed, {}}}).empty();
+  return !Difference({{ring, {}}}, bed).empty();
 }
 
 }  // namespace
 
-std::set<int32_t> ObjectsAlone(std::span<const TakenRoom> copies, const Polygon& bed) {
+std::set<int32_t> ObjectsAlone(std::span<const TakenRoom> copies, const MultiPolygon& bed) {
   std::set<int32_t> alone, not_alone;
   for (size_t i = 0; i < copies.size(); ++i) {
     const TakenRoom& copy = copies[i];

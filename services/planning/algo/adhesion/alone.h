@@ -17,6 +17,6 @@ struct TakenRoom {
 
 /// The objects none of whose copies meets the room of another copy or the edge of the bed: what is
 /// put around them is their own. Cost: O(copies^2).
-std::set<int32_t> ObjectsAlone(std::span<const TakenRoom> copies, const Polygon& bed);
+std::set<int32_t> ObjectsAlone(std::span<const TakenRoom> copies, const MultiPolygon& bed);
 
 }  // namespace slicefarm::planning

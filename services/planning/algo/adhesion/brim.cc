@@ -110,10 +110,10 @@ MultiPolygon Attached(MultiPolygon pieces, const BrimObject& object) {
 }
 
 MultiPolygon Candidate(std::span<const BrimObject> objects, const std::vector<Work>& works,
-                       size_t i, const Polygon& bed) {
+                       size_t i, const MultiPolygon& bed) {
   if (!HasBrim(objects[i].options) || objects[i].outlines.empty()) return {};
   MultiPolygon brim = Zone(objects[i]);
-  if (!bed.empty()) brim = Intersection(brim, {{bed, {}}});
+  if (!bed.empty()) brim = Intersection(brim, bed);
   const Box box = Bounds(brim);
   for (const Work& other : works) {
     if (box.Intersects(other.keep_out_box)) brim = Difference(brim, other.keep_out);
@@ -182,7 +182,7 @@ MultiPolygon Finished(MultiPolygon brim, const std::vector<Work>& works, Coord l
 }  // namespace
 
 absl::StatusOr<std::vector<MultiPolygon>> BrimRegions(std::span<const BrimObject> objects,
-                                                      const Polygon& bed,
+                                                      const MultiPolygon& bed,
                                                       const CancelToken& cancel) {
   std::vector<Work> works(objects.size());
   for (size_t i = 0; i < objects.size(); ++i) {

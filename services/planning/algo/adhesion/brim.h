@@ -41,7 +41,7 @@ struct BrimObject {
 /// printed first; outer_only gives a pin in the frame's hole nothing, inner_only and
 /// outer_and_inner give it its ring; no brim with a raft. Here the region is as wide as asked.
 absl::StatusOr<std::vector<MultiPolygon>> BrimRegions(std::span<const BrimObject> objects,
-                                                      const Polygon& bed,
+                                                      const MultiPolygon& bed,
                                                       const CancelToken& cancel = {});
 
 }  // namespace slicefarm::planning

@@ -25,7 +25,7 @@ BrimOptions Options(BrimType type, double width_mm, double separation_mm = 0) {
 BrimOptions Outer(double width_mm, double separation_mm = 0) {
   return Options(BrimType::kOuterOnly, width_mm, separation_mm);
 }
-std::vector<MultiPolygon> Brims(const std::vector<BrimObject>& objects, const Polygon& bed = {}) {
+std::vector<MultiPolygon> Brims(const std::vector<BrimObject>& objects, const MultiPolygon& bed = {}) {
   auto regions = BrimRegions(objects, bed);
   EXPECT_TRUE(regions.ok()) << regions.status();
   return *std::move(regions);
@@ -160,10 +160,19 @@ TEST(BrimRegions, PiecesBehindAnotherPartAreLeftOut) {
 }
 
 TEST(BrimRegions, StayOnTheBed) {
-  const Polygon bed = P("(-1 -50, 100 -50, 100 100, -1 100)")[0].outer;
+  const MultiPolygon bed = P("(-1 -50, 100 -50, 100 100, -1 100)");
   const auto brims = Brims({{P(kBox), Outer(4)}}, bed);
   EXPECT_EQ(Bounds(brims[0]).min.x, FromMm(-1));
   EXPECT_EQ(Bounds(brims[0]).max.x, FromMm(24));
+}
+
+TEST(BrimRegions, StayOutOfExcludedAreas) {
+  const MultiPolygon area = P("(-50 -50, 5 -50, 5 -1, -50 -1)");
+  const MultiPolygon bed = Difference(P("(-50 -50, 100 -50, 100 100, -50 100)"), area);
+  const auto brims = Brims({{P(kBox), Outer(4)}}, bed);
+  EXPECT_TRUE(Intersection(brims[0], area).empty());
+  EXPECT_EQ(Bounds(brims[0]).min.x, FromMm(-4));
+  EXPECT_EQ(Bounds(brims[0]).min.y, FromMm(-4));
 }
 
 TEST(BrimRegions, SurviveHostileInput) {

@@ -98,7 +98,7 @@ std::vector<RaftLayer> RaftPlanner::LayersOf(const SeenObjects& seen,
   const MultiPolygon others = NotCarried(seen, group);
   std::vector<RaftLayer> layers = RaftUnder(Carried(seen, group), group.raft);
   for (RaftLayer& layer : layers) {
-    layer.region = Without(Intersection(layer.region, {{RoomOf(options_.bed), {}}}), others);
+    layer.region = Without(Intersection(layer.region, RoomOf(options_.bed)), others);
     for (const AddedStack& before : plan.stacks) {
       if (before.stack.kind != StackKind::kRaft || before.stack.object != kPlateObject) continue;
       for (const ObjectSection& section : before.sections)

@@ -9,11 +9,11 @@
 
 namespace slicefarm::planning {
 
-/// The bed, or all that has coordinates.
-inline Polygon RoomOf(const Polygon& bed) {
+/// Returns the bed, or all that has coordinates.
+inline MultiPolygon RoomOf(const MultiPolygon& bed) {
   constexpr Coord kMost = limits::kMaxCoord;
   if (!bed.empty()) return bed;
-  return {{-kMost, -kMost}, {kMost, -kMost}, {kMost, kMost}, {-kMost, kMost}};
+  return {{{{-kMost, -kMost}, {kMost, -kMost}, {kMost, kMost}, {-kMost, kMost}}, {}}};
 }
 
 inline void Append(MultiPolygon more, MultiPolygon& all) {

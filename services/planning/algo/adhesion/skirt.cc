@@ -132,10 +132,10 @@ std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brim
   return loops;
 }
 
-std::vector<Path> WithinBed(std::vector<Path> loops, const Polygon& bed) {
+std::vector<Path> WithinBed(std::vector<Path> loops, const MultiPolygon& bed) {
   std::vector<Path> lines;
   for (Path& loop : loops) {
-    const MultiPolygon room = Offset({{bed, {}}}, -loop.widths_nm.front() / 2);
+    const MultiPolygon room = Offset(bed, -loop.widths_nm.front() / 2);
     const Polygon ring = std::move(loop.points);
     if (Difference({{ring, {}}}, room).empty()) {
       loop.points = ring;

@@ -60,7 +60,7 @@ std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brim
 /// The loops cut where their lines would leave the bed: a loop that stays within is as it was, what
 /// is left of another are open lines, in its direction and at its place in the order. Cost:
 /// O(points of the loops * points of the bed).
-std::vector<Path> WithinBed(std::vector<Path> loops, const Polygon& bed);
+std::vector<Path> WithinBed(std::vector<Path> loops, const MultiPolygon& bed);
 
 /// What a draft shield's loops cover, edge to edge: brims are cut by it. Empty without a shield.
 MultiPolygon ShieldKeepOut(const std::vector<Path>& loops, const SkirtOptions& options);

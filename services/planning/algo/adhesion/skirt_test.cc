@@ -126,7 +126,7 @@ TEST(SkirtReach, StepsOverLayersOfSupportsAlone) {
 }
 
 TEST(WithinBed, CutsWhatLeavesTheBed) {
-  const Polygon bed = P("(-3 -20, 40 -20, 40 40, -3 40)")[0].outer;
+  const MultiPolygon bed = P("(-3 -20, 40 -20, 40 40, -3 40)");
   const std::vector<Path> loops = SkirtLoops(Box20(), {}, {.loops = 2, .distance_nm = 2'500'000});
   // Of the inner one, at 2.7 mm, half of the line lies within; 2.8 is the most there may be.
   const std::vector<Path> lines = WithinBed(loops, bed);
@@ -137,9 +137,22 @@ TEST(WithinBed, CutsWhatLeavesTheBed) {
   for (const Point p : lines[0].points)
     EXPECT_NEAR(DistanceToRegion(p, Box20()), 2.7e6 + 0.357e6, 1e4);
   // Between two sides of the bed a loop comes to two pieces; a bed that holds all changes nothing.
-  EXPECT_EQ(WithinBed(loops, P("(-2.95 -20, 22.95 -20, 22.95 40, -2.95 40)")[0].outer).size(), 3u);
-  EXPECT_EQ(WithinBed(loops, P("(-30 -30, 50 -30, 50 50, -30 50)")[0].outer), loops);
-  EXPECT_TRUE(WithinBed(loops, P("(2 2, 18 2, 18 18, 2 18)")[0].outer).empty());
+  EXPECT_EQ(WithinBed(loops, P("(-2.95 -20, 22.95 -20, 22.95 40, -2.95 40)")).size(), 3u);
+  EXPECT_EQ(WithinBed(loops, P("(-30 -30, 50 -30, 50 50, -30 50)")), loops);
+  EXPECT_TRUE(WithinBed(loops, P("(2 2, 18 2, 18 18, 2 18)")).empty());
+}
+
+TEST(WithinBed, KeepsLinesOutOfAnExcludedCorner) {
+  const std::vector<Path> loops = SkirtLoops(Box20(), {}, {.loops = 2, .distance_nm = 2'500'000});
+  const MultiPolygon corner = P("(-30 -30, 5 -30, 5 -1, -30 -1)");
+  const MultiPolygon bed = Difference(P("(-30 -30, 50 -30, 50 50, -30 50)"), corner);
+  const std::vector<Path> lines = WithinBed(loops, bed);
+  ASSERT_EQ(lines.size(), 2u);
+  for (const Path& line : lines) {
+    EXPECT_FALSE(line.closed);
+    for (const Point p : line.points)
+      EXPECT_GE(DistanceToRegion(p, corner), line.widths_nm.front() / 2 - 10.0);
+  }
 }
 
 TEST(ShieldKeepOut, IsTheBandOfItsLoops) {

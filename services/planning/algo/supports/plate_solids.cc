@@ -70,7 +70,7 @@ void PlateSolids::AddAround(const Solid& object, const Solid& other, Point shift
   }
 }
 
-SupportProblem PlateSolids::ProblemOf(int32_t object, const Polygon& bed, Coord room_nm) {
+SupportProblem PlateSolids::ProblemOf(int32_t object, const MultiPolygon& bed, Coord room_nm) {
   const Solid& own = solids_.at(object);
   SupportProblem problem;
   problem.part = own.part;
@@ -88,7 +88,7 @@ SupportProblem PlateSolids::ProblemOf(int32_t object, const Polygon& bed, Coord 
   problem.bed = {{RingOf(own.box.Grown(room_nm)), {}}};
   for (const PlacedCopy& copy : copies_)
     if (copy.object == object && !bed.empty())
-      problem.bed = Intersection(problem.bed, Moved(MultiPolygon{{bed, {}}}, Point{} - copy.shift));
+      problem.bed = Intersection(problem.bed, Moved(bed, Point{} - copy.shift));
   return problem;
 }
 

@@ -26,7 +26,7 @@ class PlateSolids {
   /// of it around any of its copies; the bed is what all of them have of `bed` there.
   /// REQUIRES: the object has copies and layers. Cost: O(copies^2) boxes, and the points of what is
   /// near.
-  SupportProblem ProblemOf(int32_t object, const Polygon& bed, Coord room_nm);
+  SupportProblem ProblemOf(int32_t object, const MultiPolygon& bed, Coord room_nm);
 
  private:
   /// An object's stacks and what they cover.

@@ -33,7 +33,7 @@ std::vector<SlicedLayer> Gallows() {
 
 PlanningOptions With(SupportStyle style, size_t objects = 1) {
   PlanningOptions options;
-  options.bed = {Mm(0, 0), Mm(200, 0), Mm(200, 200), Mm(0, 200)};
+  options.bed = {{{Mm(0, 0), Mm(200, 0), Mm(200, 200), Mm(0, 200)}, {}}};
   options.objects.resize(objects);
   for (ObjectPlanOptions& object : options.objects) {
     object.support.on = true;

@@ -7,7 +7,9 @@
 
 #include "absl/strings/escaping.h"
 #include "common/base/error.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/moved.h"
 #include "common/geometry/offset/offset.h"
 #include "common/model/limits.h"
 
@@ -58,6 +60,23 @@ absl::Status BedError(std::string_view name, const Box& part, const Polygon& bed
                     {"got", SizeText(part)}});
 }
 
+absl::Status ExcludedError(std::string_view name, const Box& part, const Polygon& area) {
+  const Box box = Bounds(area);
+  const auto corner = [](Point p) {
+    return fmt::format("{:.3f}, {:.3f}", ToMm(static_cast<double>(p.x)),
+                       ToMm(static_cast<double>(p.y)));
+  };
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
+      fmt::format("{} reaches into an excluded area of the bed (bed_exclude_area, {} to {} mm): "
+                  "put it elsewhere",
+                  Quoted(name), corner(box.min), corner(box.max)),
+      {{"object", std::string(name)},
+       {"setting", "bed_exclude_area"},
+       {"limit", SizeText(box)},
+       {"got", SizeText(part)}});
+}
+
 absl::Status HeightError(std::string_view name, Coord height, Coord limit) {
   return MakeError(
       absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
@@ -89,6 +108,16 @@ Point BedCenter(const Polygon& bed) {
   return {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
 }
 
+bool MeetsExcluded(const Polygon& footprint, Point shift, Coord grow_nm,
+                   const std::vector<Polygon>& excluded) {
+  if (excluded.empty() || footprint.size() < 3) return false;
+  const Polygon hull = Moved(Grown(footprint, grow_nm), shift);
+  return std::ranges::any_of(excluded, [&](const Polygon& area) {
+    return Bounds(hull).Intersects(Bounds(area)) &&
+           !Intersection({{hull, {}}}, Union({&area, 1}, FillRule::kNonZero)).empty();
+  });
+}
+
 absl::Status CheckBuildVolume(const Bulk& bulk, std::string_view name,
                               const std::vector<Point>& centers, const SlicingOptions& options) {
   if (options.max_print_height_nm > 0 && bulk.top_nm > options.max_print_height_nm)
@@ -101,6 +130,8 @@ absl::Status CheckBuildVolume(const Bulk& bulk, std::string_view name,
     constexpr Coord kFar = 2 * limits::kMaxCoord;
     const bool near = std::abs(center.x) <= kFar && std::abs(center.y) <= kFar;
     if (!near || !InRange(box, center)) return CentersError(name);
+    for (const Polygon& area : options.excluded)
+      if (MeetsExcluded(hull, center, 0, {area})) return ExcludedError(name, box, area);
     if (options.bed.size() < 3) continue;
     const double excess = ExcessNm(hull, center, options.bed);
     if (excess > 0) return BedError(name, box, options.bed, excess);

@@ -85,6 +85,31 @@ TEST(CheckBuildVolume, ARoundPartFitsARoundBedThatItsBoxDoesNot) {
   EXPECT_FALSE(Check(Box(80, 80, 20), "box", {{0, 0}}, options).ok());
 }
 
+TEST(CheckBuildVolume, RefusesWhatReachesIntoAnExcludedArea) {
+  SlicingOptions options = Bed(256, 256);
+  options.excluded = {{{0, 0}, {18 * kMm, 0}, {18 * kMm, 28 * kMm}, {0, 28 * kMm}}};
+  struct Case {
+    const char* name;
+    Point center;
+    bool fits;
+  };
+  for (const Case& each : {Case{"far", {128 * kMm, 128 * kMm}, true},
+                           Case{"at its side", {28 * kMm, 20 * kMm}, true},
+                           Case{"behind it", {10 * kMm, 38 * kMm}, true},
+                           Case{"over its corner", {27 * kMm, 37 * kMm}, false},
+                           Case{"within", {10 * kMm, 10 * kMm}, false}}) {
+    const absl::Status status = Check(Box(20, 20, 9), "a", {each.center}, options);
+    EXPECT_EQ(status.ok(), each.fits) << each.name << ": " << status;
+    if (each.fits) continue;
+    const ErrorDetail detail = DetailOf(status);
+    EXPECT_EQ(detail.reason, Reason::kOutOfBuildVolume) << each.name;
+    EXPECT_EQ(detail.metadata.at("setting"), "bed_exclude_area") << each.name;
+    EXPECT_EQ(detail.metadata.at("object"), "a") << each.name;
+  }
+  options.objects[0].xy_compensation_nm = kMm / 2;
+  EXPECT_FALSE(Check(Box(20, 20, 9), "a", {{28 * kMm, 20 * kMm}}, options).ok());
+}
+
 TEST(CheckBuildVolume, NoBedIsNoLimitButTheNumbersAre) {
   SlicingOptions options;
   options.bed = {};

@@ -109,17 +109,20 @@ absl::StatusOr<Shifts> ShiftsOf(const std::vector<ObjectInput>& inputs,
                                 const std::vector<PlacedObject>& placed,
                                 const SlicingOptions& options, const CancelToken& cancel,
                                 std::vector<int64_t>& parked) {
-  const auto check = [&](size_t i, const std::vector<Point>& at) {
+  const auto check = [&](size_t i, const std::vector<Point>& at, const SlicingOptions& bed) {
     return OfObject(
         inputs, i,
         CheckBuildVolume({placed[i].footprint, placed[i].top_nm + options.objects[i].lift_nm,
                           options.objects[i].xy_compensation_nm},
-                         inputs[i].name, at, options));
+                         inputs[i].name, at, bed));
   };
+  SlicingOptions whole_bed = options;
+  whole_bed.excluded.clear();
   std::vector<ObjectToPlace> objects;
   for (size_t i = 0; i < inputs.size(); ++i) {
     // What does not fit by itself is told with its size.
-    if (absl::Status ok = check(i, {BedCenter(options.bed)}); !ok.ok() && IsFree(inputs[i]))
+    if (absl::Status ok = check(i, {BedCenter(options.bed)}, whole_bed);
+        !ok.ok() && IsFree(inputs[i]))
       return ok;
     const Vertex& moved = placed[i].to_origin;
     objects.push_back(
@@ -129,7 +132,7 @@ absl::StatusOr<Shifts> ShiftsOf(const std::vector<ObjectInput>& inputs,
   if (!places.ok()) return places.status();
   parked = TakeParked(inputs, placed, options.bed, *places);
   for (size_t i = 0; i < inputs.size(); ++i)
-    if (absl::Status ok = check(i, (*places)[i]); !ok.ok()) return ok;
+    if (absl::Status ok = check(i, (*places)[i], options); !ok.ok()) return ok;
   return places;
 }
 

@@ -57,12 +57,15 @@ absl::StatusOr<std::vector<Part>> Volumes(const PartsSource& source, const Objec
   return parts;
 }
 
-const PartSettings* SettingsOf(const ObjectSettings* object, ResourceId component) {
+/// Returns the settings of the object's mesh `index`, which came by `component`; null: it has none.
+/// A mesh that is used twice has two entries of one id, so the entry of the same index comes first,
+/// as in Bambu Studio.
+const PartSettings* SettingsOf(const ObjectSettings* object, size_t index, ResourceId component) {
   if (object == nullptr) return nullptr;
-  const auto found =
-      std::find_if(object->parts.begin(), object->parts.end(),
-                   [component](const auto& part) { return part.component == component; });
-  return found == object->parts.end() ? nullptr : &*found;
+  const std::vector<PartSettings>& parts = object->parts;
+  if (index < parts.size() && parts[index].component == component) return &parts[index];
+  const auto found = std::ranges::find(parts, component, &PartSettings::component);
+  return found == parts.end() ? nullptr : &*found;
 }
 
 Part PartOf(const FlatPart& flat, const ObjectResource& mesh, const PartSettings* settings) {
@@ -119,14 +122,15 @@ absl::StatusOr<std::vector<Part>> PartsOf(const PartsSource& source, const Objec
   const absl::StatusOr<std::vector<FlatPart>> flat = source.tree.Flatten(key);
   if (!flat.ok()) return flat.status();
   std::vector<Part> parts;
-  for (const FlatPart& each : *flat) {
+  for (size_t i = 0; i < flat->size(); ++i) {
+    const FlatPart& each = (*flat)[i];
     const ObjectResource& mesh = source.package.At(each.mesh_object);
     NotePaint(mesh, name, notes);
     if (mesh.triangles == 0) {
       notes.Add("parts without a triangle", name);
       continue;
     }
-    parts.push_back(PartOf(each, mesh, SettingsOf(settings, each.component)));
+    parts.push_back(PartOf(each, mesh, SettingsOf(settings, i, each.component)));
     AddMarks(mesh.marks, each.to_object, parts);
   }
   return parts;

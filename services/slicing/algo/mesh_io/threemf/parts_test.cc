@@ -106,6 +106,34 @@ TEST(PartsOf, MovesPaintAsItsMesh) {
   }
 }
 
+/// A mesh that is used twice has two entries of one id: the second is of the second use.
+TEST(PartsOf, EachUseOfAMeshHasItsOwnSettings) {
+  Package package = MeshOf24();
+  ModelFile& file = package.files[0];
+  ObjectResource twice;
+  twice.id = 6;
+  twice.components.resize(3);
+  for (ObjectUse& use : twice.components) use.object = 5;
+  file.by_id[6] = 1;
+  file.objects.push_back(twice);
+  ModelSettings settings;
+  ObjectSettings& object = settings.objects.emplace_back();
+  object.object = 6;
+  object.parts.resize(2);
+  object.parts[0] = {.name = "body", .component = 5, .settings = {{"extruder", "1"}}};
+  object.parts[1] = {.name = "hole", .role = PartRole::kNegative, .component = 5};
+  Notes notes;
+  const auto tree = ComponentTree::Make(package);
+  const auto parts = PartsOf({package, *tree, settings}, {0, 1}, "thing", notes);
+  ASSERT_TRUE(parts.ok()) << parts.status();
+  ASSERT_EQ(parts->size(), 3u);
+  EXPECT_EQ((*parts)[0].name, "body");
+  EXPECT_EQ((*parts)[1].name, "hole");
+  EXPECT_EQ((*parts)[1].role, PartRole::kNegative);
+  EXPECT_TRUE((*parts)[1].settings.empty());
+  EXPECT_EQ((*parts)[2].name, "body") << "without an entry of its own, the first of its id";
+}
+
 TEST(PartsOf, RefusesVolumesThatCannotBe) {
   for (const auto& ranges :
        std::vector<std::vector<std::pair<int64_t, int64_t>>>{{{0, 24}},

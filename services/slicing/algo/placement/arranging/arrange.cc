@@ -6,11 +6,13 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
@@ -63,6 +65,8 @@ absl::Status CheckOptions(const ArrangeOptions& options) {
   if (!in_range(options.distance_nm)) return refuse("distance", "must be from 0 to 2.1 m");
   if (!in_range(options.bed_margin_nm)) return refuse("bed_margin", "must be from 0 to 2.1 m");
   if (options.max_plates < 0) return refuse("max_plates", "must not be negative");
+  if (!std::ranges::all_of(options.excluded, WithinRange))
+    return refuse("bed_exclude_area", "reaches beyond 2.1 m");
   if (options.bed.size() < 3) return absl::OkStatus();
   if (!WithinRange(options.bed)) return refuse("bed_shape", "reaches beyond 2.1 m");
   const double area = SignedArea(ConvexHull(options.bed));
@@ -103,6 +107,27 @@ Polygon UsableBed(const ArrangeOptions& options) {
   return inner.empty() ? Polygon{} : ConvexHull(inner[0].outer);
 }
 
+/// The excluded areas in convex pieces, grown by the margin: cut at the height of each corner, they
+/// come to trapezoids.
+std::vector<Polygon> ExcludedPieces(const ArrangeOptions& options) {
+  const MultiPolygon areas = Union(options.excluded, FillRule::kNonZero);
+  std::set<Coord> heights;
+  for (const Polygon& ring : Rings(areas))
+    for (const Point corner : ring) heights.insert(corner.y);
+  const Box box = Bounds(areas);
+  const Polygon disc = DiscCover(options.bed_margin_nm);
+  std::vector<Polygon> pieces;
+  for (auto low = heights.begin(); low != heights.end(); ++low) {
+    const auto high = std::next(low);
+    if (high == heights.end()) break;
+    const Polygon slab = {
+        {box.min.x, *low}, {box.max.x, *low}, {box.max.x, *high}, {box.min.x, *high}};
+    for (const PolygonWithHoles& piece : Intersection(areas, {{slab, {}}}))
+      pieces.push_back(ConvexSum(ConvexHull(piece.outer), disc));
+  }
+  return pieces;
+}
+
 /// The task, and which item each of its sequence is.
 struct PreparedItems {
   PackingTask task;
@@ -126,13 +151,14 @@ PreparedItems Prepare(std::span<const ArrangeItem> items, std::span<const FixedF
   PreparedItems prepared;
   PackingTask& task = prepared.task;
   task.bed = UsableBed(options);
+  task.excluded = ExcludedPieces(options);
   task.max_plates = options.max_plates;
   for (size_t i = 0; i < by_area.size(); ++i) {
     const ArrangeItem& item = items[by_area[i].second];
     if (i == 0 || key(by_area[i - 1]) != key(by_area[i])) {
       Shape& shape = task.shapes.emplace_back();
       for (const double deg : item.rotations_deg)
-        shape.push_back(MakeVariant(item.footprint, deg, options.distance_nm));
+        shape.push_back(MakeVariant(item.footprint, deg, options.distance_nm, task.excluded));
     }
     task.sequence.push_back(task.shapes.size() - 1);
     prepared.item_of.push_back(by_area[i].second);
@@ -162,11 +188,11 @@ bool OnePlate(const Packing& packing) { return packing.plates <= 1 && LeftOver(p
 
 /// Equal items in one grid after the other.
 Packing InGrids(const PackingTask& task, size_t variant, Coord distance_nm) {
-  const Polygon& hull = task.shapes[0][variant].hull;
+  const ShapeVariant& shape = task.shapes[0][variant];
   Packing packing;
   size_t left = task.sequence.size();
   while (left > 0 && (task.max_plates == 0 || packing.plates < task.max_plates)) {
-    const std::vector<Point> places = GridPlaces(task.bed, hull, distance_nm, left);
+    const std::vector<Point> places = GridPlaces(task.bed, shape.hull, distance_nm, left, shape.kept_off);
     if (places.empty()) break;
     for (const Point place : places)
       packing.items.push_back(PackedItem{packing.plates, variant, place});
@@ -198,12 +224,19 @@ absl::StatusOr<Packing> BestPacking(const PackingTask& task, Coord distance_nm,
   return *std::move(best);
 }
 
-/// How far a plate's parts, as one, are to be moved to bring the middle of their box as near to the
-/// bed's middle as the bed's outline and the line between them allow.
-Point TowardsMiddle(const Polygon& bed, std::vector<Point> corners) {
+/// All that stands on a plate.
+struct Group {
+  std::vector<Point> corners;
+  std::vector<Polygon> kept_off;  ///< as ShapeVariant's
+};
+
+/// Returns how far the group is to be moved to bring the middle of its box as near to the bed's
+/// middle as the bed's outline, its excluded areas and the line between them allow.
+Point TowardsMiddle(const Polygon& bed, Group group) {
   const auto twice_middle = [](const Box& box) { return box.min + box.max; };
-  const Point way = twice_middle(Bounds(bed)) - twice_middle(Bounds(corners));
-  const FreePlaces free(bed, ConvexHull(std::move(corners)), {0, 0});
+  const Point way = twice_middle(Bounds(bed)) - twice_middle(Bounds(group.corners));
+  FreePlaces free(bed, ConvexHull(std::move(group.corners)), {0, 0});
+  free.AddObstacles(std::move(group.kept_off));
   const auto at = [&](Coord part, Coord of) {
     const auto rounded = [&](Coord whole) {
       return std::llround(0.5 * whole * part / of / kPlaceStep) * kPlaceStep;
@@ -221,19 +254,22 @@ Point TowardsMiddle(const Polygon& bed, std::vector<Point> corners) {
 }
 
 void CenterPlates(const PackingTask& task, Packing& packing) {
-  std::vector<std::vector<Point>> corners(packing.plates);
+  std::vector<Group> groups(packing.plates);
   std::vector<bool> fixed(packing.plates, false);
   for (const StandingPart& part : task.standing) fixed[part.plate] = true;
   for (size_t i = 0; i < packing.items.size(); ++i) {
     if (!packing.items[i]) continue;
     const auto& [plate, variant, at] = *packing.items[i];
-    const Polygon hull = Moved(task.shapes[task.sequence[i]][variant].hull, at);
-    corners[plate].insert(corners[plate].end(), hull.begin(), hull.end());
+    const ShapeVariant& shape = task.shapes[task.sequence[i]][variant];
+    Group& group = groups[plate];
+    for (const Point corner : shape.hull) group.corners.push_back(corner + at);
+    // What the piece must be moved by, from where it is.
+    for (const Polygon& area : shape.kept_off) group.kept_off.push_back(Moved(area, Point{} - at));
   }
   std::vector<Point> moves(packing.plates);
   for (int plate = 0; plate < packing.plates; ++plate)
-    if (!fixed[plate] && !corners[plate].empty())
-      moves[plate] = TowardsMiddle(task.bed, std::move(corners[plate]));
+    if (!fixed[plate] && !groups[plate].corners.empty())
+      moves[plate] = TowardsMiddle(task.bed, std::move(groups[plate]));
   for (std::optional<PackedItem>& item : packing.items)
     if (item) item->translation = item->translation + moves[item->plate];
 }

@@ -25,7 +25,8 @@ struct FixedFootprint {
 struct ArrangeOptions {
   Polygon bed;                       ///< convex; below three points: a square of 2 m
   Coord distance_nm = 6 * kNmPerMm;  ///< between parts, >= 0; PrusaSlicer's min_object_distance
-  Coord bed_margin_nm = 0;           ///< from the bed's edge, >= 0
+  std::vector<Polygon> excluded = {};  ///< areas of the bed where no part may be; may overlap
+  Coord bed_margin_nm = 0;  ///< from the bed's edge and the excluded areas, >= 0
   int max_plates = 0;                ///< 0: as many as it takes
 };
 
@@ -52,8 +53,8 @@ struct Arrangement {
 /// more plates. At the end each plate without fixed parts is moved as a whole towards the bed's
 /// middle.
 ///
-/// Guarantees: no two parts on a plate nearer than distance_nm, none nearer to the bed's edge than
-/// bed_margin_nm (to 1 nm), whatever the input. Deterministic; the set of places does not depend on
+/// Guarantees: no two parts on a plate nearer than distance_nm, none nearer to the bed's edge or to
+/// an excluded area than bed_margin_nm (to 1 nm), whatever the input. Deterministic; the set of places does not depend on
 /// the order of the items.
 /// Errors:  INVALID_ARGUMENT: SETTING_OUT_OF_RANGE for a bed that is not convex, negative lengths
 ///          or plates; REQUEST_MALFORMED for an item without points or ways round; OUT_OF_RANGE for

@@ -131,6 +131,46 @@ TEST(Arrange, PutsOnePartInTheMiddle) {
   EXPECT_THAT(one.places, ElementsAre(ItemPlace{0, {FromMm(110), FromMm(95)}, 0}));
 }
 
+/// Excluded areas of real printers' profiles.
+std::vector<std::vector<Polygon>> ExcludedAreas() {
+  const Polygon cutter = MakeLineOrDie("(0 0, 18 0, 18 28, 0 28)");
+  const Polygon frame =
+      MakeLineOrDie("(0 0, 255 0, 255 255, 0 255, 0 0, 2 2, 2 253, 253 253, 253 2, 2 2)");
+  return {{cutter},
+          {cutter, MakeLineOrDie("(246 0, 256 0, 256 20, 246 20)")},
+          {MakeLineOrDie("(100 90, 160 100, 150 150, 110 160)")},
+          {frame}};
+}
+
+TEST(Arrange, KeepsOutOfExcludedAreas) {
+  for (const std::vector<Polygon>& excluded : ExcludedAreas()) {
+    ArrangeOptions options = OnBed(Rectangle(256, 256));
+    options.excluded = excluded;
+    const MultiPolygon areas = Union(excluded, FillRule::kNonZero);
+    for (const auto& items : {Copies(Rectangle(20, 20), 80), Copies(Rectangle(110, 60), 3),
+                              Copies(Bracket(), 7)}) {
+      const Arrangement result = ArrangeOrDie(items, options);
+      ExpectSound(items, options, result);
+      EXPECT_THAT(result.left_over, IsEmpty());
+      for (size_t i = 0; i < items.size(); ++i) {
+        const Polygon part = Moved(items[i].footprint, result.places[i]->translation);
+        EXPECT_TRUE(Intersection({{part, {}}}, areas).empty()) << i;
+      }
+    }
+  }
+}
+
+TEST(Arrange, LeavesOutWhatOnlyAnExcludedAreaHasRoomFor) {
+  ArrangeOptions options = OnBed(Rectangle(256, 256));
+  options.excluded = ExcludedAreas().front();
+  const Arrangement result = ArrangeOrDie(Copies(Rectangle(250, 250), 1), options);
+  EXPECT_THAT(result.left_over, ElementsAre(0u));
+  options.bed_margin_nm = FromMm(2);
+  const Arrangement apart = ArrangeOrDie(Copies(Rectangle(234, 250), 1), options);
+  ASSERT_THAT(apart.left_over, IsEmpty());
+  EXPECT_GE(apart.places[0]->translation.x, FromMm(20) - 1);
+}
+
 TEST(Arrange, PutsEqualPartsInAGridAroundTheMiddle) {
   const auto items = Copies(Rectangle(60, 31), 12);  // twelve benchies
   const Arrangement grid = ArrangeOrDie(items, OnBed());

@@ -30,9 +30,9 @@ struct Free {
   size_t copy = 0;
 };
 
-/// `copies`: of all objects, those with a place included.
+/// `copies`: of all objects, those with a place included. `excluded`: the bed has excluded areas.
 absl::Status NoRoom(std::span<const ObjectToPlace> objects, const std::vector<Free>& free,
-                    const std::vector<size_t>& left_over, size_t copies) {
+                    const std::vector<size_t>& left_over, size_t copies, bool excluded) {
   std::map<size_t, int> counts;  // by object
   for (const size_t item : left_over) ++counts[free[item].object];
   std::vector<std::string> which;
@@ -41,8 +41,9 @@ absl::Status NoRoom(std::span<const ObjectToPlace> objects, const std::vector<Fr
     which.push_back(fmt::format("{} of \"{}\"", count, absl::Utf8SafeCEscape(name)));
   }
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
-                   fmt::format("{} of {} copies have no room on the bed: {}", left_over.size(),
-                               copies, absl::StrJoin(which, ", ")),
+                   fmt::format("{} of {} copies have no room on the bed{}: {}", left_over.size(),
+                               copies, excluded ? " outside of bed_exclude_area" : "",
+                               absl::StrJoin(which, ", ")),
                    {{"limit", fmt::format("{}", copies - left_over.size())},
                     {"got", fmt::format("{}", copies)}});
 }
@@ -59,10 +60,16 @@ absl::Status ArrangeFree(std::span<const ObjectToPlace> objects, const std::vect
   absl::StatusOr<Arrangement> arranged = Arrange(items, standing, arrange, cancel);
   if (!arranged.ok()) return arranged.status();
   if (!arranged->left_over.empty())
-    return NoRoom(objects, free, arranged->left_over, free.size() + standing.size());
+    return NoRoom(objects, free, arranged->left_over, free.size() + standing.size(),
+                  !options.excluded.empty());
   for (size_t i = 0; i < free.size(); ++i)
     places[free[i].object][free[i].copy] = arranged->places[i]->translation;
   return absl::OkStatus();
+}
+
+bool FitsInTheMiddle(const ObjectToPlace& object, const SlicingOptions& options) {
+  return !MeetsExcluded(object.footprint, ToWholeUm(BedCenter(options.bed)),
+                        ArrangeOptionsOf(options).bed_margin_nm, options.excluded);
 }
 
 }  // namespace
@@ -73,6 +80,7 @@ ArrangeOptions ArrangeOptionsOf(const SlicingOptions& options) {
     growth = std::max(growth, object.xy_compensation_nm);
   return {.bed = options.bed,
           .distance_nm = std::max(options.part_distance_nm, options.clearance_radius_nm),
+          .excluded = options.excluded,
           .bed_margin_nm = growth};
 }
 
@@ -94,7 +102,8 @@ absl::StatusOr<Places> PlaceCopies(std::span<const ObjectToPlace> objects,
         standing.push_back({Moved(objects[i].footprint, places[i].back())});
     }
   }
-  if (free.empty() || (free.size() == 1 && standing.empty())) return places;
+  const bool alone = free.size() == 1 && standing.empty();
+  if (free.empty() || (alone && FitsInTheMiddle(objects[free[0].object], options))) return places;
   if (absl::Status ok = ArrangeFree(objects, free, standing, options, cancel, places); !ok.ok())
     return ok;
   return places;

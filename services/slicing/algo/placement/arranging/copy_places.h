@@ -27,7 +27,8 @@ ArrangeOptions ArrangeOptionsOf(const SlicingOptions& options);
 
 /// Where the middle of each object's box stands, one point a copy, by object; whole micrometres.
 /// Copies with a place stand there, whatever else does. A copy that may stand anywhere is put into
-/// the middle of the bed if it is alone, else arranged around those with a place.
+/// the middle of the bed if it is alone and no excluded area is there, else arranged around those
+/// with a place.
 /// Errors: OUT_OF_BUILD_VOLUME if not all fit on the bed, naming each object with copies left over
 /// and how many; those of Arrange. A copy alone is not checked.
 absl::StatusOr<std::vector<std::vector<Point>>> PlaceCopies(std::span<const ObjectToPlace> objects,

@@ -75,6 +75,33 @@ TEST(PlaceCopies, ManyStandApartAndOnTheBed) {
   }
 }
 
+SlicingOptions BedWithoutCorner() {
+  SlicingOptions options;
+  options.bed = {{0, 0}, {256 * kMm, 0}, {256 * kMm, 256 * kMm}, {0, 256 * kMm}};
+  options.excluded = {{{0, 0}, {18 * kMm, 0}, {18 * kMm, 28 * kMm}, {0, 28 * kMm}}};
+  return options;
+}
+
+TEST(PlaceCopies, ACopyAloneMakesWayForAnExcludedArea) {
+  const SlicingOptions options = BedWithoutCorner();
+  const std::vector<CopyInput> copies = {kAnywhere};
+  const auto place = [&](Coord width, Coord depth) {
+    const Polygon footprint = Rectangle(width, depth);
+    const ObjectToPlace object{"part", footprint, {}, copies};
+    return PlaceCopies({&object, 1}, options, {});
+  };
+  const auto small = place(20, 20);
+  ASSERT_TRUE(small.ok()) << small.status();
+  EXPECT_THAT(small->at(0), ElementsAre(Point{128 * kMm, 128 * kMm}));
+  const auto wide = place(230, 250);
+  ASSERT_TRUE(wide.ok()) << wide.status();
+  EXPECT_GE(wide->at(0).at(0).x, (18 + 115) * kMm);
+  const auto large = place(250, 250);
+  ASSERT_FALSE(large.ok());
+  EXPECT_EQ(DetailOf(large.status()).reason, Reason::kOutOfBuildVolume);
+  EXPECT_NE(large.status().message().find("outside of bed_exclude_area"), absl::string_view::npos);
+}
+
 TEST(PlaceCopies, KeepTheLargerOfDistanceAndClearance) {
   const Polygon footprint = Rectangle(30, 20);
   const std::vector<CopyInput> copies(4, kAnywhere);

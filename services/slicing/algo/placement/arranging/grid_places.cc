@@ -86,9 +86,10 @@ std::vector<Point> OnBed(const Grid& grid, Coord columns, Coord rows, const Free
 }  // namespace
 
 std::vector<Point> GridPlaces(const Polygon& bed, const Polygon& hull, Coord distance_nm,
-                              size_t count) {
+                              size_t count, const std::vector<Polygon>& kept_off) {
   const Grid grid = GridOn(bed, Bounds(hull), distance_nm);
-  const FreePlaces free(bed, hull, grid.middle);
+  FreePlaces free(bed, hull, grid.middle);
+  free.AddObstacles(kept_off);
   std::vector<Point> block = SquarestBlock(grid, count, free);
   if (block.size() == count) return block;
   std::vector<Point> most;

@@ -15,7 +15,8 @@ namespace slicefarm::slicing {
 /// Units:    nm; translations are multiples of kPlaceStep (free_places.h).
 /// REQUIRES: bed and hull convex (common/geometry/convex.h), bed of at least three points.
 /// Cost:     O(g b) for the g places of the grid over the bed's box and b corners of the bed.
+/// `kept_off`: convex polygons, strictly inside of which no translation may lie.
 std::vector<Point> GridPlaces(const Polygon& bed, const Polygon& hull, Coord distance_nm,
-                              size_t count);
+                              size_t count, const std::vector<Polygon>& kept_off = {});
 
 }  // namespace slicefarm::slicing

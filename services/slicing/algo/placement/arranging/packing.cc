@@ -132,8 +132,10 @@ class Packer {
   void BringUpToDate(Plate& plate, const Shape& shape) {
     if (plate.free.empty()) {
       plate.seen = 0;
-      for (const ShapeVariant& variant : shape)
+      for (const ShapeVariant& variant : shape) {
         plate.free.emplace_back(task_.bed, variant.hull, middle_ - Middle(variant.box));
+        plate.free.back().AddObstacles(variant.kept_off);
+      }
     }
     for (size_t variant = 0; variant < shape.size(); ++variant) {
       std::vector<Polygon> obstacles;
@@ -168,7 +170,15 @@ class Packer {
 
 }  // namespace
 
-ShapeVariant MakeVariant(const Polygon& footprint, double rotation_deg, Coord distance_nm) {
+std::vector<Polygon> KeptOff(std::span<const Polygon> parts, std::span<const Polygon> excluded) {
+  std::vector<Polygon> kept_off;
+  for (const Polygon& area : excluded)
+    for (const Polygon& part : parts) kept_off.push_back(ConvexSum(area, Negated(part)));
+  return kept_off;
+}
+
+ShapeVariant MakeVariant(const Polygon& footprint, double rotation_deg, Coord distance_nm,
+                         std::span<const Polygon> excluded) {
   const Polygon turned = rotation_deg == 0 ? footprint : Rotated(footprint, rotation_deg);
   ShapeVariant variant;
   variant.rotation_deg = rotation_deg;
@@ -178,6 +188,7 @@ ShapeVariant MakeVariant(const Polygon& footprint, double rotation_deg, Coord di
   const Polygon disc = DiscCover(distance_nm);
   for (const Polygon& part : variant.parts)
     variant.mirrored.push_back(ConvexSum(Negated(part), disc));
+  variant.kept_off = KeptOff(variant.parts, excluded);
   return variant;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -17,9 +18,15 @@ struct ShapeVariant {
   Box box;
   std::vector<Polygon> parts;     ///< convex pieces
   std::vector<Polygon> mirrored;  ///< the pieces mirrored in the origin and grown by the distance
+  std::vector<Polygon> kept_off;  ///< translations that put a piece into an excluded area; convex
 };
-/// REQUIRES: footprint not empty.
-ShapeVariant MakeVariant(const Polygon& footprint, double rotation_deg, Coord distance_nm);
+/// `excluded`: convex pieces of the bed's excluded areas. REQUIRES: footprint not empty.
+ShapeVariant MakeVariant(const Polygon& footprint, double rotation_deg, Coord distance_nm,
+                         std::span<const Polygon> excluded = {});
+
+/// Returns the translations that put one of the convex `parts` into an area: one polygon for each
+/// part and area.
+std::vector<Polygon> KeptOff(std::span<const Polygon> parts, std::span<const Polygon> excluded);
 
 using Shape = std::vector<ShapeVariant>;
 
@@ -30,6 +37,7 @@ struct StandingPart {
 
 struct PackingTask {
   Polygon bed;  ///< convex, counter-clockwise
+  std::vector<Polygon> excluded = {};  ///< convex areas of the bed where nothing may be
   std::vector<Shape> shapes;
   std::vector<size_t> sequence;        ///< index of the shape of each item, in order of placing
   std::vector<StandingPart> standing;  ///< on plates 0, 1, ...

@@ -1,14 +1,16 @@
-#include "processes/fdm/settings/filament_gcode.h"
+#include "processes/fdm/settings/joined_gcode.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 
 #include "absl/strings/numbers.h"
 #include "common/base/error.h"
 #include "common/config/table/setting_limits.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::config::fdm {
 namespace {
@@ -39,13 +41,30 @@ absl::Status Renamed(const absl::Status& status, ErrorDetail detail, std::string
                    detail.metadata);
 }
 
+/// Two settings that are one to the stages.
+struct Joint {
+  std::string_view into;   ///< the setting that holds both
+  std::string_view other;  ///< the setting that is joined to it
+  bool other_first = true;
+};
+
+std::array<Joint, 2> JointsOf(const Draft& draft) {
+  const bool bambu = draft.Number("gcode_flavor") == static_cast<double>(GcodeFlavor::kBambu);
+  return {Joint{"end_gcode", "end_filament_gcode"},
+          Joint{"layer_gcode", "time_lapse_gcode", !bambu}};
+}
+
 }  // namespace
 
-absl::Status JoinFilamentGcode(Draft& draft) {
-  SharedText& end = draft.At("end_gcode").value->text;
-  end = CodeOfBoth(Text(draft, "end_filament_gcode"), end.str());
-  // The two together are one setting to the stages.
-  return CheckSettingSize("end_gcode", end);
+absl::Status JoinGcode(Draft& draft) {
+  for (const Joint& joint : JointsOf(draft)) {
+    SharedText& into = draft.At(joint.into).value->text;
+    const std::string& other = Text(draft, joint.other);
+    if (other.empty()) continue;
+    into = joint.other_first ? CodeOfBoth(other, into.str()) : CodeOfBoth(into.str(), other);
+    if (absl::Status ok = CheckSettingSize(joint.into, into); !ok.ok()) return ok;
+  }
+  return absl::OkStatus();
 }
 
 absl::Status NamingOwnGcode(const absl::Status& status, const Draft& draft) {
@@ -55,10 +74,16 @@ absl::Status NamingOwnGcode(const absl::Status& status, const Draft& draft) {
   if (status.ok() || setting == detail.metadata.end() || at == detail.metadata.end() ||
       !absl::SimpleAtoi(at->second, &line))
     return status;
-  if (setting->second != "end_gcode") return status;
-  const int32_t own = LinesOf(Text(draft, "end_filament_gcode"));
-  if (line <= own) return Renamed(status, detail, "end_filament_gcode", line);
-  return own == 0 ? status : Renamed(status, detail, "end_gcode", line - own);
+  for (const Joint& joint : JointsOf(draft)) {
+    const int32_t others = LinesOf(Text(draft, joint.other));
+    if (setting->second != joint.into || others == 0) continue;
+    const int32_t first =
+        joint.other_first ? others : LinesOf(Text(draft, joint.into)) - others;
+    const bool in_first = line <= first;
+    return Renamed(status, detail, in_first == joint.other_first ? joint.other : joint.into,
+                   in_first ? line : line - first);
+  }
+  return status;
 }
 
 }  // namespace slicefarm::config::fdm

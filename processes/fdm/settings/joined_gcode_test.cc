@@ -1,4 +1,4 @@
-#include "processes/fdm/settings/filament_gcode.h"
+#include "processes/fdm/settings/joined_gcode.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "common/config/resolve.h"
 #include "processes/fdm/settings/draft_of_test.h"
 
-namespace slicefarm::config::fdm::filament_gcode_test {
+namespace slicefarm::config::fdm::joined_gcode_test {
 namespace {
 
 absl::Status Fault(const Pairs& given) {
@@ -24,7 +24,7 @@ struct Case {
   const char* line;
 };
 
-TEST(FilamentGcode, ErrorsNameTheSettingThatTheLineIsWrittenIn) {
+TEST(JoinedGcode, ErrorsNameTheSettingThatTheLineIsWrittenIn) {
   const Case cases[] = {
       {"of the filament", {{"start_filament_gcode", "{nothing}"}}, "start_filament_gcode", "1"},
       {"its second line",
@@ -41,7 +41,22 @@ TEST(FilamentGcode, ErrorsNameTheSettingThatTheLineIsWrittenIn) {
        "end_gcode",
        "2"},
       {"that does not parse", {{"start_filament_gcode", "{1 +}"}}, "start_filament_gcode", "1"},
-      {"of neither", {{"layer_gcode", "{nothing}"}}, "layer_gcode", "1"}};
+      {"of the layer alone", {{"layer_gcode", "{nothing}"}}, "layer_gcode", "1"},
+      {"of the time lapse, which comes first",
+       {{"time_lapse_gcode", "M240\n{nothing}"}, {"layer_gcode", "G92 E0\n"}},
+       "time_lapse_gcode",
+       "2"},
+      {"behind the time lapse",
+       {{"time_lapse_gcode", "M240"}, {"layer_gcode", "G92 E0\n{nothing}"}},
+       "layer_gcode",
+       "2"},
+      {"of the time lapse on a Bambu, which comes last",
+       {{"gcode_flavor", "bambu"},
+        {"time_lapse_gcode", "M400\n{nothing}"},
+        {"layer_gcode", "M73 L1"}},
+       "time_lapse_gcode",
+       "2"},
+      {"of neither", {{"before_layer_gcode", "{nothing}"}}, "before_layer_gcode", "1"}};
   for (const Case& c : cases) {
     const absl::Status status = Fault(c.given);
     ASSERT_FALSE(status.ok()) << c.name;
@@ -54,5 +69,21 @@ TEST(FilamentGcode, ErrorsNameTheSettingThatTheLineIsWrittenIn) {
   }
 }
 
+std::string LayerCode(const Pairs& given) {
+  std::vector<Setting> settings;
+  for (const auto& [key, value] : given) settings.push_back({key, value});
+  const auto resolved = Resolve(settings, Process::kFdm);
+  return resolved.ok() ? FdmOf(resolved->settings).motion.layer_gcode.str() : "refused";
+}
+
+TEST(JoinedGcode, TheTimeLapseStandsWhereTheProgramThatOwnsItPutsIt) {
+  const Pairs both = {{"time_lapse_gcode", "M240"}, {"layer_gcode", "M117"}};
+  EXPECT_EQ(LayerCode(both), "M240\nM117");
+  Pairs bambu = both;
+  bambu.push_back({"gcode_flavor", "bambu"});
+  EXPECT_EQ(LayerCode(bambu), "M117\nM240");
+  EXPECT_EQ(LayerCode({{"layer_gcode", "M117"}}), "M117");
+}
+
 }  // namespace
-}  // namespace slicefarm::config::fdm::filament_gcode_test
+}  // namespace slicefarm::config::fdm::joined_gcode_test

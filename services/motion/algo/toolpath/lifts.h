@@ -1,0 +1,18 @@
+#pragma once
+
+#include "common/model/layer.h"
+#include "common/model/options/motion_options.h"
+
+namespace slicefarm::motion {
+
+/// Returns true if travels may rise in such a layer.
+bool LiftsIn(const RetractionOptions& retraction, const LayerFrame& frame);
+
+/// Returns true if the nozzle rises for a travel after beads of the first layer, or of a top.
+bool RisesAfter(LiftAfter after, bool first_layer, bool top);
+
+/// Returns true if the travel to where a copy begins rises in such a layer. What was printed before
+/// it is not known: it counts as no top.
+bool LiftsToStart(const RetractionOptions& retraction, const LayerFrame& frame);
+
+}  // namespace slicefarm::motion
