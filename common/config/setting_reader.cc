@@ -198,9 +198,11 @@ absl::Status SettingReader::ReadEffective(const SettingSpec& spec, Draft::Entry&
 /// What a vendor's file writes after a number, a comment or a percent sign where there is
 /// nothing that it relates to, PrusaSlicer leaves out.
 std::string SettingReader::Readable(const SettingSpec& spec, const std::string& value) {
-  const bool is_bed = spec.kind == Kind::kBedShape || spec.kind == Kind::kAreas;
-  if (!(is_bed || IsNumber(spec)) || ParseValue(spec, value).ok()) return value;
-  const std::string read = is_bed ? WithAllCorners(value) : std::string(NumberAtFront(value));
+  const bool has_corners = spec.kind == Kind::kBedShape || spec.kind == Kind::kAreas ||
+                           spec.kind == Kind::kPoint;
+  if (!(has_corners || IsNumber(spec)) || ParseValue(spec, value).ok()) return value;
+  const std::string read =
+      has_corners ? WithAllCorners(value) : std::string(NumberAtFront(value));
   if (read.empty() || read == value) return value;
   Warn(fmt::format("{}: only {} counts", Quoted(spec.key, value), read));
   return read;

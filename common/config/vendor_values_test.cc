@@ -49,7 +49,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"Fast", "machine_max_feedrate_x", "13000", "13000", false},
                     Case{"Thick", "filament_diameter", "22.66", "22.66", false},
                     Case{"CornerWithoutX", "bed_shape", "0x0,235-0,235x235,0x235",
-                         "0x0,235x0,235x235,0x235"}),
+                         "0x0,235x0,235x235,0x235"},
+                    Case{"OffsetWithoutX", "extruder_offset", "-20,10", "-20x0"}),
     [](const auto& info) { return info.param.name; });
 
 TEST(Resolve, APersonMayNotWriteSo) {

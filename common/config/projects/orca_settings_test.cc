@@ -171,7 +171,7 @@ TEST(FromOrca, GivesNamesAndValuesOfPrusaSlicer) {
        {R"(small_area_infill_flow_compensation_model = 0,0;\n0.2,0.4444;\n10,1)"}},
       {"NoLimitOfAnAxis",
        {{"machine_max_acceleration_e", R"(["0", "0"])"}, {"machine_max_speed_x", R"(["0"])"}},
-       {}},
+       {"machine_limits_usage = emit_to_gcode"}},
       {"FanBesideTheBed",
        {{"auxiliary_fan", "1"},
         {"additional_cooling_fan_speed", R"(["70"])"},

@@ -42,7 +42,7 @@ void WriteHeader(const LayerFrame& frame, const CommentWords& words, const Custo
   out.Real(z_mm, 3) << '\n' << words.height;
   out.Real(static_cast<double>(ToUm(frame.height_nm)) / kUmPerMm, 3) << '\n';
   // Printer hosts look for this pair of lines; many profiles bring it along.
-  if (words.before_layer_change && !code.names_layer_change) {
+  if (!code.names_layer_change) {
     out << ";BEFORE_LAYER_CHANGE\n;";
     out.Real(z_mm, 3) << '\n';
   }

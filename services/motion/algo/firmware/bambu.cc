@@ -17,7 +17,6 @@ constexpr CommentWords kComments = {.layer_change = "; CHANGE_LAYER",
                                     .width = "; LINE_WIDTH: ",
                                     .wipe_start = "; WIPE_START",
                                     .wipe_end = "; WIPE_END",
-                                    .before_layer_change = false,
                                     .program_begin = "; EXECUTABLE_BLOCK_START",
                                     .program_end = "; EXECUTABLE_BLOCK_END",
                                     .start_gcode_end = "; MACHINE_START_GCODE_END",
@@ -56,7 +55,8 @@ class BambuFirmware : public MarlinFirmware {
   bool Knows(const GcodeLine& line) const override {
     const bool own = line.letter == 'M' && ((line.number >= 620 && line.number <= 634) ||
                                             (line.number >= 960 && line.number <= 1010));
-    return own || MarlinFirmware::Knows(line);
+    const bool moves_bed = line.letter == 'G' && (line.number == 380 || line.number == 392);
+    return own || moves_bed || MarlinFirmware::Knows(line);
   }
 
   bool HasTravelAcceleration() const override { return false; }

@@ -87,7 +87,8 @@ TEST(Bambu, OneAccelerationForAllWays) {
   Bambu().ApplyLimits(ParseGcodeLine("M204 S700"), limits);
   EXPECT_EQ(Bambu().AccelerationFor({1, {1, 0, 0, 0}}, limits), 700);
   EXPECT_EQ(Bambu().AccelerationFor({1, {1, 0, 0, 0.1}}, limits), 700);
-  for (const char* text : {"M620 S0A", "M1002 gcode_claim_action : 0", "M624 AQAAAAAAAAA=", "M625"})
+  for (const char* text : {"M620 S0A", "M1002 gcode_claim_action : 0", "M624 AQAAAAAAAAA=", "M625",
+                           "G380 S2 Z30 F300"})
     EXPECT_TRUE(Bambu().Knows(ParseGcodeLine(text))) << text;
 }
 

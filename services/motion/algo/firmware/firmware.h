@@ -29,8 +29,6 @@ struct CommentWords {
   std::string_view width = ";WIDTH:";
   std::string_view wipe_start = ";WIPE_START";
   std::string_view wipe_end = ";WIPE_END";
-  /// The pair `;BEFORE_LAYER_CHANGE` and `;Z`, for which printer hosts look.
-  bool before_layer_change = true;
   // Lines around what the printer runs, and around the settings' own G-code; empty: none.
   std::string_view program_begin = {};
   std::string_view program_end = {};
