@@ -121,7 +121,8 @@ TEST(PartsOf, EachUseOfAMeshHasItsOwnSettings) {
   object.object = 6;
   object.parts.resize(2);
   object.parts[0] = {.name = "body", .component = 5, .settings = {{"extruder", "1"}}};
-  object.parts[1] = {.name = "hole", .role = PartRole::kNegative, .component = 5};
+  object.parts[1] = {
+      .name = "hole", .role = PartRole::kNegative, .component = 5, .settings = {}};
   Notes notes;
   const auto tree = ComponentTree::Make(package);
   const auto parts = PartsOf({package, *tree, settings}, {0, 1}, "thing", notes);
