@@ -15,7 +15,8 @@ struct PathSegment {
 
 inline size_t SegmentsOf(const Path& path) { return path.points.size() - (path.closed ? 0 : 1); }
 
-/// As wide as its ends on average.
+/// Returns edge `i` with the mean width of its ends; DividedByWidth (divided_path.h) keeps these
+/// alike.
 inline PathSegment SegmentOf(const Path& path, size_t i) {
   const size_t to = i + 1 < path.points.size() ? i + 1 : 0;
   return {path.points[i], path.points[to], (path.WidthAt(i) + path.WidthAt(to)) / 2};

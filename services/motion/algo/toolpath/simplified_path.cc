@@ -12,6 +12,7 @@
 
 #include "common/geometry/arc_fit.h"
 #include "common/model/bead_section.h"
+#include "services/motion/algo/toolpath/divided_path.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
 namespace slicefarm::motion {
@@ -28,6 +29,8 @@ constexpr double kWholeUm = 0.75;
 /// A corner turns by more than 30 degrees; it stays where it is.
 constexpr double kCornerCosine = 0.866;
 constexpr double kNmPerUm = 1000;
+/// How far the widths of short beads may lie from the path's, as a share of it.
+constexpr double kShortBeadShare = 0.05;
 /// What rounding of doubles may do to a distance.
 constexpr double kSlackUm = 1e-3;
 
@@ -53,38 +56,37 @@ double Rounded(double um) {
 struct Node {
   Point point;     ///< of the path
   UmVector place;  ///< whole um
-  Coord width_nm = 0;
+  Coord narrowest_nm = 0, widest_nm = 0;
   double along = 0;  ///< length from the start, um
   double area = 0;   ///< width times length, from the start
   /// Where a bead may end instead, outside of the curve: beads that run on either side of it are
   /// longer. The same as `place` at corners and ends, and where none could be longer.
   UmVector outside;
   bool stays = true;  ///< no bead passes it
+
+  Coord MeanWidthNm() const { return (narrowest_nm + widest_nm) / 2; }
 };
 
 /// Nodes of a path, its start once more at the end of a closed one.
 std::vector<Node> NodesOf(const Path& path) {
-  const auto node_at = [&](size_t i, Coord width_nm, double along, double area) {
+  const auto node_at = [&](size_t i) {
     const Point point = path.points[i];
     const UmVector place = {static_cast<double>(ToUm(point.x)), static_cast<double>(ToUm(point.y))};
-    return Node{.point = point,
-                .place = place,
-                .width_nm = width_nm,
-                .along = along,
-                .area = area,
-                .outside = place};
+    return Node{.point = point, .place = place, .outside = place};
   };
   const size_t count = path.points.size();
-  std::vector<Node> nodes = {node_at(0, 0, 0, 0)};
+  std::vector<Node> nodes = {node_at(0)};
   nodes.reserve(count + 1);
   double along = 0, area = 0;
   for (size_t i = 1; i < count + (path.closed ? 1 : 0); ++i) {
     const size_t at = i < count ? i : 0;
     const double length = Distance(path.points[i - 1], path.points[at]) / kNmPerUm;
-    const Coord width_nm = (path.WidthAt(i - 1) + path.WidthAt(at)) / 2;
+    const auto [narrower, wider] = std::minmax({path.WidthAt(i - 1), path.WidthAt(at)});
+    Node next = node_at(at);
+    next.narrowest_nm = narrower;
+    next.widest_nm = wider;
     along += length;
-    area += length * static_cast<double>(width_nm);
-    const Node next = node_at(at, width_nm, along, area);
+    area += length * static_cast<double>(next.MeanWidthNm());
     if (next.place != nodes.back().place) nodes.push_back(next);
     nodes.back().along = along;
     nodes.back().area = area;
@@ -177,10 +179,12 @@ struct Tolerance {
   double place_um = 0;
   double width_share = 0;
 
-  Coord OfWidth(Coord width_nm) const {
-    if (width_share == 0) return kWidthToleranceNm;
+  Coord OfWidth(Coord width_nm, double length_um) const {
+    const double share =
+        length_um * kNmPerUm < kShortBeadNm ? std::max(kShortBeadShare, width_share) : width_share;
+    if (share == 0) return kWidthToleranceNm;
     return std::max(kWidthToleranceNm,
-                    static_cast<Coord>(width_share * static_cast<double>(width_nm) + 0.5));
+                    static_cast<Coord>(share * static_cast<double>(width_nm) + 0.5));
   }
 };
 
@@ -193,15 +197,19 @@ class Reach {
 
   /// Goes on to the next node.
   void Take(const Node& to) {
-    narrowest_ = std::min(narrowest_, to.width_nm);
-    widest_ = std::max(widest_, to.width_nm);
+    even_ = widest_ == 0;  // one edge may always be a bead
+    narrowest_ = std::min(narrowest_, to.narrowest_nm);
+    widest_ = std::max(widest_, to.widest_nm);
     length_ = to.along - from_.along;
-    even_ = widest_ == narrowest_;
-    if (even_) return;
-    // Of the mean width, which is rounded to whole nanometres.
+    if (even_ || widest_ == narrowest_) {
+      even_ = true;
+      return;
+    }
+    // The mean width is rounded to whole nanometres.
     const double area = to.area - from_.area;
-    const auto least = static_cast<double>(widest_ - tolerance_.OfWidth(widest_)) - 0.5;
-    const auto most = static_cast<double>(narrowest_ + tolerance_.OfWidth(narrowest_)) + 0.5;
+    const auto least = static_cast<double>(widest_ - tolerance_.OfWidth(widest_, length_)) - 0.5;
+    const auto most =
+        static_cast<double>(narrowest_ + tolerance_.OfWidth(narrowest_, length_)) + 0.5;
     even_ = area >= least * length_ && area < most * length_;
   }
 
@@ -226,9 +234,9 @@ class Reach {
     xx_ += way.x * way.x;
     xy_ += way.x * way.y;
     yy_ += way.y * way.y;
-    return !cone_.Empty() &&
-           (widest_ == narrowest_ ||
-            widest_ - narrowest_ <= tolerance_.OfWidth(widest_) + tolerance_.OfWidth(narrowest_));
+    return !cone_.Empty() && (widest_ == narrowest_ ||
+                              widest_ - narrowest_ <= tolerance_.OfWidth(widest_, length_) +
+                                                          tolerance_.OfWidth(narrowest_, length_));
   }
 
  private:
@@ -340,8 +348,8 @@ std::vector<NodeArc> ArcsOf(std::span<const Node> nodes) {
       places.push_back({static_cast<int32_t>(node.place.x), static_cast<int32_t>(node.place.y)});
     };
     add(nodes[first]);
-    const int32_t width_um = ToUm(nodes[first + 1].width_nm);
-    for (size_t i = first + 1; i < nodes.size() && ToUm(nodes[i].width_nm) == width_um; ++i)
+    const int32_t width_um = ToUm(nodes[first + 1].MeanWidthNm());
+    for (size_t i = first + 1; i < nodes.size() && ToUm(nodes[i].MeanWidthNm()) == width_um; ++i)
       add(nodes[i]);
     size_t at = first;
     for (const CurvePiece& piece : FitArcs(places)) {

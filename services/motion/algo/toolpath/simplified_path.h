@@ -10,12 +10,9 @@ struct SimplifyOptions {
   Coord tolerance_nm = 0;    ///< of places; 0: nothing is simplified
   Coord bead_height_nm = 0;  ///< of the path
   bool keep_arcs = false;    ///< whether all points stay of what an arc may stand for (arc_fit.h)
-  /// How far a simplified bead's width may lie from the original's at any place: so much, or this
-  /// share of it where that is more.
+  /// Share of a path's width by which a bead's may differ, where that is more than the tolerance.
   double width_share = 0;
 };
-
-inline constexpr Coord kWidthToleranceNm = 25'000;
 
 struct SimplifiedPath {
   Path path;
@@ -30,8 +27,9 @@ struct SimplifiedPath {
 /// a curve, and are longer by 1.4. As they are written, in whole micrometres, and at every place of
 /// either:
 ///   they lie within the tolerance of the path's beads, and these of them;
-///   their widths lie within kWidthToleranceNm of the path's, or the share of options, each edge's
-///   the mean of its ends;
+///   their widths lie within kWidthToleranceNm (divided_path.h) of the path's, within 5 % on beads
+///   shorter than kShortBeadNm, or within the share of options. An edge on its own may be a bead of
+///   the mean width of its ends, however much that changes: DividedByWidth comes first;
 ///   no bead is more than 5 % shorter than what it stands for, so that nothing that goes to and fro
 ///   is lost.
 /// Ends, the start of a closed path, and corners of more than 30 degrees where beads meet stay in

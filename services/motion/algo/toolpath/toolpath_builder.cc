@@ -11,6 +11,7 @@
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
 #include "services/motion/algo/gcode/material_mix.h"
+#include "services/motion/algo/toolpath/divided_path.h"
 #include "services/motion/algo/toolpath/lifts.h"
 #include "services/motion/algo/toolpath/open_seam.h"
 #include "services/motion/algo/toolpath/scarf.h"
@@ -23,9 +24,9 @@ namespace {
 /// Of one move, in 1e-5 mm: more than any printer can do.
 constexpr int64_t kMostFilament = 1'000'000'000;
 
-/// How far widths of solid infill may lie from the path's: those beads lie inside of the part,
-/// between others. With more, more than ten changes of the flow a metre are above 30 %.
-constexpr double kSolidWidthShare = 0.085;
+/// How far widths of solid infill and gap fill may lie from the path's: those beads lie inside of
+/// the part, between others. With more, more than ten changes of the flow a metre are above 30 %.
+constexpr double kFillWidthShare = 0.085;
 
 /// A wipe that ends a little early, as steps do, pulls everything back, a little faster.
 constexpr double kWholeWipe = 0.9;
@@ -47,9 +48,9 @@ bool IsTop(Feature feature) {
   return feature == Feature::kTopSolidInfill || feature == Feature::kIroning;
 }
 
-bool IsSolidInfill(Feature feature) {
-  return feature == Feature::kSolidInfill || feature == Feature::kTopSolidInfill ||
-         feature == Feature::kSolidOverBridge;
+bool IsFill(Feature feature) {
+  return feature == Feature::kGapFill || feature == Feature::kSolidInfill ||
+         feature == Feature::kTopSolidInfill || feature == Feature::kSolidOverBridge;
 }
 
 }  // namespace
@@ -107,11 +108,13 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
   const bool scarfed = !first_layer_ && HasScarf(path, scarf);
   const bool arcs = options_.arc_fitting != ArcFitting::kDisabled;
   // A scarf cuts a loop anew, and arcs are found in what it leaves.
-  const SimplifiedPath simple =
-      Simplified(path, {.tolerance_nm = scarfed && arcs ? 0 : options_.resolution_nm,
-                        .bead_height_nm = bead_height_nm_,
-                        .keep_arcs = arcs,
-                        .width_share = IsSolidInfill(path.feature) ? kSolidWidthShare : 0});
+  const SimplifyOptions simplify = {.tolerance_nm = scarfed && arcs ? 0 : options_.resolution_nm,
+                                    .bead_height_nm = bead_height_nm_,
+                                    .keep_arcs = arcs,
+                                    .width_share = IsFill(path.feature) ? kFillWidthShare : 0};
+  const SimplifiedPath simple = path.widths_nm.size() == 1
+                                    ? Simplified(path, simplify)
+                                    : Simplified(DividedByWidth(path, bead_height_nm_), simplify);
   const double speed_mm_s = speeds_.Of(path, ToMm(PathLength(path)));
   BeginPath(path, simple);
   const int64_t filament_before = filament_;

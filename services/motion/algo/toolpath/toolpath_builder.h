@@ -21,12 +21,12 @@ namespace slicefarm::motion {
 /// Paths are simplified within `resolution_nm` first (simplified_path.h): this is the one place
 /// where they are, whatever they come from.
 ///
-/// Filament is that of the bead's section (SectionMm2) times the extrusion multiplier; a path
-/// of varying width has the mean of its ends on each segment. What rounding leaves is carried on,
-/// so that the sum over a layer is exact to 1e-5 mm. Segments that round to nothing are left out;
-/// their filament is not. Loops with a scarf (scarf.h) end further on; the way from there is in
-/// sight. There are none on the first layer. A retraction wipes (wipe.h) but after a scarf, which
-/// thins out by itself; travels start where the nozzle is then.
+/// Filament is that of the bead's section (SectionMm2) times the extrusion multiplier; where the
+/// width of a path varies, it is divided into segments of one width (divided_path.h). What rounding
+/// leaves is carried on, so that the sum over a layer is exact to 1e-5 mm. Segments that round to
+/// nothing are left out; their filament is not. Loops with a scarf (scarf.h) end further on; the
+/// way from there is in sight. There are none on the first layer. A retraction wipes (wipe.h) but
+/// after a scarf, which thins out by itself; travels start where the nozzle is then.
 ///
 /// Where the block meets another layer with the filament ready, it starts or ends there so.
 class ToolpathBuilder {

@@ -287,6 +287,29 @@ TEST(ToolpathBuilder, FilamentIsTheBeadsVolume) {
   EXPECT_DOUBLE_EQ(use.length_mm, 50);
 }
 
+// A wall that tapers over 60 mm: its beads are as wide as their places, and no more than it takes.
+TEST(ToolpathBuilder, BeadsFollowAWidthThatChanges) {
+  for (const Coord resolution_nm : {0, 12'500}) {
+    MotionOptions options;
+    options.resolution_nm = resolution_nm;
+    const Built built = Build({Line("(0 0, 60 0)", {350'000, 550'000})}, options);
+    int beads = 0;
+    double from_mm = 0;
+    for (const Move& move : built.path.moves) {
+      if (move.kind != MoveKind::kPrint) continue;
+      const double to_mm = ToMm(FromUm(move.x_um));
+      for (const double at_mm : {from_mm, to_mm})
+        EXPECT_NEAR(move.width_um, 350 + at_mm * 200 / 60, 11) << at_mm;
+      const double section = move.filament / 1e5 * FilamentArea(options) / (to_mm - from_mm);
+      EXPECT_NEAR(section, SectionMm2(FromUm(move.width_um), kFrame.height_nm), 2e-4);
+      from_mm = to_mm;
+      ++beads;
+    }
+    EXPECT_EQ(beads, 10) << resolution_nm;
+    EXPECT_EQ(from_mm, 60);
+  }
+}
+
 TEST(ToolpathBuilder, SumIsExactOverManySmallSegments) {
   std::mt19937 random(3);
   Path path;
@@ -509,7 +532,8 @@ TEST(ToolpathBuilder, ZOffsetShiftsEverything) {
 }
 
 TEST(ToolpathBuilder, OwnHeightAndWidthAreToldPerMove) {
-  const Built built = Build({Line("(0 0, 10 0, 20 0)", {400'000, 500'000, 600'000})}, {}, 150'000);
+  const Built built =
+      Build({Line("(0 0, 10 0, 10 0, 20 0)", {450'000, 450'000, 550'000, 550'000})}, {}, 150'000);
   EXPECT_EQ(built.path.moves[3].width_um, 450);
   EXPECT_EQ(built.path.moves[4].width_um, 550);
   EXPECT_EQ(built.path.moves[4].height_um, 150);
@@ -539,7 +563,8 @@ TEST(ToolpathBuilder, EachPathHasTheSpeedOfItsRegion) {
 TEST(ToolpathBuilder, WideBeadsAreSlowerWhereVolumeIsLimited) {
   MotionOptions options;
   options.max_volumetric_speed_mm3_s = 2;
-  const Built built = Build({Line("(0 0, 10 0, 20 0)", {400'000, 400'000, 800'000})}, options);
+  const Built built =
+      Build({Line("(0 0, 10 0, 10 0, 20 0)", {400'000, 400'000, 800'000, 800'000})}, options);
   const Move& narrow = built.path.moves[3];
   const Move& wide = built.path.moves[4];
   EXPECT_LT(wide.feed_rate, narrow.feed_rate);
@@ -550,7 +575,7 @@ TEST(ToolpathBuilder, WideBeadsAreSlowerWhereVolumeIsLimited) {
 }
 
 TEST(ToolpathBuilder, BoundsAreThoseOfTheBeads) {
-  const Built built = Build({Line("(10 20, 30 25)", {400'000, 600'000})});
+  const Built built = Build({Line("(10 20, 30 25)", {600'000})});
   EXPECT_EQ(built.stats.bounds, (Box{{FromMm(9.7), FromMm(19.7)}, {FromMm(30.3), FromMm(25.3)}}));
 }
 
