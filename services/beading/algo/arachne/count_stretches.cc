@@ -16,6 +16,8 @@ constexpr double kShortDeviation = 3;
 /// Shorter stretches get no bead along the middle: one of 1 mm at most, as it ends before others
 /// begin.
 constexpr double kLeastMiddleNm = 1'500'000;
+/// Necks that are shorter get none between the outermost beads: one of about 0.4 mm at most.
+constexpr double kLeastNeckNm = 1'000'000;
 
 /// Stretches of central edges with the same count, and how they lie beside each other.
 class Stretches {
@@ -26,16 +28,20 @@ class Stretches {
     for (size_t edge = 0; edge < counts.size(); ++edge) {
       const int half = static_cast<int>(2 * edge);
       const double a = graph.FromNode(half).radius, b = graph.ToNode(half).radius;
-      data_[edge] = {counts[edge], graph.Length(half), std::min(a, b), std::max(a, b), {}};
+      data_[edge] = {counts[edge], graph.Length(half), std::min(a, b), std::max(a, b), 0, {}};
     }
     const std::vector<int> leaving = graph.Leaving();
     for (const int first : leaving) {
       std::vector<int> around;
+      bool rises = false;
       graph.ForEachLeaving(first, [&](int half) {
         if (counts[half / 2] >= 0) around.push_back(half / 2);
+        rises = rises ||
+                (counts[half / 2] < 0 && graph.ToNode(half).radius > graph.FromNode(half).radius);
       });
       for (size_t i = 0; i < around.size(); ++i)
         for (size_t j = 0; j < i; ++j) Meet(around[i], around[j]);
+      if (rises && !around.empty()) ++data_[Find(around.front())].steep_ends;
     }
   }
 
@@ -66,6 +72,7 @@ class Stretches {
     int count = -1;
     double length = 0;
     double min_radius = 0, max_radius = 0;
+    int steep_ends = 0;    ///< places where the part gets thicker too steeply to be central
     std::set<int> beside;  ///< stretches with another count; may be out of date: Find them
   };
 
@@ -92,6 +99,7 @@ class Stretches {
     data_[a].length += data_[b].length;
     data_[a].min_radius = std::min(data_[a].min_radius, data_[b].min_radius);
     data_[a].max_radius = std::max(data_[a].max_radius, data_[b].max_radius);
+    data_[a].steep_ends += data_[b].steep_ends;
     data_[a].beside.merge(data_[b].beside);
     return a;
   }
@@ -156,11 +164,25 @@ class Stretches {
   /// In a neck that lies between steep sides alone.
   static void TakeOutShortMiddle(Data& data, const BeadingStrategy& strategy,
                                  const CountOptions& options) {
+    if (IsShortNeck(data)) return SplitMiddle(data, strategy, options);
     if (!HasShortMiddle(data, strategy)) return;
     const double fewer = Deviation(data, data.count - 1, strategy);
     const double more = Deviation(data, data.count + 1, strategy);
     if (std::min(fewer, more) > kShortDeviation * options.filter_deviation_nm) return;
     data.count += fewer < more ? -1 : 1;
+  }
+
+  /// Returns true for a neck where taking out the middle bead would widen the outermost ones.
+  static bool IsShortNeck(const Data& data) {
+    return data.count % 2 == 1 && data.count < kLeastInnerMiddle && data.steep_ends >= 2 &&
+           data.length < kLeastNeckNm;
+  }
+
+  /// The middle bead of a neck ends before the two beads at either end of it, and is a dot between
+  /// them. Its halves go on into them.
+  static void SplitMiddle(Data& data, const BeadingStrategy& strategy,
+                          const CountOptions& options) {
+    if (Deviation(data, data.count + 1, strategy) <= options.filter_deviation_nm) ++data.count;
   }
 
   /// Whether the half of the transition that lies in the stretch ends within it.

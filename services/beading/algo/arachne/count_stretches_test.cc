@@ -17,12 +17,19 @@ struct Stretch {
 };
 
 /// The counts of stretches that follow each other on a line, two edges each. Beads are 0.4 mm wide;
-/// the filter lets them deviate by 0.1 mm, 0.3 mm where a stretch is too short.
-std::vector<int> Merged(const std::vector<Stretch>& stretches, int max_walls = 3) {
+/// the filter lets them deviate by 0.1 mm, 0.3 mm where a stretch is too short. `in_neck`: at
+/// either end the part gets thick too steeply for edges to have a count.
+std::vector<int> Merged(const std::vector<Stretch>& stretches, bool in_neck) {
   SkeletalGraph graph;
   std::vector<int> counts;
   double x = 0;
   const auto add_node = [&](double radius) { graph.nodes.push_back({{x, 0}, radius}); };
+  constexpr double kThickNm = 3e6, kSteepNm = 300'000;
+  if (in_neck) {
+    add_node(kThickNm);
+    counts.push_back(-1);
+    x += kSteepNm;
+  }
   add_node(stretches.front().thickness_mm * 0.5e6);
   for (const Stretch& stretch : stretches) {
     for (int edge = 0; edge < 2; ++edge) {
@@ -30,6 +37,11 @@ std::vector<int> Merged(const std::vector<Stretch>& stretches, int max_walls = 3
       add_node(stretch.thickness_mm * 0.5e6);
       counts.push_back(stretch.count);
     }
+  }
+  if (in_neck) {
+    x += kSteepNm;
+    add_node(kThickNm);
+    counts.push_back(-1);
   }
   // Around the line: there on the half-edges with even index, back on the others.
   const int last = static_cast<int>(2 * counts.size()) - 2;
@@ -42,10 +54,11 @@ std::vector<int> Merged(const std::vector<Stretch>& stretches, int max_walls = 3
     graph.half_edges.push_back(edge);
   }
   StrategyOptions options;
-  options.max_walls = max_walls;
+  options.max_walls = 3;
   const std::vector<int> merged = MergedCounts(*MakeStrategy(options), {}, graph, counts);
   std::vector<int> by_stretch;
-  for (size_t i = 0; i < merged.size(); i += 2) by_stretch.push_back(merged[i]);
+  const size_t first = in_neck ? 1 : 0;
+  for (size_t i = first; i + first < merged.size(); i += 2) by_stretch.push_back(merged[i]);
   return by_stretch;
 }
 
@@ -53,14 +66,16 @@ struct MergeCase {
   std::string name;
   std::vector<Stretch> stretches;
   std::vector<int> counts;
+  bool in_neck = false;
 };
 class Merging : public testing::TestWithParam<MergeCase> {};
 
 TEST_P(Merging, TakesStretchesIntoThoseBesideThem) {
-  EXPECT_EQ(Merged(GetParam().stretches), GetParam().counts);
+  EXPECT_EQ(Merged(GetParam().stretches, GetParam().in_neck), GetParam().counts);
 }
 
-// Six beads take the place of five from 2.28 mm on, five that of four from 1.94 mm on.
+// Two beads take the place of one from 0.68 mm on, four that of three from 1.48 mm on, five that of
+// four from 1.94 mm on, six that of five from 2.28 mm on.
 INSTANTIATE_TEST_SUITE_P(
     CountStretches, Merging,
     testing::Values(
@@ -76,6 +91,12 @@ INSTANTIATE_TEST_SUITE_P(
         MergeCase{"AloneAndNearerToFour", {{5, 1, 1.96}}, {4}},
         MergeCase{"AloneAndNearerToSix", {{5, 1, 2.3}}, {6}},
         MergeCase{"AloneAndLong", {{5, 2, 1.96}}, {5}},
+        MergeCase{"ALoneBeadInAShortNeckIsSplit", {{1, 0.8, 0.6}}, {2}, true},
+        MergeCase{"NotInALongOne", {{1, 1.1, 0.6}}, {1}, true},
+        MergeCase{"NotInOneTooThinForTwo", {{1, 0.8, 0.4}}, {1}, true},
+        MergeCase{"NotInAPlaceOfItsOwn", {{1, 0.8, 0.6}}, {1}},
+        MergeCase{"TheMiddleOfThreeInAShortNeckIsSplit", {{3, 0.8, 1.4}}, {4}, true},
+        MergeCase{"TheOutermostKeepTheirWidthInANeck", {{3, 0.8, 1.2}}, {3}, true},
         MergeCase{"TheOutermostKeepTheirWidth", {{3, 1, 1.2}}, {3}},
         MergeCase{"InfillIsNoBead", {{7, 1, 2.82}}, {7}}),
     [](const auto& info) { return info.param.name; });
