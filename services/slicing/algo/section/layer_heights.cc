@@ -44,6 +44,14 @@ Coord HeightAt(Coord bottom_nm, const LayerHeights& heights) {
   return heights.others_nm;
 }
 
+/// Meshes of other programs are off their round numbers by so much.
+constexpr Coord kRoundingNm = 100;
+
+/// Returns true if the middle of a layer lies above the top.
+bool IsCutAbove(Coord bottom_nm, Coord height_nm, Coord top_nm) {
+  return 2 * bottom_nm + height_nm > 2 * (top_nm + kRoundingNm);
+}
+
 absl::Status CheckHeights(const LayerHeights& heights) {
   if (heights.first_nm <= 0) return HeightError("first_layer_height", heights.first_nm);
   if (heights.others_nm <= 0) return HeightError("layer_height", heights.others_nm);
@@ -57,22 +65,23 @@ absl::Status CheckHeights(const LayerHeights& heights) {
 absl::StatusOr<std::vector<LayerPlane>> LayerPlanes(Coord top_nm, const LayerHeights& heights) {
   if (absl::Status ok = CheckHeights(heights); !ok.ok()) return ok;
   const Coord first = heights.first_nm;
-  if (first / 2 >= top_nm)
+  if (top_nm <= 0 || IsCutAbove(0, first, top_nm))
     return MakeError(
         absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
         fmt::format("the part is {} mm high, which is less than half of the first layer",
                     ToMm(top_nm)),
         {{"limit", std::to_string(first / 2)}, {"got", std::to_string(top_nm)}});
-  std::vector<LayerPlane> planes = {{{0, first, first}, first / 2}};
+  std::vector<LayerPlane> planes = {{{0, first, first}, std::min(first / 2, top_nm - 1)}};
   for (Coord bottom = first;;) {
     const Coord height = HeightAt(bottom, heights);
-    if (bottom + height / 2 >= top_nm) return planes;
+    if (IsCutAbove(bottom, height, top_nm)) return planes;
     const auto index = static_cast<int32_t>(planes.size());
     if (index == limits::kMaxLayers) {
       const int64_t wanted = index + 1 + (top_nm - bottom - height / 2) / height;
       return LimitError(Reason::kMeshTooLarge, "layers", limits::kMaxLayers, wanted);
     }
-    planes.push_back({{index, bottom + height, height}, bottom + height / 2});
+    planes.push_back(
+        {{index, bottom + height, height}, std::min(bottom + height / 2, top_nm - 1)});
     bottom += height;
   }
 }

@@ -28,11 +28,11 @@ struct LayerHeights {
 
 /// Layers for an object of height `top_nm` that stands on 0: the first has its own height, all above
 /// that of their range. A layer belongs to the range that its bottom lies in, or less than 35 um
-/// below. Each is cut in its middle (rounded down to nm). The last layer is the last whose middle
-/// lies below the top, so the print is at most half a layer lower or higher than the object (the
-/// rules of PrusaSlicer). Errors: SETTING_OUT_OF_RANGE for heights not above 0; MESH_TOO_LARGE with
-/// `limit`, `got` for too many layers; NOTHING_TO_PRINT if not even the first layer's middle lies
-/// below the top.
+/// below. Each is cut in its middle (rounded down to nm), but below the top. The last layer is the
+/// last whose middle lies no higher than the top, so the print is less than half a layer lower or at
+/// most half a layer higher than the object (the rules of PrusaSlicer). Errors: SETTING_OUT_OF_RANGE for heights not above 0; MESH_TOO_LARGE with
+/// `limit`, `got` for too many layers; NOTHING_TO_PRINT if even the first layer's middle lies above
+/// the top.
 absl::StatusOr<std::vector<LayerPlane>> LayerPlanes(Coord top_nm, const LayerHeights& heights);
 
 /// Layers with these tops, which ascend from above 0. Errors: MESH_TOO_LARGE.

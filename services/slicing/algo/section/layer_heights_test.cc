@@ -12,12 +12,13 @@ namespace {
 LayerHeights Heights(Coord first, Coord layer) { return {first, layer, {}}; }
 
 TEST(LayerPlanes, CutsInTheMiddle) {
-  const auto planes = LayerPlanes(1'000, Heights(300, 200));
+  const auto planes = LayerPlanes(990'000, Heights(300'000, 200'000));
   ASSERT_TRUE(planes.ok());
   ASSERT_EQ(planes->size(), 4u);
-  const std::vector<Coord> z = {150, 400, 600, 800}, top = {300, 500, 700, 900};
+  const std::vector<Coord> z = {150'000, 400'000, 600'000, 800'000},
+                           top = {300'000, 500'000, 700'000, 900'000};
   for (int32_t k = 0; k < 4; ++k) {
-    EXPECT_EQ((*planes)[k].frame, (LayerFrame{k, top[k], k == 0 ? 300 : 200}));
+    EXPECT_EQ((*planes)[k].frame, (LayerFrame{k, top[k], k == 0 ? 300'000 : 200'000}));
     EXPECT_EQ((*planes)[k].z_nm, z[k]);
   }
 }
@@ -27,20 +28,24 @@ struct Case {
   size_t want;
 };
 
-TEST(LayerPlanes, TheLastMiddleLiesBelowTheTop) {
+TEST(LayerPlanes, TheLastMiddleLiesNoHigherThanTheTop) {
   const std::vector<Case> cases = {{48'000'000, 200'000, 200'000, 240},
-                                   {1'000, 200, 200, 5},
-                                   {1'099, 200, 200, 5},
-                                   {1'100, 200, 200, 5},
-                                   {1'101, 200, 200, 6},
-                                   {101, 200, 200, 1},
-                                   {1, 1, 1, 1},
-                                   {10, 3, 3, 3}};
+                                   {1'000'000, 200'000, 200'000, 5},
+                                   {1'099'000, 200'000, 200'000, 5},
+                                   {1'100'000, 200'000, 200'000, 6},
+                                   {1'101'000, 200'000, 200'000, 6},
+                                   {13'500'000, 200'000, 200'000, 68},
+                                   {13'499'999, 200'000, 200'000, 68},  // of a float's rounding
+                                   {13'499'000, 200'000, 200'000, 67},
+                                   {100'000, 200'000, 200'000, 1},
+                                   {101'000, 200'000, 200'000, 1},
+                                   {1'000, 1'000, 1'000, 1},
+                                   {10'000, 3'000, 3'000, 3}};
   for (const Case& c : cases) {
     const auto planes = LayerPlanes(c.top, Heights(c.first, c.layer));
     ASSERT_TRUE(planes.ok());
     EXPECT_EQ(planes->size(), c.want) << c.top;
-    EXPECT_LT(planes->back().z_nm, c.top);
+    EXPECT_LT(planes->back().z_nm, c.top) << "what lies at the top's own height is not cut";
     EXPECT_GE(planes->back().z_nm + c.layer, c.top);
   }
 }
@@ -51,8 +56,8 @@ TEST(LayerPlanes, RefusesWhatCannotBe) {
   };
   EXPECT_EQ(reason(1'000, 0, 200), Reason::kSettingOutOfRange);
   EXPECT_EQ(reason(1'000, 200, -1), Reason::kSettingOutOfRange);
-  EXPECT_EQ(reason(100, 200, 200), Reason::kNothingToPrint);
-  EXPECT_EQ(reason(0, 200, 200), Reason::kNothingToPrint);
+  EXPECT_EQ(reason(99'000, 200'000, 200'000), Reason::kNothingToPrint);
+  EXPECT_EQ(reason(0, 200'000, 200'000), Reason::kNothingToPrint);
   EXPECT_EQ(reason(2'000'000'000, 200, 200), Reason::kMeshTooLarge);
 }
 
