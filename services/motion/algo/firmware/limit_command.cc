@@ -8,7 +8,10 @@ constexpr char kAxes[] = {'X', 'Y', 'Z', 'E'};
 }  // namespace
 
 LimitCommand& LimitCommand::Set(std::string_view parameter, double value) {
-  if (value <= 0) return *this;
+  return value > 0 ? SetEven0(parameter, value) : *this;
+}
+
+LimitCommand& LimitCommand::SetEven0(std::string_view parameter, double value) {
   if (!begun_) out_ << name_;
   begun_ = true;
   out_ << ' ' << parameter;

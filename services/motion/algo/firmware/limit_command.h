@@ -22,6 +22,8 @@ class LimitCommand {
   LimitCommand& operator=(const LimitCommand&) = delete;
 
   LimitCommand& Set(std::string_view parameter, double value);
+  /// The same for a limit that may be 0.
+  LimitCommand& SetEven0(std::string_view parameter, double value);
   /// X, Y, Z and E.
   LimitCommand& SetAxes(std::span<const double, 4> values, double factor = 1);
 

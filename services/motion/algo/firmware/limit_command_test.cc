@@ -10,7 +10,8 @@ TEST(LimitCommand, WritesWhatIsSet) {
   LimitCommand("M201", out).SetAxes(std::array{3000.0, 0.0, 500.0, 0.5});
   LimitCommand("M566", out).SetAxes(std::array{1.0, 2.0, 0.0, 0.0}, 60);
   LimitCommand("M205", out).Set("J", 0);
-  EXPECT_EQ(out.text(), "M201 X3000 Z500 E0.5\nM566 X60 Y120\n");
+  LimitCommand("M205", out).SetEven0("S", 0);
+  EXPECT_EQ(out.text(), "M201 X3000 Z500 E0.5\nM566 X60 Y120\nM205 S0\n");
 }
 
 TEST(ReadAxes, TakesOverWhatIsThere) {

@@ -31,7 +31,8 @@ constexpr KnownCommands kMarlinCommands{kMarlinG, kMarlinM};
 
 constexpr double kMarlinArcSegmentMm = 1;
 
-/// Travels run with the acceleration of printing, which is told alone.
+/// Travels run with the acceleration of printing, which is told alone. M204 is that of
+/// Prusa-Firmware: beside S, T is the acceleration of retractions.
 class LegacyFirmware : public MarlinFirmware {
  public:
   std::string_view name() const override { return "marlin"; }
@@ -50,7 +51,13 @@ class LegacyFirmware : public MarlinFirmware {
   void WriteAccelerationLimits(const MachineLimits& limits, GcodeText& out) const override {
     LimitCommand("M204", out)
         .Set("S", limits.max_acceleration_extruding_mm_s2)
-        .Set("R", limits.max_acceleration_retracting_mm_s2);
+        .Set("T", limits.max_acceleration_retracting_mm_s2);
+  }
+  /// Even if they are 0: the printer may have stored others.
+  void WriteLeastRates(const MachineLimits& limits, GcodeText& out) const override {
+    LimitCommand("M205", out)
+        .SetEven0("S", limits.min_extruding_rate_mm_s)
+        .SetEven0("T", limits.min_travel_rate_mm_s);
   }
 };
 
@@ -91,13 +98,18 @@ void MarlinFirmware::WriteLimits(const MachineLimits& limits, GcodeText& out) co
   LimitCommand("M201", out).SetAxes(limits.max_acceleration_mm_s2);
   LimitCommand("M203", out).SetAxes(limits.max_feedrate_mm_s);
   WriteAccelerationLimits(limits, out);
-  LimitCommand corners("M205", out);
   if (limits.junction_deviation_mm > 0) {
-    corners.Set("J", limits.junction_deviation_mm);
+    LimitCommand("M205", out).Set("J", limits.junction_deviation_mm);
   } else {
-    corners.SetAxes(limits.max_jerk_mm_s);
+    LimitCommand("M205", out).SetAxes(limits.max_jerk_mm_s);
   }
-  corners.Set("S", limits.min_extruding_rate_mm_s).Set("T", limits.min_travel_rate_mm_s);
+  WriteLeastRates(limits, out);
+}
+
+void MarlinFirmware::WriteLeastRates(const MachineLimits& limits, GcodeText& out) const {
+  LimitCommand("M205", out)
+      .Set("S", limits.min_extruding_rate_mm_s)
+      .Set("T", limits.min_travel_rate_mm_s);
 }
 
 void MarlinFirmware::WriteAccelerationLimits(const MachineLimits& limits, GcodeText& out) const {

@@ -24,6 +24,8 @@ class MarlinFirmware : public NumberedObjects {
  protected:
   /// M204.
   virtual void WriteAccelerationLimits(const MachineLimits& limits, GcodeText& out) const;
+  /// M205 S and T.
+  virtual void WriteLeastRates(const MachineLimits& limits, GcodeText& out) const;
 };
 
 /// Marlin 2 and its forks, Prusa's among them.

@@ -26,7 +26,8 @@ TEST(WriteMachineLimits, Marlin) {
             "M201 X3000 Y3000 Z500 E3000\nM203 X300 Y300 Z20 E120\nM204 P1500 R1500 T3000\n"
             "M205 X8 Y8 Z0.4 E2.5\n");
   EXPECT_NE(Limits(GcodeFlavor::kMarlin2, 0.02).find("M205 J0.02\n"), std::string::npos);
-  EXPECT_NE(Limits(GcodeFlavor::kMarlinLegacy).find("M204 S1500 R1500\n"), std::string::npos);
+  EXPECT_NE(Limits(GcodeFlavor::kMarlinLegacy).find("M204 S1500 T1500\n"), std::string::npos);
+  EXPECT_NE(Limits(GcodeFlavor::kMarlinLegacy).find("M205 S0 T0\n"), std::string::npos);
 }
 
 TEST(WriteMachineLimits, Klipper) {
