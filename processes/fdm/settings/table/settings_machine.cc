@@ -229,7 +229,7 @@ std::vector<SettingSpec> Travels() {
        .unit = "mm",
        .min = 0,
        .max = 1000,
-       .standard = "100",
+       .standard = "30",
        .doc = "Longer travels retract inside the part as well; 0: none does",
        .field = Bind([](auto& s) -> auto& { return s.ordering.travel.longest_hidden_mm; })},
       {.key = "avoid_crossing_perimeters",

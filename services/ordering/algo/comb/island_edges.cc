@@ -1,5 +1,6 @@
 #include "services/ordering/algo/comb/island_edges.h"
 
+#include <cmath>
 #include <iterator>
 #include <numeric>
 
@@ -18,6 +19,31 @@ Coord OuterWallRadius(std::span<const Path> paths) {
     count += std::ssize(path.widths_nm);
   }
   return count == 0 ? 0 : sum / (2 * count);
+}
+
+namespace {
+
+/// At its ends a travel comes from a wall and goes to one.
+constexpr double kEndsNm = 300'000;
+
+Point At(Point from, double dx, double dy) {
+  return {from.x + std::llround(dx), from.y + std::llround(dy)};
+}
+
+}  // namespace
+
+bool IslandEdges::Grazes(Point a, Point b, Coord near_nm) const {
+  const double length = Distance(a, b);
+  if (length <= 2 * kEndsNm) return false;
+  const double x = static_cast<double>(b.x - a.x) / length;
+  const double y = static_cast<double>(b.y - a.y) / length;
+  const auto near = static_cast<double>(near_nm);
+  for (const double aside : {near, -near}) {
+    const Point from = At(a, kEndsNm * x - aside * y, kEndsNm * y + aside * x);
+    const Point to = At(b, -kEndsNm * x - aside * y, -kEndsNm * y + aside * x);
+    if (walls_.Crosses(from, to)) return true;
+  }
+  return false;
 }
 
 IslandEdges::IslandEdges(const FilledIsland& island) {

@@ -24,6 +24,10 @@ class IslandEdges : public Barrier {
   bool Parts(Point a, Point b) const override {
     return outline_.Meets(a, b) || walls_.Crosses(a, b);
   }
+  /// Returns true if ab, its ends apart, comes nearer than that to the middle of an outer wall. By
+  /// default, so near that it might cross the wall as it is printed: motion simplifies paths by some
+  /// micrometres.
+  bool Grazes(Point a, Point b, Coord near_nm = 30'000) const;
   /// Whether p is inside the outline. REQUIRES: not on it.
   bool Surrounds(Point p) const { return outline_.Surrounds(p); }
   /// Whether there is an outline: nothing is known without.

@@ -56,6 +56,22 @@ TEST(IslandEdges, OfAnOpenOuterWall) {
   EXPECT_FALSE(edges.Parts(Mm(1, 0.2), Mm(9, 0.2)));
 }
 
+// Beads are moved by some micrometres where paths are simplified.
+TEST(IslandEdges, GrazesWhatPassesAnOuterWallTooNear) {
+  const IslandEdges edges(Plate());
+  for (const auto& [what, from, to, near] : {
+           Way{"past a corner of the hole's wall", Mm(2, 8.9), Mm(8.9, 2), false},
+           Way{"a hair beside the corner", Mm(2, 8.98), Mm(9, 1.98), true},
+           Way{"from a wall to a wall", Mm(0.5, 10), Mm(5.5, 10), false},
+           Way{"far inside", Mm(3, 3), Mm(17, 3), false},
+           Way{"too short to tell", Mm(5.48, 5.4), Mm(5.48, 5.9), false},
+       }) {
+    EXPECT_FALSE(near && edges.Parts(from, to)) << what;
+    EXPECT_EQ(edges.Grazes(from, to), near) << what;
+    EXPECT_EQ(edges.Grazes(to, from), near) << what;
+  }
+}
+
 TEST(IslandEdges, KnowTheInside) {
   const IslandEdges edges(Plate());
   EXPECT_TRUE(edges.Surrounds(Mm(3, 10)));

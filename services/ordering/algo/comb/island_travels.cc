@@ -37,6 +37,10 @@ constexpr double kLongestToSeenNm = 5.0 * kNmPerMm;
 /// The seam of a wall and the starts of its loops lie no further from each other.
 constexpr double kAtSeamNm = 1.5 * kNmPerMm;
 
+/// How far the walls of a layer lie from those of the layer below, most often. A way to the layer
+/// above that keeps so far off its own walls crosses none of that layer.
+constexpr Coord kStepNm = 400'000;
+
 class IslandTravels {
  public:
   /// All must outlive this.
@@ -53,18 +57,18 @@ class IslandTravels {
   /// To paths[i] from the one before.
   Travel To(size_t i, WorkBudget& budget) {
     const Point from = EndOf(paths_[i - 1]), to = StartOf(paths_[i]);
-    return from == to ? Travel{} : Between(from, to, i, budget);
+    return from == to ? Travel{} : Between(from, to, i, LongestHidden(), budget);
   }
 
   /// To the first path from where the layer below has left the nozzle: over the place where this
   /// layer would have left it, so that the way does not depend on the layer below.
   Travel From(Point seam, WorkBudget& budget) {
     const Point to = StartOf(paths_.front());
-    if (IsAt(seam, to)) return {true, {}};
     const std::optional<Point> inner = InnerStartAt(seam);
     const std::optional<Point> from = inner ? inner : BesideWall(seam);
+    if (IsAt(seam, to) && !(from && edges_.Parts(*from, to))) return {true, {}};
     if (!from) return {};
-    Travel travel = Between(*from, to, 0, budget);
+    Travel travel = Between(*from, to, 0, LongestToSeam(), budget);
     travel.corners.insert(travel.corners.begin(), *from);
     return travel;
   }
@@ -76,25 +80,31 @@ class IslandTravels {
     if (!inner && IsAt(seam, from)) return {from, {}};
     const std::optional<Point> to = inner ? inner : BesideWall(seam);
     if (!to) return {seam, {}};
-    return {*to, from == *to ? Travel{} : Between(from, *to, paths_.size(), budget)};
+    Leave leave{*to, {}};
+    if (from == *to) return leave;
+    leave.way = Between(from, *to, paths_.size(), LongestToSeam(), budget);
+    if (!leave.way.corners.empty() || edges_.Grazes(from, *to, kStepNm)) leave.way.hidden = false;
+    return leave;
   }
 
  private:
-  /// After the first `printed` paths, to the next one if there is one.
-  Travel Between(Point from, Point to, size_t printed, WorkBudget& budget) {
+  /// After the first `printed` paths, to the next one if there is one. `longest_nm`: of a way that
+  /// is hidden.
+  Travel Between(Point from, Point to, size_t printed, double longest_nm, WorkBudget& budget) {
     Travel travel;
     if (clearance_ > 0 && IsToGoRound(from, to))
       travel.corners = Around(from, to, LongestFor(from, to), budget);
     if (curled_ != nullptr && curled_->Meets(from, travel.corners, to))
       if (auto corners = AroundCurled(from, to, budget)) travel.corners = *std::move(corners);
     const bool seen = printed < paths_.size() && IsSeen(paths_[printed].feature);
-    const double longest = seen ? kLongestToSeenNm : LongestHidden();
-    travel.hidden = options_.hide && IsHidden(from, to, travel.corners, printed, longest);
+    if (seen) longest_nm = kLongestToSeenNm;
+    travel.hidden = options_.hide && IsHidden(from, to, travel.corners, printed, longest_nm);
     return travel;
   }
 
   bool IsToGoRound(Point from, Point to) {
-    return options_.avoid_crossing ? !Ways().IsClear(from, to) : edges_.Parts(from, to);
+    return options_.avoid_crossing ? !Ways().IsClear(from, to)
+                                   : edges_.Parts(from, to) || edges_.Grazes(from, to);
   }
 
   double LongestFor(Point from, Point to) const {
@@ -106,6 +116,10 @@ class IslandTravels {
     return options_.longest_hidden_mm > 0 ? options_.longest_hidden_mm * kNmPerMm
                                           : std::numeric_limits<double>::infinity();
   }
+
+  /// A way over a change of layer has a part in either layer, which does not know the other one's,
+  /// and a step from seam to seam between them: all together are no longer than a hidden way.
+  double LongestToSeam() const { return LongestHidden() / 2 - kAtSeamNm; }
 
   ClearWays& Ways() {
     if (!ways_) ways_.emplace(MultiPolygon{outline_}, clearance_);
@@ -145,7 +159,7 @@ class IslandTravels {
     std::vector<Point> places = corners;
     places.push_back(to);
     for (const Point place : places) {
-      if (edges_.Parts(from, place)) return false;
+      if (edges_.Parts(from, place) || edges_.Grazes(from, place)) return false;
       if (tops_.Crosses(from, place, static_cast<uint32_t>(printed))) return false;
       length += Distance(from, place);
       from = place;

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/geometry/text_format.h"
@@ -186,10 +187,17 @@ TEST(IslandTravels, WithoutAnOutlineAllAreInSight) {
   EXPECT_EQ(ways.leave, Leave{});
 }
 
+/// Ways of up to 100 mm are hidden.
+TravelOptions Far() {
+  TravelOptions options;
+  options.longest_hidden_mm = 100;
+  return options;
+}
+
 // A part whose layers meet at the seam in the corner at the origin.
 TEST(IslandTravels, GoesOnFromTheLayerBelow) {
   const auto from = [](const std::vector<Path>& paths, Point seam) {
-    return Ways(paths, {seam, {}}).travels.front().hidden;
+    return Ways(paths, {seam, {}}, Far()).travels.front().hidden;
   };
   EXPECT_TRUE(from({Sparse("(1 1, 5 2)"), OuterWall()}, {0, 0})) << "beside the seam";
   EXPECT_TRUE(from({OuterWall()}, {0, 0})) << "a wall that starts at its seam";
@@ -230,9 +238,43 @@ TEST(IslandTravels, TheWayOverAChangeOfLayerKeepsInside) {
   EXPECT_FALSE(edges.Parts(arrival.corners.back(), StartOf(at_foot)));
 }
 
+double LengthMm(Point from, const std::vector<Point>& corners, Point to) {
+  double length_nm = 0;
+  for (const Point corner : corners) length_nm += Distance(std::exchange(from, corner), corner);
+  return ToMm(length_nm + Distance(from, to));
+}
+
+// Neither layer knows how long the other one's part of the way is.
+TEST(IslandTravels, AWayOverAChangeOfLayerIsNoLongerThanAHiddenOne) {
+  int hidden = 0;
+  for (const double limit_mm : {8.0, 20.0, 30.0})
+    for (int below_mm = 6; below_mm < 23; ++below_mm)
+      for (int above_mm = 6; above_mm < 23; ++above_mm) {
+        TravelOptions options;
+        options.longest_hidden_mm = limit_mm;
+        const auto line = [](int x_mm, bool ends_there) {
+          const std::string x = std::to_string(x_mm);
+          return Sparse(
+              (ends_there ? "(5 2, " + x + " 2)" : "(" + x + " 2, 5 2)").c_str());
+        };
+        const std::vector<Path> below = {InnerWall(), OuterWall(), line(below_mm, true)};
+        const Path wall_above =
+            PathOf(Feature::kPerimeter, "(1.2 0.9, 5 0.9, 5 5)", true);  // a little further in
+        const std::vector<Path> above = {line(above_mm, false), wall_above, OuterWall()};
+        const Leave leave = *Ways(below, {{}, Point{0, 0}}, options).leave;
+        const Travel arrival = Ways(above, {Point{0, 0}, {}}, options).travels.front();
+        if (!leave.way.hidden || !arrival.hidden) continue;
+        ++hidden;
+        EXPECT_LE(LengthMm(EndOf(below.back()), leave.way.corners, leave.to) +
+                      LengthMm(leave.to, arrival.corners, StartOf(above.front())),
+                  limit_mm);
+      }
+  EXPECT_GT(hidden, 50);
+}
+
 TEST(IslandTravels, GoesToWhereTheLayerAboveGoesOn) {
   const Point seam{0, 0};
-  const auto leave = [&](const std::vector<Path>& paths, const TravelOptions& options = {}) {
+  const auto leave = [&](const std::vector<Path>& paths, const TravelOptions& options = Far()) {
     return *Ways(paths, {{}, seam}, options).leave;
   };
   EXPECT_EQ(leave({OuterWall()}).to, EndOf(OuterWall())) << "is there already";
@@ -241,7 +283,7 @@ TEST(IslandTravels, GoesToWhereTheLayerAboveGoesOn) {
   EXPECT_TRUE(inside.way.corners.empty());
   EXPECT_EQ(inside.to, StartOf(InnerWall())) << "where the layer above begins, too";
   const Leave around = leave({OuterWall(), Sparse("(19 12, 19 18)")});
-  EXPECT_TRUE(around.way.hidden);
+  EXPECT_FALSE(around.way.hidden) << "the walls above may lie aside of the slot";
   EXPECT_FALSE(around.way.corners.empty());
   EXPECT_FALSE(leave({OuterWall(), Top("(12 1, 12 3)"), Sparse("(19 2, 23 2)")}).way.hidden)
       << "over a top that is seen if nothing lies on it";
