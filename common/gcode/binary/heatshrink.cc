@@ -141,4 +141,52 @@ std::string Heatshrink(std::string_view bytes) {
   return out.Take();
 }
 
+namespace {
+
+class BitReader {
+ public:
+  explicit BitReader(std::string_view bytes) : bytes_(bytes) {}
+
+  /// -1: there are not so many.
+  int32_t Read(int bits) {
+    while (count_ < bits) {
+      if (at_ == bytes_.size()) return -1;
+      kept_ = kept_ << 8 | static_cast<unsigned char>(bytes_[at_++]);
+      count_ += 8;
+    }
+    count_ -= bits;
+    return static_cast<int32_t>(kept_ >> count_ & ((uint64_t{1} << bits) - 1));
+  }
+
+ private:
+  const std::string_view bytes_;
+  size_t at_ = 0;
+  uint64_t kept_ = 0;
+  int count_ = 0;
+};
+
+}  // namespace
+
+absl::StatusOr<std::string> Unheatshrink(std::string_view stream, size_t size, int window_bits) {
+  const auto broken = [] { return absl::InvalidArgumentError("is no Heatshrink stream"); };
+  BitReader in(stream);
+  std::string bytes;
+  bytes.reserve(size);
+  while (bytes.size() < size) {
+    const int32_t is_literal = in.Read(1);
+    if (is_literal == 1) {
+      const int32_t byte = in.Read(8);
+      if (byte < 0) return broken();
+      bytes += static_cast<char>(byte);
+      continue;
+    }
+    const int32_t back = in.Read(window_bits), length = in.Read(kLengthBits);
+    if (is_literal < 0 || back < 0 || length < 0) return broken();
+    if (static_cast<size_t>(back) + 1 > bytes.size()) return broken();
+    if (bytes.size() + static_cast<size_t>(length) + 1 > size) return broken();
+    for (int32_t i = 0; i <= length; ++i) bytes += bytes[bytes.size() - static_cast<size_t>(back) - 1];
+  }
+  return bytes;
+}
+
 }  // namespace slicefarm::gcode

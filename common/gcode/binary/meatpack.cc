@@ -14,6 +14,8 @@ constexpr std::string_view kSignal = "\xff\xff";
 constexpr char kEnable = '\xfb';
 constexpr char kDisable = '\xfa';
 constexpr char kNoSpaces = '\xf7';
+constexpr char kSpaces = '\xf6';
+constexpr char kReset = '\xf9';
 
 constexpr uint8_t kWhole = 15;  // the character stands behind, as it is
 /// By their number; `E` has that of the blank, which is not packed then.
@@ -103,6 +105,61 @@ std::string MeatPack(std::string_view lines) {
     }
   }
   return packer.Take();
+}
+
+namespace {
+
+class Unpacker {
+ public:
+  absl::Status Take(std::string_view packed) {
+    for (size_t at = 0; at < packed.size();) {
+      if (packed.substr(at).starts_with(kSignal)) {
+        if (at + kSignal.size() == packed.size() || !Obey(packed[at + kSignal.size()]))
+          return absl::InvalidArgumentError("has a command that MeatPack does not know");
+        at += kSignal.size() + 1;
+        continue;
+      }
+      const char byte = packed[at++];
+      if (!packs_) {
+        text_ += byte;
+        continue;
+      }
+      const auto pair = static_cast<uint8_t>(byte);
+      for (const int number : {pair & 15, pair >> 4}) {
+        if (number == kWhole && at == packed.size())
+          return absl::InvalidArgumentError("ends within a character");
+        text_ += number == kWhole ? packed[at++] : Character(number);
+      }
+    }
+    return absl::OkStatus();
+  }
+
+  std::string Text() && { return std::move(text_); }
+
+ private:
+  bool Obey(char command) {
+    if (command == kEnable || command == kDisable || command == kReset) packs_ = command == kEnable;
+    if (command == kNoSpaces || command == kSpaces) spaces_ = command == kSpaces;
+    return command == kEnable || command == kDisable || command == kReset ||
+           command == kNoSpaces || command == kSpaces;
+  }
+
+  char Character(int number) const {
+    const char c = kPacked[static_cast<size_t>(number)];
+    return c == 'E' && spaces_ ? ' ' : c;
+  }
+
+  bool packs_ = false;
+  bool spaces_ = true;
+  std::string text_;
+};
+
+}  // namespace
+
+absl::StatusOr<std::string> MeatUnpack(std::string_view packed) {
+  Unpacker unpacker;
+  if (absl::Status taken = unpacker.Take(packed); !taken.ok()) return taken;
+  return std::move(unpacker).Text();
 }
 
 }  // namespace slicefarm::gcode

@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "absl/status/statusor.h"
+
 namespace slicefarm::gcode {
 
 /// Lines of G-code as MeatPack has them, two characters in a byte where they are among those that
@@ -13,5 +15,10 @@ namespace slicefarm::gcode {
 /// `?`. Cost: O(bytes).
 /// Source: S. Mudge, MeatPack; libbgcode's specification.
 std::string MeatPack(std::string_view lines);
+
+/// Returns the lines of a text that MeatPack has packed, by this or another program. Errors:
+/// InvalidArgument for a command of MeatPack that there is not, and for a text that ends within a
+/// character.
+absl::StatusOr<std::string> MeatUnpack(std::string_view packed);
 
 }  // namespace slicefarm::gcode
