@@ -24,6 +24,7 @@ std::optional<std::string> FilamentWatch::Add(const ProgramMove& move, bool cust
   depth_mm_ = std::max(0.0, depth_mm_ - mm);
   // What a restart leaves out, or rounding, does not add up.
   if (mm > 0 && depth_mm_ <= slack_mm_) depth_mm_ = 0;
+  if (!custom) last_depth_mm_ = depth_mm_;
   return wrong;
 }
 
@@ -40,8 +41,11 @@ std::optional<std::string> FilamentWatch::Restart(double mm) {
   return absl::StrFormat("pushes %.3f mm of filament without a retraction before", mm);
 }
 
-void FilamentWatch::ChangeTool() {
-  printed_mm_ += depth_mm_;
+void FilamentWatch::ChangeTool(bool custom) {
+  if (!custom) {
+    printed_mm_ += depth_mm_;
+    last_depth_mm_ = 0;
+  }
   depth_mm_ = 0;
   fresh_ = true;
 }

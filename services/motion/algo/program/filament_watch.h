@@ -18,11 +18,13 @@ class FilamentWatch {
 
   /// What is wrong with a move; nothing if all is well. `custom`: the user's own, which may prime.
   std::optional<std::string> Add(const ProgramMove& move, bool custom);
-  /// Another filament: as at the start of a program.
-  void ChangeTool();
+  /// Another filament: as at the start of a program. What `custom` code has pulled back before was
+  /// never printed.
+  void ChangeTool(bool custom);
 
-  /// What the slicer prints: net of retractions, without custom code.
-  double PrintedMm() const { return printed_mm_ + depth_mm_ - first_depth_mm_; }
+  /// What the slicer prints: net of retractions, without custom code and what that retracts in the
+  /// end.
+  double PrintedMm() const { return printed_mm_ + last_depth_mm_ - first_depth_mm_; }
 
  private:
   static constexpr double kSlackMm = 0.01;
@@ -34,6 +36,7 @@ class FilamentWatch {
   double longest_mm_;
   double depth_mm_ = 0;        ///< retracted by so much
   double first_depth_mm_ = 0;  ///< when the slicer's code began
+  double last_depth_mm_ = 0;   ///< after the slicer's last move so far
   double printed_mm_ = 0;
   bool begun_ = false;         ///< the slicer's code
   bool fresh_ = true;          ///< nothing printed since the start or the change of tool

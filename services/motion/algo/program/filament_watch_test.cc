@@ -30,7 +30,7 @@ TEST(FilamentWatch, OnesThatFail) {
   EXPECT_FALSE(watch.Add(Print(1), false)) << "told once";
   EXPECT_TRUE(watch.Add(Push(0.8), false)) << "not retracted";
   EXPECT_FALSE(watch.Add(Push(0.8), true)) << "the user's own";
-  watch.ChangeTool();
+  watch.ChangeTool(false);
   EXPECT_FALSE(watch.Add(Push(0.8), false)) << "a new filament is primed";
 }
 
@@ -41,6 +41,16 @@ TEST(FilamentWatch, CustomCodeIsNotPrintedButItsRetractionStands) {
   watch.Add(Push(0.8), false);
   watch.Add(Print(2), false);
   watch.Add(Push(-0.8), false);
+  EXPECT_NEAR(watch.PrintedMm(), 2, 1e-12);
+}
+
+// As the end G-code does.
+TEST(FilamentWatch, WhatCustomCodeRetractsInTheEndIsNotPrinted) {
+  FilamentWatch watch(0, 0);
+  watch.Add(Print(2), false);
+  watch.Add(Push(-0.8), false);
+  watch.Add(Push(-1), true);
+  watch.ChangeTool(true);
   EXPECT_NEAR(watch.PrintedMm(), 2, 1e-12);
 }
 

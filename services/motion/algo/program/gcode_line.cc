@@ -68,7 +68,7 @@ void GcodeLine::ReadWords(std::string_view text) {
     const char word = Upper(text.front());
     text = SkipBlanks(text.substr(1));
     if (Has(word)) {
-      fault = "a word is there twice";
+      fault = kWordTwice;
       return;
     }
     present_ |= Bit(word);

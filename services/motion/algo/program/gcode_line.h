@@ -7,6 +7,8 @@
 
 namespace slicefarm::motion {
 
+inline constexpr std::string_view kWordTwice = "a word is there twice";
+
 /// One line of G-code, taken apart. Views point into the line.
 ///   G1 X10 Y-.5 E.03     command "G1", letter G, number 1, words X, Y and E
 ///   SET_FAN SPEED=1      command "SET_FAN", letter 0, parameters "SPEED=1"

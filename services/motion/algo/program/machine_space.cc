@@ -44,8 +44,12 @@ MachineSpace::MachineSpace(const Polygon& bed, double max_height_mm, double min_
   }
 }
 
+double MachineSpace::OutsideHeight(double z_mm) const {
+  return std::max(z_mm - max_height_mm_, min_height_mm_ - z_mm);
+}
+
 double MachineSpace::Outside(double x_mm, double y_mm, double z_mm) const {
-  double outside = std::max(z_mm - max_height_mm_, min_height_mm_ - z_mm);
+  double outside = OutsideHeight(z_mm);
   for (const Side& side : sides_)
     outside = std::max(outside, side.a * x_mm + side.b * y_mm - side.c);
   return outside;

@@ -14,6 +14,8 @@ class MachineSpace {
 
   /// How far, in mm, a place lies outside; at most 0: it does not.
   double Outside(double x_mm, double y_mm, double z_mm) const;
+  /// The same of a height, wherever it is.
+  double OutsideHeight(double z_mm) const;
 
  private:
   /// a x + b y <= c inside; (a, b) of length 1.

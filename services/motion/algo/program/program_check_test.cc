@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "absl/strings/str_cat.h"
+#include "services/motion/algo/firmware/bambu.h"
 #include "services/motion/algo/firmware/klipper.h"
 #include "services/motion/algo/firmware/marlin.h"
 #include "services/motion/algo/firmware/reprap.h"
@@ -68,6 +69,23 @@ TEST(CheckProgram, OutsideOfTheMachine) {
   EXPECT_THAT(Check("G1 Z-.1 F600\n"), One("outside"));
   EXPECT_THAT(Check("G3 X190 Y30 I0 J5\n"), testing::Not(IsEmpty()));
   EXPECT_THAT(Check(";TYPE:Custom\nG1 Y-3 F600\n"), IsEmpty()) << "start G-code primes there";
+}
+
+TEST(CheckProgram, TheNozzleIsLiftedWhereStartGcodeHasLeftIt) {
+  const std::string start =
+      "M104 S200\nG28\nG90\nM83\n;TYPE:Custom\nG1 X51 Y-4 F600\n;LAYER_CHANGE\n";
+  const auto findings = [&](const std::string& rest) {
+    return CheckProgram(start + rest, Marlin2(), Machine()).findings;
+  };
+  EXPECT_THAT(findings("G1 Z.8\nG1 X20 Y20\n"), IsEmpty());
+  EXPECT_THAT(findings("G1 X52\n"), ElementsAre(Field(&Finding::text, HasSubstr("outside"))));
+  EXPECT_THAT(findings("G1 Z-.8\n"), ElementsAre(Field(&Finding::text, HasSubstr("outside"))));
+}
+
+TEST(CheckProgram, CustomCodeOfVendors) {
+  EXPECT_THAT(Check(";TYPE:Custom\nM970.3 Q0 A7 Q0\nG380 S2 Z30\n", Bambu()), IsEmpty());
+  EXPECT_THAT(Check("M970.3 Q0 A7 Q0\n", Bambu()), One("twice"));
+  EXPECT_THAT(Check(";TYPE:Custom\nG1 X4 X5\n", Bambu()), One("twice"));
 }
 
 TEST(CheckProgram, Beads) {
