@@ -14,7 +14,8 @@ namespace slicefarm {
 /// Where a copy goes when a scene is put on several plates.
 struct PlatePlace {
   int32_t plate = 0;
-  Point middle;  ///< where the middle of the object's box stands on that plate
+  Point middle;         ///< where the middle of the object's box stands on that plate
+  bool turned = false;  ///< by a quarter turn about the vertical, counter-clockwise
 
   friend bool operator==(const PlatePlace&, const PlatePlace&) = default;
 };
@@ -26,7 +27,7 @@ class ArrangingStage {
   virtual ~ArrangingStage() = default;
 
   /// A place for each copy, by object. Copies with a place keep it, on plate 0; each other one gets
-  /// one on some plate. Errors: what Reason lists; OUT_OF_BUILD_VOLUME naming objects that are too
+  /// one on some plate. Copies are turned only where that saves a plate. Errors: what Reason lists; OUT_OF_BUILD_VOLUME naming objects that are too
   /// large for an empty bed; Cancelled.
   virtual absl::StatusOr<std::vector<PlatePlace>> PutOnPlates(
       const StageCall& call, SliceInput input, const SlicingOptions& options) const = 0;

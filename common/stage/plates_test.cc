@@ -39,6 +39,20 @@ TEST(ObjectsToPlace, CopiesThatAreTurnedAlikeAreOfOneObject) {
               ElementsAre(CopyInput{CopyInput::Place::kOriginAt, {FromMm(30), FromMm(40)}}));
 }
 
+TEST(OnPlates, ACopyIsTurnedWithoutLosingADigit) {
+  SceneObject object = Copies("a", 1);
+  object.instances[0].to_plate(0, 0) = 2;
+  const SceneObject scene[] = {object};
+  const std::vector<PlatePlace> places = {{0, {FromMm(10), FromMm(20)}, true}};
+  const Transform turned = OnPlates(scene, places).at(0).at(0).instances.at(0).to_plate;
+  EXPECT_EQ(turned(0, 0), 0);
+  EXPECT_EQ(turned(0, 1), -1);
+  EXPECT_EQ(turned(1, 0), 2);
+  EXPECT_EQ(turned(1, 1), 0);
+  EXPECT_EQ(turned(0, 3), 10);
+  EXPECT_EQ(turned(1, 3), 20);
+}
+
 TEST(OnPlates, EachCopyIsOnItsPlateAtItsPlace) {
   const SceneObject scene[] = {Copies("a", 3), Standing("b", 30, 40), Copies("c", 1)};
   const std::vector<PlatePlace> places = {

@@ -159,13 +159,14 @@ absl::StatusOr<SlicedJob> FromProto(const v1::SliceSummary& proto) {
 
 absl::Status ToProto(const PlatePlace& place, v1::PlatePlace* proto) {
   proto->set_plate(place.plate);
+  proto->set_turned(place.turned);
   return ToProto(place.middle, proto->mutable_middle());
 }
 
 absl::StatusOr<PlatePlace> FromProto(const v1::PlatePlace& proto) {
   if (proto.plate() < 0 || proto.plate() >= limits::kMaxObjects)
     return Malformed("plate", "is none that copies could need");
-  return PlatePlace{proto.plate(), FromProto(proto.middle())};
+  return PlatePlace{proto.plate(), FromProto(proto.middle()), proto.turned()};
 }
 
 }  // namespace slicefarm

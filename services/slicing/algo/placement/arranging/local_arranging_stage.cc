@@ -1,5 +1,7 @@
 #include "services/slicing/algo/placement/arranging/local_arranging_stage.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,6 +9,7 @@
 #include "absl/strings/escaping.h"
 #include "absl/strings/str_join.h"
 #include "common/base/error.h"
+#include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
 #include "services/slicing/algo/placement/arranging/arrange.h"
 #include "services/slicing/algo/placement/arranging/copy_places.h"
@@ -47,6 +50,30 @@ absl::Status TooLarge(const std::vector<ObjectInput>& objects, const std::vector
                    "too large for the bed: " + text, {{"object", text}});
 }
 
+/// How many plates there are at least, by area; 1 where the bed has no edge.
+int FewestPlates(const std::vector<ArrangeItem>& items, const ArrangeOptions& options) {
+  const double bed = std::abs(SignedArea(options.bed));
+  double area = 0;
+  for (const ArrangeItem& item : items) area += std::abs(SignedArea(item.footprint));
+  return bed <= 0 ? 1 : std::max(1, static_cast<int>(std::ceil(area / bed)));
+}
+
+/// Arrange, and if that leaves something over or takes more plates than there must be, once more
+/// with each item as it is or turned: the one that has room for all on fewer plates counts.
+absl::StatusOr<Arrangement> ArrangeAll(std::vector<ArrangeItem> items,
+                                       const std::vector<FixedFootprint>& fixed,
+                                       const ArrangeOptions& options, const CancelToken& cancel) {
+  auto straight = Arrange(items, fixed, options, cancel);
+  if (!straight.ok()) return straight;
+  const bool all = straight->left_over.empty();
+  if (all && straight->plates <= FewestPlates(items, options)) return straight;
+  for (ArrangeItem& item : items) item.rotations_deg = {0, 90};
+  auto turned = Arrange(items, fixed, options, cancel);
+  if (!turned.ok()) return turned;
+  const bool better = turned->left_over.empty() && (!all || turned->plates < straight->plates);
+  return better ? turned : straight;
+}
+
 class LocalArranging : public ArrangingStage {
  public:
   explicit LocalArranging(std::unique_ptr<const MeshSource> source) : source_(std::move(source)) {}
@@ -73,12 +100,13 @@ class LocalArranging : public ArrangingStage {
         if (shape.footprint.size() >= 3) fixed.push_back({Moved(shape.footprint, place.middle)});
       }
     }
-    const auto arranged = Arrange(items, fixed, ArrangeOptionsOf(options), call.cancel);
+    const auto arranged = ArrangeAll(items, fixed, ArrangeOptionsOf(options), call.cancel);
     if (!arranged.ok()) return arranged.status();
     if (!arranged->left_over.empty())
       return TooLarge(input.objects, object_of, arranged->left_over);
     for (size_t i = 0; i < items.size(); ++i)
-      places[place_of[i]] = {arranged->places[i]->plate, arranged->places[i]->translation};
+      places[place_of[i]] = {arranged->places[i]->plate, arranged->places[i]->translation,
+                             arranged->places[i]->rotation_deg != 0};
     return places;
   }
 

@@ -65,6 +65,26 @@ TEST(LocalArranging, OnePlateIsEnoughForFew) {
   EXPECT_EQ(plates->at(0)[0].instances.size(), 4u);
 }
 
+// Three of them lie side by side, and a fourth only across.
+TEST(LocalArranging, TurnsCopiesWhereThatSavesAPlate) {
+  SlicingOptions options;
+  options.bed = {
+      {0, 0}, {250 * kNmPerMm, 0}, {250 * kNmPerMm, 210 * kNmPerMm}, {0, 210 * kNmPerMm}};
+  const std::vector<MeshFile> files = {
+      {"bar", MeshFormat::kStl, ToBinaryStl(BoxMesh({0, 0, 0}, {130, 50, 10}))}};
+  const auto plates_of = [&](int copies) {
+    const std::vector<SceneObject> objects = {Copies("bar", 0, copies)};
+    const auto places =
+        MakeLocalArranging()->PutOnPlates({}, {files, ObjectsToPlace(objects)}, options);
+    EXPECT_TRUE(places.ok()) << places.status();
+    return OnPlates(objects, *places);
+  };
+  EXPECT_EQ(plates_of(12).size(), 3u);
+  // What fits as it is stays as it is.
+  for (const Instance& copy : plates_of(3).at(0).at(0).instances)
+    EXPECT_EQ(copy.to_plate(0, 0), 1);
+}
+
 TEST(LocalArranging, WhatHasAPlaceKeepsIt) {
   SceneObject standing = Copies("a", 0, 1);
   standing.instances[0].placed = true;
