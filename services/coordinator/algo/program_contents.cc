@@ -58,6 +58,24 @@ int64_t AreaOf(std::string_view size) {
   return width * height;
 }
 
+/// Of binary G-code. What stands behind its pictures need not be there.
+std::optional<std::string> LargestPicture(std::string_view beginning) {
+  std::optional<std::string> largest;
+  int64_t largest_area = 0;
+  gcode::BinaryGcodeReader reader([&](const gcode::BinaryBlock& block) {
+    const int64_t area = int64_t{block.parameters[1]} * block.parameters[2];
+    constexpr uint16_t kPng = 0;
+    const bool is_png = block.type == gcode::BinaryBlock::kThumbnail && block.parameters[0] == kPng;
+    if (is_png && area > largest_area) {
+      largest_area = area;
+      largest = block.data;
+    }
+    return absl::OkStatus();
+  });
+  if (!reader.Add(beginning).ok()) return std::nullopt;
+  return largest;
+}
+
 ProgramJson ParsedReport(const std::string& report) {
   ProgramJson json = ProgramJson::parse(report, nullptr, /*allow_exceptions=*/false);
   return json.is_object() ? json : ProgramJson::object();
@@ -67,7 +85,7 @@ ProgramJson ParsedReport(const std::string& report) {
 
 void LayerScan::Line(std::string_view line, int64_t offset) {
   if (line.starts_with(";LAYER_CHANGE")) {
-    layers_.push_back({.offset = offset});
+    layers_.push_back({.offset = block_at_ >= 0 ? block_at_ : offset});
   } else if (layers_.empty()) {
     return;
   } else if (line.starts_with(";Z:")) {
@@ -80,6 +98,22 @@ void LayerScan::Line(std::string_view line, int64_t offset) {
 }
 
 void LayerScan::Add(std::string_view bytes) {
+  if (!std::exchange(begun_, begun_ || !bytes.empty()) && gcode::IsBinaryGcode(bytes))
+    binary_.emplace([this](const gcode::BinaryBlock& block) { return TakeBlock(block); });
+  if (!binary_) return AddText(bytes);
+  if (read_.ok()) read_ = binary_->Add(bytes);
+}
+
+absl::Status LayerScan::TakeBlock(const gcode::BinaryBlock& block) {
+  if (block.type != gcode::BinaryBlock::kGcode) return absl::OkStatus();
+  const auto text = gcode::TextOf(block);
+  if (!text.ok()) return text.status();
+  block_at_ = block.offset;
+  AddText(*text);
+  return absl::OkStatus();
+}
+
+void LayerScan::AddText(std::string_view bytes) {
   while (!bytes.empty()) {
     const size_t end = bytes.find('\n');
     const std::string_view part = bytes.substr(0, end);
@@ -100,6 +134,7 @@ void LayerScan::Add(std::string_view bytes) {
 
 std::vector<LayerPlace> LayerScan::Layers() && {
   if (!line_.empty()) Line(line_, line_at_);
+  if (!read_.ok() || (binary_ && !binary_->End().ok())) layers_.clear();
   return std::move(layers_);
 }
 
@@ -118,6 +153,7 @@ std::string LayersJson(const std::vector<LayerPlace>& layers, const std::vector<
 }
 
 std::optional<std::string> LargestThumbnail(std::string_view beginning) {
+  if (gcode::IsBinaryGcode(beginning)) return LargestPicture(beginning);
   std::optional<std::string> largest;
   int64_t largest_area = 0;
   for (size_t at = 0; at < beginning.size();) {

@@ -6,11 +6,14 @@
 #include <string_view>
 #include <vector>
 
+#include "absl/status/status.h"
+#include "common/gcode/binary/binary_gcode_reader.h"
+
 namespace slicefarm::coordinator {
 
 /// Where a layer is in a program.
 struct LayerPlace {
-  int64_t offset = 0;  ///< of its first byte
+  int64_t offset = 0;  ///< of its first byte; in binary G-code, of the block that it begins in
   double z_mm = 0;
   double height_mm = 0;
   int64_t moves = 0;  ///< G0 to G3
@@ -19,7 +22,8 @@ struct LayerPlace {
 };
 
 /// Finds the layers of a program that comes in pieces, by the comments that previewers read:
-/// `;LAYER_CHANGE`, `;Z:` and `;HEIGHT:`. Cost: O(bytes); holds a line of 256 bytes at most.
+/// `;LAYER_CHANGE`, `;Z:` and `;HEIGHT:`. Reads binary G-code, too; of one that is broken it finds
+/// no layer. Cost: O(bytes); holds a line of 256 bytes at most, or a block of binary G-code.
 class LayerScan {
  public:
   void Add(std::string_view bytes);
@@ -27,8 +31,14 @@ class LayerScan {
   std::vector<LayerPlace> Layers() &&;
 
  private:
+  void AddText(std::string_view bytes);
   void Line(std::string_view line, int64_t offset);
+  absl::Status TakeBlock(const gcode::BinaryBlock& block);
 
+  bool begun_ = false;
+  std::optional<gcode::BinaryGcodeReader> binary_;
+  absl::Status read_;      ///< of binary G-code
+  int64_t block_at_ = -1;  ///< of the block whose lines come; -1: the program is text
   int64_t offset_ = 0;  ///< of what comes next
   int64_t line_at_ = 0;
   std::string line_;  ///< its beginning, if it is not at its end
@@ -38,7 +48,8 @@ class LayerScan {
 /// JSON of layers; `times_s`: of each, or of none.
 std::string LayersJson(const std::vector<LayerPlace>& layers, const std::vector<double>& times_s);
 
-/// The largest PNG among the thumbnails at a program's beginning, as its bytes.
+/// The largest PNG among the thumbnails at a program's beginning, text or binary G-code, as its
+/// bytes.
 std::optional<std::string> LargestThumbnail(std::string_view beginning);
 
 /// `layers_s` of a report's `times`; none if it has none.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "absl/strings/escaping.h"
+#include "common/gcode/binary/binary_gcode.h"
 
 namespace slicefarm::coordinator::program_contents_test {
 namespace {
@@ -31,6 +32,27 @@ TEST(LayerScan, FindsLayersHoweverTheBytesCome) {
       scan.Add(std::string_view(kProgram).substr(at, piece));
     EXPECT_EQ(std::move(scan).Layers(), Expected()) << piece;
   }
+}
+
+// Each layer's offset is that of its block: a printer reads whole blocks.
+TEST(LayerScan, FindsTheLayersOfBinaryGcode) {
+  std::string text;
+  for (int i = 0; i < 9000; ++i) text += ";LAYER_CHANGE\n;Z:0.2\n;HEIGHT:0.2\nG1 X1 Y2\n";
+  const std::string binary = gcode::BinaryGcode(text).value();
+  for (const size_t piece : {size_t{1000}, binary.size()}) {
+    LayerScan scan;
+    for (size_t at = 0; at < binary.size(); at += piece)
+      scan.Add(std::string_view(binary).substr(at, piece));
+    const std::vector<LayerPlace> layers = std::move(scan).Layers();
+    ASSERT_EQ(layers.size(), 9000u);
+    EXPECT_EQ(layers.back().moves, 1);
+    EXPECT_EQ(layers.back().z_mm, 0.2);
+    EXPECT_EQ(binary[static_cast<size_t>(layers.front().offset)], '\1') << "a block of G-code";
+    EXPECT_LT(layers.front().offset, layers.back().offset);
+  }
+  LayerScan cut_off;
+  cut_off.Add(std::string_view(binary).substr(0, binary.size() - 5));
+  EXPECT_THAT(std::move(cut_off).Layers(), testing::IsEmpty());
 }
 
 TEST(LayerScan, OtherTextsHaveNone) {
@@ -61,6 +83,12 @@ TEST(LargestThumbnail, IsTheOneOfMostPixels) {
                               Thumbnail("64x64", "middle") +
                               "; thumbnail_JPG begin 999x999 4\n; abcd\nG1 X1\n";
   EXPECT_EQ(LargestThumbnail(program), large);
+  const std::string binary = gcode::BinaryGcode("; by\n" + Thumbnail("16x16", "small") +
+                                                Thumbnail("220x124", large) + "G1 X1\n")
+                                 .value();
+  EXPECT_EQ(LargestThumbnail(binary), large);
+  EXPECT_EQ(LargestThumbnail(std::string_view(binary).substr(0, binary.size() - 3)), large)
+      << "what stands behind the pictures need not be there";
   EXPECT_EQ(LargestThumbnail("G1 X1\n"), std::nullopt);
   EXPECT_EQ(LargestThumbnail("; thumbnail begin 16x16 9\n; no base 64!\n; thumbnail end\n"),
             std::nullopt);
