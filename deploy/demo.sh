@@ -17,7 +17,7 @@ name=$(basename "${model%.*}")
 mkdir -p "$out"
 deploy/local.sh up --workers 2 --mode split
 trap 'deploy/local.sh down' EXIT
-build/bin/slicefarm submit "$model" -o "$out/$name.gcode" --report "$out/$name.json" --server 127.0.0.1:50050
+build/bin/slicefarm submit "$model" -o "$out/$name.gcode" --config deploy/demo.ini --report "$out/$name.json" --server 127.0.0.1:50050
 build/bin/slicefarm render "$out/$name.gcode" --layer 20 -o "$out/$name-layer20.png"
 echo
 echo "G-code         $PWD/$out/$name.gcode"

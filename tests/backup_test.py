@@ -96,7 +96,7 @@ class Farm:
         return run.stdout
 
     def submit(self, model, number):
-        return self.call("submit", model, "--detach", "--set", f"fill_density={5 + number}%").strip()
+        return self.call("submit", model, "--detach", "--generic", "--set", f"fill_density={5 + number}%").strip()
 
     def result(self, job, folder):
         """The digest of the G-code, once it is there."""

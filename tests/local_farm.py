@@ -181,7 +181,8 @@ class Farm:
 
     def client(self, *arguments, coordinator=None):
         coordinator = coordinator or random.choice(self.coordinators)
-        command = [BIN / "slicefarm", *arguments, "--server", coordinator.address, "--patience", "120"]
+        generic = ["--generic"] if arguments[0] == "submit" else []
+        command = [BIN / "slicefarm", *arguments, *generic, "--server", coordinator.address, "--patience", "120"]
         return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
     def submit(self, model, *arguments, coordinator=None):

@@ -33,6 +33,8 @@ constexpr std::array kNames = std::to_array<std::pair<Reason, std::string_view>>
     {Reason::kSettingOutOfRange, "SETTING_OUT_OF_RANGE"},
     {Reason::kSettingMisplaced, "SETTING_MISPLACED"},
     {Reason::kSettingOfOtherProcess, "SETTING_OF_OTHER_PROCESS"},
+    {Reason::kNotSupported, "NOT_SUPPORTED"},
+    {Reason::kPrinterMissing, "PRINTER_MISSING"},
     {Reason::kProcessUnavailable, "PROCESS_UNAVAILABLE"},
     {Reason::kRequestMalformed, "REQUEST_MALFORMED"},
     {Reason::kRequestIdReused, "REQUEST_ID_REUSED"},

@@ -64,6 +64,9 @@ enum class Reason {
   kDiskFull,
   kDiskLow,
   kInternal,
+  // Of settings, too: features that slicefarm lacks, and a printer that nobody named.
+  kNotSupported,
+  kPrinterMissing,
 };
 
 /// `kMeshTruncated` -> "MESH_TRUNCATED".

@@ -71,6 +71,7 @@ class Resolver {
     told_.insert(base->no_effect.begin(), base->no_effect.end());
     of_job_ = told_;
     warned_.insert(base->warnings.begin(), base->warnings.end());
+    for (MissingFeature& each : base->missing) TellMissing(std::move(each));
     known_[Settings{}] = base->settings;
     growth_ = base->growth;
     return absl::OkStatus();
@@ -95,6 +96,7 @@ class Resolver {
         plate_.no_effect.push_back(object + ": " + note);
     for (const std::string& warning : resolved->warnings)
       if (warned_.insert(warning).second) plate_.warnings.push_back(object + ": " + warning);
+    for (const MissingFeature& each : resolved->missing) TellMissing(each);
     known_[own] = resolved->settings;
     return resolved->settings;
   }
@@ -104,6 +106,13 @@ class Resolver {
     if (!warned_.insert(text).second) return;
     plate_.no_effect.insert(plate_.no_effect.begin(), text);
     plate_.warnings.push_back(text);
+  }
+
+  /// Tells, once, of what spoils the print; it is a warning as well.
+  void TellMissing(MissingFeature feature) {
+    if (std::ranges::find(plate_.missing, feature) != plate_.missing.end()) return;
+    if (warned_.insert(feature.text).second) plate_.warnings.push_back(feature.text);
+    plate_.missing.push_back(std::move(feature));
   }
 
   /// Those of `settings` that the place may have. Others are errors if a person asked for them, and
@@ -349,12 +358,15 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
   Settings job(given_job.begin(), given_job.end());
   std::vector<SceneObject> objects(given_objects.begin(), given_objects.end());
   const ProcessSettings& own = SettingsOf(process);
-  if (absl::Status ok = own.TakeTogether(job, objects); !ok.ok()) return ok;
+  std::vector<MissingFeature> missing;
+  if (absl::Status ok = own.TakeTogether(job, objects, missing); !ok.ok()) return ok;
   if (absl::Status ok = CheckResolvedBytes(job, objects); !ok.ok()) return ok;
   if (absl::Status ok = CheckWrittenRows(objects, process); !ok.ok()) return ok;
   ResolvedPlate plate;
   Resolver resolver(job, process, cancel, plate);
   if (absl::Status ok = resolver.ResolveJob(); !ok.ok()) return ok;
+  std::ranges::move(own.Incompatible(job, plate.effective_text), std::back_inserter(missing));
+  for (MissingFeature& each : missing) resolver.TellMissing(std::move(each));
   const JobSettings base = plate.settings;
   plate.settings.slicing.objects.clear();
   own.BeginPlate(plate.settings);

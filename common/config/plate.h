@@ -25,6 +25,8 @@ struct ResolvedPlate {
   std::vector<std::string> no_effect;
   int64_t beside_print = 0;
   std::vector<std::string> warnings;
+  /// What makes the job one to be refused (CheckMissing); `warnings` has each text as well.
+  std::vector<MissingFeature> missing;
 };
 
 /// Settings of the job, of objects, parts, modifiers and ranges of heights to tables, and objects

@@ -47,6 +47,7 @@ struct FileFormat {
   std::string_view key;     ///< the setting that says so
   std::string_view value;
   bool alone = false;  ///< only processes that list the suffix make files of such a name
+  bool chosen_by_name = true;  ///< a file of such a name gets the format unless settings say it
 };
 
 /// What users are told of a job's parts and of its time.
@@ -73,6 +74,9 @@ class ProcessSettings {
   /// Whether a key beside the table is one of this process: files have it, and nothing heeds it.
   virtual bool Knows(std::string_view /*key*/) const { return false; }
 
+  /// Returns the keys that a machine's profile sets: a job that sets all of them names its machine.
+  virtual std::span<const std::string_view> MachineKeys() const { return {}; }
+
   // One set of settings, in the order of the calls: see Resolve, whose errors these are.
   /// Which item counts of a list with one for each extruder.
   virtual size_t ListItem(std::span<const Setting> /*given*/) const { return 0; }
@@ -89,10 +93,18 @@ class ProcessSettings {
   }
 
   // A plate of objects, in the order of the calls: see ResolvePlate, whose errors these are.
-  /// Takes out what objects and job can only have together, before anything is resolved.
+  /// Takes out what objects and job can only have together, before anything is resolved. Adds to
+  /// `missing` what is not done as asked.
   virtual absl::Status TakeTogether(std::vector<Setting>& /*job*/,
-                                    std::vector<SceneObject>& /*objects*/) const {
+                                    std::vector<SceneObject>& /*objects*/,
+                                    std::vector<MissingFeature>& /*missing*/) const {
     return absl::OkStatus();
+  }
+  /// Returns the profiles among the job's settings that their own conditions keep from this
+  /// machine or print. `settings_text`: ResolvedSettings::effective_text.
+  virtual std::vector<MissingFeature> Incompatible(std::span<const Setting> /*job*/,
+                                                   std::string_view /*settings_text*/) const {
+    return {};
   }
   virtual std::unique_ptr<RegionRows> NewRows() const = 0;
   /// Takes from the job's settings the options by object, which come object by object.
@@ -123,13 +135,8 @@ class ProcessSettings {
   }
 
   // What comes out.
-  /// What names of files ask for.
+  /// The formats that there are, and what names of files ask for.
   virtual std::vector<FileFormat> FileFormats() const { return {}; }
-  /// What the name of a file says of it, and is not so.
-  virtual std::vector<std::string> NameWarnings(const JobSettings& /*settings*/,
-                                                std::string_view /*file*/) const {
-    return {};
-  }
   /// A call of `slicefarm slice` that shows what is its own, for help; empty: none.
   virtual std::string_view Example() const { return {}; }
   virtual ResultWords Words() const { return {}; }

@@ -6,6 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/config/told_settings.h"
+#include "common/config/missing_feature.h"
 #include "common/model/options/setting.h"
 #include "common/model/options/settings.h"
 
@@ -33,6 +34,7 @@ struct ResolvedSettings {
   int64_t beside_print = 0;  ///< of no_effect: those that cannot matter to a print like this one
   /// Those of them that change what is printed, and other things worth a look.
   std::vector<std::string> warnings;
+  std::vector<MissingFeature> missing;
 };
 
 /// Settings as text to settings as a job needs them: complete, in range, percentages worked out.

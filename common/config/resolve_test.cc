@@ -435,7 +435,8 @@ TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
     EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr(key + " = " + value))) << key;
     // Whoever asks for it by name gets it, or an error.
     const ErrorDetail detail = DetailOf(Refusal({{key, value}}));
-    EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange) << key;
+    EXPECT_EQ(detail.reason, Reason::kNotSupported) << key;
+    EXPECT_EQ(detail.metadata.at("feature"), key);
     EXPECT_EQ(detail.metadata.at("setting"), key);
   }
   const ResolvedSettings off = ResolveOrDie(Settings(
@@ -694,7 +695,7 @@ TEST(Resolve, MakesPngOfAProfilesOtherPictures) {
   EXPECT_EQ(resolved.no_effect, resolved.warnings);
 
   const absl::Status status = Refusal(given);
-  EXPECT_EQ(DetailOf(status).reason, Reason::kSettingOutOfRange);
+  EXPECT_EQ(DetailOf(status).reason, Reason::kNotSupported);
   EXPECT_EQ(DetailOf(status).metadata.at("setting"), "thumbnails");
   EXPECT_THAT(std::string(status.message()), HasSubstr("WIDTHxHEIGHT/PNG, /JPG or /QOI"));
 }
@@ -723,7 +724,8 @@ TEST(Resolve, SlowsOverhangsDownByDegree) {
 
 TEST(Resolve, RefusesARequestsUnsupportedChoiceNamingTheOthers) {
   const absl::Status status = Refusal({{"gcode_flavor", "sailfish"}});
-  EXPECT_EQ(DetailOf(status).reason, Reason::kSettingOutOfRange);
+  EXPECT_EQ(DetailOf(status).reason, Reason::kNotSupported);
+  EXPECT_EQ(DetailOf(status).metadata.at("feature"), "gcode_flavor=sailfish");
   EXPECT_THAT(std::string(status.message()), HasSubstr("one of marlin"));
   EXPECT_EQ(DetailOf(Refusal({{"fill_pattern", "spaghetti"}}, Source::kProfile)).reason,
             Reason::kSettingMalformed);

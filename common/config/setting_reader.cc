@@ -9,6 +9,7 @@
 #include "common/base/error.h"
 #include "common/base/text.h"
 #include "common/config/process_settings.h"
+#include "common/config/projects/orca_table.h"
 #include "common/config/suggest.h"
 #include "common/config/table/settings_table.h"
 #include "common/model/limits.h"
@@ -49,13 +50,22 @@ absl::Status OfOtherProcess(const std::string& key, std::string_view owner, Proc
 
 /// A person who asks for what changes the print should not get another one.
 absl::Status NotMade(const std::string& key, std::string_view value, const KnownKey& known) {
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNotSupported,
                    fmt::format("{}: {}", Quoted(key, value), known.why),
-                   {{"setting", key}, {"value", std::string(value)}});
+                   {{"feature", key}, {"setting", key}, {"value", std::string(value)}});
+}
+
+/// The setting that OrcaSlicer and Bambu Studio call `key`; empty: none.
+std::string FromOrcaName(std::string_view key, Process process) {
+  const auto rows = OrcaRows();
+  const auto row = std::ranges::find(rows, key, &OrcaRow::from);
+  const bool known = row != rows.end() && FindSetting(row->to, process) >= 0;
+  return known ? std::string(row->to) : "";
 }
 
 absl::Status UnknownSetting(const std::string& key, Process process) {
-  const std::string nearest = NearestSetting(key, process);
+  std::string nearest = FromOrcaName(key, process);
+  if (nearest.empty()) nearest = NearestSetting(key, process);
   std::map<std::string, std::string> metadata = {{"setting", key}};
   if (!nearest.empty()) metadata["suggestion"] = nearest;
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingUnknown,
@@ -104,10 +114,12 @@ bool WantsOtherFormat(const SettingSpec& spec, std::string_view value) {
 }
 
 absl::Status RefuseStandIn(const SettingSpec& spec, std::string_view value) {
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNotSupported,
                    fmt::format("{} = {} is not supported yet: it must be {}", spec.key, value,
                                DescribeRange(spec)),
-                   {{"setting", std::string(spec.key)}, {"value", std::string(value)}});
+                   {{"feature", fmt::format("{}={}", spec.key, value)},
+                    {"setting", std::string(spec.key)},
+                    {"value", std::string(value)}});
 }
 
 }  // namespace
@@ -159,6 +171,7 @@ Draft SettingReader::Finish(ResolvedSettings& result) {
   SortNotes();
   result.no_effect = std::move(no_effect_);
   result.warnings = std::move(warnings_);
+  result.missing = std::move(missing_);
   return std::move(draft_);
 }
 
@@ -277,6 +290,7 @@ void SettingReader::NoteOther(const std::string& key, const KnownKey* known,
   const std::string text = fmt::format("{}: {}", Quoted(key, value), known->why);
   if (known->changes_print) {
     Warn(text);
+    if (known->spoils_print) missing_.push_back({key, text, {{"setting", key}, {"value", value}}});
   } else {
     const bool matters = known->of_print && !known->of_several_extruders;
     (matters ? no_effect_ : last_notes_).push_back(text);

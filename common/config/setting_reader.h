@@ -64,6 +64,7 @@ class SettingReader {
   Draft draft_;
   std::vector<std::string> no_effect_;
   std::vector<std::string> warnings_;
+  std::vector<MissingFeature> missing_;
   std::vector<std::string> last_notes_;  ///< those of no_effect_ that do not matter to the print
   std::map<std::string, std::pair<std::string_view, std::string>> foreign_;
   std::map<std::string, std::pair<const KnownKey*, std::string>> others_;

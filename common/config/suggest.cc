@@ -35,23 +35,27 @@ int EditDistance(std::string_view a, std::string_view b) {
   return above[b.size()];
 }
 
-std::string NearestSetting(std::string_view key, Process process) {
-  if (key.size() > kMaxKey) return "";
+std::string Nearest(std::string_view word, std::span<const std::string_view> names) {
+  if (word.size() > kMaxKey) return "";
   std::string_view nearest;
-  const int most = std::max(2, static_cast<int>(key.size()) / 4);
+  const int most = std::max(2, static_cast<int>(word.size()) / 4);
   std::pair<int, int> least = {most + 1, 0};
-  for (const SettingSpec& spec : SettingsTable(process)) {
-    // A word left out or added, as in `bed_temp` or `layer_heights_mm`, is nearer than its letters
-    // say.
-    const bool contained = key.size() >= 5 && (Contains(spec.key, key) || Contains(key, spec.key));
-    const int edits = EditDistance(key, spec.key);
+  for (const std::string_view name : names) {
+    const bool contained = word.size() >= 5 && (Contains(name, word) || Contains(word, name));
+    const int edits = EditDistance(word, name);
     const std::pair<int, int> distance = {contained ? std::min(edits, 2) : edits, edits};
     if (distance < least) {
       least = distance;
-      nearest = spec.key;
+      nearest = name;
     }
   }
   return std::string(nearest);
+}
+
+std::string NearestSetting(std::string_view key, Process process) {
+  std::vector<std::string_view> keys;
+  for (const SettingSpec& spec : SettingsTable(process)) keys.push_back(spec.key);
+  return Nearest(key, keys);
 }
 
 }  // namespace slicefarm::config

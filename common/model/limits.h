@@ -69,7 +69,8 @@ inline constexpr int64_t kMaxSharedBytes = 1 << 30;
 inline constexpr int64_t kMaxKeptSharedBytes = 256 << 20;
 inline constexpr int64_t kSharedPieceBytes = 1 << 20;
 inline constexpr int64_t kMaxPublicMessageBytes = 4 << 20;
-inline constexpr int64_t kUploadChunkBytes = 64 << 10;
+inline constexpr int64_t kUploadChunkBytes = 64 << 10;  ///< as our programs send
+inline constexpr int64_t kMaxUploadChunkBytes = 1 << 20;  ///< as others may
 inline constexpr int64_t kMaxSettingBytes = 64 << 10;  ///< one value, such as a start G-code
 /// What a G-code template, or a text within it, may come to: a layer's stays far below a message.
 inline constexpr int64_t kMaxExpandedBytes = 1 << 20;

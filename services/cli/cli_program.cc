@@ -12,6 +12,7 @@
 #include "services/cli/console.h"
 #include "services/cli/exit_code.h"
 #include "services/cli/interrupt.h"
+#include "services/cli/parse_errors.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -53,22 +54,16 @@ constexpr char kFooter[] =
     "  6  the job failed on the server, or its bytes are spoilt there\n"
     "  7  cancelled\n"
     "  8  no such job, or it has no result\n"
-    "  9  the output cannot be written";
+    "  9  the output cannot be written\n"
+    "  10 the farm takes no more at the moment (--patience S waits): quota, queue or disk";
 
 ExitCode Parse(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
-  } catch (const CLI::RequiredError& error) {
-    // Of a word that is no command, CLI11 only says that a command is missing.
-    if (app.get_subcommands().empty() && !app.remaining().empty()) {
-      fmt::print(stderr, "error: there is no command '{}'\nRun with --help for the commands.\n",
-                 app.remaining().front());
-      return ExitCode::kUsage;
-    }
-    app.exit(error);
-    return ExitCode::kUsage;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? ExitCode::kOk : ExitCode::kUsage;
+    if (error.get_exit_code() == 0) return static_cast<ExitCode>(app.exit(error));  // help, version
+    fmt::print(stderr, "error: {}\n", WordsOf(app, error));
+    return ExitCode::kUsage;
   }
   return ExitCode::kOk;
 }
@@ -79,15 +74,15 @@ ExitCode Run(int argc, char** argv) {
   CommandContext context = {.interrupt = &interrupt, .run = {}};
   CLI::App app(kDescription, "slicefarm");
   app.footer(kFooter);
-  app.set_version_flag("--version", VersionLine());
+  app.set_version_flag("-v,--version", VersionLine());
   app.require_subcommand(1);
   for (const auto add :
-       {AddSlice,       AddSubmit,    AddInspect,  AddWatch,     AddList,       AddGet,
-        AddCancel,      AddDelete,    AddTrace,    AddWebhook,   AddUpdate,     AddArtifacts,
-        AddEvents,      AddMeshes,    AddUsage,    AddCaller,    AddProfile,    AddRender,
-        AddBeads,       AddFill,      AddFlatten,  AddDecompose, AddSupportLab, AddTsp,
-        AddTime,        AddCheck,     AddSettings, AddHealth,    AddToken,      AddEngraveProgram,
-        AddMillProgram, AddWaterline, AddVersion}) {
+       {AddSlice,       AddSubmit,    AddInspect,  AddWatch,      AddList,       AddGet,
+        AddCancel,      AddDelete,    AddTrace,    AddWebhook,    AddUpdate,     AddArtifacts,
+        AddEvents,      AddMeshes,    AddUsage,    AddCaller,     AddProfile,    AddRender,
+        AddBeads,       AddFill,      AddFlatten,  AddDecompose,  AddSupportLab, AddTsp,
+        AddTime,        AddCheck,     AddSettings, AddHealth,     AddToken,      AddEngraveProgram,
+        AddMillProgram, AddWaterline, AddHelp,     AddCompletion, AddVersion}) {
     add(app, context);
   }
   if (const ExitCode parsed = Parse(app, argc, argv); parsed != ExitCode::kOk || !context.run) {

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "common/base/duration_text.h"
 #include "common/base/error.h"
+#include "common/config/missing_feature.h"
 #include "common/config/table/settings_table.h"
 #include "common/model/process.h"
 
@@ -27,13 +29,22 @@ std::string HowToShow(std::string_view key) {
 
 /// `detail`: of an error about the value of a setting.
 std::string AdviceOnValue(const ErrorDetail& detail) {
-  if (detail.metadata.contains("objects"))
-    return "give all of them the same extruder, or print them as jobs of their own";
   const auto setting = detail.metadata.find("setting");
   if (setting == detail.metadata.end()) return "";
   const std::string how = HowToShow(setting->second);
   if (how.empty()) return "";
   return fmt::format("`{}` says what it means; --set {}=VALUE replaces it", how, setting->second);
+}
+
+std::string AdviceOnFeature(const ErrorDetail& detail) {
+  const auto allow = detail.metadata.find("allow");
+  if (allow == detail.metadata.end()) return AdviceOnValue(detail);
+  const bool tools = allow->second == config::kSeveralTools;
+  return fmt::format("{}--allow {} makes the job all the same, with a warning",
+                     tools ? "give all objects the same extruder, or print them as jobs of their "
+                             "own; "
+                           : "",
+                     allow->second);
 }
 
 }  // namespace
@@ -48,6 +59,11 @@ std::string Advice(const absl::Status& status) {
     case Reason::kSettingMalformed:
     case Reason::kSettingOutOfRange:
       return AdviceOnValue(detail);
+    case Reason::kNotSupported:
+      return AdviceOnFeature(detail);
+    case Reason::kPrinterMissing:
+      return "--profile NAME (`slicefarm profile list`) or --config FILE names the printer; "
+             "--generic makes the job without one";
     case Reason::kRequestMalformed:
       return detail.metadata.contains("plates")
                  ? "--plate N takes one of them, --plates makes a job of each"
@@ -69,6 +85,11 @@ std::string Advice(const absl::Status& status) {
       return "is the coordinator running there? `slicefarm health HOST:PORT` asks it";
     case Reason::kDeadlineExceeded:
       return "the server is too busy, or the network too slow: try again";
+    case Reason::kOverloaded:
+    case Reason::kQueueFull:
+    case Reason::kDiskLow:
+      return "the farm took no more for as long as --patience says: try again later, or with a "
+             "larger --patience";
     case Reason::kJobNotFound:
       return "`slicefarm list` shows the jobs there are";
     case Reason::kJobNotFinished:
@@ -91,6 +112,13 @@ void Warn(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
 }
 
+void WarnOfRest(std::vector<std::string> warnings, const std::vector<std::string>& told) {
+  std::erase_if(warnings, [&told](const std::string& warning) {
+    return std::ranges::find(told, warning) != told.end();
+  });
+  Warn(warnings);
+}
+
 void Print(std::string_view text, bool to_stderr) {
   std::FILE* out = to_stderr ? stderr : stdout;
   std::fwrite(text.data(), 1, text.size(), out);
@@ -105,8 +133,9 @@ void ProgressBar::Show(std::string_view what, int done, int total) {
   std::string line;
   if (total > 0) {
     const int filled = kWidth * std::clamp(done, 0, total) / total;
-    line = fmt::format("{:<12} [{}{}] {}/{}", what, std::string(filled, '#'),
-                       std::string(kWidth - filled, ' '), done, total);
+    line = fmt::format("{:<12} [{}{}] {}/{}{}", what, std::string(filled, '#'),
+                       std::string(kWidth - filled, ' '), done, total,
+                       TimeLeft(what, done, total));
   } else {
     line = fmt::format("{} ...", what);
   }
@@ -115,6 +144,19 @@ void ProgressBar::Show(std::string_view what, int done, int total) {
   shown_ = true;
   fmt::print(stderr, "\r\x1b[K{}", line_);
   std::fflush(stderr);
+}
+
+/// ", 12s left", if what comes takes as long as what was seen to be done.
+std::string ProgressBar::TimeLeft(std::string_view what, int done, int total) {
+  if (what != what_) {
+    what_ = what;
+    first_done_ = done;
+    since_ = Stopwatch();
+  }
+  constexpr double kSoonestS = 2;
+  const double seconds = since_.Seconds();
+  if (done <= first_done_ || done >= total || seconds < kSoonestS) return "";
+  return fmt::format(", {} left", DurationText(seconds * (total - done) / (done - first_done_)));
 }
 
 void ProgressBar::Clear() {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
+#include "common/base/stopwatch.h"
 #include "services/cli/exit_code.h"
 
 namespace slicefarm::cli {
@@ -19,6 +20,9 @@ std::string Advice(const absl::Status& status);
 /// One line each to stderr: `warning: ...`.
 void Warn(const std::vector<std::string>& warnings);
 
+/// Warn, but for those that were told before.
+void WarnOfRest(std::vector<std::string> warnings, const std::vector<std::string>& told);
+
 /// Text to stdout, or to stderr where stdout carries the result.
 void Print(std::string_view text, bool to_stderr = false);
 
@@ -30,13 +34,19 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// `total` 0: how much there is to do is not known yet. Prints only when the picture changes.
+  /// `total` 0: how much there is to do is not known yet. Prints only when the picture changes, with
+  /// the time that is left as soon as that can be told.
   void Show(std::string_view what, int done, int total);
   void Clear();
 
  private:
+  std::string TimeLeft(std::string_view what, int done, int total);
+
   bool shown_ = false;
   bool enabled_;
+  std::string what_;    ///< of which the time is told
+  int first_done_ = 0;  ///< when it was first shown
+  Stopwatch since_;     ///< then
   std::string line_;
 };
 

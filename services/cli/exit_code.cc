@@ -13,6 +13,8 @@ ExitCode ExitCodeOf(const absl::Status& status) {
     case Reason::kSettingOutOfRange:
     case Reason::kSettingMisplaced:
     case Reason::kSettingOfOtherProcess:
+    case Reason::kNotSupported:
+    case Reason::kPrinterMissing:
     case Reason::kProcessUnavailable:
       return ExitCode::kBadSettings;
     case Reason::kMeshFormatUnknown:
@@ -32,10 +34,11 @@ ExitCode ExitCodeOf(const absl::Status& status) {
     case Reason::kUnavailable:
     case Reason::kMeshReaderKilled:
     case Reason::kDeadlineExceeded:
+      return ExitCode::kServerUnavailable;
     case Reason::kOverloaded:
     case Reason::kQueueFull:
     case Reason::kDiskLow:
-      return ExitCode::kServerUnavailable;
+      return ExitCode::kRefusedNow;
     case Reason::kStoreFailed:
       return absl::IsUnavailable(status) ? ExitCode::kServerUnavailable : ExitCode::kJobFailed;
     case Reason::kBlobDigestMismatch:  // also DATA_LOSS, but it is the server's

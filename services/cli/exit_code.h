@@ -17,6 +17,7 @@ enum class ExitCode {
   kCancelled = 7,          ///< by Ctrl-C, or by somebody else
   kNotFound = 8,           ///< no such job, or it has no result (yet)
   kOutputFailed = 9,       ///< the result cannot be written
+  kRefusedNow = 10,        ///< the farm has no room at the moment: quota, queue or disk
 };
 
 /// The exit code of an error, by its reason.

@@ -28,6 +28,8 @@ TEST(ExitCodeOf, TellsScriptsWhatKindOfErrorItIs) {
       {Reason::kSettingUnknown, ExitCode::kBadSettings},
       {Reason::kSettingOutOfRange, ExitCode::kBadSettings},
       {Reason::kSettingMisplaced, ExitCode::kBadSettings},
+      {Reason::kNotSupported, ExitCode::kBadSettings},
+      {Reason::kPrinterMissing, ExitCode::kBadSettings},
       {Reason::kMeshTruncated, ExitCode::kBadMesh},
       {Reason::kMeshTooExpensive, ExitCode::kBadMesh},
       {Reason::kMeshReaderCrashed, ExitCode::kBadMesh},
@@ -77,8 +79,13 @@ TEST(Advice, FitsTheError) {
   EXPECT_THAT(advice(Reason::kSettingOutOfRange, {{"setting", "cutter"}}),
               HasSubstr("`slicefarm settings cutter --machine mill`"));
   EXPECT_THAT(
-      advice(Reason::kSettingOutOfRange, {{"setting", "extruder"}, {"objects", "\"a\"; \"b\""}}),
-      HasSubstr("the same extruder"));
+      advice(Reason::kNotSupported,
+             {{"feature", "several_tools"}, {"allow", "several_tools"}, {"setting", "extruder"}}),
+      testing::AllOf(HasSubstr("the same extruder"), HasSubstr("--allow several_tools")));
+  EXPECT_THAT(advice(Reason::kNotSupported,
+                     {{"feature", "seam_position=random"}, {"setting", "seam_position"}}),
+              HasSubstr("--set seam_position=VALUE"));
+  EXPECT_THAT(advice(Reason::kPrinterMissing, {}), HasSubstr("--generic"));
   EXPECT_EQ(advice(Reason::kSettingMalformed, {}), "");
   EXPECT_THAT(advice(Reason::kRequestMalformed, {{"field", "plate"}, {"plates", "2"}}),
               HasSubstr("--plate N"));
@@ -103,6 +110,15 @@ TEST(SummaryText, SaysWhatMatters) {
             "1 layer, 0s to print\n"
             "2 of the given settings have no effect (52 others do not matter to this print); "
             "--report FILE.json lists them\n");
+  EXPECT_EQ(SummaryText({.layers = 1,
+                         .settings_without_effect = 7,
+                         .changing = {"a = 1: not yet", "b = 2: x", "c = 3: y", "d = 4: z"},
+                         .beside_print = 2}),
+            "1 layer, 0s to print\n"
+            "5 of the given settings have no effect, first of all a = 1, b = 2, c = 3 and 1 more, "
+            "which change the print (2 others do not matter to this print); --report FILE.json "
+            "lists them\n");
+  EXPECT_EQ(SummaryText({.layers = 1, .job = "0123"}), "1 layer, 0s to print; job 0123\n");
   EXPECT_EQ(SummaryText({.layers = 1, .settings_without_effect = 52, .beside_print = 52}),
             "1 layer, 0s to print\n");
   EXPECT_EQ(SummaryText({.words = {"step", "steps", "to mill"}, .layers = 3, .print_time_s = 60}),

@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/gcode/binary/binary_gcode_reader.h"
+#include "services/cli/input_files.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -48,6 +50,13 @@ bool Replaceable(const std::string& path) {
   return S_ISREG(info.st_mode);
 }
 
+absl::Status WouldReplaceInput(const std::string& path) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                   fmt::format("{} is also an input, which the output would replace: give the "
+                               "output another name",
+                               path));
+}
+
 /// The file itself where `path` is a symbolic link, so that the link stays.
 std::string Target(const std::string& path) {
   char* real = realpath(path.c_str(), nullptr);
@@ -57,15 +66,15 @@ std::string Target(const std::string& path) {
   return target;
 }
 
-}  // namespace
-
-absl::StatusOr<std::string> ReadFile(const std::string& path, int64_t max_bytes) {
-  const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.number < 0) return ReadError(path, errno);
+/// Takes the descriptor. `name`: for errors.
+absl::StatusOr<std::string> ReadWhole(int descriptor, const std::string& name, int64_t max_bytes) {
+  const Descriptor file(descriptor);
+  if (file.number < 0) return ReadError(name, errno);
   struct stat info = {};
-  if (fstat(file.number, &info) != 0) return ReadError(path, errno);
+  if (fstat(file.number, &info) != 0) return ReadError(name, errno);
+  NoteInput(file.number);
   const bool regular = S_ISREG(info.st_mode);
-  if (regular && info.st_size > max_bytes) return TooLarge(path, max_bytes, info.st_size);
+  if (regular && info.st_size > max_bytes) return TooLarge(name, max_bytes, info.st_size);
 
   constexpr size_t kBlock = 1 << 20;
   std::string bytes(regular ? info.st_size + 1 : kBlock, '\0');  // + 1: room to see the end
@@ -74,22 +83,31 @@ absl::StatusOr<std::string> ReadFile(const std::string& path, int64_t max_bytes)
     if (size == bytes.size()) bytes.resize(size + kBlock);
     const ssize_t got = read(file.number, bytes.data() + size, bytes.size() - size);
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return ReadError(path, errno);
+    if (got < 0) return ReadError(name, errno);
     if (got == 0) break;
     size += got;
-    if (static_cast<int64_t>(size) > max_bytes) return TooLarge(path, max_bytes, size);
+    if (static_cast<int64_t>(size) > max_bytes) return TooLarge(name, max_bytes, size);
   }
   bytes.resize(size);
   return bytes;
 }
 
+}  // namespace
+
+absl::StatusOr<std::string> ReadFile(const std::string& path, int64_t max_bytes) {
+  if (path != "-") return ReadWhole(open(path.c_str(), O_RDONLY | O_CLOEXEC), path, max_bytes);
+  static const auto* const input =
+      new absl::StatusOr<std::string>(ReadWhole(dup(STDIN_FILENO), "standard input", max_bytes));
+  return *input;
+}
+
 absl::StatusOr<std::string> ReadText(const std::string& path, int64_t max_bytes) {
   auto text = ReadFile(path, max_bytes);
-  if (!text.ok() || !text->starts_with("GCDE")) return text;
+  if (!text.ok() || !gcode::IsBinaryGcode(*text)) return text;
+  auto unpacked = gcode::TextOfBinaryGcode(*text);
+  if (unpacked.ok()) return unpacked;
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                   fmt::format("{} is binary G-code, and text is needed: slice with binary_gcode = "
-                               "0, or turn it into text with PrusaSlicer",
-                               path));
+                   fmt::format("{}: {}", path, std::string(unpacked.status().message())));
 }
 
 absl::Status InFile(const std::string& path, const absl::Status& status) {
@@ -100,6 +118,7 @@ absl::Status InFile(const std::string& path, const absl::Status& status) {
 
 absl::StatusOr<OutputFile> OutputFile::Create(const std::string& path) {
   if (path == "-") return OutputFile("standard output", "", dup(STDOUT_FILENO));
+  if (IsInput(path)) return WouldReplaceInput(path);
   const std::string target = Target(path);
   const bool replaceable = Replaceable(target);
   const std::string temporary = replaceable ? fmt::format("{}.{}.part", target, getpid()) : "";

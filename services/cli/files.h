@@ -12,12 +12,13 @@ namespace slicefarm::cli {
 
 constexpr int64_t kMaxConfigBytes = 512 << 20;  ///< a G-code file that quotes its settings is big
 
-/// All bytes of a regular file or a pipe. Errors: REQUEST_MALFORMED with the system's words;
+/// All bytes of a regular file or a pipe; `-` is the standard input, which is read once and gives
+/// the same bytes each time. Errors: REQUEST_MALFORMED with the system's words;
 /// REQUEST_TOO_LARGE past `max_bytes`, before they are read if the file tells its size.
 absl::StatusOr<std::string> ReadFile(const std::string& path, int64_t max_bytes);
 
-/// The same of a file that must be text: REQUEST_MALFORMED for binary G-code, which slicefarm writes
-/// and does not read.
+/// The same of a file of text; of binary G-code (.bgcode), what it is as text. Errors also:
+/// REQUEST_MALFORMED for binary G-code that cannot be read.
 absl::StatusOr<std::string> ReadText(const std::string& path, int64_t max_bytes);
 
 /// The error with the file's name in front of its message.
@@ -29,6 +30,8 @@ absl::Status InFile(const std::string& path, const absl::Status& status);
 /// (/dev/null, a pipe) is written in place.
 class OutputFile {
  public:
+  /// Errors: DataLoss with the system's words; REQUEST_MALFORMED for a file that this process has
+  /// read (input_files.h).
   static absl::StatusOr<OutputFile> Create(const std::string& path);
   OutputFile(OutputFile&& other) noexcept;
   OutputFile& operator=(OutputFile&&) = delete;
@@ -49,8 +52,8 @@ class OutputFile {
   int descriptor_;
 };
 
-/// Whether an OutputFile could be made there; leaves nothing behind. True of what is no regular
-/// file. Empty: there is none to be made.
+/// Whether an OutputFile could be made there, with the errors of Create; leaves nothing behind.
+/// True of what is no regular file. Empty: there is none to be made.
 absl::Status CheckWritable(const std::string& path);
 
 /// Create, Write, Commit.

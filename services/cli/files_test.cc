@@ -5,6 +5,8 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "common/base/error.h"
@@ -29,6 +31,12 @@ class Files : public testing::Test {
     return names;
   }
 
+  /// What is in a file that no test counts as read.
+  std::string Content(const std::string& name) const {
+    std::ifstream file(Path(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
   const TempDirectory folder_;
 };
 
@@ -36,8 +44,9 @@ TEST_F(Files, ComeBackAsTheyWere) {
   for (const size_t size : {0, 1, 4096, (1 << 20) - 1, 1 << 20, (1 << 20) + 1, 3'000'000}) {
     std::string bytes(size, 'x');
     if (size > 2) bytes[1] = '\0';
-    ASSERT_TRUE(WriteFile(Path("a"), bytes).ok());
-    const auto read = ReadFile(Path("a"), 1 << 30);
+    const std::string path = Path(std::to_string(size));
+    ASSERT_TRUE(WriteFile(path, bytes).ok());
+    const auto read = ReadFile(path, 1 << 30);
     ASSERT_TRUE(read.ok());
     EXPECT_EQ(*read, bytes);
   }
@@ -73,12 +82,30 @@ TEST_F(Files, KeepTheOldContentUntilTheNewOneIsComplete) {
   {
     auto file = OutputFile::Create(Path("a"));
     ASSERT_TRUE(file->Write("new").ok());
-    EXPECT_EQ(*ReadFile(Path("a"), 10), "old");
+    EXPECT_EQ(Content("a"), "old");
   }
-  EXPECT_EQ(*ReadFile(Path("a"), 10), "old");
+  EXPECT_EQ(Content("a"), "old");
   ASSERT_TRUE(WriteFile(Path("a"), "new").ok());
-  EXPECT_EQ(*ReadFile(Path("a"), 10), "new");
+  EXPECT_EQ(Content("a"), "new");
   EXPECT_THAT(Names(), UnorderedElementsAre("a"));
+}
+
+TEST_F(Files, NeverReplaceWhatWasRead) {
+  ASSERT_TRUE(WriteFile(Path("a"), "read").ok());
+  ASSERT_TRUE(ReadFile(Path("a"), 10).ok());
+  std::filesystem::create_symlink(Path("a"), Path("link"));
+  std::filesystem::create_hard_link(Path("a"), Path("hard"));
+  for (const char* name : {"a", "./a", "link", "hard"}) {
+    const absl::Status refused = WriteFile(Path(name), "other");
+    EXPECT_EQ(DetailOf(refused).reason, Reason::kRequestMalformed) << name;
+    EXPECT_EQ(CheckWritable(Path(name)), refused) << name;
+    EXPECT_EQ(Content(name), "read");
+  }
+  // One that is there instead is another file.
+  std::filesystem::remove(Path("a"));
+  std::filesystem::remove(Path("link"));
+  std::filesystem::remove(Path("hard"));
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(WriteFile(Path("a"), "new").ok());
 }
 
 TEST_F(Files, StayBehindTheirLinks) {

@@ -11,6 +11,7 @@
 #include "absl/time/time.h"
 #include "common/base/error.h"
 #include "common/base/text.h"
+#include "common/config/missing_feature.h"
 #include "common/config/process_settings.h"
 #include "common/config/projects/ini.h"
 #include "common/config/told_settings.h"
@@ -19,6 +20,7 @@
 #include "services/cli/choice_option.h"
 #include "services/cli/field_files.h"
 #include "services/cli/files.h"
+#include "services/cli/output_name.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -58,14 +60,16 @@ void AddMachineOption(CLI::App& app, Process& process) {
 }
 
 void AddJobOptions(CLI::App& app, JobOptions& options) {
-  app.add_option("MODEL", options.models,
-                 "STL (binary or ASCII), OBJ or PLY file, or 3MF project; several: a plate of them")
+  app.add_option(
+         "MODEL", options.models,
+         "STL (binary or ASCII), OBJ or PLY file, or 3MF project; several: a plate of them; "
+         "-: from stdin")
       ->required();
   AddSettingOptions(app, options);
   AddMachineOption(app, options.process);
   auto* plate =
       app.add_option("--plate", options.plate, "Which plate of a project with several, from 1")
-          ->check(CLI::Range(1, static_cast<int>(limits::kMaxProjectPlates)))
+          ->check(InRange(1, static_cast<int>(limits::kMaxProjectPlates)))
           ->type_name("N");
   app.add_flag(
          "--plates", options.plates,
@@ -83,7 +87,7 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
       ->type_name("MODEL:KEY=VALUE")
       ->allow_extra_args(false);
   app.add_option("--units", options.units, "What a unit of the model means")
-      ->check(CLI::IsMember({"mm", "cm", "m", "inch"}))
+      ->check(OneOf(std::vector<std::string>{"mm", "cm", "m", "inch"}))
       ->capture_default_str();
   app.add_option("--scale", options.scale, "Factor, or one for each axis")->type_name("S|X,Y,Z");
   auto* rotate_z = app.add_option("--rotate-z", options.rotate_z_deg,
@@ -120,6 +124,23 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
   app.add_option("--anchor", options.texture.anchor,
                  "Where on the surface the texture's origin lies")
       ->type_name("X,Y,Z");
+  app.add_option(
+         "--format", options.format,
+         "What the output is, whatever it is called and the settings say: gcode, bgcode; of "
+         "other machines cli, nc, ngc, svg, dxf, csv")
+      ->type_name("FORMAT");
+  std::string features;
+  for (const config::Allowance& each : config::Allowances())
+    features += fmt::format("{} {}: {}", features.empty() ? "" : ";", each.name, each.doc);
+  app.add_option("--allow", options.allow,
+                 "What the job can do without; else it is refused, as its print would be spoilt." +
+                     features)
+      ->delimiter(',')
+      ->type_name("NAME[,NAME...]")
+      ->allow_extra_args(false);
+  app.add_flag("--generic", options.generic,
+               "The job is for no particular printer: no profile sets bed_shape, nozzle_diameter "
+               "and gcode_flavor");
   app.add_option("--report", options.report, "Write what came out as JSON; -: to stdout")
       ->type_name("REPORT.json");
   app.add_flag("-q,--quiet", options.quiet, "No progress, no summary; warnings and errors only");
@@ -168,26 +189,10 @@ void AddFileFormat(const std::string& output, Process process,
   for (const config::FileFormat& format : config::SettingsOf(process).FileFormats()) {
     const bool given =
         std::ranges::find(settings, format.key, &config::Setting::key) != settings.end();
-    if (!given && output.ends_with(format.suffix))
+    if (!given && format.chosen_by_name && output.ends_with(format.suffix))
       settings.push_back(
           {std::string(format.key), std::string(format.value), config::Source::kRequest});
   }
-}
-
-bool Makes(Process process, std::string_view output) {
-  return std::ranges::any_of(config::SettingsOf(process).FileFormats(),
-                             [&](const auto& format) { return output.ends_with(format.suffix); });
-}
-
-/// Another process that makes files of such a name, which this one does not.
-const ProcessInfo* OwnerOf(std::string_view output, Process process) {
-  if (Makes(process, output)) return nullptr;
-  for (const ProcessInfo& info : kProcesses) {
-    if (info.process == process) continue;
-    for (const config::FileFormat& format : config::SettingsOf(info.process).FileFormats())
-      if (format.alone && output.ends_with(format.suffix)) return &info;
-  }
-  return nullptr;
 }
 
 }  // namespace
@@ -207,9 +212,9 @@ std::vector<config::Setting> WithCreationTime(std::vector<config::Setting> setti
 
 absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& options,
                                                               const std::string& output) {
-  if (const ProcessInfo* owner = OwnerOf(output, options.process))
-    return Malformed(
-        fmt::format("--output {}: --machine {} makes such files", output, owner->name));
+  if (absl::Status named = CheckEnding(output, options.process);
+      options.format.empty() && !named.ok())
+    return named;
   auto settings = GivenSettings(options);
   if (!settings.ok()) return settings.status();
   const FieldOptions& fields = options.fields;
@@ -221,7 +226,13 @@ absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& 
     if (!setting.ok()) return setting.status();
     settings->push_back(*std::move(setting));
   }
-  AddFileFormat(output, options.process, *settings);
+  if (options.format.empty()) {
+    AddFileFormat(output, options.process, *settings);
+    return settings;
+  }
+  auto format = FormatSetting(options.format, options.process);
+  if (!format.ok()) return format.status();
+  settings->push_back(*std::move(format));
   return settings;
 }
 

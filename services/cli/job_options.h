@@ -50,6 +50,9 @@ struct JobOptions : SettingOptions {
   bool plates = false;               ///< a job for each plate
   FieldOptions fields;
   TextureArguments texture;
+  std::string format;              ///< of the output; empty: as its name or the settings say
+  std::vector<std::string> allow;  ///< features that may be missing (config::Allowances)
+  bool generic = false;            ///< for no particular printer
   std::string report;
   bool quiet = false;
 };
@@ -71,8 +74,8 @@ std::vector<config::Setting> WithCreationTime(std::vector<config::Setting> setti
                                               bool anyway = false);
 
 /// All of them: those, the fields, and what the name of `output` stands for (config::FileFormat),
-/// unless it is set. Errors: those of ReadFieldFile too; REQUEST_MALFORMED for a name that files of
-/// another process have.
+/// unless it is set or --format says it. Errors: those of ReadFieldFile, CheckEnding and
+/// FormatSetting too.
 absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& options,
                                                               const std::string& output);
 

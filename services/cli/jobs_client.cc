@@ -235,6 +235,32 @@ absl::StatusOr<v1::CreatePlatesResponse> JobsClient::CreatePlates(v1::CreatePlat
       request, [&](auto... a) { return jobs_->AsyncCreatePlates(a...); }, kTransferDeadline);
 }
 
+absl::StatusOr<std::string> JobsClient::FullId(const std::string& beginning) {
+  constexpr size_t kIdCharacters = 32;
+  constexpr size_t kFewest = 4;
+  constexpr int kMostPages = 10;
+  const bool is_hex = beginning.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (beginning.size() >= kIdCharacters || beginning.size() < kFewest || !is_hex) return beginning;
+  std::vector<std::string> found;
+  v1::ListJobsRequest request;
+  request.set_page_size(limits::kMaxPageSize);
+  for (int i = 0; i < kMostPages; ++i) {
+    const auto page = ListJobs(request);
+    if (!page.ok()) return page.status();
+    for (const v1::Job& job : page->jobs())
+      if (job.id().starts_with(beginning)) found.push_back(job.id());
+    request.set_page_token(page->next_page_token());
+    if (request.page_token().empty()) break;
+  }
+  if (found.size() == 1) return found.front();
+  if (found.empty())
+    return MakeError(absl::StatusCode::kNotFound, Reason::kJobNotFound,
+                     fmt::format("there is no job whose id begins with '{}'", beginning));
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                   fmt::format("{} jobs begin with '{}', such as {} and {}: give more of the id",
+                               found.size(), beginning, found[0], found[1]));
+}
+
 absl::StatusOr<v1::Job> JobsClient::GetJob(const std::string& id) {
   v1::GetJobRequest request;
   request.set_id(id);

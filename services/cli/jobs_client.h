@@ -44,6 +44,10 @@ class JobsClient {
   absl::StatusOr<v1::Job> CreateJob(v1::CreateJobRequest request);
   /// The same for as many jobs as there are plates.
   absl::StatusOr<v1::CreatePlatesResponse> CreatePlates(v1::CreatePlatesRequest request);
+  /// The id that begins so, of the newest 10,000 jobs. What is no beginning (4 to 31 hex digits)
+  /// comes back as it is. Errors: JOB_NOT_FOUND; REQUEST_MALFORMED if several begin so.
+  absl::StatusOr<std::string> FullId(const std::string& beginning);
+
   absl::StatusOr<v1::Job> GetJob(const std::string& id);
   absl::StatusOr<v1::Job> CancelJob(const std::string& id);
   absl::Status DeleteJob(const std::string& id);

@@ -4,9 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -21,13 +19,12 @@
 #include "services/cli/exit_code.h"
 #include "services/cli/fake_coordinator_test.h"
 #include "services/cli/files.h"
+#include "services/cli/program_fixture_test.h"
 #include "services/cli/render/gcode_layer.h"
 #include "services/cli/render/layer_drawing.h"
 #include "services/cli/render/picture_test.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"
-
-extern char** environ;
 
 namespace slicefarm::cli::program_test {
 namespace {
@@ -37,73 +34,10 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-using Arguments = std::vector<std::string>;
-
-struct Outcome {
-  ExitCode code = ExitCode::kOk;
-  std::string out;
-  std::string err;
-};
-
-/// A cube of 10 mm with one corner in the origin, as OBJ.
-constexpr char kCube[] =
-    "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 0 0 10\nv 10 0 10\nv 10 10 10\nv 0 10 10\n"
-    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-
 /// A bar of 20 x 10 x 5 mm.
 constexpr char kBar[] =
     "v 0 0 0\nv 20 0 0\nv 20 10 0\nv 0 10 0\nv 0 0 5\nv 20 0 5\nv 20 10 5\nv 0 10 5\n"
     "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-
-class Program : public testing::Test {
- protected:
-  Program() { Put("cube.obj", kCube); }
-
-  std::string Path(const std::string& name) const { return folder_.path() + "/" + name; }
-  std::string Text(const std::string& name) const {
-    const auto text = ReadFile(Path(name), 1 << 30);
-    EXPECT_TRUE(text.ok()) << text.status();
-    return text.ok() ? *text : "";
-  }
-  bool Exists(const std::string& name) const { return std::filesystem::exists(Path(name)); }
-  void Put(const std::string& name, std::string_view text) {
-    ASSERT_TRUE(WriteFile(Path(name), text).ok());
-  }
-
-  pid_t Start(Arguments arguments) {
-    arguments.insert(arguments.begin(), SLICEFARM_PROGRAM);
-    std::vector<char*> argv;
-    for (std::string& argument : arguments) argv.push_back(argument.data());
-    argv.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    constexpr int kFlags = O_WRONLY | O_CREAT | O_TRUNC;
-    posix_spawn_file_actions_addopen(&actions, 1, Path(".out").c_str(), kFlags, 0600);
-    posix_spawn_file_actions_addopen(&actions, 2, Path(".err").c_str(), kFlags, 0600);
-    pid_t pid = -1;
-    EXPECT_EQ(posix_spawn(&pid, SLICEFARM_PROGRAM, &actions, nullptr, argv.data(), environ), 0);
-    posix_spawn_file_actions_destroy(&actions);
-    return pid;
-  }
-
-  Outcome Await(pid_t pid) {
-    int status = 0;
-    EXPECT_EQ(waitpid(pid, &status, 0), pid);
-    EXPECT_TRUE(WIFEXITED(status)) << "ended by signal " << WTERMSIG(status);
-    return {static_cast<ExitCode>(WEXITSTATUS(status)), Text(".out"), Text(".err")};
-  }
-
-  Outcome Run(const Arguments& arguments) { return Await(Start(arguments)); }
-
-  /// `slice cube.obj -o out.gcode` and more.
-  Outcome Slice(Arguments more = {}) {
-    Arguments arguments = {"slice", Path("cube.obj"), "-o", Path("out.gcode")};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return Run(arguments);
-  }
-
-  const TempDirectory folder_;
-};
 
 TEST_F(Program, HelpNamesEveryCommandAndExitCode) {
   const Outcome help = Run({"--help"});
@@ -116,8 +50,8 @@ TEST_F(Program, HelpNamesEveryCommandAndExitCode) {
     EXPECT_EQ(own.code, ExitCode::kOk) << command;
     EXPECT_THAT(own.out, HasSubstr(std::string("slicefarm ") + command)) << command;
   }
-  for (int code = 0; code <= 9; ++code) {
-    EXPECT_THAT(help.out, HasSubstr("\n  " + std::to_string(code) + "  "));
+  for (int code = 0; code <= 10; ++code) {
+    EXPECT_THAT(help.out, HasSubstr("\n  " + std::to_string(code) + (code < 10 ? "  " : " ")));
   }
 }
 
@@ -239,7 +173,8 @@ TEST_F(Program, TakesTheSettingsOfItsOwnGcode) {
 
 TEST_F(Program, WritesAReport) {
   Put("heights.ini", "colorprint_heights = 5\n");
-  const Outcome outcome = Slice({"--report", Path("r.json"), "--config", Path("heights.ini")});
+  const Outcome outcome = Slice({"--report", Path("r.json"), "--config", Path("heights.ini"),
+                                 "--allow", "colorprint_heights"});
   ASSERT_EQ(outcome.code, ExitCode::kOk);
   EXPECT_THAT(outcome.err, HasSubstr("warning: colorprint_heights = 5"));
   const auto report = nlohmann::json::parse(Text("r.json"));
@@ -282,11 +217,12 @@ TEST_F(Program, NamesFilesAsTheirSettingsSay) {
   for (const Arguments& reads :
        {Arguments{"check", Path("cube.bgcode"), "--flavor", "marlin"},
         Arguments{"render", Path("cube.bgcode"), "--layer", "1", "-o", Path("a.png")},
-        Arguments{"slice", Path("cube.obj"), "-c", Path("cube.bgcode")}}) {
-    const Outcome refused = Run(reads);
-    EXPECT_EQ(refused.code, ExitCode::kUsage) << reads[0];
-    EXPECT_THAT(refused.err, HasSubstr("cube.bgcode is binary G-code")) << reads[0];
-  }
+        Arguments{"slice", Path("cube.obj"), "-c", Path("cube.bgcode"), "-o", Path("b.bgcode")}})
+    EXPECT_EQ(Run(reads).code, ExitCode::kOk) << reads[0];
+  // Its settings call the file as the one that they are from.
+  const Outcome same = Run({"slice", Path("cube.obj"), "-c", Path("cube.bgcode")});
+  EXPECT_EQ(same.code, ExitCode::kUsage);
+  EXPECT_THAT(same.err, HasSubstr("cube.bgcode is also an input"));
   const Outcome plates = Run({"slice", Path("cube.obj"), "--plates", "-o", Path("folder")});
   ASSERT_EQ(plates.code, ExitCode::kOk) << plates.err;
   EXPECT_TRUE(Exists("folder/cube-1.gcode"));
@@ -414,7 +350,7 @@ TEST_P(Failure, HasItsExitCodeAndLeavesNoFile) {
 INSTANTIATE_TEST_SUITE_P(
     Slice, Failure,
     testing::Values(
-        FailureCase{"NoCommand", {}, ExitCode::kUsage, "subcommand is required"},
+        FailureCase{"NoCommand", {}, ExitCode::kUsage, "a command is missing"},
         FailureCase{"UnknownOption",
                     {"slice", "@cube.obj", "-o", "@out.gcode", "--banana"},
                     ExitCode::kUsage,

@@ -11,7 +11,9 @@
 
 #include "common/base/error.h"
 #include "common/rpc/utf8.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/files.h"
+#include "services/cli/input_files.h"
 #include "services/cli/job_options.h"
 
 namespace slicefarm::cli {
@@ -25,7 +27,7 @@ void AddServerOptions(CLI::App& app, ServerOptions& options) {
       ->type_name("HOST:PORT");
   app.add_option("--patience", options.patience_s,
                  "Seconds that the server may be out of reach before that is an error")
-      ->check(CLI::Range(0.0, 86400.0))
+      ->check(InRange(0.0, 86400.0))
       ->capture_default_str()
       ->type_name("S");
   rpc::AddTlsOptions(app, &options.security);
@@ -33,6 +35,10 @@ void AddServerOptions(CLI::App& app, ServerOptions& options) {
 }
 
 JobsClientOptions ClientOptions(const ServerOptions& options, const Interrupt* interrupt) {
+  const rpc::ClientSecurity& security = options.security;
+  for (const std::string& path :
+       {security.token_file, security.tls.ca, security.tls.cert, security.tls.key})
+    NoteInput(path);
   return {.server = options.server,
           .security = options.security,
           .patience = std::chrono::milliseconds(static_cast<int64_t>(options.patience_s * 1000)),
@@ -76,7 +82,8 @@ absl::StatusOr<std::string> PathOf(JobsClient& client, const v1::Job& job,
 
 }  // namespace
 
-absl::Status FetchResults(JobsClient& client, const v1::Job& job, const ResultFiles& files) {
+absl::StatusOr<std::string> FetchResults(JobsClient& client, const v1::Job& job,
+                                         const ResultFiles& files) {
   const auto gcode = PathOf(client, job, files.gcode);
   if (!gcode.ok()) return gcode.status();
   std::vector<OutputFile> complete;
@@ -92,7 +99,7 @@ absl::Status FetchResults(JobsClient& client, const v1::Job& job, const ResultFi
   for (OutputFile& file : complete) {
     if (absl::Status status = file.Commit(); !status.ok()) return status;
   }
-  return absl::OkStatus();
+  return gcode;
 }
 
 void ShowProgress(ProgressBar& bar, const v1::Job& job) {

@@ -39,8 +39,9 @@ struct ResultFiles {
 };
 
 /// Fetches what is wanted of a job. Files appear when all are complete, and what the job's result
-/// says they are.
-absl::Status FetchResults(JobsClient& client, const v1::Job& job, const ResultFiles& files);
+/// says they are. Returns where the G-code went.
+absl::StatusOr<std::string> FetchResults(JobsClient& client, const v1::Job& job,
+                                         const ResultFiles& files);
 
 /// What jobs wait for, a line for all that wait for the same: "2 jobs wait for a worker: ...".
 template <typename Jobs>

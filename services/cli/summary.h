@@ -18,7 +18,10 @@ struct Summary {
   double filament_g = 0;  ///< 0: the density is not known
   std::string cost = {};  ///< "12.50 EUR"; empty: nothing is charged
   bool cached = false;
+  std::string job = {};  ///< its id; empty: it was made here
   int64_t settings_without_effect = 0;
+  std::vector<std::string> changing =
+      {};                    ///< those of them that change the print: `key = value: why`
   int64_t beside_print = 0;  ///< of these, those that do not matter to it
   std::string report = {};  ///< where the report is; empty: nowhere
 };

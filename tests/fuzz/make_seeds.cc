@@ -119,6 +119,9 @@ v1::JobSpec Spec() {
   ToProto(OfParts(), std::span(&mesh, 1), spec.add_objects());
   *spec.add_project_settings() = ToProto(Setting{"perimeters", "3", Source::kProfile});
   spec.add_without_effect("painted seams");
+  spec.set_generic(true);
+  spec.add_allow("several_tools");
+  spec.add_notes()->set_text("painted fuzzy skin of `a`: without effect");
   for (const auto& [key, value] : kSettings) {
     v1::Setting& setting = *spec.add_settings();
     setting.set_key(key);

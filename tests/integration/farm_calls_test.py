@@ -1,17 +1,18 @@
 #!/usr/bin/env python3
 """The command line's calls for who looks after a farm, on one of real processes: events of all jobs, what a job's artifacts are,
-meshes, what is kept, changing and cancelling jobs.
+meshes, what is kept, changing and cancelling jobs, and what scripts rely on.
 
 usage: farm_calls_test.py SLICEFARM
 """
 import hashlib
 import json
 import pathlib
+import subprocess
 import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from local_farm import MODELS, running_farm
+from local_farm import BIN, MODELS, running_farm
 
 MODEL = MODELS / "textbox.stl"
 
@@ -53,6 +54,36 @@ def check_events(farm, job):
     assert job in again, again
 
 
+def check_scripts(farm, job, folder):
+    """What scripts of a farm rely on: one object a job, ids and their beginnings, profiles by the name that `put` prints."""
+    out = folder / "json.gcode"
+    told = [json.loads(line) for line in farm.client("submit", MODEL, "-o", out, "--json").stdout.splitlines()]
+    assert len(told) == 1 and told[0]["state"] == "JOB_STATE_SUCCEEDED" and told[0]["output"] == str(out), told
+    assert json.loads(call(farm, "get", told[0]["id"][:12]))["id"] == told[0]["id"]
+    assert "; job " in farm.client("submit", MODEL, "-o", out).stdout
+    detached = json.loads(farm.client("submit", MODEL, "--detach", "--json", "--label", "order=7").stdout)
+    assert json.loads(call(farm, "watch", detached["id"], "--json"))["state"] == "JOB_STATE_SUCCEEDED"
+    row = next(line for line in call(farm, "list").splitlines() if line.startswith(detached["id"]))
+    assert "order=7" in row and "textbox.stl" in row, row
+    printer = folder / "printer.ini"
+    printer.write_text("bed_shape = 0x0,250x0,250x210,0x210\nnozzle_diameter = 0.4\ngcode_flavor = marlin2\nbinary_gcode = 1\n")
+    name = call(farm, "profile", "put", "mk4s", "--config", str(printer)).strip()
+    assert "nozzle_diameter = 0.4" in call(farm, "profile", "get", name) and name == "mk4s@1", name
+    server = farm.coordinators[0].address
+    plain = [BIN / "slicefarm", "submit", MODEL, "--server", server]
+    refused = subprocess.run([*plain, "-o", out], capture_output=True, text=True)
+    assert refused.returncode == 3 and "--generic" in refused.stderr and "--profile" in refused.stderr, refused.stderr
+    before = out.read_bytes()
+    wrongly_named = subprocess.run([*plain, "--profile", "mk4s", "-o", out], capture_output=True, text=True)
+    assert wrongly_named.returncode == 2 and "bgcode" in wrongly_named.stderr and out.read_bytes() == before, wrongly_named.stderr
+    binary = subprocess.run([*plain, "--profile", "mk4s", "-o", folder / "out.bgcode", "--json"], capture_output=True, text=True)
+    assert binary.returncode == 0 and (folder / "out.bgcode").read_bytes().startswith(b"GCDE"), binary.stderr
+    call(farm, "artifacts", json.loads(binary.stdout)["id"], "--kind", "thumbnail", "-o", str(folder / "binary.png"))
+    assert (folder / "binary.png").read_bytes().startswith(b"\x89PNG")
+    call(farm, "artifacts", json.loads(binary.stdout)["id"], "--kind", "layers", "-o", str(folder / "binary.json"))
+    assert len(json.loads((folder / "binary.json").read_text())["layers"]) == before.count(b";LAYER_CHANGE")
+
+
 def check_waiting(farm):
     """Jobs of a farm whose workers are gone wait."""
     for worker in farm.workers:
@@ -87,6 +118,7 @@ def main(_):
         check_artifacts(farm, job, folder)
         check_events(farm, job)
         check_meshes(farm, folder)
+        check_scripts(farm, job, folder)
         check_waiting(farm)
     print("artifacts, events, meshes, usage and changes are as they should be")
 

@@ -23,7 +23,7 @@ CORE = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
 PRODUCTION = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06"
 BED = "0x0,256x0,256x256,0x256"
 WIDTHS = ["--set", "external_perimeter_extrusion_width=0.45", "--set", "first_layer_extrusion_width=0.45"]
-NO_PLATE, BAD_MESH = 2, 4  # exit codes
+NO_PLATE, BAD_SETTINGS, BAD_MESH = 2, 3, 4  # exit codes
 
 Beads = collections.namedtuple("Beads", "box heights features")
 
@@ -220,7 +220,11 @@ def check_what_has_no_effect(program, folder):
     files = painted_files(lambda x, y, z: 1 if x < 1e-6 else 0, "slic3rpe:fuzzy_skin")
     files["Metadata/Slic3r_PE.config"] += "; colorprint_heights = 5\n; host_type = prusalink\n"
     files["Metadata/thumbnail.png"] = "no picture"
-    lines = run(program, "slice", write(folder / "weights.3mf", files), "-o", folder / "out.gcode").stderr.splitlines()
+    project = write(folder / "weights.3mf", files)
+    refused = run(program, "slice", project, "-o", folder / "out.gcode")
+    assert refused.returncode == BAD_SETTINGS and "--allow colorprint_heights" in refused.stderr, refused.stderr
+    allowed = run(program, "slice", project, "-o", folder / "out.gcode", "--allow", "colorprint_heights", "--generic")
+    lines = allowed.stderr.splitlines()
     assert [line.split(":")[1].split()[0] for line in lines] == ["colorprint_heights", "painted"], lines
 
 

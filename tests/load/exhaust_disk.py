@@ -24,7 +24,7 @@ def meshes(directory):
 
 
 def uploading(farm, token, mesh):
-    command = [BIN / "slicefarm", "submit", mesh, "--detach", "-q", "--token-file", token, "--server", farm.coordinators[0].address]
+    command = [BIN / "slicefarm", "submit", mesh, "--detach", "-q", "--generic", "--token-file", token, "--server", farm.coordinators[0].address]
     return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 

@@ -40,7 +40,7 @@ def ranges(count):
 
 def job(digest, objects="", settings=()):
     listed = " ".join(f"settings {each}" for each in settings)
-    return f'spec {{objects {{mesh_sha256: "{digest}" name: "box" {objects}}} {listed}}}'
+    return f'spec {{objects {{mesh_sha256: "{digest}" name: "box" {objects}}} {listed} generic: true}}'
 
 
 def plates(digest, copies, settings):

@@ -144,7 +144,7 @@ class Hog:
         return subprocess.Popen([*command, "--seconds", "7200", "--mix", "tiny", *arguments], stdout=subprocess.DEVNULL)
 
     def check(self):
-        self.again("submit", MODEL, "--check", "-q")
+        self.again("submit", MODEL, "--check", "-q", "--generic")
 
     def again(self, *arguments):
         """A call of the command line, begun anew whenever it ends."""

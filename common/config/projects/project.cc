@@ -139,6 +139,38 @@ absl::StatusOr<size_t> ChosenPlate(const Project& project, int plate) {
   return used == project.plates.end() ? 0 : static_cast<size_t>(used - project.plates.begin());
 }
 
+/// Indices of the objects that have a printable copy on the plate.
+std::set<int32_t> IndicesOn(const Project& project, size_t plate) {
+  std::set<int32_t> printed;
+  const auto add = [&](size_t object, const Instance& instance) {
+    if (instance.printable) printed.insert(static_cast<int32_t>(object));
+  };
+  if (project.plates.empty()) {
+    for (size_t i = 0; i < project.objects.size(); ++i)
+      for (const Instance& instance : project.objects[i].instances) add(i, instance);
+    return printed;
+  }
+  for (const ProjectPlate::Member& member : project.plates[plate].members) {
+    const auto object = static_cast<size_t>(member.object);
+    add(object, project.objects[object].instances[static_cast<size_t>(member.instance)]);
+  }
+  return printed;
+}
+
+/// Objects of the plate that are painted with several filaments.
+std::vector<MissingFeature> MissingOn(const Project& project, size_t plate) {
+  const std::set<int32_t> printed = IndicesOn(project, plate);
+  std::string names;
+  for (const int32_t object : project.painted)
+    if (printed.contains(object))
+      names += fmt::format("{}`{}`", names.empty() ? "" : ", ",
+                           project.objects[static_cast<size_t>(object)].name);
+  if (names.empty()) return {};
+  return {{std::string(kPaintedFilaments),
+           "filaments are painted on " + names + ", and a job prints with one",
+           {{"objects", names}}}};
+}
+
 std::vector<SceneObject> ObjectsOn(const Project& project, size_t plate) {
   std::vector<SceneObject> objects = project.objects;
   if (!project.plates.empty()) {
@@ -209,6 +241,9 @@ absl::StatusOr<ProjectJob> JobOfProject(const Project& given, int plate) {
   if (!project.plates.empty())
     std::ranges::move(project.plates[*chosen].settings, std::back_inserter(job.settings));
   job.without_effect = std::move(project.without_effect);
+  job.missing = MissingOn(given, *chosen);
+  for (const MissingFeature& each : job.missing)
+    job.without_effect.insert(job.without_effect.begin(), each.text);
   for (const std::string& part : given.without_effect)
     job.warnings.push_back(part + ": without effect");
   for (const std::string& setting : of_print)

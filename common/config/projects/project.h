@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/config/missing_feature.h"
 #include "common/model/scene/scene.h"
 
 namespace slicefarm::config {
@@ -17,6 +18,8 @@ struct ProjectJob {
   /// Those of them that are no settings (what was painted, pauses at heights, parts left out) or
   /// make another print.
   std::vector<std::string> warnings;
+  /// What spoils the print of this plate: painted filaments. Not among the warnings.
+  std::vector<MissingFeature> missing;
 
   friend bool operator==(const ProjectJob&, const ProjectJob&) = default;
 };

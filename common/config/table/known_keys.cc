@@ -19,10 +19,19 @@ constexpr std::string_view kResin = "concerns resin printers";
 constexpr KnownKey kSwitches[] = {
     // These change the part or whether it prints at all.
     {"post_process", "scripts are never run", "", true, true, true},
-    {"printer_technology", kResin, "FFF", true, true, true},
+    {.key = "printer_technology",
+     .why = kResin,
+     .neutral = "FFF",
+     .has_neutral = true,
+     .changes_print = true,
+     .spoils_print = true},
     {"single_extruder_multi_material", kNotYet, "0", true},
     // These make it better or different in detail.
-    {"colorprint_heights", kNotYet, "", true, true, true},
+    {.key = "colorprint_heights",
+     .why = kNotYet,
+     .has_neutral = true,
+     .changes_print = true,
+     .spoils_print = true},
     {"extrusion_axis", kNotYet, "E", true},
     {"infill_extruder", kNotYet, "1", true},
     {"interlocking_beam", kNotYet, "0", true},

@@ -18,6 +18,8 @@ struct KnownKey {
   /// the file, such as a print host's password.
   bool told = true;
   bool of_several_extruders = false;  ///< decides between them, and one prints
+  /// The print is spoilt without it: a job is refused unless it allows that (missing_feature.h).
+  bool spoils_print = false;
 };
 
 /// The entry of `key`, or nullptr: not known to PrusaSlicer either, or it has an effect

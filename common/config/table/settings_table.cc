@@ -11,6 +11,7 @@
 #include "common/base/error.h"
 #include "common/base/text.h"
 #include "common/config/process_settings.h"
+#include "common/config/suggest.h"
 #include "common/gcode/substitutions.h"
 #include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
@@ -52,7 +53,13 @@ absl::StatusOr<Value> ParseChoice(const SettingSpec& spec, std::string_view text
   for (const Choice& choice : spec.choices) {
     if (choice.name == text) return Value{.number = static_cast<double>(choice.value)};
   }
-  return MalformedError(spec, text, "must be " + DescribeRange(spec));
+  std::vector<std::string_view> names;
+  for (const Choice& choice : spec.choices)
+    if (choice.note.empty()) names.push_back(choice.name);
+  const std::string nearest = Nearest(text, names);
+  return MalformedError(spec, text,
+                        fmt::format("must be {}{}", DescribeRange(spec),
+                                    nearest.empty() ? "" : "; do you mean " + nearest + "?"));
 }
 
 absl::StatusOr<Value> ParseQuantity(const SettingSpec& spec, std::string_view text) {

@@ -116,6 +116,7 @@ struct Project {
   /// What the file has and nobody here makes anything of, for the report: "painted supports of
   /// object 2".
   std::vector<std::string> without_effect;
+  std::vector<int32_t> painted;  ///< indices of objects on which filaments are painted, ascending
 
   bool operator==(const Project&) const = default;
 };

@@ -1,13 +1,12 @@
 #include "processes/fdm/settings/fdm_settings.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <iterator>
 
 #include "common/config/table/known_keys.h"
 #include "common/config/table/shared_settings.h"
 #include "processes/fdm/settings/check_settings.h"
+#include "processes/fdm/settings/compatibility.h"
 #include "processes/fdm/settings/derive.h"
 #include "processes/fdm/settings/needs.h"
 #include "processes/fdm/settings/plate_settings.h"
@@ -19,6 +18,8 @@
 
 namespace slicefarm::config::fdm {
 namespace {
+
+constexpr std::string_view kMachineKeys[] = {"bed_shape", "nozzle_diameter", "gcode_flavor"};
 
 class OfFdm : public ProcessSettings {
  public:
@@ -36,6 +37,8 @@ class OfFdm : public ProcessSettings {
   bool Knows(std::string_view key) const override { return FindKnownKey(key) != nullptr; }
   std::vector<Need> Needs() const override { return fdm::Needs(); }
 
+  std::span<const std::string_view> MachineKeys() const override { return kMachineKeys; }
+
   size_t ListItem(std::span<const Setting> given) const override { return ToolOf(given); }
   absl::Status Derive(Draft& draft, ResolvedSettings& result) const override {
     return fdm::Derive(draft, result);
@@ -46,9 +49,13 @@ class OfFdm : public ProcessSettings {
     return TakeGcode(draft, result);
   }
 
-  absl::Status TakeTogether(std::vector<Setting>& job,
-                            std::vector<SceneObject>& objects) const override {
-    return TakeTool(job, objects);
+  absl::Status TakeTogether(std::vector<Setting>& job, std::vector<SceneObject>& objects,
+                            std::vector<MissingFeature>& missing) const override {
+    return TakeTool(job, objects, missing);
+  }
+  std::vector<MissingFeature> Incompatible(std::span<const Setting> job,
+                                           std::string_view settings_text) const override {
+    return IncompatibleProfiles(job, settings_text);
   }
   void BeginPlate(JobSettings& plate) const override { FdmOf(plate).planning.objects.clear(); }
   std::unique_ptr<RegionRows> NewRows() const override { return std::make_unique<RegionTable>(); }
@@ -70,14 +77,12 @@ class OfFdm : public ProcessSettings {
     return fdm::FinishPlate(job, rows, plate);
   }
 
-  std::vector<std::string> NameWarnings(const JobSettings& settings,
-                                        std::string_view file) const override {
-    const bool binary = FdmOf(settings).motion.writing.binary;
-    if (file.ends_with(".bgcode") && !binary)
-      return {fmt::format("{} is text: binary_gcode = 1 makes binary G-code", file)};
-    if (file.ends_with(".gcode") && binary)
-      return {fmt::format("{} is binary G-code, as binary_gcode = 1 asks for", file)};
-    return {};
+  /// A printer's profile says whether it reads binary G-code, whatever the file is called.
+  std::vector<FileFormat> FileFormats() const override {
+    constexpr std::string_view kKey = "binary_gcode";
+    return {
+        {.suffix = ".gcode", .key = kKey, .value = "0", .chosen_by_name = false},
+        {.suffix = ".bgcode", .key = kKey, .value = "1", .alone = true, .chosen_by_name = false}};
   }
   double MaterialCostPerKg(const JobSettings& settings) const override {
     return FdmOf(settings).motion.filament_cost_per_kg;

@@ -87,7 +87,7 @@ absl::Status AddObject(const SceneObject& object, const Tools& job, Uses& uses) 
   return absl::OkStatus();
 }
 
-absl::Status SeveralTools(const Uses& uses) {
+MissingFeature SeveralTools(const Uses& uses) {
   std::string text, objects;
   for (const auto& [tool, who] : uses) {
     std::string named;
@@ -95,9 +95,10 @@ absl::Status SeveralTools(const Uses& uses) {
     text += fmt::format("{}extruder {}: {}", text.empty() ? "" : " | ", tool, named);
     objects += (objects.empty() ? "" : "; ") + named;
   }
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   "the plate needs several extruders, and a job prints with one: " + text,
-                   {{"setting", std::string(kTool)}, {"objects", objects}});
+  return {std::string(kSeveralTools),
+          fmt::format("the plate needs several extruders, and a job prints with one, number {}: {}",
+                      uses.begin()->first, text),
+          {{"setting", std::string(kTool)}, {"objects", objects}}};
 }
 
 void Drop(Settings& settings) {
@@ -109,7 +110,8 @@ void Drop(Settings& settings) {
 
 }  // namespace
 
-absl::Status TakeTool(std::vector<Setting>& job, std::vector<SceneObject>& objects) {
+absl::Status TakeTool(std::vector<Setting>& job, std::vector<SceneObject>& objects,
+                      std::vector<MissingFeature>& missing) {
   const auto tools = Within({1, 1, 1}, job);
   if (!tools.ok()) return tools.status();
   Uses uses;
@@ -117,7 +119,7 @@ absl::Status TakeTool(std::vector<Setting>& job, std::vector<SceneObject>& objec
     if (!std::ranges::any_of(object.instances, &Instance::printable)) continue;
     if (absl::Status ok = AddObject(object, *tools, uses); !ok.ok()) return ok;
   }
-  if (uses.size() > 1) return SeveralTools(uses);
+  if (uses.size() > 1) missing.push_back(SeveralTools(uses));
   const int tool = uses.empty() ? tools->front() : uses.begin()->first;
   Source source = Source::kProfile;
   for (const Setting& setting : job)

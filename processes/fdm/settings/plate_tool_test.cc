@@ -41,8 +41,10 @@ class OneToolTest : public testing::TestWithParam<Case> {};
 TEST_P(OneToolTest, IsTheJobs) {
   Settings job = GetParam().job;
   std::vector<SceneObject> objects = GetParam().objects;
-  const absl::Status status = TakeTool(job, objects);
+  std::vector<MissingFeature> missing;
+  const absl::Status status = TakeTool(job, objects, missing);
   ASSERT_TRUE(status.ok()) << status;
+  EXPECT_TRUE(missing.empty());
   EXPECT_EQ(job.empty() ? "" : job.front().value, GetParam().want);
   for (const SceneObject& object : objects) EXPECT_TRUE(object.settings.empty());
 }
@@ -97,15 +99,19 @@ struct ManyCase {
 
 class ManyToolsTest : public testing::TestWithParam<ManyCase> {};
 
-TEST_P(ManyToolsTest, AreRefusedByName) {
+TEST_P(ManyToolsTest, AreMissingByName) {
   Settings job = GetParam().job;
   std::vector<SceneObject> objects = GetParam().objects;
-  const absl::Status status = TakeTool(job, objects);
-  const ErrorDetail detail = DetailOf(status);
-  EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange);
-  EXPECT_EQ(detail.metadata.at("setting"), "extruder");
-  for (const std::string& name : GetParam().named)
-    EXPECT_THAT(std::string(status.message()), HasSubstr(name));
+  std::vector<MissingFeature> missing;
+  const absl::Status status = TakeTool(job, objects, missing);
+  ASSERT_TRUE(status.ok()) << status;
+  ASSERT_EQ(missing.size(), 1u);
+  EXPECT_EQ(missing[0].feature, "several_tools");
+  EXPECT_EQ(missing[0].metadata.at("setting"), "extruder");
+  for (const std::string& name : GetParam().named) EXPECT_THAT(missing[0].text, HasSubstr(name));
+  // The first of them prints all.
+  const std::string_view tool = job.empty() ? "1" : std::string_view(job.front().value);
+  EXPECT_THAT(missing[0].text, HasSubstr("number " + std::string(tool) + ":"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Plates, ManyToolsTest,
@@ -130,7 +136,8 @@ INSTANTIATE_TEST_SUITE_P(Plates, ManyToolsTest,
 TEST(TakeTool, WantsANumber) {
   Settings job = {Tool("two")};
   std::vector<SceneObject> objects = {Object("a")};
-  EXPECT_EQ(DetailOf(TakeTool(job, objects)).reason, Reason::kSettingOutOfRange);
+  std::vector<MissingFeature> missing;
+  EXPECT_EQ(DetailOf(TakeTool(job, objects, missing)).reason, Reason::kSettingOutOfRange);
 }
 
 // The second filament is hotter, thicker and pulled back further; so is what is made of it.

@@ -20,6 +20,7 @@
 #include "common/model/limits.h"
 #include "processes/fdm/settings/joined_gcode.h"
 #include "processes/fdm/settings/shells.h"
+#include "processes/fdm/settings/template_faults.h"
 
 namespace slicefarm::config::fdm {
 namespace {
@@ -262,7 +263,9 @@ absl::Status Settle(const Settling& settling) {
   settling.result.growth = GrowthOf(settling.draft);
   TakeFootWidth(settings);
   TakeTool(settling);
-  const auto code = macro::ParseJobCode(FdmOf(settings).motion);
+  auto code = macro::ParseJobCode(FdmOf(settings).motion);
+  while (!code.ok() && LeaveOutTemplate(code.status(), settling.draft, settling.result))
+    code = macro::ParseJobCode(FdmOf(settings).motion);
   if (!code.ok()) return NamingOwnGcode(code.status(), settling.draft);
   if (!macro::NamesClock(*code)) settling.told.erase("creation_time");
   TakeClearance(settings);
@@ -282,8 +285,10 @@ absl::Status Settle(const Settling& settling) {
 
 absl::Status TakeGcode(const Draft& draft, ResolvedSettings& result) {
   MotionOptions& motion = FdmOf(result.settings).motion;
-  if (absl::Status ok = macro::CheckJobCode(motion, result.effective_text); !ok.ok())
-    return NamingOwnGcode(ok, draft);
+  absl::Status ok = macro::CheckJobCode(motion, result.effective_text);
+  while (!ok.ok() && LeaveOutTemplate(ok, draft, result))
+    ok = macro::CheckJobCode(motion, result.effective_text);
+  if (!ok.ok()) return NamingOwnGcode(ok, draft);
   return TakeLayerSettings(result.effective_text, motion);
 }
 

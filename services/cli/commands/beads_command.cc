@@ -11,6 +11,7 @@
 
 #include "services/cli/bead_files.h"
 #include "services/cli/bead_maker.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
@@ -77,26 +78,26 @@ void AddBeads(CLI::App& app, CommandContext& context) {
       ->required()
       ->type_name("DIR");
   command->add_option("--width", options->beads.width_mm, "Of beads")
-      ->check(CLI::Range(0.01, 10.0))
+      ->check(InRange(0.01, 10.0))
       ->capture_default_str()
       ->type_name("MM");
   command->add_option("--min-feature", options->beads.min_feature_mm, "Thinner places get no bead")
-      ->check(CLI::Range(0.001, 10.0))
+      ->check(InRange(0.001, 10.0))
       ->capture_default_str()
       ->type_name("MM");
   command
       ->add_option("--transition-angle", options->beads.transition_angle,
                    "Sides that meet at less get beads of variable width between them")
-      ->check(CLI::Range(1.0, 89.0))
+      ->check(InRange(1.0, 89.0))
       ->capture_default_str()
       ->type_name("DEGREES");
   command
       ->add_option("--walls", options->beads.walls, "On either side; 0: as many as fill the part")
-      ->check(CLI::Range(0, 1000))
+      ->check(InRange(0, 1000))
       ->capture_default_str()
       ->type_name("N");
   command->add_option("--threads", options->threads, "How many outlines at a time")
-      ->check(CLI::Range(1, 256))
+      ->check(InRange(1, 256))
       ->capture_default_str()
       ->type_name("N");
   command->footer(

@@ -51,6 +51,8 @@ void AddToken(CLI::App& app, CommandContext& context);           ///< token_comm
 void AddTsp(CLI::App& app, CommandContext& context);             ///< tsp_command.cc
 void AddMillProgram(CLI::App& app, CommandContext& context);     ///< mill_program_command.cc
 void AddWaterline(CLI::App& app, CommandContext& context);       ///< waterline_command.cc
+void AddHelp(CLI::App& app, CommandContext& context);            ///< shell_commands.cc
+void AddCompletion(CLI::App& app, CommandContext& context);      ///< shell_commands.cc
 void AddVersion(CLI::App& app, CommandContext& context);         ///< main.cc
 
 }  // namespace slicefarm::cli

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "common/base/error.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
@@ -104,7 +105,7 @@ void AddDecompose(CLI::App& app, CommandContext& context) {
       ->add_option("--method", options->method,
                    "bian: good shapes, by visibility and angles; optimal: fewest pieces, slow; "
                    "approximate: fast; ymonotone: fast, of parts that are monotone in y")
-      ->check(CLI::IsMember(kMethods))
+      ->check(OneOf(NamesOf(kMethods)))
       ->capture_default_str()
       ->type_name("NAME");
   command->footer(

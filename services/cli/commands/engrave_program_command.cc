@@ -359,7 +359,7 @@ void AddEngraveProgram(CLI::App& app, CommandContext& context) {
   AddProgramOptions(*command, *options);
   command->add_option("--report", options->report, "JSON: distortion, spacing, lengths by layer");
   command->add_option("--threads", options->threads, "How many to use; the result is the same")
-      ->check(CLI::Range(1, 256))
+      ->check(InRange(1, 256))
       ->capture_default_str();
   command->add_option("--displaced", options->displaced, "The surface with the texture (STL, OBJ)");
   AddNumberTo(*command, "--displaced-edge", options->displaced_edge_mm, "Its longest edge, mm");

@@ -1,6 +1,5 @@
 // What a farm has of its caller besides single jobs: events of all, meshes, what is kept.
 #include <fmt/core.h>
-#include <google/protobuf/util/json_util.h>
 #include <google/protobuf/util/time_util.h>
 
 #include <CLI/CLI.hpp>
@@ -11,10 +10,12 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
 #include "services/cli/jobs_client.h"
+#include "services/cli/json_text.h"
 #include "services/cli/server_options.h"
 #include "services/cli/summary.h"
 
@@ -47,15 +48,8 @@ struct UpdateOptions {
   std::string priority;
   std::string deadline;
   std::vector<std::string> labels;
+  bool json = false;
 };
-
-std::string JsonLine(const google::protobuf::Message& message) {
-  google::protobuf::util::JsonPrintOptions print;
-  print.preserve_proto_field_names = true;
-  std::string json;
-  const auto status = google::protobuf::util::MessageToJsonString(message, &json, print);
-  return status.ok() ? json : "{}";
-}
 
 absl::Status BadTime(const std::string& option, const std::string& text) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
@@ -107,10 +101,13 @@ ExitCode ListMeshes(const FarmOptions& options, Interrupt& interrupt) {
   request.set_page_size(1000);
   std::string text =
       fmt::format("{:<64}  {:>12}  {:<9}  {}\n", "MESH", "BYTES", "COMPLETE", "IDLE");
+  if (options.json) text.clear();
   do {
     const auto page = client.ListMeshes(request);
     if (!page.ok()) return Fail(page.status());
     for (const auto& mesh : page->meshes()) {
+      if (options.json) text += JsonLine(mesh) + "\n";
+      if (options.json) continue;
       text += fmt::format("{}  {:>12}  {:<9}  {} s\n", mesh.sha256(), mesh.size(),
                           mesh.complete() ? "yes" : "no", mesh.idle_s());
     }
@@ -162,11 +159,18 @@ absl::StatusOr<v1::UpdateJobRequest> UpdateOf(const UpdateOptions& options) {
 }
 
 ExitCode UpdateJob(const UpdateOptions& options, Interrupt& interrupt) {
-  const auto request = UpdateOf(options);
+  auto request = UpdateOf(options);
   if (!request.ok()) return Fail(request.status());
   JobsClient client(ClientOptions(options.server, &interrupt));
+  const auto id = client.FullId(options.id);
+  if (!id.ok()) return Fail(id.status());
+  request->set_id(*id);
   const auto job = client.UpdateJob(*request);
   if (!job.ok()) return Fail(job.status());
+  if (options.json) {
+    Print(JsonOfJob(*job, "") + "\n");
+    return ExitCode::kOk;
+  }
   Print(fmt::format("job {}: {}\n", job->id(), StateName(job->state())));
   return ExitCode::kOk;
 }
@@ -180,8 +184,10 @@ const std::map<std::string, v1::Artifact> kArtifacts = {{"gcode", v1::ARTIFACT_G
 
 ExitCode ShowArtifacts(const ArtifactOptions& options, Interrupt& interrupt) {
   JobsClient client(ClientOptions(options.server, &interrupt));
+  const auto id = client.FullId(options.id);
+  if (!id.ok()) return Fail(id.status());
   if (options.kind.empty()) {
-    const auto list = client.ListArtifacts(options.id);
+    const auto list = client.ListArtifacts(*id);
     if (!list.ok()) return Fail(list.status());
     Print(JsonLine(*list) + "\n");
     return ExitCode::kOk;
@@ -189,7 +195,7 @@ ExitCode ShowArtifacts(const ArtifactOptions& options, Interrupt& interrupt) {
   auto file = OutputFile::Create(options.output);
   if (!file.ok()) return Fail(file.status());
   v1::Job job;
-  job.set_id(options.id);
+  job.set_id(*id);
   absl::Status fetched = client.Download(job, kArtifacts.at(options.kind), *file);
   if (fetched.ok()) fetched = file->Commit();
   return fetched.ok() ? ExitCode::kOk : Fail(fetched);
@@ -222,7 +228,7 @@ void AddEvents(CLI::App& app, CommandContext& context) {
   command->add_option("--cursor", options->cursor, "Go on after an event that --json showed")
       ->excludes("--from");
   command->add_option("--count", options->count, "End after so many events")
-      ->check(CLI::PositiveNumber)
+      ->check(AboveZero())
       ->type_name("N");
   command->add_flag("--json", options->json, "All that is known of each, a line each");
   AddTenantOption(*command, *options);
@@ -234,11 +240,11 @@ void AddArtifacts(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand(
       "artifacts", "List what can be fetched of a job, as JSON; or fetch one of it");
   const auto options = std::make_shared<ArtifactOptions>();
-  command->add_option("JOB", options->id)->required();
+  command->add_option("JOB", options->id, "Its id, or the beginning of it")->required();
   std::vector<std::string> kinds;
   for (const auto& [kind, artifact] : kArtifacts) kinds.push_back(kind);
   auto* const kind =
-      command->add_option("--kind", options->kind, "Which to fetch")->check(CLI::IsMember(kinds));
+      command->add_option("--kind", options->kind, "Which to fetch")->check(OneOf(kinds));
   command->add_option("-o,--output", options->output, "Where it goes; -: to stdout")
       ->needs(kind)
       ->capture_default_str()
@@ -266,7 +272,8 @@ void AddMeshes(CLI::App& app, CommandContext& context) {
   command->require_subcommand(1);
   const auto options = std::make_shared<FarmOptions>();
   AddFarmCommand(*command, "list", "List them, uploads that are not complete too", options, context,
-                 ListMeshes);
+                 ListMeshes)
+      ->add_flag("--json", options->json, "Each as one line of JSON");
   CLI::App* get = AddFarmCommand(*command, "get", "Fetch one", options, context, GetMesh);
   get->add_option("SHA256", options->sha256)->required();
   get->add_option("-o,--output", options->output, "Where it goes; -: to stdout")
@@ -280,13 +287,14 @@ void AddMeshes(CLI::App& app, CommandContext& context) {
 void AddUpdate(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand("update", "Change a job's priority, deadline or labels");
   const auto options = std::make_shared<UpdateOptions>();
-  command->add_option("JOB", options->id)->required();
+  command->add_option("JOB", options->id, "Its id, or the beginning of it")->required();
   command->add_option("--priority", options->priority)
-      ->check(CLI::IsMember({"bulk", "normal", "interactive"}));
+      ->check(OneOf(std::vector<std::string>{"bulk", "normal", "interactive"}));
   command->add_option("--deadline", options->deadline, "A time, or none")->type_name("TIME");
   command->add_option("--label", options->labels, "In place of those that it has. May be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  command->add_flag("--json", options->json, "Print the job as JSON");
   AddServerOptions(*command, options->server);
   command->callback([options, &context] {
     context.run = [options, &context] { return UpdateJob(*options, *context.interrupt); };

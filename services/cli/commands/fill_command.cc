@@ -19,6 +19,7 @@
 #include "common/geometry/offset/clean_offset.h"
 #include "common/model/options/fill_patterns.h"
 #include "services/cli/bead_files.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
@@ -226,19 +227,19 @@ void AddFill(CLI::App& app, CommandContext& context) {
       ->capture_default_str()
       ->type_name("D");
   command->add_option("--width", options->width_mm, "Of beads, which fill what they are wide")
-      ->check(CLI::Range(0.01, 10.0))
+      ->check(InRange(0.01, 10.0))
       ->capture_default_str()
       ->type_name("MM");
   command->add_option("--angle", options->angle_degrees, "As fill_angle")
-      ->check(CLI::Range(-360.0, 360.0))
+      ->check(InRange(-360.0, 360.0))
       ->capture_default_str()
       ->type_name("DEGREES");
   command->add_option("--z", options->z_mm, "Height, for patterns that change with it")
-      ->check(CLI::Range(0.0, 1000.0))
+      ->check(InRange(0.0, 1000.0))
       ->capture_default_str()
       ->type_name("MM");
   command->add_option("--layer", options->layer, "For patterns that turn from layer to layer")
-      ->check(CLI::Range(0, 1'000'000))
+      ->check(InRange(0, 1'000'000))
       ->capture_default_str()
       ->type_name("N");
   command->add_flag("--quality", options->quality,

@@ -9,6 +9,7 @@
 #include "common/rpc/client/channel.h"
 #include "common/rpc/client/health.h"
 #include "common/rpc/security/client_security.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 
@@ -54,7 +55,7 @@ void AddHealth(CLI::App& app, CommandContext& context) {
       ->required()
       ->type_name("HOST:PORT");
   command->add_option("--timeout", options->timeout_s, "Seconds to wait for the answer")
-      ->check(CLI::Range(0.01, 600.0))
+      ->check(InRange(0.01, 600.0))
       ->capture_default_str()
       ->type_name("S");
   rpc::AddTlsOptions(*command, &options->security);

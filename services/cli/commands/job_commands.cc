@@ -1,17 +1,21 @@
 #include <fmt/core.h>
-#include <google/protobuf/util/json_util.h>
 #include <google/protobuf/util/time_util.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "common/base/duration_text.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/jobs_client.h"
+#include "services/cli/json_text.h"
 #include "services/cli/server_options.h"
+#include "services/cli/summary.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -22,11 +26,13 @@ constexpr size_t kCancelledAtOnce = 1000;  // the most that a call takes
 struct JobCommandOptions {
   ServerOptions server;
   std::string id;
+  bool json = false;
 };
 
 struct CancelOptions {
   ServerOptions server;
   std::vector<std::string> ids;
+  bool json = false;
 };
 
 struct GetOptions : JobCommandOptions {
@@ -38,23 +44,14 @@ struct ListOptions : JobCommandOptions {
   std::vector<std::string> states;
   std::vector<std::string> labels;
   bool oldest_first = false;
-  bool json = false;
 };
 
 std::shared_ptr<JobCommandOptions> AddJobCommand(CLI::App& command,
                                                  std::shared_ptr<JobCommandOptions> options) {
-  command.add_option("JOB", options->id, "As submit --detach and list print it")->required();
+  command.add_option("JOB", options->id, "As submit and list print it, or the beginning of it")
+      ->required();
   AddServerOptions(command, options->server);
   return options;
-}
-
-std::string ToJson(const google::protobuf::Message& message) {
-  google::protobuf::util::JsonPrintOptions print;
-  print.add_whitespace = true;
-  print.preserve_proto_field_names = true;
-  std::string json;
-  const auto status = google::protobuf::util::MessageToJsonString(message, &json, print);
-  return status.ok() ? json : "{}\n";
 }
 
 std::string ProgressText(const v1::Job& job) {
@@ -62,19 +59,67 @@ std::string ProgressText(const v1::Job& job) {
   return fmt::format("{}/{}", job.progress().layers_done(), job.progress().layers_total());
 }
 
+std::string OrDash(std::string text) { return text.empty() ? "-" : text; }
+
 std::string FirstObjectName(const v1::Job& job) {
-  return job.spec().objects().empty() ? "-" : job.spec().objects(0).name();
+  return job.spec().objects().empty() ? "-" : OrDash(job.spec().objects(0).name());
+}
+
+/// "mk4s@3,petg@1".
+std::string ProfilesOf(const v1::Job& job) {
+  std::string text;
+  for (const std::string& profile : job.spec().profiles())
+    text += (text.empty() ? "" : ",") + profile;
+  return OrDash(std::move(text));
+}
+
+/// "order=17,shelf=4", by key.
+std::string LabelsOf(const v1::Job& job) {
+  const std::map<std::string, std::string> sorted(job.labels().begin(), job.labels().end());
+  std::string text;
+  for (const auto& [key, value] : sorted)
+    text += fmt::format("{}{}={}", text.empty() ? "" : ",", key, value);
+  return OrDash(std::move(text));
+}
+
+/// What a list shows of a job.
+struct Row {
+  std::string id, state, layers, created, time, cost, profiles, labels, model;
+};
+
+std::string TextOf(const Row& row) {
+  return fmt::format("{:<32}  {:<9}  {:>11}  {:<20}  {:>11}  {:>10}  {:<16}  {:<16}  {}\n", row.id,
+                     row.state, row.layers, row.created, row.time, row.cost, row.profiles,
+                     row.labels, row.model);
+}
+
+Row RowOf(const v1::Job& job) {
+  google::protobuf::Timestamp created = job.create_time();
+  created.set_nanos(0);
+  const v1::JobResult& result = job.result();
+  return {.id = job.id(),
+          .state = StateName(job.state()),
+          .layers = ProgressText(job),
+          .created = google::protobuf::util::TimeUtil::ToString(created),
+          .time = job.has_result() ? DurationText(result.print_time_s()) : "-",
+          .cost = OrDash(MoneyText(result.cost().total(), result.cost().currency())),
+          .profiles = ProfilesOf(job),
+          .labels = LabelsOf(job),
+          .model = FirstObjectName(job)};
 }
 
 ExitCode Watch(const JobCommandOptions& options, Interrupt& interrupt) {
   JobsClient client(ClientOptions(options.server, &interrupt));
+  const auto id = client.FullId(options.id);
+  if (!id.ok()) return Fail(id.status());
   ProgressBar bar(true);
-  const auto job =
-      client.WatchJob(options.id, [&](const v1::Job& event) { ShowProgress(bar, event); });
+  const auto job = client.WatchJob(*id, [&](const v1::Job& event) { ShowProgress(bar, event); });
   bar.Clear();
   if (!job.ok()) return Fail(job.status());
   Warn({job->warnings().begin(), job->warnings().end()});
+  if (options.json) Print(JsonOfJob(*job, "") + "\n");
   if (!OutcomeOf(*job).ok()) return FailJob(*job);
+  if (options.json) return ExitCode::kOk;
   Print(fmt::format("job {} succeeded; `slicefarm get {} -o OUT.gcode` fetches it\n", job->id(),
                     job->id()));
   return ExitCode::kOk;
@@ -82,34 +127,40 @@ ExitCode Watch(const JobCommandOptions& options, Interrupt& interrupt) {
 
 ExitCode Get(const GetOptions& options, Interrupt& interrupt) {
   JobsClient client(ClientOptions(options.server, &interrupt));
-  const auto job = client.GetJob(options.id);
+  const auto id = client.FullId(options.id);
+  if (!id.ok()) return Fail(id.status());
+  const auto job = client.GetJob(*id);
   if (!job.ok()) return Fail(job.status());
   if (options.files.gcode.empty() && options.files.report.empty()) {
-    Print(ToJson(*job));
+    Print(IndentedJson(*job));
     return ExitCode::kOk;
   }
   if (!OutcomeOf(*job).ok()) return FailJob(*job);
-  const absl::Status fetched = FetchResults(client, *job, options.files);
+  const absl::Status fetched = FetchResults(client, *job, options.files).status();
   return fetched.ok() ? ExitCode::kOk : Fail(fetched);
 }
 
 /// Of any job that ended, however it ended.
 ExitCode Trace(const GetOptions& options, Interrupt& interrupt) {
   JobsClient client(ClientOptions(options.server, &interrupt));
+  const auto id = client.FullId(options.id);
+  if (!id.ok()) return Fail(id.status());
   v1::Job job;
-  job.set_id(options.id);
-  const absl::Status fetched = FetchResults(client, job, options.files);
+  job.set_id(*id);
+  const absl::Status fetched = FetchResults(client, job, options.files).status();
   return fetched.ok() ? ExitCode::kOk : Fail(fetched);
 }
 
-void TellCancelled(const v1::Job& job) {
+void TellCancelled(const CancelOptions& options, const v1::Job& job) {
+  if (options.json) return Print(JsonOfJob(job, "") + "\n");
   Print(fmt::format("job {}: {}\n", job.id(),
                     HasEnded(job) ? StateName(job.state()) : "is being cancelled"));
 }
 
 /// Each by itself: one that cannot be cancelled leaves the others alone. The exit code is that of
 /// the first error.
-ExitCode CancelAll(JobsClient& client, const std::vector<std::string>& ids) {
+ExitCode CancelAll(JobsClient& client, const CancelOptions& options) {
+  const std::vector<std::string>& ids = options.ids;
   ExitCode code = ExitCode::kOk;
   for (size_t first = 0; first < ids.size(); first += kCancelledAtOnce) {
     v1::BatchCancelJobsRequest request;
@@ -119,7 +170,7 @@ ExitCode CancelAll(JobsClient& client, const std::vector<std::string>& ids) {
     if (!done.ok()) return Fail(done.status());
     for (const auto& outcome : done->outcomes()) {
       if (outcome.has_job()) {
-        TellCancelled(outcome.job());
+        TellCancelled(options, outcome.job());
         continue;
       }
       v1::Job failed;
@@ -132,26 +183,35 @@ ExitCode CancelAll(JobsClient& client, const std::vector<std::string>& ids) {
   return code;
 }
 
-ExitCode Cancel(const CancelOptions& options, Interrupt& interrupt) {
+ExitCode Cancel(CancelOptions options, Interrupt& interrupt) {
   JobsClient client(ClientOptions(options.server, &interrupt));
-  if (options.ids.size() > 1) return CancelAll(client, options.ids);
+  for (std::string& each : options.ids) {
+    auto id = client.FullId(each);
+    if (!id.ok()) return Fail(id.status());
+    each = *std::move(id);
+  }
+  if (options.ids.size() > 1) return CancelAll(client, options);
   const auto job = client.CancelJob(options.ids.front());
   if (!job.ok()) return Fail(job.status());
-  TellCancelled(*job);
+  TellCancelled(options, *job);
   return ExitCode::kOk;
 }
 
 ExitCode Delete(const JobCommandOptions& options, Interrupt& interrupt) {
   JobsClient client(ClientOptions(options.server, &interrupt));
-  const absl::Status deleted = client.DeleteJob(options.id);
+  const auto id = client.FullId(options.id);
+  if (!id.ok()) return Fail(id.status());
+  const absl::Status deleted = client.DeleteJob(*id);
   return deleted.ok() ? ExitCode::kOk : Fail(deleted);
 }
 
 ExitCode Webhook(const JobCommandOptions& options, Interrupt& interrupt) {
   JobsClient client(ClientOptions(options.server, &interrupt));
-  const auto webhook = client.GetWebhook(options.id);
+  const auto id = client.FullId(options.id);
+  if (!id.ok()) return Fail(id.status());
+  const auto webhook = client.GetWebhook(*id);
   if (!webhook.ok()) return Fail(webhook.status());
-  Print(ToJson(*webhook));
+  Print(IndentedJson(*webhook));
   return ExitCode::kOk;
 }
 
@@ -188,18 +248,12 @@ ExitCode List(const ListOptions& options, Interrupt& interrupt) {
   const auto all = ListAll(client, options);
   if (!all.ok()) return Fail(all.status());
   if (options.json) {
-    Print(ToJson(*all));
+    Print(IndentedJson(*all));
     return ExitCode::kOk;
   }
-  std::string text = fmt::format("{:<36}  {:<9}  {:>11}  {:<20}  {}\n", "JOB", "STATE", "LAYERS",
-                                 "CREATED", "MODEL");
-  for (const v1::Job& job : all->jobs()) {
-    google::protobuf::Timestamp created = job.create_time();
-    created.set_nanos(0);
-    text += fmt::format("{:<36}  {:<9}  {:>11}  {:<20}  {}\n", job.id(), StateName(job.state()),
-                        ProgressText(job), google::protobuf::util::TimeUtil::ToString(created),
-                        FirstObjectName(job));
-  }
+  std::string text = TextOf(
+      {"JOB", "STATE", "LAYERS", "CREATED", "PRINT TIME", "COST", "PROFILES", "LABELS", "MODEL"});
+  for (const v1::Job& job : all->jobs()) text += TextOf(RowOf(job));
   if (!all->next_page_token().empty()) text += "there are more: --limit N\n";
   Print(text);
   Warn(WaitsOf(all->jobs()));
@@ -211,6 +265,8 @@ ExitCode List(const ListOptions& options, Interrupt& interrupt) {
 void AddWatch(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand("watch", "Wait for the end of a job");
   const auto options = AddJobCommand(*command, std::make_shared<JobCommandOptions>());
+  command->add_flag("--json", options->json,
+                    "Print the job, when it has ended, as one line of JSON");
   command->footer("Exit code as the job's outcome. Ctrl-C stops the watching; the job goes on.");
   command->callback([options, &context] {
     context.run = [options, &context] { return Watch(*options, *context.interrupt); };
@@ -221,11 +277,12 @@ void AddList(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand("list", "List jobs, newest first");
   const auto options = std::make_shared<ListOptions>();
   command->add_option("--limit", options->limit, "How many at most")
-      ->check(CLI::Range(1, 100'000))
+      ->check(InRange(1, 100'000))
       ->capture_default_str()
       ->type_name("N");
   command->add_option("--state", options->states, "Only jobs in this state. May be repeated")
-      ->check(CLI::IsMember({"queued", "running", "succeeded", "failed", "cancelled"}))
+      ->check(
+          OneOf(std::vector<std::string>{"queued", "running", "succeeded", "failed", "cancelled"}))
       ->allow_extra_args(false);
   command->add_option("--label", options->labels, "Only jobs with this label. May be repeated")
       ->type_name("KEY=VALUE")
@@ -258,7 +315,9 @@ void AddGet(CLI::App& app, CommandContext& context) {
 void AddCancel(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand("cancel", "Stop jobs; their records stay");
   const auto options = std::make_shared<CancelOptions>();
-  command->add_option("JOB", options->ids, "As submit --detach and list print them")->required();
+  command->add_option("JOB", options->ids, "As submit and list print them, or their beginnings")
+      ->required();
+  command->add_flag("--json", options->json, "Print each job as one line of JSON");
   AddServerOptions(*command, options->server);
   command->callback([options, &context] {
     context.run = [options, &context] { return Cancel(*options, *context.interrupt); };

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/model/milling/cutter_text.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
@@ -165,7 +166,7 @@ void AddMillProgram(CLI::App& app, CommandContext& context) {
   command->add_option("--svg", options->svg, "A picture of one step")->type_name("FILE");
   command->add_option("--svg-step", options->svg_step, "Which")->capture_default_str();
   command->add_option("--threads", options->threads, "Threads")
-      ->check(CLI::Range(1, 1024))
+      ->check(InRange(1, 1024))
       ->capture_default_str()
       ->type_name("N");
   command->footer(

@@ -2,16 +2,18 @@
 #include <google/protobuf/util/time_util.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <memory>
 #include <string>
 
+#include "absl/strings/numbers.h"
 #include "common/base/error.h"
 #include "common/wire/options/given_settings_wire.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/job_options.h"
 #include "services/cli/jobs_client.h"
+#include "services/cli/json_text.h"
 #include "services/cli/server_options.h"
 
 namespace slicefarm::cli {
@@ -22,9 +24,25 @@ struct ProfileOptions {
   SettingOptions settings;
   std::string name;
   int64_t revision = 0;
+  bool json = false;
 };
 
-ExitCode Put(const ProfileOptions& options, Interrupt& interrupt) {
+/// `NAME@REVISION`, as `put` prints it, is a name with --revision.
+absl::Status TakeRevision(ProfileOptions& options) {
+  const size_t at = options.name.rfind('@');
+  if (at == std::string::npos) return absl::OkStatus();
+  int64_t revision = 0;
+  if (!absl::SimpleAtoi(options.name.substr(at + 1), &revision) || revision < 1)
+    return Malformed(fmt::format("{}: after '@' comes the number of a revision", options.name));
+  if (options.revision > 0 && options.revision != revision)
+    return Malformed(
+        fmt::format("{} and --revision {} are two revisions", options.name, options.revision));
+  options.name.resize(at);
+  options.revision = revision;
+  return absl::OkStatus();
+}
+
+ExitCode Put(ProfileOptions options, Interrupt& interrupt) {
   const auto settings = GivenSettings(options.settings);
   if (!settings.ok()) return Fail(settings.status());
   v1::PutProfileRequest request;
@@ -37,13 +55,18 @@ ExitCode Put(const ProfileOptions& options, Interrupt& interrupt) {
   return ExitCode::kOk;
 }
 
-ExitCode GetProfile(const ProfileOptions& options, Interrupt& interrupt) {
+ExitCode GetProfile(ProfileOptions options, Interrupt& interrupt) {
+  if (absl::Status ok = TakeRevision(options); !ok.ok()) return Fail(ok);
   v1::GetProfileRequest request;
   request.set_name(options.name);
   request.set_revision(options.revision);
   JobsClient client(ClientOptions(options.server, &interrupt));
   const auto profile = client.GetProfile(request);
   if (!profile.ok()) return Fail(profile.status());
+  if (options.json) {
+    Print(JsonLine(*profile) + "\n");
+    return ExitCode::kOk;
+  }
   std::string text = fmt::format("# {}@{}\n", profile->name(), profile->revision());
   for (const v1::Setting& setting : profile->settings())
     text += fmt::format("{} = {}\n", setting.key(), setting.value());
@@ -51,15 +74,20 @@ ExitCode GetProfile(const ProfileOptions& options, Interrupt& interrupt) {
   return ExitCode::kOk;
 }
 
-ExitCode ListProfiles(const ProfileOptions& options, Interrupt& interrupt) {
+ExitCode ListProfiles(ProfileOptions options, Interrupt& interrupt) {
   using google::protobuf::util::TimeUtil;
   JobsClient client(ClientOptions(options.server, &interrupt));
   std::string text = fmt::format("{:<40}  {:>8}  {}\n", "PROFILE", "REVISION", "CREATED");
+  if (options.json) text.clear();
   v1::ListProfilesRequest request;
   do {
     const auto page = client.ListProfiles(request);
     if (!page.ok()) return Fail(page.status());
     for (const v1::Profile& profile : page->profiles()) {
+      if (options.json) {
+        text += JsonLine(profile) + "\n";
+        continue;
+      }
       google::protobuf::Timestamp created = profile.create_time();
       created.set_nanos(0);
       text += fmt::format("{:<40}  {:>8}  {}\n", profile.name(), profile.revision(),
@@ -71,7 +99,8 @@ ExitCode ListProfiles(const ProfileOptions& options, Interrupt& interrupt) {
   return ExitCode::kOk;
 }
 
-ExitCode DeleteProfile(const ProfileOptions& options, Interrupt& interrupt) {
+ExitCode DeleteProfile(ProfileOptions options, Interrupt& interrupt) {
+  if (absl::Status ok = TakeRevision(options); !ok.ok()) return Fail(ok);
   v1::DeleteProfileRequest request;
   request.set_name(options.name);
   request.set_revision(options.revision);
@@ -82,7 +111,7 @@ ExitCode DeleteProfile(const ProfileOptions& options, Interrupt& interrupt) {
 
 CLI::App* AddTo(CLI::App& parent, const char* name, const char* about,
                 const std::shared_ptr<ProfileOptions>& options, CommandContext& context,
-                ExitCode (*run)(const ProfileOptions&, Interrupt&)) {
+                ExitCode (*run)(ProfileOptions, Interrupt&)) {
   CLI::App* command = parent.add_subcommand(name, about);
   AddServerOptions(*command, options->server);
   command->callback([options, &context, run] {
@@ -103,18 +132,20 @@ void AddProfile(CLI::App& app, CommandContext& context) {
   AddSettingOptions(*put, options->settings);
   CLI::App* get =
       AddTo(*command, "get", "Print a revision as a config.ini", options, context, GetProfile);
-  get->add_option("NAME", options->name)->required();
+  get->add_option("NAME", options->name, "Or NAME@REVISION")->required();
+  get->add_flag("--json", options->json, "As JSON");
   get->add_option("--revision", options->revision, "Default: the newest")
-      ->check(CLI::PositiveNumber)
+      ->check(AboveZero())
       ->type_name("N");
   CLI::App* remove =
       AddTo(*command, "delete", "Remove a profile; jobs made with it stay as they are", options,
             context, DeleteProfile);
-  remove->add_option("NAME", options->name)->required();
+  remove->add_option("NAME", options->name, "Or NAME@REVISION")->required();
   remove->add_option("--revision", options->revision, "Default: all of them")
-      ->check(CLI::PositiveNumber)
+      ->check(AboveZero())
       ->type_name("N");
-  AddTo(*command, "list", "List the newest revisions", options, context, ListProfiles);
+  AddTo(*command, "list", "List the newest revisions", options, context, ListProfiles)
+      ->add_flag("--json", options->json, "Each as one line of JSON");
   command->footer(
       "A revision never changes: a job says which it was made with.\n"
       "Examples:\n"

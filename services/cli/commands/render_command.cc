@@ -112,13 +112,13 @@ void AddRender(CLI::App& app, CommandContext& context) {
           "-l,--layer", options->layer,
           "Which layer; 0 is the first. Of milling: a level, from the top down; without, all "
           "ways")
-      ->check(CLI::NonNegativeNumber)
+      ->check(ZeroOrMore())
       ->type_name("N");
   command->add_option("-o,--output", options->output, "Where the picture goes; -: to stdout")
       ->required()
       ->type_name("LAYER.png|svg");
   command->add_option("--format", options->format, "If the output's name does not say it")
-      ->check(CLI::IsMember({"png", "svg"}));
+      ->check(OneOf(std::vector<std::string>{"png", "svg"}));
   command
       ->add_option(
           "--color,--by", options->colour_by,
@@ -140,11 +140,11 @@ void AddRender(CLI::App& app, CommandContext& context) {
           "marlin")
       ->type_name("NAME");
   command->add_option("--spot", options->spot_mm, "Width of the lines of a CLI file, mm")
-      ->check(CLI::Range(0.001, 10.0))
+      ->check(InRange(0.001, 10.0))
       ->capture_default_str()
       ->type_name("MM");
   command->add_option("--size", options->size_px, "Longer side of the part's picture, pixels")
-      ->check(CLI::Range(50, 8000))
+      ->check(InRange(50, 8000))
       ->capture_default_str()
       ->type_name("PX");
   command->add_flag("--travels", options->travels, "Draw travel moves too, as thin lines");

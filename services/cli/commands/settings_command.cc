@@ -7,6 +7,7 @@
 
 #include "common/base/error.h"
 #include "common/config/coverage.h"
+#include "common/config/suggest.h"
 #include "common/config/table/settings_table.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
@@ -104,8 +105,11 @@ ExitCode ListSettings(const SettingsOptions& options) {
   List(options, options.process, listed);
   if (listed.empty() && options.process == kDefaultProcess) listed = ListedElsewhere(options);
   if (listed.empty()) {
-    return Fail(MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingUnknown,
-                          fmt::format("no setting has '{}' in its name", options.pattern)));
+    const std::string nearest = config::NearestSetting(options.pattern, options.process);
+    return Fail(
+        MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingUnknown,
+                  fmt::format("no setting has '{}' in its name{}", options.pattern,
+                              nearest.empty() ? "" : fmt::format("; do you mean {}?", nearest))));
   }
   Print(options.json ? listed.json.dump(2) + "\n" : listed.text);
   return ExitCode::kOk;

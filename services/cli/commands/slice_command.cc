@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <thread>
@@ -9,9 +10,11 @@
 
 #include "common/base/build_info.h"
 #include "common/base/sha256.h"
+#include "common/config/machine_named.h"
 #include "common/config/plate.h"
 #include "common/config/process_settings.h"
 #include "common/config/table/settings_table.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
@@ -19,6 +22,7 @@
 #include "services/cli/local_pipeline.h"
 #include "services/cli/models/given_models.h"
 #include "services/cli/models/texture_argument.h"
+#include "services/cli/output_name.h"
 #include "services/cli/summary.h"
 #include "services/coordinator/algo/pipeline/report_json.h"
 
@@ -43,9 +47,14 @@ absl::StatusOr<config::ResolvedPlate> Resolve(const GivenPlate& given,
                                               Process process) {
   auto plate =
       config::ResolvePlate(WithCreationTime(SettingsOf(given, settings)), given.objects, process);
-  if (plate.ok())
-    plate->no_effect.insert(plate->no_effect.begin(), given.without_effect.begin(),
-                            given.without_effect.end());
+  if (!plate.ok()) return plate;
+  plate->no_effect.insert(plate->no_effect.begin(), given.without_effect.begin(),
+                          given.without_effect.end());
+  std::ranges::copy(given.warnings, std::back_inserter(plate->warnings));
+  for (const config::MissingFeature& each : given.missing) {
+    plate->missing.push_back(each);
+    plate->warnings.push_back(each.text);
+  }
   return plate;
 }
 
@@ -85,12 +94,13 @@ absl::Status WriteResults(const SliceOptions& options, const coordinator::JobOut
   return WriteFile(options.output, output.program);
 }
 
-/// What was found while the job ran; of the settings it was told before.
-void WarnOfRest(std::vector<std::string> warnings, const std::vector<std::string>& told) {
-  std::erase_if(warnings, [&told](const std::string& warning) {
-    return std::ranges::find(told, warning) != told.end();
+/// What has no effect and was warned of: it changes the print.
+std::vector<std::string> ChangingPrint(const config::ResolvedPlate& plate) {
+  std::vector<std::string> notes;
+  std::ranges::copy_if(plate.no_effect, std::back_inserter(notes), [&](const std::string& note) {
+    return std::ranges::find(plate.warnings, note) != plate.warnings.end();
   });
-  Warn(warnings);
+  return notes;
 }
 
 void PrintSummary(const SliceOptions& options, const coordinator::JobReport& report,
@@ -105,9 +115,24 @@ void PrintSummary(const SliceOptions& options, const coordinator::JobReport& rep
                      .filament_mm = report.filament.length_mm,
                      .filament_g = report.filament.mass_g,
                      .settings_without_effect = std::ssize(resolved.no_effect),
+                     .changing = ChangingPrint(resolved),
                      .beside_print = resolved.beside_print,
                      .report = options.job.report}),
         result_on_stdout);
+}
+
+/// Whether the job may be made as it is, and called as it is to be.
+absl::Status CheckPlate(const SliceOptions& options, const config::ResolvedPlate& plate) {
+  absl::Status ok = config::CheckMissing(plate.missing, options.job.allow);
+  if (!ok.ok() || !options.job.format.empty() || IsNamedBySettings(options.output)) return ok;
+  return CheckFormat(options.output, options.job.process, plate.effective_text);
+}
+
+void WarnWithoutMachine(const std::vector<Setting>& settings, Process process) {
+  const absl::Status named = config::CheckMachineNamed(settings, process);
+  if (named.ok()) return;
+  Warn({std::string(named.message()) +
+        "; give the printer's profile (--config FILE), or --generic if it is meant"});
 }
 
 /// Of one of the `models`, whose files it takes.
@@ -117,9 +142,11 @@ ExitCode SlicePlate(SliceOptions options, std::vector<MeshFile> files, const Giv
   const auto fail = [&](const absl::Status& why) { return Fail(OfPlate(models, plate, why)); };
   if (!given.refused.ok()) return fail(given.refused);
   const auto resolved = Resolve(given, settings, options.job.process);
-  if (resolved.ok()) Warn(resolved->warnings);
-  Warn(given.warnings);
+  if (!resolved.ok()) Warn(given.warnings);
   if (!resolved.ok()) return fail(resolved.status());
+  if (absl::Status ok = CheckPlate(options, *resolved); !ok.ok()) return fail(ok);
+  if (!options.job.generic) WarnWithoutMachine(SettingsOf(given, settings), options.job.process);
+  Warn(resolved->warnings);
   auto output = Run(options, InputOf(std::move(files), *resolved), interrupt);
   if (!output.ok()) {
     const bool mesh = ExitCodeOf(output.status()) == ExitCode::kBadMesh;
@@ -131,7 +158,6 @@ ExitCode SlicePlate(SliceOptions options, std::vector<MeshFile> files, const Giv
   if (absl::Status status = WriteResults(options, *output, *resolved); !status.ok()) {
     return Fail(status);
   }
-  Warn(config::SettingsOf(options.job.process).NameWarnings(resolved->settings, options.output));
   PrintSummary(options, output->report, *resolved);
   return ExitCode::kOk;
 }
@@ -197,7 +223,7 @@ void AddSlice(CLI::App& app, CommandContext& context) {
   command
       ->add_option("--threads", options->threads,
                    "How many to use; the result is the same. Default: one per processor")
-      ->check(CLI::Range(1, kMaxThreads))
+      ->check(InRange(1, kMaxThreads))
       ->type_name("N");
   std::string of_processes;
   for (const ProcessInfo& info : kProcesses)

@@ -2,22 +2,28 @@
 #include <google/protobuf/util/time_util.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "common/base/error.h"
+#include "common/config/missing_feature.h"
 #include "common/wire/options/given_settings_wire.h"
 #include "common/wire/scene_wire.h"
 #include "common/wire/support/enum_wire.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/job_options.h"
 #include "services/cli/jobs_client.h"
+#include "services/cli/json_text.h"
 #include "services/cli/models/given_models.h"
 #include "services/cli/models/texture_argument.h"
+#include "services/cli/output_name.h"
 #include "services/cli/server_options.h"
 #include "services/cli/summary.h"
 
@@ -38,6 +44,8 @@ struct SubmitOptions {
   bool orient = false;
   std::string traceparent;
   bool detach = false;
+  bool json = false;
+  std::vector<std::string> told;  ///< warnings that were shown before the job was made
 };
 
 /// As the standard wants it, what is no trace context is ignored.
@@ -65,6 +73,14 @@ v1::JobSpec SpecOf(const SubmitOptions& submit, const GivenPlate& plate,
     of_project = WithCreationTime(std::move(of_project), true);
   SettingsToProto(of_project, spec.mutable_project_settings());
   spec.mutable_without_effect()->Assign(plate.without_effect.begin(), plate.without_effect.end());
+  for (const std::string& warning : plate.warnings) spec.add_notes()->set_text(warning);
+  for (const config::MissingFeature& each : plate.missing) {
+    v1::ProjectNote& note = *spec.add_notes();
+    note.set_text(each.text);
+    note.set_feature(each.feature);
+  }
+  spec.mutable_allow()->Assign(submit.job.allow.begin(), submit.job.allow.end());
+  spec.set_generic(submit.job.generic);
   return spec;
 }
 
@@ -130,7 +146,7 @@ absl::StatusOr<std::vector<v1::Job>> CreatePlates(const SubmitOptions& options,
 }
 
 /// A job, or with --plates one for each plate.
-absl::StatusOr<std::vector<v1::Job>> Create(const SubmitOptions& options, JobsClient& client,
+absl::StatusOr<std::vector<v1::Job>> Create(SubmitOptions& options, JobsClient& client,
                                             ProgressBar& bar) {
   const auto settings = GivenJobSettings(options.job, options.output);
   if (!settings.ok()) return settings.status();
@@ -141,7 +157,10 @@ absl::StatusOr<std::vector<v1::Job>> Create(const SubmitOptions& options, JobsCl
     if (absl::Status may = CheckWritable(options.job, options.output, i); !may.ok()) return may;
   std::vector<v1::CreateJobRequest> requests;
   for (const GivenPlate& plate : models->plates) {
-    Warn(plate.warnings);
+    if (absl::Status ok = config::CheckMissing(plate.missing, options.job.allow); !ok.ok())
+      return ok;
+    WarnOfRest(plate.warnings, options.told);
+    std::ranges::copy(plate.warnings, std::back_inserter(options.told));
     auto request = RequestOf(options, plate, *settings);
     if (!request.ok()) return request.status();
     requests.push_back(*std::move(request));
@@ -155,6 +174,22 @@ absl::StatusOr<std::vector<v1::Job>> Create(const SubmitOptions& options, JobsCl
   auto job = client.CreateJob(std::move(requests.front()));
   if (!job.ok()) return job.status();
   return std::vector<v1::Job>{*std::move(job)};
+}
+
+/// Whether the jobs make what the name of the output says, as far as the farm's profiles tell: a
+/// farm tells them with a job, but not with the jobs of several plates.
+absl::Status CheckMade(const SubmitOptions& options, const std::vector<v1::Job>& jobs,
+                       JobsClient& client) {
+  if (options.output.empty() || !options.job.format.empty() || jobs.empty() ||
+      IsNamedBySettings(options.output))
+    return absl::OkStatus();
+  auto job = options.job.plates ? client.GetJob(jobs.front().id()) : jobs.front();
+  if (!job.ok()) return job.status();
+  std::vector<Setting> settings = SettingsFromProto(job->spec().project_settings());
+  std::ranges::move(SettingsFromProto(job->spec().settings()), std::back_inserter(settings));
+  const auto resolved = config::Resolve(settings, options.job.process);
+  if (!resolved.ok()) return absl::OkStatus();  // the farm says what is wrong with them
+  return CheckFormat(options.output, options.job.process, resolved->effective_text);
 }
 
 /// Ctrl-C while we wait for a job means that nobody wants it any more.
@@ -176,15 +211,34 @@ ExitCode CancelAfterInterrupt(const SubmitOptions& options, const std::string& i
   return ExitCode::kCancelled;
 }
 
+/// Nobody wants a job whose result has no place.
+void CancelAfterError(const SubmitOptions& options, const std::string& id) {
+  JobsClient client(ClientOptions(options.server, nullptr));
+  if (const auto job = client.CancelJob(id); !job.ok()) {
+    fmt::print(stderr, "job {} may go on: it could not be cancelled\n", id);
+    Fail(job.status());
+  }
+}
+
 config::ResultWords WordsOf(const SubmitOptions& options) {
   return config::SettingsOf(options.job.process).Words();
 }
 
-void PrintSummary(const SubmitOptions& options, const v1::Job& job) {
-  Warn({job.warnings().begin(), job.warnings().end()});
+bool ResultIsOnStdout(const SubmitOptions& options) {
+  return options.output == "-" || options.job.report == "-";
+}
+
+/// The job as one line of JSON, without its settings, and where its result went.
+void PrintJson(const SubmitOptions& options, const v1::Job& job, const std::string& output) {
+  Print(JsonOfJob(job, output) + "\n", ResultIsOnStdout(options));
+}
+
+void PrintSummary(const SubmitOptions& options, const v1::Job& job, const std::string& output) {
+  WarnOfRest({job.warnings().begin(), job.warnings().end()}, options.told);
+  if (options.json) return PrintJson(options, job, output);
   if (options.job.quiet) return;
   const v1::JobResult& result = job.result();
-  Print(SummaryText({.output = options.output == "-" ? "" : options.output,
+  Print(SummaryText({.output = output == "-" ? "" : output,
                      .words = WordsOf(options),
                      .layers = result.layers(),
                      .print_time_s = result.print_time_s(),
@@ -192,8 +246,9 @@ void PrintSummary(const SubmitOptions& options, const v1::Job& job) {
                      .filament_g = result.filament_g(),
                      .cost = MoneyText(result.cost().total(), result.cost().currency()),
                      .cached = result.cached(),
+                     .job = job.id(),
                      .report = options.job.report}),
-        options.output == "-" || options.job.report == "-");
+        ResultIsOnStdout(options));
 }
 
 absl::Status CheckWishes(const SubmitOptions& options) {
@@ -233,7 +288,8 @@ std::string AdviceText(const v1::OrientationAdvice& advice) {
 }
 
 void PrintPreflight(const SubmitOptions& options, const v1::Job& job) {
-  Warn({job.warnings().begin(), job.warnings().end()});
+  WarnOfRest({job.warnings().begin(), job.warnings().end()}, options.told);
+  if (options.json) return PrintJson(options, job, "");
   const v1::Preflight& found = job.preflight();
   for (const v1::MeshReport& mesh : found.meshes()) {
     const auto side = [&](int i) { return mesh.max_mm(i) - mesh.min_mm(i); };
@@ -268,14 +324,17 @@ ExitCode Fetch(const SubmitOptions& options, const v1::Job& created, JobsClient&
     return Fail(job.status());
   }
   const auto& models = options.job.models;
-  if (!OutcomeOf(*job).ok()) return FailJob(*job, models.size() == 1 ? models[0] : "");
-  const absl::Status fetched =
+  if (!OutcomeOf(*job).ok()) {
+    if (options.json) PrintJson(options, *job, "");
+    return FailJob(*job, models.size() == 1 ? models[0] : "");
+  }
+  const auto fetched =
       FetchResults(client, *job, {.gcode = options.output, .report = options.job.report});
   if (!fetched.ok()) {
     fmt::print(stderr, "job {0} is done; `slicefarm get {0} -o OUT.gcode` fetches it\n", job->id());
-    return Fail(fetched);
+    return Fail(fetched.status());
   }
-  PrintSummary(options, *job);
+  PrintSummary(options, *job, *fetched);
   return ExitCode::kOk;
 }
 
@@ -304,11 +363,20 @@ ExitCode Submit(SubmitOptions options, Interrupt& interrupt) {
   const auto created = Create(options, client, bar);
   bar.Clear();
   if (!created.ok()) return Fail(created.status());
+  if (absl::Status made = CheckMade(options, *created, client); !made.ok()) {
+    for (const v1::Job& job : *created) CancelAfterError(options, job.id());
+    return Fail(made);
+  }
   Warn(WaitsOf(*created));
   if (!options.check && !options.detach) return FetchAll(options, *created, client, interrupt);
   for (const v1::Job& job : *created) {
     if (options.check) PrintPreflight(options, job);
-    if (options.detach) Print(job.id() + "\n");
+    if (!options.detach) continue;
+    if (options.json) {
+      PrintJson(options, job, "");
+    } else {
+      Print(job.id() + "\n");
+    }
   }
   return ExitCode::kOk;
 }
@@ -336,17 +404,20 @@ void AddSubmit(CLI::App& app, CommandContext& context) {
       ->type_name("NAME[@REVISION]")
       ->allow_extra_args(false);
   command->add_option("--priority", options->priority, "Among the jobs that wait")
-      ->check(CLI::IsMember({"bulk", "normal", "interactive"}))
+      ->check(OneOf(std::vector<std::string>{"bulk", "normal", "interactive"}))
       ->capture_default_str();
   command
       ->add_option("--deadline", options->deadline_s,
                    "Seconds after which the job is of no use, and fails")
-      ->check(CLI::PositiveNumber)
+      ->check(AboveZero())
       ->type_name("S");
   command
       ->add_option("--webhook", options->webhook,
                    "Is posted the job when it has ended; the farm must allow it")
       ->type_name("URL");
+  command->add_flag("--json", options->json,
+                    "Print each job as one line of JSON: id, state, result, warnings, error, and "
+                    "`output`, where the result went");
   command->add_flag("--quote", options->quote, "Time, filament and cost only: no G-code is made");
   command->add_flag("--check", options->check,
                     "Only look whether the job can be made, and estimate it; nothing is kept but "

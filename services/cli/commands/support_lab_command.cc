@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
@@ -133,29 +134,29 @@ void AddSupportLab(CLI::App& app, CommandContext& context) {
                    "Where pictures go, and lab.gcode: walls and supports, for judges to read")
       ->type_name("FOLDER");
   command->add_option("--style", options->style, "Of supports")
-      ->check(CLI::IsMember({"grid", "snug", "organic"}))
+      ->check(OneOf(std::vector<std::string>{"grid", "snug", "organic"}))
       ->capture_default_str();
   command->add_option("--layer-height", options->layer_height_mm, "Of all layers")
-      ->check(CLI::Range(0.05, 1.0))
+      ->check(InRange(0.05, 1.0))
       ->capture_default_str()
       ->type_name("MM");
   command->add_option("--gap", options->gap_mm, "Contact distance, above and below supports")
-      ->check(CLI::Range(0.0, 5.0))
+      ->check(InRange(0.0, 5.0))
       ->capture_default_str()
       ->type_name("MM");
   command
       ->add_option("--threshold", options->threshold_degrees,
                    "Undersides less steep are carried, from level; 0: by the width of a wall")
-      ->check(CLI::Range(0.0, 89.0))
+      ->check(InRange(0.0, 89.0))
       ->type_name("DEGREES");
   command->add_option("--interface-layers", options->how.top_interface_layers, "Dense ones on top")
-      ->check(CLI::Range(0, 100))
+      ->check(InRange(0, 100))
       ->capture_default_str();
   command->add_flag("--build-plate-only", options->how.bed_only, "Nothing on the part");
   command->add_option("--every", options->every, "A picture of each Nth layer; 0: none")
       ->type_name("N");
   command->add_option("--threads", options->threads, "Threads")
-      ->check(CLI::Range(1, 1024))
+      ->check(InRange(1, 1024))
       ->capture_default_str()
       ->type_name("N");
   command->footer(

@@ -11,6 +11,7 @@
 
 #include "absl/time/time.h"
 #include "common/base/sha256.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 
@@ -55,7 +56,7 @@ void AddToken(CLI::App& app, CommandContext& context) {
   command
       ->add_option("--scope", options->scopes,
                    "submit, read or admin. May be repeated; none: submit and read")
-      ->check(CLI::IsMember({"submit", "read", "admin"}))
+      ->check(OneOf(std::vector<std::string>{"submit", "read", "admin"}))
       ->allow_extra_args(false);
   command->add_option("--expires", options->expires, "When it is no longer good; else it always is")
       ->check(CheckTime)

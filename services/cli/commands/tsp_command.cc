@@ -140,7 +140,7 @@ void AddTsp(CLI::App& app, CommandContext& context) {
   const auto options = std::make_shared<TspOptions>();
   command->add_option("FILE.tsp", options->file, "As TSPLIB writes it")->required();
   command->add_option("--seconds", options->seconds, "At most, beyond a first tour and a bound")
-      ->check(CLI::Range(0.0, 86400.0))
+      ->check(InRange(0.0, 86400.0))
       ->capture_default_str()
       ->type_name("S");
   command->add_option("--seed", options->seed, "Of the exchanges")

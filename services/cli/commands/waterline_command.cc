@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/model/milling/cutter_text.h"
+#include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
@@ -105,7 +106,7 @@ void AddWaterline(CLI::App& app, CommandContext& context) {
       ->capture_default_str()
       ->type_name("MM");
   command->add_option("--threads", options->how.threads, "Threads")
-      ->check(CLI::Range(1, 1024))
+      ->check(InRange(1, 1024))
       ->capture_default_str()
       ->type_name("N");
   command->footer(

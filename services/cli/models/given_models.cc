@@ -104,6 +104,7 @@ class PlateReader {
     std::ranges::move(job->settings, std::back_inserter(plate_.settings));
     std::ranges::move(job->without_effect, std::back_inserter(plate_.without_effect));
     std::ranges::move(job->warnings, std::back_inserter(plate_.warnings));
+    std::ranges::move(job->missing, std::back_inserter(plate_.missing));
     return absl::OkStatus();
   }
 
@@ -300,6 +301,9 @@ std::vector<Setting> SettingsOf(const GivenPlate& plate, const std::vector<Setti
 }
 
 absl::Status CheckOutputs(const JobOptions& options, const std::string& output) {
+  if (absl::Status ok = config::CheckAllowed(options.allow); !ok.ok()) return ok;
+  if (output != "-" && output == options.report && !output.empty())
+    return Malformed(fmt::format("-o and --report name one file: {}", output));
   if (!options.plates || (output != "-" && options.report != "-")) return absl::OkStatus();
   return Malformed("--plates makes several files: stdout is no place for them");
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/config/missing_feature.h"
 #include "common/model/scene/mesh.h"
 #include "common/model/scene/scene.h"
 #include "services/cli/job_options.h"
@@ -18,6 +19,7 @@ struct GivenPlate {
   std::vector<Setting> settings = {};            ///< of projects; those given by hand win
   std::vector<std::string> without_effect = {};  ///< what projects have besides
   std::vector<std::string> warnings = {};        ///< of projects, to be shown
+  std::vector<config::MissingFeature> missing = {};  ///< that projects ask for
 };
 
 /// The files of the models, and the objects that are made of them. A model that is named twice is
@@ -53,7 +55,8 @@ absl::Status ErrorOfAll(const GivenModels& models);
 /// The settings of a plate's projects, then those given by hand.
 std::vector<Setting> SettingsOf(const GivenPlate& plate, const std::vector<Setting>& given);
 
-/// Errors: REQUEST_MALFORMED for --plates to stdout.
+/// Errors: REQUEST_MALFORMED for --plates to stdout, for a result and a report of one name, and
+/// those of config::CheckAllowed.
 absl::Status CheckOutputs(const JobOptions& options, const std::string& output);
 
 /// Whether the results of a plate can be written where OutputOf says, as CheckWritable.

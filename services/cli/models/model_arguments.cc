@@ -101,6 +101,7 @@ std::string PartName(std::string_view file) {
 }
 
 std::string NameOf(const std::string& path) {
+  if (path == "-") return "stdin";
   return PartName(std::string_view(path).substr(path.rfind('/') + 1));  // npos + 1: the whole
 }
 

@@ -92,7 +92,8 @@ std::string ProjectJson(const Project& given) {
   const Project project = config::InPrusaNames(given);
   OrderedJson json = {{"application", project.application},
                       {"settings", ToJson(project.settings)},
-                      {"without_effect", project.without_effect}};
+                      {"without_effect", project.without_effect},
+                      {"painted_objects", project.painted}};
   json["objects"] = OrderedJson::array();
   for (const SceneObject& object : project.objects) json["objects"].push_back(ToJson(object));
   json["plates"] = OrderedJson::array();

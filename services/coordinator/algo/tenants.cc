@@ -63,10 +63,10 @@ class Reader {
 
   Tenant ReadTenant(const Json& json, const std::string& place) {
     Tenant tenant;
-    if (!CheckKeys(
-            json, place,
-            {"tokens", "certificate_scopes", "max_open_jobs", "max_kept_jobs", "max_kept_bytes"},
-            {})) {
+    if (!CheckKeys(json, place,
+                   {"tokens", "certificate_scopes", "max_open_jobs", "max_kept_jobs",
+                    "max_kept_bytes", "default_profile"},
+                   {})) {
       return tenant;
     }
     if (json.contains("tokens")) tenant.tokens = ReadTokens(json["tokens"], place + ".tokens");
@@ -77,6 +77,11 @@ class Reader {
     ReadMost(json, place, "max_open_jobs", limits::kMaxOpenJobs, tenant.max_open_jobs);
     ReadMost(json, place, "max_kept_jobs", INT64_MAX, tenant.max_kept_jobs);
     ReadMost(json, place, "max_kept_bytes", INT64_MAX, tenant.max_kept_bytes);
+    if (json.contains("default_profile")) {
+      const Json& name = json["default_profile"];
+      if (!name.is_string()) Fail(place + ".default_profile", "is not the name of a profile");
+      if (name.is_string()) tenant.default_profile = name.get<std::string>();
+    }
     return tenant;
   }
 
@@ -174,7 +179,12 @@ class Reader {
 };
 
 Caller CallerOf(const std::string& name, const Tenant& tenant, const Scopes& scopes) {
-  return {name, scopes, tenant.max_open_jobs, tenant.max_kept_jobs, tenant.max_kept_bytes};
+  return {name,
+          scopes,
+          tenant.max_open_jobs,
+          tenant.max_kept_jobs,
+          tenant.max_kept_bytes,
+          tenant.default_profile};
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ struct Tenant {
   int64_t max_open_jobs = limits::kMaxOpenJobs;
   int64_t max_kept_jobs = INT64_MAX;   ///< ended ones among them
   int64_t max_kept_bytes = INT64_MAX;  ///< of meshes, results and uploads
+  std::string default_profile = {};    ///< of jobs that name no printer; empty: they need one
 };
 
 using Tenants = std::map<std::string, Tenant, std::less<>>;
@@ -52,7 +53,8 @@ using Tenants = std::map<std::string, Tenant, std::less<>>;
 ///       "certificate_scopes": ["read"],
 ///       "max_open_jobs": 100,
 ///       "max_kept_jobs": 100000,
-///       "max_kept_bytes": 500000000000}}}
+///       "max_kept_bytes": 500000000000,
+///       "default_profile": "mk4s"}}}
 ///
 /// All but "sha256" and "scopes" may be left out. Errors: REQUEST_MALFORMED naming the place, also
 /// for keys that are not known or stand twice, and for a token of two tenants.
@@ -69,6 +71,7 @@ struct Caller {
   int64_t max_open_jobs = limits::kMaxOpenJobs;
   int64_t max_kept_jobs = INT64_MAX;
   int64_t max_kept_bytes = INT64_MAX;
+  std::string default_profile = {};
 
   bool may(Scope scope) const { return scopes.contains(scope); }
 };

@@ -98,6 +98,7 @@ v1::CreateJobRequest JobOf(const std::string& request_id, const std::string& mes
   object.set_mesh_sha256(mesh_sha256);
   object.set_name("load.stl");
   object.set_format(v1::MESH_FORMAT_STL);
+  request.mutable_spec()->set_generic(true);
   return request;
 }
 

@@ -105,7 +105,10 @@ bool HasGoodCounts(const Project& project) {
   return !project.objects.empty() && AtMost(project.objects, limits::kMaxObjects) &&
          parts <= limits::kMaxParts && instances <= limits::kMaxObjects &&
          AtMost(project.plates, limits::kMaxProjectPlates) &&
-         AtMost(project.without_effect, limits::kMaxArchiveEntries);
+         AtMost(project.without_effect, limits::kMaxArchiveEntries) &&
+         std::ranges::all_of(project.painted, [&](int32_t object) {
+           return object >= 0 && object < std::ssize(project.objects);
+         });
 }
 
 }  // namespace

@@ -146,6 +146,7 @@ struct Members {
   }
 
   void Each(std::string& text) const { codec.Text(text); }
+  void Each(int32_t& index) const { codec.Number(index); }
 
   void Each(Project& project) const {
     codec.Text(project.application);
@@ -154,6 +155,7 @@ struct Members {
     Each(project.objects);
     Each(project.plates);
     Each(project.without_effect);
+    Each(project.painted);
   }
 
   template <typename T>

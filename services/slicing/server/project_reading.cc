@@ -29,7 +29,16 @@ void ToProto(const config::ProjectJob& job, const StoredMesh& file,
   SettingsToProto(job.settings, proto->mutable_spec()->mutable_project_settings());
   proto->mutable_spec()->mutable_without_effect()->Assign(job.without_effect.begin(),
                                                           job.without_effect.end());
-  proto->mutable_warnings()->Assign(job.warnings.begin(), job.warnings.end());
+  for (const std::string& warning : job.warnings) {
+    proto->add_warnings(warning);
+    proto->mutable_spec()->add_notes()->set_text(warning);
+  }
+  for (const config::MissingFeature& each : job.missing) {
+    proto->add_warnings(each.text);
+    v1::ProjectNote& note = *proto->mutable_spec()->add_notes();
+    note.set_text(each.text);
+    note.set_feature(each.feature);
+  }
 }
 
 }  // namespace

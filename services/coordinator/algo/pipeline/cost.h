@@ -6,7 +6,7 @@ namespace slicefarm::coordinator {
 
 /// What a farm charges. Money is in units of `currency`.
 struct Rates {
-  std::string currency = "EUR";
+  std::string currency = {};    ///< empty: nobody has said; filament_cost of profiles has none
   double setup = 0;             ///< a job
   double machine_per_hour = 0;  ///< while it prints
   double energy_per_kwh = 0;

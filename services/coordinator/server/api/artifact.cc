@@ -14,14 +14,21 @@ absl::Status IsAQuote(const std::string& id) {
                    {{"job", id}});
 }
 
+/// Who waits for a job to finish that was cancelled or has failed would wait for ever.
+absl::Status HasNoResult(const JobRecord& job) {
+  Reason reason = Reason::kJobNotFinished;
+  if (job.state == JobState::kCancelled) reason = Reason::kCancelled;
+  if (job.state == JobState::kFailed && job.error)
+    reason = ReasonFromName(job.error->reason).value_or(Reason::kInternal);
+  return MakeError(absl::StatusCode::kFailedPrecondition, reason,
+                   fmt::format("job {} has no result: it is {}", job.id, JobStateName(job.state)),
+                   {{"job", job.id}, {"state", std::string(JobStateName(job.state))}});
+}
+
 }  // namespace
 
 absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifact) {
-  if (!job.result) {
-    return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kJobNotFinished,
-                     fmt::format("job {} has no result: it is {}", job.id, JobStateName(job.state)),
-                     {{"job", job.id}, {"state", std::string(JobStateName(job.state))}});
-  }
+  if (!job.result) return HasNoResult(job);
   switch (artifact) {
     case v1::ARTIFACT_GCODE:
       if (job.result->gcode_sha256.empty()) return IsAQuote(job.id);

@@ -89,6 +89,7 @@ class CoordinatorClient {
     v1::Object* object = request.mutable_spec()->add_objects();
     object->set_mesh_sha256(Sha256Hex(mesh));
     object->set_name("part.stl");
+    request.mutable_spec()->set_generic(true);  // the services' own settings are as good as any
     return request;
   }
 

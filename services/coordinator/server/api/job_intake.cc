@@ -37,6 +37,7 @@ absl::StatusOr<std::shared_ptr<const ResolvedJob>> JobIntake::Check(const Submis
   auto resolved = resolved_.Of(submission.spec, submission.request,
                                ResultTenant(sharing_, submission.tenant), cancel);
   if (!resolved.ok()) return resolved.status();
+  if (absl::Status ok = CheckAcceptable(**resolved); !ok.ok()) return ok;
   if (absl::Status ok = CheckMeshes(submission.tenant, **resolved); !ok.ok()) return ok;
   return resolved;
 }

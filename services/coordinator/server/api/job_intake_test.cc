@@ -29,6 +29,7 @@ class JobIntakeTest : public testing::Test {
  protected:
   absl::StatusOr<Created> Create(const std::string& request_id) {
     v1::JobSpec spec;
+    spec.set_generic(true);
     v1::Object* object = spec.add_objects();
     object->set_mesh_sha256(*(*blobs_->Of(""))->Put("mesh"));
     object->set_name("part");

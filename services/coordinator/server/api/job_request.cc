@@ -3,11 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 #include "common/base/text.h"
+#include "common/config/machine_named.h"
 #include "common/model/limits.h"
 #include "common/wire/support/wire_error.h"
 
@@ -37,6 +39,22 @@ absl::Status CheckNames(const SceneObject& object, size_t index) {
     if (!ok.ok()) return ok;
   }
   return absl::OkStatus();
+}
+
+/// They become warnings, which events and lists of jobs have.
+absl::Status CheckNotes(const JobRequest& request) {
+  constexpr int64_t kMostBytes = 64 << 10;
+  int64_t bytes = 0;
+  const auto check = [&](const std::string& text) {
+    bytes += std::ssize(text);
+    return CheckText("notes", text);
+  };
+  for (const std::string& text : request.warnings)
+    if (absl::Status ok = check(text); !ok.ok()) return ok;
+  for (const config::MissingFeature& each : request.missing)
+    if (absl::Status ok = check(each.text + each.feature); !ok.ok()) return ok;
+  if (bytes <= kMostBytes) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, "bytes of a job's notes", kMostBytes, bytes);
 }
 
 /// Appends what decides the result. Texts that may hold anything come with their length, numbers
@@ -112,6 +130,11 @@ std::string ActionText(const JobRequest& request, const config::ResolvedPlate& s
   for (const std::string& line : settings.no_effect) {
     text += fmt::format("unused {}:{}\n", line.size(), line);
   }
+  // So are warnings that the settings alone do not lead to.
+  for (const std::string& line : request.warnings)
+    text += fmt::format("warning {}:{}\n", line.size(), line);
+  for (const config::MissingFeature& each : settings.missing)
+    text += fmt::format("missing {}:{}\n", each.text.size(), each.text);
   return text;
 }
 
@@ -127,6 +150,7 @@ absl::Status CheckRequest(const JobRequest& request) {
   }
   for (const std::string& text : request.without_effect)
     if (absl::Status ok = CheckText("without_effect", text); !ok.ok()) return ok;
+  if (absl::Status ok = CheckNotes(request); !ok.ok()) return ok;
   if (copies <= limits::kMaxObjects) return absl::OkStatus();
   return LimitError(Reason::kRequestTooLarge, "objects with their copies", limits::kMaxObjects,
                     copies);
@@ -157,6 +181,16 @@ absl::Status CheckRequestId(const std::string& request_id) {
   return CheckText("request_id", request_id);
 }
 
+absl::Status CheckAcceptable(const ResolvedJob& job) {
+  const JobRequest& request = job.request;
+  if (absl::Status ok = config::CheckAllowed(request.allowed); !ok.ok()) return ok;
+  if (!request.generic) {
+    const absl::Status named = config::CheckMachineNamed(request.settings, request.process);
+    if (!named.ok()) return named;
+  }
+  return config::CheckMissing(job.plate.missing, request.allowed);
+}
+
 absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view build_id,
                                        std::string_view result_tenant, const CancelToken& cancel) {
   if (absl::Status ok = CheckRequest(request); !ok.ok()) return ok;
@@ -166,6 +200,11 @@ absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view buil
   if (!settings.ok()) return settings.status();
   settings->no_effect.insert(settings->no_effect.begin(), request.without_effect.begin(),
                              request.without_effect.end());
+  std::ranges::copy(request.warnings, std::back_inserter(settings->warnings));
+  for (const config::MissingFeature& each : request.missing) {
+    settings->missing.push_back(each);
+    settings->warnings.push_back(each.text);
+  }
   job.settings_digest = Sha256Hex(settings->effective_text);
   job.action_digest = Sha256Hex(ActionText(request, *settings, build_id, result_tenant));
   job.serving_actions = {job.action_digest};

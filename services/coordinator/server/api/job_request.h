@@ -20,6 +20,10 @@ struct JobRequest {
   SubmittedScene scene;
   std::vector<config::Setting> settings;
   std::vector<std::string> without_effect = {};  ///< as the client knows: the report names it
+  std::vector<std::string> warnings = {};        ///< of the project that the objects are from
+  std::vector<config::MissingFeature> missing = {};  ///< that the project asks for
+  std::vector<std::string> allowed = {};             ///< features that may be missing
+  bool generic = false;                              ///< the job is for no particular printer
 };
 
 /// A request that can be worked on.
@@ -36,6 +40,11 @@ struct ResolvedJob {
 absl::Status CheckRequest(const JobRequest& request);
 absl::Status CheckLabels(const std::map<std::string, std::string>& labels);
 absl::Status CheckRequestId(const std::string& request_id);
+
+/// Whether the request may become a job: REQUEST_MALFORMED for a name that may not be allowed;
+/// PRINTER_MISSING if the settings name no machine and the job does not say that it needs none;
+/// NOT_SUPPORTED for what is missing and not allowed. Jobs that are there are not asked again.
+absl::Status CheckAcceptable(const ResolvedJob& job);
 
 /// CheckRequest, and the plate resolved. `result_tenant`: whose results the job may take and
 /// leave (job_results.h). Errors also: those of config::ResolvePlate.

@@ -53,6 +53,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Scale", [](auto& r) { FirstOf(r).instances[0].to_plate(2, 2) = 1 + 1e-15; }},
         Case{"Placed", [](auto& r) { FirstOf(r).instances[0].placed = true; }},
         Case{"ByOrigin", [](auto& r) { FirstOf(r).instances[0].by_middle = false; }},
+        Case{"WarningOfTheProject", [](auto& r) { r.warnings = {"painted"}; }},
+        Case{"MissingFeature",
+             [](auto& r) {
+               r.missing = {{"painted_filaments", "painted", {}}};
+             }},
         Case{"SourceOfASetting",
              [](auto& r) {
                FirstOf(r).settings = {{"perimeters", "3", config::Source::kProfile}};

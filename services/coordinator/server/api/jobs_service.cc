@@ -272,7 +272,9 @@ absl::StatusOr<JobRecord> JobsService::Create(const Caller& caller,
 absl::StatusOr<Submission> JobsService::Read(const Caller& caller,
                                              const v1::CreateJobRequest& request) {
   if (absl::Status ok = CheckRequestId(request.request_id()); !ok.ok()) return ok;
-  auto spec = WithProfiles(request.spec(), caller.tenant, backend_.profiles);
+  const std::string& own = caller.default_profile;
+  auto spec = WithMachine(request.spec(), caller.tenant,
+                          own.empty() ? backend_.default_profile : own, backend_.profiles);
   if (!spec.ok()) return spec.status();
   spec->clear_plate();  // which is told, not asked for
   auto job = FromProto(*spec);
@@ -345,7 +347,36 @@ grpc::Status JobsService::GetJob(grpc::ServerContext* context, const v1::GetJobR
   if (job.ok()) backend_.feed.AddProgress(*job);
   if (job.ok()) *response = ToProto(*job);
   TellWaiting(backend_.pipeline.executor(), *response);
+  if (request->view() == v1::JOB_VIEW_BASIC) ClearSettings(*response->mutable_spec());
   return rpc::ToGrpc(job.status());
+}
+
+grpc::Status JobsService::BatchGetJobs(grpc::ServerContext* context,
+                                       const v1::BatchGetJobsRequest* request,
+                                       v1::BatchGetJobsResponse* response) {
+  const auto caller = backend_.callers.Find(*context, {Scope::kRead, Scope::kAdmin});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  if (request->ids_size() > limits::kMaxBatchJobs) {
+    return rpc::ToGrpc(LimitError(Reason::kRequestTooLarge, "jobs of a batch",
+                                  limits::kMaxBatchJobs, request->ids_size()));
+  }
+  for (const std::string& id : request->ids()) {
+    auto job = Find(*caller, id, Of::kAllForAdmins);
+    v1::BatchGetJobsResponse::Outcome& outcome = *response->add_outcomes();
+    if (!job.ok()) {
+      *outcome.mutable_error() = ToProto(JobErrorOf(rpc::FromGrpc(rpc::ToGrpc(job.status()))));
+      continue;
+    }
+    backend_.feed.AddProgress(*job);
+    *outcome.mutable_job() = ToProto(*job);
+    TellWaiting(backend_.pipeline.executor(), *outcome.mutable_job());
+    outcome.mutable_job()->clear_spec();
+  }
+  const auto bytes = static_cast<int64_t>(response->ByteSizeLong());
+  if (bytes <= kMaxEchoedBytes) return grpc::Status::OK;
+  response->Clear();
+  return rpc::ToGrpc(LimitError(Reason::kRequestTooLarge, "bytes of the answer; ask for fewer jobs",
+                                kMaxEchoedBytes, bytes));
 }
 
 grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJobsRequest* request,

@@ -45,6 +45,7 @@ struct JobsBackend {
   const JobPipeline& pipeline;  ///< for preflights
   MemoryBudget& memory;
   Rates rates;
+  std::string default_profile;  ///< of jobs that name no printer; empty: they need one
   std::function<int64_t()> now_us;
   rpc::JsonLog log;
 };
@@ -73,6 +74,8 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
                             v1::CreatePlatesResponse* response) override;
   grpc::Status GetJob(grpc::ServerContext* context, const v1::GetJobRequest* request,
                       v1::Job* response) override;
+  grpc::Status BatchGetJobs(grpc::ServerContext* context, const v1::BatchGetJobsRequest* request,
+                            v1::BatchGetJobsResponse* response) override;
   grpc::Status ListJobs(grpc::ServerContext* context, const v1::ListJobsRequest* request,
                         v1::ListJobsResponse* response) override;
   grpc::Status CancelJob(grpc::ServerContext* context, const v1::CancelJobRequest* request,

@@ -111,6 +111,15 @@ absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec) {
   for (Setting& setting : SettingsFromProto(spec.settings()))
     request.settings.push_back(std::move(setting));
   request.without_effect.assign(spec.without_effect().begin(), spec.without_effect().end());
+  for (const v1::ProjectNote& note : spec.notes()) {
+    if (note.feature().empty()) {
+      request.warnings.push_back(note.text());
+    } else {
+      request.missing.push_back({note.feature(), note.text(), {}});
+    }
+  }
+  request.allowed.assign(spec.allow().begin(), spec.allow().end());
+  request.generic = spec.generic();
   return request;
 }
 
@@ -118,6 +127,7 @@ void ClearSettings(v1::JobSpec& spec) {
   spec.clear_settings();
   spec.clear_project_settings();
   spec.clear_without_effect();
+  spec.clear_notes();
   for (v1::Object& object : *spec.mutable_objects()) {
     object.clear_settings();
     for (v1::Part& part : *object.mutable_parts()) part.clear_settings();

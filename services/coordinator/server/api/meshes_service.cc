@@ -34,8 +34,8 @@ absl::Status CheckFirst(const v1::UploadMeshRequest& first) {
 
 absl::Status CheckChunk(const std::string& data, int64_t offset, int64_t size) {
   const auto bytes = static_cast<int64_t>(data.size());
-  if (bytes > limits::kUploadChunkBytes) {
-    return LimitError(Reason::kRequestTooLarge, "bytes of a chunk", limits::kUploadChunkBytes,
+  if (bytes > limits::kMaxUploadChunkBytes) {
+    return LimitError(Reason::kRequestTooLarge, "bytes of a chunk", limits::kMaxUploadChunkBytes,
                       bytes);
   }
   if (offset + bytes <= size) return absl::OkStatus();

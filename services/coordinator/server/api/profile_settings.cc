@@ -8,8 +8,10 @@
 
 #include "absl/strings/ascii.h"
 #include "common/base/error.h"
+#include "common/config/machine_named.h"
 #include "common/model/limits.h"
 #include "common/wire/support/wire_error.h"
+#include "services/coordinator/server/api/jobs_wire.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -76,6 +78,21 @@ absl::StatusOr<v1::JobSpec> WithProfiles(v1::JobSpec spec, const std::string& te
   settings.MergeFrom(spec.settings());
   spec.mutable_settings()->Swap(&settings);
   return spec;
+}
+
+absl::StatusOr<v1::JobSpec> WithMachine(const v1::JobSpec& spec, const std::string& tenant,
+                                        const std::string& default_profile,
+                                        ProfileStore& profiles) {
+  auto all = WithProfiles(spec, tenant, profiles);
+  if (!all.ok() || default_profile.empty() || spec.generic()) return all;
+  const auto request = FromProto(*all);
+  if (!request.ok()) return Within("spec", request.status());
+  if (config::CheckMachineNamed(request->settings, request->process).ok()) return all;
+  v1::JobSpec with_default = spec;
+  with_default.mutable_profiles()->Clear();
+  with_default.add_profiles(default_profile);
+  with_default.mutable_profiles()->MergeFrom(spec.profiles());
+  return WithProfiles(std::move(with_default), tenant, profiles);
 }
 
 std::string ProfileBytes(const google::protobuf::RepeatedPtrField<v1::Setting>& settings) {

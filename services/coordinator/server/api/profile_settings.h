@@ -31,6 +31,11 @@ absl::Status CheckProfileName(const std::string& name);
 absl::StatusOr<v1::JobSpec> WithProfiles(v1::JobSpec spec, const std::string& tenant,
                                          ProfileStore& profiles);
 
+/// WithProfiles, and where the job then names no printer and does not say that it needs none
+/// (JobSpec.generic), with `default_profile` as its first profile; empty: there is none.
+absl::StatusOr<v1::JobSpec> WithMachine(const v1::JobSpec& spec, const std::string& tenant,
+                                        const std::string& default_profile, ProfileStore& profiles);
+
 /// What ProfileRecord.settings holds, and back.
 std::string ProfileBytes(const google::protobuf::RepeatedPtrField<v1::Setting>& settings);
 absl::StatusOr<v1::Profile> ReadProfile(const ProfileRecord& record);

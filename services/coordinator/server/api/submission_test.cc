@@ -99,6 +99,123 @@ TEST_F(SubmissionTest, AQuoteHasWhatAPrintHasButTheGcode) {
   EXPECT_THAT(std::string(gcode.message()), HasSubstr("is a quote"));
 }
 
+TEST_F(SubmissionTest, AJobNamesItsPrinterOrSaysThatItNeedsNone) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  v1::CreateJobRequest request = RequestFor("xxx");
+  request.mutable_spec()->set_generic(false);
+  const absl::Status refused = Create(request).status();
+  EXPECT_EQ(ReasonOf(refused), Reason::kPrinterMissing);
+  EXPECT_EQ(DetailOf(refused).metadata.at("settings"), "bed_shape, nozzle_diameter, gcode_flavor");
+  for (const auto& [key, value] :
+       {std::pair{"bed_shape", "0x0,250x0,250x250,0x250"}, std::pair{"nozzle_diameter", "0.4"},
+        std::pair{"gcode_flavor", "marlin2"}}) {
+    v1::Setting& setting = *request.mutable_spec()->add_settings();
+    setting.set_key(key);
+    setting.set_value(value);
+  }
+  EXPECT_EQ(MakeAndEnd(request).state(), v1::JOB_STATE_SUCCEEDED);
+}
+
+TEST_F(SubmissionTest, TheDefaultProfileIsThatOfJobsWithoutAPrinter) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  v1::PutProfileRequest put;
+  put.set_name("mk4s");
+  for (const auto& [key, value] :
+       {std::pair{"bed_shape", "0x0,250x0,250x250,0x250"}, std::pair{"nozzle_diameter", "0.4"},
+        std::pair{"gcode_flavor", "marlin2"}}) {
+    put.add_settings()->set_key(key);
+    put.mutable_settings(put.settings_size() - 1)->set_value(value);
+  }
+  grpc::ClientContext context;
+  v1::Profile profile;
+  ASSERT_TRUE(profiles_->PutProfile(&context, put, &profile).ok());
+  Close();
+  default_profile_ = "mk4s";
+  Open();
+  v1::CreateJobRequest request = RequestFor("xxx");
+  EXPECT_EQ(MakeAndEnd(request).spec().profiles_size(), 0) << "it is generic";
+  request.mutable_spec()->set_generic(false);
+  const v1::Job job = MakeAndEnd(request);
+  ASSERT_EQ(job.state(), v1::JOB_STATE_SUCCEEDED);
+  ASSERT_EQ(job.spec().profiles_size(), 1);
+  EXPECT_EQ(job.spec().profiles(0), "mk4s@1");
+}
+
+TEST_F(SubmissionTest, AMissingFeatureIsRefusedUnlessItIsAllowed) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  v1::CreateJobRequest request = RequestFor("xxx");
+  v1::ProjectNote& paint = *request.mutable_spec()->add_notes();
+  paint.set_text("filaments are painted on `a`");
+  paint.set_feature("painted_filaments");
+  request.mutable_spec()->add_notes()->set_text("painted fuzzy skin of `a`: without effect");
+  const absl::Status refused = Create(request).status();
+  EXPECT_EQ(ReasonOf(refused), Reason::kNotSupported);
+  EXPECT_EQ(DetailOf(refused).metadata.at("feature"), "painted_filaments");
+  request.mutable_spec()->add_allow("painted_filament");
+  EXPECT_EQ(ReasonOf(Create(request).status()), Reason::kRequestMalformed);
+  request.mutable_spec()->set_allow(0, "painted_filaments");
+  const v1::Job job = MakeAndEnd(request);
+  ASSERT_EQ(job.state(), v1::JOB_STATE_SUCCEEDED) << job.error().message();
+  EXPECT_THAT(job.warnings(),
+              testing::IsSupersetOf({std::string("filaments are painted on `a`"),
+                                     std::string("painted fuzzy skin of `a`: without effect")}));
+  EXPECT_TRUE(MakeAndEnd(request).result().cached());
+}
+
+TEST_F(SubmissionTest, SeveralToolsAreAFeatureThatIsMissing) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  v1::CreateJobRequest request = RequestFor("xxx");
+  *request.mutable_spec()->add_objects() = request.spec().objects(0);
+  v1::Setting& tool = *request.mutable_spec()->mutable_objects(1)->add_settings();
+  tool.set_key("extruder");
+  tool.set_value("2");
+  const absl::Status refused = Create(request).status();
+  EXPECT_EQ(ReasonOf(refused), Reason::kNotSupported);
+  EXPECT_EQ(DetailOf(refused).metadata.at("feature"), "several_tools");
+  request.mutable_spec()->add_allow("several_tools");
+  EXPECT_TRUE(Create(request).ok());
+}
+
+TEST_F(SubmissionTest, JobsAreSeenInTheViewAskedForAndInBatches) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  v1::CreateJobRequest request = RequestFor("xxx");
+  v1::Setting& setting = *request.mutable_spec()->add_settings();
+  setting.set_key("perimeters");
+  setting.set_value("3");
+  const std::string id = MakeAndEnd(request).id();
+  v1::GetJobRequest get;
+  get.set_id(id);
+  get.set_view(v1::JOB_VIEW_BASIC);
+  v1::Job basic;
+  grpc::ClientContext first;
+  ASSERT_TRUE(jobs_->GetJob(&first, get, &basic).ok());
+  EXPECT_EQ(basic.spec().settings_size(), 0);
+  EXPECT_EQ(basic.spec().objects_size(), 1);
+  EXPECT_EQ(Get(id)->spec().settings_size(), 1);
+  v1::BatchGetJobsRequest batch;
+  batch.add_ids(id);
+  batch.add_ids("none");
+  v1::BatchGetJobsResponse response;
+  grpc::ClientContext second;
+  ASSERT_TRUE(jobs_->BatchGetJobs(&second, batch, &response).ok());
+  ASSERT_EQ(response.outcomes_size(), 2);
+  EXPECT_EQ(response.outcomes(0).job().state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_FALSE(response.outcomes(0).job().has_spec());
+  EXPECT_EQ(response.outcomes(1).error().reason(), "JOB_NOT_FOUND");
+}
+
+TEST_F(SubmissionTest, ACancelledJobHasNoResultForThatReason) {
+  ranges_->Hold();
+  const std::string id = Submit("xxx");
+  ranges_->AwaitCall();
+  ASSERT_TRUE(Cancel(id).ok());
+  ranges_->LetGo();
+  EXPECT_EQ(AwaitEnd(id).state(), v1::JOB_STATE_CANCELLED);
+  const absl::Status none = Download(id, v1::ARTIFACT_GCODE).status();
+  EXPECT_EQ(ReasonOf(none), Reason::kCancelled);
+  EXPECT_EQ(none.code(), absl::StatusCode::kFailedPrecondition);
+}
+
 TEST_F(SubmissionTest, APrintServesAsAQuoteAndNotTheOtherWayRound) {
   ASSERT_TRUE(Upload("xxx").ok());
   EXPECT_FALSE(MakeAndEnd(QuoteFor("xxx")).result().cached());

@@ -59,6 +59,7 @@ class JobRunnerTest : public testing::Test {
   std::string Submit(const std::string& mesh, const std::string& build = "build",
                      int64_t deadline_us = kNoDeadlineUs) {
     v1::JobSpec spec;
+    spec.set_generic(true);
     v1::Object* object = spec.add_objects();
     object->set_mesh_sha256(*(*blobs_->Of(""))->Put(mesh));
     object->set_name("part");

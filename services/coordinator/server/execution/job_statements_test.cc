@@ -36,6 +36,7 @@ class JobStatementsTest : public testing::Test {
 
   std::string Submit(const std::string& mesh) {
     v1::JobSpec spec;
+    spec.set_generic(true);
     v1::Object* object = spec.add_objects();
     object->set_mesh_sha256(Sha256Hex(mesh));
     object->set_name("part");

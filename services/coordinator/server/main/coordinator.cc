@@ -73,7 +73,8 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
           options_.transfers),
       jobs_service_(JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
                                 *stores_.webhooks, options_.webhooks, *stages.stages.slicing,
-                                stages.arranging, pipeline_, memory_, options_.rates, NowUs, log},
+                                stages.arranging, pipeline_, memory_, options_.rates,
+                                options_.default_profile, NowUs, log},
                     options_.transfers, options_.watches),
       profiles_service_(callers_, *stores_.profiles, disk_, NowUs) {}
 

@@ -29,6 +29,7 @@ struct CoordinatorOptions {
   std::string spool_dir = {};
   JobRunnerOptions runner;
   Rates rates = {};
+  std::string default_profile = {};  ///< of jobs that name no printer, of tenants without their own
   WebhooksNow webhooks = [none = std::make_shared<const WebhookPolicy>()] { return none; };
   WebhookSender::Options webhook_sender = {};
   int64_t memory_bytes = DefaultMemoryBudget();  ///< that all jobs may hold together

@@ -26,6 +26,7 @@ class CoordinatorTest : public ServedCoordinatorTest, protected CoordinatorClien
     options.transfers = transfers_;
     options.calls = calls_;
     options.rates = rates_;
+    options.default_profile = default_profile_;
     options.webhooks = [this] { return webhooks_; };
     options.webhook_sender.poll = std::chrono::milliseconds(20);
     options.webhook_sender.first_retry = std::chrono::milliseconds(50);
@@ -92,6 +93,7 @@ class CoordinatorTest : public ServedCoordinatorTest, protected CoordinatorClien
   TransferOptions transfers_;
   CallLimits calls_;
   Rates rates_;
+  std::string default_profile_;
   std::shared_ptr<const WebhookPolicy> webhooks_ = std::make_shared<const WebhookPolicy>();
   int64_t min_free_bytes_ = 0;
   int jobs_at_once_ = 2;

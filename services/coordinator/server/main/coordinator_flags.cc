@@ -210,6 +210,10 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   app.add_option("--rates", flags->rates_file,
                  "JSON file of what the farm charges: jobs then tell what they cost")
       ->check(CLI::ExistingFile);
+  app.add_option("--default-profile", flags->default_profile,
+                 "The profile of jobs that name no printer; without, they are refused. A tenant's "
+                 "default_profile wins")
+      ->type_name("NAME");
   app.add_option("--webhooks", flags->webhooks_file,
                  "JSON file of where webhooks may go; without, none are sent")
       ->check(CLI::ExistingFile);

@@ -27,6 +27,7 @@ struct CoordinatorFlags {
   int split_slots = 8;  ///< ranges in flight over the split stages
   JobRunnerOptions runner;
   std::string rates_file;
+  std::string default_profile;
   std::string webhooks_file;
   std::string tenants_file;  ///< empty: one tenant, who is anybody
   bool share_cache = false;

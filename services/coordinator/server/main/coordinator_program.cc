@@ -149,6 +149,7 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
       .spool_dir = flags.spool_dir,
       .runner = flags.runner_options(),
       .rates = *rates,
+      .default_profile = flags.default_profile,
       .memory_bytes = flags.memory_mib << 20,
       .min_free_bytes = flags.min_free_mib << 20,
       .max_database_bytes = flags.max_database_gib << 30,

@@ -281,7 +281,8 @@ TEST_F(CoordinatorTest, ABadMeshFailsTheJobWithTheStagesOwnError) {
   EXPECT_EQ(job.error().code(), 3);
   EXPECT_EQ(job.error().metadata().at("line"), "7");
   EXPECT_EQ(DetailOf(Download(job.id(), v1::ARTIFACT_GCODE).status()).reason,
-            Reason::kJobNotFinished);
+            Reason::kMeshMalformed)
+      << "who waits for it to finish would wait for ever";
 }
 
 TEST_F(CoordinatorTest, AJobOutlivesAStageThatIsNotThere) {

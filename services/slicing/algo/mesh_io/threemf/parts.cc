@@ -12,7 +12,6 @@ namespace slicefarm::slicing::threemf {
 namespace {
 
 void NotePaint(const ObjectResource& object, std::string_view name, Notes& notes) {
-  if (object.paint & kPaintedColours) notes.Add("painted filaments", name);
   if (object.paint & kPaintedFuzzySkin) notes.Add("painted fuzzy skin", name);
   if (object.coloured) notes.Add("materials and colours", name);
 }
@@ -134,6 +133,14 @@ absl::StatusOr<std::vector<Part>> PartsOf(const PartsSource& source, const Objec
     AddMarks(mesh.marks, each.to_object, parts);
   }
   return parts;
+}
+
+absl::StatusOr<bool> HasPaintedFilaments(const PartsSource& source, const ObjectKey& key) {
+  const auto flat = source.tree.Flatten(key);
+  if (!flat.ok()) return flat.status();
+  return std::ranges::any_of(*flat, [&](const FlatPart& each) {
+    return (source.package.At(each.mesh_object).paint & kPaintedColours) != 0;
+  });
 }
 
 }  // namespace slicefarm::slicing::threemf

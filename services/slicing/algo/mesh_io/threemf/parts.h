@@ -25,4 +25,7 @@ struct PartsSource {
 absl::StatusOr<std::vector<Part>> PartsOf(const PartsSource& source, const ObjectKey& key,
                                           std::string_view name, Notes& notes);
 
+/// Returns true if filaments are painted on a mesh of the object. Errors: those of Flatten.
+absl::StatusOr<bool> HasPaintedFilaments(const PartsSource& source, const ObjectKey& key);
+
 }  // namespace slicefarm::slicing::threemf

@@ -161,7 +161,7 @@ TEST(PartsOf, NotesPaintAndEmptyMeshes) {
   ASSERT_TRUE(parts.ok()) << parts.status();
   EXPECT_TRUE(parts->empty());
   EXPECT_THAT(notes.Lines(),
-              testing::ElementsAre("painted filaments of `thing`", "painted fuzzy skin of `thing`",
+              testing::ElementsAre("painted fuzzy skin of `thing`",
                                    "parts without a triangle of `thing`"));
 }
 

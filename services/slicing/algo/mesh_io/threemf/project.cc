@@ -110,6 +110,9 @@ class ProjectBuilder {
         return PlacedAt({package_.files.front().part, line}, added);
     const auto ranges = metadata_.ranges.find(number);
     if (ranges != metadata_.ranges.end()) object.ranges = std::move(ranges->second);
+    const auto painted = HasPaintedFilaments({package_, tree_, metadata_.model}, key);
+    if (!painted.ok()) return painted.status();
+    if (*painted) project_.painted.push_back(static_cast<int32_t>(project_.objects.size()));
     project_.objects.push_back(std::move(object));
     return found->second;
   }

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <span>
+
+#include "absl/status/status.h"
+#include "common/model/options/setting.h"
+#include "common/model/process.h"
+
+namespace slicefarm::config {
+
+/// Returns PRINTER_MISSING (metadata `settings`: keys that are not set) unless the settings of a
+/// job name its machine: they set each of ProcessSettings::MachineKeys, whatever to.
+absl::Status CheckMachineNamed(std::span<const Setting> given, Process process);
+
+}  // namespace slicefarm::config

@@ -1,0 +1,60 @@
+#include "common/config/missing_feature.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "common/base/error.h"
+#include "common/config/suggest.h"
+
+namespace slicefarm::config {
+namespace {
+
+constexpr Allowance kAllowances[] = {
+    {kPaintedFilaments, "filaments painted on an object: it is printed with one"},
+    {kSeveralTools, "objects or parts for several extruders: the first of these prints all"},
+    {kGcodeTemplates,
+     "a G-code template that cannot be expanded is left out (start_gcode and end_gcode never are)"},
+    {kIncompatibleProfiles,
+     "profiles whose compatible_printers_condition or compatible_prints_condition is not met"},
+    {"colorprint_heights", "changes of colour at the heights of colorprint_heights are left out"},
+    {"printer_technology", "a profile of a resin printer (printer_technology = SLA)"},
+};
+
+}  // namespace
+
+std::span<const Allowance> Allowances() { return kAllowances; }
+
+absl::Status CheckAllowed(std::span<const std::string> allowed) {
+  for (const std::string& name : allowed) {
+    if (std::ranges::find(kAllowances, name, &Allowance::name) != std::end(kAllowances)) continue;
+    std::vector<std::string_view> names;
+    for (const Allowance& each : kAllowances) names.push_back(each.name);
+    const std::string nearest = Nearest(name, names);
+    std::map<std::string, std::string> metadata = {{"field", "allow"}};
+    if (!nearest.empty()) metadata["suggestion"] = nearest;
+    std::string list;
+    for (const std::string_view each : names) list += fmt::format("{}{}", list.empty() ? "" : ", ", each);
+    return MakeError(
+        absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+        fmt::format("allow: there is no feature '{}'{}; a job can do without: {}", name,
+                    nearest.empty() ? "" : fmt::format("; do you mean {}?", nearest), list),
+        std::move(metadata));
+  }
+  return absl::OkStatus();
+}
+
+absl::Status CheckMissing(std::span<const MissingFeature> missing,
+                          std::span<const std::string> allowed) {
+  for (const MissingFeature& each : missing) {
+    if (std::ranges::find(allowed, each.feature) != allowed.end()) continue;
+    std::map<std::string, std::string> metadata = each.metadata;
+    metadata["feature"] = metadata["allow"] = each.feature;
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNotSupported,
+                     "not supported: " + each.text, std::move(metadata));
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::config
