@@ -742,6 +742,32 @@ TEST(Resolve, SaysThatOnlyTheFirstExtruderCounts) {
   EXPECT_THAT(modes.no_effect, ElementsAre(HasSubstr("only the first value, 500")));
 }
 
+TEST(Resolve, SilentModeHasTheSecondValues) {
+  Pairs given = {
+      {"gcode_flavor", "marlin"},
+      {"silent_mode", "1"},
+      {"machine_max_feedrate_x", "500,200"},
+      {"machine_max_acceleration_extruding", "1250,960"},
+      {"machine_max_jerk_e", "7"}};
+  const ResolvedSettings resolved = ResolveOrDie(Settings(given));
+  EXPECT_THAT(resolved.no_effect, IsEmpty());
+  const MotionOptions& motion = FdmOf(resolved.settings).motion;
+  ASSERT_TRUE(motion.silent_limits.has_value());
+  MachineLimits expected = motion.limits;
+  EXPECT_EQ(expected.max_feedrate_mm_s[0], 500);
+  expected.max_feedrate_mm_s[0] = 200;
+  expected.max_acceleration_extruding_mm_s2 = 960;
+  EXPECT_EQ(*motion.silent_limits, expected) << "a list of one value holds for both";
+  given[0].second = "klipper";
+  EXPECT_FALSE(FdmOf(ResolveOrDie(Settings(given)).settings).motion.silent_limits) << "has no such mode";
+  given[0].second = "marlin";
+  given[1].second = "0";
+  EXPECT_FALSE(FdmOf(ResolveOrDie(Settings(given)).settings).motion.silent_limits);
+  given[1].second = "1";
+  given[2].second = "500,fast";
+  EXPECT_FALSE(Refusal(given).ok());
+}
+
 TEST(Resolve, ReportsRepetitionsWithinOneSourceOnly) {
   const std::vector<Setting> twice =
       Settings({{"perimeters", "2"}, {"perimeters", "4"}}, Source::kProfile);

@@ -249,6 +249,12 @@ void SettingReader::NoteEffective(const SettingSpec& spec, const Draft::Entry& e
   if (spec.kind == Kind::kPercent && !value.ends_with("%")) NoteMissingPercent(spec, value);
 }
 
+/// Returns true if the second values of the machine's limits count.
+bool SettingReader::HasSilentMode() const {
+  constexpr std::string_view kKey = "silent_mode";
+  return FindSetting(kKey, draft_.process()) >= 0 && draft_.Number(kKey) != 0;
+}
+
 /// Of lists one item counts: the tool's, or that of the machine's normal mode.
 void SettingReader::NoteOtherItems(const SettingSpec& spec, const Draft::Entry& entry) {
   const std::string_view separator =
@@ -259,6 +265,7 @@ void SettingReader::NoteOtherItems(const SettingSpec& spec, const Draft::Entry& 
   if (std::ranges::all_of(items,
                           [&](std::string_view item) { return Trim(item) == Trim(items[0]); }))
     return;
+  if (spec.list == List::kPerMode && HasSilentMode()) return;
   const std::string text = fmt::format("{}: only {}, {}, has an effect", Quoted(spec.key, all),
                                        tool_ == 0 || spec.list != List::kPerExtruder
                                            ? "the first value"

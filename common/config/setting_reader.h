@@ -52,6 +52,7 @@ class SettingReader {
 
   void NoteOverridden(const Setting& setting, std::string_view value);
   void NoteEffective(const SettingSpec& spec, const Draft::Entry& entry);
+  bool HasSilentMode() const;
   void NoteOtherItems(const SettingSpec& spec, const Draft::Entry& entry);
   void NoteMissingPercent(const SettingSpec& spec, std::string_view value);
   void NoteOther(const std::string& key, const KnownKey* known, const std::string& value);

@@ -272,6 +272,28 @@ struct LayerEdges {
 /// before_layer_gcode and layer_gcode.
 inline constexpr int kCodesOfALayer = 2;
 
+/// What a program sets and the machine keeps until it is set anew.
+enum class MachineMode : uint8_t {
+  kFan,
+  kAcceleration,        ///< of all moves, or of those that print
+  kTravelAcceleration,  ///< where travels have one of their own
+  kPlace,               ///< where the nozzle is
+};
+inline constexpr int kMachineModes = 4;
+
+/// Values by MachineMode, as text; empty: not known.
+using ModeValues = std::array<std::string, kMachineModes>;
+
+/// A line of a layer's program that changes nothing where the mode has this value already.
+struct ModeLine {
+  int64_t at = 0;  ///< of its first byte in the G-code
+  int64_t size = 0;
+  MachineMode mode = MachineMode::kFan;
+  std::string value;
+
+  friend bool operator==(const ModeLine&, const ModeLine&) = default;
+};
+
 /// The G-code of one layer (of one pass). It starts and ends in the canonical state: filament
 /// retracted, or ready to print where OrderedLayer says so; relative extrusion, absolute
 /// coordinates. So layers are joined by concatenation.
@@ -288,6 +310,13 @@ struct LayerProgram {
   /// Places in `gcode`, upwards, where before_layer_gcode and layer_gcode go that depend on what the
   /// layers before them did (ProgramEnvelope::layer_code); most often none: they stand there.
   std::vector<int64_t> code_at;
+  std::vector<ModeLine> mode_lines = {};  ///< upwards
+  /// Modes at the end; an empty value: as before the layer. None: the settings' own G-code in the
+  /// layer may have changed any of them.
+  std::optional<ModeValues> modes_at_end = {};
+  /// Convex hull of the beads, edges included, on the plate; only of a layer that lies on the bed.
+  Polygon footprint = {};
+  double silent_time_s = 0;  ///< in the machine's silent mode, if MotionOptions has it
 
   friend bool operator==(const LayerProgram&, const LayerProgram&) = default;
 };

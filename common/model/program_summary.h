@@ -20,6 +20,8 @@ struct LayerSummary {
   bool empty = false;  ///< nothing is printed in it; entry and exit mean nothing
   LayerEdges edges;
   double filament_mm = 0;
+  Polygon footprint = {};    ///< as LayerProgram's
+  double silent_time_s = 0;  ///< as LayerProgram's
 
   friend bool operator==(const LayerSummary&, const LayerSummary&) = default;
 };

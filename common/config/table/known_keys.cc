@@ -80,7 +80,7 @@ constexpr Group kGroups[] = {
      "nozzle_high_flow physical_printer_settings_id preset_name preset_names print_settings_id "
      "printer_notes "
      "printer_settings_id printer_variant printer_vendor profile_vendor profile_version "
-     "silent_mode variable_layer_height"},
+     "variable_layer_height"},
     {"decides between several tools, and one prints", "idle_temperature"},
     {"the widths that it has led to are written beside it", "automatic_extrusion_widths"},
     {"interfaces of supports end in a loop anyway", "support_material_interface_contact_loops"},

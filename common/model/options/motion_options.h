@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -158,6 +159,8 @@ struct WritingOptions {
 struct MotionOptions {
   GcodeFlavor flavor = GcodeFlavor::kMarlin2;  ///< gcode_flavor
   MachineLimits limits;
+  /// silent_mode: the limits of the machine's silent mode, for a second estimate of the time.
+  std::optional<MachineLimits> silent_limits;
   RetractionOptions retraction;
   CoolingOptions cooling;
 

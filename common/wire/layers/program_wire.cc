@@ -18,6 +18,11 @@
 #include "common/wire/support/repeated_wire.h"
 
 namespace slicefarm {
+
+static_assert(v1::MACHINE_MODE_FAN == static_cast<int>(MachineMode::kFan) + 1);
+static_assert(v1::MACHINE_MODE_PLACE == static_cast<int>(MachineMode::kPlace) + 1);
+static_assert(v1::MachineMode_MAX == kMachineModes);
+
 void ToProto(const FeatureUse& use, v1::FeatureUse* proto) {
   proto->set_time_s(use.time_s);
   proto->set_length_mm(use.length_mm);
@@ -90,6 +95,40 @@ absl::StatusOr<LayerEdges> FromProto(const v1::LayerEdges& proto) {
   return edges;
 }
 
+v1::ModeLine ToProto(const ModeLine& line) {
+  v1::ModeLine proto;
+  proto.set_at(line.at);
+  proto.set_size(line.size);
+  proto.set_mode(EnumToProto<v1::MachineMode>(line.mode));
+  proto.set_value(line.value);
+  return proto;
+}
+
+/// Lines that lie one after the other in `gcode_bytes` bytes.
+absl::StatusOr<std::vector<ModeLine>> FromProto(
+    const google::protobuf::RepeatedPtrField<v1::ModeLine>& protos, int64_t gcode_bytes) {
+  std::vector<ModeLine> lines;
+  int64_t done = 0;
+  for (const v1::ModeLine& proto : protos) {
+    const auto mode = EnumFromProto<MachineMode>(proto.mode(), kMachineModes, "mode_lines.mode");
+    if (!mode.ok()) return mode.status();
+    if (proto.at() < done || proto.size() < 0 || proto.size() > gcode_bytes - proto.at())
+      return Malformed("mode_lines", "are no lines of the G-code, one after the other");
+    done = proto.at() + proto.size();
+    lines.push_back({proto.at(), proto.size(), *mode, proto.value()});
+  }
+  return lines;
+}
+
+absl::StatusOr<std::optional<ModeValues>> ModesAtEnd(const v1::LayerProgram& proto) {
+  if (!proto.has_modes_at_end()) return std::nullopt;
+  if (proto.modes_at_end().values_size() != kMachineModes)
+    return Malformed("modes_at_end.values", fmt::format("not {} of them", kMachineModes));
+  ModeValues values;
+  std::ranges::copy(proto.modes_at_end().values(), values.begin());
+  return values;
+}
+
 v1::PrintTimes ToProto(const PrintTimes& times) {
   v1::PrintTimes proto;
   proto.mutable_feature_s()->Assign(times.feature_s.begin(), times.feature_s.end());
@@ -142,6 +181,10 @@ absl::Status ToProto(const LayerSummary& layer, v1::LayerSummary* proto) {
   proto->set_pass(layer.pass);
   *proto->mutable_edges() = ToProto(layer.edges);
   proto->set_filament_mm(layer.filament_mm);
+  proto->set_silent_time_s(layer.silent_time_s);
+  if (absl::Status status = PackPoints(layer.footprint, proto->mutable_footprint_xy_nm());
+      !status.ok())
+    return Within("footprint_xy_nm", status);
   if (absl::Status status = ToProto(layer.entry, proto->mutable_entry()); !status.ok()) {
     return Within("entry", status);
   }
@@ -151,14 +194,24 @@ absl::Status ToProto(const LayerSummary& layer, v1::LayerSummary* proto) {
 absl::StatusOr<LayerSummary> FromProto(const v1::LayerSummary& proto) {
   absl::StatusOr<LayerFrame> frame = FromProto(proto.frame());
   if (!frame.ok()) return frame.status();
-  if (!IsAmount(proto.time_s())) return Malformed("time_s", "is not a time");
+  if (!AreAmounts({proto.time_s(), proto.silent_time_s()}))
+    return Malformed("time_s, silent_time_s", "not all are times");
   if (!IsAmount(proto.filament_mm())) return Malformed("filament_mm", "is not an amount");
   if (proto.pass() < 0) return Malformed("pass", "is negative");
   absl::StatusOr<LayerEdges> edges = FromProto(proto.edges());
   if (!edges.ok()) return Within("edges", edges.status());
-  return LayerSummary{
-      *frame,         proto.pass(),  FromProto(proto.entry()), FromProto(proto.exit()),
-      proto.time_s(), proto.empty(), *std::move(edges),        proto.filament_mm()};
+  auto footprint = UnpackPoints(proto.footprint_xy_nm(), "footprint_xy_nm");
+  if (!footprint.ok()) return footprint.status();
+  return LayerSummary{*frame,
+                      proto.pass(),
+                      FromProto(proto.entry()),
+                      FromProto(proto.exit()),
+                      proto.time_s(),
+                      proto.empty(),
+                      *std::move(edges),
+                      proto.filament_mm(),
+                      *std::move(footprint),
+                      proto.silent_time_s()};
 }
 
 absl::Status ToProto(const ProgramStats& stats, v1::ProgramStats* proto) {
@@ -202,6 +255,14 @@ absl::Status ToProto(LayerProgram program, v1::LayerProgram* proto) {
   proto->set_pass(program.pass);
   *proto->mutable_edges() = ToProto(program.edges);
   proto->mutable_code_at()->Assign(program.code_at.begin(), program.code_at.end());
+  for (const ModeLine& line : program.mode_lines) *proto->add_mode_lines() = ToProto(line);
+  if (program.modes_at_end)
+    proto->mutable_modes_at_end()->mutable_values()->Assign(program.modes_at_end->begin(),
+                                                            program.modes_at_end->end());
+  proto->set_silent_time_s(program.silent_time_s);
+  if (absl::Status status = PackPoints(program.footprint, proto->mutable_footprint_xy_nm());
+      !status.ok())
+    return Within("footprint_xy_nm", status);
   if (absl::Status status = ToProto(program.entry, proto->mutable_entry()); !status.ok()) {
     return Within("entry", status);
   }
@@ -225,6 +286,13 @@ absl::StatusOr<LayerProgram> FromProto(v1::LayerProgram proto) {
                                           [&](int64_t at) { return 0 <= at && at <= gcode_bytes; });
   if (!places || (proto.code_at_size() != 0 && proto.code_at_size() != kCodesOfALayer))
     return Malformed("code_at", "are no places in the G-code");
+  if (!IsAmount(proto.silent_time_s())) return Malformed("silent_time_s", "is not a time");
+  auto mode_lines = FromProto(proto.mode_lines(), gcode_bytes);
+  if (!mode_lines.ok()) return mode_lines.status();
+  auto modes_at_end = ModesAtEnd(proto);
+  if (!modes_at_end.ok()) return modes_at_end.status();
+  auto footprint = UnpackPoints(proto.footprint_xy_nm(), "footprint_xy_nm");
+  if (!footprint.ok()) return footprint.status();
   return LayerProgram{*frame,
                       proto.pass(),
                       std::move(*proto.mutable_gcode()),
@@ -232,7 +300,11 @@ absl::StatusOr<LayerProgram> FromProto(v1::LayerProgram proto) {
                       FromProto(proto.exit()),
                       *stats,
                       *std::move(edges),
-                      {proto.code_at().begin(), proto.code_at().end()}};
+                      {proto.code_at().begin(), proto.code_at().end()},
+                      *std::move(mode_lines),
+                      *std::move(modes_at_end),
+                      *std::move(footprint),
+                      proto.silent_time_s()};
 }
 
 v1::StageTimes ToProto(const StageTimes& times) {

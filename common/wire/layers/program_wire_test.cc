@@ -65,8 +65,13 @@ LayerEdges DistinctEdges() {
 
 LayerProgram DistinctProgram() {
   LayerProgram program;
-  auto& [frame, pass, gcode, entry, exit, stats, edges, code_at] = program;
+  auto& [frame, pass, gcode, entry, exit, stats, edges, code_at, mode_lines, modes_at_end,
+         footprint, silent_time] = program;
   code_at = {2, 5};
+  mode_lines = {{1, 2, MachineMode::kFan, "M107"}, {4, 3, MachineMode::kPlace, "1 2"}};
+  modes_at_end = {"M106 S9", "", "M204 T7", "3 4"};
+  footprint = {{1, 2}, {3, -4}, {5, 6}};
+  silent_time = 501;
   edges = DistinctEdges();
   frame = kFrame;
   pass = 5;
@@ -81,8 +86,10 @@ ProgramSummary DistinctSummary() {
   ProgramSummary summary;
   auto& [layers, total, thumbnails, copies, settings_text] = summary;
   LayerSummary layer;
-  auto& [frame, pass, entry, exit, time, empty, edges, filament] = layer;
+  auto& [frame, pass, entry, exit, time, empty, edges, filament, layer_footprint, silent_time] = layer;
   filament = 9;
+  layer_footprint = {{7, 8}, {9, -10}, {11, 12}};
+  silent_time = 10;
   edges = DistinctEdges();
   frame = kFrame;
   pass = 7;

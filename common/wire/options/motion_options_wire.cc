@@ -54,13 +54,19 @@ void Take(const RepeatedField<Number>& proto, std::array<Number, N>* values) {
   std::ranges::copy(proto, values->begin());
 }
 
+absl::Status CheckSizes(const v1::MachineLimits& limits) {
+  if (limits.max_feedrate_mm_s_size() != 4) return Malformed("max_feedrate_mm_s", "not 4");
+  if (limits.max_acceleration_mm_s2_size() != 4)
+    return Malformed("max_acceleration_mm_s2", "not 4");
+  if (limits.max_jerk_mm_s_size() != 4) return Malformed("max_jerk_mm_s", "not 4");
+  return absl::OkStatus();
+}
+
 absl::Status CheckSizes(const v1::MotionOptions& proto) {
-  const v1::MachineLimits& limits = proto.limits();
-  if (limits.max_feedrate_mm_s_size() != 4) return Malformed("limits.max_feedrate_mm_s", "not 4");
-  if (limits.max_acceleration_mm_s2_size() != 4) {
-    return Malformed("limits.max_acceleration_mm_s2", "not 4");
-  }
-  if (limits.max_jerk_mm_s_size() != 4) return Malformed("limits.max_jerk_mm_s", "not 4");
+  if (absl::Status good = CheckSizes(proto.limits()); !good.ok()) return Within("limits", good);
+  if (proto.has_silent_limits())
+    if (absl::Status good = CheckSizes(proto.silent_limits()); !good.ok())
+      return Within("silent_limits", good);
   if (absl::Status rows = CheckRows(proto.speeds_size(), "speeds"); !rows.ok()) return rows;
   for (const v1::RegionSpeeds& region : proto.speeds()) {
     if (absl::Status complete = CheckComplete(region); !complete.ok()) return complete;
@@ -398,6 +404,7 @@ WritingOptions TakeWriting(const v1::WritingOptions& proto) {
 absl::Status ToProto(const MotionOptions& options, v1::MotionOptions* proto) {
   proto->set_flavor(EnumToProto<v1::GcodeFlavor>(options.flavor));
   *proto->mutable_limits() = ToProto(options.limits);
+  if (options.silent_limits) *proto->mutable_silent_limits() = ToProto(*options.silent_limits);
   *proto->mutable_retraction() = ToProto(options.retraction);
   *proto->mutable_cooling() = ToProto(options.cooling);
   PutSpeeds(options, proto);
@@ -438,6 +445,7 @@ absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto) {
   options.extruder_offset = FromProto(proto.extruder_offset());
   options.room = *std::move(room);
   options.limits = FromProto(proto.limits());
+  if (proto.has_silent_limits()) options.silent_limits = FromProto(proto.silent_limits());
   options.retraction = FromProto(proto.retraction());
   options.cooling = FromProto(proto.cooling());
   TakeSpeeds(proto, &options);

@@ -348,8 +348,8 @@ CoolingOptions DistinctCooling() {
 
 MotionOptions DistinctMotion() {
   MotionOptions options;
-  auto& [flavor, limits, retraction, cooling, speeds, travel_speed, first_layer_travel_speed,
-         travel_speed_z,
+  auto& [flavor, limits, silent_limits, retraction, cooling, speeds, travel_speed,
+         first_layer_travel_speed, travel_speed_z,
          first_layer_speed, first_layer_speed_ratio, first_layer_infill_speed, over_raft_speed,
          over_raft_speed_ratio, max_print_speed, max_volumetric_speed, flow_rise, flow_fall,
          pressure_advance, acceleration, default_acceleration, first_layer_acceleration,
@@ -363,6 +363,8 @@ MotionOptions DistinctMotion() {
          material_field, writing] = options;
   flavor = GcodeFlavor::kKlipper;
   limits = DistinctLimits();
+  silent_limits = DistinctLimits();
+  silent_limits->junction_deviation_mm = 116;
   retraction = DistinctRetraction();
   cooling = DistinctCooling();
   RegionSpeeds region;
@@ -789,6 +791,21 @@ constexpr char kDistinct[] = R"pb(
       color_change_gcode: "color"
       pause_gcode: "pause"
       template_gcode: "template"
+    }
+    silent_limits {
+      max_feedrate_mm_s: [ 1, 2, 3, 4 ]
+      max_acceleration_mm_s2: [ 5, 6, 7, 8 ]
+      max_jerk_mm_s: [ 9, 10, 11, 12 ]
+      max_acceleration_extruding_mm_s2: 13
+      max_acceleration_retracting_mm_s2: 14
+      max_acceleration_travel_mm_s2: 15
+      junction_deviation_mm: 116
+      square_corner_velocity_mm_s: 17
+      minimum_cruise_ratio: 18
+      min_extruding_rate_mm_s: 19
+      min_travel_rate_mm_s: 20
+      jerk_mm_s3: 21
+      emit_to_gcode: true
     }
   }
   texts: [ "density", "stress", "0,45", "+30", "0,0.5;3.24,1" ]

@@ -13,6 +13,7 @@
 #include "common/base/stopwatch.h"
 #include "common/gcode/binary/binary_gcode.h"
 #include "common/gcode/substitutions.h"
+#include "common/geometry/rings/simplify.h"
 #include "common/model/bead_section.h"
 #include "common/model/fields/field_notes.h"
 #include "common/model/fields/field_text.h"
@@ -181,12 +182,16 @@ void FillIn(JobReport& report, FdmReport& own, const ProgramSummary& summary,
   }
 }
 
+/// Outlines of copies are told as exactly as this.
+constexpr Coord kOutlineToleranceNm = 50'000;
+
 /// Copies with their names, for those who read G-code.
 std::vector<CopySummary> SummarizeCopies(std::vector<CopyName> names,
                                          std::vector<PlacedCopy> copies) {
   std::vector<CopySummary> summaries;
   for (size_t i = 0; i < names.size(); ++i)
-    summaries.push_back({std::move(names[i]), std::move(copies[i].footprint)});
+    summaries.push_back(
+        {std::move(names[i]), SimplifyRing(copies[i].footprint, kOutlineToleranceNm)});
   return summaries;
 }
 

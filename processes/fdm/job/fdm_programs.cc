@@ -10,6 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "processes/fdm/job/layer_pieces.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -61,36 +62,30 @@ LayerSummary Summarize(const LayerProgram& program) {
           .time_s = program.stats.TimeS(),
           .empty = IsEmpty(program),
           .edges = program.edges,
-          .filament_mm = program.stats.FilamentMm()};
+          .filament_mm = program.stats.FilamentMm(),
+          .footprint = program.footprint,
+          .silent_time_s = program.silent_time_s};
 }
 
-/// A layer's G-code with what its places were kept free for.
-void AddLayer(const SpooledProgram& layer, std::span<std::string> code, SpooledText& gcode) {
-  int64_t done = 0;
-  const auto add_to = [&](int64_t end) {
-    gcode.Add(SpoolFile::Place{layer.text.offset + done, end - done});
-    done = end;
-  };
-  for (size_t i = 0; i < std::min(code.size(), layer.program.code_at.size()); ++i) {
-    add_to(layer.program.code_at[i]);
-    gcode.Add(std::move(code[i]));
+/// A layer's pieces as they are in the spool.
+void AddLayer(const SpooledProgram& layer, std::vector<LayerPiece> pieces, SpooledText& gcode) {
+  for (LayerPiece& piece : pieces) {
+    gcode.Add(SpoolFile::Place{layer.text.offset + piece.first, piece.last - piece.first});
+    if (!piece.text.empty()) gcode.Add(std::move(piece.text));
   }
-  add_to(layer.text.size);
 }
 
 /// The same after a prefix, as one text.
 absl::StatusOr<std::string> TextOf(const SpooledProgram& layer, std::string_view prefix,
-                                   std::span<const std::string> code, const SpoolFile& spool) {
+                                   std::span<const LayerPiece> pieces, const SpoolFile& spool) {
   std::string program(static_cast<size_t>(layer.text.size), '\0');
   if (absl::Status read = spool.ReadAt(layer.text.offset, program); !read.ok()) return read;
   std::string text(prefix);
-  size_t done = 0;
-  for (size_t i = 0; i < std::min(code.size(), layer.program.code_at.size()); ++i) {
-    const auto at = static_cast<size_t>(layer.program.code_at[i]);
-    text.append(program, done, at - done).append(code[i]);
-    done = at;
-  }
-  return text.append(program, done);
+  for (const LayerPiece& piece : pieces)
+    text.append(program, static_cast<size_t>(piece.first),
+                static_cast<size_t>(piece.last - piece.first))
+        .append(piece.text);
+  return text;
 }
 
 /// Returns `text` after the substitutions, which may double it and add limits::kMaxExpandedBytes.
@@ -150,16 +145,19 @@ absl::StatusOr<SpooledText> WholeProgram(ProgramEnvelope frame,
   if (!prologue.ok()) return prologue.status();
   gcode.Add(*std::move(prologue));
   frame.layer_prefixes.resize(programs.size());
+  LayerJoin join;
   for (size_t i = 0; i < programs.size(); ++i) {
     const size_t first = std::min(i * kCodesOfALayer, frame.layer_code.size());
     const size_t count = std::min<size_t>(kCodesOfALayer, frame.layer_code.size() - first);
-    const auto code = std::span(frame.layer_code).subspan(first, count);
+    join.Pass(frame.layer_prefixes[i]);
+    auto pieces = join.PiecesOf(programs[i].program, programs[i].text.size,
+                                std::span(frame.layer_code).subspan(first, count));
     if (substitutions.empty()) {
       gcode.Add(std::move(frame.layer_prefixes[i]));
-      AddLayer(programs[i], code, gcode);
+      AddLayer(programs[i], std::move(pieces), gcode);
       continue;
     }
-    auto text = TextOf(programs[i], frame.layer_prefixes[i], code, file);
+    auto text = TextOf(programs[i], frame.layer_prefixes[i], pieces, file);
     if (!text.ok()) return text.status();
     auto substituted = Substituted(*std::move(text), substitutions, cancel);
     if (!substituted.ok()) return substituted.status();

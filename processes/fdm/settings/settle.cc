@@ -11,6 +11,7 @@
 
 #include "common/base/error.h"
 #include "common/base/text.h"
+#include "common/config/table/settings_table.h"
 #include "common/config/told_settings.h"
 #include "common/config/value.h"
 #include "common/geometry/boolean/boolean.h"
@@ -237,6 +238,29 @@ void TakeInnerScarfs(JobSettings& settings) {
       scarf.placement != ScarfPlacement::kNowhere && scarf.on_inner;
 }
 
+/// The limits of the machine's silent mode: the second values of lists, and the first ones of those
+/// that have no others. Firmwares without such a mode know none.
+absl::Status TakeSilentMode(const Draft& draft, JobSettings& settings) {
+  MotionOptions& motion = FdmOf(settings).motion;
+  const bool marlin =
+      motion.flavor == GcodeFlavor::kMarlin2 || motion.flavor == GcodeFlavor::kMarlinLegacy;
+  if (!marlin || draft.Number("silent_mode") == 0) return absl::OkStatus();
+  JobSettings silent;
+  FdmOf(silent).motion.limits = motion.limits;
+  const auto table = SettingsTable(draft.process());
+  for (size_t i = 0; i < table.size(); ++i) {
+    if (table[i].list != List::kPerMode || draft.Number("machine_limits_usage") == kIgnoreLimits)
+      continue;
+    const std::vector<std::string_view> values = Split(draft.entries()[i].all, ",");
+    if (values.size() < 2) continue;
+    const auto value = ParseValue(table[i], Trim(values[1]));
+    if (!value.ok()) return value.status();
+    table[i].field.set(silent, *value);
+  }
+  motion.silent_limits = FdmOf(silent).motion.limits;
+  return absl::OkStatus();
+}
+
 /// Which of the machine's tools prints, where it has several.
 void TakeTool(const Settling& settling) {
   const size_t tools = ToolCount(settling.given);
@@ -263,6 +287,7 @@ absl::Status Settle(const Settling& settling) {
   settling.result.growth = GrowthOf(settling.draft);
   TakeFootWidth(settings);
   TakeTool(settling);
+  if (absl::Status ok = TakeSilentMode(settling.draft, settings); !ok.ok()) return ok;
   auto code = macro::ParseJobCode(FdmOf(settings).motion);
   while (!code.ok() && LeaveOutTemplate(code.status(), settling.draft, settling.result))
     code = macro::ParseJobCode(FdmOf(settings).motion);

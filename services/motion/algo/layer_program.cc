@@ -3,21 +3,25 @@
 #include <algorithm>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "common/gcode/custom_code.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/gcode/layer_writer.h"
 #include "services/motion/algo/gcode/machine_setup.h"
 #include "services/motion/algo/gcode/object_labels.h"
 #include "services/motion/algo/macro/layer_code.h"
 #include "services/motion/algo/toolpath/accelerations.h"
+#include "services/motion/algo/toolpath/contour_length.h"
 #include "services/motion/algo/toolpath/cooling.h"
 #include "services/motion/algo/toolpath/edge_moves.h"
 #include "services/motion/algo/toolpath/flow_smoothing.h"
+#include "services/motion/algo/toolpath/footprint.h"
 #include "services/motion/algo/toolpath/layer_place.h"
 #include "services/motion/algo/toolpath/layer_timing.h"
 #include "services/motion/algo/toolpath/lifts.h"
@@ -83,6 +87,13 @@ const PathBlock& BlockOf(const BlockVisit& visit, const OrderedLayer& layer) {
   return layer.blocks[static_cast<size_t>(visit.block)];
 }
 
+/// Returns true if supports are all that is visited, or nothing is.
+bool PrintsNoPart(std::span<const BlockVisit> visits, const OrderedLayer& layer) {
+  return std::ranges::all_of(visits, [&](const BlockVisit& visit) {
+    return BlockOf(visit, layer).stack.kind == StackKind::kSupport;
+  });
+}
+
 /// Whether a block is the first or the last of a layer that begins or ends ready.
 bool BeginsReady(const PathBlock& block, const OrderedLayer& layer) {
   return layer.begins_ready && !layer.visits.empty() &&
@@ -110,9 +121,10 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
     if (block.spiral && block.paths.size() == 1) {
       builder.AddTurn(block.paths.front(), *block.spiral, block.below);
     } else {
-    static const Travel kStraight;
+      const std::vector<double> lengths_mm = ContourLengthsMm(block.paths);
       for (size_t i = 0; i < block.paths.size(); ++i)
-        builder.Add(block.paths[i], block.travels.empty() ? kStraight : block.travels[i]);
+        builder.Add(block.paths[i], block.travels.empty() ? Travel{} : block.travels[i],
+                    lengths_mm[i]);
     }
     Toolpath path = EndsReady(block, layer) ? builder.FinishReady(block.leave) : builder.Finish();
     if (slopes.rise_mm3_s2 > 0 || slopes.fall_mm3_s2 > 0) SmoothFlow(slopes, filament_mm2, path);
@@ -158,9 +170,8 @@ class PassProgram {
  public:
   /// All must outlive this. `visits`: not empty.
   PassProgram(const OrderedLayer& layer, std::span<const BuiltBlock> built,
-              std::span<const BlockVisit> visits, const MotionOptions& options,
-              const MaterialField* materials)
-      : layer_(layer), visits_(visits), options_(options), materials_(materials) {
+              std::span<const BlockVisit> visits, const MotionOptions& options)
+      : layer_(layer), visits_(visits), options_(options) {
     for (const BlockVisit& visit : visits) {
       const auto block = static_cast<size_t>(visit.block);
       if (place_of_.try_emplace(visit.block, paths_.size()).second)
@@ -175,15 +186,22 @@ class PassProgram {
     LayerTiming timing(FirmwareOf(options.flavor), options.limits);
     AddTimes(stretches, SlowDown(CoolingOf(visits), stretches, timing, paths_), stats_);
     edges_ = EdgesOf(stretches);
+    if (layer.frame.index == 0) footprint_ = FootprintOf(stretches);
+    for (Point& corner : footprint_) corner = corner + options.extruder_offset;
+    if (options.silent_limits) {
+      LayerTiming silent(FirmwareOf(options.flavor), *options.silent_limits);
+      const std::span<const double> times = silent.Times(stretches);
+      silent_time_s_ = std::accumulate(times.begin(), times.end(), 0.0);
+    }
   }
 
   const ProgramStats& stats() const { return stats_; }
   const LayerEdges& edges() const { return edges_; }
+  const Polygon& footprint() const { return footprint_; }
+  double silent_time_s() const { return silent_time_s_; }
 
-  void Write(const CustomCode& code, const JobFacts& facts, const LayerState& state,
+  void Write(const CustomCode& code, const JobFacts& facts, LayerWriter& writer,
              std::vector<int64_t>& places, GcodeText& out) const {
-    LayerWriter writer(FirmwareOf(options_.flavor), AccelerationsFor(options_, Ground::kLayers),
-                       state, materials_, ExtruderWords(options_), options_.writing.comments);
     for (const BlockVisit& visit : visits_) {
       const Toolpath& path = PathOf(visit);
       const ShiftUm shift = ShiftOf(visit);
@@ -206,10 +224,7 @@ class PassProgram {
   /// Supports between the part's own layers have no part to cool.
   CoolingOptions CoolingOf(std::span<const BlockVisit> visits) const {
     CoolingOptions cooling = options_.cooling;
-    if (std::ranges::all_of(visits, [&](const BlockVisit& visit) {
-          return BlockOf(visit, layer_).stack.kind == StackKind::kSupport;
-        }))
-      cooling.slowdown_below_layer_time_s = 0;
+    if (PrintsNoPart(visits, layer_)) cooling.slowdown_below_layer_time_s = 0;
     return cooling;
   }
 
@@ -267,7 +282,8 @@ class PassProgram {
   void WriteCopy(const BlockVisit& visit, ShiftUm shift, const JobFacts& facts, LayerWriter& writer,
                  GcodeText& out) const {
     const auto copy = static_cast<size_t>(visit.copy);
-    const bool labelled = visit.copy >= 0 && copy < facts.copies.size();
+    const bool labelled = visit.copy >= 0 && copy < facts.copies.size() &&
+                          !LabelIsAroundAll(facts.copies.size(), options_);
     const bool begins = &visit == &visits_.front() || (&visit)[-1].copy != visit.copy;
     const bool ends = &visit == &visits_.back() || (&visit)[1].copy != visit.copy;
     if (labelled && begins) BeginCopy(facts.copies[copy], copy, options_, out);
@@ -281,12 +297,13 @@ class PassProgram {
   const OrderedLayer& layer_;
   const std::span<const BlockVisit> visits_;
   const MotionOptions& options_;
-  const MaterialField* materials_;
   std::map<int32_t, size_t> place_of_;  ///< in paths_, by block of the layer
   std::vector<Toolpath> paths_;
   std::vector<Toolpath> ways_;  ///< by visit
   ProgramStats stats_;
   LayerEdges edges_;
+  Polygon footprint_;
+  double silent_time_s_ = 0;
 };
 
 /// What a layer does that prints nothing: it hands the filament on as the next one expects it.
@@ -310,6 +327,21 @@ std::vector<std::span<const BlockVisit>> PassesOf(std::span<const BlockVisit> vi
   return passes;
 }
 
+/// `index`: of the layer in its pass. A layer in which no part is printed, above the first, leaves
+/// the fan as the part's layer below has it.
+LayerState StateOf(const OrderedLayer& layer, std::span<const BlockVisit> visits, int32_t index,
+                   double time_s, const MotionOptions& options) {
+  const CoolingOptions& cooling = options.cooling;
+  LayerState state;
+  state.height_um = ToUm(layer.frame.height_nm);
+  state.to_plate = {ToUm(options.extruder_offset.x), ToUm(options.extruder_offset.y)};
+  state.fan_percent = FanPercent(cooling, index, time_s);
+  if (PrintsNoPart(visits, layer) && layer.frame.index > 0) state.fan_percent = kFanAsBefore;
+  state.bridge_fan_percent = BridgeFanPercent(cooling, index, state.fan_percent);
+  state.overhang_fan_percent = OverhangFanPercent(cooling, index, state.fan_percent);
+  return state;
+}
+
 absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
                                          std::span<const BuiltBlock> built,
                                          std::span<const BlockVisit> visits, const JobFacts& facts,
@@ -322,20 +354,18 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
   program.frame = layer.frame;
   std::optional<PassProgram> pass;
   if (!visits.empty()) {
-    pass.emplace(layer, built, visits, options, materials);
+    pass.emplace(layer, built, visits, options);
     program.pass = visits.front().pass;
     program.stats = pass->stats();
     program.edges = pass->edges();
+    program.footprint = pass->footprint();
+    program.silent_time_s = pass->silent_time_s();
     program.entry = EntryOf(visits.front(), layer) - options.extruder_offset;
     program.exit = ExitOf(visits.back(), built) - options.extruder_offset;
   }
-  LayerState state;
-  state.fan_percent = FanPercent(options.cooling, place.index, program.stats.TimeS());
-  state.bridge_fan_percent = BridgeFanPercent(options.cooling, place.index, state.fan_percent);
-  state.overhang_fan_percent = OverhangFanPercent(options.cooling, place.index);
-  state.height_um = ToUm(layer.frame.height_nm);
-  state.to_plate = {ToUm(options.extruder_offset.x), ToUm(options.extruder_offset.y)};
-
+  LayerWriter writer(FirmwareOf(options.flavor), AccelerationsFor(options, Ground::kLayers),
+                     StateOf(layer, visits, place.index, program.stats.TimeS(), options),
+                     pass ? materials : nullptr, ExtruderWords(options), options.writing.comments);
   size_t moves = 0;
   for (const BlockVisit& visit : visits)
     moves += built[static_cast<size_t>(visit.block)].path.moves.size();
@@ -343,20 +373,21 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
   WriteHeader(layer.frame, FirmwareOf(options.flavor).comments(), *code, program.code_at, out);
   WriteTemperatures(options, place.index, out);
   if (place.number == 1) FirmwareOf(options.flavor).WriteSecondLayer(out);
-  WriteFan(state.fan_percent, out);
+  writer.WriteLayerFan(out);
   if (pass) {
-    pass->Write(*code, facts, state, program.code_at, out);
+    pass->Write(*code, facts, writer, program.code_at, out);
   } else {
     KeepPlace(*code, out, program.code_at);
     out.Lines(code->after);
     const BuiltBlock idle = HandOver(layer, options);
-    LayerWriter writer(FirmwareOf(options.flavor), AccelerationsFor(options, Ground::kLayers),
-                       state, nullptr, ExtruderWords(options), options.writing.comments);
     writer.Write(idle.path, 0, idle.path.moves.size(), {}, out);
     writer.EndBlock(out);
     program.stats = idle.stats;
   }
   program.gcode = out.Take();
+  program.mode_lines = writer.TakeModeLines();
+  if (gcode::LeavesModes(code->before) && gcode::LeavesModes(code->after))
+    program.modes_at_end = writer.Modes();
   return program;
 }
 

@@ -250,8 +250,59 @@ TEST(ProgramLayer, AnEmptyLayerMovesNothing) {
   layer.frame = {5, 1'200'000, 200'000};
   const LayerProgram program = Programmed(layer);
   EXPECT_EQ(program.gcode,
-            ";LAYER_CHANGE\n;Z:1.2\n;HEIGHT:0.2\n;BEFORE_LAYER_CHANGE\n;1.2\nM106 S89\n");
+            ";LAYER_CHANGE\n;Z:1.2\n;HEIGHT:0.2\n;BEFORE_LAYER_CHANGE\n;1.2\n");
   EXPECT_EQ(program.stats.TimeS(), 0);
+}
+
+// What is set there is that of the part below; supports lie between the part's own layers.
+TEST(ProgramLayer, SupportsAloneLeaveTheFanAsItIs) {
+  OrderedLayer layer = Square();
+  layer.blocks[0].stack.kind = StackKind::kSupport;
+  for (Path& path : layer.blocks[0].paths) path.feature = Feature::kSupport;
+  LayerProgram program = Programmed(layer);
+  EXPECT_EQ(program.gcode.find("M10"), std::string::npos) << program.gcode;
+  EXPECT_EQ(program.modes_at_end.value()[static_cast<size_t>(MachineMode::kFan)], "");
+  layer.frame.index = 0;
+  EXPECT_THAT(Programmed(layer).gcode, HasSubstr("M107\n")) << "start G-code may have left it on";
+}
+
+TEST(ProgramLayer, SaysWhichLinesMayBeSuperfluous) {
+  MotionOptions options = Options();
+  options.travel_acceleration_mm_s2 = 3000;
+  const LayerProgram program = Programmed(Square(), options);
+  std::vector<std::pair<MachineMode, std::string>> lines;
+  for (const ModeLine& line : program.mode_lines)
+    lines.emplace_back(line.mode, program.gcode.substr(static_cast<size_t>(line.at),
+                                                       static_cast<size_t>(line.size)));
+  using enum MachineMode;
+  EXPECT_EQ(lines, (std::vector<std::pair<MachineMode, std::string>>{
+                       {kFan, "M106 S89\n"},
+                       {kTravelAcceleration, "M204 T3000\n"},
+                       {kPlace, "G1 X10 Y10 F7800\n"},
+                       {kAcceleration, "M204 P1000\n"}}));
+  EXPECT_EQ(program.mode_lines[2].value, "10000 10000");
+  EXPECT_EQ(program.modes_at_end,
+            (ModeValues{"M106 S89\n", "M204 P1000\n", "M204 T3000\n", "28000 28000"}));
+  options.layer_gcode = "M117 hi";
+  EXPECT_TRUE(Programmed(Square(), options).modes_at_end.has_value());
+  options.layer_gcode = "G1 X5";
+  EXPECT_FALSE(Programmed(Square(), options).modes_at_end.has_value());
+}
+
+TEST(ProgramLayer, OnlyTheFirstLayerHasAFootprint) {
+  EXPECT_TRUE(Programmed(Square(1)).footprint.empty());
+  const Box box = Bounds(Programmed(Square(0)).footprint);
+  EXPECT_EQ(box, (Box{{FromMm(9.775), FromMm(9.775)}, {FromMm(30.225), FromMm(30.225)}}));
+}
+
+TEST(ProgramLayer, TimesInSilentModeAreThoseOfItsLimits) {
+  MotionOptions options = Options();
+  EXPECT_EQ(Programmed(Square(), options).silent_time_s, 0);
+  options.silent_limits = options.limits;
+  EXPECT_NEAR(Programmed(Square(), options).silent_time_s, Programmed(Square()).stats.TimeS(), 1e-9);
+  options.silent_limits->max_acceleration_mm_s2 = {100, 100, 100, 100};
+  const LayerProgram program = Programmed(Square(), options);
+  EXPECT_GT(program.silent_time_s, 1.2 * program.stats.TimeS());
 }
 
 TEST(ProgramLayer, TemperaturesChangeWithTheSecondLayer) {
@@ -421,7 +472,6 @@ TEST(ProgramLayer, CopiesAsText) {
             "G1 E.8 F2100\n"
             ";TYPE:External perimeter\n"
             ";WIDTH:0.45\n"
-            "M204 P1000\n"
             "G1 X80 Y10 E.67698 F2400\n"
             "G1 Y30 E.67697\n"
             "G1 X60 E.67698\n"

@@ -1,9 +1,12 @@
 #include "services/motion/algo/program_envelope.h"
 
 #include <cmath>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "common/base/text.h"
 #include "common/gcode/gcode_text.h"
 #include "common/geometry/measure.h"
 #include "common/macro/job_code.h"
@@ -19,20 +22,67 @@
 #include "services/motion/algo/layer_ways.h"
 #include "services/motion/algo/pass_change.h"
 #include "services/motion/algo/program/print_clock.h"
+#include "services/motion/algo/toolpath/footprint.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 
 namespace slicefarm::motion {
 namespace {
 
-/// Percent done, minutes left.
-std::string ProgressLine(double done_s, double time_s, size_t layer, const Firmware& firmware) {
-  GcodeText out;
-  const double share = time_s > 0 ? done_s / time_s : 0;
-  firmware.WriteProgress(std::lround(std::floor(100 * share)),
-                         std::lround(std::ceil((time_s - done_s) / 60)),
-                         static_cast<int64_t>(layer) + 1, out);
-  return out.Take();
+int64_t PercentDone(double done_s, double time_s) {
+  return time_s > 0 ? std::lround(std::floor(100 * done_s / time_s)) : 0;
 }
+int64_t MinutesLeft(double done_s, double time_s) {
+  return std::lround(std::ceil((time_s - done_s) / 60));
+}
+
+/// Times of the whole print, in the machine's silent mode as well if it has one.
+struct ClockedTimes {
+  PrintTimes normal;
+  std::optional<PrintTimes> silent;
+
+  double TotalS() const { return normal.TotalS(); }
+  std::optional<double> SilentS() const {
+    return silent ? std::optional(silent->TotalS()) : std::nullopt;
+  }
+};
+
+/// Tells how far the print is before each of its layers. A line that would say the same as the one
+/// before is left out.
+class ProgressLines {
+ public:
+  /// Both must outlive this.
+  ProgressLines(const ClockedTimes& times, const Firmware& firmware)
+      : times_(times),
+        firmware_(firmware),
+        done_s_(times.normal.before_s),
+        silent_done_s_(times.silent ? times.silent->before_s : 0) {}
+
+  std::string AtFirst() { return Line(0, 0, 0); }
+  std::string BeforeLayer(size_t i) {
+    std::string line = Line(static_cast<int64_t>(i) + 1, done_s_, silent_done_s_);
+    done_s_ += times_.normal.layer_s[i];
+    if (times_.silent) silent_done_s_ += times_.silent->layer_s[i];
+    return line;
+  }
+
+ private:
+  std::string Line(int64_t layer, double done_s, double silent_done_s) {
+    GcodeText out;
+    const double time_s = times_.TotalS();
+    firmware_.WriteProgress(PercentDone(done_s, time_s), MinutesLeft(done_s, time_s), layer, out);
+    if (const auto silent_s = times_.SilentS())
+      firmware_.WriteSilentProgress(PercentDone(silent_done_s, *silent_s),
+                                    MinutesLeft(silent_done_s, *silent_s), out);
+    const bool repeats = std::exchange(last_, out.text()) == out.text();
+    return repeats ? "" : last_;
+  }
+
+  const ClockedTimes& times_;
+  const Firmware& firmware_;
+  double done_s_;
+  double silent_done_s_;
+  std::string last_;
+};
 
 PrintFacts FactsOf(const ProgramSummary& summary, const MotionOptions& options, double time_s) {
   const FilamentUse use = FilamentUseOf(summary.total, options);
@@ -45,7 +95,7 @@ PrintFacts FactsOf(const ProgramSummary& summary, const MotionOptions& options, 
           .height_mm = ToMm(static_cast<double>(TopOf(summary))),
           .density_g_cm3 = options.filament_density_g_cm3,
           .diameter_mm = options.filament_diameter_mm,
-          .bounds = summary.total.bounds};
+          .first_layer = Bounds(FirstLayerHull(summary))};
 }
 
 /// What readers of files look for before anything else.
@@ -56,22 +106,36 @@ std::string Head(const ProgramSummary& summary, const MotionOptions& options, do
   return out.Take();
 }
 
-std::string Prologue(const ProgramSummary& summary, const MotionOptions& options, double time_s,
-                     const StartCode& start) {
+/// Around the layers of the only copy.
+void BeginOnlyCopy(const ProgramSummary& summary, const MotionOptions& options, GcodeText& out) {
+  if (LabelIsAroundAll(summary.copies.size(), options))
+    BeginCopy(summary.copies.front().name, 0, options, out);
+}
+void EndOnlyCopy(const ProgramSummary& summary, const MotionOptions& options, GcodeText& out) {
+  if (LabelIsAroundAll(summary.copies.size(), options))
+    EndCopy(summary.copies.front().name, 0, options, out);
+}
+
+/// Start G-code finds the time and the objects told: printers show the one while they heat, and
+/// macros probe the bed where the others stand.
+std::string Prologue(const ProgramSummary& summary, const MotionOptions& options,
+                     const ClockedTimes& times, const StartCode& start) {
   const Firmware& firmware = FirmwareOf(options.flavor);
-  const PrintFacts facts = FactsOf(summary, options, time_s);
+  const PrintFacts facts = FactsOf(summary, options, times.TotalS());
   GcodeText out;
   out.Lines(firmware.comments().program_begin);
+  if (options.progress) out << ProgressLines(times, firmware).AtFirst();
+  DefineCopies(summary.copies, options, out);
   out << firmware.comments().feature << "Custom\n";
   WriteMachineLimits(options, out);
   firmware.WriteChecks(options, facts, out);
   WriteStart(options, start, out);
   if (options.pressure_advance > 0) firmware.WritePressureAdvance(options.pressure_advance, out);
-  DefineCopies(summary.copies, options, out);
   ExtruderWords extruder(options);
   extruder.WriteCanonicalState(out);
   firmware.WriteLayersBegin(out);
   extruder.WriteFirstRetraction(options.retraction, out);
+  BeginOnlyCopy(summary, options, out);
   return out.Take();
 }
 
@@ -86,9 +150,13 @@ std::string RiseAboveAll(const ProgramSummary& summary, const MotionOptions& opt
 std::string Ending(const ProgramSummary& summary, const MotionOptions& options,
                    std::string_view end_gcode) {
   GcodeText out;
+  EndOnlyCopy(summary, options, out);
   out << RiseAboveAll(summary, options);
   const Firmware& firmware = FirmwareOf(options.flavor);
-  if (options.progress) firmware.WriteProgress(100, 0, std::ssize(summary.layers), out);
+  if (options.progress) {
+    firmware.WriteProgress(100, 0, std::ssize(summary.layers), out);
+    if (options.silent_limits) firmware.WriteSilentProgress(100, 0, out);
+  }
   out << firmware.comments().feature << "Custom\nM107\n";
   firmware.WriteLayersEnd(out);
   out.Lines(firmware.comments().end_gcode_begin);
@@ -124,16 +192,17 @@ struct FrameText {
   std::string file_name;
 };
 
-/// `time_s`: of the print, for templates.
+/// `times`: of the print, for templates.
 absl::StatusOr<FrameText> TextOf(const macro::JobCode& code, const ProgramSummary& summary,
-                                 const MotionOptions& options, double time_s) {
+                                 const MotionOptions& options, const ClockedTimes& times) {
+  const double time_s = times.TotalS();
   FrameText text;
   text.changes = PassChanges(summary);
-  auto filled = FillIn(code, summary, text.changes, options, time_s);
+  auto filled = FillIn(code, summary, text.changes, options, time_s, times.SilentS());
   if (!filled.ok()) return filled.status();
   text.head = Head(summary, options, time_s);
   text.file_name = FileName(filled->file_name, options.writing.binary);
-  text.prologue = Prologue(summary, options, time_s, {filled->start, filled->start_filament});
+  text.prologue = Prologue(summary, options, times, {filled->start, filled->start_filament});
   text.ways = WaysBetween(summary, options, text.prologue);
   for (size_t i = 0; i < text.changes.size(); ++i)
     text.ways[text.changes[i].layer] = GcodeOf(text.changes[i], filled->between[i], options);
@@ -156,6 +225,26 @@ PrintTimes TimesOf(const ProgramSummary& summary, const FrameText& text,
   }
   clock.ReadAfter(text.ending);
   return clock.Finish();
+}
+
+/// G-code without the commands that set limits of axes: they are those of the normal mode.
+std::string WithoutAxisLimits(std::string_view gcode) {
+  GcodeText out;
+  for (const std::string_view line : Split(gcode, "\n"))
+    if (!line.empty() && !Commands(line, {"M201", "M203", "M205"})) out << line << '\n';
+  return out.Take();
+}
+
+/// The same in silent mode, by the layers' times in it. What printing is spent on is not known.
+PrintTimes SilentTimes(ProgramSummary summary, FrameText text, MotionOptions options) {
+  options.limits = *options.silent_limits;
+  summary.total = {};
+  for (LayerSummary& layer : summary.layers) {
+    layer.time_s = layer.silent_time_s;
+    summary.total.travel_time_s += layer.time_s;
+  }
+  text.prologue = WithoutAxisLimits(text.prologue);
+  return TimesOf(summary, text, options);
 }
 
 double TravelMm(const ProgramSummary& summary, const MotionOptions& options) {
@@ -182,29 +271,30 @@ absl::StatusOr<ProgramEnvelope> FrameProgram(const ProgramSummary& summary,
   // Templates may name the time, which their moves are part of; what they name is the layers'.
   const auto code = macro::ParseJobCode(options);
   if (!code.ok()) return code.status();
-  auto text = TextOf(*code, summary, options, summary.total.TimeS());
+  ClockedTimes times;
+  times.normal.travel_s = summary.total.TimeS();
+  auto text = TextOf(*code, summary, options, times);
   if (!text.ok()) return text.status();
-  ProgramEnvelope frame;
-  frame.times = TimesOf(summary, *text, options);
-  const double time_s = frame.times.TotalS();
-  text = TextOf(*code, summary, options, time_s);
+  times.normal = TimesOf(summary, *text, options);
+  if (options.silent_limits) times.silent = SilentTimes(summary, *text, options);
+  text = TextOf(*code, summary, options, times);
   if (!text.ok()) return text.status();
 
+  ProgramEnvelope frame;
   frame.travel_mm = TravelMm(summary, options);
   frame.layer_prefixes.resize(summary.layers.size());
   if (options.progress) {
-    double done_s = frame.times.before_s;
-    for (size_t i = 0; i < summary.layers.size(); ++i) {
-      frame.layer_prefixes[i] = ProgressLine(done_s, time_s, i, FirmwareOf(options.flavor));
-      done_s += frame.times.layer_s[i];
-    }
+    ProgressLines progress(times, FirmwareOf(options.flavor));
+    for (size_t i = 0; i < summary.layers.size(); ++i)
+      frame.layer_prefixes[i] = progress.BeforeLayer(i);
   }
   for (size_t i = 0; i < text->ways.size(); ++i) frame.layer_prefixes[i] += text->ways[i];
   frame.layer_code = std::move(text->layers);
   frame.prologue = std::move(text->prologue);
   frame.epilogue = std::move(text->ending);
   frame.head = std::move(text->head);
-  frame.tail = MetadataTail(options, summary, frame.times);
+  frame.tail = MetadataTail(options, summary, times.normal, times.silent);
+  frame.times = std::move(times.normal);
   frame.file_name = std::move(text->file_name);
   return frame;
 }

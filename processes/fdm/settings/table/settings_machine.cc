@@ -60,6 +60,11 @@ std::vector<SettingSpec> WholeMachineLimits() {
       Limit("jerk_limit", "mm/s3", 1, 1e8, "100000",
             "How fast acceleration may change on machines that follow the host's own planner",
             Bind([](auto& s) -> auto& { return s.motion.limits.jerk_mm_s3; })),
+      {.key = "silent_mode",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "The machine has a silent mode (Marlin): the second values of its limits say how long "
+              "the print takes in it"},
       {.key = "machine_limits_usage",
        .kind = Kind::kChoice,
        .standard = "time_estimate_only",

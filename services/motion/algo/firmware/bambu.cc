@@ -110,6 +110,7 @@ class BambuFirmware : public MarlinFirmware {
     }
     out << '\n';
   }
+  bool LabelsLast() const override { return false; }
   /// Beyond what the mask holds copies cannot be skipped.
   void BeginCopy(std::string_view /*label*/, size_t index, GcodeText& out) const override {
     if (index >= kMostLabels) return;

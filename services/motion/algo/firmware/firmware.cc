@@ -31,6 +31,12 @@ void Firmware::WriteProgress(int64_t percent, int64_t left_min, int64_t /*layer*
   out.Integer(left_min) << '\n';
 }
 
+void Firmware::WriteSilentProgress(int64_t percent, int64_t left_min, GcodeText& out) const {
+  out << "M73 Q";
+  out.Integer(percent) << " S";
+  out.Integer(left_min) << '\n';
+}
+
 void Firmware::WriteChecks(const MotionOptions& /*options*/, const PrintFacts& /*facts*/,
                            GcodeText& /*out*/) const {}
 

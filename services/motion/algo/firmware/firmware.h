@@ -47,7 +47,7 @@ struct PrintFacts {
   double height_mm = 0;
   double density_g_cm3 = 0;
   double diameter_mm = 0;
-  Box bounds;  ///< of what is extruded
+  Box first_layer;  ///< what it covers
 };
 
 /// The firmware of a printer: what it makes of moves, and the dialect that it reads. One file a
@@ -106,6 +106,8 @@ class Firmware {
   /// `left_min`: minutes left; `layer`: from 1.
   virtual void WriteProgress(int64_t percent, int64_t left_min, int64_t layer,
                              GcodeText& out) const;
+  /// The same for the machine's silent mode.
+  virtual void WriteSilentProgress(int64_t percent, int64_t left_min, GcodeText& out) const;
   /// What the printer is asked before anything moves: whether it is the one that the file is for.
   virtual void WriteChecks(const MotionOptions& options, const PrintFacts& facts,
                            GcodeText& out) const;
@@ -130,6 +132,8 @@ class Firmware {
                             std::span<const std::string> labels, GcodeText& out) const = 0;
   virtual void BeginCopy(std::string_view label, size_t index, GcodeText& out) const = 0;
   virtual void EndCopy(std::string_view label, size_t index, GcodeText& out) const = 0;
+  /// Returns true if a print of one copy has its label once, around all layers.
+  virtual bool LabelsLast() const { return false; }
 };
 
 /// That of the settings. Lives for ever.

@@ -12,6 +12,7 @@ class NumberedObjects : public Firmware {
                     GcodeText& out) const override;
   void BeginCopy(std::string_view label, size_t index, GcodeText& out) const override;
   void EndCopy(std::string_view label, size_t index, GcodeText& out) const override;
+  bool LabelsLast() const override { return true; }
 };
 
 }  // namespace slicefarm::motion

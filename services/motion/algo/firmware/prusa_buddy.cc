@@ -35,11 +35,12 @@ class BuddyFirmware : public MarlinFirmware {
       if (!options.printer_model.empty())
         out << "M862.3 P \"" << Quotable(options.printer_model) << "\"\n";
     }
-    if (!facts.bounds.Empty() && !StartCommands(options, {"M555"})) WriteArea(facts.bounds, out);
+    if (!facts.first_layer.Empty() && !StartCommands(options, {"M555"}))
+      WriteArea(facts.first_layer, out);
   }
 
  private:
-  /// Where the bed is to be probed: what is printed on it, to whole millimetres outwards.
+  /// Where the bed is to be probed: what the first layer covers, to whole millimetres outwards.
   static void WriteArea(const Box& bounds, GcodeText& out) {
     const auto floor_mm = [](Coord nm) {
       return static_cast<int64_t>(std::floor(ToMm(static_cast<double>(nm))));

@@ -7,7 +7,7 @@ namespace {
 
 PrintFacts Facts() {
   PrintFacts facts;
-  facts.bounds = {{FromMm(10.2), FromMm(20.9)}, {FromMm(40.1), FromMm(50)}};
+  facts.first_layer = {{FromMm(10.2), FromMm(20.9)}, {FromMm(40.1), FromMm(50)}};
   return facts;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "services/motion/algo/gcode/move_comment.h"
 #include "services/motion/algo/toolpath/overhang.h"
 
@@ -15,6 +16,15 @@ namespace {
 /// Along a path of varying width, changes below this are not worth a line: PrusaSlicer's beads of
 /// varying width change in steps of 0.05 mm. The filament is exact.
 constexpr int32_t kWidthStepUm = 50;
+
+/// The end of `out` from `begin` on, as a line that sets what it says.
+ModeLine LineSince(size_t begin, MachineMode mode, const GcodeText& out) {
+  std::string line = out.text().substr(begin);
+  const auto size = std::ssize(line);
+  return {static_cast<int64_t>(begin), size, mode, std::move(line)};
+}
+
+std::string PlaceText(PlaceUm place) { return absl::StrCat(place.x, " ", place.y); }
 
 bool NeedsBridgeFan(Feature feature) {
   return feature == Feature::kBridgeInfill || feature == Feature::kOverhangPerimeter;
@@ -29,6 +39,31 @@ void WriteFan(int32_t percent, GcodeText& out) {
   }
   out << "M106 S";
   out.Integer(std::lround(std::min(percent, 100) * 2.55)) << '\n';
+}
+
+void LayerWriter::WriteLayerFan(GcodeText& out) {
+  if (state_.fan_percent == kFanAsBefore) return;
+  const size_t begin = out.text().size();
+  WriteFan(state_.fan_percent, out);
+  mode_lines_.push_back(LineSince(begin, MachineMode::kFan, out));
+}
+
+ModeValues LayerWriter::Modes() const {
+  ModeValues values;
+  const auto value = [&](MachineMode mode) -> std::string& {
+    return values[static_cast<size_t>(mode)];
+  };
+  GcodeText text;
+  if (fan_percent_ != kFanAsBefore) WriteFan(fan_percent_, text);
+  value(MachineMode::kFan) = text.Take();
+  for (const auto& [mode, told] : {std::pair(MachineMode::kAcceleration, acceleration_),
+                                   {MachineMode::kTravelAcceleration, travel_acceleration_}}) {
+    GcodeText line;
+    if (told != -1) WriteAcceleration(mode, told, line);
+    value(mode) = line.Take();
+  }
+  if (at_) value(MachineMode::kPlace) = PlaceText(*at_);
+  return values;
 }
 
 void LayerWriter::Write(const Toolpath& path, size_t first, size_t last, ShiftUm shift,
@@ -88,7 +123,7 @@ void LayerWriter::WriteEnd(const Move& move, std::string_view comment, GcodeText
 
 void LayerWriter::BeginBlock(GcodeText& out) {
   extruder_.Reset(out);
-  Forget();
+  feed_rate_.Forget();
   mix_.Forget();
   type_ = -1;
 }
@@ -152,6 +187,7 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
   const bool climbs = (move.kind == MoveKind::kPrint || move.kind == MoveKind::kTravel) &&
                       move.z_um != z_um_;
   SetAcceleration(move, out);
+  const size_t begin = out.text().size();
   out << "G1";
   if (MovesInPlane(move.kind)) WritePlace({move.x_um + shift.x, move.y_um + shift.y}, out);
   if (move.kind == MoveKind::kLift || climbs) {
@@ -160,6 +196,10 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
     z_um_ = move.z_um;
   }
   WriteEnd(move, comments_ ? CommentOn(path, index) : "", out);
+  if (!MovesInPlane(move.kind) || std::exchange(approached_, true)) return;
+  if (move.kind != MoveKind::kTravel || climbs) return;
+  mode_lines_.push_back(LineSince(begin, MachineMode::kPlace, out));
+  mode_lines_.back().value = PlaceText(*at_);
 }
 
 void LayerWriter::FeedRate(const Move& move, GcodeText& out) {
@@ -187,15 +227,24 @@ void LayerWriter::SetAcceleration(const Move& move, GcodeText& out) {
   const bool of_travel = move.kind == MoveKind::kTravel || move.kind == MoveKind::kLift;
   if (of_travel && !accelerations_.told_travel) return;
   if (of_travel && firmware_.HasTravelAcceleration()) {
-    if (const float told = std::exchange(travel_acceleration_, move.acceleration_mm_s2);
-        told != travel_acceleration_)
-      firmware_.WriteAcceleration(0, travel_acceleration_, out);
-    return;
+    SetAcceleration(MachineMode::kTravelAcceleration, move.acceleration_mm_s2,
+                    travel_acceleration_, out);
+  } else if (of_travel || move.kind == MoveKind::kPrint) {
+    SetAcceleration(MachineMode::kAcceleration, move.acceleration_mm_s2, acceleration_, out);
   }
-  if (!of_travel && move.kind != MoveKind::kPrint) return;
-  if (move.acceleration_mm_s2 == acceleration_) return;
-  acceleration_ = move.acceleration_mm_s2;
-  firmware_.WriteAcceleration(acceleration_, 0, out);
+}
+
+void LayerWriter::SetAcceleration(MachineMode mode, float value, float& told, GcodeText& out) {
+  const float before = std::exchange(told, value);
+  if (before == value) return;
+  const size_t begin = out.text().size();
+  WriteAcceleration(mode, value, out);
+  if (before == -1) mode_lines_.push_back(LineSince(begin, mode, out));
+}
+
+void LayerWriter::WriteAcceleration(MachineMode mode, float value, GcodeText& out) const {
+  const bool of_travel = mode == MachineMode::kTravelAcceleration;
+  firmware_.WriteAcceleration(of_travel ? 0 : value, of_travel ? value : 0, out);
 }
 
 }  // namespace slicefarm::motion

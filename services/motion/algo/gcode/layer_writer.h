@@ -2,10 +2,14 @@
 
 #include <limits>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "common/gcode/gcode_text.h"
 #include "common/gcode/modal.h"
 #include "common/geometry/arc_fit.h"
+#include "common/model/layer.h"
 #include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/gcode/extruder_words.h"
@@ -16,10 +20,13 @@
 
 namespace slicefarm::motion {
 
+/// A fan that stays as it is.
+inline constexpr int32_t kFanAsBefore = -1;
+
 /// What the head of a layer has told already, and what its fan is to be.
 struct LayerState {
   int32_t height_um = -1;
-  int32_t fan_percent = 0;                                ///< told
+  int32_t fan_percent = 0;                                ///< of the layer; may be kFanAsBefore
   int32_t bridge_fan_percent = 0;                         ///< for bridges and overhangs
   std::optional<OverhangFans> overhang_fan_percent = {};  ///< for walls over air
   ShiftUm to_plate = {};  ///< from places in the G-code to those on the plate
@@ -45,19 +52,27 @@ class LayerWriter {
         height_um_(state.height_um),
         fan_percent_(state.fan_percent) {}
 
+  /// Tells the layer's fan.
+  void WriteLayerFan(GcodeText& out);
+
   /// Appends the moves [first, last), shifted. May be called for one stretch after the other: the
   /// first move of each says its whole place, whatever text of others stands before it, and whether
   /// or not the machine has left out the copy before.
   void Write(const Toolpath& path, size_t first, size_t last, ShiftUm shift, GcodeText& out);
 
-  /// Around a block: its text is the same whatever comes before it, and fan and height are then as
-  /// the head of the layer has told them.
+  /// Around a block: its text is the same whatever comes before it, but for accelerations that are
+  /// set already, and fan and height are then as the head of the layer has told them.
   void BeginBlock(GcodeText& out);
   void EndBlock(GcodeText& out);
 
   /// The filament is ready, whatever the moves say: a change of colour has primed it. The next
   /// restart is left out.
   void Prime() { primed_ = true; }
+
+  /// Lines that tell what may be set already, as nothing of it was known: LayerProgram::mode_lines.
+  std::vector<ModeLine> TakeModeLines() { return std::move(mode_lines_); }
+  /// What is set after all that was written; empty values: nothing was told.
+  ModeValues Modes() const;
 
   /// After text of others, which may have set feed rate and acceleration: they are told anew. A fan
   /// that it sets stays as it is.
@@ -83,6 +98,8 @@ class LayerWriter {
   void SetHeight(int32_t height_um, GcodeText& out);
   void Describe(const Move& move, GcodeText& out);
   void SetAcceleration(const Move& move, GcodeText& out);
+  void SetAcceleration(MachineMode mode, float value, float& told, GcodeText& out);
+  void WriteAcceleration(MachineMode mode, float value, GcodeText& out) const;
   void FeedRate(const Move& move, GcodeText& out);
 
   const Firmware& firmware_;
@@ -104,6 +121,8 @@ class LayerWriter {
   bool primed_ = false;
   float acceleration_ = -1;
   float travel_acceleration_ = -1;  ///< what travels have apart; -1: not told
+  bool approached_ = false;         ///< a first move in the plane was written
+  std::vector<ModeLine> mode_lines_;
 };
 
 /// `M106 S89`, or `M107` for 0.

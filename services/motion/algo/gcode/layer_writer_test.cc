@@ -168,6 +168,33 @@ TEST(LayerWriter, ABlockIsTheSameTextWhateverComesBefore) {
   EXPECT_EQ(texts[1], texts[0]);
 }
 
+TEST(LayerWriter, AnAccelerationThatIsSetIsNotToldInTheNextBlock) {
+  Toolpath path;
+  path.moves = {Travel(500), Print(1'000, Feature::kPerimeter)};
+  Accelerations told;
+  told.told = true;
+  GcodeText out;
+  LayerWriter writer(FirmwareOf(GcodeFlavor::kMarlin2), told, {200});
+  for (int i = 0; i < 2; ++i) {
+    writer.BeginBlock(out);
+    writer.Write(path, 0, 2, {}, out);
+    writer.EndBlock(out);
+  }
+  EXPECT_EQ(out.text().find("M204"), out.text().rfind("M204"));
+}
+
+TEST(LayerWriter, AFanThatStaysIsNotTold) {
+  Toolpath path;
+  path.moves = {Print(1'000, Feature::kSupport)};
+  GcodeText out;
+  LayerWriter writer(FirmwareOf(GcodeFlavor::kMarlin2), {}, {200, kFanAsBefore});
+  writer.WriteLayerFan(out);
+  writer.BeginBlock(out);
+  writer.Write(path, 0, 1, {}, out);
+  writer.EndBlock(out);
+  EXPECT_EQ(out.text().find("M10"), std::string::npos) << out.text();
+}
+
 TEST(LayerWriter, ShiftsPlaces) {
   Toolpath path;
   path.moves = {Travel(500)};

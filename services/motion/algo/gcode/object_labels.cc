@@ -15,6 +15,11 @@ std::string LabelOf(const CopyName& name, size_t index, const MotionOptions& opt
   return FirmwareOf(options.flavor).LabelOf(label, index);
 }
 
+bool LabelIsAroundAll(size_t copies, const MotionOptions& options) {
+  return copies == 1 && options.labels == ObjectLabels::kFirmware &&
+         FirmwareOf(options.flavor).LabelsLast();
+}
+
 void BeginCopy(const CopyName& name, size_t index, const MotionOptions& options, GcodeText& out) {
   if (options.labels == ObjectLabels::kNone) return;
   if (options.labels == ObjectLabels::kComments) {

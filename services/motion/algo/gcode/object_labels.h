@@ -19,6 +19,9 @@ namespace slicefarm::motion {
 /// `index`: of the copy in its job.
 std::string LabelOf(const CopyName& name, size_t index, const MotionOptions& options);
 
+/// Returns true if the label of the only copy stands once, around all layers, and in none of them.
+bool LabelIsAroundAll(size_t copies, const MotionOptions& options);
+
 /// Before and after what is printed of a copy; nothing if labels are off.
 void BeginCopy(const CopyName& name, size_t index, const MotionOptions& options, GcodeText& out);
 void EndCopy(const CopyName& name, size_t index, const MotionOptions& options, GcodeText& out);

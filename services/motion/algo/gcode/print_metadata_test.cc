@@ -64,6 +64,14 @@ TEST(MetadataHead, SlicerIsRecognised) {
             "{\"objects\":[{\"name\":\"benchy\"},{\"name\":\"benchy\"}]}");
 }
 
+TEST(MetadataHead, ObjectsHaveTheirOutlines) {
+  ProgramSummary summary = Summary();
+  summary.copies.resize(1);
+  summary.copies[0].footprint = {{0, 0}, {FromMm(10.5), 0}, {FromMm(10), FromMm(-20)}};
+  EXPECT_EQ(Find(MetadataHead(summary), "^; objects_info = (.*)$"),
+            "{\"objects\":[{\"name\":\"benchy\",\"polygon\":[[0,0],[10.5,0],[10,-20]]}]}");
+}
+
 struct Key {
   std::string pattern;
   std::string want;

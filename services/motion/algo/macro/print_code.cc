@@ -14,14 +14,15 @@ namespace {
 class CodeWalk {
  public:
   CodeWalk(const macro::JobCode& code, const ProgramSummary& summary, const MotionOptions& options,
-           double time_s, const HeightTexts& heights)
+           double time_s, std::optional<double> silent_s, const HeightTexts& heights)
       : code_(code),
         heights_(heights),
         summary_(summary),
         options_(options),
         time_s_(time_s),
+        silent_s_(silent_s.value_or(time_s)),
         job_(JobVariables(options, summary.settings_text)),
-        now_(PrintVariables(options, summary, time_s)) {}
+        now_(PrintVariables(options, summary, time_s, silent_s)) {}
 
   absl::StatusOr<PrintCode> Run(std::span<const PassChange> changes) {
     PrintCode filled;
@@ -32,8 +33,8 @@ class CodeWalk {
     if (absl::Status ok = AddLayers(changes, filled); !ok.ok()) return ok;
     Put(Last(), summary_.total.FilamentMm());
     if (absl::Status ok = Add(code_.end, filled.end); !ok.ok()) return ok;
-    for (const char* name : {"print_time", "normal_print_time", "silent_print_time"})
-      now_[name] = ShortTime(time_s_);
+    now_["print_time"] = now_["normal_print_time"] = ShortTime(time_s_);
+    now_["silent_print_time"] = ShortTime(silent_s_);
     if (absl::Status ok = Add(code_.file_name, filled.file_name); !ok.ok()) return ok;
     return filled;
   }
@@ -101,6 +102,7 @@ class CodeWalk {
   const ProgramSummary& summary_;
   const MotionOptions& options_;
   const double time_s_;
+  const double silent_s_;
   const macro::TemplateVariables job_;
   macro::TemplateVariables now_;
   macro::TemplateMemory memory_;
@@ -110,10 +112,10 @@ class CodeWalk {
 
 absl::StatusOr<PrintCode> FillIn(const macro::JobCode& code, const ProgramSummary& summary,
                                  std::span<const PassChange> changes, const MotionOptions& options,
-                                 double time_s) {
+                                 double time_s, std::optional<double> silent_s) {
   const auto heights = HeightTexts::Of(options);
   if (!heights.ok()) return heights.status();
-  return CodeWalk(code, summary, options, time_s, *heights).Run(changes);
+  return CodeWalk(code, summary, options, time_s, silent_s, *heights).Run(changes);
 }
 
 }  // namespace slicefarm::motion

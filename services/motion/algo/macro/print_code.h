@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,9 +25,10 @@ struct PrintCode {
 };
 
 /// Fills them in, in the order of the print, so that global variables and sums go on from each to
-/// the next. `time_s`: of the print, as they name it. Errors: those of RunTemplate.
+/// the next. `time_s`: of the print, as they name it; `silent_s`: in the machine's silent mode, if
+/// it has one. Errors: those of RunTemplate.
 absl::StatusOr<PrintCode> FillIn(const macro::JobCode& code, const ProgramSummary& summary,
                                  std::span<const PassChange> changes, const MotionOptions& options,
-                                 double time_s);
+                                 double time_s, std::optional<double> silent_s = {});
 
 }  // namespace slicefarm::motion

@@ -6,12 +6,12 @@
 #include <string_view>
 
 #include "common/base/duration_text.h"
-#include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
 #include "common/macro/setting_variables.h"
 #include "common/model/filament_use.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/gcode/comment_text.h"
+#include "services/motion/algo/toolpath/footprint.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -68,23 +68,19 @@ void AddBox(const std::string& name, const Box& box, TemplateVariables& variable
   variables[name + "_size"] = Pair(max - min);
 }
 
-/// The objects' footprints, as "10,20" each corner.
-void AddHull(std::span<const CopySummary> copies, TemplateVariables& variables) {
-  Polygon corners;
-  for (const CopySummary& copy : copies)
-    corners.insert(corners.end(), copy.footprint.begin(), copy.footprint.end());
+/// As "10,20" each corner.
+void AddHull(const Polygon& hull, TemplateVariables& variables) {
   std::vector<TemplateValue> items;
-  for (const Point point : ConvexHull(std::move(corners))) {
+  for (const Point point : hull) {
     const TemplateVariable pair = Pair(point);
     items.push_back(macro::ToText(pair.items[0]) + "," + macro::ToText(pair.items[1]));
   }
   variables["first_layer_print_convex_hull"] = TemplateVariable::List(std::move(items));
 }
 
-void AddTime(double time_s, TemplateVariables& variables) {
-  for (const char* name : {"print_time", "normal_print_time", "silent_print_time"}) {
-    variables[name] = DurationText(time_s);
-  }
+void AddTime(double time_s, double silent_s, TemplateVariables& variables) {
+  variables["print_time"] = variables["normal_print_time"] = DurationText(time_s);
+  variables["silent_print_time"] = DurationText(silent_s);
 }
 
 void AddObjects(std::span<const CopySummary> copies, TemplateVariables& variables) {
@@ -127,17 +123,18 @@ TemplateVariables LayerVariables(const LayerPlace& place, const JobFacts& facts)
 }
 
 TemplateVariables PrintVariables(const MotionOptions& options, const ProgramSummary& summary,
-                                 double time_s) {
+                                 double time_s, std::optional<double> silent_s) {
   TemplateVariables variables;
   variables["total_layer_count"] = static_cast<int64_t>(summary.layers.size());
-  AddBox("first_layer_print", summary.total.bounds, variables);
-  const Box& box = summary.total.bounds;
+  const Polygon first_layer = FirstLayerHull(summary);
+  const Box box = Bounds(first_layer);
+  AddBox("first_layer_print", box, variables);
   variables["first_layer_center_no_wipe_tower"] =
       Pair(box.Empty() ? Point{} : Point{(box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2});
   variables["max_print_z"] = ToMm(static_cast<double>(TopOf(summary)));
-  AddHull(summary.copies, variables);
+  AddHull(first_layer, variables);
   AddUse(options, summary.total, variables);
-  AddTime(time_s, variables);
+  AddTime(time_s, silent_s.value_or(time_s), variables);
   AddObjects(summary.copies, variables);
   variables["position"] = TemplateVariable::List({0.0, 0.0, 0.0});
   variables["e_retracted"] = TemplateVariable::List({0.0});

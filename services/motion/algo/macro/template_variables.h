@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "common/macro/template_value.h"
 #include "common/model/job_facts.h"
 #include "common/model/layer.h"
@@ -21,13 +23,14 @@ macro::TemplateVariables LayerVariables(const LayerPlace& place, const JobFacts&
 
 /// What is known once all layers are:
 ///   total_layer_count
-///   first_layer_print_min / _max / _size, of all layers, which hold the first, and
-///   first_layer_print_convex_hull, of the objects' footprints
+///   first_layer_print_min / _max / _size and first_layer_print_convex_hull, of what the first
+///   layer covers
 ///   used_filament (m), extruded_volume (mm^3), total_weight (g), total_cost
-///   print_time, as "1h 2m 3s"; time_s is that of the layers
+///   print_time, as "1h 2m 3s"; time_s is that of the layers. silent_print_time is silent_s, if the
+///   machine has a silent mode
 ///   num_objects, num_instances, input_filename, input_filename_base
 macro::TemplateVariables PrintVariables(const MotionOptions& options, const ProgramSummary& summary,
-                                        double time_s);
+                                        double time_s, std::optional<double> silent_s = {});
 
 /// Puts extruded_volume, extruded_weight and their totals: of what was printed before.
 void PutUseSoFar(const MotionOptions& options, double filament_mm,

@@ -42,8 +42,10 @@ TEST(LayerVariables, ArePlaces) {
 TEST(PrintVariables, WholePrint) {
   ProgramSummary summary;
   summary.layers.resize(2);
-  summary.total.bounds = {{FromMm(10), FromMm(20)}, {FromMm(40), FromMm(25)}};
+  summary.total.bounds = {{FromMm(-5), FromMm(0)}, {FromMm(90), FromMm(80)}};  // wider than layer 0
   summary.total.features[0].filament_mm = 1'500;
+  summary.layers[0].footprint = {
+      {FromMm(10), FromMm(20)}, {FromMm(40), FromMm(20)}, {FromMm(40), FromMm(25)}};
   summary.copies = {{{"a.b.stl", 0, 0, 2}, {{0, 0}, {FromMm(2), 0}, {FromMm(2), FromMm(3)}}},
                     {{"a.b.stl", 0, 1, 2}, {}}};
   const TemplateVariables variables = PrintVariables(MotionOptions{}, summary, 3723);
@@ -51,7 +53,7 @@ TEST(PrintVariables, WholePrint) {
                    "{used_filament} {input_filename_base} {num_objects} {print_time} "
                    "{size(first_layer_print_convex_hull)} {first_layer_print_convex_hull[2]}",
                    variables),
-            "2 10 5 1.5 a.b 2 1h 2m 3s 3 2,3");
+            "2 10 5 1.5 a.b 2 1h 2m 3s 3 40,25");
   summary.copies[0].name.object_name = "a\nM112.stl";
   EXPECT_EQ(Filled("[input_filename_base]", PrintVariables(MotionOptions{}, summary, 0)), "a M112");
   EXPECT_EQ(Filled("{first_layer_print_size[0]}", PrintVariables(MotionOptions{}, {}, 0)), "0");

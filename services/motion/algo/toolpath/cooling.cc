@@ -195,11 +195,12 @@ int32_t BridgeFanPercent(const CoolingOptions& cooling, int32_t layer_index, int
   return std::max(fan_percent, Grown(cooling, layer_index, cooling.bridge_fan_percent));
 }
 
-std::optional<OverhangFans> OverhangFanPercent(const CoolingOptions& cooling, int32_t layer_index) {
+std::optional<OverhangFans> OverhangFanPercent(const CoolingOptions& cooling, int32_t layer_index,
+                                               int32_t fan_percent) {
   if (!cooling.dynamic_fan) return std::nullopt;
   OverhangFans fans = {};
   for (size_t i = 0; i < fans.size(); ++i)
-    fans[i] = Grown(cooling, layer_index, cooling.overhang_fan_percent[i]);
+    fans[i] = std::max(fan_percent, Grown(cooling, layer_index, cooling.overhang_fan_percent[i]));
   return fans;
 }
 

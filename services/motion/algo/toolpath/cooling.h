@@ -30,7 +30,9 @@ int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double la
 /// The same for bridges and overhangs.
 int32_t BridgeFanPercent(const CoolingOptions& cooling, int32_t layer_index, int32_t fan_percent);
 
-/// The same for walls over air, by degree; nothing if that is not asked for.
-std::optional<OverhangFans> OverhangFanPercent(const CoolingOptions& cooling, int32_t layer_index);
+/// The same for walls over air, by degree, never less than `fan_percent`; nothing if that is not
+/// asked for.
+std::optional<OverhangFans> OverhangFanPercent(const CoolingOptions& cooling, int32_t layer_index,
+                                               int32_t fan_percent);
 
 }  // namespace slicefarm::motion

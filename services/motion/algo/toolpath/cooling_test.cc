@@ -212,10 +212,17 @@ TEST(FanPercent, GrowsUpToTheFullLayer) {
 TEST(OverhangFanPercent, OnlyIfAskedFor) {
   CoolingOptions cooling;
   cooling.overhang_fan_percent = {100, 80, 40, 10};
-  EXPECT_FALSE(OverhangFanPercent(cooling, 5));
+  EXPECT_FALSE(OverhangFanPercent(cooling, 5, 0));
   cooling.dynamic_fan = true;
-  EXPECT_EQ(*OverhangFanPercent(cooling, 5), (OverhangFans{100, 80, 40, 10}));
-  EXPECT_EQ(*OverhangFanPercent(cooling, 0), (OverhangFans{0, 0, 0, 0}));
+  EXPECT_EQ(*OverhangFanPercent(cooling, 5, 0), (OverhangFans{100, 80, 40, 10}));
+  EXPECT_EQ(*OverhangFanPercent(cooling, 0, 0), (OverhangFans{0, 0, 0, 0}));
+}
+
+TEST(OverhangFanPercent, IsNoLessThanTheFan) {
+  CoolingOptions cooling;
+  cooling.dynamic_fan = true;
+  cooling.overhang_fan_percent = {100, 50, 0, 0};
+  EXPECT_EQ(*OverhangFanPercent(cooling, 5, 70), (OverhangFans{100, 70, 70, 70}));
 }
 
 }  // namespace

@@ -12,15 +12,8 @@ namespace {
 constexpr double kDefaultSpeedMmS = 60;
 constexpr double kMaxFeedRate = 1e6;
 
-/// A loop, also one that lost its end to the link that leads on from it.
-bool IsLoop(const Path& path) {
-  return path.closed ||
-         (path.points.size() > 2 && Distance(path.points.front(), path.points.back()) <=
-                                        static_cast<double>(path.WidthAt(0)));
-}
-
-bool IsSmallLoop(const Path& path, double length_mm) {
-  return length_mm <= kSmallLoopMm && IsLoop(path) &&
+bool IsSmallWall(const Path& path, double length_mm) {
+  return length_mm <= kSmallLoopMm &&
          (path.feature == Feature::kExternalPerimeter || path.feature == Feature::kPerimeter);
 }
 
@@ -29,7 +22,7 @@ bool IsSmallLoop(const Path& path, double length_mm) {
 double PrintSpeeds::Of(const Path& path, double length_mm) const {
   const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
   double speed = region.speed_mm_s[static_cast<size_t>(path.feature)];
-  if (IsSmallLoop(path, length_mm) && region.small_perimeter_speed_mm_s > 0) {
+  if (IsSmallWall(path, length_mm) && region.small_perimeter_speed_mm_s > 0) {
     speed = region.small_perimeter_speed_mm_s;
   }
   speed = OnGround(path.feature, speed);
@@ -67,6 +60,14 @@ double PrintSpeeds::LimitedByFlow(double speed_mm_s, double section_mm2) const {
   const double most = options_.max_volumetric_speed_mm3_s;
   if (most <= 0 || section_mm2 <= 0) return speed_mm_s;
   return std::min(speed_mm_s, most / section_mm2);
+}
+
+int32_t PrintSpeeds::WithinFlow(int32_t feed_rate, double section_mm2) const {
+  const double fastest = 60 * LimitedByFlow(kMaxFeedRate, section_mm2);
+  // Whole mm/min that are off by less would flicker.
+  constexpr double kSlack = 1.001;
+  if (feed_rate <= kSlack * fastest) return feed_rate;
+  return std::max(1, static_cast<int32_t>(fastest));
 }
 
 double TravelSpeed(const MotionOptions& options, bool first_layer) {

@@ -29,12 +29,12 @@ TEST(PrintSpeeds, ByFeature) {
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kSolidOverBridge), 1), 33);
 }
 
-TEST(PrintSpeeds, SmallLoops) {
+TEST(PrintSpeeds, SmallWalls) {
   const MotionOptions options = Options();
   const PrintSpeeds speeds(options, Ground::kLayers);
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kPerimeter, true), 40.8), 15);
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kPerimeter, true), 40.9), 60);
-  EXPECT_EQ(speeds.Of(OfFeature(Feature::kPerimeter, false), 10), 60);
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kPerimeter, false), 10), 15);
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kGapFill, true), 10), 20);
 }
 

@@ -11,7 +11,9 @@
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
 #include "services/motion/algo/gcode/material_mix.h"
+#include "services/motion/algo/toolpath/bridge_thread.h"
 #include "services/motion/algo/toolpath/divided_path.h"
+#include "services/motion/algo/toolpath/feature_groups.h"
 #include "services/motion/algo/toolpath/lifts.h"
 #include "services/motion/algo/toolpath/open_seam.h"
 #include "services/motion/algo/toolpath/scarf.h"
@@ -33,24 +35,6 @@ constexpr double kWholeWipe = 0.9;
 
 int32_t Units(double filament_mm) {
   return static_cast<int32_t>(std::lround(filament_mm * kFilamentUnitsPerMm));
-}
-
-bool IsWall(Feature feature) {
-  return feature == Feature::kExternalPerimeter || feature == Feature::kPerimeter ||
-         feature == Feature::kOverhangPerimeter;
-}
-
-bool IsLoopOfWalls(const Path& path) {
-  return path.closed && (IsWall(path.feature) || path.feature == Feature::kSkirt);
-}
-
-bool IsTop(Feature feature) {
-  return feature == Feature::kTopSolidInfill || feature == Feature::kIroning;
-}
-
-bool IsFill(Feature feature) {
-  return feature == Feature::kGapFill || feature == Feature::kSolidInfill ||
-         feature == Feature::kTopSolidInfill || feature == Feature::kSolidOverBridge;
 }
 
 }  // namespace
@@ -84,7 +68,8 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
 void ToolpathBuilder::BeginPath(const Path& path, const SimplifiedPath& simple) {
   print_acceleration_ = accelerations_.Print(path.feature);
   at_.feature = path.feature;
-  at_.height_um = ToUm(bead_height_nm_);
+  thread_nm_ = ThreadNm(path, bead_height_nm_, options_);
+  at_.height_um = ToUm(thread_nm_ > 0 ? thread_nm_ : bead_height_nm_);
   at_.of_surface = IsWall(path.feature) && path.inset <= 1;
   flow_ = simple.flow;
 }
@@ -103,7 +88,8 @@ void ToolpathBuilder::AddTurn(const Path& path, const SpiralTurn& turn, const Mu
   EndPath(simple.path, /*moved_on=*/false, filament_before);
 }
 
-void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
+void ToolpathBuilder::Add(const Path& path, const Travel& travel,
+                          std::optional<double> contour_mm) {
   const ScarfOptions& scarf = options_.speeds[static_cast<size_t>(path.settings)].scarf;
   const bool scarfed = !first_layer_ && HasScarf(path, scarf);
   const bool arcs = options_.arc_fitting != ArcFitting::kDisabled;
@@ -115,7 +101,7 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
   const SimplifiedPath simple = path.widths_nm.size() == 1
                                     ? Simplified(path, simplify)
                                     : Simplified(DividedByWidth(path, bead_height_nm_), simplify);
-  const double speed_mm_s = speeds_.Of(path, ToMm(PathLength(path)));
+  const double speed_mm_s = speeds_.Of(path, contour_mm.value_or(ToMm(PathLength(path))));
   BeginPath(path, simple);
   const int64_t filament_before = filament_;
   if (path_.approach == Toolpath::kNone) {
@@ -286,8 +272,8 @@ void ToolpathBuilder::PrintBridge(const Path& path, Point from, Point to, Coord 
   Bead bead = BeadOf(width_nm, speed_mm_s);
   double section_mm2 = SectionMm2(width_nm, bead_height_nm_) * region.bridge_flow;
   if (region.thick_bridges && thread) {
-    const double thread_mm = options_.nozzle_diameter_mm * std::sqrt(region.bridge_flow);
-    section_mm2 = std::numbers::pi / 4 * thread_mm * thread_mm;
+    const double thread_mm = ThreadMm(region, options_.nozzle_diameter_mm);
+    section_mm2 = DiscMm2(thread_mm);
     bead.width_nm = FromMm(thread_mm);
     at_.height_um = ToUm(bead.width_nm);
   }
@@ -328,14 +314,17 @@ void ToolpathBuilder::PrintTo(Point from, Point to, const Bead& bead) {
   const int32_t x_um = ToUm(to.x);
   const int32_t y_um = ToUm(to.y);
   if (x_um == at_.x_um && y_um == at_.y_um) return;
+  const double length_mm = Hypot(x_um - at_.x_um, y_um - at_.y_um) / kUmPerMm;
   at_.x_um = x_um;
   at_.y_um = y_um;
   // Without filament it would pass for a travel.
   at_.filament = static_cast<int32_t>(std::clamp<int64_t>(std::lround(owed_), 1, kMostFilament));
   owed_ -= at_.filament;
   filament_ += at_.filament;
-  at_.feed_rate = bead.feed_rate;
-  at_.width_um = ToUm(bead.width_nm);
+  // Rounding makes short pieces thicker than their bead, by up to a few percent.
+  const double volume_mm3 = at_.filament * filament_area_mm2_ / kFilamentUnitsPerMm;
+  at_.feed_rate = speeds_.WithinFlow(bead.feed_rate, volume_mm3 / length_mm);
+  at_.width_um = ToUm(thread_nm_ > 0 ? thread_nm_ : bead.width_nm);
   Push(MoveKind::kPrint, print_acceleration_);
 }
 

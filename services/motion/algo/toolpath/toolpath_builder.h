@@ -42,7 +42,8 @@ class ToolpathBuilder {
   void BeginReady() { retracted_ = false; }
 
   /// `travel`: the way to it; of the first path it is looked at after BeginReady alone.
-  void Add(const Path& path, const Travel& travel = {});
+  /// `contour_mm`: that of ContourLengthsMm; none: the path's own length.
+  void Add(const Path& path, const Travel& travel = {}, std::optional<double> contour_mm = {});
 
   /// The only bead of a layer: a loop along which the nozzle rises from the bottom of the layer to
   /// its top. Where it leads over from the turn below, which ran along the outline `below`, each
@@ -120,6 +121,7 @@ class ToolpathBuilder {
   Toolpath path_;
   Move at_;                        ///< where the nozzle is, and what the next move inherits
   double flow_ = 1;                ///< of the path being printed, of its beads' sections
+  Coord thread_nm_ = 0;            ///< diameter of the path being printed, if it is a thread
   double print_acceleration_ = 0;  ///< of the path being printed
   double set_acceleration_ = 0;    ///< what the machine is set to; 0: as before the layer
   bool retracted_ = true;

@@ -553,6 +553,7 @@ TEST(ToolpathBuilder, EachPathHasTheSpeedOfItsRegion) {
   MotionOptions options;
   options.speeds.resize(2);
   options.speeds[1].speed_mm_s.fill(25);
+  for (RegionSpeeds& region : options.speeds) region.small_perimeter_speed_mm_s = 0;
   Path other = Line("(10 0, 20 0)");
   other.settings = 1;
   const Built built = Build({Line("(0 0, 10 0)"), other}, options);
@@ -563,6 +564,7 @@ TEST(ToolpathBuilder, EachPathHasTheSpeedOfItsRegion) {
 TEST(ToolpathBuilder, WideBeadsAreSlowerWhereVolumeIsLimited) {
   MotionOptions options;
   options.max_volumetric_speed_mm3_s = 2;
+  options.speeds[0].small_perimeter_speed_mm_s = 0;
   const Built built =
       Build({Line("(0 0, 10 0, 10 0, 20 0)", {400'000, 400'000, 800'000, 800'000})}, options);
   const Move& narrow = built.path.moves[3];
@@ -572,6 +574,51 @@ TEST(ToolpathBuilder, WideBeadsAreSlowerWhereVolumeIsLimited) {
     const double mm3_s = move.filament / 1e5 * FilamentArea(options) / 10 * move.feed_rate / 60;
     EXPECT_NEAR(mm3_s, 2, 0.01);
   }
+}
+
+// Rounding to micrometres and to 1e-5 mm of filament makes short pieces thicker than their bead.
+TEST(ToolpathBuilder, ShortPiecesKeepTheLimitOfVolume) {
+  MotionOptions options;
+  options.max_volumetric_speed_mm3_s = 2;
+  options.speeds[0].small_perimeter_speed_mm_s = 0;
+  options.resolution_nm = 0;
+  Path circle;
+  circle.closed = true;
+  circle.widths_nm = {450'000};
+  for (int i = 0; i < 200; ++i)  // pieces of about 20 um
+    circle.points.push_back({std::llround(637'000 * std::cos(i * std::numbers::pi / 100)),
+                             std::llround(637'000 * std::sin(i * std::numbers::pi / 100))});
+  const Toolpath path = Build({circle}, options).path;
+  int pieces = 0;
+  for (size_t i = 1; i < path.moves.size(); ++i) {
+    const Move& move = path.moves[i];
+    if (move.kind != MoveKind::kPrint) continue;
+    const Move& from = path.moves[i - 1];
+    const double mm = std::hypot(move.x_um - from.x_um, move.y_um - from.y_um) / 1000;
+    EXPECT_LE(move.filament / 1e5 * FilamentArea(options) / mm * move.feed_rate / 60, 2.003);
+    ++pieces;
+  }
+  EXPECT_GT(pieces, 150);
+}
+
+// Infill lays bridges as beads of their layer's height, with the plastic of a thread.
+TEST(ToolpathBuilder, ThreadsOfBridgesAreToldAsRoundAsTheyAre) {
+  const MotionOptions options;  // nozzle of 0.4 mm
+  const double disc_mm2 = std::numbers::pi / 4 * 0.4 * 0.4;
+  const Coord width_nm = WidthForSpacing(FromMm(disc_mm2 / 0.2), 200'000);
+  Path bridge = Line("(0 0, 10 0)", {width_nm});
+  Path carried = Line("(0 1, 10 1)");
+  bridge.feature = carried.feature = Feature::kBridgeInfill;
+  const Toolpath path = Build({bridge, carried}, options).path;
+  std::vector<Move> beads;
+  for (const Move& move : path.moves)
+    if (move.kind == MoveKind::kPrint) beads.push_back(move);
+  ASSERT_EQ(beads.size(), 2u);
+  EXPECT_EQ(beads[0].width_um, 400);
+  EXPECT_EQ(beads[0].height_um, 400);
+  EXPECT_NEAR(beads[0].filament / 1e5 * FilamentArea(options), 10 * disc_mm2, 1e-3);
+  EXPECT_EQ(beads[1].width_um, 450) << "on a support it is a bead of its layer";
+  EXPECT_EQ(beads[1].height_um, 200);
 }
 
 TEST(ToolpathBuilder, BoundsAreThoseOfTheBeads) {
@@ -590,6 +637,7 @@ TEST(ToolpathBuilder, WallsOverAirAreCutAndSlowedDown) {
   MotionOptions options;
   options.speeds[0].dynamic_overhangs = true;
   options.speeds[0].overhang_speed_mm_s = {10, 15, 20, 25};
+  options.speeds[0].small_perimeter_speed_mm_s = 0;
   const LayerBelow below(
       {{{{0, FromMm(-5)}, {FromMm(10), FromMm(-5)}, {FromMm(10), FromMm(5)}, {0, FromMm(5)}}, {}}});
   ToolpathBuilder builder(options, {2, 600'000, 200'000}, 200'000, Ground::kLayers, &below);

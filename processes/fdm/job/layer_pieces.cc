@@ -1,0 +1,63 @@
+#include "processes/fdm/job/layer_pieces.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/gcode/custom_code.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+/// Collects a program's pieces from its front to its end.
+class Pieces {
+ public:
+  Pieces(std::span<const int64_t> code_at, std::span<std::string> code)
+      : code_at_(code_at), code_(code.first(std::min(code.size(), code_at.size()))) {}
+
+  /// Takes all up to `end`, with the code that stands in between.
+  void TakeTo(int64_t end) {
+    for (; filled_ < code_.size() && code_at_[filled_] <= end; ++filled_) {
+      pieces_.push_back({done_, code_at_[filled_], std::move(code_[filled_])});
+      done_ = code_at_[filled_];
+    }
+    if (end > done_) pieces_.push_back({done_, end});
+    done_ = end;
+  }
+  void LeaveOut(const ModeLine& line) {
+    TakeTo(line.at);
+    done_ = line.at + line.size;
+  }
+  std::vector<LayerPiece> Finish() { return std::move(pieces_); }
+
+ private:
+  const std::span<const int64_t> code_at_;
+  const std::span<std::string> code_;
+  size_t filled_ = 0;
+  int64_t done_ = 0;
+  std::vector<LayerPiece> pieces_;
+};
+
+}  // namespace
+
+void LayerJoin::Pass(std::string_view gcode) {
+  if (!gcode::LeavesModes(gcode)) set_ = {};
+}
+
+std::vector<LayerPiece> LayerJoin::PiecesOf(const LayerProgram& program, int64_t size,
+                                            std::span<std::string> code) {
+  const bool known = program.modes_at_end && std::ranges::all_of(code, gcode::LeavesModes);
+  if (!known) set_ = {};
+  Pieces pieces(program.code_at, code);
+  for (const ModeLine& line : program.mode_lines) {
+    std::string& set = set_[static_cast<size_t>(line.mode)];
+    if (known && set == line.value) pieces.LeaveOut(line);
+    if (known) set = line.value;
+  }
+  pieces.TakeTo(size);
+  for (size_t mode = 0; known && mode < set_.size(); ++mode)
+    if (const std::string& value = (*program.modes_at_end)[mode]; !value.empty())
+      set_[mode] = value;
+  return pieces.Finish();
+}
+
+}  // namespace slicefarm::coordinator

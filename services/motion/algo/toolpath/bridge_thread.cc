@@ -1,0 +1,31 @@
+#include "services/motion/algo/toolpath/bridge_thread.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "common/geometry/measure.h"
+#include "common/model/bead_section.h"
+
+namespace slicefarm::motion {
+namespace {
+
+/// How far a bridge's section may lie from that of a thread, as a share of it.
+constexpr double kTolerance = 0.001;
+
+}  // namespace
+
+double DiscMm2(double diameter_mm) { return std::numbers::pi / 4 * diameter_mm * diameter_mm; }
+
+double ThreadMm(const RegionSpeeds& region, double nozzle_mm) {
+  return nozzle_mm * std::sqrt(region.bridge_flow);
+}
+
+Coord ThreadNm(const Path& path, Coord bead_height_nm, const MotionOptions& options) {
+  if (path.feature != Feature::kBridgeInfill) return 0;
+  const double thread_mm =
+      ThreadMm(options.speeds[static_cast<size_t>(path.settings)], options.nozzle_diameter_mm);
+  const double off_mm2 = SectionMm2(path.widths_nm.front(), bead_height_nm) - DiscMm2(thread_mm);
+  return std::abs(off_mm2) <= kTolerance * DiscMm2(thread_mm) ? FromMm(thread_mm) : 0;
+}
+
+}  // namespace slicefarm::motion

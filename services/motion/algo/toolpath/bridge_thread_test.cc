@@ -1,0 +1,31 @@
+#include "services/motion/algo/toolpath/bridge_thread.h"
+
+#include <gtest/gtest.h>
+
+#include "common/model/bead_section.h"
+
+namespace slicefarm::motion::bridge_thread_test {
+namespace {
+
+Path Bead(Coord width_nm, Feature feature = Feature::kBridgeInfill) {
+  Path path;
+  path.feature = feature;
+  path.widths_nm = {width_nm};
+  return path;
+}
+
+/// A bead of 0.2 mm height with the plastic of a thread of 0.4 mm.
+Coord WidthOfThread() { return WidthForSpacing(FromMm(DiscMm2(0.4) / 0.2), 200'000); }
+
+TEST(BridgeThread, IsKnownByItsPlastic) {
+  MotionOptions options;
+  EXPECT_EQ(ThreadNm(Bead(WidthOfThread()), 200'000, options), 400'000);
+  EXPECT_EQ(ThreadNm(Bead(450'000), 200'000, options), 0) << "lies on a support";
+  EXPECT_EQ(ThreadNm(Bead(WidthOfThread(), Feature::kSolidInfill), 200'000, options), 0);
+  options.speeds[0].bridge_flow = 0.81;
+  EXPECT_EQ(ThreadNm(Bead(WidthOfThread()), 200'000, options), 0) << "its threads are thinner";
+  EXPECT_DOUBLE_EQ(ThreadMm(options.speeds[0], 0.4), 0.36);
+}
+
+}  // namespace
+}  // namespace slicefarm::motion::bridge_thread_test

@@ -1,0 +1,54 @@
+#include "services/motion/algo/toolpath/footprint.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "common/geometry/convex.h"
+
+namespace slicefarm::motion {
+namespace {
+
+/// An end of a bead on the plate.
+struct BeadEnd {
+  Point place;
+  Coord width_nm = 0;
+};
+
+std::vector<BeadEnd> EndsOf(std::span<const Stretch> program) {
+  std::vector<BeadEnd> ends;
+  for (const Stretch& stretch : program) {
+    const std::vector<Move>& moves = stretch.path->moves;
+    for (size_t i = std::max<size_t>(stretch.first, 1); i < stretch.last; ++i) {
+      if (moves[i].kind != MoveKind::kPrint) continue;
+      for (const Move* move : {&moves[i - 1], &moves[i]})
+        ends.push_back({{FromUm(move->x_um + stretch.shift.x), FromUm(move->y_um + stretch.shift.y)},
+                        FromUm(moves[i].width_um)});
+    }
+  }
+  return ends;
+}
+
+}  // namespace
+
+Polygon FootprintOf(std::span<const Stretch> program) {
+  const std::vector<BeadEnd> ends = EndsOf(program);
+  Polygon middles;
+  middles.reserve(ends.size());
+  for (const BeadEnd& end : ends) middles.push_back(end.place);
+  const Polygon hull = ConvexHull(std::move(middles));
+  Coord width_nm = 0;
+  for (const BeadEnd& end : ends)
+    if (end.width_nm > width_nm && std::ranges::find(hull, end.place) != hull.end())
+      width_nm = end.width_nm;
+  return ConvexSum(hull, DiscCover(width_nm / 2));
+}
+
+Polygon FirstLayerHull(const ProgramSummary& summary) {
+  Polygon corners;
+  for (const LayerSummary& layer : summary.layers)
+    corners.insert(corners.end(), layer.footprint.begin(), layer.footprint.end());
+  return ConvexHull(std::move(corners));
+}
+
+}  // namespace slicefarm::motion
