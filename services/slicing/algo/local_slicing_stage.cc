@@ -214,6 +214,7 @@ class SlicingRun {
     });
     if (call_.cancel.Cancelled()) return call_.cancel.Check();
     ChangeCounterbores();
+    if (call_.cancel.Cancelled()) return call_.cancel.Check();
     for (const SlicedLayer& layer : job_.layers)
       for (const ObjectSection& section : layer.sections)
         if (!section.regions.empty()) return absl::OkStatus();
@@ -226,7 +227,8 @@ class SlicingRun {
       for (ObjectSection& section : layer.sections)
         sections[static_cast<size_t>(section.stack.object)].push_back(&section);
     for (size_t object = 0; object < objects_.size(); ++object)
-      BridgeCounterbores(options_.objects[object].counterbores, sections[object], call_.threads);
+      BridgeCounterbores(options_.objects[object].counterbores, sections[object], call_.threads,
+                         call_.cancel);
   }
 
   absl::Status NoOutlines() const {
@@ -296,7 +298,7 @@ class SlicingRun {
     const auto layer = static_cast<size_t>(section.layer);
     const Coord reach_nm = SupportReach(EditsFor(section.layer, true, SlicingOf(section)));
     // An enforcer with a hole in its mesh is a body all the same.
-    return Union(Outlines(swept, section, scratch), swept.slabs->Shadow(layer, reach_nm));
+    return Union(Outlines(swept, section, scratch), swept.slabs->Shadow(layer, reach_nm, call_.cancel));
   }
 
   MultiPolygon SeamOutlines(SweptPart& swept, const ObjectSection& section, SweepScratch& scratch) {
@@ -304,9 +306,9 @@ class SlicingRun {
     if (!swept.part->IsMarkedSurface())
       return AroundBody(Outlines(swept, section, scratch), reach_nm);
     const auto layer = static_cast<size_t>(section.layer);
-    const MultiPolygon level = swept.slabs->Shadow(layer, reach_nm);
+    const MultiPolygon level = swept.slabs->Shadow(layer, reach_nm, call_.cancel);
     MultiPolygon cut =
-        AroundSurface(swept.sweep.Cut(layer, scratch), reach_nm, options_.resolution_nm);
+        AroundSurface(swept.sweep.Cut(layer, scratch), reach_nm, options_.resolution_nm, call_.cancel);
     return level.empty() ? cut : Union(cut, level);
   }
 

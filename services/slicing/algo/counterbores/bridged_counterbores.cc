@@ -47,10 +47,11 @@ void FillUp(const MultiPolygon& holes, ObjectSection& section) {
 
 /// By layer. The slit that is left of a round channel below its top is open for one layer alone, and
 /// is closed as well without help.
-std::vector<std::vector<Counterbore>> Found(std::span<ObjectSection* const> sections, int threads) {
+std::vector<std::vector<Counterbore>> Found(std::span<ObjectSection* const> sections, int threads,
+                                            const CancelToken& cancel) {
   std::vector<std::vector<Counterbore>> found(sections.size());
   ForEachIndex(threads, sections.size(), [&](size_t layer, int) {
-    if (layer == 0 || layer + 1 >= sections.size() || sections[layer]->hollow) return;
+    if (cancel.Cancelled() || layer == 0 || layer + 1 >= sections.size() || sections[layer]->hollow) return;
     found[layer] = CounterboresOver(OutlineOf(*sections[layer - 1]), OutlineOf(*sections[layer]));
     std::erase_if(found[layer], [&](const Counterbore& each) {
       return !GoThrough(each.holes, OutlineOf(*sections[layer + 1]));
@@ -62,9 +63,9 @@ std::vector<std::vector<Counterbore>> Found(std::span<ObjectSection* const> sect
 }  // namespace
 
 void BridgeCounterbores(CounterboreBridging how, std::span<ObjectSection* const> sections,
-                        int threads) {
+                        int threads, const CancelToken& cancel) {
   if (how == CounterboreBridging::kNone) return;
-  const std::vector<std::vector<Counterbore>> found = Found(sections, threads);
+  const std::vector<std::vector<Counterbore>> found = Found(sections, threads, cancel);
   std::vector<Edit> edits(sections.size());
   for (size_t layer = 0; layer < sections.size(); ++layer)
     for (const Counterbore& counterbore : found[layer]) {
@@ -79,7 +80,7 @@ void BridgeCounterbores(CounterboreBridging how, std::span<ObjectSection* const>
         cut = Union(cut, counterbore.rooms[i]);
       }
     }
-  for (size_t layer = 0; layer < sections.size(); ++layer) {
+  for (size_t layer = 0; layer < sections.size() && !cancel.Cancelled(); ++layer) {
     if (!edits[layer].cut.empty()) CutOut(edits[layer].cut, *sections[layer]);
     if (!edits[layer].filled.empty()) FillUp(edits[layer].filled, *sections[layer]);
   }

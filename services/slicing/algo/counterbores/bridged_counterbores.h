@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "common/base/cancel_token.h"
 #include "common/model/layer.h"
 #include "common/model/options/slicing_options.h"
 
@@ -10,8 +11,8 @@ namespace slicefarm::slicing {
 /// Changes the sections of one object, by layer, where holes begin over wider recesses: kPartial
 /// leaves open in them the rooms of Counterbore, as far up as the holes go; kSacrificial closes the
 /// holes for one layer. Holes of one layer alone stay, and so do sections that are hollow. Cost: see
-/// CounterboresOver, on `threads`.
+/// CounterboresOver, on `threads`. Changes nothing, or only some sections, once `cancel` says so.
 void BridgeCounterbores(CounterboreBridging how, std::span<ObjectSection* const> sections,
-                        int threads);
+                        int threads, const CancelToken& cancel = {});
 
 }  // namespace slicefarm::slicing

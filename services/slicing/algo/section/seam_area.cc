@@ -2,9 +2,10 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
-#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/boolean/union_of_many.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/rings/simplify.h"
 
@@ -38,7 +39,8 @@ MultiPolygon AroundBody(const MultiPolygon& region, Coord reach_nm) {
   return FastOffset(region, reach_nm);
 }
 
-MultiPolygon AroundSurface(const Section& cut, Coord reach_nm, Coord resolution_nm) {
+MultiPolygon AroundSurface(const Section& cut, Coord reach_nm, Coord resolution_nm,
+                           const CancelToken& cancel) {
   std::vector<Polygon> rectangles;
   const auto add = [&](const Polyline& line) {
     const Polyline simple = SimplifyLine(line, resolution_nm);
@@ -51,7 +53,7 @@ MultiPolygon AroundSurface(const Section& cut, Coord reach_nm, Coord resolution_
     line.push_back(line.front());
     add(line);
   }
-  return Union(rectangles, FillRule::kNonZero);
+  return UnionOfMany(std::move(rectangles), cancel);
 }
 
 }  // namespace slicefarm::slicing

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/base/cancel_token.h"
 #include "common/geometry/polygon.h"
 #include "services/slicing/algo/section/regions.h"
 #include "services/slicing/algo/section/sweep.h"
@@ -20,7 +21,9 @@ MultiPolygon AroundBody(const MultiPolygon& region, Coord reach_nm);
 
 /// Of a surface that is not closed, such as a painted one: what lies within reach of the lines that
 /// it is cut in, by rectangles around their segments that go beyond the ends. Horizontal faces are
-/// never cut. `resolution_nm`: lines are simplified to this. Cost: a union of as many rectangles.
-MultiPolygon AroundSurface(const Section& cut, Coord reach_nm, Coord resolution_nm);
+/// never cut. `resolution_nm`: lines are simplified to this. Empty once `cancel` says so. Cost: a union of as many
+/// rectangles (UnionOfMany).
+MultiPolygon AroundSurface(const Section& cut, Coord reach_nm, Coord resolution_nm,
+                           const CancelToken& cancel = {});
 
 }  // namespace slicefarm::slicing

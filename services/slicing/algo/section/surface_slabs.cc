@@ -5,9 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/boolean/union_of_many.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/rings/simplify.h"
 
 namespace slicefarm::slicing {
 namespace {
@@ -31,6 +32,24 @@ std::vector<Vertex> Beyond(const std::vector<Vertex>& polygon, Coord z_nm, int s
     if (a_in != b_in) kept.push_back(At(a, b, z_nm));
   }
   return kept;
+}
+
+/// Returns the region with what its growth by `reach_nm` hides left out: holes that this closes,
+/// and steps of less than a twentieth of it. The edge of paint is a stair of tiny triangles.
+MultiPolygon WithoutDetails(MultiPolygon region, Coord reach_nm) {
+  const auto simplify = [&](Polygon& ring) {
+    Polygon simple = SimplifyRing(ring, reach_nm / 20);
+    if (!simple.empty()) ring = std::move(simple);  // a strip narrower than that has a reach too
+  };
+  for (PolygonWithHoles& island : region) {
+    std::erase_if(island.holes, [&](const Polygon& hole) {
+      const Box box = Bounds(hole);
+      return std::min(box.max.x - box.min.x, box.max.y - box.min.y) < 2 * reach_nm;
+    });
+    simplify(island.outer);
+    for (Polygon& hole : island.holes) simplify(hole);
+  }
+  return region;
 }
 
 }  // namespace
@@ -61,13 +80,15 @@ Polygon SurfaceSlabs::PieceOf(const Triangle& face, const Slab& slab) const {
   return shadow;
 }
 
-MultiPolygon SurfaceSlabs::Shadow(size_t slab, Coord reach_nm) const {
+MultiPolygon SurfaceSlabs::Shadow(size_t slab, Coord reach_nm, const CancelToken& cancel) const {
   std::vector<Polygon> pieces;
   for (const uint32_t face : faces_[slab])
     if (Polygon piece = PieceOf(mesh_->triangles[face], slabs_[slab]); !piece.empty())
       pieces.push_back(std::move(piece));
   if (pieces.empty()) return {};
-  return FastOffset(Union(pieces, FillRule::kNonZero), reach_nm);
+  MultiPolygon whole = UnionOfMany(std::move(pieces), cancel);
+  if (cancel.Cancelled()) return {};
+  return FastOffset(WithoutDetails(std::move(whole), reach_nm), reach_nm);
 }
 
 }  // namespace slicefarm::slicing

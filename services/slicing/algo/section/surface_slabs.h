@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "common/base/cancel_token.h"
 #include "common/geometry/polygon.h"
 #include "common/model/scene/mesh.h"
 #include "services/slicing/algo/topology/edge_table.h"
@@ -26,9 +27,9 @@ class SurfaceSlabs {
   /// they lie in).
   SurfaceSlabs(const IndexedMesh& mesh, std::vector<Slab> slabs, Faces faces);
 
-  /// The shadow of what lies in the slab, grown by `reach_nm`. Upright faces have none. Safe to call
-  /// from many threads. Cost: a union of as many pieces, and an offset.
-  MultiPolygon Shadow(size_t slab, Coord reach_nm) const;
+  /// Returns the shadow of what lies in the slab, grown by `reach_nm`. Upright faces have none. Empty once `cancel`
+  /// says so. Safe to call from many threads. Cost: a union of as many pieces (UnionOfMany), and an offset.
+  MultiPolygon Shadow(size_t slab, Coord reach_nm, const CancelToken& cancel = {}) const;
 
  private:
   Polygon PieceOf(const Triangle& face, const Slab& slab) const;

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
 
 namespace slicefarm::slicing::surface_slabs_test {
 namespace {
@@ -48,6 +53,44 @@ TEST(SurfaceSlabs, LevelFacesAloneAreWhatPlanesDoNotCut) {
   EXPECT_NEAR(Mm2(slabs.Shadow(0, 0)), 100, 1e-6) << "the top of one slab";
   EXPECT_NEAR(Mm2(slabs.Shadow(1, 0)), 100, 1e-6) << "and the bottom of the next";
   EXPECT_TRUE(slabs.Shadow(2, 0).empty());
+}
+
+/// Adds a level rectangle of two faces, mm.
+void AddLevel(double x0, double y0, double x1, double y1, IndexedMesh& mesh) {
+  const auto first = static_cast<uint32_t>(mesh.vertices.size());
+  for (const auto& [x, y] : {std::pair{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}})
+    mesh.vertices.push_back({FromMm(x), FromMm(y), kMm});
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  mesh.triangles.push_back({first, first + 2, first + 3});
+}
+
+/// Paint as a brush leaves it: a disc of cells of 0.04 mm, with small holes in it.
+TEST(SurfaceSlabs, StairsOfPaintAreAsIfUnitedAtOnce) {
+  IndexedMesh mesh;
+  std::vector<Polygon> cells;
+  for (int x = -50; x < 50; ++x)
+    for (int y = -50; y < 50; ++y)
+      if (x * x + y * y < 50 * 50 && (x % 7 != 3 || y % 7 != 3)) {
+        AddLevel(x * 0.04, y * 0.04, (x + 1) * 0.04, (y + 1) * 0.04, mesh);
+        const Coord cell = 40'000;
+        cells.push_back({{x * cell, y * cell},
+                         {(x + 1) * cell, y * cell},
+                         {(x + 1) * cell, (y + 1) * cell},
+                         {x * cell, (y + 1) * cell}});
+      }
+  const Coord reach = kMm / 10;
+  const MultiPolygon got = SurfaceSlabs(mesh, {{0, 2 * kMm}}, Faces::kAll).Shadow(0, reach);
+  const MultiPolygon want = FastOffset(Union(cells, FillRule::kNonZero), reach);
+  ASSERT_EQ(got.size(), 1u);
+  EXPECT_TRUE(got[0].holes.empty());
+  EXPECT_LT(Mm2(Difference(want, got)) + Mm2(Difference(got, want)), 2 * 3.15 * 2.1 * 0.005);
+}
+
+TEST(SurfaceSlabs, StripsOfAMicrometreHaveAReach) {
+  IndexedMesh mesh;
+  AddLevel(0, 0, 10, 0.001, mesh);
+  const MultiPolygon got = SurfaceSlabs(mesh, {{0, 2 * kMm}}, Faces::kAll).Shadow(0, kMm / 10);
+  EXPECT_NEAR(Mm2(got), 10.2 * 0.201, 0.01);
 }
 
 TEST(SurfaceSlabs, UprightFacesHaveNoShadow) {
