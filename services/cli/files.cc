@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
+#include <set>
 #include <utility>
 
 #include "common/base/error.h"
@@ -66,6 +68,49 @@ std::string Target(const std::string& path) {
   return target;
 }
 
+/// The files that OutputFiles write and have not committed.
+class PartialFiles {
+ public:
+  /// The only one; never destroyed, since a thread that ends the process may ask for it at any
+  /// time.
+  static PartialFiles& All() {
+    static auto* all = new PartialFiles;
+    return *all;
+  }
+
+  /// Opens a new one. Returns its descriptor, or -1 and sets errno.
+  int Open(const std::string& path) {
+    const std::lock_guard lock(mutex_);
+    const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kMode);
+    if (descriptor >= 0) paths_.insert(path);
+    return descriptor;
+  }
+
+  /// Gives one the name that it is for. Returns 0, or -1 and sets errno.
+  int Rename(const std::string& path, const std::string& to) {
+    const std::lock_guard lock(mutex_);
+    const int renamed = std::rename(path.c_str(), to.c_str());
+    if (renamed == 0) paths_.erase(path);
+    return renamed;
+  }
+
+  void Remove(const std::string& path) {
+    const std::lock_guard lock(mutex_);
+    unlink(path.c_str());
+    paths_.erase(path);
+  }
+
+  /// Removes all, and keeps whoever opens or renames one waiting for good.
+  void RemoveForGood() {
+    mutex_.lock();
+    for (const std::string& path : paths_) unlink(path.c_str());
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::string> paths_;
+};
+
 /// Takes the descriptor. `name`: for errors.
 absl::StatusOr<std::string> ReadWhole(int descriptor, const std::string& name, int64_t max_bytes) {
   const Descriptor file(descriptor);
@@ -93,6 +138,8 @@ absl::StatusOr<std::string> ReadWhole(int descriptor, const std::string& name, i
 }
 
 }  // namespace
+
+void RemovePartialFiles() { PartialFiles::All().RemoveForGood(); }
 
 absl::StatusOr<std::string> ReadFile(const std::string& path, int64_t max_bytes) {
   if (path != "-") return ReadWhole(open(path.c_str(), O_RDONLY | O_CLOEXEC), path, max_bytes);
@@ -122,9 +169,8 @@ absl::StatusOr<OutputFile> OutputFile::Create(const std::string& path) {
   const std::string target = Target(path);
   const bool replaceable = Replaceable(target);
   const std::string temporary = replaceable ? fmt::format("{}.{}.part", target, getpid()) : "";
-  const int descriptor =
-      replaceable ? open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kMode)
-                  : open(target.c_str(), O_WRONLY | O_CLOEXEC);
+  const int descriptor = replaceable ? PartialFiles::All().Open(temporary)
+                                     : open(target.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) {
     return WriteError(path, errno);
   }
@@ -143,7 +189,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
 
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) close(descriptor_);
-  if (!temporary_.empty()) unlink(temporary_.c_str());
+  if (!temporary_.empty()) PartialFiles::All().Remove(temporary_);
 }
 
 absl::Status OutputFile::Error(int error_number) const { return WriteError(path_, error_number); }
@@ -161,7 +207,7 @@ absl::Status OutputFile::Write(std::string_view bytes) {
 absl::Status OutputFile::Commit() {
   if (close(std::exchange(descriptor_, -1)) != 0) return Error(errno);
   if (temporary_.empty()) return absl::OkStatus();
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) return Error(errno);
+  if (PartialFiles::All().Rename(temporary_, path_) != 0) return Error(errno);
   temporary_.clear();
   return absl::OkStatus();
 }

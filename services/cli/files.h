@@ -52,6 +52,10 @@ class OutputFile {
   int descriptor_;
 };
 
+/// Removes the files of OutputFiles that have not been committed, and lets none be committed any
+/// more: for a process that ends at once. Safe to call from any thread.
+void RemovePartialFiles();
+
 /// Whether an OutputFile could be made there, with the errors of Create; leaves nothing behind.
 /// True of what is no regular file. Empty: there is none to be made.
 absl::Status CheckWritable(const std::string& path);

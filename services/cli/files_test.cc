@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -137,6 +138,20 @@ TEST_F(Files, SayWhyTheyCannotBeWritten) {
   EXPECT_THAT(std::string(WriteFile(folder_.path(), "").message()), HasSubstr("directory"));
   EXPECT_THAT(std::string(WriteFile("/dev/full", std::string(1 << 20, 'x')).message()),
               HasSubstr("No space left on device"));
+}
+
+/// A process that ends at once, with a file half written.
+TEST_F(Files, PartialOnesGoWithTheProcess) {
+  ASSERT_TRUE(WriteFile(Path("whole"), "1").ok());
+  EXPECT_EXIT(
+      {
+        auto file = OutputFile::Create(Path("half"));
+        if (!file.ok() || !file->Write("12").ok() || Names().size() != 2) _exit(1);
+        RemovePartialFiles();
+        _exit(7);
+      },
+      testing::ExitedWithCode(7), "");
+  EXPECT_THAT(Names(), UnorderedElementsAre("whole"));
 }
 
 }  // namespace

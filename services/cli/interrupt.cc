@@ -1,10 +1,20 @@
 #include "services/cli/interrupt.h"
 
 #include <pthread.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <string_view>
+
+#include "services/cli/exit_code.h"
+#include "services/cli/files.h"
+
 namespace slicefarm::cli {
 namespace {
+
+/// The time for ending in order.
+constexpr timespec kGrace = {.tv_sec = 0, .tv_nsec = 300'000'000};
 
 sigset_t Signals() {
   sigset_t signals;
@@ -12,6 +22,15 @@ sigset_t Signals() {
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
   return signals;
+}
+
+/// Ends the process without asking the other threads, which may hold any lock but that of the
+/// files.
+[[noreturn]] void EndNow() {
+  RemovePartialFiles();
+  constexpr std::string_view kWords = "\nerror: cancelled\n";
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kWords.data(), kWords.size());
+  _exit(static_cast<int>(ExitCode::kCancelled));
 }
 
 }  // namespace
@@ -32,18 +51,21 @@ CancelToken Interrupt::Token() const {
   return CancelToken([this] { return Requested(); });
 }
 
+/// Returns at the next signal, or when the time for ending is over.
+void Interrupt::AwaitEnd() const {
+  const sigset_t signals = Signals();
+  while (sigtimedwait(&signals, nullptr, &kGrace) < 0)
+    if (errno == EAGAIN && !waits_for_end_) return;
+}
+
 void Interrupt::Wait() {
   const sigset_t signals = Signals();
-  for (;;) {
-    int signal = 0;
-    if (sigwait(&signals, &signal) != 0) continue;
-    if (ending_) return;
-    if (requested_) {
-      pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
-      raise(signal);  // its usual effect: the end of the program
-    }
-    requested_ = true;
-  }
+  int signal = 0;
+  while (sigwait(&signals, &signal) != 0) continue;
+  if (ending_) return;
+  requested_ = true;
+  AwaitEnd();
+  if (!ending_) EndNow();
 }
 
 }  // namespace slicefarm::cli

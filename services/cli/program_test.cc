@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -461,6 +462,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_F(Program, StopsAtCtrlC) {
   // The model comes through a pipe, so that the signal meets the program while it works.
   ASSERT_EQ(mkfifo(Path("pipe.obj").c_str(), 0600), 0);
+  std::signal(SIGPIPE, SIG_IGN);
   const pid_t pid =
       Start({"slice", Path("pipe.obj"), "-o", Path("out.gcode"), "--set", "layer_height=0.01"});
   std::ofstream pipe(Path("pipe.obj"));  // waits for the program to open its end
@@ -479,6 +481,21 @@ TEST_F(Program, StopsAtCtrlC) {
   const Outcome outcome = Await(pid);
   EXPECT_EQ(outcome.code, ExitCode::kCancelled) << outcome.err;
   EXPECT_FALSE(Exists("out.gcode"));
+}
+
+/// The model never comes, and no computation is there to see the request.
+TEST_F(Program, EndsWhereverItIs) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    std::filesystem::remove(Path("pipe.obj"));
+    ASSERT_EQ(mkfifo(Path("pipe.obj").c_str(), 0600), 0);
+    const pid_t pid = Start({"slice", Path("pipe.obj"), "-o", Path("out.gcode")});
+    const std::ofstream pipe(Path("pipe.obj"));  // waits for the program to open its end
+    ASSERT_EQ(kill(pid, signal), 0);
+    const Outcome outcome = Await(pid);
+    EXPECT_EQ(outcome.code, ExitCode::kCancelled) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("cancelled"));
+    EXPECT_FALSE(Exists("out.gcode"));
+  }
 }
 
 TEST_F(Program, RendersWhatItSliced) {

@@ -34,7 +34,8 @@ void AddServerOptions(CLI::App& app, ServerOptions& options) {
   rpc::AddTokenOptions(app, &options.security);
 }
 
-JobsClientOptions ClientOptions(const ServerOptions& options, const Interrupt* interrupt) {
+JobsClientOptions ClientOptions(const ServerOptions& options, Interrupt* interrupt) {
+  if (interrupt != nullptr) interrupt->WaitForEnd();
   const rpc::ClientSecurity& security = options.security;
   for (const std::string& path :
        {security.token_file, security.tls.ca, security.tls.cert, security.tls.key})

@@ -24,8 +24,8 @@ struct ServerOptions {
 
 void AddServerOptions(CLI::App& app, ServerOptions& options);
 
-/// `interrupt` null: the calls are not ended by Ctrl-C.
-JobsClientOptions ClientOptions(const ServerOptions& options, const Interrupt* interrupt);
+/// `interrupt` ends the calls, and then waits for the end of the program; null: Ctrl-C does not end the calls.
+JobsClientOptions ClientOptions(const ServerOptions& options, Interrupt* interrupt);
 
 /// Of `--label key=value`, which may be repeated. Errors: REQUEST_MALFORMED.
 absl::StatusOr<std::map<std::string, std::string>> ReadLabels(
