@@ -63,6 +63,7 @@ absl::StatusOr<std::vector<EngravedLayer>> LayersOf(const EngraveJob& job, Layer
   if (!paths.ok()) return paths.status();
   std::vector<EngravedLayer> layers;
   for (const LayerPath& path : *paths) {
+    if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
     auto layer = LayerOf(job, path);
     if (!layer.ok()) return layer.status();
     layers.push_back(*std::move(layer));

@@ -52,9 +52,10 @@ void AppendBetween(const Crossing& from, const Crossing& to, const LevelPush& le
 
 }  // namespace
 
-WovenLoop Refined(const WovenLoop& loop, const LevelPush& level, const Refinement& how) {
+WovenLoop Refined(const WovenLoop& loop, const LevelPush& level, const Refinement& how,
+                  const CancelToken& cancel) {
   WovenLoop refined;
-  for (size_t i = 0; i < loop.size(); ++i) {
+  for (size_t i = 0; i < loop.size() && !cancel.Cancelled(); ++i) {
     refined.push_back(loop[i]);
     AppendBetween(loop[i], loop[(i + 1) % loop.size()], level, how, kMaxRefineDepth, refined);
   }

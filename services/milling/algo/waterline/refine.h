@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/base/cancel_token.h"
 #include "services/milling/algo/push/local_push.h"
 #include "services/milling/algo/waterline/weave.h"
 
@@ -23,8 +24,9 @@ struct Refinement {
 /// points that are farther apart than twice the least step, one on the fiber through their middle
 /// that meets their chord more steeply, if it lies off the chord by more than the tolerance, and so
 /// on on both sides of it. What bends both ways between two points and meets their chord in its
-/// middle is not seen. Cost: a PushLocally for each point that is put in, and one for each pair of
-/// neighbours.
-WovenLoop Refined(const WovenLoop& loop, const LevelPush& level, const Refinement& how);
+/// middle is not seen. Incomplete once `cancel` says so. Cost: a PushLocally for each point that is
+/// put in, and one for each pair of neighbours.
+WovenLoop Refined(const WovenLoop& loop, const LevelPush& level, const Refinement& how,
+                  const CancelToken& cancel = {});
 
 }  // namespace slicefarm::milling

@@ -113,9 +113,9 @@ class WaterlineMaker {
         return;
       }
       const Weave weave{grids.x, grids.y, (*rows)[level], (*columns)[level]};
-      result[level] = LoopsOf(weave, levels_mm[level]);
+      result[level] = LoopsOf(weave, levels_mm[level], cancel);
     });
-    if (cancelled) return cancel.Check();
+    if (cancelled || cancel.Cancelled()) return cancel.Check();
     return result;
   }
 
@@ -126,14 +126,15 @@ class WaterlineMaker {
                        [&](const Interval& i) { return i.low < x && x < i.high; });
   }
 
-  std::vector<WaterlineLoop> LoopsOf(const Weave& weave, double z_mm) const {
+  std::vector<WaterlineLoop> LoopsOf(const Weave& weave, double z_mm,
+                                     const CancelToken& cancel) const {
     const auto woven = WeaveLoops(weave, [&](double x, double y) { return GougedAt(x, y, z_mm); });
     std::vector<WaterlineLoop> loops;
     const LevelPush level{x_, y_, cutter_, triangles_, z_mm};
     const Refinement finer{options_.tolerance_mm, options_.least_sampling_mm};
     for (const WovenLoop& loop_of_grid : woven) {
       const WovenLoop crossings =
-          finer.tolerance_mm > 0 ? Refined(loop_of_grid, level, finer) : loop_of_grid;
+          finer.tolerance_mm > 0 ? Refined(loop_of_grid, level, finer, cancel) : loop_of_grid;
       WaterlineLoop loop{.z_mm = z_mm, .outer = true, .points_mm = {}, .contacts_mm = {}};
       for (const Crossing& c : crossings) {
         loop.points_mm.push_back({c.x, c.y});

@@ -203,5 +203,25 @@ TEST(Waterlines, RefusesWhatIsNoWork) {
   EXPECT_EQ(cancelled.status().code(), absl::StatusCode::kCancelled);
 }
 
+/// To put points into one level's loop may take seconds: the token is looked at for each of its points.
+TEST(Waterlines, AreCancelledWithinALevel) {
+  const TriangleMesh mesh = Sphere(4, 16);
+  const Cutter cutter = CutterOf("ball:4");
+  const std::vector<double> z = {0};
+  const auto looks_of = [&](double tolerance_mm) {
+    int64_t looks = 0;
+    const auto made = Waterlines(mesh, cutter, z, {.tolerance_mm = tolerance_mm},
+                                 CancelToken([&] { return ++looks < 0; }));
+    EXPECT_TRUE(made.ok());
+    return looks;
+  };
+  const int64_t looks = looks_of(1e-4);
+  EXPECT_GT(looks, looks_of(0) + 50);
+  int64_t asked = 0;
+  const auto cancelled = Waterlines(mesh, cutter, z, {.tolerance_mm = 1e-4},
+                                    CancelToken([&] { return asked++ > looks - 20; }));
+  EXPECT_EQ(cancelled.status().code(), absl::StatusCode::kCancelled);
+}
+
 }  // namespace
 }  // namespace slicefarm::milling::waterline_test
