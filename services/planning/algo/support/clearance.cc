@@ -18,7 +18,7 @@ constexpr Coord kMarginNm = 1'000'000;
 }  // namespace
 
 Clearance::Clearance(const SupportProblem& problem, const SupportOptions& options, Coord top_nm,
-                     int threads)
+                     int threads, const CancelToken& cancel)
     : problem_(problem), options_(options), bed_(Bounds(problem.bed)) {
   stacks_.emplace_back();
   const auto add = [&](const SolidLayer& layer) {
@@ -34,6 +34,7 @@ Clearance::Clearance(const SupportProblem& problem, const SupportOptions& option
   for (Stack& stack : stacks_)
     for (Layer& layer : stack) all.push_back(&layer);
   ForEachIndex(threads, all.size(), [&](size_t i, int) {
+    if (cancel.Cancelled()) return;
     Layer& layer = *all[i];
     layer.box = Bounds(*layer.solid.outlines);
     layer.spaced = FastOffset(*layer.solid.outlines, options_.xy_gap_nm);

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "common/base/cancel_token.h"
 #include "common/geometry/measure.h"
 #include "common/model/options/support_options.h"
 #include "services/planning/algo/support/raster.h"
@@ -23,10 +24,10 @@ inline constexpr Coord kEdgeNm = 8'000;
 /// of half a millimetre without a top where it is asked for (README.md has figures).
 class Clearance {
  public:
-  /// For layers of support up to `top_nm`. `problem` and `options` must outlive it.
+  /// For layers of support up to `top_nm`. `problem` and `options` must outlive it. Of no use once `cancel` says so.
   /// Cost: two offsets of each layer, on `threads` threads.
-  Clearance(const SupportProblem& problem, const SupportOptions& options, Coord top_nm,
-            int threads);
+  Clearance(const SupportProblem& problem, const SupportOptions& options, Coord top_nm, int threads,
+            const CancelToken& cancel = {});
 
   /// The part of `region` that is free for a layer of support from bottom_nm to top_nm.
   /// Cost: a boolean operation with the outlines near the region's box.

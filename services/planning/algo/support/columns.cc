@@ -12,6 +12,7 @@
 #include "common/geometry/rings/simplify.h"
 #include "services/planning/algo/support/raster.h"
 #include "services/planning/algo/support/reach_field.h"
+#include "services/planning/algo/support/slender.h"
 #include "services/planning/algo/support/tolerances.h"
 #include "services/planning/algo/support/widened.h"
 
@@ -24,6 +25,8 @@ constexpr Coord kUselessNm = 500'000;
 /// Islands of columns with less are left out: no bead fits in.
 constexpr double kLeastAreaNm2 = 0.05e12;
 constexpr double kMostPixels = 2'000'000;
+/// Going down, so often columns are looked at for slender ones: walls of one bead fall over.
+constexpr Coord kSlenderStepNm = 2'000'000;
 /// Layers that are worked on together; their pixels are kept at once.
 constexpr size_t kLayersAtOnce = 32;
 
@@ -103,7 +106,8 @@ class ColumnMaker {
         grid_(grid),
         threads_(threads),
         state_(grid.size(), 0),
-        wanted_(grid.size(), 0) {}
+        wanted_(grid.size(), 0),
+        stood_(grid) {}
 
   absl::StatusOr<std::vector<MultiPolygon>> Run(const CancelToken& cancel) {
     std::vector<MultiPolygon> columns(heights_.layers.size());
@@ -119,7 +123,10 @@ class ColumnMaker {
         if (!contacts_[begin + i].empty()) Begin(begin + i, layers[i]);
         FillUseless(height.top_nm, layers[i]);
       });
-      for (size_t i = layers.size(); i-- > 0;) GoDown(layers[i]);
+      for (size_t i = layers.size(); i-- > 0;) {
+        GoDown(layers[i]);
+        WidenSlender(begin + i, layers[i].column);
+      }
       ForEachIndex(threads_, layers.size(), [&](size_t i, int) {
         if (!cancel.Cancelled()) columns[begin + i] = Drawn(layers[i], begin + i);
       });
@@ -211,6 +218,16 @@ class ColumnMaker {
     for (size_t i = 0; i < grid_.size(); ++i) layer.column.Row(0)[i] = state_[i] == 1 ? 1 : 0;
   }
 
+  /// From here down, columns that have been slender since the last look are to be wide enough for a closed cell.
+  void WidenSlender(size_t index, const Bitmap& column) {
+    if (heights_.layers[index].top_nm > next_look_nm_) return;
+    next_look_nm_ = heights_.layers[index].top_nm - kSlenderStepNm;
+    const Bitmap around = AroundSlender(column, stood_, options_.width_nm * 5 / 3);
+    for (size_t i = 0; i < grid_.size(); ++i)
+      wanted_[i] |= static_cast<uint8_t>(around.Row(0)[i] & MayStart(index, i));
+    stood_ = column;
+  }
+
   /// The column with its exact edges: a pixel more towards what is not free, less that.
   MultiPolygon Drawn(const RasterLayer& layer, size_t index) const {
     Bitmap wide = layer.column;
@@ -255,6 +272,8 @@ class ColumnMaker {
   std::vector<uint8_t> state_;          ///< by pixel; see GoDown
   std::vector<uint8_t> wanted_;         ///< by pixel: to be column as soon as it is not useless
   std::vector<int32_t> highest_start_;  ///< by pixel; empty: anywhere
+  Bitmap stood_;                        ///< the columns where WidenSlender looked last
+  Coord next_look_nm_ = std::numeric_limits<Coord>::max();
 };
 
 }  // namespace

@@ -15,6 +15,8 @@ namespace {
 
 /// Below it branches have spread by less than they are apart.
 constexpr Coord kPlinthNm = 2'000'000;
+/// Less is a dot that comes off with the nozzle.
+constexpr double kLeastBeadNm2 = 0.08e12;
 
 MultiPolygon UnionOf(const std::vector<MultiPolygon>& regions, size_t from, size_t to) {
   std::vector<Polygon> rings;
@@ -30,8 +32,7 @@ MultiPolygon UnionOf(const std::vector<MultiPolygon>& regions, size_t from, size
 }
 
 void Add(SupportRole role, MultiPolygon outlines, SupportLayer& layer) {
-  std::erase_if(outlines,
-                [](const PolygonWithHoles& i) { return Area(i) < support::kLeastRegionNm2; });
+  std::erase_if(outlines, [](const PolygonWithHoles& i) { return Area(i) < kLeastBeadNm2; });
   if (!outlines.empty()) layer.regions.push_back({role, std::move(outlines)});
 }
 
@@ -45,10 +46,26 @@ std::vector<SupportLayer> NotEmpty(std::vector<SupportLayer> layers) {
   return layers;
 }
 
-/// Where pixels met the part columns have teeth narrower than a line: they carry nothing.
-MultiPolygon WithoutTeeth(const MultiPolygon& base, Coord width_nm) {
-  const MultiPolygon core = FastOffset(base, -width_nm * 2 / 5);
-  return core.empty() ? base : Intersection(base, FastOffset(core, width_nm * 9 / 20));
+/// Returns the region without what is narrower than `narrow_nm`. Where pixels met the part columns have such teeth, and
+/// between what is not free there are such slits: beads there are dust that nothing holds.
+MultiPolygon WithoutTeeth(const MultiPolygon& region, Coord narrow_nm) {
+  const MultiPolygon core = FastOffset(region, -narrow_nm / 2);
+  return core.empty() ? core : Intersection(region, FastOffset(core, narrow_nm * 9 / 16));
+}
+
+/// A base is as wide as this, and a sheet, where the part is near on both sides.
+constexpr Coord LeastBase(Coord width_nm) { return width_nm * 2 / 3; }
+constexpr Coord LeastSheet(Coord width_nm) { return width_nm * 2 / 5; }
+
+/// Returns the islands that are smaller than a cell of the base's lines, grown to more than its size: the first layer of
+/// a sheet that small may lie between two lines, and would be printed into the air.
+MultiPolygon OverALine(const MultiPolygon& sheet, Coord spacing_nm) {
+  MultiPolygon small;
+  for (const PolygonWithHoles& island : sheet) {
+    const Box box = Bounds(island.outer);
+    if (std::max(box.max.x - box.min.x, box.max.y - box.min.y) < spacing_nm) small.push_back(island);
+  }
+  return small.empty() ? small : FastOffset(small, spacing_nm / 2);
 }
 
 /// Moves islands of the base to `top` that a base's lines may miss: those right under contacts,
@@ -101,10 +118,11 @@ size_t EndOfSheet(size_t layer, size_t count, const SupportOptions& options) {
 
 std::vector<MultiPolygon> Sheets(const SupportHeights& heights, const Contacts& contacts,
                                  const Clearance& clearance, const SupportOptions& options,
-                                 int threads) {
+                                 int threads, const CancelToken& cancel) {
   const size_t count = heights.layers.size();
   std::vector<MultiPolygon> sheets(count);
   ForEachIndex(threads, count, [&](size_t i, int) {
+    if (cancel.Cancelled()) return;
     MultiPolygon all = contacts[i];
     const MultiPolygon higher = UnionOf(contacts, i + 1, EndOfSheet(i, count, options));
     // A little more of it, so that no step is apart from the next.
@@ -114,6 +132,7 @@ std::vector<MultiPolygon> Sheets(const SupportHeights& heights, const Contacts& 
     const MultiPolygon wide = Widened(sheets[i], options.width_nm * 4 / 5);
     if (!wide.empty())
       sheets[i] = Union(sheets[i], clearance.Free(wide, height.bottom_nm, height.top_nm));
+    sheets[i] = WithoutTeeth(sheets[i], LeastSheet(options.width_nm));
     std::erase_if(sheets[i],
                   [](const PolygonWithHoles& s) { return Area(s) < support::kLeastRegionNm2; });
   });
@@ -121,12 +140,14 @@ std::vector<MultiPolygon> Sheets(const SupportHeights& heights, const Contacts& 
 }
 
 std::vector<MultiPolygon> Plinths(const SupportHeights& heights, const Contacts& contacts,
-                                  const Clearance& clearance, int threads) {
+                                  const Clearance& clearance, int threads,
+                                  const CancelToken& cancel) {
   std::vector<MultiPolygon> plinths(heights.layers.size());
   const auto end = static_cast<size_t>(
       std::ranges::upper_bound(heights.layers, kPlinthNm, {}, &SupportHeight::top_nm) -
       heights.layers.begin());
   ForEachIndex(threads, end, [&](size_t i, int) {
+    if (cancel.Cancelled()) return;
     const MultiPolygon higher = UnionOf(contacts, i, end);
     const SupportHeight& height = heights.layers[i];
     if (!higher.empty()) plinths[i] = clearance.Free(higher, height.bottom_nm, height.top_nm);
@@ -136,11 +157,13 @@ std::vector<MultiPolygon> Plinths(const SupportHeights& heights, const Contacts&
 
 std::vector<MultiPolygon> Floors(const SupportProblem& problem, const SupportHeights& heights,
                                  const std::vector<MultiPolygon>& bodies,
-                                 const SupportOptions& options, int threads) {
+                                 const SupportOptions& options, int threads,
+                                 const CancelToken& cancel) {
   const size_t count = heights.layers.size();
   std::vector<MultiPolygon> lying(count), floors(count);
   if (options.bottom_interface_layers <= 0 || options.bed_only) return floors;
   ForEachIndex(threads, count, [&](size_t i, int) {
+    if (cancel.Cancelled()) return;
     if (bodies[i].empty()) return;
     const Coord highest =
         heights.layers[i].bottom_nm - options.bottom_gap_nm + support::kSameHeightNm;
@@ -151,6 +174,7 @@ std::vector<MultiPolygon> Floors(const SupportProblem& problem, const SupportHei
     if (!part.empty()) lying[i] = LyingOn(part, bodies[i]);
   });
   ForEachIndex(threads, count, [&](size_t i, int) {
+    if (cancel.Cancelled()) return;
     const auto below = static_cast<size_t>(options.bottom_interface_layers);
     const MultiPolygon all = UnionOf(lying, i + 1 > below ? i + 1 - below : 0, i + 1);
     if (!all.empty()) floors[i] = Intersection(bodies[i], all);
@@ -172,24 +196,27 @@ void DropUseless(const Contacts& contacts, Coord narrow_nm, std::vector<MultiPol
 std::vector<SupportLayer> ColumnLayers(const SupportProblem& problem, const SupportHeights& heights,
                                        const std::vector<MultiPolygon>& columns,
                                        const Contacts& contacts, const SupportOptions& options,
-                                       int threads) {
+                                       int threads, const CancelToken& cancel) {
   const size_t count = heights.layers.size();
-  const auto floors = Floors(problem, heights, columns, options, threads);
+  const auto floors = Floors(problem, heights, columns, options, threads, cancel);
   std::vector<SupportLayer> layers(count);
   ForEachIndex(threads, count, [&](size_t i, int) {
+    if (cancel.Cancelled()) return;
     layers[i] = LayerAt(heights, i);
     const size_t end = EndOfSheet(i, count, options);
     MultiPolygon top;
     if (options.top_interface_layers > 0) {
       top = UnionOf(contacts, i, end);
-      if (!top.empty()) top = Intersection(FastOffset(top, options.width_nm / 2), columns[i]);
+      if (!top.empty()) top = FastOffset(top, options.width_nm / 2);
+      if (end > i + 1) top = Union(top, OverALine(contacts[end - 1], options.spacing_nm + options.width_nm));
+      if (!top.empty()) top = WithoutTeeth(Intersection(top, columns[i]), LeastSheet(options.width_nm));
     }
     MultiPolygon base = top.empty() ? columns[i] : Difference(columns[i], top);
     if (options.top_interface_layers > 0)
       DropSpent(end < count ? columns[end] : MultiPolygon(), base);
     const MultiPolygon bottom = Intersection(floors[i], base);
     if (!bottom.empty()) base = Difference(base, bottom);
-    base = WithoutTeeth(base, options.width_nm);
+    base = WithoutTeeth(base, LeastBase(options.width_nm));
     const MultiPolygon under = UnionOf(contacts, i, std::min(count, i + support::kExactLayers));
     if (!under.empty()) TakeNarrow(under, options.spacing_nm + options.width_nm, base, top);
     Add(SupportRole::kBase, std::move(base), layers[i]);
@@ -203,16 +230,19 @@ std::vector<SupportLayer> BranchLayers(const SupportProblem& problem, const Supp
                                        const std::vector<BranchSections>& branches,
                                        const std::vector<MultiPolygon>& sheets,
                                        const std::vector<MultiPolygon>& plinths,
-                                       const SupportOptions& options, int threads) {
+                                       const SupportOptions& options, int threads,
+                                 const CancelToken& cancel) {
   const size_t count = heights.layers.size();
   std::vector<MultiPolygon> bodies(count);
   ForEachIndex(threads, count, [&](size_t i, int) {
+    if (cancel.Cancelled()) return;
     bodies[i] = branches[i].thin;
     bodies[i].insert(bodies[i].end(), branches[i].thick.begin(), branches[i].thick.end());
   });
-  const auto floors = Floors(problem, heights, bodies, options, threads);
+  const auto floors = Floors(problem, heights, bodies, options, threads, cancel);
   std::vector<SupportLayer> layers(count);
   ForEachIndex(threads, count, [&](size_t i, int) {
+    if (cancel.Cancelled()) return;
     layers[i] = LayerAt(heights, i);
     MultiPolygon taken = sheets[i];
     if (!plinths[i].empty()) {

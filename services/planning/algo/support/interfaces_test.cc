@@ -54,6 +54,37 @@ TEST_F(InterfacesTest, OfColumns) {
   }
 }
 
+/// Between a part's walls a column may be a slit. Beads in it would be dust that nothing holds.
+TEST_F(InterfacesTest, SlitsHaveNeitherBaseNorSheet) {
+  SupportOptions options;
+  for (MultiPolygon& body : bodies_) body = Union(BoxOf(0, 0, 4, 10), BoxOf(6, 0, 6.12, 10));
+  contacts_.back() = BoxOf(0, 0, 10, 10);
+  const auto layers = ColumnLayers({}, Even(), bodies_, contacts_, options, 2);
+  ASSERT_EQ(layers.size(), kLayers);
+  for (const SupportLayer& layer : layers) {
+    double all = 0;
+    for (const SupportRegion& region : layer.regions) {
+      all += AreaMm2(region.outlines);
+      EXPECT_LT(Bounds(region.outlines).max.x, FromMm(5)) << layer.top_nm;
+    }
+    EXPECT_NEAR(all, 40, 1e-3);
+  }
+}
+
+/// A sheet of less than a millimetre may lie between two lines of the base: its first layer reaches over one of them.
+TEST_F(InterfacesTest, TheFirstLayerOfASmallSheetReachesOverALine) {
+  SupportOptions options;
+  for (MultiPolygon& body : bodies_) body = BoxOf(0, 0, 10, 10);
+  contacts_.back() = BoxOf(4.6, 4.6, 5.4, 5.4);
+  const auto layers = ColumnLayers({}, Even(), bodies_, contacts_, options, 2);
+  ASSERT_EQ(layers.size(), kLayers);
+  const double cell_mm = ToMm(static_cast<double>(options.spacing_nm + options.width_nm));
+  const size_t first = kLayers - static_cast<size_t>(options.top_interface_layers);
+  EXPECT_GT(AreaOf(layers, first, SupportRole::kTopInterface), cell_mm * cell_mm);
+  EXPECT_EQ(AreaOf(layers, first - 1, SupportRole::kTopInterface), 0);
+  EXPECT_LT(AreaOf(layers, kLayers - 1, SupportRole::kTopInterface), 2) << "what the part lies on";
+}
+
 // What is left of a column beside its contact carries nothing any more.
 TEST_F(InterfacesTest, ColumnsEndWithTheirSheets) {
   SupportOptions options;

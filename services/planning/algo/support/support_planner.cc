@@ -57,7 +57,8 @@ class Planner {
     if (cancel_.Cancelled()) return cancel_.Check();
     heights_ = HeightsFor(problem_, overhangs_, options_);
     if (!heights_.layers.empty()) {
-      const Clearance clearance(problem_, options_, heights_.layers.back().top_nm, threads_);
+      const Clearance clearance(problem_, options_, heights_.layers.back().top_nm, threads_,
+                                cancel_);
       if (cancel_.Cancelled()) return cancel_.Check();
       FindContacts(clearance);
       const absl::Status made =
@@ -111,7 +112,8 @@ class Planner {
     if (!columns.ok()) return columns.status();
     if (absl::Status added = AddEnforced(clearance, *columns); !added.ok()) return added;
     DropUseless(contacts_, 2 * (options_.spacing_nm + options_.width_nm), *columns);
-    plan_.layers = ColumnLayers(problem_, heights_, *columns, contacts_, standing_, threads_);
+    plan_.layers = ColumnLayers(problem_, heights_, *columns, contacts_, standing_, threads_,
+                                cancel_);
     return absl::OkStatus();
   }
 
@@ -124,14 +126,14 @@ class Planner {
     auto own = Columns(problem_, heights_, enforced_, clearance, standing_, threads_, cancel_);
     if (!own.ok()) return own.status();
     ForEachIndex(threads_, columns.size(), [&](size_t i, int) {
-      if (!(*own)[i].empty()) columns[i] = Union(columns[i], (*own)[i]);
+      if (!cancel_.Cancelled() && !(*own)[i].empty()) columns[i] = Union(columns[i], (*own)[i]);
     });
     return absl::OkStatus();
   }
 
   absl::Status Grow(const Clearance& clearance) {
     const std::vector<MultiPolygon> sheets =
-        Sheets(heights_, contacts_, clearance, options_, threads_);
+        Sheets(heights_, contacts_, clearance, options_, threads_, cancel_);
     Box box;
     for (const MultiPolygon& sheet : sheets) box.Add(Bounds(sheet));
     if (box.Empty()) return absl::OkStatus();
@@ -146,7 +148,8 @@ class Planner {
     if (cancel_.Cancelled()) return cancel_.Check();
     plan_.layers =
         BranchLayers(problem_, heights_, sections, sheets,
-                     Plinths(heights_, contacts_, clearance, threads_), options_, threads_);
+                     Plinths(heights_, contacts_, clearance, threads_, cancel_), options_, threads_,
+                     cancel_);
     return absl::OkStatus();
   }
 

@@ -360,5 +360,28 @@ TEST_P(StyleTest, CanBeCancelled) {
   }
 }
 
+/// A fin of 0.3 mm, 20 mm long, 16 mm above the bed: a wall of one bead as high would fall over.
+TEST(SupportPlanner, ColumnsUnderFinsAreClosedCells) {
+  const TestStack stack(85, [](double z) {
+    const MultiPolygon post = BoxOf(-6, 0, 0, 6);
+    return z < 16 ? post : Union(post, BoxOf(0, 1.4, 20, 1.7));
+  });
+  for (const SupportStyle style : {SupportStyle::kGrid, SupportStyle::kSnug}) {
+    SupportOptions options;
+    options.style = style;
+    const SupportPlan plan = Plan(stack.Problem(), options);
+    ASSERT_GT(plan.layers.size(), 60u);
+    for (const SupportLayer& layer : plan.layers) {
+      if (layer.top_nm > FromMm(11)) continue;
+      const MultiPolygon all = All(layer);
+      ASSERT_FALSE(all.empty()) << layer.top_nm;
+      for (const PolygonWithHoles& island : all)
+        EXPECT_FALSE(Offset({island}, -650'000).empty()) << layer.top_nm;
+    }
+    EXPECT_TRUE(std::ranges::none_of(
+        plan.findings, [](const SupportFinding& finding) { return !finding.carried; }));
+  }
+}
+
 }  // namespace
 }  // namespace slicefarm::planning::support_planner_test
