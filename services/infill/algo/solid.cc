@@ -24,11 +24,11 @@ constexpr double kMostStretch = 1.2;
 constexpr double kMaxLinkSpacings = 8.0;
 /// A path shorter than this many widths covers less than the round ends of its neighbours leave.
 constexpr double kMinLengthWidths = 1.0;
-/// Beside walls, ends that no link leads on from come so much of the distance nearer that the
-/// overlap leaves: gaps where a line meets the edge at a flat angle are smaller.
-constexpr double kFreeShare = 0.25;
-/// Links come nearer to the edge by so much of the overlap.
-constexpr double kLinkOverlap = 0.07;
+/// Beside walls, lines end at this share of the distance that the overlap leaves: those that links
+/// join, and those of paths of their own.
+constexpr double kLinkedShare = 0.36, kFreeShare = 0.25;
+/// Width of a link's strip beside walls, in spacings: what lines that end so near to the edge lack.
+constexpr double kLinkShare = 0.15;
 /// What links between curves may add to their length.
 constexpr double kMostLinkShare = 0.01;
 constexpr double kDepthPrecision = 0.001;  // of a spacing
@@ -38,20 +38,19 @@ Coord EndDistance(Coord spacing, Coord overlap) {
   return std::max<Coord>(0, spacing / 2 - overlap);
 }
 
-/// How far from the region's edge lines end: those that links join, and the others.
-struct EndDistances {
-  Coord linked_nm = 0;
-  Coord free_nm = 0;
-};
+/// Returns true if straight lines fit the room between walls. A thread in the air is as thick as it
+/// leaves the nozzle, and without walls the lines' ends are the edge.
+bool FitsWalls(const SolidFill& fill) {
+  return fill.beside_walls && fill.feature != Feature::kBridgeInfill;
+}
 
-EndDistances EndsOf(Coord spacing, const SolidFill& fill, bool linked) {
-  if (fill.anchored) return {};
+/// How far from the region's edge straight lines end.
+Coord LineEndDistance(Coord spacing, const SolidFill& fill) {
+  if (fill.anchored) return 0;
   const Coord full = EndDistance(spacing, fill.overlap_nm);
-  if (!fill.beside_walls) return {full, full};
-  const auto free = static_cast<Coord>(kFreeShare * static_cast<double>(full));
-  if (!linked) return {free, free};
-  const auto overlap = static_cast<Coord>(kLinkOverlap * static_cast<double>(fill.overlap_nm));
-  return {std::max(free, EndDistance(spacing, overlap)), free};
+  if (!FitsWalls(fill)) return full;
+  const double share = fill.pattern == FillPattern::kMonotonicLines ? kFreeShare : kLinkedShare;
+  return std::llround(share * static_cast<double>(full));
 }
 
 /// Lines across an area, the outermost ones `margin` inside of it, if that takes no more stretch
@@ -93,42 +92,37 @@ double FittingLoops(const MultiPolygon& region, double spacing) {
 absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const SolidFill& fill) {
   const bool linked = fill.pattern != FillPattern::kMonotonicLines;
   const Coord nominal = Spacing(fill.width_nm, fill.height_nm);
-  const Coord inset = EndsOf(nominal, fill, linked).linked_nm;
+  const Coord inset = LineEndDistance(nominal, fill);
   MultiPolygon area = FastOffset({region}, -inset);
   if (area.empty()) return FillGroup{};
   const auto wanted = static_cast<double>(nominal);
   const LineFamily family =
       FittingLines(area, fill.angle_rad, wanted, wanted / 2 - static_cast<double>(inset));
   const Coord spacing = std::llround(family.pitch_nm);
-  const EndDistances ends = EndsOf(spacing, fill, linked);
-  if (ends.linked_nm != inset) area = FastOffset({region}, -ends.linked_nm);
+  const Coord ends = LineEndDistance(spacing, fill);
+  if (ends != inset) area = FastOffset({region}, -ends);
   auto lines = CutLines(area, family);
   if (lines.ok() && lines->PieceCount() == 0) lines = CutLines(area, MiddleLine(area, family));
   if (!lines.ok()) return lines.status();
 
   FillGroup group;
   group.keep_order = !linked || fill.pattern == FillPattern::kMonotonic;
-  SerpentineOptions options{
-      .monotonic = group.keep_order,
-      .max_link_nm = linked ? kMaxLinkSpacings * family.pitch_nm : 0,
-      .min_length_nm =
-          kMinLengthWidths * static_cast<double>(WidthForSpacing(spacing, fill.height_nm)) -
-          2 * static_cast<double>(ends.linked_nm - ends.free_nm)};
+  SerpentineOptions options{.monotonic = group.keep_order,
+                            .max_link_nm = linked ? kMaxLinkSpacings * family.pitch_nm : 0,
+                            .min_length_nm = kMinLengthWidths * static_cast<double>(WidthForSpacing(
+                                                                    spacing, fill.height_nm))};
   std::vector<SerpentinePath> paths = Serpentine(*lines, options);
   // A place of its own with short lines only is not the ends of its neighbours'.
   if (paths.empty() && Area(region) >= wanted * wanted) {
     options.min_length_nm = 0;
     paths = Serpentine(*lines, options);
   }
-  // A thread in the air is as thick as it leaves the nozzle, and without walls the lines' ends are
-  // the edge.
   const SolidBeads beads(region, *lines, paths,
-                         {.fitted = fill.beside_walls && fill.feature != Feature::kBridgeInfill,
-                          .linked_nm = static_cast<double>(ends.linked_nm),
-                          .free_nm = static_cast<double>(ends.free_nm)});
+                         {.fitted = FitsWalls(fill),
+                          .reach_nm = static_cast<double>(ends),
+                          .link_share = FitsWalls(fill) ? kLinkShare : 1});
   for (const SerpentinePath& line : paths) {
-    Path& path = group.paths.emplace_back(
-        PathOfStrip(EvenRamps(beads.BeadOf(line), family.pitch_nm), fill.height_nm));
+    Path& path = group.paths.emplace_back(PathOfStrip(beads.BeadOf(line), fill.height_nm));
     path.feature = fill.feature;
     path.reversible = !group.keep_order;
   }

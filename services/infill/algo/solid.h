@@ -13,9 +13,8 @@ struct SolidFill {
   Coord width_nm = 450'000;
   Coord height_nm = 200'000;
   int32_t layer = 0;  ///< of the object's own
-  /// How much nearer than half a spacing lines come to the region's edge. Beside walls, ends of
-  /// straight lines that a link joins take a small part of it; the others go half of the way that
-  /// is left, too.
+  /// How much nearer than half a spacing lines come to the region's edge. Beside walls, the ends of
+  /// straight lines go about two thirds of the way that is left, too.
   Coord overlap_nm = 0;
   bool beside_walls = true;  ///< they lie around the region: ends of lines may reach into them
   /// Straight lines end, and links run, on the region's edge: threads in the air hold by half of
@@ -29,8 +28,9 @@ bool IsAligned(FillPattern pattern);
 /// Covers one connected region with beads side by side. For lines and loops the spacing is the
 /// nearest to that of `width_nm` that fits a whole number of beads across the region, within 15 %
 /// less and 20 % more; the beads' width follows, and the volume is the region's within 1.25 %, but
-/// for regions of a few lines. No bead of straight lines beside walls changes its section by more than
-/// 30 % from edge to edge of its path, or is narrower than 0.6 spacings.
+/// for regions of a few lines. No straight line beside walls changes its section by more than 30 %
+/// from edge to edge, or is narrower than 0.6 spacings. The links between them hold what the
+/// lines' ends lack of the room before the edge: 0.15 of a line's plastic.
 ///
 /// Monotonic: each piece of line after those of the line before that it lies beside; the group
 /// keeps its order. Monotonic lines: the same, each a path of its own. Other straight lines: any

@@ -115,13 +115,14 @@ class CoverRaster {
 };
 
 /// Of a group of paths in a region.
-inline RasterCover CoverOf(const std::vector<Path>& paths, const MultiPolygon& region, Coord height_nm,
-                     Coord pixel_nm = 20'000, Coord margin_nm = 180'000) {
+inline RasterCover CoverOf(const std::vector<Path>& paths, const MultiPolygon& region,
+                           Coord height_nm, Coord pixel_nm = 20'000, Coord margin_nm = 180'000) {
   CoverRaster raster(region, pixel_nm, margin_nm);
   return raster.Of(paths, height_nm, Area(region));
 }
 
-/// How evenly plastic flows along paths, and the narrowest bead.
+/// How evenly plastic flows along paths, and the narrowest bead. Links between solid lines, which
+/// are thinner than half a line, are no part of the flow along a line.
 struct Flow {
   int jumps = 0;  ///< from bead to bead by more than 30 %; beads below 20 um are passed over
   double length_m = 0;
@@ -129,7 +130,7 @@ struct Flow {
 };
 
 inline Flow FlowOf(const std::vector<Path>& paths, Coord height_nm) {
-  constexpr double kLeastNm = 20'000, kJump = 1.3;
+  constexpr double kLeastNm = 20'000, kJump = 1.3, kLinkMm2 = 0.03;
   Flow flow{.narrowest_nm = 1'000'000'000};
   for (const Path& path : paths) {
     double last = 0;
@@ -139,6 +140,10 @@ inline Flow FlowOf(const std::vector<Path>& paths, Coord height_nm) {
       flow.length_m += length / 1e9;
       if (length < kLeastNm) continue;
       const double section = SectionMm2(width, height_nm);
+      if (section < kLinkMm2) {
+        last = 0;
+        continue;
+      }
       flow.narrowest_nm = std::min(flow.narrowest_nm, width);
       if (last > 0 && std::max(last, section) > kJump * std::min(last, section)) ++flow.jumps;
       last = section;

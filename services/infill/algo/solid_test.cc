@@ -49,7 +49,8 @@ class Solid : public testing::TestWithParam<SolidCase> {};
 // outside but for the round ends, which hold no plastic.
 TEST_P(Solid, CoversTheRegionOnce) {
   const PolygonWithHoles region = Island(GetParam().region);
-  SolidFill fill{.angle_rad = GetParam().angle_deg * std::numbers::pi / 180};
+  SolidFill fill{.angle_rad = GetParam().angle_deg * std::numbers::pi / 180,
+                 .overlap_nm = 112'500};
   const auto group = FillSolid(region, fill);
   ASSERT_TRUE(group.ok());
   const RasterCover cover = CoverOf(group->paths, {region}, fill.height_nm);
@@ -74,8 +75,8 @@ std::vector<PolygonWithHoles> RealFillAreas() {
   return areas;
 }
 
-// Over all of them: corners and narrow places too. No printer follows steps of the flow: there are
-// none, and no bead is narrower than 0.6 nozzles of 0.4 mm.
+// Over all of them: corners and narrow places too. The flow of lines makes no steps, and none is
+// narrower than 0.6 nozzles of 0.4 mm.
 TEST(SolidOnParts, CoversThemByAnEvenFlow) {
   double area = 0, empty = 0, twice = 0, outside = 0, plastic = 0;
   for (const FillPattern pattern : {FillPattern::kMonotonic, FillPattern::kRectilinear}) {

@@ -11,13 +11,13 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Shorter stretches of the edge, in pitches along the lines, are no flat ones: at steeper angles
-/// the round ends of lines leave little, and each fitted end takes some moves more.
-constexpr double kLeastFlatPitches = 2.0;
+/// Shorter stretches of the edge, in pitches along the lines, are no flat ones: the round ends of
+/// lines leave little there, and each fitted end takes some moves more.
+constexpr double kLeastFlatPitches = 1.0;
 /// Steeper edges are not flat.
-constexpr double kSteepSlope = 1 / kLeastFlatPitches;
+constexpr double kSteepSlope = 0.5;
 /// The round end of a line takes so much of the room beyond it, in pitches.
-constexpr double kEndPitches = 1.0;
+constexpr double kEndPitches = 0.35;
 /// Corners of a strip lie at least so far apart, in pitches.
 constexpr double kLeastStepPitches = 0.25;
 /// The narrowest and the widest strip, in pitches.
@@ -34,14 +34,11 @@ StripPoint Between(const StripPoint& a, const StripPoint& b, double share) {
           a.strip_nm + share * (b.strip_nm - a.strip_nm)};
 }
 
-FittedStrips::FittedStrips(const ScanLines& lines, const std::vector<bool>& linked, double reach_nm)
-    : lines_(lines) {
+FittedStrips::FittedStrips(const ScanLines& lines, const Options& options) : lines_(lines) {
   for (size_t i = 0; i < lines.crossings.size(); ++i) {
     const auto from = static_cast<int32_t>(i);
-    const auto flat = FlatFrom(from, reach_nm);
-    if (!flat) continue;
-    AddStretch(*flat, from, linked[i]);
-    if (linked[i]) AddLink(*flat, from);
+    if (const auto flat = FlatFrom(from, options.reach_nm))
+      AddStretch(*flat, from, options.linked[i] ? options.link_nm : 0);
   }
   std::ranges::sort(rooms_, {}, [](const Room& room) {
     return std::tuple(room.side, room.knots.front().u, room.knots.back().u);
@@ -121,12 +118,11 @@ double FittedStrips::RoomAt(const FlatStretch& flat, size_t i) const {
   return std::abs(flat.way[i].v - lines_.VOf(flat.line)) + flat.reach_nm + lines_.pitch / 2;
 }
 
-void FittedStrips::AddStretch(const FlatStretch& flat, int32_t from, bool linked) {
+void FittedStrips::AddStretch(const FlatStretch& flat, int32_t from, double link_nm) {
   std::vector<Knot> edge;
   for (size_t i = flat.first; i <= flat.last; ++i) {
-    const double room = RoomAt(flat, i);
-    const double strip = std::clamp(linked ? std::min(room / 2, lines_.pitch) : room,
-                                    kNarrowest * lines_.pitch, kWidest * lines_.pitch);
+    const double strip =
+        std::clamp(RoomAt(flat, i) - link_nm, kNarrowest * lines_.pitch, kWidest * lines_.pitch);
     edge.push_back({flat.way[i].u, strip - lines_.pitch});
   }
   const Crossing* start = &lines_.crossings[from];
@@ -137,29 +133,6 @@ void FittedStrips::AddStretch(const FlatStretch& flat, int32_t from, bool linked
   rooms_.push_back(
       {2 * flat.piece + (flat.region_above ? 0 : 1),
        Joined(std::move(edge), start->place / 2 == flat.piece, end->place / 2 == flat.piece)});
-}
-
-/// Half of the room, beside the edge.
-void FittedStrips::AddLink(const FlatStretch& flat, int32_t from) {
-  Link link{from, {}};
-  for (size_t i = 0; i < flat.way.size(); ++i) {
-    const auto [u, v] = flat.way[i];
-    if (i < flat.first || i > flat.last) {
-      link.bead.push_back({lines_.frame.At(u, v), lines_.pitch});
-      continue;
-    }
-    const double strip = std::clamp(RoomAt(flat, i) / 2, kNarrowest * lines_.pitch, lines_.pitch);
-    const double shift = strip / 2 - flat.reach_nm;
-    link.bead.push_back({lines_.frame.At(u, flat.region_above ? v + shift : v - shift), strip});
-  }
-  if (!flat.region_above) std::ranges::reverse(link.bead);
-  links_.push_back(std::move(link));
-}
-
-std::vector<StripPoint> FittedStrips::LinkFrom(int32_t crossing) const {
-  const auto found = std::ranges::lower_bound(links_, crossing, {}, &Link::from);
-  if (found == links_.end() || found->from != crossing) return {};
-  return found->bead;
 }
 
 /// What a strip gets of the room before the edge. At an end of another line it begins with nothing:

@@ -19,29 +19,27 @@ struct StripPoint {
 /// The point at a share of the way from one to the other.
 StripPoint Between(const StripPoint& a, const StripPoint& b, double share);
 
-/// The strips of a region that solid lines and their links fill: half a pitch to each side of a
-/// line. But where the region's edge runs at a flat angle to the lines, beads fill the room up to
-/// the edge. Where a link runs along the edge, it and the line beside it each take half of the
-/// room, and come to their turn narrower; elsewhere the line beside the end of the next one is
-/// wider. So lines leave no wedges between their ends, and lie neither over walls nor over each
-/// other.
+/// The strips of a region that solid lines fill: half a pitch to each side of a line. But where the
+/// region's edge runs at a flat angle to the lines, the line beside the edge fills the room up to
+/// it, less what a link takes that runs along the edge there. So lines leave no wedges between
+/// their ends, and lie neither over walls nor over each other.
 class FittedStrips {
  public:
-  /// None reaches farther than half a pitch, or less far.
+  struct Options {
+    std::vector<bool> linked;  ///< by crossing: a link runs from it to the next one on its ring
+    double link_nm = 0;        ///< width of the links' strips
+    double reach_nm = 0;       ///< what lies outside of the region of `lines` and is filled too
+  };
+
+  /// All strips are as wide as the pitch.
   explicit FittedStrips(const ScanLines& lines) : lines_(lines) {}
 
-  /// `linked`: by crossing, whether a link runs from it to the next one on its ring. `reach_nm`:
-  /// what lies outside of the region of `lines` and is filled too. `lines` must outlive this.
-  /// Cost: O(n + k log k), n points of the region, k pieces.
-  FittedStrips(const ScanLines& lines, const std::vector<bool>& linked, double reach_nm);
+  /// `lines` must outlive this. Cost: O(n + k log k), n points of the region, k pieces.
+  FittedStrips(const ScanLines& lines, const Options& options);
 
   /// The strip of the piece that begins at `place` (ScanLines::order), to its other end: two points
   /// or more.
   std::vector<StripPoint> From(int32_t place) const;
-
-  /// The bead of the link from a crossing to the next one on its ring; empty where the edge is not
-  /// flat: the link is as wide as lines are, and runs along the edge of the region of `lines`.
-  std::vector<StripPoint> LinkFrom(int32_t crossing) const;
 
  private:
   /// How much farther than half a pitch a strip goes at a place along it.
@@ -67,8 +65,7 @@ class FittedStrips {
   };
 
   std::optional<FlatStretch> FlatFrom(int32_t from, double reach_nm) const;
-  void AddStretch(const FlatStretch& flat, int32_t from, bool linked);
-  void AddLink(const FlatStretch& flat, int32_t from);
+  void AddStretch(const FlatStretch& flat, int32_t from, double link_nm);
   double RoomAt(const FlatStretch& flat, size_t i) const;
   std::vector<FramePoint> WayOf(int32_t from) const;
   int32_t LineBelow(int32_t from, const std::vector<FramePoint>& way) const;
@@ -77,14 +74,8 @@ class FittedStrips {
   std::vector<Knot> KnotsOf(int32_t side) const;
   static double MoreAt(const std::vector<Knot>& knots, double u);
 
-  struct Link {
-    int32_t from = 0;
-    std::vector<StripPoint> bead;
-  };
-
   const ScanLines& lines_;
   std::vector<Room> rooms_;  ///< by side, then along it
-  std::vector<Link> links_;  ///< by crossing
 };
 
 }  // namespace slicefarm::infill

@@ -91,9 +91,11 @@ std::vector<StripPoint> EvenRamps(const std::vector<StripPoint>& bead, double pi
 Path PathOfStrip(const std::vector<StripPoint>& bead, Coord height_nm) {
   Path path;
   for (const StripPoint& p : bead) {
-    if (!path.points.empty() && path.points.back() == p.at) continue;
+    const Coord width_nm = WidthToFill(std::llround(p.strip_nm), height_nm);
+    if (!path.points.empty() && path.points.back() == p.at && path.widths_nm.back() == width_nm)
+      continue;
     path.points.push_back(p.at);
-    path.widths_nm.push_back(WidthToFill(std::llround(p.strip_nm), height_nm));
+    path.widths_nm.push_back(width_nm);
   }
   if (std::ranges::count(path.widths_nm, path.widths_nm[0]) == std::ssize(path.widths_nm))
     path.widths_nm.resize(1);

@@ -77,5 +77,18 @@ TEST(PathOfStrip, SectionsAreTheStrips) {
   EXPECT_EQ(PathOfStrip({bead[0], bead[1]}, kHeight).widths_nm.size(), 1u);
 }
 
+// Two points in one place are a step of the width; with one width they are one point.
+TEST(PathOfStrip, StepsStay) {
+  const Bead bead = {{{0, 0}, kPitch},
+                     {{1'000'000, 0}, kPitch},
+                     {{1'000'000, 0}, kPitch},
+                     {{1'000'000, 0}, 0.2 * kPitch},
+                     {{1'000'000, 400'000}, 0.2 * kPitch}};
+  const Path path = PathOfStrip(bead, kHeight);
+  ASSERT_EQ(path.points.size(), 4u);
+  EXPECT_EQ(path.points[1], path.points[2]);
+  EXPECT_NE(path.WidthAt(1), path.WidthAt(2));
+}
+
 }  // namespace
 }  // namespace slicefarm::infill::strip_ramps_test

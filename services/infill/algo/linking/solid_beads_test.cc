@@ -15,7 +15,8 @@ namespace slicefarm::infill::solid_beads_test {
 namespace {
 
 constexpr double kPitch = 400'000;
-constexpr Coord kInset = 190'000, kFree = 20'000;
+constexpr Coord kInset = 30'000;
+constexpr double kLinkShare = 0.15;
 
 /// The beads of a region's lines, in one place with all that they refer to.
 struct Filled {
@@ -24,8 +25,9 @@ struct Filled {
         area(FastOffset({region}, -kInset)),
         lines(*CutLines(area, {angle_rad, 200'000, kPitch})),
         paths(Serpentine(lines, {.max_link_nm = 8 * kPitch})) {
-    const SolidBeads maker(region, lines, paths,
-                           {.fitted = fitted, .linked_nm = kInset, .free_nm = kFree});
+    const SolidBeads maker(
+        region, lines, paths,
+        {.fitted = fitted, .reach_nm = kInset, .link_share = fitted ? kLinkShare : 1});
     for (const SerpentinePath& path : paths) beads.push_back(maker.BeadOf(path));
   }
 
@@ -36,18 +38,25 @@ struct Filled {
   std::vector<std::vector<StripPoint>> beads;
 };
 
-// Edges along and square to the lines: nothing but beads of one width.
-TEST(SolidBeads, TurnsAreAsWideAsLines) {
+// Edges along and square to the lines: lines of one width, and links between them that hold what
+// the lines' ends lack. The width steps between them.
+TEST(SolidBeads, LinksHoldWhatTheEndsOfLinesLack) {
   const Filled square("(0 0, 10 0, 10 10, 0 10)");
   ASSERT_EQ(square.beads.size(), 1u);
-  for (const StripPoint& p : square.beads[0]) EXPECT_NEAR(p.strip_nm, kPitch, 0.03 * kPitch);
-}
-
-// Ends that no link leads on from come nearer to the edge than links do.
-TEST(SolidBeads, FreeEndsReachTheEdge) {
-  const Filled square("(0 0, 10 0, 10 10, 0 10)");
-  for (const Point end : {square.beads[0].front().at, square.beads[0].back().at})
-    EXPECT_NEAR(static_cast<double>(std::min(end.x, 10'000'000 - end.x)), kFree, 10);
+  const auto& bead = square.beads[0];
+  double area = 0;
+  int links = 0;
+  for (size_t i = 1; i < bead.size(); ++i) {
+    const double length = Distance(bead[i - 1].at, bead[i].at);
+    if (length == 0) continue;
+    ASSERT_EQ(bead[i - 1].strip_nm, bead[i].strip_nm);
+    const bool link = bead[i].strip_nm < 0.5 * kPitch;
+    links += link ? 1 : 0;
+    EXPECT_NEAR(bead[i].strip_nm, link ? kLinkShare * kPitch : kPitch, 0.03 * kPitch);
+    area += length * bead[i].strip_nm;
+  }
+  EXPECT_EQ(links, std::ssize(square.paths[0].pieces) - 1);
+  EXPECT_NEAR(area / 1e14, 1, 0.001);
 }
 
 // Lines of two sharp corners, where a step along the line would come too near to the other edge.

@@ -8,6 +8,7 @@
 
 #include "common/geometry/measure.h"
 #include "services/infill/algo/axis/axis_levels.h"
+#include "services/infill/algo/axis/axis_spokes.h"
 #include "services/infill/algo/axis/main_axis.h"
 #include "services/infill/algo/lines/clip_curves.h"
 #include "services/infill/algo/lines/line_limit.h"
@@ -56,11 +57,19 @@ Curve CurveAlong(const Polyline& line) {
   return curve;
 }
 
+/// Returns the main axis of an island and the spokes that join it to all rings of the island.
+std::vector<Polyline> JoinedAxis(const PolygonWithHoles& island, double least_nm) {
+  std::vector<Polyline> axis = MainAxis(island, {.least_nm = least_nm});
+  std::vector<Polyline> spokes = AxisSpokes(island, axis);
+  std::ranges::move(spokes, std::back_inserter(axis));
+  return axis;
+}
+
 /// An island's lines before they are cut.
 class AxisLines {
  public:
   AxisLines(const PolygonWithHoles& island, const PatternPlace& place)
-      : place_(place), axis_(MainAxis(island, {.least_nm = place.pitch_nm / 2})) {
+      : place_(place), axis_(JoinedAxis(island, place.pitch_nm / 2)) {
     ForEachRing({island}, [this](const Polygon& ring) {
       for (size_t i = 0; i < ring.size(); ++i)
         LookAtEdge(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);

@@ -6,7 +6,8 @@ namespace slicefarm::infill {
 
 /// Lines at distances phase + k pitch from the main lines of each island's medial axis (MainAxis),
 /// k = 0, 1, ..., cut by the region: they follow its limbs and run into its corners, split and
-/// merge where the axis forks, and end at walls.
+/// merge where the axis forks, and end at walls: spokes (AxisSpokes) join the axis to each wall that
+/// it does not reach itself, so that no line is a ring between walls which holds to none.
 ///
 /// Law: the distance d to any fixed set has |grad d| = 1, so the length of {d = phase + k pitch} in
 /// any part of the region is the part's area / pitch on average over the phase (coarea formula).
