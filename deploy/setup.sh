@@ -10,16 +10,16 @@ build=(
   build-essential cmake ninja-build ccache pkg-config python3 python3-yaml python3-grpcio python3-protobuf
   libgrpc++-dev protobuf-compiler-grpc libprotobuf-dev protobuf-compiler libabsl-dev
   libboost-dev libpolyclipping-dev libeigen3-dev libcgal-dev liblemon-dev libsuitesparse-dev libexpat1-dev libzip-dev
-  libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev prometheus-cpp-dev libcivetweb-dev
+  libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev prometheus-cpp-dev libcivetweb-dev libmicrohttpd-dev
   libsqlite3-dev sqlite3 libpq-dev postgresql-15 libcurl4-openssl-dev libssl-dev libpng-dev libjpeg-dev zlib1g-dev libcairo2-dev libseccomp-dev
-  libjemalloc-dev libre2-dev
+  libjemalloc-dev libre2-dev nginx
   libgtest-dev libgmock-dev
   clang clang-format clang-tidy libclang-rt-14-dev
 )
 runtime=(
-  libgrpc++1.51 libprotobuf32 libpolyclipping22 libspdlog1.10 libprometheus-cpp-core1.0 libcivetweb1
+  libgrpc++1.51 libprotobuf32 libpolyclipping22 libspdlog1.10 libprometheus-cpp-core1.0 libmicrohttpd12
   ca-certificates libsqlite3-0 sqlite3 libpq5 libcurl4 libssl3 libpng16-16 libjpeg62-turbo zlib1g libcairo2 libseccomp2 libjemalloc2
-  libexpat1 libzip4 libre2-9 libcholmod3
+  libexpat1 libzip4 libre2-9 libcholmod3 nginx
 )
 
 packages=("${build[@]}")
@@ -37,3 +37,5 @@ as_root=()
 export DEBIAN_FRONTEND=noninteractive
 "${as_root[@]}" apt-get update -qq
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+# Where there is a service manager it starts nginx, on port 80: deploy/proxy starts its own.
+[[ " ${missing[*]} " != *" nginx "* ]] || "${as_root[@]}" systemctl disable --now nginx >/dev/null 2>&1 || true

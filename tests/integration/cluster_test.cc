@@ -13,9 +13,12 @@
 
 #include "common/base/error.h"
 #include "common/base/from_environment_test.h"
+#include "common/rpc/client/channel.h"
+#include "common/rpc/client/health.h"
 #include "common/rpc/status_mapping.h"
 #include "services/coordinator/store/sql/postgres_connection.h"
 #include "tests/integration/farm_processes_test.h"
+#include "tests/integration/http_get.h"
 #include "tests/integration/postgres_server.h"
 
 namespace slicefarm::cluster_test {
@@ -244,6 +247,44 @@ TEST_F(ClusterTest, AJobOutlivesADatabaseThatStandsStill) {
   EXPECT_FALSE(waited.ok()) << "longer than the lease, and nothing is there to keep a job";
   postgres_.Resume();
   ExpectTheSame(AwaitEnd(*a_, id));
+}
+
+// Beside it everything that does not need the database answers, and who needs it hears so at once.
+TEST_F(ClusterTest, ADatabaseThatStandsStillIsTold) {
+  std::optional<Coordinator> c;
+  c.emplace(
+      Arguments({"--postgres", database_, "--name", "c", "--lease", "2", "--metrics-port", "0"}));
+  ASSERT_TRUE(c->client.Upload(mesh_).ok());
+  const auto channel = rpc::MakeChannel(c->server.address);
+  const auto serves = [&](const std::string& service) {
+    return rpc::IsServing(channel, service, {std::chrono::seconds(60), {}}).value_or(false);
+  };
+  c->server.AwaitMetric("slicefarm_store_up 1");
+  EXPECT_TRUE(serves(""));
+  postgres_.Pause();
+  while (serves("")) std::this_thread::yield();
+  EXPECT_TRUE(serves(rpc::kLiveService));
+  c->server.AwaitMetric("slicefarm_store_up 0");
+  EXPECT_THAT(HttpGet(c->server.metrics_port, "/statusz"), testing::HasSubstr("store fails"));
+  v1::CreateJobRequest request = FarmClient::RequestFor(mesh_);
+  request.set_request_id("once");
+  EXPECT_EQ(DetailOf(c->client.Create(request).status()).reason, Reason::kStoreFailed);
+  postgres_.Resume();
+  while (!serves("")) std::this_thread::yield();
+  c->server.AwaitMetric("slicefarm_store_up 1");
+  ExpectTheSame(AwaitEnd(*b_, SubmitTo(*c)));
+}
+
+// It would take the jobs that the first one runs, whose name is on them.
+TEST_F(ClusterTest, TheSecondOfANameDoesNotStart) {
+  const std::string id = Running(*a_);
+  ChildProcess second(
+      "slicefarm-coordinator",
+      Arguments({"--listen", "127.0.0.1:0", "--postgres", database_, "--name", "a"}),
+      ChildProcess::Stderr::kWithStdout);
+  EXPECT_EQ(second.Wait(), 1);
+  ContinueWorkers();
+  ExpectTheSame(AwaitEnd(*b_, id));
 }
 
 TEST_F(ClusterTest, AnUploadMayGoOnAtTheOther) {

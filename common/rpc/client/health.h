@@ -15,6 +15,10 @@ namespace slicefarm::rpc {
 absl::StatusOr<bool> IsServing(const std::shared_ptr<grpc::Channel>& channel,
                                const std::string& service, const ClientCallOptions& options);
 
+/// The service that serves for as long as a server runs, also while the server as a whole is not
+/// ready.
+inline constexpr char kLiveService[] = "live";
+
 /// The service that servers of this build have, and no others: what they are asked by, before they
 /// are given work.
 std::string ServiceOfThisBuild();

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "common/base/build_info.h"
 #include "prometheus/counter.h"
@@ -55,6 +56,26 @@ TEST(Metrics, AreServedToPrometheus) {
   EXPECT_THAT(answer, HasSubstr("process_cpu_seconds_total "));
   EXPECT_THAT(answer, HasSubstr("process_resident_memory_bytes "));
   EXPECT_THAT(answer, HasSubstr("process_open_fds "));
+}
+
+// Each held a thread, of which there were four.
+TEST(Metrics, HalfRequestsKeepNobodyWaiting) {
+  Metrics metrics;
+  const absl::StatusOr<int> port = metrics.Serve("127.0.0.1:0");
+  ASSERT_TRUE(port.ok()) << port.status();
+  sockaddr_in address = {};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<uint16_t>(*port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  std::vector<int> half;
+  for (int i = 0; i < 200; ++i) {
+    half.push_back(socket(AF_INET, SOCK_STREAM, 0));
+    ASSERT_EQ(connect(half.back(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)),
+              0);
+    ASSERT_EQ(send(half.back(), "GET /met", 8, 0), 8);
+  }
+  EXPECT_THAT(Get(*port, "/metrics"), HasSubstr("slicefarm_build_info"));
+  for (const int each : half) close(each);
 }
 
 TEST(Metrics, APortInUseIsAnError) {

@@ -1,67 +1,87 @@
 #include "common/rpc/server/http_pages.h"
 
-#include <civetweb.h>
+#include <microhttpd.h>
 
-#include <array>
+#include <algorithm>
+#include <memory>
 #include <string_view>
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/rpc/server/socket_address.h"
 
 namespace slicefarm::rpc {
 namespace {
 
-constexpr int kOk = 200;
-constexpr int kMethodNotAllowed = 405;
+constexpr unsigned kMaxConnections = 1000;
+constexpr unsigned kIdleS = 10;
+constexpr size_t kBytesOfAConnection = 8192;
 
-int Answer(mg_connection* connection, void* page_data) {
-  const auto& page = *static_cast<const HttpPage*>(page_data);
-  const std::string_view method = mg_get_request_info(connection)->request_method;
-  if (method != "GET" && method != "HEAD") {
-    mg_send_http_error(connection, kMethodNotAllowed, "%s", "only GET and HEAD");
-    return kMethodNotAllowed;
-  }
-  const std::string content = page.content();
-  mg_send_http_ok(connection, page.mime.c_str(), static_cast<long long>(content.size()));
-  if (method == "GET") mg_write(connection, content.data(), content.size());
-  return kOk;
+struct EndResponse {
+  void operator()(MHD_Response* response) const { MHD_destroy_response(response); }
+};
+using Response = std::unique_ptr<MHD_Response, EndResponse>;
+
+/// Takes over a copy of the text.
+Response ResponseOf(const std::string& text, const std::string& mime) {
+  Response response(MHD_create_response_from_buffer(text.size(), const_cast<char*>(text.data()),
+                                                    MHD_RESPMEM_MUST_COPY));
+  MHD_add_response_header(response.get(), MHD_HTTP_HEADER_CONTENT_TYPE, mime.c_str());
+  MHD_add_response_header(response.get(), MHD_HTTP_HEADER_CONNECTION, "close");
+  return response;
 }
 
-/// civetweb's own words would stand between the JSON lines on stderr.
-int Silence(const mg_connection* /*connection*/, const char* /*message*/) { return 1; }
+MHD_Result Refuse(MHD_Connection* connection, unsigned code, const std::string& why) {
+  return MHD_queue_response(connection, code, ResponseOf(why + "\n", "text/plain").get());
+}
+
+/// Called once when the headers are there, and again when all of the request is.
+MHD_Result Answer(void* pages, MHD_Connection* connection, const char* url, const char* method,
+                  const char* /*version*/, const char* /*upload*/, size_t* upload_size,
+                  void** begun) {
+  if (*begun == nullptr) {
+    *begun = connection;  // anything but null
+    return MHD_YES;
+  }
+  if (std::exchange(*upload_size, 0) > 0) return MHD_YES;  // a body, of which nothing is wanted
+  const std::string_view verb = method;
+  if (verb != MHD_HTTP_METHOD_GET && verb != MHD_HTTP_METHOD_HEAD)
+    return Refuse(connection, MHD_HTTP_METHOD_NOT_ALLOWED, "only GET and HEAD");
+  const auto& known = *static_cast<const std::vector<HttpPage>*>(pages);
+  const auto page = std::ranges::find(known, url, &HttpPage::path);
+  if (page == known.end()) return Refuse(connection, MHD_HTTP_NOT_FOUND, "no such page");
+  return MHD_queue_response(connection, MHD_HTTP_OK, ResponseOf(page->content(), page->mime).get());
+}
 
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<HttpPages>> HttpPages::Serve(const std::string& address,
                                                             std::vector<HttpPage> pages) {
   std::unique_ptr<HttpPages> served(new HttpPages(std::move(pages)));
-  mg_callbacks callbacks = {};
-  callbacks.log_message = Silence;
-  // A reader that stands still holds a thread for a while; the others go on.
-  const std::array<const char*, 7> options = {
-      "listening_ports",    address.c_str(), "num_threads", "4",
-      "request_timeout_ms", "5000",          nullptr};
-  served->server_ = mg_start(&callbacks, nullptr, const_cast<const char**>(options.data()));
+  if (const SocketAddresses at = ResolveSocketAddress(address, AI_PASSIVE)) {
+    unsigned flags = MHD_USE_EPOLL_INTERNAL_THREAD;
+    if (at->ai_family == AF_INET6) flags |= MHD_USE_IPv6;
+    // One thread, which waits for nobody: requests that do not come to an end keep no other
+    // waiting.
+    served->server_ = MHD_start_daemon(
+        flags, 0, nullptr, nullptr, Answer, const_cast<std::vector<HttpPage>*>(&served->pages_),
+        MHD_OPTION_SOCK_ADDR, at->ai_addr, MHD_OPTION_CONNECTION_LIMIT, kMaxConnections,
+        MHD_OPTION_CONNECTION_TIMEOUT, kIdleS, MHD_OPTION_CONNECTION_MEMORY_LIMIT,
+        kBytesOfAConnection, MHD_OPTION_END);
+  }
   if (served->server_ == nullptr) {
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
                      "cannot serve pages on " + address, {{"address", address}});
-  }
-  for (const HttpPage& page : served->pages_) {
-    // "$": this path and none below it. The page is only read.
-    mg_set_request_handler(served->server_, (page.path + "$").c_str(), Answer,
-                           const_cast<HttpPage*>(&page));
   }
   return served;
 }
 
 HttpPages::~HttpPages() {
-  if (server_ != nullptr) mg_stop(server_);
+  if (server_ != nullptr) MHD_stop_daemon(server_);
 }
 
 int HttpPages::port() const {
-  mg_server_port port = {};
-  mg_get_server_ports(server_, 1, &port);
-  return port.port;
+  return MHD_get_daemon_info(server_, MHD_DAEMON_INFO_BIND_PORT)->port;
 }
 
 }  // namespace slicefarm::rpc

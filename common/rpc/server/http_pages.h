@@ -7,7 +7,7 @@
 
 #include "absl/status/statusor.h"
 
-struct mg_context;
+struct MHD_Daemon;
 
 namespace slicefarm::rpc {
 
@@ -15,11 +15,12 @@ namespace slicefarm::rpc {
 struct HttpPage {
   std::string path;  ///< "/metrics"
   std::string mime;
-  std::function<std::string()> content;  ///< from any thread
+  std::function<std::string()> content;  ///< from the thread of the pages, one at a time
 };
 
-/// Serves some pages to GET and HEAD, and nothing else; by civetweb. For the inner network: without
-/// TLS, and anybody who comes may read.
+/// Serves some pages to GET and HEAD, and nothing else; by libmicrohttpd. A connection without a
+/// request, or with half of one, is closed after 10 s and keeps nobody waiting. For the inner
+/// network: without TLS, and anybody who comes may read.
 class HttpPages {
  public:
   /// On `address` (host:port, port 0: any). Errors: Unavailable if it cannot listen there.
@@ -37,7 +38,7 @@ class HttpPages {
   explicit HttpPages(std::vector<HttpPage> pages) : pages_(std::move(pages)) {}
 
   const std::vector<HttpPage> pages_;
-  mg_context* server_ = nullptr;  // civetweb's handle: mg_start makes it, mg_stop ends it
+  MHD_Daemon* server_ = nullptr;  // the library's handle: MHD_start_daemon makes it
 };
 
 }  // namespace slicefarm::rpc

@@ -2,17 +2,23 @@
 
 #include <fmt/core.h>
 #include <grpcpp/impl/service_type.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <atomic>
+#include <csignal>
 #include <cstdio>
+#include <optional>
 
 #include "common/base/available_cpus.h"
 #include "common/base/build_info.h"
+#include "common/base/stoppable_sleep.h"
 #include "common/rpc/observe/gate_metrics.h"
 #include "common/rpc/observe/shared_metrics.h"
 #include "common/rpc/security/certificate_metrics.h"
 #include "common/rpc/security/tls_options.h"
+#include "common/rpc/server/accept_watch.h"
 #include "common/rpc/server/listen_address.h"
 #include "common/rpc/server/open_files.h"
 #include "common/rpc/server/shared_keeper.h"
@@ -24,6 +30,8 @@ namespace {
 /// Threads beyond the calls at work and waiting: for health, reflection and calls that are being
 /// refused.
 constexpr int kSpareThreads = 16;
+
+constexpr std::chrono::milliseconds kAskReadyEvery{500};
 
 /// The part of an address that another port can follow.
 std::string HostPart(const std::string& address) { return address.substr(0, address.rfind(':')); }
@@ -77,6 +85,12 @@ void AddServeFlags(CLI::App& app, ServeFlags* flags) {
   app.add_option("--drain", flags->drain_s, "Seconds that calls in flight get after SIGTERM")
       ->check(CLI::Range(0, 3600))
       ->capture_default_str();
+  app.add_option(
+         "--accept-patience", flags->accept_patience_s,
+         "Seconds after which a server that takes no new connections ends, with exit code 3, "
+         "so that it is started anew; 0: never")
+      ->check(CLI::Range(0, 3600))
+      ->capture_default_str();
   AddTlsFlags(app, flags);
 }
 
@@ -115,6 +129,17 @@ absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> ServerProgram::Credenti
   return credentials;
 }
 
+void ServerProgram::TellReadiness(Server& server, const std::stop_token& stop) const {
+  bool told = true;
+  while (SleepUnlessStopped(stop, kAskReadyEvery)) {
+    const bool ready = ready_();
+    if (ready == told) continue;
+    server.SetReady(ready);
+    ready ? log_.Info("ready again") : log_.Warn("not ready: the store does not answer");
+    told = ready;
+  }
+}
+
 int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services,
                        const std::function<void()>& on_signal, QueuedMethods* queued) {
   RaiseOpenFilesLimit();
@@ -148,7 +173,22 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
   log_.Info("serving", {{"address", fmt::format("{}:{}", host, (*server)->port())},
                         {"version", std::string(Version())}});
 
+  std::jthread readiness;
+  if (ready_)
+    readiness = std::jthread([&](const std::stop_token& stop) { TellReadiness(**server, stop); });
+  std::atomic<bool> dead = false;
+  std::optional<AcceptWatch> watch;
+  if (flags.accept_patience_s > 0) {
+    watch.emplace(fmt::format("{}:{}", host, (*server)->port()), flags.tls.enabled(),
+                  std::chrono::seconds(flags.accept_patience_s), [&] {
+                    log_.Error("no new connection is taken any more: this process ends");
+                    dead = true;
+                    kill(getpid(), SIGTERM);
+                  });
+  }
   const int signal = signal_.Wait();
+  watch.reset();
+  readiness = {};
   log_.Info("draining", {{"signal", int64_t{signal}}});
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(flags.drain_s);
   (*server)->TurnAway();
@@ -158,7 +198,7 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
                                                  end - std::chrono::steady_clock::now())));
   metrics_.Stop();  // what it shows may be the caller's, and end with his scope
   log_.Info("stopped");
-  return 0;
+  return dead ? kTakesNoConnections : 0;
 }
 
 int ServeStage(int argc, char** argv, const std::string& name, const std::string& about,

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -29,13 +30,18 @@ struct ServeFlags {
   int metrics_port = -1;   ///< -1: no metrics are served; 0: any port
   int max_concurrent = 0;  ///< 0: as many as there are CPUs for it
   int drain_s = 30;
-  TlsFiles tls;  ///< all three, or none: no TLS
+  int accept_patience_s = 30;  ///< 0: never asks itself for a connection
+  TlsFiles tls;                ///< all three, or none: no TLS
   ClientCerts client_certs = ClientCerts::kRequired;
   std::string_view policy = InnerPolicy();  ///< with TLS: who may call what
   std::string policy_file;                  ///< if not empty, instead of `policy`
 };
 
-/// --listen, --metrics-port, --drain, --tls-cert, --tls-key, --tls-ca, --authz-policy, and
+/// The exit code of a server that took no new connections any more: one that is started anew does.
+inline constexpr int kTakesNoConnections = 3;
+
+/// --listen, --metrics-port, --drain, --accept-patience, --tls-cert, --tls-key, --tls-ca,
+/// --authz-policy, and
 /// --version.
 void AddServeFlags(CLI::App& app, ServeFlags* flags);
 
@@ -64,21 +70,28 @@ class ServerProgram {
   /// Shows what is kept of jobs' calls. The cache outlives Run.
   void Show(const SharedCache& cache);
 
-  /// Serves `services`, among them that of `queued`, until a signal comes; then calls `on_signal`,
-  /// which ends what would otherwise keep calls in flight. When it returns, neither services nor
-  /// shown metrics are used any more. Returns the exit code of the program: 0, or 1 if it cannot
-  /// listen, or not with these certificates.
+  /// While `ready` returns false, health says NOT_SERVING, and calls are taken all the same. It is
+  /// asked twice a second, by a thread that ends with Run. Before Run.
+  void ReadyWhile(std::function<bool()> ready) { ready_ = std::move(ready); }
+
+  /// Serves `services`, among them that of `queued`, until a signal comes or no new connection is
+  /// taken any more; then calls `on_signal`, which ends what would otherwise keep calls in flight.
+  /// When it returns, neither services nor shown metrics are used any more. Returns the exit code
+  /// of the program: 0, 1 if it cannot listen, or not with these certificates, or
+  /// kTakesNoConnections.
   int Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services,
           const std::function<void()>& on_signal = {}, QueuedMethods* queued = nullptr);
 
  private:
   absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> Credentials(
       const ServeFlags& flags) const;
+  void TellReadiness(Server& server, const std::stop_token& stop) const;
 
   ShutdownSignal signal_;
   JsonLog log_;
   Metrics metrics_;
   CallMetrics call_metrics_;
+  std::function<bool()> ready_;  ///< null: always
 };
 
 /// Makes a service behind a gate, which outlives it.

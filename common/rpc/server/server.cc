@@ -73,13 +73,20 @@ absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& optio
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
                      "cannot listen on " + options.listen, {{"address", options.listen}});
   }
-  if (auto* health = server->GetHealthCheckService())
+  if (auto* health = server->GetHealthCheckService()) {
     health->SetServingStatus(ServiceOfThisBuild(), true);
+    health->SetServingStatus(kLiveService, true);
+  }
   if (queued != nullptr) queued->ServeFrom(queue->queue());
   return std::unique_ptr<Server>(new Server(std::move(server), std::move(queue), port));
 }
 
 Server::~Server() { Drain(std::chrono::milliseconds(0)); }
+
+void Server::SetReady(bool ready) {
+  // Without a name it would be said of all services.
+  if (auto* health = server_->GetHealthCheckService()) health->SetServingStatus("", ready);
+}
 
 void Server::TurnAway() {
   if (auto* health = server_->GetHealthCheckService()) health->Shutdown();

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,6 +45,9 @@ class Server {
   ~Server();
 
   int port() const { return port_; }
+
+  /// What health says of the server as a whole, and not of its build; until TurnAway.
+  void SetReady(bool ready);
 
   /// Health turns to NOT_SERVING, so that balancers send new calls elsewhere; those that come are
   /// still taken.

@@ -19,6 +19,7 @@ namespace {
 struct HealthOptions {
   std::string address;
   double timeout_s = 2;
+  bool live = false;
   rpc::ClientSecurity security;
 };
 
@@ -30,10 +31,10 @@ absl::Status NotServing(const std::string& address) {
 ExitCode CheckHealth(const HealthOptions& options, Interrupt& interrupt) {
   const auto connection = rpc::Secured({}, options.security, options.address);
   if (!connection.ok()) return Fail(connection.status());
-  const auto serving =
-      rpc::IsServing(rpc::MakeChannel(options.address, *connection), /*service=*/"",
-                     {std::chrono::milliseconds(static_cast<int64_t>(options.timeout_s * 1000)),
-                      interrupt.Token()});
+  const auto serving = rpc::IsServing(
+      rpc::MakeChannel(options.address, *connection), options.live ? rpc::kLiveService : "",
+      {std::chrono::milliseconds(static_cast<int64_t>(options.timeout_s * 1000)),
+       interrupt.Token()});
   if (const absl::Status outcome = serving.status(); !outcome.ok()) {
     const ErrorDetail detail = DetailOf(outcome);
     return Fail(MakeError(outcome.code(), detail.reason,
@@ -58,6 +59,8 @@ void AddHealth(CLI::App& app, CommandContext& context) {
       ->check(InRange(0.01, 600.0))
       ->capture_default_str()
       ->type_name("S");
+  command->add_flag("--live", options->live,
+                    "Ask whether it runs, though it may not be ready because its store is away");
   rpc::AddTlsOptions(*command, &options->security);
   command->footer(
       "Exit code 0: serving; 5: not, or nobody answers; 2: its own certificate cannot be used. For "

@@ -99,10 +99,10 @@ bool CheckedStore::IsFull(const NewJob& job) const {
 
 absl::StatusOr<std::optional<JobRecord>> CheckedStore::Claim(const std::string& owner,
                                                              int64_t now_us, int64_t until_us,
-                                                             Priority at_least) {
-  const ClaimOrder::Call call = {now_us, at_least};
+                                                             const ClaimFilter& filter) {
+  const ClaimOrder::Call call = {now_us, filter};
   claim_order_.Before(jobs_.entries(), call);
-  auto claimed = store().Claim(owner, now_us, until_us, at_least);
+  auto claimed = store().Claim(owner, now_us, until_us, filter);
   if (claimed.ok()) {
     if (*claimed) CheckClaim(**claimed, owner, now_us);
     const auto wrong = claim_order_.After(call, *claimed ? &**claimed : nullptr);

@@ -32,7 +32,8 @@ class CheckedStore : public ForwardingJobStore {
 
   absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override;
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
-                                                 int64_t until_us, Priority at_least) override;
+                                                 int64_t until_us,
+                                                 const ClaimFilter& filter) override;
   absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                     int32_t limit) override;
   absl::StatusOr<bool> Adopt(const Lease& lease, const JobIdentity& identity,

@@ -33,9 +33,12 @@ void ClaimOrder::Before(const std::map<int64_t, MemoryJobs::Entry>& jobs, const 
       continue;
     }
     const bool waits = work.contains(job.action_digest) && !job.cancel_requested;
-    if (waits || job.priority < call.at_least) continue;
+    if (waits || job.priority < call.filter.at_least) continue;
     if (!tenant.next || ComesBefore(job, *tenant.next)) tenant.next = job;
   }
+  if (!call.filter.of_idle_tenants) return;
+  for (auto& [name, tenant] : tenants_)
+    if (tenant.held > 0) tenant.next.reset();
 }
 
 const ClaimOrder::Tenant* ClaimOrder::First() const {

@@ -16,7 +16,7 @@ class ClaimOrder {
  public:
   struct Call {
     int64_t now_us = 0;
-    Priority at_least = Priority::kBulk;
+    ClaimFilter filter = {};
   };
 
   /// Before the claim is made.

@@ -52,15 +52,16 @@ class FlawedStore : public ForwardingJobStore {
     return created;
   }
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
-                                                 int64_t until_us, Priority at_least) override {
+                                                 int64_t until_us,
+                                                 const ClaimFilter& filter) override {
     const int64_t ahead_us = flaw_ == Flaw::kHeldJobsClaimed ? 10'000'000 : 0;
     // For a moment somebody else has the job whose turn it is.
     if (flaw_ == Flaw::kTenantsIgnored)
-      store().Claim("nobody", now_us, now_us + 1, at_least).IgnoreError();
+      store().Claim("nobody", now_us, now_us + 1, filter).IgnoreError();
     std::vector<JobRecord> held;
     if (flaw_ == Flaw::kSameWorkClaimed) held = HeldBySomebody(now_us);
     for (const JobRecord& job : held) CallItsWork(job, "other work", now_us);
-    auto claimed = store().Claim(owner, now_us + ahead_us, until_us, at_least);
+    auto claimed = store().Claim(owner, now_us + ahead_us, until_us, filter);
     for (const JobRecord& job : held) CallItsWork(job, job.action_digest, now_us);
     const bool some = claimed.ok() && *claimed && (*claimed)->action_digest == "a0-b1";
     if (flaw_ == Flaw::kSomeNeverClaimed && some) return std::nullopt;

@@ -11,8 +11,9 @@ namespace slicefarm::coordinator::sim {
 namespace {
 
 // As JobRunnerOptions has them.
-constexpr int kPlaces = 3;
+constexpr int kPlaces = 4;
 constexpr int kInteractivePlace = 2;
+constexpr int kGuestPlace = 3;
 constexpr int64_t kLeaseUs = 10 * kSecondUs;
 constexpr int64_t kRenewUs = 3 * kSecondUs;
 constexpr int64_t kPollUs = kSecondUs;
@@ -130,9 +131,11 @@ void SimCoordinator::NextClaim() {
 void SimCoordinator::Claim(int place) {
   claiming_ = true;
   const int64_t now_us = NowUs();
-  const auto at_least = place == kInteractivePlace ? Priority::kInteractive : Priority::kBulk;
+  const ClaimFilter filter = {
+      .at_least = place == kInteractivePlace ? Priority::kInteractive : Priority::kBulk,
+      .of_idle_tenants = place == kGuestPlace};
   link_.Do([owner = Owner(), now_us, until_us = leases_->UntilUs(now_us),
-            at_least](JobStore& store) { return store.Claim(owner, now_us, until_us, at_least); },
+            filter](JobStore& store) { return store.Claim(owner, now_us, until_us, filter); },
            [this, place, now_us, seen = wakes_](const Claimed& claimed) {
              Take(place, now_us, seen, claimed);
            });

@@ -81,7 +81,7 @@ class Simulation {
       world_.blobs.Put({result.tenant, blob}, kYesterdayUs);
     }
     store_.Create(job, kYesterdayUs).IgnoreError();
-    store_.Claim("past", kYesterdayUs, kYesterdayUs + kSecondUs, Priority::kBulk).IgnoreError();
+    store_.Claim("past", kYesterdayUs, kYesterdayUs + kSecondUs, {Priority::kBulk}).IgnoreError();
     store_.Update({job.id, 1}, {.state = JobState::kSucceeded, .result = result}, kYesterdayUs)
         .IgnoreError();
     return job.id;

@@ -47,14 +47,19 @@ absl::StatusOr<JobRecord> TwinStore::Get(const std::string& id) {
   return Both("Get", [&](JobStore& store) { return store.Get(id); });
 }
 
+absl::StatusOr<std::string> TwinStore::TenantOf(const std::string& id) {
+  return Both("TenantOf", [&](JobStore& store) { return store.TenantOf(id); });
+}
+
 absl::StatusOr<std::vector<JobRecord>> TwinStore::List(const ListQuery& query) {
   return Both("List", [&](JobStore& store) { return store.List(query); });
 }
 
 absl::StatusOr<std::optional<JobRecord>> TwinStore::Claim(const std::string& owner, int64_t now_us,
-                                                          int64_t until_us, Priority at_least) {
+                                                          int64_t until_us,
+                                                          const ClaimFilter& filter) {
   return Both("Claim",
-              [&](JobStore& store) { return store.Claim(owner, now_us, until_us, at_least); });
+              [&](JobStore& store) { return store.Claim(owner, now_us, until_us, filter); });
 }
 
 absl::StatusOr<std::vector<JobRecord>> TwinStore::EndOverdue(const JobError& error, int64_t now_us,

@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "common/base/cancel_scope.h"
 #include "common/base/error.h"
-#include "common/base/sha256.h"
 #include "services/coordinator/algo/program_contents.h"
 #include "services/coordinator/server/api/artifact.h"
 #include "services/coordinator/store/blobs/checking_reader.h"
@@ -36,6 +36,7 @@ absl::StatusOr<std::string> LayersOf(const JobRecord& job, const std::shared_ptr
   if (!program.ok()) return program.status();
   LayerScan scan;
   for (int64_t at = 0; at < (*program)->size();) {
+    if (absl::Status wanted = CancelScope::Current().Check(); !wanted.ok()) return wanted;
     const auto piece = (*program)->Read(at, kBlobPieceBytes);
     if (!piece.ok()) return piece.status();
     scan.Add(*piece);
@@ -69,10 +70,11 @@ void Add(v1::Artifact artifact, const std::string& name, int64_t size, const std
 
 /// What a program has none of is left out.
 absl::Status AddDerived(v1::Artifact artifact, const std::string& name,
-                        const absl::StatusOr<std::string>& bytes, v1::ListArtifactsResponse& list) {
-  if (absl::IsNotFound(bytes.status())) return absl::OkStatus();
-  if (bytes.ok()) Add(artifact, name, std::ssize(*bytes), Sha256Hex(*bytes), list);
-  return bytes.status();
+                        const absl::StatusOr<DerivedFacts::Fact>& fact,
+                        v1::ListArtifactsResponse& list) {
+  if (absl::IsNotFound(fact.status())) return absl::OkStatus();
+  if (fact.ok()) Add(artifact, name, fact->size, fact->sha256, list);
+  return fact.status();
 }
 
 }  // namespace
@@ -92,7 +94,8 @@ absl::StatusOr<std::string> Derive(const JobRecord& job, v1::Artifact artifact, 
   return LayersOf(job, *store, *report);
 }
 
-absl::StatusOr<v1::ListArtifactsResponse> ListArtifacts(const JobRecord& job, BlobStores& blobs) {
+absl::StatusOr<v1::ListArtifactsResponse> ListArtifacts(const JobRecord& job, BlobStores& blobs,
+                                                        DerivedFacts& facts) {
   const auto digest = ArtifactOf(job, v1::ARTIFACT_REPORT);
   if (!digest.ok()) return digest.status();
   const auto store = blobs.Of(job.result->tenant);
@@ -104,10 +107,15 @@ absl::StatusOr<v1::ListArtifactsResponse> ListArtifacts(const JobRecord& job, Bl
   v1::ListArtifactsResponse list;
   if (!job.result->gcode_sha256.empty()) {
     Add(v1::ARTIFACT_GCODE, name, job.result->gcode_size, job.result->gcode_sha256, list);
-    absl::Status added = AddDerived(v1::ARTIFACT_LAYERS, stem + ".layers.json",
-                                    LayersOf(job, *store, *report), list);
+    const auto fact = [&](const std::string& kind, const DerivedFacts::Make& make) {
+      return facts.Of(kind + job.result->gcode_sha256 + *digest, CancelScope::Current(), make);
+    };
+    absl::Status added =
+        AddDerived(v1::ARTIFACT_LAYERS, stem + ".layers.json",
+                   fact("layers", [&] { return LayersOf(job, *store, *report); }), list);
     if (!added.ok()) return added;
-    added = AddDerived(v1::ARTIFACT_THUMBNAIL, stem + ".png", ThumbnailOf(job, **store), list);
+    added = AddDerived(v1::ARTIFACT_THUMBNAIL, stem + ".png",
+                       fact("thumbnail", [&] { return ThumbnailOf(job, **store); }), list);
     if (!added.ok()) return added;
   }
   Add(v1::ARTIFACT_REPORT, stem + ".report.json", std::ssize(*report), *digest, list);

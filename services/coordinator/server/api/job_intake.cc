@@ -50,6 +50,8 @@ absl::StatusOr<NewJob> JobIntake::NewJobOf(Submission submission, const CancelTo
     job.refusal = budgets_.CheckJobs(submission.tenant, submission.max_kept_jobs, 1);
   const auto resolved = Check(submission, cancel);
   job.refusal.Update(resolved.status());
+  // A store that is away is not asked a second time: the caller has waited for it once.
+  if (absl::IsUnavailable(job.refusal)) return job.refusal;
   // A call that is made again gets its job, though there is no room any more, or no mesh.
   if (!job.refusal.ok() && submission.request_id.empty()) return job.refusal;
   job.id = NewJobId();

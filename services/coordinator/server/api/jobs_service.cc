@@ -85,9 +85,12 @@ Claimant ClaimantOf(const Submission& submission) {
 /// The job, if the caller may know of it.
 absl::StatusOr<JobRecord> JobsService::Find(const Caller& caller, const std::string& id, Of of) {
   auto job = backend_.jobs.Get(id);
-  if (!job.ok() || job->tenant == caller.tenant) return job;
-  if (of == Of::kAllForAdmins && caller.may(Scope::kAdmin)) return job;
-  return JobNotFound(id);
+  const bool all = of == Of::kAllForAdmins && caller.may(Scope::kAdmin);
+  if (all || (!job.ok() && !absl::IsDataLoss(job.status()))) return job;
+  const auto tenant =
+      job.ok() ? absl::StatusOr<std::string>(job->tenant) : backend_.jobs.TenantOf(id);
+  if (!tenant.ok()) return tenant.status();
+  return *tenant == caller.tenant ? job : JobNotFound(id);
 }
 
 absl::StatusOr<JobRecord> JobsService::Find(const grpc::ServerContextBase& context,

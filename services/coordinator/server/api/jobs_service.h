@@ -13,6 +13,7 @@
 #include "services/coordinator/algo/pipeline/cost.h"
 #include "services/coordinator/algo/pipeline/preflight.h"
 #include "services/coordinator/server/api/callers.h"
+#include "services/coordinator/server/api/derived_facts.h"
 #include "services/coordinator/server/api/job_intake.h"
 #include "services/coordinator/server/api/job_watch.h"
 #include "services/coordinator/server/api/plate_submissions.h"
@@ -157,6 +158,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   TenantPlaces preflights_of_tenants_;
   TenantTurns preflight_turns_;
   TenantPlaces lists_of_tenants_;
+  DerivedFacts derived_facts_;
   TenantPlaces watches_of_tenants_;
   TenantPlaces watches_of_all_jobs_;
   WatchReads watch_reads_;

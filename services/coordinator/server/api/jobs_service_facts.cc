@@ -1,4 +1,5 @@
 // What JobsService tells of callers, tenants and settings.
+#include "common/base/cancel_scope.h"
 #include "common/config/table/settings_table.h"
 #include "common/rpc/status_mapping.h"
 #include "common/wire/support/enum_wire.h"
@@ -47,7 +48,8 @@ grpc::Status JobsService::ListArtifacts(grpc::ServerContext* context,
   // It reads a program.
   const auto place = lists_of_tenants_.Enter(caller->tenant);
   if (!place.ok()) return rpc::ToGrpc(place.status());
-  auto list = coordinator::ListArtifacts(*job, backend_.blobs);
+  const CancelScope scope(CancelToken([&] { return context->IsCancelled(); }));
+  auto list = coordinator::ListArtifacts(*job, backend_.blobs, derived_facts_);
   if (list.ok()) *response = *std::move(list);
   return rpc::ToGrpc(list.status());
 }

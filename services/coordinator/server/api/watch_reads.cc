@@ -4,6 +4,7 @@
 
 #include "common/base/error.h"
 #include "common/rpc/status_mapping.h"
+#include "services/coordinator/store/jobs/job_steps.h"
 
 namespace slicefarm::coordinator {
 
@@ -56,7 +57,7 @@ void WatchReads::Run() {
     }
     const bool stopping = stopping_;
     lock.unlock();
-    const Result result = stopping ? Result(CoordinatorStops()) : ReadNow(wanted);
+    const Result result = stopping ? Result(CoordinatorStops()) : ReadNow(name, wanted);
     for (const Done& done : waiting) done(result);
     lock.lock();
   }
@@ -64,10 +65,12 @@ void WatchReads::Run() {
 
 /// The job after its events, which it may have gone beyond then: so its end is reached with its
 /// last event.
-WatchReads::Result WatchReads::ReadNow(const Wanted& wanted) {
+WatchReads::Result WatchReads::ReadNow(const std::string& tenant, const Wanted& wanted) {
   auto events = jobs_.Events(wanted.job_id, wanted.sequence, kEventsAtOnce);
-  if (!events.ok()) return events.status();
-  auto job = jobs_.GetWithoutSpec(wanted.job_id);
+  auto job = events.ok() ? jobs_.GetWithoutSpec(wanted.job_id)
+                         : absl::StatusOr<JobRecord>(events.status());
+  if (absl::IsDataLoss(job.status()) && jobs_.TenantOf(wanted.job_id).value_or("") != tenant)
+    return JobNotFound(wanted.job_id);
   if (!job.ok()) return job.status();
   return std::make_shared<const JobSteps>(JobSteps{*std::move(job), *std::move(events)});
 }

@@ -48,7 +48,8 @@ class WatchReads {
   static constexpr int32_t kEventsAtOnce = 100;
 
   /// Events of the job after `sequence`, kEventsAtOnce at most, as they are when this is called or
-  /// later. Errors: those of JobStore::Events; CoordinatorStops.
+  /// later. Errors: those of JobStore::Events; JOB_NOT_FOUND also for another tenant's job that
+  /// cannot be read; CoordinatorStops.
   void Read(const std::string& tenant, const std::string& job_id, int64_t sequence, Done done);
 
   /// Afterwards all who asked have their answers, and who asks hears CoordinatorStops at once.
@@ -67,7 +68,7 @@ class WatchReads {
   };
 
   void Run();
-  Result ReadNow(const Wanted& wanted);
+  Result ReadNow(const std::string& tenant, const Wanted& wanted);
 
   JobStore& jobs_;
   std::mutex mutex_;

@@ -45,9 +45,10 @@ class FailingJobStore : public ForwardingJobStore {
   }
 
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
-                                                 int64_t until_us, Priority at_least) override {
+                                                 int64_t until_us,
+                                                 const ClaimFilter& filter) override {
     if (absl::Status error = Enter(Call::kClaim); !error.ok()) return error;
-    return store().Claim(owner, now_us, until_us, at_least);
+    return store().Claim(owner, now_us, until_us, filter);
   }
   absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                              int64_t until_us) override {

@@ -28,10 +28,13 @@ absl::Status JobRunner::Start() {
   }
   calm_since_us_ = NowUs();
   for (int i = 0; i < options_.jobs; ++i) {
-    threads_.emplace_back([this] { Serve(Priority::kBulk); });
+    threads_.emplace_back([this] { Serve(Place::kAny); });
+  }
+  for (int i = 0; i < options_.guests; ++i) {
+    threads_.emplace_back([this] { Serve(Place::kGuest); });
   }
   // So that somebody who waits for an answer does not wait for long jobs to end.
-  threads_.emplace_back([this] { Serve(Priority::kInteractive); });
+  threads_.emplace_back([this] { Serve(Place::kInteractive); });
   threads_.emplace_back([this] { Keep(); });
   threads_.emplace_back([this] { Judge(); });
   threads_.emplace_back([this] { Tidy(); });
@@ -67,8 +70,28 @@ void JobRunner::Stop() {
   threads_.clear();
 }
 
-/// The life of one of the threads that run jobs: those of this priority and higher.
-void JobRunner::Serve(Priority at_least) {
+/// A guest comes when all places for any are taken: else `jobs` would mean nothing. One guest asks
+/// the store for all.
+bool JobRunner::MayClaim(Place place) {
+  if (place != Place::kGuest) return true;
+  std::lock_guard lock(mutex_);
+  if (at_any_ < options_.jobs || guests_asked_ == wakes_) return false;
+  guests_asked_ = wakes_;
+  return true;
+}
+
+/// A run has begun (1) or ended (-1). Guests may come when the last place for any is taken, and when
+/// another guest has come or gone.
+void JobRunner::Count(Place place, int more) {
+  std::lock_guard lock(mutex_);
+  if (place == Place::kAny) at_any_ += more;
+  if (place == Place::kInteractive || at_any_ < options_.jobs) return;
+  ++wakes_;
+  wake_.notify_all();
+}
+
+/// The life of one of the threads that run jobs.
+void JobRunner::Serve(Place place) {
   while (true) {
     int64_t seen = 0;
     {
@@ -77,9 +100,11 @@ void JobRunner::Serve(Priority at_least) {
       seen = wakes_;
       ++at_work_;
     }
-    const auto run = Claim(at_least);
+    const auto run = MayClaim(place) ? Claim(place) : nullptr;
     if (run) {
+      Count(place, 1);
       run->Run();
+      Count(place, -1);
       if (run->met_other_build() && !met_other_build_.exchange(true))
         environment_.log.Warn("stages are of another build: no job begins until they fit", {});
     }
@@ -89,7 +114,10 @@ void JobRunner::Serve(Priority at_least) {
     if (run && run->lost()) calm_since_us_ = NowUs();
     if (draining_) wake_.notify_all();
     if (run) continue;
-    wake_.wait_for(lock, options_.poll, [&] { return stopping_ || draining_ || wakes_ != seen; });
+    const bool woken = wake_.wait_for(lock, options_.poll, [&] {
+      return stopping_ || draining_ || wakes_ != seen;
+    });
+    if (!woken) ++wakes_;  // there may be what nobody tells of: jobs whose time has come
   }
 }
 
@@ -136,11 +164,14 @@ bool JobRunner::HasRoom() {
   return room;
 }
 
-std::unique_ptr<JobRun> JobRunner::Claim(Priority at_least) {
+std::unique_ptr<JobRun> JobRunner::Claim(Place place) {
   std::lock_guard claiming(claim_mutex_);
   if (!StagesFit() || !HasRoom()) return nullptr;
   const int64_t now_us = NowUs();
-  auto job = environment_.jobs.Claim(options_.owner, now_us, leases_.UntilUs(now_us), at_least);
+  auto job = environment_.jobs.Claim(
+      options_.owner, now_us, leases_.UntilUs(now_us),
+      {.at_least = place == Place::kInteractive ? Priority::kInteractive : Priority::kBulk,
+       .of_idle_tenants = place == Place::kGuest});
   if (!job.ok()) Warn("no job claimed", job.status());  // the store is asked again soon
   if (!job.ok() || !*job) return nullptr;
   if ((*job)->build_id != environment_.build_id && !Adopt(**job)) return nullptr;

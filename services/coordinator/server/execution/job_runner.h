@@ -17,6 +17,8 @@ namespace slicefarm::coordinator {
 struct JobRunnerOptions {
   std::string owner;  ///< names this coordinator; the same again after a restart
   int jobs = 2;       ///< at the same time
+  /// At the same time beyond these, each of a tenant none of whose jobs runs.
+  int guests = 12;
   std::chrono::milliseconds lease{
       10'000};  ///< a coordinator that is silent this long loses its jobs
   std::chrono::milliseconds renew{3'000};
@@ -24,7 +26,9 @@ struct JobRunnerOptions {
       1'000};  ///< how often to look for jobs that other coordinators left
 };
 
-/// Claims jobs and runs them, a bounded number at a time, and holds their leases; ends those that
+/// Claims jobs and runs them, a bounded number at a time, and holds their leases; a tenant none of
+/// whose jobs runs does not wait for the end of others' jobs: his are guests, and share the workers
+/// from then on; ends those that
 /// wait beyond their deadlines. A job that does the work of a running one stays QUEUED until that
 /// has ended, so that it keeps no thread from others.
 class JobRunner {
@@ -48,7 +52,8 @@ class JobRunner {
   void Stop();
 
  private:
-  void Serve(Priority at_least);
+  enum class Place { kAny, kInteractive, kGuest };
+  void Serve(Place place);
   void Keep();
   void Judge();
   void Warn(const std::string& what, const absl::Status& why) const;
@@ -57,7 +62,9 @@ class JobRunner {
   int32_t EndOverdue();
   bool StagesFit();
   bool HasRoom();
-  std::unique_ptr<JobRun> Claim(Priority at_least);
+  bool MayClaim(Place place);
+  void Count(Place place, int more);
+  std::unique_ptr<JobRun> Claim(Place place);
   bool Adopt(JobRecord& job);
   int64_t NowUs() const { return environment_.now_us(); }
 
@@ -72,9 +79,11 @@ class JobRunner {
   int64_t calm_since_us_ = 0;  ///< this life began, or lost a claim
   bool unanswered_ = false;    ///< the last renewal failed, or is still under way
   int at_work_ = 0;            ///< threads that claim or run a job
+  int at_any_ = 0;             ///< jobs that run at places for any
   bool draining_ = false;
   bool stopping_ = false;
   int64_t wakes_ = 0;
+  int64_t guests_asked_ = -1;  ///< the wake after which a guest asked the store last
   std::vector<std::thread> threads_;
 };
 

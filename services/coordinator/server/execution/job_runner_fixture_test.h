@@ -57,16 +57,17 @@ class JobRunnerTest : public testing::Test {
   }
 
   std::string Submit(const std::string& mesh, const std::string& build = "build",
-                     int64_t deadline_us = kNoDeadlineUs) {
+                     int64_t deadline_us = kNoDeadlineUs, const std::string& tenant = "") {
     v1::JobSpec spec;
     spec.set_generic(true);
     v1::Object* object = spec.add_objects();
-    object->set_mesh_sha256(*(*blobs_->Of(""))->Put(mesh));
+    object->set_mesh_sha256(*(*blobs_->Of(tenant))->Put(mesh));
     object->set_name("part");
     ResolvedJobs resolved(build);
     const auto created = JobIntake(*jobs_, *blobs_, DiskGuard(nullptr, 0), budgets_, full_queues_,
                                    resolved, build, ResultSharing::kOff, Clock())
-                             .Create({.request_id = {},
+                             .Create({.tenant = tenant,
+                                      .request_id = {},
                                       .spec_digest = Sha256Hex(SpecBytes(spec)),
                                       .spec = SpecBytes(spec),
                                       .request = *FromProto(spec),

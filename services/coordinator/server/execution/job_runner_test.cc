@@ -16,6 +16,30 @@
 namespace slicefarm::coordinator::job_runner_test {
 namespace {
 
+// Its ranges share the workers with those of the job that runs.
+TEST_F(JobRunnerTest, AJobOfAnIdleTenantDoesNotWaitForTheEndOfOthers) {
+  const auto runner = Runner("me", /*jobs=*/1);
+  ranges_->Hold();
+  const auto submit = [&](const std::string& mesh, const std::string& tenant) {
+    const std::string id = Submit(mesh, "build", kNoDeadlineUs, tenant);
+    runner->Wake();
+    return id;
+  };
+  const auto state = [&](const std::string& id) { return jobs_->Get(id)->state; };
+  const std::string long_one = submit("aa", "a");
+  ranges_->AwaitCall();
+  const std::string next = submit("ab", "a");
+  std::vector<std::string> of_others;
+  for (const char* tenant : {"b", "c", "d"}) of_others.push_back(submit("xx", tenant));
+  for (const std::string& id : of_others)
+    while (state(id) != JobState::kRunning) std::this_thread::yield();
+  EXPECT_EQ(state(long_one), JobState::kRunning);
+  EXPECT_EQ(state(next), JobState::kQueued) << "more of the same tenant wait for its end";
+  ranges_->LetGo();
+  for (const std::string& id : of_others) EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+  EXPECT_EQ(AwaitEnd(next).state, JobState::kSucceeded);
+}
+
 TEST_F(JobRunnerTest, RunsManyJobs) {
   const auto runner = Runner();
   std::vector<std::string> ids;

@@ -87,6 +87,7 @@ TEST_F(JobStatementsTest, ASmallJobIsAtMostThirty) {
   JobRunnerOptions options;
   options.owner = "me";
   options.jobs = 1;
+  options.guests = 0;
   options.poll = options.renew = std::chrono::hours(1);
   {
     JobRunner runner(RunEnvironment{jobs_, *blobs_, resolved_, results_, pipeline_, memory_, feed_,

@@ -33,7 +33,8 @@ absl::StatusOr<std::unique_ptr<Coordinator>> Coordinator::Open(CoordinatorOption
                                                                const JobStages& stages,
                                                                TaskExecutor& executor,
                                                                const rpc::JsonLog& log) {
-  auto stores = OpenStores(options.stores, options.runner.jobs + 1);  // one may be INTERACTIVE
+  auto stores = OpenStores(options.stores,
+                           options.runner.jobs + options.runner.guests + 1);  // INTERACTIVE
   if (!stores.ok()) return stores.status();
   if (options.spool_dir.empty() && !options.stores.state_dir.empty())
     options.spool_dir = options.stores.state_dir + "/tmp";

@@ -87,6 +87,8 @@ class Coordinator {
   const std::function<absl::StatusOr<DatabaseFill>()>& database_fill() const {
     return stores_.fill;
   }
+  /// False: the database that it shares has been silent for seconds, so that calls fail.
+  bool store_answers() const { return !stores_.answers || stores_.answers(); }
 
  private:
   Coordinator(CoordinatorOptions options, Stores stores, const JobStages& stages,

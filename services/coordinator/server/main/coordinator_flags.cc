@@ -181,6 +181,10 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
                  "Jobs that run at the same time; one more if it is INTERACTIVE")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  app.add_option("--guests", flags->runner.guests,
+                 "Jobs that run beyond --jobs, each of a tenant none of whose jobs runs")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
   app.add_option("--tenants", flags->tenants_file,
                  "JSON file of tenants, their tokens and what they may; without, all are one")
       ->check(CLI::ExistingFile);

@@ -143,6 +143,7 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
     return 1;
   std::unique_ptr<ReloadedFile<S3Credentials>> s3_credentials;
   StoreOptions stores = flags.stores;
+  stores.name = flags.runner.owner;
   if (!OpenBucket(flags.s3, program, s3_credentials, stores.s3)) return 1;
   CoordinatorOptions options{
       .stores = std::move(stores),
@@ -189,6 +190,7 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
     program.log().Error("cannot start", {{"error", std::string(started.message())}});
     return 1;
   }
+  program.ReadyWhile([&] { return (*coordinator)->store_answers(); });
   const auto on_signal = [&] {
     (*coordinator)->Drain(flags.drain_of_jobs());
     (*coordinator)->Stop();

@@ -71,7 +71,8 @@ absl::StatusOr<Stores> OpenDirectory(const StoreOptions& options) {
                 .run_blobs = nullptr,
                 .profiles = std::make_unique<SqlProfileStore>(database),
                 .webhooks = std::make_unique<SqlWebhookStore>(database),
-                .fill = nullptr};
+                .fill = nullptr,
+                .answers = nullptr};
 }
 
 /// Runs and blobs have connections of their own, so that neither callers nor transfers keep jobs
@@ -80,6 +81,10 @@ absl::StatusOr<Stores> OpenPostgres(const StoreOptions& options, int runs) {
   auto opened = PostgresDatabase::Open(options.postgres);
   if (!opened.ok()) return opened.status();
   const std::shared_ptr<PostgresDatabase> database = *std::move(opened);
+  auto begun = PostgresPulse::Begin(options.postgres, options.name);
+  if (!begun.ok()) return begun.status();
+  const std::shared_ptr<const PostgresPulse> pulse = *std::move(begun);
+  database->Heed(pulse);
   const std::shared_ptr<SqlDatabase> of_transfers = database->More();
   const std::shared_ptr<SqlDatabase> of_runs = database->More(runs);
   return Stores{.lock = nullptr,
@@ -89,7 +94,8 @@ absl::StatusOr<Stores> OpenPostgres(const StoreOptions& options, int runs) {
                 .run_blobs = InBucket(options, of_runs, MakePostgresBlobs(of_runs)),
                 .profiles = std::make_unique<SqlProfileStore>(database),
                 .webhooks = std::make_unique<SqlWebhookStore>(database),
-                .fill = [database] { return FillOf(*database); }};
+                .fill = [database] { return FillOf(*database); },
+                .answers = [pulse] { return !pulse->silent(); }};
 }
 
 }  // namespace

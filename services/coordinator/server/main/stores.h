@@ -21,6 +21,7 @@ struct StoreOptions {
   std::string
       postgres;  ///< or a PostgreSQL database, which several may share: how to connect to it
   std::shared_ptr<S3Client> s3 = nullptr;  ///< where blobs are; null: with the other state
+  std::string name = {};  ///< of a coordinator among those that share `postgres`; empty: any number
 };
 
 /// What a coordinator keeps its state in.
@@ -36,11 +37,12 @@ struct Stores {
   std::unique_ptr<ProfileStore> profiles;
   std::unique_ptr<WebhookStore> webhooks;
   std::function<absl::StatusOr<DatabaseFill>()> fill;  ///< of a database that is shared; or null
+  std::function<bool()> answers;  ///< false: such a database has been silent for seconds; or null
 };
 
 /// `runs`: how many jobs run at the same time. Errors: those of the stores; Unavailable if another
-/// process uses the directory; STORE_FAILED if the bucket is away (Unavailable) or refuses us
-/// (FailedPrecondition).
+/// process uses the directory; FailedPrecondition if another one has the name; STORE_FAILED if the
+/// bucket is away (Unavailable) or refuses us (FailedPrecondition).
 absl::StatusOr<Stores> OpenStores(const StoreOptions& options, int runs);
 
 /// What other coordinators do to the jobs; null where there are none.

@@ -59,15 +59,6 @@ void AddQueue(const std::vector<OpenJobs>& open, std::vector<MetricFamily>& fami
   families.push_back(std::move(age));
 }
 
-void AddStore(JobStore& jobs, JobCounts& job_counts, std::vector<MetricFamily>& families) {
-  const auto open = jobs.CountOpen();
-  const auto counts = open.ok() ? job_counts.With(*open) : open.status();
-  families.push_back(Gauge("slicefarm_store_up", "Whether the job store answers", counts.ok()));
-  if (!counts.ok()) return;
-  families.push_back(Jobs(*counts));
-  AddQueue(*open, families);
-}
-
 MetricFamily Ranges(const DispatchCounts& counts) {
   MetricFamily family{
       "slicefarm_ranges_total", "Layer ranges by what became of them", MetricType::Counter, {}};
@@ -114,19 +105,30 @@ void AddDisk(const std::string& directory, std::vector<MetricFamily>& families) 
                            static_cast<double>(disk->capacity)));
 }
 
-void AddDatabase(const CoordinatorMetrics::Sources& sources, std::vector<MetricFamily>& families) {
-  if (!sources.database_fill) return;
-  const auto fill = sources.database_fill();
-  if (!fill.ok()) return;
+void AddDatabase(const DatabaseFill& fill, int64_t max_bytes, std::vector<MetricFamily>& families) {
   const auto add = [&](const char* name, const char* help, int64_t value) {
     families.push_back(Gauge(name, help, static_cast<double>(value)));
   };
-  add("slicefarm_database_bytes", "Bytes of the database that are in use", fill->bytes);
-  if (sources.max_database_bytes > 0)
-    add("slicefarm_database_max_bytes", "Above this nothing new is taken",
-        sources.max_database_bytes);
-  add("slicefarm_database_connections", "Connections to the database's server", fill->connections);
-  add("slicefarm_database_max_connections", "Connections that it allows", fill->max_connections);
+  add("slicefarm_database_bytes", "Bytes of the database that are in use", fill.bytes);
+  if (max_bytes > 0)
+    add("slicefarm_database_max_bytes", "Above this nothing new is taken", max_bytes);
+  add("slicefarm_database_connections", "Connections to the database's server", fill.connections);
+  add("slicefarm_database_max_connections", "Connections that it allows", fill.max_connections);
+}
+
+void AddStore(const std::optional<CoordinatorMetrics::StoreFacts>& store, int64_t max_bytes,
+              std::vector<MetricFamily>& families) {
+  const bool up = store && store->status.ok();
+  families.push_back(Gauge("slicefarm_store_up", "Whether the job store answers", up ? 1 : 0));
+  if (!up) return;
+  families.push_back(Jobs(store->jobs));
+  AddQueue(store->open, families);
+  if (store->fill) AddDatabase(*store->fill, max_bytes, families);
+  if (store->retention_overdue) {
+    families.push_back(Gauge("slicefarm_retention_overdue",
+                             "Whether a job is there a day after it should have gone",
+                             *store->retention_overdue ? 1 : 0));
+  }
 }
 
 int64_t UnixUs() {
@@ -134,16 +136,15 @@ int64_t UnixUs() {
   return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
 }
 
-/// What is still there a day after a sweep should have removed it.
-void AddRetention(const CoordinatorMetrics::Sources& sources, std::vector<MetricFamily>& families) {
+/// Returns true if a job is still there a day after a sweep should have removed it; nullopt: jobs
+/// are kept for ever, or the store fails.
+std::optional<bool> RetentionOverdue(JobStore& jobs, double keep_jobs_s) {
   constexpr double kDayS = 24 * 3600;
-  if (sources.keep_jobs_s <= 0) return;
-  const auto kept_us = static_cast<int64_t>((sources.keep_jobs_s + kDayS) * 1e6);
-  const auto overdue = sources.jobs.EndedBefore(UnixUs() - kept_us, 1);
-  if (!overdue.ok()) return;
-  families.push_back(Gauge("slicefarm_retention_overdue",
-                           "Whether a job is there a day after it should have gone",
-                           overdue->empty() ? 0 : 1));
+  if (keep_jobs_s <= 0) return std::nullopt;
+  const auto kept_us = static_cast<int64_t>((keep_jobs_s + kDayS) * 1e6);
+  const auto overdue = jobs.EndedBefore(UnixUs() - kept_us, 1);
+  if (!overdue.ok()) return std::nullopt;
+  return !overdue->empty();
 }
 
 }  // namespace
@@ -169,16 +170,30 @@ std::optional<std::filesystem::space_info> DiskOf(const std::string& directory) 
 
 double SecondsSince(int64_t us) { return std::max(0.0, static_cast<double>(UnixUs() - us) / 1e6); }
 
+CoordinatorMetrics::StoreFacts CoordinatorMetrics::LookIntoStore() {
+  StoreFacts facts;
+  auto open = sources_.jobs.CountOpen();
+  auto jobs = open.ok() ? counts_.With(*open) : open.status();
+  facts.status = jobs.status();
+  if (!facts.status.ok()) return facts;
+  facts.open = *std::move(open);
+  facts.jobs = *std::move(jobs);
+  if (sources_.database_fill) {
+    const auto fill = sources_.database_fill();
+    if (fill.ok()) facts.fill = *fill;
+  }
+  facts.retention_overdue = RetentionOverdue(sources_.jobs, sources_.keep_jobs_s);
+  return facts;
+}
+
 std::vector<MetricFamily> CoordinatorMetrics::Collect() const {
   std::vector<MetricFamily> families;
-  AddStore(sources_.jobs, counts_, families);
+  AddStore(store_.Get(), sources_.max_database_bytes, families);
   const DispatchCounts ranges = sources_.dispatcher.Counts();
   families.push_back(Ranges(ranges));
   families.push_back(Waiting(ranges));
   AddFleet(sources_.fleet, families);
   AddDisk(sources_.state_dir, families);
-  AddDatabase(sources_, families);
-  AddRetention(sources_, families);
   return families;
 }
 

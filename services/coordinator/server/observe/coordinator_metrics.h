@@ -3,8 +3,10 @@
 #include <prometheus/collectable.h>
 #include <prometheus/metric_family.h>
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/dispatch/fleet.h"
 #include "services/coordinator/server/observe/job_counts.h"
+#include "services/coordinator/server/observe/patient_look.h"
 #include "services/coordinator/store/jobs/job_store.h"
 #include "services/coordinator/store/sql/database_fill.h"
 
@@ -22,7 +25,8 @@ namespace slicefarm::coordinator {
 ///   slicefarm_jobs{state}                   in the store, as is the next; ended ones as they were
 ///                                           at most a minute ago
 ///   slicefarm_queue_depth{priority}, slicefarm_queue_age_seconds{priority}
-///   slicefarm_store_up                      0: it does not answer, and the three above are missing
+///   slicefarm_store_up                      0: it does not answer within the patience, and what is
+///                                           in it is missing
 ///   slicefarm_ranges_total{outcome}
 ///   slicefarm_workers, slicefarm_worker_slots{state}
 ///   slicefarm_disk_free_bytes, slicefarm_disk_size_bytes   of a state directory
@@ -38,20 +42,35 @@ class CoordinatorMetrics : public prometheus::Collectable {
     const Fleet& fleet;
     std::string state_dir;  ///< empty: there is none
     std::function<absl::StatusOr<DatabaseFill>()> database_fill =
-        nullptr;                     ///< null: it is not shared
-    int64_t max_database_bytes = 0;  ///< 0: any number
-    double keep_jobs_s = 0;          ///< 0: for ever
+        nullptr;                               ///< null: it is not shared
+    int64_t max_database_bytes = 0;            ///< 0: any number
+    double keep_jobs_s = 0;                    ///< 0: for ever
+    std::chrono::milliseconds patience{1000};  ///< with the store
+  };
+
+  /// What the store has said.
+  struct StoreFacts {
+    absl::Status status;
+    std::vector<OpenJobs> open;
+    std::map<JobState, int64_t> jobs;
+    std::optional<DatabaseFill> fill;
+    std::optional<bool> retention_overdue;
   };
 
   /// The sources must outlive it.
   explicit CoordinatorMetrics(Sources sources)
-      : sources_(std::move(sources)), counts_(sources_.jobs) {}
+      : sources_(std::move(sources)),
+        counts_(sources_.jobs),
+        store_([this] { return LookIntoStore(); }, sources_.patience) {}
 
   std::vector<prometheus::MetricFamily> Collect() const override;
 
  private:
+  StoreFacts LookIntoStore();
+
   const Sources sources_;
-  mutable JobCounts counts_;  ///< locked within
+  JobCounts counts_;
+  mutable PatientLook<StoreFacts> store_;  ///< locked within
 };
 
 /// "bulk", "normal", "interactive".

@@ -3,15 +3,39 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <thread>
 
 #include "common/base/error.h"
 #include "common/base/temp_directory_test.h"
+#include "common/rpc/event_test.h"
 #include "services/coordinator/server/execution/fake_stages_test.h"
 #include "services/coordinator/server/observe/metric_values_test.h"
+#include "services/coordinator/store/jobs/forwarding_job_store.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 
 namespace slicefarm::coordinator::coordinator_metrics_test {
 namespace {
+
+/// More than a store of a busy machine takes.
+constexpr std::chrono::minutes kPatience(1);
+
+/// A store that stands still until it is told to go on.
+class StuckJobStore : public ForwardingJobStore {
+ public:
+  using ForwardingJobStore::ForwardingJobStore;
+
+  absl::StatusOr<std::vector<OpenJobs>> CountOpen() override {
+    asked_.Happen();
+    go_on_.Await();
+    return store().CountOpen();
+  }
+  void AwaitCall() { asked_.Await(); }
+  void GoOn() { go_on_.Happen(); }
+
+ private:
+  Event asked_;
+  Event go_on_;
+};
 
 int64_t NowUs() {
   return std::chrono::duration_cast<std::chrono::microseconds>(
@@ -38,7 +62,8 @@ class CoordinatorMetricsTest : public testing::Test {
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
   Dispatcher dispatcher_;
   Fleet fleet_{dispatcher_};
-  CoordinatorMetrics metrics_{{*jobs_, dispatcher_, fleet_, directory_.path()}};
+  CoordinatorMetrics metrics_{
+      {*jobs_, dispatcher_, fleet_, directory_.path(), nullptr, 0, 0, kPatience}};
 };
 
 TEST_F(CoordinatorMetricsTest, ShowsTheQueue) {
@@ -97,7 +122,7 @@ TEST_F(CoordinatorMetricsTest, ShowsHowManyRangesWait) {
 
 TEST_F(CoordinatorMetricsTest, ShowsHowFullASharedDatabaseIs) {
   const auto fill = [] { return absl::StatusOr<DatabaseFill>(DatabaseFill{700, 25, 100}); };
-  const CoordinatorMetrics shared({*jobs_, dispatcher_, fleet_, "", fill, 1000});
+  const CoordinatorMetrics shared({*jobs_, dispatcher_, fleet_, "", fill, 1000, 0, kPatience});
   EXPECT_EQ(MetricValue(shared.Collect(), "slicefarm_database_bytes"), 700);
   EXPECT_EQ(MetricValue(shared.Collect(), "slicefarm_database_max_bytes"), 1000);
   EXPECT_EQ(MetricValue(shared.Collect(), "slicefarm_database_connections"), 25);
@@ -105,10 +130,27 @@ TEST_F(CoordinatorMetricsTest, ShowsHowFullASharedDatabaseIs) {
   EXPECT_EQ(Value("slicefarm_database_bytes"), std::nullopt);
 }
 
+// Prometheus would get nothing at all, and tell of a coordinator that is gone.
+TEST_F(CoordinatorMetricsTest, AStoreThatStandsStillKeepsNoMetricWaiting) {
+  StuckJobStore stuck(*jobs_);
+  const CoordinatorMetrics metrics(
+      {stuck, dispatcher_, fleet_, directory_.path(), nullptr, 0, 0, std::chrono::milliseconds(1)});
+  for (int i = 0; i < 3; ++i) {
+    const auto families = metrics.Collect();
+    EXPECT_EQ(MetricValue(families, "slicefarm_store_up"), 0);
+    EXPECT_EQ(MetricValue(families, "slicefarm_workers"), 0);
+    EXPECT_EQ(MetricValue(families, "slicefarm_jobs", {{"state", "QUEUED"}}), std::nullopt);
+  }
+  stuck.AwaitCall();
+  stuck.GoOn();
+  while (MetricValue(metrics.Collect(), "slicefarm_store_up") != 1) std::this_thread::yield();
+  EXPECT_EQ(MetricValue(metrics_.Collect(), "slicefarm_jobs", {{"state", "QUEUED"}}), 0);
+}
+
 TEST_F(CoordinatorMetricsTest, TellsOfJobsThatShouldHaveGone) {
   constexpr double kDayS = 24 * 3600;
   const CoordinatorMetrics kept(
-      {*jobs_, dispatcher_, fleet_, "", nullptr, 0, /*keep_jobs_s=*/2 * kDayS});
+      {*jobs_, dispatcher_, fleet_, "", nullptr, 0, /*keep_jobs_s=*/2 * kDayS, kPatience});
   const auto overdue = [&] { return MetricValue(kept.Collect(), "slicefarm_retention_overdue"); };
   const auto end = [&](const std::string& id, double age_s) {
     Make(id, Priority::kNormal, age_s);

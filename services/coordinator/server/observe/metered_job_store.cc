@@ -100,9 +100,9 @@ absl::StatusOr<std::vector<Created>> MeteredJobStore::CreateAll(const std::vecto
 
 absl::StatusOr<std::optional<JobRecord>> MeteredJobStore::Claim(const std::string& owner,
                                                                 int64_t now_us, int64_t until_us,
-                                                                Priority at_least) {
+                                                                const ClaimFilter& filter) {
   const Stopwatch watch;
-  auto job = store().Claim(owner, now_us, until_us, at_least);
+  auto job = store().Claim(owner, now_us, until_us, filter);
   if (!job.ok() || !*job) return job;  // nothing was written
   commit_seconds_.Add({{"operation", "claim"}}, kCommitSeconds).Observe(watch.Seconds());
   if ((*job)->state == JobState::kRunning) expired_.Increment();

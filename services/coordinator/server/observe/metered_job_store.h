@@ -34,7 +34,7 @@ class MeteredJobStore : public ForwardingJobStore {
                                                  int64_t now_us) override;
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                  int64_t until_us,
-                                                 Priority at_least = Priority::kBulk) override;
+                                                 const ClaimFilter& filter = {}) override;
   absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                     int32_t limit) override;
   absl::StatusOr<bool> Adopt(const Lease& lease, const JobIdentity& identity,

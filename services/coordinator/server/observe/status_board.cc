@@ -12,23 +12,24 @@ namespace {
 
 constexpr int32_t kMaxRunning = 20;
 
-void LookIntoStore(JobStore& jobs, JobCounts& job_counts, CoordinatorStatus& status) {
-  auto open = jobs.CountOpen();
-  auto counts = open.ok() ? job_counts.With(*open) : open.status();
-  auto running = jobs.List({.all_tenants = true,
-                            .states = {JobState::kRunning},
-                            .oldest_first = true,
-                            .limit = kMaxRunning});
-  status.store_status.Update(counts.status());
-  status.store_status.Update(open.status());
-  status.store_status.Update(running.status());
-  if (!status.store_status.ok()) return;
-  status.jobs = *std::move(counts);
-  status.open = *std::move(open);
-  status.running = *std::move(running);
-}
-
 }  // namespace
+
+StatusBoard::StoreFacts StatusBoard::LookIntoStore() {
+  StoreFacts facts;
+  auto open = sources_.jobs.CountOpen();
+  auto jobs = open.ok() ? counts_.With(*open) : open.status();
+  auto running = sources_.jobs.List({.all_tenants = true,
+                                     .states = {JobState::kRunning},
+                                     .oldest_first = true,
+                                     .limit = kMaxRunning});
+  facts.status = jobs.status();
+  facts.status.Update(running.status());
+  if (!facts.status.ok()) return facts;
+  facts.jobs = *std::move(jobs);
+  facts.open = *std::move(open);
+  facts.running = *std::move(running);
+  return facts;
+}
 
 CoordinatorStatus StatusBoard::Look() const {
   CoordinatorStatus status;
@@ -39,7 +40,12 @@ CoordinatorStatus StatusBoard::Look() const {
   status.now_us = std::chrono::duration_cast<std::chrono::microseconds>(
                       std::chrono::system_clock::now().time_since_epoch())
                       .count();
-  LookIntoStore(sources_.jobs, counts_, status);
+  auto store = store_.Get();
+  if (!store) store.emplace().status = absl::UnavailableError("no answer yet");
+  status.store_status = store->status;
+  status.jobs = std::move(store->jobs);
+  status.open = std::move(store->open);
+  status.running = std::move(store->running);
   for (JobRecord& job : status.running) sources_.add_progress(job);
   status.disk = DiskOf(sources_.state_dir);
   status.runners = sources_.fleet.Runners();

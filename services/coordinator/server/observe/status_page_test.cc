@@ -67,7 +67,14 @@ TEST(StatusBoard, ShowsTheJobsOfAllTenants) {
   ASSERT_TRUE(jobs.Update({job.id, claimed.owner_epoch}, {.state = JobState::kRunning}, 3).ok());
   Dispatcher dispatcher;
   const Fleet fleet(dispatcher);
-  const StatusBoard board({"c1", "memory", ".", jobs, fleet, {}, rpc::JsonLog("test")});
+  const StatusBoard board({.name = "c1",
+                           .store = "memory",
+                           .state_dir = ".",
+                           .jobs = jobs,
+                           .fleet = fleet,
+                           .stages = {},
+                           .log = rpc::JsonLog("test"),
+                           .patience = std::chrono::minutes(1)});
   EXPECT_THAT(board.Page(), HasSubstr("of-acme"));
 }
 

@@ -24,13 +24,16 @@ class ForwardingJobStore : public JobStore {
     return store_.CreateAll(jobs, now_us);
   }
   absl::StatusOr<JobRecord> Get(const std::string& id) override { return store_.Get(id); }
+  absl::StatusOr<std::string> TenantOf(const std::string& id) override {
+    return store_.TenantOf(id);
+  }
   absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override {
     return store_.List(query);
   }
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                  int64_t until_us,
-                                                 Priority at_least = Priority::kBulk) override {
-    return store_.Claim(owner, now_us, until_us, at_least);
+                                                 const ClaimFilter& filter = {}) override {
+    return store_.Claim(owner, now_us, until_us, filter);
   }
   absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                     int32_t limit) override {

@@ -8,13 +8,17 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Tenants with open jobs, those whose turn it is first.
-absl::StatusOr<std::vector<std::string>> TenantsInTurn(SqlConnection& db, int64_t now_us) {
+/// Tenants with open jobs, those whose turn it is first, as far as the request takes their jobs.
+absl::StatusOr<std::vector<std::string>> TenantsInTurn(SqlConnection& db,
+                                                       const ClaimRequest& request) {
   const std::string sql = TenantsSql(db.dialect());
   SqlQuery query(db, sql);
-  query.Bind(now_us);
+  query.Bind(request.now_us);
   std::vector<std::string> tenants;
-  while (query.Next()) tenants.push_back(query.Text(0));
+  while (query.Next()) {
+    const bool idle = query.Int(1) == 0;
+    if (idle || !request.filter.of_idle_tenants) tenants.push_back(query.Text(0));
+  }
   if (!query.status().ok()) return query.status();
   return tenants;
 }
@@ -32,7 +36,7 @@ absl::StatusOr<std::optional<Candidate>> FindClaimable(SqlConnection& db, const 
                                                        std::string_view locking) {
   const std::string sql = absl::StrCat(ClaimableSql(db.dialect()), std::string(locking));
   SqlQuery query(db, sql);
-  query.Bind(tenant, static_cast<int64_t>(request.at_least), request.now_us, request.now_us);
+  query.Bind(tenant, static_cast<int64_t>(request.filter.at_least), request.now_us, request.now_us);
   std::optional<Candidate> candidate;
   while (query.Next()) candidate = {query.Int(0), query.Text(1)};
   if (!query.status().ok()) return query.status();
@@ -111,13 +115,12 @@ std::string TenantsSql(const SqlDialect& dialect) {
       open,
       " WHERE j." SLICEFARM_OPEN
       "  AND j.tenant > o.tenant) FROM open_tenants o WHERE o.tenant IS NOT NULL)"
-      " SELECT o.tenant FROM open_tenants o LEFT JOIN tenants t ON t.tenant = o.tenant"
-      " WHERE o.tenant IS NOT NULL"
-      " ORDER BY (SELECT count(*) FROM jobs h",
+      " SELECT o.tenant, (SELECT count(*) FROM jobs h",
       dialect.Through("jobs_held"),
       " WHERE h.tenant = o.tenant AND h." SLICEFARM_OPEN
-      "  AND h.owner <> '' AND h.owner_until_us > ?),"
-      " coalesce(t.claimed_us, 0), o.tenant");
+      "  AND h.owner <> '' AND h.owner_until_us > ?) AS held"
+      " FROM open_tenants o LEFT JOIN tenants t ON t.tenant = o.tenant"
+      " WHERE o.tenant IS NOT NULL ORDER BY held, coalesce(t.claimed_us, 0), o.tenant");
 }
 
 std::string ClaimableSql(const SqlDialect& dialect) {
@@ -130,7 +133,7 @@ std::string ClaimableSql(const SqlDialect& dialect) {
 }
 
 absl::StatusOr<std::optional<Queue>> FindQueue(SqlConnection& db, const ClaimRequest& request) {
-  auto tenants = TenantsInTurn(db, request.now_us);
+  auto tenants = TenantsInTurn(db, request);
   if (!tenants.ok()) return tenants.status();
   for (auto tenant = tenants->begin(); tenant != tenants->end(); ++tenant) {
     auto found = FindClaimable(db, *tenant, request, "");

@@ -15,7 +15,7 @@ struct ClaimRequest {
   std::string owner;
   int64_t now_us = 0;
   int64_t until_us = 0;
-  Priority at_least = Priority::kBulk;
+  ClaimFilter filter;
 };
 
 /// A job that may be claimed.

@@ -29,10 +29,24 @@ TEST_P(JobClaimsTest, ClaimsPassOverLowerPriorities) {
     job.priority = priority;
     ASSERT_TRUE(store_->Create(job, 1).ok());
   }
-  EXPECT_EQ(*store_->Claim("me", 10, 100, Priority::kInteractive), std::nullopt);
-  EXPECT_EQ((*store_->Claim("me", 10, 100, Priority::kNormal))->id, "normal");
-  EXPECT_EQ(*store_->Claim("me", 10, 100, Priority::kNormal), std::nullopt);
+  EXPECT_EQ(*store_->Claim("me", 10, 100, {Priority::kInteractive}), std::nullopt);
+  EXPECT_EQ((*store_->Claim("me", 10, 100, {Priority::kNormal}))->id, "normal");
+  EXPECT_EQ(*store_->Claim("me", 10, 100, {Priority::kNormal}), std::nullopt);
   EXPECT_EQ((*store_->Claim("me", 10, 100))->id, "bulk");
+}
+
+TEST_P(JobClaimsTest, ClaimsForIdleTenantsPassOverThoseWhoseJobsAreHeld) {
+  for (const char* id : {"a1", "a2", "b1", "b2"}) {
+    NewJob job = JobOf(id);
+    job.tenant = job.id.substr(0, 1);
+    ASSERT_TRUE(store_->Create(job, 1).ok());
+  }
+  const ClaimFilter idle = {.of_idle_tenants = true};
+  EXPECT_EQ((*store_->Claim("me", 10, 100))->id, "a1");
+  EXPECT_EQ((*store_->Claim("me", 10, 50, idle))->id, "b1");
+  EXPECT_EQ(*store_->Claim("me", 10, 100, idle), std::nullopt);
+  EXPECT_EQ((*store_->Claim("me", 50, 60, idle))->id, "b1") << "nobody holds it any more";
+  EXPECT_EQ((*store_->Claim("me", 50, 100))->id, "a2");
 }
 
 TEST_P(JobClaimsTest, ClaimsPassOverWorkThatSomebodyHolds) {

@@ -112,6 +112,12 @@ struct TenantEvent {
 /// A list ends with the job whose spec brings it to so many bytes of specs, whatever its limit.
 inline constexpr int64_t kListedSpecBytes = 8 << 20;
 
+/// Which jobs a claim may take.
+struct ClaimFilter {
+  Priority at_least = Priority::kBulk;
+  bool of_idle_tenants = false;  ///< only of tenants none of whose jobs somebody holds
+};
+
 /// Jobs of one kind that have not ended.
 struct OpenJobs {
   JobState state = JobState::kQueued;
@@ -147,18 +153,21 @@ class JobStore {
 
   virtual absl::StatusOr<JobRecord> Get(const std::string& id) = 0;
 
+  /// Whose job it is, also if the rest of what is kept of it cannot be read.
+  virtual absl::StatusOr<std::string> TenantOf(const std::string& id) = 0;
+
   virtual absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) = 0;
 
   /// Gives a job that is QUEUED or RUNNING and that nobody holds to `owner` until `until_us`; none
   /// if there is none. Passes over jobs whose action_digest is that of a job that somebody holds
   /// and that is not to be cancelled, so that the same work is done once (but not over those that
-  /// are to be cancelled themselves: they end at once), and those of lower priority than
-  /// `at_least`. Tenants take turns, those with fewer held jobs first; of a tenant's jobs those of
-  /// higher priority come first, then those with the earlier deadline, then the older ones. Errors:
-  /// DATA_LOSS if what is kept of the job cannot be read; it is passed over until `until_us`.
+  /// are to be cancelled themselves: they end at once), and those that `filter` leaves out. Tenants
+  /// take turns, those with fewer held jobs first; of a tenant's jobs those of higher priority come
+  /// first, then those with the earlier deadline, then the older ones. Errors: DATA_LOSS if what is
+  /// kept of the job cannot be read; it is passed over until `until_us`.
   virtual absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                          int64_t until_us,
-                                                         Priority at_least = Priority::kBulk) = 0;
+                                                         const ClaimFilter& filter = {}) = 0;
 
   /// Ends jobs that have not ended, that nobody holds or wants to be cancelled, and whose deadline
   /// has passed, as FAILED with `error`; at most `limit`, in the order of their deadlines. Returns

@@ -142,6 +142,12 @@ absl::StatusOr<JobRecord> MemoryJobStore::Get(const std::string& id) {
   return entry ? absl::StatusOr<JobRecord>(entry->job) : JobNotFound(id);
 }
 
+absl::StatusOr<std::string> MemoryJobStore::TenantOf(const std::string& id) {
+  Lock lock(jobs_.mutex_);
+  const Entry* entry = Find(id);
+  return entry ? absl::StatusOr<std::string>(entry->job.tenant) : JobNotFound(id);
+}
+
 absl::StatusOr<std::vector<JobRecord>> MemoryJobStore::List(const ListQuery& query) {
   Lock lock(jobs_.mutex_);
   std::vector<JobRecord> list;
@@ -160,8 +166,8 @@ absl::StatusOr<std::vector<JobRecord>> MemoryJobStore::List(const ListQuery& que
   return list;
 }
 
-/// Tenants with open jobs, those whose turn it is first.
-std::vector<std::string> MemoryJobStore::Tenants(int64_t now_us) const {
+/// Tenants with open jobs, those whose turn it is first, as far as `filter` takes their jobs.
+std::vector<std::string> MemoryJobStore::Tenants(int64_t now_us, const ClaimFilter& filter) const {
   std::map<std::string, int64_t> held;
   for (const auto& [number, entry] : jobs_.entries_) {
     const JobRecord& job = entry.job;
@@ -170,6 +176,7 @@ std::vector<std::string> MemoryJobStore::Tenants(int64_t now_us) const {
   }
   std::vector<std::tuple<int64_t, int64_t, std::string>> turns;
   for (const auto& [tenant, count] : held) {
+    if (filter.of_idle_tenants && count > 0) continue;
     const auto turn = jobs_.turns_.find(tenant);
     turns.emplace_back(count, turn == jobs_.turns_.end() ? 0 : turn->second, tenant);
   }
@@ -191,13 +198,14 @@ std::set<std::string> MemoryJobStore::HeldWork(int64_t now_us, const std::string
 }
 
 /// The tenant's job whose turn it is; nullptr: none may be claimed.
-JobRecord* MemoryJobStore::Claimable(const std::string& tenant, int64_t now_us, Priority at_least) {
+JobRecord* MemoryJobStore::Claimable(const std::string& tenant, int64_t now_us,
+                                     const ClaimFilter& filter) {
   const std::set<std::string> held = HeldWork(now_us);
   JobRecord* first = nullptr;
   for (auto& [number, entry] : jobs_.entries_) {
     JobRecord& job = entry.job;
     const bool claimable = job.tenant == tenant && !IsTerminal(job.state) &&
-                           job.priority >= at_least && job.owner_until_us <= now_us &&
+                           job.priority >= filter.at_least && job.owner_until_us <= now_us &&
                            (job.cancel_requested || !held.contains(job.action_digest));
     if (claimable && (!first || Urgency(job) < Urgency(*first))) first = &job;
   }
@@ -206,10 +214,10 @@ JobRecord* MemoryJobStore::Claimable(const std::string& tenant, int64_t now_us, 
 
 absl::StatusOr<std::optional<JobRecord>> MemoryJobStore::Claim(const std::string& owner,
                                                                int64_t now_us, int64_t until_us,
-                                                               Priority at_least) {
+                                                               const ClaimFilter& filter) {
   Lock lock(jobs_.mutex_);
-  for (const std::string& tenant : Tenants(now_us)) {
-    JobRecord* job = Claimable(tenant, now_us, at_least);
+  for (const std::string& tenant : Tenants(now_us, filter)) {
+    JobRecord* job = Claimable(tenant, now_us, filter);
     if (!job) continue;
     job->owner = owner;
     ++job->owner_epoch;

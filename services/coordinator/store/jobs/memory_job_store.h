@@ -57,10 +57,11 @@ class MemoryJobStore : public JobStore {
   absl::StatusOr<std::vector<Created>> CreateAll(const std::vector<NewJob>& jobs,
                                                  int64_t now_us) override;
   absl::StatusOr<JobRecord> Get(const std::string& id) override;
+  absl::StatusOr<std::string> TenantOf(const std::string& id) override;
   absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override;
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                  int64_t until_us,
-                                                 Priority at_least = Priority::kBulk) override;
+                                                 const ClaimFilter& filter = {}) override;
   absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                     int32_t limit) override;
   absl::StatusOr<bool> Adopt(const Lease& lease, const JobIdentity& identity,
@@ -107,9 +108,9 @@ class MemoryJobStore : public JobStore {
   absl::Status CheckQueue(const NewJob& job, int64_t before) const;
   absl::StatusOr<std::optional<Created>> FindEarlier(const NewJob& job);
   Created Insert(const NewJob& job, int64_t now_us);
-  std::vector<std::string> Tenants(int64_t now_us) const;
+  std::vector<std::string> Tenants(int64_t now_us, const ClaimFilter& filter) const;
   std::set<std::string> HeldWork(int64_t now_us, const std::string& but_job = "") const;
-  JobRecord* Claimable(const std::string& tenant, int64_t now_us, Priority at_least);
+  JobRecord* Claimable(const std::string& tenant, int64_t now_us, const ClaimFilter& filter);
   absl::Status IndexResult(const JobRecord& job);
   bool IsArtifact(const std::string& tenant, const std::string& digest) const;
   bool IsInput(const std::string& tenant, const std::string& digest) const;

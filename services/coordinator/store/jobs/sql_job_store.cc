@@ -197,6 +197,14 @@ absl::StatusOr<JobRecord> SqlJobStore::Get(const std::string& id) {
   return FindJob(**session, id);
 }
 
+absl::StatusOr<std::string> SqlJobStore::TenantOf(const std::string& id) {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  SqlQuery query(**session, "SELECT tenant FROM jobs WHERE id = ?");
+  if (query.Bind(id).Next()) return query.Text(0);
+  return query.status().ok() ? JobNotFound(id) : query.status();
+}
+
 absl::StatusOr<std::vector<JobRecord>> SqlJobStore::List(const ListQuery& query) {
   const auto session = database_->Read();
   if (!session.ok()) return session.status();
@@ -205,8 +213,8 @@ absl::StatusOr<std::vector<JobRecord>> SqlJobStore::List(const ListQuery& query)
 
 absl::StatusOr<std::optional<JobRecord>> SqlJobStore::Claim(const std::string& owner,
                                                             int64_t now_us, int64_t until_us,
-                                                            Priority at_least) {
-  const ClaimRequest request = {owner, now_us, until_us, at_least};
+                                                            const ClaimFilter& filter) {
+  const ClaimRequest request = {owner, now_us, until_us, filter};
   // Most calls find nothing, and need no write.
   std::optional<Queue> queue;
   {

@@ -17,9 +17,11 @@ class SqlJobStore : public JobStore {
   absl::StatusOr<std::vector<Created>> CreateAll(const std::vector<NewJob>& jobs,
                                                  int64_t now_us) override;
   absl::StatusOr<JobRecord> Get(const std::string& id) override;
+  absl::StatusOr<std::string> TenantOf(const std::string& id) override;
   absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override;
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
-                                                 int64_t until_us, Priority at_least) override;
+                                                 int64_t until_us,
+                                                 const ClaimFilter& filter) override;
   absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                     int32_t limit) override;
   absl::StatusOr<bool> Adopt(const Lease& lease, const JobIdentity& identity,

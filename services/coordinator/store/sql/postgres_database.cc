@@ -23,13 +23,20 @@ absl::StatusOr<std::unique_ptr<PostgresDatabase>> PostgresDatabase::Open(
   return std::unique_ptr<PostgresDatabase>(new PostgresDatabase(conninfo, max_connections));
 }
 
+absl::Status PostgresDatabase::CheckPulse() const {
+  if (!pulse_ || !pulse_->silent()) return absl::OkStatus();
+  return StoreAway("PostgreSQL: it has not answered for seconds");
+}
+
 absl::StatusOr<SqlSession> PostgresDatabase::Take() {
+  if (absl::Status beats = CheckPulse(); !beats.ok()) return beats;
   std::unique_ptr<PostgresConnection> connection;
   {
     std::unique_lock lock(mutex_);
     if (!given_back_.wait_for(lock, kPatience, [this] { return free_ > 0; })) {
       return StoreAway("PostgreSQL: all connections are busy");
     }
+    if (absl::Status beats = CheckPulse(); !beats.ok()) return beats;  // meanwhile
     --free_;
     if (!idle_.empty()) {
       connection = std::move(idle_.back());

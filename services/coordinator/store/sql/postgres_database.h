@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "services/coordinator/store/sql/postgres_connection.h"
+#include "services/coordinator/store/sql/postgres_pulse.h"
 
 namespace slicefarm::coordinator {
 
@@ -21,9 +22,15 @@ class PostgresDatabase : public SqlDatabase {
   static absl::StatusOr<std::unique_ptr<PostgresDatabase>> Open(const std::string& conninfo,
                                                                 int max_connections = kConnections);
 
+  /// From now on nobody waits for a connection while the server is silent: that is an error at
+  /// once. Before More.
+  void Heed(std::shared_ptr<const PostgresPulse> pulse) { pulse_ = std::move(pulse); }
+
   /// Other connections to the same database, for those whom these are not to keep waiting.
   std::unique_ptr<PostgresDatabase> More(int max_connections = kConnections) const {
-    return std::unique_ptr<PostgresDatabase>(new PostgresDatabase(conninfo_, max_connections));
+    std::unique_ptr<PostgresDatabase> more(new PostgresDatabase(conninfo_, max_connections));
+    more->pulse_ = pulse_;
+    return more;
   }
 
   absl::StatusOr<SqlSession> Read() override { return Take(); }
@@ -33,10 +40,12 @@ class PostgresDatabase : public SqlDatabase {
   PostgresDatabase(std::string conninfo, int max_connections)
       : conninfo_(std::move(conninfo)), free_(max_connections) {}
 
+  absl::Status CheckPulse() const;
   absl::StatusOr<SqlSession> Take();
   void GiveBack(std::unique_ptr<PostgresConnection> connection);
 
   const std::string conninfo_;
+  std::shared_ptr<const PostgresPulse> pulse_;  ///< null: its silence is noticed by waiting
   std::mutex mutex_;
   std::condition_variable given_back_;
   int free_;  ///< how many more may be taken

@@ -184,6 +184,9 @@ TEST(SqlJobStore, ADamagedRowIsToldOfAndKeepsNoOtherJobWaiting) {
   const auto db = *SqliteConnection::Open(path);
   ASSERT_TRUE(db->Execute("UPDATE jobs SET labels = '{\"a' WHERE id = 'damaged'").ok());
 
+  EXPECT_TRUE(absl::IsDataLoss(store->Get("damaged").status()));
+  EXPECT_EQ(*store->TenantOf("damaged"), "");
+  EXPECT_TRUE(absl::IsNotFound(store->TenantOf("never made").status()));
   EXPECT_TRUE(absl::IsDataLoss(store->Claim("me", 10, 20).status()));
   EXPECT_EQ((*store->Claim("me", 10, 20))->id, "whole");
   EXPECT_EQ(*store->Claim("me", 10, 20), std::nullopt);
