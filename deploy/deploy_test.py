@@ -32,7 +32,12 @@ def expect(condition, message):
         problems.append(message)
 
 
+PROXY = "slicefarm-proxy"  # deploy/proxy/proxy.sh in the image
+
+
 def flags_of(program, cache={}):
+    if program == PROXY:
+        return set(re.findall(r"^#?\s*(--[a-z][a-z-]*)", (DEPLOY / "proxy/proxy.sh").read_text(), re.M)) | {"--listen", "--coordinators"}
     if program not in cache:
         expect((BIN / program).exists(), f"there is no program {program}")
         run = subprocess.run([BIN / program, "--help"], stdout=subprocess.PIPE, text=True) if (BIN / program).exists() else None
@@ -52,13 +57,14 @@ def check_command(where, words, services):
     for flag in values:
         expect(flag in flags_of(program), f"{where}: {program} has no {flag}")
     for flag, value in values.items():
-        if flag not in ("--slicing", "--planning", "--motion", "--exposure", "--milling", "--texture", "--workers", "--beading", "--infill", "--ordering"):
+        if flag not in ("--slicing", "--planning", "--motion", "--exposure", "--milling", "--texture", "--workers", "--beading", "--infill", "--ordering", "--coordinators"):
             continue
         for address in value.split(","):
             name, _, port = address.partition(":")
             expect(services.get(name) == int(port), f"{where}: {flag} {address} is no service's address")
     expect(values.get("--listen") == f"0.0.0.0:{PORT}", f"{where}: listens on {values.get('--listen')}")
-    expect(values.get("--metrics-port") == str(METRICS_PORT), f"{where}: metrics on {values.get('--metrics-port')}")
+    metrics_port = None if program == PROXY else str(METRICS_PORT)
+    expect(values.get("--metrics-port") == metrics_port, f"{where}: metrics on {values.get('--metrics-port')}")
     return values
 
 
@@ -88,6 +94,7 @@ def check_split_stages():
 def check_compose(path):
     where = path.name
     compose = yaml.safe_load(path.read_text())
+    expect(compose["networks"]["farm"] == {"internal": True}, f"{where}: the farm's own network leads outside")
     services = compose["services"]
     ours = {name: PORT for name, service in services.items() if service.get("command")}
     for name, service in services.items():
@@ -104,6 +111,7 @@ def check_compose(path):
         for other in service.get("depends_on", []):
             expect(other in services, f"{at}: depends on {other}")
             expect(set(services[other].get("profiles", [])) <= profiles, f"{at}: {other} may not be started")
+        expect(set(service.get("networks", [])) <= set(compose["networks"]), f"{at}: networks")
         for volume in service.get("volumes", []):
             source, own = volume.split(":")[0], ":" not in volume and volume.startswith("/")
             known = own or source in compose["volumes"] or (source.startswith("./") and (path.parent / source).exists())
@@ -116,6 +124,12 @@ def check_compose(path):
         values = check_command(at, interpolated(service["command"]).split(), ours)
         drain = int(values.get("--drain", 30))
         expect(int(service["stop_grace_period"].rstrip("s")) > drain, f"{at}: killed before it has drained")
+        expect(service["ulimits"]["nofile"]["hard"] >= 65536, f"{at}: few descriptors")
+        expect(service["healthcheck"]["test"][1:] == ["slicefarm", "health", f"127.0.0.1:{PORT}"], f"{at}: health")
+        # Whoever reaches gRPC's own server past the door can end it.
+        expect(name == "proxy" or not service.get("ports"), f"{at}: is published beside the door")
+        outside = {"farm", "outside"} if name == "coordinator" else {"farm", "clients"} if name == "proxy" else {"farm"}
+        expect(set(service["networks"]) == outside, f"{at}: networks {service['networks']}")
         for port in service.get("ports", []):
             expect(interpolated(port).rsplit(":", 1)[-1] == str(PORT), f"{at}: publishes {port}")
 
@@ -214,8 +228,9 @@ class Manifests:
     def check_container(self, where, container, grace_s):
         values = check_command(where, container["command"] + container["args"], self.ports())
         ports = {port["name"]: port["containerPort"] for port in container["ports"]}
-        expect(ports == {"grpc": PORT, "metrics": METRICS_PORT}, f"{where}: ports {ports}")
-        for probe in ("readinessProbe", "livenessProbe"):
+        proxy = container["command"] == [PROXY]
+        expect(ports == {"grpc": PORT} | ({} if proxy else {"metrics": METRICS_PORT}), f"{where}: ports {ports}")
+        for probe in ("readinessProbe",) if proxy else ("readinessProbe", "livenessProbe"):
             command = " ".join(container[probe]["exec"]["command"]).removeprefix("sh -c ")
             expect(command.startswith(f"slicefarm health 127.0.0.1:{PORT}"), f"{where}: {probe}")
         variables = {variable["name"] for variable in container.get("env", [])}
@@ -244,7 +259,7 @@ class Manifests:
                 names = [p["name"] for c in pod["spec"]["containers"] for p in c["ports"]]
                 expect(port["targetPort"] in names, f"kubernetes: service {name} has no port {port['targetPort']}")
         headless = spec.get("clusterIP") == "None"
-        expect(headless == (name != "coordinator"), f"kubernetes: service {name} is {'' if headless else 'not '}headless")
+        expect(headless == (name != "proxy"), f"kubernetes: service {name} is {'' if headless else 'not '}headless")
 
     def check_PodDisruptionBudget(self, document):
         expect(len(self.selected(document["spec"]["selector"])) == 1, f"kubernetes: budget {document['metadata']['name']}")
@@ -268,6 +283,9 @@ class Manifests:
             for peer in rule.get("from", []) + rule.get("to", []):
                 if "podSelector" in peer:
                     expect(self.selected(peer["podSelector"]), f"kubernetes: policy {name} lets nobody through")
+            # Clients reach the door, and nothing behind it.
+            clients = any("slicefarm-clients" in str(peer) for peer in rule.get("from", []))
+            expect(not clients or name == "proxy", f"kubernetes: policy {name} lets clients past the door")
 
 
 # What Kubernetes has had since the release that python3-kubernetes of Debian 12 (1.22) is made from.
@@ -316,7 +334,7 @@ def check_monitoring():
     monitoring = DEPLOY / "monitoring"
     prometheus = yaml.safe_load((monitoring / "prometheus.yml").read_text())
     services = {name for path in COMPOSE for name, service in yaml.safe_load(path.read_text())["services"].items()
-                if service.get("command")}
+                if service.get("command") and name != "proxy"}
     scraped = prometheus["scrape_configs"][0]["dns_sd_configs"][0]
     expect(set(scraped["names"]) == services, f"prometheus.yml: looks for {scraped['names']}")
     expect(scraped["port"] == METRICS_PORT, "prometheus.yml: port")

@@ -4,7 +4,7 @@
 #
 #   deploy/dev-certs.sh DIR [--days N] [ROLE...]
 #
-# ROLE     coordinator, worker, stage/slicing and so on, tenant/NAME. None: all of slicefarm's own, and tenant/dev.
+# ROLE     coordinator, proxy, worker, stage/slicing and so on, tenant/NAME. None: all of slicefarm's own, and tenant/dev.
 # --days   how long they are valid (30). 0: they have expired already.
 # What is made: DIR/ROLE/{cert,key,ca}.pem (with - for / in the role), a directory that can be mounted as a whole where it
 # is needed, and the CA in DIR/ca. An existing CA is used again; an existing role gets a new certificate, by renaming, so
@@ -24,7 +24,7 @@ while [[ $# -gt 0 ]]; do
 done
 [[ "$days" =~ ^[0-9]+$ ]] || usage
 stages=(slicing planning beading infill ordering motion exposure milling texture)
-[[ ${#roles[@]} -gt 0 ]] || roles=(coordinator worker "${stages[@]/#/stage/}" tenant/dev)
+[[ ${#roles[@]} -gt 0 ]] || roles=(coordinator proxy worker "${stages[@]/#/stage/}" tenant/dev)
 
 umask 077
 mkdir -p "$dir"
@@ -51,7 +51,7 @@ names_of() {
 }
 
 for role in "${roles[@]}"; do
-  [[ "$role" =~ ^(coordinator|worker|stage/[a-z]+|tenant/[a-z0-9][a-z0-9_-]*)$ ]] ||
+  [[ "$role" =~ ^(coordinator|proxy|worker|stage/[a-z]+|tenant/[a-z0-9][a-z0-9_-]*)$ ]] ||
     { echo "dev-certs.sh: there is no role '$role'" >&2; exit 2; }
   name=${role//\//-} new=$work/${role//\//-}
   mkdir "$new"

@@ -2,7 +2,7 @@
 # Every service as a process of its own on this machine, without containers.
 #
 #   deploy/local.sh up [--workers N] [--mode fused|split] [--port P] [--store sqlite|postgres] [--coordinators N]
-#                      [--metrics-port M] [--tls]
+#                      [--metrics-port M] [--tls] [--proxy]
 #   deploy/local.sh status
 #   deploy/local.sh down
 #
@@ -12,6 +12,8 @@
 #          it is SLICEFARM_POSTGRES (a connection string), or one of a server that is started here.
 #          --metrics-port: coordinators serve /metrics and /statusz on 127.0.0.1:M and the ports above it.
 #          --tls: with certificates of deploy/dev-certs.sh, in $SLICEFARM_STATE/certs; it says what clients need.
+#          --proxy: 127.0.0.1:P is the farm's door (deploy/proxy), with the coordinators behind it; for more than a trial.
+#          A service that a signal ends, or that takes no connections any more (exit code 3), is started again.
 # down     asks all to finish (SIGTERM) and waits for them. Jobs that are not done go on at the next `up`.
 #
 # SLICEFARM_BIN     where the programs are (default build/bin)
@@ -22,7 +24,7 @@ cd "$(dirname "$0")/.."
 bin=${SLICEFARM_BIN:-build/bin}
 state=${SLICEFARM_STATE:-build/local}
 
-usage() { sed -n '2,19s/^# \{0,1\}//p' "$0"; exit 2; }
+usage() { sed -n '2,21s/^# \{0,1\}//p' "$0"; exit 2; }
 die() { echo "local.sh: $*" >&2; exit 1; }
 
 # Whether the process of a pid file is the program that was started under its name: after a reboot, or when the numbers
@@ -31,16 +33,36 @@ running() {
   [[ -f "$1" ]] || return 1
   local name exe
   name=$(basename "$1" .pid)
+  if [[ "$name" == proxy ]]; then # a script, whose program is the shell
+    tr '\0' '\n' <"/proc/$(cat "$1")/cmdline" 2>/dev/null | grep -qx 'deploy/proxy/proxy.sh'
+    return
+  fi
   exe=$(readlink "/proc/$(cat "$1")/exe") || return 1
   exe=${exe% (deleted)}  # the program was built anew since
   [[ "${exe##*/}" == "slicefarm-${name%%-[0-9]*}" ]]
 }
 
-# start NAME PROGRAM ARG...
+# start NAME PROGRAM ARG...: in the background.
 start() {
-  local name=$1; shift
-  "$@" >"$state/log/$name.log" 2>&1 </dev/null &
-  echo $! >"$state/pid/$name.pid"
+  rm -f "$state/pid/$1.pid"
+  supervise "$@" >"$state/log/$1.log" 2>&1 </dev/null &
+  until [[ -s "$state/pid/$1.pid" ]]; do sleep 0.01; done
+}
+
+# supervise NAME PROGRAM ARG...: starts it again when it has ended by itself, until `down` takes the file of its process away.
+supervise() {
+  local name=$1 file=$state/pid/$1.pid pid rc
+  shift
+  while :; do
+    "$@" &
+    pid=$!
+    echo "$pid" >"$file"
+    rc=0
+    wait "$pid" || rc=$?
+    [[ $rc -gt 128 || $rc -eq 3 ]] || return 0
+    sleep 1
+    [[ "$(cat "$file" 2>/dev/null)" == "$pid" ]] || return 0
+  done
 }
 
 await() {
@@ -54,7 +76,7 @@ await() {
 }
 
 up() {
-  local workers=2 mode=fused port=50050 store=sqlite coordinators=1 metrics_port='' tls=0
+  local workers=2 mode=fused port=50050 store=sqlite coordinators=1 metrics_port='' tls=0 proxy=0
   while [[ $# -gt 0 ]]; do
     case "$1" in
       --workers) workers=${2:?}; shift 2 ;;
@@ -64,6 +86,7 @@ up() {
       --coordinators) coordinators=${2:?}; shift 2 ;;
       --metrics-port) metrics_port=${2:?}; shift 2 ;;
       --tls) tls=1; shift ;;
+      --proxy) proxy=1; shift ;;
       *) usage ;;
     esac
   done
@@ -122,13 +145,20 @@ up() {
   for i in $(seq "$coordinators"); do
     local at=$port metrics=()
     [[ -z "$metrics_port" ]] || metrics=(--metrics-port $((metrics_port + i - 1)))
-    [[ $i -eq 1 ]] || { at=$next; next=$((next + 1)); }
+    [[ $i -eq 1 && $proxy -eq 0 ]] || { at=$next; next=$((next + 1)); }
     start "coordinator-$i" "$bin/slicefarm-coordinator" --listen "127.0.0.1:$at" --name "coordinator-$i" "${metrics[@]}" "${pools[@]}"
     await "coordinator-$i" "127.0.0.1:$at"
     addresses+=("127.0.0.1:$at")
   done
   local server=${addresses[0]}
   [[ $coordinators -eq 1 ]] || server="ipv4:$(IFS=,; echo "${addresses[*]}")" # the one that is there
+  if [[ $proxy -eq 1 ]]; then
+    use_certs proxy
+    server=127.0.0.1:$port
+    start proxy deploy/proxy/proxy.sh --listen "$server" --coordinators "$(IFS=,; echo "${addresses[*]}")" \
+      --coordinator-name localhost --dir "$(realpath "$state")/proxy"
+    await proxy "$server"
+  fi
   echo "up: $mode, $workers replicas; submit with --server $server"
   use_certs tenant-dev
   [[ $tls -eq 0 ]] || echo "export SLICEFARM_TLS_CERT=$SLICEFARM_TLS_CERT SLICEFARM_TLS_KEY=$SLICEFARM_TLS_KEY SLICEFARM_TLS_CA=$SLICEFARM_TLS_CA SLICEFARM_TLS_SERVER_NAME=localhost"
@@ -145,7 +175,7 @@ status() {
 }
 
 down() {
-  for pid in "$state"/pid/coordinator-*.pid "$state"/pid/*.pid; do running "$pid" && kill -TERM "$(cat "$pid")"; done
+  for pid in "$state"/pid/proxy.pid "$state"/pid/coordinator-*.pid "$state"/pid/*.pid; do running "$pid" && kill -TERM "$(cat "$pid")"; done
   for pid in "$state"/pid/*.pid; do
     [[ -f "$pid" ]] || continue
     while running "$pid"; do sleep 0.1; done

@@ -12,6 +12,8 @@ namespace slicefarm::rpc {
 /// SPIFFE ID. Addresses and host names say where a program runs, and not what it may do.
 
 inline constexpr char kCoordinatorIdentity[] = "spiffe://slicefarm/coordinator";
+/// Of the proxy that stands before the coordinators (deploy/proxy), and speaks for its clients.
+inline constexpr char kProxyIdentity[] = "spiffe://slicefarm/proxy";
 inline constexpr char kWorkerIdentity[] = "spiffe://slicefarm/worker";
 
 /// `stage`: "beading" of slicefarm-beading.

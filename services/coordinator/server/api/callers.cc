@@ -7,6 +7,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 #include "common/rpc/security/bearer_token.h"
+#include "common/rpc/security/call_peer.h"
 #include "common/rpc/security/identity.h"
 
 namespace slicefarm::coordinator {
@@ -37,15 +38,15 @@ absl::StatusOr<PlacedCaller> Callers::Find(const grpc::ServerContextBase& contex
 }
 
 absl::StatusOr<Caller> Callers::Known(const grpc::ServerContextBase& context) const {
-  const std::string identity = rpc::PeerIdentity(*context.auth_context());
-  const auto shown = rpc::TenantOfIdentity(identity);
-  if (!identity.empty() && !shown) {
-    return Denied(absl::StrCat("the certificate is ", identity, "'s, and no tenant's"));
+  const auto peer = rpc::PeerOf(context);
+  if (!peer.ok()) return peer.status();
+  const auto shown = rpc::TenantOfIdentity(peer->identity);
+  if (!peer->identity.empty() && !shown) {
+    return Denied(absl::StrCat("the certificate is ", peer->identity, "'s, and no tenant's"));
   }
   if (!tenants_) {
     // The CA may be one that signs for others as well.
-    if (context.auth_context()->IsPeerAuthenticated() && !shown)
-      return Denied("the certificate names no tenant");
+    if (peer->certified && !shown) return Denied("the certificate names no tenant");
     return Caller{.tenant = "", .scopes = {Scope::kSubmit, Scope::kRead}};
   }
   const std::shared_ptr<const Tenants> tenants = tenants_();
