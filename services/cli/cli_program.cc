@@ -76,13 +76,15 @@ ExitCode Run(int argc, char** argv) {
   app.footer(kFooter);
   app.set_version_flag("-v,--version", VersionLine());
   app.require_subcommand(1);
-  for (const auto add :
-       {AddSlice,       AddSubmit,    AddInspect,  AddWatch,      AddList,       AddGet,
-        AddCancel,      AddDelete,    AddTrace,    AddWebhook,    AddUpdate,     AddArtifacts,
-        AddEvents,      AddMeshes,    AddUsage,    AddCaller,     AddProfile,    AddRender,
-        AddBeads,       AddFill,      AddFlatten,  AddDecompose,  AddSupportLab, AddTsp,
-        AddTime,        AddCheck,     AddSettings, AddHealth,     AddToken,      AddEngraveProgram,
-        AddMillProgram, AddWaterline, AddHelp,     AddCompletion, AddVersion}) {
+  for (const auto add : {AddSlice,     AddSubmit,  AddInspect,        AddWatch,
+                         AddList,      AddGet,     AddCancel,         AddDelete,
+                         AddTrace,     AddWebhook, AddUpdate,         AddArtifacts,
+                         AddEvents,    AddMeshes,  AddUsage,          AddCaller,
+                         AddTenant,    AddProfile, AddRender,         AddBeads,
+                         AddFill,      AddFlatten, AddDecompose,      AddSupportLab,
+                         AddTsp,       AddTime,    AddCheck,          AddSettings,
+                         AddHealth,    AddToken,   AddEngraveProgram, AddMillProgram,
+                         AddWaterline, AddHelp,    AddCompletion,     AddVersion}) {
     add(app, context);
   }
   if (const ExitCode parsed = Parse(app, argc, argv); parsed != ExitCode::kOk || !context.run) {

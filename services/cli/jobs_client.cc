@@ -311,6 +311,27 @@ absl::StatusOr<v1::Usage> JobsClient::GetUsage(const v1::GetUsageRequest& reques
   return Call<v1::Usage>(request, [&](auto... a) { return jobs_->AsyncGetUsage(a...); });
 }
 
+absl::Status JobsClient::ExportTenant(const std::string& tenant, OutputFile& file) {
+  constexpr std::chrono::hours kLongest(24);
+  v1::ExportTenantRequest request;
+  request.set_tenant(tenant);
+  if (!connection_.ok()) return connection_.status();
+  return ReadStream<v1::DownloadResponse>(
+      {kLongest, options_.cancel, options_.trace},
+      [&](grpc::ClientContext* context, grpc::CompletionQueue* queue) {
+        return jobs_->PrepareAsyncExportTenant(context, request, queue);
+      },
+      &answered_,
+      [&](const v1::DownloadResponse& response) { return file.Write(response.data()); });
+}
+
+absl::StatusOr<v1::EraseTenantResponse> JobsClient::EraseTenant(const std::string& tenant) {
+  v1::EraseTenantRequest request;
+  request.set_tenant(tenant);
+  return Call<v1::EraseTenantResponse>(
+      request, [&](auto... a) { return jobs_->AsyncEraseTenant(a...); }, kTransferDeadline);
+}
+
 absl::StatusOr<v1::ListMeshesResponse> JobsClient::ListMeshes(
     const v1::ListMeshesRequest& request) {
   return Call<v1::ListMeshesResponse>(request,

@@ -58,6 +58,9 @@ class JobsClient {
   absl::StatusOr<v1::ListArtifactsResponse> ListArtifacts(const std::string& job_id);
   absl::StatusOr<v1::GetCallerResponse> GetCaller();
   absl::StatusOr<v1::Usage> GetUsage(const v1::GetUsageRequest& request);
+  /// Writes all that is kept of a tenant to `file`, a tar archive; what breaks off begins anew.
+  absl::Status ExportTenant(const std::string& tenant, OutputFile& file);
+  absl::StatusOr<v1::EraseTenantResponse> EraseTenant(const std::string& tenant);
   absl::StatusOr<v1::ListJobsResponse> ListJobs(const v1::ListJobsRequest& request);
 
   absl::StatusOr<v1::ListMeshesResponse> ListMeshes(const v1::ListMeshesRequest& request);

@@ -66,6 +66,7 @@ absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& optio
   interceptors.push_back(std::make_unique<UnreadableRequestFactory>());  // before it is counted
   if (options.log) interceptors.push_back(std::make_unique<StorageErrorsFactory>(*options.log));
   interceptors.push_back(std::make_unique<CallMetricsFactory>(metrics));
+  for (const auto& make : options.interceptors) interceptors.push_back(make());
   builder.experimental().SetInterceptorCreators(std::move(interceptors));
   auto queue = queued == nullptr ? nullptr : std::make_unique<CallQueue>(builder);
   std::unique_ptr<grpc::Server> server = builder.BuildAndStart();

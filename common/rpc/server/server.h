@@ -31,6 +31,10 @@ struct ServerOptions {
   int max_streams_per_connection = 0;
   std::shared_ptr<grpc::ServerCredentials> credentials = nullptr;  ///< null: no TLS
   std::optional<JsonLog> log = {};  ///< of errors of storage, which are not for clients
+  /// Of the server's own kind; what they see is what clients are told.
+  std::vector<
+      std::function<std::unique_ptr<grpc::experimental::ServerInterceptorFactoryInterface>()>>
+      interceptors = {};
 };
 
 /// A gRPC server with health checking, reflection, limits, keepalive and metrics.

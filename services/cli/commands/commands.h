@@ -47,6 +47,7 @@ void AddProfile(CLI::App& app, CommandContext& context);         ///< profile_co
 void AddRender(CLI::App& app, CommandContext& context);          ///< render_command.cc
 void AddSettings(CLI::App& app, CommandContext& context);        ///< settings_command.cc
 void AddHealth(CLI::App& app, CommandContext& context);          ///< health_command.cc
+void AddTenant(CLI::App& app, CommandContext& context);          ///< tenant_command.cc
 void AddToken(CLI::App& app, CommandContext& context);           ///< token_command.cc
 void AddTsp(CLI::App& app, CommandContext& context);             ///< tsp_command.cc
 void AddMillProgram(CLI::App& app, CommandContext& context);     ///< mill_program_command.cc

@@ -22,6 +22,7 @@ constexpr std::array kScopeNames = std::to_array<std::pair<Scope, std::string_vi
 
 constexpr size_t kMaxTokens = 2;
 constexpr size_t kMaxNameBytes = 63;
+constexpr int64_t kMaxPerSecond = 1'000'000;
 
 /// Reads the parts of the file. The first error sticks.
 class Reader {
@@ -63,10 +64,11 @@ class Reader {
 
   Tenant ReadTenant(const Json& json, const std::string& place) {
     Tenant tenant;
-    if (!CheckKeys(json, place,
-                   {"tokens", "certificate_scopes", "max_open_jobs", "max_kept_jobs",
-                    "max_kept_bytes", "default_profile"},
-                   {})) {
+    if (!CheckKeys(
+            json, place,
+            {"tokens", "certificate_scopes", "max_open_jobs", "max_kept_jobs", "max_kept_bytes",
+             "max_calls_per_second", "max_jobs_per_second", "default_profile"},
+            {})) {
       return tenant;
     }
     if (json.contains("tokens")) tenant.tokens = ReadTokens(json["tokens"], place + ".tokens");
@@ -77,6 +79,8 @@ class Reader {
     ReadMost(json, place, "max_open_jobs", limits::kMaxOpenJobs, tenant.max_open_jobs);
     ReadMost(json, place, "max_kept_jobs", INT64_MAX, tenant.max_kept_jobs);
     ReadMost(json, place, "max_kept_bytes", INT64_MAX, tenant.max_kept_bytes);
+    ReadMost(json, place, "max_calls_per_second", kMaxPerSecond, tenant.max_calls_per_second);
+    ReadMost(json, place, "max_jobs_per_second", kMaxPerSecond, tenant.max_jobs_per_second);
     if (json.contains("default_profile")) {
       const Json& name = json["default_profile"];
       if (!name.is_string()) Fail(place + ".default_profile", "is not the name of a profile");
@@ -184,6 +188,8 @@ Caller CallerOf(const std::string& name, const Tenant& tenant, const Scopes& sco
           tenant.max_open_jobs,
           tenant.max_kept_jobs,
           tenant.max_kept_bytes,
+          tenant.max_calls_per_second,
+          tenant.max_jobs_per_second,
           tenant.default_profile};
 }
 

@@ -39,6 +39,8 @@ struct Tenant {
   int64_t max_open_jobs = limits::kMaxOpenJobs;
   int64_t max_kept_jobs = INT64_MAX;   ///< ended ones among them
   int64_t max_kept_bytes = INT64_MAX;  ///< of meshes, results and uploads
+  int64_t max_calls_per_second = 0;    ///< on average (rate_limits.h); 0: any number
+  int64_t max_jobs_per_second = 0;     ///< the same, of jobs that are created
   std::string default_profile = {};    ///< of jobs that name no printer; empty: they need one
 };
 
@@ -54,6 +56,8 @@ using Tenants = std::map<std::string, Tenant, std::less<>>;
 ///       "max_open_jobs": 100,
 ///       "max_kept_jobs": 100000,
 ///       "max_kept_bytes": 500000000000,
+///       "max_calls_per_second": 100,
+///       "max_jobs_per_second": 10,
 ///       "default_profile": "mk4s"}}}
 ///
 /// All but "sha256" and "scopes" may be left out. Errors: REQUEST_MALFORMED naming the place, also
@@ -71,6 +75,8 @@ struct Caller {
   int64_t max_open_jobs = limits::kMaxOpenJobs;
   int64_t max_kept_jobs = INT64_MAX;
   int64_t max_kept_bytes = INT64_MAX;
+  int64_t max_calls_per_second = 0;
+  int64_t max_jobs_per_second = 0;
   std::string default_profile = {};
 
   bool may(Scope scope) const { return scopes.contains(scope); }

@@ -31,7 +31,8 @@ TEST(Tenants, AreReadWithTheirStandards) {
       Parse(File(R"("acme": {"tokens": [)" + Entry("one") + ", " +
                  Entry("two", R"("admin")", R"(, "expires": "2027-01-01T00:00:00Z")") +
                  R"(], "certificate_scopes": ["read"], "max_open_jobs": 7, "max_kept_jobs": 8,)"
-                 R"( "max_kept_bytes": 5000000000}, "b-2_x": {})"));
+                 R"( "max_kept_bytes": 5000000000, "max_calls_per_second": 100,)"
+                 R"( "max_jobs_per_second": 7}, "b-2_x": {})"));
   ASSERT_EQ(tenants.size(), 2);
   const Tenant& acme = tenants.at("acme");
   ASSERT_EQ(acme.tokens.size(), 2);
@@ -43,6 +44,8 @@ TEST(Tenants, AreReadWithTheirStandards) {
   EXPECT_EQ(acme.max_open_jobs, 7);
   EXPECT_EQ(acme.max_kept_jobs, 8);
   EXPECT_EQ(acme.max_kept_bytes, 5'000'000'000);
+  EXPECT_EQ(acme.max_calls_per_second, 100);
+  EXPECT_EQ(acme.max_jobs_per_second, 7);
   const Tenant& other = tenants.at("b-2_x");
   EXPECT_TRUE(other.tokens.empty());
   EXPECT_EQ(other.certificate_scopes, (Scopes{Scope::kSubmit, Scope::kRead}));
@@ -66,6 +69,8 @@ TEST(Tenants, WhatCannotBeMeantIsRefusedByItsPlace) {
            Case{FileWith(R"({"max_open_job": 1})"), "tenants.a has an unknown key: max_open_job"},
            Case{FileWith(R"({"max_open_jobs": 0})"),
                 "tenants.a.max_open_jobs is not a number from 1 to 10000"},
+           Case{FileWith(R"({"max_jobs_per_second": 0})"),
+                "tenants.a.max_jobs_per_second is not a number from 1 to 1000000"},
            Case{FileWith(R"({"max_kept_bytes": -1})"),
                 "tenants.a.max_kept_bytes is not a number from 1 to 9223372036854775807"},
            Case{FileWith(R"({"max_open_jobs": 1.5})"),

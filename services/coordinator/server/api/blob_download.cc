@@ -14,19 +14,18 @@ namespace {
 
 constexpr size_t kChunkBytes = 64 << 10;
 
-/// False: the client left.
-bool SendPiece(std::string_view piece, const Transfers::Moved& moved,
+}  // namespace
+
+bool SendBytes(std::string_view bytes, const Transfers::Moved& moved,
                grpc::ServerWriter<v1::DownloadResponse>& stream) {
   v1::DownloadResponse response;
-  for (size_t at = 0; at < piece.size(); at += kChunkBytes) {
-    response.set_data(std::string(piece.substr(at, kChunkBytes)));
+  for (size_t at = 0; at < bytes.size(); at += kChunkBytes) {
+    response.set_data(std::string(bytes.substr(at, kChunkBytes)));
     if (!stream.Write(response)) return false;
     moved(std::ssize(response.data()));
   }
   return true;
 }
-
-}  // namespace
 
 absl::Status CheckPart(const BlobReader& blob, int64_t offset, int64_t limit) {
   if (offset < 0 || offset > blob.size())
@@ -42,7 +41,7 @@ absl::Status SendBlob(BlobReader& blob, int64_t offset, int64_t limit,
     const auto piece = blob.Read(at, std::min(kBlobPieceBytes - at % kBlobPieceBytes, end - at));
     if (!piece.ok()) return piece.status();
     at += std::ssize(*piece);
-    if (!SendPiece(*piece, moved, stream)) break;
+    if (!SendBytes(*piece, moved, stream)) break;
   }
   return absl::OkStatus();
 }

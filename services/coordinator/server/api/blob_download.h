@@ -3,6 +3,7 @@
 #include <grpcpp/grpcpp.h>
 
 #include <cstdint>
+#include <string_view>
 
 #include "absl/status/status.h"
 #include "services/coordinator/server/api/transfers.h"
@@ -13,6 +14,10 @@ namespace slicefarm::coordinator {
 
 /// Errors: REQUEST_MALFORMED for an `offset` that is not within the blob, or a negative `limit`.
 absl::Status CheckPart(const BlobReader& blob, int64_t offset, int64_t limit);
+
+/// Sends bytes in chunks of 64 KiB. False: the client left.
+bool SendBytes(std::string_view bytes, const Transfers::Moved& moved,
+               grpc::ServerWriter<v1::DownloadResponse>& stream);
 
 /// Sends a blob from `offset` on, `limit` bytes at most (0: all), in chunks of 64 KiB, until the
 /// client leaves. REQUIRES: CheckPart. Errors: those of reading.

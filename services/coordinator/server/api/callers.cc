@@ -6,9 +6,11 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
+#include "common/base/sha256.h"
 #include "common/rpc/security/bearer_token.h"
 #include "common/rpc/security/call_peer.h"
 #include "common/rpc/security/identity.h"
+#include "common/rpc/status_mapping.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -22,7 +24,36 @@ absl::Status Denied(std::string_view message, std::map<std::string, std::string>
                    std::move(metadata));
 }
 
+/// `what`: "calls" or "jobs".
+absl::Status CheckRate(RateLimits& limits, const std::string& tenant, const char* what,
+                       int64_t per_second, int64_t count, int64_t now_us) {
+  if (per_second == 0 || count == 0) return absl::OkStatus();
+  const int64_t wait_us = limits.Take(tenant, per_second, count, now_us);
+  if (wait_us == 0) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kResourceExhausted, Reason::kOverloaded,
+                   absl::StrCat("the tenant may have ", per_second, " ", what, " a second"),
+                   {{"rate", what},
+                    {"limit", absl::StrCat(per_second)},
+                    {rpc::kRetryAfterMs, absl::StrCat(wait_us / 1000 + 1)}});
+}
+
 }  // namespace
+
+absl::Status Callers::CheckJobs(const Caller& caller, int64_t jobs) const {
+  return CheckRate(jobs_, caller.tenant, "jobs", caller.max_jobs_per_second, jobs, now_us_());
+}
+
+CallerMarks Callers::MarksOf(const grpc::ServerContextBase& context) const {
+  constexpr size_t kDigits = 12;
+  CallerMarks marks;
+  if (const auto caller = Known(context); caller.ok()) marks.tenant = caller->tenant;
+  if (const auto token = rpc::BearerToken(context))
+    marks.token = Sha256Hex(*token).substr(0, kDigits);
+  const auto peer = rpc::PeerOf(context);
+  if (peer.ok()) marks.certificate = peer->fingerprint.substr(0, kDigits);
+  marks.address = peer.ok() ? peer->address : context.peer();
+  return marks;
+}
 
 absl::StatusOr<PlacedCaller> Callers::Find(const grpc::ServerContextBase& context,
                                            const Scopes& one_of) const {
@@ -32,6 +63,9 @@ absl::StatusOr<PlacedCaller> Callers::Find(const grpc::ServerContextBase& contex
     const std::string scope(ScopeName(*one_of.begin()));
     return Denied(absl::StrCat("this needs the scope '", scope, "'"), {{"scope", scope}});
   }
+  absl::Status rate =
+      CheckRate(calls_, caller->tenant, "calls", caller->max_calls_per_second, 1, now_us_());
+  if (!rate.ok()) return rate;
   auto place = places_.Enter(caller->tenant);
   if (!place.ok()) return place.status();
   return PlacedCaller{*std::move(caller), *std::move(place)};

@@ -14,6 +14,7 @@
 #include "common/base/error.h"
 #include "services/coordinator/server/api/coordinator_client_test.h"
 #include "services/coordinator/server/api/served_coordinator_test.h"
+#include "services/coordinator/store/sql/sqlite_connection.h"
 
 namespace slicefarm::coordinator::isolation_test {
 namespace {
@@ -366,6 +367,53 @@ TEST_F(IsolationTest, ATenantsBudgetEndsWhatItKeeps) {
   const auto upload = b_->Upload("xxxxx");
   EXPECT_EQ(DetailOf(upload.status()).metadata["budget"], "bytes") << upload.status();
   EXPECT_TRUE(b_->Upload("xxxx").ok());
+}
+
+// What is wrong with it is nobody else's business, nor that it is there.
+TEST_F(IsolationTest, AnothersDamagedJobIsAsOneThatNeverWas) {
+  ranges_->Hold();
+  const std::string of_a = a_->Submit("xa");
+  ranges_->AwaitCall();
+  Close();
+  ASSERT_TRUE((*SqliteConnection::Open(directory_.path() + "/jobs.db"))
+                  ->Execute("UPDATE jobs SET labels = '{\"a'")
+                  .ok());
+  Open();
+  a_ = As("a-1");
+  b_ = As("b-1");
+  EXPECT_EQ(a_->SeeGet(of_a).reason(), Reason::kStoreFailed);
+  const std::string never(of_a.size(), '0');
+  const auto as_if = [&](Seen seen) {
+    for (std::string* text : {&seen.message, &seen.details})
+      for (size_t at = 0; (at = text->find(of_a)) != std::string::npos;)
+        text->replace(at, of_a.size(), never);
+    seen.metadata.clear();  // the details again
+    return seen;
+  };
+  const std::vector<Seen> damaged = b_->SeeAllOf(of_a);
+  const std::vector<Seen> none = b_->SeeAllOf(never);
+  for (size_t i = 0; i < none.size(); ++i) {
+    EXPECT_EQ(as_if(damaged[i]), as_if(none[i])) << i;
+    EXPECT_EQ(damaged[i].reason(), Reason::kJobNotFound) << i;
+  }
+}
+
+TEST_F(IsolationTest, ATenantMayHaveSoManyCallsAndJobsASecond) {
+  Change([](Tenants& tenants) {
+    tenants["a"].max_calls_per_second = 1;
+    tenants["b"].max_jobs_per_second = 1;
+  });
+  Seen call = a_->SeeList();
+  while (call.status().ok()) call = a_->SeeList();
+  EXPECT_EQ(call.reason(), Reason::kOverloaded);
+  EXPECT_EQ(DetailOf(call.status()).metadata["rate"], "calls");
+  EXPECT_TRUE(DetailOf(call.status()).metadata.contains(rpc::kRetryAfterMs));
+  ASSERT_TRUE(b_->Upload("xb").ok());
+  absl::Status job = b_->Create(TenantClient::RequestFor("xb")).status();
+  while (job.ok()) job = b_->Create(TenantClient::RequestFor("xb")).status();
+  EXPECT_EQ(DetailOf(job).metadata["rate"], "jobs") << job;
+  EXPECT_TRUE(DetailOf(job).metadata.contains(rpc::kRetryAfterMs));
+  EXPECT_TRUE(b_->SeeList().status().ok()) << "calls have a rate of their own";
 }
 
 TEST_F(IsolationTest, AnothersResultIsNotTaken) {

@@ -199,6 +199,8 @@ absl::StatusOr<std::vector<v1::Job>> JobsService::MakePlates(const Caller& calle
     plate.submission.spec_digest = digest;
     jobs.push_back(std::move(plate.submission));
   }
+  if (absl::Status rate = backend_.callers.CheckJobs(caller, std::ssize(jobs)); !rate.ok())
+    return rate;
   return ToProtos(CreateAll(std::move(jobs), call.cancel));
 }
 
@@ -255,6 +257,7 @@ absl::StatusOr<JobRecord> JobsService::Create(const Caller& caller,
                                               const grpc::ServerContext& context) {
   if (request.advise_orientations())
     return Malformed("advise_orientations", "is for validate_only");
+  if (absl::Status rate = backend_.callers.CheckJobs(caller, 1); !rate.ok()) return rate;
   auto submission = Read(caller, request);
   if (submission.ok()) submission->trace = rpc::TraceOf(context);
   const CancelToken cancel([&] { return context.IsCancelled(); });

@@ -94,6 +94,10 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
                         v1::Usage* response) override;
   grpc::Status ListSettings(grpc::ServerContext* context, const v1::ListSettingsRequest* request,
                             v1::ListSettingsResponse* response) override;
+  grpc::Status ExportTenant(grpc::ServerContext* context, const v1::ExportTenantRequest* request,
+                            grpc::ServerWriter<v1::DownloadResponse>* stream) override;
+  grpc::Status EraseTenant(grpc::ServerContext* context, const v1::EraseTenantRequest* request,
+                           v1::EraseTenantResponse* response) override;
   grpc::Status WatchJobs(grpc::ServerContext* context, const v1::WatchJobsRequest* request,
                          grpc::ServerWriter<v1::WatchJobsResponse>* stream) override;
   grpc::Status DeleteJob(grpc::ServerContext* context, const v1::DeleteJobRequest* request,

@@ -21,6 +21,8 @@ grpc::Status JobsService::GetCaller(grpc::ServerContext* context, const v1::GetC
   response->set_max_open_jobs(bounded(caller->max_open_jobs));
   response->set_max_kept_jobs(bounded(caller->max_kept_jobs));
   response->set_max_kept_bytes(bounded(caller->max_kept_bytes));
+  response->set_max_calls_per_second(caller->max_calls_per_second);
+  response->set_max_jobs_per_second(caller->max_jobs_per_second);
   return grpc::Status::OK;
 }
 

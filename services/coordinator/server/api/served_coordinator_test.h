@@ -48,8 +48,8 @@ class ServedCoordinatorTest : public testing::Test {
         dispatcher_, rpc::JsonLog("test"));
     ASSERT_TRUE(coordinator.ok()) << coordinator.status();
     coordinator_ = *std::move(coordinator);
-    auto server =
-        rpc::Server::Start({}, coordinator_->services(), metrics_, &coordinator_->queued_methods());
+    auto server = rpc::Server::Start(server_options_, coordinator_->services(), metrics_,
+                                     &coordinator_->queued_methods());
     ASSERT_TRUE(server.ok()) << server.status();
     server_ = *std::move(server);
     ASSERT_TRUE(coordinator_->Start().ok());
@@ -82,6 +82,7 @@ class ServedCoordinatorTest : public testing::Test {
   Fleet fleet_{dispatcher_};
   prometheus::Registry registry_;
   rpc::CallMetrics metrics_{registry_};
+  rpc::ServerOptions server_options_;
   std::unique_ptr<Coordinator> coordinator_;
   std::unique_ptr<rpc::Server> server_;
 };

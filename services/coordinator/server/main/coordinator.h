@@ -81,6 +81,7 @@ class Coordinator {
     return {&meshes_service_, &jobs_service_, &profiles_service_};
   }
   rpc::QueuedMethods& queued_methods() { return jobs_service_; }
+  const Callers& callers() const { return callers_; }
   JobStore& jobs() { return jobs_; }
   const JobFeed& feed() const { return feed_; }
   /// Of the database that it shares with others; or null.

@@ -23,6 +23,7 @@
 #include "services/coordinator/server/main/move_blobs.h"
 #include "services/coordinator/server/main/rates_file.h"
 #include "services/coordinator/server/main/s3_flags.h"
+#include "services/coordinator/server/observe/audit_log.h"
 #include "services/coordinator/server/observe/coordinator_metrics.h"
 #include "services/coordinator/server/observe/status_board.h"
 #include "services/coordinator/server/reloaded_file.h"
@@ -195,7 +196,10 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
     (*coordinator)->Drain(flags.drain_of_jobs());
     (*coordinator)->Stop();
   };
-  return program.Run(flags.serve, (*coordinator)->services(), on_signal,
+  rpc::ServeFlags serve = flags.serve;
+  serve.server.interceptors.push_back(
+      [&] { return std::make_unique<AuditLogFactory>((*coordinator)->callers(), program.log()); });
+  return program.Run(serve, (*coordinator)->services(), on_signal,
                      &(*coordinator)->queued_methods());
 }
 

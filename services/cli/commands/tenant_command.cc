@@ -1,0 +1,86 @@
+// All that a farm keeps of a tenant: to be handed out, or to be erased.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "common/base/error.h"
+#include "services/cli/commands/commands.h"
+#include "services/cli/console.h"
+#include "services/cli/files.h"
+#include "services/cli/jobs_client.h"
+#include "services/cli/server_options.h"
+
+namespace slicefarm::cli {
+namespace {
+
+struct TenantOptions {
+  ServerOptions server;
+  std::string tenant;
+  std::string output;
+  bool yes = false;
+};
+
+ExitCode ExportAll(const TenantOptions& options, Interrupt& interrupt) {
+  JobsClient client(ClientOptions(options.server, &interrupt));
+  auto file = OutputFile::Create(options.output);
+  if (!file.ok()) return Fail(file.status());
+  absl::Status fetched = client.ExportTenant(options.tenant, *file);
+  if (fetched.ok()) fetched = file->Commit();
+  return fetched.ok() ? ExitCode::kOk : Fail(fetched);
+}
+
+ExitCode EraseAll(const TenantOptions& options, Interrupt& interrupt) {
+  if (!options.yes) {
+    return Fail(MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                          fmt::format("this would erase all jobs, meshes, results and profiles of "
+                                      "the tenant '{}': --yes does it",
+                                      options.tenant)));
+  }
+  JobsClient client(ClientOptions(options.server, &interrupt));
+  const auto erased = client.EraseTenant(options.tenant);
+  if (!erased.ok()) return Fail(erased.status());
+  Print(fmt::format("erased: {} jobs, {} blobs of {} bytes, {} profiles\n", erased->jobs(),
+                    erased->blobs(), erased->bytes(), erased->profiles()));
+  if (erased->shared_blobs() > 0) {
+    Print(fmt::format("kept: {} blobs, which jobs of other tenants have as results\n",
+                      erased->shared_blobs()));
+  }
+  return ExitCode::kOk;
+}
+
+CLI::App* AddTenantCommand(CLI::App& parent, const char* name, const char* about,
+                           const std::shared_ptr<TenantOptions>& options, CommandContext& context,
+                           ExitCode (*run)(const TenantOptions&, Interrupt&)) {
+  CLI::App* command = parent.add_subcommand(name, about);
+  command->add_option("TENANT", options->tenant, "Its name; '' on a farm without tenants")
+      ->required()
+      ->type_name("NAME");
+  AddServerOptions(*command, options->server);
+  command->callback([options, &context, run] {
+    context.run = [options, &context, run] { return run(*options, *context.interrupt); };
+  });
+  return command;
+}
+
+}  // namespace
+
+void AddTenant(CLI::App& app, CommandContext& context) {
+  CLI::App* command = app.add_subcommand("tenant", "All that the farm keeps of a tenant");
+  command->require_subcommand(1);
+  const auto options = std::make_shared<TenantOptions>();
+  AddTenantCommand(*command, "export", "Write it to a tar archive: jobs, meshes, results, profiles",
+                   options, context, ExportAll)
+      ->add_option("-o,--output", options->output, "Where it goes; -: to stdout")
+      ->required()
+      ->type_name("FILE");
+  CLI::App* erase = AddTenantCommand(*command, "erase", "Cancel its jobs, and erase it all",
+                                     options, context, EraseAll);
+  erase->add_flag("--yes", options->yes, "Without it, nothing is done");
+  erase->footer(
+      "Remove its entry from --tenants first, so that nothing new comes. Backups, logs and the "
+      "audit trail are not touched.");
+}
+
+}  // namespace slicefarm::cli
