@@ -6,6 +6,7 @@ threads, and from a farm of real processes.
 usage: supports_test.py SLICEFARM MODELS
 """
 import collections
+import math
 import os
 import pathlib
 import re
@@ -212,6 +213,62 @@ def check_first_layer(program, folder):
         assert skirt == [(0.3, 0.3), (0.4, 0.1), (0.5, 0.1), (0.6, 0.1), (0.7, 0.1)], skirt
 
 
+def points_on(bead, step=0.25):
+    """Places along a bead, no more than `step` apart, and the length that each of them stands for."""
+    (ax, ay), (bx, by) = bead.a, bead.b
+    length = math.hypot(bx - ax, by - ay)
+    count = int(length / step) + 1
+    return [((ax + (bx - ax) * (i + 0.5) / count, ay + (by - ay) * (i + 0.5) / count), length / count) for i in range(count)]
+
+
+def lying_on_nothing(beads, reach=1.0, bridged=4.0):
+    """Lengths, in mm by height, of stretches of support beads that lie farther than `reach` from all beads of the layer below, and are too long
+    to span from one carried place to the next: `bridged`."""
+    heights = sorted({bead.z for bead in beads})
+    floating = collections.Counter()
+    for below, here in zip(heights, heights[1:]):
+        cells = collections.defaultdict(list)
+        for bead in beads:
+            if bead.z == below:
+                for (x, y), _ in points_on(bead):
+                    cells[int(x // reach), int(y // reach)].append((x, y))
+
+        def lies(x, y):
+            column, row = int(x // reach), int(y // reach)
+            return any(math.dist((x, y), p) <= reach for i in (-1, 0, 1) for k in (-1, 0, 1) for p in cells.get((column + i, row + k), ()))
+
+        run, last = 0.0, None
+        for bead in supports([bead for bead in beads if bead.z == here]) + [None]:
+            if bead is None or bead.a != last:
+                floating[here] += run if run > bridged - 2 * reach else 0
+                run = 0.0
+            if bead is None:
+                break
+            last = bead.b
+            for (x, y), length in points_on(bead):
+                if not lies(x, y):
+                    run += length
+                elif run:
+                    floating[here] += run if run > bridged - 2 * reach else 0
+                    run = 0.0
+    return {z: round(length, 2) for z, length in floating.items() if length > 0}
+
+
+def check_organic_beads_lie_on_something(program, folder):
+    """A wide plate low over the bed: many branches, whose feet have no room beside each other. All that is printed lies on something."""
+    mesh = mesh_xml(box(24, 14, 0, 30, 20, 8), box(0, 0, 6, 54, 34, 8))
+    settings = SETTINGS | {"layer_height": "0.2", "first_layer_height": "0.2", "support_material_contact_distance": "0.2"}
+    files = {"3D/3dmodel.model": model_xml(f'<object id="1" type="model">{mesh}</object>', item(1, 50, 60, False), "PrusaSlicer-2.9.2"),
+             "Metadata/Slic3r_PE.config": "".join(f"; {key} = {value}\n" for key, value in settings.items())}
+    for more in ({}, {"support_tree_branch_diameter": "5"}, {"support_tree_branch_diameter_angle": "15"}):
+        arguments = [word for key, value in more.items() for word in ("--set", f"{key}={value}")]
+        beads = sliced(program, folder, write(folder / "plate.3mf", files), "--set", "support_material_style=organic", *arguments)
+        low = [bead for bead in supports(beads) if bead.z < 5]
+        assert len(low) > 1000, len(low)
+        floating = lying_on_nothing([bead for bead in beads if bead.z < 5])
+        assert not floating, f"{more}: mm of support on nothing, by height: {floating}"
+
+
 def check_same_bytes(program, folder, models):
     os.environ["SLICEFARM_BIN"] = str(pathlib.Path(program).resolve().parent)
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
@@ -254,7 +311,8 @@ def check_conflict_there(farm, folder):
 def main(program, models):
     with tempfile.TemporaryDirectory() as name:
         folder, models = pathlib.Path(name), pathlib.Path(models)
-        for check in (check_automatic, check_another_object_below, check_copies, check_conflicts, check_bridges_without_supports_are_threads, check_painted, check_heights_drawn_by_hand, check_first_layer):
+        for check in (check_automatic, check_another_object_below, check_copies, check_conflicts, check_bridges_without_supports_are_threads, check_painted, check_heights_drawn_by_hand, check_first_layer,
+                      check_organic_beads_lie_on_something):
             check(program, folder)
             print(f"{check.__name__}: ok", flush=True)
         for check in (check_adaptive, check_same_bytes):

@@ -85,9 +85,15 @@ constexpr Need kNeeds[] = {
      [](const JobSettings& s) { return FdmOf(s).ordering.travel.avoid_crossing; }},
     {"retract_inside_after retract_layer_change", "only_retract_when_crossing_perimeters = 1",
      [](const JobSettings& s) { return FdmOf(s).ordering.travel.hide; }},
-    {"raft_contact_distance raft_expansion raft_first_layer_expansion",
-     "raft_layers of more than 0",
+    {"raft_contact_distance raft_expansion", "raft_layers of more than 0",
      [](const JobSettings& s) { return FdmOf(s).planning.objects[0].raft.heights.layers > 0; }},
+    {"raft_first_layer_expansion",
+     "raft_layers of more than 0 or support_material_style = organic with support_material = 1",
+     [](const JobSettings& s) {
+       const ObjectPlanOptions& object = FdmOf(s).planning.objects[0];
+       return object.raft.heights.layers > 0 ||
+              (object.support.on && object.support.style == SupportStyle::kTree);
+     }},
     {"raft_first_layer_density support_material_spacing support_material_angle "
      "support_material_interface_spacing",
      "raft_layers of more than 0 or support_material = 1",

@@ -146,7 +146,8 @@ std::vector<SettingSpec> Raft() {
        .min = 0,
        .max = 100,
        .standard = "3",
-       .doc = "How much farther the raft's first layer stands out",
+       .doc = "How much farther the raft's first layer stands out; without a raft, how far the first "
+              "layer of organic supports reaches beyond their feet",
        .field = Bind(
            [](auto& s) -> auto& { return s.planning.objects[0].raft.first_layer_expansion_nm; })},
       {.key = "raft_first_layer_density",

@@ -12,8 +12,7 @@
 namespace slicefarm::planning {
 namespace {
 
-/// A foot: this wide on the bed at least, and this high.
-constexpr Coord kFootRadiusNm = 2'500'000;
+/// A foot: so much wider than its branch at least, and this high.
 constexpr Coord kFootWiderNm = 600'000;
 constexpr Coord kFootHeightNm = 1'200'000;
 
@@ -42,7 +41,22 @@ Coord FootRadius(Coord radius_nm, Coord z_nm) {
   return foot - (foot - radius_nm) * z_nm / kFootHeightNm;
 }
 
-/// The discs of all branches, by layer. Feet take what room there is.
+/// Discs near the bed grow to feet, as far as there is room and half way to the next disc: where
+/// feet became one outline, the branches that stand inside of it would have nothing below them.
+void GrowFeet(Coord z_nm, const ReachField& field, std::vector<Disc>& discs) {
+  const std::vector<Disc> bare = discs;
+  for (Disc& disc : discs) {
+    const Coord radius = disc.radius_nm;
+    Coord foot = std::min(FootRadius(radius, z_nm), field.ToAnywhere(0, disc.at));
+    for (const Disc& other : bare) {
+      const auto free = std::llround(Distance(disc.at, other.at)) - radius - other.radius_nm;
+      if (free >= 0) foot = std::min<Coord>(foot, radius + free / 2);
+    }
+    disc.radius_nm = std::max(radius, foot);
+  }
+}
+
+/// The discs of all branches, by layer.
 std::vector<std::vector<Disc>> DiscsByLayer(const Branches& branches, const ReachField& field,
                                             const SupportHeights& heights) {
   std::vector<std::vector<Disc>> discs(heights.layers.size());
@@ -61,15 +75,13 @@ std::vector<std::vector<Disc>> DiscsByLayer(const Branches& branches, const Reac
          i-- > 0 && middle(i) >= down_to;) {
       const double share =
           goes_on ? static_cast<double>(node.z_nm - middle(i)) / (node.z_nm - end.z_nm) : 0;
-      Disc disc{{node.at.x + std::llround((end.at.x - node.at.x) * share),
-                 node.at.y + std::llround((end.at.y - node.at.y) * share)},
-                node.radius_nm + std::llround((end.radius_nm - node.radius_nm) * share)};
-      const Coord foot = FootRadius(disc.radius_nm, heights.layers[i].bottom_nm);
-      if (foot > disc.radius_nm)
-        disc.radius_nm = std::max(disc.radius_nm, std::min(foot, field.ToAnywhere(0, disc.at)));
-      discs[i].push_back(disc);
+      discs[i].push_back({{node.at.x + std::llround((end.at.x - node.at.x) * share),
+                           node.at.y + std::llround((end.at.y - node.at.y) * share)},
+                          node.radius_nm + std::llround((end.radius_nm - node.radius_nm) * share)});
     }
   }
+  for (size_t i = 0; i < discs.size() && heights.layers[i].bottom_nm < kFootHeightNm; ++i)
+    GrowFeet(heights.layers[i].bottom_nm, field, discs[i]);
   return discs;
 }
 

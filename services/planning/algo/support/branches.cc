@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "common/base/portable_math.h"
@@ -16,12 +16,16 @@ namespace slicefarm::planning {
 namespace {
 
 /// Branches farther apart than this do not look at each other.
-constexpr Coord kSightNm = 12'000'000;
+constexpr Coord kSightNm = 20'000'000;
+/// A branch looks at so many of the nearest ones.
+constexpr size_t kNeighbours = 8;
 /// Branches that meet lower than this save nothing.
-constexpr Coord kLowestMeetingNm = 2'000'000;
-constexpr double kTipGrowthRad = 4 * std::numbers::pi / 180;
+constexpr Coord kLowestMeetingNm = 600'000;
+constexpr double kTipGrowthRad = 6 * std::numbers::pi / 180;
 /// Support may reach this far beyond what carries it.
 constexpr Coord kBeyondNm = 850'000;
+/// On its way to another one a branch makes do with this share of its room.
+constexpr double kRoomOnTheWay = 0.6;
 
 /// The way down of one tip, or of several that have met.
 struct Branch {
@@ -32,6 +36,13 @@ struct Branch {
   Coord radius_nm = 0;
   bool found = false;  ///< the field knows a way from here
 };
+
+/// The room that a branch looks for on its way to the bed: it gets away from the part in time to
+/// have a foot.
+Coord RoomForFoot(Coord z_nm) {
+  constexpr double kSlope = 0.8;
+  return kFootRadiusNm - std::llround(z_nm * kSlope);
+}
 
 /// What a tip covers around its middle: branch_distance beyond its edge, less if more of what is
 /// carried than usual is to lie on tips.
@@ -72,9 +83,9 @@ class Grower {
   Coord RadiusAt(Coord length_nm) const {
     const Coord tip = TipRadius();
     const Coord full = std::max(tip, options_.tree.branch_diameter_nm / 2);
-    const double grown = tip + length_nm * Tan(kTipGrowthRad);
-    const double angle = Tan(options_.tree.diameter_angle_rad) / 2;
-    return std::llround(std::min<double>(grown, full + length_nm * angle));
+    const double widens = Tan(options_.tree.diameter_angle_rad);
+    const double grown = tip + length_nm * std::max(widens, Tan(kTipGrowthRad));
+    return std::llround(std::min<double>(grown, full + length_nm * widens));
   }
 
   void AddTips(size_t slab, const std::vector<std::vector<int32_t>>& undersides) {
@@ -149,25 +160,94 @@ class Grower {
     return dx * dx + dy * dy <= field_.slabs()[slab].step_squared;
   }
 
-  /// Moves all branches to the slab, two to one place where they can meet.
+  /// Moves all branches to the slab: partners that can be at one place there become one.
   void StepBelow(size_t slab) {
     std::vector<Branch> next;
-    std::vector<uint8_t> done(live_.size(), 0);
     const Coord z = field_.slabs()[slab].middle_nm();
-    const auto buckets = Buckets();
-    for (const auto& [a, b] : PairsInReach(slab, buckets)) {
-      if (done[a] || done[b]) continue;
-      if (std::optional<Branch> one = Meet(slab, live_[a], live_[b], z)) {
-        done[a] = done[b] = 1;
+    const std::vector<Goal> goals = Goals(slab, z);
+    const double meets = 2 * std::sqrt(field_.slabs()[slab].step_squared) *
+                         static_cast<double>(field_.grid().pixel_nm);
+    std::vector<uint8_t> done(live_.size(), 0);
+    for (size_t i = 0; i < live_.size(); ++i) {
+      const size_t k = goals[i].partner;
+      if (k == kNone || k < i || Distance(live_[i].at, live_[k].at) > meets) continue;
+      if (std::optional<Branch> one = Meet(slab, live_[i], live_[k], z)) {
+        done[i] = done[k] = 1;
         next.push_back(*one);
       }
     }
     for (size_t i = 0; i < live_.size(); ++i) {
       if (done[i]) continue;
-      const Point wish = live_[i].found ? Wish(slab, i, z, buckets) : live_[i].at;
-      if (std::optional<Branch> moved = Move(slab, live_[i], wish, z)) next.push_back(*moved);
+      if (std::optional<Branch> moved = Move(slab, live_[i], goals[i].at, z))
+        next.push_back(*moved);
     }
     live_ = std::move(next);
+  }
+
+  static constexpr size_t kNone = std::numeric_limits<size_t>::max();
+
+  /// Where a branch is going.
+  struct Goal {
+    Point at;
+    size_t partner = kNone;  ///< it comes to the same place
+  };
+
+  struct Pair {
+    double distance_nm = 0;
+    size_t a = 0;
+    size_t b = 0;
+
+    friend auto operator<=>(const Pair&, const Pair&) = default;
+  };
+
+  /// The nearest branches become partners first, and meet in the middle. A branch whose neighbours
+  /// all have other partners goes where the nearest of them goes.
+  std::vector<Goal> Goals(size_t slab, Coord z_nm) const {
+    std::vector<Goal> goals(live_.size());
+    for (size_t i = 0; i < live_.size(); ++i) goals[i].at = live_[i].at;
+    const std::vector<Pair> pairs = PairsNearby(z_nm);
+    for (const auto& [distance, a, b] : pairs) {
+      if (goals[a].partner != kNone || goals[b].partner != kNone) continue;
+      if (!InSight(slab, live_[a].at, live_[b].at, distance)) continue;
+      goals[a] = {Middle(live_[a], live_[b]), b};
+      goals[b] = {goals[a].at, a};
+    }
+    std::vector<uint8_t> follows(live_.size(), 0);
+    for (const auto& [distance, a, b] : pairs) {
+      for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
+        if (goals[one].partner != kNone || follows[one] || goals[other].partner == kNone) continue;
+        if (!InSight(slab, live_[one].at, live_[other].at, distance)) continue;
+        goals[one].at = goals[other].at;
+        follows[one] = 1;
+      }
+    }
+    return goals;
+  }
+
+  static Point Middle(const Branch& a, const Branch& b) {
+    return {a.at.x + (b.at.x - a.at.x) / 2, a.at.y + (b.at.y - a.at.y) / 2};
+  }
+
+  /// The branches that are near enough to meet, the nearest first.
+  std::vector<Pair> PairsNearby(Coord z_nm) const {
+    const BucketMap buckets = Buckets();
+    const double farthest = std::min<double>(kSightNm, 2 * fast_ * (z_nm - kLowestMeetingNm));
+    std::vector<Pair> pairs, own;
+    for (size_t i = 0; i < live_.size(); ++i) {
+      if (!live_[i].found) continue;
+      own.clear();
+      ForEachNear(buckets, live_[i].at, [&](size_t k) {
+        const double distance = Distance(live_[i].at, live_[k].at);
+        if (k != i && distance <= farthest)
+          own.push_back({distance, std::min(i, k), std::max(i, k)});
+      });
+      const size_t count = std::min(own.size(), kNeighbours);
+      std::partial_sort(own.begin(), own.begin() + static_cast<ptrdiff_t>(count), own.end());
+      pairs.insert(pairs.end(), own.begin(), own.begin() + static_cast<ptrdiff_t>(count));
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
   }
 
   using BucketMap = std::map<std::pair<Coord, Coord>, std::vector<size_t>>;
@@ -191,23 +271,6 @@ class Grower {
       for (Coord x = column - 1; x <= column + 1; ++x)
         if (const auto bucket = buckets.find({x, y}); bucket != buckets.end())
           for (const size_t i : bucket->second) visit(i);
-  }
-
-  std::vector<std::pair<size_t, size_t>> PairsInReach(size_t slab, const BucketMap& buckets) const {
-    const double step =
-        std::sqrt(field_.slabs()[slab].step_squared) * static_cast<double>(field_.grid().pixel_nm);
-    std::vector<std::tuple<double, size_t, size_t>> near;
-    for (size_t i = 0; i < live_.size(); ++i) {
-      if (!live_[i].found) continue;
-      ForEachNear(buckets, live_[i].at, [&](size_t k) {
-        const double distance = Distance(live_[i].at, live_[k].at);
-        if (k > i && distance <= 2 * step) near.push_back({distance, i, k});
-      });
-    }
-    std::sort(near.begin(), near.end());
-    std::vector<std::pair<size_t, size_t>> pairs;
-    for (const auto& [distance, a, b] : near) pairs.push_back({a, b});
-    return pairs;
   }
 
   std::optional<Branch> Meet(size_t slab, const Branch& a, const Branch& b, Coord z_nm) {
@@ -237,31 +300,17 @@ class Grower {
     return std::max(TipRadius(), std::min(radius_nm, Reach(slab, at, anywhere)));
   }
 
-  /// Where a branch would like to be: nearer to the next one that it can meet.
-  Point Wish(size_t slab, size_t index, Coord z_nm, const BucketMap& buckets) const {
-    const Branch& branch = live_[index];
-    double nearest = 0;
-    const Branch* partner = nullptr;
-    size_t partner_index = 0;
-    ForEachNear(buckets, branch.at, [&](size_t i) {
-      if (i == index) return;
-      const double distance = Distance(branch.at, live_[i].at);
-      if (distance > kSightNm) return;
-      // Of two that are as far the first one, in whatever order they are looked at.
-      if (partner != nullptr && std::pair(distance, i) >= std::pair(nearest, partner_index)) return;
-      const double meeting = z_nm - distance / 2 / fast_;
-      if (meeting < kLowestMeetingNm || !InSight(slab, branch.at, live_[i].at, distance)) return;
-      partner = &live_[i];
-      partner_index = i;
-      nearest = distance;
-    });
-    if (partner == nullptr || nearest == 0) return branch.at;
-    const bool hurry = z_nm - nearest / 2 / slow_ < kLowestMeetingNm;
+  /// A step towards where a branch is going: as steep as it may lean while it is thin or if it
+  /// would be late else.
+  Point Towards(Point goal, const Branch& branch, Coord z_nm) const {
+    const double way = Distance(branch.at, goal);
+    if (way == 0) return goal;
+    const bool hurry = z_nm - way / slow_ < kLowestMeetingNm;
     const bool thin = 2 * branch.radius_nm < options_.tree.branch_diameter_nm;
     const double step = (branch.z_nm - z_nm) * (hurry || thin ? fast_ : slow_);
-    const double share = std::min(0.5, step / nearest);
-    return {branch.at.x + std::llround((partner->at.x - branch.at.x) * share),
-            branch.at.y + std::llround((partner->at.y - branch.at.y) * share)};
+    const double share = std::min(1.0, step / way);
+    return {branch.at.x + std::llround((goal.x - branch.at.x) * share),
+            branch.at.y + std::llround((goal.y - branch.at.y) * share)};
   }
 
   bool InSight(size_t slab, Point a, Point b, double distance) const {
@@ -273,14 +322,18 @@ class Grower {
     return true;
   }
 
-  std::optional<Branch> Move(size_t slab, const Branch& branch, Point wish, Coord z_nm) {
+  std::optional<Branch> Move(size_t slab, const Branch& branch, Point goal, Coord z_nm) {
     Branch moved = branch;
     moved.z_nm = z_nm;
     moved.length_nm += branch.z_nm - z_nm;
     const Coord radius = RadiusAt(moved.length_nm);
+    const bool goes = branch.found && goal != branch.at;
+    const Point wish = goes ? Towards(goal, branch, z_nm) : branch.at;
+    const Coord wanted = goes ? std::max<Coord>(TipRadius(), std::llround(radius * kRoomOnTheWay))
+                              : std::max(radius, RoomForFoot(z_nm));
     const Point from[] = {branch.at};
     for (const bool anywhere : {false, true}) {
-      const std::optional<Point> at = Nearest(slab, from, wish, radius, anywhere);
+      const std::optional<Point> at = Nearest(slab, from, wish, wanted, anywhere);
       if (!at) continue;
       moved.at = *at;
       moved.found = true;

@@ -24,6 +24,9 @@ struct BranchNode {
   friend bool operator==(const BranchNode&, const BranchNode&) = default;
 };
 
+/// The radius of a foot on the bed, where there is room.
+inline constexpr Coord kFootRadiusNm = 2'500'000;
+
 struct Branches {
   std::vector<BranchNode> nodes;  ///< by falling height of the slab
   /// Tips from which nothing that may carry them can be reached; they have no nodes.
@@ -33,15 +36,17 @@ struct Branches {
 /// Branches from under the undersides down to the bed or the part.
 ///
 /// From the top slab down. What neither branches that pass nor the layer below carries gets tips
-/// (tips.h). Each branch looks for the nearest one that it can meet before the bed, in sight, and
-/// leans towards it (angle_rad while it is thin or if they would not meet else, slow_angle_rad once
-/// it is thick); two that can be at one place in the next slab become one. The field says where a
-/// branch can go: it moves to the place nearest to where it wants from which the bed can be
-/// reached, or else the part. A tip so deep in a hole that the field knows no way goes straight
-/// down to what is there.
+/// (tips.h). Branches in sight of each other become partners, the nearest first, and lean towards
+/// the middle (angle_rad while they are thin or if they would not meet else, slow_angle_rad once
+/// they are thick); partners that can be at one place in the next slab become one. A branch without
+/// a partner goes where its nearest neighbour goes. On its way to another one a branch makes do with
+/// less room than its radius, else it looks for room, near the bed for that of a foot. The field
+/// says where a branch can go: it moves to the place nearest to where it wants from which the bed
+/// can be reached, or else the part. A tip so deep in a hole that the field knows no way goes
+/// straight down to what is there.
 ///
-/// Radii: from that of a tip to that of a branch at 4 degrees, further on half the tangent of
-/// diameter_angle_rad; less where the way is narrow, but no less than a tip's.
+/// Radii: from that of a tip to that of a branch at 6 degrees, further on at diameter_angle_rad;
+/// less where the way is narrow, but no less than a tip's.
 /// undersides: by layer of support, ascending pixels of the field's grid that need to be carried.
 /// Errors: Cancelled.
 /// Cost: O(branches * slabs) and that of tips. Serial: little beside the field.

@@ -12,12 +12,13 @@ namespace {
 
 constexpr int kLayers = 100;  // 20 mm
 
-/// Branches under a square of `side` mm around the origin, 20 mm up.
+/// Branches under a square of `side` mm around the origin, below the top of so many layers.
 class Growth {
  public:
-  Growth(const SupportProblem& problem, const SupportOptions& options, double side)
-      : undersides_(kLayers) {
-    for (Coord i = 0; i < kLayers; ++i) heights_.layers.push_back({i * 200'000, (i + 1) * 200'000});
+  Growth(const SupportProblem& problem, const SupportOptions& options, double side,
+         int layers = kLayers)
+      : undersides_(static_cast<size_t>(layers)) {
+    for (Coord i = 0; i < layers; ++i) heights_.layers.push_back({i * 200'000, (i + 1) * 200'000});
     field_ =
         ReachField::Make(problem, heights_, {{-25'000'000, -25'000'000}, {25'000'000, 25'000'000}},
                          options, 1, CancelToken());
@@ -61,13 +62,30 @@ TEST(GrowBranches, OneTipStandsUprightAndWidens) {
     radius = node.radius_nm;
   }
   EXPECT_EQ(growth.branches().nodes[0].radius_nm, 400'000);
-  EXPECT_NEAR(radius, 0.4e6 + 19.6e6 * std::tan(4 * std::numbers::pi / 180), 0.02e6);
+  EXPECT_NEAR(radius, 0.4e6 + 19.6e6 * std::tan(6 * std::numbers::pi / 180), 0.02e6);
 }
 
 TEST(GrowBranches, TheyMeetToFewFeet) {
   const Growth growth(kNothing.Problem(), {}, 8);
   EXPECT_GT(growth.Tips(), 12u);
   EXPECT_LE(growth.Feet(), 3u);
+}
+
+TEST(GrowBranches, TheyMeetUnderALowPlateToo) {
+  const Growth growth(kNothing.Problem(), {}, 30, 30);
+  EXPECT_GT(growth.Tips(), 80u);
+  EXPECT_LT(growth.Feet(), growth.Tips() / 3);
+}
+
+TEST(GrowBranches, NearTheBedTheyLeaveRoomForAFoot) {
+  const TestStack wall(kLayers,
+                       [](double z) { return z < 19 ? BoxOf(-9, -9, -0.6, 9) : MultiPolygon(); });
+  const Growth growth(wall.Problem(), {}, 0.5);
+  for (const BranchNode& node : growth.branches().nodes) {
+    if (node.below < 0) {
+      EXPECT_GE(node.at.x, -600'000 + 225'000 + kFootRadiusNm - 250'000);
+    }
+  }
 }
 
 TEST(GrowBranches, NoneLeansMoreThanTheAngle) {

@@ -60,7 +60,9 @@ bool MayReach(const PolygonWithHoles& island, Coord distance_nm) {
 }  // namespace
 
 Coord OverhangThreshold(const SupportOptions& options, Coord height_nm, Coord below_height_nm) {
-  if (options.threshold_rad <= 0) return options.wall_width_nm / 2;
+  if (options.threshold_rad <= 0)
+    return options.style == SupportStyle::kTree ? options.wall_width_nm * 2 / 3
+                                                : options.wall_width_nm / 2;
   return std::llround((height_nm + below_height_nm) / 2.0 / Tan(options.threshold_rad));
 }
 

@@ -20,7 +20,8 @@ struct Overhang {
 };
 
 /// How far a layer may reach beyond the one below without support, nm: of a threshold, the layers'
-/// distance over its tangent; else half a wall.
+/// distance over its tangent; else half a wall, or two thirds of it for branches: each step of a slope
+/// takes a row of tips, and slopes between the two print well without.
 Coord OverhangThreshold(const SupportOptions& options, Coord height_nm, Coord below_height_nm);
 
 /// The overhangs of layer `index`; none of the first, which lies on the bed.

@@ -20,6 +20,8 @@ TestStack Step(double by_mm) {
 TEST(OverhangThreshold, AngleOrHalfAWall) {
   SupportOptions options;
   EXPECT_EQ(OverhangThreshold(options, 200'000, 200'000), 225'000);
+  options.style = SupportStyle::kTree;
+  EXPECT_EQ(OverhangThreshold(options, 200'000, 200'000), 300'000);
   options.threshold_rad = std::numbers::pi / 4;
   EXPECT_EQ(OverhangThreshold(options, 200'000, 200'000), 200'000);
   EXPECT_EQ(OverhangThreshold(options, 100'000, 300'000), 200'000);

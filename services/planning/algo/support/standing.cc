@@ -8,6 +8,7 @@
 #include "common/geometry/boolean/without_rings.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "services/planning/algo/support/part_below.h"
 #include "services/planning/algo/support/raster.h"
 #include "services/planning/algo/support/reach_field.h"
 #include "services/planning/algo/support/tolerances.h"
@@ -16,6 +17,9 @@ namespace slicefarm::planning {
 namespace {
 
 constexpr Coord kPixelNm = 250'000;
+/// Sheets on tips reach to where their edge would be if discs so wide were rolled along it: they
+/// span between two tips, and reach beyond the outer ones by kReachNm.
+constexpr Coord kHalfSpanNm = 1'600'000;
 /// Rounding of boolean operations may take away as much.
 constexpr double kUnchangedNm2 = 1e9;
 constexpr double kMostPixels = 2'000'000;
@@ -41,9 +45,7 @@ class Standing {
     while (static_cast<double>(GridOver(box, pixel).size()) > kMostPixels) pixel *= 2;
     Bitmap rest(GridOver(box, pixel));
     ForEachCarrier(index, [&](const MultiPolygon& outlines) { rest.Fill(outlines); });
-    const std::vector<PixelDistance> set(rest.Row(0), rest.Row(0) + rest.grid().size());
-    const auto reach = static_cast<int32_t>(kReachNm / pixel);
-    const auto near = MostWithin(set, rest.grid(), reach * reach);
+    const std::vector<PixelDistance> near = Near(rest);
     for (const SupportRegion& region : layer.regions)
       for (const PolygonWithHoles& island : region.outlines)
         if (!SeenToStand(island, rest, near)) doubtful_[index] = 1;
@@ -58,7 +60,9 @@ class Standing {
     ForEachCarrier(index,
                    [&](const MultiPolygon& outlines) { AppendRingsNear(outlines, box, rings); });
     const MultiPolygon rest = Union(rings, FillRule::kNonZero);
-    const MultiPolygon around = FastOffset(rest, kReachNm);
+    const MultiPolygon around =
+        Spans() ? FastOffset(FastOffset(rest, kHalfSpanNm), kReachNm - kHalfSpanNm)
+                : FastOffset(rest, kReachNm);
     const MultiPolygon all = Whole(layer);
     MultiPolygon kept;
     for (PolygonWithHoles& island : Intersection(all, around))
@@ -77,11 +81,29 @@ class Standing {
     const Coord bottom = layers_[index].top_nm - layers_[index].height_nm;
     if (index > 0 && layers_[index - 1].top_nm >= bottom - support::kSameHeightNm)
       for (const SupportRegion& region : layers_[index - 1].regions) visit(region.outlines);
-    if (options_.bed_only) return;
-    const Coord highest = bottom - options_.bottom_gap_nm + support::kSameHeightNm;
-    const Coord lowest = highest - options_.layer_height_nm - 2 * support::kSameHeightNm;
-    for (const PartLayer& part : problem_.part)
-      if (part.top_nm > lowest && part.top_nm <= highest) visit(*part.outlines);
+    ForEachPartBelow(problem_, options_, bottom, visit);
+  }
+
+  /// Sheets span from tip to tip.
+  bool Spans() const { return options_.style == SupportStyle::kTree; }
+
+  /// The pixels, not 0, within reach of what carries them.
+  std::vector<PixelDistance> Near(const Bitmap& rest) const {
+    const PixelGrid& grid = rest.grid();
+    const auto reach = static_cast<int32_t>(kReachNm / grid.pixel_nm);
+    std::vector<PixelDistance> near(rest.Row(0), rest.Row(0) + grid.size());
+    if (!Spans()) return MostWithin(near, grid, reach * reach);
+    const auto steps = [&](Coord length) {
+      return static_cast<PixelDistance>(length * kDistanceSteps / grid.pixel_nm);
+    };
+    const std::vector<PixelDistance> distance = DistanceTo(rest);
+    Bitmap beyond(grid);
+    for (size_t i = 0; i < near.size(); ++i)
+      beyond.Row(0)[i] = distance[i] > steps(kHalfSpanNm) ? 1 : 0;
+    const std::vector<PixelDistance> inside = DistanceTo(beyond);
+    for (size_t i = 0; i < near.size(); ++i)
+      near[i] = inside[i] > steps(kHalfSpanNm - kReachNm) ? 1 : 0;
+    return near;
   }
 
   static bool SeenToStand(const PolygonWithHoles& island, const Bitmap& rest,

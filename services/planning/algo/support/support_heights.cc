@@ -14,12 +14,15 @@ constexpr Coord kSameNm = 1'000;
 /// goes down, and by less.
 constexpr Coord kSnapNm = 20'000, kSnapContactNm = 8'000;
 
-/// The top of a layer of the part in [top_nm - below_nm, top_nm + above_nm], the nearest to `top_nm`;
-/// else `top_nm`. A layer of the print for each of two heights that near would be printed for nothing.
+/// The top of a layer of the part in [top_nm - below_nm, top_nm + above_nm], the nearest to
+/// `top_nm`; else `top_nm`. A layer of the print for each of two heights that near would be printed
+/// for nothing.
 Coord Snapped(Coord top_nm, Coord below_nm, Coord above_nm, const SupportProblem& problem) {
-  const auto from = std::ranges::lower_bound(problem.part, top_nm - below_nm, {}, &PartLayer::top_nm);
+  const auto from =
+      std::ranges::lower_bound(problem.part, top_nm - below_nm, {}, &PartLayer::top_nm);
   Coord nearest = top_nm, least = below_nm + above_nm + 1;
-  for (auto layer = from; layer != problem.part.end() && layer->top_nm <= top_nm + above_nm; ++layer) {
+  for (auto layer = from; layer != problem.part.end() && layer->top_nm <= top_nm + above_nm;
+       ++layer) {
     const Coord distance = std::abs(layer->top_nm - top_nm);
     if (distance < least) nearest = layer->top_nm;
     least = std::min(least, distance);
@@ -27,11 +30,9 @@ Coord Snapped(Coord top_nm, Coord below_nm, Coord above_nm, const SupportProblem
   return nearest;
 }
 
-/// Adds layers from the top of the last one to `top_nm`. The first one is as high as the part's own:
-/// no nozzle prints lower.
-void FillUpTo(Coord top_nm, const SupportProblem& problem, const SupportOptions& options,
-              std::vector<SupportHeight>& layers) {
-  if (layers.empty()) layers.push_back({0, options.first_layer_height_nm});
+/// Adds layers of equal height from the top of the last one to `top_nm`.
+void FillEvenly(Coord top_nm, const SupportProblem& problem, const SupportOptions& options,
+                std::vector<SupportHeight>& layers) {
   const Coord from = layers.back().top_nm;
   const Coord rise = top_nm - from;
   if (rise < std::max<Coord>(1, options.min_layer_height_nm)) return;
@@ -39,8 +40,40 @@ void FillUpTo(Coord top_nm, const SupportProblem& problem, const SupportOptions&
   const Coord count = (rise + most - 1) / most;
   const Coord reach = std::min(kSnapNm, rise / count / 4);
   for (Coord i = 1; i < count; ++i)
-    layers.push_back({layers.back().top_nm, Snapped(from + rise * i / count, reach, reach, problem)});
+    layers.push_back(
+        {layers.back().top_nm, Snapped(from + rise * i / count, reach, reach, problem)});
   layers.push_back({layers.back().top_nm, top_nm});
+}
+
+/// Adds layers that end with the part's, as far as there is room for one that ends at `top_nm`.
+void FollowPart(Coord top_nm, const SupportProblem& problem, const SupportOptions& options,
+                std::vector<SupportHeight>& layers) {
+  const Coord from = layers.back().top_nm;
+  for (auto layer = std::ranges::upper_bound(problem.part, from, {}, &PartLayer::top_nm);
+       layer != problem.part.end() && layer->top_nm <= top_nm - options.min_layer_height_nm;
+       ++layer) {
+    const bool whole = layer->bottom_nm() == layers.back().top_nm;
+    if (whole && layer->height_nm >= options.min_layer_height_nm)
+      layers.push_back({layer->bottom_nm(), layer->top_nm});
+    else
+      FillEvenly(layer->top_nm, problem, options, layers);
+  }
+}
+
+/// Adds layers from the top of the last one to `top_nm`. The first one is as high as the part's
+/// own: no nozzle prints lower.
+void FillUpTo(Coord top_nm, const SupportProblem& problem, const SupportOptions& options,
+              std::vector<SupportHeight>& layers) {
+  if (layers.empty()) layers.push_back({0, options.first_layer_height_nm});
+  if (options.style == SupportStyle::kTree) FollowPart(top_nm, problem, options, layers);
+  FillEvenly(top_nm, problem, options, layers);
+}
+
+/// How far a contact may go down to the top of a layer of the part. Branches go down by half a
+/// layer, so that trees add no layers to the print where the gap is no multiple of the part's
+/// layers.
+Coord LowerBy(const SupportOptions& options) {
+  return options.style == SupportStyle::kTree ? options.layer_height_nm / 2 : kSnapContactNm;
 }
 
 /// The tops that overhangs ask for: by height, each with the layers of the part that ask for it.
@@ -58,7 +91,7 @@ std::vector<std::pair<Coord, size_t>> TopsWanted(const SupportProblem& problem,
       if (above == problem.part.begin()) continue;
       top = std::prev(above)->top_nm;
     }
-    if (!options.synchronize_layers) top = Snapped(top, kSnapContactNm, 0, problem);
+    if (!options.synchronize_layers) top = Snapped(top, LowerBy(options), 0, problem);
     if (top >= options.first_layer_height_nm - kSameNm) tops.push_back({top, i});
   }
   return tops;
@@ -86,8 +119,8 @@ SupportHeights HeightsFor(const SupportProblem& problem, const std::vector<Overh
   for (const auto& [top, part_layer] : tops) {
     std::vector<SupportHeight>& layers = heights.layers;
     if (options.synchronize_layers) {
-      const auto at = std::partition_point(layers.begin(), layers.end(),
-                                           [&, top = top](const auto& l) { return l.top_nm < top; });
+      const auto at = std::partition_point(
+          layers.begin(), layers.end(), [&, top = top](const auto& l) { return l.top_nm < top; });
       heights.under[part_layer] = static_cast<int32_t>(at - layers.begin());
       continue;
     }

@@ -28,6 +28,8 @@ struct SupportHeights {
 /// are nearer than min_layer_height_nm to each other become the lower one. Between them layers are
 /// as high as can be up to layer_height_nm, or a tenth more where that is the top of a layer of the
 /// part; the first one is first_layer_height_nm, as the part's own.
+/// Layers of branches end where the part's do: between contacts always, and below a contact if that
+/// takes no more than half a layer_height_nm from its top.
 /// With synchronize_layers tops are those of the part's layers, the next below what they carry.
 /// Overhangs so low that the first layer does not fit under them have none: the bed is near.
 SupportHeights HeightsFor(const SupportProblem& problem, const std::vector<Overhang>& overhangs,

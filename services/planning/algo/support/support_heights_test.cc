@@ -106,5 +106,33 @@ TEST(HeightsFor, SynchronizedTopsAreThePartsOwn) {
   EXPECT_EQ(heights.under[4], 2);
 }
 
+struct TreeCase {
+  const char* name;
+  Coord gap_nm;
+  std::vector<size_t> overhangs;
+  std::vector<double> tops;
+};
+
+class TreeHeightsTest : public testing::TestWithParam<TreeCase> {};
+
+TEST_P(TreeHeightsTest, EndWhereThePartsLayersDo) {
+  SupportOptions options;
+  options.style = SupportStyle::kTree;
+  options.top_gap_nm = GetParam().gap_nm;
+  const auto heights = HeightsFor(kPart.Problem(), In(20, GetParam().overhangs), options);
+  EXPECT_THAT(Tops(heights), testing::ElementsAreArray(GetParam().tops));
+  for (const size_t i : GetParam().overhangs) EXPECT_GE(heights.under[i], 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Gaps, TreeHeightsTest,
+    testing::Values(TreeCase{"ALayer", 200'000, {5, 6}, {0.2, 0.4, 0.6, 0.8, 1.0}},
+                    TreeCase{"LessThanALayer", 150'000, {5, 6}, {0.2, 0.4, 0.6, 0.8, 1.0}},
+                    TreeCase{"HalfALayer", 100'000, {5}, {0.2, 0.4, 0.6, 0.8}},
+                    // What would go down by more keeps its distance, and a height of its own.
+                    TreeCase{"LittleMoreThanALayer", 250'000, {5, 9}, {0.2, 0.4, 0.6, 0.75, 0.875, 1.0, 1.2, 1.4, 1.55}},
+                    TreeCase{"None", 0, {4}, {0.2, 0.4, 0.6, 0.8}}),
+    [](const auto& info) { return info.param.name; });
+
 }  // namespace
 }  // namespace slicefarm::planning::support_heights_test

@@ -13,7 +13,9 @@
 #include "services/planning/algo/support/branches.h"
 #include "services/planning/algo/support/clearance.h"
 #include "services/planning/algo/support/columns.h"
+#include "services/planning/algo/support/first_layer.h"
 #include "services/planning/algo/support/interfaces.h"
+#include "services/planning/algo/support/kept_rings.h"
 #include "services/planning/algo/support/overhangs.h"
 #include "services/planning/algo/support/reach_field.h"
 #include "services/planning/algo/support/standing.h"
@@ -150,6 +152,10 @@ class Planner {
         BranchLayers(problem_, heights_, sections, sheets,
                      Plinths(heights_, contacts_, clearance, threads_, cancel_), options_, threads_,
                      cancel_);
+    if (!plan_.layers.empty() && plan_.layers.front().first)
+      GrowFirstLayer(problem_.first_layer_expansion_nm, options_.width_nm, clearance,
+                     plan_.layers.front());
+    KeepRings(problem_, options_, threads_, cancel_, plan_.layers);
     return absl::OkStatus();
   }
 

@@ -30,6 +30,8 @@ struct SupportProblem {
   /// Other objects, each upwards: supports keep off them and do not stand on them.
   std::vector<std::vector<SolidLayer>> others;
   MultiPolygon bed;  ///< supports stay on it; empty: no bounds
+  /// How far the first layer of branches reaches beyond what stands on it.
+  Coord first_layer_expansion_nm = 0;
 };
 
 }  // namespace slicefarm::planning

@@ -101,7 +101,10 @@ absl::Status SupportsPlanner::Plan(std::span<const SlicedLayer> parts, const Can
   for (const int32_t object : objects) {
     if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
     const ObjectPlanOptions& options = options_.objects[static_cast<size_t>(object)];
-    const SupportProblem problem = plate.ProblemOf(object, options_.bed, kRoomNm);
+    SupportProblem problem = plate.ProblemOf(object, options_.bed, kRoomNm);
+    // A raft has an expansion of its own below the supports that stand on it.
+    if (options.raft.heights.layers == 0)
+      problem.first_layer_expansion_nm = options.raft.first_layer_expansion_nm;
     auto planned = PlanSupports(problem, options.support, threads_, cancel);
     if (!planned.ok()) return planned.status();
     Tell(NameOf(object, object_names_), std::move(planned->findings), plan.warnings);
