@@ -110,10 +110,4 @@ class JobsClient {
   bool answered_ = false;  ///< the server was in reach during the current attempt
 };
 
-/// True for states after which nothing changes any more.
-bool HasEnded(const v1::Job& job);
-
-/// OK for a job that succeeded; else why there is no result, with the server's reason.
-absl::Status OutcomeOf(const v1::Job& job);
-
 }  // namespace slicefarm::cli

@@ -11,6 +11,7 @@
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 #include "services/cli/fake_coordinator_test.h"
+#include "services/cli/job_outcome.h"
 
 namespace slicefarm::cli::jobs_client_test {
 namespace {

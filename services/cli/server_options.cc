@@ -15,6 +15,7 @@
 #include "services/cli/files.h"
 #include "services/cli/input_files.h"
 #include "services/cli/job_options.h"
+#include "services/cli/job_outcome.h"
 
 namespace slicefarm::cli {
 

@@ -12,6 +12,7 @@
 #include "services/cli/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
+#include "services/cli/job_outcome.h"
 #include "services/cli/jobs_client.h"
 #include "services/cli/json_text.h"
 #include "services/cli/server_options.h"

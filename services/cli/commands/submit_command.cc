@@ -19,6 +19,7 @@
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/job_options.h"
+#include "services/cli/job_outcome.h"
 #include "services/cli/jobs_client.h"
 #include "services/cli/json_text.h"
 #include "services/cli/models/given_models.h"
