@@ -11,7 +11,7 @@ using testing::IsEmpty;
 
 TakenRoom Room(int32_t object, Coord x) { return {object, {{x, 10}, {x + 10, 20}}}; }
 
-const Polygon kBed = {{0, 0}, {100, 0}, {100, 100}, {0, 100}};
+const MultiPolygon kBed = {{{{0, 0}, {100, 0}, {100, 100}, {0, 100}}, {}}};
 
 TEST(ObjectsAlone, AreThoseWithRoomAroundAllCopies) {
   EXPECT_THAT(ObjectsAlone(std::vector{Room(0, 10), Room(1, 30), Room(0, 50)}, kBed),
