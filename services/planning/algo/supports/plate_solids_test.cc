@@ -16,7 +16,9 @@ constexpr std::string_view kSquare = "(-5 -5, 5 -5, 5 5, -5 5)";
 constexpr Coord kRoomNm = 15 * kNmPerMm;
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
-Polygon Bed(double to_x) { return {Mm(0, 0), Mm(to_x, 0), Mm(to_x, 200), Mm(0, 200)}; }
+MultiPolygon Bed(double to_x) {
+  return {{{Mm(0, 0), Mm(to_x, 0), Mm(to_x, 200), Mm(0, 200)}, {}}};
+}
 
 /// Layers in which each object is a square of 10 mm.
 std::vector<SlicedLayer> Squares(int32_t objects) {
