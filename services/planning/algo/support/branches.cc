@@ -22,6 +22,9 @@ constexpr size_t kNeighbours = 8;
 /// Branches that meet lower than this save nothing.
 constexpr Coord kLowestMeetingNm = 600'000;
 constexpr double kTipGrowthRad = 6 * std::numbers::pi / 180;
+/// The whole diameter_angle_rad takes more plastic than PrusaSlicer's trees, which have fewer
+/// trunks.
+constexpr double kShareOfAngle = 0.75;
 /// Support may reach this far beyond what carries it.
 constexpr Coord kBeyondNm = 850'000;
 /// On its way to another one a branch makes do with this share of its room.
@@ -83,7 +86,7 @@ class Grower {
   Coord RadiusAt(Coord length_nm) const {
     const Coord tip = TipRadius();
     const Coord full = std::max(tip, options_.tree.branch_diameter_nm / 2);
-    const double widens = Tan(options_.tree.diameter_angle_rad);
+    const double widens = Tan(options_.tree.diameter_angle_rad) * kShareOfAngle;
     const double grown = tip + length_nm * std::max(widens, Tan(kTipGrowthRad));
     return std::llround(std::min<double>(grown, full + length_nm * widens));
   }

@@ -39,16 +39,15 @@ struct Branches {
 /// (tips.h). Branches in sight of each other become partners, the nearest first, and lean towards
 /// the middle (angle_rad while they are thin or if they would not meet else, slow_angle_rad once
 /// they are thick); partners that can be at one place in the next slab become one. A branch without
-/// a partner goes where its nearest neighbour goes. On its way to another one a branch makes do with
-/// less room than its radius, else it looks for room, near the bed for that of a foot. The field
-/// says where a branch can go: it moves to the place nearest to where it wants from which the bed
-/// can be reached, or else the part. A tip so deep in a hole that the field knows no way goes
+/// a partner goes where its nearest neighbour goes. On its way to another one a branch makes do
+/// with less room than its radius, else it looks for room, near the bed for that of a foot. The
+/// field says where a branch can go: it moves to the place nearest to where it wants from which the
+/// bed can be reached, or else the part. A tip so deep in a hole that the field knows no way goes
 /// straight down to what is there.
 ///
-/// Radii: from that of a tip to that of a branch at 6 degrees, further on at diameter_angle_rad;
-/// less where the way is narrow, but no less than a tip's.
-/// undersides: by layer of support, ascending pixels of the field's grid that need to be carried.
-/// Errors: Cancelled.
+/// Radii: from that of a tip to that of a branch at 6 degrees, further on at three quarters of
+/// diameter_angle_rad; less where the way is narrow, but no less than a tip's. undersides: by layer
+/// of support, ascending pixels of the field's grid that need to be carried. Errors: Cancelled.
 /// Cost: O(branches * slabs) and that of tips. Serial: little beside the field.
 absl::StatusOr<Branches> GrowBranches(const ReachField& field, const SupportHeights& heights,
                                       const std::vector<std::vector<int32_t>>& undersides,

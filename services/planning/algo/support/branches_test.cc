@@ -62,7 +62,7 @@ TEST(GrowBranches, OneTipStandsUprightAndWidens) {
     radius = node.radius_nm;
   }
   EXPECT_EQ(growth.branches().nodes[0].radius_nm, 400'000);
-  EXPECT_NEAR(radius, 0.4e6 + 19.6e6 * std::tan(6 * std::numbers::pi / 180), 0.02e6);
+  EXPECT_NEAR(radius, 1e6 + 19.6e6 * 0.75 * std::tan(5 * std::numbers::pi / 180), 0.02e6);
 }
 
 TEST(GrowBranches, TheyMeetToFewFeet) {
