@@ -49,11 +49,10 @@ class Solid : public testing::TestWithParam<SolidCase> {};
 // outside but for the round ends, which hold no plastic.
 TEST_P(Solid, CoversTheRegionOnce) {
   const PolygonWithHoles region = Island(GetParam().region);
-  SolidFill fill{.angle_rad = GetParam().angle_deg * std::numbers::pi / 180,
-                 .overlap_nm = 112'500};
+  SolidFill fill{.angle_rad = GetParam().angle_deg * std::numbers::pi / 180, .overlap_nm = 112'500};
   const auto group = FillSolid(region, fill);
   ASSERT_TRUE(group.ok());
-  const RasterCover cover = CoverOf(group->paths, {region}, fill.height_nm);
+  const RasterCover cover = CoverOf(group->paths, {region}, fill.height_nm, 20'000, 200'000);
   EXPECT_NEAR(cover.plastic, 1, 0.0125);
   EXPECT_LT(cover.empty, 0.006);
   EXPECT_LT(cover.twice, 0.0195);
