@@ -100,7 +100,7 @@ def main():
             ended.set()
             attacker.join()
             begin = time.monotonic()
-            done = farm.client("submit", str(MODELS / "textbox.stl"), "-q", "-o", str(out), "--set", f"fill_density={10 + number}")
+            done = farm.client("submit", str(MODELS / "textbox.stl"), "--generic", "-q", "-o", str(out), "--set", f"fill_density={10 + number}")
             after = f"{time.monotonic() - begin:.1f}" if done.returncode == 0 else done.stderr.strip()
             row(name, times, failed, f"{growth.mib():.0f}", str(used[0]), after)
 

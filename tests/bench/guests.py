@@ -19,7 +19,7 @@ LONG = ["--set", "layer_height=0.05", "--set", "fill_pattern=gyroid", "--set", "
 
 
 def submit(farm, tenant, *arguments):
-    command = [BIN / "slicefarm", "submit", MODELS / "textbox.stl", "-q", "--server", farm.coordinators[0].address, *arguments]
+    command = [BIN / "slicefarm", "submit", MODELS / "textbox.stl", "--generic", "-q", "--server", farm.coordinators[0].address, *arguments]
     return subprocess.run(command, env=os.environ | {"SLICEFARM_TOKEN": f"token-of-{tenant}"}, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           text=True)
 

@@ -69,7 +69,7 @@ def health(service, *more):
 def create(service, number):
     """With a request_id, as the command line does it."""
     def make():
-        run = subprocess.run([BIN / "slicefarm", "submit", MODELS / "textbox.stl", "--detach", "-q", "--server", service.address,
+        run = subprocess.run([BIN / "slicefarm", "submit", MODELS / "textbox.stl", "--generic", "--detach", "-q", "--server", service.address,
                               "--patience", "0.1", "--set", f"fill_density={number}"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         return f"exit code {run.returncode}"
     return make

@@ -41,7 +41,7 @@ ATTACKS = {
 
 
 def submit(farm, out, *settings):
-    done = farm.client("submit", str(MODEL), "-q", "-o", str(out), *settings)
+    done = farm.client("submit", str(MODEL), "--generic", "-q", "-o", str(out), *settings)
     assert done.returncode == 0, done.stderr
     assert out.stat().st_size > 10_000
     out.unlink()
