@@ -14,7 +14,7 @@ from slicefarm.v1 import jobs_pb2 as pb, jobs_pb2_grpc
 
 
 def persist(work, *arguments):
-    """A farm that is full, or started again, ends nothing for two minutes; any other error says what is wrong and what to do."""
+    """A farm that is full, or starts again, ends nothing for two minutes; any other error says what is wrong and what to do."""
     for seconds in (1, 2, 4, 8, 15, 30, 60, None):
         try:
             return work(*arguments)

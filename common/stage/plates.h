@@ -27,8 +27,8 @@ class ArrangingStage {
   virtual ~ArrangingStage() = default;
 
   /// A place for each copy, by object. Copies with a place keep it, on plate 0; each other one gets
-  /// one on some plate. Copies are turned only where that saves a plate. Errors: what Reason lists; OUT_OF_BUILD_VOLUME naming objects that are too
-  /// large for an empty bed; Cancelled.
+  /// one on some plate. Copies are turned only where that saves a plate. Errors: what Reason lists;
+  /// OUT_OF_BUILD_VOLUME naming objects that are too large for an empty bed; Cancelled.
   virtual absl::StatusOr<std::vector<PlatePlace>> PutOnPlates(
       const StageCall& call, SliceInput input, const SlicingOptions& options) const = 0;
 };
