@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 
+#include "common/gcode/binary/binary_format.h"
 #include "common/gcode/binary/gcode_parts.h"
 #include "common/gcode/binary/heatshrink.h"
 #include "common/gcode/binary/meatpack.h"
@@ -14,23 +15,7 @@
 namespace slicefarm::gcode {
 namespace {
 
-// The numbers of libbgcode's specification.
-constexpr std::string_view kMagic = "GCDE";
-constexpr uint32_t kVersion = 1;
-constexpr uint16_t kCrc32 = 1;
-enum BlockType : uint16_t {
-  kFileMetadata = 0,
-  kGcode = 1,
-  kSlicerMetadata = 2,
-  kPrinterMetadata = 3,
-  kPrintMetadata = 4,
-  kThumbnail = 5,
-};
-enum Compression : uint16_t { kNone = 0, kDeflate = 1, kHeatshrink12 = 3 };
-constexpr uint16_t kIni = 0;
-constexpr uint16_t kMeatPackComments = 2;
-
-constexpr size_t kMostBytes = 65'536;  // of the text in a block
+constexpr size_t kMostTextBytes = 65'536;  // of the text in a block
 
 /// What printers read of the settings, and of the facts.
 constexpr std::string_view kOfPrinter[] = {
@@ -130,7 +115,7 @@ std::vector<Block> MetadataOf(GcodeParts& parts) {
 
 /// The most whole lines that a block holds; empty: the first line is too long.
 std::string_view TakeLines(std::string_view& rest) {
-  size_t size = std::min(rest.size(), kMostBytes);
+  size_t size = std::min(rest.size(), kMostTextBytes);
   if (size < rest.size()) {
     const size_t end = rest.rfind('\n', size - 1);
     size = end == std::string_view::npos ? 0 : end + 1;
@@ -145,8 +130,8 @@ std::string_view TakeLines(std::string_view& rest) {
 absl::StatusOr<std::string> BinaryGcode(std::string_view gcode) {
   auto parts = TakeApart(gcode);
   if (!parts.ok()) return parts.status();
-  std::string file(kMagic);
-  Append32(kVersion, file);
+  std::string file(kBinaryMagic);
+  Append32(kBinaryVersion, file);
   Append16(kCrc32, file);
   for (const Block& block : MetadataOf(*parts))
     if (absl::Status added = AppendBlock(block, file); !added.ok()) return added;
@@ -154,7 +139,7 @@ absl::StatusOr<std::string> BinaryGcode(std::string_view gcode) {
     const std::string_view lines = TakeLines(rest);
     if (lines.empty())
       return absl::InvalidArgumentError(
-          fmt::format("binary_gcode: a line has more than {} bytes", kMostBytes));
+          fmt::format("binary_gcode: a line has more than {} bytes", kMostTextBytes));
     const Block block{kGcode, kHeatshrink12, Parameters({kMeatPackComments}), MeatPack(lines)};
     if (absl::Status added = AppendBlock(block, file); !added.ok()) return added;
   }

@@ -12,15 +12,7 @@ namespace slicefarm::gcode {
 
 /// A block of a file of binary G-code (.bgcode).
 struct BinaryBlock {
-  enum Type : uint16_t {
-    kFileMetadata = 0,
-    kGcode = 1,
-    kSlicerMetadata = 2,
-    kPrinterMetadata = 3,
-    kPrintMetadata = 4,
-    kThumbnail = 5,
-  };
-  uint16_t type = 0;
+  uint16_t type = 0;   ///< a BlockType
   int64_t offset = 0;  ///< of its first byte in the file
   /// Of a thumbnail its format, width and height; of others the encoding.
   std::array<uint16_t, 3> parameters = {};

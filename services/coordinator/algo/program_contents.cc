@@ -65,7 +65,7 @@ std::optional<std::string> LargestPicture(std::string_view beginning) {
   gcode::BinaryGcodeReader reader([&](const gcode::BinaryBlock& block) {
     const int64_t area = int64_t{block.parameters[1]} * block.parameters[2];
     constexpr uint16_t kPng = 0;
-    const bool is_png = block.type == gcode::BinaryBlock::kThumbnail && block.parameters[0] == kPng;
+    const bool is_png = block.type == gcode::kThumbnail && block.parameters[0] == kPng;
     if (is_png && area > largest_area) {
       largest_area = area;
       largest = block.data;
@@ -105,7 +105,7 @@ void LayerScan::Add(std::string_view bytes) {
 }
 
 absl::Status LayerScan::TakeBlock(const gcode::BinaryBlock& block) {
-  if (block.type != gcode::BinaryBlock::kGcode) return absl::OkStatus();
+  if (block.type != gcode::kGcode) return absl::OkStatus();
   const auto text = gcode::TextOf(block);
   if (!text.ok()) return text.status();
   block_at_ = block.offset;
