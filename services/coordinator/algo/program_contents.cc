@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "absl/strings/escaping.h"
+#include "common/gcode/binary/binary_format.h"
 
 namespace slicefarm::coordinator {
 namespace {
