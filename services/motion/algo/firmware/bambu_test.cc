@@ -40,7 +40,7 @@ TEST(Bambu, HeadTellsWhatThePrinterShows) {
                      .height_mm = 5.6,
                      .density_g_cm3 = 1.26,
                      .diameter_mm = 1.75,
-                     .bounds = {}},
+                     .first_layer = {}},
                     out);
   EXPECT_THAT(out.text(), testing::StartsWith("; HEADER_BLOCK_START\n; BambuStudio 02"));
   EXPECT_THAT(out.text(), testing::HasSubstr("; model printing time: 5m 39s; total estimated time: "

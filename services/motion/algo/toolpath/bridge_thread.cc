@@ -10,7 +10,7 @@ namespace slicefarm::motion {
 namespace {
 
 /// How far a bridge's section may lie from that of a thread, as a share of it.
-constexpr double kTolerance = 0.001;
+constexpr double kThreadTolerance = 0.001;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ Coord ThreadNm(const Path& path, Coord bead_height_nm, const MotionOptions& opti
   const double thread_mm =
       ThreadMm(options.speeds[static_cast<size_t>(path.settings)], options.nozzle_diameter_mm);
   const double off_mm2 = SectionMm2(path.widths_nm.front(), bead_height_nm) - DiscMm2(thread_mm);
-  return std::abs(off_mm2) <= kTolerance * DiscMm2(thread_mm) ? FromMm(thread_mm) : 0;
+  return std::abs(off_mm2) <= kThreadTolerance * DiscMm2(thread_mm) ? FromMm(thread_mm) : 0;
 }
 
 }  // namespace slicefarm::motion

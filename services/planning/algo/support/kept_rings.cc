@@ -15,8 +15,8 @@
 namespace slicefarm::planning {
 namespace {
 
-constexpr Coord kPixelNm = 200'000;
-constexpr double kMostPixels = 2'000'000;
+constexpr Coord kRingPixelNm = 200'000;
+constexpr double kMostRingPixels = 2'000'000;
 /// A loop lies on what is so near below it.
 constexpr Coord kNearNm = 800'000;
 /// Loops are looked at in steps of this length.
@@ -117,8 +117,8 @@ class Keeper {
 
   Carried CarriedOn(size_t index, const Box& box) const {
     const Coord bottom = layers_[index].top_nm - layers_[index].height_nm;
-    Coord pixel = kPixelNm;
-    while (static_cast<double>(GridOver(box, pixel).size()) > kMostPixels) pixel *= 2;
+    Coord pixel = kRingPixelNm;
+    while (static_cast<double>(GridOver(box, pixel).size()) > kMostRingPixels) pixel *= 2;
     Bitmap bitmap(GridOver(box, pixel));
     if (index > 0 && layers_[index - 1].top_nm >= bottom - support::kSameHeightNm)
       for (const SupportRegion& region : layers_[index - 1].regions) {

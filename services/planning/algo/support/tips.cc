@@ -14,7 +14,7 @@ int32_t SquaredPixels(Coord length_nm, Coord pixel_nm) {
 }
 
 /// Beside the line of a span.
-constexpr Coord kBesideNm = 800'000;
+constexpr Coord kBesideSpanNm = 800'000;
 
 }  // namespace
 
@@ -57,13 +57,13 @@ void TipPlaces::Cover(Point at, Coord radius_nm) {
 }
 
 void TipPlaces::CoverSpan(Point a, Point b) {
-  const int32_t x0 = grid_.Column(std::min(a.x, b.x) - kBesideNm);
-  const int32_t x1 = grid_.Column(std::max(a.x, b.x) + kBesideNm);
-  for (int32_t y = grid_.Row(std::min(a.y, b.y) - kBesideNm);
-       y <= grid_.Row(std::max(a.y, b.y) + kBesideNm); ++y)
+  const int32_t x0 = grid_.Column(std::min(a.x, b.x) - kBesideSpanNm);
+  const int32_t x1 = grid_.Column(std::max(a.x, b.x) + kBesideSpanNm);
+  for (int32_t y = grid_.Row(std::min(a.y, b.y) - kBesideSpanNm);
+       y <= grid_.Row(std::max(a.y, b.y) + kBesideSpanNm); ++y)
     for (int32_t x = x0; x <= x1; ++x)
       if (uint8_t& open = open_[static_cast<size_t>(y * grid_.width + x)];
-          open && DistanceToSegment(grid_.Centre(x, y), a, b) <= kBesideNm)
+          open && DistanceToSegment(grid_.Centre(x, y), a, b) <= kBesideSpanNm)
         open = 0;
 }
 
@@ -91,7 +91,7 @@ bool TipPlaces::CoversFrom(Pixel tip, Pixel pixel) const {
   const Point at = grid_.Centre(tip.x, tip.y), p = grid_.Centre(pixel.x, pixel.y);
   if (Distance(at, p) <= reach_nm_) return true;
   return std::ranges::any_of(carriers_, [&](Point other) {
-    return Distance(at, other) <= kSpanNm && DistanceToSegment(p, at, other) <= kBesideNm;
+    return Distance(at, other) <= kSpanNm && DistanceToSegment(p, at, other) <= kBesideSpanNm;
   });
 }
 
