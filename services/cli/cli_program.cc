@@ -62,7 +62,7 @@ ExitCode Parse(CLI::App& app, int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return static_cast<ExitCode>(app.exit(error));  // help, version
-    fmt::print(stderr, "error: {}\n", WordsOf(app, error));
+    fmt::print(stderr, "error: {}\n", ParseErrorText(app, error));
     return ExitCode::kUsage;
   }
   return ExitCode::kOk;

@@ -102,7 +102,7 @@ std::string Unexpected(const CLI::App& app, const CLI::App& command,
 
 }  // namespace
 
-std::string WordsOf(const CLI::App& app, const CLI::ParseError& error) {
+std::string ParseErrorText(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = Given(app);
   std::string text = error.what();
   const std::vector<std::string> rest = app.remaining(/*recurse=*/true);
