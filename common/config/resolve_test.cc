@@ -161,6 +161,10 @@ TEST(Resolve, TakesAWholeProfile) {
   FdmOf(ours).motion.start_filament_gcode = "; Filament gcode\n";
   FdmOf(ours).motion.end_gcode = "; Filament-specific end gcode \n;END gcode for filament\n" +
                                  FdmOf(ours).motion.end_gcode.str();
+  const std::optional<MachineLimits>& silent = FdmOf(resolved.settings).motion.silent_limits;
+  ASSERT_TRUE(silent.has_value());  // silent_mode = 1, with second values of the limits
+  EXPECT_THAT(silent->max_feedrate_mm_s, ElementsAre(200, 200, 12, 120));
+  FdmOf(ours).motion.silent_limits = silent;
   EXPECT_EQ(EffectiveText(resolved.settings), EffectiveText(ours));
   EXPECT_EQ(resolved.settings, ours);
 }

@@ -194,8 +194,8 @@ absl::Status ToProto(const LayerSummary& layer, v1::LayerSummary* proto) {
 absl::StatusOr<LayerSummary> FromProto(const v1::LayerSummary& proto) {
   absl::StatusOr<LayerFrame> frame = FromProto(proto.frame());
   if (!frame.ok()) return frame.status();
-  if (!AreAmounts({proto.time_s(), proto.silent_time_s()}))
-    return Malformed("time_s, silent_time_s", "not all are times");
+  if (!IsAmount(proto.time_s())) return Malformed("time_s", "is not a time");
+  if (!IsAmount(proto.silent_time_s())) return Malformed("silent_time_s", "is not a time");
   if (!IsAmount(proto.filament_mm())) return Malformed("filament_mm", "is not an amount");
   if (proto.pass() < 0) return Malformed("pass", "is negative");
   absl::StatusOr<LayerEdges> edges = FromProto(proto.edges());

@@ -50,6 +50,8 @@ absl::Status CheckString(const Message& message, const FieldDescriptor& field) {
 absl::Status CheckMessage(const Message& message, const FieldDescriptor& field) {
   if (field.is_repeated()) return absl::OkStatus();
   const Reflection& reflection = *message.GetReflection();
+  if (!reflection.HasField(message, &field) && field.has_optional_keyword())
+    return absl::OkStatus();
   if (!reflection.HasField(message, &field)) return Malformed(field.name(), "is not given");
   const absl::Status status = CheckComplete(reflection.GetMessage(message, &field));
   return status.ok() ? status : Within(field.name(), status);

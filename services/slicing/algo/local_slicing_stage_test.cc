@@ -192,7 +192,8 @@ TEST(LocalSlicing, WhatDoesNotStandOnTheBedHasNeitherItsFirstLayerNorAFoot) {
   }
   EXPECT_THAT(raised, ElementsAre(200, 400, 600, 800, 1000, 1200, 1400, 1600, 1800, 2000));
   EXPECT_THAT(tops, ElementsAre(200, 300, 400, 500, 600, 700, 800, 900, 1000, 1100, 1200, 1300,
-                                1400, 1500, 1600, 1700, 1800, 1900, 2000));
+                                1400, 1500, 1600, 1700, 1800, 1900, 2000, 2100))
+      << "the middle of the last one lies at the top of what stands on the bed";
   const auto side = [](const ObjectSection& section) {
     return ToMm(static_cast<double>(Bounds(OutlineOf(section)).max.x));
   };

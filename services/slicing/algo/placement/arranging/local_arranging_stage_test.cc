@@ -81,8 +81,10 @@ TEST(LocalArranging, TurnsCopiesWhereThatSavesAPlate) {
   };
   EXPECT_EQ(plates_of(12).size(), 3u);
   // What fits as it is stays as it is.
-  for (const Instance& copy : plates_of(3).at(0).at(0).instances)
-    EXPECT_EQ(copy.to_plate(0, 0), 1);
+  const auto plates = plates_of(3);
+  ASSERT_FALSE(plates.empty());
+  ASSERT_EQ(plates[0].at(0).instances.size(), 3u);
+  for (const Instance& copy : plates[0][0].instances) EXPECT_EQ(copy.to_plate(0, 0), 1);
 }
 
 TEST(LocalArranging, WhatHasAPlaceKeepsIt) {
