@@ -172,8 +172,8 @@ TEST_F(SecureFarmTest, TheCommandLineSubmitsAndIsToldWhatIsWrong) {
   const std::string out = directory_.path() + "/out.gcode";
   const std::string model = directory_.path() + "/part.stl";
   std::ofstream(model, std::ios::binary) << mesh_;
-  EXPECT_EQ(ChildProcess("slicefarm", Arguments{"submit", model, "-o", out, "-q", "--server",
-                                                coordinator_->address} +
+  EXPECT_EQ(ChildProcess("slicefarm", Arguments{"submit", model, "-o", out, "-q", "--generic",
+                                                "--server", coordinator_->address} +
                                           TlsFlags(tenant_a_))
                 .Wait(),
             0);
@@ -398,7 +398,7 @@ TEST_F(SecureFarmTest, NamesGoNowhere) {
 
 TEST_F(SecureFarmTest, ACoordinatorThatCannotBeSafeDoesNotStart) {
   const rpc::TlsFiles files = certs_.Make("coordinator");
-  const Arguments nowhere = {"--state-dir", state_.path(),  "--slicing", "127.0.0.1:1",
+  const Arguments nowhere = {"--state-dir", state_.path(), "--slicing", "127.0.0.1:1",
                              "--planning",  "127.0.0.1:1", "--motion",  "127.0.0.1:1",
                              "--workers",   "127.0.0.1:1"};
   const auto refusal = [&](const Arguments& arguments, const std::string& line) {
