@@ -28,11 +28,11 @@ class FailuresTest : public FarmProcessesTest {
  protected:
   /// A coordinator that reaches these workers only.
   void StartWithWorkers(const std::string& workers) {
-    server_.emplace("slicefarm-coordinator",
-                    std::vector<std::string>{"--state-dir", state_.path(), "--slicing",
-                                             slicing_.address, "--planning", planning_.address,
-                                             "--motion", motion_.address, "--workers",
-                                             workers, "--metrics-port", "0"});
+    server_.emplace(
+        "slicefarm-coordinator",
+        std::vector<std::string>{"--state-dir", state_.path(), "--slicing", slicing_.address,
+                                 "--planning", planning_.address, "--motion", motion_.address,
+                                 "--workers", workers, "--metrics-port", "0"});
     client_.emplace(server_->address);
   }
 };
@@ -64,7 +64,8 @@ TEST_F(FailuresTest, AClientWhoseConnectionIsCutAgainAndAgainGetsItsGcode) {
   TcpProxy proxy(server_->address);
   const std::string model = SLICEFARM_CORPUS "/models/textbox.stl";
   const std::string output = state_.path() + "/out.gcode";
-  ChildProcess submit("slicefarm", {"submit", model, "-o", output, "--server", proxy.address()});
+  ChildProcess submit("slicefarm",
+                      {"submit", model, "-o", output, "--generic", "--server", proxy.address()});
   // Each life of a connection is allowed 100,000 bytes more than the one before.
   std::atomic<bool> ended = false;
   std::thread cutter([&] {
