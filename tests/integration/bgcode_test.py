@@ -49,7 +49,7 @@ def facts(text):
     pictures = [(FORMATS[tag], int(w), int(h), base64.b64decode(re.sub(r"[;\s]", "", data)))
                 for tag, w, h, data in re.findall(r"^; (thumbnail\w*) begin (\d+)x(\d+) \d+\n(.*?); thumbnail\w* end", text, re.M | re.S)]
     program, tail = re.split(r"\n(?=\n; filament used \[mm\])", text)
-    program = program[program.index(";TYPE:Custom"):] + "\n"
+    program = program[re.search(r"^(M73|;TYPE:Custom)", program, re.M).start():] + "\n"
     known, settings = tail.split("; prusaslicer_config = begin\n")
     lines = lambda block: dict(re.findall(r"^; (.+?) = (.*)$", block, re.M))
     settings = lines(settings)

@@ -105,9 +105,10 @@ def check_refusals(program, models, folder):
             (box, ["perimeters=3"], "process fdm"),
             (opened, ["cutter=cyl:4"], "not closed")):
         pairs = [part for setting in settings for part in ("--set", setting)]
-        done = run(program, "slice", model, "-o", folder / "bad.nc", "--machine", "mill", *pairs)
+        bad = folder / ("bad.svg" if "output_format=svg" in settings else "bad.nc")
+        done = run(program, "slice", model, "-o", bad, "--machine", "mill", *pairs)
         assert done.returncode not in (0, 1) and words in done.stderr, f"{settings}: {done.returncode} {done.stderr}"
-        assert not (folder / "bad.nc").exists()
+        assert not bad.exists()
     mill(program, opened, folder / "open.nc", "cutter=cyl:4", "open_mesh=1")
 
 

@@ -99,7 +99,7 @@ def bambu_files():
     parts = ('<components><component p:path="/3D/Objects/o.model" objectid="1"/>'
              '<component p:path="/3D/Objects/o.model" objectid="2"/></components>')
     settings = {"layer_height": "0.2", "initial_layer_print_height": "0.2", "printable_area": ["0x0", "256x0", "256x256", "0x256"],
-                "sparse_infill_density": "0%", "top_shell_layers": "0", "bottom_shell_layers": "0", "wall_loops": "2", "nozzle_diameter": ["0.4"],
+                "gcode_flavor": "marlin", "sparse_infill_density": "0%", "top_shell_layers": "0", "bottom_shell_layers": "0", "wall_loops": "2", "nozzle_diameter": ["0.4"],
                 "gcode_label_objects": "1"}
     plate = ('<plate><metadata key="plater_id" value="{0}"/><metadata key="plater_name" value="plate {0}"/>'
              '<model_instance><metadata key="object_id" value="3"/><metadata key="instance_id" value="{1}"/></model_instance></plate>')

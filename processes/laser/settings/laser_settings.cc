@@ -51,6 +51,7 @@ class LaserSettings : public ProcessSettings {
   std::vector<FileFormat> FileFormats() const override {
     constexpr std::string_view kKey = "output_format";
     return {{".cli", kKey, "cli", true},
+            {.suffix = ".cli", .key = kKey, .value = "cli_binary", .chosen_by_name = false},
             {".nc", kKey, "grbl"},
             {".gcode", kKey, "marlin"},
             {".svg", kKey, "svg", true},

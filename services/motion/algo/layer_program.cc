@@ -386,7 +386,9 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
   }
   program.gcode = out.Take();
   program.mode_lines = writer.TakeModeLines();
-  if (gcode::LeavesModes(code->before) && gcode::LeavesModes(code->after))
+  // A firmware that leaves a copy out may not do the lines of its layers.
+  const bool all_are_done = options.labels == ObjectLabels::kNone || facts.copies.size() < 2;
+  if (all_are_done && gcode::LeavesModes(code->before) && gcode::LeavesModes(code->after))
     program.modes_at_end = writer.Modes();
   return program;
 }
