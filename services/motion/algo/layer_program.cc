@@ -291,7 +291,10 @@ class PassProgram {
     const Toolpath& path = PathOf(visit);
     writer.Write(path, path.approach + 1, path.moves.size(), shift, out);
     writer.EndBlock(out);
-    if (labelled && ends) EndCopy(facts.copies[copy], copy, options_, out);
+    if (!labelled || !ends) return;
+    EndCopy(facts.copies[copy], copy, options_, out);
+    // A firmware that leaves the copy out may not do its lines.
+    if (options_.labels != ObjectLabels::kNone) writer.Forget();
   }
 
   const OrderedLayer& layer_;
