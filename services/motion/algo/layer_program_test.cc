@@ -472,6 +472,7 @@ TEST(ProgramLayer, CopiesAsText) {
             "G1 E.8 F2100\n"
             ";TYPE:External perimeter\n"
             ";WIDTH:0.45\n"
+            "M204 P1000\n"
             "G1 X80 Y10 E.67698 F2400\n"
             "G1 Y30 E.67697\n"
             "G1 X60 E.67698\n"
