@@ -3,6 +3,8 @@
 #
 #   deploy/test.sh          the tests that CI runs
 #   deploy/test.sh --slow   the slow ones too (soaks, large corpora)
+#
+# If less than an hour is used then, a part of the slow ones runs too, another one each day (tests/rotation.py).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -23,10 +25,18 @@ tell_failures() {
     grep -v '^{"ts"' | tail -n 80 >&2
 }
 
-ctest --preset release -j "$(nproc)" "${tests[@]}" && exit
-tell_failures
-# Real processes over real sockets share this machine with whatever else it runs. What fails twice, the second time with no
-# other test beside it, is broken; what does not is told above and wants a look.
-echo "Once more, one at a time, what failed:" >&2
-ctest --preset release "${tests[@]}" --rerun-failed || { tell_failures; exit 1; }
-echo "PASSED ON THE SECOND TRY ONLY: see 'What failed' above" >&2
+if ! ctest --preset release -j "$(nproc)" "${tests[@]}"; then
+  tell_failures
+  # Real processes over real sockets share this machine with whatever else it runs. What fails twice, the second time with no
+  # other test beside it, is broken; what does not is told above and wants a look.
+  echo "Once more, one at a time, what failed:" >&2
+  ctest --preset release "${tests[@]}" --rerun-failed || { tell_failures; exit 1; }
+  echo "PASSED ON THE SECOND TRY ONLY: see 'What failed' above" >&2
+fi
+
+left=$((60 - SECONDS / 60))
+if [[ $left -gt 0 ]]; then
+  python3 tests/rotation.py build --minutes "$((left < 10 ? left : 10))"
+else
+  echo "no time is left for tests/rotation.py"
+fi

@@ -1,6 +1,7 @@
 #include <grpcpp/grpcpp.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include "common/rpc/server/call_queue.h"
 #include "common/wire/mesh_wire.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
+#include "services/coordinator/algo/dispatch/fleet.h"
 #include "services/coordinator/server/execution/fake_stages_test.h"
 #include "services/coordinator/server/main/coordinator.h"
 #include "services/coordinator/store/sql/sqlite_connection.h"
@@ -21,7 +23,8 @@
 #include "tests/fuzz/stage_call.h"
 
 // Calls to the coordinator's public services, as they come off a wire, over real stores and stages
-// that take no time. No job runs: they wait, or are cancelled.
+// that take no time. What becomes a job runs to its end: its tasks are cut, its program is put
+// together with templates, substitutions and all, and its result is read.
 
 namespace slicefarm::fuzz {
 namespace {
@@ -49,6 +52,9 @@ class Farm {
     options.stores.state_dir = directory_;
     options.build_id = "fuzz";
     options.runner.owner = "fuzz";
+    options.runner.jobs = 2;
+    options.runner.poll = std::chrono::milliseconds(20);
+    fleet_.Join({.name = "fuzz", .tasks = ranges_, .slots = 2});
     auto opened = coordinator::Coordinator::Open(
         options,
         {{.slicing = &slicing_, .planning = &planning_, .motion = &motion_}, arranging_, projects_},
@@ -70,6 +76,7 @@ class Farm {
     jobs_ = v1::Jobs::NewStub(channel);
     profiles_ = v1::Profiles::NewStub(channel);
     database_ = *coordinator::SqliteConnection::Open(directory_ + "/jobs.db");
+    Expect(coordinator_->Start().ok());
   }
   ~Farm() {
     coordinator_->Stop();
@@ -80,7 +87,10 @@ class Farm {
 
   void Call(const CoordinatorCall& call);
 
-  /// As before the first call.
+  /// Waits for the ends of all jobs, which are those of the answers and of batches.
+  void AwaitEnds();
+
+  /// As before the first call. REQUIRES: AwaitEnds.
   void Clear() {
     Expect(database_
                ->Execute("DELETE FROM jobs; DELETE FROM requests; DELETE FROM results;"
@@ -126,6 +136,7 @@ class Farm {
   void Watch(const v1::WatchJobRequest& request);
   void Download(const v1::DownloadRequest& request);
   void PutProfile(const v1::PutProfileRequest& request);
+  void AwaitEnd(const std::string& id);
 
   const std::string directory_ = NewDirectory();
   coordinator::FakeSlicing slicing_;
@@ -133,7 +144,9 @@ class Farm {
   coordinator::FakeProjects projects_;
   coordinator::FakePlanning planning_;
   coordinator::FakeMotion motion_;
+  std::shared_ptr<coordinator::FakeRanges> ranges_ = std::make_shared<coordinator::FakeRanges>();
   coordinator::Dispatcher dispatcher_;
+  coordinator::Fleet fleet_{dispatcher_};
   std::unique_ptr<coordinator::Coordinator> coordinator_;
   std::unique_ptr<rpc::CallQueue> queue_;
   std::unique_ptr<grpc::Server> server_;
@@ -211,8 +224,45 @@ void Farm::PutProfile(const v1::PutProfileRequest& request) {
 
 void Farm::BatchCreate(const v1::BatchCreateJobsRequest& request) {
   v1::BatchCreateJobsResponse response;
-  if (Make(*jobs_, &v1::Jobs::Stub::BatchCreateJobs, request, &response))
-    Expect(response.outcomes_size() == request.requests_size());
+  if (!Make(*jobs_, &v1::Jobs::Stub::BatchCreateJobs, request, &response)) return;
+  Expect(response.outcomes_size() == request.requests_size());
+  for (const auto& outcome : response.outcomes())
+    if (outcome.has_job()) created_.insert(outcome.job().id());
+}
+
+/// A job that goes back to the queue, as its stages fail, is cancelled after a while: it would wait
+/// longer each time.
+void Farm::AwaitEnd(const std::string& id) {
+  for (const bool cancelled : {false, true}) {
+    if (cancelled) {
+      v1::CancelJobRequest cancel;
+      cancel.set_id(id);
+      if (!Make(*jobs_, &v1::Jobs::Stub::CancelJob, cancel)) return;  // it was deleted
+    }
+    grpc::ClientContext context;
+    context.set_deadline(std::chrono::system_clock::now() +
+                         std::chrono::seconds(cancelled ? 60 : 2));
+    v1::WatchJobRequest watch;
+    watch.set_id(id);
+    const auto stream = jobs_->WatchJob(&context, watch);
+    v1::JobEvent event;
+    while (stream->Read(&event)) {
+    }
+    const grpc::Status ended = stream->Finish();
+    if (ended.error_code() != grpc::StatusCode::DEADLINE_EXCEEDED) {
+      Ends(ended);
+      if (event.job().state() != v1::JOB_STATE_SUCCEEDED) return;
+      v1::DownloadRequest download;
+      download.set_id(id);
+      download.set_artifact(v1::ARTIFACT_REPORT);
+      return Download(download);
+    }
+    Expect(!cancelled);
+  }
+}
+
+void Farm::AwaitEnds() {
+  for (const std::string& id : created_) AwaitEnd(id);
 }
 
 /// All are kept, or none.
@@ -275,6 +325,7 @@ void Farm::Call(const CoordinatorCall& call) {
 void Run(const CoordinatorCalls& calls) {
   static Farm farm;
   for (const CoordinatorCall& call : calls.calls()) farm.Call(call);
+  farm.AwaitEnds();
   farm.Clear();
 }
 
