@@ -1,9 +1,10 @@
-// Runs a fuzz target without libFuzzer, by any compiler: over its seeds, and for some seconds over what random changes make of them.
-// It follows no coverage; that is for the preset `fuzz`.
+// Runs a fuzz target without libFuzzer, by any compiler: over its seeds, and for some seconds over
+// what random changes make of them. It follows no coverage; that is for the preset `fuzz`.
 //
 //   fuzz_x DIR [SECONDS SEED]
 //
-// An input is in the file `last-input` of the working directory while the target has it: after a crash, the one that crashed it.
+// An input is in the file `last-input` of the working directory while the target has it: after a
+// crash, the one that crashed it.
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -18,9 +19,6 @@
 #include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
-extern "C" __attribute__((weak)) size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size,
-                                                                size_t max_size, unsigned int seed);
-
 namespace {
 
 using Bytes = std::vector<uint8_t>;
@@ -56,7 +54,8 @@ void Try(const Bytes& input, bool keep) {
 
 }  // namespace
 
-/// What libFuzzer gives to mutators of messages: changes some bytes, cuts some out, or puts some in.
+/// What libFuzzer gives to mutators of messages: changes some bytes, cuts some out, or puts some
+/// in.
 extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t max_size) {
   auto& random = Random();
   if (size == 0 || (random() % 4 == 0 && size < max_size)) {
@@ -80,16 +79,21 @@ extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t max_size) 
   return size;
 }
 
+/// A target that has a mutator of its own replaces this one.
+extern "C" __attribute__((weak)) size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size,
+                                                                size_t max_size,
+                                                                unsigned int /*seed*/) {
+  return LLVMFuzzerMutate(data, size, max_size);
+}
+
 namespace {
 
 Bytes Mutated(Bytes input) {
   size_t size = std::min(input.size(), kMaxBytes);
   input.resize(kMaxBytes + 1);
   for (size_t times = 1 + Random()() % 4; times > 0; --times) {
-    size = LLVMFuzzerCustomMutator != nullptr
-               ? LLVMFuzzerCustomMutator(input.data(), size, kMaxBytes,
-                                         static_cast<unsigned int>(Random()()))
-               : LLVMFuzzerMutate(input.data(), size, kMaxBytes);
+    size = LLVMFuzzerCustomMutator(input.data(), size, kMaxBytes,
+                                   static_cast<unsigned int>(Random()()));
   }
   input.resize(size);
   return input;
