@@ -19,6 +19,7 @@
 #include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+
 namespace {
 
 using Bytes = std::vector<uint8_t>;
