@@ -58,8 +58,8 @@ def roof(side=40):
 
 
 def expected_digest(number, directory):
-    out = directory / f"expected-{number}.gcode"
-    subprocess.run([BIN / "slicefarm", "slice", model_of(number, directory), "-q", "-o", out, *settings_of(number)], check=True)
+    out = directory / f"expected-{number}.out"
+    subprocess.run([BIN / "slicefarm", "slice", model_of(number, directory), "--generic", "-q", "-o", out, *settings_of(number)], check=True)
     digest = hashlib.sha256(out.read_bytes()).hexdigest()
     out.unlink()
     return digest
