@@ -2,7 +2,7 @@
 """A farm on which something runs out: `key value limit` rows, where a limit is what must not be exceeded (`-`: a figure to
 compare with). Ends with 1 if one is.
 
-  tests/load/exhaust.py [request] [memory] [tenant] [disk] [rows]           without: all
+  tests/load/exhaust.py [request] [memory] [tenant] [disk] [rows] [texts]   without: all
 
 Each word is a module of its own beside this file, exhaust_WORD.py, whose measure(farms) yields the rows; its first lines say
 what it does.
