@@ -304,12 +304,13 @@ absl::Status TemplateError(std::string_view setting, int32_t line, const absl::S
       std::string(setting) + ", line " + std::to_string(line) + ": " + std::string(fault.message());
   if (const auto variable = fault.GetPayload(kVariableUrl))
     metadata["variable"] = std::string(*variable);
+  Reason reason = Reason::kSettingMalformed;
   if (absl::IsResourceExhausted(fault)) {
+    reason = Reason::kRequestTooLarge;
     metadata["limit"] = std::to_string(limits::kMaxExpandedBytes);
     message += ", at most " + metadata["limit"] + " bytes";
   }
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed, message,
-                   std::move(metadata));
+  return MakeError(absl::StatusCode::kInvalidArgument, reason, message, std::move(metadata));
 }
 
 absl::Status ParseTemplates(std::span<const TemplatePlace> places) {

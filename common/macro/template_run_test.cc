@@ -284,7 +284,7 @@ TEST(ExpandTemplate, WhatComesOutIsBounded) {
   joined += " == \"\"}{endif}";
   for (const std::string& text : {printed, joined}) {
     const ErrorDetail detail = DetailOf(ExpandTemplate("layer_gcode", text, variables).status());
-    EXPECT_EQ(detail.reason, Reason::kSettingMalformed);
+    EXPECT_EQ(detail.reason, Reason::kRequestTooLarge);
     EXPECT_EQ(detail.metadata.at("setting"), "layer_gcode");
     EXPECT_EQ(detail.metadata.at("limit"), std::to_string(limits::kMaxExpandedBytes));
   }
