@@ -99,7 +99,8 @@ std::set<std::string> GlobalsOf(const Template& code);
 /// Under it, the variable that an error is about.
 inline constexpr char kVariableUrl[] = "slicefarm/unknown-variable";
 
-/// SETTING_MALFORMED for `setting`, at a line.
+/// Returns SETTING_MALFORMED for `setting` at a line; REQUEST_TOO_LARGE for a text that becomes too
+/// long.
 absl::Status TemplateError(std::string_view setting, int32_t line, const absl::Status& fault);
 
 }  // namespace slicefarm::macro
