@@ -64,7 +64,7 @@ enum class Reason {
   kDiskFull,
   kDiskLow,
   kInternal,
-  // Of settings, too: features that slicefarm lacks, and a printer that nobody named.
+  // Settings again: a feature that slicefarm lacks, and a job without a printer.
   kNotSupported,
   kPrinterMissing,
 };

@@ -10,8 +10,8 @@
 
 namespace slicefarm::config {
 
-/// What a job asks for and does not get, though the print is spoilt or the machine in danger
-/// without it. Such a job is refused unless it allows the feature to be missing.
+/// A feature that a job asks for and slicefarm lacks, and without which the print is spoilt or the
+/// machine in danger. The job is refused unless it allows the feature to be missing.
 struct MissingFeature {
   std::string feature;  ///< one of Allowances()
   std::string text;     ///< for people: the warning of a job that allows it
@@ -23,7 +23,7 @@ struct MissingFeature {
 /// A feature that a job may do without when it says so (`--allow`, JobSpec.allow).
 struct Allowance {
   std::string_view name;
-  std::string_view doc;  ///< what then happens, for people
+  std::string_view doc;  ///< consequence of the allowance, for people
 };
 
 inline constexpr std::string_view kPaintedFilaments = "painted_filaments";
