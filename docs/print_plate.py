@@ -6,11 +6,20 @@ usage: print_plate.py SERVER PROJECT.3mf PLATE OUT.gcode [PROFILE...]
 It needs grpcio, and stubs that any protoc makes (with grpcio-tools, or Debian's python3-grpcio, python3-protobuf and
 protobuf-compiler-grpc):
     protoc -I proto --python_out=. --grpc_out=. --plugin=protoc-gen-grpc=$(which grpc_python_plugin) \
-      proto/slicefarm/v1/{jobs,mesh,geometry,process}.proto
+      proto/slicefarm/v1/{jobs,mesh,geometry,process}.proto proto/google/rpc/{status,error_details}.proto
 """
 import hashlib, pathlib, sys, time, uuid  # noqa: E401
-import grpc
+import google.protobuf, grpc  # noqa: E401
+google.__path__ = [*google.__path__, *(f"{folder}/google" for folder in sys.path)]  # where the stubs of google.rpc are
+from google.rpc import error_details_pb2, status_pb2
 from slicefarm.v1 import jobs_pb2 as pb, jobs_pb2_grpc
+
+
+def reason_of(error):
+    """The machine-readable reason of a refused call, such as JOB_NOT_FOUND."""
+    info = error_details_pb2.ErrorInfo()
+    packed = [value for key, value in error.trailing_metadata() or () if key == "grpc-status-details-bin"]
+    return "".join(info.reason for value in packed for each in status_pb2.Status.FromString(value).details if each.Unpack(info))
 
 
 def persist(work, *arguments):
@@ -20,7 +29,7 @@ def persist(work, *arguments):
             return work(*arguments)
         except grpc.RpcError as error:
             if seconds is None or error.code().name not in ("UNAVAILABLE", "RESOURCE_EXHAUSTED", "DEADLINE_EXCEEDED"):
-                sys.exit(f"{error.code().name}: {error.details()}")
+                sys.exit(f"{reason_of(error) or error.code().name}: {error.details()}")
             time.sleep(seconds)
 
 
