@@ -124,7 +124,7 @@ def check_compose(path):
         values = check_command(at, interpolated(service["command"]).split(), ours)
         drain = int(values.get("--drain", 30))
         expect(int(service["stop_grace_period"].rstrip("s")) > drain, f"{at}: killed before it has drained")
-        expect(service["ulimits"]["nofile"]["hard"] >= 65536, f"{at}: few descriptors")
+        expect(int(interpolated(service["ulimits"]["nofile"]["hard"])) >= 65536, f"{at}: few descriptors")
         expect(service["healthcheck"]["test"][1:] == ["slicefarm", "health", f"127.0.0.1:{PORT}"], f"{at}: health")
         # Whoever reaches gRPC's own server past the door can end it.
         expect(name == "proxy" or not service.get("ports"), f"{at}: is published beside the door")
