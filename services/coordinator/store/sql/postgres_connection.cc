@@ -251,7 +251,7 @@ absl::StatusOr<std::string> PostgresConnection::Find(std::string_view sql) {
 /// The last result of what was `sent`, as libpq's functions that wait forever give it.
 absl::StatusOr<PostgresConnection::Result> PostgresConnection::Answer(int sent) {
   const auto until =
-      limit_ == kNoLimit ? Clock::time_point::max() : Clock::now() + limit_ + limit_ / 6;
+      limit_ == kNoLimit ? Clock::time_point::max() : Clock::now() + limit_ + limit_ / 10;
   if (given_up_) return Away("the connection was given up");
   Result last = Own(nullptr);
   while (sent == 1) {

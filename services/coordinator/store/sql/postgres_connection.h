@@ -26,7 +26,7 @@ class PostgresConnection : public SqlConnection {
 
   /// `conninfo` as libpq takes it: a URI, or keywords and values. Notices a server that has gone
   /// within 10 s. Statements that take longer than `limit` end; so does the connection if the
-  /// server does not say so itself, a sixth of that later, because it stands still.
+  /// server does not say so itself, a tenth of that later, because it stands still.
   static absl::StatusOr<std::unique_ptr<PostgresConnection>> Open(const std::string& conninfo,
                                                                   Limit limit = kLimit);
   ~PostgresConnection() override;
