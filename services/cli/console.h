@@ -34,10 +34,12 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// `total` 0: how much there is to do is not known yet. Prints only when the picture changes, with
-  /// the time that is left as soon as that can be told.
+  /// `total` 0: how much there is to do is not known yet. Prints only when the picture changes,
+  /// with the time that is left as soon as that can be told.
   void Show(std::string_view what, int done, int total);
   void Clear();
+  /// Returns false if nothing is ever shown.
+  bool enabled() const { return enabled_; }
 
  private:
   std::string TimeLeft(std::string_view what, int done, int total);

@@ -262,9 +262,10 @@ absl::StatusOr<std::string> JobsClient::FullId(const std::string& beginning) {
                                found.size(), beginning, found[0], found[1]));
 }
 
-absl::StatusOr<v1::Job> JobsClient::GetJob(const std::string& id) {
+absl::StatusOr<v1::Job> JobsClient::GetJob(const std::string& id, v1::JobView view) {
   v1::GetJobRequest request;
   request.set_id(id);
+  request.set_view(view);
   return Call<v1::Job>(request, [&](auto... a) { return jobs_->AsyncGetJob(a...); });
 }
 

@@ -48,7 +48,7 @@ class JobsClient {
   /// comes back as it is. Errors: JOB_NOT_FOUND; REQUEST_MALFORMED if several begin so.
   absl::StatusOr<std::string> FullId(const std::string& beginning);
 
-  absl::StatusOr<v1::Job> GetJob(const std::string& id);
+  absl::StatusOr<v1::Job> GetJob(const std::string& id, v1::JobView view = v1::JOB_VIEW_FULL);
   absl::StatusOr<v1::Job> CancelJob(const std::string& id);
   absl::Status DeleteJob(const std::string& id);
   /// Of at most 1000 jobs, each by itself.

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """The command line's calls for who looks after a farm, on one of real processes: events of all jobs, what a job's artifacts are,
-meshes, what is kept, changing and cancelling jobs, and what scripts rely on.
+meshes, what is kept, changing and cancelling jobs, places in the queue, and what scripts rely on.
 
 usage: farm_calls_test.py SLICEFARM
 """
 import hashlib
 import json
+import os
 import pathlib
+import pty
+import signal
 import subprocess
 import sys
 import tempfile
@@ -84,6 +87,59 @@ def check_scripts(farm, job, folder):
     assert len(json.loads((folder / "binary.json").read_text())["layers"]) == before.count(b";LAYER_CHANGE")
 
 
+def places(farm, jobs):
+    """Places of jobs in the queue, by GetJob and by ListJobs, which tell the same."""
+    listed = {job["id"]: job for job in farm.jobs()}
+    alone = [json.loads(call(farm, "get", job)) for job in jobs]
+    assert [job.get("queue_position") for job in alone] == [listed[job].get("queue_position") for job in jobs], (alone, listed)
+    return [job.get("queue_position") for job in alone]
+
+
+def watched_until(farm, job, text):
+    """Follows a job on a terminal until that shows the text."""
+    terminal, end = pty.openpty()
+    watch = subprocess.Popen([BIN / "slicefarm", "watch", job, "--server", farm.coordinators[0].address], stderr=end, stdout=end)
+    shown = b""
+    while text not in shown:
+        shown += os.read(terminal, 4096)
+    watch.terminate()
+    watch.wait()
+    os.close(end)
+    os.close(terminal)
+
+
+def check_queue(farm):
+    """Places in the queue of a farm whose workers stand still: by priority and age, and after a change."""
+    for worker in farm.workers:
+        worker.process.send_signal(signal.SIGSTOP)
+    number = iter(range(100, 200))
+
+    def submit(priority="normal"):
+        return farm.submit(MODEL, "--priority", priority, "--set", f"layer_height=0.{next(number)}")
+
+    running = [submit(), submit(), submit("interactive")]
+    while {json.loads(call(farm, "get", job))["state"] for job in running} != {"JOB_STATE_RUNNING"}:
+        continue
+    assert places(farm, running) == [None] * 3
+    old, bulk, new, urgent = waiting = [submit(), submit("bulk"), submit(), submit("interactive")]
+    while None in places(farm, waiting):  # a look at the queue serves for some milliseconds
+        continue
+    assert places(farm, waiting) == [2, 4, 3, 1]
+    for job in (json.loads(call(farm, "get", job)) for job in waiting):
+        assert ("estimated_end_time" in job) != ("waits_for" in job), job
+    call(farm, "update", bulk, "--priority", "interactive")
+    while places(farm, waiting) == [2, 4, 3, 1]:
+        continue
+    assert places(farm, waiting) == [3, 1, 4, 2]
+    row = next(line for line in call(farm, "list").splitlines() if line.startswith(new))
+    assert row.split()[1:3] == ["queued", "4"], row
+    watched_until(farm, new, b"place 4 in the queue")
+    for worker in farm.workers:
+        worker.process.send_signal(signal.SIGCONT)
+    assert {job["state"] for job in farm.await_end() if job["id"] in running + waiting} == {"JOB_STATE_SUCCEEDED"}
+    assert places(farm, running + waiting) == [None] * 7
+
+
 def check_waiting(farm):
     """Jobs of a farm whose workers are gone wait."""
     for worker in farm.workers:
@@ -119,6 +175,7 @@ def main(_):
         check_events(farm, job)
         check_meshes(farm, folder)
         check_scripts(farm, job, folder)
+        check_queue(farm)
         check_waiting(farm)
     print("artifacts, events, meshes, usage and changes are as they should be")
 

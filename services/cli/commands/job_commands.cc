@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <memory>
 #include <string>
@@ -15,8 +16,10 @@
 #include "services/cli/job_outcome.h"
 #include "services/cli/jobs_client.h"
 #include "services/cli/json_text.h"
+#include "services/cli/queue_text.h"
 #include "services/cli/server_options.h"
 #include "services/cli/summary.h"
+#include "services/cli/watch_bar.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -85,13 +88,14 @@ std::string LabelsOf(const v1::Job& job) {
 
 /// What a list shows of a job.
 struct Row {
-  std::string id, state, layers, created, time, cost, profiles, labels, model;
+  std::string id, state, place, layers, done, created, time, cost, profiles, labels, model;
 };
 
 std::string TextOf(const Row& row) {
-  return fmt::format("{:<32}  {:<9}  {:>11}  {:<20}  {:>11}  {:>10}  {:<16}  {:<16}  {}\n", row.id,
-                     row.state, row.layers, row.created, row.time, row.cost, row.profiles,
-                     row.labels, row.model);
+  return fmt::format(
+      "{:<32}  {:<9}  {:>5}  {:>11}  {:<16}  {:<20}  {:>11}  {:>10}  {:<16}  {:<16}  {}\n", row.id,
+      row.state, row.place, row.layers, row.done, row.created, row.time, row.cost, row.profiles,
+      row.labels, row.model);
 }
 
 Row RowOf(const v1::Job& job) {
@@ -100,7 +104,9 @@ Row RowOf(const v1::Job& job) {
   const v1::JobResult& result = job.result();
   return {.id = job.id(),
           .state = StateName(job.state()),
+          .place = job.queue_position() == 0 ? "-" : fmt::format("{}", job.queue_position()),
           .layers = ProgressText(job),
+          .done = OrDash(EndText(job, std::chrono::system_clock::now())),
           .created = google::protobuf::util::TimeUtil::ToString(created),
           .time = job.has_result() ? DurationText(result.print_time_s()) : "-",
           .cost = OrDash(MoneyText(result.cost().total(), result.cost().currency())),
@@ -110,11 +116,12 @@ Row RowOf(const v1::Job& job) {
 }
 
 ExitCode Watch(const JobCommandOptions& options, Interrupt& interrupt) {
-  JobsClient client(ClientOptions(options.server, &interrupt));
+  const JobsClientOptions connection = ClientOptions(options.server, &interrupt);
+  JobsClient client(connection);
   const auto id = client.FullId(options.id);
   if (!id.ok()) return Fail(id.status());
-  ProgressBar bar(true);
-  const auto job = client.WatchJob(*id, [&](const v1::Job& event) { ShowProgress(bar, event); });
+  WatchBar bar(true, connection, *id);
+  const auto job = client.WatchJob(*id, [&](const v1::Job& event) { bar.Show(event); });
   bar.Clear();
   if (!job.ok()) return Fail(job.status());
   Warn({job->warnings().begin(), job->warnings().end()});
@@ -252,8 +259,8 @@ ExitCode List(const ListOptions& options, Interrupt& interrupt) {
     Print(IndentedJson(*all));
     return ExitCode::kOk;
   }
-  std::string text = TextOf(
-      {"JOB", "STATE", "LAYERS", "CREATED", "PRINT TIME", "COST", "PROFILES", "LABELS", "MODEL"});
+  std::string text = TextOf({"JOB", "STATE", "PLACE", "LAYERS", "DONE", "CREATED", "PRINT TIME",
+                             "COST", "PROFILES", "LABELS", "MODEL"});
   for (const v1::Job& job : all->jobs()) text += TextOf(RowOf(job));
   if (!all->next_page_token().empty()) text += "there are more: --limit N\n";
   Print(text);
@@ -268,7 +275,9 @@ void AddWatch(CLI::App& app, CommandContext& context) {
   const auto options = AddJobCommand(*command, std::make_shared<JobCommandOptions>());
   command->add_flag("--json", options->json,
                     "Print the job, when it has ended, as one line of JSON");
-  command->footer("Exit code as the job's outcome. Ctrl-C stops the watching; the job goes on.");
+  command->footer(
+      "While the job waits, a terminal shows its place in the queue and when it may be done.\n"
+      "Exit code as the job's outcome. Ctrl-C stops the watching; the job goes on.");
   command->callback([options, &context] {
     context.run = [options, &context] { return Watch(*options, *context.interrupt); };
   });
@@ -290,6 +299,10 @@ void AddList(CLI::App& app, CommandContext& context) {
       ->allow_extra_args(false);
   command->add_flag("--oldest-first", options->oldest_first);
   command->add_flag("--json", options->json, "All that is known of them, as JSON");
+  command->footer(
+      "PLACE: of a waiting job, in the queue of the whole farm; 1 begins next. DONE: when a job "
+      "is\n"
+      "expected to have ended, by its layers, or by its place and the time that other jobs took.");
   AddServerOptions(*command, options->server);
   command->callback([options, &context] {
     context.run = [options, &context] { return List(*options, *context.interrupt); };
@@ -307,7 +320,9 @@ void AddGet(CLI::App& app, CommandContext& context) {
       ->type_name("OUT.gcode");
   command->add_option("--report", options->files.report, "Where the report goes; -: to stdout")
       ->type_name("REPORT.json");
-  command->footer("Without -o and --report, all that is known of the job, as JSON.");
+  command->footer(
+      "Without -o and --report, all that is known of the job, as JSON: of a waiting one also\n"
+      "queue_position and estimated_end_time.");
   command->callback([options, &context] {
     context.run = [options, &context] { return Get(*options, *context.interrupt); };
   });

@@ -27,6 +27,7 @@
 #include "services/cli/output_name.h"
 #include "services/cli/server_options.h"
 #include "services/cli/summary.h"
+#include "services/cli/watch_bar.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -314,9 +315,8 @@ void PrintPreflight(const SubmitOptions& options, const v1::Job& job) {
 /// Waits for the job, and fetches what it made.
 ExitCode Fetch(const SubmitOptions& options, const v1::Job& created, JobsClient& client,
                Interrupt& interrupt) {
-  ProgressBar bar(!options.job.quiet);
-  const auto job =
-      client.WatchJob(created.id(), [&](const v1::Job& event) { ShowProgress(bar, event); });
+  WatchBar bar(!options.job.quiet, ClientOptions(options.server, &interrupt), created.id());
+  const auto job = client.WatchJob(created.id(), [&](const v1::Job& event) { bar.Show(event); });
   bar.Clear();
   if (interrupt.Requested()) return CancelAfterInterrupt(options, created.id());
   if (!job.ok()) {

@@ -151,6 +151,10 @@ absl::StatusOr<std::vector<OpenJobs>> TwinStore::CountOpen() {
   return Both("CountOpen", [](JobStore& store) { return store.CountOpen(); });
 }
 
+absl::StatusOr<QueueSnapshot> TwinStore::ReadQueue(int64_t now_us) {
+  return Both("ReadQueue", [&](JobStore& store) { return store.ReadQueue(now_us); });
+}
+
 absl::StatusOr<std::set<std::string>> TwinStore::Referenced(const std::string& tenant,
                                                             const std::set<std::string>& digests) {
   return Both("Referenced", [&](JobStore& store) { return store.Referenced(tenant, digests); });

@@ -1,6 +1,10 @@
 #include "services/coordinator/server/api/farm_facts.h"
 
+#include <fmt/core.h>
+
 #include "common/base/error.h"
+#include "common/model/process.h"
+#include "common/wire/support/enum_wire.h"
 
 namespace slicefarm::coordinator {
 
@@ -29,6 +33,16 @@ absl::StatusOr<v1::Usage> UsageOf(const std::string& tenant, JobStore& jobs, Blo
   for (const auto& [state, count] : *open)
     state == JobState::kQueued ? usage.set_queued_jobs(count) : usage.set_running_jobs(count);
   return usage;
+}
+
+void TellWaiting(const TaskExecutor& executor, v1::Job& job) {
+  if (job.state() != v1::JOB_STATE_QUEUED && job.state() != v1::JOB_STATE_RUNNING) return;
+  const bool is_given = job.spec().process() != v1::PROCESS_UNSPECIFIED;
+  const Process process = is_given ? Known<Process>(job.spec().process()) : kDefaultProcess;
+  if (executor.Slots(process) > 0) return;
+  job.set_waits_for(fmt::format("a worker: none is connected that runs jobs of process {}",
+                                ProcessName(process)));
+  job.clear_estimated_end_time();
 }
 
 v1::ListSettingsResponse::Info ToProto(const config::SettingSpec& spec) {

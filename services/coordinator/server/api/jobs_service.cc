@@ -1,7 +1,5 @@
 #include "services/coordinator/server/api/jobs_service.h"
 
-#include <fmt/core.h>
-
 #include <utility>
 
 #include "common/base/cancel_scope.h"
@@ -11,7 +9,6 @@
 #include "common/model/limits.h"
 #include "common/rpc/observe/trace_metadata.h"
 #include "common/rpc/status_mapping.h"
-#include "common/wire/support/enum_wire.h"
 #include "common/wire/support/wire_error.h"
 #include "services/coordinator/algo/pipeline/preflight.h"
 #include "services/coordinator/server/api/artifact.h"
@@ -65,16 +62,6 @@ class TextReader : public BlobReader {
 
   const std::string text_;
 };
-
-/// Says of a job that has not ended if no worker is there for it.
-void TellWaiting(const TaskExecutor& executor, v1::Job& job) {
-  if (job.state() != v1::JOB_STATE_QUEUED && job.state() != v1::JOB_STATE_RUNNING) return;
-  const bool is_given = job.spec().process() != v1::PROCESS_UNSPECIFIED;
-  const Process process = is_given ? Known<Process>(job.spec().process()) : kDefaultProcess;
-  if (executor.Slots(process) > 0) return;
-  job.set_waits_for(fmt::format("a worker: none is connected that runs jobs of process {}",
-                                ProcessName(process)));
-}
 
 Claimant ClaimantOf(const Submission& submission) {
   return {submission.tenant, static_cast<int>(submission.priority)};
@@ -347,12 +334,19 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
   return job;
 }
 
+/// The job as it is now, with its place in the queue.
+v1::Job JobsService::Tell(JobRecord job) {
+  backend_.feed.AddProgress(job);
+  v1::Job answer = ToProto(job);
+  queue_.Tell(job, answer);
+  TellWaiting(backend_.pipeline.executor(), answer);
+  return answer;
+}
+
 grpc::Status JobsService::GetJob(grpc::ServerContext* context, const v1::GetJobRequest* request,
                                  v1::Job* response) {
   auto job = Find(*context, {Scope::kRead, Scope::kAdmin}, request->id(), Of::kAllForAdmins);
-  if (job.ok()) backend_.feed.AddProgress(*job);
-  if (job.ok()) *response = ToProto(*job);
-  TellWaiting(backend_.pipeline.executor(), *response);
+  if (job.ok()) *response = Tell(*std::move(job));
   if (request->view() == v1::JOB_VIEW_BASIC) ClearSettings(*response->mutable_spec());
   return rpc::ToGrpc(job.status());
 }
@@ -373,9 +367,7 @@ grpc::Status JobsService::BatchGetJobs(grpc::ServerContext* context,
       *outcome.mutable_error() = ToProto(JobErrorOf(rpc::FromGrpc(rpc::ToGrpc(job.status()))));
       continue;
     }
-    backend_.feed.AddProgress(*job);
-    *outcome.mutable_job() = ToProto(*job);
-    TellWaiting(backend_.pipeline.executor(), *outcome.mutable_job());
+    *outcome.mutable_job() = Tell(*std::move(job));
     outcome.mutable_job()->clear_spec();
   }
   const auto bytes = static_cast<int64_t>(response->ByteSizeLong());
@@ -402,7 +394,11 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJ
   if (!jobs.ok()) return rpc::ToGrpc(jobs.status());
   for (JobRecord& job : *jobs) backend_.feed.AddProgress(job);
   *response = ToProto(*jobs, *query);
-  for (v1::Job& job : *response->mutable_jobs()) TellWaiting(backend_.pipeline.executor(), job);
+  for (int i = 0; i < response->jobs_size(); ++i) {  // a page may be shorter than the list
+    v1::Job& job = *response->mutable_jobs(i);
+    queue_.Tell((*jobs)[i], job);
+    TellWaiting(backend_.pipeline.executor(), job);
+  }
   return rpc::ToGrpc(jobs.status());
 }
 

@@ -17,6 +17,7 @@
 #include "services/coordinator/server/api/job_intake.h"
 #include "services/coordinator/server/api/job_watch.h"
 #include "services/coordinator/server/api/plate_submissions.h"
+#include "services/coordinator/server/api/queue_view.h"
 #include "services/coordinator/server/api/tenant_turns.h"
 #include "services/coordinator/server/api/tenant_watch.h"
 #include "services/coordinator/server/api/transfers.h"
@@ -64,7 +65,8 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
         lists_of_tenants_(kLists),
         watches_of_tenants_(watches.calls),
         watches_of_all_jobs_(kTenantWatches),
-        watch_reads_(backend_.jobs, kWatchReaders) {}
+        watch_reads_(backend_.jobs, kWatchReaders),
+        queue_(backend_.jobs, backend_.now_us) {}
 
   grpc::Status CreateJob(grpc::ServerContext* context, const v1::CreateJobRequest* request,
                          v1::Job* response) override;
@@ -123,6 +125,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   absl::StatusOr<JobRecord> Find(const Caller& caller, const std::string& id, Of of);
   absl::StatusOr<JobRecord> Find(const grpc::ServerContextBase& context, const Scopes& one_of,
                                  const std::string& id, Of of);
+  v1::Job Tell(JobRecord job);
   absl::StatusOr<JobRecord> Cancel(const Caller& caller, const std::string& id);
   absl::StatusOr<Submission> Read(const Caller& caller, const v1::CreateJobRequest& request);
   absl::StatusOr<JobRecord> Create(const Caller& caller, const v1::CreateJobRequest& request,
@@ -166,6 +169,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   TenantPlaces watches_of_tenants_;
   TenantPlaces watches_of_all_jobs_;
   WatchReads watch_reads_;
+  QueueView queue_;
   std::optional<JobWatches> watches_;
 };
 

@@ -92,6 +92,9 @@ class ForwardingJobStore : public JobStore {
     return store_.CountOpenOf(tenant);
   }
   absl::StatusOr<std::vector<OpenJobs>> CountOpen() override { return store_.CountOpen(); }
+  absl::StatusOr<QueueSnapshot> ReadQueue(int64_t now_us) override {
+    return store_.ReadQueue(now_us);
+  }
   absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
                                                    const std::set<std::string>& digests) override {
     return store_.Referenced(tenant, digests);

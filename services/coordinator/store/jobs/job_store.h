@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "services/coordinator/algo/queue_order.h"
 #include "services/coordinator/store/jobs/job_record.h"
 
 namespace slicefarm::coordinator {
@@ -127,6 +128,9 @@ struct OpenJobs {
 
   friend bool operator==(const OpenJobs&, const OpenJobs&) = default;
 };
+
+/// How many ended jobs tell how long a run takes.
+inline constexpr int32_t kLatestRuns = 50;
 
 /// How long a request_id is remembered, at most: it goes with its job.
 inline constexpr int64_t kRequestIdKeptUs = int64_t{7} * 24 * 3600 * 1'000'000;
@@ -251,6 +255,11 @@ class JobStore {
 
   /// Those that have not ended, by state and priority; kinds of which there are none are left out.
   virtual absl::StatusOr<std::vector<OpenJobs>> CountOpen() = 0;
+
+  /// Returns the open jobs in the order in which Claim gives them. Of a tenant's waiting jobs those
+  /// are told too that cannot be claimed yet: because a run failed a moment ago, or the same work
+  /// is held. Cost: reads the index of open jobs, and the last kLatestRuns that ended.
+  virtual absl::StatusOr<QueueSnapshot> ReadQueue(int64_t now_us) = 0;
 
   /// Of these digests, those of inputs, results and traces of jobs among the tenant's blobs.
   /// Cost: a statement.

@@ -91,6 +91,7 @@ class MemoryJobStore : public JobStore {
   absl::StatusOr<int64_t> CountOf(const std::string& tenant) override;
   absl::StatusOr<std::map<JobState, int64_t>> CountOpenOf(const std::string& tenant) override;
   absl::StatusOr<std::vector<OpenJobs>> CountOpen() override;
+  absl::StatusOr<QueueSnapshot> ReadQueue(int64_t now_us) override;
   absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
                                                    const std::set<std::string>& digests) override;
   absl::StatusOr<std::set<std::string>> Artifacts(const std::string& tenant,

@@ -9,6 +9,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/base/temp_directory_test.h"
 #include "services/coordinator/store/jobs/job_claims.h"
+#include "services/coordinator/store/jobs/job_queue.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 #include "services/coordinator/store/sql/sqlite_connection.h"
 #include "services/coordinator/store/sql/sqlite_schema.h"
@@ -132,6 +133,21 @@ TEST(SqliteSchema, ClaimingUsesAnIndex) {
                                        testing::HasSubstr("PRIMARY KEY")));
     }
     EXPECT_GT(reads, 0) << plan.status();
+  }
+}
+
+// The queue is read often, and must not read jobs that ended.
+TEST(SqliteSchema, TheQueueIsReadThroughIndexes) {
+  TempDirectory directory;
+  const auto db = *SqliteConnection::Open(directory.path() + "/jobs.db");
+  ASSERT_TRUE(MigrateSqlite(*db).ok());
+  const SqlDialect& dialect = db->dialect();
+  for (const auto& [sql, index] : {std::pair(WaitingSql(dialect), "INDEX jobs_open"),
+                                   std::pair(HeldSql(dialect), "INDEX jobs_held"),
+                                   std::pair(LatestRunsSql(dialect), "INDEX jobs_by_end")}) {
+    SqlQuery plan(*db, absl::StrCat("EXPLAIN QUERY PLAN ", sql));
+    ASSERT_TRUE(plan.Next()) << plan.status();
+    EXPECT_THAT(plan.Text(3), testing::HasSubstr(index));
   }
 }
 
