@@ -84,7 +84,9 @@ std::string Advice(const absl::Status& status) {
     case Reason::kUnavailable:
       return "is the coordinator running there? `slicefarm health HOST:PORT` asks it";
     case Reason::kDeadlineExceeded:
-      return "the server is too busy, or the network too slow: try again";
+      return detail.metadata.contains("field")  // of a job, not of a call
+                 ? "submit the job again with a later --deadline, or with a higher --priority"
+                 : "the server is too busy, or the network too slow: try again";
     case Reason::kOverloaded:
     case Reason::kQueueFull:
     case Reason::kDiskLow:
@@ -134,8 +136,7 @@ void ProgressBar::Show(std::string_view what, int done, int total) {
   if (total > 0) {
     const int filled = kWidth * std::clamp(done, 0, total) / total;
     line = fmt::format("{:<12} [{}{}] {}/{}{}", what, std::string(filled, '#'),
-                       std::string(kWidth - filled, ' '), done, total,
-                       TimeLeft(what, done, total));
+                       std::string(kWidth - filled, ' '), done, total, TimeLeft(what, done, total));
   } else {
     line = fmt::format("{} ...", what);
   }

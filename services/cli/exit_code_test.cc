@@ -90,6 +90,8 @@ TEST(Advice, FitsTheError) {
   EXPECT_THAT(advice(Reason::kRequestMalformed, {{"field", "plate"}, {"plates", "2"}}),
               HasSubstr("--plate N"));
   EXPECT_EQ(advice(Reason::kRequestMalformed, {{"field", "copies"}}), "");
+  EXPECT_THAT(advice(Reason::kDeadlineExceeded, {}), HasSubstr("network"));
+  EXPECT_THAT(advice(Reason::kDeadlineExceeded, {{"field", "deadline"}}), HasSubstr("--deadline"));
 }
 
 TEST(SummaryText, SaysWhatMatters) {

@@ -9,9 +9,9 @@
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 #include "common/rpc/security/file_watch.h"
-#include "common/rpc/server/listen_address.h"
 #include "common/rpc/security/tls.h"
 #include "common/rpc/security/tls_options.h"
+#include "common/rpc/server/listen_address.h"
 
 namespace slicefarm::rpc {
 namespace {
@@ -89,6 +89,10 @@ std::string ConnectionHint(const absl::Status& status, const ClientSecurity& sec
   const absl::string_view message = status.message();
   if (absl::IsUnavailable(status) && absl::StrContains(message, "Connection refused"))
     return ": nothing listens there";
+  const bool is_grpc = !absl::StrContains(message, "Failed parsing HTTP/2") &&
+                       !absl::StrContains(message, "http1.x server");
+  if (absl::IsUnavailable(status) && !is_grpc)
+    return "; what listens there is no gRPC server: is it the port of the metrics?";
   if (!absl::IsUnavailable(status) ||
       !(absl::StrContains(message, "Socket closed") ||
         absl::StrContains(message, "Connection reset") || absl::StrContains(message, "andshake"))) {

@@ -80,6 +80,9 @@ TEST_F(ClientSecurityTest, HintsFitTheFilesAtHand) {
   EXPECT_THAT(ConnectionHint(closed, security_), testing::HasSubstr("cert.pem"));
   EXPECT_EQ(ConnectionHint(absl::UnavailableError("Connection refused"), security_),
             ": nothing listens there");
+  for (const char* words : {"Failed parsing HTTP/2", "Trying to connect an http1.x server"})
+    EXPECT_THAT(ConnectionHint(absl::UnavailableError(words), security_),
+                testing::HasSubstr("no gRPC server"));
   EXPECT_EQ(ConnectionHint(absl::InternalError("Socket closed"), security_), "");
 }
 

@@ -16,9 +16,12 @@ absl::Status Malformed(std::string_view field, std::string_view what) {
 absl::Status Within(std::string_view field, const absl::Status& status) {
   ErrorDetail detail = DetailOf(status);
   std::string& path = detail.metadata["field"];
+  // A message that names no field yet is a sentence of its own.
+  const std::string_view between = path.empty() ? ": " : ".";
   path = path.empty() ? std::string(field) : fmt::format("{}.{}", field, path);
   return MakeError(status.code(), detail.reason,
-                   fmt::format("{}.{}", field, std::string(status.message())), detail.metadata);
+                   fmt::format("{}{}{}", field, between, std::string(status.message())),
+                   detail.metadata);
 }
 
 absl::Status Within(std::string_view field, size_t index, const absl::Status& status) {

@@ -90,7 +90,7 @@ JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunW
 
 JobError DeadlinePassed() {
   return JobErrorOf(MakeError(absl::StatusCode::kDeadlineExceeded, Reason::kDeadlineExceeded,
-                              "the job's deadline has passed"));
+                              "the job's deadline has passed", {{"field", "deadline"}}));
 }
 
 }  // namespace slicefarm::coordinator

@@ -14,9 +14,11 @@
 namespace slicefarm::slicing {
 namespace {
 
+constexpr std::string_view kStepMark = "ISO-10303-21";
+
 /// How files begin that people take for meshes we can read.
-constexpr std::array<std::string_view, 7> kForeignMarks = {
-    "<?xml", "glTF", "\x89PNG", "%PDF", "OFF", "\x1f\x8b", "ISO-10303-21"};
+constexpr std::array<std::string_view, 7> kForeignMarks = {"<?xml", "glTF",     "\x89PNG", "%PDF",
+                                                           "OFF",   "\x1f\x8b", kStepMark};
 
 bool IsForeign(std::string_view bytes) {
   return std::any_of(kForeignMarks.begin(), kForeignMarks.end(),
@@ -27,10 +29,13 @@ bool IsForeign(std::string_view bytes) {
 constexpr std::string_view kLfsMark = "version https://git-lfs.github.com/";
 
 absl::Status UnknownFormat(std::string_view bytes) {
+  std::string_view what = "neither STL, OBJ, PLY nor 3MF; export the part in one of these formats";
+  if (bytes.starts_with(kLfsMark))
+    what = "no model but the Git LFS pointer to one; git lfs pull fetches it";
+  if (bytes.starts_with(kStepMark))
+    what = "a STEP file, which has surfaces and no triangles; export the part as STL or 3MF";
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshFormatUnknown,
-                   bytes.starts_with(kLfsMark)
-                       ? "no model but the Git LFS pointer to one; git lfs pull fetches it"
-                       : "neither STL, OBJ, PLY nor 3MF; export the part in one of these formats");
+                   std::string(what));
 }
 
 absl::StatusOr<RawMesh> ReadStl(std::string_view bytes, double coordinate_limit,

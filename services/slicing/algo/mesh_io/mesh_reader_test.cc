@@ -38,6 +38,12 @@ struct Case {
   Reason want;
 };
 
+TEST(ReadMesh, NamesTheFormatOfACadModel) {
+  const absl::Status status = Read("ISO-10303-21;\nHEADER;\n", MeshFormat::kUnknown).status();
+  EXPECT_EQ(DetailOf(status).reason, Reason::kMeshFormatUnknown);
+  EXPECT_THAT(std::string(status.message()), testing::HasSubstr("STEP"));
+}
+
 TEST(ReadMesh, SaysWhatIsWrong) {
   const std::string binary = ToBinaryStl(Box());
   const std::string no_triangles = binary.substr(0, 80) + std::string(4, '\0');

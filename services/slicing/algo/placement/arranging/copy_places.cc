@@ -37,15 +37,14 @@ absl::Status NoRoom(std::span<const ObjectToPlace> objects, const std::vector<Fr
   for (const size_t item : left_over) ++counts[free[item].object];
   std::vector<std::string> which;
   for (const auto& [object, count] : counts) {
-    const std::string name(objects[object].name);
-    which.push_back(fmt::format("{} of \"{}\"", count, absl::Utf8SafeCEscape(name)));
+    which.push_back(fmt::format("{} of {}", count, ObjectWords(objects[object].name, object)));
   }
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
-                   fmt::format("{} of {} copies have no room on the bed{}: {}", left_over.size(),
-                               copies, excluded ? " outside of bed_exclude_area" : "",
-                               absl::StrJoin(which, ", ")),
-                   {{"limit", fmt::format("{}", copies - left_over.size())},
-                    {"got", fmt::format("{}", copies)}});
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
+      fmt::format("{} of {} copies have no room on the bed{}: {}", left_over.size(), copies,
+                  excluded ? " outside of bed_exclude_area" : "", absl::StrJoin(which, ", ")),
+      {{"limit", fmt::format("{}", copies - left_over.size())},
+       {"got", fmt::format("{}", copies)}});
 }
 
 /// Arranges the copies of `free` around those that stand.
@@ -73,6 +72,11 @@ bool FitsInTheMiddle(const ObjectToPlace& object, const SlicingOptions& options)
 }
 
 }  // namespace
+
+std::string ObjectWords(std::string_view name, size_t object) {
+  if (name.empty()) return fmt::format("object {}, which has no name", object + 1);
+  return fmt::format("\"{}\"", absl::Utf8SafeCEscape(std::string(name)));
+}
 
 ArrangeOptions ArrangeOptionsOf(const SlicingOptions& options) {
   Coord growth = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct ObjectToPlace {
   Point middle;              ///< of that box, from the object's origin
   std::span<const CopyInput> copies;
 };
+
+/// Returns `"name"`, or `object N, which has no name`, counted from 1.
+std::string ObjectWords(std::string_view name, size_t object);
 
 /// How a job's copies are arranged on any number of beds: part_distance_nm and clearance_radius_nm
 /// apart, and with room on the bed for what the outlines grow by.

@@ -139,6 +139,9 @@ TEST(PlaceCopies, NamesTheObjectsWithoutRoom) {
   const absl::Status status = PlaceCopies(objects, {}, {}).status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfBuildVolume);
   EXPECT_EQ(status.message(), "1 of 3 copies have no room on the bed: 1 of \"lar\\nge\"");
+  const std::vector<ObjectToPlace> unnamed = {{"", small, {}, one}, {"", large, {}, two}};
+  EXPECT_EQ(PlaceCopies(unnamed, {}, {}).status().message(),
+            "1 of 3 copies have no room on the bed: 1 of object 2, which has no name");
 }
 
 TEST(PlaceCopies, OutlinesThatGrowStayOnTheBed) {

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "absl/strings/escaping.h"
 #include "absl/strings/str_join.h"
 #include "common/base/error.h"
 #include "common/geometry/measure.h"
@@ -42,7 +41,8 @@ absl::Status TooLarge(const std::vector<ObjectInput>& objects, const std::vector
                       const std::vector<size_t>& left_over) {
   std::vector<std::string> names;
   for (const size_t item : left_over) {
-    const std::string name = "\"" + absl::Utf8SafeCEscape(objects[object_of[item]].name) + "\"";
+    const size_t object = object_of[item];
+    const std::string name = ObjectWords(objects[object].name, object);
     if (names.empty() || names.back() != name) names.push_back(name);
   }
   const std::string text = absl::StrJoin(names, ", ");
