@@ -1,8 +1,11 @@
 #include "services/coordinator/server/api/jobs_wire.h"
 
+#include <fmt/core.h>
+
 #include <charconv>
 #include <utility>
 
+#include "common/base/sha256.h"
 #include "common/model/limits.h"
 #include "common/wire/mesh_wire.h"
 #include "common/wire/options/given_settings_wire.h"
@@ -95,6 +98,24 @@ static_assert(static_cast<int>(v1::JOB_STATE_CANCELLED) ==
 static_assert(static_cast<int>(v1::JOB_PRIORITY_INTERACTIVE) ==
               static_cast<int>(Priority::kInteractive) + 1);
 
+namespace {
+
+/// A project has objects and places of its own, which ReadProject tells. One whose format is not
+/// given shows when it is read, and the job fails.
+absl::Status CheckNoProjects(const v1::JobSpec& spec) {
+  for (int i = 0; i < spec.objects_size(); ++i) {
+    const v1::Object& object = spec.objects(i);
+    if (object.parts().empty() && object.format() == v1::MESH_FORMAT_3MF) {
+      return Within(
+          "objects", i,
+          Malformed("format", "a 3MF project is no single mesh; ReadProject gives its objects"));
+    }
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace
+
 absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec) {
   JobRequest request;
   if (!v1::JobMode_IsValid(spec.mode())) return Malformed("mode", "is not one of this version");
@@ -104,6 +125,7 @@ absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec) {
     if (!process.ok()) return process.status();
     request.process = *process;
   }
+  if (absl::Status no_project = CheckNoProjects(spec); !no_project.ok()) return no_project;
   auto scene = slicefarm::FromProto(spec.objects());
   if (!scene.ok()) return scene.status();
   request.scene = *std::move(scene);
@@ -197,19 +219,37 @@ v1::Preflight ToProto(const Preflight& preflight, const Cost& cost) {
   return proto;
 }
 
+namespace {
+
+/// Returns the token of the page after the job of this number, in a list with these conditions.
+std::string PageToken(int64_t number, const ListQuery& query) {
+  std::string text =
+      fmt::format("{} {} {} {}", query.oldest_first, query.created_from_us, query.created_before_us,
+                  query.priority ? static_cast<int>(*query.priority) : -1);
+  for (const JobState state : query.states) text += fmt::format(" {}", static_cast<int>(state));
+  for (const auto& [key, value] : query.labels)
+    text += fmt::format(" {}:{} {}:{}", key.size(), key, value.size(), value);
+  constexpr size_t kDigits = 16;
+  return fmt::format("{}-{}", number, Sha256Hex(text).substr(0, kDigits));
+}
+
+absl::Status TakePageToken(const std::string& token, ListQuery& query) {
+  if (token.empty()) return absl::OkStatus();
+  const char* end = token.data() + token.size();
+  const auto error = std::from_chars(token.data(), end, query.after_number).ec;
+  const bool is_of_this = error == std::errc() && query.after_number > 0 &&
+                          token == PageToken(query.after_number, query);
+  return is_of_this ? absl::OkStatus()
+                    : Malformed("page_token", "is none that a list with these conditions gave");
+}
+
+}  // namespace
+
 absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request) {
   ListQuery query;
   if (request.page_size() < 0) return Malformed("page_size", "is negative");
   query.limit = request.page_size() == 0 ? kDefaultPageSize
                                          : std::min(request.page_size(), limits::kMaxPageSize);
-  const std::string& token = request.page_token();
-  if (!token.empty()) {
-    const char* end = token.data() + token.size();
-    const auto [read, error] = std::from_chars(token.data(), end, query.after_number);
-    if (error != std::errc() || read != end || query.after_number < 1) {
-      return Malformed("page_token", "is none that a list gave");
-    }
-  }
   for (const int state : request.states()) {
     const auto known = StateFromProto(static_cast<v1::JobState>(state));
     if (!known.ok()) return known.status();
@@ -226,6 +266,7 @@ absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request) {
     query.priority = *priority;
   }
   if (absl::Status taken = TakeTimes(request, query); !taken.ok()) return taken;
+  if (absl::Status taken = TakePageToken(request.page_token(), query); !taken.ok()) return taken;
   return query;
 }
 
@@ -267,7 +308,7 @@ v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery
   }
   const int taken = response.jobs_size();
   if (taken == query.limit || taken < std::ssize(jobs) || read_bytes >= kListedSpecBytes) {
-    response.set_next_page_token(std::to_string(jobs[taken - 1].number));
+    response.set_next_page_token(PageToken(jobs[taken - 1].number, query));
   }
   return response;
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 
@@ -133,6 +135,13 @@ TEST(JobsWire, AnEventIsTheJobAsOfThen) {
   EXPECT_FALSE(event.job().has_spec());
 }
 
+TEST(JobsWire, AProjectIsNoMeshOfAnObject) {
+  v1::JobSpec spec = SpecOfTwo();
+  spec.mutable_objects(1)->set_format(v1::MESH_FORMAT_3MF);
+  const absl::Status refused = FromProto(spec).status();
+  EXPECT_EQ(DetailOf(refused).metadata["field"], "objects[1].format") << refused;
+}
+
 TEST(JobsWire, PagesFollowEachOther) {
   v1::ListJobsRequest request;
   request.set_page_size(2);
@@ -145,6 +154,27 @@ TEST(JobsWire, PagesFollowEachOther) {
   EXPECT_EQ(FromProto(request)->after_number, 11);
   EXPECT_EQ(ToProto(std::vector<JobRecord>{first}, *query).next_page_token(), "")
       << "a page that is not full is the last";
+}
+
+TEST(JobsWire, APageTokenIsOfTheListThatGaveIt) {
+  v1::ListJobsRequest request;
+  request.set_page_size(1);
+  (*request.mutable_labels())["order"] = "17";
+  request.set_page_token(
+      ToProto(std::vector<JobRecord>{DoneJob()}, *FromProto(request)).next_page_token());
+  request.set_page_size(5);
+  EXPECT_TRUE(FromProto(request).ok()) << "pages may differ in size";
+  for (const auto& change : std::vector<std::function<void(v1::ListJobsRequest&)>>{
+           [](auto& r) { (*r.mutable_labels())["order"] = "18"; },
+           [](auto& r) { r.clear_labels(); }, [](auto& r) { r.set_oldest_first(true); },
+           [](auto& r) { r.add_states(v1::JOB_STATE_FAILED); },
+           [](auto& r) { r.set_priority(v1::JOB_PRIORITY_BULK); },
+           [](auto& r) { r.mutable_created_from()->set_seconds(5); }}) {
+    v1::ListJobsRequest other = request;
+    change(other);
+    EXPECT_EQ(DetailOf(FromProto(other).status()).metadata["field"], "page_token")
+        << other.DebugString();
+  }
 }
 
 TEST(JobsWire, ListsLeaveTheSettingsOut) {
@@ -161,7 +191,7 @@ TEST(JobsWire, PagesEndByBytesToo) {
   const v1::ListJobsResponse page = ToProto(jobs, ListQuery{.states = {}, .limit = 1000});
   EXPECT_GT(page.jobs_size(), 1);
   EXPECT_LT(page.ByteSizeLong(), 2u << 20);
-  EXPECT_EQ(page.next_page_token(), std::to_string(101 - page.jobs_size()));
+  EXPECT_TRUE(page.next_page_token().starts_with(std::to_string(101 - page.jobs_size()) + "-"));
 }
 
 TEST(JobsWire, PageSizesHaveBounds) {
