@@ -27,8 +27,16 @@ Feature FeatureOfLink(const Path& last, const Path& next) {
              : Feature::kGapFill;
 }
 
-bool AreSparse(const Path& last, const Path& next) {
-  return last.feature == Feature::kInternalInfill && next.feature == Feature::kInternalInfill;
+/// True for two loops of support, such as the walls of a thick branch.
+bool AreSupportLoops(const PrintedEnd& last, const Path& next) {
+  return last.is_loop && next.closed && last.path.feature == next.feature &&
+         (next.feature == Feature::kSupport || next.feature == Feature::kSupportInterface);
+}
+
+/// True if the link is a bead as wide as what it joins: the flow does not change.
+bool IsEven(const PrintedEnd& last, const Path& next) {
+  return AreSupportLoops(last, next) || (last.path.feature == Feature::kInternalInfill &&
+                                         next.feature == Feature::kInternalInfill);
 }
 
 Coord NarrowerWidth(const Path& last, const Path& next) {
@@ -37,8 +45,7 @@ Coord NarrowerWidth(const Path& last, const Path& next) {
 }
 
 bool CanLoseEnd(const Path& path, double length_nm) {
-  return path.feature != Feature::kExternalPerimeter &&
-         PathLength(path) >= kLeastLoop * length_nm;
+  return path.feature != Feature::kExternalPerimeter && PathLength(path) >= kLeastLoop * length_nm;
 }
 
 /// Takes the last `length_nm` of a path; a closed one becomes open. REQUIRES: the path is longer.
@@ -75,8 +82,9 @@ void CutEnd(double length_nm, Path& path) {
 std::optional<Path> LinkBetween(PrintedEnd last, Path& next, Coord height_nm,
                                 const Barrier& edges) {
   const Path& before = last.path;
-  if (!IsLinked(before.feature) || !IsLinked(next.feature) || before.tool != next.tool)
-    return std::nullopt;
+  const bool may_be =
+      AreSupportLoops(last, next) || (IsLinked(before.feature) && IsLinked(next.feature));
+  if (!may_be || before.tool != next.tool) return std::nullopt;
   const Point from = EndOf(before), to = StartOf(next);
   const Coord width = NarrowerWidth(before, next);
   const double step = Distance(from, to);
@@ -88,7 +96,7 @@ std::optional<Path> LinkBetween(PrintedEnd last, Path& next, Coord height_nm,
   link.tool = before.tool;
   link.inset = std::max(before.inset, next.inset);
   link.reversible = false;
-  const bool is_even = AreSparse(before, next);
+  const bool is_even = IsEven(last, next);
   const double cut = is_even ? step : kLinkFlow * step;
   if (last.is_loop && CanLoseEnd(before, cut)) {
     CutEnd(cut, last.path);

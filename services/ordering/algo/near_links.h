@@ -15,9 +15,10 @@ namespace slicefarm::ordering {
 /// without pressure would only ooze. A link has kLinkFlow of a bead's flow. A loop beside it ends
 /// earlier by as much plastic, so that no more is laid down than without the link; where no loop is
 /// beside it (pieces of walls that end where others begin), the link is what fills the gap. Between
-/// lines of sparse infill, whose flow is even, a link is a bead as wide as they are.
+/// lines of sparse infill and between loops of support, whose flow is even, a link is a bead as
+/// wide as they are.
 ///
-/// Only walls, gap fill and infill that is not seen are linked, of one tool.
+/// Only walls, gap fill, infill that is not seen and loops of support are linked, of one tool.
 inline constexpr double kMostLinkWidths = 2;
 inline constexpr double kLinkFlow = 0.3;
 
@@ -30,7 +31,6 @@ struct PrintedEnd {
 /// The link from the end of `last` to the start of `next`, which is closed where `next` is printed
 /// as a loop; nothing where there is none. Opens the loop that it shortens. `edges`: the island's.
 /// `height_nm`: of the layer.
-std::optional<Path> LinkBetween(PrintedEnd last, Path& next, Coord height_nm,
-                                const Barrier& edges);
+std::optional<Path> LinkBetween(PrintedEnd last, Path& next, Coord height_nm, const Barrier& edges);
 
 }  // namespace slicefarm::ordering
