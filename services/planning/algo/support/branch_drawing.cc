@@ -8,6 +8,8 @@
 #include "common/base/parallel.h"
 #include "common/base/portable_math.h"
 #include "common/geometry/boolean/boolean.h"
+#include "common/geometry/offset/clean_offset.h"
+#include "services/planning/algo/support/branch_necks.h"
 
 namespace slicefarm::planning {
 namespace {
@@ -16,15 +18,12 @@ namespace {
 constexpr Coord kFootWiderNm = 600'000;
 constexpr Coord kFootHeightNm = 1'200'000;
 
-struct Disc {
-  Point at;
-  Coord radius_nm = 0;
-
-  friend auto operator<=>(const Disc&, const Disc&) = default;
-};
+/// Necks near the part keep so much more than the gap below it: they carry nothing, and a surface
+/// that is neither at the gap nor far below would only be hard to get off.
+constexpr Coord kBelowPartNm = 450'000;
 
 /// A polygon around which the circle runs half inside, half outside: the same area.
-Polygon Circle(const Disc& disc) {
+Polygon Circle(const BranchDisc& disc) {
   const int corners = disc.radius_nm < 700'000 ? 16 : disc.radius_nm < 2'000'000 ? 24 : 36;
   Polygon ring;
   for (int i = 0; i < corners; ++i) {
@@ -43,12 +42,12 @@ Coord FootRadius(Coord radius_nm, Coord z_nm) {
 
 /// Discs near the bed grow to feet, as far as there is room and half way to the next disc: where
 /// feet became one outline, the branches that stand inside of it would have nothing below them.
-void GrowFeet(Coord z_nm, const ReachField& field, std::vector<Disc>& discs) {
-  const std::vector<Disc> bare = discs;
-  for (Disc& disc : discs) {
+void GrowFeet(Coord z_nm, const ReachField& field, std::vector<BranchDisc>& discs) {
+  const std::vector<BranchDisc> bare = discs;
+  for (BranchDisc& disc : discs) {
     const Coord radius = disc.radius_nm;
     Coord foot = std::min(FootRadius(radius, z_nm), field.ToAnywhere(0, disc.at));
-    for (const Disc& other : bare) {
+    for (const BranchDisc& other : bare) {
       const auto free = std::llround(Distance(disc.at, other.at)) - radius - other.radius_nm;
       if (free >= 0) foot = std::min<Coord>(foot, radius + free / 2);
     }
@@ -57,9 +56,9 @@ void GrowFeet(Coord z_nm, const ReachField& field, std::vector<Disc>& discs) {
 }
 
 /// The discs of all branches, by layer.
-std::vector<std::vector<Disc>> DiscsByLayer(const Branches& branches, const ReachField& field,
-                                            const SupportHeights& heights) {
-  std::vector<std::vector<Disc>> discs(heights.layers.size());
+std::vector<std::vector<BranchDisc>> DiscsByLayer(const Branches& branches, const ReachField& field,
+                                                  const SupportHeights& heights) {
+  std::vector<std::vector<BranchDisc>> discs(heights.layers.size());
   const auto middle = [&](size_t i) {
     return (heights.layers[i].bottom_nm + heights.layers[i].top_nm) / 2;
   };
@@ -85,21 +84,36 @@ std::vector<std::vector<Disc>> DiscsByLayer(const Branches& branches, const Reac
   return discs;
 }
 
-MultiPolygon United(const std::vector<Disc>& discs) {
-  std::vector<Polygon> rings;
-  for (const Disc& disc : discs) rings.push_back(Circle(disc));
-  if (rings.size() == 1) {
-    MultiPolygon one = {{std::move(rings[0]), {}}};
-    Canonicalize(one);
-    return one;
-  }
-  return Union(rings, FillRule::kNonZero);
-}
-
 /// The part is too far away to cut it.
-bool IsClear(const Disc& disc, const ReachField& field, size_t slab) {
+bool IsClear(const BranchDisc& disc, const ReachField& field, size_t slab) {
   // Between two slabs a branch is up to a step from a place that the field has looked at.
   return field.ToAnywhere(slab, disc.at) > disc.radius_nm + 3 * field.grid().pixel_nm;
+}
+
+/// Returns what a layer's discs and the necks between them cover, cut to what is free.
+MultiPolygon SectionOf(const std::vector<BranchDisc>& discs, const ReachField& field, size_t slab,
+                       const SupportHeight& height, const Clearance& clearance) {
+  const size_t above = std::min(slab + 1, field.slabs().size() - 1);
+  const auto is_clear = [&](const BranchDisc& disc) { return IsClear(disc, field, slab); };
+  const auto is_clear_above = [&](const BranchDisc& disc) { return IsClear(disc, field, above); };
+  std::vector<Polygon> near, near_necks, far;
+  for (const BranchDisc& disc : discs) (is_clear(disc) ? far : near).push_back(Circle(disc));
+  for (const auto& [i, k] : NecksBetween(discs)) {
+    const BranchDisc &a = discs[i], &b = discs[k];
+    const bool is_far = is_clear(a) && is_clear(b) && is_clear_above(a) && is_clear_above(b);
+    (is_far ? far : near_necks).push_back(OutlineOfNeck(a, b));
+  }
+  MultiPolygon all = clearance.FreeOf(near, height.bottom_nm, height.top_nm);
+  if (!near_necks.empty())
+    all = Union(all, clearance.FreeOf(near_necks, height.bottom_nm, height.top_nm + kBelowPartNm));
+  return far.empty() ? all : Union(all, Union(far, FillRule::kNonZero));
+}
+
+/// Returns true if the island is wide enough somewhere for a second loop.
+bool IsThick(const PolygonWithHoles& island, Coord diameter_nm) {
+  const double diameter = static_cast<double>(diameter_nm);
+  return Area(island) >= std::numbers::pi * diameter * diameter / 4 &&
+         !FastOffset({island}, -diameter_nm * 24 / 50).empty();
 }
 
 }  // namespace
@@ -108,7 +122,7 @@ std::vector<BranchSections> DrawBranches(const Branches& branches, const ReachFi
                                          const SupportHeights& heights, const Clearance& clearance,
                                          const SupportOptions& options, int threads,
                                          const CancelToken& cancel) {
-  std::vector<std::vector<Disc>> discs = DiscsByLayer(branches, field, heights);
+  std::vector<std::vector<BranchDisc>> discs = DiscsByLayer(branches, field, heights);
   std::vector<size_t> slab_of(heights.layers.size(), 0);
   for (size_t s = 0; s < field.slabs().size(); ++s)
     for (int32_t i = field.slabs()[s].first_layer; i <= field.slabs()[s].last_layer; ++i)
@@ -117,16 +131,9 @@ std::vector<BranchSections> DrawBranches(const Branches& branches, const ReachFi
   ForEachIndex(threads, discs.size(), [&](size_t i, int) {
     if (discs[i].empty() || cancel.Cancelled()) return;
     std::sort(discs[i].begin(), discs[i].end());
-    std::vector<Disc> near, far;
-    for (const Disc& disc : discs[i])
-      (IsClear(disc, field, slab_of[i]) ? far : near).push_back(disc);
-    const SupportHeight& height = heights.layers[i];
-    MultiPolygon all = near.empty() ? MultiPolygon()
-                                    : clearance.Free(United(near), height.bottom_nm, height.top_nm);
-    if (!far.empty()) all = Union(all, United(far));
+    MultiPolygon all = SectionOf(discs[i], field, slab_of[i], heights.layers[i], clearance);
     for (PolygonWithHoles& island : all) {
-      const double twice = options.tree.double_wall_diameter_nm;
-      const bool is_thick = Area(island) >= std::numbers::pi * twice * twice / 4;
+      const bool is_thick = IsThick(island, options.tree.double_wall_diameter_nm);
       (is_thick ? sections[i].thick : sections[i].thin).push_back(std::move(island));
     }
   });

@@ -71,5 +71,31 @@ TEST(DrawBranches, ArePutTogetherAndCutToWhatIsFree) {
   EXPECT_EQ(sections, Draw(wall.Problem(), branches, 5));
 }
 
+/// Two upright branches of 1.6 mm, 2.4 mm apart.
+Branches Pair() {
+  Branches branches;
+  branches.nodes.push_back({{-1'200'000, 0}, 6'000'000, 800'000, -1, 0, true});
+  branches.nodes.push_back({{1'200'000, 0}, 6'000'000, 800'000, -1, 0, true});
+  return branches;
+}
+
+TEST(DrawBranches, NeighboursAreOneIsland) {
+  const auto sections = Draw(kNothing.Problem(), Pair());
+  for (size_t i = 0; i < kLayers; ++i) {
+    EXPECT_EQ(sections[i].thin.size() + sections[i].thick.size(), 1u) << i;
+    if (i > 6) {
+      EXPECT_TRUE(sections[i].thick.empty()) << i;
+    }
+  }
+}
+
+TEST(DrawBranches, NecksKeepOffThePart) {
+  const TestStack roof(kLayers,
+                       [](double z) { return z > 5 ? BoxOf(-0.3, -9, 0.3, 9) : MultiPolygon(); });
+  const auto sections = Draw(roof.Problem(), Pair());
+  EXPECT_EQ(sections[10].thin.size(), 1u);
+  for (const size_t i : {23u, 28u}) EXPECT_EQ(sections[i].thin.size(), 2u) << i;
+}
+
 }  // namespace
 }  // namespace slicefarm::planning::branch_drawing_test

@@ -28,7 +28,7 @@ constexpr double kShareOfAngle = 0.75;
 /// Support may reach this far beyond what carries it.
 constexpr Coord kBeyondNm = 850'000;
 /// On its way to another one a branch makes do with this share of its room.
-constexpr double kRoomOnTheWay = 0.6;
+constexpr double kRoomOnTheWay = 0.45;
 
 /// The way down of one tip, or of several that have met.
 struct Branch {
