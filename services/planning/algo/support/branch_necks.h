@@ -29,7 +29,7 @@ struct BranchNeck {
 inline constexpr Coord kMostNeckGapNm = 1'500'000;
 /// Half the width of a neck at most. The loops of the discs above lie on its edges where they cross
 /// it.
-inline constexpr Coord kHalfNeckNm = 1'000'000;
+inline constexpr Coord kHalfNeckNm = 900'000;
 
 /// Returns the necks that join neighbouring discs to strings, the narrowest gaps first: one loop
 /// around a string saves the travels between its branches, and branches of a string hold each

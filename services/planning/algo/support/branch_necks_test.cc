@@ -46,7 +46,7 @@ TEST(OutlineOfNeck, MakesTwoDiscsOneIsland) {
   for (const double radius : {0.4, 1.0, 3.0}) {
     const BranchDisc a = Disc(0, 0, radius), b = Disc(2, 2 * radius + 1, radius);
     const Polygon neck = OutlineOfNeck(a, b);
-    const double width = 2 * std::min(radius, 1.0);
+    const double width = 2 * std::min(radius, 0.9);
     EXPECT_NEAR(Area({neck, {}}) / 1e12, width * ToMm(Distance(a.at, b.at)), 1e-3) << radius;
     EXPECT_NEAR(ToMm(Distance(neck[0], neck[3])), width, 1e-5) << radius;
   }
