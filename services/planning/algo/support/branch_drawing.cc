@@ -106,7 +106,9 @@ MultiPolygon SectionOf(const std::vector<BranchDisc>& discs, const ReachField& f
   MultiPolygon all = clearance.FreeOf(near, height.bottom_nm, height.top_nm);
   if (!near_necks.empty())
     all = Union(all, clearance.FreeOf(near_necks, height.bottom_nm, height.top_nm + kBelowPartNm));
-  return far.empty() ? all : Union(all, Union(far, FillRule::kNonZero));
+  if (far.empty()) return all;
+  MultiPolygon whole = Union(far, FillRule::kNonZero);
+  return all.empty() ? whole : Union(all, whole);
 }
 
 /// Returns true if the island is wide enough somewhere for a second loop.
