@@ -38,8 +38,13 @@ class Divider {
   void GoTo(const WidePoint& to) {
     const WidePoint from = at_;
     const double change = std::abs(static_cast<double>(to.width_nm - from.width_nm));
-    const double pieces = std::min(std::ceil(change / (2.0 * kWidthToleranceNm)),
-                                   std::floor(Distance(from.point, to.point) / kShortBeadNm));
+    const double length = Distance(from.point, to.point);
+    const auto pieces_within = [&](Coord tolerance_nm, Coord least_nm) {
+      return std::min(std::ceil(change / (2.0 * static_cast<double>(tolerance_nm))),
+                      std::floor(length / static_cast<double>(least_nm)));
+    };
+    const double pieces = std::max(pieces_within(kWidthToleranceNm, kShortBeadNm),
+                                   pieces_within(kLongWidthToleranceNm, kLongBeadNm));
     for (int i = 1; i < static_cast<int>(pieces); ++i) GoEvenly(Between(from, to, i / pieces));
     GoEvenly(to);
   }

@@ -30,7 +30,7 @@ constexpr double kWholeUm = 0.75;
 constexpr double kCornerCosine = 0.866;
 constexpr double kNmPerUm = 1000;
 /// How far the widths of short beads may lie from the path's, as a share of it.
-constexpr double kShortBeadShare = 0.05;
+constexpr double kShortBeadShare = 0.1;
 /// What rounding of doubles may do to a distance.
 constexpr double kSlackUm = 1e-3;
 
@@ -182,7 +182,8 @@ struct Tolerance {
   Coord OfWidth(Coord width_nm, double length_um) const {
     const double share =
         length_um * kNmPerUm < kShortBeadNm ? std::max(kShortBeadShare, width_share) : width_share;
-    if (share == 0) return kWidthToleranceNm;
+    if (share == 0)
+      return length_um * kNmPerUm > kLongBeadNm ? kLongWidthToleranceNm : kWidthToleranceNm;
     return std::max(kWidthToleranceNm,
                     static_cast<Coord>(share * static_cast<double>(width_nm) + 0.5));
   }

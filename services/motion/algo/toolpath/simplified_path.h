@@ -27,8 +27,9 @@ struct SimplifiedPath {
 /// a curve, and are longer by 1.4. As they are written, in whole micrometres, and at every place of
 /// either:
 ///   they lie within the tolerance of the path's beads, and these of them;
-///   their widths lie within kWidthToleranceNm (divided_path.h) of the path's, within 5 % on beads
-///   shorter than kShortBeadNm, or within the share of options. An edge on its own may be a bead of
+///   their widths lie within kWidthToleranceNm (divided_path.h) of the path's, on beads longer than
+///   kLongBeadNm within kLongWidthToleranceNm, within 10 % on beads shorter than kShortBeadNm, or
+///   within the share of options. An edge on its own may be a bead of
 ///   the mean width of its ends, however much that changes: DividedByWidth comes first;
 ///   no bead is more than 5 % shorter than what it stands for, so that nothing that goes to and fro
 ///   is lost.

@@ -263,7 +263,7 @@ TEST(Simplified, WidthsStayWithinTheirTolerance) {
   const Path simple = Simple(path).path;
   EXPECT_LT(BeadCount(simple), BeadCount(path) * 0.5);
   ExpectWidthsWithin(path, simple, [](double length_nm, double width_nm) {
-    return std::max(double{kWidthToleranceNm}, length_nm < kShortBeadNm ? 0.05 * width_nm : 0);
+    return std::max(double{kWidthToleranceNm}, length_nm < kShortBeadNm ? 0.1 * width_nm : 0);
   });
 }
 

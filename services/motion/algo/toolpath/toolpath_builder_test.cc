@@ -299,13 +299,13 @@ TEST(ToolpathBuilder, BeadsFollowAWidthThatChanges) {
       if (move.kind != MoveKind::kPrint) continue;
       const double to_mm = ToMm(FromUm(move.x_um));
       for (const double at_mm : {from_mm, to_mm})
-        EXPECT_NEAR(move.width_um, 350 + at_mm * 200 / 60, 11) << at_mm;
+        EXPECT_NEAR(move.width_um, 350 + at_mm * 200 / 60, 6) << at_mm;
       const double section = move.filament / 1e5 * FilamentArea(options) / (to_mm - from_mm);
       EXPECT_NEAR(section, SectionMm2(FromUm(move.width_um), kFrame.height_nm), 2e-4);
       from_mm = to_mm;
       ++beads;
     }
-    EXPECT_EQ(beads, 10) << resolution_nm;
+    EXPECT_EQ(beads, 20) << resolution_nm;
     EXPECT_EQ(from_mm, 60);
   }
 }
