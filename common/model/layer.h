@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/geometry/measure.h"
@@ -161,6 +162,7 @@ struct FilledLayer {
 struct Travel {
   bool hidden = false;         ///< what oozes out is not seen: the filament need not go back
   std::vector<Point> corners;  ///< on the way; none: straight on
+  bool over_wall = false;      ///< crosses an outer wall: however short, the filament goes back
 
   friend bool operator==(const Travel&, const Travel&) = default;
 };
@@ -209,8 +211,9 @@ struct OrderedLayer {
   LayerFrame frame;
   std::vector<PathBlock> blocks;
   std::vector<BlockVisit> visits;  ///< in the order of printing
-  /// The filament is ready to print where the layer begins or ends; else it is retracted. If so, no
-  /// block has two visits, but for a turn of a spiral alone: one in each pass.
+  /// The layer meets the one below or above in the middle of a print: the filament may be ready or
+  /// retracted there, as it suits the layer below. Else it is retracted. No block of such a layer has
+  /// two visits, but for a turn of a spiral alone: one in each pass.
   bool begins_ready = false;
   bool ends_ready = false;
 
@@ -278,8 +281,12 @@ enum class MachineMode : uint8_t {
   kAcceleration,        ///< of all moves, or of those that print
   kTravelAcceleration,  ///< where travels have one of their own
   kPlace,               ///< where the nozzle is
+  kFilament,            ///< retracted, or ready to print
 };
-inline constexpr int kMachineModes = 4;
+inline constexpr int kMachineModes = 5;
+
+/// Values of MachineMode::kFilament.
+inline constexpr std::string_view kReady = "ready", kRetracted = "retracted";
 
 /// Values by MachineMode, as text; empty: not known.
 using ModeValues = std::array<std::string, kMachineModes>;
@@ -294,9 +301,10 @@ struct ModeLine {
   friend bool operator==(const ModeLine&, const ModeLine&) = default;
 };
 
-/// The G-code of one layer (of one pass). It starts and ends in the canonical state: filament
-/// retracted, or ready to print where OrderedLayer says so; relative extrusion, absolute
-/// coordinates. So layers are joined by concatenation.
+/// The G-code of one layer (of one pass). It starts and ends in the canonical state: relative
+/// extrusion, absolute coordinates, filament retracted. Where OrderedLayer says that it meets another
+/// layer, the filament is as that layer leaves it, and `mode_lines` has the line that retracts it or
+/// makes it ready. Layers are joined by concatenation, without the lines that are not needed.
 struct LayerProgram {
   LayerFrame frame;
   int32_t pass = 0;  ///< see Copy::pass
@@ -314,6 +322,7 @@ struct LayerProgram {
   /// Modes at the end; an empty value: as before the layer. None: the settings' own G-code in the
   /// layer may have changed any of them.
   std::optional<ModeValues> modes_at_end = {};
+  bool ends_retracted = true;  ///< whatever the settings' own G-code does
   /// Convex hull of the beads, edges included, on the plate; only of a layer that lies on the bed.
   Polygon footprint = {};
   double silent_time_s = 0;  ///< in the machine's silent mode, if MotionOptions has it

@@ -249,13 +249,14 @@ absl::StatusOr<FilledLayer> FromProto(const v1::FilledLayer& proto) {
 
 absl::Status ToProto(const Travel& travel, v1::Travel* proto) {
   proto->set_hidden(travel.hidden);
+  proto->set_over_wall(travel.over_wall);
   return PackPoints(travel.corners, proto->mutable_corners_xy_nm());
 }
 
 absl::StatusOr<Travel> FromProto(const v1::Travel& proto) {
   absl::StatusOr<std::vector<Point>> corners = UnpackPoints(proto.corners_xy_nm(), "corners_xy_nm");
   if (!corners.ok()) return corners.status();
-  return Travel{proto.hidden(), *std::move(corners)};
+  return Travel{proto.hidden(), *std::move(corners), proto.over_wall()};
 }
 
 absl::Status ToProto(const Leave& leave, v1::Leave* proto) {

@@ -107,8 +107,8 @@ OrderedLayer Ordered() {
   height = 150'000;
   paths = {DistinctPath()};
   Travel travel;
-  auto& [hidden, corners] = travel;
-  hidden = true;
+  auto& [hidden, corners, over_wall] = travel;
+  hidden = over_wall = true;
   corners = {{1, 2}, {-3, 4}};
   travels = {travel};
   auto& [to, way] = leave.emplace();

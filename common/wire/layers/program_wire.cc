@@ -20,7 +20,7 @@
 namespace slicefarm {
 
 static_assert(v1::MACHINE_MODE_FAN == static_cast<int>(MachineMode::kFan) + 1);
-static_assert(v1::MACHINE_MODE_PLACE == static_cast<int>(MachineMode::kPlace) + 1);
+static_assert(v1::MACHINE_MODE_FILAMENT == static_cast<int>(MachineMode::kFilament) + 1);
 static_assert(v1::MachineMode_MAX == kMachineModes);
 
 void ToProto(const FeatureUse& use, v1::FeatureUse* proto) {
@@ -259,6 +259,7 @@ absl::Status ToProto(LayerProgram program, v1::LayerProgram* proto) {
   if (program.modes_at_end)
     proto->mutable_modes_at_end()->mutable_values()->Assign(program.modes_at_end->begin(),
                                                             program.modes_at_end->end());
+  proto->set_ends_retracted(program.ends_retracted);
   proto->set_silent_time_s(program.silent_time_s);
   if (absl::Status status = PackPoints(program.footprint, proto->mutable_footprint_xy_nm());
       !status.ok())
@@ -303,6 +304,7 @@ absl::StatusOr<LayerProgram> FromProto(v1::LayerProgram proto) {
                       {proto.code_at().begin(), proto.code_at().end()},
                       *std::move(mode_lines),
                       *std::move(modes_at_end),
+                      proto.ends_retracted(),
                       *std::move(footprint),
                       proto.silent_time_s()};
 }

@@ -66,10 +66,11 @@ LayerEdges DistinctEdges() {
 LayerProgram DistinctProgram() {
   LayerProgram program;
   auto& [frame, pass, gcode, entry, exit, stats, edges, code_at, mode_lines, modes_at_end,
-         footprint, silent_time] = program;
+         ends_retracted, footprint, silent_time] = program;
+  ends_retracted = false;
   code_at = {2, 5};
   mode_lines = {{1, 2, MachineMode::kFan, "M107"}, {4, 3, MachineMode::kPlace, "1 2"}};
-  modes_at_end = {"M106 S9", "", "M204 T7", "3 4"};
+  modes_at_end = {"M106 S9", "", "M204 T7", "3 4", "ready"};
   footprint = {{1, 2}, {3, -4}, {5, 6}};
   silent_time = 501;
   edges = DistinctEdges();

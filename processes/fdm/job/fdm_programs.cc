@@ -100,6 +100,15 @@ absl::StatusOr<std::string> Substituted(std::string text, const gcode::Substitut
                    {{"setting", "gcode_substitutions"}, {"limit", absl::StrCat(most)}});
 }
 
+/// Returns the number of a program's retractions that its join with a layer below that `retracted`
+/// leaves out.
+int64_t LeftOutAfter(bool retracted, const LayerProgram& program) {
+  if (!retracted) return 0;
+  return std::ranges::count_if(program.mode_lines, [](const ModeLine& line) {
+    return line.mode == MachineMode::kFilament && line.value == kRetracted;
+  });
+}
+
 }  // namespace
 
 absl::StatusOr<std::vector<SpooledProgram>> Spooled(std::vector<LayerProgram> programs,
@@ -126,9 +135,12 @@ absl::StatusOr<std::vector<SpooledProgram>> InPrintOrder(std::vector<SpooledProg
 
 ProgramSummary Summarize(const std::vector<SpooledProgram>& programs) {
   ProgramSummary summary;
+  bool retracted = true;
   for (const SpooledProgram& spooled : programs) {
     summary.layers.push_back(Summarize(spooled.program));
     summary.total.Add(spooled.program.stats);
+    summary.total.retractions -= LeftOutAfter(retracted, spooled.program);
+    retracted = spooled.program.ends_retracted;
   }
   return summary;
 }

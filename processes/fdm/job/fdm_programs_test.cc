@@ -70,6 +70,16 @@ TEST_F(FdmProgramsTest, SumsUpLayers) {
   EXPECT_DOUBLE_EQ(summary.total.TimeS(), 4);
 }
 
+TEST_F(FdmProgramsTest, RetractionsThatTheJoinLeavesOutAreNotCounted) {
+  for (const bool retracted : {true, false}) {
+    LayerProgram below = Layer(0, "a"), above = Layer(1, "b");
+    below.ends_retracted = retracted;
+    above.mode_lines = {{0, 1, MachineMode::kFilament, std::string(kRetracted)}};
+    below.stats.retractions = above.stats.retractions = 3;
+    EXPECT_EQ(Summarize(SpooledOf({below, above})).total.retractions, retracted ? 5 : 6);
+  }
+}
+
 TEST_F(FdmProgramsTest, SubstitutionsThatMakeLayersTooLongAreRefused) {
   struct Case {
     const char* name;

@@ -49,11 +49,16 @@ std::vector<LayerPiece> LayerJoin::PiecesOf(const LayerProgram& program, int64_t
   if (!known) set_ = {};
   Pieces pieces(program.code_at, code);
   for (const ModeLine& line : program.mode_lines) {
+    if (line.mode == MachineMode::kFilament) {
+      if (line.value == (retracted_ ? kRetracted : kReady)) pieces.LeaveOut(line);
+      continue;
+    }
     std::string& set = set_[static_cast<size_t>(line.mode)];
     if (known && set == line.value) pieces.LeaveOut(line);
     if (known) set = line.value;
   }
   pieces.TakeTo(size);
+  retracted_ = program.ends_retracted;
   for (size_t mode = 0; known && mode < set_.size(); ++mode)
     if (const std::string& value = (*program.modes_at_end)[mode]; !value.empty())
       set_[mode] = value;

@@ -31,7 +31,8 @@ class LayerJoin {
                                    std::span<std::string> code);
 
  private:
-  ModeValues set_;  ///< empty values: not known
+  ModeValues set_;         ///< empty values: not known
+  bool retracted_ = true;  ///< the filament, whatever other G-code does
 };
 
 }  // namespace slicefarm::coordinator

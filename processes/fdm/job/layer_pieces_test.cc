@@ -26,7 +26,8 @@ class Joined {
     program.mode_lines.push_back(
         {at, std::ssize(program.gcode) - at, MachineMode::kPlace, layer.place});
     program.gcode += "bead\n";
-    program.modes_at_end = ModeValues{layer.fan, "", "", layer.end.empty() ? layer.place : layer.end};
+    program.modes_at_end =
+        ModeValues{layer.fan, "", "", layer.end.empty() ? layer.place : layer.end, ""};
     std::vector<std::string> code = {"", layer.code};
     for (const LayerPiece& piece : join_.PiecesOf(program, std::ssize(program.gcode), code))
       text_ += program.gcode.substr(static_cast<size_t>(piece.first),
@@ -77,17 +78,37 @@ TEST(LayerJoin, CodeWithinALayerStaysInItsPlace) {
       << "nothing is known after it";
 }
 
+// The layer below has retracted or not, as it suits it.
+TEST(LayerJoin, TheFilamentGoesBackAndForthWhereItIsNeeded) {
+  LayerProgram meets;
+  meets.mode_lines = {{3, 4, MachineMode::kFilament, std::string(kReady)}};
+  LayerProgram goes_back = meets;
+  goes_back.mode_lines[0].value = kRetracted;
+  const std::vector<LayerPiece> whole = {{0, 9}}, without = {{0, 3}, {7, 9}};
+  for (const bool retracted : {true, false}) {
+    LayerProgram below;
+    below.ends_retracted = retracted;
+    for (const LayerProgram& above : {meets, goes_back}) {
+      LayerJoin join;
+      join.PiecesOf(below, 9, {});
+      join.Pass("PARK\n");  // known all the same
+      const bool needed = (above.mode_lines[0].value == kRetracted) != retracted;
+      EXPECT_EQ(join.PiecesOf(above, 9, {}), needed ? whole : without);
+    }
+  }
+}
+
 TEST(LayerJoin, AProgramThatDoesNotKnowItsEndTellsAllAnew) {
   LayerJoin join;
   LayerProgram program;
   program.mode_lines = {{0, 2, MachineMode::kFan, "f"}};
-  program.modes_at_end = ModeValues{"f", "", "", ""};
+  program.modes_at_end = ModeValues{"f", "", "", "", ""};
   const auto pieces = [&] { return join.PiecesOf(program, 5, {}); };
   EXPECT_EQ(pieces(), (std::vector<LayerPiece>{{0, 5}}));
   EXPECT_EQ(pieces(), (std::vector<LayerPiece>{{2, 5}}));
   program.modes_at_end.reset();
   EXPECT_EQ(pieces(), (std::vector<LayerPiece>{{0, 5}}));
-  program.modes_at_end = ModeValues{"f", "", "", ""};
+  program.modes_at_end = ModeValues{"f", "", "", "", ""};
   EXPECT_EQ(pieces(), (std::vector<LayerPiece>{{0, 5}}));
 }
 

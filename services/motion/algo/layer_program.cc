@@ -69,6 +69,7 @@ void WriteTemperatures(const MotionOptions& options, int32_t layer_index, GcodeT
 struct BuiltBlock {
   Toolpath path;
   ProgramStats stats;
+  bool ends_retracted = true;
 
   /// Where the nozzle is at the end: beyond that of the last path if it wipes there, or its seam
   /// is a scarf.
@@ -94,7 +95,7 @@ bool PrintsNoPart(std::span<const BlockVisit> visits, const OrderedLayer& layer)
   });
 }
 
-/// Whether a block is the first or the last of a layer that begins or ends ready.
+/// Return true if a block is the first or the last of a layer that meets the one below or above.
 bool BeginsReady(const PathBlock& block, const OrderedLayer& layer) {
   return layer.begins_ready && !layer.visits.empty() &&
          &block == &BlockOf(layer.visits.front(), layer);
@@ -117,7 +118,7 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
     if (below && !block.carried.empty()) carried.emplace(block.carried);
     ToolpathBuilder builder(options, layer.frame, block.height_nm, GroundOf(layer.frame, block),
                             below ? &*below : nullptr, carried ? &*carried : nullptr);
-    if (BeginsReady(block, layer)) builder.BeginReady();
+    if (BeginsReady(block, layer)) builder.BeginAsLeft();
     if (block.spiral && block.paths.size() == 1) {
       builder.AddTurn(block.paths.front(), *block.spiral, block.below);
     } else {
@@ -126,12 +127,12 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
         builder.Add(block.paths[i], block.travels.empty() ? Travel{} : block.travels[i],
                     lengths_mm[i]);
     }
-    Toolpath path = EndsReady(block, layer) ? builder.FinishReady(block.leave) : builder.Finish();
+    Toolpath path = EndsReady(block, layer) ? builder.FinishAt(block.leave) : builder.Finish();
     if (slopes.rise_mm3_s2 > 0 || slopes.fall_mm3_s2 > 0) SmoothFlow(slopes, filament_mm2, path);
     // A mix holds for one move.
     if (options.arc_fitting != ArcFitting::kDisabled && options.material_field.empty())
       FindArcs(path);
-    built.push_back({std::move(path), builder.stats()});
+    built.push_back({std::move(path), builder.stats(), builder.retracted()});
   }
   return built;
 }
@@ -214,7 +215,7 @@ class PassProgram {
       if (first) out.Lines(code.after);
       if (first && code.has_after) writer.Forget();
       if (first && code.climbs) writer.ForgetHeight();
-      if (first && code.primes && !layer_.begins_ready) writer.Prime();
+      if (first && code.primes) writer.Prime();
       writer.Write(path, approach, approach + 1, shift, out);
       WriteCopy(visit, shift, facts, writer, out);
     }
@@ -309,12 +310,13 @@ class PassProgram {
   double silent_time_s_ = 0;
 };
 
-/// What a layer does that prints nothing: it hands the filament on as the next one expects it.
+/// Returns what a layer does that prints nothing: it retracts if the layer below has not. The layer
+/// above may begin far away.
 BuiltBlock HandOver(const OrderedLayer& layer, const MotionOptions& options) {
   ToolpathBuilder builder(options, layer.frame, layer.frame.height_nm);
-  if (layer.begins_ready) builder.BeginReady();
-  Toolpath path = layer.ends_ready ? builder.FinishReady({}) : builder.Finish();
-  return {std::move(path), builder.stats()};
+  if (layer.begins_ready) builder.BeginAsLeft();
+  Toolpath path = builder.Finish();
+  return {std::move(path), builder.stats(), builder.retracted()};
 }
 
 /// The visits of each pass, in order; one without visits if there are none.
@@ -365,6 +367,7 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
     program.silent_time_s = pass->silent_time_s();
     program.entry = EntryOf(visits.front(), layer) - options.extruder_offset;
     program.exit = ExitOf(visits.back(), built) - options.extruder_offset;
+    program.ends_retracted = built[static_cast<size_t>(visits.back().block)].ends_retracted;
   }
   LayerWriter writer(FirmwareOf(options.flavor), AccelerationsFor(options, Ground::kLayers),
                      StateOf(layer, visits, place.index, program.stats.TimeS(), options),
@@ -386,6 +389,7 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
     writer.Write(idle.path, 0, idle.path.moves.size(), {}, out);
     writer.EndBlock(out);
     program.stats = idle.stats;
+    program.ends_retracted = idle.ends_retracted;
   }
   program.gcode = out.Take();
   program.mode_lines = writer.TakeModeLines();

@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <numbers>
 #include <random>
 #include <sstream>
 
+#include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 #include "common/model/bead_section.h"
 #include "common/model/paths_test.h"
@@ -282,7 +284,7 @@ TEST(ProgramLayer, SaysWhichLinesMayBeSuperfluous) {
                        {kAcceleration, "M204 P1000\n"}}));
   EXPECT_EQ(program.mode_lines[2].value, "10000 10000");
   EXPECT_EQ(program.modes_at_end,
-            (ModeValues{"M106 S89\n", "M204 P1000\n", "M204 T3000\n", "28000 28000"}));
+            (ModeValues{"M106 S89\n", "M204 P1000\n", "M204 T3000\n", "28000 28000", ""}));
   options.layer_gcode = "M117 hi";
   EXPECT_TRUE(Programmed(Square(), options).modes_at_end.has_value());
   options.layer_gcode = "G1 X5";
@@ -638,7 +640,35 @@ TEST(ProgramLayer, AnEmptyLayerHandsTheFilamentOnAsItShould) {
   layer.begins_ready = true;
   EXPECT_THAT(Programmed(layer).gcode, HasSubstr("E-.8"));
   layer.ends_ready = true;
-  EXPECT_THAT(Programmed(layer).gcode, Not(HasSubstr("G1")));
+  EXPECT_THAT(Programmed(layer).gcode, HasSubstr("E-.8")) << "the layer above may begin far away";
+  EXPECT_TRUE(Programmed(layer).ends_retracted);
+}
+
+TEST(ProgramLayer, TellsWhatTheLayerBelowMayHaveDone) {
+  for (const bool absolute : {true, false}) {
+    for (const bool hidden : {true, false}) {
+      MotionOptions options = Options();
+      options.writing.relative_e = !absolute;
+      OrderedLayer layer = Square();
+      layer.blocks[0].travels = {{hidden, {}}, {true, {}}};
+      layer.blocks[0].leave = {{FromMm(11), FromMm(11)}, {}};
+      layer.begins_ready = layer.ends_ready = true;
+      const LayerProgram program = Programmed(layer, options);
+      const auto line =
+          std::ranges::find(program.mode_lines, MachineMode::kFilament, &ModeLine::mode);
+      ASSERT_NE(line, program.mode_lines.end());
+      EXPECT_EQ(line->value, hidden ? kReady : kRetracted);
+      const std::string text =
+          program.gcode.substr(static_cast<size_t>(line->at), static_cast<size_t>(line->size));
+      EXPECT_EQ(text, absl::StrCat(hidden ? "G1 E.8 F2100\n" : "G1 E-.8 F2100\n",
+                                   absolute ? "G92 E0\n" : ""));
+      // What follows does not depend on the line's feed rate.
+      const auto end = static_cast<size_t>(line->at + line->size);
+      EXPECT_THAT(program.gcode.substr(end, program.gcode.find('\n', end) - end),
+                  HasSubstr(hidden ? ";TYPE" : " F"));
+      EXPECT_TRUE(program.ends_retracted);
+    }
+  }
 }
 
 TEST(ProgramLayer, SupportsBetweenThePartsLayersAreNotSlowedDown) {

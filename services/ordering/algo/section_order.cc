@@ -183,6 +183,7 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
   WorkBudget sights{kSights};
   const bool looks_at_walls = options.travel.hide || options.travel.avoid_crossing;
   OutsideTravels outside(section, options.travel);
+  std::optional<IslandEdges> left;
   std::optional<CurledWays> curled;
   if (!plan.curled.empty()) curled.emplace(plan.curled, RoomOf(section));
   for (size_t i = 0; i < visits.size(); ++i) {
@@ -190,7 +191,7 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
     const std::optional<Point> next =
         !is_last ? std::optional(stops[visits[i + 1].leg].place) : plan.exit;
     FilledIsland& island = *stops[visits[i].leg].island;
-    const IslandEdges edges(island);
+    IslandEdges edges(island);
     const Barrier* known = edges.empty() ? nullptr : &edges;
     route.Enter({looks_at_walls ? known : nullptr, known, OrderOf(island, options).whole_loops});
     PrintIsland(island, next, options, plan.seams, route, budget);
@@ -202,11 +203,15 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
                                    meetings, options.travel, sights, curled ? &*curled : nullptr);
     std::ranges::move(ways.travels, std::back_inserter(travels));
     if (is_last) leave = std::move(ways.leave);
-    if (is_first) continue;
-    const Path& last = route.paths()[first - 1];
-    const Path& path = route.paths()[first];
-    travels[first] = outside.Between(last, path, sights);
-    if (curled) curled->KeepOff(EndOf(last), StartOf(path), sights, travels[first].corners);
+    if (!is_first) {
+      const Path& last = route.paths()[first - 1];
+      const Path& path = route.paths()[first];
+      Travel& travel = travels[first] = outside.Between(last, path, sights);
+      if (curled) curled->KeepOff(EndOf(last), StartOf(path), sights, travel.corners);
+      const std::vector<Point> way = PlacesOf(EndOf(last), travel.corners, StartOf(path));
+      travel.over_wall = looks_at_walls && (left->Grazes(way, 0) || edges.Grazes(way, 0));
+    }
+    left = std::move(edges);
   }
   if (std::ranges::all_of(travels, [](const Travel& travel) { return travel == Travel{}; }))
     travels.clear();

@@ -121,7 +121,7 @@ std::vector<SettingSpec> Retraction() {
                 Bind([](auto& s) -> auto& { return s.motion.retraction.restart_extra_mm; }),
                 /*min=*/-100);
   AddRetraction(settings, "retract_before_travel", "filament_retract_before_travel", "mm", 1000,
-                "2", "Shorter travels do not retract",
+                "2", "Shorter travels do not retract, but for those over outer walls",
                 Bind([](auto& s) -> auto& { return s.motion.retraction.min_travel_mm; }));
   AddRetraction(settings, "retract_lift", "filament_retract_lift", "mm", 100, "0",
                 "How far the nozzle rises over a travel",

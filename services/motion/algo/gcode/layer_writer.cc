@@ -75,6 +75,8 @@ void LayerWriter::Write(const Toolpath& path, size_t first, size_t last, ShiftUm
     if (arc != path.arcs.end() && arc->first == i) {
       WriteArc(path, *arc, shift, out);
       i = arc++->last;
+    } else if (path.moves[i].if_needed) {
+      WriteIfNeeded(path, i++, out);
     } else {
       WriteMove(path, i++, shift, out);
     }
@@ -200,6 +202,18 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
   if (move.kind != MoveKind::kTravel || climbs) return;
   mode_lines_.push_back(LineSince(begin, MachineMode::kPlace, out));
   mode_lines_.back().value = PlaceText(*at_);
+}
+
+/// A line that the text around does not depend on.
+void LayerWriter::WriteIfNeeded(const Toolpath& path, size_t index, GcodeText& out) {
+  const size_t begin = out.text().size();
+  WriteMove(path, index, {}, out);
+  extruder_.Reset(out);
+  pulled_ = false;
+  feed_rate_.Forget();
+  const bool retracts = path.moves[index].kind == MoveKind::kRetract;
+  mode_lines_.push_back(LineSince(begin, MachineMode::kFilament, out));
+  mode_lines_.back().value = retracts ? kRetracted : kReady;
 }
 
 void LayerWriter::FeedRate(const Move& move, GcodeText& out) {

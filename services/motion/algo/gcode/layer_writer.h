@@ -87,6 +87,7 @@ class LayerWriter {
 
  private:
   void WriteMove(const Toolpath& path, size_t index, ShiftUm shift, GcodeText& out);
+  void WriteIfNeeded(const Toolpath& path, size_t index, GcodeText& out);
   bool WriteByFirmware(const Move& move, GcodeText& out);
   void CountAnew(const Move& move, GcodeText& out);
   void WriteArc(const Toolpath& path, const MoveArc& arc, ShiftUm shift, GcodeText& out);

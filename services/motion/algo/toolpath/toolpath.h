@@ -57,6 +57,7 @@ struct Move {
   uint8_t rest = kFullRest;               ///< of a bead: how much of it has something below
   bool of_surface = false;                ///< of a bead: of the two outermost walls
   bool on_arc = false;                    ///< of a bead: an arc may stand for it
+  bool if_needed = false;  ///< kRetract, kRestart: the layer below may have left the filament so
 
   friend bool operator==(const Move&, const Move&) = default;
 };
@@ -72,7 +73,7 @@ struct MoveArc {
   friend bool operator==(const MoveArc&, const MoveArc&) = default;
 };
 
-/// The moves of a layer. It starts anywhere, retracted or ready, at the height of the layer before.
+/// The moves of a layer. It starts anywhere, retracted or not, at the height of the layer before.
 struct Toolpath {
   static constexpr size_t kNone = std::numeric_limits<size_t>::max();
 

@@ -82,7 +82,7 @@ void ToolpathBuilder::AddTurn(const Path& path, const SpiralTurn& turn, const Mu
   const int32_t top_um = std::exchange(z_um_, bottom_um_);
   const bool goes_on = turn.blends && turn.from;
   Approach(goes_on ? *turn.from : StartOf(path), {.hidden = !retracted_, .corners = {}});
-  if (retracted_) Restart();
+  Restart();
   z_um_ = top_um;
   PrintTurn(simple, turn, below, speeds_.Of(path, ToMm(PathLength(path))));
   EndPath(simple.path, /*moved_on=*/false, filament_before);
@@ -109,7 +109,7 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel,
   } else {
     GoTo(StartOf(path), travel);
   }
-  if (retracted_) Restart();
+  Restart();
   if (scarfed) {
     at_.on_arc = arcs;
     PrintScarf(simple.path, scarf, speed_mm_s);
@@ -134,9 +134,13 @@ Toolpath ToolpathBuilder::Finish() {
   return std::move(path_);
 }
 
-Toolpath ToolpathBuilder::FinishReady(const std::optional<Leave>& leave) {
-  if (leave && !path_.moves.empty()) GoTo(leave->to, leave->way);
-  if (retracted_) Restart();
+Toolpath ToolpathBuilder::FinishAt(const std::optional<Leave>& leave) {
+  if (leave && !path_.moves.empty()) {
+    GoTo(leave->to, leave->way);
+    MoveZ(z_um_);
+  } else {
+    Restart();
+  }
   return std::move(path_);
 }
 
@@ -354,7 +358,8 @@ void ToolpathBuilder::GoTo(Point to, const Travel& travel) {
   if (way.empty()) return;
   short_way_ =
       at_.feature == Feature::kExternalPerimeter && WayMm(way) < options_.retraction.min_travel_mm;
-  if ((!travel.hidden || moved_on_) && WayMm(way) >= options_.retraction.min_travel_mm) {
+  const bool goes_back = travel.over_wall || WayMm(way) >= options_.retraction.min_travel_mm;
+  if ((!travel.hidden || moved_on_) && goes_back) {
     Retract();
     const bool rises = RisesAfter(options_.retraction.lift_after, first_layer_, after_top_);
     const int32_t lift_um = rises ? lift_um_ : 0;
@@ -430,6 +435,7 @@ void ToolpathBuilder::PullBack(int32_t units) {
   at_.filament = -units;
   at_.feed_rate = FeedRate(options_.retraction.speed_mm_s);
   Push(MoveKind::kRetract, accelerations_.Retract(set_acceleration_));
+  path_.moves.back().if_needed = std::exchange(as_left_, false);
 }
 
 /// Pulls back `units` on the way or, of a way that is much shorter than the wipe, the share of them
@@ -453,13 +459,16 @@ int32_t ToolpathBuilder::WipeBack(int32_t units) {
 }
 
 void ToolpathBuilder::Restart() {
+  if (!retracted_ && !as_left_) return;
   MoveZ(z_um_);
   retracted_ = false;
+  const bool if_needed = std::exchange(as_left_, false);
   if (restart_units_ == 0) return;
   at_.filament = restart_units_;
   at_.feed_rate = FeedRate(options_.retraction.restart_speed_mm_s);
-  filament_ += restart_units_ - retract_units_;
+  if (!if_needed) filament_ += restart_units_ - retract_units_;
   Push(MoveKind::kRestart, accelerations_.Retract(set_acceleration_));
+  path_.moves.back().if_needed = if_needed;
 }
 
 void ToolpathBuilder::Push(MoveKind kind, double acceleration_mm_s2) {

@@ -28,7 +28,8 @@ namespace slicefarm::motion {
 /// way from there is in sight. There are none on the first layer. A retraction wipes (wipe.h) but
 /// after a scarf, which thins out by itself; travels start where the nozzle is then.
 ///
-/// Where the block meets another layer with the filament ready, it starts or ends there so.
+/// Where the block meets the layer below, the filament may be retracted or ready: the first
+/// retraction or restart is done if it is needed.
 class ToolpathBuilder {
  public:
   /// `options` must outlive the builder, and so must `below`, by which walls are slowed down over
@@ -38,10 +39,13 @@ class ToolpathBuilder {
                   Ground ground = Ground::kLayers, const LayerBelow* below = nullptr,
                   const LayerBelow* carried = nullptr);
 
-  /// The filament is ready to print. To be called before anything is added.
-  void BeginReady() { retracted_ = false; }
+  /// The filament is as the layer below leaves it. To be called before anything is added.
+  void BeginAsLeft() {
+    retracted_ = false;
+    as_left_ = true;
+  }
 
-  /// `travel`: the way to it; of the first path it is looked at after BeginReady alone.
+  /// `travel`: the way to it; of the first path it is looked at after BeginAsLeft alone.
   /// `contour_mm`: that of ContourLengthsMm; none: the path's own length.
   void Add(const Path& path, const Travel& travel = {}, std::optional<double> contour_mm = {});
 
@@ -55,8 +59,11 @@ class ToolpathBuilder {
   /// Hands over what was added, after a retraction. To be called once.
   Toolpath Finish();
 
-  /// The same, with the filament ready to print, and the nozzle where `leave` says if it does.
-  Toolpath FinishReady(const std::optional<Leave>& leave);
+  /// The same at a meeting with the layer above: the filament is retracted if the way to `leave`
+  /// asks for it; without one it is ready to print.
+  Toolpath FinishAt(const std::optional<Leave>& leave);
+
+  bool retracted() const { return retracted_; }
 
   /// Of what was added: lengths, volumes, travels, retractions and bounds; no times.
   const ProgramStats& stats() const { return stats_; }
@@ -125,6 +132,7 @@ class ToolpathBuilder {
   double print_acceleration_ = 0;  ///< of the path being printed
   double set_acceleration_ = 0;    ///< what the machine is set to; 0: as before the layer
   bool retracted_ = true;
+  bool as_left_ = false;    ///< retracted or not, as the layer below has left it
   bool short_way_ = false;  ///< to an outer wall, and too short for a retraction
   bool moved_on_ = false;   ///< beyond the end of the path before: a scarf ends over its beginning
   double owed_ = 0;         ///< filament that rounding left, in 1e-5 mm

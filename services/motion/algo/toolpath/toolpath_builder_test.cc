@@ -73,36 +73,61 @@ TEST(ToolpathBuilder, OneLineFromAndToTheCanonicalState) {
   EXPECT_EQ(built.stats.travel_mm, 0);
 }
 
-std::vector<MoveKind> KindsReady(const Travel& way_in, const std::optional<Leave>& leave) {
+std::vector<MoveKind> KindsAsLeft(const Travel& way_in, const std::optional<Leave>& leave) {
   MotionOptions options;
   options.retraction.lift_mm = 0.3;
   ToolpathBuilder builder(options, kFrame, kFrame.height_nm);
-  builder.BeginReady();
+  builder.BeginAsLeft();
   builder.Add(Line("(10 10, 20 10)"), way_in);
-  return Kinds(builder.FinishReady(leave));
+  return Kinds(builder.FinishAt(leave));
 }
 
-TEST(ToolpathBuilder, WhereTheFilamentIsReadyItGoesBackForWaysInSightAlone) {
+TEST(ToolpathBuilder, WhereLayersMeetTheFilamentGoesBackForWaysInSightAlone) {
   using enum MoveKind;
   const Travel hidden{true, {}}, in_sight{};
   const Point far{FromMm(30), FromMm(10)};
-  EXPECT_THAT(KindsReady(hidden, {}), ElementsAre(kLift, kTravel, kPrint));
-  EXPECT_THAT(KindsReady(in_sight, {}),
+  EXPECT_THAT(KindsAsLeft(hidden, {}), ElementsAre(kLift, kTravel, kRestart, kPrint));
+  EXPECT_THAT(KindsAsLeft(in_sight, {}),
               ElementsAre(kRetract, kLift, kTravel, kLift, kRestart, kPrint));
-  EXPECT_THAT(KindsReady(hidden, Leave{far, hidden}), ElementsAre(kLift, kTravel, kPrint, kTravel));
-  EXPECT_THAT(KindsReady(hidden, Leave{far, in_sight}),
-              ElementsAre(kLift, kTravel, kPrint, kRetract, kLift, kTravel, kLift, kRestart));
+  EXPECT_THAT(KindsAsLeft(hidden, Leave{far, hidden}),
+              ElementsAre(kLift, kTravel, kRestart, kPrint, kTravel));
+  EXPECT_THAT(KindsAsLeft(hidden, Leave{far, in_sight}),
+              ElementsAre(kLift, kTravel, kRestart, kPrint, kRetract, kLift, kTravel, kLift));
+}
+
+TEST(ToolpathBuilder, WhatTheLayerBelowMayHaveDoneIsDoneIfNeeded) {
+  for (const bool hidden : {true, false}) {
+    const MotionOptions options;
+    ToolpathBuilder builder(options, kFrame, kFrame.height_nm);
+    builder.BeginAsLeft();
+    builder.Add(Line("(10 10, 20 10)"), {hidden, {}});
+    builder.Add(Line("(30 10, 40 10)"));
+    std::vector<MoveKind> if_needed;
+    for (const Move& move : builder.Finish().moves)
+      if (move.if_needed) if_needed.push_back(move.kind);
+    EXPECT_THAT(if_needed, ElementsAre(hidden ? MoveKind::kRestart : MoveKind::kRetract));
+  }
+}
+
+TEST(ToolpathBuilder, AShortWayRetractsOverAnOuterWallAlone) {
+  for (const bool over_wall : {true, false}) {
+    const MotionOptions options;
+    ToolpathBuilder builder(options, kFrame, kFrame.height_nm);
+    builder.Add(Line("(10 10, 20 10)"));
+    builder.Add(Line("(21 10, 31 10)"), {.hidden = false, .corners = {}, .over_wall = over_wall});
+    EXPECT_EQ(std::ranges::count(Kinds(builder.Finish()), MoveKind::kRetract), over_wall ? 2 : 1);
+  }
 }
 
 TEST(ToolpathBuilder, NothingToPrintHandsTheFilamentOnAsItShould) {
   const auto kinds = [](bool begins, bool ends) {
     const MotionOptions options;
     ToolpathBuilder builder(options, kFrame, kFrame.height_nm);
-    if (begins) builder.BeginReady();
-    return Kinds(ends ? builder.FinishReady({}) : builder.Finish());
+    if (begins) builder.BeginAsLeft();
+    return Kinds(ends ? builder.FinishAt({}) : builder.Finish());
   };
   EXPECT_THAT(kinds(false, false), ElementsAre());
-  EXPECT_THAT(kinds(true, true), ElementsAre());
+  EXPECT_THAT(kinds(true, true), ElementsAre(MoveKind::kLift, MoveKind::kRestart)) << "if needed";
   EXPECT_THAT(kinds(true, false), ElementsAre(MoveKind::kRetract));
   EXPECT_THAT(kinds(false, true), ElementsAre(MoveKind::kLift, MoveKind::kRestart));
 }

@@ -21,6 +21,13 @@ Coord OuterWallRadius(std::span<const Path> paths) {
   return count == 0 ? 0 : sum / (2 * count);
 }
 
+std::vector<Point> PlacesOf(Point from, std::span<const Point> corners, Point to) {
+  std::vector<Point> places = {from};
+  places.insert(places.end(), corners.begin(), corners.end());
+  places.push_back(to);
+  return places;
+}
+
 namespace {
 
 /// At its ends a travel comes from a wall and goes to one.
@@ -32,16 +39,20 @@ Point At(Point from, double dx, double dy) {
 
 }  // namespace
 
-bool IslandEdges::Grazes(Point a, Point b, Coord near_nm) const {
-  const double length = Distance(a, b);
-  if (length <= 2 * kEndsNm) return false;
-  const double x = static_cast<double>(b.x - a.x) / length;
-  const double y = static_cast<double>(b.y - a.y) / length;
+bool IslandEdges::Grazes(std::span<const Point> way, Coord near_nm) const {
   const auto near = static_cast<double>(near_nm);
-  for (const double aside : {near, -near}) {
-    const Point from = At(a, kEndsNm * x - aside * y, kEndsNm * y + aside * x);
-    const Point to = At(b, -kEndsNm * x - aside * y, -kEndsNm * y + aside * x);
-    if (walls_.Crosses(from, to)) return true;
+  for (size_t i = 1; i < way.size(); ++i) {
+    const Point a = way[i - 1], b = way[i];
+    const double length = Distance(a, b);
+    const double start = i == 1 ? kEndsNm : 0, end = i + 1 == way.size() ? kEndsNm : 0;
+    if (length <= start + end) continue;
+    const double x = static_cast<double>(b.x - a.x) / length;
+    const double y = static_cast<double>(b.y - a.y) / length;
+    for (const double aside : {near, -near}) {
+      const Point from = At(a, start * x - aside * y, start * y + aside * x);
+      const Point to = At(b, -end * x - aside * y, -end * y + aside * x);
+      if (walls_.Crosses(from, to)) return true;
+    }
   }
   return false;
 }

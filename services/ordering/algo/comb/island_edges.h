@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <span>
+#include <vector>
 
 #include "common/model/layer.h"
 #include "services/ordering/algo/comb/edge_strips.h"
@@ -9,6 +11,9 @@
 namespace slicefarm::ordering {
 
 bool IsOuterWall(const Path& path);
+
+/// The places of a way, its ends included.
+std::vector<Point> PlacesOf(Point from, std::span<const Point> corners, Point to);
 
 /// Half the mean width of the closed outer walls: how far inside the outline their middle lies. 0 if
 /// there is none.
@@ -24,10 +29,11 @@ class IslandEdges : public Barrier {
   bool Parts(Point a, Point b) const override {
     return outline_.Meets(a, b) || walls_.Crosses(a, b);
   }
-  /// Returns true if ab, its ends apart, comes nearer than that to the middle of an outer wall. By
-  /// default, so near that it might cross the wall as it is printed: motion simplifies paths by some
-  /// micrometres.
-  bool Grazes(Point a, Point b, Coord near_nm = 30'000) const;
+  /// Returns true if a way over these places, its ends apart, comes nearer than that to the middle
+  /// of an outer wall. By default, so near that it might cross the wall as it is printed: motion
+  /// simplifies paths by some micrometres. Cost: O(log walls) per place.
+  bool Grazes(std::span<const Point> way, Coord near_nm = 30'000) const;
+  bool Grazes(Point a, Point b) const { return Grazes(std::array{a, b}); }
   /// Whether p is inside the outline. REQUIRES: not on it.
   bool Surrounds(Point p) const { return outline_.Surrounds(p); }
   /// Whether there is an outline: nothing is known without.

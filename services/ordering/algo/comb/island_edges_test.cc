@@ -72,6 +72,18 @@ TEST(IslandEdges, GrazesWhatPassesAnOuterWallTooNear) {
   }
 }
 
+// Only the ends of a whole way lie at walls.
+TEST(IslandEdges, GrazesNearTheCornersOfAWay) {
+  const IslandEdges edges(Plate());
+  const std::vector<Point> past = {Mm(3, 3), Mm(5.48, 10), Mm(3, 17)};
+  const std::vector<Point> over = {Mm(3, 3), Mm(5.6, 10), Mm(3, 17)};
+  const std::vector<Point> beside = {Mm(3, 3), Mm(5.4, 10), Mm(3, 17)};
+  EXPECT_TRUE(edges.Grazes(past));
+  EXPECT_FALSE(edges.Grazes(past, 0));
+  EXPECT_TRUE(edges.Grazes(over, 0));
+  EXPECT_FALSE(edges.Grazes(beside));
+}
+
 TEST(IslandEdges, KnowTheInside) {
   const IslandEdges edges(Plate());
   EXPECT_TRUE(edges.Surrounds(Mm(3, 10)));

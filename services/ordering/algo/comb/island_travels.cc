@@ -37,9 +37,8 @@ constexpr double kLongestToSeenNm = 5.0 * kNmPerMm;
 /// The seam of a wall and the starts of its loops lie no further from each other.
 constexpr double kAtSeamNm = 1.5 * kNmPerMm;
 
-/// How far the walls of a layer lie from those of the layer below, most often. A way to the layer
-/// above that keeps so far off its own walls crosses none of that layer.
-constexpr Coord kStepNm = 400'000;
+/// A longer way to the layer above may cross a wall of that layer, which this one does not know.
+constexpr double kSurelyWithinNm = 0.8 * kNmPerMm;
 
 class IslandTravels {
  public:
@@ -57,20 +56,21 @@ class IslandTravels {
   /// To paths[i] from the one before.
   Travel To(size_t i, WorkBudget& budget) {
     const Point from = EndOf(paths_[i - 1]), to = StartOf(paths_[i]);
-    return from == to ? Travel{} : Between(from, to, i, LongestHidden(), budget);
+    return from == to ? Travel{} : Between(from, to, i, budget);
   }
 
   /// To the first path from where the layer below has left the nozzle: over the place where this
-  /// layer would have left it, so that the way does not depend on the layer below.
+  /// layer would have left it, so that the way does not depend on the layer below. Neither layer
+  /// knows the other one's walls, so a way is hidden at the seam alone.
   Travel From(Point seam, WorkBudget& budget) {
     const Point to = StartOf(paths_.front());
     const std::optional<Point> inner = InnerStartAt(seam);
     const std::optional<Point> from = inner ? inner : BesideWall(seam);
     if (IsAt(seam, to) && !(from && edges_.Parts(*from, to))) return {true, {}};
     if (!from) return {};
-    Travel travel = Between(*from, to, 0, LongestToSeam(), budget);
-    travel.corners.insert(travel.corners.begin(), *from);
-    return travel;
+    std::vector<Point> corners = WayBetween(*from, to, budget);
+    corners.insert(corners.begin(), *from);
+    return {false, std::move(corners)};
   }
 
   /// From the last path to where the layer above goes on.
@@ -82,24 +82,29 @@ class IslandTravels {
     if (!to) return {seam, {}};
     Leave leave{*to, {}};
     if (from == *to) return leave;
-    leave.way = Between(from, *to, paths_.size(), LongestToSeam(), budget);
-    if (!leave.way.corners.empty() || edges_.Grazes(from, *to, kStepNm)) leave.way.hidden = false;
+    leave.way.corners = WayBetween(from, *to, budget);
+    leave.way.over_wall = Distance(from, *to) > kSurelyWithinNm;
     return leave;
   }
 
  private:
-  /// After the first `printed` paths, to the next one if there is one. `longest_nm`: of a way that
-  /// is hidden.
-  Travel Between(Point from, Point to, size_t printed, double longest_nm, WorkBudget& budget) {
-    Travel travel;
-    if (clearance_ > 0 && IsToGoRound(from, to))
-      travel.corners = Around(from, to, LongestFor(from, to), budget);
-    if (curled_ != nullptr && curled_->Meets(from, travel.corners, to))
-      if (auto corners = AroundCurled(from, to, budget)) travel.corners = *std::move(corners);
-    const bool seen = printed < paths_.size() && IsSeen(paths_[printed].feature);
-    if (seen) longest_nm = kLongestToSeenNm;
-    travel.hidden = options_.hide && IsHidden(from, to, travel.corners, printed, longest_nm);
+  /// After the first `printed` paths, to the next one.
+  Travel Between(Point from, Point to, size_t printed, WorkBudget& budget) {
+    Travel travel{false, WayBetween(from, to, budget)};
+    const std::vector<Point> way = PlacesOf(from, travel.corners, to);
+    const double longest_nm = IsSeen(paths_[printed].feature) ? kLongestToSeenNm : LongestHidden();
+    travel.hidden = options_.hide && IsHidden(way, printed, longest_nm);
+    travel.over_wall = !travel.hidden && edges_.Grazes(way, 0);
     return travel;
+  }
+
+  std::vector<Point> WayBetween(Point from, Point to, WorkBudget& budget) {
+    std::vector<Point> corners;
+    if (clearance_ > 0 && IsToGoRound(from, to))
+      corners = Around(from, to, LongestFor(from, to), budget);
+    if (curled_ != nullptr && curled_->Meets(from, corners, to))
+      if (auto others = AroundCurled(from, to, budget)) corners = *std::move(others);
+    return corners;
   }
 
   bool IsToGoRound(Point from, Point to) {
@@ -116,10 +121,6 @@ class IslandTravels {
     return options_.longest_hidden_mm > 0 ? options_.longest_hidden_mm * kNmPerMm
                                           : std::numeric_limits<double>::infinity();
   }
-
-  /// A way over a change of layer has a part in either layer, which does not know the other one's,
-  /// and a step from seam to seam between them: all together are no longer than a hidden way.
-  double LongestToSeam() const { return LongestHidden() / 2 - kAtSeamNm; }
 
   ClearWays& Ways() {
     if (!ways_) ways_.emplace(MultiPolygon{outline_}, clearance_);
@@ -153,20 +154,16 @@ class IslandTravels {
   }
 
   /// Of a way after the first `printed` paths.
-  bool IsHidden(Point from, Point to, const std::vector<Point>& corners, size_t printed,
-                double longest_nm) const {
+  bool IsHidden(std::span<const Point> way, size_t printed, double longest_nm) const {
     double length = 0;
-    std::vector<Point> places = corners;
-    places.push_back(to);
-    for (const Point place : places) {
-      if (edges_.Parts(from, place) || edges_.Grazes(from, place)) return false;
-      if (tops_.Crosses(from, place, static_cast<uint32_t>(printed))) return false;
-      length += Distance(from, place);
-      from = place;
+    for (size_t i = 1; i < way.size(); ++i) {
+      if (edges_.Parts(way[i - 1], way[i])) return false;
+      if (tops_.Crosses(way[i - 1], way[i], static_cast<uint32_t>(printed))) return false;
+      length += Distance(way[i - 1], way[i]);
     }
-    if (length > longest_nm) return false;
+    if (length > longest_nm || edges_.Grazes(way)) return false;
     // It meets no edge: if one of its places is inside, all of it is.
-    return edges_.Surrounds(to);
+    return edges_.Surrounds(way.back());
   }
 
   const PolygonWithHoles& outline_;

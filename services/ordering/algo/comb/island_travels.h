@@ -30,15 +30,16 @@ struct IslandWays {
 ///
 /// A way is hidden if it crosses no outline, no outer wall and no printed bead of a top surface,
 /// and is not too long: 5 mm to a visible bead, which would begin with a gap, else as the options
-/// say. Where layers meet, each has half of that.
+/// say.
 /// A way that crosses a wall goes round inside the island where that is no longer than 20 mm more:
 /// a retraction takes about as much time. With avoid_crossing each way that is not clear of the
 /// walls goes round if a detour that is allowed leads there.
 /// Layers meet where the first inner wall starts that starts at the seam: the outer wall above may
 /// lie on either side of the one below. Where none does, they meet at the place nearest to the seam
-/// that keeps off the walls. The way on to the layer above is hidden only if it is straight and
-/// keeps off the outer walls: those of the layer above may lie a little aside of them. `budget`: for lines of sight. `curled`: a way that meets it goes round,
-/// within the island if it can; null: nothing has curled up.
+/// that keeps off the walls. Neither layer knows the other one's walls: no way to the layer above
+/// is hidden, and one from the layer below only where it leads on at the seam. `budget`: for lines
+/// of sight. `curled`: a way that meets it goes round, within the island if it can; null: nothing
+/// has curled up.
 IslandWays WaysInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
                         std::span<const Path> paths, const Meetings& meetings,
                         const TravelOptions& options, WorkBudget& budget,
