@@ -7,15 +7,29 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "common/base/portable_math.h"
 #include "services/motion/algo/gcode/move_comment.h"
 #include "services/motion/algo/toolpath/overhang.h"
 
 namespace slicefarm::motion {
 namespace {
 
-/// Along a path of varying width, changes below this are not worth a line: PrusaSlicer's beads of
+/// Along a path of varying width, changes below this are not worth a line, and larger ones are not
+/// on beads that are shorter in proportion: a picture shows no difference. PrusaSlicer's beads of
 /// varying width change in steps of 0.05 mm. The filament is exact.
 constexpr int32_t kWidthStepUm = 50;
+constexpr double kSeenLengthUm = 400;
+
+bool IsSeen(int32_t width_change_um, double length_um) {
+  return std::abs(width_change_um) * std::min(length_um, kSeenLengthUm) >=
+         kWidthStepUm * kSeenLengthUm;
+}
+
+double LengthUm(const Toolpath& path, size_t index) {
+  if (index == 0) return kSeenLengthUm;
+  const Move &from = path.moves[index - 1], &to = path.moves[index];
+  return Hypot(to.x_um - from.x_um, to.y_um - from.y_um);
+}
 
 /// The end of `out` from `begin` on, as a line that sets what it says.
 ModeLine LineSince(size_t begin, MachineMode mode, const GcodeText& out) {
@@ -97,7 +111,7 @@ void LayerWriter::WriteArc(const Toolpath& path, const MoveArc& arc, ShiftUm shi
   Move move = path.moves[arc.last - 1];
   move.filament = 0;
   for (size_t i = arc.first; i < arc.last; ++i) move.filament += path.moves[i].filament;
-  Describe(move, out);
+  Describe(move, kSeenLengthUm, out);
   SetAcceleration(move, out);
   out << (arc.clockwise ? "G2 X" : "G3 X");
   out.Micrometers(move.x_um + shift.x) << " Y";
@@ -178,7 +192,7 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
   const Move& move = path.moves[index];
   CountAnew(move, out);
   if (move.kind == MoveKind::kPrint) {
-    Describe(move, out);
+    Describe(move, LengthUm(path, index), out);
     const auto mm = [](int32_t um) { return static_cast<double>(um) / kUmPerMm; };
     mix_.SetFor({mm(move.x_um + shift.x + state_.to_plate.x),
                  mm(move.y_um + shift.y + state_.to_plate.y), mm(move.z_um)},
@@ -220,7 +234,7 @@ void LayerWriter::FeedRate(const Move& move, GcodeText& out) {
   if (feed_rate_.Changes(move.feed_rate)) (out << " F").Integer(move.feed_rate);
 }
 
-void LayerWriter::Describe(const Move& move, GcodeText& out) {
+void LayerWriter::Describe(const Move& move, double length_um, GcodeText& out) {
   const auto type = static_cast<int32_t>(move.feature);
   if (type != type_) {
     type_ = type;
@@ -228,7 +242,7 @@ void LayerWriter::Describe(const Move& move, GcodeText& out) {
     out << firmware_.comments().feature << firmware_.WordsOf(move.feature) << '\n';
   }
   SetFan(FanFor(move), out);
-  if (width_um_ == -1 || std::abs(move.width_um - width_um_) >= kWidthStepUm) {
+  if (width_um_ == -1 || IsSeen(move.width_um - width_um_, length_um)) {
     width_um_ = move.width_um;
     out << firmware_.comments().width;
     out.Real(static_cast<double>(move.width_um) / kUmPerMm, 3) << '\n';

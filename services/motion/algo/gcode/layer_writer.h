@@ -97,7 +97,7 @@ class LayerWriter {
   int32_t FanFor(const Move& move) const;
   void SetFan(int32_t percent, GcodeText& out);
   void SetHeight(int32_t height_um, GcodeText& out);
-  void Describe(const Move& move, GcodeText& out);
+  void Describe(const Move& move, double length_um, GcodeText& out);
   void SetAcceleration(const Move& move, GcodeText& out);
   void SetAcceleration(MachineMode mode, float value, float& told, GcodeText& out);
   void WriteAcceleration(MachineMode mode, float value, GcodeText& out) const;

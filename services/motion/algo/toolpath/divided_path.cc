@@ -14,9 +14,9 @@ namespace {
 /// Shorter edges are not made: each is a command.
 constexpr double kLeastEdgeNm = 12'500;
 /// The larger section of two edges that follow each other, by the smaller one.
-constexpr double kMostStep = 1.25;
+constexpr double kMostStep = 1.27;
 /// The same of the widths of discs: beads narrower than they are high.
-constexpr double kMostDiscStep = 1.118;
+constexpr double kMostDiscStep = 1.127;
 
 struct WidePoint {
   Point point;

@@ -17,7 +17,7 @@ inline constexpr Coord kShortBeadNm = 400'000;
 /// the mean of its ends; on each new edge that is within kWidthToleranceNm of the path's width, and
 /// within kLongWidthToleranceNm where that takes no edges shorter than kLongBeadNm. Where edges
 /// would have to be shorter than kShortBeadNm for this, edges of at least 0.0125 mm keep the steps
-/// of the section at a quarter. Points of the path stay; so does its plastic, but for beads
+/// of the section at 27 %. Points of the path stay; so does its plastic, but for beads
 /// narrower than high, whose mean width does not have their mean section. Cost: O(n), and the
 /// points added.
 Path DividedByWidth(Path path, Coord bead_height_nm);

@@ -52,7 +52,7 @@ TEST(DividedByWidth, Pieces) {
       {"long", 60, 0.35, 0.55, 20},
       {"narrowing", 60, 0.55, 0.35, 20},
       {"not below 0.4 mm for the tolerance alone", 2, 0.35, 0.55, 5},
-      {"below 0.4 mm for the step", 0.4, 0.3, 0.45, 3},
+      {"below 0.4 mm for the step", 0.4, 0.3, 0.45, 2},
       {"shorter where it is narrow", 0.4, 0.2, 0.6, 6},
       {"narrower than high", 0.4, 0.1, 0.15, 4},
       {"not below 0.0125 mm", 0.03, 0.2, 0.8, 2},

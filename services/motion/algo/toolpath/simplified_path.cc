@@ -30,7 +30,7 @@ constexpr double kWholeUm = 0.75;
 constexpr double kCornerCosine = 0.866;
 constexpr double kNmPerUm = 1000;
 /// How far the widths of short beads may lie from the path's, as a share of it.
-constexpr double kShortBeadShare = 0.1;
+constexpr double kShortBeadShare = 0.05, kInnerShortBeadShare = 0.1;
 /// What rounding of doubles may do to a distance.
 constexpr double kSlackUm = 1e-3;
 
@@ -178,10 +178,11 @@ class Cone {
 struct Tolerance {
   double place_um = 0;
   double width_share = 0;
+  double short_share = 0;  ///< on beads shorter than kShortBeadNm
 
   Coord OfWidth(Coord width_nm, double length_um) const {
     const double share =
-        length_um * kNmPerUm < kShortBeadNm ? std::max(kShortBeadShare, width_share) : width_share;
+        length_um * kNmPerUm < kShortBeadNm ? std::max(short_share, width_share) : width_share;
     if (share == 0)
       return length_um * kNmPerUm > kLongBeadNm ? kLongWidthToleranceNm : kWidthToleranceNm;
     return std::max(kWidthToleranceNm,
@@ -434,7 +435,8 @@ SimplifiedPath Whole(const Path& path, bool keep_arcs) {
 SimplifiedPath Simplified(const Path& path, const SimplifyOptions& options) {
   std::vector<Node> nodes = NodesOf(path);
   const Tolerance tolerance{static_cast<double>(options.tolerance_nm) / kNmPerUm - kSlackUm,
-                            options.width_share};
+                            options.width_share,
+                            options.inside ? kInnerShortBeadShare : kShortBeadShare};
   if (nodes.size() < 3 || tolerance.place_um <= 0) return Whole(path, options.keep_arcs);
   FindStays(tolerance.place_um, nodes);
   FindOutsides(tolerance.place_um, nodes);

@@ -12,6 +12,7 @@ struct SimplifyOptions {
   bool keep_arcs = false;    ///< whether all points stay of what an arc may stand for (arc_fit.h)
   /// Share of a path's width by which a bead's may differ, where that is more than the tolerance.
   double width_share = 0;
+  bool inside = false;  ///< other beads lie around the path's: nobody sees the edges of short ones
 };
 
 struct SimplifiedPath {
@@ -28,9 +29,9 @@ struct SimplifiedPath {
 /// either:
 ///   they lie within the tolerance of the path's beads, and these of them;
 ///   their widths lie within kWidthToleranceNm (divided_path.h) of the path's, on beads longer than
-///   kLongBeadNm within kLongWidthToleranceNm, within 10 % on beads shorter than kShortBeadNm, or
-///   within the share of options. An edge on its own may be a bead of
-///   the mean width of its ends, however much that changes: DividedByWidth comes first;
+///   kLongBeadNm within kLongWidthToleranceNm, within 5 % on beads shorter than kShortBeadNm, 10 %
+///   inside, or within the share of options. An edge on its own may be a bead of the mean width of
+///   its ends, however much that changes: DividedByWidth comes first;
 ///   no bead is more than 5 % shorter than what it stands for, so that nothing that goes to and fro
 ///   is lost.
 /// Ends, the start of a closed path, and corners of more than 30 degrees where beads meet stay in

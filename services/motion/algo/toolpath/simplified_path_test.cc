@@ -260,11 +260,16 @@ TEST(Simplified, WidthsStayWithinTheirTolerance) {
     path.widths_nm.push_back(std::clamp<Coord>(path.widths_nm.back() + by, 250'000, 700'000));
   }
   ExpectKept(path, "widths");
-  const Path simple = Simple(path).path;
-  EXPECT_LT(BeadCount(simple), BeadCount(path) * 0.5);
-  ExpectWidthsWithin(path, simple, [](double length_nm, double width_nm) {
-    return std::max(double{kWidthToleranceNm}, length_nm < kShortBeadNm ? 0.1 * width_nm : 0);
-  });
+  for (const bool inside : {false, true}) {
+    const Path simple =
+        Simplified(path, {.tolerance_nm = kTolerance, .bead_height_nm = kHeight, .inside = inside})
+            .path;
+    EXPECT_LT(BeadCount(simple), BeadCount(path) * 0.5);
+    ExpectWidthsWithin(path, simple, [&](double length_nm, double width_nm) {
+      const double share = inside ? 0.1 : 0.05;
+      return std::max(double{kWidthToleranceNm}, length_nm < kShortBeadNm ? share * width_nm : 0);
+    });
+  }
 }
 
 // A share of the width counts where it is more: wide beads that change slowly become fewer.

@@ -97,7 +97,8 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel,
   const SimplifyOptions simplify = {.tolerance_nm = scarfed && arcs ? 0 : options_.resolution_nm,
                                     .bead_height_nm = bead_height_nm_,
                                     .keep_arcs = arcs,
-                                    .width_share = IsFill(path.feature) ? kFillWidthShare : 0};
+                                    .width_share = IsFill(path.feature) ? kFillWidthShare : 0,
+                                    .inside = path.feature == Feature::kPerimeter};
   const SimplifiedPath simple = path.widths_nm.size() == 1
                                     ? Simplified(path, simplify)
                                     : Simplified(DividedByWidth(path, bead_height_nm_), simplify);
