@@ -9,7 +9,7 @@
 #include "common/wire/geometry_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/mesh_wire.h"
-#include "common/wire/options/settings_wire.h"
+#include "common/wire/options/options_wire.h"
 #include "common/wire/slice_object_wire.h"
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/support/repeated_wire.h"
@@ -58,9 +58,7 @@ absl::Status CheckSizes(const v1::SliceStart& start) {
 absl::Status ToProto(const StageCall& call, const SliceInput& input, const SlicingOptions& options,
                      v1::SliceStart* start) {
   *start->mutable_call() = ToProto(call);
-  if (absl::Status status = ToProto(options, start->mutable_options()); !status.ok()) {
-    return Within("options", status);
-  }
+  start->set_options(PackFields(options));
   for (const MeshFile& file : input.files) {
     v1::SliceFile* proto = start->add_files();
     proto->set_name(file.name);
@@ -124,7 +122,7 @@ absl::StatusOr<SliceInput> SliceInputReader::Finish() {
 absl::StatusOr<SliceStart> FromProto(const v1::SliceStart& proto) {
   absl::StatusOr<StageCall> call = FromProto(proto.call());
   if (!call.ok()) return call.status();
-  absl::StatusOr<SlicingOptions> options = FromProto(proto.options());
+  auto options = OptionsFromBytes<SlicingOptions>(proto.options());
   if (!options.ok()) return Within("options", options.status());
   absl::StatusOr<SliceInputReader> files = SliceInputReader::Begin(proto);
   if (!files.ok()) return files.status();

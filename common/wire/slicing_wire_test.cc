@@ -70,8 +70,8 @@ TEST(SliceInputReader, RefusesStartsThatNoJobHas) {
   start.mutable_objects(1)->clear_to_plate();
   ExpectMalformed(FromProto(start).status(), "objects[1].to_plate");
   start = StartOf(TwoFiles());
-  start.mutable_options()->clear_objects();
-  ExpectMalformed(FromProto(start).status(), "options.objects");
+  start.clear_options();
+  ExpectMalformed(FromProto(start).status(), "options.value 1");
 }
 
 TEST(SliceInputReader, RefusesMoreFilesOrObjectsThanAPlateMayHave) {

@@ -4,10 +4,7 @@
 
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
-#include "common/wire/options/exposure_options_wire.h"
-#include "common/wire/options/infill_options_wire.h"
-#include "common/wire/options/motion_options_wire.h"
-#include "common/wire/options/settings_wire.h"
+#include "common/wire/options/options_wire.h"
 #include "common/wire/support/repeated_wire.h"
 #include "common/wire/support/wire_error.h"
 
@@ -26,33 +23,29 @@ absl::StatusOr<std::vector<Copy>> TakeCopies(const Proto& proto) {
 }  // namespace
 
 absl::Status ToProto(const BeadingTable& table, v1::BeadingTable* proto) {
-  for (const BeadingOptions& row : table) *proto->add_rows() = ToProto(row);
+  proto->set_rows(PackFields(table));
   return absl::OkStatus();
 }
 absl::StatusOr<BeadingTable> FromProto(const v1::BeadingTable& proto) {
-  BeadingTable table;
-  absl::Status status = CheckRows(proto.rows_size(), "rows");
-  if (status.ok()) status = AllFromProto(proto.rows(), "rows", &table);
-  if (!status.ok()) return status;
-  return table;
+  auto table = OptionsFromBytes<BeadingTable>(proto.rows());
+  return table.ok() ? table : Within("rows", table.status());
 }
 
 absl::Status ToProto(const InfillTable& table, v1::InfillTable* proto) {
-  ToProto(table, proto->mutable_rows(), proto->mutable_texts());
+  proto->set_rows(PackFields(table));
   return absl::OkStatus();
 }
 absl::StatusOr<InfillTable> FromProto(const v1::InfillTable& proto) {
-  if (absl::Status rows = CheckRows(proto.rows_size(), "rows"); !rows.ok()) return rows;
-  return FromProto(proto.rows(), proto.texts(), "rows");
+  auto table = OptionsFromBytes<InfillTable>(proto.rows());
+  return table.ok() ? table : Within("rows", table.status());
 }
 
 absl::Status ToProto(const OrderingJob& job, v1::OrderingJob* proto) {
-  if (absl::Status status = ToProto(job.options, proto->mutable_options()); !status.ok())
-    return Within("options", status);
+  proto->set_options(PackFields(job.options));
   return AllToProto(job.copies, "copies", proto->mutable_copies());
 }
 absl::StatusOr<OrderingJob> FromProto(const v1::OrderingJob& proto) {
-  absl::StatusOr<OrderingOptions> options = FromProto(proto.options());
+  auto options = OptionsFromBytes<OrderingOptions>(proto.options());
   if (!options.ok()) return Within("options", options.status());
   absl::StatusOr<std::vector<Copy>> copies = TakeCopies(proto);
   if (!copies.ok()) return copies.status();
@@ -60,13 +53,12 @@ absl::StatusOr<OrderingJob> FromProto(const v1::OrderingJob& proto) {
 }
 
 absl::Status ToProto(const MotionJob& job, v1::MotionJob* proto) {
-  if (absl::Status status = ToProto(job.options, proto->mutable_options()); !status.ok())
-    return Within("options", status);
+  proto->set_options(PackFields(job.options));
   *proto->mutable_facts() = ToProto(job.facts);
   return absl::OkStatus();
 }
 absl::StatusOr<MotionJob> FromProto(const v1::MotionJob& proto) {
-  absl::StatusOr<MotionOptions> options = FromProto(proto.options());
+  auto options = OptionsFromBytes<MotionOptions>(proto.options());
   if (!options.ok()) return Within("options", options.status());
   absl::StatusOr<JobFacts> facts = FromProto(proto.facts());
   if (!facts.ok()) return Within("facts", facts.status());
@@ -74,11 +66,11 @@ absl::StatusOr<MotionJob> FromProto(const v1::MotionJob& proto) {
 }
 
 absl::Status ToProto(const ExposureJob& job, v1::ExposureJob* proto) {
-  *proto->mutable_settings() = ToProto(job.settings);
+  proto->set_settings(PackFields(job.settings));
   return AllToProto(job.copies, "copies", proto->mutable_copies());
 }
 absl::StatusOr<ExposureJob> FromProto(const v1::ExposureJob& proto) {
-  absl::StatusOr<ExposureSettings> settings = FromProto(proto.settings());
+  auto settings = OptionsFromBytes<ExposureSettings>(proto.settings());
   if (!settings.ok()) return Within("settings", settings.status());
   absl::StatusOr<std::vector<Copy>> copies = TakeCopies(proto);
   if (!copies.ok()) return copies.status();

@@ -12,8 +12,8 @@
 
 namespace slicefarm {
 
-/// What each stage is told of the whole job. Errors: those of settings_wire.h,
-/// motion_options_wire.h, exposure_options_wire.h and plan_wire.h, with the way to the field.
+/// Data of a whole job that all calls of a stage share. Errors: those of options_wire.h and
+/// plan_wire.h, with the path to the field.
 
 absl::Status ToProto(const BeadingTable& table, v1::BeadingTable* proto);
 absl::StatusOr<BeadingTable> FromProto(const v1::BeadingTable& proto);

@@ -8,7 +8,7 @@
 #include "common/model/limits.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
-#include "common/wire/options/planning_options_wire.h"
+#include "common/wire/options/options_wire.h"
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/support/object_names.h"
 #include "common/wire/support/repeated_wire.h"
@@ -67,8 +67,7 @@ absl::StatusOr<FillStart> FromProto(const v1::FillStart& proto) {
 
 absl::Status ToProto(const PlanStart& start, v1::PlanStart* proto) {
   *proto->mutable_call() = ToProto(start.call);
-  const absl::Status status = ToProto(start.options, proto->mutable_options());
-  if (!status.ok()) return Within("options", status);
+  proto->set_options(PackFields(start.options));
   proto->mutable_object_names()->Assign(start.object_names.begin(), start.object_names.end());
   return AllToProto(start.copies, "copies", proto->mutable_copies());
 }
@@ -80,7 +79,7 @@ absl::StatusOr<PlanStart> FromProto(const v1::PlanStart& proto) {
   absl::StatusOr<StageCall> call = FromProto(proto.call());
   if (!call.ok()) return call.status();
   start.call = *std::move(call);
-  absl::StatusOr<PlanningOptions> options = FromProto(proto.options());
+  auto options = OptionsFromBytes<PlanningOptions>(proto.options());
   if (!options.ok()) return Within("options", options.status());
   start.options = *std::move(options);
   start.object_names.assign(proto.object_names().begin(), proto.object_names().end());

@@ -16,9 +16,9 @@
 
 namespace slicefarm {
 
-/// What begins the stream of a call: who calls, with which options, and for the stages that look at
-/// neighbours, about which layers. Errors: those of stage_call_wire.h, layer_wire.h, plan_wire.h
-/// and settings_wire.h, with the way to the field.
+/// First message of a call: the caller, the options and, for stages that look at
+/// neighbours, the layers. Errors: those of stage_call_wire.h, layer_wire.h, plan_wire.h
+/// and options_wire.h, with the path to the field.
 
 /// `shared`: the digest of what the stage is told of the whole job (shared_wire.h), here a table of
 /// options by region.

@@ -90,7 +90,7 @@ TEST(StartWire, EveryFieldChangedAloneReturns) {
   ExpectEveryChangeReturns<v1::FillStart, FillStart>(ProtoOf<v1::FillStart>(Fill()), {"build_id"});
   // One nanometre more is no whole micrometre.
   ExpectEveryChangeReturns<v1::PlanStart, PlanStart>(ProtoOf<v1::PlanStart>(Plan()),
-                                                     {"build_id", "shift"});
+                                                     {"build_id", "options", "shift"});
   ExpectEveryChangeReturns<v1::OrderStart, OrderStart>(ProtoOf<v1::OrderStart>(Order()),
                                                        {"build_id"});
   ExpectEveryChangeReturns<v1::ProgramStart, ProgramStart>(ProtoOf<v1::ProgramStart>(Program()),

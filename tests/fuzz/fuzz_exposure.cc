@@ -1,7 +1,7 @@
 #include <vector>
 
 #include "common/wire/layers/exposure_wire.h"
-#include "common/wire/options/exposure_options_wire.h"
+#include "common/wire/options/options_wire.h"
 #include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
@@ -14,9 +14,8 @@ namespace slicefarm::fuzz {
 namespace {
 
 void Frame(const ExposureStage& stage, const v1::ExposureFrameRequest& request) {
-  CheckRoundTrip(request.settings());
   const auto summary = FromProto(request);
-  const auto settings = FromProto(request.settings());
+  const auto settings = OptionsFromBytes<ExposureSettings>(request.settings());
   if (!summary.ok() || !settings.ok()) return;
   stage.Envelope({}, *summary, *settings).IgnoreError();
 }

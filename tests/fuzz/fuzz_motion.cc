@@ -1,7 +1,7 @@
 #include <vector>
 
 #include "common/wire/layers/program_wire.h"
-#include "common/wire/options/motion_options_wire.h"
+#include "common/wire/options/options_wire.h"
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
@@ -39,9 +39,8 @@ void Program(const MotionCall& given) {
 }
 
 void Frame(const v1::FrameRequest& request) {
-  CheckRoundTrip(request.options());
   CheckRoundTrip(request);
-  const auto options = FromProto(request.options());
+  const auto options = OptionsFromBytes<MotionOptions>(request.options());
   const auto summary = FromProto(request);
   if (!options.ok() || !summary.ok()) return;
   StageCall call;

@@ -22,10 +22,8 @@
 #include "common/wire/milling/mill_input_wire.h"
 #include "common/wire/milling/mill_start_wire.h"
 #include "common/wire/milling/milled_wire.h"
-#include "common/wire/options/exposure_options_wire.h"
+#include "common/wire/fields/fields.h"
 #include "common/wire/options/given_settings_wire.h"
-#include "common/wire/options/motion_options_wire.h"
-#include "common/wire/options/settings_wire.h"
 #include "common/wire/scene_wire.h"
 #include "common/wire/slicing_wire.h"
 #include "common/wire/stage_call_wire.h"
@@ -295,8 +293,9 @@ std::vector<WalledLayer> WriteBeadSeeds(const Seeds& seeds, const std::string& n
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, bead.add_requests()->mutable_layer()));
   seeds.Write("beading", name, bead);
-  for (v1::BeadingOptions& options : *bead.mutable_shared()->mutable_rows())
-    options.set_generator(v1::WALL_GENERATOR_CLASSIC);
+  BeadingTable classic = FdmOf(job.settings).beading;
+  for (BeadingOptions& options : classic) options.generator = WallGenerator::kClassic;
+  Must(ToProto(classic, bead.mutable_shared()));
   seeds.Write("beading", name + "_classic", bead);
   return Must(beading::MakeLocalBeading()->Bead(job.call, job.neighbourhood(),
                                                 FdmOf(job.settings).beading));
@@ -366,7 +365,7 @@ void WriteMotionSeed(const Seeds& seeds, const std::string& name, const Job& job
     summary.copies.push_back({job.facts.copies[i], job.sliced.copies[i].footprint});
   summary.settings_text = "layer_height = 1\n";
   Must(ToProto(summary, motion.mutable_frame()));
-  *motion.mutable_frame()->mutable_options() = ToProto(FdmOf(job.settings).motion);
+  motion.mutable_frame()->set_options(PackFields(FdmOf(job.settings).motion));
   seeds.Write("motion", name, motion);
 }
 
@@ -392,7 +391,7 @@ void WriteExposureSeeds(const Seeds& seeds, const std::string& name, const Job& 
       Must(ToProto(layer, call.add_requests()->mutable_layer()));
     Must(ToProto(ExposureSummary{{{0, 9, 9}}, {{0, 0}, {9, 9}}, {"box"}, 3, "contours = 1\n"},
                  call.mutable_frame()));
-    *call.mutable_frame()->mutable_settings() = ToProto(settings);
+    call.mutable_frame()->set_settings(PackFields(settings));
     const std::string seed = name + std::to_string(static_cast<int>(strategy));
     seeds.Write("exposure", seed, call);
     WorkCall work;

@@ -9,11 +9,9 @@
 
 namespace slicefarm {
 
-/// What the calls of an engraving job have in common. Settings are complete or refused
-/// (settings_check.h) and travel without images; whether the numbers make sense is for the stage to
-/// say. Errors: REQUEST_MALFORMED with the way to the field; MESH_TOO_LARGE.
-absl::Status ToProto(const EngraveSettings& settings, v1::EngraveSettings* proto);
-absl::StatusOr<EngraveSettings> FromProto(const v1::EngraveSettings& proto);
+/// Data that all calls of an engraving job share. Settings travel without their images, which are
+/// fields of their own; the stage checks whether the numbers make sense. Errors: REQUEST_MALFORMED
+/// with the path to the field; MESH_TOO_LARGE.
 absl::Status ToProto(const SurfaceInput& surface, v1::SurfaceInput* proto);
 absl::StatusOr<SurfaceInput> FromProto(const v1::SurfaceInput& proto);
 absl::Status ToProto(const MappedSurface& surface, v1::MappedSurface* proto);

@@ -28,8 +28,16 @@ TEST(EngraveInputWire, Returns) {
   ExpectReturns<v1::EngraveInput>(EngraveInput());
   ExpectReturns<v1::MappedSurface>(Input().surface);
   ExpectReturns<v1::SurfaceInput>(SurfaceInput{Input().solid, false});
-  ExpectEveryChangeReturns<v1::EngraveSettings, EngraveSettings>(
-      ProtoOf<v1::EngraveSettings>(Input().settings), {});
+}
+
+TEST(EngraveInputWire, ImagesAreNotSentASecondTimeWithTheSettings) {
+  EngraveInput input = Input();
+  input.settings.texture.image = std::string(10'000, 'A');
+  const auto proto = ProtoOf<v1::EngraveInput>(input);
+  EXPECT_LT(proto.settings().size(), 10'000U);
+  const auto back = FromProto(proto);
+  ASSERT_TRUE(back.ok()) << back.status();
+  EXPECT_EQ(*back, Input());
 }
 
 TEST(EngraveInputWire, RefusesWhatDoesNotFit) {
@@ -52,7 +60,7 @@ TEST(EngraveInputWire, RefusesWhatDoesNotFit) {
   proto.mutable_surface()->set_xy_mm(3, -1e300);
   ExpectMalformed(FromProto(proto).status(), "surface.xy_mm");
   proto = ProtoOf<v1::EngraveInput>(Input());
-  proto.mutable_settings()->clear_lines();
+  proto.clear_settings();
   EXPECT_EQ(DetailOf(FromProto(proto).status()).reason, Reason::kRequestMalformed);
 }
 

@@ -7,8 +7,8 @@
 namespace slicefarm {
 namespace {
 
-absl::StatusOr<std::optional<FillPattern>> PatternFromProto(v1::FillPattern proto) {
-  if (proto == v1::FILL_PATTERN_UNSPECIFIED) return std::nullopt;
+absl::StatusOr<std::optional<FillPattern>> PatternFromProto(int32_t proto) {
+  if (proto == 0) return std::nullopt;
   const auto pattern = EnumFromProto<FillPattern>(proto, kFillPatternCount, "pattern");
   if (!pattern.ok()) return pattern.status();
   return *pattern;
@@ -19,7 +19,7 @@ absl::StatusOr<std::optional<FillPattern>> PatternFromProto(v1::FillPattern prot
 absl::Status ToProto(const FillUse& use, v1::FillUse* proto) {
   proto->set_settings(use.settings);
   proto->set_feature(ToProto(use.feature));
-  if (use.pattern) proto->set_pattern(EnumToProto<v1::FillPattern>(*use.pattern));
+  if (use.pattern) proto->set_pattern(EnumToProto<int32_t>(*use.pattern));
   proto->set_area_mm2(use.area_mm2);
   proto->set_room_mm3(use.room_mm3);
   proto->set_asked_mm3(use.asked_mm3);

@@ -40,7 +40,7 @@ TEST(FillUseWire, EachMemberIsTheFieldOfItsName) {
   const auto proto = ProtoOf<v1::FillUse>(Distinct());
   EXPECT_EQ(proto.settings(), 1);
   EXPECT_EQ(proto.feature(), v1::FEATURE_SOLID_INFILL);
-  EXPECT_EQ(proto.pattern(), v1::FILL_PATTERN_GYROID);
+  EXPECT_EQ(proto.pattern(), static_cast<int>(FillPattern::kGyroid) + 1);
   EXPECT_EQ(proto.area_mm2(), 2);
   EXPECT_EQ(proto.room_mm3(), 3);
   EXPECT_EQ(proto.asked_mm3(), 4);
@@ -56,7 +56,7 @@ TEST(FillUseWire, RefusesWhatIsNoUse) {
       {"settings", [](auto& u) { u.set_settings(-1); }},
       {"paths", [](auto& u) { u.set_paths(-1); }},
       {"feature", [](auto& u) { u.clear_feature(); }},
-      {"pattern", [](auto& u) { u.set_pattern(static_cast<v1::FillPattern>(1000)); }},
+      {"pattern", [](auto& u) { u.set_pattern(1000); }},
       {kAmounts, [](auto& u) { u.set_area_mm2(-1); }},
       {kAmounts, [](auto& u) { u.set_plastic_mm3(1e308 * 10); }},
   };

@@ -133,7 +133,7 @@ absl::StatusOr<SectionPlan> FromProto(const v1::SectionPlan& proto) {
 absl::Status ToProto(const PlannedInfill& plan, v1::PlannedInfill* proto) {
   proto->set_stack(plan.stack);
   proto->set_settings(plan.settings);
-  proto->set_pattern(EnumToProto<v1::FillPattern>(plan.pattern));
+  proto->set_pattern(EnumToProto<int32_t>(plan.pattern));
   proto->set_combined_height_nm(plan.combined_height_nm);
   absl::Status status = PackLines(plan.lines, proto);
   status.Update(ToProto(plan.left_out, proto->mutable_left_out()));

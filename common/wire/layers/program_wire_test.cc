@@ -156,6 +156,7 @@ template <typename Proto, typename Model>
 void ExpectEveryFieldReturns(const Proto& proto, const std::function<Proto(const Model&)>& render) {
   int fields = 0;
   ForEachChangedField(proto, [&](const std::string& path, const Message& message) {
+    if (path.ends_with("options")) return;  // not part of the model
     SCOPED_TRACE(path);
     ++fields;
     const auto& changed = dynamic_cast<const Proto&>(message);

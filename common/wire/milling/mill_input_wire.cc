@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/wire/mesh_pieces.h"
-#include "common/wire/milling/milling_options_wire.h"
+#include "common/wire/options/options_wire.h"
 #include "common/wire/support/wire_error.h"
 
 namespace slicefarm {
@@ -27,14 +27,14 @@ v1::MeshSize SizeOf(const v1::MeshPiece& mesh) {
 }  // namespace
 
 absl::Status ToProto(const MillInput& input, v1::MillInput* proto) {
-  absl::Status status = ToProto(input.settings, proto->mutable_settings());
-  status.Update(PutMesh(input.part, proto->mutable_part()));
+  proto->set_settings(PackFields(input.settings));
+  absl::Status status = PutMesh(input.part, proto->mutable_part());
   status.Update(PutMesh(input.stock, proto->mutable_stock()));
   return status;
 }
 
 absl::StatusOr<MillInput> FromProto(const v1::MillInput& proto) {
-  absl::StatusOr<MillSettings> settings = FromProto(proto.settings());
+  auto settings = OptionsFromBytes<MillSettings>(proto.settings());
   if (!settings.ok()) return Within("settings", settings.status());
   if (!proto.has_part()) return Malformed("part", "is missing");
   const bool has_stock = proto.stock().xyz_nm_size() > 0 || proto.stock().corners_size() > 0;

@@ -4,7 +4,7 @@
 
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
-#include "common/wire/options/settings_wire.h"
+#include "common/wire/options/options_wire.h"
 #include "common/wire/support/repeated_wire.h"
 #include "common/wire/support/wire_error.h"
 
@@ -29,15 +29,14 @@ absl::StatusOr<FdmWork> FromProto(const v1::FdmWork& proto) {
 
 absl::Status ToProto(const FdmShared& job, v1::FdmShared* proto) {
   *proto->mutable_facts() = ToProto(job.facts);
-  absl::Status status = ToProto(job.settings, proto->mutable_settings());
-  if (!status.ok()) return Within("settings", status);
+  proto->set_settings(PackFields(job.settings));
   return AllToProto(job.copies, "copies", proto->mutable_copies());
 }
 
 absl::StatusOr<FdmShared> FromProto(const v1::FdmShared& proto) {
   absl::Status status = CheckCopyCount(proto.copies_size(), "copies");
   if (!status.ok()) return status;
-  absl::StatusOr<FdmSettings> settings = FromProto(proto.settings());
+  auto settings = OptionsFromBytes<FdmSettings>(proto.settings());
   if (!settings.ok()) return Within("settings", settings.status());
   absl::StatusOr<JobFacts> facts = FromProto(proto.facts());
   if (!facts.ok()) return Within("facts", facts.status());

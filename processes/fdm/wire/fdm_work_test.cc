@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/model/paths_test.h"
+#include "common/wire/fields/fields.h"
 #include "common/wire/support/round_trip_test.h"
 
 namespace slicefarm::fdm_work_test {
@@ -64,7 +65,7 @@ TEST(FdmWork, EveryFieldChangedAloneReturns) {
   // nanometre more is no whole micrometre.
   ExpectEveryChangeReturns<v1::FdmWork, FdmWork>(ProtoOf<v1::FdmWork>(Work()), {"range"});
   ExpectEveryChangeReturns<v1::FdmShared, FdmShared>(
-      ProtoOf<v1::FdmShared>(Job()), {"shift", "facts.copies[0].copy", "flow_text"});
+      ProtoOf<v1::FdmShared>(Job()), {"settings", "shift", "facts.copies[0].copy"});
 }
 
 TEST(FdmWork, RefusesMoreCopiesThanAJobMayHave) {
@@ -81,7 +82,9 @@ TEST(FdmWork, RefusesWhatDoesNotAddUp) {
   work.mutable_plans(1)->mutable_paths(0)->clear_feature();
   ExpectMalformed(FromProto(work).status(), "plans[1].paths[0].feature");
   auto job = ProtoOf<v1::FdmShared>(Job());
-  job.mutable_settings()->mutable_infill()->RemoveLast();
+  FdmSettings uneven = Job().settings;
+  uneven.infill.pop_back();
+  job.set_settings(PackFields(uneven));
   ExpectMalformed(FromProto(job).status(), "settings.settings");
   job = ProtoOf<v1::FdmShared>(Job());
   job.mutable_copies(0)->set_object(1'000);

@@ -11,10 +11,10 @@
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/layers/program_wire.h"
-#include "common/wire/options/exposure_options_wire.h"
-#include "common/wire/options/motion_options_wire.h"
+#include "common/wire/options/options_wire.h"
 #include "common/wire/placed_scene_wire.h"
 #include "common/wire/slicing_wire.h"
+#include "common/wire/fields/fields.h"
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
@@ -343,8 +343,7 @@ absl::StatusOr<ProgramEnvelope> RemoteMotion::Envelope(const StageCall& call,
                                                        const MotionOptions& options) const {
   v1::FrameRequest request;
   *request.mutable_call() = ToProto(call);
-  if (absl::Status status = ToProto(options, request.mutable_options()); !status.ok())
-    return status;
+  request.set_options(PackFields(options));
   if (absl::Status status = ToProto(summary, &request); !status.ok()) return status;
   v1::ProgramFrame response;
   const absl::Status status = replicas_.Call(call.cancel, [&](const auto& channel) {
@@ -390,7 +389,7 @@ absl::StatusOr<ExposureEnvelope> RemoteExposure::Envelope(const StageCall& call,
                                                           const ExposureSettings& settings) const {
   v1::ExposureFrameRequest request;
   *request.mutable_call() = ToProto(call);
-  *request.mutable_settings() = ToProto(settings);
+  request.set_settings(PackFields(settings));
   if (absl::Status status = ToProto(summary, &request); !status.ok()) return status;
   v1::ExposureFrame response;
   const absl::Status status = replicas_.Call(call.cancel, [&](const auto& channel) {

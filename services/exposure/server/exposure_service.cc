@@ -6,7 +6,7 @@
 #include "common/rpc/server/server_stream.h"
 #include "common/wire/layers/exposure_wire.h"
 #include "common/wire/layers/layer_wire.h"
-#include "common/wire/options/exposure_options_wire.h"
+#include "common/wire/options/options_wire.h"
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
@@ -78,7 +78,7 @@ absl::Status ExposureService::Frame(rpc::Call& call, const v1::ExposureFrameRequ
                                     v1::ExposureFrame* response) const {
   absl::StatusOr<StageCall> stage_call = FromProto(request.call());
   if (!stage_call.ok()) return stage_call.status();
-  const absl::StatusOr<ExposureSettings> settings = FromProto(request.settings());
+  const auto settings = OptionsFromBytes<ExposureSettings>(request.settings());
   if (!settings.ok()) return Within("settings", settings.status());
   const absl::StatusOr<ExposureSummary> summary = FromProto(request);
   if (!summary.ok()) return summary.status();

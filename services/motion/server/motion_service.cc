@@ -6,7 +6,7 @@
 #include "common/rpc/server/server_stream.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/program_wire.h"
-#include "common/wire/options/motion_options_wire.h"
+#include "common/wire/options/options_wire.h"
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
@@ -84,7 +84,7 @@ absl::Status MotionService::Frame(rpc::Call& call, const v1::FrameRequest& reque
                                   v1::ProgramFrame* response) const {
   absl::StatusOr<StageCall> stage_call = FromProto(request.call());
   if (!stage_call.ok()) return stage_call.status();
-  const absl::StatusOr<MotionOptions> options = FromProto(request.options());
+  const auto options = OptionsFromBytes<MotionOptions>(request.options());
   if (!options.ok()) return Within("options", options.status());
   const absl::StatusOr<ProgramSummary> summary = FromProto(request);
   if (!summary.ok()) return summary.status();

@@ -18,7 +18,7 @@ namespace slicefarm::exposure {
 /// Lines shorter than minimum_vector_nm are left out.
 ///
 /// REQUIRES: options.strategy is one of the three; the options are such as the wire accepts
-///           (exposure_options_wire.h).
+///           (options_check.h).
 /// Errors:   REQUEST_TOO_LARGE, as CutScanLines.
 /// Cost:     O(n + k log k), k lines.
 absl::StatusOr<std::vector<Point>> Hatch(const HatchRegion& region, double angle_deg,

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <type_traits>
+
+namespace slicefarm {
+
+namespace internal {
+
+/// The compiler's text of an enumerator is its name; of any other value, a cast of a number.
+template <auto kValue>
+constexpr bool IsEnumerator() {
+  constexpr std::string_view kText = __PRETTY_FUNCTION__;
+  constexpr size_t kAt = kText.rfind("kValue = ");
+  static_assert(kAt != std::string_view::npos);
+  return kText[kAt + sizeof("kValue = ") - 1] != '(';
+}
+
+template <typename Enum, int kCount = 0>
+constexpr int CountEnumerators() {
+  constexpr int kMost = 64;
+  if constexpr (kCount < kMost && IsEnumerator<static_cast<Enum>(kCount)>())
+    return CountEnumerators<Enum, kCount + 1>();
+  else
+    return kCount;
+}
+
+}  // namespace internal
+
+/// Number of enumerators of an enumeration that counts up from 0 without gaps; at most 64.
+template <typename Enum>
+  requires std::is_enum_v<Enum>
+inline constexpr int kEnumerators = internal::CountEnumerators<Enum>();
+
+}  // namespace slicefarm

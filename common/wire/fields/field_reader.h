@@ -1,0 +1,55 @@
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "common/base/shared/shared_text.h"
+#include "common/geometry/point.h"
+#include "common/model/milling/cutter.h"
+
+namespace slicefarm::internal {
+
+/// Reads what FieldWriter wrote. After the first fault it reads nothing, and leaves values alone.
+class FieldReader {
+ public:
+  explicit FieldReader(std::string_view bytes) : left_(bytes) {}
+
+  bool ok() const { return fault_.ok(); }
+
+  void Read(double* value);
+  void Read(bool* value) { *value = Index(2) == 1; }
+  template <std::signed_integral Number>
+  void Read(Number* value) {
+    *value = static_cast<Number>(Integer(std::numeric_limits<Number>::max()));
+  }
+  /// Reads a point within limits::kMaxCoord, as points of layers are.
+  void Read(Point* point);
+  void Read(std::string* text);
+  void Read(SharedText* text);
+  void Read(Cutter* cutter);
+
+  /// Returns a number from 0 to count - 1, such as that of an enumerator.
+  int64_t Index(int64_t count);
+  /// Returns the length of a list: each of its items takes a byte at least.
+  int64_t Count() { return Index(static_cast<int64_t>(left_.size()) + 1); }
+
+  /// Returns the first fault; REQUEST_MALFORMED if bytes are left.
+  absl::Status Finish();
+
+ private:
+  int64_t Integer(int64_t most);
+  bool Take(size_t size, std::string_view* bytes);
+  void Fail(std::string_view what);
+
+  std::string_view left_;
+  int64_t fields_ = 0;  ///< values that were read, for messages
+  std::vector<SharedText> texts_;
+  absl::Status fault_;
+};
+
+}  // namespace slicefarm::internal

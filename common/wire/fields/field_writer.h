@@ -1,0 +1,37 @@
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "common/base/shared/shared_text.h"
+#include "common/model/milling/cutter.h"
+
+namespace slicefarm::internal {
+
+/// Appends values to a text of bytes: numbers as eight bytes, texts after their length.
+class FieldWriter {
+ public:
+  void Write(double value);
+  template <std::integral Number>
+  void Write(Number value) {
+    WriteInteger(static_cast<int64_t>(value));
+  }
+  void Write(const std::string& text);
+  /// Writes a text at its first time, and its number at later ones.
+  void Write(const SharedText& text);
+  void Write(const Cutter& cutter);
+
+  std::string Finish() && { return std::move(bytes_); }
+
+ private:
+  void WriteInteger(int64_t value);
+
+  std::string bytes_;
+  std::map<std::string_view, int64_t> texts_;  ///< numbers of shared texts, from 1
+};
+
+}  // namespace slicefarm::internal

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/base/members.h"
+#include "common/wire/fields/enumerators.h"
+#include "common/wire/fields/field_reader.h"
+#include "common/wire/fields/field_writer.h"
+
+namespace slicefarm {
+
+/// Options of stages travel as the bytes of their members, one after the other, without names or
+/// numbers: both ends are of one build (StageCall). A new member needs no line here.
+///
+/// Taken are numbers, booleans, enumerations, texts, cutters, aggregates of these, and vectors,
+/// arrays and optionals of any. Equal long texts (SharedText) are sent once.
+
+namespace internal {
+
+template <typename T>
+inline constexpr bool kIsVector = false;
+template <typename T>
+inline constexpr bool kIsVector<std::vector<T>> = true;
+template <typename T>
+inline constexpr bool kIsArray = false;
+template <typename T, size_t N>
+inline constexpr bool kIsArray<std::array<T, N>> = true;
+template <typename T>
+inline constexpr bool kIsOptional = false;
+template <typename T>
+inline constexpr bool kIsOptional<std::optional<T>> = true;
+
+template <typename T>
+void WriteField(const T& value, FieldWriter& writer) {
+  if constexpr (std::is_enum_v<T>) {
+    writer.Write(static_cast<int64_t>(value));
+  } else if constexpr (kIsVector<T> || kIsArray<T>) {
+    if constexpr (kIsVector<T>) writer.Write(static_cast<int64_t>(value.size()));
+    for (const auto& item : value) WriteField(item, writer);
+  } else if constexpr (kIsOptional<T>) {
+    writer.Write(value.has_value());
+    if (value.has_value()) WriteField(*value, writer);
+  } else if constexpr (requires { writer.Write(value); }) {
+    writer.Write(value);
+  } else {
+    std::apply([&](const auto&... member) { (WriteField(member, writer), ...); }, MembersOf(value));
+  }
+}
+
+template <typename T>
+void ReadField(FieldReader& reader, T* value) {
+  if constexpr (std::is_enum_v<T>) {
+    *value = static_cast<T>(reader.Index(kEnumerators<T>));
+  } else if constexpr (kIsVector<T>) {
+    value->clear();
+    for (int64_t left = reader.Count(); left > 0 && reader.ok(); --left)
+      ReadField(reader, &value->emplace_back());
+  } else if constexpr (kIsArray<T>) {
+    for (auto& item : *value) ReadField(reader, &item);
+  } else if constexpr (kIsOptional<T>) {
+    value->reset();
+    if (reader.Index(2) == 1) ReadField(reader, &value->emplace());
+  } else if constexpr (requires { reader.Read(value); }) {
+    reader.Read(value);
+  } else {
+    std::apply([&](auto&... member) { (ReadField(reader, &member), ...); }, MembersOf(*value));
+  }
+}
+
+}  // namespace internal
+
+/// Returns the bytes of an aggregate's members. Cost: O(bytes).
+template <typename T>
+std::string PackFields(const T& value) {
+  internal::FieldWriter writer;
+  internal::WriteField(value, writer);
+  return std::move(writer).Finish();
+}
+
+/// Returns the aggregate that PackFields wrote. Errors: REQUEST_MALFORMED for bytes that are cut
+/// off or too many, for numbers that are not finite or beyond limits::kMaxPrintHeight, and for unknown
+/// enumerators; REQUEST_TOO_LARGE for texts of more than limits::kMaxFieldBytes. Ranges of single
+/// values are checked by CheckOptions. Cost: O(bytes), in time and in memory.
+template <typename T>
+absl::StatusOr<T> UnpackFields(std::string_view bytes) {
+  internal::FieldReader reader(bytes);
+  T value;
+  internal::ReadField(reader, &value);
+  if (absl::Status status = reader.Finish(); !status.ok()) return status;
+  return value;
+}
+
+}  // namespace slicefarm

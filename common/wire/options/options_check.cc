@@ -1,0 +1,188 @@
+#include "common/wire/options/options_check.h"
+
+#include <string_view>
+
+#include "common/model/limits.h"
+#include "common/wire/options/planning_check.h"
+#include "common/wire/options/value_checks.h"
+#include "common/wire/support/wire_error.h"
+
+namespace slicefarm {
+namespace {
+
+constexpr double kMaxTransitionAngle = 1.6;  // radians: a right angle
+
+absl::Status CheckProfile(const std::vector<LayerHeightAt>& profile) {
+  Coord least = 0;
+  for (const LayerHeightAt& at : profile) {
+    if (at.z_nm < least || at.z_nm > limits::kMaxCoord || at.height_nm <= 0 ||
+        at.height_nm > limits::kMaxCoord)
+      return Malformed("height_profile", "is no list of heights by z, upwards");
+    least = at.z_nm;
+  }
+  return CheckRange("height_profile", static_cast<double>(profile.size()), 0,
+                    kMaxLayerHeightPoints);
+}
+
+absl::Status CheckAdaptive(const AdaptiveHeights& adaptive) {
+  absl::Status status =
+      CheckPositive({{"adaptive.cusp_nm", adaptive.cusp_nm}, {"adaptive.min_nm", adaptive.min_nm}});
+  status.Update(CheckLengths({{"adaptive.max_nm", adaptive.max_nm}}, adaptive.min_nm));
+  status.Update(CheckRange("adaptive.max_ratio", adaptive.max_ratio, 1, kMostHeightRatio));
+  return status;
+}
+
+absl::Status CheckSlicedObject(const ObjectSlicingOptions& object) {
+  absl::Status status = CheckPositive({{"layer_height_nm", object.layer_height_nm}});
+  status.Update(
+      CheckNotNegative({{"closing_radius_nm", object.closing_radius_nm},
+                        {"lift_nm", object.lift_nm},
+                        {"elephant_foot_min_width_nm", object.elephant_foot_min_width_nm}}));
+  status.Update(CheckLengths({{"xy_compensation_nm", object.xy_compensation_nm},
+                              {"hole_compensation_nm", object.hole_compensation_nm},
+                              {"elephant_foot_nm", object.elephant_foot_nm}},
+                             -limits::kMaxCoord));
+  status.Update(CheckRange("hollow_from", object.hollow_from, 0, limits::kMaxLayers));
+  status.Update(CheckAdaptive(object.adaptive));
+  status.Update(CheckProfile(object.height_profile));
+  return status;
+}
+
+absl::Status CheckThumbnails(const std::vector<ThumbnailSize>& thumbnails) {
+  absl::Status status = CheckRange("thumbnails", static_cast<double>(thumbnails.size()), 0,
+                                   limits::kMaxThumbnails);
+  for (const auto& [width, height, format] : thumbnails)
+    for (const int32_t px : {width, height})
+      status.Update(CheckRange("thumbnails", px, 1, limits::kMaxThumbnailPx));
+  return status;
+}
+
+absl::Status CheckWalls(const BeadingOptions& walls) {
+  absl::Status status = CheckRange("perimeters", walls.perimeters, 0, limits::kMaxPerimeters);
+  status.Update(CheckPositive({{"external_width_nm", walls.external_width_nm},
+                               {"inner_width_nm", walls.inner_width_nm},
+                               {"first_layer_width_nm", walls.first_layer_width_nm},
+                               {"fuzzy_point_distance_nm", walls.fuzzy_point_distance_nm}}));
+  status.Update(CheckNotNegative({{"fuzzy_thickness_nm", walls.fuzzy_thickness_nm},
+                                  {"min_gap_width_nm", walls.min_gap_width_nm},
+                                  {"max_gap_width_nm", walls.max_gap_width_nm},
+                                  {"transition_length_nm", walls.transition_length_nm},
+                                  {"transition_deviation_nm", walls.transition_deviation_nm},
+                                  {"min_feature_nm", walls.min_feature_nm},
+                                  {"min_bead_width_nm", walls.min_bead_width_nm},
+                                  {"max_bead_width_nm", walls.max_bead_width_nm}}));
+  status.Update(CheckAboveZero("transition_angle", walls.transition_angle));
+  status.Update(CheckRange("transition_angle", walls.transition_angle, 0, kMaxTransitionAngle));
+  status.Update(
+      CheckRange("distribution_count", walls.distribution_count, 1, limits::kMaxPerimeters));
+  return status;
+}
+
+absl::Status CheckInfill(const InfillOptions& infill) {
+  absl::Status status = CheckSkins(infill);
+  status.Update(
+      CheckRange("field_halo_layers", infill.field_halo_layers, 0, limits::kMaxLayers));
+  status.Update(CheckRange("density", infill.density, 0, 1));
+  status.Update(CheckNoLessThanZero("solid_below_area_mm2", infill.solid_below_area_mm2));
+  status.Update(CheckPositive({{"sparse_width_nm", infill.sparse_width_nm},
+                               {"solid_width_nm", infill.solid_width_nm},
+                               {"top_width_nm", infill.top_width_nm},
+                               {"first_layer_width_nm", infill.first_layer_width_nm},
+                               {"nozzle_nm", infill.nozzle_nm},
+                               {"ironing.spacing_nm", infill.ironing.spacing_nm}}));
+  status.Update(CheckLengths({{"overlap_nm", infill.overlap_nm}}, -limits::kMaxCoord));
+  status.Update(CheckNotNegative({{"anchor_nm", infill.anchor_nm},
+                                  {"anchor_max_nm", infill.anchor_max_nm},
+                                  {"smoothing_nm", infill.smoothing_nm}}));
+  status.Update(CheckNoLessThanZero("solid_every_layers", infill.solid_every_layers));
+  status.Update(CheckAboveZero("every_layers", infill.every_layers));
+  status.Update(CheckAboveZero("bridge_flow", infill.bridge_flow));
+  status.Update(CheckNoLessThanZero("ironing.flow", infill.ironing.flow));
+  return status;
+}
+
+absl::Status CheckSpeeds(const RegionSpeeds& speeds) {
+  absl::Status status = CheckAboveZero("bridge_flow", speeds.bridge_flow);
+  for (const double speed : speeds.speed_mm_s)
+    status.Update(CheckNoLessThanZero("speed_mm_s", speed));
+  for (const double speed : speeds.overhang_speed_mm_s)
+    status.Update(CheckNoLessThanZero("overhang_speed_mm_s", speed));
+  status.Update(CheckRange("scarf.start_height_ratio", speeds.scarf.start_height_ratio, 0, 1));
+  status.Update(CheckNoLessThanZero("scarf.length_mm", speeds.scarf.length_mm));
+  status.Update(CheckAboveZero("scarf.max_segment_mm", speeds.scarf.max_segment_mm));
+  return status;
+}
+
+absl::Status CheckCooling(const CoolingOptions& cooling) {
+  constexpr std::string_view kFans = "cooling: a fan";
+  absl::Status status = CheckRange(kFans, cooling.min_fan_percent, 0, 100);
+  status.Update(CheckRange(kFans, cooling.max_fan_percent, 0, 100));
+  status.Update(CheckRange(kFans, cooling.bridge_fan_percent, 0, 100));
+  for (const int32_t percent : cooling.overhang_fan_percent)
+    status.Update(CheckRange(kFans, percent, 0, 100));
+  return status;
+}
+
+}  // namespace
+
+absl::Status CheckOptions(const SlicingOptions& options) {
+  absl::Status status = CheckPositive({{"first_layer_height_nm", options.first_layer_height_nm}});
+  status.Update(CheckNotNegative({{"max_gap_nm", options.max_gap_nm},
+                                  {"resolution_nm", options.resolution_nm},
+                                  {"part_distance_nm", options.part_distance_nm},
+                                  {"clearance_radius_nm", options.clearance_radius_nm}}));
+  status.Update(CheckRange("max_print_height_nm", static_cast<double>(options.max_print_height_nm),
+                           0, limits::kMaxPrintHeight));
+  if (!options.bed.empty() && options.bed.size() < 3)
+    status.Update(Malformed("bed", "has fewer than 3 points"));
+  status.Update(CheckThumbnails(options.thumbnails));
+  status.Update(CheckEach(options.objects, "objects", CheckSlicedObject));
+  return status;
+}
+
+absl::Status CheckOptions(const std::vector<BeadingOptions>& table) {
+  return CheckEach(table, "walls", CheckWalls);
+}
+
+absl::Status CheckOptions(const std::vector<InfillOptions>& table) {
+  return CheckEach(table, "infill", CheckInfill);
+}
+
+absl::Status CheckOptions(const OrderingOptions& options) {
+  absl::Status status = CheckRows(options.walls.size(), "walls");
+  status.Update(CheckNoLessThanZero("improvement_moves", options.improvement_moves));
+  for (const double length : {options.travel.longest_hidden_mm, options.travel.max_detour_mm,
+                              options.travel.max_detour_ratio})
+    status.Update(CheckNoLessThanZero("travel", length));
+  return status;
+}
+
+absl::Status CheckOptions(const MotionOptions& options) {
+  absl::Status status = CheckAboveZero("nozzle_diameter_mm", options.nozzle_diameter_mm);
+  status.Update(CheckAboveZero("filament_diameter_mm", options.filament_diameter_mm));
+  status.Update(CheckEach(options.speeds, "speeds", CheckSpeeds));
+  status.Update(CheckRange("max_print_height_nm", static_cast<double>(options.max_print_height_nm),
+                           0, limits::kMaxPrintHeight));
+  status.Update(CheckNotNegative({{"resolution_nm", options.resolution_nm}}));
+  status.Update(CheckCooling(options.cooling));
+  return status;
+}
+
+absl::Status CheckOptions(const FdmSettings& settings) {
+  absl::Status status = CheckOptions(settings.planning);
+  status.Update(CheckOptions(settings.beading));
+  status.Update(CheckOptions(settings.infill));
+  status.Update(CheckOptions(settings.ordering));
+  status.Update(CheckOptions(settings.motion));
+  const size_t rows = settings.beading.size();
+  if (settings.infill.size() != rows || settings.ordering.walls.size() != rows ||
+      settings.motion.speeds.size() != rows)
+    status.Update(Malformed("settings", "the tables of regions are not equally long"));
+  return status;
+}
+
+absl::Status CheckOptions(const MillSettings& settings) {
+  return CheckNoLessThanZero("output_step", settings.output_step);
+}
+
+}  // namespace slicefarm

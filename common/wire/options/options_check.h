@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "common/model/options/settings.h"
+
+namespace slicefarm {
+
+/// Each function returns an error unless algorithms can work with all values: lengths that divide
+/// are positive, counts are bounded, tables of regions are equally long. Whether a value makes sense
+/// to a user is decided where the setting is read (common/config). Errors: REQUEST_MALFORMED that
+/// names the member; REQUEST_TOO_LARGE for too many rows. Cost: O(rows).
+absl::Status CheckOptions(const SlicingOptions& options);
+absl::Status CheckOptions(const std::vector<BeadingOptions>& table);
+absl::Status CheckOptions(const std::vector<InfillOptions>& table);
+absl::Status CheckOptions(const OrderingOptions& options);
+absl::Status CheckOptions(const PlanningOptions& options);
+absl::Status CheckOptions(const MotionOptions& options);
+absl::Status CheckOptions(const FdmSettings& settings);
+absl::Status CheckOptions(const ExposureSettings& settings);
+absl::Status CheckOptions(const MillSettings& settings);
+inline absl::Status CheckOptions(const EngraveSettings& /*settings*/) { return absl::OkStatus(); }
+
+}  // namespace slicefarm
