@@ -10,7 +10,7 @@
 
 namespace slicefarm::config {
 
-/// The values of all settings on their way from text to JobSettings, in the order of
+/// The values of all settings on their way from text to JobRows, in the order of
 /// SettingsTable(process()).
 class Draft {
  public:

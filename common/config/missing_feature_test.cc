@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ResolvePlate, LeavesOutATemplateThatCannotBeExpanded) {
   const ResolvedPlate plate = PlateOf({{"layer_gcode", "{no_such_name}", Source::kProfile}});
-  EXPECT_EQ(FdmOf(plate.settings).motion.layer_gcode.str(), "");
+  EXPECT_EQ(FdmOf(plate.settings).machine.motion.layer_gcode.str(), "");
 }
 
 // A machine that is not homed, or stays hot, is a danger.

@@ -36,7 +36,7 @@ absl::Status OfObject(const std::string& name, const absl::Status& status) {
 
 /// REQUIRES: the process has the setting.
 Scope ScopeOf(const Setting& setting, Process process) {
-  return SettingsTable(process)[FindSetting(setting.key, process)].scope;
+  return SettingsTable(process)[FindSetting(setting.key, process)].scope();
 }
 
 absl::Status Misplaced(const Setting& setting, Process process, Scope place) {
@@ -63,7 +63,8 @@ class Resolver {
   absl::Status ResolveJob() {
     absl::StatusOr<ResolvedSettings> base = Resolve(job_, process_, parsed_);
     if (!base.ok()) return base.status();
-    plate_.settings = base->settings;
+    plate_.settings.slicing = {base->settings.slicing, {}};
+    plate_.settings.own = process().PlateOf(base->settings.own);
     plate_.effective_text = base->effective_text;
     plate_.no_effect = base->no_effect;
     plate_.beside_print = base->beside_print;
@@ -72,16 +73,17 @@ class Resolver {
     of_job_ = told_;
     warned_.insert(base->warnings.begin(), base->warnings.end());
     for (MissingFeature& each : base->missing) TellMissing(std::move(each));
-    known_[Settings{}] = base->settings;
+    known_[Settings{}] = job_rows_ = base->settings;
     growth_ = base->growth;
     return absl::OkStatus();
   }
 
   const Growth& growth() const { return growth_; }
+  const JobRows& job_rows() const { return job_rows_; }
   const ProcessSettings& process() const { return SettingsOf(process_); }
 
   /// The job's settings with `own` over them.
-  absl::StatusOr<JobSettings> With(const std::string& object, const Settings& own) {
+  absl::StatusOr<JobRows> With(const std::string& object, const Settings& own) {
     if (const auto known = known_.find(own); known != known_.end()) return known->second;
     if (absl::Status wanted = cancel_.Check(); !wanted.ok()) return wanted;
     Settings all = job_;
@@ -166,9 +168,10 @@ class Resolver {
   const CancelToken& cancel_;
   ResolvedPlate& plate_;
   Growth growth_;
+  JobRows job_rows_;  ///< of the job's own settings
   std::set<std::string> told_, warned_;
   std::set<std::string> of_job_;  ///< notes on the job's own settings
-  std::map<Settings, JobSettings, Less> known_;  ///< by own settings
+  std::map<Settings, JobRows, Less> known_;  ///< by own settings
   ParsedTexts parsed_;
   ResolvedBytes bytes_;  ///< of those that are known
 };
@@ -194,14 +197,14 @@ class ObjectResolver {
 
   struct Result {
     ObjectInput input;  ///< without copies
-    JobSettings settings;
+    JobRows settings;
   };
 
   absl::StatusOr<Result> Resolve() {
     auto own = resolver_.Fitting(object_.name, object_.settings, Scope::kObject);
     if (!own.ok()) return own.status();
     own_ = *std::move(own);
-    absl::StatusOr<JobSettings> settings = resolver_.With(object_.name, own_);
+    absl::StatusOr<JobRows> settings = resolver_.With(object_.name, own_);
     if (!settings.ok()) return settings.status();
     for (const std::string& unmet : process_.UnmetNeedsOf(object_, *settings))
       resolver_.Warn(object_.name + ": " + unmet);
@@ -225,10 +228,10 @@ class ObjectResolver {
                                               range.from_mm, range.to_mm)));
       auto own = resolver_.Fitting(object_.name, range.settings, Scope::kRegion, true);
       if (!own.ok()) return own.status();
-      absl::StatusOr<JobSettings> settings = resolver_.With(object_.name, Joined(own_, *own));
+      absl::StatusOr<JobRows> settings = resolver_.With(object_.name, Joined(own_, *own));
       if (!settings.ok()) return settings.status();
       input.ranges.push_back({FromMm(range.from_mm), FromMm(range.to_mm),
-                              settings->slicing.objects.front().layer_height_nm});
+                              settings->object.layer_height_nm});
       ranges_.push_back(*std::move(own));
     }
     ranges_.push_back({});  // all other heights
@@ -278,7 +281,7 @@ class ObjectResolver {
   }
 
   absl::StatusOr<int32_t> RowOf(const Settings& own) {
-    absl::StatusOr<JobSettings> settings = resolver_.With(object_.name, own);
+    absl::StatusOr<JobRows> settings = resolver_.With(object_.name, own);
     if (!settings.ok()) return settings.status();
     return rows_of_job_.RowOf(*settings);
   }
@@ -338,7 +341,7 @@ void Add(ObjectResolver::Result object, const ProcessSettings& process, Resolved
     std::vector<CopyInput> copies = plate.objects[i].copies;
     plate.objects[i].copies = object.input.copies;
     const bool equal = plate.objects[i] == object.input &&
-                       settings.slicing.objects[i] == object.settings.slicing.objects.front() &&
+                       settings.slicing.objects[i] == object.settings.object &&
                        process.AreAlike(settings, i, object.settings);
     plate.objects[i].copies = std::move(copies);
     if (!equal) continue;
@@ -346,7 +349,7 @@ void Add(ObjectResolver::Result object, const ProcessSettings& process, Resolved
     return;
   }
   plate.objects.push_back(std::move(object.input));
-  settings.slicing.objects.push_back(object.settings.slicing.objects.front());
+  settings.slicing.objects.push_back(object.settings.object);
   process.AddObject(object.settings, settings);
 }
 
@@ -367,9 +370,6 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
   if (absl::Status ok = resolver.ResolveJob(); !ok.ok()) return ok;
   std::ranges::move(own.Incompatible(job, plate.effective_text), std::back_inserter(missing));
   for (MissingFeature& each : missing) resolver.TellMissing(std::move(each));
-  const JobSettings base = plate.settings;
-  plate.settings.slicing.objects.clear();
-  own.BeginPlate(plate.settings);
   const std::unique_ptr<RegionRows> rows = own.NewRows();
   for (SceneObject& object : objects) {
     Grow(resolver.growth(), object.instances);
@@ -387,7 +387,7 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
   if (plate.objects.empty())
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
                      "no object has a printable copy");
-  if (absl::Status ok = own.FinishPlate(base, *rows, plate.settings); !ok.ok()) return ok;
+  if (absl::Status ok = own.FinishPlate(resolver.job_rows(), *rows, plate.settings); !ok.ok()) return ok;
   plate.region_rows = rows->size();
   // That of jobs from before there were processes: its text says nothing of it.
   if (process != kDefaultProcess)

@@ -85,7 +85,7 @@ TEST(ResolvePlate, PartsAreLargerByWhatTheirFilamentShrinks) {
 }
 
 double Density(const ResolvedPlate& plate, int32_t row) {
-  return FdmOf(plate.settings).infill[static_cast<size_t>(row)].density;
+  return FdmOf(plate.settings).regions[static_cast<size_t>(row)].infill.density;
 }
 
 TEST(ResolvePlate, WarnsOnceOfWhatObjectsAskFor) {
@@ -158,7 +158,7 @@ TEST(ResolvePlate, OneObjectWithoutSettingsOfItsOwn) {
   ASSERT_THAT(plate.objects, SizeIs(1));
   EXPECT_EQ(plate.objects[0].name, "box");
   EXPECT_THAT(plate.objects[0].parts[0].regions, ElementsAre(0));
-  ASSERT_THAT(FdmOf(plate.settings).infill, SizeIs(1));
+  ASSERT_THAT(FdmOf(plate.settings).regions, SizeIs(1));
   EXPECT_DOUBLE_EQ(Density(plate, 0), 0.3);
   EXPECT_THAT(plate.settings.slicing.objects, SizeIs(1));
   EXPECT_THAT(plate.effective_text, Not(HasSubstr("object_settings")));
@@ -193,7 +193,7 @@ TEST(ResolvePlate, AModifierChangesWhatItLiesIn) {
   EXPECT_DOUBLE_EQ(Density(plate, thick), 0.1);
   EXPECT_DOUBLE_EQ(Density(plate, both), 0.6);
   const auto walls = [&](int32_t row) {
-    return FdmOf(plate.settings).beading[static_cast<size_t>(row)].perimeters;
+    return FdmOf(plate.settings).regions[static_cast<size_t>(row)].walls.perimeters;
   };
   EXPECT_EQ(walls(part), 2);
   EXPECT_EQ(walls(dense), 2);
@@ -214,30 +214,28 @@ TEST(ResolvePlate, SkirtBrimAndRaftHaveRowsOfTheirOwn) {
       {{"skirts", "1"}, {"support_material_speed", "50"}},
       {ObjectNamed("brim", {{"brim_width", "5"}, {"support_material_speed", "20"}}),
        ObjectNamed("raft", {{"raft_layers", "3"}, {"brim_width", "5"}}), ObjectNamed("plain")});
-  const PlanningOptions& planning = FdmOf(plate.settings).planning;
+  const FdmSettings& fdm = FdmOf(plate.settings);
   const auto towards_holes = [&](int32_t row) {
-    return FdmOf(plate.settings).ordering.walls[static_cast<size_t>(row)].towards_holes;
+    return FdmOf(plate.settings).regions[static_cast<size_t>(row)].order.towards_holes;
   };
   const auto speed = [&](int32_t row, Feature feature) {
-    return FdmOf(plate.settings)
-        .motion.speeds[static_cast<size_t>(row)]
-        .speed_mm_s[static_cast<size_t>(feature)];
+    return fdm.regions[static_cast<size_t>(row)].motion.speed_mm_s[static_cast<size_t>(feature)];
   };
   EXPECT_FALSE(towards_holes(0));
-  EXPECT_TRUE(towards_holes(planning.objects[0].brim_settings));
-  EXPECT_EQ(speed(planning.objects[0].brim_settings, Feature::kSkirt), 20);
-  EXPECT_EQ(speed(planning.skirt_settings, Feature::kSkirt), 50);
-  const std::vector<int32_t>& raft = planning.objects[1].raft_settings;
+  EXPECT_TRUE(towards_holes(fdm.objects[0].brim_settings));
+  EXPECT_EQ(speed(fdm.objects[0].brim_settings, Feature::kSkirt), 20);
+  EXPECT_EQ(speed(fdm.machine.plan.skirt_settings, Feature::kSkirt), 50);
+  const std::vector<int32_t>& raft = fdm.objects[1].raft_settings;
   ASSERT_THAT(raft, SizeIs(3));
   EXPECT_DOUBLE_EQ(Density(plate, raft[0]), 0.9);
   EXPECT_DOUBLE_EQ(Density(plate, raft[1]), 1);
   EXPECT_EQ(raft[1], raft[2]);
   EXPECT_EQ(speed(raft[0], Feature::kSupportInterface), 50);
-  EXPECT_EQ(planning.objects[1].brim_settings, 0) << "none with a raft";
-  EXPECT_EQ(planning.objects[2].brim_settings, 0);
+  EXPECT_EQ(fdm.objects[1].brim_settings, 0) << "none with a raft";
+  EXPECT_EQ(fdm.objects[2].brim_settings, 0);
   EXPECT_FALSE(plate.settings.slicing.objects[1].on_bed);
   EXPECT_TRUE(plate.settings.slicing.objects[2].on_bed);
-  EXPECT_THAT(FdmOf(plate.settings).beading, SizeIs(6));  // two parts, brim, two of the raft, skirt
+  EXPECT_THAT(FdmOf(plate.settings).regions, SizeIs(6));  // two parts, brim, two of the raft, skirt
 }
 
 TEST(ResolvePlate, EachObjectHasItsOwnLayerHeightAndSeam) {
@@ -248,8 +246,8 @@ TEST(ResolvePlate, EachObjectHasItsOwnLayerHeightAndSeam) {
   ASSERT_THAT(plate.settings.slicing.objects, SizeIs(2));
   EXPECT_EQ(plate.settings.slicing.objects[0].layer_height_nm, 100'000);
   EXPECT_EQ(plate.settings.slicing.objects[1].layer_height_nm, 300'000);
-  EXPECT_EQ(FdmOf(plate.settings).planning.objects[0].seam, SeamPosition::kRear);
-  EXPECT_EQ(FdmOf(plate.settings).planning.objects[1].seam, SeamPosition::kNearest);
+  EXPECT_EQ(FdmOf(plate.settings).objects[0].seam, SeamPosition::kRear);
+  EXPECT_EQ(FdmOf(plate.settings).objects[1].seam, SeamPosition::kNearest);
 }
 
 TEST(ResolvePlate, CopiesOfAnObjectAreOneObject) {
@@ -365,7 +363,7 @@ TEST(ResolvePlate, RegionsThatDifferInFillingShareWalls) {
   object.parts.push_back(PartOf(2, PartRole::kModifier, {{"perimeters", "7"}}));
   const ResolvedPlate plate = PlateOrDie({}, {object});
   const auto wall_class = [&](int32_t row) {
-    return FdmOf(plate.settings).beading[static_cast<size_t>(row)].wall_class;
+    return FdmOf(plate.settings).regions[static_cast<size_t>(row)].walls.wall_class;
   };
   const auto& parts = plate.objects[0].parts;
   const int32_t part = parts[0].regions[0];

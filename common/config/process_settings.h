@@ -17,20 +17,21 @@
 
 namespace slicefarm::config {
 
-/// The tables of a job's region settings while rows are added: equal settings share a row.
+/// Regions of a plate while it is resolved. Base: one region for all, of a process that has no
+/// settings by region.
 class RegionRows {
  public:
   virtual ~RegionRows() = default;
 
-  /// The row of the first region of `settings`. Errors: REQUEST_TOO_LARGE past
-  /// limits::kMaxRegionSettings.
-  virtual absl::StatusOr<int32_t> RowOf(const JobSettings& settings) = 0;
+  /// Returns the number of the region row of `settings`: equal rows share a number. Errors:
+  /// REQUEST_TOO_LARGE past limits::kMaxRegionSettings.
+  virtual absl::StatusOr<int32_t> RowOf(const JobRows& /*settings*/) { return 0; }
 
-  /// Rows so far.
-  virtual int64_t size() const = 0;
+  /// Number of rows so far.
+  virtual int64_t size() const { return 1; }
 
-  /// The tables, in place of those of `settings`.
-  virtual void PutInto(JobSettings& settings) const = 0;
+  /// Puts the rows into the plate.
+  virtual void PutInto(JobSettings& /*plate*/) const {}
 };
 
 /// Settings on their way to a job's, once all values are in their places.
@@ -66,7 +67,9 @@ class ProcessSettings {
 
   // The table.
   /// Where values get their places: settings of the process, whatever they are.
-  virtual JobSettings Standards() const = 0;
+  virtual JobRows Standards() const = 0;
+  /// Returns a plate with the job's rows and without objects.
+  virtual OwnSettings PlateOf(const OwnRows& job) const = 0;
   /// All settings that have an effect, with their scopes, in any order. Called once.
   virtual std::vector<SettingSpec> Table() const = 0;
   /// Those that do nothing unless others are so.
@@ -106,29 +109,27 @@ class ProcessSettings {
                                                    std::string_view /*settings_text*/) const {
     return {};
   }
-  virtual std::unique_ptr<RegionRows> NewRows() const = 0;
-  /// Takes from the job's settings the options by object, which come object by object.
-  virtual void BeginPlate(JobSettings& /*plate*/) const {}
+  virtual std::unique_ptr<RegionRows> NewRows() const { return std::make_unique<RegionRows>(); }
   /// What an object's parts and ranges ask for and its settings switch off, each as
   /// `what: needs ...`.
   virtual std::vector<std::string> UnmetNeedsOf(const SceneObject& /*object*/,
-                                                const JobSettings& /*settings*/) const {
+                                                const JobRows& /*settings*/) const {
     return {};
   }
   /// Adds the rows of what is planned for an object; `object`: its settings, which name them then.
-  virtual absl::Status AddRows(JobSettings& /*object*/, RegionRows& /*rows*/) const {
+  virtual absl::Status AddRows(JobRows& /*object*/, RegionRows& /*rows*/) const {
     return absl::OkStatus();
   }
   /// Whether an object of the plate and one of `other` settings, which slicing would make alike,
   /// are alike to all stages.
   virtual bool AreAlike(const JobSettings& /*plate*/, size_t /*object*/,
-                        const JobSettings& /*other*/) const {
+                        const JobRows& /*other*/) const {
     return true;
   }
   /// Adds the options by object of one more.
-  virtual void AddObject(const JobSettings& /*object*/, JobSettings& /*plate*/) const {}
+  virtual void AddObject(const JobRows& /*object*/, JobSettings& /*plate*/) const {}
   /// Puts the rows in, and what is of the plate as a whole; `job`: its settings.
-  virtual absl::Status FinishPlate(const JobSettings& /*job*/, RegionRows& rows,
+  virtual absl::Status FinishPlate(const JobRows& /*job*/, RegionRows& rows,
                                    JobSettings& plate) const {
     rows.PutInto(plate);
     return absl::OkStatus();

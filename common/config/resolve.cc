@@ -52,7 +52,7 @@ absl::Status ReadAll(std::span<const Setting> given, SettingReader& reader) {
 }
 
 /// Gives each value its place.
-void PutInto(JobSettings& settings, const Draft& draft) {
+void PutInto(JobRows& settings, const Draft& draft) {
   const auto table = SettingsTable(draft.process());
   for (size_t i = 0; i < table.size(); ++i)
     for (const Field& field : {table[i].field, table[i].also})
@@ -102,7 +102,7 @@ bool IsRare(const SettingSpec& spec) {
 
 }  // namespace
 
-std::string EffectiveText(const JobSettings& settings, const ToldSettings& told) {
+std::string EffectiveText(const JobRows& settings, const ToldSettings& told) {
   ToldSettings all = told;
   for (const SettingSpec& spec : SettingsTable(settings.process())) {
     if (spec.field.get == nullptr) continue;

@@ -24,7 +24,7 @@ struct Growth {
 };
 
 struct ResolvedSettings {
-  JobSettings settings;
+  JobRows settings;
   Growth growth;
   /// EffectiveText(settings, what was given besides). Resolve of its lines gives `settings` and the
   /// same text back.
@@ -53,6 +53,6 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
 
 /// All settings that have an effect on the job's process, and those that are told, as `key = value`
 /// lines, sorted by key: equal texts for equal settings, and the other way round.
-std::string EffectiveText(const JobSettings& settings, const ToldSettings& told = {});
+std::string EffectiveText(const JobRows& settings, const ToldSettings& told = {});
 
 }  // namespace slicefarm::config

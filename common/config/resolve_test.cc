@@ -21,6 +21,13 @@
 namespace slicefarm::config::resolve_test {
 namespace {
 
+/// A plate with one region.
+FdmSettings OneRegion(const JobRows& rows) {
+  const FdmRows& fdm = FdmOf(rows);
+  return {fdm.machine, {fdm.object}, {fdm.region}, {fdm.tool}};
+}
+
+
 using testing::Contains;
 using testing::Each;
 using testing::ElementsAre;
@@ -37,7 +44,7 @@ ResolvedSettings ResolveOrDie(const std::vector<Setting>& given) {
   return *std::move(resolved);
 }
 
-JobSettings Job(const Pairs& pairs) { return ResolveOrDie(Settings(pairs)).settings; }
+JobRows Job(const Pairs& pairs) { return ResolveOrDie(Settings(pairs)).settings; }
 
 absl::Status Refusal(const Pairs& pairs, Source source = Source::kRequest) {
   return Resolve(Settings(pairs, source), Process::kFdm).status();
@@ -51,24 +58,24 @@ std::string ReadCorpus(const std::string& name) {
   return text.str();
 }
 
-double SpeedOf(const JobSettings& settings, Feature feature) {
-  return FdmOf(settings).motion.speeds[0].speed_mm_s[static_cast<int>(feature)];
+double SpeedOf(const JobRows& settings, Feature feature) {
+  return FdmOf(settings).region.motion.speed_mm_s[static_cast<int>(feature)];
 }
 
 TEST(Resolve, GivesPrusaSlicersStandardsForNothing) {
-  const JobSettings s = Job({});
-  EXPECT_EQ(s.slicing.objects[0].layer_height_nm, 300'000);
+  const JobRows s = Job({});
+  EXPECT_EQ(s.object.layer_height_nm, 300'000);
   EXPECT_EQ(s.slicing.first_layer_height_nm, 350'000);
-  EXPECT_EQ(FdmOf(s).beading[0].inner_width_nm, 450'000);
-  EXPECT_EQ(FdmOf(s).infill[0].top_width_nm, 400'000);
-  EXPECT_EQ(FdmOf(s).beading[0].first_layer_width_nm, 700'000);
-  EXPECT_EQ(s.slicing.objects[0].elephant_foot_min_width_nm, 700'000 + 624'889);
-  EXPECT_EQ(FdmOf(s).infill[0].top_solid_layers, 3);
-  EXPECT_DOUBLE_EQ(FdmOf(s).infill[0].density, 0.2);
-  EXPECT_DOUBLE_EQ(FdmOf(s).infill[0].angle_rad, std::numbers::pi / 4);
+  EXPECT_EQ(FdmOf(s).region.walls.inner_width_nm, 450'000);
+  EXPECT_EQ(FdmOf(s).region.infill.top_width_nm, 400'000);
+  EXPECT_EQ(FdmOf(s).region.walls.first_layer_width_nm, 700'000);
+  EXPECT_EQ(s.object.elephant_foot_min_width_nm, 700'000 + 624'889);
+  EXPECT_EQ(FdmOf(s).region.infill.top_solid_layers, 3);
+  EXPECT_DOUBLE_EQ(FdmOf(s).region.infill.density, 0.2);
+  EXPECT_DOUBLE_EQ(FdmOf(s).region.infill.angle_rad, std::numbers::pi / 4);
   EXPECT_EQ(SpeedOf(s, Feature::kExternalPerimeter), 30);
-  EXPECT_EQ(FdmOf(s).motion.limits.max_feedrate_mm_s[0], 500);
-  EXPECT_EQ(FdmOf(s).motion.temperature_c, 200);
+  EXPECT_EQ(FdmOf(s).machine.motion.limits.max_feedrate_mm_s[0], 500);
+  EXPECT_EQ(FdmOf(s).tool.temperature_c, 200);
 }
 
 // The file that the benchmarks run with, value by value.
@@ -76,26 +83,26 @@ TEST(Resolve, ReadsThePeersProfile) {
   const auto given = ReadIni(ReadCorpus("peers.ini"));
   ASSERT_TRUE(given.ok()) << given.status();
   const ResolvedSettings resolved = ResolveOrDie(*given);
-  const JobSettings& s = resolved.settings;
+  const JobRows& s = resolved.settings;
 
-  EXPECT_EQ(s.slicing.objects[0].layer_height_nm, 200'000);
+  EXPECT_EQ(s.object.layer_height_nm, 200'000);
   EXPECT_EQ(s.slicing.first_layer_height_nm, 200'000);
   EXPECT_EQ(PrintBedShape(s.slicing.bed), "0x0,250x0,250x210,0x210");
   EXPECT_EQ(s.slicing.max_print_height_nm, 210'000'000);
-  EXPECT_EQ(s.slicing.objects[0].elephant_foot_nm, 0);
+  EXPECT_EQ(s.object.elephant_foot_nm, 0);
   const BeadingOptions walls = {.perimeters = 3,
                                 .external_width_nm = 450'000,
                                 .inner_width_nm = 450'000,
                                 .first_layer_width_nm = 450'000,
                                 .thin_walls = false};
-  EXPECT_EQ(FdmOf(s).beading[0], walls);
+  EXPECT_EQ(FdmOf(s).region.walls, walls);
   InfillOptions infill;  // the rest is the model's
   infill.angle_rad = std::numbers::pi / 4;
   infill.walls_nm = 1'350'000;
-  EXPECT_EQ(FdmOf(s).infill[0], infill);
-  EXPECT_EQ(FdmOf(s).ordering, OrderingOptions{});
+  EXPECT_EQ(FdmOf(s).region.infill, infill);
+  EXPECT_EQ(FdmOf(s).machine.order, OrderingOptions{});
 
-  const MotionOptions& m = FdmOf(s).motion;
+  const MotionOptions m = MotionOf(FdmOf(s));
   EXPECT_EQ(m.flavor, GcodeFlavor::kMarlin2);
   EXPECT_THAT(m.limits.max_feedrate_mm_s, ElementsAre(300, 300, 20, 120));
   EXPECT_THAT(m.limits.max_acceleration_mm_s2, ElementsAre(3000, 3000, 500, 3000));
@@ -120,13 +127,13 @@ TEST(Resolve, ReadsThePeersProfile) {
                                         .restart_extra_mm = 0,
                                         .min_travel_mm = 2,
                                         .lift_mm = 0};
-  EXPECT_EQ(m.retraction, retraction);
-  EXPECT_FALSE(m.cooling.enabled);
-  EXPECT_TRUE(m.cooling.fan_always_on);
-  EXPECT_EQ(m.temperature_c, 210);
-  EXPECT_EQ(m.first_layer_temperature_c, 210);
-  EXPECT_EQ(m.bed_temperature_c, 60);
-  EXPECT_EQ(m.first_layer_bed_temperature_c, 60);
+  EXPECT_EQ(m.tool().retraction, retraction);
+  EXPECT_FALSE(m.tool().cooling.enabled);
+  EXPECT_TRUE(m.tool().cooling.fan_always_on);
+  EXPECT_EQ(m.tool().temperature_c, 210);
+  EXPECT_EQ(m.tool().first_layer_temperature_c, 210);
+  EXPECT_EQ(m.tool().bed_temperature_c, 60);
+  EXPECT_EQ(m.tool().first_layer_bed_temperature_c, 60);
   EXPECT_EQ(m.start_gcode, "G28");
   EXPECT_EQ(m.end_gcode, "M84");
   EXPECT_THAT(resolved.warnings, IsEmpty());
@@ -148,23 +155,23 @@ TEST(Resolve, TakesAWholeProfile) {
 
   // Where the standards differ from PrusaSlicer's, it is for a reason given in the table's
   // documentation.
-  JobSettings ours = Job({});
-  FdmOf(ours).motion.filament_density_g_cm3 = 0;
-  FdmOf(ours).planning.skirt.loops = 1;
-  FdmOf(ours).infill[0].overlap_nm = 112'500;
-  FdmOf(ours).infill[0].shells = ShellThickness::kPartial;
-  FdmOf(ours).beading[0].extra_perimeters = true;
-  FdmOf(ours).ordering.travel.hide = false;
-  FdmOf(ours).infill[0].pattern = FillPattern::kStars;
+  JobRows ours = Job({});
+  FdmOf(ours).tool.filament_density_g_cm3 = 0;
+  FdmOf(ours).machine.plan.skirt.loops = 1;
+  FdmOf(ours).region.infill.overlap_nm = 112'500;
+  FdmOf(ours).region.infill.shells = ShellThickness::kPartial;
+  FdmOf(ours).region.walls.extra_perimeters = true;
+  FdmOf(ours).machine.order.travel.hide = false;
+  FdmOf(ours).region.infill.pattern = FillPattern::kStars;
   ours.slicing.thumbnails.clear();
-  FdmOf(ours).motion.writing.relative_e = false;
-  FdmOf(ours).motion.start_filament_gcode = "; Filament gcode\n";
-  FdmOf(ours).motion.end_gcode = "; Filament-specific end gcode \n;END gcode for filament\n" +
-                                 FdmOf(ours).motion.end_gcode.str();
-  const std::optional<MachineLimits>& silent = FdmOf(resolved.settings).motion.silent_limits;
+  FdmOf(ours).machine.motion.writing.relative_e = false;
+  FdmOf(ours).tool.start_filament_gcode = "; Filament gcode\n";
+  FdmOf(ours).machine.motion.end_gcode = "; Filament-specific end gcode \n;END gcode for filament\n" +
+                                 FdmOf(ours).machine.motion.end_gcode.str();
+  const std::optional<MachineLimits>& silent = FdmOf(resolved.settings).machine.motion.silent_limits;
   ASSERT_TRUE(silent.has_value());  // silent_mode = 1, with second values of the limits
   EXPECT_THAT(silent->max_feedrate_mm_s, ElementsAre(200, 200, 12, 120));
-  FdmOf(ours).motion.silent_limits = silent;
+  FdmOf(ours).machine.motion.silent_limits = silent;
   EXPECT_EQ(EffectiveText(resolved.settings), EffectiveText(ours));
   EXPECT_EQ(resolved.settings, ours);
 }
@@ -323,7 +330,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 TEST(Resolve, LetsLaterSettingsWin) {
-  EXPECT_EQ(FdmOf(Job({{"perimeters", "2"}, {"perimeters", "4"}})).beading[0].perimeters, 4);
+  EXPECT_EQ(FdmOf(Job({{"perimeters", "2"}, {"perimeters", "4"}})).region.walls.perimeters, 4);
 }
 
 // A remedy that an error names, or another profile, must get through.
@@ -333,7 +340,7 @@ TEST(Resolve, LooksAtNoValueThatALaterOneReplaces) {
     for (const Source first : kSources) {
       for (const char* bad : {"-3", "many", "", "1e99"}) {
         const std::vector<Setting> given = {{"perimeters", bad, first}, {"perimeters", "4", last}};
-        EXPECT_EQ(FdmOf(ResolveOrDie(given).settings).beading[0].perimeters, 4) << bad;
+        EXPECT_EQ(FdmOf(ResolveOrDie(given).settings).region.walls.perimeters, 4) << bad;
       }
       const std::vector<Setting> now_bad = {{"perimeters", "4", first}, {"perimeters", "-3", last}};
       EXPECT_EQ(DetailOf(Resolve(now_bad, Process::kFdm).status()).reason,
@@ -350,13 +357,13 @@ TEST(Resolve, SaysThatAValueIsReplacedThoughItIsOutOfRange) {
 TEST(Resolve, LetsNoEmptyValueOfAProfileReplaceANumber) {
   const Pairs kPairs = {{"perimeters", "4"}, {"perimeters", ""}};
   const ResolvedSettings resolved = ResolveOrDie(Settings(kPairs, Source::kProfile));
-  EXPECT_EQ(FdmOf(resolved.settings).beading[0].perimeters, 4);
+  EXPECT_EQ(FdmOf(resolved.settings).region.walls.perimeters, 4);
 }
 
 // PrusaSlicer proposes values up to 35 % and takes larger ones; projects have 60 % and 100 %.
 TEST(Resolve, TakesTreesThatCoverAllOfWhatTheyCarry) {
-  const JobSettings s = Job({{"support_tree_top_rate", "100%"}});
-  EXPECT_DOUBLE_EQ(FdmOf(s).planning.objects[0].support.tree.top_rate, 1);
+  const JobRows s = Job({{"support_tree_top_rate", "100%"}});
+  EXPECT_DOUBLE_EQ(FdmOf(s).object.support.tree.top_rate, 1);
 }
 
 // The text is the settings: it resolves to them, and to itself.
@@ -429,7 +436,7 @@ TEST(Resolve, ReportsUnknownKeysOfAProfile) {
   const ResolvedSettings resolved =
       ResolveOrDie(Settings({{"new_in_3_0", "1"}, {"layer_height", "0.2"}}, Source::kProfile));
   EXPECT_THAT(resolved.no_effect, ElementsAre("new_in_3_0 = 1: unknown"));
-  EXPECT_EQ(resolved.settings.slicing.objects[0].layer_height_nm, 200'000);
+  EXPECT_EQ(resolved.settings.object.layer_height_nm, 200'000);
 }
 
 TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
@@ -456,15 +463,15 @@ TEST(Resolve, AllThatIsAddedAndTravelStayOutOfExcludedAreas) {
   };
   const auto cut = resolve("0x0,18x0,18x28,0x28");
   ASSERT_TRUE(cut.ok()) << cut.status();
-  const FdmSettings& fdm = FdmOf(cut->settings);
+  const MachineRow& machine = FdmOf(cut->settings).machine;
   EXPECT_EQ(cut->settings.slicing.excluded.size(), 1u);
-  EXPECT_DOUBLE_EQ(Area(fdm.planning.bed) * 1e-12, 256.0 * 256 - 18 * 28);
-  EXPECT_EQ(fdm.ordering.travel.room, fdm.planning.bed);
-  EXPECT_EQ(fdm.motion.room, fdm.planning.bed);
+  EXPECT_DOUBLE_EQ(Area(machine.plan.bed) * 1e-12, 256.0 * 256 - 18 * 28);
+  EXPECT_EQ(machine.order.travel.room, machine.plan.bed);
+  EXPECT_EQ(machine.motion.room, machine.plan.bed);
   EXPECT_THAT(cut->effective_text, HasSubstr("bed_exclude_area = 0x0,18x0,18x28,0x28\n"));
   const auto none = resolve("0x0");
   ASSERT_TRUE(none.ok()) << none.status();
-  EXPECT_TRUE(FdmOf(none->settings).motion.room.empty());
+  EXPECT_TRUE(FdmOf(none->settings).machine.motion.room.empty());
   EXPECT_THAT(none->effective_text, Not(HasSubstr("bed_exclude_area")));
   const auto all = resolve("-1x-1,300x-1,300x300,-1x300");
   ASSERT_FALSE(all.ok());
@@ -473,7 +480,7 @@ TEST(Resolve, AllThatIsAddedAndTravelStayOutOfExcludedAreas) {
 }
 
 TEST(Resolve, SkirtBrimAndRaftTakeWidthsAndHeightsOfOtherSettings) {
-  const JobSettings settings = ResolveOrDie(Settings({{"first_layer_height", "0.25"},
+  const JobRows settings = ResolveOrDie(Settings({{"first_layer_height", "0.25"},
                                                       {"first_layer_extrusion_width", "0.5"},
                                                       {"layer_height", "0.2"},
                                                       {"nozzle_diameter", "0.6"},
@@ -484,35 +491,35 @@ TEST(Resolve, SkirtBrimAndRaftTakeWidthsAndHeightsOfOtherSettings) {
                                                       {"skirts", "2"},
                                                       {"brim_width", "4"}}))
                                    .settings;
-  const SkirtOptions& skirt = FdmOf(settings).planning.skirt;
+  const SkirtOptions& skirt = FdmOf(settings).machine.plan.skirt;
   EXPECT_EQ(skirt.loops, 2);
   EXPECT_EQ(skirt.width_nm, 500'000);
   EXPECT_EQ(skirt.height_nm, 250'000);
   EXPECT_DOUBLE_EQ(skirt.filament_area_mm2, 3.14159265358979323846);
-  const ObjectPlanOptions& object = FdmOf(settings).planning.objects[0];
+  const ObjectPlanOptions& object = FdmOf(settings).object;
   EXPECT_EQ(object.brim.type, BrimType::kOuterOnly);
   EXPECT_EQ(object.brim.line_width_nm, 500'000);
   EXPECT_EQ(object.raft.heights, (RaftHeights{3, 250'000, 450'000, 150'000}));
   EXPECT_EQ(object.raft.lines.width_nm, 600'000);
   EXPECT_EQ(object.raft_settings.size(), 3u);
-  EXPECT_FALSE(settings.slicing.objects[0].on_bed);
-  EXPECT_EQ(settings.slicing.objects[0].lift_nm, object.raft.heights.LiftNm());
-  EXPECT_EQ(FdmOf(settings).planning.bed, (MultiPolygon{{settings.slicing.bed, {}}}));
-  EXPECT_TRUE(FdmOf(settings).motion.room.empty());
+  EXPECT_FALSE(settings.object.on_bed);
+  EXPECT_EQ(settings.object.lift_nm, object.raft.heights.LiftNm());
+  EXPECT_EQ(FdmOf(settings).machine.plan.bed, (MultiPolygon{{settings.slicing.bed, {}}}));
+  EXPECT_TRUE(FdmOf(settings).machine.motion.room.empty());
 }
 
 // Unlike PrusaSlicer's, whose standard is one skirt.
 TEST(Resolve, NothingIsAddedToThePlateUnasked) {
-  const PlanningOptions planning = FdmOf(ResolveOrDie({}).settings).planning;
-  EXPECT_EQ(planning.skirt.loops, 0);
-  EXPECT_EQ(planning.objects[0].brim.width_nm, 0);
-  EXPECT_EQ(planning.objects[0].raft.heights.layers, 0);
+  const FdmRows rows = FdmOf(ResolveOrDie({}).settings);
+  EXPECT_EQ(rows.machine.plan.skirt.loops, 0);
+  EXPECT_EQ(rows.object.brim.width_nm, 0);
+  EXPECT_EQ(rows.object.raft.heights.layers, 0);
 }
 
 TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {
   const ResolvedSettings resolved =
       ResolveOrDie(Settings({{"gcode_flavor", "reprap"}}, Source::kProfile));
-  EXPECT_EQ(FdmOf(resolved.settings).motion.flavor, GcodeFlavor::kMarlin2);
+  EXPECT_EQ(FdmOf(resolved.settings).machine.motion.flavor, GcodeFlavor::kMarlin2);
   EXPECT_THAT(resolved.warnings,
               ElementsAre("gcode_flavor = reprap: not supported yet: marlin2 is used"));
   EXPECT_EQ(resolved.no_effect, resolved.warnings);
@@ -520,12 +527,12 @@ TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {
 
 TEST(Resolve, AFieldByDistanceLooksAsManyLayersAwayAsItReaches) {
   const std::string field = R"({"kind":"surface_distance","near":0.5,"far":0.1,"length":4.1})";
-  const JobSettings settings = Job({{"density_field", field}, {"layer_height", "0.2"}});
-  EXPECT_EQ(FdmOf(settings).infill[0].density_field, field);
-  EXPECT_EQ(FdmOf(settings).infill[0].field_halo_layers, 21);
-  EXPECT_GE(HaloLayers(FdmOf(settings)), 21);
+  const JobRows settings = Job({{"density_field", field}, {"layer_height", "0.2"}});
+  EXPECT_EQ(FdmOf(settings).region.infill.density_field, field);
+  EXPECT_EQ(FdmOf(settings).region.infill.field_halo_layers, 21);
+  EXPECT_GE(HaloLayers(OneRegion(settings)), 21);
   EXPECT_EQ(FdmOf(Job({{"density_field", R"({"kind":"constant","density":1})"}}))
-                .infill[0]
+                .region.infill
                 .field_halo_layers,
             0);
   const absl::Status far = Refusal({{"density_field", field}, {"layer_height", "0.02"}});
@@ -566,7 +573,7 @@ TEST(Resolve, EveryPatternHasItsNameInSettings) {
   for (const FillPatternInfo& info : kFillPatterns) {
     const std::string name(info.name);
     if (info.sparse) {
-      EXPECT_EQ(FdmOf(ResolveOrDie(Settings({{"fill_pattern", name}})).settings).infill[0].pattern,
+      EXPECT_EQ(FdmOf(ResolveOrDie(Settings({{"fill_pattern", name}})).settings).region.infill.pattern,
                 info.pattern);
     }
     for (const char* key : {"top_fill_pattern", "bottom_fill_pattern", "solid_fill_pattern"})
@@ -575,13 +582,13 @@ TEST(Resolve, EveryPatternHasItsNameInSettings) {
 }
 
 TEST(Resolve, AnchorsAreSharesOfTheInfillsWidth) {
-  const InfillOptions standard = FdmOf(ResolveOrDie(Settings({})).settings).infill[0];
+  const InfillOptions standard = FdmOf(ResolveOrDie(Settings({})).settings).region.infill;
   EXPECT_EQ(standard.anchor_nm, 6 * standard.sparse_width_nm);
   EXPECT_EQ(standard.anchor_max_nm, 50 * kNmPerMm);
   const InfillOptions given =
       FdmOf(ResolveOrDie(Settings({{"infill_anchor", "1.5"}, {"infill_anchor_max", "1000%"}}))
                 .settings)
-          .infill[0];
+          .region.infill;
   EXPECT_EQ(given.anchor_nm, FromMm(1.5));
   EXPECT_EQ(given.anchor_max_nm, 10 * given.sparse_width_nm);
 }
@@ -589,7 +596,7 @@ TEST(Resolve, AnchorsAreSharesOfTheInfillsWidth) {
 TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
   const InfillOptions automatic =
       FdmOf(ResolveOrDie(Settings({{"fill_pattern", "auto"}, {"infill_goal", "time"}})).settings)
-          .infill[0];
+          .region.infill;
   EXPECT_TRUE(automatic.choose_pattern);
   EXPECT_EQ(automatic.goal, FillGoal::kTime);
   const ResolvedSettings given = ResolveOrDie(Settings({{"fill_pattern", "lightning"},
@@ -606,7 +613,7 @@ TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
                                                         {"ironing_flowrate", "20%"},
                                                         {"ironing_spacing", "0.2"},
                                                         {"ironing_speed", "22"}}));
-  const InfillOptions& infill = FdmOf(given.settings).infill[0];
+  const InfillOptions& infill = FdmOf(given.settings).region.infill;
   EXPECT_FALSE(infill.choose_pattern);
   EXPECT_EQ(infill.pattern, FillPattern::kLightning);
   EXPECT_EQ(infill.angle_template, "0,45,+30");
@@ -618,7 +625,7 @@ TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
   EXPECT_TRUE(infill.interface_shells);
   EXPECT_EQ(infill.ironing, (IroningOptions{true, IroningType::kSolid, 0.2, 200'000}));
   EXPECT_EQ(
-      FdmOf(given.settings).motion.speeds[0].speed_mm_s[static_cast<size_t>(Feature::kIroning)],
+      FdmOf(given.settings).region.motion.speed_mm_s[static_cast<size_t>(Feature::kIroning)],
       22);
   EXPECT_THAT(given.no_effect, IsEmpty());
   // What is read back from the effective text is the same.
@@ -634,19 +641,19 @@ TEST(Resolve, ReadsTheSpeedOverBridges) {
                                               {"top_solid_layers", "1"},
                                               {"fill_density", "50%"},
                                               {"perimeter_generator", "classic"}});
-  const JobSettings without = ResolveOrDie(flat).settings;
-  EXPECT_FALSE(FdmOf(without).infill[0].over_bridges);
-  EXPECT_EQ(HaloLayers(FdmOf(without)), 1);
+  const JobRows without = ResolveOrDie(flat).settings;
+  EXPECT_FALSE(FdmOf(without).region.infill.over_bridges);
+  EXPECT_EQ(HaloLayers(OneRegion(without)), 1);
   std::vector<Setting> given = flat;
   given.push_back({"over_bridge_speed", "50%"});
   given.push_back({"solid_infill_speed", "44"});
   given.push_back({"default_acceleration", "900"});
   given.push_back({"solid_infill_acceleration", "700"});
   const ResolvedSettings with = ResolveOrDie(given);
-  EXPECT_TRUE(FdmOf(with.settings).infill[0].over_bridges);
-  EXPECT_EQ(HaloLayers(FdmOf(with.settings)), 2);
-  EXPECT_EQ(FdmOf(with.settings).motion.speeds[0].speed_mm_s[kFeature], 22);
-  EXPECT_EQ(FdmOf(with.settings).motion.acceleration_mm_s2[kFeature], 700);
+  EXPECT_TRUE(FdmOf(with.settings).region.infill.over_bridges);
+  EXPECT_EQ(HaloLayers(OneRegion(with.settings)), 2);
+  EXPECT_EQ(FdmOf(with.settings).region.motion.speed_mm_s[kFeature], 22);
+  EXPECT_EQ(FdmOf(with.settings).machine.motion.acceleration_mm_s2[kFeature], 700);
   EXPECT_THAT(with.no_effect, IsEmpty());
   EXPECT_THAT(with.effective_text, HasSubstr("\nover_bridge_speed = 22\n"));
 }
@@ -656,8 +663,8 @@ TEST(Resolve, ReadsTheFlowOfShortLines) {
   constexpr const char* kTable = "small_area_infill_flow_compensation_model";
   const ResolvedSettings given =
       ResolveOrDie(Settings({{kFlag, "1"}, {kTable, R"("0,0.50";"\n2,0.9";"\n8,1")"}}));
-  EXPECT_TRUE(FdmOf(given.settings).infill[0].small_area_flow);
-  EXPECT_EQ(FdmOf(given.settings).infill[0].small_area_flow_table, "0,0.5;2,0.9;8,1");
+  EXPECT_TRUE(FdmOf(given.settings).region.infill.small_area_flow);
+  EXPECT_EQ(FdmOf(given.settings).region.infill.small_area_flow_table, "0,0.5;2,0.9;8,1");
   EXPECT_THAT(given.effective_text, HasSubstr("_model = 0,0.5;2,0.9;8,1\n"));
   EXPECT_THAT(given.no_effect, IsEmpty());
   EXPECT_THAT(ResolveOrDie(Settings({{kTable, "0,0;3,1"}})).no_effect,
@@ -671,7 +678,7 @@ TEST(Resolve, ReadsTheFlowOfShortLines) {
 TEST(Resolve, LayersPrintedAtOnceAreNoHigherThanTheNozzleIsWide) {
   const ResolvedSettings resolved = ResolveOrDie(Settings(
       {{"infill_every_layers", "5"}, {"layer_height", "0.15"}, {"nozzle_diameter", "0.4"}}));
-  EXPECT_EQ(FdmOf(resolved.settings).infill[0].every_layers, 2);
+  EXPECT_EQ(FdmOf(resolved.settings).region.infill.every_layers, 2);
   EXPECT_THAT(resolved.no_effect, ElementsAre("infill_every_layers = 5: 2 is what layer_height and "
                                               "nozzle_diameter allow"));
 }
@@ -712,17 +719,16 @@ TEST(Resolve, ThumbnailsTakeTheFormatThatTheyDoNotName) {
 }
 
 TEST(Resolve, SlowsOverhangsDownByDegree) {
-  const MotionOptions motion = FdmOf(ResolveOrDie(Settings({{"external_perimeter_speed", "40"},
+  const MotionOptions motion = MotionOf(FdmOf(ResolveOrDie(Settings({{"external_perimeter_speed", "40"},
                                                             {"enable_dynamic_overhang_speeds", "1"},
                                                             {"overhang_speed_1", "50%"},
                                                             {"overhang_fan_speed_3", "70"},
                                                             {"first_layer_infill_speed", "25%"},
                                                             {"solid_infill_speed", "60"}}))
-                                         .settings)
-                                   .motion;
+                                         .settings));
   EXPECT_TRUE(motion.speeds[0].dynamic_overhangs);
   EXPECT_EQ(motion.speeds[0].overhang_speed_mm_s, (std::array<double, 4>{15, 20, 20, 25}));
-  EXPECT_EQ(motion.cooling.overhang_fan_percent, (std::array<int32_t, 4>{0, 0, 0, 70}));
+  EXPECT_EQ(motion.tool().cooling.overhang_fan_percent, (std::array<int32_t, 4>{0, 0, 0, 70}));
   EXPECT_EQ(motion.first_layer_infill_speed_mm_s, 15);
 }
 
@@ -755,7 +761,7 @@ TEST(Resolve, SilentModeHasTheSecondValues) {
       {"machine_max_jerk_e", "7"}};
   const ResolvedSettings resolved = ResolveOrDie(Settings(given));
   EXPECT_THAT(resolved.no_effect, IsEmpty());
-  const MotionOptions& motion = FdmOf(resolved.settings).motion;
+  const MotionOptions motion = MotionOf(FdmOf(resolved.settings));
   ASSERT_TRUE(motion.silent_limits.has_value());
   MachineLimits expected = motion.limits;
   EXPECT_EQ(expected.max_feedrate_mm_s[0], 500);
@@ -763,10 +769,10 @@ TEST(Resolve, SilentModeHasTheSecondValues) {
   expected.max_acceleration_extruding_mm_s2 = 960;
   EXPECT_EQ(*motion.silent_limits, expected) << "a list of one value holds for both";
   given[0].second = "klipper";
-  EXPECT_FALSE(FdmOf(ResolveOrDie(Settings(given)).settings).motion.silent_limits) << "has no such mode";
+  EXPECT_FALSE(FdmOf(ResolveOrDie(Settings(given)).settings).machine.motion.silent_limits) << "has no such mode";
   given[0].second = "marlin";
   given[1].second = "0";
-  EXPECT_FALSE(FdmOf(ResolveOrDie(Settings(given)).settings).motion.silent_limits);
+  EXPECT_FALSE(FdmOf(ResolveOrDie(Settings(given)).settings).machine.motion.silent_limits);
   given[1].second = "1";
   given[2].second = "500,fast";
   EXPECT_FALSE(Refusal(given).ok());
@@ -784,7 +790,7 @@ TEST(Resolve, ReportsRepetitionsWithinOneSourceOnly) {
 
 TEST(Resolve, WarnsOfADensityThatLacksItsPercentSign) {
   const ResolvedSettings resolved = ResolveOrDie(Settings({{"fill_density", "0.4"}}));
-  EXPECT_DOUBLE_EQ(FdmOf(resolved.settings).infill[0].density, 0.004);
+  EXPECT_DOUBLE_EQ(FdmOf(resolved.settings).region.infill.density, 0.004);
   EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("for 40% write the percent sign")));
   EXPECT_THAT(ResolveOrDie(Settings({{"fill_density", "40"}})).warnings, IsEmpty());
   EXPECT_THAT(ResolveOrDie(Settings({{"fill_density", "0.4%"}})).warnings, IsEmpty());

@@ -22,7 +22,7 @@ absl::Status Refusal(const Pairs& pairs) {
 }
 
 TEST(ResolveWriting, ReadsHowGcodeIsWritten) {
-  const WritingOptions none = FdmOf(ResolveOrDie({}).settings).motion.writing;
+  const WritingOptions none = FdmOf(ResolveOrDie({}).settings).machine.motion.writing;
   EXPECT_TRUE(none.relative_e);
   EXPECT_EQ(none.file_name, "[input_filename_base].gcode");
   EXPECT_EQ(none.color_change_gcode, "M600");
@@ -36,13 +36,13 @@ TEST(ResolveWriting, ReadsHowGcodeIsWritten) {
                              {"gcode_substitutions", "\"M204\";\"M205\";\"\";\"\""},
                              {"custom_gcode_per_print_z", "[{\"type\":\"pause\",\"z\":1}]"},
                              {"output_filename_format", "{layer_height}.gcode"}}));
-  const MotionOptions& motion = FdmOf(resolved.settings).motion;
+  const MotionOptions motion = MotionOf(FdmOf(resolved.settings));
   EXPECT_FALSE(motion.writing.relative_e);
   EXPECT_TRUE(motion.writing.volumetric_e && motion.writing.firmware_retraction);
   EXPECT_TRUE(motion.writing.comments && motion.writing.binary);
   EXPECT_EQ(motion.writing.height_code, "[{\"z\":1.0,\"type\":\"pause\"}]");
-  EXPECT_EQ(motion.retraction.length_mm, 1);
-  EXPECT_TRUE(FdmOf(resolved.settings).ordering.travel.retract_layer_change);
+  EXPECT_EQ(motion.tool().retraction.length_mm, 1);
+  EXPECT_TRUE(FdmOf(resolved.settings).machine.order.travel.retract_layer_change);
   EXPECT_THAT(resolved.effective_text, HasSubstr("\ngcode_substitutions = M204;M205;;\n"));
   EXPECT_THAT(resolved.no_effect, IsEmpty());
 }
@@ -76,11 +76,11 @@ TEST(ResolveWriting, LimitsThatAreIgnoredAreThoseOfNoSetting) {
                        {"machine_min_travel_rate", "3"}};
   Pairs ignored = given;
   ignored.emplace_back("machine_limits_usage", "ignore");
-  const MachineLimits none = FdmOf(ResolveOrDie({}).settings).motion.limits;
-  EXPECT_NE(FdmOf(ResolveOrDie(Settings(given)).settings).motion.limits, none);
-  EXPECT_EQ(FdmOf(ResolveOrDie(Settings(ignored)).settings).motion.limits, none);
+  const MachineLimits none = FdmOf(ResolveOrDie({}).settings).machine.motion.limits;
+  EXPECT_NE(FdmOf(ResolveOrDie(Settings(given)).settings).machine.motion.limits, none);
+  EXPECT_EQ(FdmOf(ResolveOrDie(Settings(ignored)).settings).machine.motion.limits, none);
   ignored.back().second = "emit_to_gcode";
-  EXPECT_TRUE(FdmOf(ResolveOrDie(Settings(ignored)).settings).motion.limits.emit_to_gcode);
+  EXPECT_TRUE(FdmOf(ResolveOrDie(Settings(ignored)).settings).machine.motion.limits.emit_to_gcode);
 }
 
 }  // namespace

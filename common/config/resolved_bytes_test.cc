@@ -80,7 +80,7 @@ TEST(CheckResolvedBytes, ManyModifiersShareALongFieldOfTheJob) {
   ASSERT_TRUE(CheckResolvedBytes(job, objects).ok());
   const auto plate = ResolvePlate(job, objects, Process::kFdm);
   ASSERT_TRUE(plate.ok()) << plate.status();
-  const std::vector<InfillOptions>& rows = FdmOf(plate->settings).infill;
+  const std::vector<InfillOptions> rows = InfillOf(FdmOf(plate->settings));
   ASSERT_GT(rows.size(), 90u);
   for (const InfillOptions& row : rows)
     EXPECT_EQ(&row.density_field.str(), &rows[0].density_field.str());

@@ -17,14 +17,14 @@ bool IsWanted(const Need& need, const Draft& draft, std::string_view key) {
   return entry.requested || !IsStandard(SettingsTable(draft.process())[index], entry.written);
 }
 
-bool IsMet(const Need& need, const Draft& draft, const JobSettings& settings) {
+bool IsMet(const Need& need, const Draft& draft, const JobRows& settings) {
   return need.met_by != nullptr ? need.met_by(draft) : need.met(settings);
 }
 
 }  // namespace
 
 std::vector<std::string> UnmetNeeds(std::span<const Need> needs, const Draft& draft,
-                                    const JobSettings& settings) {
+                                    const JobRows& settings) {
   std::vector<std::string> notes;
   for (const Need& need : needs) {
     if (IsMet(need, draft, settings)) continue;

@@ -14,7 +14,7 @@ namespace slicefarm::config {
 struct Need {
   std::string_view keys;  ///< by spaces
   std::string_view what;  ///< for people: "wipe = 1"
-  bool (*met)(const JobSettings&) = nullptr;
+  bool (*met)(const JobRows&) = nullptr;
   bool (*met_by)(const Draft&) =
       nullptr;  ///< in its place, for flags that are no option of a stage
   /// Their standards follow others, so a profile that holds the numbers asks for nothing.
@@ -25,6 +25,6 @@ struct Need {
 /// are about, as `key = value: needs ...`. A profile gives every setting there is, so of a profile
 /// only those count that differ from their standard.
 std::vector<std::string> UnmetNeeds(std::span<const Need> needs, const Draft& draft,
-                                    const JobSettings& settings);
+                                    const JobRows& settings);
 
 }  // namespace slicefarm::config

@@ -7,7 +7,7 @@
 namespace slicefarm::config::shapes_test {
 namespace {
 
-JobSettings Job(const Pairs& pairs) {
+JobRows Job(const Pairs& pairs) {
   auto resolved = Resolve(Settings(pairs), Process::kFdm);
   if (!resolved.ok()) {
     ADD_FAILURE() << resolved.status();
@@ -17,7 +17,7 @@ JobSettings Job(const Pairs& pairs) {
 }
 
 TEST(ResolveShapes, ReadsWhatShapesWalls) {
-  const JobSettings settings = Job({{"slicing_mode", "close_holes"},
+  const JobRows settings = Job({{"slicing_mode", "close_holes"},
                                     {"overhangs", "0"},
                                     {"top_one_perimeter_type", "top"},
                                     {"fuzzy_skin", "all"},
@@ -26,22 +26,22 @@ TEST(ResolveShapes, ReadsWhatShapesWalls) {
                                     {"prefer_clockwise_movements", "1"},
                                     {"seam_gap_distance", "15%"},
                                     {"nozzle_diameter", "0.6"}});
-  EXPECT_TRUE(settings.slicing.objects[0].close_holes);
-  EXPECT_EQ(settings.slicing.objects[0].fill_rule, FillRule::kNonZero);
-  EXPECT_FALSE(FdmOf(settings).motion.speeds[0].bridging_walls);
-  EXPECT_EQ(FdmOf(settings).beading[0].one_on_top, OneWallOnTop::kSurfaces);
-  EXPECT_EQ(FdmOf(settings).beading[0].fuzzy, FuzzySkin::kAllWalls);
-  EXPECT_EQ(FdmOf(settings).beading[0].fuzzy_thickness_nm, 200'000);
-  EXPECT_EQ(FdmOf(settings).beading[0].fuzzy_point_distance_nm, 500'000);
-  EXPECT_TRUE(FdmOf(settings).ordering.clockwise);
-  EXPECT_NEAR(FdmOf(settings).motion.seam_gap_mm, 0.09, 1e-9);
-  EXPECT_TRUE(FdmOf(Job({})).motion.speeds[0].bridging_walls);
+  EXPECT_TRUE(settings.object.close_holes);
+  EXPECT_EQ(settings.object.fill_rule, FillRule::kNonZero);
+  EXPECT_FALSE(FdmOf(settings).region.motion.bridging_walls);
+  EXPECT_EQ(FdmOf(settings).region.walls.one_on_top, OneWallOnTop::kSurfaces);
+  EXPECT_EQ(FdmOf(settings).region.walls.fuzzy, FuzzySkin::kAllWalls);
+  EXPECT_EQ(FdmOf(settings).region.walls.fuzzy_thickness_nm, 200'000);
+  EXPECT_EQ(FdmOf(settings).region.walls.fuzzy_point_distance_nm, 500'000);
+  EXPECT_TRUE(FdmOf(settings).machine.order.clockwise);
+  EXPECT_NEAR(FdmOf(settings).machine.motion.seam_gap_mm, 0.09, 1e-9);
+  EXPECT_TRUE(FdmOf(Job({})).region.motion.bridging_walls);
 }
 
 TEST(ResolveShapes, ExtraWallsNeedInfill) {
   const auto extra = [](const char* density) {
     return FdmOf(Job({{"extra_perimeters", "1"}, {"fill_density", density}}))
-        .beading[0]
+        .region.walls
         .extra_perimeters;
   };
   EXPECT_TRUE(extra("5%"));
@@ -49,7 +49,7 @@ TEST(ResolveShapes, ExtraWallsNeedInfill) {
 }
 
 TEST(ResolveShapes, FilamentsOverrideRampsAndGaps) {
-  const JobSettings settings = Job({{"travel_ramping_lift", "0"},
+  const JobRows settings = Job({{"travel_ramping_lift", "0"},
                                     {"filament_travel_ramping_lift", "1"},
                                     {"travel_max_lift", "0.4"},
                                     {"filament_travel_max_lift", "1.5"},
@@ -59,12 +59,12 @@ TEST(ResolveShapes, FilamentsOverrideRampsAndGaps) {
                                     {"seam_gap_distance", "0.1"},
                                     {"filament_seam_gap_distance", "25%"},
                                     {"nozzle_diameter", "0.4"}});
-  const RetractionOptions& retraction = FdmOf(settings).motion.retraction;
+  const RetractionOptions& retraction = FdmOf(settings).tool.retraction;
   EXPECT_TRUE(retraction.ramping);
   EXPECT_EQ(retraction.ramp_lift_mm, 1.5);
   EXPECT_EQ(retraction.ramp_slope_deg, 3);
   EXPECT_TRUE(retraction.before_obstacles);
-  EXPECT_NEAR(FdmOf(settings).motion.seam_gap_mm, 0.1, 1e-9);
+  EXPECT_NEAR(FdmOf(settings).machine.motion.seam_gap_mm, 0.1, 1e-9);
 }
 
 TEST(ResolveShapes, AutomaticBrimsKnowTheMaterial) {
@@ -73,7 +73,7 @@ TEST(ResolveShapes, AutomaticBrimsKnowTheMaterial) {
                       {"filament_type", filament},
                       {"perimeter_speed", "90"},
                       {"infill_speed", "120"}}))
-        .planning.objects[0]
+        .object
         .brim;
   };
   EXPECT_EQ(brim("auto_brim", "PLA").automatic, (AutomaticBrim{true, 200, 1, 120}));

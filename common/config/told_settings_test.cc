@@ -85,10 +85,10 @@ TEST(ToldSettings, ResolveToThemselves) {
 
 TEST(ToldSettings, GoWithTheLayersThatNameThem) {
   const std::string given = "notes = n\nspiral_vase = 0\n";
-  EXPECT_EQ(FdmOf(ResolveOrDie(given).settings).motion.layer_settings, "");
+  EXPECT_EQ(FdmOf(ResolveOrDie(given).settings).machine.motion.layer_settings, "");
   EXPECT_EQ(
       FdmOf(ResolveOrDie(given + "layer_gcode = {if spiral_vase}[layer_height]{endif}\n").settings)
-          .motion.layer_settings,
+          .machine.motion.layer_settings,
       "layer_height = 0.3\nspiral_vase = 0\n");
 }
 

@@ -114,7 +114,7 @@ TEST(Resolve, ToldByWeight) {
 TEST(Resolve, InfillIsNoFasterThanItsFilament) {
   const auto speed = [](Pairs pairs) {
     pairs.insert(pairs.begin(), {{"infill_speed", "200"}, {"solid_infill_speed", "50%"}});
-    return FdmOf(Profile(pairs).settings).motion.speeds[0];
+    return FdmOf(Profile(pairs).settings).region.motion;
   };
   const auto sparse = [&](const Pairs& pairs) {
     return speed(pairs).speed_mm_s[static_cast<size_t>(Feature::kInternalInfill)];

@@ -15,7 +15,7 @@ namespace {
 
 bool IsOfRegion(const Setting& setting, Process process) {
   const int index = FindSetting(setting.key, process);
-  return index >= 0 && SettingsTable(process)[index].scope >= Scope::kRegion;
+  return index >= 0 && SettingsTable(process)[index].scope() >= Scope::kRegion;
 }
 
 /// A name for what a region takes from these; empty: nothing.

@@ -39,7 +39,7 @@ absl::StatusOr<JobCode> ParseJobCode(const MotionOptions& options) {
   JobCode code;
   const TemplatePlace places[] = {
       {"start_gcode", options.start_gcode.str(), code.start},
-      {"start_filament_gcode", options.start_filament_gcode.str(), code.start_filament},
+      {"start_filament_gcode", options.tool().start_filament_gcode.str(), code.start_filament},
       {"before_layer_gcode", options.before_layer_gcode.str(), code.before_layer},
       {"layer_gcode", options.layer_gcode.str(), code.layer},
       {"between_objects_gcode", options.between_objects_gcode.str(), code.between_objects},

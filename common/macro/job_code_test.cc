@@ -26,7 +26,7 @@ TEST(ParseJobCode, KnowsWhichLayersWait) {
   EXPECT_TRUE(waits(WithLayers("{global n = 1}")));
   EXPECT_TRUE(waits(WithLayers("{n}", "{global n = 1}")));
   MotionOptions of_filament = WithLayers("{n}");
-  of_filament.start_filament_gcode = "{global n = 1}";
+  of_filament.tool().start_filament_gcode = "{global n = 1}";
   EXPECT_TRUE(waits(of_filament));
   EXPECT_FALSE(waits(WithLayers("{layer_num}", "{global n = 1}{extruded_weight_total}")));
 }

@@ -6,8 +6,8 @@ FilamentUse FilamentUseOf(const ProgramStats& total, const MotionOptions& option
   FilamentUse use;
   use.length_mm = total.FilamentMm();
   use.volume_mm3 = total.VolumeMm3();
-  use.mass_g = use.volume_mm3 / 1000 * options.filament_density_g_cm3;
-  use.cost = use.mass_g / 1000 * options.filament_cost_per_kg;
+  use.mass_g = use.volume_mm3 / 1000 * options.tool().filament_density_g_cm3;
+  use.cost = use.mass_g / 1000 * options.tool().filament_cost_per_kg;
   return use;
 }
 

@@ -37,8 +37,8 @@ MotionJob Motion() {
   MotionJob job;
   auto& [options, facts] = job;
   // The next value of 100 % would be refused.
-  options.cooling.max_fan_percent = 50;
-  options.cooling.bridge_fan_percent = 50;
+  options.tool().cooling.max_fan_percent = 50;
+  options.tool().cooling.bridge_fan_percent = 50;
   options.speeds.resize(2);
   options.speeds[1].small_perimeter_speed_mm_s = 7;
   facts = {40, {{"a", 0, 0, 1}, {"b", 1, 0, 2}}, {{}, {3, 2, 1'000}}};

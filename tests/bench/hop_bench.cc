@@ -172,20 +172,20 @@ absl::StatusOr<LocalCost> Compute(Job* job) {
   };
   const Cost cost = Measure([&] {
     keep(slicing->Slice({}, job->input, job->settings.slicing), &job->sliced);
-    keep(planning->Plan({}, job->outlines(), FdmOf(job->settings).planning), &job->plan);
+    keep(planning->Plan({}, job->outlines(), PlanningOf(FdmOf(job->settings))), &job->plan);
     const Neighbourhood all = job->Around({0, job->layer_count()});
-    keep(beading->Bead({}, all, FdmOf(job->settings).beading), &job->walled);
-    keep(infill->Fill({}, job->walled, all, job->plan.layers, FdmOf(job->settings).infill),
+    keep(beading->Bead({}, all, BeadingOf(FdmOf(job->settings))), &job->walled);
+    keep(infill->Fill({}, job->walled, all, job->plan.layers, InfillOf(FdmOf(job->settings))),
          &job->filled);
     keep(ordering->Order({}, job->filled, job->plan.layers,
-                         OrderingJob{FdmOf(job->settings).ordering, job->plan.copies}),
+                         OrderingJob{OrderingOf(FdmOf(job->settings)), job->plan.copies}),
          &job->ordered);
     job->facts = {job->layer_count(), {}, {}};
-    keep(motion->Program({}, job->ordered, MotionJob{FdmOf(job->settings).motion, job->facts}),
+    keep(motion->Program({}, job->ordered, MotionJob{MotionOf(FdmOf(job->settings)), job->facts}),
          &job->programs);
   });
   const Cost plan = Measure([&] {
-    keep(planning->Plan({}, job->outlines(), FdmOf(job->settings).planning), &job->plan);
+    keep(planning->Plan({}, job->outlines(), PlanningOf(FdmOf(job->settings))), &job->plan);
   });
   if (!status.ok()) return status;
   job->shared = FdmShared{FdmOf(job->settings), job->plan.copies, job->facts};
@@ -250,7 +250,7 @@ class Farm {
   bool Slice() const { return remote_.slicing.Slice({}, job_.input, job_.settings.slicing).ok(); }
   /// By the planning service as it is, which has its algorithm within it.
   bool Plan() const {
-    return remote_.planning.Plan({}, job_.outlines(), FdmOf(job_.settings).planning).ok();
+    return remote_.planning.Plan({}, job_.outlines(), PlanningOf(FdmOf(job_.settings))).ok();
   }
   bool Fused() const {
     return std::ranges::all_of(job_.ranges, [this](LayerRange range) {

@@ -261,14 +261,14 @@ void WritePlanSeed(const Seeds& seeds, const std::string& name, Job& job) {
   PlanCall plan;
   v1::PlanStart& start = *plan.add_requests()->mutable_start();
   Must(ToProto(
-      PlanStart{job.call, FdmOf(job.settings).planning, job.sliced.copies, job.sliced.object_names},
+      PlanStart{job.call, PlanningOf(FdmOf(job.settings)), job.sliced.copies, job.sliced.object_names},
       &start));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, plan.add_requests()->mutable_layer()));
   seeds.Write("planning", name, plan);
   job.plan = Must(planning::MakeLocalPlanning()->Plan(
-      job.call, {job.sliced.layers, job.sliced.copies}, FdmOf(job.settings).planning));
+      job.call, {job.sliced.layers, job.sliced.copies}, PlanningOf(FdmOf(job.settings))));
 }
 
 void WriteWorkSeed(const Seeds& seeds, const std::string& name, const Job& job) {
@@ -288,17 +288,17 @@ std::vector<WalledLayer> WriteBeadSeeds(const Seeds& seeds, const std::string& n
   BeadCall bead;
   v1::BeadStart& start = *bead.add_requests()->mutable_start();
   Must(ToProto(BeadStart{job.call, {}, job.range}, &start));
-  Must(ToProto(FdmOf(job.settings).beading, bead.mutable_shared()));
+  Must(ToProto(BeadingOf(FdmOf(job.settings)), bead.mutable_shared()));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, bead.add_requests()->mutable_layer()));
   seeds.Write("beading", name, bead);
-  BeadingTable classic = FdmOf(job.settings).beading;
+  BeadingTable classic = BeadingOf(FdmOf(job.settings));
   for (BeadingOptions& options : classic) options.generator = WallGenerator::kClassic;
   Must(ToProto(classic, bead.mutable_shared()));
   seeds.Write("beading", name + "_classic", bead);
   return Must(beading::MakeLocalBeading()->Bead(job.call, job.neighbourhood(),
-                                                FdmOf(job.settings).beading));
+                                                BeadingOf(FdmOf(job.settings))));
 }
 
 std::vector<FilledLayer> WriteFillSeed(const Seeds& seeds, const std::string& name, const Job& job,
@@ -306,7 +306,7 @@ std::vector<FilledLayer> WriteFillSeed(const Seeds& seeds, const std::string& na
   FillCall fill;
   v1::FillStart& start = *fill.add_requests()->mutable_start();
   Must(ToProto(FillStart{job.call, {}, job.range}, &start));
-  Must(ToProto(FdmOf(job.settings).infill, fill.mutable_shared()));
+  Must(ToProto(InfillOf(FdmOf(job.settings)), fill.mutable_shared()));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, fill.add_requests()->mutable_neighbour()));
@@ -318,14 +318,14 @@ std::vector<FilledLayer> WriteFillSeed(const Seeds& seeds, const std::string& na
   }
   seeds.Write("infill", name, fill);
   return Must(infill::MakeLocalInfill()->Fill(job.call, std::move(walled), job.neighbourhood(),
-                                              plans, FdmOf(job.settings).infill));
+                                              plans, InfillOf(FdmOf(job.settings))));
 }
 
 std::vector<OrderedLayer> WriteOrderSeed(const Seeds& seeds, const std::string& name,
                                          const Job& job, std::vector<FilledLayer> filled) {
   OrderCall order;
   v1::OrderStart& start = *order.add_requests()->mutable_start();
-  const OrderingJob shared{FdmOf(job.settings).ordering, job.plan.copies};
+  const OrderingJob shared{OrderingOf(FdmOf(job.settings)), job.plan.copies};
   Must(ToProto(OrderStart{job.call, {}}, &start));
   Must(ToProto(shared, order.mutable_shared()));
   Anonymous(&start);
@@ -343,7 +343,7 @@ void WriteMotionSeed(const Seeds& seeds, const std::string& name, const Job& job
                      std::vector<OrderedLayer> ordered) {
   MotionCall motion;
   v1::ProgramStart& start = *motion.add_requests()->mutable_start();
-  const MotionJob shared{FdmOf(job.settings).motion, job.facts};
+  const MotionJob shared{MotionOf(FdmOf(job.settings)), job.facts};
   Must(ToProto(ProgramStart{job.call, {}}, &start));
   Must(ToProto(shared, motion.mutable_shared()));
   Anonymous(&start);
@@ -365,14 +365,14 @@ void WriteMotionSeed(const Seeds& seeds, const std::string& name, const Job& job
     summary.copies.push_back({job.facts.copies[i], job.sliced.copies[i].footprint});
   summary.settings_text = "layer_height = 1\n";
   Must(ToProto(summary, motion.mutable_frame()));
-  motion.mutable_frame()->set_options(PackFields(FdmOf(job.settings).motion));
+  motion.mutable_frame()->set_options(PackFields(MotionOf(FdmOf(job.settings))));
   seeds.Write("motion", name, motion);
 }
 
 /// A laser's calls over the same outlines: by its own stage, and by a worker.
 void WriteExposureSeeds(const Seeds& seeds, const std::string& name, const Job& job) {
   ExposureSettings settings;
-  settings.regions.resize(FdmOf(job.settings).infill.size());
+  settings.regions.resize(FdmOf(job.settings).regions.size());
   constexpr ScanStrategy kStrategies[] = {ScanStrategy::kRings, ScanStrategy::kStripes,
                                           ScanStrategy::kIslands, ScanStrategy::kHatch};
   for (const ScanStrategy strategy : kStrategies) {
@@ -489,7 +489,7 @@ int main(int argc, char** argv) {
   slicefarm::fuzz::WriteEngraveSeeds(seeds);
   slicefarm::fuzz::WriteStageSeeds(seeds, "box", slicefarm::fuzz::JobOf(slicefarm::fuzz::Box()));
   slicefarm::fuzz::Job boxes = slicefarm::fuzz::JobOf(slicefarm::fuzz::BoxesWithModifier());
-  FdmOf(boxes.settings).motion.labels = slicefarm::ObjectLabels::kFirmware;
+  FdmOf(boxes.settings).machine.motion.labels = slicefarm::ObjectLabels::kFirmware;
   slicefarm::fuzz::WriteStageSeeds(seeds, "boxes", std::move(boxes));
   return 0;
 }

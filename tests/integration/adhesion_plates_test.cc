@@ -84,7 +84,7 @@ Plate PlateOf(const MultiPolygon& outline, const std::vector<Point>& places, int
 /// The layers of the print, and the skirt in its plans, as the pipeline does it.
 /// Random plates have copies that overlap.
 PlanningOptions MayOverlap(const JobSettings& settings) {
-  PlanningOptions options = FdmOf(settings).planning;
+  PlanningOptions options = PlanningOf(FdmOf(settings));
   options.objects_may_overlap = true;
   return options;
 }
@@ -106,13 +106,13 @@ class Stages {
     for (SlicedLayer& layer : plate.layers)
       std::erase_if(layer.sections, [](const auto& section) { return section.stack.IsPart(); });
     const LayerRange range{0, static_cast<int32_t>(plate.layers.size())};
-    auto walled = beading_->Bead({}, {range, plate.layers}, FdmOf(settings).beading);
+    auto walled = beading_->Bead({}, {range, plate.layers}, BeadingOf(FdmOf(settings)));
     EXPECT_TRUE(walled.ok()) << walled.status();
     auto filled = infill_->Fill({}, *std::move(walled), {range, plate.layers}, plan->layers,
-                                FdmOf(settings).infill);
+                                InfillOf(FdmOf(settings)));
     EXPECT_TRUE(filled.ok()) << filled.status();
     auto ordered = ordering_->Order({}, *std::move(filled), plan->layers,
-                                    OrderingJob{FdmOf(settings).ordering, plan->copies});
+                                    OrderingJob{OrderingOf(FdmOf(settings)), plan->copies});
     EXPECT_TRUE(ordered.ok()) << ordered.status();
     std::vector<std::vector<Path>> layers;
     for (const OrderedLayer& layer : *ordered) {

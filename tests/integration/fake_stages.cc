@@ -123,19 +123,16 @@ JobSettings SettingsWithAll() {
   JobSettings settings;
   settings.slicing.objects.resize(3);
   settings.slicing.objects[2].layer_height_nm = 123'000;
-  FdmOf(settings).planning.objects.resize(3);
-  FdmOf(settings).planning.objects[2].seam = SeamPosition::kRear;
-  FdmOf(settings).beading.resize(2);
-  FdmOf(settings).beading[1].perimeters = 7;
-  FdmOf(settings).infill.resize(2);
-  FdmOf(settings).infill[1].density = 0.33;
-  FdmOf(settings).ordering.infill_first = true;
-  FdmOf(settings).ordering.walls.resize(2);
-  FdmOf(settings).ordering.walls[1].inner_outer_inner = true;
-  FdmOf(settings).motion.speeds.resize(2);
-  FdmOf(settings).motion.speeds[1].small_perimeter_speed_mm_s = 7;
-  FdmOf(settings).motion.start_gcode = "G28\n";
-  FdmOf(settings).motion.labels = ObjectLabels::kFirmware;
+  FdmOf(settings).objects.resize(3);
+  FdmOf(settings).objects[2].seam = SeamPosition::kRear;
+  FdmOf(settings).regions.resize(2);
+  FdmOf(settings).regions[1].walls.perimeters = 7;
+  FdmOf(settings).regions[1].infill.density = 0.33;
+  FdmOf(settings).machine.order.infill_first = true;
+  FdmOf(settings).regions[1].order.inner_outer_inner = true;
+  FdmOf(settings).regions[1].motion.small_perimeter_speed_mm_s = 7;
+  FdmOf(settings).machine.motion.start_gcode = "G28\n";
+  FdmOf(settings).machine.motion.labels = ObjectLabels::kFirmware;
   return settings;
 }
 

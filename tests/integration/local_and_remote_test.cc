@@ -34,7 +34,7 @@ class LocalAndRemote : public testing::Test {
     auto job = slicing_->Slice(call_, TextBox(), settings_.slicing);
     EXPECT_TRUE(job.ok()) << job.status();
     job_ = *std::move(job);
-    auto plan = planning_->Plan(call_, {job_.layers, job_.copies}, FdmOf(settings_).planning);
+    auto plan = planning_->Plan(call_, {job_.layers, job_.copies}, PlanningOf(FdmOf(settings_)));
     EXPECT_TRUE(plan.ok()) << plan.status();
     plan_ = *std::move(plan);
     EXPECT_GT(LayerCount(), 20);
@@ -90,29 +90,29 @@ TEST_F(LocalAndRemote, EachStageGivesTheSame) {
   EXPECT_EQ(remote_job->thumbnails, job_.thumbnails);
 
   const SlicedOutlines outlines{job_.layers, job_.copies};
-  const auto remote_plan = remote_.planning.Plan(call_, outlines, FdmOf(settings_).planning);
+  const auto remote_plan = remote_.planning.Plan(call_, outlines, PlanningOf(FdmOf(settings_)));
   ASSERT_TRUE(remote_plan.ok()) << remote_plan.status();
   EXPECT_EQ(*remote_plan, plan_);
 
   const Neighbourhood all{task_.range, task_.layers};
-  const auto walled = beading_->Bead(call_, all, FdmOf(settings_).beading);
+  const auto walled = beading_->Bead(call_, all, BeadingOf(FdmOf(settings_)));
   ASSERT_TRUE(walled.ok()) << walled.status();
-  EXPECT_EQ(*remote_.beading.Bead(call_, all, FdmOf(settings_).beading), *walled);
+  EXPECT_EQ(*remote_.beading.Bead(call_, all, BeadingOf(FdmOf(settings_))), *walled);
 
-  const auto filled = infill_->Fill(call_, *walled, all, task_.plans, FdmOf(settings_).infill);
+  const auto filled = infill_->Fill(call_, *walled, all, task_.plans, InfillOf(FdmOf(settings_)));
   ASSERT_TRUE(filled.ok()) << filled.status();
-  EXPECT_EQ(*remote_.infill.Fill(call_, *walled, all, task_.plans, FdmOf(settings_).infill),
+  EXPECT_EQ(*remote_.infill.Fill(call_, *walled, all, task_.plans, InfillOf(FdmOf(settings_))),
             *filled);
 
   const auto order = [&](const OrderingStage& stage) {
     return stage.Order(call_, *filled, plan_.layers,
-                       OrderingJob{FdmOf(settings_).ordering, plan_.copies});
+                       OrderingJob{OrderingOf(FdmOf(settings_)), plan_.copies});
   };
   const auto ordered = order(*ordering_);
   ASSERT_TRUE(ordered.ok()) << ordered.status();
   EXPECT_EQ(*order(remote_.ordering), *ordered);
 
-  const MotionJob motion_job{FdmOf(settings_).motion, facts_};
+  const MotionJob motion_job{MotionOf(FdmOf(settings_)), facts_};
   const auto programs = motion_->Program(call_, *ordered, motion_job);
   ASSERT_TRUE(programs.ok()) << programs.status();
   EXPECT_EQ(*remote_.motion.Program(call_, *ordered, motion_job), *programs);
@@ -128,16 +128,16 @@ TEST_F(LocalAndRemote, PlanningRefusesTheSameHereAndThere) {
   };
   std::vector<PlacedCopy> copies = job_.copies;
   copies.push_back({.object = 1, .shift = {}, .footprint = {}});
-  refusals({job_.layers, copies}, FdmOf(settings_).planning);
+  refusals({job_.layers, copies}, PlanningOf(FdmOf(settings_)));
   std::vector<SlicedLayer> layers = job_.layers;
   layers[7].sections[0].stack = 1;
-  refusals({layers, job_.copies}, FdmOf(settings_).planning);
+  refusals({layers, job_.copies}, PlanningOf(FdmOf(settings_)));
 }
 
 TEST_F(LocalAndRemote, PlanningRefusesLayersThatDoNotFollowEachOther) {
   const SlicedOutlines without_first{std::span(job_.layers).subspan(1), job_.copies};
   const absl::Status status =
-      remote_.planning.Plan(call_, without_first, FdmOf(settings_).planning).status();
+      remote_.planning.Plan(call_, without_first, PlanningOf(FdmOf(settings_))).status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
   EXPECT_EQ(DetailOf(status).metadata["field"], "message[0].layer");
 }
@@ -161,8 +161,8 @@ std::vector<SlicedLayer> ManyIslands(int32_t layers) {
 TEST_F(LocalAndRemote, PlansOfManyLayersAreTheSameHereAndThere) {
   const std::vector<SlicedLayer> layers = ManyIslands(4'000);
   const SlicedOutlines outlines{layers, job_.copies};
-  const auto here = planning_->Plan(call_, outlines, FdmOf(settings_).planning);
-  const auto there = remote_.planning.Plan(call_, outlines, FdmOf(settings_).planning);
+  const auto here = planning_->Plan(call_, outlines, PlanningOf(FdmOf(settings_)));
+  const auto there = remote_.planning.Plan(call_, outlines, PlanningOf(FdmOf(settings_)));
   ASSERT_TRUE(here.ok() && there.ok()) << there.status();
   EXPECT_EQ(*there, *here);
 }
@@ -179,7 +179,7 @@ TEST_F(LocalAndRemote, PlansComeWhileLayersAreSent) {
         plans += response.has_layer();
         return absl::OkStatus();
       });
-  PlanningOptions options = FdmOf(settings_).planning;
+  PlanningOptions options = PlanningOf(FdmOf(settings_));
   for (ObjectPlanOptions& object : options.objects) object.seam = SeamPosition::kNearest;
   v1::PlanRequest request;
   ASSERT_TRUE(ToProto(PlanStart{call_, options, job_.copies, {}}, request.mutable_start()).ok());
@@ -219,9 +219,9 @@ TEST_F(LocalAndRemote, PlanningStopsWhenItIsCancelled) {
   call.cancel = CancelToken([] { return true; });
   const SlicedOutlines outlines{job_.layers, job_.copies};
   EXPECT_TRUE(
-      absl::IsCancelled(planning_->Plan(call, outlines, FdmOf(settings_).planning).status()));
+      absl::IsCancelled(planning_->Plan(call, outlines, PlanningOf(FdmOf(settings_))).status()));
   EXPECT_TRUE(
-      absl::IsCancelled(remote_.planning.Plan(call, outlines, FdmOf(settings_).planning).status()));
+      absl::IsCancelled(remote_.planning.Plan(call, outlines, PlanningOf(FdmOf(settings_))).status()));
 }
 
 TEST_F(LocalAndRemote, AWorkerGivesWhatTheChainGives) {
@@ -238,10 +238,10 @@ TEST_F(LocalAndRemote, AWorkerGivesWhatTheChainGives) {
 
 // Of a field by the distance to the surface, the halo is a part.
 TEST_F(LocalAndRemote, FieldsGiveTheSameHereAndThereAndInRanges) {
-  InfillOptions& infill = FdmOf(settings_).infill[0];
+  InfillOptions& infill = FdmOf(settings_).regions[0].infill;
   infill.density_field = R"({"kind":"surface_distance","near":0.6,"far":0.1,"length":1.5})";
   infill.field_halo_layers = 8;
-  FdmOf(settings_).motion.material_field =
+  FdmOf(settings_).machine.motion.material_field =
       R"({"parts":[{"kind":"height","table":[[0,0],[9,1]]},{"kind":"height","table":[[0,1],[9,0]]}]})";
   const FdmTask by_distance = TaskOf(task_.range);
   const auto whole = chain_.Run(call_, by_distance);
@@ -363,7 +363,7 @@ TEST_F(LaserLocalAndRemote, RefusesTheSameHereAndThere) {
 class OneAfterTheOther : public LocalAndRemote {
  protected:
   OneAfterTheOther() {
-    FdmOf(settings_).planning.sequence.complete_objects = true;
+    FdmOf(settings_).machine.plan.sequence.complete_objects = true;
     job_.copies.push_back(job_.copies[0]);
     PlacedCopy& second = job_.copies[1];
     second.shift = second.shift + kAway;
@@ -376,8 +376,8 @@ class OneAfterTheOther : public LocalAndRemote {
 };
 
 TEST_F(OneAfterTheOther, ThePlanIsTheSameHereAndThere) {
-  const auto here = planning_->Plan(call_, Outlines(), FdmOf(settings_).planning);
-  const auto there = remote_.planning.Plan(call_, Outlines(), FdmOf(settings_).planning);
+  const auto here = planning_->Plan(call_, Outlines(), PlanningOf(FdmOf(settings_)));
+  const auto there = remote_.planning.Plan(call_, Outlines(), PlanningOf(FdmOf(settings_)));
   ASSERT_TRUE(here.ok()) << here.status();
   ASSERT_TRUE(there.ok()) << there.status();
   EXPECT_EQ(here->copies[0].pass + here->copies[1].pass, 1);
@@ -386,9 +386,9 @@ TEST_F(OneAfterTheOther, ThePlanIsTheSameHereAndThere) {
 
 TEST_F(OneAfterTheOther, TheNamesOfWhatCollidesAreTheSameHereAndThere) {
   job_.copies[1] = job_.copies[0];
-  const absl::Status here = planning_->Plan(call_, Outlines(), FdmOf(settings_).planning).status();
+  const absl::Status here = planning_->Plan(call_, Outlines(), PlanningOf(FdmOf(settings_))).status();
   const absl::Status there =
-      remote_.planning.Plan(call_, Outlines(), FdmOf(settings_).planning).status();
+      remote_.planning.Plan(call_, Outlines(), PlanningOf(FdmOf(settings_))).status();
   EXPECT_EQ(DetailOf(here).reason, Reason::kObjectsCollide) << here;
   EXPECT_EQ(DetailOf(here).metadata.at("first"), job_.object_names[0] + " (copy 1)");
   EXPECT_EQ(DetailOf(there).reason, Reason::kObjectsCollide) << there;
@@ -396,8 +396,8 @@ TEST_F(OneAfterTheOther, TheNamesOfWhatCollidesAreTheSameHereAndThere) {
 }
 
 TEST_F(OneAfterTheOther, RangesElsewhereGiveWhatTheWholeGivesHere) {
-  plan_ = *planning_->Plan(call_, Outlines(), FdmOf(settings_).planning);
-  FdmOf(settings_).motion.layer_gcode = ";{layer_num} of {total_layer_count}, {max_layer_z}";
+  plan_ = *planning_->Plan(call_, Outlines(), PlanningOf(FdmOf(settings_)));
+  FdmOf(settings_).machine.motion.layer_gcode = ";{layer_num} of {total_layer_count}, {max_layer_z}";
   facts_ = {2 * LayerCount(), {}, {{}, {LayerCount(), 0, 5'000'000}}};
   const auto whole = chain_.Run(call_, TaskOf({0, LayerCount()}));
   ASSERT_TRUE(whole.ok()) << whole.status();

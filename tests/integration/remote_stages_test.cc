@@ -92,12 +92,12 @@ TEST(RemoteStages, SlicingGivesAndTakesAll) {
 TEST(RemoteStages, PlanningGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto plan = farm.planning.Plan(NewCall(), TheOutlines(), FdmOf(sample.settings).planning);
+  const auto plan = farm.planning.Plan(NewCall(), TheOutlines(), PlanningOf(FdmOf(sample.settings)));
   ASSERT_TRUE(plan.ok()) << plan.status();
   EXPECT_EQ(*plan, sample.plan);
   EXPECT_EQ(farm.fakes.layers, sample.job.layers);
   EXPECT_EQ(farm.fakes.placed, sample.job.copies);
-  EXPECT_EQ(farm.fakes.planning_options, FdmOf(sample.settings).planning);
+  EXPECT_EQ(farm.fakes.planning_options, PlanningOf(FdmOf(sample.settings)));
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
 }
 
@@ -122,7 +122,7 @@ TEST(RemoteStages, OutlinesAndPlansAreHeldInTheJobsMemory) {
     EXPECT_EQ(status.ok(), limit >= outlines) << status;
     if (status.ok()) {
       EXPECT_EQ(budget.used(), outlines);
-      status = farm.planning.Plan(call, TheOutlines(), FdmOf(sample.settings).planning).status();
+      status = farm.planning.Plan(call, TheOutlines(), PlanningOf(FdmOf(sample.settings))).status();
       EXPECT_EQ(status.ok(), limit >= outlines + plan) << status;
     }
     if (status.ok()) continue;
@@ -135,12 +135,12 @@ TEST(RemoteStages, BeadingGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
   const auto walled =
-      farm.beading.Bead(NewCall(), TheNeighbourhood(), FdmOf(sample.settings).beading);
+      farm.beading.Bead(NewCall(), TheNeighbourhood(), BeadingOf(FdmOf(sample.settings)));
   ASSERT_TRUE(walled.ok()) << walled.status();
   EXPECT_EQ(*walled, sample.walled);
   EXPECT_EQ(farm.fakes.range, Sample::kRange);
   EXPECT_EQ(farm.fakes.layers, sample.outlines);
-  EXPECT_EQ(farm.fakes.beading_options, FdmOf(sample.settings).beading);
+  EXPECT_EQ(farm.fakes.beading_options, BeadingOf(FdmOf(sample.settings)));
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
 }
 
@@ -148,13 +148,13 @@ TEST(RemoteStages, InfillGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
   const auto filled = farm.infill.Fill(NewCall(), sample.walled, TheNeighbourhood(), sample.plans,
-                                       FdmOf(sample.settings).infill);
+                                       InfillOf(FdmOf(sample.settings)));
   ASSERT_TRUE(filled.ok()) << filled.status();
   EXPECT_EQ(*filled, sample.filled);
   EXPECT_EQ(farm.fakes.range, Sample::kRange);
   EXPECT_EQ(farm.fakes.layers, sample.outlines);
   EXPECT_EQ(farm.fakes.walled, sample.walled);
-  EXPECT_EQ(farm.fakes.infill_options, FdmOf(sample.settings).infill);
+  EXPECT_EQ(farm.fakes.infill_options, InfillOf(FdmOf(sample.settings)));
   ASSERT_EQ(farm.fakes.infill_plans.size(), sample.plans.size());
   for (size_t i = 0; i < sample.plans.size(); ++i)
     EXPECT_EQ(farm.fakes.infill_plans[i].infill, sample.plans[i].infill);
@@ -165,7 +165,7 @@ TEST(RemoteStages, OrderingGivesAndTakesAll) {
   const Sample& sample = TheSample();
   const auto ordered =
       farm.ordering.Order(NewCall(), sample.filled, sample.plans,
-                          OrderingJob{FdmOf(sample.settings).ordering, sample.plan.copies});
+                          OrderingJob{OrderingOf(FdmOf(sample.settings)), sample.plan.copies});
   ASSERT_TRUE(ordered.ok()) << ordered.status();
   EXPECT_EQ(*ordered, sample.ordered);
   EXPECT_EQ(farm.fakes.filled, sample.filled);
@@ -173,29 +173,29 @@ TEST(RemoteStages, OrderingGivesAndTakesAll) {
   for (LayerPlan& plan : plans) plan.infill.clear();  // it is done
   EXPECT_EQ(farm.fakes.plans, plans);
   EXPECT_EQ(farm.fakes.copies, sample.plan.copies);
-  EXPECT_EQ(farm.fakes.ordering_options, FdmOf(sample.settings).ordering);
+  EXPECT_EQ(farm.fakes.ordering_options, OrderingOf(FdmOf(sample.settings)));
 }
 
 TEST(RemoteStages, MotionGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
   const auto programs = farm.motion.Program(NewCall(), sample.ordered,
-                                            MotionJob{FdmOf(sample.settings).motion, sample.facts});
+                                            MotionJob{MotionOf(FdmOf(sample.settings)), sample.facts});
   ASSERT_TRUE(programs.ok()) << programs.status();
   EXPECT_EQ(*programs, sample.programs);
   EXPECT_EQ(farm.fakes.ordered, sample.ordered);
   EXPECT_EQ(farm.fakes.facts, sample.facts);
-  EXPECT_EQ(farm.fakes.motion_options, FdmOf(sample.settings).motion);
+  EXPECT_EQ(farm.fakes.motion_options, MotionOf(FdmOf(sample.settings)));
 }
 
 TEST(RemoteStages, FrameGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto frame = farm.motion.Envelope(NewCall(), sample.summary, FdmOf(sample.settings).motion);
+  const auto frame = farm.motion.Envelope(NewCall(), sample.summary, MotionOf(FdmOf(sample.settings)));
   ASSERT_TRUE(frame.ok()) << frame.status();
   EXPECT_EQ(*frame, sample.frame);
   EXPECT_EQ(farm.fakes.summary, sample.summary);
-  EXPECT_EQ(farm.fakes.motion_options, FdmOf(sample.settings).motion);
+  EXPECT_EQ(farm.fakes.motion_options, MotionOf(FdmOf(sample.settings)));
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
 }
 
@@ -222,7 +222,7 @@ TEST(RemoteStages, WorkerGivesAndTakesAll) {
 TEST(RemoteStages, WhatAJobsCallsShareIsSentOnce) {
   Farm farm;
   const Sample& sample = TheSample();
-  const Shared<InfillTable> table = FdmOf(sample.settings).infill;
+  const Shared<InfillTable> table = InfillOf(FdmOf(sample.settings));
   for (int i = 0; i < 3; ++i) {
     const Shared<InfillTable> copy = table;  // NOLINT(performance-unnecessary-copy-initialization)
     const auto filled =
@@ -266,7 +266,7 @@ INSTANTIATE_TEST_SUITE_P(
         AnyCall{"Bead",
                 [](const Farm& farm, const StageCall& call) {
                   return farm.beading
-                      .Bead(call, TheNeighbourhood(), FdmOf(TheSample().settings).beading)
+                      .Bead(call, TheNeighbourhood(), BeadingOf(FdmOf(TheSample().settings)))
                       .status();
                 }},
         AnyCall{"Fill",
@@ -274,7 +274,7 @@ INSTANTIATE_TEST_SUITE_P(
                   const Sample& sample = TheSample();
                   return farm.infill
                       .Fill(call, sample.walled, TheNeighbourhood(), sample.plans,
-                            FdmOf(sample.settings).infill)
+                            InfillOf(FdmOf(sample.settings)))
                       .status();
                 }},
         AnyCall{"Order",
@@ -470,7 +470,7 @@ TEST(StageServices, NameTheFieldOfALayerThatIsMalformed) {
   std::vector<SlicedLayer> outlines = TheSample().outlines;
   outlines[2].frame.height_nm = 0;
   const absl::Status status =
-      farm.beading.Bead(NewCall(), {Sample::kRange, outlines}, FdmOf(TheSample().settings).beading)
+      farm.beading.Bead(NewCall(), {Sample::kRange, outlines}, BeadingOf(FdmOf(TheSample().settings)))
           .status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
   EXPECT_EQ(DetailOf(status).metadata["field"], "message[2].frame.height_nm");
@@ -499,7 +499,7 @@ TEST(RemoteStages, AnInputBeyondTheWireIsRefusedBeforeItIsSent) {
   std::vector<SlicedLayer> outlines = TheSample().outlines;
   outlines[1].sections[1].regions[0].outlines[0].outer[0].x = Coord{1} << 31;
   const absl::Status status =
-      farm.beading.Bead(NewCall(), {Sample::kRange, outlines}, FdmOf(TheSample().settings).beading)
+      farm.beading.Bead(NewCall(), {Sample::kRange, outlines}, BeadingOf(FdmOf(TheSample().settings)))
           .status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfRange) << status;
 }

@@ -1,5 +1,4 @@
 #include "common/config/table/shared_settings.h"
-#include "common/config/table/shared_view.h"
 
 namespace slicefarm::config {
 
@@ -8,15 +7,13 @@ namespace {
 /// slicing_mode beyond the rules of filling.
 constexpr int kCloseHoles = 3;
 
-void SetSlicingMode(JobSettings& settings, const Value& value) {
-  ObjectSlicingOptions& object = settings.slicing.objects[0];
+void SetSlicingMode(ObjectSlicingOptions& object, const Value& value) {
   const auto mode = static_cast<int>(std::lround(value.number));
   object.close_holes = mode == kCloseHoles;
   object.fill_rule = object.close_holes ? FillRule::kNonZero : static_cast<FillRule>(mode);
 }
 
-Value SlicingMode(const JobSettings& settings) {
-  const ObjectSlicingOptions& object = settings.slicing.objects[0];
+Value SlicingModeOf(const ObjectSlicingOptions& object) {
   return {.number = static_cast<double>(object.close_holes ? kCloseHoles
                                                            : static_cast<int>(object.fill_rule))};
 }
@@ -32,8 +29,7 @@ std::vector<SettingSpec> LayerSettings() {
        .max = 5,
        .standard = "0.3",
        .doc = "Height of a layer; at most the nozzle's diameter",
-       .scope = Scope::kObject,
-       .field = Bind([](auto& s) -> auto& { return s.slicing.objects[0].layer_height_nm; })},
+       .field = Bind<&ObjectSlicingOptions::layer_height_nm>()},
       {.key = "first_layer_height",
        .kind = Kind::kNumberOrPercent,
        .unit = "mm",
@@ -42,7 +38,7 @@ std::vector<SettingSpec> LayerSettings() {
        .standard = "0.35",
        .doc = "Height of the first layer; at most the nozzle's diameter",
        .relative_to = "layer_height",
-       .field = Bind([](auto& s) -> auto& { return s.slicing.first_layer_height_nm; })},
+       .field = Bind<&JobSlicingOptions::first_layer_height_nm>()},
       {.key = "slicing_mode",
        .kind = Kind::kChoice,
        .standard = "regular",
@@ -54,16 +50,16 @@ std::vector<SettingSpec> LayerSettings() {
                    {"even_odd", fill_rule(FillRule::kEvenOdd)},
                    {"positive", fill_rule(FillRule::kPositive)},
                    {"close_holes", kCloseHoles}},
-       .scope = Scope::kObject,
-       .field = {SetSlicingMode, SlicingMode}},
+       .field = Convert<ObjectSlicingOptions>(
+           [](ObjectSlicingOptions& row, const Value& value) { SetSlicingMode(row, value); },
+           [](const ObjectSlicingOptions& row) { return SlicingModeOf(row); })},
       {.key = "slice_closing_radius",
        .unit = "mm",
        .min = 0,
        .max = 10,
        .standard = "0.049",
        .doc = "Cracks narrower than twice this are closed, in meshes that are not closed",
-       .scope = Scope::kObject,
-       .field = Bind([](auto& s) -> auto& { return s.slicing.objects[0].closing_radius_nm; })},
+       .field = Bind<&ObjectSlicingOptions::closing_radius_nm>()},
       {.key = "open_loop_max_gap",
        .unit = "mm",
        .min = 0,
@@ -71,30 +67,28 @@ std::vector<SettingSpec> LayerSettings() {
        .standard = "2",
        .doc = "Outlines of a mesh with holes are closed over gaps up to this; wider ones are left "
               "out and reported",
-       .field = Bind([](auto& s) -> auto& { return s.slicing.max_gap_nm; })},
+       .field = Bind<&JobSlicingOptions::max_gap_nm>()},
       {.key = "xy_size_compensation",
        .unit = "mm",
        .min = -5,
        .max = 5,
        .standard = "0",
        .doc = "Grows the outlines of every layer; negative: shrinks them",
-       .scope = Scope::kObject,
-       .field = Bind([](auto& s) -> auto& { return s.slicing.objects[0].xy_compensation_nm; })},
+       .field = Bind<&ObjectSlicingOptions::xy_compensation_nm>()},
       {.key = "xy_hole_compensation",
        .unit = "mm",
        .min = -5,
        .max = 5,
        .standard = "0",
        .doc = "Grows the holes, besides xy_size_compensation",
-       .scope = Scope::kObject,
-       .field = Bind([](auto& s) -> auto& { return s.slicing.objects[0].hole_compensation_nm; })},
+       .field = Bind<&ObjectSlicingOptions::hole_compensation_nm>()},
       {.key = "outline_resolution",
        .unit = "mm",
        .min = 0,
        .max = 1,
        .standard = "0.005",
        .doc = "Outlines are simplified to this tolerance",
-       .field = Bind([](auto& s) -> auto& { return s.slicing.resolution_nm; })},
+       .field = Bind<&JobSlicingOptions::resolution_nm>()},
       {.key = "resolution",
        .unit = "mm",
        .min = 0,

@@ -1,5 +1,4 @@
 #include "common/config/table/shared_settings.h"
-#include "common/config/table/shared_view.h"
 
 namespace slicefarm::config {
 
@@ -10,21 +9,21 @@ std::vector<SettingSpec> PlateSettings() {
        .unit = "mm",
        .standard = "0x0,200x0,200x200,0x200",
        .doc = "Outline of the bed: corners XxY, by commas",
-       .field = Bind([](auto& s) -> auto& { return s.slicing.bed; })},
+       .field = Bind<&JobSlicingOptions::bed>()},
       {.key = "max_print_height",
        .unit = "mm",
        .min = 0,
        .max = 10000,
        .standard = "200",
        .doc = "Height that the machine can print; 0: no limit",
-       .field = Bind([](auto& s) -> auto& { return s.slicing.max_print_height_nm; })},
+       .field = Bind<&JobSlicingOptions::max_print_height_nm>()},
       {.key = "duplicate_distance",
        .unit = "mm",
        .min = 0,
        .max = 1000,
        .standard = "6",
        .doc = "Distance between copies that are arranged",
-       .field = Bind([](auto& s) -> auto& { return s.slicing.part_distance_nm; })},
+       .field = Bind<&JobSlicingOptions::part_distance_nm>()},
   };
 }
 

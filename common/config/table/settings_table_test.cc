@@ -148,7 +148,7 @@ TEST_P(EverySetting, ReachesItsFieldsAndComesBack) {
   for (const std::string& sample : Samples(spec())) {
     const auto value = ParseValue(spec(), sample);
     ASSERT_TRUE(value.ok()) << value.status();
-    JobSettings settings = SettingsOf(GetParam().process).Standards();
+    JobRows settings = SettingsOf(GetParam().process).Standards();
     spec().field.set(settings, *value);
     EXPECT_EQ(PrintValue(spec(), spec().field.get(settings)),
               sample == "0" && spec().key.starts_with("first_layer_speed") ? "100%" : sample);
@@ -228,8 +228,8 @@ TEST_P(EveryTable, HasNoTwoSettingsForOneField) {
   // Each setting changes its own text and no other's.
   for (const SettingSpec& changed : SettingsTable(GetParam())) {
     if (changed.field.set == nullptr) continue;
-    JobSettings settings = SettingsOf(GetParam()).Standards();
-    const JobSettings before = settings;
+    JobRows settings = SettingsOf(GetParam()).Standards();
+    const JobRows before = settings;
     for (const std::string& sample : Samples(changed)) {
       changed.field.set(settings, *ParseValue(changed, sample));
       if (changed.also.set) changed.also.set(settings, *ParseValue(changed, sample));
@@ -304,6 +304,36 @@ TEST(KnownKeys, KnowWhichValueAsksForNothing) {
   EXPECT_TRUE(IsNeutral(*FindKnownKey("post_process"), "\"\""));
   EXPECT_FALSE(IsNeutral(*FindKnownKey("post_process"), "rm.sh"));
   EXPECT_FALSE(IsNeutral(*FindKnownKey("filament_load_time"), "0"));
+}
+
+TEST(SettingsTable, ScopesAreThoseOfPrusaSlicer) {
+  const auto scope_of = [](std::string_view key) {
+    return SettingsTable(Process::kFdm)[FindSetting(key, Process::kFdm)].scope();
+  };
+  for (const char* key : {"fill_density", "perimeters", "top_solid_min_thickness"})
+    EXPECT_EQ(scope_of(key), Scope::kRegion) << key;
+  for (const char* key : {"layer_height", "slicing_mode", "seam_position", "raft_layers",
+                          "support_material_angle", "extrusion_width", "perimeter_generator"})
+    EXPECT_EQ(scope_of(key), Scope::kObject) << key;
+  for (const char* key : {"skirts", "first_layer_height", "temperature", "spiral_vase"})
+    EXPECT_EQ(scope_of(key), Scope::kJob) << key;
+  int regions = 0, objects = 0;
+  for (const SettingSpec& spec : SettingsTable(Process::kFdm)) {
+    regions += spec.scope() == Scope::kRegion;
+    objects += spec.scope() == Scope::kObject;
+  }
+  EXPECT_EQ(regions, 79);
+  EXPECT_EQ(objects, 64);
+}
+
+TEST(SettingsTable, EverySettingHasAKindAndAGroup) {
+  for (const ProcessInfo& info : kProcesses) {
+    ASSERT_FALSE(SettingsTable(info.process).empty());
+    for (const SettingSpec& spec : SettingsTable(info.process)) {
+      EXPECT_FALSE(KindName(spec.kind).empty()) << spec.key;
+      EXPECT_FALSE(spec.group.empty()) << spec.key;
+    }
+  }
 }
 
 }  // namespace

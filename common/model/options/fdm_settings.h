@@ -11,26 +11,63 @@
 
 namespace slicefarm {
 
-/// What filament is laid down with: one struct a stage. What regions have of their own stands in
-/// tables with a row for each: Region and Path name the row. INVARIANT: all tables of regions are
-/// equally long, and not empty.
+/// Settings that hold for the whole job: the machine, and how all objects are printed.
+struct MachineRow {
+  JobPlanOptions plan;
+  JobOrder order;
+  MachineMotion motion;
+
+  friend bool operator==(const MachineRow&, const MachineRow&) = default;
+};
+
+/// Settings of one object, besides ObjectSlicingOptions.
+using ObjectRow = ObjectPlanOptions;
+
+/// Settings of one region of an object.
+struct RegionRow {
+  BeadingOptions walls;
+  InfillOptions infill;
+  WallOrder order;
+  RegionSpeeds motion;
+
+  friend bool operator==(const RegionRow&, const RegionRow&) = default;
+};
+
+/// One resolved set of settings for filament printing: a row of each scope.
+struct FdmRows {
+  MachineRow machine;
+  ObjectRow object;
+  RegionRow region;
+  ToolRow tool;
+
+  friend bool operator==(const FdmRows&, const FdmRows&) = default;
+};
+
+/// Settings of a plate for filament printing. Region and Path name rows of `regions`.
 struct FdmSettings {
-  PlanningOptions planning;
-  std::vector<BeadingOptions> beading = {{}};  ///< by region
-  std::vector<InfillOptions> infill = {{}};    ///< by region
-  OrderingOptions ordering;
-  MotionOptions motion;
+  MachineRow machine;
+  std::vector<ObjectRow> objects = {{}};
+  std::vector<RegionRow> regions = {{}};
+  std::vector<ToolRow> tools = {{}};
 
   friend bool operator==(const FdmSettings&, const FdmSettings&) = default;
 };
 
-/// How many of an object's own layers on each side a layer's result depends on.
+// Options of each stage: the rows that it works with.
+std::vector<BeadingOptions> BeadingOf(const FdmSettings& settings);
+std::vector<InfillOptions> InfillOf(const FdmSettings& settings);
+/// The infill of the regions is left out where planning has nothing to decide about it.
+PlanningOptions PlanningOf(const FdmSettings& settings);
+OrderingOptions OrderingOf(const FdmSettings& settings);
+MotionOptions MotionOf(const FdmSettings& settings);
+
+/// Returns the options of the motion stage for a plate of one region.
+MotionOptions MotionOf(const FdmRows& rows);
+
+/// Returns how many of an object's own layers on each side a layer's result depends on.
 int32_t HaloLayers(const FdmSettings& settings);
 
-/// Of those, how many the walls depend on.
+/// Returns how many of these layers the walls depend on.
 int32_t BeadingHaloLayers(const FdmSettings& settings);
-
-/// What planning is told of the infill of each region; empty if it has nothing to decide.
-std::vector<InfillPlanOptions> InfillPlansOf(const FdmSettings& settings);
 
 }  // namespace slicefarm

@@ -54,8 +54,8 @@ struct InfillOptions {
   double angle_rad =
       0.78539816339744831;  ///< fill_angle; solid layers turn by a right angle from layer to layer
   /// fill_angle_template, solid_fill_angle_template: canonical texts (fill_angles.h); empty: none.
-  SharedText angle_template;
-  SharedText solid_angle_template;
+  SharedText angle_template = {};
+  SharedText solid_angle_template = {};
   Coord sparse_width_nm = 450'000;       ///< infill_extrusion_width
   Coord solid_width_nm = 450'000;        ///< solid_infill_extrusion_width
   Coord top_width_nm = 450'000;          ///< top_infill_extrusion_width
@@ -78,13 +78,13 @@ struct InfillOptions {
   bool only_where_needed = false;  ///< infill_only_where_needed
   ShellThickness shells = ShellThickness::kEnabled;  ///< ensure_vertical_shell_thickness
   bool overhang_lines = false;                       ///< extra_perimeters_on_overhangs
-  IroningOptions ironing;
+  IroningOptions ironing = {};
   bool small_area_flow = false;  ///< small_area_infill_flow_compensation
   /// small_area_infill_flow_compensation_model: a canonical text (flow_table.h).
   SharedText small_area_flow_table = kSmallAreaFlowTable;
   /// density_field, stress_field: canonical texts (fields/field_text.h); empty: none.
-  SharedText density_field;
-  SharedText stress_field;
+  SharedText density_field = {};
+  SharedText stress_field = {};
   /// How many layers above and below density_field looks at for the distance to the surface.
   int32_t field_halo_layers = 0;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "common/geometry/polygon.h"
@@ -35,14 +36,26 @@ struct TravelOptions {
   friend bool operator==(const TravelOptions&, const TravelOptions&) = default;
 };
 
-struct OrderingOptions {
+/// Settings of a job that ordering needs.
+struct JobOrder {
   bool infill_first = false;  ///< infill_first
   bool clockwise = false;     ///< prefer_clockwise_movements: outer rings; holes the other way
   TravelOptions travel;
   int32_t improvement_moves =
       200'000;  ///< bound on the 2-opt moves tried per layer: work, not time
+
+  friend bool operator==(const JobOrder&, const JobOrder&) = default;
+};
+
+/// Options of the ordering stage.
+struct OrderingOptions : JobOrder {
   std::vector<WallOrder> walls = {{}};  ///< by region
 
+  using Row = JobOrder;
+  template <typename Self>
+  static auto TablesOf(Self& self) {
+    return std::tie(self.walls);
+  }
   friend bool operator==(const OrderingOptions&, const OrderingOptions&) = default;
 };
 

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "common/geometry/polygon.h"
 #include "common/model/options/adhesion_options.h"
 #include "common/model/options/infill_options.h"
-#include "common/model/options/skin_spare.h"
 #include "common/model/options/support_options.h"
 
 namespace slicefarm {
@@ -51,36 +51,29 @@ struct SequencePlanOptions {
   friend bool operator==(const SequencePlanOptions&, const SequencePlanOptions&) = default;
 };
 
-/// What planning is told of the sparse infill of a region.
-struct InfillPlanOptions {
-  FillPattern pattern = FillPattern::kGrid;
-  bool choose_pattern = false;
-  FillGoal goal = FillGoal::kStrength;
-  double density = 0.2;
-  double angle_rad = 0;
-  Coord width_nm = 450'000;
-  Coord walls_nm = 0;  ///< how thick the walls are about which it lies
-  int32_t top_solid_layers = 0;
-  int32_t bottom_solid_layers = 0;
-  SkinSpare top_spare = {}, bottom_spare = {};
-  bool interface_shells = false;
-  int32_t every_layers = 1;
-  bool only_where_needed = false;
-
-  friend bool operator==(const InfillPlanOptions&, const InfillPlanOptions&) = default;
-};
-
-struct PlanningOptions {
-  std::vector<ObjectPlanOptions> objects = {{}};  ///< by object
+/// Settings of a job that planning needs.
+struct JobPlanOptions {
   SequencePlanOptions sequence;
   SkirtOptions skirt;
-  int32_t skirt_settings = 0;             ///< row of the job's tables of region settings
-  std::vector<InfillPlanOptions> infill;  ///< by region; empty: none needs a plan
-  bool objects_may_overlap = false;       ///< objects_may_overlap
+  int32_t skirt_settings = 0;        ///< row of the job's regions
+  bool objects_may_overlap = false;  ///< objects_may_overlap
   bool avoid_curled = false;  ///< avoid_crossing_curled_overhangs: tells where parts curl up
   /// bed_shape without bed_exclude_area: nothing is added outside of it; empty: no limit.
   MultiPolygon bed;
 
+  friend bool operator==(const JobPlanOptions&, const JobPlanOptions&) = default;
+};
+
+/// Options of the planning stage.
+struct PlanningOptions : JobPlanOptions {
+  std::vector<ObjectPlanOptions> objects = {{}};  ///< by object
+  std::vector<InfillOptions> infill;              ///< by region; empty: none needs a plan
+
+  using Row = JobPlanOptions;
+  template <typename Self>
+  static auto TablesOf(Self& self) {
+    return std::tie(self.objects, self.infill);
+  }
   friend bool operator==(const PlanningOptions&, const PlanningOptions&) = default;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <type_traits>
 #include <variant>
 
 #include "common/model/engraving/engrave_settings.h"
@@ -11,42 +12,62 @@
 
 namespace slicefarm {
 
-/// What each process has of its own. One alternative a process, in the order of Process.
+/// Settings of a plate that one process alone has. One alternative per process, in the order of
+/// Process.
 using OwnSettings = std::variant<FdmSettings, ExposureSettings, MillSettings, EngraveSettings>;
+/// Rows of one resolved set that one process alone has, in the same order.
+using OwnRows = std::variant<FdmRows, ExposureRows, MillSettings, EngraveSettings>;
 
 static_assert(std::variant_size_v<OwnSettings> == kProcessCount);
+static_assert(std::variant_size_v<OwnRows> == kProcessCount);
 
-/// What a job is to be made with: complete and validated (common/config does both at the edge).
+/// Settings of a plate, complete and validated: tables with a row for each object, region and tool.
 struct JobSettings {
   SlicingOptions slicing;
-  OwnSettings own;  ///< of its process
+  OwnSettings own;
 
   Process process() const { return static_cast<Process>(own.index()); }
 
   friend bool operator==(const JobSettings&, const JobSettings&) = default;
 };
 
-/// REQUIRES: the job is of that process.
+/// One resolved set of settings: a row of each scope.
+struct JobRows {
+  JobSlicingOptions slicing;
+  ObjectSlicingOptions object;
+  OwnRows own;
+
+  Process process() const { return static_cast<Process>(own.index()); }
+
+  friend bool operator==(const JobRows&, const JobRows&) = default;
+};
+
+// Settings of one process. REQUIRES: the job is of that process.
 inline const FdmSettings& FdmOf(const JobSettings& settings) {
   return std::get<FdmSettings>(settings.own);
 }
 inline FdmSettings& FdmOf(JobSettings& settings) { return std::get<FdmSettings>(settings.own); }
+inline const FdmRows& FdmOf(const JobRows& rows) { return std::get<FdmRows>(rows.own); }
+inline FdmRows& FdmOf(JobRows& rows) { return std::get<FdmRows>(rows.own); }
+
 inline const ExposureSettings& ExposureOf(const JobSettings& settings) {
   return std::get<ExposureSettings>(settings.own);
 }
 inline ExposureSettings& ExposureOf(JobSettings& settings) {
   return std::get<ExposureSettings>(settings.own);
 }
+inline const ExposureRows& ExposureOf(const JobRows& rows) {
+  return std::get<ExposureRows>(rows.own);
+}
+inline ExposureRows& ExposureOf(JobRows& rows) { return std::get<ExposureRows>(rows.own); }
 
-inline const MillSettings& MillOf(const JobSettings& settings) {
+// These processes have no settings by object or region: a plate and a set have the same ones.
+template <typename Settings>
+auto& MillOf(Settings& settings) {
   return std::get<MillSettings>(settings.own);
 }
-inline MillSettings& MillOf(JobSettings& settings) { return std::get<MillSettings>(settings.own); }
-
-inline const EngraveSettings& EngraveOf(const JobSettings& settings) {
-  return std::get<EngraveSettings>(settings.own);
-}
-inline EngraveSettings& EngraveOf(JobSettings& settings) {
+template <typename Settings>
+auto& EngraveOf(Settings& settings) {
   return std::get<EngraveSettings>(settings.own);
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "common/geometry/boolean/boolean.h"
@@ -48,8 +49,8 @@ struct ObjectSlicingOptions {
   friend bool operator==(const ObjectSlicingOptions&, const ObjectSlicingOptions&) = default;
 };
 
-/// What holds for all objects.
-struct SlicingOptions {
+/// Settings of a job that slicing needs.
+struct JobSlicingOptions {
   Coord first_layer_height_nm = 200'000;  ///< first_layer_height: of what stands on the bed
   /// open_loop_max_gap: outlines with a hole up to this are closed over it, wider ones are dropped
   /// and counted.
@@ -60,12 +61,23 @@ struct SlicingOptions {
   std::vector<Polygon> excluded = {};  ///< bed_exclude_area: parts of the bed where nothing may be
   Coord max_print_height_nm = 0;  ///< max_print_height, 0: unlimited
   std::vector<ThumbnailSize> thumbnails = {{32, 32}, {300, 300}};  ///< thumbnails
-  std::vector<ObjectSlicingOptions> objects = {{}};                ///< by object
   Coord part_distance_nm = 6'000'000;  ///< duplicate_distance: between copies that are arranged
   /// Between copies that are arranged, where it is more: extruder_clearance_radius with
   /// complete_objects; with brims, part_distance_nm between these.
   Coord clearance_radius_nm = 0;
 
+  friend bool operator==(const JobSlicingOptions&, const JobSlicingOptions&) = default;
+};
+
+/// Options of the slicing stage.
+struct SlicingOptions : JobSlicingOptions {
+  std::vector<ObjectSlicingOptions> objects = {{}};  ///< by object
+
+  using Row = JobSlicingOptions;
+  template <typename Self>
+  static auto TablesOf(Self& self) {
+    return std::tie(self.objects);
+  }
   friend bool operator==(const SlicingOptions&, const SlicingOptions&) = default;
 };
 

@@ -22,7 +22,8 @@ namespace slicefarm {
 /// numbers: both ends are of one build (StageCall). A new member needs no line here.
 ///
 /// Taken are numbers, booleans, enumerations, texts, cutters, aggregates of these, and vectors,
-/// arrays and optionals of any. Equal long texts (SharedText) are sent once.
+/// arrays and optionals of any. A struct that extends a row by tables names them (Row, TablesOf).
+/// Equal long texts (SharedText) are sent once.
 
 namespace internal {
 
@@ -51,6 +52,10 @@ void WriteField(const T& value, FieldWriter& writer) {
     if (value.has_value()) WriteField(*value, writer);
   } else if constexpr (requires { writer.Write(value); }) {
     writer.Write(value);
+  } else if constexpr (requires { typename T::Row; }) {
+    WriteField(static_cast<const typename T::Row&>(value), writer);
+    std::apply([&](const auto&... table) { (WriteField(table, writer), ...); },
+               T::TablesOf(value));
   } else {
     std::apply([&](const auto&... member) { (WriteField(member, writer), ...); }, MembersOf(value));
   }
@@ -71,6 +76,9 @@ void ReadField(FieldReader& reader, T* value) {
     if (reader.Index(2) == 1) ReadField(reader, &value->emplace());
   } else if constexpr (requires { reader.Read(value); }) {
     reader.Read(value);
+  } else if constexpr (requires { typename T::Row; }) {
+    ReadField(reader, static_cast<typename T::Row*>(value));
+    std::apply([&](auto&... table) { (ReadField(reader, &table), ...); }, T::TablesOf(*value));
   } else {
     std::apply([&](auto&... member) { (ReadField(reader, &member), ...); }, MembersOf(*value));
   }

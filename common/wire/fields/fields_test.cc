@@ -49,6 +49,9 @@ void VisitLeaves(T& value, const Visit& visit) {
                        std::is_same_v<T, std::string> || std::is_same_v<T, SharedText> ||
                        std::is_same_v<T, Cutter>) {
     visit(value);
+  } else if constexpr (requires { typename T::Row; }) {
+    VisitLeaves(static_cast<typename T::Row&>(value), visit);
+    std::apply([&](auto&... table) { (VisitLeaves(table, visit), ...); }, T::TablesOf(value));
   } else {
     std::apply([&](auto&... member) { (VisitLeaves(member, visit), ...); }, MembersOf(value));
   }
@@ -94,10 +97,12 @@ TEST(Fields, EachMemberOfAllKindsReturns) { ExpectEachLeafReturns(Outer{}); }
 TEST(Fields, EachMemberOfEachStagesOptionsReturns) {
   ExpectEachLeafReturns(SlicingOptions{});
   ExpectEachLeafReturns(FdmSettings{});
+  ExpectEachLeafReturns(MotionOptions{});
+  ExpectEachLeafReturns(PlanningOptions{});
+  ExpectEachLeafReturns(OrderingOptions{});
   ExpectEachLeafReturns(ExposureSettings{});
   ExpectEachLeafReturns(MillSettings{});
   ExpectEachLeafReturns(EngraveSettings{});
-  ExpectEachLeafReturns(InfillPlanOptions{});
 }
 
 TEST(Fields, ALongTextOfManyRowsIsSentOnce) {

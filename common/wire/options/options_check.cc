@@ -3,7 +3,6 @@
 #include <string_view>
 
 #include "common/model/limits.h"
-#include "common/wire/options/planning_check.h"
 #include "common/wire/options/value_checks.h"
 #include "common/wire/support/wire_error.h"
 
@@ -78,6 +77,18 @@ absl::Status CheckWalls(const BeadingOptions& walls) {
   return status;
 }
 
+absl::Status CheckSkins(const InfillOptions& infill) {
+  absl::Status status =
+      CheckRange("top_solid_layers", infill.top_solid_layers, 0, limits::kMaxLayers);
+  status.Update(
+      CheckRange("bottom_solid_layers", infill.bottom_solid_layers, 0, limits::kMaxLayers));
+  for (const SkinSpare& spare : {infill.top_spare, infill.bottom_spare}) {
+    status.Update(CheckRange("spare.layers", spare.layers, 0, limits::kMaxLayers));
+    status.Update(CheckNotNegative({{"spare.enough_nm", spare.enough_nm}}));
+  }
+  return status;
+}
+
 absl::Status CheckInfill(const InfillOptions& infill) {
   absl::Status status = CheckSkins(infill);
   status.Update(
@@ -123,6 +134,13 @@ absl::Status CheckCooling(const CoolingOptions& cooling) {
   return status;
 }
 
+absl::Status CheckTool(const ToolRow& tool) {
+  absl::Status status = CheckAboveZero("nozzle_diameter_mm", tool.nozzle_diameter_mm);
+  status.Update(CheckAboveZero("filament_diameter_mm", tool.filament_diameter_mm));
+  status.Update(CheckCooling(tool.cooling));
+  return status;
+}
+
 }  // namespace
 
 absl::Status CheckOptions(const SlicingOptions& options) {
@@ -158,26 +176,22 @@ absl::Status CheckOptions(const OrderingOptions& options) {
 }
 
 absl::Status CheckOptions(const MotionOptions& options) {
-  absl::Status status = CheckAboveZero("nozzle_diameter_mm", options.nozzle_diameter_mm);
-  status.Update(CheckAboveZero("filament_diameter_mm", options.filament_diameter_mm));
+  absl::Status status = CheckEach(options.tools, "tools", CheckTool);
   status.Update(CheckEach(options.speeds, "speeds", CheckSpeeds));
   status.Update(CheckRange("max_print_height_nm", static_cast<double>(options.max_print_height_nm),
                            0, limits::kMaxPrintHeight));
   status.Update(CheckNotNegative({{"resolution_nm", options.resolution_nm}}));
-  status.Update(CheckCooling(options.cooling));
   return status;
 }
 
 absl::Status CheckOptions(const FdmSettings& settings) {
-  absl::Status status = CheckOptions(settings.planning);
-  status.Update(CheckOptions(settings.beading));
-  status.Update(CheckOptions(settings.infill));
-  status.Update(CheckOptions(settings.ordering));
-  status.Update(CheckOptions(settings.motion));
-  const size_t rows = settings.beading.size();
-  if (settings.infill.size() != rows || settings.ordering.walls.size() != rows ||
-      settings.motion.speeds.size() != rows)
-    status.Update(Malformed("settings", "the tables of regions are not equally long"));
+  PlanningOptions planning{settings.machine.plan, settings.objects, {}};
+  absl::Status status = CheckOptions(planning);
+  status.Update(CheckRows(settings.tools.size(), "tools"));
+  if (status.ok()) status = CheckOptions(MotionOf(settings));
+  status.Update(CheckOptions(BeadingOf(settings)));
+  status.Update(CheckOptions(InfillOf(settings)));
+  status.Update(CheckOptions(OrderingOf(settings)));
   return status;
 }
 

@@ -1,9 +1,9 @@
-#include "common/wire/options/planning_check.h"
+#include "common/wire/options/options_check.h"
 
 #include <numbers>
 #include <string_view>
 
-#include "common/wire/options/options_check.h"
+#include "common/wire/options/value_checks.h"
 
 namespace slicefarm {
 namespace {
@@ -103,21 +103,11 @@ absl::Status CheckPlannedObject(const ObjectPlanOptions& object) {
   return status;
 }
 
-absl::Status CheckInfillPlan(const InfillPlanOptions& infill) {
-  absl::Status status = CheckSkins(infill);
-  status.Update(CheckPositive({{"width_nm", infill.width_nm}}));
-  status.Update(CheckNotNegative({{"walls_nm", infill.walls_nm}}));
-  status.Update(CheckAboveZero("every_layers", infill.every_layers));
-  status.Update(CheckRange("density", infill.density, 0, 1));
-  return status;
-}
-
 }  // namespace
 
 absl::Status CheckOptions(const PlanningOptions& options) {
   absl::Status status = CheckEach(options.objects, "objects", CheckPlannedObject);
-  if (!options.infill.empty())
-    status.Update(CheckEach(options.infill, "infill", CheckInfillPlan));
+  if (!options.infill.empty()) status.Update(CheckOptions(options.infill));
   status.Update(
       CheckNotNegative({{"sequence.clearance_radius_nm", options.sequence.clearance_radius_nm},
                         {"sequence.clearance_height_nm", options.sequence.clearance_height_nm}}));

@@ -7,36 +7,34 @@
 namespace slicefarm::config::engrave {
 namespace {
 
-bool IsProgram(const JobSettings& s) { return EngraveOf(s).format == EngraveFormat::kGcode; }
-bool HasImage(const JobSettings& s) { return !EngraveOf(s).texture.image.empty(); }
+bool IsProgram(const JobRows& s) { return EngraveOf(s).format == EngraveFormat::kGcode; }
+bool HasImage(const JobRows& s) { return !EngraveOf(s).texture.image.empty(); }
 
 constexpr Need kNeeds[] = {
     {"texture_width texture_height", "a texture_image", HasImage},
     {"texture texture_pitch", "no texture_image, which takes its place",
-     [](const JobSettings& s) { return !HasImage(s); }},
+     [](const JobRows& s) { return !HasImage(s); }},
     {"axes tool centre pivot tilt steepest power feed link_feed turn_feed", "output_format = gcode",
      IsProgram},
-};
-
-/// Nothing of engraving is by region.
-class NoRegionRows : public RegionRows {
- public:
-  absl::StatusOr<int32_t> RowOf(const JobSettings& /*settings*/) override { return 0; }
-  int64_t size() const override { return 1; }
-  void PutInto(JobSettings& /*settings*/) const override {}
 };
 
 class OfEngraving : public ProcessSettings {
  public:
   /// Surfaces stay where their files have them: all that can be read has room.
-  JobSettings Standards() const override {
-    JobSettings standards{.slicing = {}, .own = EngraveSettings()};
+  JobRows Standards() const override {
+    JobRows standards{.slicing = {}, .object = {}, .own = EngraveSettings()};
     constexpr Coord kRoom = 2'000'000'000;
     standards.slicing.bed = {{-kRoom, -kRoom}, {kRoom, -kRoom}, {kRoom, kRoom}, {-kRoom, kRoom}};
     standards.slicing.thumbnails = {};
     return standards;
   }
-  std::vector<SettingSpec> Table() const override { return EngraveTable(); }
+  OwnSettings PlateOf(const OwnRows& job) const override {
+    return std::get<EngraveSettings>(job);
+  }
+  std::vector<SettingSpec> Table() const override {
+    constexpr SettingGroup kGroups[] = {{"engraving", EngraveTable}};
+    return TableOf(kGroups);
+  }
   std::vector<Need> Needs() const override { return {std::begin(kNeeds), std::end(kNeeds)}; }
   absl::Status Derive(Draft& /*draft*/, ResolvedSettings& /*result*/) const override {
     return absl::OkStatus();
@@ -45,7 +43,6 @@ class OfEngraving : public ProcessSettings {
   absl::Status Finish(const Draft& /*draft*/, ResolvedSettings& result) const override {
     return CheckTexts(EngraveOf(result.settings));
   }
-  std::unique_ptr<RegionRows> NewRows() const override { return std::make_unique<NoRegionRows>(); }
   ResultWords Words() const override { return {.to_make = "to engrave"}; }
   std::string_view Example() const override {
     return "slicefarm slice mask.obj -o mask.csv --machine engrave --texture knurl:pitch=2";

@@ -6,26 +6,6 @@
 namespace slicefarm::config::engrave {
 namespace {
 
-/// What the settings of engraving may set.
-template <class Job>
-struct View {
-  explicit View(Job& job)
-      : engrave(EngraveOf(job)),
-        texture(engrave.texture),
-        lines(engrave.lines),
-        machine(engrave.machine) {}
-
-  Like<EngraveSettings, Job>& engrave;
-  Like<TextureSettings, Job>& texture;
-  Like<EngraveLineSettings, Job>& lines;
-  Like<EngraveMachineSettings, Job>& machine;
-};
-
-template <class Member>
-Field Bind(Member member) {
-  return BindTo<View, Scale::kSame>(member);
-}
-
 template <class Enum>
 Choice Named(std::string_view name, Enum value) {
   return {name, static_cast<int>(value)};
@@ -64,63 +44,63 @@ std::vector<SettingSpec> TextureTable() {
            "A computed texture, kind:key=value,... (bumps, cones, pyramids, grooves, waves, "
            "hexagons, weave, letters, cells, noise, scales, knurl), or the name of the object "
            "that is one: a planar solid",
-           Bind([](auto& s) -> auto& { return s.texture.texture; })),
+           Bind<&EngraveSettings::texture, &TextureSettings::texture>()),
       Text("texture_image", "", "The texture as a height image: a PNG file in base64",
-           Bind([](auto& s) -> auto& { return s.texture.image; })),
+           Bind<&EngraveSettings::texture, &TextureSettings::image>()),
       Text("mask_image", "",
            "A PNG file in base64, laid over the map's box: works where it is bright",
-           Bind([](auto& s) -> auto& { return s.texture.mask; })),
+           Bind<&EngraveSettings::texture, &TextureSettings::mask>()),
       Number("texture_width", {"mm", 0.001, 10'000}, "20", "Of a height image",
-             Bind([](auto& s) -> auto& { return s.texture.width_mm; })),
+             Bind<&EngraveSettings::texture, &TextureSettings::width_mm>()),
       Number("texture_height", {"mm", 0.001, 1000}, "0.5", "Of a height image's white",
-             Bind([](auto& s) -> auto& { return s.texture.height_mm; })),
+             Bind<&EngraveSettings::texture, &TextureSettings::height_mm>()),
       Text("texture_pitch", "", "Of an object's repetitions, mm: X,Y; empty: its box",
-           Bind([](auto& s) -> auto& { return s.texture.pitch; })),
+           Bind<&EngraveSettings::texture, &TextureSettings::pitch>()),
       Number("texture_scale", {"", 0.001, 1000}, "1", "Of the texture's width and length",
-             Bind([](auto& s) -> auto& { return s.texture.scale; })),
+             Bind<&EngraveSettings::texture, &TextureSettings::scale>()),
       Text("anchor", "",
            "Where on the surface the texture's origin lies, mm: X,Y,Z; empty: in the map's middle",
-           Bind([](auto& s) -> auto& { return s.texture.anchor; })),
+           Bind<&EngraveSettings::texture, &TextureSettings::anchor>()),
       Text("orient", "", "Along which the texture's x runs there: X,Y,Z; empty: the map's x",
-           Bind([](auto& s) -> auto& { return s.texture.orient; })),
+           Bind<&EngraveSettings::texture, &TextureSettings::orient>()),
       Number("texture_turn", {"degrees", -360, 360}, "0", "Further, counter-clockwise",
-             Bind([](auto& s) -> auto& { return s.texture.turn_deg; })),
+             Bind<&EngraveSettings::texture, &TextureSettings::turn_deg>()),
       Flag("texture_once", "0", "One tile, its middle at the anchor; else repeated",
-           Bind([](auto& s) -> auto& { return s.texture.once; })),
+           Bind<&EngraveSettings::texture, &TextureSettings::once>()),
       Number("margin", {"mm", 0, 10'000}, "0", "To the surface's boundary, in the map",
-             Bind([](auto& s) -> auto& { return s.texture.margin_mm; })),
+             Bind<&EngraveSettings::texture, &TextureSettings::margin_mm>()),
       Flag("engraved", "0", "Into the surface; else onto it",
-           Bind([](auto& s) -> auto& { return s.texture.engraved; })),
+           Bind<&EngraveSettings::texture, &TextureSettings::engraved>()),
       Flag("outside", "0", "What is not the texture is worked, from its top down",
-           Bind([](auto& s) -> auto& { return s.texture.outside; })),
+           Bind<&EngraveSettings::texture, &TextureSettings::outside>()),
   };
 }
 
 std::vector<SettingSpec> LineTable() {
   return {
       Number("layer_height", {"mm", 0.0001, 1000}, "0.05", "Most between two layers",
-             Bind([](auto& s) -> auto& { return s.lines.layer_height_mm; })),
+             Bind<&EngraveSettings::lines, &EngraveLineSettings::layer_height_mm>()),
       Text("spacing", "0.1", "Of lines, mm; several by commas: of layer after layer",
-           Bind([](auto& s) -> auto& { return s.lines.spacing; })),
+           Bind<&EngraveSettings::lines, &EngraveLineSettings::spacing>()),
       Text("angle", "0", "Of lines to the texture's x, degrees; of layer after layer",
-           Bind([](auto& s) -> auto& { return s.lines.angle; })),
+           Bind<&EngraveSettings::lines, &EngraveLineSettings::angle>()),
       Flag("equidistant", "0", "Lines bend to lie as far apart on the surface as asked",
-           Bind([](auto& s) -> auto& { return s.lines.equidistant; })),
+           Bind<&EngraveSettings::lines, &EngraveLineSettings::equidistant>()),
       {.key = "normals",
        .kind = Kind::kChoice,
        .standard = "faces",
        .doc = "Along which points are lifted: of faces, or interpolated between vertices",
        .choices = {Named("faces", NormalKind::kFaces),
                    Named("interpolated", NormalKind::kInterpolated)},
-       .field = Bind([](auto& s) -> auto& { return s.lines.normals; })},
+       .field = Bind<&EngraveSettings::lines, &EngraveLineSettings::normals>()},
       Flag("connect", "1", "Lines are joined at their ends",
-           Bind([](auto& s) -> auto& { return s.lines.connect; })),
+           Bind<&EngraveSettings::lines, &EngraveLineSettings::connect>()),
       Number("clearance", {"mm", 0, 1000}, "0", "Of links, above all; 0: at their layer",
-             Bind([](auto& s) -> auto& { return s.lines.clearance_mm; })),
+             Bind<&EngraveSettings::lines, &EngraveLineSettings::clearance_mm>()),
       Number("shortest", {"mm", 0, 1000}, "0", "Shorter parts of lines are left out",
-             Bind([](auto& s) -> auto& { return s.lines.shortest_mm; })),
+             Bind<&EngraveSettings::lines, &EngraveLineSettings::shortest_mm>()),
       Flag("seam", "1", "A surface that is no disk is cut open; else refused",
-           Bind([](auto& s) -> auto& { return s.lines.seam; })),
+           Bind<&EngraveSettings::lines, &EngraveLineSettings::seam>()),
   };
 }
 
@@ -133,36 +113,36 @@ std::vector<SettingSpec> MachineTable() {
        .choices = {Named("none", AxisLayout::kNone), Named("table-ab", AxisLayout::kTableAb),
                    Named("table-bc", AxisLayout::kTableBc), Named("head-ab", AxisLayout::kHeadAb),
                    Named("head-bc", AxisLayout::kHeadBc)},
-       .field = Bind([](auto& s) -> auto& { return s.machine.axes; })},
+       .field = Bind<&EngraveSettings::machine, &EngraveMachineSettings::axes>()},
       {.key = "tool",
        .kind = Kind::kChoice,
        .standard = "beam",
        .doc = "What works",
        .choices = {Named("beam", ToolKind::kBeam), Named("spindle", ToolKind::kSpindle),
                    Named("extruder", ToolKind::kExtruder)},
-       .field = Bind([](auto& s) -> auto& { return s.machine.tool; })},
+       .field = Bind<&EngraveSettings::machine, &EngraveMachineSettings::tool>()},
       Text("centre", "", "Where a table's axes meet, mm: X,Y,Z; empty: the origin",
-           Bind([](auto& s) -> auto& { return s.machine.centre; })),
+           Bind<&EngraveSettings::machine, &EngraveMachineSettings::centre>()),
       Number("pivot", {"mm", 0, 10'000}, "100", "From a head's axes to the tip",
-             Bind([](auto& s) -> auto& { return s.machine.pivot_mm; })),
+             Bind<&EngraveSettings::machine, &EngraveMachineSettings::pivot_mm>()),
       Number("tilt", {"degrees", 0, 180}, "110", "Most of A and B, either way",
-             Bind([](auto& s) -> auto& { return s.machine.tilt_deg; })),
+             Bind<&EngraveSettings::machine, &EngraveMachineSettings::tilt_deg>()),
       Number("steepest", {"degrees", 0, 90}, "60", "Of the surface, without such axes",
-             Bind([](auto& s) -> auto& { return s.machine.steepest_deg; })),
+             Bind<&EngraveSettings::machine, &EngraveMachineSettings::steepest_deg>()),
       Number("power", {"", 0, 1e6}, "1000", "S: of a beam, or turns a minute",
-             Bind([](auto& s) -> auto& { return s.machine.power; })),
+             Bind<&EngraveSettings::machine, &EngraveMachineSettings::power>()),
       Number("feed", {"mm/min", 0.1, 1e6}, "1200", "Of the tip over the surface",
-             Bind([](auto& s) -> auto& { return s.machine.feed_mm_min; })),
+             Bind<&EngraveSettings::machine, &EngraveMachineSettings::feed_mm_min>()),
       Number("link_feed", {"mm/min", 0.1, 1e6}, "6000", "Of the tip between lines",
-             Bind([](auto& s) -> auto& { return s.machine.link_mm_min; })),
+             Bind<&EngraveSettings::machine, &EngraveMachineSettings::link_mm_min>()),
       Number("turn_feed", {"degrees/min", 0.1, 1e7}, "7200", "Most of a rotary axis",
-             Bind([](auto& s) -> auto& { return s.machine.turn_deg_min; })),
+             Bind<&EngraveSettings::machine, &EngraveMachineSettings::turn_deg_min>()),
       {.key = "output_format",
        .kind = Kind::kChoice,
        .standard = "csv",
        .doc = "Points with normals, or a program",
        .choices = {Named("csv", EngraveFormat::kCsv), Named("gcode", EngraveFormat::kGcode)},
-       .field = Bind([](auto& s) -> auto& { return s.engrave.format; })},
+       .field = Bind<&EngraveSettings::format>()},
   };
 }
 

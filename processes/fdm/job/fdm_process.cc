@@ -38,7 +38,8 @@ std::vector<std::string> FieldNotesOf(const JobSettings& settings) {
   std::vector<std::string> notes;
   if (settings.slicing.objects.empty()) return notes;
   const Coord height = settings.slicing.objects.front().layer_height_nm;
-  for (const InfillOptions& options : FdmOf(settings).infill) {
+  for (const RegionRow& region : FdmOf(settings).regions) {
+    const InfillOptions& options = region.infill;
     if (options.density_field.empty() || options.choose_pattern) continue;
     const auto& field = DensityFieldOf(options.density_field);
     if (!field.ok()) continue;  // the infill stage says so
@@ -93,9 +94,9 @@ std::vector<CopyName> NamesOf(const std::vector<std::string>& objects,
 }
 
 /// Whether outlines alone do not say how many layers a print has.
-bool NeedsPlan(const PlanningOptions& options) {
-  return options.sequence.complete_objects ||
-         std::ranges::any_of(options.objects, [](const ObjectPlanOptions& object) {
+bool NeedsPlan(const FdmSettings& settings) {
+  return settings.machine.plan.sequence.complete_objects ||
+         std::ranges::any_of(settings.objects, [](const ObjectRow& object) {
            return object.raft.heights.layers > 0 || object.support.on;
          });
 }
@@ -105,7 +106,7 @@ constexpr int64_t kBytesAPoint = 40;
 
 /// Texts that each layer has do not make a range's programs longer than others.
 RangeSplitOptions SplitOptionsOf(const FdmSettings& settings) {
-  const MotionOptions& motion = settings.motion;
+  const MachineMotion& motion = settings.machine.motion;
   RangeSplitOptions options;
   const size_t bytes = motion.before_layer_gcode.size() + motion.layer_gcode.size();
   options.layer_points += static_cast<int64_t>(bytes) / kBytesAPoint;
@@ -275,20 +276,21 @@ class FdmJob : public PlannedJob {
     const auto programs = InPrintOrder(std::move(all), layer_count);
     if (!programs.ok()) return programs.status();
 
+    const MotionOptions motion = MotionOf(job_->settings);
     ProgramSummary summary = SummaryOf(*programs);
     summary.thumbnails = std::move(thumbnails_);
     auto frame = Timed(report_.stage_times[Stage::kMotion], [&] {
       const ScopedSpan span(call.spans, "frame");
-      return motion_.Envelope(call, summary, job_->settings.motion);
+      return motion_.Envelope(call, summary, motion);
     });
     if (!frame.ok()) return frame.status();
 
     const ScopedSpan span(call.spans, "assembly");
-    FillIn(report_, own_, summary, *frame, job_->settings.motion);
+    FillIn(report_, own_, summary, *frame, motion);
     report_.own = std::make_unique<FdmReport>(std::move(own_));
     if (std::string warning = WallWarning(warnings); !warning.empty())
       report_.warnings.push_back(std::move(warning));
-    auto file = MakeFile(*std::move(frame), *programs, job_->settings.motion.writing,
+    auto file = MakeFile(*std::move(frame), *programs, motion.writing,
                          std::move(spool_), call);
     if (!file.ok()) return file.status();
     return JobOutput{*std::move(file), std::move(report_)};
@@ -340,14 +342,13 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
 
   auto plan = Timed(report.stage_times[Stage::kPlanning], [&] {
     const ScopedSpan span(call.spans, "planning");
-    PlanningOptions options = FdmOf(settings).planning;
-    options.infill = InfillPlansOf(FdmOf(settings));
-    return planning_.Plan(call, {sliced->layers, sliced->copies, sliced->object_names}, options);
+    return planning_.Plan(call, {sliced->layers, sliced->copies, sliced->object_names},
+                          PlanningOf(FdmOf(settings)));
   });
   if (!plan.ok()) return plan.status();
   const SeamQuality seams = plan->seams;
   std::ranges::move(
-      BedWarnings(*plan, FdmOf(settings).planning.bed, sliced->copies, sliced->object_names),
+      BedWarnings(*plan, FdmOf(settings).machine.plan.bed, sliced->copies, sliced->object_names),
       std::back_inserter(report.warnings));
   std::ranges::move(plan->warnings, std::back_inserter(report.warnings));
   report.notes = std::move(plan->notes);
@@ -365,7 +366,7 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
 absl::StatusOr<LayerSamples> FdmProcess::Sample(const StageCall& call, PlannedPlate plate,
                                                 std::span<const int32_t> layers,
                                                 TaskExecutor& executor) const {
-  const MotionOptions motion = plate.settings.motion;
+  const MotionOptions motion = MotionOf(plate.settings);
   FdmJob job(motion_, std::move(plate.settings_text), {}, {}, nullptr);
   absl::Status begun =
       job.Begin(std::move(plate.settings), std::move(plate.sliced), std::move(plate.plan));
@@ -402,10 +403,9 @@ absl::StatusOr<JobEstimate> FdmProcess::Estimate(const StageCall& call, SlicedJo
                                                  JobInput input, TaskExecutor& executor) const {
   FdmSettings& settings = FdmOf(input.settings);
   const bool samples = executor.Slots(Process::kFdm) > 0;
-  if (!samples && !NeedsPlan(settings.planning))
+  if (!samples && !NeedsPlan(settings))
     return EstimatePrint({sliced.layers, sliced.copies}, settings);
-  PlanningOptions options = settings.planning;
-  options.infill = InfillPlansOf(settings);
+  const PlanningOptions options = PlanningOf(settings);
   auto plan = planning_.Plan(call, {sliced.layers, sliced.copies, sliced.object_names}, options);
   if (!plan.ok()) return plan.status();
   auto warnings = BedWarnings(*plan, options.bed, sliced.copies, sliced.object_names);
@@ -420,7 +420,7 @@ absl::StatusOr<JobEstimate> FdmProcess::Estimate(const StageCall& call, SlicedJo
   }
   const std::vector<LayerEstimate> rough = EstimateLayers({sliced.layers, sliced.copies}, settings);
   const std::vector<int32_t> chosen = LayersToSample(rough, sliced.layers);
-  const MotionOptions motion = settings.motion;
+  const MotionOptions motion = MotionOf(settings);
   const auto made = Sample(
       call,
       {std::move(sliced), *std::move(plan), std::move(settings), std::move(input.settings_text)},

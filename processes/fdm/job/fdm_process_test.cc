@@ -177,7 +177,7 @@ class FdmProcessTest : public testing::Test {
     input.meshes = slicefarm::InputOf({{"thing", MeshFormat::kUnknown, std::move(bytes)}});
     input.meshes.objects[0].copies.resize(copies_);
     input.settings_text = "layer_height = 0.2";
-    FdmOf(input.settings).motion.writing = writing_;
+    FdmOf(input.settings).machine.motion.writing = writing_;
     return input;
   }
 

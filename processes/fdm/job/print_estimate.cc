@@ -71,9 +71,9 @@ class SectionEstimate {
   /// Of one section of one object, all of it with the settings of `row`.
   SectionEstimate(const LayerShape& shape, double exposed_mm2, const LayerFrame& frame,
                   const FdmSettings& settings, size_t row)
-      : shape_(shape), frame_(frame), settings_(settings), speeds_(settings.motion.speeds[row]) {
-    const BeadingOptions& beading = settings.beading[row];
-    const InfillOptions& infill = settings.infill[row];
+      : shape_(shape), frame_(frame), settings_(settings), speeds_(settings.regions[row].motion) {
+    const BeadingOptions& beading = settings.regions[row].walls;
+    const InfillOptions& infill = settings.regions[row].infill;
     const double height = ToMm(static_cast<double>(frame.height_nm));
     const double wall = Spacing(beading.inner_width_nm);
     const int32_t walls = beading.perimeters;
@@ -103,13 +103,13 @@ class SectionEstimate {
 
   double SpeedOf(Feature feature) const {
     const double speed = speeds_.speed_mm_s[static_cast<size_t>(feature)];
-    const double first = settings_.motion.first_layer_speed_mm_s;
+    const double first = settings_.machine.motion.first_layer_speed_mm_s;
     return frame_.index == 0 && first > 0 ? std::min(speed, first) : speed;
   }
 
   void Add(const Lines& lines) {
     const double speed = SpeedOf(lines.feature);
-    const double stop_s = speed / settings_.motion.limits.max_acceleration_extruding_mm_s2;
+    const double stop_s = speed / settings_.machine.motion.limits.max_acceleration_extruding_mm_s2;
     time_s_ += lines.length_mm / speed + lines.stops * stop_s;
   }
 
@@ -124,8 +124,8 @@ class SectionEstimate {
 
   void AddTravels(int an_island) {
     const double distance = std::sqrt(shape_.area) / 2;
-    const RetractionOptions& retraction = settings_.motion.retraction;
-    double each_s = distance / settings_.motion.travel_speed_mm_s;
+    const RetractionOptions& retraction = settings_.tools.front().retraction;
+    double each_s = distance / settings_.machine.motion.travel_speed_mm_s;
     if (distance > retraction.min_travel_mm)
       each_s += retraction.length_mm / retraction.speed_mm_s +
                 retraction.length_mm / retraction.restart_speed_mm_s;
@@ -141,8 +141,8 @@ class SectionEstimate {
 };
 
 double FilamentMm(double volume_mm3, const MotionOptions& motion) {
-  const double radius = motion.filament_diameter_mm / 2;
-  return volume_mm3 * motion.extrusion_multiplier / (std::numbers::pi * radius * radius);
+  const double radius = motion.tool().filament_diameter_mm / 2;
+  return volume_mm3 * motion.tool().extrusion_multiplier / (std::numbers::pi * radius * radius);
 }
 
 /// One object's layers, bottom up.
@@ -183,15 +183,15 @@ double CooledTime(double time_s, double area_mm2, const CoolingOptions& cooling)
 
 std::vector<LayerEstimate> EstimateLayers(const SlicedOutlines& job, const FdmSettings& settings) {
   std::map<int32_t, int> copies = CopiesByObject(job.copies);
-  const bool one_by_one = settings.planning.sequence.complete_objects;
-  const CoolingOptions& cooling = settings.motion.cooling;
+  const bool one_by_one = settings.machine.plan.sequence.complete_objects;
+  const CoolingOptions& cooling = settings.tools.front().cooling;
   std::vector<LayerEstimate> layers(job.layers.size());
   std::vector<double> areas(job.layers.size(), 0);
   for (const auto& [index, object] : ShapesByObject(job.layers)) {
     const double count = copies[index];
     for (std::ptrdiff_t i = 0; i < std::ssize(object.shapes); ++i) {
       const auto at = static_cast<size_t>(i);
-      const InfillOptions& infill = settings.infill[object.rows[at]];
+      const InfillOptions& infill = settings.regions[object.rows[at]].infill;
       const double exposed = Exposed(object.shapes, i, 1, infill.top_solid_layers) +
                              Exposed(object.shapes, i, -1, infill.bottom_solid_layers);
       const SectionEstimate section(object.shapes[at], exposed, object.frames[at], settings,
@@ -218,8 +218,9 @@ JobEstimate EstimatePrint(const SlicedOutlines& job, const FdmSettings& settings
     estimate.print_time_s += layer.time_s;
     all.volume_mm3 += layer.volume_mm3;
   }
-  all.filament_mm = FilamentMm(all.volume_mm3, settings.motion);
-  estimate.filament = FilamentUseOf(total, settings.motion);
+  const MotionOptions motion = MotionOf(settings);
+  all.filament_mm = FilamentMm(all.volume_mm3, motion);
+  estimate.filament = FilamentUseOf(total, motion);
   return estimate;
 }
 

@@ -62,10 +62,7 @@ void AddCube(Plate& plate, int layers) {
 /// Settings with a second row like the first.
 FdmSettings TwoRows() {
   FdmSettings settings;
-  settings.beading.resize(2);
-  settings.infill.resize(2);
-  settings.ordering.walls.resize(2);
-  settings.motion.speeds.resize(2);
+  settings.regions.resize(2);
   return settings;
 }
 
@@ -75,7 +72,7 @@ JobEstimate Estimate(const Plate& plate, const FdmSettings& settings) {
 
 TEST(EstimatePrint, ASolidCubeTakesItsVolume) {
   FdmSettings settings;
-  settings.infill[0].density = 1;
+  settings.regions[0].infill.density = 1;
   EXPECT_NEAR(Estimate(Cube(100), settings).filament.volume_mm3, 20 * 20 * 20, 1e-6);
 }
 
@@ -92,24 +89,24 @@ TEST(EstimatePrint, AStepIsCoveredBySkins) {
   std::vector<std::string> stair(60, "(0 0, 20 0, 20 20, 0 20)");
   std::fill(stair.begin() + 30, stair.end(), "(0 0, 10 0, 10 20, 0 20)");
   FdmSettings settings;
-  settings.beading[0].perimeters = 0;
-  settings.infill[0].density = 0;
+  settings.regions[0].walls.perimeters = 0;
+  settings.regions[0].infill.density = 0;
   const double skins = 0.2 * kSkins * (400 + 200 + 200);
   EXPECT_NEAR(Estimate(Layers(stair), settings).filament.volume_mm3, skins, 1e-6);
 }
 
 TEST(EstimatePrint, WallsAreNeverMoreThanThereIsRoomFor) {
   FdmSettings settings;
-  settings.beading[0].perimeters = 1000;
+  settings.regions[0].walls.perimeters = 1000;
   EXPECT_NEAR(Estimate(Cube(100), settings).filament.volume_mm3, 8000, 1e-6);
 }
 
 TEST(EstimatePrint, TimeGrowsWithWhatIsPrintedAndFallsWithSpeed) {
   const FdmSettings usual;
   FdmSettings denser = usual;
-  denser.infill[0].density = 0.8;
+  denser.regions[0].infill.density = 0.8;
   FdmSettings faster = usual;
-  faster.motion.speeds[0].speed_mm_s.fill(200);
+  faster.regions[0].motion.speed_mm_s.fill(200);
   const double time = Estimate(Cube(100), usual).print_time_s;
   EXPECT_GT(Estimate(Cube(100), denser).print_time_s, 1.2 * time);
   EXPECT_LT(Estimate(Cube(100), faster).print_time_s, 0.8 * time);
@@ -118,7 +115,7 @@ TEST(EstimatePrint, TimeGrowsWithWhatIsPrintedAndFallsWithSpeed) {
 
 TEST(EstimatePrint, SmallLayersTakeAsLongAsCoolingWants) {
   FdmSettings settings;
-  settings.motion.cooling.slowdown_below_layer_time_s = 30;
+  settings.tools[0].cooling.slowdown_below_layer_time_s = 30;
   const auto needle = Layers(std::vector<std::string>(10, "(0 0, 1 0, 1 1, 0 1)"));
   EXPECT_DOUBLE_EQ(Estimate(needle, settings).print_time_s, 300);
 }
@@ -135,7 +132,7 @@ TEST(EstimatePrint, EachCopyTakesAsMuch) {
 // The copies are printed in turn, and each cools while the others are printed.
 TEST(EstimatePrint, CoolingWantsItsTimeOfTheLayerAndNotOfEachCopy) {
   FdmSettings settings;
-  settings.motion.cooling.slowdown_below_layer_time_s = 30;
+  settings.tools[0].cooling.slowdown_below_layer_time_s = 30;
   Plate needles = Layers(std::vector<std::string>(10, "(0 0, 1 0, 1 1, 0 1)"));
   needles.copies.resize(5);
   EXPECT_DOUBLE_EQ(Estimate(needles, settings).print_time_s, 300);
@@ -150,7 +147,7 @@ TEST(EstimatePrint, ObjectsOfAPlateAddUp) {
 
 TEST(EstimatePrint, AnObjectIsAsDenseAsItsOwnSettingsSay) {
   FdmSettings settings = TwoRows();
-  settings.infill[1].density = 1;
+  settings.regions[1].infill.density = 1;
   Plate plate = Cube(100);
   const double sparse = Estimate(plate, settings).filament.volume_mm3;
   AddCube(plate, 100);
@@ -160,8 +157,10 @@ TEST(EstimatePrint, AnObjectIsAsDenseAsItsOwnSettingsSay) {
 // A lower object ends in a skin of its own, whatever goes on beside it.
 TEST(EstimatePrint, SkinsAreThoseOfTheObject) {
   FdmSettings settings = TwoRows();
-  for (BeadingOptions& beading : settings.beading) beading.perimeters = 0;
-  for (InfillOptions& infill : settings.infill) infill.density = 0;
+  for (RegionRow& region : settings.regions) {
+    region.walls.perimeters = 0;
+    region.infill.density = 0;
+  }
   Plate plate = Cube(100);
   AddCube(plate, 50);
   const double skins = 2 * 2 * kSkins * 0.2 * 400;

@@ -92,7 +92,7 @@ JobEstimate EstimateFrom(const LayerSamples& samples, std::span<const LayerEstim
   ProgramStats total;
   FeatureUse& all = total.features[0];
   all.filament_mm = Total(samples.layers, volumes, got_filaments);
-  const double radius_mm = motion.filament_diameter_mm / 2;
+  const double radius_mm = motion.tool().filament_diameter_mm / 2;
   all.volume_mm3 = all.filament_mm * std::numbers::pi * radius_mm * radius_mm;
   estimate.filament = FilamentUseOf(total, motion);
   return estimate;

@@ -22,8 +22,8 @@ double DensityOf(const RaftOptions& raft, int32_t layer, const SupportOptions& s
 
 }  // namespace
 
-JobSettings BrimRow(JobSettings settings) {
-  BeadingOptions& beading = FdmOf(settings).beading.front();
+JobRows BrimRow(JobRows settings) {
+  BeadingOptions& beading = FdmOf(settings).region.walls;
   SetWidths(beading.first_layer_width_nm, settings);
   beading.generator = WallGenerator::kArachne;
   beading.perimeters = kAllLines;
@@ -31,18 +31,18 @@ JobSettings BrimRow(JobSettings settings) {
   // A brim has no narrower places: a wider line there would lie on what it keeps away from.
   beading.min_feature_nm = beading.min_bead_width_nm = beading.first_layer_width_nm / 2;
   beading.gap_fill = true;
-  FillAlike(1, 0, FdmOf(settings).infill.front());
-  FdmOf(settings).ordering.walls.front() = {.towards_holes = true};
+  FillAlike(1, 0, FdmOf(settings).region.infill);
+  FdmOf(settings).region.order = {.towards_holes = true};
   return settings;
 }
 
-JobSettings RaftRow(JobSettings settings, int32_t layer) {
-  const RaftOptions& raft = FdmOf(settings).planning.objects.front().raft;
-  const SupportOptions& support = FdmOf(settings).planning.objects.front().support;
+JobRows RaftRow(JobRows settings, int32_t layer) {
+  const RaftOptions& raft = FdmOf(settings).object.raft;
+  const SupportOptions& support = FdmOf(settings).object.support;
   const int32_t layers = raft.heights.layers;
   const RaftLayerKind kind = RaftLayerKindOf(layer, layers);
   SetWidths(raft.lines.width_nm, settings);
-  BeadingOptions& beading = FdmOf(settings).beading.front();
+  BeadingOptions& beading = FdmOf(settings).region.walls;
   MakePlain(beading);
   beading.generator = WallGenerator::kClassic;
   beading.perimeters = kind == RaftLayerKind::kInterface ? 0 : 1;
@@ -52,10 +52,10 @@ JobSettings RaftRow(JobSettings settings, int32_t layer) {
       kind == RaftLayerKind::kInterface || (kind == RaftLayerKind::kFirst && two_bases);
   FillAlike(DensityOf(raft, layer, support),
             raft.lines.angle_rad + (across ? std::numbers::pi / 2 : 0),
-            FdmOf(settings).infill.front());
-  InfillOptions& infill = FdmOf(settings).infill.front();
+            FdmOf(settings).region.infill);
+  InfillOptions& infill = FdmOf(settings).region.infill;
   if (beading.perimeters == 0) infill.overlap_nm = 0;
-  FdmOf(settings).ordering.walls.front() = {};
+  FdmOf(settings).region.order = {};
   return settings;
 }
 

@@ -10,7 +10,7 @@ namespace slicefarm::config::fdm {
 /// come to them: rows for RegionTable. `settings`: resolved; what counts is the first region.
 
 /// Brim: closed lines as wide as the first layer's, side by side over the whole region.
-JobSettings BrimRow(JobSettings settings);
+JobRows BrimRow(JobRows settings);
 
 /// A layer of a raft: straight lines.
 ///
@@ -22,6 +22,6 @@ JobSettings BrimRow(JobSettings settings);
 /// A line runs round those that are no interface. Source: measured, PrusaSlicer 2.5.0; its
 /// snug style turns the topmost interface by 45 degrees: not followed. It lays interfaces of height
 /// 0.3 at the spacing of lines of layer_height, 6 % too little plastic: a spacing of 0 fills here.
-JobSettings RaftRow(JobSettings settings, int32_t layer);
+JobRows RaftRow(JobRows settings, int32_t layer);
 
 }  // namespace slicefarm::config::fdm

@@ -15,16 +15,16 @@ constexpr double kQuarter = std::numbers::pi / 2;
 /// Of lines 0.4 mm wide that fill a layer of 0.3 mm: three quarters of the nozzle.
 constexpr double kSpacing = 0.4 - 0.3 * (1 - std::numbers::pi / 4);
 
-JobSettings Resolved(const std::vector<std::pair<std::string, std::string>>& given) {
+JobRows Resolved(const std::vector<std::pair<std::string, std::string>>& given) {
   std::vector<Setting> settings;
   for (const auto& [key, value] : given) settings.push_back({key, value, Source::kRequest});
   const auto resolved = Resolve(settings, Process::kFdm);
   EXPECT_TRUE(resolved.ok()) << resolved.status();
-  return resolved.ok() ? resolved->settings : JobSettings{};
+  return resolved.ok() ? resolved->settings : JobRows{};
 }
 
 TEST(BrimRow, IsAllLinesOfTheFirstLayersWidth) {
-  const JobSettings job = Resolved({{"first_layer_extrusion_width", "0.6"},
+  const JobRows job = Resolved({{"first_layer_extrusion_width", "0.6"},
                                     {"perimeters", "2"},
                                     {"only_one_perimeter_first_layer", "1"},
                                     {"top_one_perimeter_type", "topmost"},
@@ -32,17 +32,17 @@ TEST(BrimRow, IsAllLinesOfTheFirstLayersWidth) {
                                     {"fuzzy_skin", "all"},
                                     {"perimeter_generator", "classic"},
                                     {"fill_density", "15%"}});
-  const JobSettings row = BrimRow(job);
-  EXPECT_EQ(FdmOf(row).beading[0].external_width_nm, 600'000);
-  EXPECT_EQ(FdmOf(row).beading[0].inner_width_nm, 600'000);
-  EXPECT_GT(FdmOf(row).beading[0].perimeters, 200 / 0.6 / 2) << "the widest brim there may be";
-  EXPECT_FALSE(FdmOf(row).beading[0].one_on_bed);
-  EXPECT_EQ(FdmOf(row).beading[0].one_on_top, OneWallOnTop::kNowhere);
-  EXPECT_FALSE(FdmOf(row).beading[0].extra_perimeters);
-  EXPECT_EQ(FdmOf(row).beading[0].fuzzy, FuzzySkin::kNone);
-  EXPECT_EQ(FdmOf(row).beading[0].generator, WallGenerator::kArachne);
-  EXPECT_EQ(FdmOf(row).infill[0].density, 1);
-  EXPECT_TRUE(FdmOf(row).ordering.walls[0].towards_holes);
+  const JobRows row = BrimRow(job);
+  EXPECT_EQ(FdmOf(row).region.walls.external_width_nm, 600'000);
+  EXPECT_EQ(FdmOf(row).region.walls.inner_width_nm, 600'000);
+  EXPECT_GT(FdmOf(row).region.walls.perimeters, 200 / 0.6 / 2) << "the widest brim there may be";
+  EXPECT_FALSE(FdmOf(row).region.walls.one_on_bed);
+  EXPECT_EQ(FdmOf(row).region.walls.one_on_top, OneWallOnTop::kNowhere);
+  EXPECT_FALSE(FdmOf(row).region.walls.extra_perimeters);
+  EXPECT_EQ(FdmOf(row).region.walls.fuzzy, FuzzySkin::kNone);
+  EXPECT_EQ(FdmOf(row).region.walls.generator, WallGenerator::kArachne);
+  EXPECT_EQ(FdmOf(row).region.infill.density, 1);
+  EXPECT_TRUE(FdmOf(row).region.order.towards_holes);
 }
 
 struct Layer {
@@ -61,31 +61,31 @@ TEST(RaftRow, DensityAndAngleOfEachLayer) {
       {{0.9, 1, 1}, {base, 0, 1}, {base, 0, 1}, {1, 1, 0}, {1, 1, 0}, {1, 1, 0}},
   };
   for (const std::vector<Layer>& raft : rafts) {
-    const JobSettings job = Resolved({{"raft_layers", std::to_string(raft.size())},
+    const JobRows job = Resolved({{"raft_layers", std::to_string(raft.size())},
                                       {"support_material_angle", "30"},
                                       {"support_material_extrusion_width", "0.4"}});
     for (size_t i = 0; i < raft.size(); ++i) {
-      const JobSettings row = RaftRow(job, static_cast<int32_t>(i));
-      const InfillOptions& infill = FdmOf(row).infill[0];
+      const JobRows row = RaftRow(job, static_cast<int32_t>(i));
+      const InfillOptions& infill = FdmOf(row).region.infill;
       EXPECT_NEAR(infill.density, raft[i].density, 1e-6) << raft.size() << " " << i;
       EXPECT_DOUBLE_EQ(infill.angle_rad, std::numbers::pi / 6 + kQuarter * raft[i].turn);
       EXPECT_EQ(infill.pattern, FillPattern::kAlignedRectilinear);
       EXPECT_EQ(infill.top_solid_layers, 0);
       EXPECT_EQ(infill.sparse_width_nm, 400'000);
       EXPECT_EQ(infill.solid_width_nm, 400'000);
-      EXPECT_EQ(infill.first_layer_width_nm, FdmOf(job).infill[0].first_layer_width_nm);
-      EXPECT_EQ(FdmOf(row).beading[0].perimeters, raft[i].walls);
+      EXPECT_EQ(infill.first_layer_width_nm, FdmOf(job).region.infill.first_layer_width_nm);
+      EXPECT_EQ(FdmOf(row).region.walls.perimeters, raft[i].walls);
     }
   }
 }
 
 TEST(RaftRow, InterfacesHaveTheSupportsGaps) {
-  const JobSettings job = Resolved({{"raft_layers", "3"},
+  const JobRows job = Resolved({{"raft_layers", "3"},
                                     {"support_material_interface_spacing", "1"},
                                     {"support_material_extrusion_width", "0.4"}});
-  EXPECT_DOUBLE_EQ(FdmOf(RaftRow(job, 0)).infill[0].density, 0.9);
+  EXPECT_DOUBLE_EQ(FdmOf(RaftRow(job, 0)).region.infill.density, 0.9);
   for (const int32_t layer : {1, 2})
-    EXPECT_NEAR(FdmOf(RaftRow(job, layer)).infill[0].density, kSpacing / (kSpacing + 1),
+    EXPECT_NEAR(FdmOf(RaftRow(job, layer)).region.infill.density, kSpacing / (kSpacing + 1),
                 1e-6)
         << layer;
 }

@@ -1,8 +1,5 @@
 #include "processes/fdm/settings/fdm_settings.h"
 
-#include <algorithm>
-#include <iterator>
-
 #include "common/config/table/known_keys.h"
 #include "common/config/table/shared_settings.h"
 #include "processes/fdm/settings/check_settings.h"
@@ -13,7 +10,6 @@
 #include "processes/fdm/settings/plate_tool.h"
 #include "processes/fdm/settings/region_table.h"
 #include "processes/fdm/settings/settle.h"
-#include "processes/fdm/settings/table/scopes.h"
 #include "processes/fdm/settings/table/settings_sections.h"
 
 namespace slicefarm::config::fdm {
@@ -21,17 +17,22 @@ namespace {
 
 constexpr std::string_view kMachineKeys[] = {"bed_shape", "nozzle_diameter", "gcode_flavor"};
 
+constexpr SettingGroup kGroups[] = {
+    {"layers", LayerSettings},     {"slicing", SlicingSettings},   {"walls", WallSettings},
+    {"seams", SeamSettings},       {"infill", InfillSettings},     {"adhesion", AdhesionSettings},
+    {"supports", SupportSettings}, {"speed", SpeedSettings},       {"filament", FilamentSettings},
+    {"machine", MachineSettings},  {"output", WritingSettings},
+};
+
 class OfFdm : public ProcessSettings {
  public:
-  JobSettings Standards() const override { return {.slicing = {}, .own = FdmSettings()}; }
+  JobRows Standards() const override { return {.slicing = {}, .object = {}, .own = FdmRows()}; }
+  OwnSettings PlateOf(const OwnRows& job) const override {
+    const auto& rows = std::get<FdmRows>(job);
+    return FdmSettings{rows.machine, {}, {}, {rows.tool}};
+  }
   std::vector<SettingSpec> Table() const override {
-    std::vector<SettingSpec> all;
-    for (const auto& section : {LayerSettings, SlicingSettings, WallSettings, SeamSettings,
-                                InfillSettings, AdhesionSettings, SupportSettings, SpeedSettings,
-                                FilamentSettings, MachineSettings, WritingSettings})
-      std::ranges::move(section(), std::back_inserter(all));
-    SetScopes(all);
-    return all;
+    return TableOf(kGroups);
   }
   /// What PrusaSlicer knows is about filament.
   bool Knows(std::string_view key) const override { return FindKnownKey(key) != nullptr; }
@@ -57,22 +58,21 @@ class OfFdm : public ProcessSettings {
                                            std::string_view settings_text) const override {
     return IncompatibleProfiles(job, settings_text);
   }
-  void BeginPlate(JobSettings& plate) const override { FdmOf(plate).planning.objects.clear(); }
   std::unique_ptr<RegionRows> NewRows() const override { return std::make_unique<RegionTable>(); }
   std::vector<std::string> UnmetNeedsOf(const SceneObject& object,
-                                        const JobSettings& settings) const override {
+                                        const JobRows& settings) const override {
     return NeedsOfObject(object, settings);
   }
-  absl::Status AddRows(JobSettings& object, RegionRows& rows) const override {
+  absl::Status AddRows(JobRows& object, RegionRows& rows) const override {
     return AddAdhesionRows(object, rows);
   }
-  bool AreAlike(const JobSettings& plate, size_t object, const JobSettings& other) const override {
-    return FdmOf(plate).planning.objects[object] == FdmOf(other).planning.objects.front();
+  bool AreAlike(const JobSettings& plate, size_t object, const JobRows& other) const override {
+    return FdmOf(plate).objects[object] == FdmOf(other).object;
   }
-  void AddObject(const JobSettings& object, JobSettings& plate) const override {
-    FdmOf(plate).planning.objects.push_back(FdmOf(object).planning.objects.front());
+  void AddObject(const JobRows& object, JobSettings& plate) const override {
+    FdmOf(plate).objects.push_back(FdmOf(object).object);
   }
-  absl::Status FinishPlate(const JobSettings& job, RegionRows& rows,
+  absl::Status FinishPlate(const JobRows& job, RegionRows& rows,
                            JobSettings& plate) const override {
     return fdm::FinishPlate(job, rows, plate);
   }
@@ -85,7 +85,7 @@ class OfFdm : public ProcessSettings {
         {.suffix = ".bgcode", .key = kKey, .value = "1", .alone = true, .chosen_by_name = false}};
   }
   double MaterialCostPerKg(const JobSettings& settings) const override {
-    return FdmOf(settings).motion.filament_cost_per_kg;
+    return FdmOf(settings).tools.front().filament_cost_per_kg;
   }
 };
 

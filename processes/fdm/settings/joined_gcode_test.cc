@@ -73,7 +73,7 @@ std::string LayerCode(const Pairs& given) {
   std::vector<Setting> settings;
   for (const auto& [key, value] : given) settings.push_back({key, value});
   const auto resolved = Resolve(settings, Process::kFdm);
-  return resolved.ok() ? FdmOf(resolved->settings).motion.layer_gcode.str() : "refused";
+  return resolved.ok() ? FdmOf(resolved->settings).machine.motion.layer_gcode.str() : "refused";
 }
 
 TEST(JoinedGcode, TheTimeLapseStandsWhereTheProgramThatOwnsItPutsIt) {

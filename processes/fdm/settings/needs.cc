@@ -8,7 +8,7 @@
 namespace slicefarm::config::fdm {
 namespace {
 
-bool HasSupports(const JobSettings& s) { return FdmOf(s).planning.objects[0].support.on; }
+bool HasSupports(const JobRows& s) { return FdmOf(s).object.support.on; }
 
 bool Combines(const Draft& draft) { return draft.Number("automatic_infill_combination") != 0; }
 
@@ -19,86 +19,86 @@ constexpr Need kNeeds[] = {
      "filament_retract_lift filament_retract_speed filament_deretract_speed "
      "filament_retract_restart_extra filament_retract_before_travel wipe filament_wipe",
      "retract_length of more than 0",
-     [](const JobSettings& s) { return FdmOf(s).motion.retraction.length_mm > 0; }},
+     [](const JobRows& s) { return FdmOf(s).tool.retraction.length_mm > 0; }},
     {"retract_lift filament_retract_lift", "travel_ramping_lift = 0",
-     [](const JobSettings& s) { return !FdmOf(s).motion.retraction.ramping; }},
+     [](const JobRows& s) { return !FdmOf(s).tool.retraction.ramping; }},
     {"travel_max_lift travel_slope travel_lift_before_obstacle filament_travel_max_lift "
      "filament_travel_slope filament_travel_lift_before_obstacle",
      "travel_ramping_lift = 1",
-     [](const JobSettings& s) { return FdmOf(s).motion.retraction.ramping; }},
+     [](const JobRows& s) { return FdmOf(s).tool.retraction.ramping; }},
     {"retract_restart_extra filament_retract_restart_extra",
      "use_firmware_retraction = 0, as the machine pushes what it is set to",
-     [](const JobSettings& s) { return !FdmOf(s).motion.writing.firmware_retraction; }},
+     [](const JobRows& s) { return !FdmOf(s).machine.motion.writing.firmware_retraction; }},
     {"adaptive_layer_cusp adaptive_layer_ratio", "adaptive_layer_height = 1",
-     [](const JobSettings& s) { return s.slicing.objects[0].adaptive.on; }},
+     [](const JobRows& s) { return s.object.adaptive.on; }},
     {"adaptive_layer_height adaptive_layer_cusp adaptive_layer_ratio", kNoProfile,
-     [](const JobSettings& s) {
-       const ObjectSlicingOptions& object = s.slicing.objects[0];
+     [](const JobRows& s) {
+       const ObjectSlicingOptions& object = s.object;
        return !object.adaptive.on || object.height_profile.empty();
      }},
     {"custom_gcode_per_print_z", "complete_objects = 0",
-     [](const JobSettings& s) { return !FdmOf(s).planning.sequence.complete_objects; }},
+     [](const JobRows& s) { return !FdmOf(s).machine.plan.sequence.complete_objects; }},
     {"retract_lift_above retract_lift_below filament_retract_lift_above "
      "filament_retract_lift_below",
      "retract_lift or, with travel_ramping_lift = 1, travel_max_lift of more than 0",
-     [](const JobSettings& s) {
-       const RetractionOptions& retraction = FdmOf(s).motion.retraction;
+     [](const JobRows& s) {
+       const RetractionOptions& retraction = FdmOf(s).tool.retraction;
        return (retraction.ramping ? retraction.ramp_lift_mm : retraction.lift_mm) > 0;
      }},
     {"travel_short_distance_acceleration", "travel_acceleration of more than 0",
-     [](const JobSettings& s) { return FdmOf(s).motion.travel_acceleration_mm_s2 > 0; }},
+     [](const JobRows& s) { return FdmOf(s).machine.motion.travel_acceleration_mm_s2 > 0; }},
     {"cooling_perimeter_transition_distance", "cooling_slowdown_logic = consistent_surface",
-     [](const JobSettings& s) { return FdmOf(s).motion.cooling.consistent_surface; }},
+     [](const JobRows& s) { return FdmOf(s).tool.cooling.consistent_surface; }},
     {"fuzzy_skin_thickness fuzzy_skin_point_dist", "a fuzzy_skin other than none",
-     [](const JobSettings& s) { return FdmOf(s).beading[0].fuzzy != FuzzySkin::kNone; }},
+     [](const JobRows& s) { return FdmOf(s).region.walls.fuzzy != FuzzySkin::kNone; }},
     {"retract_before_wipe filament_retract_before_wipe", "wipe = 1",
-     [](const JobSettings& s) { return FdmOf(s).motion.retraction.wipe; }},
+     [](const JobRows& s) { return FdmOf(s).tool.retraction.wipe; }},
     // Accelerations are either all told to the firmware or all left to it.
     {"perimeter_acceleration external_perimeter_acceleration infill_acceleration "
      "solid_infill_acceleration top_solid_infill_acceleration bridge_acceleration "
      "first_layer_acceleration travel_acceleration",
      "default_acceleration of more than 0",
-     [](const JobSettings& s) { return FdmOf(s).motion.default_acceleration_mm_s2 > 0; }},
+     [](const JobRows& s) { return FdmOf(s).machine.motion.default_acceleration_mm_s2 > 0; }},
     {"square_corner_velocity minimum_cruise_ratio", "gcode_flavor = klipper",
-     [](const JobSettings& s) { return FdmOf(s).motion.flavor == GcodeFlavor::kKlipper; }},
+     [](const JobRows& s) { return FdmOf(s).machine.motion.flavor == GcodeFlavor::kKlipper; }},
     {"machine_max_jerk_x machine_max_jerk_y machine_max_jerk_z machine_max_jerk_e "
      "machine_max_junction_deviation",
      "a gcode_flavor of Marlin",
-     [](const JobSettings& s) { return FdmOf(s).motion.flavor != GcodeFlavor::kKlipper; }},
+     [](const JobRows& s) { return FdmOf(s).machine.motion.flavor != GcodeFlavor::kKlipper; }},
     // The fan at its least and at bridges runs without.
     {"max_fan_speed fan_below_layer_time slowdown_below_layer_time min_print_speed", "cooling = 1",
-     [](const JobSettings& s) { return FdmOf(s).motion.cooling.enabled; }},
+     [](const JobRows& s) { return FdmOf(s).tool.cooling.enabled; }},
     {"skirt_distance skirt_height min_skirt_length draft_shield", "skirts of more than 0",
-     [](const JobSettings& s) { return FdmOf(s).planning.skirt.loops > 0; }},
+     [](const JobRows& s) { return FdmOf(s).machine.plan.skirt.loops > 0; }},
     {"brim_width", "a brim_type other than auto_brim",
-     [](const JobSettings& s) { return !FdmOf(s).planning.objects[0].brim.automatic.on; }},
+     [](const JobRows& s) { return !FdmOf(s).object.brim.automatic.on; }},
     {"brim_width brim_separation", "a brim_type other than no_brim, and no raft",
-     [](const JobSettings& s) {
-       const ObjectPlanOptions& object = FdmOf(s).planning.objects[0];
+     [](const JobRows& s) {
+       const ObjectPlanOptions& object = FdmOf(s).object;
        return object.brim.type != BrimType::kNone && object.raft.heights.layers == 0;
      }},
     {"brim_ears_max_angle brim_ears_detection_length", "brim_type = brim_ears",
-     [](const JobSettings& s) {
-       return FdmOf(s).planning.objects[0].brim.type == BrimType::kEars;
+     [](const JobRows& s) {
+       return FdmOf(s).object.brim.type == BrimType::kEars;
      }},
     {"avoid_crossing_perimeters_max_detour", "avoid_crossing_perimeters = 1",
-     [](const JobSettings& s) { return FdmOf(s).ordering.travel.avoid_crossing; }},
+     [](const JobRows& s) { return FdmOf(s).machine.order.travel.avoid_crossing; }},
     {"retract_inside_after retract_layer_change", "only_retract_when_crossing_perimeters = 1",
-     [](const JobSettings& s) { return FdmOf(s).ordering.travel.hide; }},
+     [](const JobRows& s) { return FdmOf(s).machine.order.travel.hide; }},
     {"raft_contact_distance raft_expansion", "raft_layers of more than 0",
-     [](const JobSettings& s) { return FdmOf(s).planning.objects[0].raft.heights.layers > 0; }},
+     [](const JobRows& s) { return FdmOf(s).object.raft.heights.layers > 0; }},
     {"raft_first_layer_expansion",
      "raft_layers of more than 0 or support_material_style = organic with support_material = 1",
-     [](const JobSettings& s) {
-       const ObjectPlanOptions& object = FdmOf(s).planning.objects[0];
+     [](const JobRows& s) {
+       const ObjectPlanOptions& object = FdmOf(s).object;
        return object.raft.heights.layers > 0 ||
               (object.support.on && object.support.style == SupportStyle::kTree);
      }},
     {"raft_first_layer_density support_material_spacing support_material_angle "
      "support_material_interface_spacing",
      "raft_layers of more than 0 or support_material = 1",
-     [](const JobSettings& s) {
-       const ObjectPlanOptions& object = FdmOf(s).planning.objects[0];
+     [](const JobRows& s) {
+       const ObjectPlanOptions& object = FdmOf(s).object;
        return object.raft.heights.layers > 0 || object.support.on;
      }},
     {"dont_support_bridges support_material_auto "
@@ -118,32 +118,32 @@ constexpr Need kNeeds[] = {
      "support_tree_branch_diameter_angle support_tree_branch_diameter_double_wall "
      "support_tree_branch_distance support_tree_tip_diameter support_tree_top_rate",
      "support_material = 1 and support_material_style = organic",
-     [](const JobSettings& s) {
-       const SupportOptions& support = FdmOf(s).planning.objects[0].support;
+     [](const JobRows& s) {
+       const SupportOptions& support = FdmOf(s).object.support;
        return support.on && support.style == SupportStyle::kTree;
      }},
     {"min_fan_speed", "cooling = 1 or fan_always_on = 1",
-     [](const JobSettings& s) {
-       return FdmOf(s).motion.cooling.enabled || FdmOf(s).motion.cooling.fan_always_on;
+     [](const JobRows& s) {
+       return FdmOf(s).tool.cooling.enabled || FdmOf(s).tool.cooling.fan_always_on;
      }},
     {"extruder_clearance_radius extruder_clearance_height between_objects_gcode",
      "complete_objects = 1",
-     [](const JobSettings& s) { return FdmOf(s).planning.sequence.complete_objects; }},
+     [](const JobRows& s) { return FdmOf(s).machine.plan.sequence.complete_objects; }},
     {"ironing_type ironing_flowrate ironing_spacing ironing_speed", "ironing = 1",
-     [](const JobSettings& s) { return FdmOf(s).infill[0].ironing.enabled; }},
+     [](const JobRows& s) { return FdmOf(s).region.infill.ironing.enabled; }},
     {"small_area_infill_flow_compensation_model", "small_area_infill_flow_compensation = 1",
-     [](const JobSettings& s) { return FdmOf(s).infill[0].small_area_flow; }},
+     [](const JobRows& s) { return FdmOf(s).region.infill.small_area_flow; }},
     {"infill_smoothing", "fill_pattern = medialaxis",
-     [](const JobSettings& s) {
-       return !FdmOf(s).infill[0].choose_pattern &&
-              FdmOf(s).infill[0].pattern == FillPattern::kMedialAxis;
+     [](const JobRows& s) {
+       return !FdmOf(s).region.infill.choose_pattern &&
+              FdmOf(s).region.infill.pattern == FillPattern::kMedialAxis;
      }},
     {"infill_goal", "fill_pattern = auto",
-     [](const JobSettings& s) { return FdmOf(s).infill[0].choose_pattern; }},
+     [](const JobRows& s) { return FdmOf(s).region.infill.choose_pattern; }},
     {"fill_density", "no density_field, which takes its place",
-     [](const JobSettings& s) { return FdmOf(s).infill[0].density_field.empty(); }},
+     [](const JobRows& s) { return FdmOf(s).region.infill.density_field.empty(); }},
     {"fill_pattern", "no stress_field, whose streamlines take its place",
-     [](const JobSettings& s) { return FdmOf(s).infill[0].stress_field.empty(); }},
+     [](const JobRows& s) { return FdmOf(s).region.infill.stress_field.empty(); }},
     {"automatic_infill_combination_max_layer_height", "automatic_infill_combination = 1", nullptr,
      Combines},
     {"infill_every_layers", "automatic_infill_combination = 0", nullptr,
@@ -152,13 +152,13 @@ constexpr Need kNeeds[] = {
 
 }  // namespace
 
-std::vector<std::string> NeedsOfObject(const SceneObject& object, const JobSettings& settings) {
+std::vector<std::string> NeedsOfObject(const SceneObject& object, const JobRows& settings) {
   std::vector<std::string> unmet;
   const bool enforced =
       std::ranges::count(object.parts, PartRole::kSupportEnforcer, &Part::role) > 0;
   if (enforced && !HasSupports(settings))
     unmet.push_back("support enforcers, painted or as parts: needs support_material = 1");
-  if (settings.slicing.objects[0].height_profile.empty()) return unmet;
+  if (settings.object.height_profile.empty()) return unmet;
   for (const HeightRange& range : object.ranges)
     for (const Setting& setting : range.settings)
       if (setting.key == "layer_height")

@@ -11,6 +11,6 @@ namespace slicefarm::config::fdm {
 std::vector<Need> Needs();
 
 /// See ProcessSettings::UnmetNeedsOf.
-std::vector<std::string> NeedsOfObject(const SceneObject& object, const JobSettings& settings);
+std::vector<std::string> NeedsOfObject(const SceneObject& object, const JobRows& settings);
 
 }  // namespace slicefarm::config::fdm

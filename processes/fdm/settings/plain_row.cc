@@ -6,10 +6,10 @@
 
 namespace slicefarm::config::fdm {
 
-void SetWidths(Coord width_nm, JobSettings& settings) {
-  BeadingOptions& beading = FdmOf(settings).beading.front();
+void SetWidths(Coord width_nm, JobRows& settings) {
+  BeadingOptions& beading = FdmOf(settings).region.walls;
   beading.external_width_nm = beading.inner_width_nm = width_nm;
-  InfillOptions& infill = FdmOf(settings).infill.front();
+  InfillOptions& infill = FdmOf(settings).region.infill;
   infill.sparse_width_nm = infill.solid_width_nm = infill.top_width_nm = width_nm;
 }
 

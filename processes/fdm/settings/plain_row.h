@@ -8,7 +8,7 @@ namespace slicefarm::config::fdm {
 // What rows of regions that planning adds have in common; all change the first region's settings.
 
 /// Beads of one width in place of what the part's walls and infill have.
-void SetWidths(Coord width_nm, JobSettings& settings);
+void SetWidths(Coord width_nm, JobRows& settings);
 
 /// Nothing but the number of walls that is asked for.
 void MakePlain(BeadingOptions& beading);

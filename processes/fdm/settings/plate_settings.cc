@@ -19,18 +19,17 @@ Coord BrimReach(const ObjectPlanOptions& object) {
 }
 
 /// Copies that are arranged stand duplicate_distance apart, brims included.
-void LeaveRoomForBrims(JobSettings& settings) {
+void LeaveRoomForBrims(JobSettings& plate) {
   Coord reach = 0;
-  for (const ObjectPlanOptions& object : FdmOf(settings).planning.objects)
-    reach = std::max(reach, BrimReach(object));
-  SlicingOptions& slicing = settings.slicing;
+  for (const ObjectRow& object : FdmOf(plate).objects) reach = std::max(reach, BrimReach(object));
+  SlicingOptions& slicing = plate.slicing;
   if (reach > 0)
     slicing.clearance_radius_nm =
         std::max(slicing.clearance_radius_nm, slicing.part_distance_nm + 2 * reach);
 }
 
-absl::Status AddSupportRows(JobSettings& object, RegionRows& rows) {
-  ObjectPlanOptions& planning = FdmOf(object).planning.objects.front();
+absl::Status AddSupportRows(JobRows& object, RegionRows& rows) {
+  ObjectRow& planning = FdmOf(object).object;
   if (!planning.support.on) return absl::OkStatus();
   for (int32_t i = 0; i < kSupportRowCount; ++i) {
     absl::StatusOr<int32_t> row = rows.RowOf(SupportRegionRow(object, static_cast<SupportRow>(i)));
@@ -42,8 +41,8 @@ absl::Status AddSupportRows(JobSettings& object, RegionRows& rows) {
 
 }  // namespace
 
-absl::Status AddAdhesionRows(JobSettings& object, RegionRows& rows) {
-  ObjectPlanOptions& planning = FdmOf(object).planning.objects.front();
+absl::Status AddAdhesionRows(JobRows& object, RegionRows& rows) {
+  ObjectRow& planning = FdmOf(object).object;
   if (absl::Status ok = AddSupportRows(object, rows); !ok.ok()) return ok;
   const int32_t raft_layers = planning.raft.heights.layers;
   for (int32_t layer = 0; layer < raft_layers; ++layer) {
@@ -60,11 +59,12 @@ absl::Status AddAdhesionRows(JobSettings& object, RegionRows& rows) {
   return absl::OkStatus();
 }
 
-absl::Status FinishPlate(const JobSettings& job, RegionRows& rows, JobSettings& plate) {
-  if (FdmOf(plate).planning.skirt.loops > 0) {
+absl::Status FinishPlate(const JobRows& job, RegionRows& rows, JobSettings& plate) {
+  JobPlanOptions& plan = FdmOf(plate).machine.plan;
+  if (plan.skirt.loops > 0) {
     const absl::StatusOr<int32_t> row = rows.RowOf(BrimRow(job));
     if (!row.ok()) return row.status();
-    FdmOf(plate).planning.skirt_settings = *row;
+    plan.skirt_settings = *row;
   }
   rows.PutInto(plate);
   LeaveRoomForBrims(plate);

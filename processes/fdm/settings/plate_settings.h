@@ -6,10 +6,10 @@
 namespace slicefarm::config::fdm {
 
 /// Adds the rows of the object's brim and raft, which its settings name then.
-absl::Status AddAdhesionRows(JobSettings& object, RegionRows& rows);
+absl::Status AddAdhesionRows(JobRows& object, RegionRows& rows);
 
 /// Adds the row of the skirt, and room for brims between copies that are arranged. `job`: the
 /// settings of the job.
-absl::Status FinishPlate(const JobSettings& job, RegionRows& rows, JobSettings& plate);
+absl::Status FinishPlate(const JobRows& job, RegionRows& rows, JobSettings& plate);
 
 }  // namespace slicefarm::config::fdm

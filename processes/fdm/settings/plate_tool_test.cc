@@ -153,16 +153,16 @@ TEST(ResolvePlate, TakesTheFilamentOfTheTool) {
   const auto plate =
       ResolvePlate(job, std::vector<SceneObject>{Object("a", {Tool("2")})}, Process::kFdm);
   ASSERT_TRUE(plate.ok()) << plate.status();
-  const MotionOptions& motion = FdmOf(plate->settings).motion;
-  EXPECT_EQ(motion.nozzle_diameter_mm, 0.6);
-  EXPECT_EQ(motion.temperature_c, 245);
-  EXPECT_EQ(motion.first_layer_temperature_c, 250);
-  EXPECT_EQ(motion.bed_temperature_c, 90);
-  EXPECT_EQ(motion.filament_type, "PETG");
-  EXPECT_EQ(motion.retraction.length_mm, 1.2);
-  EXPECT_EQ(motion.filament_density_g_cm3, 1.24);
-  EXPECT_EQ(motion.tool, 1);
-  EXPECT_EQ(motion.start_filament_gcode, "; two");
+  const MotionOptions motion = MotionOf(FdmOf(plate->settings));
+  EXPECT_EQ(motion.tool().nozzle_diameter_mm, 0.6);
+  EXPECT_EQ(motion.tool().temperature_c, 245);
+  EXPECT_EQ(motion.tool().first_layer_temperature_c, 250);
+  EXPECT_EQ(motion.tool().bed_temperature_c, 90);
+  EXPECT_EQ(motion.tool().filament_type, "PETG");
+  EXPECT_EQ(motion.tool().retraction.length_mm, 1.2);
+  EXPECT_EQ(motion.tool().filament_density_g_cm3, 1.24);
+  EXPECT_EQ(motion.tool().number, 1);
+  EXPECT_EQ(motion.tool().start_filament_gcode, "; two");
 }
 
 }  // namespace

@@ -1,40 +1,25 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <utility>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/config/process_settings.h"
+#include "common/config/row_table.h"
 #include "common/model/options/settings.h"
 
 namespace slicefarm::config::fdm {
 
-/// The tables of beading, infill, ordering and motion.
+/// Regions of a plate for filament printing.
 class RegionTable : public RegionRows {
  public:
-  absl::StatusOr<int32_t> RowOf(const JobSettings& settings) override;
-  int64_t size() const override { return std::ssize(beading_); }
-  void PutInto(JobSettings& settings) const override;
+  absl::StatusOr<int32_t> RowOf(const JobRows& settings) override;
+  int64_t size() const override { return std::ssize(table_.rows()); }
+  void PutInto(JobSettings& plate) const override { FdmOf(plate).regions = table_.rows(); }
 
  private:
-  /// All that walls depend on: regions whose walls are alike are of one class.
-  struct Walls {
-    BeadingOptions beading;
-    WallOrder order;
-    RegionSpeeds speeds;
-
-    friend bool operator==(const Walls&, const Walls&) = default;
-  };
-  static Walls WallsOf(const JobSettings& settings);
-  int32_t ClassOf(const Walls& walls);
-
-  std::vector<BeadingOptions> beading_;
-  std::vector<InfillOptions> infill_;
-  std::vector<WallOrder> order_;
-  std::vector<RegionSpeeds> speeds_;
-  std::vector<Walls> classes_;
+  RowTable<RegionRow> table_;
+  std::vector<RegionRow> wall_classes_;  ///< by wall_class: what walls depend on; the rest is standard
 };
 
 }  // namespace slicefarm::config::fdm

@@ -41,7 +41,7 @@ size_t ToolCount(std::span<const Setting> given) {
   return std::max(nozzles, told);
 }
 
-absl::Status TakeLayerSettings(const std::string& text, MotionOptions& options) {
+absl::Status TakeLayerSettings(const std::string& text, MachineMotion& options) {
   std::string code = options.before_layer_gcode.str() + "\n" + options.layer_gcode.str();
   const WritingOptions& writing = options.writing;
   if (!writing.height_code.empty())
@@ -57,23 +57,23 @@ absl::Status TakeLayerSettings(const std::string& text, MotionOptions& options) 
 
 /// What elefant_foot_compensation leaves of thin places: room for the first layer's outer wall and
 /// its neighbour, as PrusaSlicer has it.
-void TakeFootWidth(JobSettings& settings) {
-  const Coord width_nm = FdmOf(settings).beading[0].first_layer_width_nm;
+void TakeFootWidth(JobRows& settings) {
+  const Coord width_nm = FdmOf(settings).region.walls.first_layer_width_nm;
   const Coord spacing_nm = Spacing(width_nm, settings.slicing.first_layer_height_nm);
-  settings.slicing.objects[0].elephant_foot_min_width_nm =
+  settings.object.elephant_foot_min_width_nm =
       width_nm + std::max<Coord>(spacing_nm, 0);
 }
 
 /// Copies that are arranged to be printed one after the other leave room for the head.
-void TakeClearance(JobSettings& settings) {
-  const SequencePlanOptions& sequence = FdmOf(settings).planning.sequence;
+void TakeClearance(JobRows& settings) {
+  const SequencePlanOptions& sequence = FdmOf(settings).machine.plan.sequence;
   settings.slicing.clearance_radius_nm =
       sequence.complete_objects ? sequence.clearance_radius_nm : 0;
 }
 
 /// What auto_brim knows of the material: how long a part of it may be before it warps, and how well
 /// it holds; and how fast it is printed. Figures are OrcaSlicer's.
-AutomaticBrim AutomaticBrimOf(const JobSettings& settings) {
+AutomaticBrim AutomaticBrimOf(const JobRows& settings) {
   struct Material {
     std::string_view type;
     double thermal_length_mm, adhesion;
@@ -81,14 +81,14 @@ AutomaticBrim AutomaticBrimOf(const JobSettings& settings) {
   constexpr Material kMaterials[] = {{"ABS", 100, 1}, {"PA-CF", 100, 1},  {"PET-CF", 100, 1},
                                      {"PC", 40, 1},   {"TPU", 1000, 0.5}, {"PETG", 200, 2},
                                      {"PCTG", 200, 2}};
-  AutomaticBrim brim = FdmOf(settings).planning.objects[0].brim.automatic;
+  AutomaticBrim brim = FdmOf(settings).object.brim.automatic;
   const auto material =
-      std::ranges::find(kMaterials, FdmOf(settings).motion.filament_type, &Material::type);
+      std::ranges::find(kMaterials, FdmOf(settings).tool.filament_type, &Material::type);
   if (material != std::end(kMaterials)) {
     brim.thermal_length_mm = material->thermal_length_mm;
     brim.adhesion = material->adhesion;
   }
-  const auto& speeds = FdmOf(settings).motion.speeds[0].speed_mm_s;
+  const auto& speeds = FdmOf(settings).region.motion.speed_mm_s;
   for (const Feature feature : {Feature::kExternalPerimeter, Feature::kPerimeter,
                                 Feature::kInternalInfill, Feature::kSolidInfill})
     brim.max_speed_mm_s = std::max(brim.max_speed_mm_s, speeds[static_cast<size_t>(feature)]);
@@ -96,37 +96,36 @@ AutomaticBrim AutomaticBrimOf(const JobSettings& settings) {
 }
 
 /// What skirt, brim and raft take from settings that are about other things.
-void TakeAdhesion(JobSettings& settings) {
+void TakeAdhesion(JobRows& settings) {
   const Coord first_height_nm = settings.slicing.first_layer_height_nm;
-  const Coord line_width_nm = FdmOf(settings).beading[0].first_layer_width_nm;
-  SkirtOptions& skirt = FdmOf(settings).planning.skirt;
+  const Coord line_width_nm = FdmOf(settings).region.walls.first_layer_width_nm;
+  SkirtOptions& skirt = FdmOf(settings).machine.plan.skirt;
   skirt.width_nm = line_width_nm;
   skirt.height_nm = first_height_nm;
-  const double radius_mm = FdmOf(settings).motion.filament_diameter_mm / 2;
+  const double radius_mm = FdmOf(settings).tool.filament_diameter_mm / 2;
   skirt.filament_area_mm2 = std::numbers::pi * radius_mm * radius_mm;
-  ObjectPlanOptions& object = FdmOf(settings).planning.objects[0];
+  ObjectPlanOptions& object = FdmOf(settings).object;
   object.brim.line_width_nm = line_width_nm;
   object.brim.automatic = AutomaticBrimOf(settings);
   RaftHeights& raft = object.raft.heights;
   raft.first_nm = first_height_nm;
-  raft.others_nm = std::max(settings.slicing.objects[0].layer_height_nm,
-                            FromMm(0.75 * FdmOf(settings).motion.nozzle_diameter_mm));
-  settings.slicing.objects[0].on_bed = raft.layers == 0;
-  settings.slicing.objects[0].lift_nm = raft.LiftNm();
+  raft.others_nm = std::max(settings.object.layer_height_nm,
+                            FromMm(0.75 * FdmOf(settings).tool.nozzle_diameter_mm));
+  settings.object.on_bed = raft.layers == 0;
+  settings.object.lift_nm = raft.LiftNm();
   object.raft_settings.assign(static_cast<size_t>(raft.layers), 0);
 }
 
 /// Gives planning the bed without its excluded areas, and travel too if there are any.
-absl::Status TakeRoom(JobSettings& settings) {
-  const SlicingOptions& slicing = settings.slicing;
-  FdmSettings& fdm = FdmOf(settings);
+absl::Status TakeRoom(JobRows& settings) {
+  const JobSlicingOptions& slicing = settings.slicing;
+  MachineRow& machine = FdmOf(settings).machine;
   if (slicing.bed.empty()) return absl::OkStatus();
-  fdm.planning.bed = {{slicing.bed, {}}};
+  machine.plan.bed = {{slicing.bed, {}}};
   if (slicing.excluded.empty()) return absl::OkStatus();
-  fdm.planning.bed =
-      Difference(fdm.planning.bed, Union(slicing.excluded, FillRule::kNonZero));
-  fdm.ordering.travel.room = fdm.motion.room = fdm.planning.bed;
-  if (!fdm.planning.bed.empty()) return absl::OkStatus();
+  machine.plan.bed = Difference(machine.plan.bed, Union(slicing.excluded, FillRule::kNonZero));
+  machine.order.travel.room = machine.motion.room = machine.plan.bed;
+  if (!machine.plan.bed.empty()) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
                    "bed_exclude_area leaves nothing of bed_shape",
                    {{"setting", "bed_exclude_area"}});
@@ -135,49 +134,49 @@ absl::Status TakeRoom(JobSettings& settings) {
 constexpr Coord kLowestLayerNm = 10'000;
 
 /// A range of heights for layers that fit the shape.
-void TakeAdaptiveHeights(JobSettings& settings) {
-  AdaptiveHeights& adaptive = settings.slicing.objects[0].adaptive;
-  const Coord nozzle_nm = FromMm(FdmOf(settings).motion.nozzle_diameter_mm);
+void TakeAdaptiveHeights(JobRows& settings) {
+  AdaptiveHeights& adaptive = settings.object.adaptive;
+  const Coord nozzle_nm = FromMm(FdmOf(settings).tool.nozzle_diameter_mm);
   if (adaptive.max_nm == 0) adaptive.max_nm = nozzle_nm * 3 / 4;
   adaptive.max_nm = std::max(adaptive.max_nm, kLowestLayerNm);
   adaptive.min_nm = std::clamp<Coord>(adaptive.min_nm, kLowestLayerNm, adaptive.max_nm);
 }
 
 /// What supports take from settings that are about other things.
-void TakeSupports(JobSettings& settings) {
-  SupportOptions& support = FdmOf(settings).planning.objects[0].support;
-  support.wall_width_nm = FdmOf(settings).beading[0].external_width_nm;
-  support.walls_nm = FdmOf(settings).infill[0].walls_nm;
-  support.layer_height_nm = settings.slicing.objects[0].layer_height_nm;
-  support.first_layer_height_nm = settings.slicing.objects[0].on_bed
+void TakeSupports(JobRows& settings) {
+  SupportOptions& support = FdmOf(settings).object.support;
+  support.wall_width_nm = FdmOf(settings).region.walls.external_width_nm;
+  support.walls_nm = FdmOf(settings).region.infill.walls_nm;
+  support.layer_height_nm = settings.object.layer_height_nm;
+  support.first_layer_height_nm = settings.object.on_bed
                                       ? settings.slicing.first_layer_height_nm
                                       : support.layer_height_nm;
   support.min_layer_height_nm = std::min(support.min_layer_height_nm, support.layer_height_nm);
 }
 
 /// How thick the walls are of an island that has room for all of them.
-void TakeWalls(JobSettings& settings) {
-  const BeadingOptions& walls = FdmOf(settings).beading[0];
-  FdmOf(settings).infill[0].walls_nm =
+void TakeWalls(JobRows& settings) {
+  const BeadingOptions& walls = FdmOf(settings).region.walls;
+  FdmOf(settings).region.infill.walls_nm =
       walls.perimeters == 0
           ? 0
           : walls.external_width_nm + (walls.perimeters - 1) * walls.inner_width_nm;
 }
 
 /// From where on a vase is hollow: its bottom has no fewer layers than asked for, and one at least.
-void TakeVase(JobSettings& settings) {
-  int32_t& hollow_from = settings.slicing.objects[0].hollow_from;
+void TakeVase(JobRows& settings) {
+  int32_t& hollow_from = settings.object.hollow_from;
   if (hollow_from == 0) return;
-  const FdmSettings& fdm = FdmOf(settings);
+  const BeadingOptions& walls = FdmOf(settings).region.walls;
   hollow_from = std::max(1, BottomLayers(settings));
-  FdmOf(settings).planning.objects[0].spiral = {.width_nm = fdm.beading[0].external_width_nm,
-                                                .blends = fdm.beading[0].fuzzy == FuzzySkin::kNone};
+  FdmOf(settings).object.spiral = {.width_nm = walls.external_width_nm,
+                                   .blends = walls.fuzzy == FuzzySkin::kNone};
 }
 
 /// A density that depends on the distance to the surface looks as many layers up and down as it
 /// reaches.
-absl::Status TakeDensityField(JobSettings& settings) {
-  InfillOptions& infill = FdmOf(settings).infill[0];
+absl::Status TakeDensityField(JobRows& settings) {
+  InfillOptions& infill = FdmOf(settings).region.infill;
   if (infill.density_field.empty()) return absl::OkStatus();
   const auto& field = DensityFieldOf(infill.density_field);
   if (!field.ok()) return field.status();
@@ -186,7 +185,7 @@ absl::Status TakeDensityField(JobSettings& settings) {
                      "density_field: dither has no effect on the streamlines of stress_field",
                      {{"setting", "density_field"}});
   }
-  const double height_mm = ToMm(settings.slicing.objects[0].layer_height_nm);
+  const double height_mm = ToMm(settings.object.layer_height_nm);
   const double layers = std::ceil(field->ReachMm() / height_mm);
   if (layers > static_cast<double>(limits::kMaxFieldHaloLayers)) {
     return MakeError(
@@ -219,10 +218,10 @@ Growth GrowthOf(const Draft& draft) {
 }
 
 /// Beads are not higher than the nozzle is wide. Returns what to say of it.
-std::optional<std::string> TakeEveryLayers(JobSettings& settings) {
-  int32_t& every = FdmOf(settings).infill[0].every_layers;
-  const Coord height_nm = settings.slicing.objects[0].layer_height_nm;
-  const Coord nozzle_nm = FromMm(FdmOf(settings).motion.nozzle_diameter_mm);
+std::optional<std::string> TakeEveryLayers(JobRows& settings) {
+  int32_t& every = FdmOf(settings).region.infill.every_layers;
+  const Coord height_nm = settings.object.layer_height_nm;
+  const Coord nozzle_nm = FromMm(FdmOf(settings).tool.nozzle_diameter_mm);
   const auto most = static_cast<int32_t>(std::max<Coord>(1, nozzle_nm / height_nm));
   if (every <= most) return std::nullopt;
   const int32_t asked = std::exchange(every, most);
@@ -232,21 +231,21 @@ std::optional<std::string> TakeEveryLayers(JobSettings& settings) {
 
 /// Inner walls with a scarf are loops by themselves: what is printed in one go with the next wall has
 /// no seam.
-void TakeInnerScarfs(JobSettings& settings) {
-  const ScarfOptions& scarf = FdmOf(settings).motion.speeds[0].scarf;
-  FdmOf(settings).ordering.walls[0].whole_loops =
+void TakeInnerScarfs(JobRows& settings) {
+  const ScarfOptions& scarf = FdmOf(settings).region.motion.scarf;
+  FdmOf(settings).region.order.whole_loops =
       scarf.placement != ScarfPlacement::kNowhere && scarf.on_inner;
 }
 
 /// The limits of the machine's silent mode: the second values of lists, and the first ones of those
 /// that have no others. Firmwares without such a mode know none.
-absl::Status TakeSilentMode(const Draft& draft, JobSettings& settings) {
-  MotionOptions& motion = FdmOf(settings).motion;
+absl::Status TakeSilentMode(const Draft& draft, JobRows& settings) {
+  MachineMotion& motion = FdmOf(settings).machine.motion;
   const bool marlin =
       motion.flavor == GcodeFlavor::kMarlin2 || motion.flavor == GcodeFlavor::kMarlinLegacy;
   if (!marlin || draft.Number("silent_mode") == 0) return absl::OkStatus();
-  JobSettings silent;
-  FdmOf(silent).motion.limits = motion.limits;
+  JobRows silent{.slicing = {}, .object = {}, .own = FdmRows()};
+  FdmOf(silent).machine.motion.limits = motion.limits;
   const auto table = SettingsTable(draft.process());
   for (size_t i = 0; i < table.size(); ++i) {
     if (table[i].list != List::kPerMode || draft.Number("machine_limits_usage") == kIgnoreLimits)
@@ -257,7 +256,7 @@ absl::Status TakeSilentMode(const Draft& draft, JobSettings& settings) {
     if (!value.ok()) return value.status();
     table[i].field.set(silent, *value);
   }
-  motion.silent_limits = FdmOf(silent).motion.limits;
+  motion.silent_limits = FdmOf(silent).machine.motion.limits;
   return absl::OkStatus();
 }
 
@@ -265,7 +264,7 @@ absl::Status TakeSilentMode(const Draft& draft, JobSettings& settings) {
 void TakeTool(const Settling& settling) {
   const size_t tools = ToolCount(settling.given);
   if (tools <= 1) return;
-  FdmOf(settling.result.settings).motion.tool = static_cast<int32_t>(ToolOf(settling.given));
+  FdmOf(settling.result.settings).tool.number = static_cast<int32_t>(ToolOf(settling.given));
   settling.told["num_extruders"] = fmt::format("{}", tools);
 }
 
@@ -283,14 +282,14 @@ size_t ToolOf(std::span<const Setting> given) {
 }
 
 absl::Status Settle(const Settling& settling) {
-  JobSettings& settings = settling.result.settings;
+  JobRows& settings = settling.result.settings;
   settling.result.growth = GrowthOf(settling.draft);
   TakeFootWidth(settings);
   TakeTool(settling);
   if (absl::Status ok = TakeSilentMode(settling.draft, settings); !ok.ok()) return ok;
-  auto code = macro::ParseJobCode(FdmOf(settings).motion);
+  auto code = macro::ParseJobCode(MotionOf(FdmOf(settings)));
   while (!code.ok() && LeaveOutTemplate(code.status(), settling.draft, settling.result))
-    code = macro::ParseJobCode(FdmOf(settings).motion);
+    code = macro::ParseJobCode(MotionOf(FdmOf(settings)));
   if (!code.ok()) return NamingOwnGcode(code.status(), settling.draft);
   if (!macro::NamesClock(*code)) settling.told.erase("creation_time");
   TakeClearance(settings);
@@ -303,18 +302,18 @@ absl::Status Settle(const Settling& settling) {
   TakeVase(settings);
   TakeInnerScarfs(settings);
   if (absl::Status ok = TakeDensityField(settings); !ok.ok()) return ok;
-  if (absl::Status ok = CheckPlannedPattern(FdmOf(settings).infill[0]); !ok.ok()) return ok;
+  if (absl::Status ok = CheckPlannedPattern(FdmOf(settings).region.infill); !ok.ok()) return ok;
   if (auto note = TakeEveryLayers(settings)) settling.result.no_effect.push_back(*std::move(note));
   return absl::OkStatus();
 }
 
 absl::Status TakeGcode(const Draft& draft, ResolvedSettings& result) {
-  MotionOptions& motion = FdmOf(result.settings).motion;
-  absl::Status ok = macro::CheckJobCode(motion, result.effective_text);
+  const FdmRows& rows = FdmOf(result.settings);
+  absl::Status ok = macro::CheckJobCode(MotionOf(rows), result.effective_text);
   while (!ok.ok() && LeaveOutTemplate(ok, draft, result))
-    ok = macro::CheckJobCode(motion, result.effective_text);
+    ok = macro::CheckJobCode(MotionOf(rows), result.effective_text);
   if (!ok.ok()) return NamingOwnGcode(ok, draft);
-  return TakeLayerSettings(result.effective_text, motion);
+  return TakeLayerSettings(result.effective_text, FdmOf(result.settings).machine.motion);
 }
 
 }  // namespace slicefarm::config::fdm

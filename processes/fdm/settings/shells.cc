@@ -15,8 +15,8 @@ struct LayerStack {
   Coord others_nm = 0;
 };
 
-LayerStack StackOf(const JobSettings& settings) {
-  const auto& object = settings.slicing.objects[0];
+LayerStack StackOf(const JobRows& settings) {
+  const auto& object = settings.object;
   return {object.on_bed ? settings.slicing.first_layer_height_nm : object.layer_height_nm,
           object.layer_height_nm};
 }
@@ -40,8 +40,8 @@ void TakeShell(double thickness_mm, const LayerStack& stack, int32_t& layers, Sk
 
 }  // namespace
 
-void TakeShells(const Draft& draft, JobSettings& settings) {
-  InfillOptions& infill = FdmOf(settings).infill[0];
+void TakeShells(const Draft& draft, JobRows& settings) {
+  InfillOptions& infill = FdmOf(settings).region.infill;
   const LayerStack stack = StackOf(settings);
   TakeShell(draft.Number("top_solid_min_thickness"), stack, infill.top_solid_layers,
             infill.top_spare);
@@ -49,8 +49,8 @@ void TakeShells(const Draft& draft, JobSettings& settings) {
             infill.bottom_spare);
 }
 
-int32_t BottomLayers(const JobSettings& settings) {
-  const InfillOptions& infill = FdmOf(settings).infill[0];
+int32_t BottomLayers(const JobRows& settings) {
+  const InfillOptions& infill = FdmOf(settings).region.infill;
   const LayerStack stack = StackOf(settings);
   int32_t layers = 0;
   Coord height_nm = 0;

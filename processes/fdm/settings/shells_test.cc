@@ -38,7 +38,7 @@ TEST(TakeShells, LayersAreAsManyAsThicknessAsksFor) {
                                                 {"bottom_solid_min_thickness", c.thickness},
                                                 {"layer_height", c.layer_height},
                                                 {"first_layer_height", c.first_layer_height}});
-    const InfillOptions& infill = FdmOf(resolved.settings).infill[0];
+    const InfillOptions& infill = FdmOf(resolved.settings).region.infill;
     EXPECT_EQ(infill.bottom_solid_layers, c.most) << c.name;
     EXPECT_EQ(infill.bottom_spare.layers, c.spare) << c.name;
     EXPECT_EQ(BottomLayers(resolved.settings), c.on_bed) << c.name;
@@ -55,7 +55,7 @@ TEST(TakeShells, VasesAreHollowFromThere) {
                                           {"bottom_solid_min_thickness", "0.5"},
                                           {"layer_height", "0.15"},
                                           {"first_layer_height", "0.2"}});
-  EXPECT_EQ(vase.settings.slicing.objects[0].hollow_from, 3);
+  EXPECT_EQ(vase.settings.object.hollow_from, 3);
 }
 
 }  // namespace

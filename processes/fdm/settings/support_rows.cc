@@ -59,18 +59,18 @@ void SetLines(const ObjectPlanOptions& object, SupportRow row, BeadingOptions& b
 
 }  // namespace
 
-JobSettings SupportRegionRow(JobSettings settings, SupportRow row) {
-  const ObjectPlanOptions object = FdmOf(settings).planning.objects.front();
+JobRows SupportRegionRow(JobRows settings, SupportRow row) {
+  const ObjectPlanOptions object = FdmOf(settings).object;
   SetWidths(object.support.width_nm, settings);
-  BeadingOptions& beading = FdmOf(settings).beading.front();
+  BeadingOptions& beading = FdmOf(settings).region.walls;
   MakePlain(beading);
   beading.generator = WallGenerator::kClassic;
   beading.thin_walls = true;
   beading.gap_fill = false;
-  InfillOptions& infill = FdmOf(settings).infill.front();
+  InfillOptions& infill = FdmOf(settings).region.infill;
   SetLines(object, row, beading, infill);
   if (beading.perimeters == 0) infill.overlap_nm = 0;
-  FdmOf(settings).ordering.walls.front() = {};
+  FdmOf(settings).region.order = {};
   return settings;
 }
 

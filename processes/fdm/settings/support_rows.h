@@ -13,6 +13,6 @@ namespace slicefarm::config::fdm {
 ///   base          by its spacing             the same; in a loop with a sheath
 ///   branches      0                          one loop or two
 ///   interface     by its spacing             + 90 degrees
-JobSettings SupportRegionRow(JobSettings settings, SupportRow row);
+JobRows SupportRegionRow(JobRows settings, SupportRow row);
 
 }  // namespace slicefarm::config::fdm

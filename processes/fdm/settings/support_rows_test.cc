@@ -15,12 +15,12 @@ constexpr double kQuarter = std::numbers::pi / 2;
 /// Of lines 0.4 mm wide that fill a layer of 0.3 mm.
 constexpr double kSpacing = 0.4 - 0.3 * (1 - std::numbers::pi / 4);
 
-JobSettings Resolved(const std::vector<std::pair<std::string, std::string>>& given) {
+JobRows Resolved(const std::vector<std::pair<std::string, std::string>>& given) {
   std::vector<Setting> settings = {{"support_material", "1", Source::kRequest}};
   for (const auto& [key, value] : given) settings.push_back({key, value, Source::kRequest});
   const auto resolved = Resolve(settings, Process::kFdm);
   EXPECT_TRUE(resolved.ok()) << resolved.status();
-  return resolved.ok() ? resolved->settings : JobSettings{};
+  return resolved.ok() ? resolved->settings : JobRows{};
 }
 
 struct Case {
@@ -34,7 +34,7 @@ class SupportRegionRowTest : public testing::TestWithParam<Case> {};
 
 TEST_P(SupportRegionRowTest, HasItsLines) {
   const Case& c = GetParam();
-  const JobSettings row = SupportRegionRow(Resolved({{"support_material_extrusion_width", "0.4"},
+  const JobRows row = SupportRegionRow(Resolved({{"support_material_extrusion_width", "0.4"},
                                                      {"support_material_spacing", "2.1"},
                                                      {"layer_height", "0.3"},
                                                      {"support_material_interface_spacing", "0.1"},
@@ -42,11 +42,11 @@ TEST_P(SupportRegionRowTest, HasItsLines) {
                                                      {"perimeters", "4"},
                                                      {"top_solid_layers", "5"}}),
                                            c.row);
-  EXPECT_EQ(FdmOf(row).beading[0].perimeters, c.walls);
-  EXPECT_EQ(FdmOf(row).beading[0].external_width_nm, 400'000);
-  EXPECT_NEAR(FdmOf(row).infill[0].density, c.density, 1e-6);
-  EXPECT_DOUBLE_EQ(FdmOf(row).infill[0].angle_rad, std::numbers::pi / 6 + kQuarter * c.turn);
-  EXPECT_EQ(FdmOf(row).infill[0].top_solid_layers, 0);
+  EXPECT_EQ(FdmOf(row).region.walls.perimeters, c.walls);
+  EXPECT_EQ(FdmOf(row).region.walls.external_width_nm, 400'000);
+  EXPECT_NEAR(FdmOf(row).region.infill.density, c.density, 1e-6);
+  EXPECT_DOUBLE_EQ(FdmOf(row).region.infill.angle_rad, std::numbers::pi / 6 + kQuarter * c.turn);
+  EXPECT_EQ(FdmOf(row).region.infill.top_solid_layers, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rows, SupportRegionRowTest,
@@ -58,27 +58,27 @@ INSTANTIATE_TEST_SUITE_P(Rows, SupportRegionRowTest,
                          [](const auto& info) { return info.param.name; });
 
 TEST(SupportRegionRow, TheSheathMayBeLeftOut) {
-  const JobSettings bare = Resolved({{"support_material_with_sheath", "0"}});
-  EXPECT_EQ(FdmOf(SupportRegionRow(bare, SupportRow::kBase)).beading[0].perimeters, 0);
-  EXPECT_EQ(FdmOf(SupportRegionRow(bare, SupportRow::kBranch)).beading[0].perimeters, 1);
+  const JobRows bare = Resolved({{"support_material_with_sheath", "0"}});
+  EXPECT_EQ(FdmOf(SupportRegionRow(bare, SupportRow::kBase)).region.walls.perimeters, 0);
+  EXPECT_EQ(FdmOf(SupportRegionRow(bare, SupportRow::kBranch)).region.walls.perimeters, 1);
 }
 
 TEST(SupportRegionRow, PatternsAreTheSettings) {
   const auto base = [](const std::string& pattern) {
-    const JobSettings row =
+    const JobRows row =
         SupportRegionRow(Resolved({{"support_material_pattern", pattern}}), SupportRow::kBase);
-    return FdmOf(row).infill[0].pattern;
+    return FdmOf(row).region.infill.pattern;
   };
   EXPECT_EQ(base("rectilinear"), FillPattern::kAlignedRectilinear);
   EXPECT_EQ(base("rectilinear-grid"), FillPattern::kRectilinear);
   EXPECT_EQ(base("honeycomb"), FillPattern::kHoneycomb);
-  const JobSettings row = SupportRegionRow(
+  const JobRows row = SupportRegionRow(
       Resolved({{"support_material_interface_pattern", "concentric"}}), SupportRow::kInterface);
-  EXPECT_EQ(FdmOf(row).infill[0].solid_pattern, FillPattern::kConcentric);
+  EXPECT_EQ(FdmOf(row).region.infill.solid_pattern, FillPattern::kConcentric);
 }
 
 TEST(SupportSettings, SayAsMuchAsPrusaSlicers) {
-  const SupportOptions usual = FdmOf(Resolved({})).planning.objects[0].support;
+  const SupportOptions usual = FdmOf(Resolved({})).object.support;
   EXPECT_TRUE(usual.on);
   EXPECT_EQ(usual.bottom_gap_nm, usual.top_gap_nm) << "0: as at the top";
   EXPECT_EQ(usual.bottom_interface_layers, usual.top_interface_layers) << "-1: as at the top";
@@ -88,7 +88,7 @@ TEST(SupportSettings, SayAsMuchAsPrusaSlicers) {
                                                {"support_material_threshold", "45"},
                                                {"layer_height", "0.15"},
                                                {"first_layer_height", "0.25"}}))
-                                   .planning.objects[0]
+                                   .object
                                    .support;
   EXPECT_EQ(given.style, SupportStyle::kTree);
   EXPECT_EQ(given.xy_gap_nm, 300'000);

@@ -3,14 +3,15 @@
 #include <string>
 
 #include "common/base/error.h"
-#include "common/model/options/motion_options.h"
+#include "common/model/options/fdm_settings.h"
 
 namespace slicefarm::config::fdm {
 namespace {
 
 /// The template that a job can do without, or nullptr.
-SharedText* TemplateOf(const std::string& setting, MotionOptions& motion) {
-  if (setting == "start_filament_gcode") return &motion.start_filament_gcode;
+SharedText* TemplateOf(const std::string& setting, FdmRows& rows) {
+  MachineMotion& motion = rows.machine.motion;
+  if (setting == "start_filament_gcode") return &rows.tool.start_filament_gcode;
   if (setting == "before_layer_gcode") return &motion.before_layer_gcode;
   if (setting == "layer_gcode") return &motion.layer_gcode;
   if (setting == "between_objects_gcode") return &motion.between_objects_gcode;
@@ -26,7 +27,7 @@ bool LeaveOutTemplate(const absl::Status& fault, const Draft& draft, ResolvedSet
   ErrorDetail detail = DetailOf(fault);
   const auto setting = detail.metadata.find("setting");
   if (detail.reason != Reason::kSettingMalformed || setting == detail.metadata.end()) return false;
-  SharedText* const text = TemplateOf(setting->second, FdmOf(result.settings).motion);
+  SharedText* const text = TemplateOf(setting->second, FdmOf(result.settings));
   if (text == nullptr || text->str().empty() || draft.At(setting->second).requested) return false;
   *text = SharedText();
   result.missing.push_back({std::string(kGcodeTemplates),

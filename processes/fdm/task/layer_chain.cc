@@ -69,8 +69,9 @@ struct StageJobs {
 };
 
 StageJobs StageJobsOf(const FdmShared& job) {
-  return {job.settings.beading, job.settings.infill, OrderingJob{job.settings.ordering, job.copies},
-          MotionJob{job.settings.motion, job.facts}};
+  return {BeadingOf(job.settings), InfillOf(job.settings),
+          OrderingJob{OrderingOf(job.settings), job.copies},
+          MotionJob{MotionOf(job.settings), job.facts}};
 }
 
 }  // namespace
@@ -109,7 +110,7 @@ absl::StatusOr<FdmResult> LayerChain::Run(const StageCall& call, const FdmTask& 
     return ordering_.Order(call, *std::move(filled), task.plans, jobs.ordering);
   });
   if (!ordered.ok()) return ordered.status();
-  AddBelow(task.layers, task.plans, LooksBelow(settings.motion), *ordered);
+  AddBelow(task.layers, task.plans, LooksBelow(jobs.motion->options), *ordered);
   auto programs = Timed(result.times[Stage::kMotion],
                         [&] { return motion_.Program(call, *std::move(ordered), jobs.motion); });
   if (!programs.ok()) return programs.status();

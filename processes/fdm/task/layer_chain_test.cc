@@ -137,7 +137,7 @@ TEST_F(LayerChainTest, MotionIsGivenWhatLiesBelow) {
   ordering_.first_block = 8;
   ASSERT_TRUE(Run({8, 10}, {0, 20}).ok());
   EXPECT_THAT(motion_.below, ElementsAre(IsEmpty(), IsEmpty()));
-  settings_.motion.cooling.dynamic_fan = true;
+  settings_.tools[0].cooling.dynamic_fan = true;
   ASSERT_TRUE(Run({8, 10}, {0, 20}).ok());
   EXPECT_THAT(motion_.below, ElementsAre(layers_[7].sections[0].regions[0].outlines,
                                          layers_[8].sections[0].regions[0].outlines));

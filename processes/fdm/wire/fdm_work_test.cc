@@ -15,16 +15,6 @@ constexpr LayerRange kRange{3, 5};
 
 std::vector<Copy> Copies() { return {{0, {}, 0}, {1, {2'000, -3'000}, 4}}; }
 
-MotionOptions Motion() {
-  MotionOptions options;
-  // The next value of 100 % would be refused.
-  options.cooling.max_fan_percent = 50;
-  options.cooling.bridge_fan_percent = 50;
-  options.speeds.resize(2);
-  options.speeds[1].small_perimeter_speed_mm_s = 7;
-  return options;
-}
-
 // The bindings name every member: a new one does not compile until it is sent here, and so on the
 // wire.
 FdmWork Work() {
@@ -40,12 +30,11 @@ FdmWork Work() {
 FdmShared Job() {
   FdmShared job;
   auto& [settings, copies, facts] = job;
-  settings.beading.resize(2);
-  settings.beading[1].perimeters = 7;
-  settings.infill.resize(2);
-  settings.infill[1].density = 0.7;
-  settings.ordering.walls = {{}, {true, false}};
-  settings.motion = Motion();
+  settings.regions.resize(2);
+  settings.regions[1].walls.perimeters = 7;
+  settings.regions[1].infill.density = 0.7;
+  settings.regions[1].order = {true, false};
+  settings.regions[1].motion.small_perimeter_speed_mm_s = 7;
   copies = Copies();
   facts = {40, {{"a", 0, 0, 1}, {"b", 1, 0, 2}}, {{}, {3, 2, 1'000}}};
   return job;
@@ -82,10 +71,10 @@ TEST(FdmWork, RefusesWhatDoesNotAddUp) {
   work.mutable_plans(1)->mutable_paths(0)->clear_feature();
   ExpectMalformed(FromProto(work).status(), "plans[1].paths[0].feature");
   auto job = ProtoOf<v1::FdmShared>(Job());
-  FdmSettings uneven = Job().settings;
-  uneven.infill.pop_back();
-  job.set_settings(PackFields(uneven));
-  ExpectMalformed(FromProto(job).status(), "settings.settings");
+  FdmSettings no_regions = Job().settings;
+  no_regions.regions.clear();
+  job.set_settings(PackFields(no_regions));
+  ExpectMalformed(FromProto(job).status(), "settings.speeds");
   job = ProtoOf<v1::FdmShared>(Job());
   job.mutable_copies(0)->set_object(1'000);
   ExpectMalformed(FromProto(job).status(), "copies[0].object");

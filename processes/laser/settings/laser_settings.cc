@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <iterator>
 
+#include "common/config/row_table.h"
 #include "common/config/table/shared_settings.h"
 #include "common/macro/exposure_code.h"
 #include "processes/laser/settings/check_settings.h"
 #include "processes/laser/settings/derive.h"
-#include "processes/laser/settings/exposure_rows.h"
 #include "processes/laser/settings/needs.h"
 #include "processes/laser/settings/settings_exposure.h"
 
@@ -26,14 +26,30 @@ std::vector<SettingSpec> ThinLayers() {
   return all;
 }
 
+class ExposureTableRows : public RegionRows {
+ public:
+  absl::StatusOr<int32_t> RowOf(const JobRows& settings) override {
+    return table_.Add(ExposureOf(settings).region);
+  }
+  int64_t size() const override { return std::ssize(table_.rows()); }
+  void PutInto(JobSettings& plate) const override { ExposureOf(plate).regions = table_.rows(); }
+
+ private:
+  RowTable<ExposureOptions> table_;
+};
+
 class LaserSettings : public ProcessSettings {
  public:
-  JobSettings Standards() const override { return {.slicing = {}, .own = ExposureSettings()}; }
+  JobRows Standards() const override {
+    return {.slicing = {}, .object = {}, .own = ExposureRows()};
+  }
+  OwnSettings PlateOf(const OwnRows& job) const override {
+    return ExposureSettings{{}, std::get<ExposureRows>(job).output};
+  }
   std::vector<SettingSpec> Table() const override {
-    std::vector<SettingSpec> all;
-    for (const auto& section : {ExposureTable, ThinLayers, PlateSettings})
-      std::ranges::move(section(), std::back_inserter(all));
-    return all;
+    constexpr SettingGroup kGroups[] = {
+        {"exposure", ExposureTable}, {"layers", ThinLayers}, {"machine", PlateSettings}};
+    return TableOf(kGroups);
   }
   std::vector<Need> Needs() const override { return laser::Needs(); }
   absl::Status Derive(Draft& draft, ResolvedSettings& /*result*/) const override {
@@ -43,7 +59,9 @@ class LaserSettings : public ProcessSettings {
   absl::Status Finish(const Draft& /*draft*/, ResolvedSettings& result) const override {
     return macro::CheckExposureCode(ExposureOf(result.settings).output, result.effective_text);
   }
-  std::unique_ptr<RegionRows> NewRows() const override { return std::make_unique<ExposureRows>(); }
+  std::unique_ptr<RegionRows> NewRows() const override {
+    return std::make_unique<ExposureTableRows>();
+  }
   ResultWords Words() const override { return {.to_make = "to expose"}; }
   std::string_view Example() const override {
     return "slicefarm slice part.stl -o part.cli --machine laser --set scan_strategy=stripes";

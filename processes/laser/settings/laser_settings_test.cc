@@ -36,7 +36,7 @@ TEST(ResolveLaser, EverySettingReachesItsOption) {
                                  {"layer_height", "0.03"}});
   ASSERT_TRUE(resolved.ok()) << resolved.status();
   EXPECT_EQ(resolved->settings.process(), Process::kLaser);
-  const ExposureOptions& region = ExposureOf(resolved->settings).regions[0];
+  const ExposureOptions& region = ExposureOf(resolved->settings).region;
   EXPECT_EQ(region.strategy, ScanStrategy::kRings);
   EXPECT_EQ(region.hatch_distance_nm, 110'000);
   EXPECT_EQ(region.layer_rotation_deg, 90);
@@ -46,7 +46,7 @@ TEST(ResolveLaser, EverySettingReachesItsOption) {
   EXPECT_EQ(region.downskin_layers, 3);
   EXPECT_EQ(region.jump.speed_mm_s, 7000);
   EXPECT_EQ(ExposureOf(resolved->settings).output.format, OutputFormat::kCliBinary);
-  EXPECT_EQ(resolved->settings.slicing.objects[0].layer_height_nm, 30'000);
+  EXPECT_EQ(resolved->settings.object.layer_height_nm, 30'000);
   // Rings do not turn, there is no upskin, and a CLI file says nothing of jumps.
   EXPECT_THAT(resolved->no_effect,
               ElementsAre(HasSubstr("hatch_rotation = 90: "), HasSubstr("upskin_power = 150: "),
@@ -57,7 +57,7 @@ TEST(ResolveLaser, EverySettingReachesItsOption) {
 TEST(ResolveLaser, StandardsAreTheDefaults) {
   const auto resolved = OfLaser({});
   ASSERT_TRUE(resolved.ok()) << resolved.status();
-  EXPECT_EQ(ExposureOf(resolved->settings), ExposureSettings());
+  EXPECT_EQ(ExposureOf(resolved->settings), ExposureRows());
 }
 
 TEST(ResolveLaser, ReadsItsOwnEffectiveText) {

@@ -10,19 +10,6 @@
 namespace slicefarm::config::laser {
 namespace {
 
-/// What the settings of exposure may set.
-template <class Job>
-struct View {
-  explicit View(Job& job) : exposure(ExposureOf(job)) {}
-
-  Like<ExposureSettings, Job>& exposure;
-};
-
-template <class Member>
-Field Bind(Member member) {
-  return BindTo<View, Scale::kSame>(member);
-}
-
 template <class Enum>
 Choice Named(std::string_view name, Enum value) {
   return {name, static_cast<int>(value)};
@@ -82,7 +69,7 @@ std::vector<SettingSpec> ScanSettings() {
                    Named("rings_inward", ScanStrategy::kRingsInward),
                    Named("stripes", ScanStrategy::kStripes),
                    Named("islands", ScanStrategy::kIslands), Named("hatch", ScanStrategy::kHatch)},
-       .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].strategy; })},
+       .field = Bind<&ExposureOptions::strategy>()},
       {.key = "decompose_method",
        .kind = Kind::kChoice,
        .standard = "bian",
@@ -92,7 +79,7 @@ std::vector<SettingSpec> ScanSettings() {
                    Named("optimal", DecomposeMethod::kOptimal),
                    Named("approximate", DecomposeMethod::kApproximate),
                    Named("ymonotone", DecomposeMethod::kYMonotone)},
-       .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].decompose; })},
+       .field = Bind<&ExposureOptions::decompose>()},
       {.key = "jump_order",
        .kind = Kind::kChoice,
        .standard = "nearest",
@@ -104,35 +91,35 @@ std::vector<SettingSpec> ScanSettings() {
                    Named("chequerboard", JumpOrder::kChequerboard),
                    Named("farthest", JumpOrder::kFarthest),
                    Named("against_gas", JumpOrder::kAgainstGas)},
-       .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].jump_order; })},
+       .field = Bind<&ExposureOptions::jump_order>()},
       {.key = "hatch_distance",
        .unit = "mm",
        .min = 0.001,
        .max = 10,
        .standard = "0.08",
        .doc = "Distance of neighbouring lines, and of rings",
-       .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].hatch_distance_nm; })},
+       .field = Bind<&ExposureOptions::hatch_distance_nm>()},
       {.key = "hatch_angle",
        .unit = "degrees",
        .min = -360,
        .max = 360,
        .standard = "45",
        .doc = "Direction of the lines of the first layer, from the x axis",
-       .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].hatch_angle_deg; })},
+       .field = Bind<&ExposureOptions::hatch_angle_deg>()},
       {.key = "hatch_rotation",
        .unit = "degrees",
        .min = -360,
        .max = 360,
        .standard = "67",
        .doc = "By how much the lines turn from each layer to the next",
-       .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].layer_rotation_deg; })},
+       .field = Bind<&ExposureOptions::layer_rotation_deg>()},
       {.key = "gas_flow",
        .unit = "degrees",
        .min = -360,
        .max = 360,
        .standard = "0",
        .doc = "Where the gas flows to, from the x axis",
-       .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].gas_flow_deg; })},
+       .field = Bind<&ExposureOptions::gas_flow_deg>()},
       {.key = "gas_window",
        .unit = "degrees",
        .min = 0,
@@ -140,60 +127,60 @@ std::vector<SettingSpec> ScanSettings() {
        .standard = "0",
        .doc = "Hatch lines that run nearer to gas_flow or against it than this are turned by 90 "
               "degrees, those of islands by 45; 0: none are",
-       .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].gas_window_deg; })},
+       .field = Bind<&ExposureOptions::gas_window_deg>()},
       Flag("alternate_hatch", "1", "Every other line runs backwards",
-           Bind([](auto& s) -> auto& { return s.exposure.regions[0].alternate_directions; })),
+           Bind<&ExposureOptions::alternate_directions>()),
       Length("minimum_vector", 10, "0", "Shorter hatch lines and rings are left out",
-             Bind([](auto& s) -> auto& { return s.exposure.regions[0].minimum_vector_nm; })),
+             Bind<&ExposureOptions::minimum_vector_nm>()),
       {.key = "stripe_width",
        .unit = "mm",
        .min = 0.01,
        .max = 1000,
        .standard = "5",
        .doc = "Width of a stripe",
-       .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].stripe_width_nm; })},
+       .field = Bind<&ExposureOptions::stripe_width_nm>()},
       {.key = "island_width",
        .unit = "mm",
        .min = 0.01,
        .max = 1000,
        .standard = "5",
        .doc = "Side of an island",
-       .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].island_width_nm; })},
+       .field = Bind<&ExposureOptions::island_width_nm>()},
       Length("scan_overlap", 10, "0.1", "By how much neighbouring stripes or islands overlap",
-             Bind([](auto& s) -> auto& { return s.exposure.regions[0].overlap_nm; })),
+             Bind<&ExposureOptions::overlap_nm>()),
       Length("ring_overlap", 10, "0.02",
              "By how much the outermost rings of neighbouring pieces overlap",
-             Bind([](auto& s) -> auto& { return s.exposure.regions[0].ring_overlap_nm; })),
+             Bind<&ExposureOptions::ring_overlap_nm>()),
       Flag("link_rings", "1", "The laser stays on from one ring of a piece to the next",
-           Bind([](auto& s) -> auto& { return s.exposure.regions[0].link_rings; })),
+           Bind<&ExposureOptions::link_rings>()),
       Flag("ring_corners", "1",
            "Rings reach into sharp corners of the ring around them, which a round spot leaves open",
-           Bind([](auto& s) -> auto& { return s.exposure.regions[0].fill_corners; })),
+           Bind<&ExposureOptions::fill_corners>()),
       Flag("shift_grids", "1",
            "The lines and cells of hatch, stripes and islands lie elsewhere in each layer",
-           Bind([](auto& s) -> auto& { return s.exposure.regions[0].shift_grids; })),
+           Bind<&ExposureOptions::shift_grids>()),
       Flag("turn_rings", "1",
            "Rings begin, and outlines are cut into pieces, at other places in each layer",
-           Bind([](auto& s) -> auto& { return s.exposure.regions[0].turn_rings; })),
+           Bind<&ExposureOptions::turn_rings>()),
       Length("laser_spot", 10, "0.08", "Width of what a line melts or cures",
-             Bind([](auto& s) -> auto& { return s.exposure.regions[0].spot_nm; })),
+             Bind<&ExposureOptions::spot_nm>()),
       Length("beam_compensation", 10, "0.04",
              "From the outline to the middle of the outermost contour",
-             Bind([](auto& s) -> auto& { return s.exposure.regions[0].beam_compensation_nm; })),
+             Bind<&ExposureOptions::beam_compensation_nm>()),
       Count("contours", 100, "2", "Lines along the outline",
-            Bind([](auto& s) -> auto& { return s.exposure.regions[0].contours; })),
+            Bind<&ExposureOptions::contours>()),
       {.key = "contour_distance",
        .unit = "mm",
        .min = 0.001,
        .max = 10,
        .standard = "0.08",
        .doc = "Distance of neighbouring contours, and of rings from the innermost one",
-       .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].contour_distance_nm; })},
+       .field = Bind<&ExposureOptions::contour_distance_nm>()},
       Length(
           "hatch_offset", 10, "0.04",
           "From the innermost contour to the ends of hatch lines; lines along the contour may lie "
           "half a spot nearer to it",
-          Bind([](auto& s) -> auto& { return s.exposure.regions[0].hatch_offset_nm; })),
+          Bind<&ExposureOptions::hatch_offset_nm>()),
       {.key = "contour_start",
        .kind = Kind::kChoice,
        .standard = "scattered",
@@ -202,52 +189,52 @@ std::vector<SettingSpec> ScanSettings() {
               "farthest back (rear)",
        .choices = {Named("scattered", ContourStart::kScattered),
                    Named("nearest", ContourStart::kNearest), Named("rear", ContourStart::kRear)},
-       .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].contour_start; })},
+       .field = Bind<&ExposureOptions::contour_start>()},
       Length("contour_run", 10, "0",
              "The scanner comes to and leaves each contour and thin wall on this length along its "
              "direction, with the laser off",
-             Bind([](auto& s) -> auto& { return s.exposure.regions[0].contour_run_nm; })),
+             Bind<&ExposureOptions::contour_run_nm>()),
       Flag("contours_first", "1", "Contours before the inside; 0: after it",
-           Bind([](auto& s) -> auto& { return s.exposure.regions[0].contours_first; })),
+           Bind<&ExposureOptions::contours_first>()),
       Flag("thin_wall_exposure", "1",
            "What is too thin for a contour, or for one more line between contours, is exposed once "
            "along its middle",
-           Bind([](auto& s) -> auto& { return s.exposure.regions[0].thin_walls; })),
+           Bind<&ExposureOptions::thin_walls>()),
       Count("upskin_layers", 100, "0",
             "Where no part lies this many layers above, the style of upskin holds; 0: nowhere",
-            Bind([](auto& s) -> auto& { return s.exposure.regions[0].upskin_layers; })),
+            Bind<&ExposureOptions::upskin_layers>()),
       Count("downskin_layers", 100, "0",
             "Where powder lies within this many layers below, the style of downskin holds; 0: "
             "nowhere",
-            Bind([](auto& s) -> auto& { return s.exposure.regions[0].downskin_layers; })),
+            Bind<&ExposureOptions::downskin_layers>()),
       Length("upskin_distance", 10, "0",
              "Distance of neighbouring lines of upskins, and of rings; 0: hatch_distance",
-             Bind([](auto& s) -> auto& { return s.exposure.regions[0].upskin_distance_nm; })),
+             Bind<&ExposureOptions::upskin_distance_nm>()),
       Length("downskin_distance", 10, "0",
              "Distance of neighbouring lines of downskins, and of rings; 0: hatch_distance",
-             Bind([](auto& s) -> auto& { return s.exposure.regions[0].downskin_distance_nm; })),
+             Bind<&ExposureOptions::downskin_distance_nm>()),
       Count("z_compensation_layers", 100, "0",
             "By how many layers the laser melts deeper than the one it draws on: where powder lies "
             "within as many layers below, nothing is exposed",
-            Bind([](auto& s) -> auto& { return s.exposure.regions[0].z_compensation_layers; })),
+            Bind<&ExposureOptions::z_compensation_layers>()),
       Length("skin_overlap", 10, "0", "How far skins reach into the rest",
-             Bind([](auto& s) -> auto& { return s.exposure.regions[0].skin_overlap_nm; })),
+             Bind<&ExposureOptions::skin_overlap_nm>()),
       Length("skywriting", 10, "0",
              "The scanner comes and goes on this length beyond each hatch line, with the laser off",
-             Bind([](auto& s) -> auto& { return s.exposure.regions[0].skywriting_nm; })),
+             Bind<&ExposureOptions::skywriting_nm>()),
       {.key = "jump_speed",
        .unit = "mm/s",
        .min = 1,
        .max = 1e5,
        .standard = "5000",
        .doc = "Speed with the laser off",
-       .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].jump.speed_mm_s; })},
+       .field = Bind<&ExposureOptions::jump, &JumpOptions::speed_mm_s>()},
       Delay("jump_delay", "Wait after a jump, until the mirrors rest",
-            Bind([](auto& s) -> auto& { return s.exposure.regions[0].jump.delay_us; })),
+            Bind<&ExposureOptions::jump, &JumpOptions::delay_us>()),
       Delay("mark_delay", "Wait after each line, until the laser is off",
-            Bind([](auto& s) -> auto& { return s.exposure.regions[0].jump.mark_delay_us; })),
+            Bind<&ExposureOptions::jump, &JumpOptions::mark_delay_us>()),
       Delay("polygon_delay", "Wait at each corner of a line",
-            Bind([](auto& s) -> auto& { return s.exposure.regions[0].jump.polygon_delay_us; })),
+            Bind<&ExposureOptions::jump, &JumpOptions::polygon_delay_us>()),
   };
 }
 
@@ -269,19 +256,19 @@ void AppendStyle(std::vector<SettingSpec>& all) {
                    .field = field});
   };
   add("power", "W", 0, 1e5, "200", "Power of the laser",
-      Bind([](auto& s) -> auto& { return s.exposure.regions[0].styles[kKind].power_w; }));
+      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::power_w>());
   add("speed", "mm/s", 0.1, 1e5, "800", "Speed",
-      Bind([](auto& s) -> auto& { return s.exposure.regions[0].styles[kKind].speed_mm_s; }));
+      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::speed_mm_s>());
   add("focus", "mm", -100, 100, "0", "Height of the focus above the layer",
-      Bind([](auto& s) -> auto& { return s.exposure.regions[0].styles[kKind].focus_mm; }));
+      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::focus_mm>());
   add("frequency", "kHz", 0, 1e5, "0", "Pulse frequency (0: continuous)",
-      Bind([](auto& s) -> auto& { return s.exposure.regions[0].styles[kKind].frequency_khz; }));
+      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::frequency_khz>());
   add("point_distance", "mm", 0, 10, "0", "Distance of single points (0: a continuous line)",
-      Bind([](auto& s) -> auto& { return s.exposure.regions[0].styles[kKind].point_distance_nm; }));
+      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::point_distance_nm>());
   add("point_time", "us", 0, 1e6, "0", "Exposure time of single points",
-      Bind([](auto& s) -> auto& { return s.exposure.regions[0].styles[kKind].point_time_us; }));
+      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::point_time_us>());
   add("point_delay", "us", 0, 1e6, "0", "Wait between single points",
-      Bind([](auto& s) -> auto& { return s.exposure.regions[0].styles[kKind].point_delay_us; }));
+      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::point_delay_us>());
 }
 
 std::vector<SettingSpec> OutputSettings() {
@@ -295,47 +282,47 @@ std::vector<SettingSpec> OutputSettings() {
                    Named("cli_binary", OutputFormat::kCliBinary),
                    Named("grbl", OutputFormat::kGrbl), Named("marlin", OutputFormat::kMarlin),
                    Named("svg", OutputFormat::kSvg), Named("dxf", OutputFormat::kDxf)},
-       .field = Bind([](auto& s) -> auto& { return s.exposure.output.format; })},
+       .field = Bind<&ExposureOutput::format>()},
       Count("output_layer", 1e6, "0", "The layer of a dxf, from 0",
-            Bind([](auto& s) -> auto& { return s.exposure.output.layer; })),
+            Bind<&ExposureOutput::layer>()),
       {.key = "cli_unit",
        .unit = "mm",
        .min = 1e-5,
        .max = 1,
        .standard = "0.001",
        .doc = "What 1 means in a CLI file ($$UNITS)",
-       .field = Bind([](auto& s) -> auto& { return s.exposure.output.unit_mm; })},
+       .field = Bind<&ExposureOutput::unit_mm>()},
       {.key = "laser_full_power",
        .unit = "W",
        .min = 0.001,
        .max = 1e5,
        .standard = "400",
        .doc = "Power of the laser where G-code says S = laser_full_s",
-       .field = Bind([](auto& s) -> auto& { return s.exposure.output.full_power_w; })},
+       .field = Bind<&ExposureOutput::full_power_w>()},
       {.key = "laser_full_s",
        .min = 1,
        .max = 1e6,
        .standard = "1000",
        .doc = "The S of G-code that stands for laser_full_power ($30 of grbl)",
-       .field = Bind([](auto& s) -> auto& { return s.exposure.output.full_power_s; })},
+       .field = Bind<&ExposureOutput::full_power_s>()},
       Flag("laser_dynamic_power", "1",
            "M4: the power follows the head's speed; 0: M3, constant power",
-           Bind([](auto& s) -> auto& { return s.exposure.output.dynamic_power; })),
+           Bind<&ExposureOutput::dynamic_power>()),
       {.key = "recoating_time",
        .unit = "s",
        .min = 0,
        .max = 3600,
        .standard = "0",
        .doc = "How long it takes before each layer until there is new powder or resin",
-       .field = Bind([](auto& s) -> auto& { return s.exposure.output.recoat_s; })},
+       .field = Bind<&ExposureOutput::recoat_s>()},
       Gcode("start_gcode", "G-code before all layers",
-            Bind([](auto& s) -> auto& { return s.exposure.output.start_gcode; })),
+            Bind<&ExposureOutput::start_gcode>()),
       Gcode("before_layer_gcode", "G-code before each layer's move in Z",
-            Bind([](auto& s) -> auto& { return s.exposure.output.before_layer_gcode; })),
+            Bind<&ExposureOutput::before_layer_gcode>()),
       Gcode("layer_gcode", "G-code after each layer's move in Z, such as for the recoater",
-            Bind([](auto& s) -> auto& { return s.exposure.output.layer_gcode; })),
+            Bind<&ExposureOutput::layer_gcode>()),
       Gcode("end_gcode", "G-code after all layers",
-            Bind([](auto& s) -> auto& { return s.exposure.output.end_gcode; })),
+            Bind<&ExposureOutput::end_gcode>()),
   };
 }
 
@@ -351,7 +338,7 @@ std::vector<SettingSpec> ExposureTable() {
   static_assert(kExposureKindCount == 5);
   // Gas flows one way over the whole bed.
   for (SettingSpec& spec : all)
-    if (spec.key != "gas_flow") spec.scope = Scope::kRegion;
+    if (spec.key == "gas_flow") spec.own_scope = Scope::kJob;
   std::ranges::move(OutputSettings(), std::back_inserter(all));
   return all;
 }

@@ -10,19 +10,19 @@
 namespace slicefarm::config::mill {
 namespace {
 
-bool Finishes(const JobSettings& s) { return MillOf(s).how.finishing; }
-bool IsProgram(const JobSettings& s) { return MillOf(s).format == MillFormat::kGcode; }
+bool Finishes(const JobRows& s) { return MillOf(s).how.finishing; }
+bool IsProgram(const JobRows& s) { return MillOf(s).format == MillFormat::kGcode; }
 
 constexpr Need kNeeds[] = {
     {"finish_stepdown finish_stepover rest_angle finish_floor lead_in_radius", "finishing = 1",
      Finishes},
     {"helix_radius", "entry = helix",
-     [](const JobSettings& s) { return MillOf(s).how.machining.entry == EntryKind::kHelix; }},
+     [](const JobRows& s) { return MillOf(s).how.machining.entry == EntryKind::kHelix; }},
     {"ramp_angle", "entry = helix or ramp",
-     [](const JobSettings& s) { return MillOf(s).how.machining.entry != EntryKind::kPlunge; }},
+     [](const JobRows& s) { return MillOf(s).how.machining.entry != EntryKind::kPlunge; }},
     {"stock_margin", "no stock: a box",
-     [](const JobSettings& s) { return MillOf(s).stock.empty(); }},
-    {"output_step", "output_format = svg", [](const JobSettings& s) { return !IsProgram(s); }},
+     [](const JobRows& s) { return MillOf(s).stock.empty(); }},
+    {"output_step", "output_format = svg", [](const JobRows& s) { return !IsProgram(s); }},
     {"dialect arcs direction entry feed plunge_feed rapid spindle coolant tool_number "
      "machine_max_acceleration_x machine_max_acceleration_y machine_max_acceleration_z jerk_limit "
      "corner_feeds",
@@ -49,21 +49,15 @@ std::vector<SettingSpec> TableSettings() {
   return all;
 }
 
-/// Nothing of milling is by region.
-class NoRows : public RegionRows {
- public:
-  absl::StatusOr<int32_t> RowOf(const JobSettings& /*settings*/) override { return 0; }
-  int64_t size() const override { return 1; }
-  void PutInto(JobSettings& /*settings*/) const override {}
-};
-
 class OfMilling : public ProcessSettings {
  public:
-  JobSettings Standards() const override { return {.slicing = {}, .own = MillSettings()}; }
+  JobRows Standards() const override {
+    return {.slicing = {}, .object = {}, .own = MillSettings()};
+  }
+  OwnSettings PlateOf(const OwnRows& job) const override { return std::get<MillSettings>(job); }
   std::vector<SettingSpec> Table() const override {
-    std::vector<SettingSpec> all = MillTable();
-    std::ranges::move(TableSettings(), std::back_inserter(all));
-    return all;
+    constexpr SettingGroup kGroups[] = {{"milling", MillTable}, {"machine", TableSettings}};
+    return TableOf(kGroups);
   }
   std::vector<Need> Needs() const override { return {std::begin(kNeeds), std::end(kNeeds)}; }
   absl::Status Derive(Draft& /*draft*/, ResolvedSettings& /*result*/) const override {
@@ -73,7 +67,6 @@ class OfMilling : public ProcessSettings {
   absl::Status Finish(const Draft& /*draft*/, ResolvedSettings& result) const override {
     return CheckMillingOptions(MillOf(result.settings).how);
   }
-  std::unique_ptr<RegionRows> NewRows() const override { return std::make_unique<NoRows>(); }
   ResultWords Words() const override { return {"step", "steps", "to mill"}; }
   std::string_view Example() const override {
     return "slicefarm slice part.stl -o part.nc --machine mill --set cutter=ball:4";

@@ -26,12 +26,14 @@ struct SettingsOptions {
 
 /// The narrowest place that a setting may be given to.
 std::string_view PlaceOf(const config::SettingSpec& spec) {
-  std::string_view place = config::ScopeName(spec.scope);
+  std::string_view place = config::ScopeName(spec.scope());
   return place.substr(place.find(' ') + 1);
 }
 
 nlohmann::ordered_json ToJson(const config::SettingSpec& spec) {
   nlohmann::ordered_json json = {{"key", std::string(spec.key)},
+                                 {"kind", std::string(config::KindName(spec.kind))},
+                                 {"group", std::string(spec.group)},
                                  {"default", std::string(spec.standard)},
                                  {"range", config::DescribeRange(spec)},
                                  {"unit", std::string(spec.unit)},

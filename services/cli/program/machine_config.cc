@@ -60,11 +60,11 @@ absl::StatusOr<motion::CheckSetup> SetupOfSettings(std::string_view text) {
   given->push_back({"first_layer_height", std::string(kFinestLayer)});
   const auto resolved = config::Resolve(*given, Process::kFdm);
   if (!resolved.ok()) return resolved.status();
-  const MotionOptions& options = FdmOf(resolved->settings).motion;
+  const MotionOptions options = MotionOf(FdmOf(resolved->settings));
   motion::CheckSetup setup;
   setup.machine = motion::SetupOf(options);
-  setup.nozzle_mm = options.nozzle_diameter_mm;
-  setup.filament_mm = options.filament_diameter_mm;
+  setup.nozzle_mm = options.tool().nozzle_diameter_mm;
+  setup.filament_mm = options.tool().filament_diameter_mm;
   setup.z_offset_mm = options.z_offset_mm;
   if (Has(*given, "bed_shape")) setup.bed = resolved->settings.slicing.bed;
   if (Has(*given, "max_print_height"))

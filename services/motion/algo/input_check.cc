@@ -98,10 +98,10 @@ absl::Status CheckRegions(const OrderedLayer& layer, size_t rows) {
 }  // namespace
 
 absl::Status CheckOptions(const MotionOptions& options) {
-  const RetractionOptions& retraction = options.retraction;
-  const CoolingOptions& cooling = options.cooling;
-  for (const Named& named : {Named{"filament_diameter", options.filament_diameter_mm, kMaxLengthMm},
-                             Named{"extrusion_multiplier", options.extrusion_multiplier}}) {
+  const RetractionOptions& retraction = options.tool().retraction;
+  const CoolingOptions& cooling = options.tool().cooling;
+  for (const Named& named : {Named{"filament_diameter", options.tool().filament_diameter_mm, kMaxLengthMm},
+                             Named{"extrusion_multiplier", options.tool().extrusion_multiplier}}) {
     if (!(named.value > 0 && InBounds(named.value, named.most))) return OutOfRange(named);
   }
   for (const Named& named :

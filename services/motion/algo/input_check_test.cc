@@ -21,22 +21,22 @@ struct OptionCase {
 
 TEST(CheckOptions, NamesTheSetting) {
   const std::vector<OptionCase> cases = {
-      {"filament_diameter", [](auto& o) { o.filament_diameter_mm = 0; }},
-      {"extrusion_multiplier", [](auto& o) { o.extrusion_multiplier = kNan; }},
-      {"retract_length", [](auto& o) { o.retraction.length_mm = -1; }},
-      {"retract_lift", [](auto& o) { o.retraction.lift_mm = 1e300; }},
+      {"filament_diameter", [](auto& o) { o.tool().filament_diameter_mm = 0; }},
+      {"extrusion_multiplier", [](auto& o) { o.tool().extrusion_multiplier = kNan; }},
+      {"retract_length", [](auto& o) { o.tool().retraction.length_mm = -1; }},
+      {"retract_lift", [](auto& o) { o.tool().retraction.lift_mm = 1e300; }},
       // Finite, but more than 32 bits hold.
-      {"filament_diameter", [](auto& o) { o.filament_diameter_mm = 1.1e4; }},
-      {"retract_length", [](auto& o) { o.retraction.length_mm = 1e5; }},
-      {"retract_lift", [](auto& o) { o.retraction.lift_mm = 1e8; }},
-      {"retract_before_travel", [](auto& o) { o.retraction.min_travel_mm = 1.1e4; }},
-      {"retract_restart_extra", [](auto& o) { o.retraction.restart_extra_mm = -1e5; }},
-      {"retract_lift_above", [](auto& o) { o.retraction.lift_above_mm = -1; }},
-      {"retract_lift_below", [](auto& o) { o.retraction.lift_below_mm = 1e8; }},
-      {"retract_before_wipe", [](auto& o) { o.retraction.before_wipe = 1.1; }},
+      {"filament_diameter", [](auto& o) { o.tool().filament_diameter_mm = 1.1e4; }},
+      {"retract_length", [](auto& o) { o.tool().retraction.length_mm = 1e5; }},
+      {"retract_lift", [](auto& o) { o.tool().retraction.lift_mm = 1e8; }},
+      {"retract_before_travel", [](auto& o) { o.tool().retraction.min_travel_mm = 1.1e4; }},
+      {"retract_restart_extra", [](auto& o) { o.tool().retraction.restart_extra_mm = -1e5; }},
+      {"retract_lift_above", [](auto& o) { o.tool().retraction.lift_above_mm = -1; }},
+      {"retract_lift_below", [](auto& o) { o.tool().retraction.lift_below_mm = 1e8; }},
+      {"retract_before_wipe", [](auto& o) { o.tool().retraction.before_wipe = 1.1; }},
       {"z_offset", [](auto& o) { o.z_offset_mm = -1e8; }},
       {"z_offset", [](auto& o) { o.z_offset_mm = kNan; }},
-      {"slowdown_below_layer_time", [](auto& o) { o.cooling.slowdown_below_layer_time_s = kNan; }},
+      {"slowdown_below_layer_time", [](auto& o) { o.tool().cooling.slowdown_below_layer_time_s = kNan; }},
   };
   for (const OptionCase& c : cases) {
     MotionOptions options;

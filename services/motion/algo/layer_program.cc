@@ -57,11 +57,11 @@ void WriteHeader(const LayerFrame& frame, const CommentWords& words, const Custo
 /// The second layer goes over from the first layer's temperatures to the others.
 void WriteTemperatures(const MotionOptions& options, int32_t layer_index, GcodeText& out) {
   if (layer_index != 1) return;
-  if (options.temperature_c != options.first_layer_temperature_c) {
-    WriteTemperature("M104", options.temperature_c, out);
+  if (options.tool().temperature_c != options.tool().first_layer_temperature_c) {
+    WriteTemperature("M104", options.tool().temperature_c, out);
   }
-  if (options.bed_temperature_c != options.first_layer_bed_temperature_c) {
-    WriteTemperature("M140", options.bed_temperature_c, out);
+  if (options.tool().bed_temperature_c != options.tool().first_layer_bed_temperature_c) {
+    WriteTemperature("M140", options.tool().bed_temperature_c, out);
   }
 }
 
@@ -108,7 +108,7 @@ bool EndsReady(const PathBlock& block, const OrderedLayer& layer) {
 std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& options) {
   const FlowSlopes slopes = {options.flow_rise_mm3_s2, options.flow_fall_mm3_s2};
   const double filament_mm2 =
-      std::numbers::pi / 4 * options.filament_diameter_mm * options.filament_diameter_mm;
+      std::numbers::pi / 4 * options.tool().filament_diameter_mm * options.tool().filament_diameter_mm;
   std::vector<BuiltBlock> built;
   built.reserve(layer.blocks.size());
   for (const PathBlock& block : layer.blocks) {
@@ -188,7 +188,7 @@ class PassProgram {
     AddTimes(stretches, SlowDown(CoolingOf(visits), stretches, timing, paths_), stats_);
     edges_ = EdgesOf(stretches);
     if (layer.frame.index == 0) footprint_ = FootprintOf(stretches);
-    for (Point& corner : footprint_) corner = corner + options.extruder_offset;
+    for (Point& corner : footprint_) corner = corner + options.tool().offset;
     if (options.silent_limits) {
       LayerTiming silent(FirmwareOf(options.flavor), *options.silent_limits);
       const std::span<const double> times = silent.Times(stretches);
@@ -224,12 +224,12 @@ class PassProgram {
  private:
   /// Supports between the part's own layers have no part to cool.
   CoolingOptions CoolingOf(std::span<const BlockVisit> visits) const {
-    CoolingOptions cooling = options_.cooling;
+    CoolingOptions cooling = options_.tool().cooling;
     if (PrintsNoPart(visits, layer_)) cooling.slowdown_below_layer_time_s = 0;
     return cooling;
   }
 
-  bool Lifts() const { return LiftsToStart(options_.retraction, layer_.frame); }
+  bool Lifts() const { return LiftsToStart(options_.tool().retraction, layer_.frame); }
 
   const Toolpath& PathOf(const BlockVisit& visit) const {
     return paths_[place_of_.at(visit.block)];
@@ -237,7 +237,7 @@ class PassProgram {
 
   /// Returns what turns places around a point of the plate into the machine's.
   ShiftUm OnMachine(Point at) const {
-    const Point shift = at - options_.extruder_offset;
+    const Point shift = at - options_.tool().offset;
     return {ToUm(shift.x), ToUm(shift.y)};
   }
   ShiftUm ShiftOf(const BlockVisit& visit) const { return OnMachine(visit.shift); }
@@ -336,10 +336,10 @@ std::vector<std::span<const BlockVisit>> PassesOf(std::span<const BlockVisit> vi
 /// the fan as the part's layer below has it.
 LayerState StateOf(const OrderedLayer& layer, std::span<const BlockVisit> visits, int32_t index,
                    double time_s, const MotionOptions& options) {
-  const CoolingOptions& cooling = options.cooling;
+  const CoolingOptions& cooling = options.tool().cooling;
   LayerState state;
   state.height_um = ToUm(layer.frame.height_nm);
-  state.to_plate = {ToUm(options.extruder_offset.x), ToUm(options.extruder_offset.y)};
+  state.to_plate = {ToUm(options.tool().offset.x), ToUm(options.tool().offset.y)};
   state.fan_percent = FanPercent(cooling, index, time_s);
   if (PrintsNoPart(visits, layer) && layer.frame.index > 0) state.fan_percent = kFanAsBefore;
   state.bridge_fan_percent = BridgeFanPercent(cooling, index, state.fan_percent);
@@ -365,8 +365,8 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
     program.edges = pass->edges();
     program.footprint = pass->footprint();
     program.silent_time_s = pass->silent_time_s();
-    program.entry = EntryOf(visits.front(), layer) - options.extruder_offset;
-    program.exit = ExitOf(visits.back(), built) - options.extruder_offset;
+    program.entry = EntryOf(visits.front(), layer) - options.tool().offset;
+    program.exit = ExitOf(visits.back(), built) - options.tool().offset;
     program.ends_retracted = built[static_cast<size_t>(visits.back().block)].ends_retracted;
   }
   LayerWriter writer(FirmwareOf(options.flavor), AccelerationsFor(options, Ground::kLayers),

@@ -50,7 +50,7 @@ OrderedLayer TwoSquares(int32_t pass_of_second = 0) {
 MotionOptions Options() {
   MotionOptions options;
   options.speeds[0].speed_mm_s = {40, 60, 30, 20, 80, 70, 50, 45, 60, 60};
-  options.cooling.enabled = false;
+  options.tool().cooling.enabled = false;
   options.default_acceleration_mm_s2 = 1000;
   return options;
 }
@@ -163,7 +163,7 @@ TEST(ProgramLayer, ReadsBackAsPlanned) {
   const Printed printed = Print(program.gcode);
   const MotionOptions options = Options();
   const double area =
-      std::numbers::pi / 4 * options.filament_diameter_mm * options.filament_diameter_mm;
+      std::numbers::pi / 4 * options.tool().filament_diameter_mm * options.tool().filament_diameter_mm;
   const double length = 80 + std::hypot(16, 16);
   EXPECT_NEAR(printed.filament_mm * area, length * SectionMm2(450'000, 200'000), 3e-5);
   EXPECT_NEAR(printed.filament_mm, program.stats.FilamentMm(), 1e-9);
@@ -196,7 +196,7 @@ Path RandomPath(std::mt19937& random, Coord unit_nm = 1) {
 
 MotionOptions OptionsOfTrial(int trial) {
   MotionOptions options = Options();
-  options.retraction.lift_mm = trial % 2 == 0 ? 0.2 : 0;
+  options.tool().retraction.lift_mm = trial % 2 == 0 ? 0.2 : 0;
   options.flavor = static_cast<GcodeFlavor>(trial % 3);
   options.labels = static_cast<ObjectLabels>(trial / 2 % 3);
   return options;
@@ -309,14 +309,14 @@ TEST(ProgramLayer, TimesInSilentModeAreThoseOfItsLimits) {
 
 TEST(ProgramLayer, TemperaturesChangeWithTheSecondLayer) {
   MotionOptions options = Options();
-  options.first_layer_temperature_c = 215;
-  options.temperature_c = 205;
-  options.bed_temperature_c = 55;
-  options.first_layer_bed_temperature_c = 60;
+  options.tool().first_layer_temperature_c = 215;
+  options.tool().temperature_c = 205;
+  options.tool().bed_temperature_c = 55;
+  options.tool().first_layer_bed_temperature_c = 60;
   EXPECT_THAT(Programmed(Square(0), options).gcode, Not(HasSubstr("M104")));
   EXPECT_THAT(Programmed(Square(1), options).gcode, HasSubstr("M104 S205\nM140 S55\n"));
   EXPECT_THAT(Programmed(Square(2), options).gcode, Not(HasSubstr("M104")));
-  options.temperature_c = 215;
+  options.tool().temperature_c = 215;
   EXPECT_THAT(Programmed(Square(1), options).gcode, Not(HasSubstr("M104")));
 }
 
@@ -388,8 +388,8 @@ TEST(ProgramLayer, NamesTheTemplateThatIsWrong) {
 
 TEST(ProgramLayer, CoolingSlowsShortLayersDown) {
   MotionOptions options = Options();
-  options.cooling.enabled = true;
-  options.cooling.slowdown_below_layer_time_s = 8;
+  options.tool().cooling.enabled = true;
+  options.tool().cooling.slowdown_below_layer_time_s = 8;
   const LayerProgram program = Programmed(Square(), options);
   EXPECT_NEAR(program.stats.TimeS(), 8, 0.03);
   EXPECT_THAT(program.gcode, HasSubstr("M106 S255\n"));
@@ -422,13 +422,13 @@ TEST(ProgramLayer, AShiftedCopyIsAsMovedPathsAre) {
 TEST(ProgramLayer, TheExtrudersOffsetIsTakenOffAllPlaces) {
   MotionOptions options = Options();
   const LayerProgram plain = Programmed(TwoSquares(), options);
-  options.extruder_offset = {FromMm(-1.5), FromMm(2)};
+  options.tool().offset = {FromMm(-1.5), FromMm(2)};
   const LayerProgram offset = Programmed(TwoSquares(), options);
   OrderedLayer moved = TwoSquares();
-  for (BlockVisit& visit : moved.visits) visit.shift = visit.shift - options.extruder_offset;
+  for (BlockVisit& visit : moved.visits) visit.shift = visit.shift - options.tool().offset;
   EXPECT_EQ(offset.gcode, Programmed(moved).gcode);
-  EXPECT_EQ(offset.entry, plain.entry - options.extruder_offset);
-  EXPECT_EQ(offset.exit, plain.exit - options.extruder_offset);
+  EXPECT_EQ(offset.entry, plain.entry - options.tool().offset);
+  EXPECT_EQ(offset.exit, plain.exit - options.tool().offset);
   EXPECT_EQ(offset.stats, plain.stats);
 }
 
@@ -504,7 +504,7 @@ TEST(ProgramLayer, TheWayToACopyGoesOverItsCorners) {
   round.visits[1].corners = {{FromMm(35), FromMm(40)}, {FromMm(50), FromMm(40)}};
   for (const double lift_mm : {0.0, 0.4}) {
     MotionOptions options = Options();
-    options.retraction.lift_mm = lift_mm;
+    options.tool().retraction.lift_mm = lift_mm;
     const LayerProgram before = Programmed(straight, options), after = Programmed(round, options);
     EXPECT_THAT(after.gcode, HasSubstr("X35 Y40"));
     const Printed direct = Print(before.gcode), led = Print(after.gcode);
@@ -552,10 +552,10 @@ TEST(ProgramLayer, ACopyInAPassOfItsOwnCountsItsOwnLayers) {
   layer.blocks[1].layer = 1;
   layer.visits[1].block = 1;
   MotionOptions options = Options();
-  options.first_layer_temperature_c = 215;
+  options.tool().first_layer_temperature_c = 215;
   options.layer_gcode = "NOW {layer_num} {max_layer_z} {current_object_idx}";
-  options.cooling.enabled = true;
-  options.cooling.disable_fan_first_layers = 2;
+  options.tool().cooling.enabled = true;
+  options.tool().cooling.disable_fan_first_layers = 2;
   JobFacts facts = Facts();
   facts.passes = {{0, 0, 0}, {30, 0, FromMm(6)}};
   const auto programs = Program(layer, facts, options);
@@ -608,8 +608,8 @@ TEST(ProgramLayer, ABlockOfAnotherHeightSaysSo) {
 
 TEST(ProgramLayer, CoolingCountsAllCopies) {
   MotionOptions options = Options();
-  options.cooling.enabled = true;
-  options.cooling.slowdown_below_layer_time_s = 8;
+  options.tool().cooling.enabled = true;
+  options.tool().cooling.slowdown_below_layer_time_s = 8;
   const LayerProgram two = Programmed(TwoSquares(), options);
   EXPECT_NEAR(two.stats.TimeS(), 8, 0.03);
   EXPECT_GT(Print(two.gcode).least_feed_rate,
@@ -673,8 +673,8 @@ TEST(ProgramLayer, TellsWhatTheLayerBelowMayHaveDone) {
 
 TEST(ProgramLayer, SupportsBetweenThePartsLayersAreNotSlowedDown) {
   MotionOptions options = Options();
-  options.cooling.enabled = true;
-  options.cooling.slowdown_below_layer_time_s = 8;
+  options.tool().cooling.enabled = true;
+  options.tool().cooling.slowdown_below_layer_time_s = 8;
   OrderedLayer layer = Square();
   layer.blocks[0].stack = Stack(1, 0, StackKind::kSupport);
   EXPECT_LT(Programmed(layer, options).stats.TimeS(), 4);

@@ -13,7 +13,7 @@
 namespace slicefarm::motion {
 
 std::vector<Point> LayerWays::Corners(Point from, Point to) const {
-  const Point offset = options_.extruder_offset;
+  const Point offset = options_.tool().offset;
   std::vector<Point> corners = ways_.Between(from + offset, to + offset);
   for (Point& corner : corners) corner = corner - offset;
   return corners;
@@ -33,8 +33,8 @@ std::string LayerWays::MovesTo(const std::vector<Point>& corners) const {
 std::string LayerWays::To(const LayerSummary& layer, Point from) const {
   const std::vector<Point> corners = Corners(from, layer.entry);
   if (corners.empty()) return {};
-  const bool lifts = LiftsToStart(options_.retraction, layer.frame);
-  const Coord lift_nm = lifts ? FromMm(LiftOf(options_.retraction)) : 0;
+  const bool lifts = LiftsToStart(options_.tool().retraction, layer.frame);
+  const Coord lift_nm = lifts ? FromMm(LiftOf(options_.tool().retraction)) : 0;
   return MoveToHeight(layer.frame.print_z_nm + lift_nm, options_) + MovesTo(corners);
 }
 

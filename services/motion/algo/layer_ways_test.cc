@@ -24,9 +24,9 @@ MultiPolygon Box(double x0, double y0, double x1, double y1) {
 MotionOptions Options() {
   MotionOptions options;
   options.room = Difference(Box(0, 0, 256, 256), Box(0, 0, 18, 28));
-  options.extruder_offset = Mm(0, 2);
+  options.tool().offset = Mm(0, 2);
   options.travel_speed_mm_s = 100;
-  options.retraction.lift_mm = 0.4;
+  options.tool().retraction.lift_mm = 0.4;
   return options;
 }
 

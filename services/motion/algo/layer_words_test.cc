@@ -47,8 +47,8 @@ struct Asked {
 
 MotionOptions Options(const Asked& asked = {}) {
   MotionOptions options;
-  options.cooling.enabled = false;
-  options.retraction.length_mm = 0.8;
+  options.tool().cooling.enabled = false;
+  options.tool().retraction.length_mm = 0.8;
   options.writing.relative_e = asked.relative;
   options.writing.volumetric_e = asked.volumetric;
   options.writing.firmware_retraction = asked.by_firmware;

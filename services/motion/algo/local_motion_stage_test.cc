@@ -63,7 +63,7 @@ TEST(LocalMotion, LayersDoNotDependOnTheirNeighbours) {
 TEST(LocalMotion, ChecksItsInput) {
   const auto stage = MakeLocalMotion();
   MotionOptions options;
-  options.filament_diameter_mm = 0;
+  options.tool().filament_diameter_mm = 0;
   EXPECT_EQ(DetailOf(stage->Program({}, Layers(1), MotionJob{options, {}}).status()).reason,
             Reason::kSettingOutOfRange);
   EXPECT_EQ(DetailOf(stage->Envelope({}, {}, options).status()).reason, Reason::kSettingOutOfRange);

@@ -16,12 +16,12 @@ constexpr Coord kClearanceNm = kNmPerMm;
 
 void WriteFirstLayerTemperatures(const MotionOptions& options, std::string_view custom,
                                  GcodeText& out) {
-  if (options.first_layer_bed_temperature_c != options.bed_temperature_c &&
+  if (options.tool().first_layer_bed_temperature_c != options.tool().bed_temperature_c &&
       !Commands(custom, {"M140", "M190"}))
-    WriteTemperature("M140", options.first_layer_bed_temperature_c, out);
-  if (options.first_layer_temperature_c != options.temperature_c &&
+    WriteTemperature("M140", options.tool().first_layer_bed_temperature_c, out);
+  if (options.tool().first_layer_temperature_c != options.tool().temperature_c &&
       !Commands(custom, {"M104", "M109"}))
-    WriteTemperature("M104", options.first_layer_temperature_c, out);
+    WriteTemperature("M104", options.tool().first_layer_temperature_c, out);
 }
 
 }  // namespace

@@ -84,8 +84,8 @@ TEST(PassChange, RisesAgainAfterTheUsersGcode) {
 
 TEST(PassChange, GoesBackToTheFirstLayersTemperatures) {
   MotionOptions options = Options();
-  options.first_layer_temperature_c = 215;
-  options.first_layer_bed_temperature_c = 60;
+  options.tool().first_layer_temperature_c = 215;
+  options.tool().first_layer_bed_temperature_c = 60;
   ProgramSummary summary = Passes({3, 2});
   EXPECT_THAT(Gcode(summary, 0, options), HasSubstr("\nM140 S60\nM104 S215\n"));
   options.between_objects_gcode = "M109 S230";

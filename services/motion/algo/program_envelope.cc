@@ -93,8 +93,8 @@ PrintFacts FactsOf(const ProgramSummary& summary, const MotionOptions& options, 
           .volume_mm3 = use.volume_mm3,
           .mass_g = use.mass_g,
           .height_mm = ToMm(static_cast<double>(TopOf(summary))),
-          .density_g_cm3 = options.filament_density_g_cm3,
-          .diameter_mm = options.filament_diameter_mm,
+          .density_g_cm3 = options.tool().filament_density_g_cm3,
+          .diameter_mm = options.tool().filament_diameter_mm,
           .first_layer = Bounds(FirstLayerHull(summary))};
 }
 
@@ -130,11 +130,11 @@ std::string Prologue(const ProgramSummary& summary, const MotionOptions& options
   WriteMachineLimits(options, out);
   firmware.WriteChecks(options, facts, out);
   WriteStart(options, start, out);
-  if (options.pressure_advance > 0) firmware.WritePressureAdvance(options.pressure_advance, out);
+  if (options.tool().pressure_advance > 0) firmware.WritePressureAdvance(options.tool().pressure_advance, out);
   ExtruderWords extruder(options);
   extruder.WriteCanonicalState(out);
   firmware.WriteLayersBegin(out);
-  extruder.WriteFirstRetraction(options.retraction, out);
+  extruder.WriteFirstRetraction(options.tool().retraction, out);
   BeginOnlyCopy(summary, options, out);
   return out.Take();
 }

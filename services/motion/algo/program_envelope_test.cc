@@ -66,7 +66,7 @@ MotionOptions Options() {
 /// What stands around the layers does not move, and rest is rest.
 MotionOptions Still() {
   MotionOptions options = Options();
-  options.retraction.length_mm = 0;
+  options.tool().retraction.length_mm = 0;
   options.flavor = GcodeFlavor::kKlipper;
   return options;
 }
@@ -134,7 +134,7 @@ TEST(FrameProgram, SilentModeHasItsOwnTimes) {
 
 TEST(FrameProgram, WithoutRetractionThereIsNothingToPull) {
   MotionOptions options = Options();
-  options.retraction.length_mm = 0;
+  options.tool().retraction.length_mm = 0;
   EXPECT_THAT(Framed(Summary(), options).prologue, EndsWith("M83\n"));
 }
 
@@ -153,7 +153,7 @@ TEST(FrameProgram, TimeCountsTravelBetweenLayers) {
 
 TEST(FrameProgram, TellsWhatItsTimesAreSpentOn) {
   MotionOptions options = Still();
-  options.temperature_c = options.first_layer_temperature_c = 225;
+  options.tool().temperature_c = options.tool().first_layer_temperature_c = 225;
   options.nozzle_heating_c_s = 2;
   options.start_gcode = "G28\nG4 P500";
   options.end_gcode = "G1 X0 F6000";

@@ -27,11 +27,11 @@ MotionOptions Options(GcodeFlavor flavor) {
   options.flavor = flavor;
   options.labels = ObjectLabels::kFirmware;
   options.progress = true;
-  options.filament_type = "PETG";
-  options.filament_colour = "#FF8000";
+  options.tool().filament_type = "PETG";
+  options.tool().filament_colour = "#FF8000";
   options.printer_model = "MK4";
-  options.first_layer_temperature_c = 215;
-  options.first_layer_bed_temperature_c = 60;
+  options.tool().first_layer_temperature_c = 215;
+  options.tool().first_layer_bed_temperature_c = 60;
   return options;
 }
 
@@ -174,7 +174,7 @@ TEST(Hosts, NamesAreNoCommands) {
   for (const GcodeFlavor flavor : kFlavors) {
     MotionOptions options = Options(flavor);
     const auto want = commands(Program(options, "benchy"));
-    options.printer_model = options.filament_type = options.filament_settings_id = kHostile;
+    options.printer_model = options.tool().filament_type = options.tool().filament_settings_id = kHostile;
     const std::string gcode = Program(options, kHostile);
     EXPECT_EQ(commands(gcode), want) << FirmwareOf(flavor).name();
     EXPECT_EQ(gcode.find('\r'), gcode.npos);

@@ -14,14 +14,14 @@ std::vector<SettingSpec> Skirt() {
        .standard = "0",
        .doc = "Loops around all that is printed, to start the flow; 0: none (PrusaSlicer's own "
               "standard is 1)",
-       .field = Bind([](auto& s) -> auto& { return s.planning.skirt.loops; })},
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::loops>()},
       {.key = "skirt_distance",
        .unit = "mm",
        .min = 0,
        .max = 1000,
        .standard = "6",
        .doc = "From what is printed, brims included, to the skirt",
-       .field = Bind([](auto& s) -> auto& { return s.planning.skirt.distance_nm; })},
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::distance_nm>()},
       {.key = "skirt_height",
        .kind = Kind::kInteger,
        .unit = "layers",
@@ -29,7 +29,7 @@ std::vector<SettingSpec> Skirt() {
        .max = limits::kMaxLayers,
        .standard = "1",
        .doc = "On how many layers there is a skirt",
-       .field = Bind([](auto& s) -> auto& { return s.planning.skirt.height_layers; })},
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::height_layers>()},
       {.key = "min_skirt_length",
        .unit = "mm",
        .min = 0,
@@ -37,7 +37,7 @@ std::vector<SettingSpec> Skirt() {
        .standard = "0",
        .doc = "Filament that the skirt takes on the first layer at least: loops are added until it "
               "does",
-       .field = Bind([](auto& s) -> auto& { return s.planning.skirt.min_length_nm; })},
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::min_length_nm>()},
       {.key = "draft_shield",
        .kind = Kind::kChoice,
        .standard = "disabled",
@@ -48,22 +48,20 @@ std::vector<SettingSpec> Skirt() {
                    {"enabled", shield(DraftShield::kEnabled)},
                    {"0", shield(DraftShield::kDisabled)},
                    {"1", shield(DraftShield::kEnabled)}},
-       .field = Bind([](auto& s) -> auto& { return s.planning.skirt.draft_shield; })},
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::draft_shield>()},
   };
 }
 
 /// brim_type beyond the types.
 constexpr int kAutoBrim = 5;
 
-void SetBrimType(JobSettings& settings, const Value& value) {
-  BrimOptions& brim = FdmOf(settings).planning.objects[0].brim;
+void SetBrimType(BrimOptions& brim, const Value& value) {
   const auto type = static_cast<int>(std::lround(value.number));
   brim.automatic.on = type == kAutoBrim;
   brim.type = brim.automatic.on ? BrimType::kOuterOnly : static_cast<BrimType>(type);
 }
 
-Value BrimTypeOf(const JobSettings& settings) {
-  const BrimOptions& brim = FdmOf(settings).planning.objects[0].brim;
+Value BrimTypeOf(const BrimOptions& brim) {
   return {.number =
               static_cast<double>(brim.automatic.on ? kAutoBrim : static_cast<int>(brim.type))};
 }
@@ -83,36 +81,37 @@ std::vector<SettingSpec> Brim() {
                    {"outer_and_inner", type(BrimType::kOuterAndInner)},
                    {"brim_ears", type(BrimType::kEars)},
                    {"auto_brim", kAutoBrim}},
-       .field = {SetBrimType, BrimTypeOf}},
+       .field = Convert<ObjectRow>(
+           [](ObjectRow& row, const Value& value) { SetBrimType(row.brim, value); },
+           [](const ObjectRow& row) { return BrimTypeOf(row.brim); })},
       {.key = "brim_width",
        .unit = "mm",
        .min = 0,
        .max = 200,
        .standard = "0",
        .doc = "Width of the brim, or the radius of its ears; 0: none. A raft has none",
-       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].brim.width_nm; })},
+       .field = Bind<&ObjectRow::brim, &BrimOptions::width_nm>()},
       {.key = "brim_separation",
        .unit = "mm",
        .min = 0,
        .max = 100,
        .standard = "0",
        .doc = "From the object to its brim",
-       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].brim.separation_nm; })},
+       .field = Bind<&ObjectRow::brim, &BrimOptions::separation_nm>()},
       {.key = "brim_ears_max_angle",
        .unit = "degrees",
        .min = 0,
        .max = 180,
        .standard = "125",
        .doc = "Corners sharper than this get an ear (OrcaSlicer's setting)",
-       .field = Bind<Scale::kDegrees>(
-           [](auto& s) -> auto& { return s.planning.objects[0].brim.ear_max_angle_rad; })},
+       .field = Bind<Scale::kDegrees, &ObjectRow::brim, &BrimOptions::ear_max_angle_rad>()},
       {.key = "brim_ears_detection_length",
        .unit = "mm",
        .min = 0,
        .max = 100,
        .standard = "1",
        .doc = "Corners are looked for in outlines simplified to this (OrcaSlicer's setting)",
-       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].brim.ear_detection_nm; })},
+       .field = Bind<&ObjectRow::brim, &BrimOptions::ear_detection_nm>()},
   };
 }
 
@@ -124,23 +123,21 @@ std::vector<SettingSpec> Raft() {
        .max = limits::kMaxRaftLayers,
        .standard = "0",
        .doc = "Layers of a raft under the object; 0: none",
-       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].raft.heights.layers; })},
+       .field = Bind<&ObjectRow::raft, &RaftOptions::heights, &RaftHeights::layers>()},
       {.key = "raft_contact_distance",
        .unit = "mm",
        .min = 0,
        .max = 5,
        .standard = "0.1",
        .doc = "From the raft's top to the object",
-       .field = Bind([](auto& s) -> auto& {
-         return s.planning.objects[0].raft.heights.contact_distance_nm;
-       })},
+       .field = Bind<&ObjectRow::raft, &RaftOptions::heights, &RaftHeights::contact_distance_nm>()},
       {.key = "raft_expansion",
        .unit = "mm",
        .min = 0,
        .max = 100,
        .standard = "1.5",
        .doc = "How far the raft's top stands out from the object",
-       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].raft.expansion_nm; })},
+       .field = Bind<&ObjectRow::raft, &RaftOptions::expansion_nm>()},
       {.key = "raft_first_layer_expansion",
        .unit = "mm",
        .min = 0,
@@ -148,8 +145,7 @@ std::vector<SettingSpec> Raft() {
        .standard = "3",
        .doc = "How much farther the raft's first layer stands out; without a raft, how far the first "
               "layer of organic supports reaches beyond their feet",
-       .field = Bind(
-           [](auto& s) -> auto& { return s.planning.objects[0].raft.first_layer_expansion_nm; })},
+       .field = Bind<&ObjectRow::raft, &RaftOptions::first_layer_expansion_nm>()},
       {.key = "raft_first_layer_density",
        .kind = Kind::kPercent,
        .unit = "%",
@@ -157,8 +153,7 @@ std::vector<SettingSpec> Raft() {
        .max = 100,
        .standard = "90%",
        .doc = "Density of the raft's first layer",
-       .field = Bind<Scale::kPercent>(
-           [](auto& s) -> auto& { return s.planning.objects[0].raft.lines.first_layer_density; })},
+       .field = Bind<Scale::kPercent, &ObjectRow::raft, &RaftOptions::lines, &RaftLines::first_layer_density>()},
       {.key = "support_material_extrusion_width",
        .kind = Kind::kNumberOrPercent,
        .unit = "mm",
@@ -167,28 +162,25 @@ std::vector<SettingSpec> Raft() {
        .standard = "0",
        .doc = "Width of the lines of supports, and of a raft above its first layer; 0: extrusion_width",
        .relative_to = "layer_height",
-       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].raft.lines.width_nm; }),
-       .also = Bind(
-           [](auto& s) -> auto& { return s.planning.objects[0].support.width_nm; })},
+       .field = Bind<&ObjectRow::raft, &RaftOptions::lines, &RaftLines::width_nm>(),
+       .also = Bind<&ObjectRow::support, &SupportOptions::width_nm>()},
       {.key = "support_material_spacing",
        .unit = "mm",
        .min = 0,
        .max = 100,
        .standard = "2.5",
        .doc = "Free room between the lines of supports and of a raft's base",
-       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].raft.lines.spacing_nm; }),
+       .field = Bind<&ObjectRow::raft, &RaftOptions::lines, &RaftLines::spacing_nm>(),
        .also =
-           Bind([](auto& s) -> auto& { return s.planning.objects[0].support.spacing_nm; })},
+           Bind<&ObjectRow::support, &SupportOptions::spacing_nm>()},
       {.key = "support_material_angle",
        .unit = "degrees",
        .min = 0,
        .max = 359,
        .standard = "0",
        .doc = "Direction of the lines of supports and of a raft's base; those of interfaces run across",
-       .field = Bind<Scale::kDegrees>(
-           [](auto& s) -> auto& { return s.planning.objects[0].raft.lines.angle_rad; }),
-       .also = Bind<Scale::kDegrees>(
-           [](auto& s) -> auto& { return s.planning.objects[0].support.angle_rad; })},
+       .field = Bind<Scale::kDegrees, &ObjectRow::raft, &RaftOptions::lines, &RaftLines::angle_rad>(),
+       .also = Bind<Scale::kDegrees, &ObjectRow::support, &SupportOptions::angle_rad>()},
   };
 }
 

@@ -33,15 +33,15 @@ std::vector<SettingSpec> Temperatures() {
   };
   return {
       temperature("temperature", "200", 600, "Nozzle temperature after the first layer; 0: not set",
-                  Bind([](auto& s) -> auto& { return s.motion.temperature_c; })),
+                  Bind<&ToolRow::temperature_c>()),
       temperature("first_layer_temperature", "200", 600,
                   "Nozzle temperature of the first layer; 0: not set",
-                  Bind([](auto& s) -> auto& { return s.motion.first_layer_temperature_c; })),
+                  Bind<&ToolRow::first_layer_temperature_c>()),
       temperature("bed_temperature", "0", 300, "Bed temperature after the first layer; 0: not set",
-                  Bind([](auto& s) -> auto& { return s.motion.bed_temperature_c; })),
+                  Bind<&ToolRow::bed_temperature_c>()),
       temperature("first_layer_bed_temperature", "0", 300,
                   "Bed temperature of the first layer; 0: not set",
-                  Bind([](auto& s) -> auto& { return s.motion.first_layer_bed_temperature_c; })),
+                  Bind<&ToolRow::first_layer_bed_temperature_c>()),
   };
 }
 
@@ -54,9 +54,7 @@ SettingSpec OverhangFan(std::string_view key, std::string_view doc) {
                       .max = 100,
                       .standard = "0",
                       .doc = doc,
-                      .field = Bind([](auto& s) -> auto& {
-                        return s.motion.cooling.overhang_fan_percent[kDegree];
-                      })});
+                      .field = Bind<&ToolRow::cooling, &CoolingOptions::overhang_fan_percent, kDegree>()});
 }
 
 std::vector<SettingSpec> Cooling() {
@@ -78,34 +76,34 @@ std::vector<SettingSpec> Cooling() {
   };
   return {
       flag("cooling", "1", "Slows short layers down and drives the fan by the layer's time",
-           Bind([](auto& s) -> auto& { return s.motion.cooling.enabled; })),
+           Bind<&ToolRow::cooling, &CoolingOptions::enabled>()),
       flag("fan_always_on", "0", "Keeps the fan at min_fan_speed at least",
-           Bind([](auto& s) -> auto& { return s.motion.cooling.fan_always_on; })),
+           Bind<&ToolRow::cooling, &CoolingOptions::fan_always_on>()),
       whole("min_fan_speed", "%", 100, "35", "Fan at layers as long as fan_below_layer_time",
-            Bind([](auto& s) -> auto& { return s.motion.cooling.min_fan_percent; })),
+            Bind<&ToolRow::cooling, &CoolingOptions::min_fan_percent>()),
       whole("max_fan_speed", "%", 100, "100", "Fan at layers as short as slowdown_below_layer_time",
-            Bind([](auto& s) -> auto& { return s.motion.cooling.max_fan_percent; })),
+            Bind<&ToolRow::cooling, &CoolingOptions::max_fan_percent>()),
       whole("bridge_fan_speed", "%", 100, "100", "Fan at bridges",
-            Bind([](auto& s) -> auto& { return s.motion.cooling.bridge_fan_percent; })),
+            Bind<&ToolRow::cooling, &CoolingOptions::bridge_fan_percent>()),
       whole("disable_fan_first_layers", "layers", 1000, "3", "The fan is off in this many layers",
-            Bind([](auto& s) -> auto& { return s.motion.cooling.disable_fan_first_layers; })),
+            Bind<&ToolRow::cooling, &CoolingOptions::disable_fan_first_layers>()),
       whole("full_fan_speed_layer", "layers", 100'000, "0",
             "From disable_fan_first_layers on the fan's share grows until this layer; 0: it is "
             "full at "
             "once",
-            Bind([](auto& s) -> auto& { return s.motion.cooling.full_fan_speed_layer; })),
+            Bind<&ToolRow::cooling, &CoolingOptions::full_fan_speed_layer>()),
       flag("enable_dynamic_fan_speeds", "0",
            "Sets the fan where walls hang over the layer below, by overhang_fan_speed_0 to _3, and "
            "between these in proportion",
-           Bind([](auto& s) -> auto& { return s.motion.cooling.dynamic_fan; })),
+           Bind<&ToolRow::cooling, &CoolingOptions::dynamic_fan>()),
       OverhangFan<0>("overhang_fan_speed_0", "Fan at walls that rest on nothing"),
       OverhangFan<1>("overhang_fan_speed_1", "Fan where 25 % of the width rest on the layer below"),
       OverhangFan<2>("overhang_fan_speed_2", "Fan where 50 % of the width rest on it"),
       OverhangFan<3>("overhang_fan_speed_3", "Fan where 75 % of the width rest on it"),
       whole("fan_below_layer_time", "s", 1000, "60", "The fan runs at layers shorter than this",
-            Bind([](auto& s) -> auto& { return s.motion.cooling.fan_below_layer_time_s; })),
+            Bind<&ToolRow::cooling, &CoolingOptions::fan_below_layer_time_s>()),
       whole("slowdown_below_layer_time", "s", 1000, "5", "Shorter layers are slowed down to this",
-            Bind([](auto& s) -> auto& { return s.motion.cooling.slowdown_below_layer_time_s; })),
+            Bind<&ToolRow::cooling, &CoolingOptions::slowdown_below_layer_time_s>()),
       PerExtruder(
           {.key = "cooling_slowdown_logic",
            .kind = Kind::kChoice,
@@ -113,7 +111,7 @@ std::vector<SettingSpec> Cooling() {
            .doc = "What is slowed down in short layers: all beads alike (uniform_cooling), or "
                   "all but the outer walls first, so that these look alike (consistent_surface)",
            .choices = {{"uniform_cooling", 0}, {"consistent_surface", 1}},
-           .field = Bind([](auto& s) -> auto& { return s.motion.cooling.consistent_surface; })}),
+           .field = Bind<&ToolRow::cooling, &CoolingOptions::consistent_surface>()}),
       PerExtruder({.key = "cooling_perimeter_transition_distance",
                    .unit = "mm",
                    .min = 0,
@@ -121,7 +119,7 @@ std::vector<SettingSpec> Cooling() {
                    .standard = "0",
                    .doc = "How long before walls that are not slowed down the speed is back, with "
                           "cooling_slowdown_logic = consistent_surface",
-                   .field = Bind([](auto& s) -> auto& { return s.motion.cooling.transition_mm; })}),
+                   .field = Bind<&ToolRow::cooling, &CoolingOptions::transition_mm>()}),
       PerExtruder(
           {.key = "min_print_speed",
            .unit = "mm/s",
@@ -129,7 +127,7 @@ std::vector<SettingSpec> Cooling() {
            .max = 1000,
            .standard = "10",
            .doc = "Short layers are not slowed down below this",
-           .field = Bind([](auto& s) -> auto& { return s.motion.cooling.min_print_speed_mm_s; })}),
+           .field = Bind<&ToolRow::cooling, &CoolingOptions::min_print_speed_mm_s>()}),
   };
 }
 
@@ -147,13 +145,13 @@ std::vector<SettingSpec> Material() {
                    .max = 1000,
                    .standard = "0",
                    .doc = "Temperature of the chamber; 0: left as it is",
-                   .field = Bind([](auto& s) -> auto& { return s.motion.chamber_temperature_c; })}),
+                   .field = Bind<&ToolRow::chamber_temperature_c>()}),
       {.key = "activate_chamber_temp_control",
        .kind = Kind::kFlag,
        .standard = "1",
        .doc = "Heats the chamber (M141, M191); 0: its temperature is there for G-code of the "
               "settings alone",
-       .field = Bind([](auto& s) -> auto& { return s.motion.heats_chamber; })},
+       .field = Bind<&MachineRow::motion, &MachineMotion::heats_chamber>()},
       PerExtruder({.key = "chamber_minimal_temperature",
                    .kind = Kind::kInteger,
                    .unit = "C",
@@ -161,7 +159,7 @@ std::vector<SettingSpec> Material() {
                    .max = 1000,
                    .standard = "0",
                    .doc = "Temperature of the chamber that the print waits for; 0: it does not",
-                   .field = Bind([](auto& s) -> auto& { return s.motion.chamber_least_c; })}),
+                   .field = Bind<&ToolRow::chamber_least_c>()}),
       PerExtruder({.key = "filament_infill_max_speed",
                    .unit = "mm/s",
                    .min = 0,
@@ -180,13 +178,13 @@ std::vector<SettingSpec> Material() {
                    .max = 100,
                    .standard = "1.75",
                    .doc = "Diameter of the filament",
-                   .field = Bind([](auto& s) -> auto& { return s.motion.filament_diameter_mm; })}),
+                   .field = Bind<&ToolRow::filament_diameter_mm>()}),
       PerExtruder({.key = "extrusion_multiplier",
                    .min = 0.01,
                    .max = 10,
                    .standard = "1",
                    .doc = "Times the filament that a bead's volume asks for",
-                   .field = Bind([](auto& s) -> auto& { return s.motion.extrusion_multiplier; })}),
+                   .field = Bind<&ToolRow::extrusion_multiplier>()}),
       Shrinkage(
           "filament_shrinkage_compensation_xy",
           "How much the filament shrinks as it cools, in x and y: parts are printed larger by "
@@ -200,14 +198,14 @@ std::vector<SettingSpec> Material() {
            .max = 30,
            .standard = "1.24",
            .doc = "Density of the filament: for the mass in the report",
-           .field = Bind([](auto& s) -> auto& { return s.motion.filament_density_g_cm3; })}),
+           .field = Bind<&ToolRow::filament_density_g_cm3>()}),
       PerExtruder({.key = "filament_cost",
                    .unit = "money/kg",
                    .min = 0,
                    .max = 1e6,
                    .standard = "0",
                    .doc = "Cost of the filament: for the cost in the report",
-                   .field = Bind([](auto& s) -> auto& { return s.motion.filament_cost_per_kg; })}),
+                   .field = Bind<&ToolRow::filament_cost_per_kg>()}),
       PerExtruder(
           {.key = "filament_max_volumetric_speed",
            .unit = "mm3/s",
@@ -215,20 +213,20 @@ std::vector<SettingSpec> Material() {
            .max = 1000,
            .standard = "0",
            .doc = "Bound on the extruded volume per second; 0: none",
-           .field = Bind([](auto& s) -> auto& { return s.motion.max_volumetric_speed_mm3_s; })}),
+           .field = Bind<&ToolRow::max_volumetric_speed_mm3_s>()}),
       PerExtruder({.key = "pressure_advance",
                    .min = 0,
                    .max = 100,
                    .standard = "0",
                    .doc = "Pressure advance (linear advance) of the filament, in the unit of the "
                           "firmware; 0: left as it is",
-                   .field = Bind([](auto& s) -> auto& { return s.motion.pressure_advance; })}),
+                   .field = Bind<&ToolRow::pressure_advance>()}),
       text("filament_type", "PLA", "Name of the material, for printer hosts",
-           Bind([](auto& s) -> auto& { return s.motion.filament_type; })),
+           Bind<&ToolRow::filament_type>()),
       text("filament_colour", "#29B2B2", "Colour of the filament, for printer hosts",
-           Bind([](auto& s) -> auto& { return s.motion.filament_colour; })),
+           Bind<&ToolRow::filament_colour>()),
       text("filament_settings_id", "", "Name of the filament's profile, for printer hosts",
-           Bind([](auto& s) -> auto& { return s.motion.filament_settings_id; })),
+           Bind<&ToolRow::filament_settings_id>()),
   };
 }
 

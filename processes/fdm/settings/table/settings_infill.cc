@@ -16,15 +16,13 @@ std::vector<Choice> SparsePatterns() {
   return choices;
 }
 
-void SetPattern(JobSettings& settings, const Value& value) {
-  InfillOptions& infill = FdmOf(settings).infill[0];
+void SetPattern(InfillOptions& infill, const Value& value) {
   infill.choose_pattern = value.number == kAutoPattern;
   infill.pattern = infill.choose_pattern ? InfillOptions{}.pattern
                                          : static_cast<FillPattern>(std::lround(value.number));
 }
 
-Value GetPattern(const JobSettings& settings) {
-  const InfillOptions& infill = FdmOf(settings).infill[0];
+Value PatternOf(const InfillOptions& infill) {
   return {.number = infill.choose_pattern ? kAutoPattern : static_cast<double>(infill.pattern)};
 }
 
@@ -38,7 +36,7 @@ std::vector<SettingSpec> IroningSettings() {
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Smooths surfaces by going over them once more with little plastic",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].ironing.enabled; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::enabled>()},
       {.key = "ironing_type",
        .kind = Kind::kChoice,
        .standard = "top",
@@ -46,7 +44,7 @@ std::vector<SettingSpec> IroningSettings() {
        .choices = {{"top", static_cast<int>(IroningType::kTop)},
                    {"topmost", static_cast<int>(IroningType::kTopmost)},
                    {"solid", static_cast<int>(IroningType::kSolid)}},
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].ironing.type; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::type>()},
       {.key = "ironing_flowrate",
        .kind = Kind::kPercent,
        .unit = "%",
@@ -54,14 +52,14 @@ std::vector<SettingSpec> IroningSettings() {
        .max = 100,
        .standard = "15%",
        .doc = "Plastic of ironing, of what would fill the layer",
-       .field = Bind<Scale::kPercent>([](auto& s) -> auto& { return s.infill[0].ironing.flow; })},
+       .field = Bind<Scale::kPercent, &RegionRow::infill, &InfillOptions::ironing, &IroningOptions::flow>()},
       {.key = "ironing_spacing",
        .unit = "mm",
        .min = 0.01,
        .max = 10,
        .standard = "0.1",
        .doc = "Distance of the lines of ironing",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].ironing.spacing_nm; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::spacing_nm>()},
   };
 }
 
@@ -82,16 +80,14 @@ SettingSpec SolidFill(std::string_view key, std::string_view standard, std::stri
 /// As the setting says; thickness adds layers of its own (shells.h).
 template <int32_t InfillOptions::*kLayers, SkinSpare InfillOptions::*kSpare>
 Field LayersField() {
-  return {
-      .set =
-          [](JobSettings& s, const Value& value) {
-            FdmOf(s).infill[0].*kLayers = static_cast<int32_t>(value.number);
-          },
-      .get =
-          [](const JobSettings& s) {
-            const InfillOptions& infill = FdmOf(s).infill[0];
-            return Value{.number = static_cast<double>(infill.*kLayers - (infill.*kSpare).layers)};
-          }};
+  return Convert<RegionRow>(
+      [](RegionRow& row, const Value& value) {
+        row.infill.*kLayers = static_cast<int32_t>(value.number);
+      },
+      [](const RegionRow& row) {
+        const int32_t asked = row.infill.*kLayers - (row.infill.*kSpare).layers;
+        return Value{.number = static_cast<double>(asked)};
+      });
 }
 
 SettingSpec SolidLayers(std::string_view key, std::string_view doc, Field field) {
@@ -105,7 +101,13 @@ SettingSpec SolidLayers(std::string_view key, std::string_view doc, Field field)
 }
 
 SettingSpec MinThickness(std::string_view key, std::string_view doc) {
-  return {.key = key, .unit = "mm", .min = 0, .max = 1000, .standard = "0", .doc = doc};
+  return {.key = key,
+          .unit = "mm",
+          .min = 0,
+          .max = 1000,
+          .standard = "0",
+          .doc = doc,
+          .own_scope = Scope::kRegion};
 }
 
 }  // namespace
@@ -127,14 +129,16 @@ std::vector<SettingSpec> InfillSettings() {
        .max = 100,
        .standard = "20%",
        .doc = "How much of the inside is filled; 100%: solid",
-       .field = Bind<Scale::kPercent>([](auto& s) -> auto& { return s.infill[0].density; })},
+       .field = Bind<Scale::kPercent, &RegionRow::infill, &InfillOptions::density>()},
       {.key = "fill_pattern",
        .kind = Kind::kChoice,
        .standard = "grid",
        .doc = "Pattern of the sparse infill; auto: by density, the part's thickness and "
               "infill_goal",
        .choices = SparsePatterns(),
-       .field = {SetPattern, GetPattern}},
+       .field = Convert<RegionRow>(
+           [](RegionRow& row, const Value& value) { SetPattern(row.infill, value); },
+           [](const RegionRow& row) { return PatternOf(row.infill); })},
       {.key = "infill_goal",
        .kind = Kind::kChoice,
        .standard = "strength",
@@ -142,28 +146,28 @@ std::vector<SettingSpec> InfillSettings() {
        .choices = {{"strength", static_cast<int>(FillGoal::kStrength)},
                    {"time", static_cast<int>(FillGoal::kTime)},
                    {"flexibility", static_cast<int>(FillGoal::kFlexibility)}},
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].goal; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::goal>()},
       SolidFill("solid_fill_pattern", "rectilinear",
                 "Pattern of the solid infill inside a part, where the order of lines is not seen",
-                Bind([](auto& s) -> auto& { return s.infill[0].solid_pattern; })),
+                Bind<&RegionRow::infill, &InfillOptions::solid_pattern>()),
       SolidFill("top_fill_pattern", "monotonic", "Pattern of top surfaces",
-                Bind([](auto& s) -> auto& { return s.infill[0].top_pattern; })),
+                Bind<&RegionRow::infill, &InfillOptions::top_pattern>()),
       SolidFill("bottom_fill_pattern", "monotonic", "Pattern of bottom surfaces",
-                Bind([](auto& s) -> auto& { return s.infill[0].bottom_pattern; })),
+                Bind<&RegionRow::infill, &InfillOptions::bottom_pattern>()),
       {.key = "fill_angle",
        .unit = "degrees",
        .min = 0,
        .max = 360,
        .standard = "45",
        .doc = "Direction of the infill's lines; solid layers turn by a right angle each",
-       .field = Bind<Scale::kDegrees>([](auto& s) -> auto& { return s.infill[0].angle_rad; })},
+       .field = Bind<Scale::kDegrees, &RegionRow::infill, &InfillOptions::angle_rad>()},
       AnglesByLayer("fill_angle_template",
                     "Direction of the sparse infill's lines by layer, in place of fill_angle: 0,90 "
                     "or 45#2,0 for angles, +30 for turns from layer to layer",
-                    Bind([](auto& s) -> auto& { return s.infill[0].angle_template; })),
+                    Bind<&RegionRow::infill, &InfillOptions::angle_template>()),
       AnglesByLayer("solid_fill_angle_template",
                     "The same for solid infill; bridges have their own direction",
-                    Bind([](auto& s) -> auto& { return s.infill[0].solid_angle_template; })),
+                    Bind<&RegionRow::infill, &InfillOptions::solid_angle_template>()),
       {.key = "infill_overlap",
        .kind = Kind::kNumberOrPercent,
        .unit = "mm",
@@ -172,7 +176,7 @@ std::vector<SettingSpec> InfillSettings() {
        .standard = "25%",
        .doc = "How far the infill's lines reach into the walls",
        .relative_to = "perimeter_extrusion_width",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].overlap_nm; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::overlap_nm>()},
       {.key = "infill_anchor",
        .kind = Kind::kNumberOrPercent,
        .unit = "mm",
@@ -182,7 +186,7 @@ std::vector<SettingSpec> InfillSettings() {
        .doc = "How far a line of sparse infill that is not linked to another one turns along the "
               "wall; 0: not at all",
        .relative_to = "infill_extrusion_width",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].anchor_nm; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::anchor_nm>()},
       {.key = "infill_anchor_max",
        .kind = Kind::kNumberOrPercent,
        .unit = "mm",
@@ -192,7 +196,7 @@ std::vector<SettingSpec> InfillSettings() {
        .doc = "Longest link along the wall between two lines of sparse infill; 0: none. Links are "
               "thinner than lines, so that the density stays what fill_density asks for",
        .relative_to = "infill_extrusion_width",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].anchor_max_nm; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::anchor_max_nm>()},
       {.key = "infill_smoothing",
        .unit = "mm",
        .min = 0,
@@ -200,14 +204,14 @@ std::vector<SettingSpec> InfillSettings() {
        .standard = "0",
        .doc = "Rounds the lines of fill_pattern = medialaxis: what is shorter than some six times "
               "this is smoothed away; 0: not at all",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].smoothing_nm; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::smoothing_nm>()},
       {.key = "solid_infill_every_layers",
        .kind = Kind::kInteger,
        .min = 0,
        .max = 1000000,
        .standard = "0",
        .doc = "Each layer whose number is a multiple of this becomes solid; 0: none",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].solid_every_layers; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::solid_every_layers>()},
       {.key = "bridge_angle",
        .unit = "degrees",
        .min = 0,
@@ -215,26 +219,27 @@ std::vector<SettingSpec> InfillSettings() {
        .standard = "0",
        .doc = "Direction of bridges' lines; 0: for each bridge the one in which it is borne best",
        .field =
-           Bind<Scale::kDegrees>([](auto& s) -> auto& { return s.infill[0].bridge_angle_rad; })},
+           Bind<Scale::kDegrees, &RegionRow::infill, &InfillOptions::bridge_angle_rad>()},
       {.key = "bridge_flow_ratio",
        .min = 0.1,
        .max = 2,
        .standard = "1",
        .doc = "Plastic of bridges' lines, of what lines of their width and layer have",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].bridge_flow; }),
-       .also = Bind([](auto& s) -> auto& { return s.motion.speeds[0].bridge_flow; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::bridge_flow>(),
+       .also = Bind<&RegionRow::motion, &RegionSpeeds::bridge_flow>()},
       {.key = "thick_bridges",
        .kind = Kind::kFlag,
        .standard = "1",
        .doc = "Prints bridges as round threads as wide as the nozzle, which span more and hang "
               "lower than their layer",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].thick_bridges; }),
-       .also = Bind([](auto& s) -> auto& { return s.motion.speeds[0].thick_bridges; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::thick_bridges>(),
+       .also = Bind<&RegionRow::motion, &RegionSpeeds::thick_bridges>()},
       {.key = "automatic_infill_combination",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Takes for infill_every_layers as many layers as "
-              "automatic_infill_combination_max_layer_height allows"},
+              "automatic_infill_combination_max_layer_height allows",
+       .own_scope = Scope::kRegion},
       {.key = "automatic_infill_combination_max_layer_height",
        .kind = Kind::kNumberOrPercent,
        .unit = "mm",
@@ -243,7 +248,8 @@ std::vector<SettingSpec> InfillSettings() {
        .standard = "100%",
        .doc = "Highest bead that automatic_infill_combination makes; never higher than the "
               "nozzle is wide",
-       .relative_to = "nozzle_diameter"},
+       .relative_to = "nozzle_diameter",
+       .own_scope = Scope::kRegion},
       {.key = "infill_every_layers",
        .kind = Kind::kInteger,
        .min = 1,
@@ -251,30 +257,31 @@ std::vector<SettingSpec> InfillSettings() {
        .standard = "1",
        .doc = "Prints the sparse infill of that many layers at once, where all of them have it, "
               "as far as the nozzle's diameter allows",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].every_layers; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::every_layers>()},
       {.key = "interface_shells",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Gives a region with settings of its own solid layers also where it lies on or under "
               "another one",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].interface_shells; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::interface_shells>(),
+       .own_scope = Scope::kObject},
       {.key = "small_area_infill_flow_compensation",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Gives short lines of solid infill less plastic, by "
               "small_area_infill_flow_compensation_model",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].small_area_flow; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::small_area_flow>()},
       {.key = "small_area_infill_flow_compensation_model",
        .kind = Kind::kFlowTable,
        .standard = kSmallAreaFlowTable,
        .doc = "Which part of its plastic a line of solid infill gets by its length, from turn to "
               "turn; in proportion between these lengths",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].small_area_flow_table; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::small_area_flow_table>()},
       {.key = "infill_only_where_needed",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Leaves out sparse infill that has no top surface above it",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].only_where_needed; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::only_where_needed>()},
       {.key = "ensure_vertical_shell_thickness",
        .kind = Kind::kChoice,
        .standard = "enabled",
@@ -286,37 +293,37 @@ std::vector<SettingSpec> InfillSettings() {
                    {"enabled", static_cast<int>(ShellThickness::kEnabled)},
                    {"0", static_cast<int>(ShellThickness::kPartial)},
                    {"1", static_cast<int>(ShellThickness::kEnabled)}},
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].shells; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::shells>()},
       {.key = "extra_perimeters_on_overhangs",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Fills overhangs that bridges cannot span from what bears them outwards, each line "
               "beside the one before",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].overhang_lines; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::overhang_lines>()},
       {.key = "solid_infill_below_area",
        .unit = "mm2",
        .min = 0,
        .max = 1e6,
        .standard = "70",
        .doc = "Regions of sparse infill smaller than this become solid",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].solid_below_area_mm2; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::solid_below_area_mm2>()},
       {.key = "density_field",
        .kind = Kind::kDensityField,
        .standard = "",
        .doc = "How dense the sparse infill is, by place; fill_density then has no effect",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].density_field; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::density_field>()},
       {.key = "stress_field",
        .kind = Kind::kStressField,
        .standard = "",
        .doc =
            "Stresses whose principal directions the lines of the sparse infill follow, in place of "
            "fill_pattern",
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].stress_field; })},
+       .field = Bind<&RegionRow::infill, &InfillOptions::stress_field>()},
       {.key = "infill_first",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Prints the infill before the walls",
-       .field = Bind([](auto& s) -> auto& { return s.ordering.infill_first; })},
+       .field = Bind<&MachineRow::order, &JobOrder::infill_first>()},
   };
   for (SettingSpec& ironing : IroningSettings()) settings.push_back(std::move(ironing));
   return settings;

@@ -23,43 +23,39 @@ std::vector<SettingSpec> AxisLimits(std::array<std::string_view, 3> keys,
                                     std::array<std::string_view, 3> standards) {
   return {
       Limit(keys[0], "mm/s", 0.001, 100'000, standards[0], "Speed limit of this axis",
-            Bind([](auto& s) -> auto& { return s.motion.limits.max_feedrate_mm_s[kAxis]; })),
+            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_feedrate_mm_s, kAxis>()),
       Limit(keys[1], "mm/s2", 0.001, 1e6, standards[1], "Acceleration limit of this axis",
-            Bind([](auto& s) -> auto& { return s.motion.limits.max_acceleration_mm_s2[kAxis]; })),
+            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_acceleration_mm_s2, kAxis>()),
       Limit(keys[2], "mm/s", 0, 100'000, standards[2],
             "Jump of speed that this axis allows at corners (Marlin's classic jerk)",
-            Bind([](auto& s) -> auto& { return s.motion.limits.max_jerk_mm_s[kAxis]; })),
+            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_jerk_mm_s, kAxis>()),
   };
 }
 
 std::vector<SettingSpec> WholeMachineLimits() {
   return {
       Limit("machine_max_acceleration_extruding", "mm/s2", 0, 1e6, "1500",
-            "Acceleration limit while extruding; 0: none", Bind([](auto& s) -> auto& {
-              return s.motion.limits.max_acceleration_extruding_mm_s2;
-            })),
+            "Acceleration limit while extruding; 0: none", Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_acceleration_extruding_mm_s2>()),
       Limit("machine_max_acceleration_retracting", "mm/s2", 0, 1e6, "1500",
-            "Acceleration limit of retractions; 0: none", Bind([](auto& s) -> auto& {
-              return s.motion.limits.max_acceleration_retracting_mm_s2;
-            })),
+            "Acceleration limit of retractions; 0: none", Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_acceleration_retracting_mm_s2>()),
       Limit("machine_max_acceleration_travel", "mm/s2", 0, 1e6, "1500",
             "Acceleration limit of travel; 0: none",
-            Bind([](auto& s) -> auto& { return s.motion.limits.max_acceleration_travel_mm_s2; })),
+            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_acceleration_travel_mm_s2>()),
       Limit("machine_max_junction_deviation", "mm", 0, 10, "0",
             "Marlin's junction deviation; 0: the firmware uses classic jerk",
-            Bind([](auto& s) -> auto& { return s.motion.limits.junction_deviation_mm; })),
+            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::junction_deviation_mm>()),
       Limit("square_corner_velocity", "mm/s", 0, 1000, "5", "Klipper's speed through right angles",
-            Bind([](auto& s) -> auto& { return s.motion.limits.square_corner_velocity_mm_s; })),
+            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::square_corner_velocity_mm_s>()),
       Limit("minimum_cruise_ratio", "", 0, 0.99, "0.5",
             "Klipper's least share of a short move at its top speed",
-            Bind([](auto& s) -> auto& { return s.motion.limits.minimum_cruise_ratio; })),
+            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::minimum_cruise_ratio>()),
       Limit("machine_min_extruding_rate", "mm/s", 0, 1000, "0", "No bead is slower",
-            Bind([](auto& s) -> auto& { return s.motion.limits.min_extruding_rate_mm_s; })),
+            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::min_extruding_rate_mm_s>()),
       Limit("machine_min_travel_rate", "mm/s", 0, 1000, "0", "No travel is slower",
-            Bind([](auto& s) -> auto& { return s.motion.limits.min_travel_rate_mm_s; })),
+            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::min_travel_rate_mm_s>()),
       Limit("jerk_limit", "mm/s3", 1, 1e8, "100000",
             "How fast acceleration may change on machines that follow the host's own planner",
-            Bind([](auto& s) -> auto& { return s.motion.limits.jerk_mm_s3; })),
+            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::jerk_mm_s3>()),
       {.key = "silent_mode",
        .kind = Kind::kFlag,
        .standard = "0",
@@ -71,12 +67,13 @@ std::vector<SettingSpec> WholeMachineLimits() {
        .doc = "Whether the limits are written to the G-code too, or only reckoned with; "
               "ignore: all of them are those of no setting",
        .choices = {{"time_estimate_only", 0}, {"emit_to_gcode", 1}, {"ignore", kIgnoreLimits}},
-       .field = {[](JobSettings& s, const Value& v) {
-                   FdmOf(s).motion.limits.emit_to_gcode = v.number == 1;
-                 },
-                 [](const JobSettings& s) -> Value {
-                   return {.number = FdmOf(s).motion.limits.emit_to_gcode ? 1.0 : 0.0};
-                 }}},
+       .field = Convert<MachineRow>(
+           [](MachineRow& row, const Value& value) {
+             row.motion.limits.emit_to_gcode = value.number == 1;
+           },
+           [](const MachineRow& row) {
+             return Value{.number = row.motion.limits.emit_to_gcode ? 1.0 : 0.0};
+           })},
   };
 }
 
@@ -109,29 +106,29 @@ std::vector<SettingSpec> Retraction() {
   std::vector<SettingSpec> settings;
   AddRetraction(settings, "retract_length", "filament_retract_length", "mm", 100, "2",
                 "How much filament is pulled back before a travel; 0: none",
-                Bind([](auto& s) -> auto& { return s.motion.retraction.length_mm; }));
+                Bind<&ToolRow::retraction, &RetractionOptions::length_mm>());
   AddRetraction(settings, "retract_speed", "filament_retract_speed", "mm/s", 1000, "40",
                 "Speed of pulling back",
-                Bind([](auto& s) -> auto& { return s.motion.retraction.speed_mm_s; }));
+                Bind<&ToolRow::retraction, &RetractionOptions::speed_mm_s>());
   AddRetraction(settings, "deretract_speed", "filament_deretract_speed", "mm/s", 1000, "0",
                 "Speed of pushing forward again; 0: retract_speed",
-                Bind([](auto& s) -> auto& { return s.motion.retraction.restart_speed_mm_s; }));
+                Bind<&ToolRow::retraction, &RetractionOptions::restart_speed_mm_s>());
   AddRetraction(settings, "retract_restart_extra", "filament_retract_restart_extra", "mm", 100, "0",
                 "How much more is pushed forward than was pulled back; negative: how much less",
-                Bind([](auto& s) -> auto& { return s.motion.retraction.restart_extra_mm; }),
+                Bind<&ToolRow::retraction, &RetractionOptions::restart_extra_mm>(),
                 /*min=*/-100);
   AddRetraction(settings, "retract_before_travel", "filament_retract_before_travel", "mm", 1000,
                 "2", "Shorter travels do not retract, but for those over outer walls",
-                Bind([](auto& s) -> auto& { return s.motion.retraction.min_travel_mm; }));
+                Bind<&ToolRow::retraction, &RetractionOptions::min_travel_mm>());
   AddRetraction(settings, "retract_lift", "filament_retract_lift", "mm", 100, "0",
                 "How far the nozzle rises over a travel",
-                Bind([](auto& s) -> auto& { return s.motion.retraction.lift_mm; }));
+                Bind<&ToolRow::retraction, &RetractionOptions::lift_mm>());
   AddRetraction(settings, "retract_lift_above", "filament_retract_lift_above", "mm", 10'000, "0",
                 "The nozzle does not rise in layers lower than this",
-                Bind([](auto& s) -> auto& { return s.motion.retraction.lift_above_mm; }));
+                Bind<&ToolRow::retraction, &RetractionOptions::lift_above_mm>());
   AddRetraction(settings, "retract_lift_below", "filament_retract_lift_below", "mm", 10'000, "0",
                 "Nor in layers higher than this; 0: however high",
-                Bind([](auto& s) -> auto& { return s.motion.retraction.lift_below_mm; }));
+                Bind<&ToolRow::retraction, &RetractionOptions::lift_below_mm>());
   const auto after = [](LiftAfter a) { return static_cast<int>(a); };
   AddRetraction(settings,
                 {.key = "retract_lift_enforce",
@@ -143,7 +140,7 @@ std::vector<SettingSpec> Retraction() {
                              {"top", after(LiftAfter::kTop)},
                              {"bottom", after(LiftAfter::kBottom)},
                              {"top_and_bottom", after(LiftAfter::kTopAndBottom)}},
-                 .field = Bind([](auto& s) -> auto& { return s.motion.retraction.lift_after; })},
+                 .field = Bind<&ToolRow::retraction, &RetractionOptions::lift_after>()},
                 "filament_retract_lift_enforce");
   AddRetraction(settings,
                 {.key = "travel_ramping_lift",
@@ -151,14 +148,14 @@ std::vector<SettingSpec> Retraction() {
                  .standard = "0",
                  .doc = "The nozzle rises along its way by travel_max_lift and travel_slope, in "
                         "place of straight up by retract_lift",
-                 .field = Bind([](auto& s) -> auto& { return s.motion.retraction.ramping; })},
+                 .field = Bind<&ToolRow::retraction, &RetractionOptions::ramping>()},
                 "filament_travel_ramping_lift");
   AddRetraction(settings, "travel_max_lift", "filament_travel_max_lift", "mm", 1000, "0",
                 "How far the nozzle rises along its way; less on short ways",
-                Bind([](auto& s) -> auto& { return s.motion.retraction.ramp_lift_mm; }));
+                Bind<&ToolRow::retraction, &RetractionOptions::ramp_lift_mm>());
   AddRetraction(settings, "travel_slope", "filament_travel_slope", "degrees", 90, "0",
                 "How steeply the nozzle rises along its way; 0 and 90: straight up",
-                Bind([](auto& s) -> auto& { return s.motion.retraction.ramp_slope_deg; }));
+                Bind<&ToolRow::retraction, &RetractionOptions::ramp_slope_deg>());
   AddRetraction(
       settings,
       {.key = "travel_lift_before_obstacle",
@@ -166,7 +163,7 @@ std::vector<SettingSpec> Retraction() {
        .standard = "0",
        .doc = "Rises more steeply where the way meets an edge of the layer below before "
               "the nozzle is up",
-       .field = Bind([](auto& s) -> auto& { return s.motion.retraction.before_obstacles; })},
+       .field = Bind<&ToolRow::retraction, &RetractionOptions::before_obstacles>()},
       "filament_travel_lift_before_obstacle");
   AddRetraction(settings,
                 {.key = "wipe",
@@ -174,7 +171,7 @@ std::vector<SettingSpec> Retraction() {
                  .standard = "0",
                  .doc = "The nozzle wipes along what it has printed while the filament is pulled "
                         "back, which leaves smaller blobs",
-                 .field = Bind([](auto& s) -> auto& { return s.motion.retraction.wipe; })},
+                 .field = Bind<&ToolRow::retraction, &RetractionOptions::wipe>()},
                 "filament_wipe");
   AddRetraction(
       settings,
@@ -184,7 +181,7 @@ std::vector<SettingSpec> Retraction() {
        .doc = "Retracts at each change of layer, even where the way is hidden in the "
               "part; done in any case where copies are labelled, and where G-code of "
               "the settings stands between layers",
-       .field = Bind([](auto& s) -> auto& { return s.ordering.travel.retract_layer_change; })},
+       .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::retract_layer_change>()},
       "filament_retract_layer_change");
   AddRetraction(settings,
                 {.key = "retract_before_wipe",
@@ -193,20 +190,19 @@ std::vector<SettingSpec> Retraction() {
                  .max = 100,
                  .standard = "0%",
                  .doc = "How much of retract_length is pulled back before the nozzle wipes",
-                 .field = Bind<Scale::kPercent>(
-                     [](auto& s) -> auto& { return s.motion.retraction.before_wipe; })},
+                 .field = Bind<Scale::kPercent, &ToolRow::retraction, &RetractionOptions::before_wipe>()},
                 "filament_retract_before_wipe");
   return settings;
 }
 
 /// Millimetres, or a percentage of the straight way.
 SettingSpec MaxDetour() {
-  const auto set = [](JobSettings& s, const Value& v) {
-    FdmOf(s).ordering.travel.max_detour_mm = v.percent ? 0 : v.number;
-    FdmOf(s).ordering.travel.max_detour_ratio = v.percent ? v.number / 100 : 0;
+  const auto set = [](MachineRow& row, const Value& value) {
+    row.order.travel.max_detour_mm = value.percent ? 0 : value.number;
+    row.order.travel.max_detour_ratio = value.percent ? value.number / 100 : 0;
   };
-  const auto get = [](const JobSettings& s) -> Value {
-    const TravelOptions& travel = FdmOf(s).ordering.travel;
+  const auto get = [](const MachineRow& row) -> Value {
+    const TravelOptions& travel = row.order.travel;
     if (travel.max_detour_ratio == 0) return {.number = travel.max_detour_mm};
     return {.number = Quantise(travel.max_detour_ratio * 100), .percent = true};
   };
@@ -218,7 +214,7 @@ SettingSpec MaxDetour() {
           .standard = "0",
           .doc = "Walls are crossed where the way round them is longer by more than this; 0: never",
           .percent_of = "the straight way",
-          .field = {set, get}};
+          .field = Convert<MachineRow>(set, get)};
 }
 
 std::vector<SettingSpec> Travels() {
@@ -229,25 +225,25 @@ std::vector<SettingSpec> Travels() {
        .doc =
            "Does not retract before travels inside the part; before those to outer walls and to "
            "or over top surfaces all the same, which is why it may be 1 here and 0 in PrusaSlicer",
-       .field = Bind([](auto& s) -> auto& { return s.ordering.travel.hide; })},
+       .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::hide>()},
       {.key = "retract_inside_after",
        .unit = "mm",
        .min = 0,
        .max = 1000,
        .standard = "30",
        .doc = "Longer travels retract inside the part as well; 0: none does",
-       .field = Bind([](auto& s) -> auto& { return s.ordering.travel.longest_hidden_mm; })},
+       .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::longest_hidden_mm>()},
       {.key = "avoid_crossing_perimeters",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Leads travels round outer walls, inside the part",
-       .field = Bind([](auto& s) -> auto& { return s.ordering.travel.avoid_crossing; })},
+       .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::avoid_crossing>()},
       MaxDetour(),
       {.key = "avoid_crossing_curled_overhangs",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Leads travels round overhangs that are likely to have curled up",
-       .field = Bind([](auto& s) -> auto& { return s.planning.avoid_curled; })},
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::avoid_curled>()},
   };
 }
 
@@ -276,12 +272,12 @@ std::vector<SettingSpec> Machine() {
                    {"machinekit", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
                    {"smoothie", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
                    {"no-extrusion", flavor(GcodeFlavor::kMarlin2), kAsMarlin}},
-       .field = Bind([](auto& s) -> auto& { return s.motion.flavor; })},
+       .field = Bind<&MachineRow::motion, &MachineMotion::flavor>()},
       {.key = "material_field",
        .kind = Kind::kMaterialField,
        .standard = "",
        .doc = "Shares of the materials that a mixing extruder takes in, by place on the plate",
-       .field = Bind([](auto& s) -> auto& { return s.motion.material_field; })},
+       .field = Bind<&MachineRow::motion, &MachineMotion::material_field>()},
       {.key = "nozzle_diameter",
        .unit = "mm",
        .min = 0.05,
@@ -289,48 +285,48 @@ std::vector<SettingSpec> Machine() {
        .standard = "0.4",
        .doc = "Diameter of the nozzle",
        .list = List::kPerExtruder,
-       .field = Bind([](auto& s) -> auto& { return s.motion.nozzle_diameter_mm; }),
-       .also = Bind([](auto& s) -> auto& { return s.infill[0].nozzle_nm; })},
+       .field = Bind<&ToolRow::nozzle_diameter_mm>(),
+       .also = Bind<&RegionRow::infill, &InfillOptions::nozzle_nm>()},
       {.key = "nozzle_heating_rate",
        .unit = "C/s",
        .min = 0,
        .max = 1000,
        .standard = "0",
        .doc = "How fast the nozzle heats up, for times; 0: waiting for it counts as no time",
-       .field = Bind([](auto& s) -> auto& { return s.motion.nozzle_heating_c_s; })},
+       .field = Bind<&MachineRow::motion, &MachineMotion::nozzle_heating_c_s>()},
       {.key = "bed_heating_rate",
        .unit = "C/s",
        .min = 0,
        .max = 1000,
        .standard = "0",
        .doc = "How fast the bed heats up, for times; 0: waiting for it counts as no time",
-       .field = Bind([](auto& s) -> auto& { return s.motion.bed_heating_c_s; })},
+       .field = Bind<&MachineRow::motion, &MachineMotion::bed_heating_c_s>()},
       {.key = "autoemit_temperature_commands",
        .kind = Kind::kFlag,
        .standard = "1",
        .doc = "Heats around start_gcode what it does not heat by itself (M104, M109, M140, M190, "
               "M141, "
               "M191)",
-       .field = Bind([](auto& s) -> auto& { return s.motion.emit_temperatures; })},
+       .field = Bind<&MachineRow::motion, &MachineMotion::emit_temperatures>()},
       {.key = "z_offset",
        .unit = "mm",
        .min = -100,
        .max = 100,
        .standard = "0",
        .doc = "Added to all heights in the G-code",
-       .field = Bind([](auto& s) -> auto& { return s.motion.z_offset_mm; })},
+       .field = Bind<&MachineRow::motion, &MachineMotion::z_offset_mm>()},
       {.key = "extruder_offset",
        .kind = Kind::kPoint,
        .unit = "mm",
        .standard = "0x0",
        .doc = "Where the nozzle is in the head: all places in the G-code lie so much farther back",
        .list = List::kPerExtruder,
-       .field = Bind([](auto& s) -> auto& { return s.motion.extruder_offset; })},
+       .field = Bind<&ToolRow::offset>()},
       {.key = "remaining_times",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Tells the printer before each layer how much is done (M73)",
-       .field = Bind([](auto& s) -> auto& { return s.motion.progress; })},
+       .field = Bind<&MachineRow::motion, &MachineMotion::progress>()},
       {.key = "gcode_label_objects",
        .kind = Kind::kChoice,
        .standard = "disabled",
@@ -340,7 +336,7 @@ std::vector<SettingSpec> Machine() {
                    {"firmware", labels(ObjectLabels::kFirmware)},
                    {"0", labels(ObjectLabels::kNone)},
                    {"1", labels(ObjectLabels::kComments)}},
-       .field = Bind([](auto& s) -> auto& { return s.motion.labels; })},
+       .field = Bind<&MachineRow::motion, &MachineMotion::labels>()},
       {.key = "arc_fitting",
        .kind = Kind::kChoice,
        .standard = "disabled",
@@ -349,7 +345,7 @@ std::vector<SettingSpec> Machine() {
            "centres",
        .choices = {{"disabled", static_cast<int>(ArcFitting::kDisabled)},
                    {"emit_center", static_cast<int>(ArcFitting::kEmitCenter)}},
-       .field = Bind([](auto& s) -> auto& { return s.motion.arc_fitting; })},
+       .field = Bind<&MachineRow::motion, &MachineMotion::arc_fitting>()},
       {.key = "gcode_resolution",
        .unit = "mm",
        .min = 0,
@@ -358,11 +354,11 @@ std::vector<SettingSpec> Machine() {
        .doc =
            "How far straight moves may deviate from the curves that they stand for; 0: all points "
            "of paths are written",
-       .field = Bind([](auto& s) -> auto& { return s.motion.resolution_nm; })},
+       .field = Bind<&MachineRow::motion, &MachineMotion::resolution_nm>()},
       {.key = "printer_model",
        .kind = Kind::kText,
        .doc = "Name of the printer, for printer hosts",
-       .field = Bind([](auto& s) -> auto& { return s.motion.printer_model; })},
+       .field = Bind<&MachineRow::motion, &MachineMotion::printer_model>()},
   };
 }
 
@@ -375,31 +371,31 @@ std::vector<SettingSpec> CustomGcode() {
   return {
       gcode("start_gcode", "G28 ; home all axes\\nG1 Z5 F5000 ; lift nozzle\\n",
             "G-code before the first layer",
-            Bind([](auto& s) -> auto& { return s.motion.start_gcode; })),
+            Bind<&MachineRow::motion, &MachineMotion::start_gcode>()),
       gcode("end_gcode",
             "M104 S0 ; turn off temperature\\nG28 X0  ; home X axis\\nM84     ; disable motors\\n",
             "G-code after the last layer",
-            Bind([](auto& s) -> auto& { return s.motion.end_gcode; })),
+            Bind<&MachineRow::motion, &MachineMotion::end_gcode>()),
       {.key = "start_filament_gcode",
        .kind = Kind::kGcode,
        .doc = "G-code of the filament, after start_gcode, when all is hot",
        .list = List::kPerExtruder,
-       .field = Bind([](auto& s) -> auto& { return s.motion.start_filament_gcode; })},
+       .field = Bind<&ToolRow::start_filament_gcode>()},
       {.key = "end_filament_gcode",
        .kind = Kind::kGcode,
        .doc = "G-code of the filament, before end_gcode",
        .list = List::kPerExtruder},
       gcode("before_layer_gcode", "", "G-code before each layer's move up",
-            Bind([](auto& s) -> auto& { return s.motion.before_layer_gcode; })),
+            Bind<&MachineRow::motion, &MachineMotion::before_layer_gcode>()),
       gcode("layer_gcode", "", "G-code after each layer's move up",
-            Bind([](auto& s) -> auto& { return s.motion.layer_gcode; })),
+            Bind<&MachineRow::motion, &MachineMotion::layer_gcode>()),
       {.key = "time_lapse_gcode",
        .kind = Kind::kGcode,
        .doc = "G-code that takes a picture, at each layer: before layer_gcode, on a machine of Bambu "
               "Lab's after it"},
       gcode("between_objects_gcode", "",
             "G-code between objects that are printed one after the other, high above them",
-            Bind([](auto& s) -> auto& { return s.motion.between_objects_gcode; })),
+            Bind<&MachineRow::motion, &MachineMotion::between_objects_gcode>()),
   };
 }
 
@@ -412,7 +408,7 @@ std::vector<SettingSpec> Sequence() {
        .standard = "0",
        .doc = "Which extruder prints it, and so whose nozzle and filament count: that item of each "
               "list; 0: the first. All that is printed must have the same",
-       .scope = Scope::kRegion},
+       .own_scope = Scope::kRegion},
       {.key = "creation_time",
        .kind = Kind::kText,
        .standard = "",
@@ -423,13 +419,13 @@ std::vector<SettingSpec> Sequence() {
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Prints one copy after the other, each as a whole",
-       .field = Bind([](auto& s) -> auto& { return s.planning.sequence.complete_objects; })},
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence, &SequencePlanOptions::complete_objects>()},
       {.key = "objects_may_overlap",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Prints copies that share room through one another, and warns of it, instead of "
               "refusing the job",
-       .field = Bind([](auto& s) -> auto& { return s.planning.objects_may_overlap; })},
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::objects_may_overlap>()},
       {.key = "extruder_clearance_radius",
        .unit = "mm",
        .min = 0,
@@ -437,7 +433,7 @@ std::vector<SettingSpec> Sequence() {
        .standard = "20",
        .doc = "Room that the head takes around the nozzle: copies that are printed one after the "
               "other stand so far apart",
-       .field = Bind([](auto& s) -> auto& { return s.planning.sequence.clearance_radius_nm; })},
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence, &SequencePlanOptions::clearance_radius_nm>()},
       {.key = "extruder_clearance_height",
        .unit = "mm",
        .min = 0,
@@ -445,7 +441,7 @@ std::vector<SettingSpec> Sequence() {
        .standard = "20",
        .doc = "Height of the gantry over the nozzle: of the copies that are printed one after the "
               "other only the last may be taller",
-       .field = Bind([](auto& s) -> auto& { return s.planning.sequence.clearance_height_nm; })},
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence, &SequencePlanOptions::clearance_height_nm>()},
   };
 }
 
@@ -460,10 +456,10 @@ std::vector<SettingSpec> Plate() {
        .doc = "Areas of the bed that parts, skirts, brims and travel keep out of, such as that of a "
               "cutter: corners XxY, by commas; each four that are a rectangle are one area, else "
               "all corners are one polygon. G-code of the settings is not looked at",
-       .field = Bind([](auto& s) -> auto& { return s.slicing.excluded; })});
+       .field = Bind<&JobSlicingOptions::excluded>()});
   for (SettingSpec& spec : settings) {
     if (spec.key == "max_print_height")
-      spec.also = Bind([](auto& s) -> auto& { return s.motion.max_print_height_nm; });
+      spec.also = Bind<&MachineRow::motion, &MachineMotion::max_print_height_nm>();
     if (spec.key == "duplicate_distance")
       spec.doc =
           "Distance between copies that are arranged; at least extruder_clearance_radius with "

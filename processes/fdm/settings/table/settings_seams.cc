@@ -15,12 +15,12 @@ std::vector<SettingSpec> ScarfSettings() {
        .choices = {{"nowhere", placement(ScarfPlacement::kNowhere)},
                    {"contours", placement(ScarfPlacement::kContours)},
                    {"everywhere", placement(ScarfPlacement::kEverywhere)}},
-       .field = Bind([](auto& s) -> auto& { return s.motion.speeds[0].scarf.placement; })},
+       .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::placement>()},
       {.key = "scarf_seam_only_on_smooth",
        .kind = Kind::kFlag,
        .standard = "1",
        .doc = "No scarf where the seam is at a corner, which hides it",
-       .field = Bind([](auto& s) -> auto& { return s.motion.speeds[0].scarf.only_on_smooth; })},
+       .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::only_on_smooth>()},
       {.key = "scarf_seam_start_height",
        .kind = Kind::kPercent,
        .unit = "%",
@@ -28,32 +28,31 @@ std::vector<SettingSpec> ScarfSettings() {
        .max = 100,
        .standard = "0%",
        .doc = "How high in its layer a scarf begins",
-       .field = Bind<Scale::kPercent>(
-           [](auto& s) -> auto& { return s.motion.speeds[0].scarf.start_height_ratio; })},
+       .field = Bind<Scale::kPercent, &RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::start_height_ratio>()},
       {.key = "scarf_seam_entire_loop",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "The scarf is as long as the loop, whatever scarf_seam_length says",
-       .field = Bind([](auto& s) -> auto& { return s.motion.speeds[0].scarf.entire_loop; })},
+       .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::entire_loop>()},
       {.key = "scarf_seam_length",
        .unit = "mm",
        .min = 0,
        .max = 1000,
        .standard = "20",
        .doc = "Length of a scarf; no longer than the loop",
-       .field = Bind([](auto& s) -> auto& { return s.motion.speeds[0].scarf.length_mm; })},
+       .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::length_mm>()},
       {.key = "scarf_seam_max_segment_length",
        .unit = "mm",
        .min = 0.15,
        .max = 100,
        .standard = "1",
        .doc = "Longest piece of a scarf: within one the flow is constant",
-       .field = Bind([](auto& s) -> auto& { return s.motion.speeds[0].scarf.max_segment_mm; })},
+       .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::max_segment_mm>()},
       {.key = "scarf_seam_on_inner_perimeters",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Inner walls get scarfs too",
-       .field = Bind([](auto& s) -> auto& { return s.motion.speeds[0].scarf.on_inner; })},
+       .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::on_inner>()},
   };
 }
 
@@ -72,13 +71,13 @@ std::vector<SettingSpec> SeamSettings() {
                    {"rear", seam(SeamPosition::kRear)},
                    {"random", seam(SeamPosition::kRandom)},
                    {"hidden", seam(SeamPosition::kHidden)}},
-       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].seam; })},
+       .field = Bind<&ObjectRow::seam>()},
       {.key = "staggered_inner_seams",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Each inner loop starts further along than the one outside of it, by as much as it "
               "lies inside of the outermost",
-       .field = Bind([](auto& s) -> auto& { return s.ordering.walls[0].stagger_seams; })},
+       .field = Bind<&RegionRow::order, &WallOrder::stagger_seams>()},
   };
   SettingSpec gap{.key = "seam_gap_distance",
                   .kind = Kind::kNumberOrPercent,
@@ -90,7 +89,7 @@ std::vector<SettingSpec> SeamSettings() {
                       "How much of a loop stays open at its end, so that no blob lies on its "
                       "beginning; scarfs close",
                   .relative_to = "nozzle_diameter",
-                  .field = Bind([](auto& s) -> auto& { return s.motion.seam_gap_mm; })};
+                  .field = Bind<&MachineRow::motion, &MachineMotion::seam_gap_mm>()};
   settings.push_back(gap);
   gap.key = "filament_seam_gap_distance";
   gap.list = List::kPerExtruder;

@@ -6,31 +6,6 @@
 
 namespace slicefarm::config::fdm {
 
-/// What the settings of filament printing may set.
-template <class Job>
-struct View {
-  explicit View(Job& job)
-      : slicing(job.slicing),
-        planning(FdmOf(job).planning),
-        beading(FdmOf(job).beading),
-        infill(FdmOf(job).infill),
-        ordering(FdmOf(job).ordering),
-        motion(FdmOf(job).motion) {}
-
-  Like<SlicingOptions, Job>& slicing;
-  Like<PlanningOptions, Job>& planning;
-  Like<std::vector<BeadingOptions>, Job>& beading;
-  Like<std::vector<InfillOptions>, Job>& infill;
-  Like<OrderingOptions, Job>& ordering;
-  Like<MotionOptions, Job>& motion;
-};
-
-///     Bind([](auto& s) -> auto& { return s.infill[0].density; })
-template <Scale kScale = Scale::kSame, class Member>
-Field Bind(Member member) {
-  return BindTo<View, kScale>(member);
-}
-
 // The parts of the settings table, by what they are about.
 std::vector<SettingSpec> SlicingSettings();   ///< settings_slicing.cc
 std::vector<SettingSpec> WallSettings();      ///< settings_walls.cc

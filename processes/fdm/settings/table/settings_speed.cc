@@ -8,14 +8,12 @@ constexpr double kMaxAcceleration = 1e6;
 
 template <Feature kFeature>
 Field SpeedOf() {
-  return Bind(
-      [](auto& s) -> auto& { return s.motion.speeds[0].speed_mm_s[static_cast<int>(kFeature)]; });
+  return Bind<&RegionRow::motion, &RegionSpeeds::speed_mm_s, static_cast<int>(kFeature)>();
 }
 
 template <Feature kFeature>
 Field AccelerationOf() {
-  return Bind(
-      [](auto& s) -> auto& { return s.motion.acceleration_mm_s2[static_cast<int>(kFeature)]; });
+  return Bind<&MachineRow::motion, &MachineMotion::acceleration_mm_s2, static_cast<int>(kFeature)>();
 }
 
 SettingSpec Speed(std::string_view key, std::string_view standard, std::string_view doc,
@@ -50,15 +48,15 @@ SettingSpec Acceleration(std::string_view key, std::string_view doc, Field field
 }
 
 /// Millimetres per second, or a percentage of what each feature's own setting says.
-template <double MotionOptions::*kSpeed, double MotionOptions::*kRatio>
+template <double MachineMotion::*kSpeed, double MachineMotion::*kRatio>
 SettingSpec LayerSpeed(std::string_view key, std::string_view doc) {
-  const auto set = [](JobSettings& s, const Value& v) {
-    FdmOf(s).motion.*kSpeed = v.percent ? 0 : v.number;
-    FdmOf(s).motion.*kRatio = v.percent && v.number > 0 ? v.number / 100 : 1;
+  const auto set = [](MachineRow& row, const Value& value) {
+    row.motion.*kSpeed = value.percent ? 0 : value.number;
+    row.motion.*kRatio = value.percent && value.number > 0 ? value.number / 100 : 1;
   };
-  const auto get = [](const JobSettings& s) -> Value {
-    if (FdmOf(s).motion.*kSpeed != 0) return {.number = FdmOf(s).motion.*kSpeed};
-    return {.number = Quantise(FdmOf(s).motion.*kRatio * 100), .percent = true};
+  const auto get = [](const MachineRow& row) -> Value {
+    if (row.motion.*kSpeed != 0) return {.number = row.motion.*kSpeed};
+    return {.number = Quantise(row.motion.*kRatio * 100), .percent = true};
   };
   return {.key = key,
           .kind = Kind::kNumberOrPercent,
@@ -68,14 +66,12 @@ SettingSpec LayerSpeed(std::string_view key, std::string_view doc) {
           .standard = "30",
           .doc = doc,
           .percent_of = "each feature's own",
-          .field = {set, get}};
+          .field = Convert<MachineRow>(set, get)};
 }
 
 template <int kDegree>
 SettingSpec OverhangSpeed(std::string_view key, std::string_view standard, std::string_view doc) {
-  return RelativeSpeed(key, standard, "external_perimeter_speed", doc, Bind([](auto& s) -> auto& {
-                         return s.motion.speeds[0].overhang_speed_mm_s[kDegree];
-                       }));
+  return RelativeSpeed(key, standard, "external_perimeter_speed", doc, Bind<&RegionRow::motion, &RegionSpeeds::overhang_speed_mm_s, kDegree>());
 }
 
 std::vector<SettingSpec> Overhangs() {
@@ -84,14 +80,14 @@ std::vector<SettingSpec> Overhangs() {
        .kind = Kind::kFlag,
        .standard = "1",
        .doc = "Prints walls over nothing as bridges, with their speed, fan and flow",
-       .field = Bind([](auto& s) -> auto& { return s.motion.speeds[0].bridging_walls; })},
+       .field = Bind<&RegionRow::motion, &RegionSpeeds::bridging_walls>()},
       {.key = "enable_dynamic_overhang_speeds",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc =
            "Slows walls down where they hang over the layer below: by overhang_speed_0 to _3, and "
            "between these in proportion",
-       .field = Bind([](auto& s) -> auto& { return s.motion.speeds[0].dynamic_overhangs; })},
+       .field = Bind<&RegionRow::motion, &RegionSpeeds::dynamic_overhangs>()},
       OverhangSpeed<0>("overhang_speed_0", "15",
                        "Speed of walls that rest on nothing; 0: not slowed down"),
       OverhangSpeed<1>("overhang_speed_1", "15",
@@ -117,9 +113,10 @@ SettingSpec OverBridgeSpeed() {
       RelativeSpeed("over_bridge_speed", "0", "solid_infill_speed",
                     "Speed of the solid infill of the layer above a bridge; 0: solid_infill_speed",
                     SpeedOf<Feature::kSolidOverBridge>());
-  spec.also = {
-      [](JobSettings& s, const Value& v) { FdmOf(s).infill[0].over_bridges = v.number > 0; },
-      spec.field.get};
+  spec.also = Convert<RegionRow>(
+      [](RegionRow& row, const Value& value) { row.infill.over_bridges = value.number > 0; },
+      [](const RegionRow&) { return Value(); });
+  spec.also.get = spec.field.get;
   return spec;
 }
 
@@ -131,8 +128,8 @@ std::vector<SettingSpec> Speeds() {
                     "Speed of outer walls; 0: max_print_speed",
                     SpeedOf<Feature::kExternalPerimeter>()),
       RelativeSpeed("small_perimeter_speed", "15", "perimeter_speed",
-                    "Speed of loops of radius below 6.5 mm; 0: max_print_speed", Bind([
-                    ](auto& s) -> auto& { return s.motion.speeds[0].small_perimeter_speed_mm_s; })),
+                    "Speed of loops of radius below 6.5 mm; 0: max_print_speed", 
+                    Bind<&RegionRow::motion, &RegionSpeeds::small_perimeter_speed_mm_s>()),
       Speed("infill_speed", "80", "Speed of sparse infill; 0: max_print_speed",
             SpeedOf<Feature::kInternalInfill>()),
       RelativeSpeed("solid_infill_speed", "20", "infill_speed",
@@ -145,20 +142,23 @@ std::vector<SettingSpec> Speeds() {
             SpeedOf<Feature::kGapFill>()),
       Speed("bridge_speed", "60", "Speed of bridges; 0: max_print_speed",
             SpeedOf<Feature::kBridgeInfill>(), SpeedOf<Feature::kOverhangPerimeter>()),
-      Speed("support_material_speed", "60", "Speed of rafts, skirt and brim; 0: max_print_speed",
-            SpeedOf<Feature::kSupport>(), SpeedOf<Feature::kSkirt>()),
-      RelativeSpeed("support_material_interface_speed", "100%", "support_material_speed",
-                    "Speed of the layers of rafts that carry the part; 0: max_print_speed",
-                    SpeedOf<Feature::kSupportInterface>()),
+      InScope(Scope::kObject,
+              Speed("support_material_speed", "60",
+                    "Speed of rafts, skirt and brim; 0: max_print_speed",
+                    SpeedOf<Feature::kSupport>(), SpeedOf<Feature::kSkirt>())),
+      InScope(Scope::kObject,
+              RelativeSpeed("support_material_interface_speed", "100%", "support_material_speed",
+                            "Speed of the layers of rafts that carry the part; 0: max_print_speed",
+                            SpeedOf<Feature::kSupportInterface>())),
       Speed("ironing_speed", "15", "Speed of ironing; 0: max_print_speed",
             SpeedOf<Feature::kIroning>()),
-      LayerSpeed<&MotionOptions::first_layer_speed_mm_s, &MotionOptions::first_layer_speed_ratio>(
+      LayerSpeed<&MachineMotion::first_layer_speed_mm_s, &MachineMotion::first_layer_speed_ratio>(
           "first_layer_speed",
           "Speed of all beads of the first layer; as a percentage, of what each has above"),
       RelativeSpeed("first_layer_infill_speed", "0", "solid_infill_speed",
                     "Speed of solid infill in the first layer; 0: first_layer_speed",
-                    Bind([](auto& s) -> auto& { return s.motion.first_layer_infill_speed_mm_s; })),
-      LayerSpeed<&MotionOptions::over_raft_speed_mm_s, &MotionOptions::over_raft_speed_ratio>(
+                    Bind<&MachineRow::motion, &MachineMotion::first_layer_infill_speed_mm_s>()),
+      LayerSpeed<&MachineMotion::over_raft_speed_mm_s, &MachineMotion::over_raft_speed_ratio>(
           "first_layer_speed_over_raft", "Speed of all beads of an object's first layer on a raft"),
       {.key = "max_print_speed",
        .unit = "mm/s",
@@ -166,19 +166,19 @@ std::vector<SettingSpec> Speeds() {
        .max = kMaxSpeed,
        .standard = "80",
        .doc = "Speed of features whose own setting is 0",
-       .field = Bind([](auto& s) -> auto& { return s.motion.max_print_speed_mm_s; })},
+       .field = Bind<&MachineRow::motion, &MachineMotion::max_print_speed_mm_s>()},
       {.key = "travel_speed",
        .unit = "mm/s",
        .min = 1,
        .max = kMaxSpeed,
        .standard = "130",
        .doc = "Speed of moves without extrusion",
-       .field = Bind([](auto& s) -> auto& { return s.motion.travel_speed_mm_s; })},
+       .field = Bind<&MachineRow::motion, &MachineMotion::travel_speed_mm_s>()},
       Speed("first_layer_travel_speed", "0",
             "Speed of moves without extrusion in the first layer; 0: travel_speed",
-            Bind([](auto& s) -> auto& { return s.motion.first_layer_travel_speed_mm_s; })),
+            Bind<&MachineRow::motion, &MachineMotion::first_layer_travel_speed_mm_s>()),
       Speed("travel_speed_z", "0", "Speed of moves up and down; 0: as fast as the machine's z goes",
-            Bind([](auto& s) -> auto& { return s.motion.travel_speed_z_mm_s; })),
+            Bind<&MachineRow::motion, &MachineMotion::travel_speed_z_mm_s>()),
       {.key = "max_volumetric_speed",
        .unit = "mm3/s",
        .min = 0,
@@ -187,10 +187,10 @@ std::vector<SettingSpec> Speeds() {
        .doc = "Bound on the extruded volume per second, besides the filament's own; 0: none"},
       FlowSlope("max_volumetric_extrusion_rate_slope_positive",
                 "How fast the flow may rise from bead to bead; 0: at once",
-                Bind([](auto& s) -> auto& { return s.motion.flow_rise_mm3_s2; })),
+                Bind<&MachineRow::motion, &MachineMotion::flow_rise_mm3_s2>()),
       FlowSlope("max_volumetric_extrusion_rate_slope_negative",
                 "How fast the flow may fall from bead to bead; 0: at once",
-                Bind([](auto& s) -> auto& { return s.motion.flow_fall_mm3_s2; })),
+                Bind<&MachineRow::motion, &MachineMotion::flow_fall_mm3_s2>()),
   };
 }
 
@@ -198,7 +198,7 @@ std::vector<SettingSpec> Accelerations() {
   return {
       Acceleration("default_acceleration",
                    "Acceleration where nothing below says otherwise; 0: left to the firmware",
-                   Bind([](auto& s) -> auto& { return s.motion.default_acceleration_mm_s2; })),
+                   Bind<&MachineRow::motion, &MachineMotion::default_acceleration_mm_s2>()),
       Acceleration("perimeter_acceleration", "Acceleration of inner walls; 0: default_acceleration",
                    AccelerationOf<Feature::kPerimeter>()),
       Acceleration("external_perimeter_acceleration",
@@ -217,17 +217,17 @@ std::vector<SettingSpec> Accelerations() {
                    AccelerationOf<Feature::kOverhangPerimeter>()),
       Acceleration("first_layer_acceleration",
                    "Acceleration of all beads of the first layer; 0: as in the others",
-                   Bind([](auto& s) -> auto& { return s.motion.first_layer_acceleration_mm_s2; })),
+                   Bind<&MachineRow::motion, &MachineMotion::first_layer_acceleration_mm_s2>()),
       Acceleration(
           "first_layer_acceleration_over_raft",
           "Acceleration of all beads of an object's first layer on a raft; 0: as in the others",
-          Bind([](auto& s) -> auto& { return s.motion.over_raft_acceleration_mm_s2; })),
+          Bind<&MachineRow::motion, &MachineMotion::over_raft_acceleration_mm_s2>()),
       Acceleration("travel_short_distance_acceleration",
                    "Acceleration of travels to outer walls that are shorter than "
                    "retract_before_travel; 0: travel_acceleration",
-                   Bind([](auto& s) -> auto& { return s.motion.short_travel_acceleration_mm_s2; })),
+                   Bind<&MachineRow::motion, &MachineMotion::short_travel_acceleration_mm_s2>()),
       Acceleration("travel_acceleration", "Acceleration of travel; 0: the machine's limit for it",
-                   Bind([](auto& s) -> auto& { return s.motion.travel_acceleration_mm_s2; })),
+                   Bind<&MachineRow::motion, &MachineMotion::travel_acceleration_mm_s2>()),
   };
 }
 

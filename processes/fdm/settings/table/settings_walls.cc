@@ -27,16 +27,19 @@ SettingSpec OfNozzle(std::string_view key, std::string_view standard, std::strin
           .standard = standard,
           .doc = doc,
           .relative_to = "nozzle_diameter",
-          .field = field};
+          .field = field,
+          .own_scope = Scope::kObject};
 }
 
-/// From which layer on follows from other settings (settle.h).
-void SetSpiral(JobSettings& settings, const Value& value) {
-  settings.slicing.objects[0].hollow_from = value.number != 0 ? 1 : 0;
-}
-
-Value Spiral(const JobSettings& settings) {
-  return {.number = settings.slicing.objects[0].hollow_from > 0 ? 1.0 : 0.0};
+/// Other settings say from which layer on the vase is hollow (settle.h).
+Field SpiralField() {
+  return Convert<ObjectSlicingOptions>(
+      [](ObjectSlicingOptions& row, const Value& value) {
+        row.hollow_from = value.number != 0 ? 1 : 0;
+      },
+      [](const ObjectSlicingOptions& row) {
+        return Value{.number = row.hollow_from > 0 ? 1.0 : 0.0};
+      });
 }
 
 std::vector<SettingSpec> VariableWalls() {
@@ -48,15 +51,16 @@ std::vector<SettingSpec> VariableWalls() {
        .doc = "Walls of variable width that fill thin places, or of constant width",
        .choices = {{"arachne", generator(WallGenerator::kArachne)},
                    {"classic", generator(WallGenerator::kClassic)}},
-       .field = Bind([](auto& s) -> auto& { return s.beading[0].generator; })},
+       .field = Bind<&RegionRow::walls, &BeadingOptions::generator>(),
+       .own_scope = Scope::kObject},
       {.key = "thin_walls",
        .kind = Kind::kFlag,
        .standard = "1",
        .doc = "Prints places thinner than two walls as one line (classic; arachne always does)",
-       .field = Bind([](auto& s) -> auto& { return s.beading[0].thin_walls; })},
+       .field = Bind<&RegionRow::walls, &BeadingOptions::thin_walls>()},
       OfNozzle("wall_transition_length", "100%",
                "Over what length the number of walls changes by one",
-               Bind([](auto& s) -> auto& { return s.beading[0].transition_length_nm; })),
+               Bind<&RegionRow::walls, &BeadingOptions::transition_length_nm>()),
       {.key = "wall_transition_angle",
        .unit = "degrees",
        .min = 1,
@@ -64,29 +68,32 @@ std::vector<SettingSpec> VariableWalls() {
        .standard = "10",
        .doc = "Sides that meet at less than this get walls of variable width between them",
        .field =
-           Bind<Scale::kDegrees>([](auto& s) -> auto& { return s.beading[0].transition_angle; })},
+           Bind<Scale::kDegrees, &RegionRow::walls, &BeadingOptions::transition_angle>(),
+       .own_scope = Scope::kObject},
       OfNozzle("wall_transition_filter_deviation", "25%",
                "How far widths may go beyond their limits where that saves a change of the number",
-               Bind([](auto& s) -> auto& { return s.beading[0].transition_deviation_nm; })),
+               Bind<&RegionRow::walls, &BeadingOptions::transition_deviation_nm>()),
       {.key = "wall_distribution_count",
        .kind = Kind::kInteger,
        .min = 1,
        .max = 1000,
        .standard = "1",
        .doc = "Over how many walls from the middle outwards a change of width is spread",
-       .field = Bind([](auto& s) -> auto& { return s.beading[0].distribution_count; })},
+       .field = Bind<&RegionRow::walls, &BeadingOptions::distribution_count>(),
+       .own_scope = Scope::kObject},
       OfNozzle("min_feature_size", "25%", "Thinner places are not printed (arachne)",
-               Bind([](auto& s) -> auto& { return s.beading[0].min_feature_nm; })),
+               Bind<&RegionRow::walls, &BeadingOptions::min_feature_nm>()),
       OfNozzle("min_bead_width", "85%", "Least width of a wall of variable width",
-               Bind([](auto& s) -> auto& { return s.beading[0].min_bead_width_nm; })),
+               Bind<&RegionRow::walls, &BeadingOptions::min_bead_width_nm>()),
       OfNozzle("max_bead_width", "200%",
                "Greatest width of a wall of variable width, or what the walls' own widths are",
-               Bind([](auto& s) -> auto& { return s.beading[0].max_bead_width_nm; })),
+               Bind<&RegionRow::walls, &BeadingOptions::max_bead_width_nm>()),
       {.key = "lock_outer_width",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Keeps the outer wall's width wherever a narrow wall fits between two of them",
-       .field = Bind([](auto& s) -> auto& { return s.beading[0].lock_outer_width; })},
+       .field = Bind<&RegionRow::walls, &BeadingOptions::lock_outer_width>(),
+       .own_scope = Scope::kObject},
   };
 }
 
@@ -101,21 +108,21 @@ std::vector<SettingSpec> FuzzySkins() {
        .choices = {{"none", static_cast<int>(FuzzySkin::kNone)},
                    {"external", static_cast<int>(FuzzySkin::kContours)},
                    {"all", static_cast<int>(FuzzySkin::kAllWalls)}},
-       .field = Bind([](auto& s) -> auto& { return s.beading[0].fuzzy; })},
+       .field = Bind<&RegionRow::walls, &BeadingOptions::fuzzy>()},
       {.key = "fuzzy_skin_thickness",
        .unit = "mm",
        .min = 0,
        .max = 10,
        .standard = "0.3",
        .doc = "How far points of a rough skin move, outwards and inwards, at most",
-       .field = Bind([](auto& s) -> auto& { return s.beading[0].fuzzy_thickness_nm; })},
+       .field = Bind<&RegionRow::walls, &BeadingOptions::fuzzy_thickness_nm>()},
       {.key = "fuzzy_skin_point_dist",
        .unit = "mm",
        .min = 0.01,
        .max = 100,
        .standard = "0.8",
        .doc = "Mean distance of the points of a rough skin",
-       .field = Bind([](auto& s) -> auto& { return s.beading[0].fuzzy_point_distance_nm; })},
+       .field = Bind<&RegionRow::walls, &BeadingOptions::fuzzy_point_distance_nm>()},
   };
 }
 
@@ -123,26 +130,28 @@ std::vector<SettingSpec> Widths() {
   SettingSpec first =
       Width("first_layer_extrusion_width",
             "Width of all beads of the first layer; 0: perimeter_extrusion_width",
-            Bind([](auto& s) -> auto& { return s.beading[0].first_layer_width_nm; }));
+            Bind<&RegionRow::walls, &BeadingOptions::first_layer_width_nm>());
   first.standard = "200%";
   first.relative_to = "first_layer_height";
-  first.also = Bind([](auto& s) -> auto& { return s.infill[0].first_layer_width_nm; });
+  first.own_scope = Scope::kJob;
+  first.also = Bind<&RegionRow::infill, &InfillOptions::first_layer_width_nm>();
   return {
-      Width("extrusion_width",
-            "Width of beads whose own setting is 0; 0: 1.125 times the nozzle's diameter (top "
-            "infill: the nozzle's diameter)",
-            {}),
+      InScope(Scope::kObject,
+              Width("extrusion_width",
+                    "Width of beads whose own setting is 0; 0: 1.125 times the nozzle's diameter "
+                    "(top infill: the nozzle's diameter)",
+                    {})),
       first,
       Width("perimeter_extrusion_width", "Width of the inner walls; 0: extrusion_width",
-            Bind([](auto& s) -> auto& { return s.beading[0].inner_width_nm; })),
+            Bind<&RegionRow::walls, &BeadingOptions::inner_width_nm>()),
       Width("external_perimeter_extrusion_width", "Width of the outer walls; 0: extrusion_width",
-            Bind([](auto& s) -> auto& { return s.beading[0].external_width_nm; })),
+            Bind<&RegionRow::walls, &BeadingOptions::external_width_nm>()),
       Width("infill_extrusion_width", "Width of the sparse infill's lines; 0: extrusion_width",
-            Bind([](auto& s) -> auto& { return s.infill[0].sparse_width_nm; })),
+            Bind<&RegionRow::infill, &InfillOptions::sparse_width_nm>()),
       Width("solid_infill_extrusion_width", "Width of the solid infill's lines; 0: extrusion_width",
-            Bind([](auto& s) -> auto& { return s.infill[0].solid_width_nm; })),
+            Bind<&RegionRow::infill, &InfillOptions::solid_width_nm>()),
       Width("top_infill_extrusion_width", "Width of the top surface's lines; 0: extrusion_width",
-            Bind([](auto& s) -> auto& { return s.infill[0].top_width_nm; })),
+            Bind<&RegionRow::infill, &InfillOptions::top_width_nm>()),
   };
 }
 
@@ -156,12 +165,12 @@ std::vector<SettingSpec> WallSettings() {
        .max = 1000,
        .standard = "3",
        .doc = "Number of walls",
-       .field = Bind([](auto& s) -> auto& { return s.beading[0].perimeters; })},
+       .field = Bind<&RegionRow::walls, &BeadingOptions::perimeters>()},
       {.key = "only_one_perimeter_first_layer",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "One wall in the layer on the bed, and infill inside it",
-       .field = Bind([](auto& s) -> auto& { return s.beading[0].one_on_bed; })},
+       .field = Bind<&RegionRow::walls, &BeadingOptions::one_on_bed>()},
       {.key = "top_one_perimeter_type",
        .kind = Kind::kChoice,
        .standard = "none",
@@ -170,63 +179,64 @@ std::vector<SettingSpec> WallSettings() {
        .choices = {{"none", static_cast<int>(OneWallOnTop::kNowhere)},
                    {"top", static_cast<int>(OneWallOnTop::kSurfaces)},
                    {"topmost", static_cast<int>(OneWallOnTop::kTopmost)}},
-       .field = Bind([](auto& s) -> auto& { return s.beading[0].one_on_top; })},
+       .field = Bind<&RegionRow::walls, &BeadingOptions::one_on_top>()},
       {.key = "spiral_vase",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Above the solid bottom layers the outline of one object is one bead that winds up: "
               "no seam, no infill, no top; of each layer the largest contour counts. Several "
               "copies need complete_objects",
-       .field = {SetSpiral, Spiral}},
+       .field = SpiralField(),
+       .own_scope = Scope::kJob},
       {.key = "extra_perimeters",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "More walls in slopes, until at least 70 % of the walls above rest on them; not "
               "where there is no infill (PrusaSlicer's own standard is 1, its printers' is 0)",
-       .field = Bind([](auto& s) -> auto& { return s.beading[0].extra_perimeters; })},
+       .field = Bind<&RegionRow::walls, &BeadingOptions::extra_perimeters>()},
       {.key = "external_perimeters_first",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Prints the outermost wall before the inner ones",
        .field =
-           Bind([](auto& s) -> auto& { return s.ordering.walls[0].external_perimeters_first; })},
+           Bind<&RegionRow::order, &WallOrder::external_perimeters_first>()},
       {.key = "inner_outer_inner",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Prints all inner walls but the outermost of them, then the outer wall, which they "
               "hold, and that one last; whatever external_perimeters_first says",
-       .field = Bind([](auto& s) -> auto& { return s.ordering.walls[0].inner_outer_inner; })},
+       .field = Bind<&RegionRow::order, &WallOrder::inner_outer_inner>()},
       {.key = "gap_fill_enabled",
        .kind = Kind::kFlag,
        .standard = "1",
        .doc = "Fills gaps between walls that are too narrow for another one",
-       .field = Bind([](auto& s) -> auto& { return s.beading[0].gap_fill; })},
+       .field = Bind<&RegionRow::walls, &BeadingOptions::gap_fill>()},
       {.key = "gap_fill_min_width",
        .unit = "mm",
        .min = 0,
        .max = 5,
        .standard = "0.08",
        .doc = "Narrower gaps stay empty",
-       .field = Bind([](auto& s) -> auto& { return s.beading[0].min_gap_width_nm; })},
+       .field = Bind<&RegionRow::walls, &BeadingOptions::min_gap_width_nm>()},
       {.key = "gap_fill_max_width",
        .unit = "mm",
        .min = 0,
        .max = 20,
        .standard = "0.8",
        .doc = "Wider gaps are the infill's",
-       .field = Bind([](auto& s) -> auto& { return s.beading[0].max_gap_width_nm; })},
+       .field = Bind<&RegionRow::walls, &BeadingOptions::max_gap_width_nm>()},
       {.key = "prefer_clockwise_movements",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Prints loops round the outside clockwise, and those round holes the other way",
-       .field = Bind([](auto& s) -> auto& { return s.ordering.clockwise; })},
+       .field = Bind<&MachineRow::order, &JobOrder::clockwise>()},
       {.key = "ordering_improvement_moves",
        .kind = Kind::kInteger,
        .min = 0,
        .max = 100e6,
        .standard = "200000",
        .doc = "How many changes of the printing order are tried per layer to shorten the travel",
-       .field = Bind([](auto& s) -> auto& { return s.ordering.improvement_moves; })},
+       .field = Bind<&MachineRow::order, &JobOrder::improvement_moves>()},
   };
   for (SettingSpec& wall : VariableWalls()) settings.push_back(std::move(wall));
   for (SettingSpec& fuzzy : FuzzySkins()) settings.push_back(std::move(fuzzy));

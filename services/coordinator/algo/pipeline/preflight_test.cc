@@ -180,9 +180,9 @@ TEST(LookAt, CountsCopies) {
 
 TEST(LookAt, CompleteObjectsNeedAnOrderAndCoolEachByItself) {
   JobInput input = Input();
-  FdmOf(input.settings).motion.cooling.slowdown_below_layer_time_s = 1'000;
+  FdmOf(input.settings).tools[0].cooling.slowdown_below_layer_time_s = 1'000;
   const auto together = Look({}, input, FakeSlicing(10, 3), FakePlanning());
-  FdmOf(input.settings).planning.sequence.complete_objects = true;
+  FdmOf(input.settings).machine.plan.sequence.complete_objects = true;
   const auto apart = Look({}, input, FakeSlicing(10, 3), FakePlanning());
   ASSERT_TRUE(apart.ok()) << apart.status();
   EXPECT_EQ(apart->layers, 30);

@@ -52,6 +52,16 @@ v1::ListSettingsResponse::Info ToProto(const config::SettingSpec& spec) {
   info.set_default_value(std::string(spec.standard));
   info.set_range(config::DescribeRange(spec));
   info.set_unit(std::string(spec.unit));
+  info.set_kind(std::string(config::KindName(spec.kind)));
+  info.set_group(std::string(spec.group));
+  const std::string_view place = config::ScopeName(spec.scope());
+  info.set_scope(std::string(place.substr(place.find(' ') + 1)));
+  for (const config::Choice& choice : spec.choices)
+    if (choice.note.empty()) info.add_choices(std::string(choice.name));
+  if (spec.min < spec.max) {
+    info.set_min(spec.min);
+    info.set_max(spec.max);
+  }
   return info;
 }
 

@@ -246,8 +246,18 @@ TEST_F(IntegratorCallsTest, TheFarmSaysWhatItKnows) {
   EXPECT_GT(usage->kept_bytes(), 2);
   const auto settings = Call(*jobs_, &v1::Jobs::Stub::ListSettings, v1::ListSettingsRequest());
   ASSERT_TRUE(settings.ok()) << settings.status();
-  EXPECT_TRUE(std::ranges::any_of(settings->settings(),
-                                  [](const auto& info) { return info.key() == "layer_height"; }));
+  const auto info = [&](std::string_view key) {
+    for (const auto& each : settings->settings())
+      if (each.key() == key) return each;
+    return v1::ListSettingsResponse::Info();
+  };
+  EXPECT_EQ(info("layer_height").kind(), "number");
+  EXPECT_EQ(info("layer_height").scope(), "object");
+  EXPECT_EQ(info("layer_height").max(), 5);
+  EXPECT_EQ(info("fill_density").scope(), "region");
+  EXPECT_EQ(info("fill_density").group(), "infill");
+  EXPECT_FALSE(info("layer_gcode").has_min());
+  EXPECT_EQ(info("seam_position").choices_size(), 4);
 }
 
 TEST_F(IntegratorCallsTest, AJobTellsOfItsAttempts) {

@@ -31,7 +31,7 @@ class BuddyFirmware : public MarlinFirmware {
                    GcodeText& out) const override {
     if (!StartCommands(options, {"M862"})) {
       out << "M862.1 P";
-      out.Real(options.nozzle_diameter_mm, 3) << '\n';
+      out.Real(options.tool().nozzle_diameter_mm, 3) << '\n';
       if (!options.printer_model.empty())
         out << "M862.3 P \"" << Quotable(options.printer_model) << "\"\n";
     }

@@ -9,7 +9,7 @@ namespace slicefarm::motion {
 namespace {
 
 double FilamentAreaMm2(const MotionOptions& options) {
-  return std::numbers::pi / 4 * options.filament_diameter_mm * options.filament_diameter_mm;
+  return std::numbers::pi / 4 * options.tool().filament_diameter_mm * options.tool().filament_diameter_mm;
 }
 
 }  // namespace

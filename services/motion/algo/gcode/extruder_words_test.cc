@@ -9,9 +9,9 @@ namespace {
 
 MotionOptions Options(bool relative, bool volumetric, bool by_firmware = false) {
   MotionOptions options;
-  options.filament_diameter_mm = 1.75;
-  options.retraction.length_mm = 0.8;
-  options.retraction.speed_mm_s = 35;
+  options.tool().filament_diameter_mm = 1.75;
+  options.tool().retraction.length_mm = 0.8;
+  options.tool().retraction.speed_mm_s = 35;
   options.writing.relative_e = relative;
   options.writing.volumetric_e = volumetric;
   options.writing.firmware_retraction = by_firmware;
@@ -63,7 +63,7 @@ TEST(ExtruderWords, TheHeadOfAProgramAgrees) {
     ExtruderWords extruder(options);
     GcodeText out;
     extruder.WriteCanonicalState(out);
-    extruder.WriteFirstRetraction(options.retraction, out);
+    extruder.WriteFirstRetraction(options.tool().retraction, out);
     return out.Take();
   };
   EXPECT_EQ(head(Options(true, false)), "G21\nG90\nM83\nG1 E-.8 F2100\n");
@@ -71,7 +71,7 @@ TEST(ExtruderWords, TheHeadOfAProgramAgrees) {
   EXPECT_EQ(head(Options(true, true)), "G21\nG90\nM83\nG1 E-1.92423 F2100\n");
   EXPECT_EQ(head(Options(true, false, true)), "G21\nG90\nM83\nG10\n");
   MotionOptions none = Options(true, false);
-  none.retraction.length_mm = 0;
+  none.tool().retraction.length_mm = 0;
   EXPECT_EQ(head(none), "G21\nG90\nM83\n");
 }
 

@@ -23,8 +23,8 @@ namespace {
 
 /// Chooses the tool, unless start G-code has done so.
 void WriteTool(const MotionOptions& options, std::string_view start_gcode, GcodeText& out) {
-  const std::string tool = "T" + std::to_string(options.tool);
-  if (options.tool < 0 || Commands(start_gcode, {tool})) return;
+  const std::string tool = "T" + std::to_string(options.tool().number);
+  if (options.tool().number < 0 || Commands(start_gcode, {tool})) return;
   out << tool << '\n';
 }
 
@@ -36,27 +36,27 @@ void WriteStart(const MotionOptions& options, const StartCode& code, GcodeText& 
   const bool sets_nozzle = leaves || Commands(code.machine, {"M104", "M109"});
   const bool sets_chamber =
       leaves || !options.heats_chamber || Commands(code.machine, {"M141", "M191"});
-  if (!sets_chamber) WriteTemperature("M141", options.chamber_temperature_c, out);
-  if (!sets_bed) WriteTemperature("M190", options.first_layer_bed_temperature_c, out);
-  if (!sets_nozzle) WriteTemperature("M104", options.first_layer_temperature_c, out);
+  if (!sets_chamber) WriteTemperature("M141", options.tool().chamber_temperature_c, out);
+  if (!sets_bed) WriteTemperature("M190", options.tool().first_layer_bed_temperature_c, out);
+  if (!sets_nozzle) WriteTemperature("M104", options.tool().first_layer_temperature_c, out);
   out.Lines(code.machine);
   out.Lines(FirmwareOf(options.flavor).comments().start_gcode_end);
-  if (!sets_nozzle) WriteTemperature("M109", options.first_layer_temperature_c, out);
-  if (!sets_chamber) WriteTemperature("M191", options.chamber_least_c, out);
-  if (!sets_chamber) WriteTemperature("M141", options.chamber_temperature_c, out);
+  if (!sets_nozzle) WriteTemperature("M109", options.tool().first_layer_temperature_c, out);
+  if (!sets_chamber) WriteTemperature("M191", options.tool().chamber_least_c, out);
+  if (!sets_chamber) WriteTemperature("M141", options.tool().chamber_temperature_c, out);
   WriteTool(options, code.machine, out);
   out.Lines(code.filament);
 }
 
 bool StartCommands(const MotionOptions& options, std::initializer_list<std::string_view> commands) {
   return Commands(options.start_gcode, commands) ||
-         Commands(options.start_filament_gcode, commands);
+         Commands(options.tool().start_filament_gcode, commands);
 }
 
 MachineLimits LimitsAfterStart(const MotionOptions& options) {
   const Firmware& firmware = FirmwareOf(options.flavor);
   MachineLimits limits = options.limits;
-  for (const SharedText* code : {&options.start_gcode, &options.start_filament_gcode}) {
+  for (const SharedText* code : {&options.start_gcode, &options.tool().start_filament_gcode}) {
     for (const std::string_view text : Split(*code, "\n")) {
       const GcodeLine line = ParseGcodeLine(text);
       if (line.fault.empty() && text.find_first_of("{[") == text.npos)

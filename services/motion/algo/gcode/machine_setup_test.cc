@@ -37,10 +37,10 @@ TEST(WriteMachineLimits, Klipper) {
 
 std::string Start(std::string_view machine, std::string_view filament = {}, int32_t tool = -1) {
   MotionOptions options;
-  options.first_layer_temperature_c = 215;
-  options.first_layer_bed_temperature_c = 60;
+  options.tool().first_layer_temperature_c = 215;
+  options.tool().first_layer_bed_temperature_c = 60;
   GcodeText out;
-  options.tool = tool;
+  options.tool().number = tool;
   WriteStart(options, {machine, filament}, out);
   return out.Take();
 }
@@ -80,7 +80,7 @@ TEST(LimitsAfterStart, StartGcodeHoldsOverTheSettings) {
   EXPECT_EQ(limits.max_acceleration_mm_s2, options.limits.max_acceleration_mm_s2);
   EXPECT_EQ(limits.max_feedrate_mm_s[0], 90);
   EXPECT_EQ(limits.max_acceleration_extruding_mm_s2, 600);
-  options.start_filament_gcode = "M203 X80";
+  options.tool().start_filament_gcode = "M203 X80";
   EXPECT_EQ(LimitsAfterStart(options).max_feedrate_mm_s[0], 80);
   options.default_acceleration_mm_s2 = 1000;
   EXPECT_EQ(LimitsAfterStart(options).max_acceleration_extruding_mm_s2,

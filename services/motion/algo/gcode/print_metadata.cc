@@ -88,17 +88,17 @@ std::vector<Setting> KnownSettings(const MotionOptions& options, const ProgramSu
     settings.emplace_back("layer_height", height(summary.layers.size() > 1 ? 1 : 0));
     settings.emplace_back("first_layer_height", height(0));
   }
-  settings.emplace_back("nozzle_diameter", Number(options.nozzle_diameter_mm, 3));
-  settings.emplace_back("temperature", std::to_string(options.temperature_c));
+  settings.emplace_back("nozzle_diameter", Number(options.tool().nozzle_diameter_mm, 3));
+  settings.emplace_back("temperature", std::to_string(options.tool().temperature_c));
   settings.emplace_back("first_layer_temperature",
-                        std::to_string(options.first_layer_temperature_c));
-  settings.emplace_back("bed_temperature", std::to_string(options.bed_temperature_c));
+                        std::to_string(options.tool().first_layer_temperature_c));
+  settings.emplace_back("bed_temperature", std::to_string(options.tool().bed_temperature_c));
   settings.emplace_back("first_layer_bed_temperature",
-                        std::to_string(options.first_layer_bed_temperature_c));
-  settings.emplace_back("filament_type", OneLine(options.filament_type));
-  settings.emplace_back("filament_colour", OneLine(options.filament_colour));
-  settings.emplace_back("extruder_colour", OneLine(options.filament_colour));
-  settings.emplace_back("filament_settings_id", Quoted(options.filament_settings_id));
+                        std::to_string(options.tool().first_layer_bed_temperature_c));
+  settings.emplace_back("filament_type", OneLine(options.tool().filament_type));
+  settings.emplace_back("filament_colour", OneLine(options.tool().filament_colour));
+  settings.emplace_back("extruder_colour", OneLine(options.tool().filament_colour));
+  settings.emplace_back("filament_settings_id", Quoted(options.tool().filament_settings_id));
   settings.emplace_back("printer_model", OneLine(options.printer_model));
   for (const auto& [key, value] : kUnlessGiven) settings.emplace_back(key, value);
   return settings;

@@ -14,15 +14,15 @@ using ::testing::Not;
 
 MotionOptions Options() {
   MotionOptions options;
-  options.filament_cost_per_kg = 25;
-  options.filament_density_g_cm3 = 1.24;
-  options.first_layer_temperature_c = 215;
-  options.temperature_c = 210;
-  options.first_layer_bed_temperature_c = 60;
-  options.bed_temperature_c = 55;
-  options.filament_type = "PETG";
-  options.filament_colour = "#FF8000";
-  options.filament_settings_id = "My \"PETG\"";
+  options.tool().filament_cost_per_kg = 25;
+  options.tool().filament_density_g_cm3 = 1.24;
+  options.tool().first_layer_temperature_c = 215;
+  options.tool().temperature_c = 210;
+  options.tool().first_layer_bed_temperature_c = 60;
+  options.tool().bed_temperature_c = 55;
+  options.tool().filament_type = "PETG";
+  options.tool().filament_colour = "#FF8000";
+  options.tool().filament_settings_id = "My \"PETG\"";
   options.printer_model = "MK3S";
   return options;
 }
@@ -144,7 +144,7 @@ TEST(MetadataTail, NothingPrinted) {
 TEST(Metadata, EveryLineIsAComment) {
   const std::string hostile = "x\nM112\rG28\n\vM104 S500\f\x1b[2J\"; \n";
   MotionOptions options = Options();
-  options.filament_type = options.filament_colour = options.filament_settings_id =
+  options.tool().filament_type = options.tool().filament_colour = options.tool().filament_settings_id =
       options.printer_model = hostile;
   ProgramSummary summary = Summary();
   summary.copies.clear();

@@ -49,7 +49,7 @@ absl::StatusOr<HeightTexts> HeightTexts::Of(const MotionOptions& options) {
         absl::StrCat("custom_gcode_per_print_z: ", std::string(codes.status().message())),
         {{"setting", "custom_gcode_per_print_z"}});
   texts.codes_ = *std::move(codes);
-  texts.tool_ = std::max(options.tool, 0);
+  texts.tool_ = std::max(options.tool().number, 0);
   return texts;
 }
 

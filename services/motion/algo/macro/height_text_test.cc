@@ -60,7 +60,7 @@ TEST(HeightTexts, StandInTheLayerThatReachesThem) {
 
 TEST(HeightTexts, NameTheToolThatPrints) {
   MotionOptions options = Options();
-  options.tool = 3;
+  options.tool().number = 3;
   const auto texts = HeightTexts::Of(options);
   const auto code = macro::ParseJobCode(options);
   EXPECT_EQ(At(*texts, *code, 2), ";COLOR_CHANGE,T3,#00FF00\nM600 ;2\n");

@@ -60,7 +60,7 @@ TEST(FillIn, SumsRunFromLayerToLayer) {
 TEST(FillIn, GlobalsLiveOverBlocks) {
   MotionOptions options;
   options.start_gcode = "{global count = 9}";
-  options.start_filament_gcode = "{count = count + 1}{count}";
+  options.tool().start_filament_gcode = "{count = count + 1}{count}";
   options.before_layer_gcode = "{count = count + 1}";
   options.layer_gcode = "{count}";
   options.between_objects_gcode = "{count = 20}";

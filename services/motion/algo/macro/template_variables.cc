@@ -29,28 +29,28 @@ TemplateVariables OptionVariables(const MotionOptions& options) {
   const auto whole = [&](const char* name, int64_t value) { put(name, value); };
   const auto real = [&](const char* name, double value) { put(name, value); };
   const auto text = [&](const char* name, const std::string& value) { put(name, value); };
-  whole("temperature", options.temperature_c);
-  whole("first_layer_temperature", options.first_layer_temperature_c);
-  whole("bed_temperature", options.bed_temperature_c);
-  whole("first_layer_bed_temperature", options.first_layer_bed_temperature_c);
-  real("nozzle_diameter", options.nozzle_diameter_mm);
-  real("filament_diameter", options.filament_diameter_mm);
-  real("filament_density", options.filament_density_g_cm3);
-  real("filament_cost", options.filament_cost_per_kg);
-  real("extrusion_multiplier", options.extrusion_multiplier);
-  text("filament_type", options.filament_type);
-  text("filament_colour", options.filament_colour);
-  text("filament_settings_id", options.filament_settings_id);
+  whole("temperature", options.tool().temperature_c);
+  whole("first_layer_temperature", options.tool().first_layer_temperature_c);
+  whole("bed_temperature", options.tool().bed_temperature_c);
+  whole("first_layer_bed_temperature", options.tool().first_layer_bed_temperature_c);
+  real("nozzle_diameter", options.tool().nozzle_diameter_mm);
+  real("filament_diameter", options.tool().filament_diameter_mm);
+  real("filament_density", options.tool().filament_density_g_cm3);
+  real("filament_cost", options.tool().filament_cost_per_kg);
+  real("extrusion_multiplier", options.tool().extrusion_multiplier);
+  text("filament_type", options.tool().filament_type);
+  text("filament_colour", options.tool().filament_colour);
+  text("filament_settings_id", options.tool().filament_settings_id);
   text("printer_model", options.printer_model);
   text("gcode_flavor", std::string(FirmwareOf(options.flavor).name()));
   real("z_offset", options.z_offset_mm);
   real("travel_speed", options.travel_speed_mm_s);
-  real("retract_length", options.retraction.length_mm);
-  real("retract_lift", options.retraction.lift_mm);
-  real("retract_speed", options.retraction.speed_mm_s);
-  whole("min_fan_speed", options.cooling.min_fan_percent);
-  whole("max_fan_speed", options.cooling.max_fan_percent);
-  whole("bridge_fan_speed", options.cooling.bridge_fan_percent);
+  real("retract_length", options.tool().retraction.length_mm);
+  real("retract_lift", options.tool().retraction.lift_mm);
+  real("retract_speed", options.tool().retraction.speed_mm_s);
+  whole("min_fan_speed", options.tool().cooling.min_fan_percent);
+  whole("max_fan_speed", options.tool().cooling.max_fan_percent);
+  whole("bridge_fan_speed", options.tool().cooling.bridge_fan_percent);
   return variables;
 }
 
@@ -143,7 +143,7 @@ TemplateVariables PrintVariables(const MotionOptions& options, const ProgramSumm
 
 void PutUseSoFar(const MotionOptions& options, double filament_mm, TemplateVariables& variables) {
   ProgramStats so_far;
-  const double radius_mm = options.filament_diameter_mm / 2;
+  const double radius_mm = options.tool().filament_diameter_mm / 2;
   so_far.features[0].filament_mm = filament_mm;
   so_far.features[0].volume_mm3 = filament_mm * std::numbers::pi * radius_mm * radius_mm;
   const FilamentUse use = FilamentUseOf(so_far, options);

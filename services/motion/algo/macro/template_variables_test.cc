@@ -19,8 +19,8 @@ std::string Filled(std::string_view code, const TemplateVariables& variables) {
 // What the stage works with counts, not what is quoted.
 TEST(JobVariables, OptionsThenSettingsThenDefaults) {
   MotionOptions options;
-  options.first_layer_temperature_c = 215;
-  options.filament_type = "PETG";
+  options.tool().first_layer_temperature_c = 215;
+  options.tool().filament_type = "PETG";
   const TemplateVariables variables =
       JobVariables(options, "temperature = 999\nperimeters = 3\nbed_shape = 0x0,9x0,9x8\n");
   EXPECT_EQ(Filled("{temperature[0]} {first_layer_temperature[0]} {filament_type[0]} {perimeters} "

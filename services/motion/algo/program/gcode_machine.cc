@@ -246,9 +246,9 @@ double GcodeMachine::FilamentUnitMm(double diameter_mm) {
 
 MachineSetup SetupOf(const MotionOptions& options) {
   return {options.limits,
-          options.retraction,
+          options.tool().retraction,
           {options.nozzle_heating_c_s, options.bed_heating_c_s},
-          options.writing.volumetric_e ? options.filament_diameter_mm : 0};
+          options.writing.volumetric_e ? options.tool().filament_diameter_mm : 0};
 }
 
 /// What the program takes for the filament's place stays.

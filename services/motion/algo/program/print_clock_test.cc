@@ -44,8 +44,8 @@ struct Case {
 MotionOptions Options(const Case& c) {
   MotionOptions options;
   options.flavor = c.flavor;
-  options.retraction.length_mm = c.retraction_mm;
-  options.retraction.lift_mm = c.lift_mm;
+  options.tool().retraction.length_mm = c.retraction_mm;
+  options.tool().retraction.lift_mm = c.lift_mm;
   options.travel_acceleration_mm_s2 = c.travel_acceleration_mm_s2;
   if (c.told) {
     options.default_acceleration_mm_s2 = 1000;
@@ -85,7 +85,7 @@ TEST_P(PrintClockTest, IsTheTimeOfTheWholeProgram) {
   gcode += frame->epilogue;
 
   const ProgramTime want =
-      TimeOfProgram(gcode, FirmwareOf(options.flavor), {options.limits, options.retraction, {}});
+      TimeOfProgram(gcode, FirmwareOf(options.flavor), {options.limits, options.tool().retraction, {}});
   const PrintTimes& got = frame->times;
   const double tolerance = GetParam().tolerance_s;
   EXPECT_NEAR(got.TotalS(), want.TotalS(), tolerance);

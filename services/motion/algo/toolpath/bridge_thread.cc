@@ -23,7 +23,7 @@ double ThreadMm(const RegionSpeeds& region, double nozzle_mm) {
 Coord ThreadNm(const Path& path, Coord bead_height_nm, const MotionOptions& options) {
   if (path.feature != Feature::kBridgeInfill) return 0;
   const double thread_mm =
-      ThreadMm(options.speeds[static_cast<size_t>(path.settings)], options.nozzle_diameter_mm);
+      ThreadMm(options.speeds[static_cast<size_t>(path.settings)], options.tool().nozzle_diameter_mm);
   const double off_mm2 = SectionMm2(path.widths_nm.front(), bead_height_nm) - DiscMm2(thread_mm);
   return std::abs(off_mm2) <= kThreadTolerance * DiscMm2(thread_mm) ? FromMm(thread_mm) : 0;
 }

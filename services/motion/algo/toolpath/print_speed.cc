@@ -57,7 +57,7 @@ double PrintSpeeds::OverAir(const Path& path, double speed_mm_s, uint8_t rest) c
 }
 
 double PrintSpeeds::LimitedByFlow(double speed_mm_s, double section_mm2) const {
-  const double most = options_.max_volumetric_speed_mm3_s;
+  const double most = options_.tool().max_volumetric_speed_mm3_s;
   if (most <= 0 || section_mm2 <= 0) return speed_mm_s;
   return std::min(speed_mm_s, most / section_mm2);
 }

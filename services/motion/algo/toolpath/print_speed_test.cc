@@ -101,7 +101,7 @@ TEST(PrintSpeeds, Defaults) {
 TEST(PrintSpeeds, VolumePerSecond) {
   MotionOptions options = Options();
   EXPECT_EQ(PrintSpeeds(options, Ground::kLayers).LimitedByFlow(60, 0.1), 60);
-  options.max_volumetric_speed_mm3_s = 4;
+  options.tool().max_volumetric_speed_mm3_s = 4;
   EXPECT_EQ(PrintSpeeds(options, Ground::kLayers).LimitedByFlow(60, 0.1), 40);
   EXPECT_EQ(PrintSpeeds(options, Ground::kLayers).LimitedByFlow(30, 0.1), 30);
 }

@@ -46,13 +46,13 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
       first_layer_(frame.index == 0),
       speeds_(options, ground),
       accelerations_(AccelerationsFor(options, ground)),
-      filament_area_mm2_(std::numbers::pi / 4 * options.filament_diameter_mm *
-                         options.filament_diameter_mm),
+      filament_area_mm2_(std::numbers::pi / 4 * options.tool().filament_diameter_mm *
+                         options.tool().filament_diameter_mm),
       bead_height_nm_(bead_height_nm),
       below_(below),
       carried_(carried),
       wipe_(WipeOf(options)) {
-  const RetractionOptions& retraction = options.retraction;
+  const RetractionOptions& retraction = options.tool().retraction;
   const Coord offset_nm = FromMm(options.z_offset_mm);
   z_um_ = ToUm(frame.print_z_nm + offset_nm);
   bottom_um_ = ToUm(frame.print_z_nm - bead_height_nm + offset_nm);
@@ -147,7 +147,7 @@ Toolpath ToolpathBuilder::FinishAt(const std::optional<Leave>& leave) {
 
 ToolpathBuilder::Bead ToolpathBuilder::BeadOf(Coord width_nm, double speed_mm_s) const {
   const double section_mm2 =
-      SectionMm2(width_nm, bead_height_nm_) * options_.extrusion_multiplier * flow_;
+      SectionMm2(width_nm, bead_height_nm_) * options_.tool().extrusion_multiplier * flow_;
   return {width_nm, section_mm2 / filament_area_mm2_ * kFilamentUnitsPerMm,
           FeedRate(speeds_.LimitedByFlow(speed_mm_s, section_mm2))};
 }
@@ -227,7 +227,7 @@ double ToolpathBuilder::TurnSpeed(const Path& path, double speed_mm_s, uint8_t r
 std::optional<RestSteps> ToolpathBuilder::RestUnder(const Path& path) const {
   if (below_ == nullptr || !IsWall(path.feature)) return std::nullopt;
   const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
-  if (region.dynamic_overhangs || options_.cooling.dynamic_fan) return RestSteps::kAll;
+  if (region.dynamic_overhangs || options_.tool().cooling.dynamic_fan) return RestSteps::kAll;
   if (!region.bridging_walls) return std::nullopt;
   return RestSteps::kAirAlone;
 }
@@ -277,12 +277,12 @@ void ToolpathBuilder::PrintBridge(const Path& path, Point from, Point to, Coord 
   Bead bead = BeadOf(width_nm, speed_mm_s);
   double section_mm2 = SectionMm2(width_nm, bead_height_nm_) * region.bridge_flow;
   if (region.thick_bridges && thread) {
-    const double thread_mm = ThreadMm(region, options_.nozzle_diameter_mm);
+    const double thread_mm = ThreadMm(region, options_.tool().nozzle_diameter_mm);
     section_mm2 = DiscMm2(thread_mm);
     bead.width_nm = FromMm(thread_mm);
     at_.height_um = ToUm(bead.width_nm);
   }
-  section_mm2 *= options_.extrusion_multiplier;
+  section_mm2 *= options_.tool().extrusion_multiplier;
   bead.filament_per_mm = section_mm2 / filament_area_mm2_ * kFilamentUnitsPerMm;
   bead.feed_rate = FeedRate(speeds_.LimitedByFlow(speed_mm_s, section_mm2));
   at_.feature = kBridge;
@@ -358,13 +358,13 @@ void ToolpathBuilder::GoTo(Point to, const Travel& travel) {
   add(to);
   if (way.empty()) return;
   short_way_ =
-      at_.feature == Feature::kExternalPerimeter && WayMm(way) < options_.retraction.min_travel_mm;
-  const bool goes_back = travel.over_wall || WayMm(way) >= options_.retraction.min_travel_mm;
+      at_.feature == Feature::kExternalPerimeter && WayMm(way) < options_.tool().retraction.min_travel_mm;
+  const bool goes_back = travel.over_wall || WayMm(way) >= options_.tool().retraction.min_travel_mm;
   if ((!travel.hidden || moved_on_) && goes_back) {
     Retract();
-    const bool rises = RisesAfter(options_.retraction.lift_after, first_layer_, after_top_);
+    const bool rises = RisesAfter(options_.tool().retraction.lift_after, first_layer_, after_top_);
     const int32_t lift_um = rises ? lift_um_ : 0;
-    if (lift_um != 0 && RisesAlongTheWay(options_.retraction)) {
+    if (lift_um != 0 && RisesAlongTheWay(options_.tool().retraction)) {
       Rise(way);
       return;
     }
@@ -379,7 +379,7 @@ void ToolpathBuilder::Rise(std::span<const PlaceUm> way) {
   stats_.travel_mm += WayMm(way);
   ++stats_.travels;
   const PlaceUm from{at_.x_um, at_.y_um};
-  for (const auto [place, up_um] : RampedWay(from, way, options_.retraction, below_)) {
+  for (const auto [place, up_um] : RampedWay(from, way, options_.tool().retraction, below_)) {
     if (place == PlaceUm{at_.x_um, at_.y_um}) {
       MoveZ(z_um_ + up_um);
       continue;
@@ -425,7 +425,7 @@ void ToolpathBuilder::Retract() {
   const int32_t before =
       wipe_way_.empty()
           ? retract_units_
-          : static_cast<int32_t>(std::lround(options_.retraction.before_wipe * retract_units_));
+          : static_cast<int32_t>(std::lround(options_.tool().retraction.before_wipe * retract_units_));
   PullBack(before);
   if (before < retract_units_)
     PullBack(retract_units_ - before - WipeBack(retract_units_ - before));
@@ -434,7 +434,7 @@ void ToolpathBuilder::Retract() {
 void ToolpathBuilder::PullBack(int32_t units) {
   if (units <= 0) return;
   at_.filament = -units;
-  at_.feed_rate = FeedRate(options_.retraction.speed_mm_s);
+  at_.feed_rate = FeedRate(options_.tool().retraction.speed_mm_s);
   Push(MoveKind::kRetract, accelerations_.Retract(set_acceleration_));
   path_.moves.back().if_needed = std::exchange(as_left_, false);
 }
@@ -466,7 +466,7 @@ void ToolpathBuilder::Restart() {
   const bool if_needed = std::exchange(as_left_, false);
   if (restart_units_ == 0) return;
   at_.filament = restart_units_;
-  at_.feed_rate = FeedRate(options_.retraction.restart_speed_mm_s);
+  at_.feed_rate = FeedRate(options_.tool().retraction.restart_speed_mm_s);
   if (!if_needed) filament_ += restart_units_ - retract_units_;
   Push(MoveKind::kRestart, accelerations_.Retract(set_acceleration_));
   path_.moves.back().if_needed = if_needed;

@@ -51,7 +51,7 @@ int64_t Printed(const Toolpath& path) {
 }
 
 double FilamentArea(const MotionOptions& options) {
-  return std::numbers::pi / 4 * options.filament_diameter_mm * options.filament_diameter_mm;
+  return std::numbers::pi / 4 * options.tool().filament_diameter_mm * options.tool().filament_diameter_mm;
 }
 
 TEST(ToolpathBuilder, NothingToPrint) {
@@ -75,7 +75,7 @@ TEST(ToolpathBuilder, OneLineFromAndToTheCanonicalState) {
 
 std::vector<MoveKind> KindsAsLeft(const Travel& way_in, const std::optional<Leave>& leave) {
   MotionOptions options;
-  options.retraction.lift_mm = 0.3;
+  options.tool().retraction.lift_mm = 0.3;
   ToolpathBuilder builder(options, kFrame, kFrame.height_nm);
   builder.BeginAsLeft();
   builder.Add(Line("(10 10, 20 10)"), way_in);
@@ -134,9 +134,9 @@ TEST(ToolpathBuilder, NothingToPrintHandsTheFilamentOnAsItShould) {
 
 TEST(ToolpathBuilder, RisesAlongItsWay) {
   MotionOptions options;
-  options.retraction.ramping = true;
-  options.retraction.ramp_lift_mm = 1;
-  options.retraction.ramp_slope_deg = 45;
+  options.tool().retraction.ramping = true;
+  options.tool().retraction.ramp_lift_mm = 1;
+  options.tool().retraction.ramp_slope_deg = 45;
   using enum MoveKind;
   // To the first path it rises straight up.
   const Built far = Build({Line("(0 0, 10 0)"), Line("(20 0, 30 0)")}, options);
@@ -151,7 +151,7 @@ TEST(ToolpathBuilder, RisesAlongItsWay) {
   const Built near = Build({Line("(0 0, 10 0)"), Line("(11 0, 30 0)")}, options);
   EXPECT_THAT(Kinds(near.path),
               ElementsAre(kLift, kTravel, kLift, kRestart, kPrint, kTravel, kPrint, kRetract));
-  options.retraction.ramp_slope_deg = 90;
+  options.tool().retraction.ramp_slope_deg = 90;
   const Built up = Build({Line("(0 0, 10 0)"), Line("(20 0, 30 0)")}, options);
   EXPECT_THAT(Kinds(up.path), ElementsAre(kLift, kTravel, kLift, kRestart, kPrint, kRetract, kLift,
                                           kTravel, kLift, kRestart, kPrint, kRetract));
@@ -303,7 +303,7 @@ TEST(ToolpathBuilder, ArcsKeepTheirPointsIfAskedFor) {
 
 TEST(ToolpathBuilder, FilamentIsTheBeadsVolume) {
   MotionOptions options;
-  options.extrusion_multiplier = 0.95;
+  options.tool().extrusion_multiplier = 0.95;
   const Built built = Build({Line("(0 0, 30 40)")}, options);
   const double volume = 50 * SectionMm2(450'000, 200'000) * 0.95;
   EXPECT_NEAR(static_cast<double>(Printed(built.path)), volume / FilamentArea(options) * 1e5, 0.5);
@@ -381,7 +381,7 @@ TEST(ToolpathBuilder, AHiddenTravelKeepsTheFilament) {
 
 TEST(ToolpathBuilder, AHiddenTravelDoesNotLift) {
   MotionOptions options;
-  options.retraction.lift_mm = 0.6;
+  options.tool().retraction.lift_mm = 0.6;
   for (const Move& move : WithTravel({true, {}}, options).path.moves)
     EXPECT_TRUE(move.z_um == 1'000 || move.kind != MoveKind::kTravel || move.x_um == 20'000);
   EXPECT_EQ(WithTravel({true, {}}, options).path.moves[4].z_um, 400);
@@ -404,7 +404,7 @@ TEST(ToolpathBuilder, ATravelGoesByItsCorners) {
 
 TEST(ToolpathBuilder, AWayRoundRetractsByItsWholeLength) {
   MotionOptions options;
-  options.retraction.min_travel_mm = 11;
+  options.tool().retraction.min_travel_mm = 11;
   EXPECT_EQ(WithTravel({}, options).stats.retractions, 1);
   const Travel around{false, MakeLineOrDie("(23 14, 23 20)")};
   EXPECT_EQ(WithTravel(around, options).stats.retractions, 2);
@@ -436,7 +436,7 @@ TEST(ToolpathBuilder, NoTravelWherePathsMeet) {
 
 TEST(ToolpathBuilder, LiftsAroundTravels) {
   MotionOptions options;
-  options.retraction.lift_mm = 0.3;
+  options.tool().retraction.lift_mm = 0.3;
   const Built built = Build({Line("(0 0, 10 0)"), Line("(50 0, 60 0)")}, options);
   EXPECT_THAT(
       Kinds(built.path),
@@ -450,8 +450,8 @@ TEST(ToolpathBuilder, LiftsAroundTravels) {
 /// How many travels rise: to a wall, from there to a top, from there to a wall over fill of a gap.
 int RisesOf(LiftAfter after, int32_t layer) {
   MotionOptions options;
-  options.retraction.lift_mm = 0.3;
-  options.retraction.lift_after = after;
+  options.tool().retraction.lift_mm = 0.3;
+  options.tool().retraction.lift_after = after;
   const LayerFrame frame{layer, (layer + 1) * 200'000, 200'000};
   ToolpathBuilder builder(options, frame, frame.height_nm);
   Coord x = 0;
@@ -481,8 +481,8 @@ TEST(ToolpathBuilder, LiftsAfterWhatTheSettingsSay) {
 
 TEST(ToolpathBuilder, WithoutRetractionNothingIsPulledOrLifted) {
   MotionOptions options;
-  options.retraction.length_mm = 0;
-  options.retraction.lift_mm = 0.3;
+  options.tool().retraction.length_mm = 0;
+  options.tool().retraction.lift_mm = 0.3;
   const Built built = Build({Line("(0 0, 10 0)"), Line("(50 0, 60 0)")}, options);
   EXPECT_THAT(Kinds(built.path), ElementsAre(MoveKind::kLift, MoveKind::kTravel, MoveKind::kPrint,
                                              MoveKind::kTravel, MoveKind::kPrint));
@@ -490,7 +490,7 @@ TEST(ToolpathBuilder, WithoutRetractionNothingIsPulledOrLifted) {
 
 TEST(ToolpathBuilder, ExtraOnRestartIsPrinted) {
   MotionOptions options;
-  options.retraction.restart_extra_mm = 0.05;
+  options.tool().retraction.restart_extra_mm = 0.05;
   const Built with = Build({Line("(0 0, 10 0)")}, options);
   const Built without = Build({Line("(0 0, 10 0)")});
   EXPECT_EQ(with.path.moves[2].filament, 85'000);
@@ -500,7 +500,7 @@ TEST(ToolpathBuilder, ExtraOnRestartIsPrinted) {
 MotionOptions Wiping() {
   MotionOptions options;
   options.travel_speed_mm_s = 150;
-  options.retraction = {.length_mm = 0.7, .speed_mm_s = 35, .wipe = true, .before_wipe = 0.5};
+  options.tool().retraction = {.length_mm = 0.7, .speed_mm_s = 35, .wipe = true, .before_wipe = 0.5};
   return options;
 }
 
@@ -525,7 +525,7 @@ TEST(ToolpathBuilder, PullsBackAsMuchWhateverTheWay) {
   for (const std::string_view line : {"(0 0, 0.1 0)", "(0 0, 0.5 0)", "(0 0, 1.1 0)", "(0 0, 9 0)"})
     for (const double before : {0.0, 0.31, 1.0}) {
       MotionOptions options = Wiping();
-      options.retraction.before_wipe = before;
+      options.tool().retraction.before_wipe = before;
       int64_t pulled = 0;
       for (const Move& move : Build({Line(line)}, options).path.moves) {
         if (move.kind != MoveKind::kRetract && move.kind != MoveKind::kWipe) continue;
@@ -538,10 +538,10 @@ TEST(ToolpathBuilder, PullsBackAsMuchWhateverTheWay) {
 
 TEST(ToolpathBuilder, RisesBetweenTwoHeightsOnly) {
   MotionOptions options;
-  options.retraction.lift_mm = 0.3;
+  options.tool().retraction.lift_mm = 0.3;
   const auto rises = [&](double above_mm, double below_mm) {
-    options.retraction.lift_above_mm = above_mm;
-    options.retraction.lift_below_mm = below_mm;
+    options.tool().retraction.lift_above_mm = above_mm;
+    options.tool().retraction.lift_below_mm = below_mm;
     return Build({Line("(0 0, 10 0)")}, options).path.moves[0].z_um > 400;
   };
   EXPECT_TRUE(rises(0, 0));
@@ -588,7 +588,7 @@ TEST(ToolpathBuilder, EachPathHasTheSpeedOfItsRegion) {
 
 TEST(ToolpathBuilder, WideBeadsAreSlowerWhereVolumeIsLimited) {
   MotionOptions options;
-  options.max_volumetric_speed_mm3_s = 2;
+  options.tool().max_volumetric_speed_mm3_s = 2;
   options.speeds[0].small_perimeter_speed_mm_s = 0;
   const Built built =
       Build({Line("(0 0, 10 0, 10 0, 20 0)", {400'000, 400'000, 800'000, 800'000})}, options);
@@ -604,7 +604,7 @@ TEST(ToolpathBuilder, WideBeadsAreSlowerWhereVolumeIsLimited) {
 // Rounding to micrometres and to 1e-5 mm of filament makes short pieces thicker than their bead.
 TEST(ToolpathBuilder, ShortPiecesKeepTheLimitOfVolume) {
   MotionOptions options;
-  options.max_volumetric_speed_mm3_s = 2;
+  options.tool().max_volumetric_speed_mm3_s = 2;
   options.speeds[0].small_perimeter_speed_mm_s = 0;
   options.resolution_nm = 0;
   Path circle;
@@ -653,7 +653,7 @@ TEST(ToolpathBuilder, BoundsAreThoseOfTheBeads) {
 
 TEST(ToolpathBuilder, AnAbsurdSegmentDoesNotOverflow) {
   MotionOptions options;
-  options.extrusion_multiplier = 1000;
+  options.tool().extrusion_multiplier = 1000;
   const Built built = Build({Line("(-2000 0, 2000 0)", {90'000'000})}, options, 90'000'000);
   EXPECT_GT(built.path.moves[3].filament, 0);
 }

@@ -28,7 +28,7 @@ std::vector<Point> WayOn(const Path& path) {
 }  // namespace
 
 Wipe WipeOf(const MotionOptions& options) {
-  const RetractionOptions& retraction = options.retraction;
+  const RetractionOptions& retraction = options.tool().retraction;
   const double pulled_mm = retraction.length_mm * (1 - retraction.before_wipe);
   if (!retraction.wipe || pulled_mm <= 0 || retraction.speed_mm_s <= 0) return {};
   const double speed_mm_s = kSpeedShare * TravelSpeed(options);

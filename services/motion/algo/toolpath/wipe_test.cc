@@ -20,7 +20,7 @@ Path Loop(std::string_view points) {
 MotionOptions Wiping() {
   MotionOptions options;
   options.travel_speed_mm_s = 150;
-  options.retraction = {.length_mm = 0.7, .speed_mm_s = 35, .wipe = true};
+  options.tool().retraction = {.length_mm = 0.7, .speed_mm_s = 35, .wipe = true};
   return options;
 }
 
@@ -32,7 +32,7 @@ TEST(WipeOf, TakesAsLongAsTheRetractionAlone) {
 
 TEST(WipeOf, IsShorterByWhatIsPulledBackBefore) {
   MotionOptions options = Wiping();
-  options.retraction.before_wipe = 0.75;
+  options.tool().retraction.before_wipe = 0.75;
   EXPECT_DOUBLE_EQ(WipeOf(options).length_mm, 0.6);
 }
 
@@ -41,7 +41,7 @@ TEST(WipeOf, NoneWithoutTheSettingOrARetraction) {
                             +[](RetractionOptions& r) { r.length_mm = 0; },
                             +[](RetractionOptions& r) { r.before_wipe = 1; }}) {
     MotionOptions options = Wiping();
-    spoil(options.retraction);
+    spoil(options.tool().retraction);
     EXPECT_EQ(WipeOf(options).length_mm, 0);
   }
 }

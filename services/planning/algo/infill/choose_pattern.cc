@@ -44,11 +44,11 @@ PartShape ShapeOf(const ObjectStack& stack) {
   return {ToMm(static_cast<double>(top - bottom)), ToMm(4 * area / perimeter)};
 }
 
-PatternChoice ChoosePattern(const InfillPlanOptions& options, const PartShape& shape) {
+PatternChoice ChoosePattern(const InfillOptions& options, const PartShape& shape) {
   const double density = options.density;
   if (density >= kCrowded)
     return {FillPattern::kRectilinear, "so dense that crossing lines would pile up"};
-  const double pitch_mm = ToMm(static_cast<double>(options.width_nm)) / std::max(density, 0.01);
+  const double pitch_mm = ToMm(static_cast<double>(options.sparse_width_nm)) / std::max(density, 0.01);
   const bool flexible = options.goal == FillGoal::kFlexibility;
   if (shape.width_mm < kNarrowPitches * pitch_mm) {
     if (flexible) return {FillPattern::kConcentric, "too narrow for cells: lines along it bend"};

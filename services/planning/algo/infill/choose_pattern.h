@@ -32,6 +32,6 @@ struct PatternChoice {
 ///     flexibility                      gyroid
 ///     strength, density below 40 %     cubic
 ///     strength                         gyroid
-PatternChoice ChoosePattern(const InfillPlanOptions& options, const PartShape& shape);
+PatternChoice ChoosePattern(const InfillOptions& options, const PartShape& shape);
 
 }  // namespace slicefarm::planning

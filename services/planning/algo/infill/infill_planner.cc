@@ -25,23 +25,23 @@ constexpr Coord kBridgedWidths = 2;
 /// A strip of so many beads has no room for lines of its own.
 constexpr Coord kNarrowWidths = 4;
 
-bool NeedsPlan(const InfillPlanOptions& options) {
+bool NeedsPlan(const InfillOptions& options) {
   return options.choose_pattern || InfoOf(options.pattern).planned || options.every_layers > 1 ||
          options.only_where_needed;
 }
 
 /// The distance of lines that the density asks for, in layers of the usual height.
-double PitchOf(const InfillPlanOptions& options, const ObjectStack& stack) {
+double PitchOf(const InfillOptions& options, const ObjectStack& stack) {
   Coord height_nm = 0;
   for (const StackLayer& layer : stack) height_nm = std::max(height_nm, layer.height_nm);
-  return static_cast<double>(Spacing(options.width_nm, height_nm)) / options.density;
+  return static_cast<double>(Spacing(options.sparse_width_nm, height_nm)) / options.density;
 }
 
 /// The same for the finest cubes of an octree. Planes stand 3 widths / density apart in space, as
 /// in PrusaSlicer (FillAdaptive): the density of a profile that comes from there means the same
 /// cubes, whose lines are as long per area as cubic infill's of 0.74 of that density.
-double OctreePitchOf(const InfillPlanOptions& options) {
-  return std::sqrt(1.5) * static_cast<double>(options.width_nm) / options.density;
+double OctreePitchOf(const InfillOptions& options) {
+  return std::sqrt(1.5) * static_cast<double>(options.sparse_width_nm) / options.density;
 }
 
 double ReachOf(const ObjectStack& stack) {
@@ -55,7 +55,7 @@ double ReachOf(const ObjectStack& stack) {
   return static_cast<double>(reach);
 }
 
-LinesByLayer OctreeLines(FillPattern pattern, const InfillPlanOptions& options,
+LinesByLayer OctreeLines(FillPattern pattern, const InfillOptions& options,
                          const ObjectStack& stack) {
   CubicOctree tree(OctreePitchOf(options), options.angle_rad, ReachOf(stack));
   const auto step = static_cast<Coord>(tree.StepNm());
@@ -86,7 +86,7 @@ struct SparsePlaces {
   std::vector<MultiPolygon> roofs;
 };
 
-SparsePlaces PlacesOf(const InfillPlanOptions& options, const ObjectStack& stack) {
+SparsePlaces PlacesOf(const InfillOptions& options, const ObjectStack& stack) {
   SparsePlaces places;
   places.inner = InnerAreas(stack, options.walls_nm);
   places.areas = SparseAreas(stack, places.inner,
@@ -96,14 +96,14 @@ SparsePlaces PlacesOf(const InfillPlanOptions& options, const ObjectStack& stack
   return places;
 }
 
-LinesByLayer LinesOf(FillPattern pattern, const InfillPlanOptions& options,
+LinesByLayer LinesOf(FillPattern pattern, const InfillOptions& options,
                      const ObjectStack& stack, const SparsePlaces& places) {
   if (options.density <= 0 || !InfoOf(pattern).planned) return LinesByLayer(stack.size());
   if (pattern != FillPattern::kLightning) return OctreeLines(pattern, options, stack);
   const double radius = PitchOf(options, stack);
   const auto hollow = HollowAreas(places.inner, places.areas, std::llround(radius));
   return LightningLines(stack, hollow, RoofsOf(hollow),
-                        {.radius_nm = radius, .beyond_nm = static_cast<double>(options.width_nm)});
+                        {.radius_nm = radius, .beyond_nm = static_cast<double>(options.sparse_width_nm)});
 }
 
 }  // namespace
@@ -139,7 +139,7 @@ absl::Status InfillPlanner::Finish(const CancelToken& cancel, OpenLayers& layers
 
 void InfillPlanner::FinishRow(const Key& key, const ObjectStack& stack, OpenLayers& layers,
                               JobPlan& plan) const {
-  const InfillPlanOptions& options = options_.infill[static_cast<size_t>(key.second)];
+  const InfillOptions& options = options_.infill[static_cast<size_t>(key.second)];
   FillPattern pattern = options.pattern;
   if (options.choose_pattern) {
     const PartShape shape = ShapeOf(stack);
@@ -157,10 +157,10 @@ void InfillPlanner::FinishRow(const Key& key, const ObjectStack& stack, OpenLaye
   LinesByLayer lines = LinesOf(pattern, options, stack, sparse);
   std::vector<InfillPlaces> places(stack.size());
   if (options.only_where_needed)
-    LeaveOutUnneeded(sparse.areas, sparse.roofs, kBridgedWidths * options.width_nm,
-                     options.walls_nm + options.width_nm, places);
+    LeaveOutUnneeded(sparse.areas, sparse.roofs, kBridgedWidths * options.sparse_width_nm,
+                     options.walls_nm + options.sparse_width_nm, places);
   if (options.every_layers > 1)
-    CombineLayers(stack, sparse.areas, options.every_layers, kNarrowWidths * options.width_nm,
+    CombineLayers(stack, sparse.areas, options.every_layers, kNarrowWidths * options.sparse_width_nm,
                   places);
   for (size_t i = 0; i < stack.size(); ++i) {
     if (stack[i].region.empty()) continue;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kLayers = 40;
 
-JobPlan PlanFor(const InfillPlanOptions& infill, const std::vector<SlicedLayer>& layers) {
+JobPlan PlanFor(const InfillOptions& infill, const std::vector<SlicedLayer>& layers) {
   PlanningOptions options;
   options.infill = {infill};
   const std::vector<std::string> names = {"block"};
@@ -34,7 +34,7 @@ std::vector<SlicedLayer> Block() {
   return layers;
 }
 
-InfillPlanOptions Options(FillPattern pattern) {
+InfillOptions Options(FillPattern pattern) {
   return {.pattern = pattern, .walls_nm = 900'000, .top_solid_layers = 3, .bottom_solid_layers = 3};
 }
 
@@ -92,10 +92,10 @@ TEST(InfillPlanner, SupportCubicIsDenserBelowTops) {
 // a layer.
 TEST(InfillPlanner, OctreesHaveTheCubesThatADensityMeansInPrusaSlicer) {
   for (const double density : {0.2, 0.4}) {
-    InfillPlanOptions options = Options(FillPattern::kAdaptiveCubic);
+    InfillOptions options = Options(FillPattern::kAdaptiveCubic);
     options.density = density;
     options.angle_rad = 0;
-    const double apart = 3 * std::sqrt(1.5) * static_cast<double>(options.width_nm) / density;
+    const double apart = 3 * std::sqrt(1.5) * static_cast<double>(options.sparse_width_nm) / density;
     int next_to_each_other = 0;
     for (const LayerPlan& layer : PlanFor(options, Block()).layers) {
       std::vector<double> along_x;
@@ -113,7 +113,7 @@ TEST(InfillPlanner, OctreesHaveTheCubesThatADensityMeansInPrusaSlicer) {
 }
 
 TEST(InfillPlanner, SaysWhatItChoseAndWhy) {
-  InfillPlanOptions options = Options(FillPattern::kGrid);
+  InfillOptions options = Options(FillPattern::kGrid);
   options.choose_pattern = true;
   const JobPlan plan = PlanFor(options, Block());
   ASSERT_EQ(plan.notes.size(), 1u);
@@ -129,7 +129,7 @@ TEST(InfillPlanner, SaysWhatItChoseAndWhy) {
 }
 
 TEST(InfillPlanner, GivesPlacesForLayersThatArePrintedAtOnce) {
-  InfillPlanOptions options = Options(FillPattern::kGrid);
+  InfillOptions options = Options(FillPattern::kGrid);
   options.every_layers = 2;
   const JobPlan plan = PlanFor(options, Block());
   EXPECT_EQ(plan.layers[5].infill[0].left_out, plan.layers[6].infill[0].combined);
@@ -138,7 +138,7 @@ TEST(InfillPlanner, GivesPlacesForLayersThatArePrintedAtOnce) {
 }
 
 TEST(InfillPlanner, NoDensityNoLines) {
-  InfillPlanOptions options = Options(FillPattern::kLightning);
+  InfillOptions options = Options(FillPattern::kLightning);
   options.density = 0;
   for (const LayerPlan& layer : PlanFor(options, Block()).layers)
     EXPECT_TRUE(layer.infill[0].lines.empty());

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "common/base/shared/shared_text.h"
+#include "common/geometry/point.h"
+#include "common/model/options/region_speeds.h"
+
+namespace slicefarm {
+
+/// retract_lift_enforce: after which beads the nozzle rises for a travel.
+enum class LiftAfter : uint8_t {
+  kAll,
+  kTop,           ///< tops and ironing
+  kBottom,        ///< those of the first layer
+  kTopAndBottom,  ///< both
+};
+
+struct RetractionOptions {
+  double length_mm = 0.8;          ///< retract_length; 0: none
+  double speed_mm_s = 35;          ///< retract_speed
+  double restart_speed_mm_s = 35;  ///< deretract_speed (0 in the settings: as retract_speed)
+  double restart_extra_mm = 0;     ///< retract_restart_extra
+  double min_travel_mm = 2;        ///< retract_before_travel: shorter travels do not retract
+  double lift_mm = 0;              ///< retract_lift
+  double lift_above_mm = 0;        ///< retract_lift_above: no lift where the nozzle is lower
+  double lift_below_mm = 0;        ///< retract_lift_below: nor higher than this; 0: however high
+  LiftAfter lift_after = LiftAfter::kAll;  ///< retract_lift_enforce
+  bool ramping = false;            ///< travel_ramping_lift: the nozzle rises on its way
+  double ramp_lift_mm = 0;         ///< travel_max_lift: in place of lift_mm
+  double ramp_slope_deg = 0;       ///< travel_slope; 0 and 90: straight up
+  bool before_obstacles = false;   ///< travel_lift_before_obstacle: steeper where edges are near
+  bool wipe = false;               ///< wipe: the nozzle goes on along the path while retracting
+  double before_wipe = 0;          ///< retract_before_wipe: share of the length, in place
+
+  friend bool operator==(const RetractionOptions&, const RetractionOptions&) = default;
+};
+
+struct CoolingOptions {
+  bool enabled = true;                     ///< cooling
+  bool fan_always_on = true;               ///< fan_always_on
+  int32_t min_fan_percent = 35;            ///< min_fan_speed
+  int32_t max_fan_percent = 100;           ///< max_fan_speed
+  int32_t bridge_fan_percent = 100;        ///< bridge_fan_speed
+  int32_t disable_fan_first_layers = 1;    ///< disable_fan_first_layers
+  double fan_below_layer_time_s = 60;      ///< fan_below_layer_time
+  double slowdown_below_layer_time_s = 5;  ///< slowdown_below_layer_time
+  double min_print_speed_mm_s = 10;        ///< min_print_speed
+  /// cooling_slowdown_logic = consistent_surface: outer walls are slowed down last.
+  bool consistent_surface = false;
+  double transition_mm = 10;  ///< cooling_perimeter_transition_distance, then, before outer walls
+  int32_t full_fan_speed_layer = 0;  ///< full_fan_speed_layer: the fan grows up to it; 0: none
+  bool dynamic_fan = false;          ///< enable_dynamic_fan_speeds
+  /// overhang_fan_speed_0 to _3, by degree.
+  std::array<int32_t, kOverhangDegrees> overhang_fan_percent = {};
+
+  friend bool operator==(const CoolingOptions&, const CoolingOptions&) = default;
+};
+
+/// Settings of one tool: its nozzle and the filament in it.
+struct ToolRow {
+  RetractionOptions retraction;
+  CoolingOptions cooling;
+
+  double nozzle_diameter_mm = 0.4;        ///< nozzle_diameter
+  Point offset;                           ///< extruder_offset, taken off all places in the G-code
+  int32_t number = -1;                    ///< extruder - 1; -1: the machine has one tool
+  double max_volumetric_speed_mm3_s = 0;  ///< filament_max_volumetric_speed; 0: unlimited
+  double pressure_advance = 0;            ///< pressure_advance, in the firmware's unit; 0: unchanged
+
+  double filament_diameter_mm = 1.75;    ///< filament_diameter
+  double extrusion_multiplier = 1;       ///< extrusion_multiplier
+  double filament_density_g_cm3 = 1.24;  ///< filament_density
+  double filament_cost_per_kg = 0;       ///< filament_cost
+  std::string filament_type = "PLA";     ///< filament_type
+  std::string filament_colour;           ///< filament_colour
+  std::string filament_settings_id;      ///< filament_settings_id
+
+  int32_t temperature_c = 200;                ///< temperature
+  int32_t first_layer_temperature_c = 200;    ///< first_layer_temperature
+  int32_t bed_temperature_c = 0;              ///< bed_temperature
+  int32_t first_layer_bed_temperature_c = 0;  ///< first_layer_bed_temperature
+  int32_t chamber_temperature_c = 0;          ///< chamber_temperature
+  int32_t chamber_least_c = 0;                ///< chamber_minimal_temperature: waited for
+  /// start_filament_gcode: after start_gcode, when all is hot and the tool is chosen.
+  SharedText start_filament_gcode;
+
+  friend bool operator==(const ToolRow&, const ToolRow&) = default;
+};
+
+}  // namespace slicefarm
