@@ -69,6 +69,7 @@ struct InfillOptions {
   int32_t solid_every_layers = 0;    ///< solid_infill_every_layers; 0: none
   double bridge_angle_rad = 0;       ///< bridge_angle; 0: found for each bridge
   double bridge_flow = 1;            ///< bridge_flow_ratio: plastic of bridges' beads
+  double top_flow = 1;               ///< top_solid_infill_flow_ratio: plastic of top skins
   bool thick_bridges = true;         ///< thick_bridges: round threads as wide as the nozzle
   Coord walls_nm = 0;                ///< how thick the walls are about which it lies
   bool over_bridges = false;       ///< over_bridge_speed: solid infill over bridges goes by itself

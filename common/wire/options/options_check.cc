@@ -108,6 +108,7 @@ absl::Status CheckInfill(const InfillOptions& infill) {
   status.Update(CheckNoLessThanZero("solid_every_layers", infill.solid_every_layers));
   status.Update(CheckAboveZero("every_layers", infill.every_layers));
   status.Update(CheckAboveZero("bridge_flow", infill.bridge_flow));
+  status.Update(CheckAboveZero("top_flow", infill.top_flow));
   status.Update(CheckNoLessThanZero("ironing.flow", infill.ironing.flow));
   return status;
 }

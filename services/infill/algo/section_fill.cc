@@ -193,7 +193,9 @@ class RegionFill {
       if (!group.ok()) return group.status();
       if (!flows_.empty())
         for (Path& path : group->paths) ThinShortLines(flows_, view_.height_nm, path);
-      Append(*std::move(group), {feature, pattern, Area(region), view_.height_nm}, fills);
+      const double flow = feature == Feature::kTopSolidInfill ? options_.top_flow : 1;
+      ScaleSections(flow, view_.height_nm, view_.height_nm, group->paths);
+      Append(*std::move(group), {feature, pattern, Area(region), view_.height_nm, flow}, fills);
     }
     return absl::OkStatus();
   }

@@ -444,6 +444,20 @@ TEST(FillSection, ShortSolidLinesGetThePlasticThatTheTableSays) {
   EXPECT_NEAR(volumes(9)[0], top[0], 0.01 * top[0]);
 }
 
+TEST(FillSection, TopSkinsGetTheFlowOfTheirOwn) {
+  InfillOptions options = Thin();
+  const auto volume = [&](int32_t layer, Feature feature) {
+    return VolumeOf(PathsIn(SquareOf(options, {}, layer)), feature);
+  };
+  const double top = volume(9, Feature::kTopSolidInfill);
+  const double bottom = volume(0, Feature::kSolidInfill);
+  ASSERT_GT(top, 0);
+  ASSERT_GT(bottom, 0);
+  options.top_flow = 1.2;
+  EXPECT_NEAR(volume(9, Feature::kTopSolidInfill), 1.2 * top, 0.001 * top);
+  EXPECT_EQ(volume(0, Feature::kSolidInfill), bottom);
+}
+
 TEST(FillSection, RefusesATableOfFlowsThatIsNone) {
   const auto layers = Prism();
   const ObjectLayers objects(layers);
