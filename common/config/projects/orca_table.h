@@ -3,22 +3,9 @@
 #include <span>
 #include <string_view>
 
-namespace slicefarm::config {
+#include "common/config/table/orca_name.h"
 
-/// How a value of OrcaSlicer's becomes one of PrusaSlicer's.
-enum class OrcaValue {
-  kSame,
-  kPercent,    ///< a number is a percentage, with or without its sign
-  kPercentOf,  ///< a percentage is one of `detail`, which is another setting of OrcaSlicer's
-  kOrAuto,     ///< a number; a negative one, or `detail`, leaves the choice to the slicer
-  kRest,       ///< a percentage, of which PrusaSlicer says what is missing to 100%
-  kNot,        ///< a flag that means the opposite
-  kPoints,     ///< a list counts as a whole
-  kPairs,      ///< the same, with `;` between its items
-  kChoice,     ///< one of those that OrcaChoices lists for the row's `from`
-  kWhole,      ///< the text as it is
-  kGcode,      ///< G-code, whose placeholders have other names
-};
+namespace slicefarm::config {
 
 struct OrcaRow {
   std::string_view from;  ///< OrcaSlicer's and Bambu Studio's name
@@ -47,6 +34,8 @@ struct OrcaStandard {
   std::string_view value;
 };
 
+/// Returns the names of all settings in OrcaSlicer: those that rows of the settings table tell, then
+/// those of settings that slicefarm only knows. Made once.
 std::span<const OrcaRow> OrcaRows();
 std::span<const OrcaChoice> OrcaChoices();
 std::span<const OrcaVariable> OrcaVariables();

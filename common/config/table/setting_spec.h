@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/config/table/field.h"
+#include "common/config/table/orca_name.h"
 
 namespace slicefarm::config {
 
@@ -85,6 +86,7 @@ struct SettingSpec {
   Field also = {};   ///< a second place for the same value
   std::string_view group = {};          ///< part of the table: "walls", "infill"
   std::optional<Scope> own_scope = {};  ///< where the setting has no field, or a wider scope
+  std::vector<OrcaName> orca = {};      ///< of two names the later one wins
 
   Scope scope() const { return own_scope.value_or(field.scope); }
 };
@@ -92,6 +94,12 @@ struct SettingSpec {
 /// Returns the setting with a scope that differs from its row's.
 inline SettingSpec InScope(Scope scope, SettingSpec spec) {
   spec.own_scope = scope;
+  return spec;
+}
+
+/// Returns the setting with its name in OrcaSlicer.
+inline SettingSpec Orca(OrcaName name, SettingSpec spec) {
+  spec.orca.push_back(name);
   return spec;
 }
 

@@ -21,7 +21,7 @@ constexpr SettingGroup kGroups[] = {
     {"layers", LayerSettings},     {"slicing", SlicingSettings},   {"walls", WallSettings},
     {"seams", SeamSettings},       {"infill", InfillSettings},     {"adhesion", AdhesionSettings},
     {"supports", SupportSettings}, {"speed", SpeedSettings},       {"filament", FilamentSettings},
-    {"machine", MachineSettings},  {"output", WritingSettings},
+    {"machine", MachineSettings},  {"travel", TravelSettings},     {"output", WritingSettings},
 };
 
 class OfFdm : public ProcessSettings {

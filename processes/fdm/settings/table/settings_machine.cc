@@ -23,44 +23,64 @@ std::vector<SettingSpec> AxisLimits(std::array<std::string_view, 3> keys,
                                     std::array<std::string_view, 3> standards) {
   return {
       Limit(keys[0], "mm/s", 0.001, 100'000, standards[0], "Speed limit of this axis",
-            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_feedrate_mm_s, kAxis>()),
+            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_feedrate_mm_s,
+                 kAxis>()),
       Limit(keys[1], "mm/s2", 0.001, 1e6, standards[1], "Acceleration limit of this axis",
-            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_acceleration_mm_s2, kAxis>()),
+            Bind<&MachineRow::motion, &MachineMotion::limits,
+                 &MachineLimits::max_acceleration_mm_s2, kAxis>()),
       Limit(keys[2], "mm/s", 0, 100'000, standards[2],
             "Jump of speed that this axis allows at corners (Marlin's classic jerk)",
-            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_jerk_mm_s, kAxis>()),
+            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_jerk_mm_s,
+                 kAxis>()),
   };
 }
 
 std::vector<SettingSpec> WholeMachineLimits() {
   return {
-      Limit("machine_max_acceleration_extruding", "mm/s2", 0, 1e6, "1500",
-            "Acceleration limit while extruding; 0: none", Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_acceleration_extruding_mm_s2>()),
-      Limit("machine_max_acceleration_retracting", "mm/s2", 0, 1e6, "1500",
-            "Acceleration limit of retractions; 0: none", Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_acceleration_retracting_mm_s2>()),
-      Limit("machine_max_acceleration_travel", "mm/s2", 0, 1e6, "1500",
-            "Acceleration limit of travel; 0: none",
-            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_acceleration_travel_mm_s2>()),
-      Limit("machine_max_junction_deviation", "mm", 0, 10, "0",
-            "Marlin's junction deviation; 0: the firmware uses classic jerk",
-            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::junction_deviation_mm>()),
+      Orca({"machine_max_acceleration_extruding"},
+           Limit("machine_max_acceleration_extruding", "mm/s2", 0, 1e6, "1500",
+                 "Acceleration limit while extruding; 0: none",
+                 Bind<&MachineRow::motion, &MachineMotion::limits,
+                      &MachineLimits::max_acceleration_extruding_mm_s2>())),
+      Orca({"machine_max_acceleration_retracting"},
+           Limit("machine_max_acceleration_retracting", "mm/s2", 0, 1e6, "1500",
+                 "Acceleration limit of retractions; 0: none",
+                 Bind<&MachineRow::motion, &MachineMotion::limits,
+                      &MachineLimits::max_acceleration_retracting_mm_s2>())),
+      Orca({"machine_max_acceleration_travel"},
+           Limit("machine_max_acceleration_travel", "mm/s2", 0, 1e6, "1500",
+                 "Acceleration limit of travel; 0: none",
+                 Bind<&MachineRow::motion, &MachineMotion::limits,
+                      &MachineLimits::max_acceleration_travel_mm_s2>())),
+      Orca({"machine_max_junction_deviation"},
+           Limit("machine_max_junction_deviation", "mm", 0, 10, "0",
+                 "Marlin's junction deviation; 0: the firmware uses classic jerk",
+                 Bind<&MachineRow::motion, &MachineMotion::limits,
+                      &MachineLimits::junction_deviation_mm>())),
       Limit("square_corner_velocity", "mm/s", 0, 1000, "5", "Klipper's speed through right angles",
-            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::square_corner_velocity_mm_s>()),
+            Bind<&MachineRow::motion, &MachineMotion::limits,
+                 &MachineLimits::square_corner_velocity_mm_s>()),
       Limit("minimum_cruise_ratio", "", 0, 0.99, "0.5",
             "Klipper's least share of a short move at its top speed",
-            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::minimum_cruise_ratio>()),
-      Limit("machine_min_extruding_rate", "mm/s", 0, 1000, "0", "No bead is slower",
-            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::min_extruding_rate_mm_s>()),
-      Limit("machine_min_travel_rate", "mm/s", 0, 1000, "0", "No travel is slower",
-            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::min_travel_rate_mm_s>()),
+            Bind<&MachineRow::motion, &MachineMotion::limits,
+                 &MachineLimits::minimum_cruise_ratio>()),
+      Orca({"machine_min_extruding_rate"},
+           Limit("machine_min_extruding_rate", "mm/s", 0, 1000, "0", "No bead is slower",
+                 Bind<&MachineRow::motion, &MachineMotion::limits,
+                      &MachineLimits::min_extruding_rate_mm_s>())),
+      Orca({"machine_min_travel_rate"},
+           Limit("machine_min_travel_rate", "mm/s", 0, 1000, "0", "No travel is slower",
+                 Bind<&MachineRow::motion, &MachineMotion::limits,
+                      &MachineLimits::min_travel_rate_mm_s>())),
       Limit("jerk_limit", "mm/s3", 1, 1e8, "100000",
             "How fast acceleration may change on machines that follow the host's own planner",
             Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::jerk_mm_s3>()),
       {.key = "silent_mode",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "The machine has a silent mode (Marlin): the second values of its limits say how long "
-              "the print takes in it"},
+       .doc =
+           "The machine has a silent mode (Marlin): the second values of its limits say how long "
+           "the print takes in it"},
       {.key = "machine_limits_usage",
        .kind = Kind::kChoice,
        .standard = "time_estimate_only",
@@ -74,176 +94,6 @@ std::vector<SettingSpec> WholeMachineLimits() {
            [](const MachineRow& row) {
              return Value{.number = row.motion.limits.emit_to_gcode ? 1.0 : 0.0};
            })},
-  };
-}
-
-/// A setting of retraction, and the filament's own one that overrides it (through derive.h).
-void AddRetraction(std::vector<SettingSpec>& to, SettingSpec spec, std::string_view filament_key) {
-  spec.list = List::kPerExtruder;
-  to.push_back(spec);
-  spec.key = filament_key;
-  spec.standard = kNotSet;
-  spec.doc = "The filament's own value of the setting without filament_; nil: none";
-  spec.field = {};
-  to.push_back(spec);
-}
-
-void AddRetraction(std::vector<SettingSpec>& to, std::string_view key,
-                   std::string_view filament_key, std::string_view unit, double max,
-                   std::string_view standard, std::string_view doc, Field field, double min = 0) {
-  AddRetraction(to,
-                {.key = key,
-                 .unit = unit,
-                 .min = min,
-                 .max = max,
-                 .standard = standard,
-                 .doc = doc,
-                 .field = field},
-                filament_key);
-}
-
-std::vector<SettingSpec> Retraction() {
-  std::vector<SettingSpec> settings;
-  AddRetraction(settings, "retract_length", "filament_retract_length", "mm", 100, "2",
-                "How much filament is pulled back before a travel; 0: none",
-                Bind<&ToolRow::retraction, &RetractionOptions::length_mm>());
-  AddRetraction(settings, "retract_speed", "filament_retract_speed", "mm/s", 1000, "40",
-                "Speed of pulling back",
-                Bind<&ToolRow::retraction, &RetractionOptions::speed_mm_s>());
-  AddRetraction(settings, "deretract_speed", "filament_deretract_speed", "mm/s", 1000, "0",
-                "Speed of pushing forward again; 0: retract_speed",
-                Bind<&ToolRow::retraction, &RetractionOptions::restart_speed_mm_s>());
-  AddRetraction(settings, "retract_restart_extra", "filament_retract_restart_extra", "mm", 100, "0",
-                "How much more is pushed forward than was pulled back; negative: how much less",
-                Bind<&ToolRow::retraction, &RetractionOptions::restart_extra_mm>(),
-                /*min=*/-100);
-  AddRetraction(settings, "retract_before_travel", "filament_retract_before_travel", "mm", 1000,
-                "2", "Shorter travels do not retract, but for those over outer walls",
-                Bind<&ToolRow::retraction, &RetractionOptions::min_travel_mm>());
-  AddRetraction(settings, "retract_lift", "filament_retract_lift", "mm", 100, "0",
-                "How far the nozzle rises over a travel",
-                Bind<&ToolRow::retraction, &RetractionOptions::lift_mm>());
-  AddRetraction(settings, "retract_lift_above", "filament_retract_lift_above", "mm", 10'000, "0",
-                "The nozzle does not rise in layers lower than this",
-                Bind<&ToolRow::retraction, &RetractionOptions::lift_above_mm>());
-  AddRetraction(settings, "retract_lift_below", "filament_retract_lift_below", "mm", 10'000, "0",
-                "Nor in layers higher than this; 0: however high",
-                Bind<&ToolRow::retraction, &RetractionOptions::lift_below_mm>());
-  const auto after = [](LiftAfter a) { return static_cast<int>(a); };
-  AddRetraction(settings,
-                {.key = "retract_lift_enforce",
-                 .kind = Kind::kChoice,
-                 .standard = "all",
-                 .doc = "After which beads the nozzle rises for a travel: all, those of tops and of "
-                        "ironing, those of the first layer, or of both",
-                 .choices = {{"all", after(LiftAfter::kAll)},
-                             {"top", after(LiftAfter::kTop)},
-                             {"bottom", after(LiftAfter::kBottom)},
-                             {"top_and_bottom", after(LiftAfter::kTopAndBottom)}},
-                 .field = Bind<&ToolRow::retraction, &RetractionOptions::lift_after>()},
-                "filament_retract_lift_enforce");
-  AddRetraction(settings,
-                {.key = "travel_ramping_lift",
-                 .kind = Kind::kFlag,
-                 .standard = "0",
-                 .doc = "The nozzle rises along its way by travel_max_lift and travel_slope, in "
-                        "place of straight up by retract_lift",
-                 .field = Bind<&ToolRow::retraction, &RetractionOptions::ramping>()},
-                "filament_travel_ramping_lift");
-  AddRetraction(settings, "travel_max_lift", "filament_travel_max_lift", "mm", 1000, "0",
-                "How far the nozzle rises along its way; less on short ways",
-                Bind<&ToolRow::retraction, &RetractionOptions::ramp_lift_mm>());
-  AddRetraction(settings, "travel_slope", "filament_travel_slope", "degrees", 90, "0",
-                "How steeply the nozzle rises along its way; 0 and 90: straight up",
-                Bind<&ToolRow::retraction, &RetractionOptions::ramp_slope_deg>());
-  AddRetraction(
-      settings,
-      {.key = "travel_lift_before_obstacle",
-       .kind = Kind::kFlag,
-       .standard = "0",
-       .doc = "Rises more steeply where the way meets an edge of the layer below before "
-              "the nozzle is up",
-       .field = Bind<&ToolRow::retraction, &RetractionOptions::before_obstacles>()},
-      "filament_travel_lift_before_obstacle");
-  AddRetraction(settings,
-                {.key = "wipe",
-                 .kind = Kind::kFlag,
-                 .standard = "0",
-                 .doc = "The nozzle wipes along what it has printed while the filament is pulled "
-                        "back, which leaves smaller blobs",
-                 .field = Bind<&ToolRow::retraction, &RetractionOptions::wipe>()},
-                "filament_wipe");
-  AddRetraction(
-      settings,
-      {.key = "retract_layer_change",
-       .kind = Kind::kFlag,
-       .standard = "0",
-       .doc = "Retracts at each change of layer, even where the way is hidden in the "
-              "part; done in any case where copies are labelled, and where G-code of "
-              "the settings stands between layers",
-       .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::retract_layer_change>()},
-      "filament_retract_layer_change");
-  AddRetraction(settings,
-                {.key = "retract_before_wipe",
-                 .kind = Kind::kPercent,
-                 .min = 0,
-                 .max = 100,
-                 .standard = "0%",
-                 .doc = "How much of retract_length is pulled back before the nozzle wipes",
-                 .field = Bind<Scale::kPercent, &ToolRow::retraction, &RetractionOptions::before_wipe>()},
-                "filament_retract_before_wipe");
-  return settings;
-}
-
-/// Millimetres, or a percentage of the straight way.
-SettingSpec MaxDetour() {
-  const auto set = [](MachineRow& row, const Value& value) {
-    row.order.travel.max_detour_mm = value.percent ? 0 : value.number;
-    row.order.travel.max_detour_ratio = value.percent ? value.number / 100 : 0;
-  };
-  const auto get = [](const MachineRow& row) -> Value {
-    const TravelOptions& travel = row.order.travel;
-    if (travel.max_detour_ratio == 0) return {.number = travel.max_detour_mm};
-    return {.number = Quantise(travel.max_detour_ratio * 100), .percent = true};
-  };
-  return {.key = "avoid_crossing_perimeters_max_detour",
-          .kind = Kind::kNumberOrPercent,
-          .unit = "mm",
-          .min = 0,
-          .max = 1000,
-          .standard = "0",
-          .doc = "Walls are crossed where the way round them is longer by more than this; 0: never",
-          .percent_of = "the straight way",
-          .field = Convert<MachineRow>(set, get)};
-}
-
-std::vector<SettingSpec> Travels() {
-  return {
-      {.key = "only_retract_when_crossing_perimeters",
-       .kind = Kind::kFlag,
-       .standard = "1",
-       .doc =
-           "Does not retract before travels inside the part; before those to outer walls and to "
-           "or over top surfaces all the same, which is why it may be 1 here and 0 in PrusaSlicer",
-       .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::hide>()},
-      {.key = "retract_inside_after",
-       .unit = "mm",
-       .min = 0,
-       .max = 1000,
-       .standard = "30",
-       .doc = "Longer travels retract inside the part as well; 0: none does",
-       .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::longest_hidden_mm>()},
-      {.key = "avoid_crossing_perimeters",
-       .kind = Kind::kFlag,
-       .standard = "0",
-       .doc = "Leads travels round outer walls, inside the part",
-       .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::avoid_crossing>()},
-      MaxDetour(),
-      {.key = "avoid_crossing_curled_overhangs",
-       .kind = Kind::kFlag,
-       .standard = "0",
-       .doc = "Leads travels round overhangs that are likely to have curled up",
-       .field = Bind<&MachineRow::plan, &JobPlanOptions::avoid_curled>()},
   };
 }
 
@@ -272,7 +122,8 @@ std::vector<SettingSpec> Machine() {
                    {"machinekit", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
                    {"smoothie", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
                    {"no-extrusion", flavor(GcodeFlavor::kMarlin2), kAsMarlin}},
-       .field = Bind<&MachineRow::motion, &MachineMotion::flavor>()},
+       .field = Bind<&MachineRow::motion, &MachineMotion::flavor>(),
+       .orca = {{"gcode_flavor"}}},
       {.key = "material_field",
        .kind = Kind::kMaterialField,
        .standard = "",
@@ -286,7 +137,8 @@ std::vector<SettingSpec> Machine() {
        .doc = "Diameter of the nozzle",
        .list = List::kPerExtruder,
        .field = Bind<&ToolRow::nozzle_diameter_mm>(),
-       .also = Bind<&RegionRow::infill, &InfillOptions::nozzle_nm>()},
+       .also = Bind<&RegionRow::infill, &InfillOptions::nozzle_nm>(),
+       .orca = {{"nozzle_diameter"}}},
       {.key = "nozzle_heating_rate",
        .unit = "C/s",
        .min = 0,
@@ -314,14 +166,16 @@ std::vector<SettingSpec> Machine() {
        .max = 100,
        .standard = "0",
        .doc = "Added to all heights in the G-code",
-       .field = Bind<&MachineRow::motion, &MachineMotion::z_offset_mm>()},
+       .field = Bind<&MachineRow::motion, &MachineMotion::z_offset_mm>(),
+       .orca = {{"z_offset"}}},
       {.key = "extruder_offset",
        .kind = Kind::kPoint,
        .unit = "mm",
        .standard = "0x0",
        .doc = "Where the nozzle is in the head: all places in the G-code lie so much farther back",
        .list = List::kPerExtruder,
-       .field = Bind<&ToolRow::offset>()},
+       .field = Bind<&ToolRow::offset>(),
+       .orca = {{"extruder_offset"}}},
       {.key = "remaining_times",
        .kind = Kind::kFlag,
        .standard = "0",
@@ -336,7 +190,8 @@ std::vector<SettingSpec> Machine() {
                    {"firmware", labels(ObjectLabels::kFirmware)},
                    {"0", labels(ObjectLabels::kNone)},
                    {"1", labels(ObjectLabels::kComments)}},
-       .field = Bind<&MachineRow::motion, &MachineMotion::labels>()},
+       .field = Bind<&MachineRow::motion, &MachineMotion::labels>(),
+       .orca = {{"gcode_label_objects", OrcaValue::kChoice}}},
       {.key = "arc_fitting",
        .kind = Kind::kChoice,
        .standard = "disabled",
@@ -345,7 +200,8 @@ std::vector<SettingSpec> Machine() {
            "centres",
        .choices = {{"disabled", static_cast<int>(ArcFitting::kDisabled)},
                    {"emit_center", static_cast<int>(ArcFitting::kEmitCenter)}},
-       .field = Bind<&MachineRow::motion, &MachineMotion::arc_fitting>()},
+       .field = Bind<&MachineRow::motion, &MachineMotion::arc_fitting>(),
+       .orca = {{"enable_arc_fitting", OrcaValue::kChoice}}},
       {.key = "gcode_resolution",
        .unit = "mm",
        .min = 0,
@@ -354,11 +210,13 @@ std::vector<SettingSpec> Machine() {
        .doc =
            "How far straight moves may deviate from the curves that they stand for; 0: all points "
            "of paths are written",
-       .field = Bind<&MachineRow::motion, &MachineMotion::resolution_nm>()},
+       .field = Bind<&MachineRow::motion, &MachineMotion::resolution_nm>(),
+       .orca = {{"resolution"}}},
       {.key = "printer_model",
        .kind = Kind::kText,
        .doc = "Name of the printer, for printer hosts",
-       .field = Bind<&MachineRow::motion, &MachineMotion::printer_model>()},
+       .field = Bind<&MachineRow::motion, &MachineMotion::printer_model>(),
+       .orca = {{"printer_model"}}},
   };
 }
 
@@ -369,30 +227,39 @@ std::vector<SettingSpec> CustomGcode() {
         .key = key, .kind = Kind::kGcode, .standard = standard, .doc = doc, .field = field};
   };
   return {
-      gcode("start_gcode", "G28 ; home all axes\\nG1 Z5 F5000 ; lift nozzle\\n",
-            "G-code before the first layer",
-            Bind<&MachineRow::motion, &MachineMotion::start_gcode>()),
-      gcode("end_gcode",
-            "M104 S0 ; turn off temperature\\nG28 X0  ; home X axis\\nM84     ; disable motors\\n",
-            "G-code after the last layer",
-            Bind<&MachineRow::motion, &MachineMotion::end_gcode>()),
+      Orca({"machine_start_gcode", OrcaValue::kGcode},
+           gcode("start_gcode", "G28 ; home all axes\\nG1 Z5 F5000 ; lift nozzle\\n",
+                 "G-code before the first layer",
+                 Bind<&MachineRow::motion, &MachineMotion::start_gcode>())),
+      Orca({"machine_end_gcode", OrcaValue::kGcode},
+           gcode("end_gcode",
+                 "M104 S0 ; turn off temperature\\nG28 X0  ; home X axis\\nM84     ; disable "
+                 "motors\\n",
+                 "G-code after the last layer",
+                 Bind<&MachineRow::motion, &MachineMotion::end_gcode>())),
       {.key = "start_filament_gcode",
        .kind = Kind::kGcode,
        .doc = "G-code of the filament, after start_gcode, when all is hot",
        .list = List::kPerExtruder,
-       .field = Bind<&ToolRow::start_filament_gcode>()},
+       .field = Bind<&ToolRow::start_filament_gcode>(),
+       .orca = {{"filament_start_gcode", OrcaValue::kGcode}}},
       {.key = "end_filament_gcode",
        .kind = Kind::kGcode,
        .doc = "G-code of the filament, before end_gcode",
-       .list = List::kPerExtruder},
-      gcode("before_layer_gcode", "", "G-code before each layer's move up",
-            Bind<&MachineRow::motion, &MachineMotion::before_layer_gcode>()),
-      gcode("layer_gcode", "", "G-code after each layer's move up",
-            Bind<&MachineRow::motion, &MachineMotion::layer_gcode>()),
+       .list = List::kPerExtruder,
+       .orca = {{"filament_end_gcode", OrcaValue::kGcode}}},
+      Orca({"before_layer_change_gcode", OrcaValue::kGcode},
+           gcode("before_layer_gcode", "", "G-code before each layer's move up",
+                 Bind<&MachineRow::motion, &MachineMotion::before_layer_gcode>())),
+      Orca({"layer_change_gcode", OrcaValue::kGcode},
+           gcode("layer_gcode", "", "G-code after each layer's move up",
+                 Bind<&MachineRow::motion, &MachineMotion::layer_gcode>())),
       {.key = "time_lapse_gcode",
        .kind = Kind::kGcode,
-       .doc = "G-code that takes a picture, at each layer: before layer_gcode, on a machine of Bambu "
-              "Lab's after it"},
+       .doc =
+           "G-code that takes a picture, at each layer: before layer_gcode, on a machine of Bambu "
+           "Lab's after it",
+       .orca = {{"time_lapse_gcode", OrcaValue::kGcode}}},
       gcode("between_objects_gcode", "",
             "G-code between objects that are printed one after the other, high above them",
             Bind<&MachineRow::motion, &MachineMotion::between_objects_gcode>()),
@@ -408,7 +275,8 @@ std::vector<SettingSpec> Sequence() {
        .standard = "0",
        .doc = "Which extruder prints it, and so whose nozzle and filament count: that item of each "
               "list; 0: the first. All that is printed must have the same",
-       .own_scope = Scope::kRegion},
+       .own_scope = Scope::kRegion,
+       .orca = {{"extruder"}}},
       {.key = "creation_time",
        .kind = Kind::kText,
        .standard = "",
@@ -419,7 +287,9 @@ std::vector<SettingSpec> Sequence() {
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Prints one copy after the other, each as a whole",
-       .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence, &SequencePlanOptions::complete_objects>()},
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
+                     &SequencePlanOptions::complete_objects>(),
+       .orca = {{"print_sequence", OrcaValue::kChoice}}},
       {.key = "objects_may_overlap",
        .kind = Kind::kFlag,
        .standard = "0",
@@ -433,7 +303,9 @@ std::vector<SettingSpec> Sequence() {
        .standard = "20",
        .doc = "Room that the head takes around the nozzle: copies that are printed one after the "
               "other stand so far apart",
-       .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence, &SequencePlanOptions::clearance_radius_nm>()},
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
+                     &SequencePlanOptions::clearance_radius_nm>(),
+       .orca = {{"extruder_clearance_radius"}, {"extruder_clearance_max_radius"}}},
       {.key = "extruder_clearance_height",
        .unit = "mm",
        .min = 0,
@@ -441,7 +313,9 @@ std::vector<SettingSpec> Sequence() {
        .standard = "20",
        .doc = "Height of the gantry over the nozzle: of the copies that are printed one after the "
               "other only the last may be taller",
-       .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence, &SequencePlanOptions::clearance_height_nm>()},
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
+                     &SequencePlanOptions::clearance_height_nm>(),
+       .orca = {{"extruder_clearance_height_to_rod"}}},
   };
 }
 
@@ -453,10 +327,12 @@ std::vector<SettingSpec> Plate() {
        .kind = Kind::kAreas,
        .unit = "mm",
        .standard = "",
-       .doc = "Areas of the bed that parts, skirts, brims and travel keep out of, such as that of a "
-              "cutter: corners XxY, by commas; each four that are a rectangle are one area, else "
-              "all corners are one polygon. G-code of the settings is not looked at",
-       .field = Bind<&JobSlicingOptions::excluded>()});
+       .doc =
+           "Areas of the bed that parts, skirts, brims and travel keep out of, such as that of a "
+           "cutter: corners XxY, by commas; each four that are a rectangle are one area, else "
+           "all corners are one polygon. G-code of the settings is not looked at",
+       .field = Bind<&JobSlicingOptions::excluded>(),
+       .orca = {{"bed_exclude_area", OrcaValue::kPoints}}});
   for (SettingSpec& spec : settings) {
     if (spec.key == "max_print_height")
       spec.also = Bind<&MachineRow::motion, &MachineMotion::max_print_height_nm>();
@@ -485,8 +361,6 @@ std::vector<SettingSpec> MachineSettings() {
                      {"120", "10000", "2.5"}));
   add(Plate());
   add(WholeMachineLimits());
-  add(Retraction());
-  add(Travels());
   add(CustomGcode());
   add(Sequence());
   return settings;

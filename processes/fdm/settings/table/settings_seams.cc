@@ -15,12 +15,14 @@ std::vector<SettingSpec> ScarfSettings() {
        .choices = {{"nowhere", placement(ScarfPlacement::kNowhere)},
                    {"contours", placement(ScarfPlacement::kContours)},
                    {"everywhere", placement(ScarfPlacement::kEverywhere)}},
-       .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::placement>()},
+       .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::placement>(),
+       .orca = {{"seam_slope_type", OrcaValue::kChoice}}},
       {.key = "scarf_seam_only_on_smooth",
        .kind = Kind::kFlag,
        .standard = "1",
        .doc = "No scarf where the seam is at a corner, which hides it",
-       .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::only_on_smooth>()},
+       .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::only_on_smooth>(),
+       .orca = {{"seam_slope_conditional"}}},
       {.key = "scarf_seam_start_height",
        .kind = Kind::kPercent,
        .unit = "%",
@@ -28,19 +30,22 @@ std::vector<SettingSpec> ScarfSettings() {
        .max = 100,
        .standard = "0%",
        .doc = "How high in its layer a scarf begins",
-       .field = Bind<Scale::kPercent, &RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::start_height_ratio>()},
+       .field = Bind<Scale::kPercent, &RegionRow::motion, &RegionSpeeds::scarf,
+                     &ScarfOptions::start_height_ratio>()},
       {.key = "scarf_seam_entire_loop",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "The scarf is as long as the loop, whatever scarf_seam_length says",
-       .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::entire_loop>()},
+       .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::entire_loop>(),
+       .orca = {{"seam_slope_entire_loop"}}},
       {.key = "scarf_seam_length",
        .unit = "mm",
        .min = 0,
        .max = 1000,
        .standard = "20",
        .doc = "Length of a scarf; no longer than the loop",
-       .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::length_mm>()},
+       .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::length_mm>(),
+       .orca = {{"seam_slope_min_length"}}},
       {.key = "scarf_seam_max_segment_length",
        .unit = "mm",
        .min = 0.15,
@@ -52,7 +57,8 @@ std::vector<SettingSpec> ScarfSettings() {
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Inner walls get scarfs too",
-       .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::on_inner>()},
+       .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::on_inner>(),
+       .orca = {{"seam_slope_inner_walls"}}},
   };
 }
 
@@ -71,13 +77,15 @@ std::vector<SettingSpec> SeamSettings() {
                    {"rear", seam(SeamPosition::kRear)},
                    {"random", seam(SeamPosition::kRandom)},
                    {"hidden", seam(SeamPosition::kHidden)}},
-       .field = Bind<&ObjectRow::seam>()},
+       .field = Bind<&ObjectRow::seam>(),
+       .orca = {{"seam_position", OrcaValue::kChoice}}},
       {.key = "staggered_inner_seams",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Each inner loop starts further along than the one outside of it, by as much as it "
               "lies inside of the outermost",
-       .field = Bind<&RegionRow::order, &WallOrder::stagger_seams>()},
+       .field = Bind<&RegionRow::order, &WallOrder::stagger_seams>(),
+       .orca = {{"staggered_inner_seams"}}},
   };
   SettingSpec gap{.key = "seam_gap_distance",
                   .kind = Kind::kNumberOrPercent,
@@ -89,7 +97,8 @@ std::vector<SettingSpec> SeamSettings() {
                       "How much of a loop stays open at its end, so that no blob lies on its "
                       "beginning; scarfs close",
                   .relative_to = "nozzle_diameter",
-                  .field = Bind<&MachineRow::motion, &MachineMotion::seam_gap_mm>()};
+                  .field = Bind<&MachineRow::motion, &MachineMotion::seam_gap_mm>(),
+                  .orca = {{"seam_gap"}}};
   settings.push_back(gap);
   gap.key = "filament_seam_gap_distance";
   gap.list = List::kPerExtruder;

@@ -16,6 +16,7 @@ std::vector<SettingSpec> SupportSettings();   ///< settings_supports.cc
 std::vector<SettingSpec> SpeedSettings();     ///< settings_speed.cc
 std::vector<SettingSpec> FilamentSettings();  ///< settings_filament.cc
 std::vector<SettingSpec> MachineSettings();   ///< settings_machine.cc
+std::vector<SettingSpec> TravelSettings();    ///< settings_travel.cc
 std::vector<SettingSpec> WritingSettings();   ///< settings_writing.cc
 
 }  // namespace slicefarm::config::fdm

@@ -13,7 +13,8 @@ Field SpeedOf() {
 
 template <Feature kFeature>
 Field AccelerationOf() {
-  return Bind<&MachineRow::motion, &MachineMotion::acceleration_mm_s2, static_cast<int>(kFeature)>();
+  return Bind<&MachineRow::motion, &MachineMotion::acceleration_mm_s2,
+              static_cast<int>(kFeature)>();
 }
 
 SettingSpec Speed(std::string_view key, std::string_view standard, std::string_view doc,
@@ -71,7 +72,8 @@ SettingSpec LayerSpeed(std::string_view key, std::string_view doc) {
 
 template <int kDegree>
 SettingSpec OverhangSpeed(std::string_view key, std::string_view standard, std::string_view doc) {
-  return RelativeSpeed(key, standard, "external_perimeter_speed", doc, Bind<&RegionRow::motion, &RegionSpeeds::overhang_speed_mm_s, kDegree>());
+  return RelativeSpeed(key, standard, "external_perimeter_speed", doc,
+                       Bind<&RegionRow::motion, &RegionSpeeds::overhang_speed_mm_s, kDegree>());
 }
 
 std::vector<SettingSpec> Overhangs() {
@@ -80,20 +82,26 @@ std::vector<SettingSpec> Overhangs() {
        .kind = Kind::kFlag,
        .standard = "1",
        .doc = "Prints walls over nothing as bridges, with their speed, fan and flow",
-       .field = Bind<&RegionRow::motion, &RegionSpeeds::bridging_walls>()},
+       .field = Bind<&RegionRow::motion, &RegionSpeeds::bridging_walls>(),
+       .orca = {{"detect_overhang_wall"}}},
       {.key = "enable_dynamic_overhang_speeds",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc =
            "Slows walls down where they hang over the layer below: by overhang_speed_0 to _3, and "
            "between these in proportion",
-       .field = Bind<&RegionRow::motion, &RegionSpeeds::dynamic_overhangs>()},
-      OverhangSpeed<0>("overhang_speed_0", "15",
-                       "Speed of walls that rest on nothing; 0: not slowed down"),
-      OverhangSpeed<1>("overhang_speed_1", "15",
-                       "Speed where 25 % of the width rest on the layer below"),
-      OverhangSpeed<2>("overhang_speed_2", "20", "Speed where 50 % of the width rest on it"),
-      OverhangSpeed<3>("overhang_speed_3", "25", "Speed where 75 % of the width rest on it"),
+       .field = Bind<&RegionRow::motion, &RegionSpeeds::dynamic_overhangs>(),
+       .orca = {{"enable_overhang_speed"}}},
+      Orca({"overhang_4_4_speed"},
+           OverhangSpeed<0>("overhang_speed_0", "15",
+                            "Speed of walls that rest on nothing; 0: not slowed down")),
+      Orca({"overhang_3_4_speed"},
+           OverhangSpeed<1>("overhang_speed_1", "15",
+                            "Speed where 25 % of the width rest on the layer below")),
+      Orca({"overhang_2_4_speed"},
+           OverhangSpeed<2>("overhang_speed_2", "20", "Speed where 50 % of the width rest on it")),
+      Orca({"overhang_1_4_speed"},
+           OverhangSpeed<3>("overhang_speed_3", "25", "Speed where 75 % of the width rest on it")),
   };
 }
 
@@ -122,42 +130,57 @@ SettingSpec OverBridgeSpeed() {
 
 std::vector<SettingSpec> Speeds() {
   return {
-      Speed("perimeter_speed", "60", "Speed of inner walls; 0: max_print_speed",
-            SpeedOf<Feature::kPerimeter>()),
-      RelativeSpeed("external_perimeter_speed", "50%", "perimeter_speed",
-                    "Speed of outer walls; 0: max_print_speed",
-                    SpeedOf<Feature::kExternalPerimeter>()),
-      RelativeSpeed("small_perimeter_speed", "15", "perimeter_speed",
-                    "Speed of loops of radius below 6.5 mm; 0: max_print_speed", 
-                    Bind<&RegionRow::motion, &RegionSpeeds::small_perimeter_speed_mm_s>()),
-      Speed("infill_speed", "80", "Speed of sparse infill; 0: max_print_speed",
-            SpeedOf<Feature::kInternalInfill>()),
-      RelativeSpeed("solid_infill_speed", "20", "infill_speed",
-                    "Speed of solid infill; 0: max_print_speed", SpeedOf<Feature::kSolidInfill>()),
-      RelativeSpeed("top_solid_infill_speed", "15", "solid_infill_speed",
-                    "Speed of top surfaces; 0: max_print_speed",
-                    SpeedOf<Feature::kTopSolidInfill>()),
+      Orca({"inner_wall_speed"},
+           Speed("perimeter_speed", "60", "Speed of inner walls; 0: max_print_speed",
+                 SpeedOf<Feature::kPerimeter>())),
+      Orca({"outer_wall_speed"}, RelativeSpeed("external_perimeter_speed", "50%", "perimeter_speed",
+                                               "Speed of outer walls; 0: max_print_speed",
+                                               SpeedOf<Feature::kExternalPerimeter>())),
+      Orca({"small_perimeter_speed"},
+           RelativeSpeed("small_perimeter_speed", "15", "perimeter_speed",
+                         "Speed of loops of radius below 6.5 mm; 0: max_print_speed",
+                         Bind<&RegionRow::motion, &RegionSpeeds::small_perimeter_speed_mm_s>())),
+      Orca({"sparse_infill_speed"},
+           Speed("infill_speed", "80", "Speed of sparse infill; 0: max_print_speed",
+                 SpeedOf<Feature::kInternalInfill>())),
+      Orca({"internal_solid_infill_speed"},
+           RelativeSpeed("solid_infill_speed", "20", "infill_speed",
+                         "Speed of solid infill; 0: max_print_speed",
+                         SpeedOf<Feature::kSolidInfill>())),
+      Orca({"top_surface_speed"},
+           RelativeSpeed("top_solid_infill_speed", "15", "solid_infill_speed",
+                         "Speed of top surfaces; 0: max_print_speed",
+                         SpeedOf<Feature::kTopSolidInfill>())),
       OverBridgeSpeed(),
-      Speed("gap_fill_speed", "20", "Speed of gap fill; 0: max_print_speed",
-            SpeedOf<Feature::kGapFill>()),
-      Speed("bridge_speed", "60", "Speed of bridges; 0: max_print_speed",
-            SpeedOf<Feature::kBridgeInfill>(), SpeedOf<Feature::kOverhangPerimeter>()),
-      InScope(Scope::kObject,
-              Speed("support_material_speed", "60",
-                    "Speed of rafts, skirt and brim; 0: max_print_speed",
-                    SpeedOf<Feature::kSupport>(), SpeedOf<Feature::kSkirt>())),
-      InScope(Scope::kObject,
-              RelativeSpeed("support_material_interface_speed", "100%", "support_material_speed",
-                            "Speed of the layers of rafts that carry the part; 0: max_print_speed",
-                            SpeedOf<Feature::kSupportInterface>())),
-      Speed("ironing_speed", "15", "Speed of ironing; 0: max_print_speed",
-            SpeedOf<Feature::kIroning>()),
-      LayerSpeed<&MachineMotion::first_layer_speed_mm_s, &MachineMotion::first_layer_speed_ratio>(
-          "first_layer_speed",
-          "Speed of all beads of the first layer; as a percentage, of what each has above"),
-      RelativeSpeed("first_layer_infill_speed", "0", "solid_infill_speed",
-                    "Speed of solid infill in the first layer; 0: first_layer_speed",
-                    Bind<&MachineRow::motion, &MachineMotion::first_layer_infill_speed_mm_s>()),
+      Orca({"gap_infill_speed"},
+           Speed("gap_fill_speed", "20", "Speed of gap fill; 0: max_print_speed",
+                 SpeedOf<Feature::kGapFill>())),
+      Orca({"bridge_speed"},
+           Speed("bridge_speed", "60", "Speed of bridges; 0: max_print_speed",
+                 SpeedOf<Feature::kBridgeInfill>(), SpeedOf<Feature::kOverhangPerimeter>())),
+      InScope(
+          Scope::kObject,
+          Orca({"support_speed"}, Speed("support_material_speed", "60",
+                                        "Speed of rafts, skirt and brim; 0: max_print_speed",
+                                        SpeedOf<Feature::kSupport>(), SpeedOf<Feature::kSkirt>()))),
+      InScope(
+          Scope::kObject,
+          Orca({"support_interface_speed"},
+               RelativeSpeed("support_material_interface_speed", "100%", "support_material_speed",
+                             "Speed of the layers of rafts that carry the part; 0: max_print_speed",
+                             SpeedOf<Feature::kSupportInterface>()))),
+      Orca({"ironing_speed"}, Speed("ironing_speed", "15", "Speed of ironing; 0: max_print_speed",
+                                    SpeedOf<Feature::kIroning>())),
+      Orca({"initial_layer_speed"},
+           LayerSpeed<&MachineMotion::first_layer_speed_mm_s,
+                      &MachineMotion::first_layer_speed_ratio>(
+               "first_layer_speed",
+               "Speed of all beads of the first layer; as a percentage, of what each has above")),
+      Orca({"initial_layer_infill_speed"},
+           RelativeSpeed(
+               "first_layer_infill_speed", "0", "solid_infill_speed",
+               "Speed of solid infill in the first layer; 0: first_layer_speed",
+               Bind<&MachineRow::motion, &MachineMotion::first_layer_infill_speed_mm_s>())),
       LayerSpeed<&MachineMotion::over_raft_speed_mm_s, &MachineMotion::over_raft_speed_ratio>(
           "first_layer_speed_over_raft", "Speed of all beads of an object's first layer on a raft"),
       {.key = "max_print_speed",
@@ -173,12 +196,15 @@ std::vector<SettingSpec> Speeds() {
        .max = kMaxSpeed,
        .standard = "130",
        .doc = "Speed of moves without extrusion",
-       .field = Bind<&MachineRow::motion, &MachineMotion::travel_speed_mm_s>()},
+       .field = Bind<&MachineRow::motion, &MachineMotion::travel_speed_mm_s>(),
+       .orca = {{"travel_speed"}}},
       Speed("first_layer_travel_speed", "0",
             "Speed of moves without extrusion in the first layer; 0: travel_speed",
             Bind<&MachineRow::motion, &MachineMotion::first_layer_travel_speed_mm_s>()),
-      Speed("travel_speed_z", "0", "Speed of moves up and down; 0: as fast as the machine's z goes",
-            Bind<&MachineRow::motion, &MachineMotion::travel_speed_z_mm_s>()),
+      Orca({"travel_speed_z"},
+           Speed("travel_speed_z", "0",
+                 "Speed of moves up and down; 0: as fast as the machine's z goes",
+                 Bind<&MachineRow::motion, &MachineMotion::travel_speed_z_mm_s>())),
       {.key = "max_volumetric_speed",
        .unit = "mm3/s",
        .min = 0,
@@ -196,9 +222,10 @@ std::vector<SettingSpec> Speeds() {
 
 std::vector<SettingSpec> Accelerations() {
   return {
-      Acceleration("default_acceleration",
-                   "Acceleration where nothing below says otherwise; 0: left to the firmware",
-                   Bind<&MachineRow::motion, &MachineMotion::default_acceleration_mm_s2>()),
+      Orca({"default_acceleration"},
+           Acceleration("default_acceleration",
+                        "Acceleration where nothing below says otherwise; 0: left to the firmware",
+                        Bind<&MachineRow::motion, &MachineMotion::default_acceleration_mm_s2>())),
       Acceleration("perimeter_acceleration", "Acceleration of inner walls; 0: default_acceleration",
                    AccelerationOf<Feature::kPerimeter>()),
       Acceleration("external_perimeter_acceleration",
@@ -215,9 +242,11 @@ std::vector<SettingSpec> Accelerations() {
       Acceleration("bridge_acceleration", "Acceleration of bridges; 0: default_acceleration",
                    AccelerationOf<Feature::kBridgeInfill>(),
                    AccelerationOf<Feature::kOverhangPerimeter>()),
-      Acceleration("first_layer_acceleration",
-                   "Acceleration of all beads of the first layer; 0: as in the others",
-                   Bind<&MachineRow::motion, &MachineMotion::first_layer_acceleration_mm_s2>()),
+      Orca({"initial_layer_acceleration"},
+           Acceleration(
+               "first_layer_acceleration",
+               "Acceleration of all beads of the first layer; 0: as in the others",
+               Bind<&MachineRow::motion, &MachineMotion::first_layer_acceleration_mm_s2>())),
       Acceleration(
           "first_layer_acceleration_over_raft",
           "Acceleration of all beads of an object's first layer on a raft; 0: as in the others",
@@ -226,8 +255,10 @@ std::vector<SettingSpec> Accelerations() {
                    "Acceleration of travels to outer walls that are shorter than "
                    "retract_before_travel; 0: travel_acceleration",
                    Bind<&MachineRow::motion, &MachineMotion::short_travel_acceleration_mm_s2>()),
-      Acceleration("travel_acceleration", "Acceleration of travel; 0: the machine's limit for it",
-                   Bind<&MachineRow::motion, &MachineMotion::travel_acceleration_mm_s2>()),
+      Orca({"travel_acceleration"},
+           Acceleration("travel_acceleration",
+                        "Acceleration of travel; 0: the machine's limit for it",
+                        Bind<&MachineRow::motion, &MachineMotion::travel_acceleration_mm_s2>())),
   };
 }
 
