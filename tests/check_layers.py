@@ -46,7 +46,7 @@ COMPOSITION_ROOTS = {"worker", "cli"}
 JOBS_OF = "coordinator"  # the service that puts jobs together, whose interfaces processes/*/job implements
 PROCESSES = re.compile(r"processes/(\w+)/")
 # Beside its folders: the enumerators, and the stage that exposes layers.
-LASER_FILES = re.compile(r"processes/(laser|list)/|processes/CMakeLists.txt|services/exposure/|common/model/process\.h")
+LASER_FILES = re.compile(r"processes/(laser|list)/|processes/CMakeLists.txt|services/exposure/|common/model/(process|options/exposure_settings)\.h")
 CLIPPER = re.compile(r"^(polyclipping/)?clipper")  # only inside common/geometry
 IMPURE = re.compile(r"\b(getenv|std::cout|std::cerr|printf|exit|rand|system_clock|steady_clock)\s*[\(:<]")
 # libm's results depend on the CPU (FMA or not), those of common/base/portable_math.h do not.

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+
 namespace slicefarm {
 
 /// Disjoint sets of numbers that are joined one by one. Source: Galler and Fischer 1964; Tarjan,

@@ -9,6 +9,7 @@
 #include "common/base/cancel_token.h"
 #include "common/config/resolve.h"
 #include "common/model/scene/scene.h"
+#include "common/stage/slice_input.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::config {

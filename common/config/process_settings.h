@@ -69,7 +69,7 @@ class ProcessSettings {
   /// Where values get their places: settings of the process, whatever they are.
   virtual JobRows Standards() const = 0;
   /// Returns a plate with the job's rows and without objects.
-  virtual OwnSettings PlateOf(const OwnRows& job) const = 0;
+  virtual ProcessValue PlateOf(const ProcessValue& job) const = 0;
   /// All settings that have an effect, with their scopes, in any order. Called once.
   virtual std::vector<SettingSpec> Table() const = 0;
   /// Those that do nothing unless others are so.

@@ -17,6 +17,14 @@
 #include "common/config/table/settings_table.h"
 #include "common/geometry/measure.h"
 #include "common/model/limits.h"
+#include "common/model/options/adhesion_options.h"
+#include "common/model/options/beading_options.h"
+#include "common/model/options/fdm_settings.h"
+#include "common/model/options/infill_options.h"
+#include "common/model/options/motion_options.h"
+#include "common/model/options/ordering_options.h"
+#include "common/model/options/planning_options.h"
+#include "common/model/options/tool_row.h"
 
 namespace slicefarm::config::resolve_test {
 namespace {

@@ -7,6 +7,8 @@
 #include "common/base/error.h"
 #include "common/config/plate.h"
 #include "common/model/limits.h"
+#include "common/model/options/fdm_settings.h"
+#include "common/model/options/infill_options.h"
 
 namespace slicefarm::config::resolved_bytes_test {
 namespace {

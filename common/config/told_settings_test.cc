@@ -5,6 +5,7 @@
 
 #include "common/config/projects/ini.h"
 #include "common/config/resolve.h"
+#include "common/model/options/fdm_settings.h"
 
 namespace slicefarm::config::told_settings_test {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/base/span_log.h"
 #include "common/kinematics/marlin_junction.h"
 
 namespace slicefarm {

@@ -4,6 +4,7 @@
 
 #include "common/kinematics/jerk_junction.h"
 #include "common/kinematics/planner.h"
+#include "common/model/options/machine_limits.h"
 
 namespace slicefarm {
 

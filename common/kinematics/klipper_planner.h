@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/kinematics/planner.h"
+#include "common/model/options/machine_limits.h"
 
 namespace slicefarm {
 

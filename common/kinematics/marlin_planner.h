@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/kinematics/two_pass_planner.h"
+#include "common/model/options/machine_limits.h"
 
 namespace slicefarm {
 

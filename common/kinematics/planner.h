@@ -3,7 +3,7 @@
 #include <span>
 
 #include "common/kinematics/kinematic_move.h"
-#include "common/model/options/motion_options.h"
+#include "common/model/options/machine_limits.h"
 
 namespace slicefarm {
 

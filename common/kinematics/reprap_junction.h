@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/kinematics/kinematic_move.h"
-#include "common/model/options/motion_options.h"
+#include "common/model/options/machine_limits.h"
 
 namespace slicefarm {
 

@@ -11,6 +11,7 @@
 #include "common/macro/expression_parser.h"
 #include "common/macro/template.h"
 #include "common/model/limits.h"
+#include "common/model/scene/scene.h"
 
 namespace slicefarm::macro {
 namespace {

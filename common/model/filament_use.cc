@@ -1,5 +1,7 @@
 #include "common/model/filament_use.h"
 
+#include "common/model/options/motion_options.h"
+
 namespace slicefarm {
 
 FilamentUse FilamentUseOf(const ProgramStats& total, const MotionOptions& options) {

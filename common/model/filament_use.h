@@ -5,6 +5,8 @@
 
 namespace slicefarm {
 
+struct MotionOptions;
+
 /// What a print takes of its filament.
 struct FilamentUse {
   double length_mm = 0;

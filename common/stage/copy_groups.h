@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/model/scene/scene.h"
+#include "common/stage/slice_input.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm {

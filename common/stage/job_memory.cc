@@ -1,6 +1,7 @@
 #include "common/stage/job_memory.h"
 
 #include "common/base/error.h"
+#include "common/stage/stage_call.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm {
@@ -52,8 +53,7 @@ int64_t MemoryOf(const ObjectSection& section) {
 
 int64_t MemoryOf(const SlicedLayer& layer) {
   int64_t bytes = static_cast<int64_t>(sizeof layer) + MemoryOfList(layer.sections);
-  for (const ObjectSection& section : layer.sections)
-    bytes += MemoryOf(section);
+  for (const ObjectSection& section : layer.sections) bytes += MemoryOf(section);
   return bytes;
 }
 

@@ -12,6 +12,7 @@
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
 #include "common/stage/job_memory.h"
+#include "common/stage/stage_call.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm {

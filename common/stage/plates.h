@@ -7,6 +7,8 @@
 #include "absl/status/statusor.h"
 #include "common/model/options/slicing_options.h"
 #include "common/model/scene/scene.h"
+#include "common/stage/slice_input.h"
+#include "common/stage/stage_call.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm {

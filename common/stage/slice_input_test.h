@@ -3,7 +3,10 @@
 #include <utility>
 #include <vector>
 
+#include "common/model/options/slicing_options.h"
+#include "common/model/scene/mesh.h"
 #include "common/model/scene/placement.h"
+#include "common/stage/slice_input.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm {

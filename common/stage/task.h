@@ -13,6 +13,7 @@
 #include "absl/status/statusor.h"
 #include "common/model/layer.h"
 #include "common/model/process.h"
+#include "common/stage/stage_call.h"
 #include "common/stage/stage_list.h"
 #include "common/stage/stages.h"
 

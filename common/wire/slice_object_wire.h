@@ -2,6 +2,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "common/stage/slice_input.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/slicing.pb.h"
 

@@ -9,6 +9,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/stage/plates.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/slicing.pb.h"
 

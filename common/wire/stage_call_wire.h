@@ -1,6 +1,7 @@
 #pragma once
 
 #include "absl/status/statusor.h"
+#include "common/stage/stage_call.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/layer.pb.h"
 

@@ -2,6 +2,11 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "common/stage/beading_stage.h"
+#include "common/stage/exposure_stage.h"
+#include "common/stage/infill_stage.h"
+#include "common/stage/motion_stage.h"
+#include "common/stage/ordering_stage.h"
 #include "common/stage/stages.h"
 #include "common/wire/shared_wire.h"
 #include "slicefarm/v1/beading.pb.h"

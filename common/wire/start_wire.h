@@ -6,6 +6,12 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "common/model/layer.h"
+#include "common/model/options/planning_options.h"
+#include "common/stage/beading_stage.h"
+#include "common/stage/infill_stage.h"
+#include "common/stage/slicing_stage.h"
+#include "common/stage/stage_call.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/beading.pb.h"
 #include "slicefarm/v1/exposure.pb.h"

@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "common/stage/exposure_stage.h"
+#include "common/stage/milling_stage.h"
+#include "common/stage/motion_stage.h"
+#include "common/stage/planning_stage.h"
+#include "common/stage/texture_stage.h"
+
 namespace slicefarm::jobs_test {
 namespace {
 

@@ -2,7 +2,16 @@
 
 #include <memory>
 
+#include "common/stage/beading_stage.h"
+#include "common/stage/exposure_stage.h"
+#include "common/stage/infill_stage.h"
+#include "common/stage/milling_stage.h"
+#include "common/stage/motion_stage.h"
+#include "common/stage/ordering_stage.h"
+#include "common/stage/planning_stage.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
+#include "common/stage/texture_stage.h"
 
 namespace slicefarm::cli {
 

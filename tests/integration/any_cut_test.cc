@@ -124,10 +124,8 @@ class PlannedPrint {
                               resolved->settings.slicing);
     EXPECT_TRUE(sliced.ok()) << sliced.status();
     if (!sliced.ok()) return;
-    PlanningOptions options = settings_.planning;
-    options.infill = InfillPlansOf(settings_);
     auto plan = planning::MakeLocalPlanning()->Plan(
-        call, {sliced->layers, sliced->copies, sliced->object_names}, options);
+        call, {sliced->layers, sliced->copies, sliced->object_names}, PlanningOf(settings_));
     EXPECT_TRUE(plan.ok()) << plan.status();
     if (!plan.ok()) return;
     layers_ = PrintLayers(std::move(sliced->layers), plan->lifts_nm, std::move(plan->stacks));

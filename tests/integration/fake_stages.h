@@ -6,8 +6,18 @@
 #include <utility>
 #include <vector>
 
+#include "common/model/exposed_program.h"
+#include "common/model/options/exposure_settings.h"
 #include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/server_stream.h"
+#include "common/stage/beading_stage.h"
+#include "common/stage/exposure_stage.h"
+#include "common/stage/infill_stage.h"
+#include "common/stage/motion_stage.h"
+#include "common/stage/neighbourhood.h"
+#include "common/stage/ordering_stage.h"
+#include "common/stage/slice_input.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/task.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "slicefarm/v1/planning.grpc.pb.h"

@@ -484,11 +484,11 @@ TEST(StageServices, RefuseACallWithoutSettingsOfAnyRegion) {
   EXPECT_EQ(DetailOf(status).metadata["field"], "start.shared.rows");
 }
 
-TEST(StageServices, RefuseTablesOfDifferentLengths) {
+TEST(StageServices, RefuseAPlateWithoutRegions) {
   Farm farm;
   FdmTask task = TheTask();
   FdmShared job = *task.job;
-  job.settings.infill.pop_back();
+  job.settings.regions.clear();
   task.job = job;
   EXPECT_EQ(DetailOf(RunFdm(farm.worker, NewCall(), task).status()).reason,
             Reason::kRequestMalformed);

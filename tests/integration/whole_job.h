@@ -5,6 +5,10 @@
 #include <string>
 
 #include "absl/status/statusor.h"
+#include "common/stage/motion_stage.h"
+#include "common/stage/planning_stage.h"
+#include "common/stage/slice_input.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 

@@ -15,7 +15,6 @@ struct Weighty {
 constexpr Weighty kWeighty[] = {
     // Other material, or other sizes.
     {"print_flow_ratio", "1"},
-    {"top_solid_infill_flow_ratio", "1"},
     {"bottom_solid_infill_flow_ratio", "1"},
     {"hole_to_polyhole", "0"},
     {"make_overhang_printable", "0"},

@@ -40,10 +40,10 @@ enum class Kind {
 /// Returns the kind's name for clients that build forms: "flag", "number_or_percent".
 constexpr std::string_view KindName(Kind kind) {
   constexpr std::string_view kNames[] = {
-      "flag",         "integer",       "number",       "percent",       "number_or_percent",
-      "choice",       "text",          "gcode",        "bed_shape",     "areas",
-      "point",        "sizes",         "density_field", "stress_field", "material_field",
-      "angles",       "flow_table",    "height_code",  "layer_heights", "substitutions",
+      "flag",   "integer",    "number",        "percent",       "number_or_percent",
+      "choice", "text",       "gcode",         "bed_shape",     "areas",
+      "point",  "sizes",      "density_field", "stress_field",  "material_field",
+      "angles", "flow_table", "height_code",   "layer_heights", "substitutions",
       "cutter"};
   return kNames[static_cast<size_t>(kind)];
 }
@@ -82,8 +82,8 @@ struct SettingSpec {
   std::string_view relative_to = {};
   std::string_view percent_of = {};  ///< where it relates to no setting: to what, in words
   List list = List::kNone;
-  Field field = {};  ///< none: it works through other settings only (derive.h)
-  Field also = {};   ///< a second place for the same value
+  Field field = {};                     ///< none: it works through other settings only (derive.h)
+  Field also = {};                      ///< a second place for the same value
   std::string_view group = {};          ///< part of the table: "walls", "infill"
   std::optional<Scope> own_scope = {};  ///< where the setting has no field, or a wider scope
   std::vector<OrcaName> orca = {};      ///< of two names the later one wins

@@ -1,3 +1,4 @@
+#include "common/config/table/bind.h"
 #include "common/config/table/shared_settings.h"
 
 namespace slicefarm::config {

@@ -6,6 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/config/table/setting_spec.h"
+#include "common/model/process.h"
 
 namespace slicefarm::config {
 

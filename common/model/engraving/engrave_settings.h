@@ -8,6 +8,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/base/shared/shared_text.h"
+#include "common/model/process.h"
 
 namespace slicefarm {
 
@@ -91,6 +92,8 @@ struct EngraveMachineSettings {
 
 /// What engraving a job is made with.
 struct EngraveSettings {
+  static constexpr Process kProcess = Process::kEngrave;
+
   TextureSettings texture;
   EngraveLineSettings lines;
   EngraveMachineSettings machine;
@@ -98,6 +101,13 @@ struct EngraveSettings {
 
   friend bool operator==(const EngraveSettings&, const EngraveSettings&) = default;
 };
+
+/// Returns the settings of a job (JobSettings, JobRows), which has none by object or region.
+/// REQUIRES: the job is of that process.
+template <typename Job>
+auto& EngraveOf(Job& job) {
+  return job.own.template As<EngraveSettings>();
+}
 
 /// Numbers between commas. `count`: how many there must be; 0: one at least, and no more than 1000.
 /// Nothing for an empty text. Errors: SETTING_MALFORMED naming `setting`.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "common/model/milling/cutter.h"
+#include "common/model/process.h"
 
 namespace slicefarm {
 
@@ -91,6 +92,8 @@ struct MillingOptions {
 
 /// What milling a job is made with.
 struct MillSettings {
+  static constexpr Process kProcess = Process::kMill;
+
   MillingOptions how;
   std::string stock;  ///< the object that is the stock; empty: a box around the others
   MillOrigin origin = MillOrigin::kModel;
@@ -100,5 +103,12 @@ struct MillSettings {
 
   friend bool operator==(const MillSettings&, const MillSettings&) = default;
 };
+
+/// Returns the settings of a job (JobSettings, JobRows), which has none by object or region.
+/// REQUIRES: the job is of that process.
+template <typename Job>
+auto& MillOf(Job& job) {
+  return job.own.template As<MillSettings>();
+}
 
 }  // namespace slicefarm

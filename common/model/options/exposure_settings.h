@@ -5,11 +5,15 @@
 #include <vector>
 
 #include "common/model/options/exposure_options.h"
+#include "common/model/options/settings.h"
+#include "common/model/process.h"
 
 namespace slicefarm {
 
 /// One resolved set of settings for exposure: a row of each scope.
 struct ExposureRows {
+  static constexpr Process kProcess = Process::kLaser;
+
   ExposureOptions region;
   ExposureOutput output;
 
@@ -18,11 +22,19 @@ struct ExposureRows {
 
 /// Settings of a plate for exposure. Region names rows of `regions`.
 struct ExposureSettings {
+  static constexpr Process kProcess = Process::kLaser;
+
   std::vector<ExposureOptions> regions = {{}};
   ExposureOutput output;
 
   friend bool operator==(const ExposureSettings&, const ExposureSettings&) = default;
 };
+
+// Settings of a job for exposure. REQUIRES: the job is of that process.
+inline const ExposureSettings& ExposureOf(const JobSettings& settings) { return settings.own.As<ExposureSettings>(); }
+inline ExposureSettings& ExposureOf(JobSettings& settings) { return settings.own.As<ExposureSettings>(); }
+inline const ExposureRows& ExposureOf(const JobRows& rows) { return rows.own.As<ExposureRows>(); }
+inline ExposureRows& ExposureOf(JobRows& rows) { return rows.own.As<ExposureRows>(); }
 
 /// Returns how many of an object's own layers on each side a layer's result depends on.
 inline int32_t HaloLayers(const ExposureSettings& settings) {

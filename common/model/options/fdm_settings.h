@@ -8,6 +8,8 @@
 #include "common/model/options/motion_options.h"
 #include "common/model/options/ordering_options.h"
 #include "common/model/options/planning_options.h"
+#include "common/model/options/settings.h"
+#include "common/model/process.h"
 
 namespace slicefarm {
 
@@ -35,6 +37,8 @@ struct RegionRow {
 
 /// One resolved set of settings for filament printing: a row of each scope.
 struct FdmRows {
+  static constexpr Process kProcess = Process::kFdm;
+
   MachineRow machine;
   ObjectRow object;
   RegionRow region;
@@ -45,6 +49,8 @@ struct FdmRows {
 
 /// Settings of a plate for filament printing. Region and Path name rows of `regions`.
 struct FdmSettings {
+  static constexpr Process kProcess = Process::kFdm;
+
   MachineRow machine;
   std::vector<ObjectRow> objects = {{}};
   std::vector<RegionRow> regions = {{}};
@@ -52,6 +58,12 @@ struct FdmSettings {
 
   friend bool operator==(const FdmSettings&, const FdmSettings&) = default;
 };
+
+// Settings of a job for filament printing. REQUIRES: the job is of that process.
+inline const FdmSettings& FdmOf(const JobSettings& settings) { return settings.own.As<FdmSettings>(); }
+inline FdmSettings& FdmOf(JobSettings& settings) { return settings.own.As<FdmSettings>(); }
+inline const FdmRows& FdmOf(const JobRows& rows) { return rows.own.As<FdmRows>(); }
+inline FdmRows& FdmOf(JobRows& rows) { return rows.own.As<FdmRows>(); }
 
 // Options of each stage: the rows that it works with.
 std::vector<BeadingOptions> BeadingOf(const FdmSettings& settings);

@@ -7,28 +7,14 @@
 #include "common/geometry/polygon.h"
 #include "common/model/options/adhesion_options.h"
 #include "common/model/options/infill_options.h"
+#include "common/model/options/seam_position.h"
+#include "common/model/options/sequence_options.h"
+#include "common/model/options/spiral_options.h"
 #include "common/model/options/support_options.h"
 
 namespace slicefarm {
 
-/// Where loops start.
-enum class SeamPosition : uint8_t {
-  kNearest,  ///< near the nozzle
-  kRear,     ///< at the back, in line
-  kAligned,  ///< in line up the object, at corners
-  kRandom,   ///< anywhere, each loop elsewhere
-  kHidden,   ///< in line, where the least is seen of it
-};
-
-/// spiral_vase: hollow layers are printed as one bead that winds up.
-struct SpiralOptions {
-  Coord width_nm = 0;  ///< of the bead; 0: no spiral
-  bool blends = true;  ///< turns lead over into each other: not where their skin is fuzzy
-
-  friend bool operator==(const SpiralOptions&, const SpiralOptions&) = default;
-};
-
-/// What planning is told of one object.
+/// Settings of one object that planning needs.
 struct ObjectPlanOptions {
   SeamPosition seam = SeamPosition::kAligned;  ///< seam_position
   BrimOptions brim = {};                       ///< none under an object with a raft
@@ -40,15 +26,6 @@ struct ObjectPlanOptions {
   SpiralOptions spiral = {};
 
   friend bool operator==(const ObjectPlanOptions&, const ObjectPlanOptions&) = default;
-};
-
-/// How copies are printed one after the other, each as a whole.
-struct SequencePlanOptions {
-  bool complete_objects = false;              ///< complete_objects
-  Coord clearance_radius_nm = 20 * kNmPerMm;  ///< extruder_clearance_radius: around the nozzle
-  Coord clearance_height_nm = 20 * kNmPerMm;  ///< extruder_clearance_height: gantry over nozzle
-
-  friend bool operator==(const SequencePlanOptions&, const SequencePlanOptions&) = default;
 };
 
 /// Settings of a job that planning needs.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+
 namespace slicefarm {
 
 /// What a part is for.

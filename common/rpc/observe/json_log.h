@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "common/base/shared/shared.h"
 #include "common/base/trace_context.h"
 #include "common/rpc/observe/line_limiter.h"
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "absl/status/statusor.h"
+#include "common/model/process.h"
 #include "common/rpc/security/authz_policy.h"
 #include "common/rpc/security/file_watch.h"
 #include "common/rpc/observe/json_log.h"

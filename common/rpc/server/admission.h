@@ -6,6 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
+#include "common/model/layer.h"
 
 namespace slicefarm::rpc {
 

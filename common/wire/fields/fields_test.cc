@@ -6,14 +6,22 @@
 #include <string>
 
 #include "common/base/error.h"
+#include "common/model/engraving/engrave_settings.h"
 #include "common/model/limits.h"
 #include "common/model/milling/cutter_text.h"
+#include "common/model/milling/milling_options.h"
+#include "common/model/options/exposure_settings.h"
+#include "common/model/options/fdm_settings.h"
+#include "common/model/options/infill_options.h"
+#include "common/model/options/motion_options.h"
+#include "common/model/options/ordering_options.h"
+#include "common/model/options/planning_options.h"
 #include "common/model/options/settings.h"
 
 namespace slicefarm::fields_test {
 namespace {
 
-enum class Colour : uint8_t { kRed, kGreen, kBlue };
+enum class Hue : uint8_t { kRed, kGreen, kBlue };
 
 struct Inner {
   Coord length_nm = 5;
@@ -26,7 +34,7 @@ struct Outer {
   bool on = false;
   int32_t count = 3;
   double share = 0.25;
-  Colour colour = Colour::kGreen;
+  Hue colour = Hue::kGreen;
   std::string name = "a";
   SharedText code = "G28";
   SharedText again = "G28";
@@ -118,7 +126,7 @@ TEST(Fields, ALongTextOfManyRowsIsSentOnce) {
 }
 
 TEST(Fields, EnumeratorsAreCounted) {
-  EXPECT_EQ(kEnumerators<Colour>, 3);
+  EXPECT_EQ(kEnumerators<Hue>, 3);
   EXPECT_EQ(kEnumerators<FillPattern>, kFillPatternCount);
   EXPECT_EQ(kEnumerators<GcodeFlavor>, 6);
 }
@@ -143,7 +151,7 @@ TEST(Fields, ValuesThatNoAlgorithmTakesAreRefused) {
             Reason::kRequestMalformed);
   EXPECT_EQ(RefusalOf(Outer{.share = std::numeric_limits<double>::infinity()}),
             Reason::kRequestMalformed);
-  EXPECT_EQ(RefusalOf(Outer{.colour = static_cast<Colour>(3)}), Reason::kRequestMalformed);
+  EXPECT_EQ(RefusalOf(Outer{.colour = static_cast<Hue>(3)}), Reason::kRequestMalformed);
   EXPECT_EQ(RefusalOf(Outer{.list = {{.place = {int64_t{1} << 31, 0}}}}),
             Reason::kRequestMalformed);
   EXPECT_EQ(RefusalOf(Outer{.list = {{.length_nm = limits::kMaxPrintHeight + 1}}}),

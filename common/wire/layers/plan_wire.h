@@ -7,6 +7,7 @@
 #include "absl/status/statusor.h"
 #include "common/model/job_facts.h"
 #include "common/model/job_plan.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/layer.pb.h"
 #include "slicefarm/v1/planning.pb.h"

@@ -6,6 +6,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/model/milling/milled_step.h"
+#include "common/stage/stage_call.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/milling.pb.h"
 

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "common/model/options/exposure_options.h"
+#include "common/model/options/exposure_settings.h"
 #include "common/wire/options/options_check.h"
 #include "common/wire/options/value_checks.h"
 

@@ -3,6 +3,16 @@
 #include <string_view>
 
 #include "common/model/limits.h"
+#include "common/model/milling/milling_options.h"
+#include "common/model/options/beading_options.h"
+#include "common/model/options/fdm_settings.h"
+#include "common/model/options/infill_options.h"
+#include "common/model/options/motion_options.h"
+#include "common/model/options/ordering_options.h"
+#include "common/model/options/planning_options.h"
+#include "common/model/options/region_speeds.h"
+#include "common/model/options/slicing_options.h"
+#include "common/model/options/tool_row.h"
 #include "common/wire/options/value_checks.h"
 #include "common/wire/support/wire_error.h"
 

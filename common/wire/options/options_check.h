@@ -4,9 +4,19 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "common/model/options/settings.h"
 
 namespace slicefarm {
+
+struct SlicingOptions;
+struct BeadingOptions;
+struct InfillOptions;
+struct OrderingOptions;
+struct PlanningOptions;
+struct MotionOptions;
+struct FdmSettings;
+struct ExposureSettings;
+struct MillSettings;
+struct EngraveSettings;
 
 /// Each function returns an error unless algorithms can work with all values: lengths that divide
 /// are positive, counts are bounded, tables of regions are equally long. Whether a value makes sense

@@ -1,3 +1,7 @@
+#include "common/model/milling/milling_options.h"
+#include "common/model/options/exposure_settings.h"
+#include "common/model/options/fdm_settings.h"
+#include "common/model/options/slicing_options.h"
 #include "common/wire/options/options_wire.h"
 
 #include <gtest/gtest.h>

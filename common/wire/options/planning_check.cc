@@ -1,3 +1,6 @@
+#include "common/model/options/adhesion_options.h"
+#include "common/model/options/planning_options.h"
+#include "common/model/options/support_options.h"
 #include "common/wire/options/options_check.h"
 
 #include <numbers>

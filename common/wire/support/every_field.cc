@@ -7,6 +7,8 @@
 
 #include "google/protobuf/descriptor.h"
 
+#include "common/model/job_plan.h"
+
 namespace slicefarm {
 namespace {
 

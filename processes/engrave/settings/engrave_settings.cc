@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "common/model/engraving/engrave_settings.h"
 #include "processes/engrave/settings/engrave_table.h"
 
 namespace slicefarm::config::engrave {
@@ -28,8 +29,8 @@ class OfEngraving : public ProcessSettings {
     standards.slicing.thumbnails = {};
     return standards;
   }
-  OwnSettings PlateOf(const OwnRows& job) const override {
-    return std::get<EngraveSettings>(job);
+  ProcessValue PlateOf(const ProcessValue& job) const override {
+    return job.As<EngraveSettings>();
   }
   std::vector<SettingSpec> Table() const override {
     constexpr SettingGroup kGroups[] = {{"engraving", EngraveTable}};

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include "common/config/table/bind.h"
+#include "common/model/engraving/engrave_settings.h"
+
 namespace slicefarm::config::engrave {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "common/stage/texture_stage.h"
 #include "processes/engrave/task/engrave_task.h"
 
 namespace slicefarm {

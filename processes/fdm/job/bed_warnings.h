@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "common/model/job_plan.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::coordinator {

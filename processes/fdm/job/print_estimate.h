@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/model/layer.h"
+#include "common/model/options/fdm_settings.h"
 #include "common/model/options/settings.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/algo/pipeline/job_process.h"

@@ -3,6 +3,9 @@
 #include <numbers>
 #include <utility>
 
+#include "common/model/options/adhesion_options.h"
+#include "common/model/options/fdm_settings.h"
+#include "common/model/options/support_options.h"
 #include "processes/fdm/settings/plain_row.h"
 
 namespace slicefarm::config::fdm {

@@ -11,7 +11,7 @@
 #include "common/config/setting_refusal.h"
 #include "common/config/value.h"
 #include "common/model/options/adhesion_options.h"
-#include "common/model/options/motion_options.h"
+#include "common/model/options/machine_limits.h"
 
 namespace slicefarm::config::fdm {
 namespace {

@@ -12,6 +12,7 @@
 #include "common/config/derive_steps.h"
 #include "common/config/table/settings_table.h"
 #include "common/model/options/fill_patterns.h"
+#include "common/model/options/motion_options.h"
 #include "processes/fdm/settings/joined_gcode.h"
 
 namespace slicefarm::config::fdm {

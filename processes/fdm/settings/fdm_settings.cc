@@ -27,8 +27,8 @@ constexpr SettingGroup kGroups[] = {
 class OfFdm : public ProcessSettings {
  public:
   JobRows Standards() const override { return {.slicing = {}, .object = {}, .own = FdmRows()}; }
-  OwnSettings PlateOf(const OwnRows& job) const override {
-    const auto& rows = std::get<FdmRows>(job);
+  ProcessValue PlateOf(const ProcessValue& job) const override {
+    const auto& rows = job.As<FdmRows>();
     return FdmSettings{rows.machine, {}, {}, {rows.tool}};
   }
   std::vector<SettingSpec> Table() const override {

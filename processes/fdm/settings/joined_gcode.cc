@@ -10,7 +10,7 @@
 #include "absl/strings/numbers.h"
 #include "common/base/error.h"
 #include "common/config/table/setting_limits.h"
-#include "common/model/options/motion_options.h"
+#include "common/model/options/machine_limits.h"
 
 namespace slicefarm::config::fdm {
 namespace {

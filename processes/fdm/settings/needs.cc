@@ -5,6 +5,11 @@
 #include <algorithm>
 #include <iterator>
 
+#include "common/model/options/fdm_settings.h"
+#include "common/model/options/planning_options.h"
+#include "common/model/options/support_options.h"
+#include "common/model/options/tool_row.h"
+
 namespace slicefarm::config::fdm {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/model/bead_section.h"
+#include "common/model/options/fdm_settings.h"
 
 namespace slicefarm::config::fdm {
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "common/geometry/point.h"
+#include "common/model/options/beading_options.h"
+#include "common/model/options/infill_options.h"
 #include "common/model/options/settings.h"
 
 namespace slicefarm::config::fdm {

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "common/model/options/adhesion_options.h"
+#include "common/model/options/fdm_settings.h"
+#include "common/model/options/planning_options.h"
 #include "processes/fdm/settings/adhesion_rows.h"
 #include "processes/fdm/settings/support_rows.h"
 

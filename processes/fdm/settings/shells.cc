@@ -5,6 +5,8 @@
 #include <string_view>
 
 #include "common/model/limits.h"
+#include "common/model/options/fdm_settings.h"
+#include "common/model/options/infill_options.h"
 
 namespace slicefarm::config::fdm {
 namespace {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/config/resolve.h"
+#include "common/model/options/fdm_settings.h"
 
 namespace slicefarm::config::fdm::support_rows_test {
 namespace {

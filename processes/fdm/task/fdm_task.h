@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "common/model/fill_use.h"
+#include "common/model/job_facts.h"
+#include "common/model/job_plan.h"
 #include "common/model/layer_warning.h"
 #include "common/model/options/fdm_settings.h"
 #include "common/stage/task.h"

@@ -3,6 +3,10 @@
 #include <memory>
 #include <vector>
 
+#include "common/stage/beading_stage.h"
+#include "common/stage/infill_stage.h"
+#include "common/stage/motion_stage.h"
+#include "common/stage/ordering_stage.h"
 #include "processes/fdm/task/fdm_task.h"
 
 namespace slicefarm {

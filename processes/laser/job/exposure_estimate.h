@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/model/options/exposure_settings.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/algo/pipeline/job_process.h"
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "common/stage/exposure_stage.h"
+#include "common/stage/slicing_stage.h"
 #include "services/coordinator/algo/pipeline/job_process.h"
 
 namespace slicefarm::coordinator {

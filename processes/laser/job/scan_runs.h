@@ -6,6 +6,7 @@
 #include "common/geometry/measure.h"
 #include "common/model/layer.h"
 #include "common/model/options/exposure_settings.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::coordinator {

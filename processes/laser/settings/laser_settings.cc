@@ -6,6 +6,7 @@
 #include "common/config/row_table.h"
 #include "common/config/table/shared_settings.h"
 #include "common/macro/exposure_code.h"
+#include "common/model/options/exposure_settings.h"
 #include "processes/laser/settings/check_settings.h"
 #include "processes/laser/settings/derive.h"
 #include "processes/laser/settings/needs.h"
@@ -43,8 +44,8 @@ class LaserSettings : public ProcessSettings {
   JobRows Standards() const override {
     return {.slicing = {}, .object = {}, .own = ExposureRows()};
   }
-  OwnSettings PlateOf(const OwnRows& job) const override {
-    return ExposureSettings{{}, std::get<ExposureRows>(job).output};
+  ProcessValue PlateOf(const ProcessValue& job) const override {
+    return ExposureSettings{{}, job.As<ExposureRows>().output};
   }
   std::vector<SettingSpec> Table() const override {
     constexpr SettingGroup kGroups[] = {

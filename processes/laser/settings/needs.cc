@@ -2,6 +2,9 @@
 
 #include <iterator>
 
+#include "common/model/options/exposure_options.h"
+#include "common/model/options/exposure_settings.h"
+
 namespace slicefarm::config::laser {
 namespace {
 

@@ -7,6 +7,19 @@
 #include <string>
 #include <utility>
 
+#include "common/config/table/bind.h"
+#include "common/model/options/exposure_options.h"
+#include "common/model/options/exposure_settings.h"
+
+namespace slicefarm::config {
+
+template <>
+struct RowOf<ExposureOptions> : MemberRow<&ExposureRows::region, Scope::kRegion> {};
+template <>
+struct RowOf<ExposureOutput> : MemberRow<&ExposureRows::output, Scope::kJob> {};
+
+}  // namespace slicefarm::config
+
 namespace slicefarm::config::laser {
 namespace {
 
@@ -167,8 +180,7 @@ std::vector<SettingSpec> ScanSettings() {
       Length("beam_compensation", 10, "0.04",
              "From the outline to the middle of the outermost contour",
              Bind<&ExposureOptions::beam_compensation_nm>()),
-      Count("contours", 100, "2", "Lines along the outline",
-            Bind<&ExposureOptions::contours>()),
+      Count("contours", 100, "2", "Lines along the outline", Bind<&ExposureOptions::contours>()),
       {.key = "contour_distance",
        .unit = "mm",
        .min = 0.001,
@@ -283,8 +295,7 @@ std::vector<SettingSpec> OutputSettings() {
                    Named("grbl", OutputFormat::kGrbl), Named("marlin", OutputFormat::kMarlin),
                    Named("svg", OutputFormat::kSvg), Named("dxf", OutputFormat::kDxf)},
        .field = Bind<&ExposureOutput::format>()},
-      Count("output_layer", 1e6, "0", "The layer of a dxf, from 0",
-            Bind<&ExposureOutput::layer>()),
+      Count("output_layer", 1e6, "0", "The layer of a dxf, from 0", Bind<&ExposureOutput::layer>()),
       {.key = "cli_unit",
        .unit = "mm",
        .min = 1e-5,
@@ -315,14 +326,12 @@ std::vector<SettingSpec> OutputSettings() {
        .standard = "0",
        .doc = "How long it takes before each layer until there is new powder or resin",
        .field = Bind<&ExposureOutput::recoat_s>()},
-      Gcode("start_gcode", "G-code before all layers",
-            Bind<&ExposureOutput::start_gcode>()),
+      Gcode("start_gcode", "G-code before all layers", Bind<&ExposureOutput::start_gcode>()),
       Gcode("before_layer_gcode", "G-code before each layer's move in Z",
             Bind<&ExposureOutput::before_layer_gcode>()),
       Gcode("layer_gcode", "G-code after each layer's move in Z, such as for the recoater",
             Bind<&ExposureOutput::layer_gcode>()),
-      Gcode("end_gcode", "G-code after all layers",
-            Bind<&ExposureOutput::end_gcode>()),
+      Gcode("end_gcode", "G-code after all layers", Bind<&ExposureOutput::end_gcode>()),
   };
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "common/stage/exposure_stage.h"
 #include "processes/laser/task/laser_task.h"
 
 namespace slicefarm {

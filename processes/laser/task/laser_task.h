@@ -5,6 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "common/base/shared/shared.h"
+#include "common/model/exposed_program.h"
+#include "common/stage/exposure_stage.h"
 #include "common/stage/task.h"
 
 namespace slicefarm {

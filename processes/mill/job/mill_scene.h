@@ -6,7 +6,9 @@
 
 #include "absl/status/statusor.h"
 #include "common/model/milling/mill_input.h"
+#include "common/model/options/slicing_options.h"
 #include "common/model/scene/placed_scene.h"
+#include "common/stage/slice_input.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::coordinator {

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "common/base/shared/shared.h"
 #include "common/model/milling/milled_program.h"
 #include "processes/mill/task/mill_task.h"
 

@@ -54,7 +54,7 @@ class OfMilling : public ProcessSettings {
   JobRows Standards() const override {
     return {.slicing = {}, .object = {}, .own = MillSettings()};
   }
-  OwnSettings PlateOf(const OwnRows& job) const override { return std::get<MillSettings>(job); }
+  ProcessValue PlateOf(const ProcessValue& job) const override { return job.As<MillSettings>(); }
   std::vector<SettingSpec> Table() const override {
     constexpr SettingGroup kGroups[] = {{"milling", MillTable}, {"machine", TableSettings}};
     return TableOf(kGroups);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include "common/config/table/bind.h"
+#include "common/model/milling/milling_options.h"
+
 namespace slicefarm::config::mill {
 namespace {
 

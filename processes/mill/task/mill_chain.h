@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "common/stage/milling_stage.h"
 #include "processes/mill/task/mill_task.h"
 
 namespace slicefarm {

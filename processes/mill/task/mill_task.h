@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/base/shared/shared.h"
 #include "common/model/milling/mill_input.h"
 #include "common/model/milling/milled_step.h"
 #include "common/stage/task.h"

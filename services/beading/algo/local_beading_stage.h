@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "common/stage/beading_stage.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::beading {

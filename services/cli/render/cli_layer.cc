@@ -14,6 +14,7 @@
 #include "absl/strings/numbers.h"
 #include "common/base/error.h"
 #include "common/base/text.h"
+#include "common/geometry/polygon.h"
 #include "services/cli/render/line_style.h"
 
 namespace slicefarm::cli {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "absl/status/statusor.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::cli {

@@ -7,6 +7,7 @@
 
 #include "absl/strings/escaping.h"
 #include "common/gcode/binary/binary_gcode.h"
+#include "common/model/scene/mesh.h"
 
 namespace slicefarm::coordinator::program_contents_test {
 namespace {

@@ -10,6 +10,7 @@
 #include "common/rpc/client/client_call.h"
 #include "common/rpc/client/duplex_call.h"
 #include "common/stage/object_layers.h"
+#include "common/stage/stage_call.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/remote/replica_source.h"
 

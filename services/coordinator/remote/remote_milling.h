@@ -3,6 +3,10 @@
 #include <string_view>
 #include <vector>
 
+#include "common/base/shared/shared.h"
+#include "common/model/milling/mill_input.h"
+#include "common/model/milling/milled_program.h"
+#include "common/stage/milling_stage.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/remote/remote_call.h"
 #include "services/coordinator/remote/replica_source.h"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "absl/status/statusor.h"
+#include "common/model/scene/mesh.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/remote/remote_call.h"
 #include "services/coordinator/remote/replica_source.h"

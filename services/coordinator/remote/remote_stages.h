@@ -2,7 +2,22 @@
 
 #include <vector>
 
+#include "common/base/shared/shared.h"
+#include "common/model/exposed_program.h"
+#include "common/model/job_plan.h"
+#include "common/model/options/exposure_settings.h"
+#include "common/model/options/motion_options.h"
+#include "common/model/options/planning_options.h"
+#include "common/model/scene/placed_scene.h"
+#include "common/stage/beading_stage.h"
+#include "common/stage/exposure_stage.h"
+#include "common/stage/infill_stage.h"
+#include "common/stage/motion_stage.h"
+#include "common/stage/neighbourhood.h"
+#include "common/stage/ordering_stage.h"
+#include "common/stage/planning_stage.h"
 #include "common/stage/plates.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/remote/remote_call.h"
 #include "services/coordinator/remote/replica_source.h"

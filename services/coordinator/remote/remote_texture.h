@@ -2,7 +2,11 @@
 
 #include <vector>
 
+#include "common/base/shared/shared.h"
+#include "common/model/engraving/engrave_input.h"
+#include "common/model/engraving/engraved_layer.h"
 #include "common/stage/stages.h"
+#include "common/stage/texture_stage.h"
 #include "services/coordinator/remote/remote_call.h"
 #include "services/coordinator/remote/replica_source.h"
 #include "services/coordinator/remote/shared_sends.h"

@@ -13,6 +13,7 @@
 
 #include "absl/status/status.h"
 #include "common/base/shared/shared_bytes.h"
+#include "common/stage/stage_call.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/remote/replica_source.h"
 

@@ -14,6 +14,7 @@
 #include "common/base/error.h"
 #include "common/base/shared/shared_cache.h"
 #include "common/model/limits.h"
+#include "common/model/scene/scene.h"
 #include "common/rpc/client/channel.h"
 #include "common/rpc/client/client_call.h"
 #include "common/rpc/observe/metrics.h"

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "common/stage/exposure_stage.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::exposure {

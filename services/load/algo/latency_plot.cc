@@ -8,6 +8,8 @@
 #include <iterator>
 #include <string_view>
 
+#include "common/geometry/polygon.h"
+
 namespace slicefarm::load {
 namespace {
 

@@ -3,6 +3,8 @@
 #include <condition_variable>
 #include <mutex>
 
+#include "common/model/layer.h"
+
 namespace slicefarm::load {
 
 /// How many requests may be in flight. Thread-safe.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "common/base/sha256.h"
+#include "common/model/scene/scene.h"
 #include "services/load/algo/seeded.h"
 
 namespace slicefarm::load {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/geometry/measure.h"
 #include "common/model/milling/sample_cutters_test.h"
 #include "services/milling/algo/mesh/triangle_mesh.h"
 

@@ -6,6 +6,7 @@
 
 #include "common/base/shared/shared_cache.h"
 #include "common/rpc/server/call_gate.h"
+#include "common/stage/ordering_stage.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::ordering {

@@ -10,6 +10,7 @@
 #include "common/base/cancel_token.h"
 #include "common/model/job_plan.h"
 #include "common/model/layer.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::planning {

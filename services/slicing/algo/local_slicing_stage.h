@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "services/slicing/algo/mesh_io/mesh_source.h"
 

@@ -7,6 +7,7 @@
 #include "common/rpc/server/call_gate.h"
 #include "common/stage/memory_budget.h"
 #include "common/stage/plates.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "services/slicing/server/project_reading.h"
 

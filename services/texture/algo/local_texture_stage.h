@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "common/stage/stages.h"
+#include "common/stage/texture_stage.h"
 
 namespace slicefarm::texture {
 

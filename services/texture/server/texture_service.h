@@ -7,6 +7,7 @@
 #include "common/base/shared/shared_cache.h"
 #include "common/rpc/server/call_gate.h"
 #include "common/stage/stages.h"
+#include "common/stage/texture_stage.h"
 
 namespace slicefarm::texture {
 

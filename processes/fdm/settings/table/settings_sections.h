@@ -2,7 +2,22 @@
 
 #include <vector>
 
+#include "common/config/table/bind.h"
 #include "common/config/table/setting_spec.h"
+#include "common/model/options/fdm_settings.h"
+
+namespace slicefarm::config {
+
+template <>
+struct RowOf<MachineRow> : MemberRow<&FdmRows::machine, Scope::kJob> {};
+template <>
+struct RowOf<ObjectRow> : MemberRow<&FdmRows::object, Scope::kObject> {};
+template <>
+struct RowOf<RegionRow> : MemberRow<&FdmRows::region, Scope::kRegion> {};
+template <>
+struct RowOf<ToolRow> : MemberRow<&FdmRows::tool, Scope::kJob> {};
+
+}  // namespace slicefarm::config
 
 namespace slicefarm::config::fdm {
 

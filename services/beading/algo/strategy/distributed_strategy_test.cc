@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/base/shared/shared.h"
 #include "services/beading/algo/strategy/strategy_checks_test.h"
 
 namespace slicefarm::beading::distributed_strategy_test {

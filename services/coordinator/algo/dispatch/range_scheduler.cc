@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "common/model/job_plan.h"
+
 namespace slicefarm::coordinator {
 
 RangeScheduler::RangeScheduler(int32_t range_count, const SchedulerOptions& options)

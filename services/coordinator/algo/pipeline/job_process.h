@@ -10,6 +10,8 @@
 #include "absl/status/statusor.h"
 #include "common/base/spooled_text.h"
 #include "common/model/filament_use.h"
+#include "common/stage/slice_input.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/task.h"
 #include "services/coordinator/algo/dispatch/task_executor.h"
 

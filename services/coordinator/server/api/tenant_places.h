@@ -7,6 +7,8 @@
 
 #include "absl/status/statusor.h"
 
+#include "common/model/layer.h"
+
 namespace slicefarm::coordinator {
 
 /// Places that calls share, of which a tenant has at most as many as are free: one tenant can take

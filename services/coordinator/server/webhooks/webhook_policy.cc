@@ -10,6 +10,7 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "common/model/scene/scene.h"
 
 namespace slicefarm::coordinator {
 namespace {

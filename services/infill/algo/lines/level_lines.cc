@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+
 namespace slicefarm::infill {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "common/model/scene/scene.h"
 #include "services/infill/algo/space_filling/segment_grid.h"
 
 namespace slicefarm::infill {

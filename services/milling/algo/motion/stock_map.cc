@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/base/span_log.h"
 #include "services/milling/algo/drop/drop_cutter.h"
 
 namespace slicefarm::milling {

@@ -5,8 +5,8 @@
 #include <span>
 #include <string_view>
 
-#include "common/model/options/motion_options.h"
 #include "common/gcode/gcode_text.h"
+#include "common/model/options/machine_limits.h"
 #include "services/motion/algo/program/gcode_line.h"
 
 namespace slicefarm::motion {

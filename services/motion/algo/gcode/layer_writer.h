@@ -10,7 +10,6 @@
 #include "common/gcode/modal.h"
 #include "common/geometry/arc_fit.h"
 #include "common/model/layer.h"
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/gcode/extruder_words.h"
 #include "services/motion/algo/gcode/material_mix.h"

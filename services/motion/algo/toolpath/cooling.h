@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/toolpath/layer_timing.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 

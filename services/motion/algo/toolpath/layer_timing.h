@@ -6,7 +6,6 @@
 
 #include "common/kinematics/planner.h"
 #include "common/model/layer.h"
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/model/layer.h"
-#include "common/model/options/motion_options.h"
+#include "common/model/options/tool_row.h"
 
 namespace slicefarm::motion {
 

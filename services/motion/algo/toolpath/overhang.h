@@ -8,7 +8,6 @@
 
 #include "common/geometry/edge_index.h"
 #include "common/geometry/polygon.h"
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/toolpath/path_segment.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 

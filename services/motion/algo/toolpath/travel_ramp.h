@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/geometry/arc_fit.h"
-#include "common/model/options/motion_options.h"
+#include "common/model/options/tool_row.h"
 #include "services/motion/algo/toolpath/overhang.h"
 
 namespace slicefarm::motion {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+
 namespace slicefarm::ordering {
 
 Costs Costs::OfPlaces(std::vector<Place> places, Metric metric) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+
 namespace slicefarm::ordering::costs_test {
 namespace {
 

@@ -8,6 +8,7 @@
 
 #include "common/model/options/adhesion_options.h"
 #include "common/model/options/planning_options.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "services/planning/algo/adhesion/skirt.h"
 #include "services/planning/algo/planner.h"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/stage/print_layers.h"
+#include "common/stage/slicing_stage.h"
 #include "services/planning/algo/job_planner.h"
 #include "services/planning/algo/layers_test.h"
 

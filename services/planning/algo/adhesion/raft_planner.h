@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/model/options/planning_options.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "services/planning/algo/adhesion/raft.h"
 #include "services/planning/algo/region_planner.h"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/model/options/planning_options.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "services/planning/algo/adhesion/skirt.h"
 #include "services/planning/algo/conflicts/near_copies.h"

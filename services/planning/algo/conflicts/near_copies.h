@@ -7,6 +7,7 @@
 #include <span>
 
 #include "common/geometry/measure.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::planning {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "common/model/options/fill_patterns.h"
-#include "common/model/options/planning_options.h"
+#include "common/model/options/infill_options.h"
 #include "services/planning/algo/infill/object_stack.h"
 
 namespace slicefarm::planning {

@@ -35,7 +35,7 @@ TEST(ChoosePattern, FollowsItsRules) {
       {kStrength, 0, block, FillPattern::kGrid},
   };
   for (const Case& c : cases) {
-    const PatternChoice choice = ChoosePattern({.goal = c.goal, .density = c.density}, c.shape);
+    const PatternChoice choice = ChoosePattern({.density = c.density, .goal = c.goal}, c.shape);
     EXPECT_EQ(InfoOf(choice.pattern).name, InfoOf(c.want).name)
         << static_cast<int>(c.goal) << " " << c.density << " " << c.shape.height_mm;
     EXPECT_FALSE(choice.reason.empty());

@@ -35,7 +35,8 @@ std::vector<SlicedLayer> Block() {
 }
 
 InfillOptions Options(FillPattern pattern) {
-  return {.pattern = pattern, .walls_nm = 900'000, .top_solid_layers = 3, .bottom_solid_layers = 3};
+  return {
+      .top_solid_layers = 3, .bottom_solid_layers = 3, .pattern = pattern, .walls_nm = 900'000};
 }
 
 TEST(InfillPlanner, NothingAskedForIsNothingPlanned) {

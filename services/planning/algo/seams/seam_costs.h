@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "common/model/options/planning_options.h"
+#include "common/model/options/seam_position.h"
 #include "services/planning/algo/seams/seam_forest.h"
 #include "services/planning/algo/seams/seam_places.h"
 

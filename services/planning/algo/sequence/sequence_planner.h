@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "common/model/options/planning_options.h"
+#include "common/model/options/sequence_options.h"
 #include "common/stage/stages.h"
 #include "services/planning/algo/planner.h"
 

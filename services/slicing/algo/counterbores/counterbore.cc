@@ -1,5 +1,6 @@
 #include "services/slicing/algo/counterbores/counterbore.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

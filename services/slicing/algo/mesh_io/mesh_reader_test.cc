@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "common/geometry/measure.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing::mesh_reader_test {

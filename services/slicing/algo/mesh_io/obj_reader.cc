@@ -12,6 +12,7 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "common/model/scene/mesh.h"
 #include "services/slicing/algo/mesh_io/indexed_weld.h"
 #include "services/slicing/algo/mesh_io/text_lines.h"
 

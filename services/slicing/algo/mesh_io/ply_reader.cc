@@ -11,6 +11,7 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "common/model/scene/mesh.h"
 #include "services/slicing/algo/mesh_io/indexed_weld.h"
 #include "services/slicing/algo/mesh_io/ply_header.h"
 #include "services/slicing/algo/mesh_io/ply_values.h"

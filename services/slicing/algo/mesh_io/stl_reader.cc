@@ -10,6 +10,7 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "common/model/scene/mesh.h"
 #include "services/slicing/algo/mesh_io/mesh_builder.h"
 #include "services/slicing/algo/mesh_io/text_lines.h"
 

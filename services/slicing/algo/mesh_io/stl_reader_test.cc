@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "common/geometry/measure.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing::stl_reader_test {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
+#include "common/geometry/measure.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing::placed_object_test {

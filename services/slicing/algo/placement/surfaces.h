@@ -5,6 +5,7 @@
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
 #include "common/model/engraving/surface_mesh.h"
+#include "common/stage/slice_input.h"
 #include "common/stage/stages.h"
 #include "services/slicing/algo/mesh_io/mesh_source.h"
 

@@ -5,6 +5,7 @@
 
 #include "common/model/options/slicing_options.h"
 #include "common/model/scene/mesh.h"
+#include "common/stage/slice_input.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::slicing {

@@ -6,6 +6,7 @@
 #include "absl/status/statusor.h"
 #include "common/model/layer.h"
 #include "common/model/options/layer_heights.h"
+#include "common/stage/slice_input.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::slicing {

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "common/base/error.h"
+#include "common/model/layer.h"
 
 namespace slicefarm::slicing {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
+#include "common/model/scene/placement.h"
 #include "services/texture/algo/paths/boundary_margin.h"
 #include "services/texture/algo/paths/engrave_options.h"
 #include "services/texture/algo/paths/placement.h"

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "common/base/portable_math.h"
+#include "common/model/scene/placement.h"
 #include "services/texture/algo/map/distortion.h"
 
 namespace slicefarm::texture {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/model/scene/placement.h"
 #include "services/texture/algo/paths/sample_maps_test.h"
 
 namespace slicefarm::texture::placement_test {

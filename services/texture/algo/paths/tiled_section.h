@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "common/model/scene/placement.h"
 #include "services/texture/algo/paths/placement.h"
 #include "services/texture/algo/pattern/section.h"
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+
 namespace slicefarm::ordering {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "absl/status/status.h"
+#include "common/model/scene/mesh.h"
 #include "services/slicing/algo/mesh_io/mesh_builder.h"
 #include "services/slicing/algo/mesh_io/raw_mesh.h"
 #include "services/slicing/algo/mesh_io/threemf/package/xml.h"

@@ -9,6 +9,7 @@
 #include "common/base/cancel_token.h"
 #include "common/geometry/polygon.h"
 #include "common/model/options/slicing_options.h"
+#include "common/stage/slice_input.h"
 #include "common/stage/stages.h"
 #include "services/slicing/algo/placement/arranging/arrange.h"
 

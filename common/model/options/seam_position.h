@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+
+namespace slicefarm {
+
+/// Where loops start.
+enum class SeamPosition : uint8_t {
+  kNearest,  ///< near the nozzle
+  kRear,     ///< at the back, in line
+  kAligned,  ///< in line up the object, at corners
+  kRandom,   ///< anywhere, each loop elsewhere
+  kHidden,   ///< in line, where the least is seen of it
+};
+
+}  // namespace slicefarm

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "common/model/process.h"
+
+namespace slicefarm {
+
+/// Value of a type that belongs to one process, such as FdmSettings: its holder need not know the
+/// type. Copies share the value until one of them is changed. An empty one is the standard value of
+/// the default process.
+class ProcessValue {
+ public:
+  ProcessValue() = default;
+  /// `value`: of a type with kProcess and operator==. Implicit, as settings are a process value.
+  template <typename T>
+  requires requires { T::kProcess; }
+  ProcessValue(T value)  // NOLINT(google-explicit-constructor)
+      : process_(T::kProcess), held_(std::make_shared<Held<T>>(std::move(value))) {}
+
+  Process process() const { return process_; }
+
+  /// Returns the value. REQUIRES: it was made of a T, or is empty and T belongs to the default
+  /// process.
+  template <typename T>
+  const T& As() const {
+    static const T kStandard;
+    return held_ == nullptr ? kStandard : static_cast<const Held<T>&>(*held_).value;
+  }
+  template <typename T>
+  T& As() {
+    if (held_ == nullptr || held_.use_count() > 1)
+      held_ = std::make_shared<Held<T>>(std::as_const(*this).template As<T>());
+    return static_cast<Held<T>&>(*held_).value;
+  }
+
+  friend bool operator==(const ProcessValue& a, const ProcessValue& b) {
+    if (a.process_ != b.process_ || a.held_ == b.held_) return a.process_ == b.process_;
+    return a.held_ != nullptr ? a.held_->Equals(b.held_.get()) : b.held_->Equals(nullptr);
+  }
+
+ private:
+  struct Holder {
+    virtual ~Holder() = default;
+    /// `other`: of the same type; null: the standard value.
+    virtual bool Equals(const Holder* other) const = 0;
+  };
+  template <typename T>
+  struct Held : Holder {
+    explicit Held(T held) : value(std::move(held)) {}
+    bool Equals(const Holder* other) const override {
+      return other == nullptr ? value == T() : value == static_cast<const Held&>(*other).value;
+    }
+    T value;
+  };
+
+  Process process_ = kDefaultProcess;
+  std::shared_ptr<Holder> held_;
+};
+
+}  // namespace slicefarm

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/base/shared/shared.h"
+#include "common/model/layer.h"
+#include "common/model/options/beading_options.h"
+#include "common/stage/neighbourhood.h"
+#include "common/stage/stage_call.h"
+
+namespace slicefarm {
+
+/// Walls of each region, by row of the job's regions. All calls of a job share it: it is sent and
+/// read once (common/wire/shared_wire.h).
+using BeadingTable = std::vector<BeadingOptions>;
+
+/// Results are in order, one for each layer of the range.
+class BeadingStage {
+ public:
+  virtual ~BeadingStage() = default;
+  virtual absl::StatusOr<std::vector<WalledLayer>> Bead(
+      const StageCall& call, const Neighbourhood& neighbourhood,
+      const Shared<BeadingTable>& regions) const = 0;
+};
+
+}  // namespace slicefarm

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/base/shared/shared.h"
+#include "common/model/exposed_program.h"
+#include "common/model/job_plan.h"
+#include "common/model/layer.h"
+#include "common/model/options/exposure_settings.h"
+#include "common/stage/neighbourhood.h"
+#include "common/stage/stage_call.h"
+
+namespace slicefarm {
+
+/// Data of a job that all calls share.
+struct ExposureJob {
+  ExposureSettings settings;
+  std::vector<Copy> copies;
+
+  friend bool operator==(const ExposureJob&, const ExposureJob&) = default;
+};
+
+/// Layers to vectors that expose them: all that is done to a layer.
+class ExposureStage {
+ public:
+  virtual ~ExposureStage() = default;
+  /// A program for each layer of the range.
+  virtual absl::StatusOr<std::vector<ExposedProgram>> Expose(
+      const StageCall& call, const Neighbourhood& neighbourhood,
+      const Shared<ExposureJob>& job) const = 0;
+  virtual absl::StatusOr<ExposureEnvelope> Envelope(const StageCall& call,
+                                                    const ExposureSummary& summary,
+                                                    const ExposureSettings& settings) const = 0;
+};
+
+}  // namespace slicefarm

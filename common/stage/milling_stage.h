@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/base/shared/shared.h"
+#include "common/model/milling/mill_input.h"
+#include "common/model/milling/milled_program.h"
+#include "common/stage/stage_call.h"
+
+namespace slicefarm {
+
+/// Meshes to programs of a milling machine. Any ranges of a job's steps can be made apart; their
+/// results are put together at once.
+class MillingStage {
+ public:
+  virtual ~MillingStage() = default;
+  /// Errors: what cannot be milled so.
+  virtual absl::StatusOr<MillLayout> LayOut(const StageCall& call,
+                                            const Shared<MillInput>& input) const = 0;
+  /// What the steps of the range come to. REQUEST_MALFORMED for a range that the job has not.
+  virtual absl::StatusOr<std::vector<MilledStep>> Mill(const StageCall& call,
+                                                       const Shared<MillInput>& input,
+                                                       StepRange range) const = 0;
+  /// `steps`: all of the job's. `settings_text`: effective settings, quoted at the program's end.
+  virtual absl::StatusOr<MilledProgram> Assemble(const StageCall& call,
+                                                 const Shared<MillInput>& input,
+                                                 std::vector<MilledStep> steps,
+                                                 std::string_view settings_text) const = 0;
+};
+
+}  // namespace slicefarm

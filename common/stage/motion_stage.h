@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/base/shared/shared.h"
+#include "common/model/job_facts.h"
+#include "common/model/layer.h"
+#include "common/model/options/motion_options.h"
+#include "common/model/program_summary.h"
+#include "common/stage/stage_call.h"
+
+namespace slicefarm {
+
+/// Data of a job that all calls share.
+struct MotionJob {
+  MotionOptions options;
+  JobFacts facts;
+
+  friend bool operator==(const MotionJob&, const MotionJob&) = default;
+};
+
+class MotionStage {
+ public:
+  virtual ~MotionStage() = default;
+  /// By layer, then pass: a layer has a program for each pass that prints something in it, and one
+  /// at least.
+  virtual absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
+                                                            std::vector<OrderedLayer> layers,
+                                                            const Shared<MotionJob>& job) const = 0;
+  virtual absl::StatusOr<ProgramEnvelope> Envelope(const StageCall& call,
+                                                   const ProgramSummary& summary,
+                                                   const MotionOptions& options) const = 0;
+};
+
+}  // namespace slicefarm

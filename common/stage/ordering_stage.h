@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/base/shared/shared.h"
+#include "common/model/job_plan.h"
+#include "common/model/layer.h"
+#include "common/model/options/ordering_options.h"
+#include "common/stage/stage_call.h"
+
+namespace slicefarm {
+
+/// Data of a job that all calls share.
+struct OrderingJob {
+  OrderingOptions options;
+  std::vector<Copy> copies;
+
+  friend bool operator==(const OrderingJob&, const OrderingJob&) = default;
+};
+
+class OrderingStage {
+ public:
+  virtual ~OrderingStage() = default;
+  /// `plans`: one a layer.
+  virtual absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall& call,
+                                                          std::vector<FilledLayer> layers,
+                                                          std::span<const LayerPlan> plans,
+                                                          const Shared<OrderingJob>& job) const = 0;
+};
+
+}  // namespace slicefarm

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "absl/status/statusor.h"
+#include "common/model/job_plan.h"
+#include "common/model/layer.h"
+#include "common/model/options/planning_options.h"
+#include "common/stage/slicing_stage.h"
+#include "common/stage/stage_call.h"
+
+namespace slicefarm {
+
+class PlanningStage {
+ public:
+  virtual ~PlanningStage() = default;
+  virtual absl::StatusOr<JobPlan> Plan(const StageCall& call, const SlicedOutlines& job,
+                                       const PlanningOptions& options) const = 0;
+};
+
+}  // namespace slicefarm

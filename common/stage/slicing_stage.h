@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/geometry/polygon.h"
+#include "common/model/engraving/surface_mesh.h"
+#include "common/model/layer.h"
+#include "common/model/options/slicing_options.h"
+#include "common/model/scene/mesh.h"
+#include "common/model/scene/orientation_advice.h"
+#include "common/model/scene/placed_scene.h"
+#include "common/stage/slice_input.h"
+#include "common/stage/stage_call.h"
+
+namespace slicefarm {
+
+/// A copy as it stands on the plate.
+struct PlacedCopy {
+  int32_t object = 0;
+  Point shift;        ///< from the object's origin; whole micrometres
+  Polygon footprint;  ///< the object's convex hull at its place; no points: no area
+
+  friend bool operator==(const PlacedCopy&, const PlacedCopy&) = default;
+};
+
+/// Layers bottom up without gaps (a layer may be empty), and what was found on the way.
+struct SlicedJob {
+  std::vector<SlicedLayer> layers;
+  std::vector<std::string> object_names;  ///< by object
+  std::vector<PlacedCopy> copies;         ///< by object, then as in the input
+  std::vector<MeshReport> meshes;         ///< one a part, by object; none of surfaces for seams
+  std::vector<Thumbnail> thumbnails;
+  std::vector<OrientationAdvice> orientations;  ///< of objects that would print better otherwise
+};
+
+/// Outlines of a sliced job and its copies.
+struct SlicedOutlines {
+  std::span<const SlicedLayer> layers;
+  std::span<const PlacedCopy> copies;
+  std::span<const std::string> object_names = {};  ///< by object, for messages; may be fewer
+};
+
+class SlicingStage {
+ public:
+  virtual ~SlicingStage() = default;
+  /// Takes the input by value: the bytes of a big mesh are freed as soon as they are read.
+  virtual absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
+                                          const SlicingOptions& options) const = 0;
+};
+
+/// Reads meshes and puts them on the bed: what slicing begins with, for processes that work on the
+/// meshes themselves. Errors: those of slicing up to there.
+class PlacingStage {
+ public:
+  virtual ~PlacingStage() = default;
+  virtual absl::StatusOr<PlacedScene> Place(const StageCall& call, SliceInput input,
+                                            const SlicingOptions& options) const = 0;
+  /// The objects as their files have them, transformed and not placed: for processes that need the
+  /// doubles. Errors: REQUEST_MALFORMED for an object that is not one part and one copy;
+  /// MESH_TOO_LARGE.
+  virtual absl::StatusOr<std::vector<SurfaceMesh>> ReadSurfaces(
+      const StageCall& call, SliceInput input, const SlicingOptions& options) const = 0;
+};
+
+}  // namespace slicefarm
