@@ -481,7 +481,7 @@ TEST(StageServices, RefuseACallWithoutSettingsOfAnyRegion) {
   Farm farm;
   const absl::Status status = farm.beading.Bead(NewCall(), TheNeighbourhood(), {}).status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
-  EXPECT_EQ(DetailOf(status).metadata["field"], "start.shared.rows");
+  EXPECT_EQ(DetailOf(status).metadata["field"], "start.shared.rows.walls");
 }
 
 TEST(StageServices, RefuseAPlateWithoutRegions) {
