@@ -20,7 +20,7 @@ FORWARD = re.compile(r"^(?:class|struct|enum class) (\w+)(?: : \w+)?;", re.M)
 FOREIGN = {"boost", "v1", "grpc", "std", "testing"}
 # Words that types of classes, or of one file, go by as well.
 ELSEWHERE = set(
-    """Attempt Call Candidate Claimed Done Entries Join Kind Link Move Path Piece Plate Reply Run Shared Span Stack Tenant Then Turn
+    """Attempt Call Candidate Claimed Done Entries Join Kind Link Move Path Piece Place Plate Reply Run Shared Span Stack Tenant Then Turn
     Value Visit boost""".split()
 )
 USE = re.compile(r"(?<![.\w>])(?:(\w+)::)?(\w+)(?=\s*[&*>{]|::|\s+\w)")

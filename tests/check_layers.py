@@ -63,32 +63,6 @@ SUBRANGE = re.compile(
 # A place or a direction is an Eigen::Vector2d or Vector3d: a struct of its coordinates and nothing else but operators is one's own.
 STRUCT = re.compile(r"\bstruct (\w+) \{")
 COORDINATES = re.compile(r"(?:(?:double|float) )?[uvxyz](?: = [\d.]+)?")
-# Those that were there before the rule: they go as their files are worked on. Nothing is added here.
-OLD_VECTORS = {
-    "common/geometry/offset/offset_curve.cc": {"Normal"},
-    "common/geometry/skeleton/skeletal_graph.h": {"Place"},
-    "services/beading/algo/arachne/wide_walls.cc": {"Direction"},
-    "services/cli/render/gcode_layer.h": {"PointMm"},
-    "services/exposure/algo/decompose/exact_vector.h": {"ExactVector"},
-    "services/exposure/algo/decompose/link_choice.cc": {"Direction"},
-    "services/exposure/algo/scan/convex_ring.h": {"PlaneVector"},
-    "services/infill/algo/fields/direction_field.h": {"Direction"},
-    "services/infill/algo/fields/stream_line.h": {"Vec2"},
-    "services/infill/algo/lines/fitted_strips.h": {"FramePoint"},
-    "services/infill/algo/lines/level_lines.h": {"Vec"},
-    "services/infill/algo/lines/smoothed.cc": {"FinePoint"},
-    "services/infill/algo/quality/bead_cover.cc": {"Place"},
-    "services/motion/algo/program/arc_chords.h": {"ArcPlace"},
-    "services/motion/algo/toolpath/overhang.h": {"Middle"},
-    "services/motion/algo/toolpath/simplified_path.cc": {"UmVector"},
-    "services/ordering/algo/tours/costs.h": {"Place"},
-    "services/planning/algo/seams/occupancy.cc": {"Direction"},
-    "services/planning/algo/support/bridges.cc": {"Direction"},
-    "services/slicing/algo/mesh_io/raw_mesh.h": {"Position"},
-    "services/slicing/algo/placement/arranging/free_places.h": {"Spot"},
-    "services/slicing/algo/section/local_width.h": {"Direction"},
-    "services/slicing/algo/thumbnail/thumbnail.cc": {"Vector"},
-}
 LIBM_FREE = {"base", "gcode", "geometry", "model", "kinematics", "macro", "config", "stage", "algo", "settings", "task", "job"}
 NO_GCODE = {"load"}  # services that make none
 MAX_LINES, MAX_TEST_LINES = 500, 1000
@@ -164,8 +138,7 @@ def vectors(text):
 
 def check_vectors(path, text):
     for name in vectors(text):
-        if name not in OLD_VECTORS.get(path, ()):
-            yield f"{path}: {name} is a vector of its own; use Eigen's"
+        yield f"{path}: {name} is a vector of its own; use Vector2 or Vector3 of common/geometry/vector.h"
 
 
 def check(root, file):

@@ -1,14 +1,23 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+
+#include "common/geometry/point.h"
 
 namespace slicefarm {
 
-/// A place or a way in the plane in doubles, of whatever unit. Not set unless it is said.
+/// A position or a direction in the plane or in space, in doubles of any unit. Not initialised by
+/// default.
 using Vector2 = Eigen::Vector2d;
+using Vector3 = Eigen::Vector3d;
+
+inline Vector2 ToVector(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+inline Point RoundedPoint(const Vector2& v) { return {std::llround(v.x()), std::llround(v.y())}; }
 
 inline double Dot(const Vector2& a, const Vector2& b) { return a.x() * b.x() + a.y() * b.y(); }
 inline double Cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
+inline double Norm(const Vector2& a) { return std::sqrt(Dot(a, a)); }
 /// A quarter turn to the left.
 inline Vector2 TurnedLeft(const Vector2& a) { return {-a.y(), a.x()}; }
 

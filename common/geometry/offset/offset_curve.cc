@@ -5,15 +5,10 @@
 #include <numbers>
 
 #include "common/base/portable_math.h"
+#include "common/geometry/vector.h"
 
 namespace slicefarm::internal {
 namespace {
-
-/// A unit vector to the right of an edge, or a corner's place beside it.
-struct Normal {
-  double x = 0;
-  double y = 0;
-};
 
 Polygon WithoutRepeats(const Polygon& ring) {
   Polygon points;
@@ -24,7 +19,7 @@ Polygon WithoutRepeats(const Polygon& ring) {
   return points;
 }
 
-Normal RightOf(Point from, Point to) {
+Vector2 RightOf(Point from, Point to) {
   const auto dx = static_cast<double>(to.x - from.x), dy = static_cast<double>(to.y - from.y);
   const double scale = 1 / std::sqrt(dx * dx + dy * dy);
   return {dy * scale, -(dx * scale)};
@@ -68,13 +63,13 @@ class CurveMaker {
     curve_.push_back(
         {Rounded(static_cast<double>(at.x) + x), Rounded(static_cast<double>(at.y) + y)});
   }
-  void Append(Point at, Normal n) { Append(at, n.x * distance_, n.y * distance_); }
+  void Append(Point at, Vector2 n) { Append(at, n.x() * distance_, n.y() * distance_); }
 
   /// False where the edges run straight on: the next corner is measured against `in` again, so that
   /// many small turns add up.
-  bool Corner(Point at, Normal in, Normal out) {
-    double sine = in.x * out.y - out.x * in.y;
-    const double cosine = in.x * out.x + out.y * in.y;
+  bool Corner(Point at, Vector2 in, Vector2 out) {
+    double sine = Cross(in, out);
+    const double cosine = Dot(in, out);
     if (std::abs(sine * distance_) < 1) {
       if (cosine > 0) {
         Append(at, in);
@@ -93,27 +88,27 @@ class CurveMaker {
     return true;
   }
 
-  void JoinEdges(Point at, Normal in, Normal out, double sine, double cosine) {
+  void JoinEdges(Point at, Vector2 in, Vector2 out, double sine, double cosine) {
     const double limit = options_.miter_limit;
     const double least = limit > 2 ? 2 / (limit * limit) : 0.5;
     if (options_.join == Join::kRound) {
       AppendArc(at, in, out, Atan2(sine, cosine));
     } else if (options_.join == Join::kMiter && 1 + cosine >= least) {
       const double reach = distance_ / (1 + cosine);
-      Append(at, (in.x + out.x) * reach, (in.y + out.y) * reach);
+      Append(at, (in.x() + out.x()) * reach, (in.y() + out.y()) * reach);
     } else {
       const double cut = Tan(Atan2(sine, cosine) / 4);
-      Append(at, distance_ * (in.x - in.y * cut), distance_ * (in.y + in.x * cut));
-      Append(at, distance_ * (out.x + out.y * cut), distance_ * (out.y - out.x * cut));
+      Append(at, distance_ * (in.x() - in.y() * cut), distance_ * (in.y() + in.x() * cut));
+      Append(at, distance_ * (out.x() + out.y() * cut), distance_ * (out.y() - out.x() * cut));
     }
   }
 
-  void AppendArc(Point at, Normal from, Normal to, double turn) {
+  void AppendArc(Point at, Vector2 from, Vector2 to, double turn) {
     const auto steps = std::max<Coord>(Rounded(steps_per_rad_ * std::abs(turn)), 1);
-    Normal n = from;
+    Vector2 n = from;
     for (Coord i = 0; i < steps; ++i) {
       Append(at, n);
-      n = {n.x * step_cosine_ - step_sine_ * n.y, n.x * step_sine_ + n.y * step_cosine_};
+      n = {n.x() * step_cosine_ - step_sine_ * n.y(), n.x() * step_sine_ + n.y() * step_cosine_};
     }
     Append(at, to);
   }
@@ -121,7 +116,7 @@ class CurveMaker {
   const Polygon points_;
   const double distance_;
   const OffsetOptions& options_;
-  std::vector<Normal> normals_;
+  std::vector<Vector2> normals_;
   Polygon curve_;
   double step_sine_ = 0, step_cosine_ = 1, steps_per_rad_ = 0;
 };

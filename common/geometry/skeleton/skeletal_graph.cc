@@ -24,13 +24,11 @@ constexpr int kMaxChords = 256;  ///< of one edge
 using Diagram = boost::polygon::voronoi_diagram<double>;
 using Edge = Diagram::edge_type;
 
-Place Of(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
-
 /// > 0 for a place to the left of the edge; its distance from the line, times the edge's length.
-double SideOf(const BoundaryEdge& edge, Place p) {
+double SideOf(const BoundaryEdge& edge, Vector2 p) {
   const Point d = edge.to - edge.from;
-  return static_cast<double>(d.x) * (p.y - static_cast<double>(edge.from.y)) -
-         static_cast<double>(d.y) * (p.x - static_cast<double>(edge.from.x));
+  return static_cast<double>(d.x) * (p.y() - static_cast<double>(edge.from.y)) -
+         static_cast<double>(d.y) * (p.x() - static_cast<double>(edge.from.x));
 }
 
 /// What a cell of the diagram surrounds.
@@ -78,7 +76,7 @@ class Builder {
     return {starts ? edge : boundary_.edges[edge].next, true};
   }
 
-  Place PlaceOf(const Diagram::vertex_type& vertex) const {
+  Vector2 PlaceOf(const Diagram::vertex_type& vertex) const {
     return {vertex.x() * unit_, vertex.y() * unit_};
   }
 
@@ -153,21 +151,22 @@ class Builder {
 
   // --- nodes and half-edges ----------------------------------------------------------------------
 
-  double DistanceTo(Feature feature, Place p) const {
+  double DistanceTo(Feature feature, Vector2 p) const {
     const BoundaryEdge& edge = graph_.boundary[feature.edge];
-    if (feature.is_corner) return Hypot(p.x - Of(edge.from).x, p.y - Of(edge.from).y);
+    if (feature.is_corner)
+      return Hypot(p.x() - ToVector(edge.from).x(), p.y() - ToVector(edge.from).y());
     const Point d = edge.to - edge.from;
-    const Place from = Of(edge.from), to = Of(edge.to);
-    const double along =
-        (p.x - from.x) * static_cast<double>(d.x) + (p.y - from.y) * static_cast<double>(d.y);
-    if (along <= 0) return Hypot(p.x - from.x, p.y - from.y);
-    if (along >= SquaredNorm(d)) return Hypot(p.x - to.x, p.y - to.y);
+    const Vector2 from = ToVector(edge.from), to = ToVector(edge.to);
+    const double along = (p.x() - from.x()) * static_cast<double>(d.x) +
+                         (p.y() - from.y()) * static_cast<double>(d.y);
+    if (along <= 0) return Hypot(p.x() - from.x(), p.y() - from.y());
+    if (along >= SquaredNorm(d)) return Hypot(p.x() - to.x(), p.y() - to.y());
     return std::abs(SideOf(edge, p)) / Norm(d);
   }
 
   /// The node of a vertex, or -1 if it is not as far from `a` as from `b` and all before them.
   int NodeOf(const Diagram::vertex_type& vertex, Feature a, Feature b) {
-    const Place place = PlaceOf(vertex);
+    const Vector2 place = PlaceOf(vertex);
     const double to_a = DistanceTo(a, place), to_b = DistanceTo(b, place);
     if (!(std::abs(to_a - to_b) <= kRadiusErrorNm)) return -1;
     int& node = node_of_[static_cast<size_t>(&vertex - diagram_.vertices().data())];
@@ -252,7 +251,7 @@ class Builder {
 
   /// Nodes as far from a corner as from an edge's line.
   std::vector<SkeletalNode> AlongParabola(Feature corner, Feature edge, int from, int to) const {
-    const Place focus = Of(graph_.boundary[corner.edge].from);
+    const Vector2 focus = ToVector(graph_.boundary[corner.edge].from);
     const BoundaryEdge& directrix = graph_.boundary[edge.edge];
     const Point d = directrix.to - directrix.from;
     const double length = Norm(d);
@@ -260,29 +259,30 @@ class Builder {
     const double height = SideOf(directrix, focus) / length;
     if (height < 1) return {};
     const auto along = [&](int node) {
-      const Place p = graph_.nodes[node].place;
-      return (p.x - focus.x) * ux + (p.y - focus.y) * uy;
+      const Vector2 p = graph_.nodes[node].place;
+      return (p.x() - focus.x()) * ux + (p.y() - focus.y()) * uy;
     };
     const double mark = height * Tan(options_.transition_angle / 2);
     std::vector<SkeletalNode> nodes;
     for (const double t : Parameters(along(from), along(to), {-mark, 0, mark}, StepFor(height))) {
       const double radius = (t * t + height * height) / (2 * height);
       const double rise = radius - height;
-      nodes.push_back({{focus.x + t * ux - rise * uy, focus.y + t * uy + rise * ux}, radius});
+      nodes.push_back({{focus.x() + t * ux - rise * uy, focus.y() + t * uy + rise * ux}, radius});
     }
     return nodes;
   }
 
   /// Nodes as far from one corner as from the other.
   std::vector<SkeletalNode> BetweenCorners(Feature a, Feature b, int from, int to) const {
-    const Place p = Of(graph_.boundary[a.edge].from), q = Of(graph_.boundary[b.edge].from);
-    const double half = Hypot(q.x - p.x, q.y - p.y) / 2;
+    const Vector2 p = ToVector(graph_.boundary[a.edge].from),
+                  q = ToVector(graph_.boundary[b.edge].from);
+    const double half = Hypot(q.x() - p.x(), q.y() - p.y()) / 2;
     if (half < 1) return {};
-    const Place middle = {(p.x + q.x) / 2, (p.y + q.y) / 2};
-    const double ux = -(q.y - p.y) / (2 * half), uy = (q.x - p.x) / (2 * half);
+    const Vector2 middle = {(p.x() + q.x()) / 2, (p.y() + q.y()) / 2};
+    const double ux = -(q.y() - p.y()) / (2 * half), uy = (q.x() - p.x()) / (2 * half);
     const auto along = [&](int node) {
-      const Place at = graph_.nodes[node].place;
-      return (at.x - middle.x) * ux + (at.y - middle.y) * uy;
+      const Vector2 at = graph_.nodes[node].place;
+      return (at.x() - middle.x()) * ux + (at.y() - middle.y()) * uy;
     };
     const double mark = half * Tan(options_.transition_angle / 2);
     // The farther out, the straighter the radius: even steps of u in t = half sinh(u) have an error
@@ -292,7 +292,7 @@ class Builder {
     for (const double u : Parameters(stretched(along(from)), stretched(along(to)),
                                      {-stretched(mark), 0, stretched(mark)}, StepFor(half))) {
       const double t = half * Sinh(u / half);
-      nodes.push_back({{middle.x + t * ux, middle.y + t * uy}, Hypot(t, half)});
+      nodes.push_back({{middle.x() + t * ux, middle.y() + t * uy}, Hypot(t, half)});
     }
     return nodes;
   }
@@ -339,8 +339,9 @@ class Builder {
   /// A convex corner's node becomes the corner itself.
   bool EndsInCorner(int last, int edge) {
     SkeletalNode& node = graph_.nodes[graph_.To(last)];
-    const Place corner = Of(graph_.boundary[edge].from);
-    if (!(Hypot(node.place.x - corner.x, node.place.y - corner.y) <= kCornerErrorNm)) return false;
+    const Vector2 corner = ToVector(graph_.boundary[edge].from);
+    if (!(Hypot(node.place.x() - corner.x(), node.place.y() - corner.y()) <= kCornerErrorNm))
+      return false;
     node = {corner, 0};
     return true;
   }
@@ -429,20 +430,20 @@ std::optional<SkeletalGraph> BuildWith(const Boundary& boundary, const SkeletalO
 }  // namespace
 
 double SkeletalGraph::Length(int half) const {
-  const Place a = FromNode(half).place, b = ToNode(half).place;
-  return Hypot(b.x - a.x, b.y - a.y);
+  const Vector2 a = FromNode(half).place, b = ToNode(half).place;
+  return Hypot(b.x() - a.x(), b.y() - a.y());
 }
 
-Place SkeletalGraph::Foot(int half, const SkeletalNode& node) const {
+Vector2 SkeletalGraph::Foot(int half, const SkeletalNode& node) const {
   const HalfEdge& edge = half_edges[half];
   const BoundaryEdge& feature = boundary[edge.feature];
-  if (edge.is_corner) return Of(feature.from);
+  if (edge.is_corner) return ToVector(feature.from);
   const Point d = feature.to - feature.from;
-  const Place from = Of(feature.from);
-  const double along = (node.place.x - from.x) * static_cast<double>(d.x) +
-                       (node.place.y - from.y) * static_cast<double>(d.y);
+  const Vector2 from = ToVector(feature.from);
+  const double along = (node.place.x() - from.x()) * static_cast<double>(d.x) +
+                       (node.place.y() - from.y()) * static_cast<double>(d.y);
   const double t = std::clamp(along / SquaredNorm(d), 0.0, 1.0);
-  return {from.x + t * static_cast<double>(d.x), from.y + t * static_cast<double>(d.y)};
+  return {from.x() + t * static_cast<double>(d.x), from.y() + t * static_cast<double>(d.y)};
 }
 
 std::vector<int> SkeletalGraph::Leaving() const {

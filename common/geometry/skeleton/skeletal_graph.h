@@ -4,18 +4,13 @@
 #include <vector>
 
 #include "common/geometry/skeleton/boundary.h"
+#include "common/geometry/vector.h"
 
 namespace slicefarm {
 
-/// A point of the plane in nm from the graph's origin.
-struct Place {
-  double x = 0;
-  double y = 0;
-};
-
 /// A node of the medial axis, corners of the boundary (radius 0) included.
 struct SkeletalNode {
-  Place place;
+  Vector2 place = Vector2::Zero();
   double radius = 0;  ///< nm, distance to the boundary
 };
 
@@ -48,7 +43,7 @@ struct SkeletalGraph {
   const SkeletalNode& ToNode(int half) const { return nodes[To(half)]; }
   double Length(int half) const;
   /// The nearest point of the half-edge's feature.
-  Place Foot(int half, const SkeletalNode& node) const;
+  Vector2 Foot(int half, const SkeletalNode& node) const;
   /// By node: a half-edge that leaves it.
   std::vector<int> Leaving() const;
   /// Calls visit(half) for each half-edge that leaves the node that `leaving` leaves, around it.

@@ -92,15 +92,14 @@ std::vector<ShapeCase> Shapes() {
 // --- what must hold
 // --------------------------------------------------------------------------------
 
-double Distance(Place a, Place b) { return std::hypot(b.x - a.x, b.y - a.y); }
+double Distance(Vector2 a, Vector2 b) { return std::hypot(b.x() - a.x(), b.y() - a.y()); }
 
-double DistanceToSegment(Place p, Place a, Place b) {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  const double t = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0., 1.);
-  return Distance(p, {a.x + t * dx, a.y + t * dy});
+double DistanceToSegment(Vector2 p, Vector2 a, Vector2 b) {
+  const double dx = b.x() - a.x(), dy = b.y() - a.y();
+  const double t =
+      std::clamp(((p.x() - a.x()) * dx + (p.y() - a.y()) * dy) / (dx * dx + dy * dy), 0., 1.);
+  return Distance(p, {a.x() + t * dx, a.y() + t * dy});
 }
-
-Place Of(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
 void ExpectRadiiAreDistances(const SkeletalGraph& graph, const PolygonWithHoles& region,
                              double error_nm) {
@@ -108,12 +107,12 @@ void ExpectRadiiAreDistances(const SkeletalGraph& graph, const PolygonWithHoles&
     double distance = std::numeric_limits<double>::infinity();
     for (const Polygon& ring : Rings({region})) {
       for (size_t i = 0; i < ring.size(); ++i) {
-        const Place from = Of(ring[i] - graph.origin);
-        const Place to = Of(ring[(i + 1) % ring.size()] - graph.origin);
+        const Vector2 from = ToVector(ring[i] - graph.origin);
+        const Vector2 to = ToVector(ring[(i + 1) % ring.size()] - graph.origin);
         distance = std::min(distance, DistanceToSegment(node.place, from, to));
       }
     }
-    ASSERT_NEAR(node.radius, distance, error_nm) << node.place.x << " " << node.place.y;
+    ASSERT_NEAR(node.radius, distance, error_nm) << node.place.x() << " " << node.place.y();
   }
 }
 
@@ -183,12 +182,12 @@ void ExpectFeet(const SkeletalGraph& graph, double error_nm) {
   for (int half = 0; half < static_cast<int>(graph.half_edges.size()); ++half) {
     const BoundaryEdge& feature = graph.boundary[graph.half_edges[half].feature];
     for (const SkeletalNode& node : {graph.FromNode(half), graph.ToNode(half)}) {
-      const Place foot = graph.Foot(half, node);
+      const Vector2 foot = graph.Foot(half, node);
       ASSERT_NEAR(Distance(foot, node.place), node.radius, error_nm) << half;
       if (graph.half_edges[half].is_corner) {
-        ASSERT_EQ(Distance(foot, Of(feature.from)), 0) << half;
+        ASSERT_EQ(Distance(foot, ToVector(feature.from)), 0) << half;
       } else {
-        ASSERT_LT(DistanceToSegment(foot, Of(feature.from), Of(feature.to)), 1) << half;
+        ASSERT_LT(DistanceToSegment(foot, ToVector(feature.from), ToVector(feature.to)), 1) << half;
       }
     }
   }
@@ -216,7 +215,7 @@ TEST_P(SkeletalShape, ConvexCornersAreNodes) {
   for (const BoundaryEdge& edge : graph_.boundary) {
     const Point in = edge.from - graph_.boundary[edge.previous].from;
     const auto ends = std::ranges::count_if(graph_.nodes, [&](const SkeletalNode& node) {
-      return node.radius == 0 && Distance(node.place, Of(edge.from)) == 0;
+      return node.radius == 0 && Distance(node.place, ToVector(edge.from)) == 0;
     });
     EXPECT_EQ(ends, Cross(in, edge.to - edge.from) > 0 ? 1 : 0) << ToText(edge.from);
   }
@@ -231,8 +230,8 @@ TEST_P(SkeletalShape, SplittingEveryEdgeKeepsAllThis) {
     const SkeletalNode from = graph.FromNode(split), to = graph.ToNode(split);
     const int end = graph.To(split);
     const int added = static_cast<int>(graph.nodes.size());
-    const int onward = graph.Split(split, {{std::lerp(from.place.x, to.place.x, 0.3),
-                                            std::lerp(from.place.y, to.place.y, 0.3)},
+    const int onward = graph.Split(split, {{std::lerp(from.place.x(), to.place.x(), 0.3),
+                                            std::lerp(from.place.y(), to.place.y(), 0.3)},
                                            std::lerp(from.radius, to.radius, 0.3)});
     ASSERT_EQ(graph.To(split), added);
     ASSERT_EQ(graph.half_edges[onward].from, added);
@@ -254,7 +253,8 @@ TEST_P(SkeletalShape, IsTheSameEachTime) {
   ASSERT_EQ(again.half_edges.size(), graph_.half_edges.size());
   for (size_t i = 0; i < graph_.nodes.size(); ++i) {
     const SkeletalNode &a = graph_.nodes[i], &b = again.nodes[i];
-    ASSERT_TRUE(a.place.x == b.place.x && a.place.y == b.place.y && a.radius == b.radius) << i;
+    ASSERT_TRUE(a.place.x() == b.place.x() && a.place.y() == b.place.y() && a.radius == b.radius)
+        << i;
   }
   for (size_t i = 0; i < graph_.half_edges.size(); ++i) {
     const HalfEdge &a = graph_.half_edges[i], &b = again.half_edges[i];
@@ -276,8 +276,8 @@ constexpr std::string_view kCornerOverFloor = "(0 0, 8 0, 8 6, 4 1, 0 6)";
 /// Half of what the distances to the two features of an edge differ by: about how far the point is
 /// from the curve between them.
 double OffCurve(const SkeletalGraph& graph, int half, double t) {
-  const Place a = graph.FromNode(half).place, b = graph.ToNode(half).place;
-  const SkeletalNode node = {{std::lerp(a.x, b.x, t), std::lerp(a.y, b.y, t)}, 0};
+  const Vector2 a = graph.FromNode(half).place, b = graph.ToNode(half).place;
+  const SkeletalNode node = {{std::lerp(a.x(), b.x(), t), std::lerp(a.y(), b.y(), t)}, 0};
   const double left = Distance(node.place, graph.Foot(half, node));
   const double right = Distance(node.place, graph.Foot(half ^ 1, node));
   return std::abs(left - right) / 2;
@@ -306,7 +306,7 @@ TEST(SkeletalGraph, ChordsAreNoLongerThanTheStep) {
     for (int half = 0; half < static_cast<int>(graph.half_edges.size()); half += 2) {
       const bool curved = graph.half_edges[half].is_corner != graph.half_edges[half ^ 1].is_corner;
       if (!curved) continue;
-      const double along = std::abs(graph.FromNode(half).place.x - graph.ToNode(half).place.x);
+      const double along = std::abs(graph.FromNode(half).place.x() - graph.ToNode(half).place.x());
       EXPECT_LT(along, step + 10'000);
     }
   }
@@ -320,9 +320,10 @@ TEST(SkeletalGraph, ChordsEndWhereCentralityChanges) {
   const double from_corner = kNmPerMm * std::tan(angle / 2);
   for (const double side : {-1., 1.}) {
     const double x = static_cast<double>(4 * kNmPerMm - graph.origin.x) + side * from_corner;
-    EXPECT_EQ(std::ranges::count_if(
-                  graph.nodes, [&](const SkeletalNode& n) { return std::abs(n.place.x - x) < 2; }),
-              1)
+    EXPECT_EQ(
+        std::ranges::count_if(graph.nodes,
+                              [&](const SkeletalNode& n) { return std::abs(n.place.x() - x) < 2; }),
+        1)
         << side;
   }
 }
@@ -330,7 +331,7 @@ TEST(SkeletalGraph, ChordsEndWhereCentralityChanges) {
 TEST(SkeletalGraph, BetweenTwoCornersTheNarrowestPlaceIsANode) {
   const SkeletalGraph graph = GraphOf(Region("(0 0, 4 0.8, 8 0, 8 2, 4 1.2, 0 2)"));
   const auto least = std::ranges::count_if(graph.nodes, [](const SkeletalNode& node) {
-    return std::abs(node.radius - 200'000) < 10 && std::abs(node.place.x) < 10;
+    return std::abs(node.radius - 200'000) < 10 && std::abs(node.place.x()) < 10;
   });
   EXPECT_EQ(least, 1);
 }

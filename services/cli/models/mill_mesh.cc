@@ -12,11 +12,7 @@ absl::StatusOr<milling::TriangleMesh> ReadTriangles(const std::string& path) {
   if (!file.ok()) return file.status();
   const auto raw = slicing::ReadMesh(file->bytes, file->format, limits::kMaxMeshCoordinateMm, {});
   if (!raw.ok()) return InFile(path, raw.status());
-  milling::TriangleMesh mesh;
-  mesh.points_mm.reserve(raw->positions.size());
-  for (const slicing::Position& p : raw->positions) mesh.points_mm.push_back({p.x, p.y, p.z});
-  mesh.triangles = raw->triangles;
-  return mesh;
+  return milling::TriangleMesh{raw->positions, raw->triangles};
 }
 
 }  // namespace slicefarm::cli

@@ -11,7 +11,7 @@ namespace {
 
 texture::SurfaceMesh SurfaceOf(const slicing::RawMesh& raw) {
   texture::SurfaceMesh mesh;
-  for (const slicing::Position& p : raw.positions) mesh.points_mm.push_back({p.x, p.y, p.z});
+  mesh.points_mm = raw.positions;
   for (const auto& [a, b, c] : raw.triangles)
     mesh.triangles.push_back(
         {static_cast<int32_t>(a), static_cast<int32_t>(b), static_cast<int32_t>(c)});

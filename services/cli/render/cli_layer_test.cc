@@ -35,11 +35,11 @@ TEST(ReadCliLayer, ReadsContoursAndHatchesInOrder) {
   ASSERT_EQ(layer->beads.size(), 3u);
   EXPECT_EQ(layer->beads[0].feature, "contour");
   EXPECT_EQ(layer->beads[0].width_mm, 0.1);
-  EXPECT_EQ(layer->beads[0].points, (std::vector<PointMm>{{0, 0}, {1, 0}}));
+  EXPECT_EQ(layer->beads[0].points, (std::vector<Vector2>{{0, 0}, {1, 0}}));
   EXPECT_EQ(layer->beads[2].feature, "hatch");
-  EXPECT_EQ(layer->beads[2].points, (std::vector<PointMm>{{1, 0.02}, {0, 0.02}}));
+  EXPECT_EQ(layer->beads[2].points, (std::vector<Vector2>{{1, 0.02}, {0, 0.02}}));
   ASSERT_EQ(layer->travels.size(), 2u);
-  EXPECT_EQ(layer->travels[1].back(), (PointMm{1, 0.02}));
+  EXPECT_EQ(layer->travels[1].back(), (Vector2{1, 0.02}));
   EXPECT_EQ(ReadCliLayer(Ascii(kTwoLayers), 0, 0.1)->beads[0].points.size(), 3u);
 }
 
@@ -79,7 +79,7 @@ TEST(ReadCliLayer, PassesOverComments) {
   const auto layer = ReadCliLayer(file, 0, 0.1);
   ASSERT_TRUE(layer.ok()) << layer.status();
   EXPECT_DOUBLE_EQ(layer->z_mm, 0.1);
-  EXPECT_EQ(layer->beads.at(0).points, (std::vector<PointMm>{{0, 0}, {1, 0}}));
+  EXPECT_EQ(layer->beads.at(0).points, (std::vector<Vector2>{{0, 0}, {1, 0}}));
 }
 
 TEST(ReadCliLayer, ReadsBinaryLongAndShort) {
@@ -93,8 +93,8 @@ TEST(ReadCliLayer, ReadsBinaryLongAndShort) {
   ASSERT_TRUE(layer.ok()) << layer.status();
   EXPECT_DOUBLE_EQ(layer->z_mm, 1);
   ASSERT_EQ(layer->beads.size(), 2u);
-  EXPECT_EQ(layer->beads[0].points[1], (PointMm{2, 1}));
-  EXPECT_EQ(layer->beads[1].points[1], (PointMm{1.5, 2}));
+  EXPECT_EQ(layer->beads[0].points[1], (Vector2{2, 1}));
+  EXPECT_EQ(layer->beads[1].points[1], (Vector2{1.5, 2}));
   // Cut anywhere, it is refused or has less in it.
   for (size_t size = 0; size < body.size(); ++size) {
     const auto cut = ReadCliLayer(header + body.substr(0, size), 0, 0.1);

@@ -22,7 +22,7 @@ void AddRuns(cairo_t* cairo, const std::vector<const BeadRun*>& runs, const Layo
   cairo_set_source_rgba(cairo, 0, 0, 0, kLevels / 255);
   for (const BeadRun* run : runs) {
     cairo_new_path(cairo);
-    for (const PointMm& p : run->points) cairo_line_to(cairo, p.x, p.y);
+    for (const Vector2& p : run->points) cairo_line_to(cairo, p.x(), p.y());
     cairo_set_line_width(cairo, run->width_mm);
     cairo_stroke(cairo);
   }

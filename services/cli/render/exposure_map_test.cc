@@ -5,7 +5,7 @@
 namespace slicefarm::cli::exposure_map_test {
 namespace {
 
-BeadRun Line(PointMm from, PointMm to, double width_mm = 1) {
+BeadRun Line(Vector2 from, Vector2 to, double width_mm = 1) {
   BeadRun run;
   run.feature = "hatch";
   run.width_mm = width_mm;
@@ -13,10 +13,10 @@ BeadRun Line(PointMm from, PointMm to, double width_mm = 1) {
   return run;
 }
 
-double At(const ExposureMap& map, const Layout& layout, PointMm p) {
-  const PointMm pixel = layout.ToPixel(p);
-  return map.values.at(static_cast<size_t>(pixel.y) * static_cast<size_t>(layout.part_width_px) +
-                static_cast<size_t>(pixel.x));
+double At(const ExposureMap& map, const Layout& layout, Vector2 p) {
+  const Vector2 pixel = layout.ToPixel(p);
+  return map.values.at(static_cast<size_t>(pixel.y()) * static_cast<size_t>(layout.part_width_px) +
+                       static_cast<size_t>(pixel.x()));
 }
 
 // Lines of 1 mm that cross: one pass along each, two where they meet, none beside.
@@ -53,8 +53,7 @@ TEST(MapExposure, InJoulesWhereTheyAreKnown) {
 // The sum over all pixels is length by width.
 TEST(MapExposure, SumsUpToTheAreaOfAllPasses) {
   GcodeLayer layer;
-  for (int i = 0; i < 5; ++i)
-    layer.beads.push_back(Line({0, i * 1.0}, {30, i * 1.0}, 1.5));
+  for (int i = 0; i < 5; ++i) layer.beads.push_back(Line({0, i * 1.0}, {30, i * 1.0}, 1.5));
   const Layout layout = LayOut(layer, {});
   double sum = 0;
   for (const double passes : MapExposure(layer, layout).values) sum += passes;

@@ -122,7 +122,7 @@ class Reader {
       relative_e_ = code == "M83";
     } else if (code == "G92") {
       const Words words = ParseWords(line.substr(code.size()));
-      at_ = {words['X'].value_or(at_.x), words['Y'].value_or(at_.y)};
+      at_ = {words['X'].value_or(at_.x()), words['Y'].value_or(at_.y())};
       e_ = words['E'].value_or(e_);
     }
   }
@@ -130,18 +130,12 @@ class Reader {
   enum class Way { kStraight, kClockwise, kCounter };
 
   /// Where the chords of an arc end.
-  std::vector<PointMm> Chords(const Words& words, PointMm to, Way way) const {
-    const motion::ArcPlace from = {at_.x, at_.y};
-    const motion::ArcPlace end = {to.x, to.y};
-    motion::Arc arc = {from, end, {}, way == Way::kClockwise};
-    arc.centre = {at_.x + words['I'].value_or(0), at_.y + words['J'].value_or(0)};
-    if (const auto radius = words['R']; radius && from != end)
-      arc.centre = motion::CentreByRadius(from, end, *radius, arc.clockwise);
-    std::vector<PointMm> points;
-    const double length_mm = arc.StartRadius() * arc.Angle();
-    for (const motion::ArcPlace& place : motion::ArcChords(arc, length_mm, kArcChordMm))
-      points.push_back({place.x, place.y});
-    return points;
+  std::vector<Vector2> Chords(const Words& words, Vector2 to, Way way) const {
+    const Vector2 centre = at_ + Vector2(words['I'].value_or(0), words['J'].value_or(0));
+    motion::Arc arc = {at_, to, centre, way == Way::kClockwise};
+    if (const auto radius = words['R']; radius && at_ != to)
+      arc.centre = motion::CentreByRadius(at_, to, *radius, arc.clockwise);
+    return motion::ArcChords(arc, arc.StartRadius() * arc.Angle(), kArcChordMm);
   }
 
   void Move(const Words& words, Way way = Way::kStraight) {
@@ -149,7 +143,7 @@ class Reader {
       EndRuns();
       speed_mm_s_ = *f / kSecondsPerMinute;
     }
-    const PointMm to = {Coordinate(words['X'], at_.x), Coordinate(words['Y'], at_.y)};
+    const Vector2 to = {Coordinate(words['X'], at_.x()), Coordinate(words['Y'], at_.y())};
     double pushed = 0;
     if (const auto e = words['E']) {
       pushed = relative_e_ ? *e : *e - e_;
@@ -160,11 +154,11 @@ class Reader {
       return;
     }
     if (Wanted()) {
-      const std::vector<PointMm> ends =
-          way == Way::kStraight ? std::vector<PointMm>{to} : Chords(words, to, way);
-      for (const PointMm end : ends) {
+      const std::vector<Vector2> ends =
+          way == Way::kStraight ? std::vector<Vector2>{to} : Chords(words, to, way);
+      for (const Vector2& end : ends) {
         Extend(pushed > 0 ? bead_ : travel_, pushed > 0, end);
-        if (pushed > 0) length_mm_ += std::hypot(end.x - at_.x, end.y - at_.y);
+        if (pushed > 0) length_mm_ += std::hypot(end.x() - at_.x(), end.y() - at_.y());
         at_ = end;
       }
       if (pushed > 0) pushed_mm_ += pushed;
@@ -178,7 +172,7 @@ class Reader {
     return relative_ ? from + *word : *word;
   }
 
-  void Extend(std::vector<PointMm>& run, bool extruding, PointMm to) {
+  void Extend(std::vector<Vector2>& run, bool extruding, Vector2 to) {
     if (extruding != extruding_) EndRuns();
     extruding_ = extruding;
     if (run.empty()) run.push_back(at_);
@@ -201,7 +195,7 @@ class Reader {
   size_t lines_ = 0;
   GcodeLayer layer_;
   int current_ = -1;
-  PointMm at_;
+  Vector2 at_ = Vector2::Zero();
   double e_ = 0;
   bool relative_ = false;
   bool relative_e_ = false;
@@ -213,8 +207,8 @@ class Reader {
   // Of the run of beads.
   double pushed_mm_ = 0;
   double length_mm_ = 0;
-  std::vector<PointMm> bead_;
-  std::vector<PointMm> travel_;
+  std::vector<Vector2> bead_;
+  std::vector<Vector2> travel_;
 };
 
 }  // namespace

@@ -6,21 +6,15 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/geometry/vector.h"
 
 namespace slicefarm::cli {
-
-struct PointMm {
-  double x = 0;
-  double y = 0;
-
-  friend bool operator==(const PointMm&, const PointMm&) = default;
-};
 
 /// Consecutive extruding moves of one feature, width and speed.
 struct BeadRun {
   std::string feature;  ///< the words of `;TYPE:`
   double width_mm = 0;
-  std::vector<PointMm> points;  ///< at least two
+  std::vector<Vector2> points;  ///< at least two
   double speed_mm_s = 0;        ///< as the G-code asks for it; 0: it does not
   double flow_mm3_s = 0;        ///< at that speed
   double energy_j_mm = 0;       ///< of exposure, on a mm of way; 0: not known
@@ -34,7 +28,7 @@ struct GcodeLayer {
   double z_mm = 0;
   double height_mm = 0;
   std::vector<BeadRun> beads = {};
-  std::vector<std::vector<PointMm>> travels = {};
+  std::vector<std::vector<Vector2>> travels = {};
 };
 
 /// Reads layer `index` of a program with PrusaSlicer's comments (;LAYER_CHANGE ;Z: ;HEIGHT: ;TYPE:

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// A run of these, whatever its speed.
-auto Bead(const std::string& feature, double width_mm, const std::vector<PointMm>& points) {
+auto Bead(const std::string& feature, double width_mm, const std::vector<Vector2>& points) {
   return testing::AllOf(testing::Field(&BeadRun::feature, feature),
                         testing::Field(&BeadRun::width_mm, width_mm),
                         testing::Field(&BeadRun::points, points));
@@ -53,14 +53,15 @@ TEST(ReadGcodeLayer, ReadsBeadsWithFeatureAndWidth) {
               ElementsAre(Bead("External perimeter", 0.45, {{0, 0}, {10, 0}, {10, 10}}),
                           Bead("External perimeter", 0.3, {{10, 10}, {0, 10}}),
                           Bead("Solid infill", 0.5, {{2, 2}, {8, 2}})));
-  EXPECT_THAT(layer.travels, ElementsAre(ElementsAre(PointMm{5, 5}, PointMm{0, 0}),
-                                         ElementsAre(PointMm{0, 10}, PointMm{2, 2})));
+  EXPECT_THAT(layer.travels, ElementsAre(ElementsAre(Vector2{5, 5}, Vector2{0, 0}),
+                                         ElementsAre(Vector2{0, 10}, Vector2{2, 2})));
 }
 
 TEST(ReadGcodeLayer, SpeedsAndFlows) {
   const GcodeLayer layer = ReadOrDie(
       "M83\n;LAYER_CHANGE\nG1 X10 E.5 F1200\nG1 X20 E.5\nG1 X30 E.25 F2400\n"
-      "; filament_diameter = 2\n", 0);
+      "; filament_diameter = 2\n",
+      0);
   ASSERT_EQ(layer.beads.size(), 2) << "a run for each speed";
   EXPECT_DOUBLE_EQ(layer.beads[0].speed_mm_s, 20);
   EXPECT_NEAR(layer.beads[0].flow_mm3_s, 0.05 * 20 * 3.14159265, 1e-6);
@@ -80,21 +81,21 @@ TEST(ReadGcodeLayer, FollowsAbsoluteExtrusion) {
       "X5 Y0 E.5\n",
       0);
   ASSERT_EQ(layer.beads.size(), 2);
-  EXPECT_THAT(layer.beads[0].points, ElementsAre(PointMm{1, 0}, PointMm{2, 0}));
-  EXPECT_THAT(layer.beads[1].points, ElementsAre(PointMm{3, 0}, PointMm{4, 0}, PointMm{5, 0}));
+  EXPECT_THAT(layer.beads[0].points, ElementsAre(Vector2{1, 0}, Vector2{2, 0}));
+  EXPECT_THAT(layer.beads[1].points, ElementsAre(Vector2{3, 0}, Vector2{4, 0}, Vector2{5, 0}));
 }
 
 TEST(ReadGcodeLayer, FollowsRelativeMovesAndArcs) {
   const GcodeLayer layer =
       ReadOrDie("M83\nG91\n;LAYER_CHANGE\nG1 X1 Y1 E1\nG1 X1 E1\nG90\nM83\nG2 X4 Y1 I1 J0 E1\n", 0);
   ASSERT_EQ(layer.beads.size(), 1);
-  const std::vector<PointMm>& points = layer.beads[0].points;
+  const std::vector<Vector2>& points = layer.beads[0].points;
   ASSERT_GT(points.size(), 12) << "half a turn of 1 mm, in chords";
-  EXPECT_EQ(points[2], (PointMm{2, 1}));
-  EXPECT_EQ(points.back(), (PointMm{4, 1}));
+  EXPECT_EQ(points[2], (Vector2{2, 1}));
+  EXPECT_EQ(points.back(), (Vector2{4, 1}));
   for (size_t i = 3; i < points.size(); ++i) {
-    EXPECT_NEAR(std::hypot(points[i].x - 3, points[i].y - 1), 1, 1e-9);
-    EXPECT_GE(points[i].y, 1 - 1e-9) << "clockwise: over the top";
+    EXPECT_NEAR(std::hypot(points[i].x() - 3, points[i].y() - 1), 1, 1e-9);
+    EXPECT_GE(points[i].y(), 1 - 1e-9) << "clockwise: over the top";
   }
 }
 
@@ -112,8 +113,7 @@ TEST(ReadGcodeLayer, PassesOverNumbersThatNoPrinterHas) {
     const std::string gcode = "M83\n;LAYER_CHANGE\n;WIDTH:" + number + "\nG1 X1 Y1 E1\nG1 X" +
                               number + " Y2 E1\nG1 X3 Y2 E" + number + "\n";
     const GcodeLayer layer = ReadOrDie(gcode, 0);
-    EXPECT_THAT(layer.beads, ElementsAre(Bead("Unknown", 0.4, {{0, 0}, {1, 1}, {1, 2}})))
-        << number;
+    EXPECT_THAT(layer.beads, ElementsAre(Bead("Unknown", 0.4, {{0, 0}, {1, 1}, {1, 2}}))) << number;
   }
   for (const std::string width : {"0", "-4"}) {
     const GcodeLayer layer = ReadOrDie("M83\n;LAYER_CHANGE\n;WIDTH:" + width + "\nG1 X1 E1\n", 0);

@@ -131,9 +131,9 @@ class Painter {
     return ScaleColour(turn / std::max<double>(1, static_cast<double>(layer_.beads.size()) - 1));
   }
 
-  void Trace(const std::vector<PointMm>& points) {
+  void Trace(const std::vector<Vector2>& points) {
     cairo_new_path(cairo_);
-    for (const PointMm& p : points) cairo_line_to(cairo_, p.x, p.y);
+    for (const Vector2& p : points) cairo_line_to(cairo_, p.x(), p.y());
   }
 
   void PaintEnergy() {
@@ -299,13 +299,13 @@ Colour ScaleColour(double fraction) {
 
 Layout LayOut(const GcodeLayer& layer, const DrawingOptions& options) {
   constexpr double kFar = std::numeric_limits<double>::max();
-  PointMm min = {kFar, kFar};
-  PointMm max = {-kFar, -kFar};
+  Vector2 min = {kFar, kFar};
+  Vector2 max = {-kFar, -kFar};
   for (const BeadRun& bead : layer.beads) {
     const double reach = bead.width_mm / 2 + kMarginMm;
-    for (const PointMm& p : bead.points) {
-      min = {std::min(min.x, p.x - reach), std::min(min.y, p.y - reach)};
-      max = {std::max(max.x, p.x + reach), std::max(max.y, p.y + reach)};
+    for (const Vector2& p : bead.points) {
+      min = min.cwiseMin(p - Vector2::Constant(reach));
+      max = max.cwiseMax(p + Vector2::Constant(reach));
     }
   }
   if (layer.beads.empty()) {
@@ -313,13 +313,13 @@ Layout LayOut(const GcodeLayer& layer, const DrawingOptions& options) {
     max = {10, 10};
   }
   Layout layout;
-  layout.left_mm = min.x;
-  layout.top_mm = max.y;
-  layout.px_per_mm = options.size_px / std::max(max.x - min.x, max.y - min.y);
-  layout.part_width_px = static_cast<int>(std::ceil((max.x - min.x) * layout.px_per_mm));
+  layout.left_mm = min.x();
+  layout.top_mm = max.y();
+  layout.px_per_mm = options.size_px / std::max(max.x() - min.x(), max.y() - min.y());
+  layout.part_width_px = static_cast<int>(std::ceil((max.x() - min.x()) * layout.px_per_mm));
   layout.width_px = layout.part_width_px + kLegendPx;
   layout.height_px =
-      std::max(kMinHeightPx, static_cast<int>(std::ceil((max.y - min.y) * layout.px_per_mm)));
+      std::max(kMinHeightPx, static_cast<int>(std::ceil((max.y() - min.y()) * layout.px_per_mm)));
   return layout;
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "absl/status/statusor.h"
+#include "common/geometry/vector.h"
 #include "services/cli/render/gcode_layer.h"
 
 namespace slicefarm::cli {
@@ -47,8 +48,8 @@ struct Layout {
   int width_px = 0;
   int height_px = 0;
 
-  PointMm ToPixel(PointMm p) const {
-    return {(p.x - left_mm) * px_per_mm, (top_mm - p.y) * px_per_mm};
+  Vector2 ToPixel(Vector2 p) const {
+    return {(p.x() - left_mm) * px_per_mm, (top_mm - p.y()) * px_per_mm};
   }
 };
 

@@ -111,7 +111,7 @@ TEST(DrawLayer, ColoursBySpeedAndFlow) {
 TEST(DrawLayer, DrawsTravelsOnlyWhenAsked) {
   const GcodeLayer layer = TwoBeads();
   const Layout layout = LayOut(layer, {});
-  const PointMm between = layout.ToPixel({8, 2});
+  const Vector2 between = layout.ToPixel({8, 2});
   ExpectColour(Picture(*DrawLayer(layer, {})).At(between), {1, 1, 1});
   const Colour line = Picture(*DrawLayer(layer, {.travels = true})).At(between);
   EXPECT_LT(line.red + line.green + line.blue, 2.5);

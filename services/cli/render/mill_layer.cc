@@ -34,7 +34,7 @@ struct Way {
   std::string phase;
   bool rapid = false;
   std::optional<int64_t> height_um;  ///< none: it is not level
-  std::vector<PointMm> points;
+  std::vector<Vector2> points;
 };
 
 class WayReader {
@@ -48,7 +48,7 @@ class WayReader {
     std::array<std::optional<double>, 26> words;
     Read(line.substr(0, line.find(';')), words);
     const auto word = [&](char letter) { return words[static_cast<size_t>(letter - 'A')]; };
-    const PointMm to = {word('X').value_or(at_.x), word('Y').value_or(at_.y)};
+    const Vector2 to = {word('X').value_or(at_.x()), word('Y').value_or(at_.y())};
     const double z = word('Z').value_or(z_);
     const bool arc = kind_ >= 2 && (word('I') || word('J'));
     if (to != at_ || arc) Move(to, z, {word('I').value_or(0), word('J').value_or(0)}, arc);
@@ -79,7 +79,7 @@ class WayReader {
     }
   }
 
-  void Move(PointMm to, double z, PointMm centre, bool arc) {
+  void Move(Vector2 to, double z, Vector2 centre, bool arc) {
     const bool rapid = kind_ == 0;
     const bool level = z == z_;
     if (way_.points.empty() || way_.rapid != rapid || way_.height_um.has_value() != level) {
@@ -89,22 +89,22 @@ class WayReader {
       if (level) way_.height_um = std::llround(z * kUmPerMm);
       way_.points.push_back(at_);
     }
-    if (arc) AddArc(to, {at_.x + centre.x, at_.y + centre.y});
+    if (arc) AddArc(to, at_ + centre);
     way_.points.push_back(to);
   }
 
   /// The chords of an arc but the last one's end.
-  void AddArc(PointMm to, PointMm centre) {
-    const double radius = std::hypot(at_.x - centre.x, at_.y - centre.y);
-    const double from = std::atan2(at_.y - centre.y, at_.x - centre.x);
-    double turn = std::atan2(to.y - centre.y, to.x - centre.x) - from;
+  void AddArc(Vector2 to, Vector2 centre) {
+    const double radius = std::hypot(at_.x() - centre.x(), at_.y() - centre.y());
+    const double from = std::atan2(at_.y() - centre.y(), at_.x() - centre.x());
+    double turn = std::atan2(to.y() - centre.y(), to.x() - centre.x()) - from;
     if (kind_ == 2 && turn >= 0) turn -= 2 * std::numbers::pi;
     if (kind_ == 3 && turn <= 0) turn += 2 * std::numbers::pi;
     const double chords = std::clamp(std::ceil(std::abs(turn) * radius / kChordMm), 1.0, 1000.0);
     for (double k = 1; k < chords; ++k) {
       const double angle = from + turn * k / chords;
       way_.points.push_back(
-          {centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
+          {centre.x() + radius * std::cos(angle), centre.y() + radius * std::sin(angle)});
     }
   }
 
@@ -117,26 +117,26 @@ class WayReader {
   Way way_;
   std::string phase_ = "entry";
   int kind_ = 0;
-  PointMm at_;
+  Vector2 at_ = Vector2::Zero();
   double z_ = 0;
 };
 
 double LongerSide(const std::vector<Way>& ways) {
-  PointMm low = {kFarthestWayMm, kFarthestWayMm}, high = {-kFarthestWayMm, -kFarthestWayMm};
+  Vector2 low = {kFarthestWayMm, kFarthestWayMm}, high = {-kFarthestWayMm, -kFarthestWayMm};
   for (const Way& way : ways) {
     if (way.rapid) continue;
-    for (const PointMm p : way.points) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    for (const Vector2& p : way.points) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
     }
   }
-  return std::max({high.x - low.x, high.y - low.y, 1.0});
+  return std::max({high.x() - low.x(), high.y() - low.y(), 1.0});
 }
 
-double LengthMm(const std::vector<PointMm>& points) {
+double LengthMm(const std::vector<Vector2>& points) {
   double length = 0;
   for (size_t i = 1; i < points.size(); ++i)
-    length += std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y);
+    length += std::hypot(points[i].x() - points[i - 1].x(), points[i].y() - points[i - 1].y());
   return length;
 }
 

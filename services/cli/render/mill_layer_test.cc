@@ -31,13 +31,13 @@ TEST(ReadMillLayer, HasTheWaysOfALevel) {
   EXPECT_EQ(top->z_mm, 3);
   ASSERT_EQ(top->beads.size(), 1u);
   EXPECT_EQ(top->beads[0].feature, "roughing");
-  EXPECT_EQ(top->beads[0].points, (std::vector<PointMm>{{0, 0}, {10, 0}, {10, 5}}));
+  EXPECT_EQ(top->beads[0].points, (std::vector<Vector2>{{0, 0}, {10, 0}, {10, 5}}));
   EXPECT_TRUE(top->travels.empty()) << "rapid moves are higher";
   const auto low = ReadMillLayer(kProgram, 1);
   ASSERT_TRUE(low.ok()) << low.status();
   ASSERT_EQ(low->beads.size(), 1u);
   EXPECT_GT(low->beads[0].points.size(), 10u) << "an arc";
-  EXPECT_EQ(low->beads[0].points.back(), (PointMm{0, 4}));
+  EXPECT_EQ(low->beads[0].points.back(), (Vector2{0, 4}));
 }
 
 TEST(ReadMillLayer, HasAllWays) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "common/geometry/vector.h"
 #include "services/cli/render/layer_drawing.h"
 
 namespace slicefarm::cli {
@@ -24,9 +25,9 @@ class Picture {
   int width() const { return cairo_image_surface_get_width(surface_); }
   int height() const { return cairo_image_surface_get_height(surface_); }
 
-  Colour At(PointMm pixel) const {
-    const int x = static_cast<int>(pixel.x);
-    const int y = static_cast<int>(pixel.y);
+  Colour At(Vector2 pixel) const {
+    const int x = static_cast<int>(pixel.x());
+    const int y = static_cast<int>(pixel.y());
     uint32_t value = 0;
     std::memcpy(&value,
                 cairo_image_surface_get_data(surface_) +

@@ -7,18 +7,16 @@
 namespace slicefarm::ordering {
 namespace {
 
-Place PlaceOf(Point point) { return {static_cast<double>(point.x), static_cast<double>(point.y)}; }
-
 /// Of the legs' ends, then of the journey's.
-std::vector<Place> PlacesOf(const Journey& journey, std::span<const Leg> legs) {
-  std::vector<Place> places;
+std::vector<Vector2> PlacesOf(const Journey& journey, std::span<const Leg> legs) {
+  std::vector<Vector2> places;
   places.reserve(2 * legs.size() + 3);
   for (const Leg& leg : legs) {
-    places.push_back(PlaceOf(leg.start));
-    if (leg.end != leg.start) places.push_back(PlaceOf(leg.end));
+    places.push_back(ToVector(leg.start));
+    if (leg.end != leg.start) places.push_back(ToVector(leg.end));
   }
-  places.push_back(PlaceOf(journey.from));
-  if (journey.to) places.push_back(PlaceOf(*journey.to));
+  places.push_back(ToVector(journey.from));
+  if (journey.to) places.push_back(ToVector(*journey.to));
   return places;
 }
 
@@ -53,8 +51,8 @@ void LegGraph::AddRules(const Journey& journey, std::span<const Leg> legs) {
 }
 
 Point LegGraph::At(int32_t node) const {
-  const Place& place = costs_.places()[static_cast<size_t>(node)];
-  return {static_cast<Coord>(place.x), static_cast<Coord>(place.y)};
+  const Vector2& place = costs_.places()[static_cast<size_t>(node)];
+  return {static_cast<Coord>(place.x()), static_cast<Coord>(place.y())};
 }
 
 Tour LegGraph::TourOf(std::span<const Visit> visits) const {

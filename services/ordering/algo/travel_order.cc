@@ -47,14 +47,11 @@ class Readiness {
 
 /// Always on to the nearest end of a leg that is ready.
 std::vector<Visit> NearestFirst(const Journey& journey, std::span<const Leg> legs) {
-  std::vector<Place> ends;
+  std::vector<Vector2> ends;
   ends.reserve(2 * legs.size());
-  const auto place = [](Point p) {
-    return Place{static_cast<double>(p.x), static_cast<double>(p.y)};
-  };
   for (const Leg& leg : legs) {
-    ends.push_back(place(leg.start));
-    ends.push_back(place(leg.end));
+    ends.push_back(ToVector(leg.start));
+    ends.push_back(ToVector(leg.end));
   }
   PlaceTree tree(ends);
   Readiness readiness(journey.precedence, legs.size());
@@ -66,7 +63,7 @@ std::vector<Visit> NearestFirst(const Journey& journey, std::span<const Leg> leg
   visits.reserve(legs.size());
   Point at = journey.from;
   while (visits.size() < legs.size()) {
-    const uint32_t entry = tree.Nearest(place(at));
+    const uint32_t entry = tree.Nearest(ToVector(at));
     const uint32_t done = entry / 2;
     visits.push_back({done, entry % 2 == 1});
     at = ExitOf(legs[done], entry % 2 == 1);

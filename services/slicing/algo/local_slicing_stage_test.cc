@@ -152,8 +152,9 @@ TEST(LocalSlicing, ObjectsHaveTheirOwnHeights) {
   options.objects.resize(2);
   options.objects[1].layer_height_nm = 300'000;
   const auto job = MakeLocalSlicing()->Slice(
-      {}, InputOf({File(Cube(0, 0, 0, 2)), File(Cube(0, 0, 0, 2), "b")},
-                  {{.centers = {{50 * kMm, 50 * kMm}}}, {.centers = {{90 * kMm, 50 * kMm}}}}),
+      {},
+      InputOf({File(Cube(0, 0, 0, 2)), File(Cube(0, 0, 0, 2), "b")},
+              {{.centers = {{50 * kMm, 50 * kMm}}}, {.centers = {{90 * kMm, 50 * kMm}}}}),
       options);
   ASSERT_TRUE(job.ok()) << job.status();
   std::vector<std::vector<Coord>> tops(2);
@@ -233,7 +234,8 @@ TEST(LocalSlicing, AnOpenSurfaceForSeamsCountsAroundItself) {
     ASSERT_THAT(MarkedIn(section, PartRole::kSeamEnforcer), SizeIs(z > 1 && z < 9 ? 1 : 0)) << z;
     // The first layer's outline moves by its elephant's foot, and the reach with it.
     const double reach = z < 0.2 ? 0.5 : 0.3;
-    EXPECT_NEAR(Area(MarkedIn(section, PartRole::kSeamBlocker)) * 1e-12, (10 + 2 * reach) * (10 + 2 * reach), 1e-3);
+    EXPECT_NEAR(Area(MarkedIn(section, PartRole::kSeamBlocker)) * 1e-12,
+                (10 + 2 * reach) * (10 + 2 * reach), 1e-3);
     if (MarkedIn(section, PartRole::kSeamEnforcer).empty()) continue;
     const Box box = Bounds(MarkedIn(section, PartRole::kSeamEnforcer));
     EXPECT_EQ(box.min, (Point{-3'300'000, -5'300'000}));
@@ -270,7 +272,8 @@ TEST(LocalSlicing, LevelPaintCountsOnTheLayersThatItIsTheEdgeOf) {
   const int32_t last = job->layers.back().frame.index;
   const auto seam = Pair(0, DoubleNear(4.6 * 4.6, 0.1));
   EXPECT_THAT(areas_of(PartRole::kSeamEnforcer), ElementsAre(seam));
-  EXPECT_THAT(areas_of(PartRole::kSeamBlocker), ElementsAre(Pair(last, DoubleNear(4.6 * 4.6, 0.1))));
+  EXPECT_THAT(areas_of(PartRole::kSeamBlocker),
+              ElementsAre(Pair(last, DoubleNear(4.6 * 4.6, 0.1))));
   EXPECT_THAT(areas_of(PartRole::kSupportEnforcer),
               ElementsAre(Pair(0, DoubleNear(4.2 * 4.2, 0.1))));
   EXPECT_THAT(areas_of(PartRole::kSupportBlocker), IsEmpty()) << "no layer hangs over by a top";
@@ -354,7 +357,7 @@ RawMesh WithOpening(const RawMesh& mesh, size_t face) {
   const auto& gone = mesh.triangles[face];
   for (size_t i = mesh.triangles.size(); i-- > 0;) {
     const auto& other = mesh.triangles[i];
-    const auto z = [&](size_t corner) { return mesh.positions[other[corner]].z; };
+    const auto z = [&](size_t corner) { return mesh.positions[other[corner]].z(); };
     const auto shared = std::ranges::count_if(
         other, [&](uint32_t v) { return std::ranges::find(gone, v) != gone.end(); });
     if (i == face || shared != 2 || z(0) != z(1) || z(1) != z(2)) continue;

@@ -32,8 +32,8 @@ TEST(SampleMeshes, TorusHasItsVolume) {
 
 TEST(SampleMeshes, SnappedTorusLiesOnThePlanes) {
   const RawMesh torus = TorusMesh({.snap_to_layer = 0.2});
-  for (const Position& p : torus.positions) {
-    const double halves = p.z / 0.1;
+  for (const Vector3& p : torus.positions) {
+    const double halves = p.z() / 0.1;
     EXPECT_NEAR(halves, std::round(halves), 1e-9);
     EXPECT_NE(static_cast<int>(std::round(halves)) % 2, 0);
   }

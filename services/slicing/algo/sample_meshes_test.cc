@@ -36,10 +36,11 @@ void AppendBytes(std::string& out, const void* data, size_t size) {
 
 }  // namespace
 
-RawMesh BoxMesh(const Position& min, const Position& max) {
+RawMesh BoxMesh(const Vector3& min, const Vector3& max) {
   RawMesh mesh;
   for (int i = 0; i < 8; ++i)
-    mesh.positions.push_back({i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z});
+    mesh.positions.push_back(
+        {i & 1 ? max.x() : min.x(), i & 2 ? max.y() : min.y(), i & 4 ? max.z() : min.z()});
   mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                     {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
   return mesh;
@@ -87,8 +88,8 @@ RawMesh Joined(const RawMesh& a, const RawMesh& b) {
   return mesh;
 }
 
-RawMesh Moved(RawMesh mesh, const Position& by) {
-  for (Position& p : mesh.positions) p = {p.x + by.x, p.y + by.y, p.z + by.z};
+RawMesh Moved(RawMesh mesh, const Vector3& by) {
+  for (Vector3& p : mesh.positions) p = {p.x() + by.x(), p.y() + by.y(), p.z() + by.z()};
   return mesh;
 }
 
@@ -98,7 +99,7 @@ RawMesh TurnedInsideOut(RawMesh mesh) {
 }
 
 RawMesh Mirrored(RawMesh mesh) {
-  for (Position& p : mesh.positions) p.x = -p.x;
+  for (Vector3& p : mesh.positions) p.x() = -p.x();
   return TurnedInsideOut(std::move(mesh));
 }
 
@@ -123,10 +124,10 @@ std::string ToBinaryStl(const RawMesh& mesh) {
   for (const auto& t : mesh.triangles) {
     float numbers[12] = {0, 0, 0};
     for (int i = 0; i < 3; ++i) {
-      const Position& p = mesh.positions[t[i]];
-      numbers[3 + 3 * i] = static_cast<float>(p.x);
-      numbers[4 + 3 * i] = static_cast<float>(p.y);
-      numbers[5 + 3 * i] = static_cast<float>(p.z);
+      const Vector3& p = mesh.positions[t[i]];
+      numbers[3 + 3 * i] = static_cast<float>(p.x());
+      numbers[4 + 3 * i] = static_cast<float>(p.y());
+      numbers[5 + 3 * i] = static_cast<float>(p.z());
     }
     AppendBytes(bytes, numbers, sizeof numbers);
     bytes.append(2, '\0');
@@ -139,8 +140,8 @@ std::string ToAsciiStl(const RawMesh& mesh) {
   for (const auto& t : mesh.triangles) {
     text += "  facet normal 0 0 0\n    outer loop\n";
     for (const uint32_t corner : t) {
-      const Position& p = mesh.positions[corner];
-      fmt::format_to(std::back_inserter(text), "      vertex {} {} {}\n", p.x, p.y, p.z);
+      const Vector3& p = mesh.positions[corner];
+      fmt::format_to(std::back_inserter(text), "      vertex {} {} {}\n", p.x(), p.y(), p.z());
     }
     text += "    endloop\n  endfacet\n";
   }
@@ -149,8 +150,8 @@ std::string ToAsciiStl(const RawMesh& mesh) {
 
 std::string ToObj(const RawMesh& mesh) {
   std::string text = "# sample\n";
-  for (const Position& p : mesh.positions)
-    fmt::format_to(std::back_inserter(text), "v {} {} {}\n", p.x, p.y, p.z);
+  for (const Vector3& p : mesh.positions)
+    fmt::format_to(std::back_inserter(text), "v {} {} {}\n", p.x(), p.y(), p.z());
   for (const auto& t : mesh.triangles)
     fmt::format_to(std::back_inserter(text), "f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
   return text;

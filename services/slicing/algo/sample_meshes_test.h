@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "common/geometry/vector.h"
 #include "services/slicing/algo/mesh_io/raw_mesh.h"
 
 namespace slicefarm::slicing {
@@ -10,7 +11,7 @@ namespace slicefarm::slicing {
 /// Meshes of known shape for tests and benchmarks, in mm, and the files that say them.
 
 /// A box of 8 vertices and 12 triangles. REQUIRES: min < max in each coordinate.
-RawMesh BoxMesh(const Position& min, const Position& max);
+RawMesh BoxMesh(const Vector3& min, const Vector3& max);
 
 /// A box of three equal sides, its least corner at x, y, z.
 RawMesh Cube(double x, double y, double z, double size = 10);
@@ -33,7 +34,7 @@ RawMesh TorusMesh(const TorusShape& shape);
 
 /// Both meshes, their vertices not shared.
 RawMesh Joined(const RawMesh& a, const RawMesh& b);
-RawMesh Moved(RawMesh mesh, const Position& by);
+RawMesh Moved(RawMesh mesh, const Vector3& by);
 /// The same surface with its inside outside.
 RawMesh TurnedInsideOut(RawMesh mesh);
 /// Mirrored in the plane x = 0; the outside stays outside.

@@ -123,7 +123,7 @@ Answer Misplace(void (*change)(Project&)) {
 
 Answer WithCorner(double x) {
   RawMesh mesh = Triangle();
-  mesh.positions[0].x = x;
+  mesh.positions[0].x() = x;
   return Alone(mesh);
 }
 

@@ -140,7 +140,7 @@ absl::Status CheckMesh(const RawMesh& mesh, double coordinate_limit) {
   };
   const bool positions_good = std::all_of(
       mesh.positions.begin(), mesh.positions.end(),
-      [&within](const Position& p) { return within(p.x) && within(p.y) && within(p.z); });
+      [&within](const Vector3& p) { return within(p.x()) && within(p.y()) && within(p.z()); });
   return positions_good ? absl::OkStatus() : Nonsense("a coordinate that is out of range");
 }
 

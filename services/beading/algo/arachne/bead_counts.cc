@@ -45,7 +45,7 @@ class CountPlanner {
   int Split(int half, double t) {
     const SkeletalNode &a = graph_.FromNode(half), &b = graph_.ToNode(half);
     const SkeletalNode node = {
-        {std::lerp(a.place.x, b.place.x, t), std::lerp(a.place.y, b.place.y, t)},
+        {std::lerp(a.place.x(), b.place.x(), t), std::lerp(a.place.y(), b.place.y(), t)},
         std::lerp(a.radius, b.radius, t)};
     central_.push_back(central_[half / 2]);
     return graph_.Split(half, node);
@@ -165,7 +165,7 @@ class CountPlanner {
     const double radius = (a.radius + b.radius) / 2;
     const int count = strategy_.OptimalCount(Thickness(radius));
     if (!options_.deciding_radius || !IsCloseCall(radius, count)) return count;
-    const Place middle = {(a.place.x + b.place.x) / 2, (a.place.y + b.place.y) / 2};
+    const Vector2 middle = {(a.place.x() + b.place.x()) / 2, (a.place.y() + b.place.y()) / 2};
     return strategy_.OptimalCount(Thickness(options_.deciding_radius(middle, radius)));
   }
 
@@ -309,8 +309,8 @@ class CountPlanner {
     return {static_cast<int>(whole), count - whole < kNothing ? 0 : count - whole};
   }
 
-  /// A middle bead would be a dot there. Instead the beads beside it are widened until they meet: of
-  /// exactly the right volume, as a ring halfway to the middle is half as long as the outline.
+  /// A middle bead would be a dot there. Instead the beads beside it are widened until they meet:
+  /// of exactly the right volume, as a ring halfway to the middle is half as long as the outline.
   int CountAtTop(size_t node) const {
     const int count = strategy_.OptimalCount(Thickness(graph_.nodes[node].radius));
     if (count > MostWalls(strategy_)) return IsInSmallFill(node) ? MostWalls(strategy_) : count;

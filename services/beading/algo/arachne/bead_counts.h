@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/geometry/skeleton/skeletal_graph.h"
+#include "common/geometry/vector.h"
 #include "services/beading/algo/strategy/beading_strategy.h"
 
 namespace slicefarm::beading {
@@ -16,7 +17,7 @@ struct CountOptions {
   double filter_distance_nm = 100'000'000;  ///< ... along a stretch this long, to save a transition
   /// The radius by which counts are decided where the own one, `radius_nm` at a place, is nearer to
   /// a transition's than `filter_deviation_nm`; none: always the own one.
-  std::function<double(Place place, double radius_nm)> deciding_radius = nullptr;
+  std::function<double(Vector2 place, double radius_nm)> deciding_radius = nullptr;
 };
 
 /// How many beads lie across a node: `count`, or in a transition more than that by `ratio` of one.

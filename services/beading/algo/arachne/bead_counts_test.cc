@@ -29,10 +29,10 @@ struct Plan {
   std::vector<BeadCount> counts;
 
   double XMm(size_t node) const {
-    return (graph.nodes[node].place.x + static_cast<double>(graph.origin.x)) / kNmPerMm;
+    return (graph.nodes[node].place.x() + static_cast<double>(graph.origin.x)) / kNmPerMm;
   }
   double YMm(size_t node) const {
-    return (graph.nodes[node].place.y + static_cast<double>(graph.origin.y)) / kNmPerMm;
+    return (graph.nodes[node].place.y() + static_cast<double>(graph.origin.y)) / kNmPerMm;
   }
   int HighestCount() const {
     int highest = -1;

@@ -22,7 +22,9 @@ constexpr double kLeastLengthNm = 50'000;
 /// Of a bead's width: how long a line is that covers a dot of that width.
 constexpr double kDotLength = 0.2;
 
-Place Lerp(Place a, Place b, double t) { return {std::lerp(a.x, b.x, t), std::lerp(a.y, b.y, t)}; }
+Vector2 Lerp(Vector2 a, Vector2 b, double t) {
+  return {std::lerp(a.x(), b.x(), t), std::lerp(a.y(), b.y(), t)};
+}
 
 /// Beads of one inset on the sides of the axis.
 class SideTracer {
@@ -72,7 +74,7 @@ class SideTracer {
   }
 
   static bool Same(const BeadPoint& a, const BeadPoint& b) {
-    return std::abs(a.place.x - b.place.x) < 0.5 && std::abs(a.place.y - b.place.y) < 0.5;
+    return std::abs(a.place.x() - b.place.x()) < 0.5 && std::abs(a.place.y() - b.place.y()) < 0.5;
   }
 
   static void Add(const BeadPoint& point, BeadLine& line) {
@@ -88,8 +90,8 @@ class SideTracer {
   /// nodes along straight sides.
   static bool IsBetween(const BeadPoint& p, const BeadPoint& a, const BeadPoint& b) {
     constexpr double kNothingNm = 50;
-    const double bx = b.place.x - a.place.x, by = b.place.y - a.place.y;
-    const double px = p.place.x - a.place.x, py = p.place.y - a.place.y;
+    const double bx = b.place.x() - a.place.x(), by = b.place.y() - a.place.y();
+    const double px = p.place.x() - a.place.x(), py = p.place.y() - a.place.y();
     const double squared = bx * bx + by * by, along = bx * px + by * py;
     const double across = bx * py - by * px;
     if (across * across > kNothingNm * kNothingNm * squared || along < 0 || along > squared)
@@ -100,7 +102,7 @@ class SideTracer {
   BeadPoint RibPoint(int half) const {
     const SkeletalNode& node = graph_.FromNode(half);
     const SideBead& bead = *BeadAt(From(half));
-    const Place foot = graph_.Foot(half, node);
+    const Vector2 foot = graph_.Foot(half, node);
     const double t = node.radius > 0 ? bead.location / node.radius : 0;
     return {Lerp(foot, node.place, t), bead.width};
   }
@@ -194,7 +196,7 @@ class MiddleTracer {
       flattest = half;
     });
     if (!alone || flattest < 0 || graph_.Length(flattest) == 0) return;
-    const Place at = graph_.nodes[node].place, to = graph_.ToNode(flattest).place;
+    const Vector2 at = graph_.nodes[node].place, to = graph_.ToNode(flattest).place;
     const double t = kDotLength / 2 * width / graph_.Length(flattest);
     BeadLine dot;
     dot.inset = InsetAt(node);
@@ -231,10 +233,13 @@ class MiddleTracer {
   }
 
   double Cosine(int a, int b) const {
-    const Place at = graph_.FromNode(a).place, p = graph_.ToNode(a).place,
-                q = graph_.ToNode(b).place;
+    const Vector2 at = graph_.FromNode(a).place, p = graph_.ToNode(a).place,
+                  q = graph_.ToNode(b).place;
     const double lengths = graph_.Length(a) * graph_.Length(b);
-    return lengths > 0 ? ((p.x - at.x) * (q.x - at.x) + (p.y - at.y) * (q.y - at.y)) / lengths : 1;
+    return lengths > 0
+               ? ((p.x() - at.x()) * (q.x() - at.x()) + (p.y() - at.y()) * (q.y() - at.y())) /
+                     lengths
+               : 1;
   }
 
   void Follow(int start, std::vector<BeadLine>& lines) {
@@ -299,7 +304,7 @@ class MiddleTracer {
   }
 
   static double Distance(const BeadPoint& a, const BeadPoint& b) {
-    return Hypot(b.place.x - a.place.x, b.place.y - a.place.y);
+    return Hypot(b.place.x() - a.place.x(), b.place.y() - a.place.y());
   }
 
   /// A line that is shorter than a dot covers less than one.

@@ -3,12 +3,13 @@
 #include <vector>
 
 #include "common/geometry/skeleton/skeletal_graph.h"
+#include "common/geometry/vector.h"
 #include "services/beading/algo/arachne/node_beading.h"
 
 namespace slicefarm::beading {
 
 struct BeadPoint {
-  Place place;
+  Vector2 place = Vector2::Zero();
   double width = 0;  ///< nm
 };
 

@@ -37,8 +37,8 @@ std::vector<BeadLine> BeadsOf(const PolygonWithHoles& region, int max_walls = 0)
   std::vector<BeadLine> lines = TraceBeads(graph, central, field, {});
   for (BeadLine& line : lines) {
     for (BeadPoint& point : line.points) {
-      point.place.x += static_cast<double>(graph.origin.x);
-      point.place.y += static_cast<double>(graph.origin.y);
+      point.place.x() += static_cast<double>(graph.origin.x);
+      point.place.y() += static_cast<double>(graph.origin.y);
     }
   }
   return lines;
@@ -50,8 +50,8 @@ std::vector<BeadLine> Middles(const std::vector<BeadLine>& lines) {
   return middles;
 }
 
-double DistanceToBoundary(Place place, const PolygonWithHoles& region) {
-  const Point p = {std::llround(place.x), std::llround(place.y)};
+double DistanceToBoundary(Vector2 place, const PolygonWithHoles& region) {
+  const Point p = {std::llround(place.x()), std::llround(place.y())};
   double distance = std::numeric_limits<double>::infinity();
   for (const Polygon& ring : Rings({region}))
     for (size_t i = 0; i < ring.size(); ++i)
@@ -62,9 +62,9 @@ double DistanceToBoundary(Place place, const PolygonWithHoles& region) {
 double LengthMm(const BeadLine& line) {
   double length = 0;
   for (size_t i = line.closed ? 0 : 1; i < line.points.size(); ++i) {
-    const Place a = line.points[i == 0 ? line.points.size() - 1 : i - 1].place;
-    const Place b = line.points[i].place;
-    length += std::hypot(b.x - a.x, b.y - a.y) / kNmPerMm;
+    const Vector2 a = line.points[i == 0 ? line.points.size() - 1 : i - 1].place;
+    const Vector2 b = line.points[i].place;
+    length += std::hypot(b.x() - a.x(), b.y() - a.y()) / kNmPerMm;
   }
   return length;
 }
@@ -174,15 +174,17 @@ TEST(BeadTracing, AMiddleBeadRetreatsBeforeItsTwoHalves) {
   EXPECT_TRUE(halves.closed);
   EXPECT_TRUE(middle.is_middle);
   EXPECT_FALSE(middle.closed);
-  const auto by_x = [](const BeadPoint& a, const BeadPoint& b) { return a.place.x < b.place.x; };
+  const auto by_x = [](const BeadPoint& a, const BeadPoint& b) {
+    return a.place.x() < b.place.x();
+  };
   const BeadPoint first = *std::ranges::min_element(halves.points, by_x);
   const BeadPoint last = *std::ranges::max_element(middle.points, by_x);
   EXPECT_NEAR(first.width, last.width / 2, 0.05 * last.width);
-  const double gap = (first.place.x - last.place.x) / last.width;
+  const double gap = (first.place.x() - last.place.x()) / last.width;
   EXPECT_GT(gap, 0.5);
   EXPECT_LT(gap, 0.75);
   // At the other end it reaches into the flat end's corners.
-  EXPECT_NEAR(std::ranges::min_element(middle.points, by_x)->place.x, 150'000 - 0.107 * 340'000,
+  EXPECT_NEAR(std::ranges::min_element(middle.points, by_x)->place.x(), 150'000 - 0.107 * 340'000,
               1'000);
 }
 
@@ -221,7 +223,7 @@ TEST_P(RegularDot, CoversTheTop) {
   EXPECT_NEAR(LengthMm(middle), 0.2 * dot.width_mm, 0.02 * dot.width_mm);
   for (const BeadPoint& point : middle.points) {
     EXPECT_NEAR(point.width, dot.width_mm * kNmPerMm, 5'000);
-    EXPECT_LT(std::hypot(point.place.x, point.place.y), 0.15 * point.width);
+    EXPECT_LT(std::hypot(point.place.x(), point.place.y()), 0.15 * point.width);
   }
 }
 

@@ -97,9 +97,9 @@ void SplitWhereBlendsEnd(double transition_length, SkeletalGraph& graph,
     const double left = transition_length - bottoms[node].distance, length = graph.Length(half);
     if (left < kLeastPieceNm || length - left < kLeastPieceNm) continue;
     const double t = left / length;
-    graph.Split(half,
-                {{std::lerp(from.place.x, to.place.x, t), std::lerp(from.place.y, to.place.y, t)},
-                 std::lerp(from.radius, to.radius, t)});
+    graph.Split(half, {{std::lerp(from.place.x(), to.place.x(), t),
+                        std::lerp(from.place.y(), to.place.y(), t)},
+                       std::lerp(from.radius, to.radius, t)});
     counts.emplace_back();
     central.push_back(central[half / 2]);
   }

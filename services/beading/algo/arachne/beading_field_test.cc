@@ -19,7 +19,7 @@ namespace {
 constexpr BeadCount kOne = {1, 0}, kTwo = {2, 0}, kOpen = {};
 
 struct Node {
-  Place place;
+  Vector2 place = Vector2::Zero();
   double radius;
   BeadCount count;
 };
@@ -160,7 +160,7 @@ TEST_P(BlendEnd, IsWhereTheTransitionLengthEnds) {
   ExpectSide(field.beadings[1], std::lerp(200'000, 400'000, ratio),
              std::lerp(100'000, 200'000, ratio));
   if (field.graph.nodes.size() == 3) return;
-  EXPECT_DOUBLE_EQ(field.graph.nodes[3].place.x, length);
+  EXPECT_DOUBLE_EQ(field.graph.nodes[3].place.x(), length);
   EXPECT_DOUBLE_EQ(field.graph.nodes[3].radius, 200'000 + 0.1 * length);
   EXPECT_FALSE(field.counts[3].decided());
   EXPECT_EQ(field.beadings[3], kTwoOf400);
@@ -179,7 +179,7 @@ TEST(BeadingField, ABlendEndsBeforeATopThatIsFarAway) {
   const Field field = ChainOf(
       {{{0, 0}, 200'000, kOne}, {{0.1e6, 0}, 250'000, kOpen}, {{5e6, 0}, 400'000, kTwo}}, 400'000);
   ASSERT_EQ(field.graph.nodes.size(), 4u);
-  EXPECT_DOUBLE_EQ(field.graph.nodes[3].place.x, 400'000);
+  EXPECT_DOUBLE_EQ(field.graph.nodes[3].place.x(), 400'000);
   EXPECT_EQ(field.beadings[3], kTwoOf400);
 }
 
@@ -190,7 +190,7 @@ TEST(BeadingField, ALevelEdgeIsSplitOnlyOnce) {
                                {{1'100'000, 0}, 200'000, kOpen},
                                {{1'200'000, 0}, 100'000, kOne}});
   ASSERT_EQ(field.graph.nodes.size(), 5u);
-  EXPECT_DOUBLE_EQ(field.graph.nodes[4].place.x, 400'000);
+  EXPECT_DOUBLE_EQ(field.graph.nodes[4].place.x(), 400'000);
   EXPECT_EQ(field.graph.half_edges.size(), 8u);
 }
 

@@ -56,9 +56,9 @@ CountOptions ForCounts(const VariableWallOptions& options, Point origin) {
   CountOptions counts;
   counts.filter_deviation_nm = static_cast<double>(options.filter_deviation_nm);
   if (options.deciding_radius) {
-    counts.deciding_radius = [&options, origin](Place place, double radius_nm) {
-      return options.deciding_radius(static_cast<double>(origin.x) + place.x,
-                                     static_cast<double>(origin.y) + place.y, radius_nm);
+    counts.deciding_radius = [&options, origin](Vector2 place, double radius_nm) {
+      return options.deciding_radius(static_cast<double>(origin.x) + place.x(),
+                                     static_cast<double>(origin.y) + place.y(), radius_nm);
     };
   }
   return counts;
@@ -68,8 +68,8 @@ ThickLine AsThickLine(const BeadLine& line, Point origin) {
   ThickLine rounded;
   rounded.closed = line.closed;
   for (const BeadPoint& point : line.points) {
-    const Point place = {origin.x + std::llround(point.place.x),
-                         origin.y + std::llround(point.place.y)};
+    const Point place = {origin.x + std::llround(point.place.x()),
+                         origin.y + std::llround(point.place.y())};
     rounded.points.push_back(place);
     rounded.thickness_nm.push_back(std::llround(point.width));
   }
@@ -92,7 +92,8 @@ void AddBeads(SkeletalGraph graph, const BeadingStrategy& strategy,
     if (line.is_marker) {
       if (bead.points.size() >= 3) markers.push_back(std::move(bead.points));
     } else if (bead.points.size() >= 2) {
-      // Beads are traced with the ring that they follow to their left; walls have it to their right.
+      // Beads are traced with the ring that they follow to their left; walls have it to their
+      // right.
       if (bead.closed && !line.is_middle) Reverse(bead);
       walls.lines.push_back({line.inset, line.is_middle, std::move(bead)});
     }

@@ -9,6 +9,7 @@
 #include "common/base/portable_math.h"
 #include "common/geometry/boolean/predicates.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/vector.h"
 
 namespace slicefarm::beading {
 namespace {
@@ -18,14 +19,9 @@ constexpr double kLeastExcessNm = 1'000;
 /// Offsets cut miters square from here on; a little less, for what rounding does to angles.
 constexpr double kMaxTurn = 1.9;
 
-struct Direction {
-  double x = 0;
-  double y = 0;
-};
-
-Direction Along(Point a, Point b) {
+Vector2 Along(Point a, Point b) {
   const double length = Distance(a, b);
-  return {static_cast<double>(b.x - a.x) / length, static_cast<double>(b.y - a.y) / length};
+  return ToVector(b - a) / length;
 }
 
 /// What the inset's edges at a corner lose to the arc there.
@@ -36,26 +32,26 @@ struct Rounding {
 
 std::optional<Rounding> RoundingAt(Point before, Point at, Point after, double distance_nm) {
   if (Orientation(before, at, after) >= 0) return Rounding{};
-  const Direction in = Along(before, at), out = Along(at, after);
-  const double turn = Atan2(-(in.x * out.y - in.y * out.x), in.x * out.x + in.y * out.y);
+  const Vector2 in = Along(before, at), out = Along(at, after);
+  const double turn = Atan2(-Cross(in, out), Dot(in, out));
   if (turn > kMaxTurn) return std::nullopt;
   if (distance_nm * (1 / Cos(turn / 2) - 1) < kLeastExcessNm) return Rounding{};
   return Rounding{turn, distance_nm * Tan(turn / 2)};
 }
 
 /// Points of the arc to the right of the way in, from one tangent point to the other.
-void AppendArc(Point at, Direction in, const Rounding& rounding, double distance_nm, double step,
+void AppendArc(Point at, Vector2 in, const Rounding& rounding, double distance_nm, double step,
                Polygon& ring) {
-  const double start_x = static_cast<double>(at.x) - in.x * rounding.cut_nm;
-  const double start_y = static_cast<double>(at.y) - in.y * rounding.cut_nm;
-  const double centre_x = start_x + in.y * distance_nm, centre_y = start_y - in.x * distance_nm;
+  const double start_x = static_cast<double>(at.x) - in.x() * rounding.cut_nm;
+  const double start_y = static_cast<double>(at.y) - in.y() * rounding.cut_nm;
+  const double centre_x = start_x + in.y() * distance_nm, centre_y = start_y - in.x() * distance_nm;
   const int pieces = std::max(1, static_cast<int>(std::ceil(rounding.turn / step)));
   for (int i = 0; i <= pieces; ++i) {
     const double angle = rounding.turn * i / pieces;
     const double c = Cos(angle), s = Sin(angle);
     // The radius to the start, (-in.y, in.x), turned clockwise.
-    ring.push_back({std::llround(centre_x + distance_nm * (-in.y * c + in.x * s)),
-                    std::llround(centre_y + distance_nm * (in.x * c + in.y * s))});
+    ring.push_back({std::llround(centre_x + distance_nm * (-in.y() * c + in.x() * s)),
+                    std::llround(centre_y + distance_nm * (in.x() * c + in.y() * s))});
   }
 }
 

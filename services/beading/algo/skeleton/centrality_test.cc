@@ -33,7 +33,7 @@ Central Of(std::string_view text, double degrees, double min_length_mm = 0.02) {
     ++found.edges;
     found.length_mm += graph->Length(half) / kNmPerMm;
     for (const SkeletalNode& node : {graph->FromNode(half), graph->ToNode(half)}) {
-      const double x = (node.place.x + static_cast<double>(graph->origin.x)) / kNmPerMm;
+      const double x = (node.place.x() + static_cast<double>(graph->origin.x)) / kNmPerMm;
       found.from_x_mm = std::min(found.from_x_mm, x);
       found.to_x_mm = std::max(found.to_x_mm, x);
     }

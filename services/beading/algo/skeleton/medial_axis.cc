@@ -73,7 +73,7 @@ class AxisGraph {
 
   const SkeletalNode& Node(int i) const { return nodes_[i]; }
   Point PointOf(int i) const {
-    return origin_ + Point{std::llround(Node(i).place.x), std::llround(Node(i).place.y)};
+    return origin_ + Point{std::llround(Node(i).place.x()), std::llround(Node(i).place.y())};
   }
   int NodeCount() const { return static_cast<int>(nodes_.size()); }
   int Degree(int node) const { return degree_[node]; }
@@ -144,8 +144,8 @@ class AxisGraph {
 
  private:
   double Apart(int a, int b) const {
-    const Place p = Node(a).place, q = Node(b).place;
-    return Hypot(p.x - q.x, p.y - q.y);
+    const Vector2 p = Node(a).place, q = Node(b).place;
+    return Hypot(p.x() - q.x(), p.y() - q.y());
   }
   double EdgeLength(int e) const { return Apart(edges_[e].a, edges_[e].b); }
   bool IsFacing(int e) const {
@@ -165,9 +165,9 @@ class AxisGraph {
       if (thin.radius < min_radius) {
         const double t = (min_radius - thin.radius) / (thick.radius - thin.radius);
         edge.a = NodeCount();
-        nodes_.push_back(
-            {{std::lerp(thin.place.x, thick.place.x, t), std::lerp(thin.place.y, thick.place.y, t)},
-             min_radius});
+        nodes_.push_back({{std::lerp(thin.place.x(), thick.place.x(), t),
+                           std::lerp(thin.place.y(), thick.place.y(), t)},
+                          min_radius});
       }
       kept.push_back(edge);
     }
@@ -267,9 +267,9 @@ class AxisGraph {
   }
 
   double CosBetween(int node, int e, int f) const {
-    const Place o = Node(node).place, p = Node(OtherEnd(e, node)).place,
-                q = Node(OtherEnd(f, node)).place;
-    const double px = p.x - o.x, py = p.y - o.y, qx = q.x - o.x, qy = q.y - o.y;
+    const Vector2 o = Node(node).place, p = Node(OtherEnd(e, node)).place,
+                  q = Node(OtherEnd(f, node)).place;
+    const double px = p.x() - o.x(), py = p.y() - o.y(), qx = q.x() - o.x(), qy = q.y() - o.y();
     return (px * qx + py * qy) / (Hypot(px, py) * Hypot(qx, qy));
   }
 

@@ -10,14 +10,13 @@ namespace slicefarm::exposure {
 namespace {
 
 bool IsReflex(const Polygon& ring, size_t i) {
-  return CrossSign(VectorBetween(Before(ring, i), ring[i]),
-                   VectorBetween(ring[i], After(ring, i))) < 0;
+  return CrossSign(ToVector(ring[i] - Before(ring, i)), ToVector(After(ring, i) - ring[i])) < 0;
 }
 
 /// Leaves out the point if the ring goes straight on there.
 void DropIfStraight(Polygon& ring, size_t i) {
-  if (ring.size() > 3 && CrossSign(VectorBetween(Before(ring, i), ring[i]),
-                                   VectorBetween(ring[i], After(ring, i))) == 0)
+  if (ring.size() > 3 &&
+      CrossSign(ToVector(ring[i] - Before(ring, i)), ToVector(After(ring, i) - ring[i])) == 0)
     ring.erase(ring.begin() + static_cast<ptrdiff_t>(i));
 }
 

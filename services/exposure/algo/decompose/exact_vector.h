@@ -4,46 +4,29 @@
 #include <cstdint>
 
 #include "common/geometry/point.h"
+#include "common/geometry/vector.h"
 
 namespace slicefarm::exposure {
-
-/// A difference of two points, exact: both coordinates are integers of at most 2^53.
-struct ExactVector {
-  double x = 0;
-  double y = 0;
-
-  friend bool operator==(const ExactVector&, const ExactVector&) = default;
-  friend ExactVector operator-(ExactVector a, ExactVector b) { return {a.x - b.x, a.y - b.y}; }
-};
 
 /// Points of polygons to be decomposed keep within this, so that differences of differences of them
 /// are exact.
 inline constexpr Coord kExactCoord = Coord{1} << 51;
 
-inline ExactVector VectorBetween(Point from, Point to) {
-  return {static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y)};
-}
-
 /// +1 if b lies to the left of a, -1 to the right, 0 along the same line. Exact, as Orientation;
 /// faster where many vectors start at one point.
-inline int CrossSign(ExactVector a, ExactVector b) {
-  const double left = a.x * b.y;
-  const double right = a.y * b.x;
+inline int CrossSign(Vector2 a, Vector2 b) {
+  const double left = a.x() * b.y();
+  const double right = a.y() * b.x();
   const double cross = left - right;
   // Three roundings of at most 2^-53 each.
   if (std::abs(cross) > 4.5e-16 * (std::abs(left) + std::abs(right))) return cross > 0 ? 1 : -1;
   const __int128 exact =
-      static_cast<__int128>(static_cast<int64_t>(a.x)) * static_cast<int64_t>(b.y) -
-      static_cast<__int128>(static_cast<int64_t>(a.y)) * static_cast<int64_t>(b.x);
+      static_cast<__int128>(static_cast<int64_t>(a.x())) * static_cast<int64_t>(b.y()) -
+      static_cast<__int128>(static_cast<int64_t>(a.y())) * static_cast<int64_t>(b.x());
   return exact > 0 ? 1 : exact < 0 ? -1 : 0;
 }
 
-inline double DotOf(ExactVector a, ExactVector b) { return a.x * b.x + a.y * b.y; }
-inline double NormOf(ExactVector a) { return std::sqrt(DotOf(a, a)); }
-
 /// Cosine of the angle between two vectors that are not zero.
-inline double CosineOf(ExactVector a, ExactVector b) {
-  return DotOf(a, b) / (NormOf(a) * NormOf(b));
-}
+inline double CosineOf(Vector2 a, Vector2 b) { return Dot(a, b) / (Norm(a) * Norm(b)); }
 
 }  // namespace slicefarm::exposure

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "common/geometry/vector.h"
 #include "services/exposure/algo/decompose/edge_point.h"
 
 namespace slicefarm::exposure {
@@ -26,49 +27,36 @@ constexpr double kShareTolerance = 0.04;
 
 /// Whether the ray from a corner towards `to` starts inside the region. `in` and `out`: the
 /// corner's edges.
-bool InCone(ExactVector in, ExactVector out, ExactVector to) {
+bool InCone(Vector2 in, Vector2 out, Vector2 to) {
   const bool left_of_in = CrossSign(in, to) > 0;
   const bool left_of_out = CrossSign(out, to) > 0;
   return CrossSign(in, out) >= 0 ? left_of_in && left_of_out : left_of_in || left_of_out;
 }
 
-/// A vector that need not be whole.
-struct Direction {
-  double x = 0;
-  double y = 0;
-};
-
-Direction Unit(ExactVector v) {
-  const double norm = NormOf(v);
-  return {v.x / norm, v.y / norm};
-}
-
-double CrossOf(Direction a, ExactVector b) { return a.x * b.y - a.y * b.x; }
+Vector2 Unit(const Vector2& v) { return v / Norm(v); }
 
 /// The direction that divides A, which is between `in` and -`out`, by `share`: for 1/2, the
 /// bisector. Other shares need not be those of its angle.
-Direction Between(ExactVector in, ExactVector out, double share) {
-  const Direction first = Unit(in), straight = Unit(out);
+Vector2 Between(Vector2 in, Vector2 out, double share) {
+  const Vector2 first = Unit(in), straight = Unit(out);
   // Bisectors: the sum of A's sides, and the perpendicular of P's edges; the longer is the more
   // precise.
-  Direction sum{first.x - straight.x, first.y - straight.y};
-  const Direction across{-(first.y + straight.y), first.x + straight.x};
-  if (across.x * across.x + across.y * across.y > sum.x * sum.x + sum.y * sum.y) sum = across;
-  const double norm = std::sqrt(sum.x * sum.x + sum.y * sum.y);
-  const Direction middle{sum.x / norm, sum.y / norm};
-  const Direction side = share < 0.5 ? first : Direction{-straight.x, -straight.y};
+  Vector2 sum = first - straight;
+  const Vector2 across = TurnedLeft(first + straight);
+  if (Dot(across, across) > Dot(sum, sum)) sum = across;
+  const Vector2 middle = sum / Norm(sum);
+  const Vector2 side = share < 0.5 ? first : Vector2(-straight);
   const double toward_side = 2 * std::abs(share - 0.5);
-  return {middle.x + toward_side * (side.x - middle.x),
-          middle.y + toward_side * (side.y - middle.y)};
+  return middle + toward_side * (side - middle);
 }
 
 }  // namespace
 
-void LinkChoice::AddCandidate(const Polygon& ring, CornerIndex index, ExactVector at, bool turns) {
+void LinkChoice::AddCandidate(const Polygon& ring, CornerIndex index, Vector2 at, bool turns) {
   const Point q = ring[index.point];
-  const ExactVector in = VectorBetween(Before(ring, index.point), q);
-  const ExactVector out = VectorBetween(q, After(ring, index.point));
-  const ExactVector back{-at.x, -at.y};
+  const Vector2 in = ToVector(q - Before(ring, index.point));
+  const Vector2 out = ToVector(After(ring, index.point) - q);
+  const Vector2 back = -at;
   if (!InCone(in, out, back)) return;
   Candidate candidate{.turns = turns, .at = at, .index = index};
   const double here_a = -CosineOf(in_, at), here_b = CosineOf(out_, at);
@@ -88,22 +76,22 @@ void LinkChoice::AddCandidate(const Polygon& ring, CornerIndex index, ExactVecto
 void LinkChoice::Collect(const CutRegion& region, CornerIndex from) {
   const Polygon& own = region.rings[from.ring];
   origin_ = own[from.point];
-  in_ = VectorBetween(Before(own, from.point), origin_);
-  out_ = VectorBetween(origin_, After(own, from.point));
+  in_ = ToVector(origin_ - Before(own, from.point));
+  out_ = ToVector(After(own, from.point) - origin_);
   edges_.clear();
   candidates_.clear();
   for (size_t r = 0; r < region.rings.size(); ++r) {
     const Polygon& ring = region.rings[r];
-    ExactVector before = VectorBetween(origin_, ring.back());
+    Vector2 before = ToVector(ring.back() - origin_);
     int before_in = CrossSign(in_, before), before_out = CrossSign(out_, before);
     for (size_t i = 0; i < ring.size(); ++i) {
-      const ExactVector at = VectorBetween(origin_, ring[i]);
+      const Vector2 at = ToVector(ring[i] - origin_);
       const int side_in = CrossSign(in_, at), side_out = CrossSign(out_, at);
       if (!(before_in < 0 && side_in < 0) && !(before_out < 0 && side_out < 0)) {
         const size_t start = i == 0 ? ring.size() - 1 : i - 1;
         edges_.push_back({before, at, CrossSign(before, at), {r, start}});
       }
-      if (side_in >= 0 && side_out >= 0 && at != ExactVector{})
+      if (side_in >= 0 && side_out >= 0 && at != Vector2::Zero())
         AddCandidate(ring, {r, i}, at, side_in != 0 && side_out != 0);
       before = at;
       before_in = side_in;
@@ -113,10 +101,10 @@ void LinkChoice::Collect(const CutRegion& region, CornerIndex from) {
 }
 
 /// Whether no edge crosses the way from P to `at`, and no corner lies on it.
-bool LinkChoice::Sees(ExactVector at) {
-  const double length2 = DotOf(at, at);
-  const auto on_way = [&](ExactVector u) {
-    const double along = DotOf(at, u);
+bool LinkChoice::Sees(Vector2 at) {
+  const double length2 = Dot(at, at);
+  const auto on_way = [&](Vector2 u) {
+    const double along = Dot(at, u);
     return along > 0 && along < length2 && u != at;
   };
   for (size_t i = 0; i < edges_.size(); ++i) {
@@ -134,16 +122,15 @@ bool LinkChoice::Sees(ExactVector at) {
 
 /// A cut that divides A by `share` and ends on the first edge in its way.
 std::optional<Link> LinkChoice::LinkAlong(const CutRegion& region, double share) {
-  const Direction way = Between(in_, out_, share);
+  const Vector2 way = Between(in_, out_, share);
   const Edge* hit = nullptr;
   double nearest = 0;
   for (const Edge& edge : edges_) {
-    const double from = CrossOf(way, edge.from), to = CrossOf(way, edge.to);
+    const double from = Cross(way, edge.from), to = Cross(way, edge.to);
     // The interior is to an edge's left, so only those that pass from right to left are seen.
     if (!(from <= 0 && to > 0) || edge.origin_side <= 0) continue;
     const double t = from / (from - to);
-    const double distance = way.x * (edge.from.x + t * (edge.to.x - edge.from.x)) +
-                            way.y * (edge.from.y + t * (edge.to.y - edge.from.y));
+    const double distance = Dot(way, edge.from + t * (edge.to - edge.from));
     if (hit == nullptr || distance < nearest) {
       hit = &edge;
       nearest = distance;
@@ -151,8 +138,8 @@ std::optional<Link> LinkChoice::LinkAlong(const CutRegion& region, double share)
   }
   if (hit == nullptr) return std::nullopt;
 
-  const auto share_on_hit = [&](Direction d, double otherwise) {
-    const double from = CrossOf(d, hit->from), to = CrossOf(d, hit->to);
+  const auto share_on_hit = [&](Vector2 d, double otherwise) {
+    const double from = Cross(d, hit->from), to = Cross(d, hit->to);
     return from <= 0 && to > 0 ? from / (from - to) : otherwise;
   };
   const double low = share_on_hit(Between(in_, out_, share - kShareTolerance), 0);
@@ -163,12 +150,12 @@ std::optional<Link> LinkChoice::LinkAlong(const CutRegion& region, double share)
   const double span = std::min({middle - low, high - middle, 0.9 * middle, 0.9 * (1 - middle)});
   if (!(span > 0)) return std::nullopt;
   const EdgePoint place = PointOnEdge(a, b, middle - span, middle + span);
-  const ExactVector at = VectorBetween(origin_, place.point);
-  if (place.point == a || place.point == b || at == ExactVector{}) return std::nullopt;
+  const Vector2 at = ToVector(place.point - origin_);
+  if (place.point == a || place.point == b || at == Vector2::Zero()) return std::nullopt;
   if (CrossSign(in_, at) < 0 || CrossSign(out_, at) < 0 ||
       CrossSign(hit->to - hit->from, at - hit->from) < 0)
     return std::nullopt;
-  const ExactVector edge = hit->to - hit->from;
+  const Vector2 edge = hit->to - hit->from;
   const double cosine =
       std::max({-CosineOf(in_, at), CosineOf(out_, at), std::abs(CosineOf(edge, at))});
   const CornerIndex index = hit->index;

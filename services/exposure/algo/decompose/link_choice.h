@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/geometry/point.h"
+#include "common/geometry/vector.h"
 #include "services/exposure/algo/decompose/cut_region.h"
 #include "services/exposure/algo/decompose/exact_vector.h"
 
@@ -50,8 +51,8 @@ class LinkChoice {
 
  private:
   struct Edge {
-    ExactVector from, to;  ///< relative to P
-    int origin_side = 0;   ///< on which side of the edge P lies
+    Vector2 from = Vector2::Zero(), to = Vector2::Zero();  ///< relative to P
+    int origin_side = 0;                                   ///< on which side of the edge P lies
     CornerIndex index;
   };
   struct Candidate {
@@ -60,24 +61,24 @@ class LinkChoice {
     double weight = 0;      ///< of those that turn
     double cosine = 0;      ///< of the least angle, at either end
     double end_cosine = 0;  ///< at its end
-    ExactVector at;
+    Vector2 at = Vector2::Zero();
     CornerIndex index;
 
     auto Key() const {
-      return std::tuple(rank, turns, weight, DotOf(at, at), index.ring, index.point);
+      return std::tuple(rank, turns, weight, Dot(at, at), index.ring, index.point);
     }
   };
 
   void Collect(const CutRegion& region, CornerIndex from);
-  void AddCandidate(const Polygon& ring, CornerIndex index, ExactVector at, bool turns);
-  bool Sees(ExactVector at);
+  void AddCandidate(const Polygon& ring, CornerIndex index, Vector2 at, bool turns);
+  bool Sees(Vector2 at);
   Link LinkTo(const Candidate& candidate) const;
   Link InsteadOf(const Candidate& best, const CutRegion& region, int32_t variant);
   std::optional<Link> BisectorLink(const CutRegion& region, int32_t variant);
   std::optional<Link> LinkAlong(const CutRegion& region, double share);
 
-  Point origin_;             ///< P
-  ExactVector in_, out_;     ///< P's edges, towards P and away from it
+  Point origin_;                                          ///< P
+  Vector2 in_ = Vector2::Zero(), out_ = Vector2::Zero();  ///< P's edges, towards P and away from it
   std::vector<Edge> edges_;  ///< those that may reach into A; the last ones to block come first
   std::vector<Candidate> candidates_;
 };

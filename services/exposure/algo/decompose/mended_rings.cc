@@ -34,7 +34,7 @@ absl::Status Malformed(const char* what, Point at) {
                    {{"x_nm", std::to_string(at.x)}, {"y_nm", std::to_string(at.y)}});
 }
 
-bool Cross(const Edge& e, const Edge& f) {
+bool DoEdgesCross(const Edge& e, const Edge& f) {
   return Orientation(e.a, e.b, f.a) * Orientation(e.a, e.b, f.b) < 0 &&
          Orientation(f.a, f.b, e.a) * Orientation(f.a, f.b, e.b) < 0;
 }
@@ -49,7 +49,7 @@ absl::Status FindTouches(std::vector<Edge>& edges) {
       if (std::max(e.a.y, e.b.y) < std::min(f.a.y, f.b.y) ||
           std::max(f.a.y, f.b.y) < std::min(e.a.y, e.b.y))
         continue;
-      if (Cross(e, f)) return Malformed("cross", f.a);
+      if (DoEdgesCross(e, f)) return Malformed("cross", f.a);
       for (const Point p : {f.a, f.b})
         if (e.StrictlyHas(p)) e.touches.push_back(p);
       for (const Point p : {e.a, e.b})
@@ -95,8 +95,8 @@ absl::StatusOr<std::vector<Way>> Divided(std::vector<Edge> edges) {
 }
 
 /// Whether, turning clockwise from direction `from`, `a` comes before `b`. None are equal.
-bool ComesFirst(ExactVector from, ExactVector a, ExactVector b) {
-  const auto half = [&](ExactVector v) {  // 0: to the right of `from`; 1: to its left, or behind
+bool ComesFirst(Vector2 from, Vector2 a, Vector2 b) {
+  const auto half = [&](Vector2 v) {  // 0: to the right of `from`; 1: to its left, or behind
     const int side = CrossSign(from, v);
     return side < 0 ? 0 : side > 0 ? 2 : 1;
   };
@@ -120,11 +120,11 @@ absl::StatusOr<std::vector<Polygon>> Followed(std::vector<Way> ways) {
     for (Way* way = &start; !way->used;) {
       way->used = true;
       ring.push_back(way->from);
-      const ExactVector back = VectorBetween(way->to, way->from);
+      const Vector2 back = ToVector(way->from - way->to);
       Way* next = nullptr;
       for (Way& other : leaving(way->to)) {
-        if (next == nullptr || ComesFirst(back, VectorBetween(other.from, other.to),
-                                          VectorBetween(next->from, next->to)))
+        if (next == nullptr ||
+            ComesFirst(back, ToVector(other.to - other.from), ToVector(next->to - next->from)))
           next = &other;
       }
       if (next == nullptr) return Malformed("are not closed", way->to);

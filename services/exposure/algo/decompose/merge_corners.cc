@@ -13,9 +13,9 @@ namespace {
 /// Whether p lies in the closed triangle, and is none of its corners.
 bool InTriangle(Point p, Point a, Point b, Point c) {
   if (p == a || p == b || p == c) return false;
-  const int ab = CrossSign(VectorBetween(a, b), VectorBetween(a, p));
-  const int bc = CrossSign(VectorBetween(b, c), VectorBetween(b, p));
-  const int ca = CrossSign(VectorBetween(c, a), VectorBetween(c, p));
+  const int ab = CrossSign(ToVector(b - a), ToVector(p - a));
+  const int bc = CrossSign(ToVector(c - b), ToVector(p - b));
+  const int ca = CrossSign(ToVector(a - c), ToVector(p - c));
   return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
 }
 
@@ -37,9 +37,9 @@ class Merger {
 
  private:
   bool GoesWith(Point a, Point p, Point b) {
-    const ExactVector chord = VectorBetween(a, b), to_p = VectorBetween(a, p);
-    const double along = DotOf(chord, to_p), length = NormOf(chord);
-    const double twice_area = std::abs(chord.x * to_p.y - chord.y * to_p.x);
+    const Vector2 chord = ToVector(b - a), to_p = ToVector(p - a);
+    const double along = Dot(chord, to_p), length = Norm(chord);
+    const double twice_area = std::abs(chord.x() * to_p.y() - chord.y() * to_p.x());
     if (!(along > 0 && along < length * length) || twice_area > limits_.sagitta * length ||
         area_ + 0.5 * twice_area > limits_.area)
       return false;

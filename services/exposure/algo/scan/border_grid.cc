@@ -13,22 +13,22 @@ constexpr double kLeastSquares = 1024;
 /// What rounding may move.
 constexpr double kRounding = 1;
 
-double SquaredDistance(PlaneVector p, PlaneVector a, PlaneVector b) {
-  const PlaneVector way = b - a, at = p - a;
+double SquaredDistance(Vector2 p, Vector2 a, Vector2 b) {
+  const Vector2 way = b - a, at = p - a;
   const double length2 = Dot(way, way);
   const double t = length2 > 0 ? std::clamp(Dot(at, way) / length2, 0.0, 1.0) : 0;
-  const PlaneVector off{at.x - t * way.x, at.y - t * way.y};
+  const Vector2 off{at.x() - t * way.x(), at.y() - t * way.y()};
   return Dot(off, off);
 }
 
-bool DoCross(PlaneVector a, PlaneVector b, PlaneVector c, PlaneVector d) {
+bool DoCross(Vector2 a, Vector2 b, Vector2 c, Vector2 d) {
   const double ab_c = Cross(b - a, c - a), ab_d = Cross(b - a, d - a);
   const double cd_a = Cross(d - c, a - c), cd_b = Cross(d - c, b - c);
   return (ab_c < 0) != (ab_d < 0) && (cd_a < 0) != (cd_b < 0);
 }
 
 /// Whether two segments are at least that far from each other.
-bool AreApart(PlaneVector a, PlaneVector b, PlaneVector c, PlaneVector d, double distance) {
+bool AreApart(Vector2 a, Vector2 b, Vector2 c, Vector2 d, double distance) {
   const double nearest = std::min({SquaredDistance(a, c, d), SquaredDistance(b, c, d),
                                    SquaredDistance(c, a, b), SquaredDistance(d, a, b)});
   return nearest >= distance * distance && !DoCross(a, b, c, d);
@@ -37,9 +37,9 @@ bool AreApart(PlaneVector a, PlaneVector b, PlaneVector c, PlaneVector d, double
 using Span = std::pair<double, double>;
 
 /// Grows `span` by where a + t * way is within `distance` of the place c.
-void AddCircle(PlaneVector a, PlaneVector way, PlaneVector c, double distance, Span& span) {
+void AddCircle(Vector2 a, Vector2 way, Vector2 c, double distance, Span& span) {
   const double length2 = Dot(way, way), along = Dot(c - a, way) / length2;
-  const PlaneVector off{a.x + along * way.x - c.x, a.y + along * way.y - c.y};
+  const Vector2 off{a.x() + along * way.x() - c.x(), a.y() + along * way.y() - c.y()};
   const double half2 = (distance * distance - Dot(off, off)) / length2;
   if (half2 < 0) return;
   const double half = std::sqrt(half2);
@@ -47,11 +47,10 @@ void AddCircle(PlaneVector a, PlaneVector way, PlaneVector c, double distance, S
 }
 
 /// The same for the rectangle that lies within `distance` on both sides of the segment cd.
-void AddRectangle(PlaneVector a, PlaneVector way, PlaneVector c, PlaneVector d, double distance,
-                  Span& span) {
+void AddRectangle(Vector2 a, Vector2 way, Vector2 c, Vector2 d, double distance, Span& span) {
   const double length = Norm(d - c);
   if (!(length > 0)) return;
-  const PlaneVector unit{(d.x - c.x) / length, (d.y - c.y) / length};
+  const Vector2 unit{(d.x() - c.x()) / length, (d.y() - c.y()) / length};
   double low = -std::numeric_limits<double>::infinity(), high = -low;
   const auto clip = [&](double at, double speed, double least, double most) {
     if (speed == 0) {
@@ -69,7 +68,7 @@ void AddRectangle(PlaneVector a, PlaneVector way, PlaneVector c, PlaneVector d, 
 }
 
 /// Where a + t * way is within `distance` of the segment cd; first > second: nowhere.
-Span NearSpan(PlaneVector a, PlaneVector way, PlaneVector c, PlaneVector d, double distance) {
+Span NearSpan(Vector2 a, Vector2 way, Vector2 c, Vector2 d, double distance) {
   Span span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   AddCircle(a, way, c, distance, span);
   AddCircle(a, way, d, distance, span);
@@ -111,10 +110,10 @@ BorderGrid::BorderGrid(const MultiPolygon& region, double reach_nm) : box_(Bound
   edges_.reserve(PointCount(region));
   ForEachRing(region, [&](const Polygon& ring) {
     for (size_t i = 0; i < ring.size(); ++i) {
-      const PlaneVector a = Local(ring[i]), b = Local(ring[i + 1 == ring.size() ? 0 : i + 1]);
-      const PlaneVector way = b - a;
+      const Vector2 a = Local(ring[i]), b = Local(ring[i + 1 == ring.size() ? 0 : i + 1]);
+      const Vector2 way = b - a;
       const double length = Norm(way);
-      const PlaneVector inward{-way.y / length, way.x / length};
+      const Vector2 inward{-way.y() / length, way.x() / length};
       if (length > 0) edges_.push_back({inward, Dot(inward, a), a, b});
     }
   });
@@ -142,17 +141,17 @@ void BorderGrid::ChooseSquares(double reach_nm) {
 template <typename Visit>
 void BorderGrid::ForEachSquare(const Edge& edge, double reach_nm, Visit visit) const {
   const double reach = reach_nm + kRounding;
-  const PlaneVector low = edge.a.y < edge.b.y ? edge.a : edge.b;
-  const PlaneVector high = edge.a.y < edge.b.y ? edge.b : edge.a;
-  const int32_t bottom = At({0, low.y - reach}).row, top = At({0, high.y + reach}).row;
+  const Vector2 low = edge.a.y() < edge.b.y() ? edge.a : edge.b;
+  const Vector2 high = edge.a.y() < edge.b.y() ? edge.b : edge.a;
+  const int32_t bottom = At({0, low.y() - reach}).row, top = At({0, high.y() + reach}).row;
   for (int32_t row = bottom; row <= top; ++row) {
     // The part of the edge that is within reach of the row.
     double t0 = 0, t1 = 1;
-    if (high.y > low.y) {
-      t0 = std::clamp((row * square_ - reach - low.y) / (high.y - low.y), 0.0, 1.0);
-      t1 = std::clamp(((row + 1) * square_ + reach - low.y) / (high.y - low.y), 0.0, 1.0);
+    if (high.y() > low.y()) {
+      t0 = std::clamp((row * square_ - reach - low.y()) / (high.y() - low.y()), 0.0, 1.0);
+      t1 = std::clamp(((row + 1) * square_ + reach - low.y()) / (high.y() - low.y()), 0.0, 1.0);
     }
-    const double x0 = low.x + t0 * (high.x - low.x), x1 = low.x + t1 * (high.x - low.x);
+    const double x0 = low.x() + t0 * (high.x() - low.x()), x1 = low.x() + t1 * (high.x() - low.x());
     const int32_t left = At({std::min(x0, x1) - reach, 0}).column;
     const int32_t right = At({std::max(x0, x1) + reach, 0}).column;
     for (int32_t column = left; column <= right; ++column) visit(IndexOf({column, row}));
@@ -178,12 +177,12 @@ void BorderGrid::FindRoom() {
   // number of times.
   room_.assign(static_cast<size_t>(columns_) * rows_, 0);
   for (const Edge& edge : edges_) {
-    const double low = std::min(edge.a.y, edge.b.y), high = std::max(edge.a.y, edge.b.y);
+    const double low = std::min(edge.a.y(), edge.b.y()), high = std::max(edge.a.y(), edge.b.y());
     for (int32_t row = At({0, low}).row; row <= At({0, high}).row; ++row) {
       const double y = (row + 0.5) * square_;
-      if ((edge.a.y <= y) == (edge.b.y <= y)) continue;
-      const double t = (y - edge.a.y) / (edge.b.y - edge.a.y);
-      room_[IndexOf(At({edge.a.x + t * (edge.b.x - edge.a.x), y}))] ^= 1;
+      if ((edge.a.y() <= y) == (edge.b.y() <= y)) continue;
+      const double t = (y - edge.a.y()) / (edge.b.y() - edge.a.y());
+      room_[IndexOf(At({edge.a.x() + t * (edge.b.x() - edge.a.x()), y}))] ^= 1;
     }
   }
   for (int32_t row = 0; row < rows_; ++row) {
@@ -224,10 +223,10 @@ bool BorderGrid::IsFarFromBorder(Point a, Point b) const {
 bool BorderGrid::Keeps(Point a, Point b, double distance_nm) const {
   if (!Has(a) || !Has(b)) return false;
   if (IsFarFromBorder(a, b)) return true;
-  const PlaneVector from = Local(a), to = Local(b);
+  const Vector2 from = Local(a), to = Local(b);
   bool inside = false;
   return KeepsAlong(from, to, distance_nm, inside) &&
-         (inside || IsInside({(from.x + to.x) / 2, (from.y + to.y) / 2}));
+         (inside || IsInside({(from.x() + to.x()) / 2, (from.y() + to.y()) / 2}));
 }
 
 bool BorderGrid::KeepsOn(Point a, Point b, double distance_nm) const {
@@ -248,9 +247,9 @@ bool BorderGrid::Stays(Point a, Point b, double beyond_nm) const {
 
 /// Whether an edge has all of the segment ab beside it, no farther than that: contours that lie on
 /// the outline.
-bool BorderGrid::RunsAlongEdge(PlaneVector a, PlaneVector b, double distance_nm) const {
+bool BorderGrid::RunsAlongEdge(Vector2 a, Vector2 b, double distance_nm) const {
   const size_t square = IndexOf(At(a));
-  const auto is_beside = [&](const Edge& edge, PlaneVector p) {
+  const auto is_beside = [&](const Edge& edge, Vector2 p) {
     return std::abs(edge.LeftOf(p)) <= distance_nm && Cross(p - edge.a, edge.inward) >= -1 &&
            Cross(p - edge.b, edge.inward) <= 1;
   };
@@ -261,12 +260,12 @@ bool BorderGrid::RunsAlongEdge(PlaneVector a, PlaneVector b, double distance_nm)
                      });
 }
 
-bool BorderGrid::IsInsideButEnds(PlaneVector a, PlaneVector b, double ends_nm) const {
-  const PlaneVector way = b - a;
+bool BorderGrid::IsInsideButEnds(Vector2 a, Vector2 b, double ends_nm) const {
+  const Vector2 way = b - a;
   const double length = Norm(way);
   if (length <= 2 * ends_nm) return false;
-  const PlaneVector end{way.x * (ends_nm / length), way.y * (ends_nm / length)};
-  const PlaneVector from{a.x + end.x, a.y + end.y}, to = b - end;
+  const Vector2 end{way.x() * (ends_nm / length), way.y() * (ends_nm / length)};
+  const Vector2 from{a.x() + end.x(), a.y() + end.y()}, to = b - end;
   const auto crosses_none = [&](size_t square) {
     return std::none_of(items_.begin() + begin_[square], items_.begin() + begin_[square + 1],
                         [&](int32_t i) {
@@ -275,13 +274,14 @@ bool BorderGrid::IsInsideButEnds(PlaneVector a, PlaneVector b, double ends_nm) c
                                  DoCross(from, to, edge.a, edge.b);
                         });
   };
-  return Follow(from, to, crosses_none) && IsInside({(from.x + to.x) / 2, (from.y + to.y) / 2});
+  return Follow(from, to, crosses_none) &&
+         IsInside({(from.x() + to.x()) / 2, (from.y() + to.y()) / 2});
 }
 
 /// What is far from the border does not cross it: it is inside if its middle is.
-bool BorderGrid::IsInsideWhereFar(PlaneVector a, PlaneVector b, double distance_nm) const {
+bool BorderGrid::IsInsideWhereFar(Vector2 a, Vector2 b, double distance_nm) const {
   if (RunsAlongEdge(a, b, distance_nm) || IsInsideButEnds(a, b, distance_nm)) return true;
-  const PlaneVector way = b - a;
+  const Vector2 way = b - a;
   if (!(Dot(way, way) > 0)) return IsInside(a) || IsNearEdge(a, distance_nm);
   std::vector<Span> near;
   Follow(a, b, [&](size_t square) {
@@ -296,31 +296,33 @@ bool BorderGrid::IsInsideWhereFar(PlaneVector a, PlaneVector b, double distance_
     }
     return true;
   });
-  return AllGaps(near, [&](double t) { return IsInside({a.x + t * way.x, a.y + t * way.y}); });
+  return AllGaps(near, [&](double t) {
+    return IsInside({a.x() + t * way.x(), a.y() + t * way.y()});
+  });
 }
 
 /// Calls visit(square) for those that a segment passes, until it says false; passes over what has
 /// no border near. Returns whether visit never did.
 template <typename Visit>
-bool BorderGrid::Follow(PlaneVector a, PlaneVector b, Visit visit) const {
-  const PlaneVector way = b - a;
-  const PlaneVector per_way{1 / way.x, 1 / way.y};  // infinite across an axis: never left that way
-  const double jump = square_ / std::max(std::abs(way.x), std::abs(way.y));
-  const int32_t ahead_x = way.x >= 0 ? 1 : 0, ahead_y = way.y >= 0 ? 1 : 0;
+bool BorderGrid::Follow(Vector2 a, Vector2 b, Visit visit) const {
+  const Vector2 way = b - a;
+  const Vector2 per_way{1 / way.x(), 1 / way.y()};  // infinite across an axis: never left that way
+  const double jump = square_ / std::max(std::abs(way.x()), std::abs(way.y()));
+  const int32_t ahead_x = way.x() >= 0 ? 1 : 0, ahead_y = way.y() >= 0 ? 1 : 0;
   const Square end = At(b);
   for (Square at = At(a);;) {
     const size_t index = IndexOf(at);
     if (!visit(index)) return false;
     if (at.column == end.column && at.row == end.row) return true;
-    const double next_x = ((at.column + ahead_x) * square_ - a.x) * per_way.x;
-    const double next_y = ((at.row + ahead_y) * square_ - a.y) * per_way.y;
+    const double next_x = ((at.column + ahead_x) * square_ - a.x()) * per_way.x();
+    const double next_y = ((at.row + ahead_y) * square_ - a.y()) * per_way.y();
     const bool leaves_aside = !(next_y <= next_x);
     const double next = leaves_aside ? next_x : next_y;
     if (!(next < 1)) return true;
     if (room_[index] > 1) {  // over to where this square knows nothing of
       const double far = next + (room_[index] - 1) * jump;
       if (!(far < 1)) return true;
-      at = At({a.x + far * way.x, a.y + far * way.y});
+      at = At({a.x() + far * way.x(), a.y() + far * way.y()});
     } else if (leaves_aside) {
       at.column += 2 * ahead_x - 1;
       if (at.column < 0 || at.column >= columns_) return true;
@@ -331,7 +333,7 @@ bool BorderGrid::Follow(PlaneVector a, PlaneVector b, Visit visit) const {
   }
 }
 
-bool BorderGrid::KeepsAlong(PlaneVector a, PlaneVector b, double distance_nm, bool& inside) const {
+bool BorderGrid::KeepsAlong(Vector2 a, Vector2 b, double distance_nm, bool& inside) const {
   const bool touches = distance_nm <= 0;
   return Follow(a, b, [&](size_t square) {
     const int32_t begin = begin_[square], end = begin_[square + 1];
@@ -353,7 +355,7 @@ bool BorderGrid::KeepsAlong(PlaneVector a, PlaneVector b, double distance_nm, bo
   });
 }
 
-bool BorderGrid::IsInside(PlaneVector p) const {
+bool BorderGrid::IsInside(Vector2 p) const {
   const int32_t row = At(p).row;
   bool odd = false;
   for (int32_t column = At(p).column; column >= 0; --column) {
@@ -361,10 +363,10 @@ bool BorderGrid::IsInside(PlaneVector p) const {
     if (begin_[square] == begin_[square + 1]) return odd != (room_[square] > 0);
     for (int32_t i = begin_[square]; i < begin_[square + 1]; ++i) {
       const Edge& edge = edges_[static_cast<size_t>(items_[static_cast<size_t>(i)])];
-      if ((edge.a.y <= p.y) == (edge.b.y <= p.y)) continue;
-      const double t = (p.y - edge.a.y) / (edge.b.y - edge.a.y);
-      const PlaneVector at{edge.a.x + t * (edge.b.x - edge.a.x), p.y};
-      if (at.x < p.x && At(at).column == column) odd = !odd;
+      if ((edge.a.y() <= p.y()) == (edge.b.y() <= p.y())) continue;
+      const double t = (p.y() - edge.a.y()) / (edge.b.y() - edge.a.y());
+      const Vector2 at{edge.a.x() + t * (edge.b.x() - edge.a.x()), p.y()};
+      if (at.x() < p.x() && At(at).column == column) odd = !odd;
     }
   }
   return odd;
@@ -374,7 +376,7 @@ bool BorderGrid::IsNear(Point p, double distance_nm) const {
   return !edges_.empty() && IsNearEdge(Local(p), distance_nm);
 }
 
-bool BorderGrid::IsNearEdge(PlaneVector at, double distance_nm) const {
+bool BorderGrid::IsNearEdge(Vector2 at, double distance_nm) const {
   const size_t square = IndexOf(At(at));
   return std::any_of(items_.begin() + begin_[square], items_.begin() + begin_[square + 1],
                      [&](int32_t i) {
@@ -386,7 +388,7 @@ bool BorderGrid::IsNearEdge(PlaneVector at, double distance_nm) const {
 std::optional<std::pair<Point, Point>> BorderGrid::LongestRun(Point a, Point b,
                                                               double distance_nm) const {
   if (!Has(a) || !Has(b) || a == b) return std::nullopt;
-  const PlaneVector from = Local(a), to = Local(b), way = to - from;
+  const Vector2 from = Local(a), to = Local(b), way = to - from;
   std::vector<Span> spans;
   Follow(from, to, [&](size_t square) {
     for (int32_t i = begin_[square]; i < begin_[square + 1]; ++i) {
@@ -396,7 +398,7 @@ std::optional<std::pair<Point, Point>> BorderGrid::LongestRun(Point a, Point b,
     return true;
   });
   const auto place = [&](double t) {
-    return Point{a.x + std::llround(t * way.x), a.y + std::llround(t * way.y)};
+    return Point{a.x + std::llround(t * way.x()), a.y + std::llround(t * way.y())};
   };
   const Span gap = LongestGap(spans);
   const std::pair run{place(gap.first), place(gap.second)};

@@ -8,6 +8,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/polygon.h"
+#include "common/geometry/vector.h"
 #include "services/exposure/algo/scan/convex_ring.h"
 
 namespace slicefarm::exposure {
@@ -45,15 +46,15 @@ class BorderGrid {
  private:
   /// An edge of the border; the region is to its left.
   struct Edge {
-    PlaneVector inward;  ///< of length 1, at a right angle
-    double offset = 0;   ///< of the edge's line along it
-    PlaneVector a, b;    ///< from the grid's corner
+    Vector2 inward = Vector2::Zero();                  ///< of length 1, at a right angle
+    double offset = 0;                                 ///< of the edge's line along it
+    Vector2 a = Vector2::Zero(), b = Vector2::Zero();  ///< from the grid's corner
 
     /// How far p lies to the left of the edge's line.
-    double LeftOf(PlaneVector p) const { return Dot(inward, p) - offset; }
+    double LeftOf(Vector2 p) const { return Dot(inward, p) - offset; }
     /// Whether both places lie that far before the edge, or both behind it: a first look that
     /// settles most.
-    bool AreBeside(PlaneVector p, PlaneVector q, double distance) const {
+    bool AreBeside(Vector2 p, Vector2 q, double distance) const {
       return std::max(Cross(p - a, inward), Cross(q - a, inward)) <= -distance ||
              std::min(Cross(p - b, inward), Cross(q - b, inward)) >= distance;
     }
@@ -65,34 +66,34 @@ class BorderGrid {
   bool Has(Point p) const {
     return p.x >= box_.min.x && p.x <= box_.max.x && p.y >= box_.min.y && p.y <= box_.max.y;
   }
-  Square At(PlaneVector p) const {
-    return {std::clamp(static_cast<int32_t>(p.x * per_nm_), 0, columns_ - 1),
-            std::clamp(static_cast<int32_t>(p.y * per_nm_), 0, rows_ - 1)};
+  Square At(Vector2 p) const {
+    return {std::clamp(static_cast<int32_t>(p.x() * per_nm_), 0, columns_ - 1),
+            std::clamp(static_cast<int32_t>(p.y() * per_nm_), 0, rows_ - 1)};
   }
   Square SquareOf(Point p) const {
     return {static_cast<int32_t>((p.x - box_.min.x) >> square_bits_),
             static_cast<int32_t>((p.y - box_.min.y) >> square_bits_)};
   }
   size_t IndexOf(Square s) const { return static_cast<size_t>(s.row) * columns_ + s.column; }
-  PlaneVector Local(Point p) const {
+  Vector2 Local(Point p) const {
     return {static_cast<double>(p.x - box_.min.x), static_cast<double>(p.y - box_.min.y)};
   }
   bool IsFarFromBorder(Point a, Point b) const;
   /// Whether a segment keeps away; `inside`: whether it was seen where it is.
-  bool KeepsAlong(PlaneVector a, PlaneVector b, double distance_nm, bool& inside) const;
-  bool IsInside(PlaneVector p) const;
-  bool IsNearEdge(PlaneVector p, double distance_nm) const;
-  bool RunsAlongEdge(PlaneVector a, PlaneVector b, double distance_nm) const;
+  bool KeepsAlong(Vector2 a, Vector2 b, double distance_nm, bool& inside) const;
+  bool IsInside(Vector2 p) const;
+  bool IsNearEdge(Vector2 p, double distance_nm) const;
+  bool RunsAlongEdge(Vector2 a, Vector2 b, double distance_nm) const;
   /// Whether of the segment ab all but its ends, that long, is inside; false if that takes more
   /// than a look at the edges beside it.
-  bool IsInsideButEnds(PlaneVector a, PlaneVector b, double ends_nm) const;
+  bool IsInsideButEnds(Vector2 a, Vector2 b, double ends_nm) const;
   /// Whether of the segment ab all that is at least that far from the border is inside.
-  bool IsInsideWhereFar(PlaneVector a, PlaneVector b, double distance_nm) const;
+  bool IsInsideWhereFar(Vector2 a, Vector2 b, double distance_nm) const;
 
   template <typename Visit>
   void ForEachSquare(const Edge& edge, double reach_nm, Visit visit) const;
   template <typename Visit>
-  bool Follow(PlaneVector a, PlaneVector b, Visit visit) const;
+  bool Follow(Vector2 a, Vector2 b, Visit visit) const;
 
   void ChooseSquares(double reach_nm);
   void SortEdges(double reach_nm);

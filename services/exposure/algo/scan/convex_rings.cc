@@ -23,8 +23,8 @@ constexpr double kDepthNm = 1'000;
 /// Rounded to nm, with the first point again at the end. Less than 4 points: no ring.
 Polyline ClosedLine(const ConvexRing& ring) {
   Polyline line;
-  for (const PlaneVector p : ring)
-    if (const Point q = Rounded(p); line.empty() || q != line.back()) line.push_back(q);
+  for (const Vector2& p : ring)
+    if (const Point q = RoundedPoint(p); line.empty() || q != line.back()) line.push_back(q);
   while (line.size() > 1 && line.back() == line.front()) line.pop_back();
   if (!line.empty()) line.push_back(line.front());
   return line;
@@ -44,13 +44,13 @@ ConvexRing Spurred(const ConvexRing& ring, int64_t k, const ConvexRing& gap, con
 
 ConvexInsets::ConvexInsets(const Polygon& piece, double scale) {
   const auto place = [&](size_t i) {
-    return PlaneVector{static_cast<double>(piece[i].x) / scale,
-                       static_cast<double>(piece[i].y) / scale};
+    return Vector2{static_cast<double>(piece[i].x) / scale,
+                   static_cast<double>(piece[i].y) / scale};
   };
   for (size_t i = 0; i < piece.size(); ++i) {
-    const PlaneVector a = place(i), b = place((i + 1) % piece.size());
+    const Vector2 a = place(i), b = place((i + 1) % piece.size());
     const double length = Norm(b - a);
-    if (length > 0) edges_.push_back({a, {(b.x - a.x) / length, (b.y - a.y) / length}});
+    if (length > 0) edges_.push_back({a, {(b.x() - a.x()) / length, (b.y() - a.y()) / length}});
   }
 }
 
@@ -58,25 +58,26 @@ ConvexRing ConvexInsets::At(double distance) {
   // The common part of half planes in the order of their directions: a deque of those that have a
   // side of it so far.
   struct Line {
-    PlaneVector at, way;
+    Vector2 at = Vector2::Zero(), way = Vector2::Zero();
     size_t edge = 0;
   };
   std::vector<Line> lines;
-  std::vector<PlaneVector> corners;  // corners[i]: of lines[i] and lines[i + 1]
+  std::vector<Vector2> corners;  // corners[i]: of lines[i] and lines[i + 1]
   lines.reserve(edges_.size());
   corners.reserve(edges_.size());
   size_t front = 0;
   const auto meet = [](const Line& a, const Line& b) {
     const double t = Cross(b.way, a.at - b.at) / Cross(a.way, b.way);
-    return PlaneVector{a.at.x + t * a.way.x, a.at.y + t * a.way.y};
+    return Vector2{a.at.x() + t * a.way.x(), a.at.y() + t * a.way.y()};
   };
-  const auto outside = [](const Line& line, PlaneVector p) {
+  const auto outside = [](const Line& line, Vector2 p) {
     return Cross(line.way, p - line.at) <= 0;
   };
   for (size_t i = 0; i < edges_.size(); ++i) {
     const Edge& edge = edges_[i];
-    const Line line{
-        {edge.at.x - distance * edge.way.y, edge.at.y + distance * edge.way.x}, edge.way, i};
+    const Line line{{edge.at.x() - distance * edge.way.y(), edge.at.y() + distance * edge.way.x()},
+                    edge.way,
+                    i};
     while (lines.size() > front + 1 && outside(line, corners.back())) {
       lines.pop_back();
       corners.pop_back();
@@ -116,7 +117,7 @@ double ConvexInsets::Depth() {
   ConvexRing border = At(0);
   double twice_area = 0, around = 0;
   for (size_t i = 0; i < border.size(); ++i) {
-    const PlaneVector a = border[i], b = border[(i + 1) % border.size()];
+    const Vector2 a = border[i], b = border[(i + 1) % border.size()];
     twice_area += Cross(a - border[0], b - border[0]);
     around += Norm(b - a);
   }
@@ -134,7 +135,7 @@ namespace {
 
 /// The longest side's line, and how far the polygon reaches from it.
 struct Base {
-  PlaneVector at, way;
+  Vector2 at = Vector2::Zero(), way = Vector2::Zero();
   double width = std::numeric_limits<double>::infinity();
 };
 
@@ -142,12 +143,12 @@ struct Base {
 Base BaseOf(const ConvexRing& ring) {
   Base base;
   for (size_t i = 0; i < ring.size(); ++i) {
-    const PlaneVector a = ring[i], side = ring[(i + 1) % ring.size()] - a;
+    const Vector2 a = ring[i], side = ring[(i + 1) % ring.size()] - a;
     const double length = Norm(side);
     if (!(length > 0)) continue;
-    const PlaneVector unit{side.x / length, side.y / length};
+    const Vector2 unit{side.x() / length, side.y() / length};
     double farthest = 0;
-    for (const PlaneVector p : ring) farthest = std::max(farthest, Cross(unit, p - a));
+    for (const Vector2& p : ring) farthest = std::max(farthest, Cross(unit, p - a));
     if (farthest < base.width) base = {a, unit, farthest};
   }
   return base;
@@ -157,7 +158,7 @@ Base BaseOf(const ConvexRing& ring) {
 Spine Chord(const ConvexRing& ring, const Base& base, double height) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (size_t i = 0; i < ring.size(); ++i) {
-    const PlaneVector a = ring[i] - base.at, b = ring[(i + 1) % ring.size()] - base.at;
+    const Vector2 a = ring[i] - base.at, b = ring[(i + 1) % ring.size()] - base.at;
     const double up_a = Cross(base.way, a) - height, up_b = Cross(base.way, b) - height;
     if ((up_a < 0) == (up_b < 0)) continue;
     const double t = up_a / (up_a - up_b);
@@ -166,8 +167,8 @@ Spine Chord(const ConvexRing& ring, const Base& base, double height) {
     high = std::max(high, u);
   }
   const auto place = [&](double u) {
-    return PlaneVector{base.at.x + u * base.way.x - height * base.way.y,
-                       base.at.y + u * base.way.y + height * base.way.x};
+    return Vector2{base.at.x() + u * base.way.x() - height * base.way.y(),
+                   base.at.y() + u * base.way.y() + height * base.way.x()};
   };
   return {place(low), place(high), base.width};
 }
@@ -176,7 +177,7 @@ double LengthOf(const Spine& spine) { return Norm(spine.to - spine.from); }
 
 /// What of a spine keeps far enough from the region's border; nullopt: nothing.
 std::optional<std::pair<Point, Point>> Cleared(const Spine& spine, const RingFill& fill) {
-  const Point from = Rounded(spine.from), to = Rounded(spine.to);
+  const Point from = RoundedPoint(spine.from), to = RoundedPoint(spine.to);
   if (fill.border == nullptr) return std::pair(from, to);
   return fill.border->LongestRun(from, to, fill.spine_gap_nm);
 }
@@ -249,8 +250,8 @@ std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const Ring
   const Spine spine = SpineOf(rest, fill.pitch_nm);
   if (spine.width_nm < fill.least_spine * fill.pitch_nm) return rings;
   // Where there is no ring around it, nothing keeps it off the border.
-  const auto line =
-      rings.empty() ? Cleared(spine, fill) : std::pair(Rounded(spine.from), Rounded(spine.to));
+  const auto line = rings.empty() ? Cleared(spine, fill)
+                                  : std::pair(RoundedPoint(spine.from), RoundedPoint(spine.to));
   if (line && line->first != line->second) rings.push_back({line->first, line->second});
   return rings;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
+#include "common/geometry/vector.h"
 #include "services/exposure/algo/scan/border_grid.h"
 #include "services/exposure/algo/scan/convex_ring.h"
 #include "services/exposure/algo/scan/corner_spurs.h"
@@ -29,8 +30,8 @@ class ConvexInsets {
  private:
   /// A line; the polygon is on its left.
   struct Edge {
-    PlaneVector at;
-    PlaneVector way;  ///< of length 1
+    Vector2 at = Vector2::Zero();
+    Vector2 way = Vector2::Zero();  ///< of length 1
   };
   std::vector<Edge> edges_;  ///< by ascending direction
 };
@@ -38,7 +39,7 @@ class ConvexInsets {
 /// A line along the middle of a thin convex polygon, halfway between its longest side and what is
 /// farthest from that.
 struct Spine {
-  PlaneVector from, to;
+  Vector2 from = Vector2::Zero(), to = Vector2::Zero();
   double width_nm = 0;  ///< of the polygon, across
 };
 /// REQUIRES: three corners at least.

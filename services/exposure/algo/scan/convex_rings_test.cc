@@ -19,8 +19,8 @@ namespace {
 double AreaOf(const ConvexRing& ring) {
   double area = 0;
   for (size_t i = 0; i < ring.size(); ++i) {
-    const PlaneVector a = ring[i], b = ring[(i + 1) % ring.size()];
-    area += (a.x * b.y - b.x * a.y) / 2;
+    const Vector2 a = ring[i], b = ring[(i + 1) % ring.size()];
+    area += (a.x() * b.y() - b.x() * a.y()) / 2;
   }
   return area;
 }
@@ -114,8 +114,8 @@ TEST(ConvexInsets, AreThoseOfAnotherOffset) {
 TEST(SpineOf, RunsAlongTheMiddleOfAStrip) {
   const Spine spine = SpineOf({{0, 0}, {100, 0}, {100, 10}, {0, 10}});
   EXPECT_EQ(spine.width_nm, 10);
-  EXPECT_NEAR(spine.from.y, 5, 1e-9);
-  EXPECT_NEAR(std::abs(spine.to.x - spine.from.x), 100, 1e-9);
+  EXPECT_NEAR(spine.from.y(), 5, 1e-9);
+  EXPECT_NEAR(std::abs(spine.to.x() - spine.from.x()), 100, 1e-9);
 }
 
 TEST(ConvexRings, OfASquareAreAPitchApart) {

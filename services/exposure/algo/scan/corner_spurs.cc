@@ -23,10 +23,10 @@ constexpr double kRoundingNm = 500;
 constexpr double kSimplifiedNm = 2'000;
 
 struct SharpCorner {
-  PlaneVector at;
-  PlaneVector in, out;          ///< directions of its sides, of length 1
-  PlaneVector outward;          ///< of the bisector
-  double sine = 0, cosine = 0;  ///< of half of its angle
+  Vector2 at = Vector2::Zero();
+  Vector2 in = Vector2::Zero(), out = Vector2::Zero();  ///< directions of its sides, of length 1
+  Vector2 outward = Vector2::Zero();                    ///< of the bisector
+  double sine = 0, cosine = 0;                          ///< of half of its angle
 
   /// From a tip of the same angle along the bisector to where it is too wide to stay open.
   double OpenNm(const SpurFill& fill) const {
@@ -34,14 +34,14 @@ struct SharpCorner {
   }
 };
 
-PlaneVector UnitBetween(PlaneVector a, PlaneVector b) {
-  const PlaneVector way = b - a;
+Vector2 UnitBetween(Vector2 a, Vector2 b) {
+  const Vector2 way = b - a;
   const double length = Norm(way);
-  return length > 0 ? PlaneVector{way.x / length, way.y / length} : PlaneVector{};
+  return length > 0 ? Vector2{way.x() / length, way.y() / length} : Vector2(Vector2::Zero());
 }
 
-PlaneVector Along(PlaneVector from, PlaneVector way, double length) {
-  return {from.x + length * way.x, from.y + length * way.y};
+Vector2 Along(Vector2 from, Vector2 way, double length) {
+  return {from.x() + length * way.x(), from.y() + length * way.y()};
 }
 
 /// nullopt: the corner is blunt, or no corner at all.
@@ -50,16 +50,16 @@ std::optional<SharpCorner> SharpCornerOf(const ConvexRing& ring, size_t i) {
   corner.at = ring[i];
   corner.in = UnitBetween(ring[i == 0 ? ring.size() - 1 : i - 1], corner.at);
   corner.out = UnitBetween(corner.at, ring[(i + 1) % ring.size()]);
-  const PlaneVector outward = corner.in - corner.out;
+  const Vector2 outward = corner.in - corner.out;
   corner.cosine = Norm(outward) / 2;
   corner.sine = std::sqrt(std::max(0.0, 1 - corner.cosine * corner.cosine));
   if (corner.sine > kBluntest || !(corner.sine > 0)) return std::nullopt;
-  corner.outward = {outward.x / (2 * corner.cosine), outward.y / (2 * corner.cosine)};
+  corner.outward = {outward.x() / (2 * corner.cosine), outward.y() / (2 * corner.cosine)};
   return corner;
 }
 
 struct Spur {
-  PlaneVector way;  ///< of length 1
+  Vector2 way = Vector2::Zero();  ///< of length 1
   double length = 0;
 };
 
@@ -81,10 +81,10 @@ ConvexRing Spurred(const ConvexRing& ring, const SpurFill& fill, SpurOf spur_of)
 }
 
 /// How far it is from `p`, inside a convex ring, along `way` to the ring.
-double DistanceTo(const ConvexRing& ring, PlaneVector p, PlaneVector way) {
+double DistanceTo(const ConvexRing& ring, Vector2 p, Vector2 way) {
   double nearest = std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < ring.size(); ++i) {
-    const PlaneVector a = ring[i], edge = ring[(i + 1) % ring.size()] - a;
+    const Vector2 a = ring[i], edge = ring[(i + 1) % ring.size()] - a;
     const double out = Cross(way, edge);
     if (out > 0) nearest = std::min(nearest, Cross(edge, p - a) / out);
   }
@@ -92,8 +92,8 @@ double DistanceTo(const ConvexRing& ring, PlaneVector p, PlaneVector way) {
 }
 
 /// Of a convex ring at `p`, across `way`.
-double WidthAt(const ConvexRing& ring, PlaneVector p, PlaneVector way) {
-  return DistanceTo(ring, p, {way.y, -way.x}) + DistanceTo(ring, p, {-way.y, way.x});
+double WidthAt(const ConvexRing& ring, Vector2 p, Vector2 way) {
+  return DistanceTo(ring, p, {way.y(), -way.x()}) + DistanceTo(ring, p, {-way.y(), way.x()});
 }
 
 }  // namespace
@@ -128,11 +128,11 @@ double SpurReach(double gap_nm) { return std::max(gap_nm, kSpurTouchNm); }
 ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const BorderGrid& border,
                           const SpurFill& fill) {
   // Whether a side of the piece is the region's border: at the foot of the corner on it.
-  const auto is_border = [&](PlaneVector corner, PlaneVector side) {
-    return border.IsNear(Rounded(Along(corner, {side.y, -side.x}, gap_nm)), kSpurTouchNm);
+  const auto is_border = [&](Vector2 corner, Vector2 side) {
+    return border.IsNear(RoundedPoint(Along(corner, {side.y(), -side.x()}, gap_nm)), kSpurTouchNm);
   };
-  const auto keeps = [&](PlaneVector from, PlaneVector to, double less_nm) {
-    return border.Keeps(Rounded(from), Rounded(to), std::max(0.0, gap_nm - less_nm));
+  const auto keeps = [&](Vector2 from, Vector2 to, double less_nm) {
+    return border.Keeps(RoundedPoint(from), RoundedPoint(to), std::max(0.0, gap_nm - less_nm));
   };
   return Spurred(ring, fill, [&](const SharpCorner& corner) {
     const bool in_border = is_border(corner.at, corner.in);
@@ -142,14 +142,14 @@ ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const BorderGri
     if (in_border || out_border) {
       // To the cut; at a right angle half of the way, as the spur beyond the cut does the same.
       const double sine = 2 * corner.sine * corner.cosine;
-      const PlaneVector back{-corner.out.x, -corner.out.y};
+      const Vector2 back{-corner.out.x(), -corner.out.y()};
       spur = {in_border ? corner.in : back, gap_nm / sine - gap_nm / 2 * sine};
     }
     spur.length = std::min(spur.length, kLongestSpur * gap_nm);
     // It may come near to the border beside the cuts, on its way too.
     const double least = std::max(fill.least_nm, kSpurTouchNm);
     for (; spur.length > least; spur.length *= 0.7) {
-      const PlaneVector tip = Along(corner.at, spur.way, spur.length);
+      const Vector2 tip = Along(corner.at, spur.way, spur.length);
       if (keeps(tip, tip, kRoundingNm) && keeps(corner.at, tip, kSimplifiedNm)) return spur;
     }
     return Spur{};

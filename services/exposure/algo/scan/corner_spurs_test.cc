@@ -15,8 +15,8 @@ const SpurFill kSpot = {.spot_nm = 100, .least_nm = 0};
 ConvexRing TipsOf(const ConvexRing& spurred) {
   ConvexRing tips;
   for (size_t i = 1; i + 1 < spurred.size() + 1; ++i) {
-    const PlaneVector before = spurred[i - 1], after = spurred[(i + 1) % spurred.size()];
-    if (before.x == after.x && before.y == after.y) tips.push_back(spurred[i]);
+    const Vector2 before = spurred[i - 1], after = spurred[(i + 1) % spurred.size()];
+    if (before.x() == after.x() && before.y() == after.y()) tips.push_back(spurred[i]);
   }
   return tips;
 }
@@ -26,8 +26,8 @@ TEST(WithSpurs, TheSpotTouchesTheTipOfARightAngle) {
   const ConvexRing around = {{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}};
   const ConvexRing tips = TipsOf(WithSpurs(ring, around, kSpot));
   ASSERT_EQ(tips.size(), 4u);
-  for (const PlaneVector tip : tips) {
-    const double dx = std::min(tip.x, 1000 - tip.x), dy = std::min(tip.y, 1000 - tip.y);
+  for (const Vector2& tip : tips) {
+    const double dx = std::min(tip.x(), 1000 - tip.x()), dy = std::min(tip.y(), 1000 - tip.y());
     EXPECT_NEAR(std::hypot(dx, dy), 50, 1e-9);
     EXPECT_NEAR(dx, dy, 1e-9);
   }
@@ -55,7 +55,7 @@ TEST(WithSpurs, AnEndOfTheGapThatIsNoTipIsReached) {
   const ConvexRing ring = {{333, 0}, {950, -9}, {950, 9}};
   const ConvexRing spurred = WithSpurs(ring, around, kSpot);
   double left = 1000;
-  for (const PlaneVector p : spurred) left = std::min(left, p.x);
+  for (const Vector2& p : spurred) left = std::min(left, p.x());
   EXPECT_NEAR(left, 50, 1);
 }
 
@@ -72,8 +72,8 @@ TEST(WithOuterSpurs, OnlyIntoCornersThatACutHasMade) {
   // The cut is the left half of the upper side: its left end only is a corner, where the spur runs
   // along the border to half a gap from the cut.
   ASSERT_EQ(tips.size(), 1u);
-  EXPECT_NEAR(tips[0].x, 1e6, 1);
-  EXPECT_NEAR(tips[0].y, 9.5e6, 1);
+  EXPECT_NEAR(tips[0].x(), 1e6, 1);
+  EXPECT_NEAR(tips[0].y(), 9.5e6, 1);
 }
 
 TEST(WithOuterSpurs, BetweenCutsAlongTheBisectorButNotNearTheBorder) {
@@ -84,14 +84,13 @@ TEST(WithOuterSpurs, BetweenCutsAlongTheBisectorButNotNearTheBorder) {
   const ConvexRing tips = TipsOf(WithOuterSpurs(inner, gap, BorderOf(region), {.spot_nm = 2e6}));
   ASSERT_GE(tips.size(), 1u);
   const auto corner = std::min_element(
-      tips.begin(), tips.end(), [](PlaneVector a, PlaneVector b) { return a.x + a.y < b.x + b.y; });
-  EXPECT_NEAR(corner->x, 50e6 + 1e6 * std::sqrt(0.5), 1);
-  EXPECT_NEAR(corner->y, corner->x, 1);
+      tips.begin(), tips.end(), [](Vector2 a, Vector2 b) { return a.x() + a.y() < b.x() + b.y(); });
+  EXPECT_NEAR(corner->x(), 50e6 + 1e6 * std::sqrt(0.5), 1);
+  EXPECT_NEAR(corner->y(), corner->x(), 1);
   // The same with the corner on the border: nothing comes nearer to that than the gap.
   const ConvexRing outer = {{51e6, 1.5e6}, {60e6, 8e6}, {42e6, 8e6}};
-  for (const PlaneVector tip :
-       TipsOf(WithOuterSpurs(outer, gap, BorderOf(region), {.spot_nm = 2e6})))
-    EXPECT_GE(tip.y, gap);
+  for (const Vector2& tip : TipsOf(WithOuterSpurs(outer, gap, BorderOf(region), {.spot_nm = 2e6})))
+    EXPECT_GE(tip.y(), gap);
 }
 
 TEST(WithOuterSpurs, DoNotCrossAGap) {
@@ -101,8 +100,8 @@ TEST(WithOuterSpurs, DoNotCrossAGap) {
   const double gap = 1e6;
   const ConvexRing ring = {{10e6, 9e6}, {28.9e6, 10e6}, {10e6, 11e6}};
   const BorderGrid border = BorderOf(region);
-  for (const PlaneVector tip : WithOuterSpurs(ring, gap, border, {.spot_nm = 2e6}))
-    EXPECT_LE(tip.x, 29e6 + 1'000);
+  for (const Vector2& tip : WithOuterSpurs(ring, gap, border, {.spot_nm = 2e6}))
+    EXPECT_LE(tip.x(), 29e6 + 1'000);
 }
 
 TEST(WithOuterSpurs, AreNoLongerThanThat) {
@@ -111,7 +110,7 @@ TEST(WithOuterSpurs, AreNoLongerThanThat) {
   const ConvexRing ring = {{10e6, 9.9e6}, {28e6, 10e6}, {10e6, 10.1e6}};
   const ConvexRing spurred = WithOuterSpurs(ring, gap, BorderOf(region), {.spot_nm = 2e6});
   EXPECT_GT(spurred.size(), 3u);
-  for (const PlaneVector tip : spurred) EXPECT_LE(tip.x, 28e6 + kLongestSpur * gap + 1);
+  for (const Vector2& tip : spurred) EXPECT_LE(tip.x(), 28e6 + kLongestSpur * gap + 1);
 }
 
 }  // namespace

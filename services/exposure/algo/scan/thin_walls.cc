@@ -95,7 +95,7 @@ absl::StatusOr<std::vector<Polyline>> LinesOfPart(const PolygonWithHoles& part, 
   std::vector<Polyline> lines;
   for (const Polygon& piece : pieces->pieces) {
     const Spine spine = SpineOf(ConvexRingOf(piece, static_cast<double>(pieces->scale)));
-    const auto run = border.LongestRun(Rounded(spine.from), Rounded(spine.to), kKeptNm);
+    const auto run = border.LongestRun(RoundedPoint(spine.from), RoundedPoint(spine.to), kKeptNm);
     if (run && Distance(run->first, run->second) > spine.width_nm)
       lines.push_back({run->first, run->second});
   }

@@ -20,7 +20,7 @@ constexpr double kLongestChordNm = 5e6;
 /// What stands for a point.
 constexpr Coord kDotNm = 1'000;
 
-double Between(Place a, Place b) { return Hypot(b.x - a.x, b.y - a.y); }
+double Between(Vector2 a, Vector2 b) { return Hypot(b.x() - a.x(), b.y() - a.y()); }
 
 /// The edges of a medial axis that are kept, as a graph.
 class AxisTree {
@@ -96,8 +96,8 @@ class AxisTree {
     return static_cast<size_t>(graph_.half_edges[static_cast<size_t>(half)].from);
   }
   Point PointOf(int node) const {
-    const Place at = graph_.nodes[static_cast<size_t>(node)].place;
-    return graph_.origin + Point{std::llround(at.x), std::llround(at.y)};
+    const Vector2 at = graph_.nodes[static_cast<size_t>(node)].place;
+    return graph_.origin + Point{std::llround(at.x()), std::llround(at.y())};
   }
 
   /// A kept half-edge that leaves the node, other than `but`; -1: there is none.
@@ -148,11 +148,11 @@ class AxisTree {
   }
 
   double CosBetween(int a, int b) const {
-    const Place o = graph_.FromNode(a).place, p = graph_.ToNode(a).place,
-                q = graph_.ToNode(b).place;
+    const Vector2 o = graph_.FromNode(a).place, p = graph_.ToNode(a).place,
+                  q = graph_.ToNode(b).place;
     const double lengths = graph_.Length(a) * graph_.Length(b);
     if (lengths <= 0) return 1;
-    return ((p.x - o.x) * (q.x - o.x) + (p.y - o.y) * (q.y - o.y)) / lengths;
+    return ((p.x() - o.x()) * (q.x() - o.x()) + (p.y() - o.y()) * (q.y() - o.y())) / lengths;
   }
 
   /// By half-edge that leaves a node: the one with which it is one line there; -1: it ends.

@@ -18,9 +18,6 @@ constexpr double kMostOfEdge = 0.45;
 /// Of an edge that goes straight on from the doubled one.
 constexpr double kSteepest = 1e9;
 
-double CrossOf(Vec a, Vec b) { return a.u * b.v - a.v * b.u; }
-double LengthOf(Vec a) { return std::sqrt(a.u * a.u + a.v * a.v); }
-
 }  // namespace
 
 StrandTile::StrandTile(VoronoiTile tile) : tile_(std::move(tile)) {
@@ -39,19 +36,19 @@ StrandTile::StrandTile(VoronoiTile tile) : tile_(std::move(tile)) {
   MeasureBends();
 }
 
-Vec StrandTile::Way(int32_t half) const {
+Vector2 StrandTile::Way(int32_t half) const {
   const TileEdge& edge = tile_.edges[static_cast<size_t>(half / 2)];
-  const Vec a = tile_.vertices[static_cast<size_t>(edge.from)];
-  const Vec b = tile_.vertices[static_cast<size_t>(edge.to)];
+  const Vector2 a = tile_.vertices[static_cast<size_t>(edge.from)];
+  const Vector2 b = tile_.vertices[static_cast<size_t>(edge.to)];
   const double sign = half % 2 == 0 ? 1 : -1;
-  return {sign * (b.u + edge.step_u - a.u), sign * (b.v + edge.step_v - a.v)};
+  return {sign * (b.x() + edge.step_u - a.x()), sign * (b.y() + edge.step_v - a.y())};
 }
 
 void StrandTile::MatchVertices() {
   std::vector<WeightedEdge> edges;
   for (int32_t edge = 0; edge < static_cast<int32_t>(tile_.edges.size()); ++edge) {
     const TileEdge& at = tile_.edges[static_cast<size_t>(edge)];
-    edges.push_back({at.from, at.to, std::llround(LengthOf(Way(2 * edge)) / kLengthUnit)});
+    edges.push_back({at.from, at.to, std::llround(Norm(Way(2 * edge)) / kLengthUnit)});
   }
   const PerfectMatching matching =
       LightestPerfectMatching(static_cast<int32_t>(tile_.vertices.size()), edges);
@@ -64,14 +61,13 @@ void StrandTile::MatchVertices() {
 void StrandTile::LayCourses() {
   for (int32_t edge = 0; edge < static_cast<int32_t>(doubled_.size()); ++edge) {
     if (!doubled_[static_cast<size_t>(edge)]) continue;
-    const Vec way = Way(2 * edge);
+    const Vector2 way = Way(2 * edge);
     const auto sides = [&](int32_t vertex, int32_t own) {
       std::array<int32_t, 2> others{};
       size_t count = 0;
       for (const int32_t half : leaving_[static_cast<size_t>(vertex)])
         if (half != own) others[count++] = half;
-      if (CrossOf(way, Way(others[0])) < CrossOf(way, Way(others[1])))
-        std::swap(others[0], others[1]);
+      if (Cross(way, Way(others[0])) < Cross(way, Way(others[1]))) std::swap(others[0], others[1]);
       return others;
     };
     const auto from = sides(tile_.edges[static_cast<size_t>(edge)].from, 2 * edge);
@@ -88,8 +84,7 @@ void StrandTile::JoinCourses() {
   for (const Course& course : courses_) join(course.ends[0], course.ends[1]);
   std::vector<size_t> pairs;
   for (size_t i = 0; i < courses_.size(); i += 2) pairs.push_back(i);
-  std::ranges::stable_sort(pairs, {},
-                           [this](size_t i) { return LengthOf(Way(2 * courses_[i].edge)); });
+  std::ranges::stable_sort(pairs, {}, [this](size_t i) { return Norm(Way(2 * courses_[i].edge)); });
   for (const size_t i : pairs) {
     if (!join(courses_[i].ends[0], courses_[i + 1].ends[0])) continue;
     std::swap(courses_[i].ends[1], courses_[i + 1].ends[1]);
@@ -128,15 +123,15 @@ void StrandTile::LinkStrands() {
 
 void StrandTile::MeasureBends() {
   for (const Course& course : courses_) {
-    const Vec doubled = Way(2 * course.edge);
-    const Vec first =
+    const Vector2 doubled = Way(2 * course.edge);
+    const Vector2 first =
         tile_.vertices[static_cast<size_t>(tile_.edges[static_cast<size_t>(course.edge)].from)];
     std::array<Bend, 2>& bends = bends_.emplace_back();
     bends[0].vertex = first;
-    bends[1].vertex = {first.u + doubled.u, first.v + doubled.v};
+    bends[1].vertex = {first.x() + doubled.x(), first.y() + doubled.y()};
     for (const size_t end : {0, 1}) {
       bends[end].way = Way(course.ends[end]);
-      const double aside = std::abs(CrossOf(bends[end].way, doubled)) / LengthOf(doubled);
+      const double aside = std::abs(Cross(bends[end].way, doubled)) / Norm(doubled);
       bends[end].share_by_gap = aside > 0 ? 0.5 / aside : kSteepest;
     }
   }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "common/geometry/vector.h"
 #include "services/infill/algo/cells/voronoi_tile.h"
 
 namespace slicefarm::infill {
@@ -12,7 +13,7 @@ namespace slicefarm::infill {
 /// A stretch of a curve along cells' edges: from the middle of an edge over one of the two sides of
 /// a doubled edge to the middle of another edge. Strands of a tile are repeated with it.
 struct Strand {
-  std::array<Vec, 4> points;
+  std::array<Vector2, 4> points;
   /// Where it goes on at either end: the end of which strand, and how many tiles aside that one is.
   struct Next {
     int32_t strand = 0;
@@ -50,14 +51,16 @@ class StrandTile {
   /// An end of a strand: a vertex, the way along the edge that leaves it, and how far along that
   /// edge, for each unit of the gap, the line turns to run beside the doubled one.
   struct Bend {
-    Vec vertex;
-    Vec way;
+    Vector2 vertex = Vector2::Zero();
+    Vector2 way = Vector2::Zero();
     double share_by_gap = 0;
 
-    Vec At(double share) const { return {vertex.u + share * way.u, vertex.v + share * way.v}; }
+    Vector2 At(double share) const {
+      return {vertex.x() + share * way.x(), vertex.y() + share * way.y()};
+    }
   };
 
-  Vec Way(int32_t half) const;
+  Vector2 Way(int32_t half) const;
   void MatchVertices();
   void LayCourses();
   void JoinCourses();

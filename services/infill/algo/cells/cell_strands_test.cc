@@ -11,14 +11,15 @@ namespace {
 
 constexpr int kSide = 10;
 
-double Between(Vec a, Vec b) {
-  return std::sqrt((a.u - b.u) * (a.u - b.u) + (a.v - b.v) * (a.v - b.v));
+double Between(Vector2 a, Vector2 b) {
+  return std::sqrt((a.x() - b.x()) * (a.x() - b.x()) + (a.y() - b.y()) * (a.y() - b.y()));
 }
 
 double EdgeLength(const VoronoiTile& tile, size_t edge) {
   const TileEdge& at = tile.edges[edge];
-  const Vec b = tile.vertices[static_cast<size_t>(at.to)];
-  return Between(tile.vertices[static_cast<size_t>(at.from)], {b.u + at.step_u, b.v + at.step_v});
+  const Vector2 b = tile.vertices[static_cast<size_t>(at.to)];
+  return Between(tile.vertices[static_cast<size_t>(at.from)],
+                 {b.x() + at.step_u, b.y() + at.step_v});
 }
 
 TEST(StrandTile, EachVertexHasOneDoubledEdge) {
@@ -57,10 +58,10 @@ TEST(StrandTile, IsOneCurve) {
     met.insert(strand);
     const Strand& at = strands[static_cast<size_t>(strand)];
     const Strand::Next next = at.next[static_cast<size_t>(end ^ 1)];
-    const Vec out = at.points[end == 0 ? 3 : 0];
-    const Vec in = strands[static_cast<size_t>(next.strand)].points[next.end == 0 ? 0 : 3];
-    EXPECT_NEAR(out.u, in.u + next.step_u, 1e-12);
-    EXPECT_NEAR(out.v, in.v + next.step_v, 1e-12);
+    const Vector2 out = at.points[end == 0 ? 3 : 0];
+    const Vector2 in = strands[static_cast<size_t>(next.strand)].points[next.end == 0 ? 0 : 3];
+    EXPECT_NEAR(out.x(), in.x() + next.step_u, 1e-12);
+    EXPECT_NEAR(out.y(), in.y() + next.step_v, 1e-12);
     strand = next.strand, end = next.end;
   } while (strand != 0 || end != 0);
   EXPECT_EQ(met.size(), strands.size());
@@ -74,10 +75,11 @@ TEST(StrandTile, DoubledLinesKeepTheirGap) {
   const auto strands = tile.Strands(kGap);
   int apart = 0;
   for (size_t i = 0; i + 1 < strands.size(); i += 2) {
-    const Vec a = strands[i].points[1], b = strands[i].points[2], p = strands[i + 1].points[1];
+    const Vector2 a = strands[i].points[1], b = strands[i].points[2], p = strands[i + 1].points[1];
     const double length = Between(a, b);
     if (length < kGap) continue;
-    const double aside = std::abs((b.u - a.u) * (p.v - a.v) - (b.v - a.v) * (p.u - a.u)) / length;
+    const double aside =
+        std::abs((b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x())) / length;
     if (std::abs(aside - kGap) < 1e-3 * kGap) ++apart;
   }
   EXPECT_GT(apart, 0.7 * static_cast<double>(strands.size()) / 2);

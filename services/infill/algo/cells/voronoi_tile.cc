@@ -142,12 +142,12 @@ class Vertices {
     return {at->second, first.step_u, first.step_v};
   }
 
-  std::vector<Vec> TakePlaces() { return std::move(places_); }
+  std::vector<Vector2> TakePlaces() { return std::move(places_); }
 
  private:
   const TiledDiagram& tiled_;
   std::map<std::array<int32_t, 3>, int32_t> numbers_;
-  std::vector<Vec> places_;
+  std::vector<Vector2> places_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/geometry/vector.h"
 #include "services/infill/algo/lines/level_lines.h"
 
 namespace slicefarm::infill {
@@ -18,7 +19,7 @@ struct TileEdge {
 /// The edges of cells that cover the plane, of which those of one tile of size 1 x 1 are repeated
 /// at each step of (1, 0) and (0, 1). Three edges meet in each vertex.
 struct VoronoiTile {
-  std::vector<Vec> vertices;  ///< each once; not all lie within the tile's square
+  std::vector<Vector2> vertices;  ///< each once; not all lie within the tile's square
   std::vector<TileEdge> edges;
 };
 

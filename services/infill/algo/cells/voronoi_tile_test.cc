@@ -9,17 +9,17 @@
 namespace slicefarm::infill::voronoi_tile_test {
 namespace {
 
-Vec WayOf(const VoronoiTile& tile, const TileEdge& edge) {
-  const Vec a = tile.vertices[static_cast<size_t>(edge.from)];
-  const Vec b = tile.vertices[static_cast<size_t>(edge.to)];
-  return {b.u + edge.step_u - a.u, b.v + edge.step_v - a.v};
+Vector2 WayOf(const VoronoiTile& tile, const TileEdge& edge) {
+  const Vector2 a = tile.vertices[static_cast<size_t>(edge.from)];
+  const Vector2 b = tile.vertices[static_cast<size_t>(edge.to)];
+  return {b.x() + edge.step_u - a.x(), b.y() + edge.step_v - a.y()};
 }
 
 double LengthOf(const VoronoiTile& tile) {
   double length = 0;
   for (const TileEdge& edge : tile.edges) {
-    const Vec way = WayOf(tile, edge);
-    length += std::sqrt(way.u * way.u + way.v * way.v);
+    const Vector2 way = WayOf(tile, edge);
+    length += std::sqrt(way.x() * way.x() + way.y() * way.y());
   }
   return length;
 }
@@ -40,8 +40,8 @@ TEST(RelaxedCells, ThreeEdgesMeetInEachVertex) {
 TEST(RelaxedCells, NoEdgeIsLongerThanThreeCells) {
   const VoronoiTile tile = RelaxedCells(16, 0);
   for (const TileEdge& edge : tile.edges) {
-    const Vec way = WayOf(tile, edge);
-    EXPECT_LT(std::max(std::abs(way.u), std::abs(way.v)), 3.0 / 16);
+    const Vector2 way = WayOf(tile, edge);
+    EXPECT_LT(std::max(std::abs(way.x()), std::abs(way.y())), 3.0 / 16);
   }
 }
 
@@ -63,8 +63,8 @@ TEST(RelaxedCells, AreTheSameEachTime) {
   const VoronoiTile one = RelaxedCells(8, 5), other = RelaxedCells(8, 5);
   ASSERT_EQ(one.vertices.size(), other.vertices.size());
   for (size_t i = 0; i < one.vertices.size(); ++i) {
-    EXPECT_EQ(one.vertices[i].u, other.vertices[i].u);
-    EXPECT_EQ(one.vertices[i].v, other.vertices[i].v);
+    EXPECT_EQ(one.vertices[i].x(), other.vertices[i].x());
+    EXPECT_EQ(one.vertices[i].y(), other.vertices[i].y());
   }
 }
 

@@ -114,17 +114,17 @@ DirectionField::DirectionField(const StressField& stress) : cos2_(stress.xx), si
   for (int32_t pass = 0; pass < stress.smoothing; ++pass) Smooth(cos2_), Smooth(sin2_);
 }
 
-std::optional<Direction> DirectionField::At(const PlaceMm& place_mm) const {
+std::optional<Vector2> DirectionField::At(const PlaceMm& place_mm) const {
   const double c = cos2_.At(place_mm), s = sin2_.At(place_mm);
   if (c * c + s * s < kLeastLength * kLeastLength) return std::nullopt;
   // Half the angle, by the formula that loses no digits on its side.
   const double length = std::sqrt(c * c + s * s);
   if (c >= 0) {
     const double x = std::sqrt((1 + c / length) / 2);
-    return Direction{x, s / length / (2 * x)};
+    return Vector2{x, s / length / (2 * x)};
   }
   const double y = std::sqrt((1 - c / length) / 2);
-  return Direction{s / length / (2 * y), y};
+  return Vector2{s / length / (2 * y), y};
 }
 
 }  // namespace slicefarm::infill

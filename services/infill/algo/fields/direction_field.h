@@ -3,15 +3,10 @@
 #include <cstdint>
 #include <optional>
 
+#include "common/geometry/vector.h"
 #include "common/model/fields/stress_field.h"
 
 namespace slicefarm::infill {
-
-/// A unit vector of a line: its opposite means the same.
-struct Direction {
-  double x = 1;
-  double y = 0;
-};
 
 /// The principal directions of a stress field in the plane of the layers: those of the stress that
 /// is greater by magnitude, drawn or pressed; of two that are alike to kEqualPull, those of the
@@ -32,7 +27,7 @@ class DirectionField {
   explicit DirectionField(const StressField& stress);
 
   /// None: degenerate.
-  std::optional<Direction> At(const PlaceMm& place_mm) const;
+  std::optional<Vector2> At(const PlaceMm& place_mm) const;
   bool IsSameAtAllHeights() const { return cos2_.count[2] == 1; }
 
  private:

@@ -15,8 +15,8 @@ StressField Constant(double xx, double yy, double xy) {
 }
 
 /// In [0, 180).
-double DegreesOf(Direction direction) {
-  const double angle = std::atan2(direction.y, direction.x) * 180 / std::numbers::pi;
+double DegreesOf(Vector2 direction) {
+  const double angle = std::atan2(direction.y(), direction.x()) * 180 / std::numbers::pi;
   return angle < -1e-9 ? angle + 180 : angle;
 }
 
@@ -30,7 +30,7 @@ TEST(DirectionField, IsThatOfThePrincipalStressOfGreaterMagnitude) {
     const auto direction = DirectionField(Constant(c[0], c[1], c[2])).At({0, 0, 0});
     ASSERT_TRUE(direction.has_value());
     EXPECT_NEAR(DegreesOf(*direction), c[3], 1e-4);
-    EXPECT_NEAR(std::hypot(direction->x, direction->y), 1, 1e-12);
+    EXPECT_NEAR(std::hypot(direction->x(), direction->y()), 1, 1e-12);
   }
 }
 

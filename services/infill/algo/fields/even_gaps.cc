@@ -24,13 +24,13 @@ constexpr double kNoPlace = 1e9;
 constexpr int64_t kOwnNodes = 6;
 
 struct Node {
-  Vec2 home;   ///< before any shift
-  Vec2 aside;  ///< unit vector to the left
+  Vector2 home = Vector2::Zero();   ///< before any shift
+  Vector2 aside = Vector2::Zero();  ///< unit vector to the left
   double separation = 0;
   size_t point = 0;  ///< of the line, where it stands
   double shift = 0;
 
-  Vec2 At() const { return home + aside * shift; }
+  Vector2 At() const { return home + aside * shift; }
 };
 
 struct NodeLine {
@@ -40,19 +40,20 @@ struct NodeLine {
   size_t Pieces() const { return nodes.size() < 2 ? 0 : nodes.size() - (closed ? 0 : 1); }
 };
 
-NodeLine NodesOf(const StreamLine& line, const std::function<double(Vec2)>& separation_mm) {
+NodeLine NodesOf(const StreamLine& line, const std::function<double(Vector2)>& separation_mm) {
   NodeLine result{{}, line.closed};
-  const std::deque<Vec2>& points = line.points;
+  const std::deque<Vector2>& points = line.points;
   double since = 0, separation = 0;
   for (size_t i = 0; i < points.size(); ++i) {
-    if (i > 0) since += Length(points[i] - points[i - 1]);
+    if (i > 0) since += Norm(points[i] - points[i - 1]);
     const bool last = i + 1 == points.size() && !line.closed;
     if (i > 0 && since < kNodeStep * separation && !last) continue;
-    const Vec2 along = points[std::min(i + 1, points.size() - 1)] - points[i > 0 ? i - 1 : 0];
-    const double length = Length(along);
+    const Vector2 along = points[std::min(i + 1, points.size() - 1)] - points[i > 0 ? i - 1 : 0];
+    const double length = Norm(along);
     if (length == 0) continue;
     separation = separation_mm(points[i]);
-    result.nodes.push_back({points[i], Vec2{-along.y, along.x} * (1 / length), separation, i, 0});
+    result.nodes.push_back(
+        {points[i], Vector2{-along.y(), along.x()} * (1 / length), separation, i, 0});
     since = 0;
   }
   return result;
@@ -64,12 +65,12 @@ class PieceGrid {
   PieceGrid(const std::vector<NodeLine>& lines, double cell) : lines_(lines), cell_(cell) {
     for (const NodeLine& line : lines) {
       for (const Node& node : line.nodes) {
-        low_ = {std::min(low_.x, node.At().x), std::min(low_.y, node.At().y)};
-        high_ = {std::max(high_.x, node.At().x), std::max(high_.y, node.At().y)};
+        low_ = {std::min(low_.x(), node.At().x()), std::min(low_.y(), node.At().y())};
+        high_ = {std::max(high_.x(), node.At().x()), std::max(high_.y(), node.At().y())};
       }
     }
-    columns_ = Column(high_.x) + 1;
-    cells_.resize(static_cast<size_t>(columns_ * (Row(high_.y) + 1)));
+    columns_ = Column(high_.x()) + 1;
+    cells_.resize(static_cast<size_t>(columns_ * (Row(high_.y()) + 1)));
     for (size_t line = 0; line < lines.size(); ++line) {
       for (size_t i = 0; i < lines[line].Pieces(); ++i) {
         const auto [a, b] = Ends(line, i);
@@ -81,7 +82,7 @@ class PieceGrid {
   /// How far away the next line is from a node on its left (`side` 1) or right (-1); none: 0.
   double Gap(size_t line, size_t node, double side) const {
     const Node& from = lines_[line].nodes[node];
-    const Vec2 at = from.At(), way = from.aside * (side * kFarthest * from.separation);
+    const Vector2 at = from.At(), way = from.aside * (side * kFarthest * from.separation);
     double nearest = 2;
     ForCells(at, at + way, [&](size_t cell_index) {
       for (const auto& [other, piece] : cells_[cell_index]) {
@@ -89,7 +90,7 @@ class PieceGrid {
         const auto [a, b] = Ends(other, piece);
         const double before = Cross(way, a - at), after = Cross(way, b - at);
         if ((before > 0) == (after > 0)) continue;
-        const Vec2 meets = a + (b - a) * (before / (before - after));
+        const Vector2 meets = a + (b - a) * (before / (before - after));
         const double share = Dot(meets - at, way) / Dot(way, way);
         if (share > 0) nearest = std::min(nearest, share);
       }
@@ -98,7 +99,7 @@ class PieceGrid {
   }
 
  private:
-  std::pair<Vec2, Vec2> Ends(size_t line, size_t piece) const {
+  std::pair<Vector2, Vector2> Ends(size_t line, size_t piece) const {
     const std::vector<Node>& nodes = lines_[line].nodes;
     return {nodes[piece].At(), nodes[(piece + 1) % nodes.size()].At()};
   }
@@ -109,29 +110,29 @@ class PieceGrid {
     return away <= kOwnNodes || (lines_[line].closed && count - away <= kOwnNodes);
   }
 
-  int64_t Column(double x) const { return Index(x, low_.x, high_.x); }
-  int64_t Row(double y) const { return Index(y, low_.y, high_.y); }
+  int64_t Column(double x) const { return Index(x, low_.x(), high_.x()); }
+  int64_t Row(double y) const { return Index(y, low_.y(), high_.y()); }
   int64_t Index(double value, double low, double high) const {
     return static_cast<int64_t>((std::clamp(value, low, high) - low) / cell_);
   }
 
   template <class Use>
-  void ForCells(Vec2 a, Vec2 b, Use use) const {
-    for (int64_t y = Row(std::min(a.y, b.y)); y <= Row(std::max(a.y, b.y)); ++y)
-      for (int64_t x = Column(std::min(a.x, b.x)); x <= Column(std::max(a.x, b.x)); ++x)
+  void ForCells(Vector2 a, Vector2 b, Use use) const {
+    for (int64_t y = Row(std::min(a.y(), b.y())); y <= Row(std::max(a.y(), b.y())); ++y)
+      for (int64_t x = Column(std::min(a.x(), b.x())); x <= Column(std::max(a.x(), b.x())); ++x)
         use(static_cast<size_t>(y * columns_ + x));
   }
 
   const std::vector<NodeLine>& lines_;
   double cell_;
-  Vec2 low_{kNoPlace, kNoPlace}, high_{-kNoPlace, -kNoPlace};
+  Vector2 low_{kNoPlace, kNoPlace}, high_{-kNoPlace, -kNoPlace};
   int64_t columns_ = 0;
   std::vector<std::vector<std::pair<size_t, size_t>>> cells_;
 };
 
 /// How far a node is from the middle between its neighbours, to the left.
 double PullOn(const Node& node, double left, double right,
-              const std::function<double(Vec2)>& separation_mm) {
+              const std::function<double(Vector2)>& separation_mm) {
   if (left == 0 || right == 0) return 0;
   const double asked_left = separation_mm(node.At() + node.aside * (left / 2));
   const double asked_right = separation_mm(node.At() - node.aside * (right / 2));
@@ -152,7 +153,7 @@ void Smooth(NodeLine& line, std::vector<double>& shifts) {
   }
 }
 
-void Relax(const std::function<double(Vec2)>& separation_mm, double cell,
+void Relax(const std::function<double(Vector2)>& separation_mm, double cell,
            std::vector<NodeLine>& lines) {
   std::vector<std::vector<double>> shifts(lines.size());
   {
@@ -178,7 +179,7 @@ double TurnOf(const std::vector<NodeLine>& lines) {
     for (size_t i = 0; i < line.Pieces(); ++i) {
       const Node& a = line.nodes[i];
       const Node& b = line.nodes[(i + 1) % line.nodes.size()];
-      const double along = Length(b.home - a.home);
+      const double along = Norm(b.home - a.home);
       if (along == 0) continue;
       squares += (b.shift - a.shift) * (b.shift - a.shift) / along;
       length += along;
@@ -193,7 +194,7 @@ void Shift(const NodeLine& nodes, StreamLine& line) {
     const Node& a = nodes.nodes[k];
     const Node& b = nodes.nodes[(k + 1) % nodes.nodes.size()];
     const size_t end = b.point > a.point ? b.point : line.points.size();
-    const Vec2 from = a.aside * a.shift, to = b.aside * b.shift;
+    const Vector2 from = a.aside * a.shift, to = b.aside * b.shift;
     for (size_t i = a.point; i < end; ++i) {
       const double share = static_cast<double>(i - a.point) / static_cast<double>(end - a.point);
       line.points[i] = line.points[i] + from * (1 - share) + to * share;
@@ -207,7 +208,7 @@ void Shift(const NodeLine& nodes, StreamLine& line) {
 
 }  // namespace
 
-void EvenGaps(const std::function<double(Vec2)>& separation_mm, std::vector<StreamLine>& lines) {
+void EvenGaps(const std::function<double(Vector2)>& separation_mm, std::vector<StreamLine>& lines) {
   std::vector<NodeLine> nodes;
   double closest = kMostCellMm;
   for (const StreamLine& line : lines) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "common/geometry/vector.h"
 #include "services/infill/algo/fields/stream_line.h"
 
 namespace slicefarm::infill {
@@ -18,6 +19,6 @@ namespace slicefarm::infill {
 /// last one are taken in part.
 /// REQUIRES: separation_mm > 0 on all lines. Cost: in each round, a search of a few segments for
 /// each node, of which there are two in a separation.
-void EvenGaps(const std::function<double(Vec2)>& separation_mm, std::vector<StreamLine>& lines);
+void EvenGaps(const std::function<double(Vector2)>& separation_mm, std::vector<StreamLine>& lines);
 
 }  // namespace slicefarm::infill

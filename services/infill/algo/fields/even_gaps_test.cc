@@ -16,11 +16,12 @@ StreamLine Along(double y, double from_x, double to_x) {
 }
 
 double HeightAt(const StreamLine& line, double x) {
-  return std::ranges::min_element(line.points, {}, [&](Vec2 p) { return std::abs(p.x - x); })->y;
+  return std::ranges::min_element(line.points, {}, [&](Vector2 p) { return std::abs(p.x() - x); })
+      ->y();
 }
 
 void Even(double separation_mm, std::vector<StreamLine>& lines) {
-  EvenGaps([=](Vec2) { return separation_mm; }, lines);
+  EvenGaps([=](Vector2) { return separation_mm; }, lines);
 }
 
 TEST(EvenGaps, LeaveEvenLinesAlone) {
@@ -28,7 +29,7 @@ TEST(EvenGaps, LeaveEvenLinesAlone) {
   for (int i = 0; i < 8; ++i) lines.push_back(Along(2 * i, 0, 60));
   Even(2, lines);
   for (int i = 0; i < 8; ++i)
-    for (const Vec2 p : lines[static_cast<size_t>(i)].points) EXPECT_NEAR(p.y, 2 * i, 1e-9);
+    for (const Vector2& p : lines[static_cast<size_t>(i)].points) EXPECT_NEAR(p.y(), 2 * i, 1e-9);
 }
 
 TEST(EvenGaps, ShareOutAGapThatIsTooWide) {
@@ -55,8 +56,8 @@ TEST(EvenGaps, CloseBehindTheEndOfALine) {
   EXPECT_LT(gap(), 3.0);
   for (const StreamLine& line : lines) {
     for (size_t i = 1; i < line.points.size(); ++i) {
-      const Vec2 along = line.points[i] - line.points[i - 1];
-      EXPECT_LT(std::abs(along.y / along.x), 0.12) << "7 degrees";
+      const Vector2 along = line.points[i] - line.points[i - 1];
+      EXPECT_LT(std::abs(along.y() / along.x()), 0.12) << "7 degrees";
     }
   }
 }
@@ -76,8 +77,8 @@ TEST(EvenGaps, KeepRingsClosedAndRound) {
   std::vector<double> radii;
   for (const StreamLine& ring : rings) {
     double least = 1e9, most = 0;
-    for (const Vec2 p : ring.points)
-      least = std::min(least, Length(p)), most = std::max(most, Length(p));
+    for (const Vector2& p : ring.points)
+      least = std::min(least, Norm(p)), most = std::max(most, Norm(p));
     EXPECT_LT(most - least, 0.1);
     radii.push_back(least);
   }
@@ -88,7 +89,7 @@ TEST(EvenGaps, KeepRingsClosedAndRound) {
 TEST(EvenGaps, FollowASeparationThatGrows) {
   std::vector<StreamLine> lines;
   for (const double y : {0.0, 2.2, 4.6, 7.0, 9.8}) lines.push_back(Along(y, 0, 60));
-  EvenGaps([](Vec2 at) { return 2 + 0.1 * at.y; }, lines);
+  EvenGaps([](Vector2 at) { return 2 + 0.1 * at.y(); }, lines);
   for (size_t i = 1; i < lines.size(); ++i) {
     const double low = HeightAt(lines[i - 1], 30), high = HeightAt(lines[i], 30);
     EXPECT_NEAR((high - low) / (2 + 0.05 * (low + high)), 1, 0.1) << i;
@@ -100,7 +101,7 @@ TEST(EvenGaps, TakeLinesOfOnePointAndNone) {
   Even(2, none);
   std::vector<StreamLine> lines = {{{{1, 1}}, false}, {{}, false}, Along(0, 0, 10)};
   Even(2, lines);
-  EXPECT_EQ(lines[0].points.front().x, 1);
+  EXPECT_EQ(lines[0].points.front().x(), 1);
 }
 
 }  // namespace

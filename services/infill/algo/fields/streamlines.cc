@@ -44,8 +44,8 @@ constexpr double kCosBeside = 0.5;
 
 /// A point of a line, which way it goes there, and how far along it lies.
 struct Mark {
-  Vec2 at;
-  Vec2 way;
+  Vector2 at = Vector2::Zero();
+  Vector2 way = Vector2::Zero();
   int32_t line = 0;
   double along = 0;
 };
@@ -62,18 +62,18 @@ class MarkGrid {
 
   void Add(const Mark& mark) { CellOf(mark.at).push_back(mark); }
   /// Takes back the mark that was added last.
-  void TakeBack(Vec2 at) { CellOf(at).pop_back(); }
+  void TakeBack(Vector2 at) { CellOf(at).pop_back(); }
 
   /// Whether a mark for which `counts` holds lies within `distance`.
   template <class Counts>
-  bool Near(Vec2 at, double distance, Counts counts) const {
-    const auto [x0, y0] = Index({at.x - distance, at.y - distance});
-    const auto [x1, y1] = Index({at.x + distance, at.y + distance});
+  bool Near(Vector2 at, double distance, Counts counts) const {
+    const auto [x0, y0] = Index({at.x() - distance, at.y() - distance});
+    const auto [x1, y1] = Index({at.x() + distance, at.y() + distance});
     const double square = distance * distance;
     for (int64_t y = y0; y <= y1; ++y) {
       for (int64_t x = x0; x <= x1; ++x) {
         for (const Mark& mark : cells_[static_cast<size_t>(y * columns_ + x)]) {
-          const Vec2 away = mark.at - at;
+          const Vector2 away = mark.at - at;
           if (Dot(away, away) < square && counts(mark)) return true;
         }
       }
@@ -85,14 +85,14 @@ class MarkGrid {
   int64_t Count(double extent) const {
     return std::max<int64_t>(1, static_cast<int64_t>(std::ceil(extent / cell_)));
   }
-  std::pair<int64_t, int64_t> Index(Vec2 at) const {
+  std::pair<int64_t, int64_t> Index(Vector2 at) const {
     const auto index = [&](double value, double min, int64_t count) {
       return static_cast<int64_t>(
           std::clamp(std::floor((value - min) / cell_), 0.0, static_cast<double>(count - 1)));
     };
-    return {index(at.x, box_.min_x_mm, columns_), index(at.y, box_.min_y_mm, rows_)};
+    return {index(at.x(), box_.min_x_mm, columns_), index(at.y(), box_.min_y_mm, rows_)};
   }
-  std::vector<Mark>& CellOf(Vec2 at) {
+  std::vector<Mark>& CellOf(Vector2 at) {
     const auto [x, y] = Index(at);
     return cells_[static_cast<size_t>(y * columns_ + x)];
   }
@@ -139,8 +139,8 @@ class Tracer {
   }
 
  private:
-  double Separation(Vec2 at) const {
-    const double asked = options_.separation_mm(at.x, at.y);
+  double Separation(Vector2 at) const {
+    const double asked = options_.separation_mm(at.x(), at.y());
     return asked > 0 ? scale_ * std::max(asked, kTightestMm) : 0;
   }
 
@@ -151,27 +151,27 @@ class Tracer {
     return std::clamp(middle, 0.5, 5.0);
   }
 
-  bool InBox(Vec2 at) const {
-    return at.x >= box_.min_x_mm && at.x <= box_.max_x_mm && at.y >= box_.min_y_mm &&
-           at.y <= box_.max_y_mm;
+  bool InBox(Vector2 at) const {
+    return at.x() >= box_.min_x_mm && at.x() <= box_.max_x_mm && at.y() >= box_.min_y_mm &&
+           at.y() <= box_.max_y_mm;
   }
 
   /// The direction at a place, turned to go with `along`.
-  std::optional<Vec2> DirectionAt(Vec2 at, Vec2 along) const {
-    const auto found = directions_.At({at.x, at.y, options_.z_mm});
+  std::optional<Vector2> DirectionAt(Vector2 at, Vector2 along) const {
+    const auto found = directions_.At({at.x(), at.y(), options_.z_mm});
     if (!found.has_value()) return std::nullopt;
-    const Vec2 direction = options_.across ? Vec2{-found->y, found->x} : Vec2{found->x, found->y};
-    return Dot(direction, along) < 0 ? direction * -1 : direction;
+    const Vector2 direction = options_.across ? TurnedLeft(*found) : *found;
+    return Dot(direction, along) < 0 ? Vector2(-direction) : direction;
   }
 
   struct Step {
-    Vec2 to;
-    Vec2 direction;  ///< at its end
+    Vector2 to = Vector2::Zero();
+    Vector2 direction = Vector2::Zero();  ///< at its end
     double length = 0;
   };
 
   /// One step of order 4. None: it meets a degenerate place.
-  std::optional<Step> Advance(Vec2 from, Vec2 along, double& step) const {
+  std::optional<Step> Advance(Vector2 from, Vector2 along, double& step) const {
     for (;;) {
       const auto k1 = DirectionAt(from, along);
       if (!k1.has_value()) return std::nullopt;
@@ -190,12 +190,12 @@ class Tracer {
     }
   }
 
-  static bool IsBeside(const Mark& mark, Vec2 way) {
+  static bool IsBeside(const Mark& mark, Vector2 way) {
     return std::abs(Dot(mark.way, way)) > kCosBeside;
   }
 
   /// Whether a line may go on to a place, `along` of it being behind.
-  bool MayStand(Vec2 at, Vec2 way, int32_t line, double along) const {
+  bool MayStand(Vector2 at, Vector2 way, int32_t line, double along) const {
     const double separation = Separation(at);
     if (separation <= 0) return false;
     return !grid_.Near(at, kEndShare * separation, [&](const Mark& mark) {
@@ -206,10 +206,10 @@ class Tracer {
   }
 
   /// Follows the field from the start of `line` on, forwards or backwards. True: it closed.
-  bool Follow(StreamLine& line, int32_t number, Vec2 start, Vec2 along, double sign,
-              std::vector<Vec2>& marked) {
-    const Vec2 first = along;
-    Vec2 at = start;
+  bool Follow(StreamLine& line, int32_t number, Vector2 start, Vector2 along, double sign,
+              std::vector<Vector2>& marked) {
+    const Vector2 first = along;
+    Vector2 at = start;
     double length = 0;
     double step = kLongestStepMm;
     for (double steps = 0; steps < kMostSteps; ++steps) {
@@ -222,8 +222,8 @@ class Tracer {
         return false;
       }
       length += next->length;
-      const Vec2 home = start - next->to;
-      if (sign > 0 && length > 2 * separation && Length(home) < 0.75 * next->length &&
+      const Vector2 home = start - next->to;
+      if (sign > 0 && length > 2 * separation && Norm(home) < 0.75 * next->length &&
           Dot(first, next->direction) > 0.9)
         return true;
       if (!MayStand(next->to, next->direction, number, sign * length)) return false;
@@ -235,7 +235,7 @@ class Tracer {
     return false;
   }
 
-  static void Put(StreamLine& line, Vec2 at, double sign) {
+  static void Put(StreamLine& line, Vector2 at, double sign) {
     if (sign > 0) {
       line.points.push_back(at);
     } else {
@@ -244,7 +244,7 @@ class Tracer {
   }
 
   /// A new line from here, unless another one is too near or it comes to nothing.
-  bool Start(Vec2 at, double share) {
+  bool Start(Vector2 at, double share) {
     if (!InBox(at)) return false;
     const double separation = Separation(at);
     const auto direction = DirectionAt(at, {1, 0});
@@ -254,13 +254,13 @@ class Tracer {
       return false;
     const auto number = static_cast<int32_t>(lines_.size());
     StreamLine line{{at}};
-    std::vector<Vec2> marked = {at};
+    std::vector<Vector2> marked = {at};
     grid_.Add({at, *direction, number, 0});
     line.closed = Follow(line, number, at, *direction, 1, marked);
     if (!line.closed) Follow(line, number, at, *direction * -1, -1, marked);
     double length = 0;
     for (size_t i = 1; i < line.points.size(); ++i)
-      length += Length(line.points[i] - line.points[i - 1]);
+      length += Norm(line.points[i] - line.points[i - 1]);
     if (length < kShortestLine * separation) {
       for (size_t i = marked.size(); i-- > 0;) grid_.TakeBack(marked[i]);
       return false;
@@ -272,12 +272,12 @@ class Tracer {
   /// Starts lines on both sides of those that are there, until there is no more room.
   absl::Status Spread() {
     for (; spread_ < lines_.size(); ++spread_) {
-      const std::deque<Vec2> points = lines_[spread_].points;
+      const std::deque<Vector2> points = lines_[spread_].points;
       for (size_t i = 0; i + 1 < points.size(); ++i) {
-        const Vec2 along = points[i + 1] - points[i];
-        const double length = Length(along);
+        const Vector2 along = points[i + 1] - points[i];
+        const double length = Norm(along);
         if (length == 0) continue;
-        const Vec2 aside{-along.y / length, along.x / length};
+        const Vector2 aside{-along.y() / length, along.x() / length};
         const double separation = Separation(points[i]);
         for (const double side : {separation, -separation})
           Start(points[i] + aside * side, kStartShare);
@@ -301,9 +301,9 @@ class Tracer {
 };
 
 double LengthOf(const StreamLine& line) {
-  double length = line.closed ? Length(line.points.front() - line.points.back()) : 0;
+  double length = line.closed ? Norm(line.points.front() - line.points.back()) : 0;
   for (size_t i = 1; i < line.points.size(); ++i)
-    length += Length(line.points[i] - line.points[i - 1]);
+    length += Norm(line.points[i] - line.points[i - 1]);
   return length;
 }
 
@@ -330,8 +330,8 @@ absl::StatusOr<std::vector<StreamLine>> EvenLines(const StreamBox& box,
 
 std::optional<Curve> CurveOf(const StreamLine& line) {
   Polyline points;
-  for (const Vec2 at : line.points) {
-    const Point point{std::llround(at.x * kNmPerMm), std::llround(at.y * kNmPerMm)};
+  for (const Vector2& at : line.points) {
+    const Point point{std::llround(at.x() * kNmPerMm), std::llround(at.y() * kNmPerMm)};
     if (points.empty() || points.back() != point) points.push_back(point);
   }
   if (line.closed) {
@@ -353,7 +353,7 @@ absl::StatusOr<std::vector<Curve>> Streamlines(const StreamBox& box,
   if (absl::Status ok = CheckFieldSize(kMaxFieldCells, cells); !ok.ok()) return ok;
   auto lines = EvenLines(box, directions, options);
   if (!lines.ok()) return lines.status();
-  EvenGaps([&](Vec2 at) { return std::max(options.separation_mm(at.x, at.y), kTightestMm); },
+  EvenGaps([&](Vector2 at) { return std::max(options.separation_mm(at.x(), at.y()), kTightestMm); },
            *lines);
   std::vector<Curve> curves;
   for (const StreamLine& line : *lines)

@@ -46,10 +46,10 @@ FittedStrips::FittedStrips(const ScanLines& lines, const Options& options) : lin
 }
 
 /// The way along the edge from a crossing to the next one.
-std::vector<FittedStrips::FramePoint> FittedStrips::WayOf(int32_t from) const {
+std::vector<Vector2> FittedStrips::WayOf(int32_t from) const {
   const Crossing& a = lines_.crossings[from];
   const Crossing& b = lines_.crossings[a.next];
-  std::vector<FramePoint> way = {{a.u, lines_.VOf(a.line)}};
+  std::vector<Vector2> way = {{a.u, lines_.VOf(a.line)}};
   ForEachCorner(*lines_.rings[a.ring], {a.edge, b.edge, true}, [&](Point p) {
     way.push_back({lines_.frame.U(p), lines_.frame.V(p)});
   });
@@ -58,13 +58,14 @@ std::vector<FittedStrips::FramePoint> FittedStrips::WayOf(int32_t from) const {
 }
 
 /// The lower one of the two lines that a stretch of the edge runs between.
-int32_t FittedStrips::LineBelow(int32_t from, const std::vector<FramePoint>& way) const {
+int32_t FittedStrips::LineBelow(int32_t from, const std::vector<Vector2>& way) const {
   const Crossing& a = lines_.crossings[from];
   const int32_t other = lines_.crossings[a.next].line;
   if (a.line != other) return std::min(a.line, other);
-  const auto [lowest, highest] = std::ranges::minmax(way, {}, &FramePoint::v);
+  const auto [lowest, highest] =
+      std::ranges::minmax(way, {}, [](const Vector2& p) { return p.y(); });
   const double v = lines_.VOf(a.line);
-  return highest.v - v > v - lowest.v ? a.line : a.line - 1;
+  return highest.y() - v > v - lowest.y() ? a.line : a.line - 1;
 }
 
 /// The piece of a line that reaches over all of a stretch; -1: there is none.
@@ -87,35 +88,35 @@ std::optional<FittedStrips::FlatStretch> FittedStrips::FlatFrom(int32_t from,
   if (std::abs(end->u - start->u) < least) return std::nullopt;
 
   FlatStretch flat{.way = WayOf(from)};
-  std::vector<FramePoint>& way = flat.way;
+  std::vector<Vector2>& way = flat.way;
   const int32_t below = LineBelow(from, way);
   // The region lies to the left of its edge.
   flat.region_above = end->u > start->u;
   if (!flat.region_above) std::ranges::reverse(way);
-  if (!std::ranges::is_sorted(way, {}, &FramePoint::u)) return std::nullopt;
+  if (!std::ranges::is_sorted(way, {}, [](const Vector2& p) { return p.x(); })) return std::nullopt;
   flat.line = flat.region_above ? below + 1 : below;
-  flat.piece = PieceBeside(flat.line, way.front().u, way.back().u);
+  flat.piece = PieceBeside(flat.line, way.front().x(), way.back().x());
   if (flat.piece < 0) return std::nullopt;
 
   // Steep ends are as other ends of lines are: what is flat goes on up to them.
-  const auto steep = [](const FramePoint& a, const FramePoint& b) {
-    return std::abs(b.v - a.v) > kSteepSlope * (b.u - a.u);
+  const auto steep = [](const Vector2& a, const Vector2& b) {
+    return std::abs(b.y() - a.y()) > kSteepSlope * (b.x() - a.x());
   };
   flat.last = way.size() - 1;
   while (flat.first < flat.last && steep(way[flat.first], way[flat.first + 1])) ++flat.first;
   while (flat.first < flat.last && steep(way[flat.last - 1], way[flat.last])) --flat.last;
-  const double width = way[flat.last].u - way[flat.first].u;
+  const double width = way[flat.last].x() - way[flat.first].x();
   if (width < least) return std::nullopt;
   double length = 0;
   for (size_t i = flat.first; i < flat.last; ++i)
-    length += Hypot(way[i + 1].u - way[i].u, way[i + 1].v - way[i].v);
+    length += Hypot(way[i + 1].x() - way[i].x(), way[i + 1].y() - way[i].y());
   flat.reach_nm = reach_nm * length / width;
   return flat;
 }
 
 /// From the edge to where the strip of the line beyond the one beside it begins.
 double FittedStrips::RoomAt(const FlatStretch& flat, size_t i) const {
-  return std::abs(flat.way[i].v - lines_.VOf(flat.line)) + flat.reach_nm + lines_.pitch / 2;
+  return std::abs(flat.way[i].y() - lines_.VOf(flat.line)) + flat.reach_nm + lines_.pitch / 2;
 }
 
 void FittedStrips::AddStretch(const FlatStretch& flat, int32_t from, double link_nm) {
@@ -123,7 +124,7 @@ void FittedStrips::AddStretch(const FlatStretch& flat, int32_t from, double link
   for (size_t i = flat.first; i <= flat.last; ++i) {
     const double strip =
         std::clamp(RoomAt(flat, i) - link_nm, kNarrowest * lines_.pitch, kWidest * lines_.pitch);
-    edge.push_back({flat.way[i].u, strip - lines_.pitch});
+    edge.push_back({flat.way[i].x(), strip - lines_.pitch});
   }
   const Crossing* start = &lines_.crossings[from];
   const Crossing* end = &lines_.crossings[start->next];

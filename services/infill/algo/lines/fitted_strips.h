@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "common/geometry/vector.h"
 #include "services/infill/algo/lines/scan_lines.h"
 
 namespace slicefarm::infill {
@@ -52,12 +53,9 @@ class FittedStrips {
     int32_t side = 0;  ///< twice the piece, and one above it
     std::vector<Knot> knots;
   };
-  struct FramePoint {
-    double u = 0, v = 0;
-  };
   /// A stretch of the edge that is flat from one of its points to another, and the piece beside it.
   struct FlatStretch {
-    std::vector<FramePoint> way;  ///< u rises
+    std::vector<Vector2> way;  ///< u rises
     size_t first = 0, last = 0;
     int32_t line = 0, piece = 0;
     bool region_above = false;
@@ -67,8 +65,8 @@ class FittedStrips {
   std::optional<FlatStretch> FlatFrom(int32_t from, double reach_nm) const;
   void AddStretch(const FlatStretch& flat, int32_t from, double link_nm);
   double RoomAt(const FlatStretch& flat, size_t i) const;
-  std::vector<FramePoint> WayOf(int32_t from) const;
-  int32_t LineBelow(int32_t from, const std::vector<FramePoint>& way) const;
+  std::vector<Vector2> WayOf(int32_t from) const;
+  int32_t LineBelow(int32_t from, const std::vector<Vector2>& way) const;
   int32_t PieceBeside(int32_t line, double from_u, double to_u) const;
   std::vector<Knot> Joined(std::vector<Knot> edge, bool own_start, bool own_end) const;
   std::vector<Knot> KnotsOf(int32_t side) const;

@@ -16,7 +16,7 @@ constexpr double kRootPrecision = 1e-10;
 /// number: 2 (j count + i) goes from grid point (i, j) along u, the next number along v.
 class Marcher {
  public:
-  Marcher(const std::function<double(Vec)>& function, int count)
+  Marcher(const std::function<double(Vector2)>& function, int count)
       : function_(function), count_(count), next_(static_cast<size_t>(2 * count * count)) {
     values_.reserve(static_cast<size_t>(count * count));
     for (int j = 0; j < count; ++j)
@@ -90,24 +90,24 @@ class Marcher {
     LevelLine line;
     int edge = start;
     do {
-      const Vec root = Root(edge);
-      line.points.push_back({root.u + line.step_u, root.v + line.step_v});
+      const Vector2 root = Root(edge);
+      line.points.push_back({root.x() + line.step_u, root.y() + line.step_v});
       const Next next = std::exchange(next_[static_cast<size_t>(edge)], {});
       line.step_u += next.step_u;
       line.step_v += next.step_v;
       edge = next.to;
     } while (edge != start && edge >= 0);
     if (!line.IsClosed())
-      line.points.push_back({line.points[0].u + line.step_u, line.points[0].v + line.step_v});
+      line.points.push_back({line.points[0].x() + line.step_u, line.points[0].y() + line.step_v});
     return line;
   }
 
   /// The zero on an edge, by the Illinois variant of regula falsi.
-  Vec Root(int edge) const {
+  Vector2 Root(int edge) const {
     const int i = edge / 2 % count_, j = edge / 2 / count_;
     const bool along_v = edge % 2 != 0;
     const auto at = [&](double t) {
-      return along_v ? Vec{At(i), At(j) + t / count_} : Vec{At(i) + t / count_, At(j)};
+      return along_v ? Vector2{At(i), At(j) + t / count_} : Vector2{At(i) + t / count_, At(j)};
     };
     double low = 0, high = 1;
     double at_low = Value(i, j), at_high = along_v ? Value(i, j + 1) : Value(i + 1, j);
@@ -128,7 +128,7 @@ class Marcher {
     return at((low + high) / 2);
   }
 
-  const std::function<double(Vec)>& function_;
+  const std::function<double(Vector2)>& function_;
   const int count_;
   std::vector<double> values_;
   std::vector<Next> next_;  ///< by edge
@@ -136,7 +136,7 @@ class Marcher {
 
 }  // namespace
 
-std::vector<LevelLine> LevelLines(const std::function<double(Vec)>& function, int count) {
+std::vector<LevelLine> LevelLines(const std::function<double(Vector2)>& function, int count) {
   return Marcher(function, count).Run();
 }
 

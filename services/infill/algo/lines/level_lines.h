@@ -3,18 +3,15 @@
 #include <functional>
 #include <vector>
 
-namespace slicefarm::infill {
+#include "common/geometry/vector.h"
 
-struct Vec {
-  double u = 0;
-  double v = 0;
-};
+namespace slicefarm::infill {
 
 /// One zero line of a function that repeats in u and v with period 1. A closed one repeats at each
 /// step of (1, 0) and (0, 1); an open one goes on from its last point, which is its first one
 /// `step_u`, `step_v` farther, for ever. Positive values lie to the left.
 struct LevelLine {
-  std::vector<Vec> points;  ///< open: with the last one; closed: the first is not repeated
+  std::vector<Vector2> points;  ///< open: with the last one; closed: the first is not repeated
   int step_u = 0;
   int step_v = 0;
 
@@ -26,6 +23,6 @@ struct LevelLine {
 /// four crossings the sign in its middle decides. Zero counts as positive.
 ///
 /// REQUIRES: count >= 2. Cost: O(count^2) calls, and some 8 for each point.
-std::vector<LevelLine> LevelLines(const std::function<double(Vec)>& function, int count);
+std::vector<LevelLine> LevelLines(const std::function<double(Vector2)>& function, int count);
 
 }  // namespace slicefarm::infill

@@ -9,6 +9,7 @@
 #include "common/base/portable_math.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/rings/simplify.h"
+#include "common/geometry/vector.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -39,14 +40,9 @@ Kernel GreensFunction() {
   return kernel;
 }
 
-struct FinePoint {
-  double x = 0;
-  double y = 0;
-};
-
 /// Points at `count` even steps along a line, from its first point on.
-std::vector<FinePoint> EvenPoints(const Polyline& line, double length, int64_t count) {
-  std::vector<FinePoint> points;
+std::vector<Vector2> EvenPoints(const Polyline& line, double length, int64_t count) {
+  std::vector<Vector2> points;
   size_t i = 1;
   double passed = 0, edge = Distance(line[0], line[1]);
   for (int64_t k = 0; k < count; ++k) {
@@ -58,21 +54,20 @@ std::vector<FinePoint> EvenPoints(const Polyline& line, double length, int64_t c
     }
     const double share = edge > 0 ? std::min(1.0, (at - passed) / edge) : 0;
     const Point a = line[i - 1], way = line[i] - line[i - 1];
-    points.push_back({static_cast<double>(a.x) + share * static_cast<double>(way.x),
-                      static_cast<double>(a.y) + share * static_cast<double>(way.y)});
+    points.push_back(ToVector(a) + share * ToVector(way));
   }
   return points;
 }
 
 /// A point of a closed curve, or of an open one that goes on beyond its ends turned about them.
-FinePoint PointAt(const std::vector<FinePoint>& points, int64_t i, bool closed) {
+Vector2 PointAt(const std::vector<Vector2>& points, int64_t i, bool closed) {
   const auto count = static_cast<int64_t>(points.size());
   if (closed) return points[static_cast<size_t>((i % count + count) % count)];
   const int64_t last = count - 1;
   const auto turned = [&](int64_t about, int64_t from) {
-    const FinePoint o = points[static_cast<size_t>(about)];
-    const FinePoint p = points[static_cast<size_t>(std::clamp<int64_t>(from, 0, last))];
-    return FinePoint{2 * o.x - p.x, 2 * o.y - p.y};
+    const Vector2 o = points[static_cast<size_t>(about)];
+    const Vector2 p = points[static_cast<size_t>(std::clamp<int64_t>(from, 0, last))];
+    return Vector2(2 * o - p);
   };
   if (i < 0) return turned(0, -i);
   if (i > last) return turned(last, 2 * last - i);
@@ -88,20 +83,18 @@ Curve Smoothed(const Curve& curve, double length_nm) {
   const double length = Length(line);
   if (length_nm <= 0 || length < 4 * length_nm) return curve;
   const auto steps = std::llround(kStepsPerLength * length / length_nm);
-  std::vector<FinePoint> points = EvenPoints(line, length, steps);
-  if (!curve.closed)
-    points.push_back({static_cast<double>(line.back().x), static_cast<double>(line.back().y)});
+  std::vector<Vector2> points = EvenPoints(line, length, steps);
+  if (!curve.closed) points.push_back(ToVector(line.back()));
   Polyline smooth;
   for (int64_t i = 0; i < static_cast<int64_t>(points.size()); ++i) {
-    const FinePoint own = PointAt(points, i, curve.closed);
-    double x = kKernel[0] * own.x, y = kKernel[0] * own.y;
+    const Vector2 own = PointAt(points, i, curve.closed);
+    Vector2 sum = kKernel[0] * own;
     for (int64_t step = 1; step <= kKernelReach; ++step) {
-      const FinePoint before = PointAt(points, i - step, curve.closed);
-      const FinePoint after = PointAt(points, i + step, curve.closed);
-      x += kKernel[static_cast<size_t>(step)] * (before.x + after.x);
-      y += kKernel[static_cast<size_t>(step)] * (before.y + after.y);
+      const Vector2 before = PointAt(points, i - step, curve.closed);
+      const Vector2 after = PointAt(points, i + step, curve.closed);
+      sum += kKernel[static_cast<size_t>(step)] * (before + after);
     }
-    const Point p{std::llround(x), std::llround(y)};
+    const Point p = RoundedPoint(sum);
     if (smooth.empty() || smooth.back() != p) smooth.push_back(p);
   }
   if (!curve.closed) return {SimplifyLine(smooth, kSmoothToleranceNm), false};

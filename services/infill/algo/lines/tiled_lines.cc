@@ -13,15 +13,16 @@ namespace {
 constexpr double kSamePointNm = 3;
 
 /// Distance of p to the left of the line ab, signed.
-double LeftOf(Vec p, Vec a, Vec b) {
-  const double u = b.u - a.u, v = b.v - a.v;
+double LeftOf(Vector2 p, Vector2 a, Vector2 b) {
+  const double u = b.x() - a.x(), v = b.y() - a.y();
   const double length = std::sqrt(u * u + v * v);
-  if (length == 0) return std::sqrt((p.u - a.u) * (p.u - a.u) + (p.v - a.v) * (p.v - a.v));
-  return (u * (p.v - a.v) - v * (p.u - a.u)) / length;
+  if (length == 0)
+    return std::sqrt((p.x() - a.x()) * (p.x() - a.x()) + (p.y() - a.y()) * (p.y() - a.y()));
+  return (u * (p.y() - a.y()) - v * (p.x() - a.x())) / length;
 }
 
 /// How far the points between first and last lie from their chord at most, signed.
-double RiseOver(const std::vector<Vec>& points, size_t first, size_t last) {
+double RiseOver(const std::vector<Vector2>& points, size_t first, size_t last) {
   double rise = 0;
   for (size_t i = first + 1; i < last; ++i) {
     const double height = LeftOf(points[i], points[first], points[last]);
@@ -31,7 +32,7 @@ double RiseOver(const std::vector<Vec>& points, size_t first, size_t last) {
 }
 
 /// The corners from `first` to `last`: each chord reaches as far as the tolerance allows.
-std::vector<size_t> Corners(const std::vector<Vec>& points, size_t first, size_t last,
+std::vector<size_t> Corners(const std::vector<Vector2>& points, size_t first, size_t last,
                             double tolerance) {
   std::vector<size_t> corners{first};
   while (corners.back() < last) {
@@ -44,13 +45,13 @@ std::vector<size_t> Corners(const std::vector<Vec>& points, size_t first, size_t
 }
 
 /// A point moved to the left of its neighbours' chord.
-Vec Moved(Vec p, Vec before, Vec after, double by) {
-  const double u = after.u - before.u, v = after.v - before.v;
+Vector2 Moved(Vector2 p, Vector2 before, Vector2 after, double by) {
+  const double u = after.x() - before.x(), v = after.y() - before.y();
   const double length = std::sqrt(u * u + v * v);
-  return length == 0 ? p : Vec{p.u - by * v / length, p.v + by * u / length};
+  return length == 0 ? p : Vector2{p.x() - by * v / length, p.y() + by * u / length};
 }
 
-Vec Shifted(Vec p, double u, double v) { return {p.u + u, p.v + v}; }
+Vector2 Shifted(Vector2 p, double u, double v) { return {p.x() + u, p.y() + v}; }
 
 /// The extent of a line's points.
 struct Reach {
@@ -58,9 +59,9 @@ struct Reach {
 };
 Reach ReachOf(const LevelLine& line) {
   Reach reach;
-  for (const Vec p : line.points) {
-    reach.min_u = std::min(reach.min_u, p.u), reach.max_u = std::max(reach.max_u, p.u);
-    reach.min_v = std::min(reach.min_v, p.v), reach.max_v = std::max(reach.max_v, p.v);
+  for (const Vector2& p : line.points) {
+    reach.min_u = std::min(reach.min_u, p.x()), reach.max_u = std::max(reach.max_u, p.x());
+    reach.min_v = std::min(reach.min_v, p.y()), reach.max_v = std::max(reach.max_v, p.y());
   }
   return reach;
 }
@@ -119,12 +120,12 @@ class Tiler {
   void Chain(const LevelLine& line, bool by_u, double along, double across, int step, int aside,
              bool backward) {
     const Reach reach = ReachOf(line);
-    std::vector<Vec> places;
+    std::vector<Vector2> places;
     const auto flush = [&] {
       if (places.empty()) return;
       if (backward) std::reverse(places.begin(), places.end());
       Curve& curve = curves_.emplace_back();
-      for (const Vec at : places) Append(line, at.u, at.v, curve.points);
+      for (const Vector2& at : places) Append(line, at.x(), at.y(), curve.points);
       places.clear();
     };
     const double to = by_u ? box_.max_u - reach.min_u : box_.max_v - reach.min_v;
@@ -141,8 +142,8 @@ class Tiler {
   }
 
   void Append(const LevelLine& line, double u, double v, Polyline& points) const {
-    for (const Vec p : line.points) {
-      const Point q = frame_.At((p.u + u) * period_nm_, (p.v + v) * period_nm_);
+    for (const Vector2& p : line.points) {
+      const Point q = frame_.At((p.x() + u) * period_nm_, (p.y() + v) * period_nm_);
       // Where copies follow each other, one's last point is the other's first, but for rounding.
       if (points.empty() || Distance(points.back(), q) > kSamePointNm) points.push_back(q);
     }
@@ -157,7 +158,7 @@ class Tiler {
 }  // namespace
 
 LevelLine WithLongSegments(const LevelLine& line, double tolerance) {
-  std::vector<Vec> points = line.points;
+  std::vector<Vector2> points = line.points;
   if (points.size() < 3) return line;
   if (line.IsClosed()) points.push_back(points[0]);
   const size_t last = points.size() - 1;
@@ -171,7 +172,7 @@ LevelLine WithLongSegments(const LevelLine& line, double tolerance) {
   out.step_v = line.step_v;
   for (size_t c = 0; c < chords; ++c) {
     const size_t b = (c + chords - 1) % chords;
-    const Vec before =
+    const Vector2 before =
         c > 0 ? points[corners[b]] : Shifted(points[corners[b]], -line.step_u, -line.step_v);
     out.points.push_back(
         Moved(points[corners[c]], before, points[corners[c + 1]], (rise[b] + rise[c]) / 6));

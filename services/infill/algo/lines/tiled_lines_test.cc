@@ -26,8 +26,8 @@ double LengthOf(const LevelLine& line) {
   double length = 0;
   const size_t count = line.points.size() - (line.IsClosed() ? 0 : 1);
   for (size_t i = 0; i < count; ++i) {
-    const Vec a = line.points[i], b = line.points[(i + 1) % line.points.size()];
-    length += std::hypot(b.u - a.u, b.v - a.v);
+    const Vector2 a = line.points[i], b = line.points[(i + 1) % line.points.size()];
+    length += std::hypot(b.x() - a.x(), b.y() - a.y());
   }
   return length;
 }
@@ -39,9 +39,9 @@ TEST(LongSegments, KeepLengthAndTolerance) {
     EXPECT_LT(line.points.size(), 26u);
     EXPECT_NEAR(LengthOf(line) / LengthOf(fine), 1, 0.004);
     for (size_t i = 0; i < line.points.size(); ++i) {
-      const Vec a = line.points[i], b = line.points[(i + 1) % line.points.size()];
+      const Vector2 a = line.points[i], b = line.points[(i + 1) % line.points.size()];
       for (const double t : {0.0, 0.25, 0.5, 0.75}) {
-        const double u = a.u + t * (b.u - a.u) - 0.5, v = a.v + t * (b.v - a.v) - 0.5;
+        const double u = a.x() + t * (b.x() - a.x()) - 0.5, v = a.y() + t * (b.y() - a.y()) - 0.5;
         EXPECT_NEAR(std::hypot(u, v), 0.3, 1.2 * tolerance);
       }
     }
@@ -55,8 +55,8 @@ TEST(LongSegments, OpenLinesGoOn) {
   const LevelLine line = WithLongSegments(wave, 0.01);
   EXPECT_LT(line.points.size(), 12u);
   EXPECT_NEAR(LengthOf(line) / LengthOf(wave), 1, 0.004);
-  EXPECT_NEAR(line.points.back().u - line.points.front().u, 1, 1e-12);
-  EXPECT_NEAR(line.points.back().v, line.points.front().v, 1e-12);
+  EXPECT_NEAR(line.points.back().x() - line.points.front().x(), 1, 1e-12);
+  EXPECT_NEAR(line.points.back().y(), line.points.front().y(), 1e-12);
 }
 
 /// Length within a box is a period's length times the periods in it, for whole ones.

@@ -29,8 +29,7 @@ Radii RadiiOf(const MultiPolygon& region, const LineAxes& frame) {
   const double near_v = std::clamp(0.0, box.min_v, box.max_v);
   const double far_u = std::max(std::abs(box.min_u), std::abs(box.max_u));
   const double far_v = std::max(std::abs(box.min_v), std::abs(box.max_v));
-  return {std::sqrt(near_u * near_u + near_v * near_v),
-          std::sqrt(far_u * far_u + far_v * far_v)};
+  return {std::sqrt(near_u * near_u + near_v * near_v), std::sqrt(far_u * far_u + far_v * far_v)};
 }
 
 /// Corners lie a third of a chord's rise outside, so that the length stays: the rise may be half as
@@ -71,14 +70,13 @@ absl::StatusOr<std::vector<Piece>> Archimedean(const MultiPolygon& region,
   return ClipCurves(region, {&spiral, 1});
 }
 
-absl::StatusOr<std::vector<Piece>> Octagram(const MultiPolygon& region,
-                                            const PatternPlace& place) {
+absl::StatusOr<std::vector<Piece>> Octagram(const MultiPolygon& region, const PatternPlace& place) {
   if (region.empty()) return std::vector<Piece>{};
   const LineAxes frame(place.angle_rad);
   // Of the star whose outer corners lie at 1: how far the inner corners and the edges lie.
   const double edge = std::numbers::sqrt2 / 2;
   const double inner = edge / Cos(kTurn / kCorners);
-  std::array<Vec, kCorners> star;
+  std::array<Vector2, kCorners> star;
   for (int i = 0; i < kCorners; ++i) {
     const double r = i % 2 == 0 ? 1 : inner;
     star[static_cast<size_t>(i)] = {r * Cos(kTurn * i / kCorners), r * Sin(kTurn * i / kCorners)};
@@ -91,8 +89,8 @@ absl::StatusOr<std::vector<Piece>> Octagram(const MultiPolygon& region,
   for (double turn = FirstTurn(radii.least, growth); turn < last; ++turn) {
     for (int i = 0; i < kCorners; ++i) {
       const double r = (turn + static_cast<double>(i) / kCorners) * growth;
-      spiral.points.push_back(frame.At(r * star[static_cast<size_t>(i)].u,
-                                       r * star[static_cast<size_t>(i)].v));
+      spiral.points.push_back(
+          frame.At(r * star[static_cast<size_t>(i)].x(), r * star[static_cast<size_t>(i)].y()));
     }
   }
   return ClipCurves(region, {&spiral, 1});

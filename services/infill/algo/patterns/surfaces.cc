@@ -39,8 +39,8 @@ absl::StatusOr<std::vector<Piece>> Section(const MultiPolygon& region, const Pat
   const Turn z(height - std::floor(height));
   const int squares =
       static_cast<int>(std::clamp(period / kSampleNm, 1.0 * kLeastSquares, 1.0 * kMostSquares));
-  std::vector<LevelLine> lines = LevelLines(
-      [&](Vec at) { return value(Turn(at.u), Turn(at.v), z); }, squares);
+  std::vector<LevelLine> lines =
+      LevelLines([&](Vector2 at) { return value(Turn(at.x()), Turn(at.y()), z); }, squares);
   const double tolerance = std::min(kSurfaceToleranceNm / period, kTolerancePeriods);
   for (LevelLine& line : lines) line = WithLongSegments(line, tolerance);
   const auto curves = TiledLines(region, lines, LineAxes(place.angle_rad), period);
@@ -56,8 +56,7 @@ absl::StatusOr<std::vector<Piece>> Gyroid(const MultiPolygon& region, const Patt
   });
 }
 
-absl::StatusOr<std::vector<Piece>> SchwarzD(const MultiPolygon& region,
-                                            const PatternPlace& place) {
+absl::StatusOr<std::vector<Piece>> SchwarzD(const MultiPolygon& region, const PatternPlace& place) {
   return Section(region, place, 3.043, [](const Turn& x, const Turn& y, const Turn& z) {
     return x.cosine * y.cosine * z.cosine - x.sine * y.sine * z.sine;
   });

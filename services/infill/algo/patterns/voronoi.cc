@@ -27,8 +27,8 @@ double LengthOf(const std::vector<Strand>& strands) {
   double length = 0;
   for (const Strand& strand : strands) {
     for (size_t i = 1; i < strand.points.size(); ++i) {
-      const double u = strand.points[i].u - strand.points[i - 1].u;
-      const double v = strand.points[i].v - strand.points[i - 1].v;
+      const double u = strand.points[i].x() - strand.points[i - 1].x();
+      const double v = strand.points[i].y() - strand.points[i - 1].y();
       length += std::sqrt(u * u + v * v);
     }
   }
@@ -110,9 +110,11 @@ class NearStrands {
     const double u = first_u_ + column, v = first_v_ + row;
     for (int32_t strand = 0; strand < static_cast<int32_t>(tile_.strands.size()); ++strand) {
       FrameBox reach;
-      for (const Vec p : tile_.strands[static_cast<size_t>(strand)].points) {
-        reach.min_u = std::min(reach.min_u, p.u + u), reach.max_u = std::max(reach.max_u, p.u + u);
-        reach.min_v = std::min(reach.min_v, p.v + v), reach.max_v = std::max(reach.max_v, p.v + v);
+      for (const Vector2& p : tile_.strands[static_cast<size_t>(strand)].points) {
+        reach.min_u = std::min(reach.min_u, p.x() + u),
+        reach.max_u = std::max(reach.max_u, p.x() + u);
+        reach.min_v = std::min(reach.min_v, p.y() + v),
+        reach.max_v = std::max(reach.max_v, p.y() + v);
       }
       near_[IndexOf({strand, 0, column, row})] =
           reach.max_u >= box_.min_u && reach.min_u <= box_.max_u && reach.max_v >= box_.min_v &&
@@ -149,9 +151,9 @@ class NearStrands {
 
   /// The strand's point `i`, counted from the end at which it was entered.
   void Append(const At& at, size_t i, Polyline& points) const {
-    const Vec p = tile_.strands[static_cast<size_t>(at.strand)].points[at.end == 0 ? i : 3 - i];
-    const Point q = frame_.At((p.u + first_u_ + at.column) * tile_.size_nm,
-                              (p.v + first_v_ + at.row) * tile_.size_nm);
+    const Vector2 p = tile_.strands[static_cast<size_t>(at.strand)].points[at.end == 0 ? i : 3 - i];
+    const Point q = frame_.At((p.x() + first_u_ + at.column) * tile_.size_nm,
+                              (p.y() + first_v_ + at.row) * tile_.size_nm);
     if (points.empty() || points.back() != q) points.push_back(q);
   }
 

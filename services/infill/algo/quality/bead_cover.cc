@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/geometry/line_axes.h"
+#include "common/geometry/vector.h"
 #include "common/model/bead_section.h"
 
 namespace slicefarm::infill {
@@ -27,26 +28,22 @@ struct CoveredStretch {
   }
 };
 
-struct Place {
-  double u = 0, v = 0;
-};
-
 /// A bead from a to b, half as wide as `ra` there and `rb`.
 struct Bead {
-  Place a, b;
+  Vector2 a = Vector2::Zero(), b = Vector2::Zero();
   double ra = 0, rb = 0;
 };
 
-void AddDisc(Place middle, double radius, double v, CoveredStretch& stretch) {
-  const double away = v - middle.v, square = radius * radius - away * away;
+void AddDisc(Vector2 middle, double radius, double v, CoveredStretch& stretch) {
+  const double away = v - middle.y(), square = radius * radius - away * away;
   if (square < 0) return;
-  stretch.Add(middle.u - std::sqrt(square));
-  stretch.Add(middle.u + std::sqrt(square));
+  stretch.Add(middle.x() - std::sqrt(square));
+  stretch.Add(middle.x() + std::sqrt(square));
 }
 
-void AddEdge(Place a, Place b, double v, CoveredStretch& stretch) {
-  if ((a.v < v) == (b.v < v)) return;
-  stretch.Add(a.u + (b.u - a.u) * ((v - a.v) / (b.v - a.v)));
+void AddEdge(Vector2 a, Vector2 b, double v, CoveredStretch& stretch) {
+  if ((a.y() < v) == (b.y() < v)) return;
+  stretch.Add(a.x() + (b.x() - a.x()) * ((v - a.y()) / (b.y() - a.y())));
 }
 
 /// A disc at either end, and the sides between: all that a row meets hangs together.
@@ -54,12 +51,12 @@ CoveredStretch Across(const Bead& bead, double v) {
   CoveredStretch stretch;
   AddDisc(bead.a, bead.ra, v, stretch);
   AddDisc(bead.b, bead.rb, v, stretch);
-  const double du = bead.b.u - bead.a.u, dv = bead.b.v - bead.a.v;
+  const double du = bead.b.x() - bead.a.x(), dv = bead.b.y() - bead.a.y();
   const double length = std::sqrt(du * du + dv * dv);
   if (length == 0) return stretch;
   for (const double side : {-1 / length, 1 / length}) {
-    const auto aside = [&](Place p, double radius) {
-      return Place{p.u - side * radius * dv, p.v + side * radius * du};
+    const auto aside = [&](Vector2 p, double radius) {
+      return Vector2{p.x() - side * radius * dv, p.y() + side * radius * du};
     };
     AddEdge(aside(bead.a, bead.ra), aside(bead.b, bead.rb), v, stretch);
   }
@@ -85,11 +82,11 @@ class CoverRows {
     ForEachRing(region, [&](const Polygon& ring) { AddRing(ring); });
   }
 
-  Place PlaceOf(Point p) const { return {frame_.U(p), frame_.V(p)}; }
+  Vector2 PlaceOf(Point p) const { return {frame_.U(p), frame_.V(p)}; }
 
   void Add(const Bead& bead) {
-    ForEachRow(std::min(bead.a.v - bead.ra, bead.b.v - bead.rb),
-               std::max(bead.a.v + bead.ra, bead.b.v + bead.rb), [&](size_t row, double v) {
+    ForEachRow(std::min(bead.a.y() - bead.ra, bead.b.y() - bead.rb),
+               std::max(bead.a.y() + bead.ra, bead.b.y() + bead.rb), [&](size_t row, double v) {
                  const CoveredStretch stretch = Across(bead, v);
                  if (!stretch.IsEmpty()) beads_[row].push_back(stretch);
                });
@@ -120,10 +117,10 @@ class CoverRows {
 
   void AddRing(const Polygon& ring) {
     for (size_t i = 0; i < ring.size(); ++i) {
-      const Place a = PlaceOf(ring[i]), b = PlaceOf(ring[i + 1 == ring.size() ? 0 : i + 1]);
-      ForEachRow(std::min(a.v, b.v), std::max(a.v, b.v), [&](size_t row, double v) {
-        if ((a.v < v) != (b.v < v))
-          edges_[row].push_back(a.u + (b.u - a.u) * ((v - a.v) / (b.v - a.v)));
+      const Vector2 a = PlaceOf(ring[i]), b = PlaceOf(ring[i + 1 == ring.size() ? 0 : i + 1]);
+      ForEachRow(std::min(a.y(), b.y()), std::max(a.y(), b.y()), [&](size_t row, double v) {
+        if ((a.y() < v) != (b.y() < v))
+          edges_[row].push_back(a.x() + (b.x() - a.x()) * ((v - a.y()) / (b.y() - a.y())));
       });
     }
   }

@@ -66,7 +66,7 @@ struct Pair {
   std::vector<Spot> spots;  ///< on b, in order
 };
 
-bool Cross(Point a, Point b, Point c, Point d) {
+bool DoSegmentsCross(Point a, Point b, Point c, Point d) {
   const auto apart = [](Coord p, Coord q, Coord r, Coord s) {
     return std::max(p, q) < std::min(r, s) || std::max(r, s) < std::min(p, q);
   };
@@ -245,7 +245,7 @@ class Linker {
              spacing_;
     const Bridge bridge{{cut, other}, same_way};
     const Point r0 = places_.At(to, t0), r1 = places_.At(to, t1);
-    if (p0 == r0 || p1 == r1 || Cross(p0, r0, p1, r1)) return std::nullopt;
+    if (p0 == r0 || p1 == r1 || DoSegmentsCross(p0, r0, p1, r1)) return std::nullopt;
     if (!IsClear(p0, r0, bridge) || !IsClear(p1, r1, bridge)) return std::nullopt;
     return bridge;
   }
@@ -292,21 +292,22 @@ class Linker {
     const Point from = part(kShorter), to = part(length - kShorter);
     bool clear = !may_link_ || may_link_(from, to);
     places_.ForEachEdgeNear(from, to, [&](const RingPlaces::Edge& edge) {
-      if (!clear || !Cross(from, to, edge.from, edge.to)) return;
+      if (!clear || !DoSegmentsCross(from, to, edge.from, edge.to)) return;
       clear = IsCutAway(edge, from, to, bridge);
     });
     if (!clear) return false;
-    links_.ForEachNear(
-        from, to, 1, [&](End end) { clear = clear && !Cross(from, to, At(end), At(Across(end))); });
+    links_.ForEachNear(from, to, 1, [&](End end) {
+      clear = clear && !DoSegmentsCross(from, to, At(end), At(Across(end)));
+    });
     return clear;
   }
 
   /// True if what a segment crosses of an edge is not there any more.
   bool IsCutAway(const RingPlaces::Edge& edge, Point from, Point to, const Bridge& bridge) const {
     const Point way = to - from, d = edge.to - edge.from;
-    const double turn = slicefarm::Cross(d, way);
+    const double turn = Cross(d, way);
     if (turn == 0) return false;
-    const double part = slicefarm::Cross(from - edge.from, way) / turn;
+    const double part = Cross(from - edge.from, way) / turn;
     const double place =
         places_.PlaceOn(edge, {edge.from.x + std::llround(part * static_cast<double>(d.x)),
                                edge.from.y + std::llround(part * static_cast<double>(d.y))});

@@ -38,9 +38,9 @@ TEST(ArcChords, LieOnTheArcAndEndAtItsEnd) {
   const auto ends = ArcChords(arc, 10 * arc.Angle(), 1);
   ASSERT_EQ(ends.size(), 31);
   EXPECT_EQ(ends.back(), arc.to);
-  for (const ArcPlace& end : ends) {
-    EXPECT_NEAR(std::hypot(end.x, end.y), 10, 1e-6);
-    EXPECT_GE(end.y, 0) << "counter-clockwise";
+  for (const Vector2& end : ends) {
+    EXPECT_NEAR(std::hypot(end.x(), end.y()), 10, 1e-6);
+    EXPECT_GE(end.y(), 0) << "counter-clockwise";
   }
   EXPECT_EQ(ArcChords(arc, 0.5, 1).size(), 1) << "shorter than a chord";
 }

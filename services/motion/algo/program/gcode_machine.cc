@@ -187,12 +187,12 @@ GcodeAction GcodeMachine::ArcTo(const GcodeLine& line) {
   const double length = Hypot(radius * arc.Angle(), rise);
   const double chord =
       arc_segment_mm_ > 0 ? arc_segment_mm_ : firmware_.ArcSegmentMm(radius, speed);
-  const std::vector<ArcPlace> ends = ArcChords(arc, length, chord);
+  const std::vector<Vector2> ends = ArcChords(arc, length, chord);
   const auto count = static_cast<double>(ends.size());
   for (size_t i = 0; i < ends.size(); ++i) {
     const double share = static_cast<double>(i + 1) / count;
     const bool last = i + 1 == ends.size();
-    Push({ends[i].x, ends[i].y, last ? to[kZ] : start[kZ] + share * rise,
+    Push({ends[i].x(), ends[i].y(), last ? to[kZ] : start[kZ] + share * rise,
           last ? to[kE] : start[kE] + share * (to[kE] - start[kE])},
          speed);
   }

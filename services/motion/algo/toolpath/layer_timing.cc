@@ -75,13 +75,13 @@ void LayerTiming::QueueArc(const EdgeMove& from, const EdgeMove& to, const MoveA
   const auto ends = ArcChords(way, radius * way.Angle(), firmware_.ArcSegmentMm(radius, speed));
   const double filament_mm =
       static_cast<double>(filament) / kFilamentUnitsPerMm / static_cast<double>(ends.size());
-  ArcPlace at = way.from;
-  for (const ArcPlace end : ends) {
-    const double length = Hypot(end.x - at.x, end.y - at.y);
+  Vector2 at = way.from;
+  for (const Vector2& end : ends) {
+    const double length = Hypot(end.x() - at.x(), end.y() - at.y());
     const double scale = 1 / length;
     if (length > 0)
       Queue({length,
-             {(end.x - at.x) * scale, (end.y - at.y) * scale, 0, filament_mm * scale},
+             {(end.x() - at.x()) * scale, (end.y() - at.y()) * scale, 0, filament_mm * scale},
              speed,
              to.acceleration_mm_s2},
             times_.size() - 1);

@@ -63,7 +63,7 @@ LayerBelow::LayerBelow(const MultiPolygon& outlines) : edges_(outlines, kSquareN
 
 /// The middle of a square, aside of whole nanometres: no corner of an outline lies on lines through
 /// it.
-LayerBelow::Middle LayerBelow::MiddleOf(int32_t row, int32_t column) const {
+Vector2 LayerBelow::MiddleOf(int32_t row, int32_t column) const {
   const auto square = static_cast<double>(edges_.square_nm());
   const Point least = edges_.bounds().min;
   return {static_cast<double>(least.x) + (column + 0.5) * square + kAside,
@@ -80,10 +80,10 @@ void LayerBelow::FindMiddlesInside() {
     const Edge& edge = edges_.At(i);
     const int32_t last = edges_.Row(std::max(edge.a.y, edge.b.y));
     for (int32_t row = edges_.Row(std::min(edge.a.y, edge.b.y)); row <= last; ++row) {
-      const auto x = XAt(MiddleOf(row, 0).y, edge.a, edge.b);
+      const auto x = XAt(MiddleOf(row, 0).y(), edge.a, edge.b);
       if (!x) continue;
       int32_t column = edges_.Column(static_cast<Coord>(*x));
-      if (MiddleOf(row, column).x < *x) ++column;
+      if (MiddleOf(row, column).x() < *x) ++column;
       if (column == columns_) continue;
       const auto square = static_cast<size_t>(row) * columns_ + column;
       middle_inside_[square] = !middle_inside_[square];
@@ -118,14 +118,14 @@ bool LayerBelow::Covers(Point point) const {
       point.y > box.max.y)
     return false;
   const int32_t row = edges_.Row(point.y), column = edges_.Column(point.x);
-  const Middle middle = MiddleOf(row, column);
+  const Vector2 middle = MiddleOf(row, column);
   const double x = static_cast<double>(point.x) + kAside, y = static_cast<double>(point.y);
   bool inside = middle_inside_[static_cast<size_t>(row) * columns_ + column];
   edges_.ForEachNear({point, point}, [&](int32_t i) {
     const Edge& edge = edges_.At(i);
-    if (const auto at = YAt(x, edge.a, edge.b); at && (*at > y) != (*at > middle.y))
+    if (const auto at = YAt(x, edge.a, edge.b); at && (*at > y) != (*at > middle.y()))
       inside = !inside;
-    if (const auto at = XAt(middle.y, edge.a, edge.b); at && (*at > x) != (*at > middle.x))
+    if (const auto at = XAt(middle.y(), edge.a, edge.b); at && (*at > x) != (*at > middle.x()))
       inside = !inside;
   });
   return inside;

@@ -8,6 +8,11 @@
 
 #include "common/geometry/edge_index.h"
 #include "common/geometry/polygon.h"
+<<<<<<< HEAD
+=======
+#include "common/geometry/vector.h"
+#include "common/model/options/motion_options.h"
+>>>>>>> 4d16e86d (Vectors are Eigen's everywhere: 23 private vector types are gone)
 #include "services/motion/algo/toolpath/path_segment.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
@@ -32,11 +37,7 @@ class LayerBelow {
 
  private:
   using Edge = EdgeIndex::Edge;
-  struct Middle {
-    double x = 0, y = 0;
-  };
-
-  Middle MiddleOf(int32_t row, int32_t column) const;
+  Vector2 MiddleOf(int32_t row, int32_t column) const;
   void FindMiddlesInside();
 
   EdgeIndex edges_;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/geometry/arc_fit.h"
+#include "common/geometry/vector.h"
 #include "common/model/bead_section.h"
 #include "services/motion/algo/toolpath/divided_path.h"
 #include "services/motion/algo/toolpath/toolpath.h"
@@ -34,18 +35,6 @@ constexpr double kShortBeadShare = 0.05, kInnerShortBeadShare = 0.1;
 /// What rounding of doubles may do to a distance.
 constexpr double kSlackUm = 1e-3;
 
-/// Um.
-struct UmVector {
-  double x = 0;
-  double y = 0;
-
-  friend bool operator==(const UmVector&, const UmVector&) = default;
-};
-
-UmVector operator-(UmVector a, UmVector b) { return {a.x - b.x, a.y - b.y}; }
-double Cross(UmVector a, UmVector b) { return a.x * b.y - a.y * b.x; }
-double Dot(UmVector a, UmVector b) { return a.x * b.x + a.y * b.y; }
-double Length(UmVector a) { return std::sqrt(Dot(a, a)); }
 /// As std::round, without a call.
 double Rounded(double um) {
   return static_cast<double>(static_cast<int64_t>(um < 0 ? um - 0.5 : um + 0.5));
@@ -54,14 +43,14 @@ double Rounded(double um) {
 /// A place to which the path leads in the text. What leads there is said of the way from the node
 /// before.
 struct Node {
-  Point point;     ///< of the path
-  UmVector place;  ///< whole um
+  Point point;                      ///< of the path
+  Vector2 place = Vector2::Zero();  ///< whole um
   Coord narrowest_nm = 0, widest_nm = 0;
   double along = 0;  ///< length from the start, um
   double area = 0;   ///< width times length, from the start
   /// Where a bead may end instead, outside of the curve: beads that run on either side of it are
   /// longer. The same as `place` at corners and ends, and where none could be longer.
-  UmVector outside;
+  Vector2 outside = Vector2::Zero();
   bool stays = true;  ///< no bead passes it
 
   Coord MeanWidthNm() const { return (narrowest_nm + widest_nm) / 2; }
@@ -71,7 +60,7 @@ struct Node {
 std::vector<Node> NodesOf(const Path& path) {
   const auto node_at = [&](size_t i) {
     const Point point = path.points[i];
-    const UmVector place = {static_cast<double>(ToUm(point.x)), static_cast<double>(ToUm(point.y))};
+    const Vector2 place = {static_cast<double>(ToUm(point.x)), static_cast<double>(ToUm(point.y))};
     return Node{.point = point, .place = place, .outside = place};
   };
   const size_t count = path.points.size();
@@ -98,9 +87,9 @@ std::vector<Node> NodesOf(const Path& path) {
 /// twice the tolerance wide. Most of solid infill are such nodes.
 void FindStays(double tolerance_um, std::vector<Node>& nodes) {
   for (size_t i = 1; i + 1 < nodes.size(); ++i) {
-    const UmVector in = nodes[i].place - nodes[i - 1].place;
-    const UmVector out = nodes[i + 1].place - nodes[i].place;
-    const UmVector across = nodes[i + 1].place - nodes[i - 1].place;
+    const Vector2 in = nodes[i].place - nodes[i - 1].place;
+    const Vector2 out = nodes[i + 1].place - nodes[i].place;
+    const Vector2 across = nodes[i + 1].place - nodes[i - 1].place;
     const double longest = std::max({Dot(in, in), Dot(out, out), Dot(across, across)});
     const double turn = Cross(in, out);
     nodes[i].stays = turn * turn > 4 * tolerance_um * tolerance_um * longest;
@@ -113,15 +102,14 @@ void FindOutsides(double tolerance_um, std::vector<Node>& nodes) {
   if (away <= 0) return;
   for (size_t i = 1; i + 1 < nodes.size(); ++i) {
     if (nodes[i - 1].stays && nodes[i + 1].stays) continue;
-    const UmVector in = nodes[i].place - nodes[i - 1].place;
-    const UmVector out = nodes[i + 1].place - nodes[i].place;
-    const double in_length = Length(in), out_length = Length(out), turn = Cross(in, out);
+    const Vector2 in = nodes[i].place - nodes[i - 1].place;
+    const Vector2 out = nodes[i + 1].place - nodes[i].place;
+    const double in_length = Norm(in), out_length = Norm(out), turn = Cross(in, out);
     if (turn == 0 || Dot(in, out) < kCornerCosine * in_length * out_length) continue;
-    const UmVector mean = {in.x / in_length + out.x / out_length,
-                           in.y / in_length + out.y / out_length};
-    const double share = away / Length(mean) * (turn > 0 ? 1 : -1);
-    nodes[i].outside.x += Rounded(mean.y * share);
-    nodes[i].outside.y -= Rounded(mean.x * share);
+    const Vector2 mean = in / in_length + out / out_length;
+    const double share = away / Norm(mean) * (turn > 0 ? 1 : -1);
+    nodes[i].outside.x() += Rounded(mean.y() * share);
+    nodes[i].outside.y() -= Rounded(mean.x() * share);
   }
 }
 
@@ -130,13 +118,15 @@ void FindOutsides(double tolerance_um, std::vector<Node>& nodes) {
 class Cone {
  public:
   /// Leaves those that pass the disc around `centre`, seen from the point, which lies outside.
-  void Narrow(UmVector centre, double radius) {
+  void Narrow(Vector2 centre, double radius) {
     if (!told_) axis_ = centre;
     told_ = true;
     // Tangents, as long as they come.
     const double c = std::sqrt(Dot(centre, centre) - radius * radius);
-    const UmVector right = {centre.x * c + centre.y * radius, centre.y * c - centre.x * radius};
-    const UmVector left = {centre.x * c - centre.y * radius, centre.y * c + centre.x * radius};
+    const Vector2 right = {centre.x() * c + centre.y() * radius,
+                           centre.y() * c - centre.x() * radius};
+    const Vector2 left = {centre.x() * c - centre.y() * radius,
+                          centre.y() * c + centre.x() * radius};
     const Slope least = SlopeOf(right), most = SlopeOf(left);
     if (least_ < least) least_ = least;
     if (most < most_) most_ = most;
@@ -144,7 +134,7 @@ class Cone {
 
   bool Empty() const { return told_ && !(least_ < most_); }
 
-  bool Holds(UmVector direction) const {
+  bool Holds(Vector2 direction) const {
     if (!told_) return true;
     const Slope slope = {Cross(axis_, direction), Dot(axis_, direction)};
     return slope.ahead > 0 && !(slope < least_) && !(most_ < slope);
@@ -162,14 +152,14 @@ class Cone {
   };
 
   /// Without end where the angle is a right one or more. So a cone that lies behind leaves nothing.
-  Slope SlopeOf(UmVector direction) const {
+  Slope SlopeOf(Vector2 direction) const {
     const double ahead = Dot(axis_, direction), aside = Cross(axis_, direction);
     if (ahead > 0) return {aside, ahead};
     return {aside > 0 ? 1.0 : -1.0, 0};
   }
 
   bool told_ = false;
-  UmVector axis_;  ///< the first disc's direction, which all others are seen from
+  Vector2 axis_ = Vector2::Zero();  ///< the first disc's direction, which all others are seen from
   Slope least_ = {-1, 0};
   Slope most_ = {1, 0};
 };
@@ -194,7 +184,7 @@ struct Tolerance {
 class Reach {
  public:
   /// `begin`: where they begin.
-  Reach(const Node& from, UmVector begin, const Tolerance& tolerance)
+  Reach(const Node& from, Vector2 begin, const Tolerance& tolerance)
       : from_(from), begin_(begin), tolerance_(tolerance) {}
 
   /// Goes on to the next node.
@@ -217,25 +207,26 @@ class Reach {
 
   /// The squared deviations of the nodes passed from a bead to `end`, at or beside the node taken
   /// last; nothing if it may not stand for them.
-  std::optional<double> DeviationTo(UmVector end) const {
-    const UmVector way = end - begin_;
+  std::optional<double> DeviationTo(Vector2 end) const {
+    const Vector2 way = end - begin_;
     const double squared = Dot(way, way);
     if (!even_ || squared == 0 || squared < farthest_ || !cone_.Holds(way)) return std::nullopt;
     const double least = std::max(0.0, kLeastShare * length_ - kLengthSlackUm);
     if (least * least > squared) return std::nullopt;
-    return (way.y * way.y * xx_ - 2 * way.x * way.y * xy_ + way.x * way.x * yy_) / squared;
+    return (way.y() * way.y() * xx_ - 2 * way.x() * way.y() * xy_ + way.x() * way.x() * yy_) /
+           squared;
   }
 
   /// Lets beads pass the node taken last. False if none may.
-  bool Pass(UmVector place) {
-    const UmVector way = place - begin_;
+  bool Pass(Vector2 place) {
+    const Vector2 way = place - begin_;
     const double squared = Dot(way, way);
     farthest_ = std::max(farthest_, squared);
     const double away = tolerance_.place_um;
     if (squared > away * away) cone_.Narrow(way, away);
-    xx_ += way.x * way.x;
-    xy_ += way.x * way.y;
-    yy_ += way.y * way.y;
+    xx_ += way.x() * way.x();
+    xy_ += way.x() * way.y();
+    yy_ += way.y() * way.y();
     return !cone_.Empty() && (widest_ == narrowest_ ||
                               widest_ - narrowest_ <= tolerance_.OfWidth(widest_, length_) +
                                                           tolerance_.OfWidth(narrowest_, length_));
@@ -243,7 +234,7 @@ class Reach {
 
  private:
   const Node& from_;
-  const UmVector begin_;
+  const Vector2 begin_;
   const Tolerance tolerance_;
   Cone cone_;
   Coord narrowest_ = std::numeric_limits<Coord>::max();
@@ -261,7 +252,7 @@ struct Stop {
   bool on_arc = false;  ///< the bead is a piece of an arc
 };
 
-UmVector EndAt(const Node& node, bool outside) { return outside ? node.outside : node.place; }
+Vector2 EndAt(const Node& node, bool outside) { return outside ? node.outside : node.place; }
 
 /// The best way to a stop that is known.
 struct Way {
@@ -321,7 +312,7 @@ class FewestBeads {
   void Improve(Stop stop, Stop from, std::optional<double> deviation) {
     if (!deviation) return;
     const Node& node = nodes_[stop.node];
-    const UmVector away = EndAt(node, stop.outside) - node.place;
+    const Vector2 away = EndAt(node, stop.outside) - node.place;
     const Way& before = WayTo(from);
     const Way way = {before.beads + 1, before.deviation + *deviation + Dot(away, away), from};
     Way& best = ways_[stop.node][stop.outside];
@@ -347,7 +338,8 @@ std::vector<NodeArc> ArcsOf(std::span<const Node> nodes) {
   for (size_t first = 0; first + 1 < nodes.size();) {
     std::vector<PlaceUm> places;
     const auto add = [&](const Node& node) {
-      places.push_back({static_cast<int32_t>(node.place.x), static_cast<int32_t>(node.place.y)});
+      places.push_back(
+          {static_cast<int32_t>(node.place.x()), static_cast<int32_t>(node.place.y())});
     };
     add(nodes[first]);
     const int32_t width_um = ToUm(nodes[first + 1].MeanWidthNm());
@@ -400,8 +392,8 @@ void PutBeads(std::span<const Node> nodes, std::span<const Stop> stops, Simplifi
   Path& path = simple.path;
   const auto put = [&](Stop stop, Coord width_nm) {
     const Node& node = nodes[stop.node];
-    path.points.push_back(stop.outside ? Point{std::llround(node.outside.x * kNmPerUm),
-                                               std::llround(node.outside.y * kNmPerUm)}
+    path.points.push_back(stop.outside ? Point{std::llround(node.outside.x() * kNmPerUm),
+                                               std::llround(node.outside.y() * kNmPerUm)}
                                        : node.point);
     path.widths_nm.push_back(width_nm);
     simple.on_arc.push_back(stop.on_arc);

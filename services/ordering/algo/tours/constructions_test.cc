@@ -11,7 +11,7 @@ namespace {
 using ::testing::ElementsAre;
 
 Costs OnALine(const std::vector<double>& xs) {
-  std::vector<Place> places;
+  std::vector<Vector2> places;
   for (const double x : xs) places.push_back({x, 0});
   return Costs::OfPlaces(places, Metric::kNearest);
 }

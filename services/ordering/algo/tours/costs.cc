@@ -5,7 +5,7 @@
 
 namespace slicefarm::ordering {
 
-Costs Costs::OfPlaces(std::vector<Place> places, Metric metric) {
+Costs Costs::OfPlaces(std::vector<Vector2> places, Metric metric) {
   Costs costs(static_cast<int32_t>(places.size()), metric);
   costs.places_ = std::move(places);
   return costs;

@@ -5,12 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace slicefarm::ordering {
+#include "common/geometry/vector.h"
 
-struct Place {
-  double x = 0;
-  double y = 0;
-};
+namespace slicefarm::ordering {
 
 /// How lengths between places are rounded to whole units. The first three are TSPLIB's EUC_2D,
 /// CEIL_2D and ATT; kTable looks them up.
@@ -21,7 +18,7 @@ enum class Metric : uint8_t { kNearest, kUp, kAtt, kTable };
 class Costs {
  public:
   /// REQUIRES: metric is not kTable.
-  static Costs OfPlaces(std::vector<Place> places, Metric metric);
+  static Costs OfPlaces(std::vector<Vector2> places, Metric metric);
   /// `lengths`: row by row, size * size of them, symmetric.
   static Costs OfTable(int32_t size, std::vector<int32_t> lengths);
 
@@ -31,14 +28,14 @@ class Costs {
   int32_t size() const { return size_; }
   bool has_places() const { return metric_ != Metric::kTable; }
   bool IsNowhere(int32_t node) const { return node == nowhere_; }
-  const std::vector<Place>& places() const { return places_; }
+  const std::vector<Vector2>& places() const { return places_; }
 
   int64_t operator()(int32_t a, int32_t b) const {
     if (metric_ == Metric::kTable) return Looked(a, b);
     if (a == nowhere_ || b == nowhere_) return 0;
-    const Place& p = places_[static_cast<size_t>(a)];
-    const Place& q = places_[static_cast<size_t>(b)];
-    const double square = (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
+    const Vector2& p = places_[static_cast<size_t>(a)];
+    const Vector2& q = places_[static_cast<size_t>(b)];
+    const double square = (p.x() - q.x()) * (p.x() - q.x()) + (p.y() - q.y()) * (p.y() - q.y());
     if (metric_ == Metric::kNearest) return static_cast<int64_t>(std::sqrt(square) + 0.5);
     return RoundedUp(square);
   }
@@ -52,7 +49,7 @@ class Costs {
   int32_t size_;
   Metric metric_;
   int32_t nowhere_ = -1;
-  std::vector<Place> places_;
+  std::vector<Vector2> places_;
   std::vector<int32_t> table_;
 };
 

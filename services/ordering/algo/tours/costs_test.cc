@@ -9,7 +9,7 @@ namespace {
 struct RoundingCase {
   const char* name;
   Metric metric;
-  Place to;
+  Vector2 to = Vector2::Zero();
   int64_t length;
 };
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "common/geometry/vector.h"
 #include "services/ordering/algo/tours/costs.h"
 #include "services/ordering/algo/tours/tsplib.h"
 
@@ -49,12 +50,12 @@ inline int64_t ShortestTour(const Costs& costs) {
   return ShortestTour(costs, [](int32_t, int32_t) { return true; });
 }
 
-inline std::vector<Place> RandomPlaces(size_t count, uint32_t seed, int range = 1000) {
+inline std::vector<Vector2> RandomPlaces(size_t count, uint32_t seed, int range = 1000) {
   std::mt19937 random(seed);
-  std::vector<Place> places(count);
-  for (Place& place : places) {
-    place.x = static_cast<double>(random() % static_cast<uint32_t>(range));
-    place.y = static_cast<double>(random() % static_cast<uint32_t>(range));
+  std::vector<Vector2> places(count);
+  for (Vector2& place : places) {
+    place.x() = static_cast<double>(random() % static_cast<uint32_t>(range));
+    place.y() = static_cast<double>(random() % static_cast<uint32_t>(range));
   }
   return places;
 }

@@ -29,7 +29,7 @@ std::vector<Neighbour> NearestOfTable(const Costs& costs, int32_t node, size_t c
 /// The nearest places, of any direction and of each.
 class PlaceFinder {
  public:
-  PlaceFinder(const Costs& costs, std::span<const Place> places) : costs_(costs), tree_(places) {}
+  PlaceFinder(const Costs& costs, std::span<const Vector2> places) : costs_(costs), tree_(places) {}
 
   std::vector<Neighbour> NearestOf(int32_t node, size_t count, size_t per_quadrant) {
     std::vector<Neighbour> found;

@@ -62,15 +62,16 @@ TEST(Neighbours, NowhereIsEverybodysFirst) {
 
 // Two clusters: without looking around, none would know of the other.
 TEST(Neighbours, OfEachQuadrant) {
-  std::vector<Place> places = RandomPlaces(20, 3, 10);
-  for (const Place& place : RandomPlaces(20, 4, 10)) places.push_back({place.x + 1e6, place.y});
+  std::vector<Vector2> places = RandomPlaces(20, 3, 10);
+  for (const Vector2& place : RandomPlaces(20, 4, 10))
+    places.push_back({place.x() + 1e6, place.y()});
   const Costs costs = Costs::OfPlaces(places, Metric::kNearest);
   const auto far_ones = [&](const Neighbours& neighbours) {
     return std::ranges::count_if(neighbours.Of(0),
                                  [](const Neighbour& near) { return near.node >= 20; });
   };
   EXPECT_EQ(far_ones(Neighbours(costs, 8, 0)), 0);
-  Place& first = places[0];
+  Vector2& first = places[0];
   first = {20, 5};  // to the right of its cluster
   const Neighbours neighbours(Costs::OfPlaces(places, Metric::kNearest), 8, 1);
   EXPECT_GE(far_ones(neighbours), 1);

@@ -12,10 +12,10 @@ double Squared(double x) { return x * x; }
 
 }  // namespace
 
-PlaceTree::PlaceTree(std::span<const Place> places) : position_(places.size()) {
+PlaceTree::PlaceTree(std::span<const Vector2> places) : position_(places.size()) {
   nodes_.reserve(places.size());
   for (uint32_t i = 0; i < places.size(); ++i) {
-    nodes_.push_back({places[i].x, places[i].y, i, 0, /*removed=*/false, /*split_x=*/true});
+    nodes_.push_back({places[i].x(), places[i].y(), i, 0, /*removed=*/false, /*split_x=*/true});
   }
   Build(0, nodes_.size());
   for (size_t i = 0; i < nodes_.size(); ++i) position_[nodes_[i].number] = static_cast<uint32_t>(i);
@@ -72,9 +72,9 @@ void PlaceTree::Count(size_t position, uint32_t more) {
   }
 }
 
-uint32_t PlaceTree::Nearest(Place to) const {
+uint32_t PlaceTree::Nearest(Vector2 to) const {
   Candidate best{std::numeric_limits<double>::infinity(), kNone};
-  SearchNearest(0, nodes_.size(), to.x, to.y, best);
+  SearchNearest(0, nodes_.size(), to.x(), to.y(), best);
   return best.number;
 }
 
@@ -97,11 +97,11 @@ void PlaceTree::SearchNearest(size_t first, size_t last, double x, double y,
   if (!lower_first) SearchNearest(first, middle, x, y, best);
 }
 
-void PlaceTree::NearestFew(Place to, uint32_t except, size_t count, std::vector<uint32_t>& found,
+void PlaceTree::NearestFew(Vector2 to, uint32_t except, size_t count, std::vector<uint32_t>& found,
                            std::optional<Quadrant> quadrant) const {
   found.clear();
   if (count == 0) return;
-  FewQuery query{to.x, to.y, except, count, quadrant, {}};
+  FewQuery query{to.x(), to.y(), except, count, quadrant, {}};
   query.best.reserve(count + 1);
   SearchFew(0, nodes_.size(), query);
   for (const Candidate& candidate : query.best) found.push_back(candidate.number);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "common/geometry/vector.h"
 #include "services/ordering/algo/tours/costs.h"
 
 namespace slicefarm::ordering {
@@ -17,7 +18,7 @@ class PlaceTree {
  public:
   static constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 
-  explicit PlaceTree(std::span<const Place> places);
+  explicit PlaceTree(std::span<const Vector2> places);
 
   /// REQUIRES: `number` is in the tree.
   void Remove(uint32_t number);
@@ -25,7 +26,7 @@ class PlaceTree {
   void Restore(uint32_t number);
 
   /// The nearest place that is still in the tree; kNone if there is none.
-  uint32_t Nearest(Place to) const;
+  uint32_t Nearest(Vector2 to) const;
 
   /// Places on one side of a place in x and in y.
   struct Quadrant {
@@ -35,7 +36,7 @@ class PlaceTree {
 
   /// Up to `count` places still in the tree other than `except`, nearest first; with a quadrant
   /// only those in it.
-  void NearestFew(Place to, uint32_t except, size_t count, std::vector<uint32_t>& found,
+  void NearestFew(Vector2 to, uint32_t except, size_t count, std::vector<uint32_t>& found,
                   std::optional<Quadrant> quadrant = {}) const;
 
  private:

@@ -18,7 +18,7 @@ TEST(PlaceTree, Empty) {
 }
 
 TEST(PlaceTree, FindsAndForgets) {
-  const std::vector<Place> places = {{0, 0}, {10, 0}, {20, 0}};
+  const std::vector<Vector2> places = {{0, 0}, {10, 0}, {20, 0}};
   PlaceTree tree(places);
   EXPECT_EQ(tree.Nearest({9, 1}), 1);
   tree.Remove(1);
@@ -31,7 +31,7 @@ TEST(PlaceTree, FindsAndForgets) {
 }
 
 TEST(PlaceTree, NoPlaceIsItsOwnNeighbour) {
-  const std::vector<Place> places = {{0, 0}, {0, 0}, {5, 0}, {6, 0}};
+  const std::vector<Vector2> places = {{0, 0}, {0, 0}, {5, 0}, {6, 0}};
   const PlaceTree tree(places);
   std::vector<uint32_t> found;
   tree.NearestFew({0, 0}, 0, 10, found);
@@ -43,16 +43,16 @@ TEST(PlaceTree, NoPlaceIsItsOwnNeighbour) {
 TEST(PlaceTree, AgreesWithLookingAtAll) {
   std::mt19937 random(1);
   std::uniform_int_distribution<int> coord(-50, 50);  // small, so that places coincide
-  std::vector<Place> places(300);
-  for (Place& place : places) place = {1.0 * coord(random), 1.0 * coord(random)};
+  std::vector<Vector2> places(300);
+  for (Vector2& place : places) place = {1.0 * coord(random), 1.0 * coord(random)};
   PlaceTree tree(places);
   std::vector<uint32_t> left(places.size());
   for (uint32_t i = 0; i < left.size(); ++i) left[i] = i;
   while (!left.empty()) {
-    const Place query{1.0 * coord(random), 1.0 * coord(random)};
+    const Vector2 query{1.0 * coord(random), 1.0 * coord(random)};
     const auto distance2 = [&](uint32_t i) {
-      const double dx = places[i].x - query.x;
-      const double dy = places[i].y - query.y;
+      const double dx = places[i].x() - query.x();
+      const double dy = places[i].y() - query.y();
       return dx * dx + dy * dy;
     };
     const auto nearer = [&](uint32_t a, uint32_t b) { return distance2(a) < distance2(b); };
@@ -78,7 +78,7 @@ TEST(PlaceTree, AgreesWithLookingAtAll) {
         tree.NearestFew(query, PlaceTree::kNone, 3, few, PlaceTree::Quadrant{right, above});
         std::vector<uint32_t> there;
         for (const uint32_t i : left) {
-          if ((places[i].x >= query.x) == right && (places[i].y >= query.y) == above)
+          if ((places[i].x() >= query.x()) == right && (places[i].y() >= query.y()) == above)
             there.push_back(i);
         }
         std::stable_sort(there.begin(), there.end(), nearer);

@@ -103,23 +103,23 @@ INSTANTIATE_TEST_SUITE_P(TourSearch, DepthTest,
 // On a grid of even sides the shortest tour has as many edges of length one as nodes: however it
 // is turned, mirrored, moved, numbered or scaled, that is found.
 TEST(TourSearch, FindsTheSameHoweverThePlacesLie) {
-  using Transform = Place (*)(Place);
-  const std::vector<Transform> transforms = {[](Place p) { return p; },
-                                             [](Place p) {
-                                               return Place{-p.y, p.x};
+  using Transform = Vector2 (*)(Vector2);
+  const std::vector<Transform> transforms = {[](Vector2 p) { return p; },
+                                             [](Vector2 p) {
+                                               return Vector2{-p.y(), p.x()};
                                              },
-                                             [](Place p) {
-                                               return Place{-p.x, p.y};
+                                             [](Vector2 p) {
+                                               return Vector2{-p.x(), p.y()};
                                              },
-                                             [](Place p) {
-                                               return Place{p.x + 1e6, p.y - 3e5};
+                                             [](Vector2 p) {
+                                               return Vector2{p.x() + 1e6, p.y() - 3e5};
                                              },
-                                             [](Place p) {
-                                               return Place{1000 * p.x, 1000 * p.y};
+                                             [](Vector2 p) {
+                                               return Vector2{1000 * p.x(), 1000 * p.y()};
                                              }};
   std::mt19937 random(2);
   for (size_t i = 0; i < transforms.size(); ++i) {
-    std::vector<Place> places;
+    std::vector<Vector2> places;
     for (int x = 0; x < 6; ++x)
       for (int y = 0; y < 5; ++y) places.push_back(transforms[i]({10.0 * x, 10.0 * y}));
     for (size_t k = places.size() - 1; k > 0; --k) std::swap(places[k], places[random() % (k + 1)]);

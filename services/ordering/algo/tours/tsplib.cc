@@ -129,7 +129,7 @@ absl::StatusOr<int32_t> SizeOf(const Specification& specification, int32_t limit
   return static_cast<int32_t>(*size);
 }
 
-absl::StatusOr<std::vector<Place>> PlacesOf(const Specification& specification, int32_t size) {
+absl::StatusOr<std::vector<Vector2>> PlacesOf(const Specification& specification, int32_t size) {
   const auto section = specification.sections.find("NODE_COORD_SECTION");
   if (section == specification.sections.end())
     return Malformed(specification.lines, "there is no NODE_COORD_SECTION");
@@ -139,7 +139,7 @@ absl::StatusOr<std::vector<Place>> PlacesOf(const Specification& specification, 
                      Text("NODE_COORD_SECTION has ", words.size(), " numbers, for ", size,
                           " nodes it takes ", 3 * int64_t{size}));
   }
-  std::vector<std::optional<Place>> places(static_cast<size_t>(size));
+  std::vector<std::optional<Vector2>> places(static_cast<size_t>(size));
   for (size_t i = 0; i < words.size(); i += 3) {
     const absl::StatusOr<int32_t> node = NodeOf(words[i], size);
     const absl::StatusOr<double> x = NumberOf(words[i + 1]);
@@ -149,13 +149,13 @@ absl::StatusOr<std::vector<Place>> PlacesOf(const Specification& specification, 
     }
     if (std::abs(*x) > kGreatestWeight || std::abs(*y) > kGreatestWeight)
       return Malformed(words[i].line, "a coordinate beyond 1e9");
-    std::optional<Place>& place = places[static_cast<size_t>(*node)];
+    std::optional<Vector2>& place = places[static_cast<size_t>(*node)];
     if (place) return Malformed(words[i].line, Text("node ", *node + 1, " comes twice"));
-    place = Place{*x, *y};
+    place = Vector2{*x, *y};
   }
-  std::vector<Place> all;
+  std::vector<Vector2> all;
   all.reserve(places.size());
-  for (const std::optional<Place>& place : places) all.push_back(*place);
+  for (const std::optional<Vector2>& place : places) all.push_back(*place);
   return all;
 }
 
@@ -166,14 +166,14 @@ double Radians(double degrees_minutes) {
 }
 
 /// TSPLIB's distances on the globe, in km.
-Costs OnTheGlobe(const std::vector<Place>& places) {
+Costs OnTheGlobe(const std::vector<Vector2>& places) {
   const size_t size = places.size();
   std::vector<int32_t> table(size * size, 0);
   for (size_t a = 0; a < size; ++a) {
     for (size_t b = 0; b < a; ++b) {
-      const double q1 = Cos(Radians(places[a].y) - Radians(places[b].y));
-      const double q2 = Cos(Radians(places[a].x) - Radians(places[b].x));
-      const double q3 = Cos(Radians(places[a].x) + Radians(places[b].x));
+      const double q1 = Cos(Radians(places[a].y()) - Radians(places[b].y()));
+      const double q2 = Cos(Radians(places[a].x()) - Radians(places[b].x()));
+      const double q3 = Cos(Radians(places[a].x()) + Radians(places[b].x()));
       const double cosine = 0.5 * ((1.0 + q1) * q2 - (1.0 - q1) * q3);
       const auto km = static_cast<int32_t>(6378.388 * Acos(std::clamp(cosine, -1.0, 1.0)) + 1.0);
       table[a * size + b] = table[b * size + a] = km;
@@ -187,8 +187,8 @@ absl::StatusOr<Costs> GeographicCosts(const Specification& specification) {
   if (!size.ok()) return size.status();
   const auto places = PlacesOf(specification, *size);
   if (!places.ok()) return places.status();
-  for (const Place& place : *places) {
-    if (std::abs(place.x) > 360 || std::abs(place.y) > 360)
+  for (const Vector2& place : *places) {
+    if (std::abs(place.x()) > 360 || std::abs(place.y()) > 360)
       return Malformed(specification.lines, "a coordinate beyond 360 degrees");
   }
   return OnTheGlobe(*places);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "common/base/portable_math.h"
+#include "common/geometry/vector.h"
 #include "services/planning/algo/ring_shape.h"
 
 namespace slicefarm::planning {
@@ -25,17 +26,12 @@ constexpr std::array<double, 4> kSideways = {-std::numbers::pi / 3, -std::number
                                              std::numbers::pi / 9, std::numbers::pi / 3};
 constexpr std::array<double, 3> kSlopes = {-1, 0, 1};  // dz by horizontal length
 
-struct Direction {
-  double x = 0;
-  double y = 0;
-};
-
-Direction DirectionOf(double angle_rad) { return {Cos(angle_rad), Sin(angle_rad)}; }
+Vector2 DirectionOf(double angle_rad) { return {Cos(angle_rad), Sin(angle_rad)}; }
 
 /// Of places with the same direction outwards.
 struct Rays {
-  Direction outward;
-  std::array<Direction, kSideways.size()> sideways;
+  Vector2 outward;
+  std::array<Vector2, kSideways.size()> sideways;
 };
 
 const Rays& RaysOf(int outward) {
@@ -61,8 +57,8 @@ double RowsCrossed(const MultiPolygon& outlines) {
   double rows = 0;
   ForEachRing(outlines, [&](const Polygon& ring) {
     for (size_t i = 0; i < ring.size(); ++i)
-      rows += ToMm(static_cast<double>(
-          std::abs(ring[i + 1 < ring.size() ? i + 1 : 0].y - ring[i].y)));
+      rows +=
+          ToMm(static_cast<double>(std::abs(ring[i + 1 < ring.size() ? i + 1 : 0].y - ring[i].y)));
   });
   return rows;
 }
@@ -78,8 +74,7 @@ std::map<int32_t, std::vector<double>> Crossings(const MultiPolygon& outlines) {
       const double y = row * 1.0 * kNmPerMm + kHalf;
       if (y < low) continue;
       const double share = (y - low) / (high - low);
-      crossings[row].push_back(static_cast<double>(a.x) +
-                               share * static_cast<double>(b.x - a.x));
+      crossings[row].push_back(static_cast<double>(a.x) + share * static_cast<double>(b.x - a.x));
     }
   };
   ForEachRing(outlines, [&](const Polygon& ring) {
@@ -120,8 +115,8 @@ void Occupancy::Build() {
   cell_mm_ = (extent + kMostCells - 1) / kMostCells;
   size_ = {(most.x - least_.x) / cell_mm_ + 1, (most.y - least_.y) / cell_mm_ + 1,
            most.z / cell_mm_ + 1};
-  const auto cells = static_cast<size_t>(size_.x) * static_cast<size_t>(size_.y) *
-                     static_cast<size_t>(size_.z);
+  const auto cells =
+      static_cast<size_t>(size_.x) * static_cast<size_t>(size_.y) * static_cast<size_t>(size_.z);
   solid_.assign(cells / 64 + 1, 0);
   for (const Run& run : runs_) {
     const auto row = (static_cast<size_t>(run.slab / cell_mm_) * static_cast<size_t>(size_.y) +
@@ -136,10 +131,10 @@ void Occupancy::Build() {
 }
 
 bool Occupancy::IsSolid(Cell cell) const {
-  const auto bit = (static_cast<size_t>(cell.z) * static_cast<size_t>(size_.y) +
-                    static_cast<size_t>(cell.y)) *
-                       static_cast<size_t>(size_.x) +
-                   static_cast<size_t>(cell.x);
+  const auto bit =
+      (static_cast<size_t>(cell.z) * static_cast<size_t>(size_.y) + static_cast<size_t>(cell.y)) *
+          static_cast<size_t>(size_.x) +
+      static_cast<size_t>(cell.x);
   return (solid_[bit / 64] >> (bit % 64) & 1) != 0;
 }
 
@@ -157,12 +152,12 @@ bool Occupancy::LeadsOut(const double from[3], const double step[3]) const {
 
 double Occupancy::SeenFrom(Cell cell, int outward) const {
   const Rays& rays = RaysOf(outward);
-  const double from[3] = {cell.x + 0.5 + kLiftCells * rays.outward.x,
-                          cell.y + 0.5 + kLiftCells * rays.outward.y, cell.z + 0.5};
+  const double from[3] = {cell.x + 0.5 + kLiftCells * rays.outward.x(),
+                          cell.y + 0.5 + kLiftCells * rays.outward.y(), cell.z + 0.5};
   int seen = 0;
-  for (const Direction& way : rays.sideways) {
+  for (const Vector2& way : rays.sideways) {
     for (const double slope : kSlopes) {
-      const double step[3] = {way.x, way.y, slope};
+      const double step[3] = {way.x(), way.y(), slope};
       seen += LeadsOut(from, step) ? 1 : 0;
     }
   }

@@ -18,8 +18,6 @@ constexpr double kBesideNm = 100'000;
 /// How far a straight wall may lie from its chord.
 constexpr double kBendNm = 100'000;
 
-Vector2 ToVector(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
-
 Point ToPoint(const Vector2& v) { return {std::llround(v.x()), std::llround(v.y())}; }
 
 /// Inside lies to the left of every edge.
@@ -28,8 +26,8 @@ bool IsFree(Point a, Point b, const MultiPolygon& below) {
   return !Covers(below, ToPoint((ToVector(a) + ToVector(b)) / 2 - kBesideNm * TurnedLeft(along)));
 }
 
-/// The chains of a ring's free edges; a ring that is free all around is one that goes round its first
-/// corner again.
+/// The chains of a ring's free edges; a ring that is free all around is one that goes round its
+/// first corner again.
 std::vector<Polyline> FreeEdges(const Polygon& ring, const MultiPolygon& below) {
   const size_t size = ring.size();
   std::vector<bool> free(size);
@@ -51,9 +49,8 @@ std::vector<Polyline> FreeEdges(const Polygon& ring, const MultiPolygon& below) 
 }
 
 bool IsStraight(const Polyline& chain) {
-  return std::ranges::all_of(chain, [&](Point p) {
-    return DistanceToSegment(p, chain.front(), chain.back()) <= kBendNm;
-  });
+  return std::ranges::all_of(
+      chain, [&](Point p) { return DistanceToSegment(p, chain.front(), chain.back()) <= kBendNm; });
 }
 
 /// A wall hangs from both ends of its chain, or not at all: between corners it turns.
@@ -65,7 +62,8 @@ bool IsHeld(const Polyline& chain, const MultiPolygon& below) {
   return Covers(below, ToPoint(from - ahead + aside)) && Covers(below, ToPoint(to + ahead + aside));
 }
 
-MultiPolygon Along(const std::vector<Polyline>& chains, Coord walls_nm, const PolygonWithHoles& part) {
+MultiPolygon Along(const std::vector<Polyline>& chains, Coord walls_nm,
+                   const PolygonWithHoles& part) {
   if (chains.empty()) return {};
   return Intersection(OffsetLines(chains, walls_nm, Cap::kButt), {part});
 }

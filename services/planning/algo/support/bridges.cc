@@ -12,6 +12,7 @@
 #include "common/geometry/boolean/without_rings.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
+#include "common/geometry/vector.h"
 #include "services/planning/algo/support/bridge_walls.h"
 
 namespace slicefarm::planning {
@@ -24,17 +25,15 @@ constexpr Coord kProbeNm = 100'000;
 /// scraps between supports save nothing.
 constexpr double kLeastShare = 0.2;
 
-struct Direction {
-  double x = 1;
-  double y = 0;
+/// Turns p so that lines along the unit vector `way` run along x.
+Point TurnedToX(Point p, const Vector2& way) {
+  return {std::llround(p.x * way.x() + p.y * way.y()), std::llround(p.y * way.x() - p.x * way.y())};
+}
 
-  Point Turned(Point p) const {  // so that lines run along x
-    return {std::llround(p.x * x + p.y * y), std::llround(p.y * x - p.x * y)};
-  }
-  Point Back(Point p) const {
-    return {std::llround(p.x * x - p.y * y), std::llround(p.x * y + p.y * x)};
-  }
-};
+/// Undoes TurnedToX.
+Point TurnedBack(Point p, const Vector2& way) {
+  return {std::llround(p.x * way.x() - p.y * way.y()), std::llround(p.x * way.y() + p.y * way.x())};
+}
 
 struct Span {
   Coord from = 0;
@@ -76,16 +75,16 @@ bool Covers(const std::vector<Coord>& crossings, Coord x) {
   return before % 2 == 1;
 }
 
-std::vector<Polygon> Turned(const MultiPolygon& region, const Direction& direction) {
+std::vector<Polygon> Turned(const MultiPolygon& region, const Vector2& direction) {
   std::vector<Polygon> rings = Rings(region);
   for (Polygon& ring : rings)
-    for (Point& p : ring) p = direction.Turned(p);
+    for (Point& p : ring) p = TurnedToX(p, direction);
   return rings;
 }
 
 /// Lines through `part` with both ends on `below`.
 std::vector<Span> AnchoredSpans(const MultiPolygon& part, const MultiPolygon& below,
-                                const Direction& direction, Coord width_nm) {
+                                const Vector2& direction, Coord width_nm) {
   const std::vector<Polygon> rings = Turned(part, direction), anchors = Turned(below, direction);
   Box box;
   for (const Polygon& ring : rings) box.Add(Bounds(ring));
@@ -100,8 +99,8 @@ std::vector<Span> AnchoredSpans(const MultiPolygon& part, const MultiPolygon& be
   return spans;
 }
 
-std::vector<Direction> Candidates(const PolygonWithHoles& part, Coord width_nm) {
-  std::vector<Direction> directions;
+std::vector<Vector2> Candidates(const PolygonWithHoles& part, Coord width_nm) {
+  std::vector<Vector2> directions;
   for (int i = 0; i < kDirections; ++i) {
     const double angle = i * std::numbers::pi / kDirections;
     directions.push_back({Cos(angle), Sin(angle)});
@@ -134,9 +133,9 @@ MultiPolygon Bridge(const PolygonWithHoles& part, const MultiPolygon& below,
   const BridgeWalls walls = WallsOf(part, below, beads.walls_nm);
   const MultiPolygon lined = Difference({part}, walls.area);
   std::vector<Span> best;
-  Direction along;
+  Vector2 along = Vector2::UnitX();
   double most = 0;
-  for (const Direction& direction : Candidates(part, width_nm)) {
+  for (const Vector2& direction : Candidates(part, width_nm)) {
     std::vector<Span> spans = AnchoredSpans(lined, below, direction, width_nm);
     const double covered = Covered(spans);
     if (covered <= most * 1.001) continue;
@@ -152,7 +151,7 @@ MultiPolygon Bridge(const PolygonWithHoles& part, const MultiPolygon& below,
                      {s.to + kProbeNm, s.y - half},
                      {s.to + kProbeNm, s.y + half},
                      {s.from - kProbeNm, s.y + half}};
-    for (Point& p : strip) p = along.Back(p);
+    for (Point& p : strip) p = TurnedBack(p, along);
     strips.push_back(std::move(strip));
   }
   // A single line is carried by its neighbours at best.
@@ -170,7 +169,8 @@ MultiPolygon BridgesOf(const MultiPolygon& hanging, const MultiPolygon& steep,
     const bool looked_at = std::any_of(steep.begin(), steep.end(), [&](const auto& island) {
       return Bounds(island.outer).Intersects(box);
     });
-    if (!looked_at || IsNarrow(part, beads.width_nm) || Intersection({part}, steep).empty()) continue;
+    if (!looked_at || IsNarrow(part, beads.width_nm) || Intersection({part}, steep).empty())
+      continue;
     std::vector<Polygon> rings;
     AppendRingsNear(below, box.Grown(1'000'000), rings);
     if (rings.empty()) continue;

@@ -23,8 +23,6 @@ constexpr Coord kRimNm = 400'000;
 constexpr double kBeyondNm = 20'000;
 constexpr int kDirections = 12;
 
-Vector2 ToVector(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
-
 Point ToPoint(const Vector2& v) { return {std::llround(v.x()), std::llround(v.y())}; }
 
 /// The stripe that a ring fills out, seen along a direction.
@@ -77,8 +75,8 @@ class Recess {
     bridged.rooms.push_back(Crossed({air_}, {*along}));
     bridged.rooms.push_back(Crossed({air_}, {*along, across}));
     if (!Difference(bridged.rooms.back(), FastOffset(bridged.holes, kRimNm)).empty())
-      bridged.rooms.push_back(Crossed(
-          {air_}, {*along, across, half * (*along + across), half * (*along - across)}));
+      bridged.rooms.push_back(
+          Crossed({air_}, {*along, across, half * (*along + across), half * (*along - across)}));
     return bridged;
   }
 

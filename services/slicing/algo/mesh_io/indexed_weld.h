@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/geometry/vector.h"
 #include "services/slicing/algo/mesh_io/raw_mesh.h"
 #include "services/slicing/algo/mesh_io/weld.h"
 
@@ -12,12 +13,13 @@ namespace slicefarm::slicing {
 /// REQUIRES: valid indices.
 inline RawMesh Welded(const RawMesh& mesh) {
   constexpr uint32_t kNew = UINT32_MAX;
-  Welder<Position> welder(std::min(mesh.positions.size(), 3 * mesh.triangles.size()));
+  Welder<Vector3> welder(std::min(mesh.positions.size(), 3 * mesh.triangles.size()));
   std::vector<uint32_t> numbers(mesh.positions.size(), kNew);
   const auto number = [&](uint32_t corner) {
-    const Position& p = mesh.positions[corner];
+    const Vector3& p = mesh.positions[corner];
     // Adding zero makes -0 and +0 the same bits.
-    if (numbers[corner] == kNew) numbers[corner] = welder.Add({p.x + 0.0, p.y + 0.0, p.z + 0.0});
+    if (numbers[corner] == kNew)
+      numbers[corner] = welder.Add({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0});
     return numbers[corner];
   };
   RawMesh welded;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "common/geometry/vector.h"
 #include "services/slicing/algo/mesh_io/raw_mesh.h"
 #include "services/slicing/algo/mesh_io/weld.h"
 
@@ -21,16 +22,16 @@ class MeshBuilder {
     mesh_.triangles.reserve(expected_triangles);
   }
 
-  CoordinateFault Check(const Position& p) const {
-    if (std::abs(p.x) <= limit_ && std::abs(p.y) <= limit_ && std::abs(p.z) <= limit_)
+  CoordinateFault Check(const Vector3& p) const {
+    if (std::abs(p.x()) <= limit_ && std::abs(p.y()) <= limit_ && std::abs(p.z()) <= limit_)
       return CoordinateFault::kNone;
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)
+    return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())
                ? CoordinateFault::kBeyondLimit
                : CoordinateFault::kNotFinite;
   }
 
   /// REQUIRES: all three pass Check.
-  void Add(const std::array<Position, 3>& corners) {
+  void Add(const std::array<Vector3, 3>& corners) {
     mesh_.triangles.push_back({Weld(corners[0]), Weld(corners[1]), Weld(corners[2])});
   }
 
@@ -43,9 +44,9 @@ class MeshBuilder {
 
  private:
   /// Adding zero makes -0 and +0 the same bits.
-  uint32_t Weld(const Position& p) { return welder_.Add({p.x + 0.0, p.y + 0.0, p.z + 0.0}); }
+  uint32_t Weld(const Vector3& p) { return welder_.Add({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}); }
 
-  Welder<Position> welder_;
+  Welder<Vector3> welder_;
   RawMesh mesh_;
   double limit_;
 };

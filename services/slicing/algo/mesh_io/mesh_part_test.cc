@@ -34,7 +34,7 @@ TEST(MeshPart, TheWholeMesh) {
 TEST(MeshPart, ARangeKeepsItsOwnCornersInOrder) {
   const auto part = MeshPart(Strip(), Triangles(1, 1));
   ASSERT_TRUE(part.ok()) << part.status();
-  EXPECT_THAT(part->positions, ElementsAre(Position{2, 0, 0}, Position{3, 0, 0}, Position{5, 0, 0}));
+  EXPECT_THAT(part->positions, ElementsAre(Vector3{2, 0, 0}, Vector3{3, 0, 0}, Vector3{5, 0, 0}));
   EXPECT_THAT(part->triangles, ElementsAre(std::array<uint32_t, 3>{2, 1, 0}));
 }
 

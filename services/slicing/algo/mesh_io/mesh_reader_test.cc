@@ -100,8 +100,8 @@ bool IsSound(const RawMesh& mesh) {
   return !mesh.triangles.empty() &&
          std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
                      [&](const auto& t) { return std::all_of(t.begin(), t.end(), exists); }) &&
-         std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const Position& p) {
-           return is_near(p.x) && is_near(p.y) && is_near(p.z);
+         std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const Vector3& p) {
+           return is_near(p.x()) && is_near(p.y()) && is_near(p.z());
          });
 }
 

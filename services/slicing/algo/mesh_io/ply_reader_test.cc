@@ -33,11 +33,11 @@ void Append(std::string& out, T value, bool swap) {
 std::string ToBinaryPly(const RawMesh& mesh, bool big) {
   std::string out = Header(big ? "binary_big_endian" : "binary_little_endian",
                            mesh.positions.size(), mesh.triangles.size());
-  for (const Position& p : mesh.positions) {
-    Append(out, static_cast<float>(p.x), big);
-    Append(out, p.y, big);
+  for (const Vector3& p : mesh.positions) {
+    Append(out, static_cast<float>(p.x()), big);
+    Append(out, p.y(), big);
     Append(out, uint8_t{200}, big);
-    Append(out, static_cast<float>(p.z), big);
+    Append(out, static_cast<float>(p.z()), big);
     Append(out, uint8_t{2}, big);
     Append(out, 0.5F, big);
     Append(out, 0.5F, big);
@@ -52,8 +52,8 @@ std::string ToBinaryPly(const RawMesh& mesh, bool big) {
 
 std::string ToAsciiPly(const RawMesh& mesh) {
   std::string out = Header("ascii", mesh.positions.size(), mesh.triangles.size());
-  for (const Position& p : mesh.positions)
-    out += fmt::format("{} {} 200 {} 2 0.5 0.5\n", p.x, p.y, p.z);
+  for (const Vector3& p : mesh.positions)
+    out += fmt::format("{} {} 200 {} 2 0.5 0.5\n", p.x(), p.y(), p.z());
   for (const auto& t : mesh.triangles) out += fmt::format("3 {} {} {} -1\n", t[0], t[1], t[2]);
   return out;
 }
@@ -72,7 +72,7 @@ TEST(ReadPly, ReadsAllEncodings) {
     EXPECT_EQ(mesh->triangles, want->triangles);
     ASSERT_EQ(mesh->positions.size(), want->positions.size());
     for (size_t i = 0; i < mesh->positions.size(); ++i)
-      EXPECT_NEAR(mesh->positions[i].x, want->positions[i].x, 1e-5);
+      EXPECT_NEAR(mesh->positions[i].x(), want->positions[i].x(), 1e-5);
   }
 }
 

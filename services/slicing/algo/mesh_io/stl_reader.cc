@@ -59,10 +59,10 @@ absl::Status CheckLength(std::string_view bytes) {
        {"got", std::to_string(got)}});
 }
 
-std::array<Position, 3> CornersAt(const char* triangle) {
+std::array<Vector3, 3> CornersAt(const char* triangle) {
   std::array<float, 9> f;
   std::memcpy(f.data(), triangle + kNormalBytes, sizeof f);
-  return {Position{f[0], f[1], f[2]}, Position{f[3], f[4], f[5]}, Position{f[6], f[7], f[8]}};
+  return {Vector3{f[0], f[1], f[2]}, Vector3{f[3], f[4], f[5]}, Vector3{f[6], f[7], f[8]}};
 }
 
 std::string_view FaultText(CoordinateFault fault) {
@@ -163,7 +163,7 @@ class AsciiParser {
                z = ParseNumber(words.Next());
     if (!x || !y || !z)
       return lines_.Error(Reason::kMeshMalformed, "a vertex must have three numbers");
-    const Position position{*x, *y, *z};
+    const Vector3 position{*x, *y, *z};
     const CoordinateFault fault = builder_.Check(position);
     if (fault != CoordinateFault::kNone) return lines_.Error(FaultReason(fault), FaultText(fault));
     corners_[corner_++] = position;
@@ -172,7 +172,7 @@ class AsciiParser {
 
   LineReader lines_;
   MeshBuilder builder_;
-  std::array<Position, 3> corners_;
+  std::array<Vector3, 3> corners_;
   int corner_ = 0;
   bool in_facet_ = false;
   bool in_solid_ = false;
@@ -201,8 +201,8 @@ absl::StatusOr<RawMesh> ReadBinaryStl(std::string_view bytes, double coordinate_
   const char* at = bytes.data() + kHeaderBytes;
   for (size_t i = 0; i < count; ++i, at += kTriangleBytes) {
     if (i % kTrianglesPerPoll == 0 && cancel.Cancelled()) return cancel.Check();
-    const std::array<Position, 3> corners = CornersAt(at);
-    for (const Position& corner : corners) {
+    const std::array<Vector3, 3> corners = CornersAt(at);
+    for (const Vector3& corner : corners) {
       const CoordinateFault fault = builder.Check(corner);
       if (fault != CoordinateFault::kNone) return TriangleError(fault, i);
     }

@@ -36,7 +36,7 @@ TEST(BinaryStl, WeldsCornersByPosition) {
   ASSERT_TRUE(mesh.ok()) << mesh.status();
   EXPECT_EQ(mesh->triangles.size(), 12u);
   EXPECT_EQ(mesh->positions.size(), 8u);
-  EXPECT_EQ(mesh->positions[mesh->triangles[1][1]], (Position{0, 20, 0}));
+  EXPECT_EQ(mesh->positions[mesh->triangles[1][1]], (Vector3{0, 20, 0}));
 }
 
 TEST(BinaryStl, NegativeZeroIsZero) {
@@ -137,7 +137,7 @@ TEST(AsciiStl, AcceptsWhatExportersWrite) {
     const auto mesh = ReadAsciiStl(text, kLimit, {});
     ASSERT_TRUE(mesh.ok()) << name << mesh.status();
     EXPECT_EQ(mesh->triangles.size(), 1u) << name;
-    EXPECT_EQ(mesh->positions, (std::vector<Position>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})) << name;
+    EXPECT_EQ(mesh->positions, (std::vector<Vector3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})) << name;
   }
 }
 

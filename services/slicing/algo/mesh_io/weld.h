@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -45,7 +46,9 @@ class Welder {
   static constexpr uint32_t kEmpty = UINT32_MAX;
 
   static std::array<uint64_t, 3> Bits(const T& point) {
-    return std::bit_cast<std::array<uint64_t, 3>>(point);
+    std::array<uint64_t, 3> bits;
+    std::memcpy(bits.data(), &point, sizeof bits);
+    return bits;
   }
 
   static bool SameBits(const T& a, const T& b) { return Bits(a) == Bits(b); }

@@ -1,9 +1,8 @@
 #include "services/slicing/algo/placement/placement.h"
 
-#include <Eigen/LU>
-
 #include <fmt/core.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,8 +27,8 @@ Row RowOf(const Transform& transform, int row) {
           transform(row, 3) * kNmPerMm};
 }
 
-std::optional<Coord> Rounded(const Row& row, const Position& p) {
-  const double value = row[0] * p.x + row[1] * p.y + row[2] * p.z + row[3];
+std::optional<Coord> Rounded(const Row& row, const Vector3& p) {
+  const double value = row[0] * p.x() + row[1] * p.y() + row[2] * p.z() + row[3];
   if (!(std::abs(value) < kRoundable)) return std::nullopt;
   return std::llround(value);
 }
@@ -69,7 +68,7 @@ absl::StatusOr<IndexedMesh> TransformMesh(const RawMesh& raw, const Transform& t
   Welder<Vertex> welder(raw.positions.size());
   std::vector<uint32_t> renumbered;
   renumbered.reserve(raw.positions.size());
-  for (const Position& p : raw.positions) {
+  for (const Vector3& p : raw.positions) {
     const auto x = Rounded(row_x, p), y = Rounded(row_y, p), z = Rounded(row_z, p);
     if (!x || !y || !z) return RangeError(kRoundable / kNmPerMm);
     renumbered.push_back(welder.Add({*x, *y, *z}));
@@ -95,8 +94,8 @@ Vertex ToOrigin(const Extent& extent, Coord sunk_nm) {
 }
 
 absl::Status CheckReach(const Extent& extent) {
-  const Coord reach = std::max({extent.max.x, extent.max.y, extent.max.z, -extent.min.x,
-                                -extent.min.y, -extent.min.z});
+  const Coord reach = std::max(
+      {extent.max.x, extent.max.y, extent.max.z, -extent.min.x, -extent.min.y, -extent.min.z});
   if (reach <= limits::kMaxCoord) return absl::OkStatus();
   return RangeError(ToMm(static_cast<double>(reach)));
 }

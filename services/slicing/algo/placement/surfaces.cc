@@ -45,8 +45,8 @@ absl::Status CheckWithin(const SurfaceMesh& mesh, const std::string& object) {
 SurfaceMesh Transformed(const RawMesh& raw, const Transform& transform) {
   SurfaceMesh mesh;
   mesh.points_mm.reserve(raw.positions.size());
-  for (const Position& p : raw.positions) {
-    const Eigen::Vector3d place(p.x, p.y, p.z);
+  for (const Vector3& p : raw.positions) {
+    const Eigen::Vector3d place(p.x(), p.y(), p.z());
     mesh.points_mm.push_back(transform == Transform::Identity()
                                  ? place
                                  : transform.leftCols<3>() * place + transform.col(3));

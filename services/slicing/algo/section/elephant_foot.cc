@@ -64,8 +64,8 @@ class Shrinkage {
 
  private:
   static Point On(const OutlineEdge& edge, double at_nm, double depth_nm) {
-    return {edge.from.x + std::llround(edge.along.x * at_nm + edge.inward.x * depth_nm),
-            edge.from.y + std::llround(edge.along.y * at_nm + edge.inward.y * depth_nm)};
+    return {edge.from.x + std::llround(edge.along.x() * at_nm + edge.inward.x() * depth_nm),
+            edge.from.y + std::llround(edge.along.y() * at_nm + edge.inward.y() * depth_nm)};
   }
 
   Sample SampleAt(const OutlineEdge& edge, double at_nm, Point p,
@@ -125,8 +125,8 @@ class Shrinkage {
 
   /// Whether the shrinkage must not step at an edge's end: it may at convex corners only.
   static bool GoesOn(const OutlineEdge& edge) {
-    const Direction a = edge.inward, b = edge.inward_after;
-    return edge.reflex_to || a.x * b.x + a.y * b.y > kCosOfCorner;
+    const Vector2 a = edge.inward, b = edge.inward_after;
+    return edge.reflex_to || a.x() * b.x() + a.y() * b.y() > kCosOfCorner;
   }
 
   /// Lowers depths so that they rise by no more than kSlope, from `start_nm` on.
@@ -204,24 +204,25 @@ class Shrinkage {
   /// The sector that a reflex corner at the edge's end sweeps.
   static void AppendFan(const OutlineEdge& edge, double depth_nm, std::vector<Polygon>& strips) {
     if (!edge.reflex_to || depth_nm == 0) return;
-    const Direction a = edge.inward, b = edge.inward_after;
-    const double turn = Atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);  // below 0
+    const Vector2 a = edge.inward, b = edge.inward_after;
+    const double turn =
+        Atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y());  // below 0
     const double step = 2 * Acos(1 - std::min(1.0, kArcToleranceNm / depth_nm));
     const int steps = std::max(1, static_cast<int>(std::ceil(-turn / step)));
-    const Direction along_after = {b.y, -b.x};
+    const Vector2 along_after = {b.y(), -b.x()};
     const auto at = [&](double x, double y) {
       return Point{edge.to.x + std::llround(x), edge.to.y + std::llround(y)};
     };
-    Polygon fan = {at(-(a.x + b.x) * kOverlapNm, -(a.y + b.y) * kOverlapNm)};
+    Polygon fan = {at(-(a.x() + b.x()) * kOverlapNm, -(a.y() + b.y()) * kOverlapNm)};
     // Beyond both ends, into the strips.
-    fan.push_back(at(b.x * depth_nm + along_after.x * kOverlapNm,
-                     b.y * depth_nm + along_after.y * kOverlapNm));
+    fan.push_back(at(b.x() * depth_nm + along_after.x() * kOverlapNm,
+                     b.y() * depth_nm + along_after.y() * kOverlapNm));
     for (int i = steps; i >= 0; --i) {
       const double angle = turn * i / steps, c = Cos(angle), s = Sin(angle);
-      fan.push_back(at((a.x * c - a.y * s) * depth_nm, (a.x * s + a.y * c) * depth_nm));
+      fan.push_back(at((a.x() * c - a.y() * s) * depth_nm, (a.x() * s + a.y() * c) * depth_nm));
     }
-    fan.push_back(
-        at(a.x * depth_nm - edge.along.x * kOverlapNm, a.y * depth_nm - edge.along.y * kOverlapNm));
+    fan.push_back(at(a.x() * depth_nm - edge.along.x() * kOverlapNm,
+                     a.y() * depth_nm - edge.along.y() * kOverlapNm));
     if (SignedArea(fan) < 0) std::reverse(fan.begin(), fan.end());
     strips.push_back(std::move(fan));
   }

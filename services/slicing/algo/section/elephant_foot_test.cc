@@ -138,19 +138,20 @@ TEST(ElephantFoot, SurvivesHostileInput) {
 }
 
 /// Whether a disc of the width at which all shrinks touches the outline at p from within.
-bool IsWide(Point p, Direction inward, const MultiPolygon& island) {
+bool IsWide(Point p, Vector2 inward, const MultiPolygon& island) {
   const double radius = (kMin + 2 * kFoot) / 2 + 5e3;
-  const Point center{p.x + std::llround(inward.x * radius), p.y + std::llround(inward.y * radius)};
+  const Point center{p.x + std::llround(inward.x() * radius),
+                     p.y + std::llround(inward.y() * radius)};
   return Inside(center, island) && DistanceToBoundary(center, island) > radius - 100;
 }
 
 /// Whether no place up to 0.5 mm from the middle of an edge is thin. The shrinkage ramps up over
 /// 0.4 mm.
-bool IsWideAround(Point middle, Direction along, double length, const MultiPolygon& island) {
+bool IsWideAround(Point middle, Vector2 along, double length, const MultiPolygon& island) {
   if (length < 1.1e6) return false;
   for (double at = -5e5; at <= 5e5; at += 1e5) {
-    const Point p{middle.x + std::llround(along.x * at), middle.y + std::llround(along.y * at)};
-    if (!IsWide(p, {-along.y, along.x}, island)) return false;
+    const Point p{middle.x + std::llround(along.x() * at), middle.y + std::llround(along.y() * at)};
+    if (!IsWide(p, {-along.y(), along.x()}, island)) return false;
   }
   return true;
 }
@@ -163,12 +164,12 @@ int ExpectWidePlacesShrink(const MultiPolygon& island, const MultiPolygon& foot,
       const Point a = ring[i], b = ring[(i + 1) % ring.size()];
       const Point p{(a.x + b.x) / 2, (a.y + b.y) / 2};
       const double length = Distance(a, b);
-      const Direction along{static_cast<double>(b.x - a.x) / length,
-                            static_cast<double>(b.y - a.y) / length};
+      const Vector2 along{static_cast<double>(b.x - a.x) / length,
+                          static_cast<double>(b.y - a.y) / length};
       if (!IsWideAround(p, along, length, island)) continue;
       ++wide;
       const auto at = [&](double depth) {
-        return Point{p.x - std::llround(along.y * depth), p.y + std::llround(along.x * depth)};
+        return Point{p.x - std::llround(along.y() * depth), p.y + std::llround(along.x() * depth)};
       };
       EXPECT_FALSE(Inside(at(kFoot - 2e3), foot)) << trial << ToText(p);
       EXPECT_TRUE(Inside(at(kFoot + 2e3), foot)) << trial << ToText(p);

@@ -9,26 +9,20 @@
 namespace slicefarm::slicing {
 namespace {
 
-Direction Between(Point from, Point to) {
-  return {static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y)};
+Vector2 Normalized(Vector2 d) {
+  const double length = Hypot(d.x(), d.y());
+  return d / length;
 }
-double Dot(Direction a, Direction b) { return a.x * b.x + a.y * b.y; }
-double Cross(Direction a, Direction b) { return a.x * b.y - a.y * b.x; }
-Direction Normalized(Direction d) {
-  const double length = Hypot(d.x, d.y);
-  return {d.x / length, d.y / length};
-}
-Direction Left(Direction d) { return {-d.y, d.x}; }
 
 /// Sets the middle and the half angle of all normals of an edge and its reflex corners.
 void SetNormals(OutlineEdge& edge) {
-  Direction sum = edge.inward;
-  if (edge.reflex_from) sum = {sum.x + edge.inward_before.x, sum.y + edge.inward_before.y};
-  if (edge.reflex_to) sum = {sum.x + edge.inward_after.x, sum.y + edge.inward_after.y};
-  edge.middle_rad = Atan2(sum.y, sum.x);
-  const auto widen = [&](Direction normal) {
+  Vector2 sum = edge.inward;
+  if (edge.reflex_from) sum += edge.inward_before;
+  if (edge.reflex_to) sum += edge.inward_after;
+  edge.middle_rad = Atan2(sum.y(), sum.x());
+  const auto widen = [&](Vector2 normal) {
     const double off =
-        std::remainder(Atan2(normal.y, normal.x) - edge.middle_rad, 2 * std::numbers::pi);
+        std::remainder(Atan2(normal.y(), normal.x()) - edge.middle_rad, 2 * std::numbers::pi);
     edge.half_rad = std::max(edge.half_rad, std::abs(off) + 1e-6);
   };
   widen(edge.inward);
@@ -48,8 +42,8 @@ void AppendEdges(const Polygon& ring, std::vector<OutlineEdge>& edges) {
   for (size_t i = 0; i < ring.size(); ++i) {
     const Point from = ring[i], to = ring[(i + 1) % ring.size()];
     if (from == to) continue;
-    const Direction along = Normalized(Between(from, to));
-    edges.push_back({.from = from, .to = to, .along = along, .inward = Left(along)});
+    const Vector2 along = Normalized(ToVector(to - from));
+    edges.push_back({.from = from, .to = to, .along = along, .inward = TurnedLeft(along)});
   }
   const size_t count = edges.size() - first;
   for (size_t i = 0; i < count; ++i) {
@@ -66,45 +60,44 @@ void AppendEdges(const Polygon& ring, std::vector<OutlineEdge>& edges) {
 /// Calls visit(diameter, cosine) for discs that touch the outline at p with normal n, and an edge
 /// or its reflex ends, with the cosine of the angle between the sides that it touches.
 template <typename Visit>
-void ForEachDisc(Point p, Direction n, const OutlineEdge& edge, Visit visit) {
+void ForEachDisc(Point p, Vector2 n, const OutlineEdge& edge, Visit visit) {
   if (p == edge.from || p == edge.to) {  // no disc fits into a corner, any into a reflex one
     if (!(p == edge.from ? edge.reflex_from : edge.reflex_to)) visit(0.0, -Dot(n, edge.inward));
     return;
   }
-  const Direction to_from = Between(p, edge.from);
+  const Vector2 to_from = ToVector(edge.from - p);
   // The disc that touches the edge's line: its centre is as far from p as from the line.
   const double height = -Dot(to_from, edge.inward);
   const double turned = 1 - Dot(n, edge.inward);
   if (height > 0 && turned > 1e-9) {
     const double radius = height / turned;
-    const double foot = Dot({n.x * radius - to_from.x, n.y * radius - to_from.y}, edge.along);
-    if (foot >= 0 && foot <= Dot(Between(edge.from, edge.to), edge.along))
+    const double foot = Dot(n * radius - to_from, edge.along);
+    if (foot >= 0 && foot <= Dot(ToVector(edge.to - edge.from), edge.along))
       return visit(2 * radius, turned - 1);
   }
   // No disc within the material touches a corner that is not reflex.
   for (const auto& [end, reflex] :
        {std::pair{edge.from, edge.reflex_from}, std::pair{edge.to, edge.reflex_to}}) {
-    const Direction d = Between(p, end);
+    const Vector2 d = ToVector(end - p);
     const double forward = Dot(d, n), square = Dot(d, d);
     if (!reflex || forward <= 0) continue;
     const double radius = square / forward / 2;
-    visit(2 * radius, Dot({d.x - n.x * radius, d.y - n.y * radius}, n) / radius);
+    visit(2 * radius, Dot(d - n * radius, n) / radius);
   }
 }
 
 /// From one normal to the other at a reflex corner, clockwise: whether a direction lies between.
-bool IsBetween(Direction first, Direction d, Direction last) {
-  return Cross(first, d) <= 0 && Cross(d, last) <= 0 &&
-         Dot({first.x + last.x, first.y + last.y}, d) > 0;
+bool IsBetween(Vector2 first, Vector2 d, Vector2 last) {
+  return Cross(first, d) <= 0 && Cross(d, last) <= 0 && Dot(first + last, d) > 0;
 }
 
 Point Nearest(Point p, const OutlineEdge& edge) {
-  const double length = Dot(Between(edge.from, edge.to), edge.along);
-  const double t = Dot(Between(edge.from, p), edge.along);
+  const double length = Dot(ToVector(edge.to - edge.from), edge.along);
+  const double t = Dot(ToVector(p - edge.from), edge.along);
   if (t <= 0) return edge.from;
   if (t >= length) return edge.to;
-  return {edge.from.x + std::llround(edge.along.x * t),
-          edge.from.y + std::llround(edge.along.y * t)};
+  return {edge.from.x + std::llround(edge.along.x() * t),
+          edge.from.y + std::llround(edge.along.y() * t)};
 }
 
 /// Calls visit(normal) for the normals at a point of an edge that matter for another edge: one, or
@@ -114,12 +107,12 @@ void ForEachNormal(const OutlineEdge& edge, Point p, const OutlineEdge& other, V
   visit(edge.inward);
   const bool at_from = p == edge.from && edge.reflex_from;
   if (!at_from && !(p == edge.to && edge.reflex_to)) return;
-  const Direction first = at_from ? edge.inward_before : edge.inward;
-  const Direction last = at_from ? edge.inward : edge.inward_after;
+  const Vector2 first = at_from ? edge.inward_before : edge.inward;
+  const Vector2 last = at_from ? edge.inward : edge.inward_after;
   visit(at_from ? first : last);
   const Point q = Nearest(p, other);
   if (q == p) return;
-  const Direction d = Normalized(Between(p, q));
+  const Vector2 d = Normalized(ToVector(q - p));
   if (IsBetween(first, d, last)) visit(d);
 }
 
@@ -146,11 +139,11 @@ LocalWidth::Cell LocalWidth::CellOf(double x, double y) const {
 /// of that from one of them.
 template <typename Visit>
 void LocalWidth::ForEachCell(Point from, Point to, Visit visit) const {
-  const Direction d = Between(from, to);
-  const int steps = 1 + static_cast<int>(Hypot(d.x, d.y) / static_cast<double>(limit_nm_));
+  const Vector2 d = ToVector(to - from);
+  const int steps = 1 + static_cast<int>(Hypot(d.x(), d.y()) / static_cast<double>(limit_nm_));
   for (int i = 0; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps;
-    visit(CellOf(static_cast<double>(from.x) + d.x * t, static_cast<double>(from.y) + d.y * t));
+    visit(CellOf(static_cast<double>(from.x) + d.x() * t, static_cast<double>(from.y) + d.y() * t));
   }
 }
 
@@ -180,7 +173,7 @@ double LocalWidth::At(const OutlineEdge& edge, Point p, std::span<const int32_t>
   };
   for (const int32_t i : opposite) {
     ForEachNormal(edge, p, edges_[i],
-                  [&](Direction normal) { ForEachDisc(p, normal, edges_[i], narrow); });
+                  [&](Vector2 normal) { ForEachDisc(p, normal, edges_[i], narrow); });
   }
   return width;
 }

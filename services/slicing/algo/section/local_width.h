@@ -6,22 +6,17 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
+#include "common/geometry/vector.h"
 
 namespace slicefarm::slicing {
-
-/// A direction, of length 1 where it is a normal or a tangent.
-struct Direction {
-  double x = 0;
-  double y = 0;
-};
 
 /// A directed edge of an island: the material is on its left.
 struct OutlineEdge {
   Point from, to;
-  Direction along{};
-  Direction inward{};
-  Direction inward_before{};  ///< of the edges before and after it in the ring
-  Direction inward_after{};
+  Vector2 along = Vector2::Zero();
+  Vector2 inward = Vector2::Zero();
+  Vector2 inward_before = Vector2::Zero();  ///< of the edges before and after it in the ring
+  Vector2 inward_after = Vector2::Zero();
   bool reflex_from = false;  ///< the material's angle at that end is above 180 degrees
   bool reflex_to = false;
   int32_t next = 0;       ///< index of the edge after it in the ring

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/base/error.h"
+#include "common/geometry/vector.h"
 #include "services/slicing/algo/thumbnail/jpg_image.h"
 #include "services/slicing/algo/thumbnail/png_image.h"
 #include "services/slicing/algo/thumbnail/qoi_image.h"
@@ -24,14 +25,8 @@ constexpr double kInverseRoot2 = 0.70710678118654752;
 constexpr double kInverseRoot6 = 0.40824829046386302;
 constexpr double kInverseRoot3 = 0.57735026918962576;
 
-struct Vector {
-  double x = 0;
-  double y = 0;
-  double z = 0;
-};
-
 /// Right, up and towards the viewer, in the picture's axes.
-Vector ToView(const Vertex& v, Point center) {
+Vector3 ToView(const Vertex& v, Point center) {
   const double x = static_cast<double>(v.x + center.x), y = static_cast<double>(v.y + center.y),
                z = static_cast<double>(v.z);
   return {(x + y) * kInverseRoot2, (y - x + 2 * z) * kInverseRoot6, (x - y + z) * kInverseRoot3};
@@ -44,8 +39,8 @@ struct Viewport {
   double left = 0;
   double top = 0;
 
-  Vector ToBuffer(const Vector& view) const {
-    return {(view.x - left) * scale, (top - view.y) * scale, view.z * scale};
+  Vector3 ToBuffer(const Vector3& view) const {
+    return {(view.x() - left) * scale, (top - view.y()) * scale, view.z() * scale};
   }
 };
 
@@ -58,24 +53,25 @@ struct Slope {
 
 /// A triangle as seen: what lies in it, how near, how bright.
 struct Facet {
-  Vector a, ab, ac;
+  Vector3 a, ab, ac;
   double area;  ///< twice; the screen's y runs down, so what faces the viewer is below zero
 
-  Facet(const Vector& a, const Vector& b, const Vector& c)
+  Facet(const Vector3& a, const Vector3& b, const Vector3& c)
       : a(a),
-        ab{b.x - a.x, b.y - a.y, b.z - a.z},
-        ac{c.x - a.x, c.y - a.y, c.z - a.z},
-        area(ab.x * ac.y - ab.y * ac.x) {}
+        ab(b - a),
+        ac(c - a),
+        area(ab.x() * ac.y() - ab.y() * ac.x()) {}
 
   /// Of the corners a, b, c; all three are above zero inside.
   std::array<Slope, 3> Weights() const {
-    const Slope b{ac.y / area, -ac.x / area, 0}, c{-ab.y / area, ab.x / area, 0};
+    const Slope b{ac.y() / area, -ac.x() / area, 0}, c{-ab.y() / area, ab.x() / area, 0};
     return {Slope{-b.x - c.x, -b.y - c.y, 1}, b, c};
   }
 
   /// Some light from everywhere, more from above the viewer's left shoulder. Both sides shine.
   uint8_t Shade() const {
-    const double nx = ab.y * ac.z - ab.z * ac.y, ny = ab.z * ac.x - ab.x * ac.z, nz = area;
+    const double nx = ab.y() * ac.z() - ab.z() * ac.y(), ny = ab.z() * ac.x() - ab.x() * ac.z(),
+                 nz = area;
     const double towards = nz < 0 ? -1 : 1;
     const double light =
         towards * (-0.32 * nx - 0.64 * ny + 0.70 * nz) / std::sqrt(nx * nx + ny * ny + nz * nz);
@@ -98,28 +94,28 @@ class DepthBuffer {
 
   /// Fills the samples whose centres lie in the facet and nearer than what is there. REQUIRES: the
   /// facet lies within the buffer.
-  void Draw(const Vector& a, const Vector& b, const Vector& c, bool from_behind) {
-    const double left = std::min({a.x, b.x, c.x}), right = std::max({a.x, b.x, c.x});
-    const int32_t top = SampleFrom(std::min({a.y, b.y, c.y}));
-    const int32_t bottom = std::min(SampleFrom(std::max({a.y, b.y, c.y})), height_);
+  void Draw(const Vector3& a, const Vector3& b, const Vector3& c, bool from_behind) {
+    const double left = std::min({a.x(), b.x(), c.x()}), right = std::max({a.x(), b.x(), c.x()});
+    const int32_t top = SampleFrom(std::min({a.y(), b.y(), c.y()}));
+    const int32_t bottom = std::min(SampleFrom(std::max({a.y(), b.y(), c.y()})), height_);
     if (SampleFrom(left) == SampleFrom(right) || top >= bottom) return;
     const Facet facet(a, b, c);
     if (facet.area == 0 || (facet.area > 0 && !from_behind)) return;
     const std::array<Slope, 3> weights = facet.Weights();
-    const Slope depth{weights[1].x * facet.ab.z + weights[2].x * facet.ac.z,
-                      weights[1].y * facet.ab.z + weights[2].y * facet.ac.z, a.z};
+    const Slope depth{weights[1].x * facet.ab.z() + weights[2].x * facet.ac.z(),
+                      weights[1].y * facet.ab.z() + weights[2].y * facet.ac.z(), a.z()};
     const uint8_t shade = facet.Shade();
     for (int32_t y = top; y < bottom; ++y) {
-      const double dy = y + 0.5 - a.y;
+      const double dy = y + 0.5 - a.y();
       double from = left, to = right;
       for (const Slope& weight : weights) {
-        const double zero = a.x - (weight.at_corner + weight.y * dy) / weight.x;
+        const double zero = a.x() - (weight.at_corner + weight.y * dy) / weight.x;
         if (weight.x > 0) from = std::max(from, zero);
         if (weight.x < 0) to = std::min(to, zero);
       }
       if (from < to)
         DrawRow(y, SampleFrom(from), SampleFrom(to),
-                {depth.x, 0, a.z + depth.y * dy - depth.x * a.x}, shade);
+                {depth.x, 0, a.z() + depth.y * dy - depth.x * a.x()}, shade);
     }
   }
 
@@ -178,40 +174,41 @@ class DepthBuffer {
 };
 
 Viewport FitViewport(std::span<const SceneMesh> scene, int32_t width, int32_t height) {
-  Vector low{HUGE_VAL, HUGE_VAL, 0}, high{-HUGE_VAL, -HUGE_VAL, 0};
+  Vector3 low{HUGE_VAL, HUGE_VAL, 0}, high{-HUGE_VAL, -HUGE_VAL, 0};
   for (const SceneMesh& object : scene) {
     if (object.centers.empty()) continue;
-    const Vector first = ToView({}, object.centers.front());
-    Vector least{HUGE_VAL, HUGE_VAL, 0}, most{-HUGE_VAL, -HUGE_VAL, 0};  // at the first center
+    const Vector3 first = ToView({}, object.centers.front());
+    Vector3 least{HUGE_VAL, HUGE_VAL, 0}, most{-HUGE_VAL, -HUGE_VAL, 0};  // at the first center
     for (const Vertex& vertex : object.mesh->vertices) {
-      const Vector view = ToView(vertex, object.centers.front());
-      least.x = std::min(least.x, view.x), least.y = std::min(least.y, view.y);
-      most.x = std::max(most.x, view.x), most.y = std::max(most.y, view.y);
+      const Vector3 view = ToView(vertex, object.centers.front());
+      least.x() = std::min(least.x(), view.x()), least.y() = std::min(least.y(), view.y());
+      most.x() = std::max(most.x(), view.x()), most.y() = std::max(most.y(), view.y());
     }
     for (const Point center : object.centers) {
-      const Vector here = ToView({}, center);
-      const double x = here.x - first.x, y = here.y - first.y;
-      low.x = std::min(low.x, least.x + x), low.y = std::min(low.y, least.y + y);
-      high.x = std::max(high.x, most.x + x), high.y = std::max(high.y, most.y + y);
+      const Vector3 here = ToView({}, center);
+      const double x = here.x() - first.x(), y = here.y() - first.y();
+      low.x() = std::min(low.x(), least.x() + x), low.y() = std::min(low.y(), least.y() + y);
+      high.x() = std::max(high.x(), most.x() + x), high.y() = std::max(high.y(), most.y() + y);
     }
   }
   const double margin = 1 + 2 * kMarginOfSize;
-  const double across = std::max(high.x - low.x, 1.0) * margin;
-  const double along = std::max(high.y - low.y, 1.0) * margin;
+  const double across = std::max(high.x() - low.x(), 1.0) * margin;
+  const double along = std::max(high.y() - low.y(), 1.0) * margin;
   const double scale = std::min(width / across, height / along);
-  return {scale, (low.x + high.x - width / scale) / 2, (low.y + high.y + height / scale) / 2};
+  return {scale, (low.x() + high.x() - width / scale) / 2,
+          (low.y() + high.y() + height / scale) / 2};
 }
 
 /// The vertices in the buffer, with the object at a place.
-std::vector<Vector> CornersOf(const IndexedMesh& mesh, Point center, const Viewport& viewport) {
-  std::vector<Vector> corners;
+std::vector<Vector3> CornersOf(const IndexedMesh& mesh, Point center, const Viewport& viewport) {
+  std::vector<Vector3> corners;
   corners.reserve(mesh.vertices.size());
   for (const Vertex& vertex : mesh.vertices)
     corners.push_back(viewport.ToBuffer(ToView(vertex, center)));
   return corners;
 }
 
-absl::Status DrawFacets(const SceneMesh& object, const std::vector<Vector>& corners,
+absl::Status DrawFacets(const SceneMesh& object, const std::vector<Vector3>& corners,
                         DepthBuffer& buffer, const CancelToken& cancel) {
   size_t count = 0;
   for (const auto& t : object.mesh->triangles) {
@@ -224,24 +221,25 @@ absl::Status DrawFacets(const SceneMesh& object, const std::vector<Vector>& corn
 /// Draws the copies of an object: the first one into a buffer of its own, which is stamped.
 absl::Status StampCopies(const SceneMesh& object, const Viewport& viewport, DepthBuffer& buffer,
                          const CancelToken& cancel) {
-  std::vector<Vector> corners = CornersOf(*object.mesh, object.centers.front(), viewport);
-  Vector low{HUGE_VAL, HUGE_VAL, 0}, high{0, 0, 0};
-  for (const Vector& corner : corners) {
-    low.x = std::min(low.x, std::floor(corner.x)), low.y = std::min(low.y, std::floor(corner.y));
-    high.x = std::max(high.x, corner.x), high.y = std::max(high.y, corner.y);
+  std::vector<Vector3> corners = CornersOf(*object.mesh, object.centers.front(), viewport);
+  Vector3 low{HUGE_VAL, HUGE_VAL, 0}, high{0, 0, 0};
+  for (const Vector3& corner : corners) {
+    low.x() = std::min(low.x(), std::floor(corner.x())),
+    low.y() = std::min(low.y(), std::floor(corner.y()));
+    high.x() = std::max(high.x(), corner.x()), high.y() = std::max(high.y(), corner.y());
   }
   if (corners.empty()) return absl::OkStatus();
-  for (Vector& corner : corners) corner.x -= low.x, corner.y -= low.y;
-  DepthBuffer stamp(static_cast<int32_t>(high.x - low.x) + 1,
-                    static_cast<int32_t>(high.y - low.y) + 1);
+  for (Vector3& corner : corners) corner.x() -= low.x(), corner.y() -= low.y();
+  DepthBuffer stamp(static_cast<int32_t>(high.x() - low.x()) + 1,
+                    static_cast<int32_t>(high.y() - low.y()) + 1);
   if (absl::Status status = DrawFacets(object, corners, stamp, cancel); !status.ok()) return status;
-  const Vector first = viewport.ToBuffer(ToView({}, object.centers.front()));
+  const Vector3 first = viewport.ToBuffer(ToView({}, object.centers.front()));
   for (const Point center : object.centers) {
     if (cancel.Cancelled()) return cancel.Check();
-    const Vector here = viewport.ToBuffer(ToView({}, center));
-    buffer.Stamp(stamp, static_cast<int32_t>(std::lround(low.x + here.x - first.x)),
-                 static_cast<int32_t>(std::lround(low.y + here.y - first.y)),
-                 static_cast<float>(here.z - first.z));
+    const Vector3 here = viewport.ToBuffer(ToView({}, center));
+    buffer.Stamp(stamp, static_cast<int32_t>(std::lround(low.x() + here.x() - first.x())),
+                 static_cast<int32_t>(std::lround(low.y() + here.y() - first.y())),
+                 static_cast<float>(here.z() - first.z()));
   }
   return absl::OkStatus();
 }

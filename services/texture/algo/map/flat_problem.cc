@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/geometry/vector.h"
 #include "services/texture/algo/map/exact_turn.h"
 
 namespace slicefarm::texture {
@@ -12,10 +13,6 @@ namespace {
 constexpr double kFar = 250;            // energy of a triangle beyond which its reference moves
 constexpr double kBarrierShare = 1e-8;  // of the surface's area
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 MapPoints PointsAt(const MapPoints& points, const std::vector<int32_t>& which) {
   MapPoints result;

@@ -45,9 +45,10 @@ TEST(Christofides, MatchingIsTheLightest) {
 
 // Clusters of odd size, so far apart that no node has a neighbour outside.
 TEST(Christofides, MatchingLooksBeyondNeighbours) {
-  std::vector<Place> places;
+  std::vector<Vector2> places;
   for (const double x : {0.0, 1e5, 3e5, 3.9e5}) {
-    for (const Place& place : RandomPlaces(11, 7, 100)) places.push_back({place.x + x, place.y});
+    for (const Vector2& place : RandomPlaces(11, 7, 100))
+      places.push_back({place.x() + x, place.y()});
   }
   const Costs costs = Costs::OfPlaces(places, Metric::kNearest);
   Tour nodes(places.size());

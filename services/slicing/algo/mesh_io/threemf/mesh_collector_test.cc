@@ -31,7 +31,7 @@ TEST(MeshCollector, ConvertsWeldsAndCounts) {
   EXPECT_EQ(reading.triangles, 2);
   EXPECT_EQ(reading.vertices, 5);
   const RawMesh raw = std::move(mesh).Take();
-  EXPECT_EQ(raw.positions, (std::vector<Position>{{25.4, 0, 0}, {0, 25.4, 0}, {0, 0, 25.4}}));
+  EXPECT_EQ(raw.positions, (std::vector<Vector3>{{25.4, 0, 0}, {0, 25.4, 0}, {0, 0, 25.4}}));
   EXPECT_EQ(raw.triangles, (std::vector<std::array<uint32_t, 3>>{{0, 1, 2}, {0, 2, 1}}));
 }
 
@@ -112,8 +112,8 @@ TEST(MeshCollector, NotesPaint) {
 
 /// Half of the first triangle is enforced, half of it blocked; the second is enforced as a whole.
 TEST(MeshCollector, TakesPaintedSeamsAndSupports) {
-  for (const std::string_view name : {"slic3rpe:custom_seam", "paint_seam",
-                                      "slic3rpe:custom_supports", "paint_supports"}) {
+  for (const std::string_view name :
+       {"slic3rpe:custom_seam", "paint_seam", "slic3rpe:custom_supports", "paint_supports"}) {
     for (const bool keep : {true, false}) {
       MeshReading reading = {.keep = keep, .coordinate_limit_mm = 100};
       MeshCollector mesh(1, reading);
@@ -140,11 +140,11 @@ TEST(MeshCollector, TakesPaintedSeamsAndSupports) {
         continue;
       }
       EXPECT_EQ(seams.enforcers.mesh.positions,
-                (std::vector<Position>{{4, 4, 0}, {0, 8, 0}, {0, 0, 0}, {8, 0, 0}}));
+                (std::vector<Vector3>{{4, 4, 0}, {0, 8, 0}, {0, 0, 0}, {8, 0, 0}}));
       EXPECT_EQ(seams.enforcers.mesh.triangles,
                 (std::vector<std::array<uint32_t, 3>>{{0, 1, 2}, {2, 3, 1}}));
       EXPECT_EQ(seams.blockers.mesh.positions,
-                (std::vector<Position>{{0, 0, 0}, {8, 0, 0}, {4, 4, 0}}));
+                (std::vector<Vector3>{{0, 0, 0}, {8, 0, 0}, {4, 4, 0}}));
     }
   }
 }

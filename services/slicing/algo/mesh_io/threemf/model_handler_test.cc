@@ -38,7 +38,7 @@ TEST(ModelHandler, ReadsObjectsAndItems) {
   EXPECT_EQ(model->file.objects[0].name, "Gear");
   EXPECT_EQ(model->file.objects[0].mesh, 0);
   EXPECT_EQ(model->file.objects[0].triangles, 12);
-  EXPECT_EQ(model->meshes[0].positions[1], (Position{0, 254, 0}));
+  EXPECT_EQ(model->meshes[0].positions[1], (Vector3{0, 254, 0}));
   ASSERT_EQ(model->file.objects[1].components.size(), 1u);
   EXPECT_EQ(model->file.objects[1].components[0].path, "/a.model");
   EXPECT_EQ(model->file.objects[1].components[0].transform(2, 3), 3 * 25.4);

@@ -57,7 +57,7 @@ TEST(Read3mf, ReadsUnits) {
                                     fmt::format("unit=\"{}\"", c.unit))}});
     ASSERT_TRUE(contents.ok()) << contents.status();
     double largest = 0;
-    for (const Position& p : contents->meshes[0].positions) largest = std::max(largest, p.x);
+    for (const Vector3& p : contents->meshes[0].positions) largest = std::max(largest, p.x());
     EXPECT_DOUBLE_EQ(largest, c.mm) << c.unit;
     EXPECT_DOUBLE_EQ(contents->project.objects[0].instances[0].to_plate(0, 3), 2 * c.mm);
   }
@@ -150,8 +150,7 @@ TEST(Read3mf, TellsTheStructureWithoutMeshes) {
 
 TEST(Read3mf, NotesPaint) {
   Files files = CubeFiles();
-  files[0].second =
-      Replaced(files[0].second, "v1=\"0\" ", "slic3rpe:fuzzy_skin=\"4\" v1=\"0\" ");
+  files[0].second = Replaced(files[0].second, "v1=\"0\" ", "slic3rpe:fuzzy_skin=\"4\" v1=\"0\" ");
   const auto contents = Read(files);
   ASSERT_TRUE(contents.ok()) << contents.status();
   EXPECT_THAT(contents->project.without_effect, ElementsAre("painted fuzzy skin of `object 1`"));
@@ -187,9 +186,9 @@ TEST(Read3mf, ReadsPaintedSeamsAsParts) {
 double SurfaceOf(const RawMesh& mesh) {
   double area = 0;
   for (const auto& t : mesh.triangles) {
-    const Position &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-    const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z;
-    const double vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
+    const Vector3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+    const double ux = b.x() - a.x(), uy = b.y() - a.y(), uz = b.z() - a.z();
+    const double vx = c.x() - a.x(), vy = c.y() - a.y(), vz = c.z() - a.z();
     area += std::hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
   }
   return area;
@@ -203,9 +202,9 @@ TEST(Read3mf, ReadsThePaintedBox) {
   ASSERT_EQ(contents->meshes.size(), 3u);
   EXPECT_NEAR(SurfaceOf(contents->meshes[1]), 2.4 * 20, 5);
   EXPECT_NEAR(SurfaceOf(contents->meshes[2]), 4 * 5 * 20 + 4 * 25, 25);
-  for (const Position& p : contents->meshes[1].positions) {
-    EXPECT_EQ(p.y, 0);
-    EXPECT_NEAR(p.x, 6 + 0.4 * p.z, 1.2 + 0.8);
+  for (const Vector3& p : contents->meshes[1].positions) {
+    EXPECT_EQ(p.y(), 0);
+    EXPECT_NEAR(p.x(), 6 + 0.4 * p.z(), 1.2 + 0.8);
   }
 }
 
@@ -312,8 +311,9 @@ std::multiset<std::array<Corner, 3>> Triangles(const RawMesh& mesh) {
   for (const auto& t : mesh.triangles) {
     std::array<Corner, 3> triangle;
     for (size_t i = 0; i < 3; ++i) {
-      const Position& p = mesh.positions[t[i]];
-      triangle[i] = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+      const Vector3& p = mesh.positions[t[i]];
+      triangle[i] = {static_cast<float>(p.x()), static_cast<float>(p.y()),
+                     static_cast<float>(p.z())};
     }
     std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
                 triangle.end());

@@ -42,13 +42,14 @@ FreePlaces::FreePlaces(const Polygon& bed, const Polygon& hull, Point target) : 
     limits_.push_back({bed[i], along, ExtremeAgainst(hull, along)});
   }
   bed_ring_ = BedRing(bed);
-  for (const Spot s : bed_ring_) {
-    bed_box_.Add(Point{static_cast<Coord>(std::floor(s.x)), static_cast<Coord>(std::floor(s.y))});
-    bed_box_.Add(Point{static_cast<Coord>(std::ceil(s.x)), static_cast<Coord>(std::ceil(s.y))});
+  for (const Vector2& s : bed_ring_) {
+    bed_box_.Add(
+        Point{static_cast<Coord>(std::floor(s.x())), static_cast<Coord>(std::floor(s.y()))});
+    bed_box_.Add(Point{static_cast<Coord>(std::ceil(s.x())), static_cast<Coord>(std::ceil(s.y()))});
   }
   cells_.resize(kCells * kCells);
   OfferAlong(bed_ring_);
-  Offer({static_cast<double>(target.x), static_cast<double>(target.y)});
+  Offer(ToVector(target));
 }
 
 bool FreePlaces::InBed(Point t) const {
@@ -83,8 +84,8 @@ size_t FreePlaces::CellOf(Coord x, Coord y) const {
 
 void FreePlaces::Register(Polygon ring) {
   const Box box = Bounds(ring);
-  std::vector<Spot> spots;
-  for (const Point p : ring) spots.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
+  std::vector<Vector2> spots;
+  for (const Point p : ring) spots.push_back(ToVector(p));
   const size_t from = CellOf(box.min.x, box.min.y), to = CellOf(box.max.x, box.max.y);
   for (size_t row = from / kCells; row <= to / kCells; ++row)
     for (size_t column = from % kCells; column <= to % kCells; ++column)
@@ -92,27 +93,27 @@ void FreePlaces::Register(Polygon ring) {
   obstacles_.push_back({std::move(ring), box, std::move(spots)});
 }
 
-std::vector<FreePlaces::Spot> FreePlaces::BedRing(const Polygon& bed) const {
+std::vector<Vector2> FreePlaces::BedRing(const Polygon& bed) const {
   // Sutherland and Hodgman: the bed's box around one corner of the hull, cut by each limit.
   Box box = Bounds(bed);
   const Point corner = limits_[0].corner;
   box = {box.min - corner, box.max - corner};
   const double x0 = box.min.x, y0 = box.min.y, x1 = box.max.x, y1 = box.max.y;
-  std::vector<Spot> ring = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+  std::vector<Vector2> ring = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
   for (const Limit& limit : limits_) {
     const double length = Norm(limit.along);
     const Point base = limit.from - limit.corner;
-    const auto side = [&](Spot s) {
-      return (limit.along.x * (s.y - base.y) - limit.along.y * (s.x - base.x)) / length;
+    const auto side = [&](Vector2 s) {
+      return (limit.along.x * (s.y() - base.y) - limit.along.y * (s.x() - base.x)) / length;
     };
-    std::vector<Spot> kept;
+    std::vector<Vector2> kept;
     for (size_t i = 0; i < ring.size(); ++i) {
-      const Spot a = ring[i], b = ring[(i + 1) % ring.size()];
+      const Vector2 a = ring[i], b = ring[(i + 1) % ring.size()];
       const double da = side(a), db = side(b);
       if (da >= -kSlack) kept.push_back(a);
       if ((da >= -kSlack) != (db >= -kSlack)) {
         const double s = da / (da - db);
-        kept.push_back({a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)});
+        kept.push_back({a.x() + s * (b.x() - a.x()), a.y() + s * (b.y() - a.y())});
       }
     }
     ring = std::move(kept);
@@ -121,56 +122,58 @@ std::vector<FreePlaces::Spot> FreePlaces::BedRing(const Polygon& bed) const {
   return ring;
 }
 
-bool FreePlaces::Offer(Spot spot) {
+bool FreePlaces::Offer(Vector2 spot) {
   const size_t before = places_.size();
-  const Coord x = static_cast<Coord>(std::floor(spot.x / kPlaceStep)) * kPlaceStep;
-  const Coord y = static_cast<Coord>(std::floor(spot.y / kPlaceStep)) * kPlaceStep;
+  const Coord x = static_cast<Coord>(std::floor(spot.x() / kPlaceStep)) * kPlaceStep;
+  const Coord y = static_cast<Coord>(std::floor(spot.y() / kPlaceStep)) * kPlaceStep;
   for (const Point t : {Point{x, y}, Point{x + kPlaceStep, y}, Point{x, y + kPlaceStep},
                         Point{x + kPlaceStep, y + kPlaceStep}})
     if (Allowed(t)) places_.push_back(t);
   return places_.size() > before;
 }
 
-void FreePlaces::OfferAlong(const std::vector<Spot>& ring) {
+void FreePlaces::OfferAlong(const std::vector<Vector2>& ring) {
   for (size_t i = 0; i < ring.size(); ++i) {
-    const Spot a = ring[i], b = ring[(i + 1) % ring.size()];
+    const Vector2 a = ring[i], b = ring[(i + 1) % ring.size()];
     Offer(a);
-    const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
+    const double dx = b.x() - a.x(), dy = b.y() - a.y(), squared = dx * dx + dy * dy;
     if (squared <= 0) continue;
-    const double s = ((target_.x - a.x) * dx + (target_.y - a.y) * dy) / squared;
-    if (s > 0 && s < 1) Offer({a.x + s * dx, a.y + s * dy});
+    const double s = ((target_.x - a.x()) * dx + (target_.y - a.y()) * dy) / squared;
+    if (s > 0 && s < 1) Offer({a.x() + s * dx, a.y() + s * dy});
   }
 }
 
-std::vector<FreePlaces::Segment> FreePlaces::Within(const std::vector<Spot>& ring, const Box& box) {
+std::vector<FreePlaces::Segment> FreePlaces::Within(const std::vector<Vector2>& ring,
+                                                    const Box& box) {
   std::vector<Segment> found;
   for (size_t i = 0; i < ring.size(); ++i) {
-    const Spot a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
-    if (std::max(a.x, b.x) >= box.min.x && std::min(a.x, b.x) <= box.max.x &&
-        std::max(a.y, b.y) >= box.min.y && std::min(a.y, b.y) <= box.max.y)
+    const Vector2 a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+    if (std::max(a.x(), b.x()) >= box.min.x && std::min(a.x(), b.x()) <= box.max.x &&
+        std::max(a.y(), b.y()) >= box.min.y && std::min(a.y(), b.y()) <= box.max.y)
       found.push_back({a, b});
   }
   return found;
 }
 
 void FreePlaces::OfferCrossing(const Segment& a, const Segment& b) {
-  const double ax = a.b.x - a.a.x, ay = a.b.y - a.a.y, bx = b.b.x - b.a.x, by = b.b.y - b.a.y;
+  const double ax = a.b.x() - a.a.x(), ay = a.b.y() - a.a.y(), bx = b.b.x() - b.a.x(),
+               by = b.b.y() - b.a.y();
   const double cross = ax * by - ay * bx;
   if (cross == 0) return;
-  const double x = b.a.x - a.a.x, y = b.a.y - a.a.y;
+  const double x = b.a.x() - a.a.x(), y = b.a.y() - a.a.y();
   const double t = (x * by - y * bx) / cross, u = (x * ay - y * ax) / cross;
   if (t < 0 || t > 1 || u < 0 || u > 1) return;
-  const Spot spot = {a.a.x + t * ax, a.a.y + t * ay};
+  const Vector2 spot = {a.a.x() + t * ax, a.a.y() + t * ay};
   if (Offer(spot)) return;
   // Both obstacles lie to the left of their edges: outwards is to the right of both.
   const double la = Hypot(ax, ay), lb = Hypot(bx, by);
   const double nx = ay / la + by / lb, ny = -ax / la - bx / lb, n = Hypot(nx, ny);
   if (n < kSharpest) return;
   for (const double step : {2e3, 1e4, 5e4, 2.5e5})
-    if (Offer({spot.x + step * nx / n, spot.y + step * ny / n})) return;
+    if (Offer({spot.x() + step * nx / n, spot.y() + step * ny / n})) return;
 }
 
-void FreePlaces::OfferCrossings(const std::vector<Spot>& a, const std::vector<Spot>& b,
+void FreePlaces::OfferCrossings(const std::vector<Vector2>& a, const std::vector<Vector2>& b,
                                 const Box& common) {
   const std::vector<Segment> of_b = Within(b, common);
   for (const Segment& s : Within(a, common))

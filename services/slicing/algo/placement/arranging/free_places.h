@@ -5,6 +5,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/polygon.h"
+#include "common/geometry/vector.h"
 
 namespace slicefarm::slicing {
 
@@ -42,9 +43,6 @@ class FreePlaces {
   bool Allowed(Point t) const;
 
  private:
-  struct Spot {
-    double x = 0, y = 0;
-  };
   struct Limit {
     Point from, along;  ///< an edge of the bed
     Point corner;       ///< of the hull, the first to leave it
@@ -52,28 +50,29 @@ class FreePlaces {
   struct Obstacle {
     Polygon ring;
     Box box;
-    std::vector<Spot> spots;  ///< the ring's
+    std::vector<Vector2> spots;  ///< the ring's
   };
   struct Segment {
-    Spot a, b;
+    Vector2 a, b;
   };
 
   bool InBed(Point t) const;
-  std::vector<Spot> BedRing(const Polygon& bed) const;
+  std::vector<Vector2> BedRing(const Polygon& bed) const;
   size_t CellOf(Coord x, Coord y) const;
   void Register(Polygon ring);
-  void OfferAlong(const std::vector<Spot>& ring);
-  void OfferCrossings(const std::vector<Spot>& a, const std::vector<Spot>& b, const Box& common);
+  void OfferAlong(const std::vector<Vector2>& ring);
+  void OfferCrossings(const std::vector<Vector2>& a, const std::vector<Vector2>& b,
+                      const Box& common);
   void OfferCrossing(const Segment& a, const Segment& b);
-  bool Offer(Spot spot);
-  static std::vector<Segment> Within(const std::vector<Spot>& ring, const Box& box);
+  bool Offer(Vector2 spot);
+  static std::vector<Segment> Within(const std::vector<Vector2>& ring, const Box& box);
 
   static constexpr Coord kCells = 16;  ///< in each direction
 
   Point target_;
   std::vector<Limit> limits_;
-  std::vector<Spot> bed_ring_;  ///< outline, clockwise, of the translations that stay in the bed
-  Box bed_box_;                 ///< around it
+  std::vector<Vector2> bed_ring_;  ///< outline, clockwise, of the translations that stay in the bed
+  Box bed_box_;                    ///< around it
   std::vector<Obstacle> obstacles_;
   std::vector<std::vector<uint32_t>> cells_;  ///< the obstacles over each cell of bed_box_
   std::vector<Point> places_;

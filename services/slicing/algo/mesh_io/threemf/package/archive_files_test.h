@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/geometry/vector.h"
 #include "services/slicing/algo/mesh_io/raw_mesh.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
@@ -61,8 +62,8 @@ inline std::string Replaced(std::string_view text, std::string_view from, std::s
 
 inline std::string MeshXml(const RawMesh& mesh) {
   std::string xml = "<mesh>\n<vertices>\n";
-  for (const Position& p : mesh.positions)
-    xml += fmt::format("<vertex x=\"{}\" y=\"{}\" z=\"{}\"/>\n", p.x, p.y, p.z);
+  for (const Vector3& p : mesh.positions)
+    xml += fmt::format("<vertex x=\"{}\" y=\"{}\" z=\"{}\"/>\n", p.x(), p.y(), p.z());
   xml += "</vertices>\n<triangles>\n";
   for (const auto& t : mesh.triangles)
     xml += fmt::format("<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>\n", t[0], t[1], t[2]);

@@ -8,17 +8,15 @@
 namespace slicefarm::slicing::threemf {
 namespace {
 
-Position Middle(const Position& a, const Position& b) {
-  return {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
-}
+Vector3 Middle(const Vector3& a, const Vector3& b) { return (a + b) / 2; }
 
 /// The parts of a triangle of which `halved` edges (1 to 3) are halved. One: that across from
 /// corner `first`; two: those that meet there.
 std::vector<Facet> Divided(const Facet& triangle, int halved, size_t first) {
-  const Position& a = triangle[first];
-  const Position& b = triangle[(first + 1) % 3];
-  const Position& c = triangle[(first + 2) % 3];
-  const Position ab = Middle(a, b), bc = Middle(b, c), ca = Middle(c, a);
+  const Vector3& a = triangle[first];
+  const Vector3& b = triangle[(first + 1) % 3];
+  const Vector3& c = triangle[(first + 2) % 3];
+  const Vector3 ab = Middle(a, b), bc = Middle(b, c), ca = Middle(c, a);
   if (halved == 1) return {{a, b, bc}, {bc, c, a}};
   if (halved == 2) return {{a, ab, ca}, {ab, b, ca}, {b, c, ca}};
   return {{a, ab, ca}, {ab, b, bc}, {bc, c, ca}, {ab, bc, ca}};

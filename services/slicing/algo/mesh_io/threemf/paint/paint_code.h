@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/geometry/vector.h"
 #include "services/slicing/algo/mesh_io/raw_mesh.h"
 
 namespace slicefarm::slicing::threemf {
@@ -16,7 +17,7 @@ inline constexpr int64_t kMaxPaintLevels = 64;
 /// What a piece of a triangle is painted with. States beyond these are other paint's: kNone.
 enum class PaintState : uint8_t { kNone, kEnforcer, kBlocker };
 
-using Facet = std::array<Position, 3>;
+using Facet = std::array<Vector3, 3>;
 
 /// A piece of a painted triangle that is painted evenly; its corners run as the triangle's do.
 struct PaintedPiece {

@@ -14,11 +14,13 @@ namespace slicefarm::slicing::threemf::paint_code_test {
 namespace {
 
 /// Right-angled at the first corner, of area 32, in the plane z = 1.
-constexpr Facet kTriangle = {{{0, 0, 1}, {8, 0, 1}, {0, 8, 1}}};
+const Facet kTriangle = {{{0, 0, 1}, {8, 0, 1}, {0, 8, 1}}};
 
 /// Positive if it runs as kTriangle does.
 double AreaOf(const Facet& f) {
-  return ((f[1].x - f[0].x) * (f[2].y - f[0].y) - (f[1].y - f[0].y) * (f[2].x - f[0].x)) / 2;
+  return ((f[1].x() - f[0].x()) * (f[2].y() - f[0].y()) -
+          (f[1].y() - f[0].y()) * (f[2].x() - f[0].x())) /
+         2;
 }
 
 double AreaOf(const std::vector<PaintedPiece>& pieces, PaintState state) {
@@ -28,14 +30,14 @@ double AreaOf(const std::vector<PaintedPiece>& pieces, PaintState state) {
   return area;
 }
 
-Position MiddleOf(const std::vector<PaintedPiece>& pieces, PaintState state) {
-  Position middle;
+Vector3 MiddleOf(const std::vector<PaintedPiece>& pieces, PaintState state) {
+  Vector3 middle = Vector3::Zero();
   for (const PaintedPiece& piece : pieces) {
     if (piece.state != state) continue;
     const double share = AreaOf(piece.corners) / AreaOf(pieces, state) / 3;
-    for (const Position& corner : piece.corners) {
-      middle.x += share * corner.x;
-      middle.y += share * corner.y;
+    for (const Vector3& corner : piece.corners) {
+      middle.x() += share * corner.x();
+      middle.y() += share * corner.y();
     }
   }
   return middle;
@@ -84,9 +86,9 @@ TEST(PaintedPieces, AreThoseThatTheCodeTells) {
     EXPECT_EQ(pieces->size(), c.pieces) << c.code;
     EXPECT_DOUBLE_EQ(AreaOf(*pieces, PaintState::kEnforcer), c.enforced) << c.code;
     EXPECT_DOUBLE_EQ(AreaOf(*pieces, PaintState::kBlocker), c.blocked) << c.code;
-    const Position middle = MiddleOf(*pieces, PaintState::kEnforcer);
-    EXPECT_NEAR(middle.x, c.x, 1e-12) << c.code;
-    EXPECT_NEAR(middle.y, c.y, 1e-12) << c.code;
+    const Vector3 middle = MiddleOf(*pieces, PaintState::kEnforcer);
+    EXPECT_NEAR(middle.x(), c.x, 1e-12) << c.code;
+    EXPECT_NEAR(middle.y(), c.y, 1e-12) << c.code;
   }
 }
 
@@ -123,7 +125,7 @@ TEST(PaintedPieces, TileTheTriangle) {
 
 /// Halving rounds, but on both sides of an edge alike.
 TEST(PaintedPieces, OfNeighboursHaveTheSamePointsOnTheirEdge) {
-  const Position a = {0.1, 1.0 / 3, 7.7}, b = {2.0 / 3, -1.1, 0.3}, c = {1, 1, 1}, d = {-1, 0, 2};
+  const Vector3 a = {0.1, 1.0 / 3, 7.7}, b = {2.0 / 3, -1.1, 0.3}, c = {1, 1, 1}, d = {-1, 0, 2};
   const auto points = [&](const Facet& facet) {
     // Each quarter of the first edge is a corner of some piece.
     const std::string quarters = "000030000300003000033";
@@ -131,7 +133,7 @@ TEST(PaintedPieces, OfNeighboursHaveTheSamePointsOnTheirEdge) {
     const auto pieces = PaintedPieces(quarters, facet);
     EXPECT_EQ(pieces->size(), 16u);
     for (const PaintedPiece& piece : *pieces)
-      for (const Position& p : piece.corners) found.emplace(p.x, p.y, p.z);
+      for (const Vector3& p : piece.corners) found.emplace(p.x(), p.y(), p.z());
     return found;
   };
   const auto left = points({a, b, c}), right = points({b, a, d});
