@@ -44,14 +44,19 @@ TEST(FitArcs, KnowsTheWayRound) {
 
 TEST(FitArcs, LinesAndCornersStay) {
   const std::vector<PlaceUm> square = {{0, 0}, {20'000, 0}, {20'000, 20'000}, {0, 20'000}, {0, 0}};
-  for (const CurvePiece& piece : FitArcs(square)) EXPECT_FALSE(piece.is_arc);
   const std::vector<PlaceUm> line = {{0, 0}, {1'000, 0}, {2'000, 0}, {3'000, 0}, {4'000, 0}};
-  for (const CurvePiece& piece : FitArcs(line)) EXPECT_FALSE(piece.is_arc);
+  for (const auto& points : {square, line}) {
+    const auto pieces = FitArcs(points);
+    ASSERT_FALSE(pieces.empty());
+    for (const CurvePiece& piece : pieces) EXPECT_FALSE(piece.is_arc);
+  }
   EXPECT_TRUE(FitArcs(std::vector<PlaceUm>{{0, 0}}).empty());
 }
 
 TEST(FitArcs, CoarseCirclesStayPolygons) {
-  for (const CurvePiece& piece : FitArcs(Circle(20'000, 2 * kPi, 12))) EXPECT_FALSE(piece.is_arc);
+  const auto pieces = FitArcs(Circle(20'000, 2 * kPi, 12));
+  ASSERT_FALSE(pieces.empty());
+  for (const CurvePiece& piece : pieces) EXPECT_FALSE(piece.is_arc);
 }
 
 // Arcs and lines joined, with noise: every point and every segment's middle lies within the

@@ -37,7 +37,9 @@ TEST(GapFill, ThinBeadsGetTheGapsArea) {
 }
 
 TEST(GapFill, WidthIsBounded) {
-  for (const Path& path : Fill("(0 0, 10 0, 10 2, 0 2)", true))
+  const auto paths = Fill("(0 0, 10 0, 10 2, 0 2)", true);
+  ASSERT_FALSE(paths.empty());
+  for (const Path& path : paths)
     for (const Coord width : path.widths_nm) EXPECT_LE(width, 800'000);
 }
 

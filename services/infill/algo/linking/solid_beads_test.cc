@@ -65,6 +65,7 @@ TEST(SolidBeads, StayInTheRegion) {
                            "(0 0, 20 0, 20 8, 11 8, 10.7 1.1, 10.3 8, 0 8)"}) {
     for (double angle = 0; angle < 3.1; angle += 0.3) {
       const Filled filled(text, angle);
+      ASSERT_FALSE(filled.beads.empty());
       const MultiPolygon grown = FastOffset({filled.region}, 100);
       for (const auto& bead : filled.beads) {
         for (size_t i = 1; i < bead.size(); ++i) {
@@ -81,6 +82,7 @@ TEST(SolidBeads, StayInTheRegion) {
 // Bridges: lines and links where they were cut, of one width, but for the free ends.
 TEST(SolidBeads, EvenBeadsFollowTheEdge) {
   const Filled wedge("(0 0, 30 0, 3 2.4)", 0, false);
+  ASSERT_FALSE(wedge.beads.empty());
   for (size_t k = 0; k < wedge.beads.size(); ++k) {
     for (const StripPoint& p : wedge.beads[k]) EXPECT_EQ(p.strip_nm, kPitch);
     for (const Point p : wedge.paths[k].points)

@@ -38,7 +38,9 @@ TEST(PrepareMilling, PutsLevelsOnFlatsAndEvenlyBetween) {
 TEST(PrepareMilling, LeavesFinishingOut) {
   MillingOptions options = OptionsFor("cyl:1");
   options.finishing = false;
-  for (const MillStep& step : JobOf(PocketPart().Mesh(), options).steps)
+  const MillingJob job = JobOf(PocketPart().Mesh(), options);
+  ASSERT_FALSE(job.steps.empty());
+  for (const MillStep& step : job.steps)
     EXPECT_EQ(step.phase, MillPhase::kRoughing);
 }
 

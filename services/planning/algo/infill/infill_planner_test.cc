@@ -40,7 +40,9 @@ InfillOptions Options(FillPattern pattern) {
 }
 
 TEST(InfillPlanner, NothingAskedForIsNothingPlanned) {
-  for (const LayerPlan& layer : PlanFor(Options(FillPattern::kGyroid), Block()).layers)
+  const JobPlan plan = PlanFor(Options(FillPattern::kGyroid), Block());
+  ASSERT_EQ(plan.layers.size(), kLayers);
+  for (const LayerPlan& layer : plan.layers)
     EXPECT_TRUE(layer.infill.empty());
 }
 

@@ -68,6 +68,7 @@ std::vector<Sample> Samples() {
 }
 
 TEST(LightningLines, EveryRoofIsCarried) {
+  int checked = 0;
   for (const Sample& sample : Samples()) {
     for (size_t i = 0; i < sample.stack.size(); ++i) {
       const RegionEdges edges(sample.areas[i]);
@@ -75,14 +76,17 @@ TEST(LightningLines, EveryRoofIsCarried) {
         const auto edge = edges.Nearest(p);
         const double nearest = std::min(edge->distance_nm, NearestLine(p, sample.lines[i]));
         // The grid on which places are looked at is half a radius wide.
+        ++checked;
         EXPECT_LE(nearest, 1.75 * kRadius) << i;
       }
     }
   }
+  EXPECT_GT(checked, 1000);
 }
 
 // No point of a line is farther than twice the layer's height from what is below, which carries it.
 TEST(LightningLines, LinesRestOnWhatIsBelow) {
+  int checked = 0;
   for (const Sample& sample : Samples()) {
     for (size_t i = 1; i < sample.stack.size(); ++i) {
       if (sample.areas[i - 1].empty()) continue;  // solid
@@ -98,11 +102,13 @@ TEST(LightningLines, LinesRestOnWhatIsBelow) {
             const double nearest = std::min(edge->distance_nm, NearestLine(p, sample.lines[i - 1]));
             if (!inside) continue;
             EXPECT_LE(nearest, 2 * kStackHeight + 50'000) << i;
+            ++checked;
           }
         }
       }
     }
   }
+  EXPECT_GT(checked, 1000);
 }
 
 TEST(LightningLines, LieInsideAndVanishDownwards) {

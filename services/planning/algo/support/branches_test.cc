@@ -81,6 +81,7 @@ TEST(GrowBranches, NearTheBedTheyLeaveRoomForAFoot) {
   const TestStack wall(kLayers,
                        [](double z) { return z < 19 ? BoxOf(-9, -9, -0.6, 9) : MultiPolygon(); });
   const Growth growth(wall.Problem(), {}, 0.5);
+  ASSERT_GT(growth.Feet(), 0u);
   for (const BranchNode& node : growth.branches().nodes) {
     if (node.below < 0) {
       EXPECT_GE(node.at.x, -600'000 + 225'000 + kFootRadiusNm - 250'000);

@@ -110,6 +110,7 @@ class SupportsTest : public testing::TestWithParam<std::tuple<Shape, SupportStyl
 TEST_P(SupportsTest, KeepTheirDistance) {
   const SupportProblem problem = stack_.Problem();
   const SupportPlan plan = Plan(problem, options_);
+  ASSERT_FALSE(plan.layers.empty());
   for (const SupportLayer& layer : plan.layers) {
     const MultiPolygon all = All(layer);
     const Coord bottom = layer.top_nm - layer.height_nm;
@@ -131,6 +132,7 @@ TEST_P(SupportsTest, KeepTheirDistance) {
 TEST_P(SupportsTest, RestOnSomething) {
   const SupportProblem problem = stack_.Problem();
   const SupportPlan plan = Plan(problem, options_);
+  ASSERT_FALSE(plan.layers.empty());
   for (size_t i = 0; i < plan.layers.size(); ++i) {
     const SupportLayer& layer = plan.layers[i];
     if (layer.first) continue;
@@ -376,7 +378,9 @@ TEST_P(StyleTest, StayOnTheBed) {
   const TestStack stack(60, kShapes[0].outline);
   SupportProblem problem = stack.Problem();
   problem.bed = BoxOf(-1, -1, 19, 21);
-  for (const SupportLayer& layer : Plan(problem, options_).layers)
+  const SupportPlan plan = Plan(problem, options_);
+  ASSERT_FALSE(plan.layers.empty());
+  for (const SupportLayer& layer : plan.layers)
     EXPECT_LT(AreaMm2(Difference(All(layer), problem.bed)), 1e-6);
 }
 

@@ -104,7 +104,9 @@ TEST(SuggestOrientation, MeasuresOverhangsBySlope) {
 }
 
 TEST(SuggestOrientation, GivesRotations) {
-  for (const PrintOrientation& o : SuggestOrDie(Placed(Tee(), {20, 50, 80})).best) {
+  const auto best = SuggestOrDie(Placed(Tee(), {20, 50, 80})).best;
+  ASSERT_FALSE(best.empty());
+  for (const PrintOrientation& o : best) {
     EXPECT_NEAR((o.rotation * o.rotation.transpose() - Eigen::Matrix3d::Identity()).norm(), 0,
                 1e-12);
     EXPECT_NEAR(o.rotation.determinant(), 1, 1e-12);
