@@ -12,6 +12,7 @@ deploy/setup.sh
 python3 tests/check_layers.py
 python3 tests/check_includes.py
 python3 tests/check_types.py
+python3 tests/check_cycles.py
 python3 tests/check_docs.py
 [[ -f build/CMakeCache.txt ]] || cmake --preset cold
 cmake --build --preset release

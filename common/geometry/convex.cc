@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "common/base/portable_math.h"
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/predicates.h"
 
 namespace slicefarm {
 namespace {

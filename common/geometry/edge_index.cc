@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "common/geometry/boolean/predicates.h"
+#include "common/geometry/predicates.h"
 
 namespace slicefarm {
 namespace {

@@ -5,7 +5,7 @@
 #include <random>
 #include <set>
 
-#include "common/geometry/boolean/predicates.h"
+#include "common/geometry/predicates.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm::edge_index_test {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/geometry/boolean/predicates.h"
+#include "common/geometry/predicates.h"
 
 namespace slicefarm {
 namespace {

@@ -12,7 +12,7 @@
 #include "common/model/limits.h"
 #include "common/model/milling/cutter_text.h"
 #include "services/milling/algo/waterline/waterline.h"
-#include "services/slicing/algo/mesh_io/mesh_reader.h"
+#include "services/slicing/algo/mesh_reader/mesh_reader.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/thread_seconds.h"
 

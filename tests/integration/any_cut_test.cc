@@ -20,7 +20,7 @@
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "services/planning/algo/local_planning_stage.h"
 #include "services/slicing/algo/local_slicing_stage.h"
-#include "services/slicing/algo/mesh_io/mesh_source.h"
+#include "services/slicing/algo/mesh_reader/mesh_source.h"
 
 namespace slicefarm::any_cut_test {
 namespace {

@@ -17,7 +17,7 @@
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "services/planning/algo/local_planning_stage.h"
 #include "services/slicing/algo/local_slicing_stage.h"
-#include "services/slicing/algo/placement/arranging/local_arranging_stage.h"
+#include "services/slicing/algo/placement/local_arranging_stage.h"
 #include "slicefarm/v1/planning.grpc.pb.h"
 #include "tests/integration/fake_stages.h"
 #include "tests/integration/remote_clients.h"

@@ -19,7 +19,7 @@
 #include "common/stage/task.h"
 #include "common/stage/texture_stage.h"
 #include "services/planning/server/planning_service.h"
-#include "services/slicing/algo/placement/arranging/local_arranging_stage.h"
+#include "services/slicing/algo/placement/local_arranging_stage.h"
 #include "services/slicing/algo/placement/local_placing_stage.h"
 
 namespace slicefarm {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "common/geometry/boolean/near_edges.h"
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/predicates.h"
 
 namespace slicefarm::internal {
 namespace {

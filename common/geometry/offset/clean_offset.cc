@@ -8,9 +8,9 @@
 #include "common/base/portable_math.h"
 #include "common/geometry/boolean/arrangement.h"
 #include "common/geometry/boolean/by_island.h"
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
+#include "common/geometry/predicates.h"
 #include "common/geometry/rings/simple_rings.h"
 #include "common/geometry/vector.h"
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "common/geometry/boolean/near_edges.h"
-#include "common/geometry/boolean/predicates.h"
+#include "common/geometry/predicates.h"
 
 namespace slicefarm {
 namespace {

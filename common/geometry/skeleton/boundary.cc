@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/predicates.h"
 #include "common/geometry/rings/ring_cleaning.h"
 #include "common/geometry/rings/simple_rings.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "common/geometry/boolean/predicates.h"
+#include "common/geometry/predicates.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm::boundary_test {

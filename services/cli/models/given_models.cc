@@ -15,8 +15,8 @@
 #include "common/model/scene/placement.h"
 #include "services/cli/files.h"
 #include "services/cli/models/model_arguments.h"
-#include "services/slicing/algo/mesh_io/mesh_reader.h"
-#include "services/slicing/algo/placement/arranging/local_arranging_stage.h"
+#include "services/slicing/algo/mesh_reader/mesh_reader.h"
+#include "services/slicing/algo/placement/local_arranging_stage.h"
 
 namespace slicefarm::cli {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "services/slicing/algo/mesh_io/mesh_reader.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
+#include "services/slicing/algo/mesh_reader/mesh_reader.h"
 
 namespace slicefarm::cli::project_json_test {
 namespace {

@@ -3,8 +3,8 @@
 #include "common/model/limits.h"
 #include "services/cli/files.h"
 #include "services/cli/models/given_models.h"
-#include "services/slicing/algo/mesh_io/mesh_reader.h"
 #include "services/slicing/algo/mesh_io/obj_reader.h"
+#include "services/slicing/algo/mesh_reader/mesh_reader.h"
 
 namespace slicefarm::cli {
 namespace {

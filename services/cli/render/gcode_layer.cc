@@ -10,8 +10,8 @@
 
 #include "common/base/error.h"
 #include "common/base/text.h"
-#include "services/motion/algo/program/arc_chords.h"
 #include "services/motion/algo/program/program_labels.h"
+#include "services/motion/algo/toolpath/arc_chords.h"
 
 namespace slicefarm::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "common/geometry/ways_within.h"
+#include "common/geometry/offset/ways_within.h"
 #include "common/model/options/motion_options.h"
 #include "common/model/program_summary.h"
 

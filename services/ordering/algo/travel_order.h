@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/geometry/point.h"
+#include "services/ordering/algo/comb/barrier.h"
 #include "services/ordering/algo/tours/work_budget.h"
 
 namespace slicefarm::ordering {
@@ -17,14 +18,6 @@ struct Leg {
   Point start;
   Point end;
   bool reversible = true;
-};
-
-/// What lies between places.
-class Barrier {
- public:
-  virtual ~Barrier() = default;
-  /// Whether the straight way from a to b crosses it. REQUIRES: symmetric.
-  virtual bool Parts(Point a, Point b) const = 0;
 };
 
 /// `leg` comes before `next`.

@@ -9,8 +9,8 @@
 #include "common/model/options/planning_options.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
-#include "services/planning/algo/planner.h"
-#include "services/planning/algo/region_planner.h"
+#include "services/planning/algo/planner/planner.h"
+#include "services/planning/algo/planner/region_planner.h"
 
 namespace slicefarm::planning {
 

@@ -11,9 +11,9 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
+#include "common/geometry/predicates.h"
 #include "common/stage/slice_input_test.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 #include "tests/corpus_file.h"

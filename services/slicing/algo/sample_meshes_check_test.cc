@@ -4,7 +4,7 @@
 #include <numbers>
 #include <string>
 
-#include "services/slicing/algo/mesh_io/mesh_reader.h"
+#include "services/slicing/algo/mesh_reader/mesh_reader.h"
 #include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 #include "services/slicing/algo/topology/topology.h"

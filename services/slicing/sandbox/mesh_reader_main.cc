@@ -1,4 +1,4 @@
-#include "services/slicing/algo/mesh_io/mesh_reader.h"
+#include "services/slicing/algo/mesh_reader/mesh_reader.h"
 #include "services/slicing/sandbox/reader_side.h"
 
 // slicefarm-mesh-reader: reads one mesh for slicefarm-slicing, which starts it, and ends.

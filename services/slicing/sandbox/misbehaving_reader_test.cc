@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "common/base/error.h"
-#include "services/slicing/algo/mesh_io/mesh_reader.h"
+#include "services/slicing/algo/mesh_reader/mesh_reader.h"
 #include "services/slicing/sandbox/project_codec.h"
 #include "services/slicing/sandbox/reader_protocol.h"
 #include "services/slicing/sandbox/reader_side.h"

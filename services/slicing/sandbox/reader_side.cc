@@ -11,7 +11,7 @@
 #include <new>
 #include <string>
 
-#include "services/slicing/algo/point_hash.h"
+#include "services/slicing/algo/mesh_io/point_hash.h"
 #include "services/slicing/sandbox/fd.h"
 #include "services/slicing/sandbox/project_codec.h"
 #include "services/slicing/sandbox/reader_protocol.h"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "common/base/byte_budget.h"
-#include "services/slicing/algo/mesh_io/mesh_source.h"
+#include "services/slicing/algo/mesh_reader/mesh_source.h"
 #include "services/slicing/sandbox/confinement.h"
 
 namespace slicefarm::slicing {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "common/base/error.h"
-#include "services/slicing/algo/mesh_io/mesh_reader.h"
+#include "services/slicing/algo/mesh_reader/mesh_reader.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 #include "services/slicing/sandbox/processes_test.h"
 #include "services/slicing/sandbox/sanitized_build.h"

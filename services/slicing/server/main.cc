@@ -6,7 +6,7 @@
 #include "common/rpc/server/stage_command_line.h"
 #include "common/stage/memory_budget.h"
 #include "services/slicing/algo/local_slicing_stage.h"
-#include "services/slicing/algo/placement/arranging/local_arranging_stage.h"
+#include "services/slicing/algo/placement/local_arranging_stage.h"
 #include "services/slicing/algo/placement/local_placing_stage.h"
 #include "services/slicing/server/mesh_sandbox.h"
 #include "services/slicing/server/slicing_service.h"

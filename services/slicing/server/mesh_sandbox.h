@@ -7,7 +7,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/byte_budget.h"
-#include "services/slicing/algo/mesh_io/mesh_source.h"
+#include "services/slicing/algo/mesh_reader/mesh_source.h"
 
 namespace slicefarm::slicing {
 

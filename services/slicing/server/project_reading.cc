@@ -8,7 +8,7 @@
 #include "common/wire/options/given_settings_wire.h"
 #include "common/wire/scene_wire.h"
 #include "common/wire/support/wire_error.h"
-#include "services/slicing/algo/mesh_io/mesh_reader.h"
+#include "services/slicing/algo/mesh_reader/mesh_reader.h"
 
 namespace slicefarm::slicing {
 namespace {

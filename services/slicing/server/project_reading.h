@@ -6,7 +6,7 @@
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
 #include "common/model/scene/mesh.h"
-#include "services/slicing/algo/mesh_io/mesh_source.h"
+#include "services/slicing/algo/mesh_reader/mesh_source.h"
 #include "slicefarm/v1/jobs.pb.h"
 
 namespace slicefarm::slicing {

@@ -8,9 +8,9 @@
 #include "common/base/cancel_token.h"
 #include "common/model/options/beading_options.h"
 #include "services/beading/algo/arachne/variable_walls.h"
+#include "services/beading/algo/beads/island_beads.h"
 #include "services/beading/algo/classic/constant_walls.h"
 #include "services/beading/algo/classic/gap_fill.h"
-#include "services/beading/algo/island_beads.h"
 #include "services/beading/algo/strategy/beading_strategy.h"
 
 namespace slicefarm::beading {

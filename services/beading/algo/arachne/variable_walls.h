@@ -6,8 +6,8 @@
 
 #include "common/geometry/polygon.h"
 #include "common/geometry/skeleton/skeletal_graph.h"
+#include "services/beading/algo/beads/thick_line.h"
 #include "services/beading/algo/strategy/beading_strategy.h"
-#include "services/beading/algo/thick_line.h"
 
 namespace slicefarm::beading {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "common/base/portable_math.h"
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/predicates.h"
 #include "common/geometry/vector.h"
 
 namespace slicefarm::beading {

@@ -2,7 +2,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "services/beading/algo/island_beads.h"
+#include "services/beading/algo/beads/island_beads.h"
 #include "services/beading/algo/classic/constant_walls.h"
 #include "services/beading/algo/classic/gap_fill.h"
 

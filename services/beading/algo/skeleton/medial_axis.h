@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
-#include "services/beading/algo/thick_line.h"
+#include "services/beading/algo/beads/thick_line.h"
 
 namespace slicefarm::beading {
 

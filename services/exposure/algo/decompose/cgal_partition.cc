@@ -8,8 +8,8 @@
 #include <iterator>
 #include <list>
 
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/predicates.h"
 #include "common/geometry/rings/ring_cleaning.h"
 #include "common/geometry/rings/simple_rings.h"
 

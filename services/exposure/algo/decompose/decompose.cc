@@ -11,8 +11,8 @@
 
 #include "common/base/error.h"
 #include "common/base/portable_math.h"
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/predicates.h"
 #include "services/exposure/algo/decompose/cgal_partition.h"
 #include "services/exposure/algo/decompose/cut_region.h"
 #include "services/exposure/algo/decompose/exact_vector.h"

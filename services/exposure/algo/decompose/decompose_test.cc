@@ -9,11 +9,11 @@
 #include <string>
 
 #include "common/base/error.h"
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
+#include "common/geometry/predicates.h"
 #include "common/geometry/text_format.h"
 #include "services/exposure/algo/decompose/piece_quality.h"
 

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <numeric>
 
-#include "common/geometry/boolean/predicates.h"
+#include "common/geometry/predicates.h"
 
 namespace slicefarm::exposure {
 namespace {

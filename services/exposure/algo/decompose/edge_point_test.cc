@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "common/geometry/boolean/predicates.h"
+#include "common/geometry/predicates.h"
 
 namespace slicefarm::exposure::edge_point_test {
 namespace {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "common/base/error.h"
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/predicates.h"
 #include "common/geometry/rings/simple_rings.h"
 #include "services/exposure/algo/decompose/exact_vector.h"
 

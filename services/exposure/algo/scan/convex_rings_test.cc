@@ -6,11 +6,11 @@
 #include <random>
 #include <set>
 
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
+#include "common/geometry/predicates.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm::exposure::convex_rings_test {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
-#include "services/exposure/algo/exposed_seconds.h"
+#include "services/exposure/algo/scan/exposed_seconds.h"
 #include "services/exposure/algo/scan/layer_shift.h"
 #include "services/exposure/algo/scan/scan_lines.h"
 

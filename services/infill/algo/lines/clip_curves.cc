@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/edge_index.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/predicates.h"
 
 namespace slicefarm::infill {
 namespace {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "common/geometry/boolean/boolean.h"
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
+#include "common/geometry/predicates.h"
 #include "common/geometry/text_format.h"
 #include "tests/corpus_slice.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "common/base/disjoint_sets.h"
-#include "common/geometry/boolean/predicates.h"
+#include "common/geometry/predicates.h"
 #include "services/infill/algo/space_filling/ring_places.h"
 
 namespace slicefarm::infill {

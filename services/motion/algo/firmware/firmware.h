@@ -9,7 +9,7 @@
 #include "common/kinematics/planner.h"
 #include "common/model/options/motion_options.h"
 #include "common/model/program_summary.h"
-#include "services/motion/algo/program/gcode_line.h"
+#include "services/motion/algo/text/gcode_line.h"
 
 namespace slicefarm::motion {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "services/motion/algo/program/gcode_line.h"
+#include "services/motion/algo/text/gcode_line.h"
 
 namespace slicefarm::motion {
 

@@ -7,7 +7,7 @@
 
 #include "common/gcode/gcode_text.h"
 #include "common/model/options/machine_limits.h"
-#include "services/motion/algo/program/gcode_line.h"
+#include "services/motion/algo/text/gcode_line.h"
 
 namespace slicefarm::motion {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "services/motion/algo/firmware/marlin.h"
-#include "services/motion/algo/gcode/comment_text.h"
-#include "services/motion/algo/gcode/machine_setup.h"
+#include "services/motion/algo/text/commands.h"
+#include "services/motion/algo/text/comment_text.h"
 
 namespace slicefarm::motion {
 namespace {

@@ -1,11 +1,11 @@
 #include "services/motion/algo/gcode/machine_setup.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 
 #include "common/base/text.h"
 #include "services/motion/algo/firmware/firmware.h"
+#include "services/motion/algo/text/commands.h"
 
 namespace slicefarm::motion {
 
@@ -48,11 +48,6 @@ void WriteStart(const MotionOptions& options, const StartCode& code, GcodeText& 
   out.Lines(code.filament);
 }
 
-bool StartCommands(const MotionOptions& options, std::initializer_list<std::string_view> commands) {
-  return Commands(options.start_gcode, commands) ||
-         Commands(options.tool().start_filament_gcode, commands);
-}
-
 MachineLimits LimitsAfterStart(const MotionOptions& options) {
   const Firmware& firmware = FirmwareOf(options.flavor);
   MachineLimits limits = options.limits;
@@ -66,22 +61,6 @@ MachineLimits LimitsAfterStart(const MotionOptions& options) {
   if (options.default_acceleration_mm_s2 > 0)
     limits.max_acceleration_extruding_mm_s2 = options.limits.max_acceleration_extruding_mm_s2;
   return limits;
-}
-
-bool Commands(std::string_view gcode, std::initializer_list<std::string_view> commands) {
-  while (!gcode.empty()) {
-    const size_t end = std::min(gcode.find('\n'), gcode.size());
-    std::string_view line = gcode.substr(0, end);
-    gcode.remove_prefix(std::min(end + 1, gcode.size()));
-    while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
-    for (const std::string_view command : commands) {
-      if (!line.starts_with(command)) continue;
-      const bool whole = line.size() == command.size() ||
-                         std::isdigit(static_cast<unsigned char>(line[command.size()])) == 0;
-      if (whole) return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace slicefarm::motion

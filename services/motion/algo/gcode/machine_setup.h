@@ -28,12 +28,6 @@ struct StartCode {
 /// Source: PrusaSlicer.
 void WriteStart(const MotionOptions& options, const StartCode& code, GcodeText& out);
 
-/// Whether some line of `gcode` is one of the commands, such as "M104".
-bool Commands(std::string_view gcode, std::initializer_list<std::string_view> commands);
-
-/// Whether start G-code, the machine's or the filament's, has one of the commands.
-bool StartCommands(const MotionOptions& options, std::initializer_list<std::string_view> commands);
-
 /// The limits that the layers run with: what start G-code says (M201, SET_VELOCITY_LIMIT, ...)
 /// holds over the settings. Accelerations that the layers tell by themselves stay the settings'.
 /// Lines with templates are not looked at.

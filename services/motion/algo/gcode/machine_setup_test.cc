@@ -64,15 +64,6 @@ TEST(WriteStart, HeatsUpBeforeTheFilamentsCode) {
   EXPECT_EQ(Start("M109 S200\nM190 S50", "M900 K1", 1), "M109 S200\nM190 S50\nT1\nM900 K1\n");
 }
 
-TEST(Commands, AreWholeWordsAtTheStartOfALine) {
-  EXPECT_TRUE(Commands("G28\n  M104 S0", {"M104", "M109"}));
-  EXPECT_TRUE(Commands("M109", {"M104", "M109"}));
-  EXPECT_TRUE(Commands("M104;", {"M104"}));
-  EXPECT_FALSE(Commands("M1045 S0", {"M104"}));
-  EXPECT_FALSE(Commands("; M104 S0", {"M104"}));
-  EXPECT_FALSE(Commands("", {"M104"}));
-}
-
 TEST(LimitsAfterStart, StartGcodeHoldsOverTheSettings) {
   MotionOptions options;
   options.start_gcode = "G28 ; M201 X9\nM201 X750 Y{oops}\nM203 X90 ; comment\nM204 P600\nG1 X1 X2";

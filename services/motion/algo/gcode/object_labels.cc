@@ -4,7 +4,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "services/motion/algo/firmware/firmware.h"
-#include "services/motion/algo/gcode/comment_text.h"
+#include "services/motion/algo/text/comment_text.h"
 
 namespace slicefarm::motion {
 std::string LabelOf(const CopyName& name, size_t index, const MotionOptions& options) {

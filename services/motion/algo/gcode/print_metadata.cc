@@ -10,10 +10,10 @@
 
 #include "common/base/build_info.h"
 #include "common/base/duration_text.h"
-#include "common/model/filament_use.h"
-#include "services/motion/algo/gcode/comment_text.h"
 #include "common/gcode/gcode_text.h"
 #include "common/macro/settings_text.h"
+#include "common/model/filament_use.h"
+#include "services/motion/algo/text/comment_text.h"
 
 namespace slicefarm::motion {
 namespace {

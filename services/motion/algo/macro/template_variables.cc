@@ -10,7 +10,7 @@
 #include "common/macro/setting_variables.h"
 #include "common/model/filament_use.h"
 #include "services/motion/algo/firmware/firmware.h"
-#include "services/motion/algo/gcode/comment_text.h"
+#include "services/motion/algo/text/comment_text.h"
 #include "services/motion/algo/toolpath/footprint.h"
 
 namespace slicefarm::motion {

@@ -9,9 +9,9 @@
 #include "common/kinematics/kinematic_move.h"
 #include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
-#include "services/motion/algo/program/arc_chords.h"
-#include "services/motion/algo/program/gcode_line.h"
 #include "services/motion/algo/program/heat_waits.h"
+#include "services/motion/algo/text/gcode_line.h"
+#include "services/motion/algo/toolpath/arc_chords.h"
 
 namespace slicefarm::motion {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "services/motion/algo/program/gcode_line.h"
+#include "services/motion/algo/text/gcode_line.h"
 
 namespace slicefarm::motion {
 

@@ -4,7 +4,7 @@
 
 #include "common/base/portable_math.h"
 #include "common/gcode/gcode_text.h"
-#include "services/motion/algo/program/arc_chords.h"
+#include "services/motion/algo/toolpath/arc_chords.h"
 #include "services/motion/algo/toolpath/edge_moves.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 

@@ -8,11 +8,7 @@
 
 #include "common/geometry/edge_index.h"
 #include "common/geometry/polygon.h"
-<<<<<<< HEAD
-=======
 #include "common/geometry/vector.h"
-#include "common/model/options/motion_options.h"
->>>>>>> 4d16e86d (Vectors are Eigen's everywhere: 23 private vector types are gone)
 #include "services/motion/algo/toolpath/path_segment.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 

@@ -10,7 +10,7 @@
 #include "common/geometry/arc_fit.h"
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
-#include "services/motion/algo/gcode/material_mix.h"
+#include "services/motion/algo/firmware/material_mix.h"
 #include "services/motion/algo/toolpath/bridge_thread.h"
 #include "services/motion/algo/toolpath/divided_path.h"
 #include "services/motion/algo/toolpath/feature_groups.h"

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "common/geometry/between.h"
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/predicates.h"
 #include "common/geometry/rings/simplify.h"
 
 namespace slicefarm::ordering {

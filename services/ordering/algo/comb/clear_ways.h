@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "services/ordering/algo/comb/edge_strips.h"
-#include "services/ordering/algo/travel_order.h"
+#include "services/ordering/algo/tours/work_budget.h"
 
 namespace slicefarm::ordering {
 

@@ -7,9 +7,9 @@
 #include <random>
 #include <vector>
 
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/offset/offset.h"
+#include "common/geometry/predicates.h"
 #include "common/geometry/rings/simplify.h"
 #include "common/geometry/text_format.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/geometry/boolean/predicates.h"
+#include "common/geometry/predicates.h"
 
 namespace slicefarm::ordering {
 namespace {

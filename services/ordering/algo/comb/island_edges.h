@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "common/model/layer.h"
+#include "services/ordering/algo/comb/barrier.h"
 #include "services/ordering/algo/comb/edge_strips.h"
-#include "services/ordering/algo/travel_order.h"
 
 namespace slicefarm::ordering {
 

@@ -8,7 +8,6 @@
 #include "common/model/options/ordering_options.h"
 #include "services/ordering/algo/comb/curled_ways.h"
 #include "services/ordering/algo/comb/island_edges.h"
-#include "services/ordering/algo/travel_order.h"
 
 namespace slicefarm::ordering {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "common/geometry/ways_within.h"
+#include "common/geometry/offset/ways_within.h"
 
 namespace slicefarm::ordering {
 namespace {

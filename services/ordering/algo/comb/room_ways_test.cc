@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/boolean/boolean.h"
-#include "common/geometry/ways_within.h"
+#include "common/geometry/offset/ways_within.h"
 
 namespace slicefarm::ordering::room_ways_test {
 namespace {

@@ -11,7 +11,7 @@
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "services/planning/algo/adhesion/skirt.h"
-#include "services/planning/algo/planner.h"
+#include "services/planning/algo/planner/planner.h"
 
 namespace slicefarm::planning {
 

@@ -9,7 +9,7 @@
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "services/planning/algo/adhesion/raft.h"
-#include "services/planning/algo/region_planner.h"
+#include "services/planning/algo/planner/region_planner.h"
 
 namespace slicefarm::planning {
 

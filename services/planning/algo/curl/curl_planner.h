@@ -5,7 +5,7 @@
 
 #include "common/model/options/planning_options.h"
 #include "services/planning/algo/curl/curled_edges.h"
-#include "services/planning/algo/planner.h"
+#include "services/planning/algo/planner/planner.h"
 
 namespace slicefarm::planning {
 

@@ -9,7 +9,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
 #include "common/geometry/rings/simplify.h"
-#include "services/planning/algo/ring_shape.h"
+#include "services/planning/algo/rings/ring_shape.h"
 
 namespace slicefarm::planning {
 namespace {

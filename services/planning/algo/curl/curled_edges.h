@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
-#include "services/planning/algo/region_edges.h"
+#include "services/planning/algo/rings/region_edges.h"
 
 namespace slicefarm::planning {
 

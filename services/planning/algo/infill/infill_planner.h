@@ -8,7 +8,7 @@
 #include "common/model/options/planning_options.h"
 #include "services/planning/algo/infill/infill_places.h"
 #include "services/planning/algo/infill/object_stack.h"
-#include "services/planning/algo/planner.h"
+#include "services/planning/algo/planner/planner.h"
 
 namespace slicefarm::planning {
 

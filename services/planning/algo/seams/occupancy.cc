@@ -9,7 +9,7 @@
 
 #include "common/base/portable_math.h"
 #include "common/geometry/vector.h"
-#include "services/planning/algo/ring_shape.h"
+#include "services/planning/algo/rings/ring_shape.h"
 
 namespace slicefarm::planning {
 namespace {

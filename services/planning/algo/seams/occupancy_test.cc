@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/text_format.h"
-#include "services/planning/algo/ring_shape.h"
+#include "services/planning/algo/rings/ring_shape.h"
 #include "services/planning/algo/seams/rings_test.h"
 
 namespace slicefarm::planning::occupancy_test {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "common/geometry/covers.h"
-#include "services/planning/algo/ring_shape.h"
+#include "services/planning/algo/rings/ring_shape.h"
 
 namespace slicefarm::planning {
 namespace {

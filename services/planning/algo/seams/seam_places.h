@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/model/layer.h"
-#include "services/planning/algo/region_edges.h"
+#include "services/planning/algo/rings/region_edges.h"
 
 namespace slicefarm::planning {
 

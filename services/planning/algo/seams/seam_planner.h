@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/model/options/planning_options.h"
-#include "services/planning/algo/planner.h"
+#include "services/planning/algo/planner/planner.h"
 #include "services/planning/algo/seams/occupancy.h"
 #include "services/planning/algo/seams/seam_costs.h"
 #include "services/planning/algo/seams/seam_forest.h"

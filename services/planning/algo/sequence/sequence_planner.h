@@ -7,7 +7,7 @@
 
 #include "common/model/options/sequence_options.h"
 #include "common/stage/stages.h"
-#include "services/planning/algo/planner.h"
+#include "services/planning/algo/planner/planner.h"
 
 namespace slicefarm::planning {
 

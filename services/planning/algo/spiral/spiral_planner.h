@@ -8,7 +8,7 @@
 #include "common/model/options/planning_options.h"
 #include "common/stage/stages.h"
 #include "services/planning/algo/adhesion/skirt.h"
-#include "services/planning/algo/planner.h"
+#include "services/planning/algo/planner/planner.h"
 
 namespace slicefarm::planning {
 

@@ -8,7 +8,7 @@
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "services/planning/algo/planner.h"
+#include "services/planning/algo/planner/planner.h"
 #include "services/planning/algo/support/support_planner.h"
 #include "services/planning/algo/supports/plate_solids.h"
 

@@ -7,7 +7,7 @@
 #include "common/model/options/planning_options.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
-#include "services/planning/algo/region_planner.h"
+#include "services/planning/algo/planner/region_planner.h"
 
 namespace slicefarm::planning {
 

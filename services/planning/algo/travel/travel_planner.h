@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/stage/stages.h"
-#include "services/planning/algo/planner.h"
+#include "services/planning/algo/planner/planner.h"
 
 namespace slicefarm::planning {
 

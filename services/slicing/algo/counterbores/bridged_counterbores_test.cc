@@ -8,7 +8,7 @@
 #include "common/stage/slice_input_test.h"
 #include "services/slicing/algo/counterbores/shapes_test.h"
 #include "services/slicing/algo/local_slicing_stage.h"
-#include "services/slicing/algo/mesh_io/mesh_source.h"
+#include "services/slicing/algo/mesh_reader/mesh_source.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing::bridged_counterbores_test {

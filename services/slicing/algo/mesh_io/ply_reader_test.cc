@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "common/base/error.h"
-#include "services/slicing/algo/mesh_io/mesh_reader.h"
+#include "services/slicing/algo/mesh_reader/mesh_reader.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing::ply_reader_test {

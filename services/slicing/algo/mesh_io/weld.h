@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "services/slicing/algo/point_hash.h"
+#include "services/slicing/algo/mesh_io/point_hash.h"
 
 namespace slicefarm::slicing {
 

@@ -4,7 +4,7 @@
 
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
-#include "services/slicing/algo/mesh_io/mesh_source.h"
+#include "services/slicing/algo/mesh_reader/mesh_source.h"
 
 namespace slicefarm::slicing {
 

@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "common/model/limits.h"
 #include "services/slicing/algo/mesh_io/mesh_part.h"
-#include "services/slicing/algo/mesh_io/mesh_reader.h"
+#include "services/slicing/algo/mesh_reader/mesh_reader.h"
 #include "services/slicing/algo/placement/arranging/footprint.h"
 #include "services/slicing/algo/placement/placement.h"
 

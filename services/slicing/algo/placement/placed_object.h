@@ -9,7 +9,7 @@
 #include "common/geometry/polygon.h"
 #include "common/stage/slice_input.h"
 #include "common/stage/stages.h"
-#include "services/slicing/algo/mesh_io/mesh_source.h"
+#include "services/slicing/algo/mesh_reader/mesh_source.h"
 #include "services/slicing/algo/topology/topology.h"
 
 namespace slicefarm::slicing {

@@ -47,22 +47,6 @@ Coord Middle(Coord low, Coord high) { return low + (high - low) / 2; }
 
 }  // namespace
 
-Extent ExtentOf(const IndexedMesh& mesh) {
-  Extent extent;
-  for (const Vertex& v : mesh.vertices) {
-    extent.min = {std::min(extent.min.x, v.x), std::min(extent.min.y, v.y),
-                  std::min(extent.min.z, v.z)};
-    extent.max = {std::max(extent.max.x, v.x), std::max(extent.max.y, v.y),
-                  std::max(extent.max.z, v.z)};
-  }
-  return extent;
-}
-
-void Extent::Add(const Extent& other) {
-  min = {std::min(min.x, other.min.x), std::min(min.y, other.min.y), std::min(min.z, other.min.z)};
-  max = {std::max(max.x, other.max.x), std::max(max.y, other.max.y), std::max(max.z, other.max.z)};
-}
-
 absl::StatusOr<IndexedMesh> TransformMesh(const RawMesh& raw, const Transform& transform) {
   const Row row_x = RowOf(transform, 0), row_y = RowOf(transform, 1), row_z = RowOf(transform, 2);
   Welder<Vertex> welder(raw.positions.size());

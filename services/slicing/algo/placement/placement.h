@@ -9,17 +9,9 @@
 #include "common/model/scene/mesh.h"
 #include "common/model/scene/transform.h"
 #include "services/slicing/algo/mesh_io/raw_mesh.h"
+#include "services/slicing/algo/topology/mesh_measure.h"
 
 namespace slicefarm::slicing {
-
-/// Extent of a mesh; min > max for a mesh without vertices.
-struct Extent {
-  Vertex min{INT64_MAX, INT64_MAX, INT64_MAX};
-  Vertex max{INT64_MIN, INT64_MIN, INT64_MIN};
-
-  void Add(const Extent& other);
-};
-Extent ExtentOf(const IndexedMesh& mesh);
 
 /// Brings a mesh to nanometres: transformed, rounded (half away from zero, so mirror images stay
 /// mirror images), welded by exact position. Errors: OUT_OF_RANGE for coordinates that cannot be

@@ -9,8 +9,8 @@
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/moved.h"
 #include "common/model/limits.h"
-#include "services/slicing/algo/placement/arranging/copy_places.h"
 #include "services/slicing/algo/placement/build_volume.h"
+#include "services/slicing/algo/placement/copy_places.h"
 #include "services/slicing/algo/placement/placed_object.h"
 
 namespace slicefarm::slicing {

@@ -8,7 +8,7 @@
 #include "common/model/options/slicing_options.h"
 #include "common/stage/slice_input.h"
 #include "common/stage/stages.h"
-#include "services/slicing/algo/mesh_io/mesh_source.h"
+#include "services/slicing/algo/mesh_reader/mesh_source.h"
 #include "services/slicing/algo/topology/topology.h"
 
 namespace slicefarm::slicing {

@@ -7,7 +7,7 @@
 #include "common/model/engraving/surface_mesh.h"
 #include "common/stage/slice_input.h"
 #include "common/stage/stages.h"
-#include "services/slicing/algo/mesh_io/mesh_source.h"
+#include "services/slicing/algo/mesh_reader/mesh_source.h"
 
 namespace slicefarm::slicing {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "common/geometry/boolean/predicates.h"
+#include "common/geometry/predicates.h"
 
 namespace slicefarm::slicing {
 namespace {

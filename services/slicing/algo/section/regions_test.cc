@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/predicates.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm::slicing::regions_test {

@@ -10,7 +10,7 @@
 #include "common/model/scene/placement.h"
 #include "common/stage/slice_input_test.h"
 #include "services/slicing/algo/local_slicing_stage.h"
-#include "services/slicing/algo/mesh_io/mesh_reader.h"
+#include "services/slicing/algo/mesh_reader/mesh_reader.h"
 #include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 #include "services/slicing/algo/section/layer_heights.h"

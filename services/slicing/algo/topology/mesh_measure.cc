@@ -1,5 +1,6 @@
 #include "services/slicing/algo/topology/mesh_measure.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace slicefarm::slicing {
@@ -39,6 +40,22 @@ bool HasNoArea(const IndexedMesh& mesh, const std::array<uint32_t, 3>& triangle)
   const Coord bx = b.x - a.x, by = b.y - a.y, bz = b.z - a.z;
   const Coord cx = c.x - a.x, cy = c.y - a.y, cz = c.z - a.z;
   return IsZeroCross(bx, by, cx, cy) && IsZeroCross(by, bz, cy, cz) && IsZeroCross(bz, bx, cz, cx);
+}
+
+Extent ExtentOf(const IndexedMesh& mesh) {
+  Extent extent;
+  for (const Vertex& v : mesh.vertices) {
+    extent.min = {std::min(extent.min.x, v.x), std::min(extent.min.y, v.y),
+                  std::min(extent.min.z, v.z)};
+    extent.max = {std::max(extent.max.x, v.x), std::max(extent.max.y, v.y),
+                  std::max(extent.max.z, v.z)};
+  }
+  return extent;
+}
+
+void Extent::Add(const Extent& other) {
+  min = {std::min(min.x, other.min.x), std::min(min.y, other.min.y), std::min(min.z, other.min.z)};
+  max = {std::max(max.x, other.max.x), std::max(max.y, other.max.y), std::max(max.z, other.max.z)};
 }
 
 }  // namespace slicefarm::slicing

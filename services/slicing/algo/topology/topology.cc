@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "common/base/error.h"
-#include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/topology/edge_fans.h"
 #include "services/slicing/algo/topology/face_orientation.h"
 #include "services/slicing/algo/topology/mesh_measure.h"

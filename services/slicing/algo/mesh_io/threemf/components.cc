@@ -6,8 +6,8 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "services/slicing/algo/mesh_io/threemf/package/place.h"
 #include "services/slicing/algo/mesh_io/threemf/package/xml.h"
-#include "services/slicing/algo/mesh_io/threemf/place.h"
 #include "services/slicing/algo/mesh_io/threemf/transform_text.h"
 
 namespace slicefarm::slicing::threemf {

@@ -5,7 +5,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "services/slicing/algo/mesh_io/threemf/package/package.h"
+#include "services/slicing/algo/mesh_io/threemf/package.h"
 
 namespace slicefarm::slicing::threemf {
 

@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "common/model/scene/scene.h"
+#include "services/slicing/algo/mesh_io/threemf/package/resource_id.h"
 #include "services/slicing/algo/mesh_io/threemf/paint/painted_area.h"
 
 namespace slicefarm::slicing::threemf {
-
-/// The name of a resource; any positive number below 2^31, and nothing is ever allocated by it.
-using ResourceId = uint32_t;
 
 /// An object of a model file, or of another one, and how it is moved.
 struct ObjectUse {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "services/slicing/algo/mesh_io/threemf/mesh_collector.h"
+#include "services/slicing/algo/mesh_io/threemf/package/place.h"
 #include "services/slicing/algo/mesh_io/threemf/package/xml.h"
-#include "services/slicing/algo/mesh_io/threemf/place.h"
 
 namespace slicefarm::slicing::threemf {
 namespace {

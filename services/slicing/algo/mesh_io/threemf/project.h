@@ -2,7 +2,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/model/scene/scene.h"
-#include "services/slicing/algo/mesh_io/threemf/package/package.h"
+#include "services/slicing/algo/mesh_io/threemf/package.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/metadata.h"
 
 namespace slicefarm::slicing::threemf {

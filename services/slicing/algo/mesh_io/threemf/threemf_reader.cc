@@ -1,7 +1,7 @@
 #include "services/slicing/algo/mesh_io/threemf/threemf_reader.h"
 
+#include "services/slicing/algo/mesh_io/threemf/package.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive.h"
-#include "services/slicing/algo/mesh_io/threemf/package/package.h"
 #include "services/slicing/algo/mesh_io/threemf/project.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/metadata.h"
 

@@ -10,8 +10,8 @@
 #include <set>
 
 #include "common/base/error.h"
-#include "services/slicing/algo/mesh_io/mesh_reader.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
+#include "services/slicing/algo/mesh_reader/mesh_reader.h"
 #include "tests/corpus_file.h"
 
 namespace slicefarm::slicing::threemf::threemf_reader_test {

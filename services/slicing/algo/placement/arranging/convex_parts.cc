@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "common/geometry/boolean/boolean.h"
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
+#include "common/geometry/predicates.h"
 #include "common/geometry/rings/simplify.h"
 
 namespace slicefarm::slicing {

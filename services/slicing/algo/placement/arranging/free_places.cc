@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "common/base/portable_math.h"
-#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/convex.h"
+#include "common/geometry/predicates.h"
 
 namespace slicefarm::slicing {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "common/base/error.h"
 #include "common/model/scene/rotation.h"
-#include "services/slicing/algo/mesh_io/mesh_reader.h"
+#include "services/slicing/algo/mesh_reader/mesh_reader.h"
 #include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 #include "tests/corpus_file.h"

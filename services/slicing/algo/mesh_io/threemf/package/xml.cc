@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "common/model/limits.h"
-#include "services/slicing/algo/mesh_io/threemf/place.h"
-#include "services/slicing/algo/point_hash.h"
+#include "services/slicing/algo/mesh_io/point_hash.h"
+#include "services/slicing/algo/mesh_io/threemf/package/place.h"
 
 namespace slicefarm::slicing::threemf {
 namespace {

@@ -6,8 +6,8 @@
 #include "common/base/text.h"
 #include "common/model/limits.h"
 #include "common/model/options/layer_heights.h"
+#include "services/slicing/algo/mesh_io/threemf/package/place.h"
 #include "services/slicing/algo/mesh_io/threemf/package/xml.h"
-#include "services/slicing/algo/mesh_io/threemf/place.h"
 
 namespace slicefarm::slicing::threemf {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "common/base/text.h"
-#include "services/slicing/algo/mesh_io/threemf/place.h"
+#include "services/slicing/algo/mesh_io/threemf/package/place.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/height_codes.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/setting_list.h"
 

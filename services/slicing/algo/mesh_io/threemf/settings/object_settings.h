@@ -7,7 +7,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/model/scene/scene.h"
-#include "services/slicing/algo/mesh_io/threemf/model_file.h"
+#include "services/slicing/algo/mesh_io/threemf/package/resource_id.h"
 
 namespace slicefarm::slicing::threemf {
 

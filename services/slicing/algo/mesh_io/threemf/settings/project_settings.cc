@@ -4,8 +4,8 @@
 
 #include "common/base/text.h"
 #include "common/base/utf8.h"
+#include "services/slicing/algo/mesh_io/threemf/package/place.h"
 #include "services/slicing/algo/mesh_io/threemf/package/xml.h"
-#include "services/slicing/algo/mesh_io/threemf/place.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/names.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/setting_list.h"
 

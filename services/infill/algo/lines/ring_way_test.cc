@@ -1,0 +1,39 @@
+#include "services/infill/algo/lines/ring_way.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace slicefarm::infill::ring_way_test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// The corners that a way passes on a ring of four, numbered.
+std::vector<Coord> Corners(const RingWay& way) {
+  std::vector<Coord> corners;
+  ForEachCorner({{0, 0}, {1, 0}, {2, 0}, {3, 0}}, way, [&](Point p) { corners.push_back(p.x); });
+  return corners;
+}
+
+TEST(RingWay, PassesTheCornersBetween) {
+  EXPECT_THAT(Corners({0, 2, true}), ElementsAre(1, 2));
+  EXPECT_THAT(Corners({2, 0, false}), ElementsAre(2, 1));
+}
+
+TEST(RingWay, PassesTheFirstPoint) {
+  EXPECT_THAT(Corners({2, 1, true}), ElementsAre(3, 0, 1));
+  EXPECT_THAT(Corners({1, 2, false}), ElementsAre(1, 0, 3));
+}
+
+TEST(RingWay, OnOneEdgeStraightOrAround) {
+  EXPECT_THAT(Corners({1, 1, true}), IsEmpty());
+  EXPECT_THAT(Corners({1, 1, false}), IsEmpty());
+  EXPECT_THAT(Corners({1, 1, true, true}), ElementsAre(2, 3, 0, 1));
+  EXPECT_THAT(Corners({1, 1, false, true}), ElementsAre(1, 0, 3, 2));
+}
+
+}  // namespace
+}  // namespace slicefarm::infill::ring_way_test

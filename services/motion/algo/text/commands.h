@@ -1,0 +1,16 @@
+#pragma once
+
+#include <initializer_list>
+#include <string_view>
+
+#include "common/model/options/motion_options.h"
+
+namespace slicefarm::motion {
+
+/// Returns true if some line of `gcode` is one of the commands, such as "M104".
+bool Commands(std::string_view gcode, std::initializer_list<std::string_view> commands);
+
+/// Returns true if start G-code, the machine's or the filament's, has one of the commands.
+bool StartCommands(const MotionOptions& options, std::initializer_list<std::string_view> commands);
+
+}  // namespace slicefarm::motion

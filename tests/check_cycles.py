@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""Fails where folders include each other, directly or by way of others.
+
+usage: check_cycles.py [repo root] [--list]        exit 1 and one line per violation; --list shows the includes of each circle
+
+A folder is read, built and tested by itself; folders in a circle of includes are one unit in several places. Headers for tests may
+include what they like. KNOWN holds the circles that were there before the rule. They may lose folders and gain none.
+"""
+import collections
+import pathlib
+import re
+import sys
+
+INCLUDE = re.compile(r'^#include "([^"]+)"', re.M)
+TEST_FILE = re.compile(r"_test\.(cc|h)$")
+KNOWN = [
+    {"common/config", "common/config/projects", "common/config/table"},
+    {"common/model", "common/model/milling", "common/model/options", "common/model/scene"},
+    {"common/rpc/client", "common/rpc/observe", "common/rpc/security", "common/rpc/server"},
+    {"common/wire", "common/wire/fields", "common/wire/layers", "common/wire/options", "common/wire/support"},
+    {"services/cli", "services/cli/commands", "services/cli/models", "services/cli/program", "services/cli/support_lab"},
+    {f"services/coordinator/server/{folder}" for folder in ("api", "execution", "observe", "webhooks")},
+    {"services/coordinator/store/blobs", "services/coordinator/store/sql"},
+]
+
+
+def includes_between_folders(root):
+    """{(folder, included folder): [(file, included file)]} of product code."""
+    found = collections.defaultdict(list)
+    files = [f for d in ("common", "processes", "services") for e in ("h", "cc") for f in sorted((root / d).rglob(f"*.{e}"))]
+    for file in files:
+        path = file.relative_to(root)
+        if TEST_FILE.search(path.name):
+            continue
+        for included in INCLUDE.findall(file.read_text()):
+            folder = pathlib.PurePosixPath(included).parent
+            if folder != path.parent and (root / included).exists():
+                found[str(path.parent), str(folder)].append((str(path), included))
+    return found
+
+
+def reached(start, edges):
+    """All folders that `start` includes, directly or by way of others."""
+    seen, left = set(), [start]
+    while left:
+        for folder in edges[left.pop()] - seen:
+            seen.add(folder)
+            left.append(folder)
+    return seen
+
+
+def circles(found):
+    """Sets of folders of which each reaches each other one."""
+    edges = collections.defaultdict(set)
+    for a, b in found:
+        edges[a].add(b)
+    reach = {folder: reached(folder, edges) for folder in list(edges)}
+    groups = {frozenset(b for b in reach[a] if a in reach.get(b, ())) for a in reach if a in reach[a]}
+    return sorted(map(sorted, groups))
+
+
+def check(found):
+    groups = circles(found)
+    for group in groups:
+        if not any(known.issuperset(group) for known in KNOWN):
+            yield f"{group[0]}: includes itself by way of {', '.join(group[1:])} (--list shows where)"
+    for known in KNOWN:
+        if not any(known.issuperset(group) for group in groups) and any(known & {a, b} for a, b in found):
+            yield f"{min(known)}: no circle any more; take it out of KNOWN"
+
+
+def show(found):
+    for group in circles(found):
+        print(" ".join(group))
+        for (a, b), includes in sorted(found.items()):
+            if a in group and b in group:
+                for path, included in includes:
+                    print(f"  {path} includes {included}")
+
+
+def main():
+    names = [a for a in sys.argv[1:] if not a.startswith("--")]
+    found = includes_between_folders(pathlib.Path(names[0] if names else ".").resolve())
+    if "--list" in sys.argv:
+        show(found)
+        return 0
+    errors = list(check(found))
+    print("\n".join(errors) or f"{len(circles(found))} circles of folders, all known")
+    return 1 if errors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
