@@ -312,7 +312,8 @@ std::vector<SettingSpec> InfillSettings() {
        .standard = kSmallAreaFlowTable,
        .doc = "Which part of its plastic a line of solid infill gets by its length, from turn to "
               "turn; in proportion between these lengths",
-       .field = Bind<&RegionRow::infill, &InfillOptions::small_area_flow_table>()},
+       .field = Bind<&RegionRow::infill, &InfillOptions::small_area_flow_table>(),
+       .orca = {{"small_area_infill_flow_compensation_model", OrcaValue::kPairs}}},
       {.key = "infill_only_where_needed",
        .kind = Kind::kFlag,
        .standard = "0",

@@ -138,9 +138,11 @@ std::vector<SettingSpec> FuzzySkins() {
 }
 
 std::vector<SettingSpec> Widths() {
-  SettingSpec first = Width("first_layer_extrusion_width",
-                            "Width of all beads of the first layer; 0: perimeter_extrusion_width",
-                            Bind<&RegionRow::walls, &BeadingOptions::first_layer_width_nm>());
+  SettingSpec first =
+      Orca({"initial_layer_line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
+           Width("first_layer_extrusion_width",
+                 "Width of all beads of the first layer; 0: perimeter_extrusion_width",
+                 Bind<&RegionRow::walls, &BeadingOptions::first_layer_width_nm>()));
   first.standard = "200%";
   first.relative_to = "first_layer_height";
   first.own_scope = Scope::kJob;
@@ -154,16 +156,24 @@ std::vector<SettingSpec> Widths() {
                      "(top infill: the nozzle's diameter)",
                      {}))),
       first,
-      Width("perimeter_extrusion_width", "Width of the inner walls; 0: extrusion_width",
-            Bind<&RegionRow::walls, &BeadingOptions::inner_width_nm>()),
-      Width("external_perimeter_extrusion_width", "Width of the outer walls; 0: extrusion_width",
-            Bind<&RegionRow::walls, &BeadingOptions::external_width_nm>()),
-      Width("infill_extrusion_width", "Width of the sparse infill's lines; 0: extrusion_width",
-            Bind<&RegionRow::infill, &InfillOptions::sparse_width_nm>()),
-      Width("solid_infill_extrusion_width", "Width of the solid infill's lines; 0: extrusion_width",
-            Bind<&RegionRow::infill, &InfillOptions::solid_width_nm>()),
-      Width("top_infill_extrusion_width", "Width of the top surface's lines; 0: extrusion_width",
-            Bind<&RegionRow::infill, &InfillOptions::top_width_nm>()),
+      Orca({"inner_wall_line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
+           Width("perimeter_extrusion_width", "Width of the inner walls; 0: extrusion_width",
+                 Bind<&RegionRow::walls, &BeadingOptions::inner_width_nm>())),
+      Orca({"outer_wall_line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
+           Width("external_perimeter_extrusion_width",
+                 "Width of the outer walls; 0: extrusion_width",
+                 Bind<&RegionRow::walls, &BeadingOptions::external_width_nm>())),
+      Orca({"sparse_infill_line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
+           Width("infill_extrusion_width", "Width of the sparse infill's lines; 0: extrusion_width",
+                 Bind<&RegionRow::infill, &InfillOptions::sparse_width_nm>())),
+      Orca({"internal_solid_infill_line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
+           Width("solid_infill_extrusion_width",
+                 "Width of the solid infill's lines; 0: extrusion_width",
+                 Bind<&RegionRow::infill, &InfillOptions::solid_width_nm>())),
+      Orca({"top_surface_line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
+           Width("top_infill_extrusion_width",
+                 "Width of the top surface's lines; 0: extrusion_width",
+                 Bind<&RegionRow::infill, &InfillOptions::top_width_nm>())),
   };
 }
 
