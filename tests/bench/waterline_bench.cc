@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "common/geometry/vector.h"
 #include "common/model/limits.h"
 #include "common/model/milling/cutter_text.h"
 #include "services/milling/algo/waterline/waterline.h"
@@ -111,7 +112,7 @@ std::optional<milling::TriangleMesh> MeshIn(const std::string& path) {
   const auto raw = slicing::ReadMesh(bytes, MeshFormat::kUnknown, limits::kMaxMeshCoordinateMm, {});
   if (!raw.ok()) return std::nullopt;
   milling::TriangleMesh mesh;
-  for (const slicing::Position& p : raw->positions) mesh.points_mm.push_back({p.x, p.y, p.z});
+  for (const Vector3& p : raw->positions) mesh.points_mm.push_back({p.x(), p.y(), p.z()});
   mesh.triangles = raw->triangles;
   return mesh;
 }
