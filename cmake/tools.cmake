@@ -16,7 +16,7 @@ function(slicefarm_tools variable)
   get_filename_component(re2 ${re2} NAME)
   set(tools
     ${CMAKE_CXX_COMPILER_ID}=${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_SYSTEM_PROCESSOR} libc=${libc} absl=${absl_VERSION} boost=${Boost_VERSION}
-    cgal=${cgal} clipper=${clipper} eigen=${Eigen3_VERSION} expat=${EXPAT_VERSION_STRING} fmt=${fmt_VERSION}
+    cairo=${cairo_VERSION} cgal=${cgal} clipper=${clipper} eigen=${Eigen3_VERSION} expat=${EXPAT_VERSION_STRING} fmt=${fmt_VERSION}
     json=${nlohmann_json_VERSION} png=${PNG_VERSION_STRING} protobuf=${Protobuf_VERSION} re2=${re2} zip=${libzip_VERSION})
   foreach(tool ${tools})
     if(tool MATCHES "=$")

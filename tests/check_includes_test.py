@@ -18,6 +18,9 @@ TREE = {
     "services/a/forward.h": ("struct SceneObject;\nvoid Take(const SceneObject& object);\n", []),
     "services/a/wire.cc": ("v1::SceneObject proto;\n", []),
     "services/a/quoted.cc": ('// SceneObject object\nauto s = "SceneObject object";\n', []),
+    "services/a/outcome_test.h": ("struct Outcome {};\n", []),
+    "services/a/outcome.cc": ("enum class PartRole {};\nOutcome outcome;\nPartRole role;\n", []),
+    "services/a/outcome_test.cc": ("Outcome outcome;\n", ["Outcome"]),
     "services/a/either.cc": ("TwoHeaders two;\nReplicaSet set;\n", []),
 }
 

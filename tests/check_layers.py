@@ -3,9 +3,9 @@
 
 usage: check_layers.py [repo root]        exit 1 and one line per violation
 
-The way is base <- gcode, geometry <- model <- macro, kinematics <- config, stage, algo <- wire, rpc, sandbox <- remote, store <- run <- server, sim, client;
-a service never includes another one, except in the two places where whole programs are put together: services/worker and
-services/cli. What is of one process lies in processes/<name>, a folder for each side that asks for it (settings, task, wire,
+The way is base <- gcode, geometry, picture <- model <- macro, kinematics <- config, stage, algo <- wire, rpc, sandbox <- remote, store <- run <- server, sim, client;
+a service never includes another one, except in the places where whole programs are put together: services/worker, services/cli and
+services/lab, which nothing includes. What is of one process lies in processes/<name>, a folder for each side that asks for it (settings, task, wire,
 job); the others reach it through processes/list alone, and name no process but in common/model/process.h.
 """
 import pathlib
@@ -21,6 +21,7 @@ LAYERS = [
     ("base", r"common/base/", {"base"}, f"{WIRE}|{GRPC}"),
     ("gcode", r"common/gcode/", {"base", "gcode"}, f"{WIRE}|{GRPC}"),
     ("geometry", r"common/geometry/", {"base", "geometry"}, f"{WIRE}|{GRPC}"),
+    ("picture", r"common/picture/", {"base", "picture"}, f"{WIRE}|{GRPC}"),
     ("model", r"common/model/", PURE, f"{WIRE}|{GRPC}"),
     ("kinematics", r"common/kinematics/", PURE | {"kinematics"}, f"{WIRE}|{GRPC}"),
     ("macro", r"common/macro/", {"base", "geometry", "model", "macro"}, f"{WIRE}|{GRPC}"),
@@ -32,17 +33,19 @@ LAYERS = [
     ("job", r"processes/\w+/jobs?(?:[/.]|_test)", PURE | {"stage", "task", "algo", "job"}, f"{WIRE}|{GRPC}"),
     ("wire", r"common/wire/", PURE | {"stage", "wire"}, r"\.grpc\.pb\.h$|^grpc"),
     ("rpc", r"common/rpc/", PURE | {"rpc"}, r"slicefarm/v1/(?!shared).*\.pb\.h$"),
-    ("algo", r"services/(\w+)/algo/", PURE | {"algo", "stage", "macro", "kinematics"}, f"{WIRE}|{GRPC}"),
+    ("algo", r"services/(\w+)/algo/", PURE | {"algo", "stage", "macro", "kinematics", "picture"}, f"{WIRE}|{GRPC}"),
     ("sandbox", r"services/(\w+)/sandbox/", PURE | {"algo", "sandbox"}, f"{WIRE}|{GRPC}"),
     ("remote", r"services/(\w+)/remote/", EDGE | {"remote", "task_wire"}, None),
     ("store", r"services/(\w+)/store/", PURE | {"store", "algo", "rpc", "wire"}, GRPC),
     ("run", r"services/(\w+)/run/", PURE | {"run", "algo", "store"}, f"{WIRE}|{GRPC}"),
     ("server", r"services/(\w+)/server/", EDGE | {"remote", "sandbox", "store", "run", "server"} | PROCESS, None),
     ("sim", r"services/(\w+)/sim/", PURE | {"sim", "run", "algo", "store"}, f"{WIRE}|{GRPC}"),
-    ("cli", r"services/(cli)/", EDGE | {"remote", "cli"} | PROCESS, None),
+    ("console", r"services/(cli)/console/", PURE | {"config", "console"}, f"{WIRE}|{GRPC}"),
+    ("cli", r"services/(cli)/", EDGE | {"remote", "console", "cli", "picture"} | PROCESS, None),
+    ("lab", r"services/(lab)/", EDGE | {"console", "lab", "picture"}, None),
     ("client", r"services/(\w+)/client/", EDGE | {"client"}, None),
 ]
-COMPOSITION_ROOTS = {"worker", "cli"}
+COMPOSITION_ROOTS = {"worker", "cli", "lab"}
 JOBS_OF = "coordinator"  # the service that puts jobs together, whose interfaces processes/*/job implements
 PROCESSES = re.compile(r"processes/(\w+)/")
 # Beside its folders: the enumerators, and the stage that exposes layers.

@@ -1,25 +1,15 @@
 #include "services/cli/cli_program.h"
 
-#include <fmt/core.h>
-
 #include <CLI/CLI.hpp>
-#include <csignal>
-#include <exception>
-#include <string>
 
-#include "common/base/build_info.h"
 #include "services/cli/commands/commands.h"
-#include "services/cli/console.h"
-#include "services/cli/exit_code.h"
-#include "services/cli/interrupt.h"
-#include "services/cli/parse_errors.h"
+#include "services/cli/console/console.h"
+#include "services/cli/console/program_main.h"
 
 namespace slicefarm::cli {
 namespace {
 
-std::string VersionLine() {
-  return fmt::format("slicefarm {} ({}), build {}", Version(), ReleaseDate(), BuildId());
-}
+constexpr char kProgram[] = "slicefarm";
 
 }  // namespace
 
@@ -27,7 +17,7 @@ void AddVersion(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand("version", "Print version and build");
   command->callback([&context] {
     context.run = [] {
-      Print(VersionLine() + "\n");
+      Print(VersionLine(kProgram) + "\n");
       return ExitCode::kOk;
     };
   });
@@ -57,51 +47,16 @@ constexpr char kFooter[] =
     "  9  the output cannot be written\n"
     "  10 the farm takes no more at the moment (--patience S waits): quota, queue or disk";
 
-ExitCode Parse(CLI::App& app, int argc, char** argv) {
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return static_cast<ExitCode>(app.exit(error));  // help, version
-    fmt::print(stderr, "error: {}\n", ParseErrorText(app, error));
-    return ExitCode::kUsage;
-  }
-  return ExitCode::kOk;
-}
-
-ExitCode Run(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is an error of writing
-  Interrupt interrupt;
-  CommandContext context = {.interrupt = &interrupt, .run = {}};
-  CLI::App app(kDescription, "slicefarm");
-  app.footer(kFooter);
-  app.set_version_flag("-v,--version", VersionLine());
-  app.require_subcommand(1);
-  for (const auto add : {AddSlice,     AddSubmit,  AddInspect,        AddWatch,
-                         AddList,      AddGet,     AddCancel,         AddDelete,
-                         AddTrace,     AddWebhook, AddUpdate,         AddArtifacts,
-                         AddEvents,    AddMeshes,  AddUsage,          AddCaller,
-                         AddTenant,    AddProfile, AddRender,         AddBeads,
-                         AddFill,      AddFlatten, AddDecompose,      AddSupportLab,
-                         AddTsp,       AddTime,    AddCheck,          AddSettings,
-                         AddHealth,    AddToken,   AddEngraveProgram, AddMillProgram,
-                         AddWaterline, AddHelp,    AddCompletion,     AddVersion}) {
-    add(app, context);
-  }
-  if (const ExitCode parsed = Parse(app, argc, argv); parsed != ExitCode::kOk || !context.run) {
-    return parsed;
-  }
-  return context.run();
-}
+constexpr AddCommand kCommands[] = {
+    AddSlice,    AddSubmit, AddInspect, AddWatch,   AddList,       AddGet,    AddCancel,
+    AddDelete,   AddTrace,  AddWebhook, AddUpdate,  AddArtifacts,  AddEvents, AddMeshes,
+    AddUsage,    AddCaller, AddTenant,  AddProfile, AddRender,     AddTime,   AddCheck,
+    AddSettings, AddHealth, AddToken,   AddHelp,    AddCompletion, AddVersion};
 
 }  // namespace
 
 int Main(int argc, char** argv) {
-  try {
-    return static_cast<int>(Run(argc, argv));
-  } catch (const std::exception& error) {  // memory ran out, most likely
-    fmt::print(stderr, "error: {}\n", error.what());
-    return static_cast<int>(ExitCode::kInternal);
-  }
+  return RunProgram({kProgram, kDescription, kFooter}, kCommands, argc, argv);
 }
 
 }  // namespace slicefarm::cli

@@ -16,7 +16,7 @@
 #include "common/base/error.h"
 #include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
-#include "services/cli/files.h"
+#include "services/cli/console/files.h"
 
 namespace slicefarm::cli {
 namespace {

@@ -17,9 +17,9 @@
 #include "common/config/told_settings.h"
 #include "common/model/limits.h"
 #include "common/rpc/utf8.h"
-#include "services/cli/choice_option.h"
+#include "services/cli/console/choice_option.h"
 #include "services/cli/field_files.h"
-#include "services/cli/files.h"
+#include "services/cli/console/files.h"
 #include "services/cli/output_name.h"
 
 namespace slicefarm::cli {
@@ -127,7 +127,7 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
   app.add_option(
          "--format", options.format,
          "What the output is, whatever it is called and the settings say: gcode, bgcode; of "
-         "other machines cli, nc, ngc, svg, dxf, csv")
+         "other machines cli, nc, ngc, svg, dxf, csv, stl, obj, png, map.png")
       ->type_name("FORMAT");
   std::string features;
   for (const config::Allowance& each : config::Allowances())

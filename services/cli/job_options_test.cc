@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common/base/error.h"
-#include "services/cli/files.h"
+#include "services/cli/console/files.h"
 
 namespace slicefarm::cli::job_options_test {
 namespace {

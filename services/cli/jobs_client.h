@@ -12,7 +12,7 @@
 #include "common/base/stopwatch.h"
 #include "common/base/trace_context.h"
 #include "common/rpc/security/client_security.h"
-#include "services/cli/files.h"
+#include "services/cli/console/files.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"
 

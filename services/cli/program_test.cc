@@ -17,13 +17,13 @@
 
 #include "common/base/sha256.h"
 #include "common/base/temp_directory_test.h"
-#include "services/cli/exit_code.h"
+#include "services/cli/console/exit_code.h"
 #include "services/cli/fake_coordinator_test.h"
-#include "services/cli/files.h"
-#include "services/cli/program_fixture_test.h"
+#include "services/cli/console/files.h"
+#include "services/cli/console/program_fixture_test.h"
 #include "services/cli/render/gcode_layer.h"
 #include "services/cli/render/layer_drawing.h"
-#include "services/cli/render/picture_test.h"
+#include "common/picture/picture_test.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"
 
@@ -45,7 +45,7 @@ TEST_F(Program, HelpNamesEveryCommandAndExitCode) {
   EXPECT_EQ(help.code, ExitCode::kOk);
   for (const char* command :
        {"slice", "submit", "watch", "list", "get", "cancel", "delete", "trace", "webhook", "render",
-        "decompose", "settings", "health", "token", "tsp", "version"}) {
+        "settings", "health", "token", "version"}) {
     EXPECT_THAT(help.out, HasSubstr(std::string("\n  ") + command + " "));
     const Outcome own = Run({command, "--help"});
     EXPECT_EQ(own.code, ExitCode::kOk) << command;
@@ -68,55 +68,6 @@ TEST_F(Program, MakesTokensAndTheirEntries) {
   EXPECT_NE(Run({"token"}).out, Run({"token"}).out);
   EXPECT_EQ(Run({"token", "--scope", "write"}).code, ExitCode::kUsage);
   EXPECT_EQ(Run({"token", "--expires", "soon"}).code, ExitCode::kUsage);
-}
-
-/// A comb of 3 teeth: the shortest tour has 12 edges of length 1.
-constexpr char kComb[] =
-    "NAME : comb\nTYPE : TSP\nDIMENSION : 12\nEDGE_WEIGHT_TYPE : EUC_2D\nNODE_COORD_SECTION\n"
-    "1 0 0\n2 2 1\n3 1 0\n4 1 1\n5 2 0\n6 3 0\n7 0 1\n8 3 1\n9 4 0\n10 4 1\n11 5 1\n12 5 0\nEOF\n";
-
-TEST_F(Program, FindsAShortTour) {
-  Put("comb.tsp", kComb);
-  const Arguments tsp = {"tsp", Path("comb.tsp"), "--seconds",      "1", "--seed",
-                         "3",   "--tour",         Path("comb.tour")};
-  const Outcome outcome = Run(tsp);
-  ASSERT_EQ(outcome.code, ExitCode::kOk) << outcome.err;
-  EXPECT_THAT(outcome.out, StartsWith("name comb\nn 12\nlength 12\nlower_bound 12\nseconds "));
-  const std::string tour = Text("comb.tour");
-  EXPECT_THAT(tour, StartsWith("NAME : comb\nTYPE : TOUR\nDIMENSION : 12\nTOUR_SECTION\n"));
-  EXPECT_EQ(Run(tsp).code, ExitCode::kOk);
-  EXPECT_EQ(Text("comb.tour"), tour) << "the same seed";
-  for (const char* start : {"nearest", "greedy", "insertion", "christofides"}) {
-    const Outcome first =
-        Run({"tsp", Path("comb.tsp"), "--start", start, "--moves", "none", "--local", "--bounds"});
-    EXPECT_EQ(first.code, ExitCode::kOk) << start << first.err;
-    EXPECT_THAT(first.out, HasSubstr("\nspanning_tree 11\nodd_matching ")) << start;
-  }
-  EXPECT_EQ(Run({"tsp", Path("comb.tsp"), "--start", "best"}).code, ExitCode::kUsage);
-  EXPECT_EQ(Run({"tsp", Path("comb.tsp"), "--tour", Path("no/comb.tour")}).code,
-            ExitCode::kOutputFailed);
-  EXPECT_EQ(Run({"tsp", Path("none.tsp")}).code, ExitCode::kUsage);
-  Put("bad.tsp", "TYPE : TSP\nDIMENSION : x\n");
-  const Outcome bad = Run({"tsp", Path("bad.tsp")});
-  EXPECT_EQ(bad.code, ExitCode::kUsage);
-  EXPECT_THAT(bad.err, HasSubstr("bad.tsp: line "));
-}
-
-TEST_F(Program, DecomposesAPolygon) {
-  Put("l.poly", "1\n6 out\n0 0\n2.5 0\n2.5 1\n1 1\n1 2\n0 2\n1 2 3 4 5 6\n");
-  for (const char* method : {"bian", "optimal", "approximate"}) {
-    const Outcome outcome =
-        Run({"decompose", Path("l.poly"), "-o", Path("pieces.txt"), "--method", method});
-    ASSERT_EQ(outcome.code, ExitCode::kOk) << outcome.err;
-    EXPECT_THAT(outcome.out, StartsWith("pieces 2\nreflex 1\n"));
-    for (const char* row : {"min_angle_deg ", "worst_shape ", "seconds "})
-      EXPECT_THAT(outcome.out, HasSubstr(row));
-    EXPECT_THAT(ReadFile(Path("pieces.txt"), 1000).value(), HasSubstr("2.5 0"));
-  }
-  Put("crossed.poly", "0 0\n1 0\n0 1\n1 1\n");
-  EXPECT_EQ(Run({"decompose", Path("crossed.poly"), "-o", Path("none.txt")}).code,
-            ExitCode::kUsage);
-  EXPECT_FALSE(std::filesystem::exists(Path("none.txt")));
 }
 
 TEST_F(Program, SlicesACube) {

@@ -11,9 +11,9 @@
 
 #include "common/base/error.h"
 #include "common/rpc/utf8.h"
-#include "services/cli/choice_option.h"
-#include "services/cli/files.h"
-#include "services/cli/input_files.h"
+#include "services/cli/console/choice_option.h"
+#include "services/cli/console/files.h"
+#include "services/cli/console/input_files.h"
 #include "services/cli/job_options.h"
 #include "services/cli/job_outcome.h"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "common/rpc/security/client_security.h"
-#include "services/cli/console.h"
-#include "services/cli/interrupt.h"
+#include "services/cli/console/console.h"
+#include "services/cli/console/interrupt.h"
 #include "services/cli/jobs_client.h"
 
 namespace CLI {

@@ -6,7 +6,7 @@
 #include <string>
 #include <thread>
 
-#include "services/cli/console.h"
+#include "services/cli/console/console.h"
 #include "services/cli/jobs_client.h"
 
 namespace slicefarm::cli {

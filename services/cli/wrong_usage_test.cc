@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "services/cli/program_fixture_test.h"
+#include "services/cli/console/program_fixture_test.h"
 
 namespace slicefarm::cli::wrong_usage_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "services/cli/files.h"
+#include "services/cli/console/files.h"
 
 namespace slicefarm::bench {
 
@@ -20,7 +20,7 @@ std::vector<PolygonFile> PolygonsIn(const std::string& directory) {
   std::vector<PolygonFile> files;
   for (const fs::path& path : paths) {
     const auto text = cli::ReadFile(path.string(), 64 << 20);
-    auto poly = text.ok() ? cli::ParsePoly(*text) : text.status();
+    auto poly = text.ok() ? lab::ParsePoly(*text) : text.status();
     if (poly.ok()) files.push_back({path.stem().string(), *std::move(poly)});
   }
   return files;

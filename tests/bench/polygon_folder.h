@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "services/cli/poly_files.h"
+#include "services/lab/poly_files.h"
 
 namespace slicefarm::bench {
 
 struct PolygonFile {
   std::string name;  ///< without its ending
-  cli::PolyFile poly;
+  lab::PolyFile poly;
 };
 
 /// The polygons of a directory by their files' names; those that cannot be read are left out.

@@ -6,7 +6,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
-#include "services/cli/poly_files.h"
+#include "services/lab/poly_files.h"
 #include "services/exposure/algo/scan/coverage_test.h"
 #include "services/exposure/algo/scan/ring_scan.h"
 #include "services/exposure/algo/scan/scan_pieces.h"

@@ -11,15 +11,15 @@
 #include "common/geometry/offset/offset.h"
 #include "common/geometry/skeleton/boundary.h"
 #include "services/beading/algo/sample_outlines_test.h"
-#include "services/cli/bead_files.h"
-#include "services/cli/bead_maker.h"
+#include "services/lab/bead_files.h"
+#include "services/lab/bead_maker.h"
 #include "tests/bench/benchmarks.h"
 
 namespace slicefarm::bench {
 namespace {
 
-using cli::BeadMaker;
-using cli::BeadTotals;
+using lab::BeadMaker;
+using lab::BeadTotals;
 
 constexpr int kRounds = 3;
 constexpr int kPoints = 10'000;
@@ -76,14 +76,14 @@ Outline Prepare(MultiPolygon islands) {
 }
 
 std::optional<std::vector<Outline>> Read(const std::string& directory) {
-  const auto files = cli::OutlineFiles(directory);
+  const auto files = lab::OutlineFiles(directory);
   if (!files.ok()) {
     std::fprintf(stderr, "%s\n", std::string(files.status().message()).c_str());
     return std::nullopt;
   }
   std::vector<Outline> outlines;
   for (const auto& file : *files) {
-    auto islands = cli::ReadOutlines(file);
+    auto islands = lab::ReadOutlines(file);
     if (!islands.ok()) {
       std::fprintf(stderr, "%s\n", std::string(islands.status().message()).c_str());
       return std::nullopt;

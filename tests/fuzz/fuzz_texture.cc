@@ -3,9 +3,11 @@
 #include <string_view>
 #include <vector>
 
+#include "common/model/limits.h"
+#include "services/slicing/algo/mesh_io/stl_reader.h"
 #include "services/texture/algo/pattern/computed_heights.h"
+#include "services/texture/algo/pattern/image_heights.h"
 #include "services/texture/algo/pattern/section.h"
-#include "services/texture/algo/pattern/texture_file.h"
 
 namespace slicefarm::texture {
 namespace {
@@ -35,6 +37,25 @@ void UseText(std::string_view text) {
   if (texture.ok()) Use(*texture);
 }
 
+void UseImage(std::string_view png) {
+  auto heights = ImageHeights(png, {});
+  if (!heights.ok()) return;
+  const auto texture = TextureOf(*std::move(heights));
+  if (texture.ok()) Use(*texture);
+}
+
+void UseSolid(std::string_view stl) {
+  const auto raw = slicing::ReadBinaryStl(stl, limits::kMaxMeshCoordinateMm, {});
+  if (!raw.ok()) return;
+  SurfaceMesh solid;
+  for (const slicing::Position& p : raw->positions) solid.points_mm.push_back({p.x, p.y, p.z});
+  for (const auto& [a, b, c] : raw->triangles)
+    solid.triangles.push_back(
+        {static_cast<int32_t>(a), static_cast<int32_t>(b), static_cast<int32_t>(c)});
+  const auto texture = TextureOf(std::move(solid), Eigen::Vector2d(0, 0));
+  if (texture.ok()) Use(*texture);
+}
+
 }  // namespace
 }  // namespace slicefarm::texture
 
@@ -42,7 +63,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace slicefarm::texture;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   UseText(bytes);
-  const auto texture = TextureOfFile(bytes, {});
-  if (texture.ok()) Use(*texture);
+  UseImage(bytes);
+  UseSolid(bytes);
   return 0;
 }

@@ -111,6 +111,25 @@ TEST_F(EngraveLocalAndRemote, RangesElsewhereGiveTheSameLayers) {
   EXPECT_EQ(host_.shared().counts().entries, 1) << "the input was sent once";
 }
 
+/// Binary files come through as bytes.
+TEST_F(EngraveLocalAndRemote, WholeFilesAreTheSame) {
+  for (const EngraveFormat format : {EngraveFormat::kStl, EngraveFormat::kPng}) {
+    EngraveInput input = *input_;
+    input.settings.format = format;
+    const Shared<EngraveInput> shared(input);
+    const auto here = texture_->Engrave(call_, shared, {0, 1});
+    ASSERT_TRUE(here.ok()) << here.status();
+    ASSERT_EQ(here->size(), 1u);
+    EXPECT_GT(here->front().text.size(), 1000u);
+    const auto there = remote_.texture.Engrave(call_, shared, {0, 1});
+    ASSERT_TRUE(there.ok()) << there.status();
+    EXPECT_EQ(*there, *here);
+    auto worked = remote_.worker.RunTask(call_, EngraveTask{{0, 1}, shared});
+    ASSERT_TRUE(worked.ok()) << worked.status();
+    EXPECT_EQ(worked->As<EngraveResult>().layers, *here);
+  }
+}
+
 TEST_F(EngraveLocalAndRemote, RefusesTheSameHereAndThere) {
   EngraveInput wrong = *input_;
   wrong.settings.texture.texture = "bumps:pitch=none";

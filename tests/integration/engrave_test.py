@@ -104,20 +104,39 @@ def check_points(program, folder):
 
 
 def check_textures(program, folder):
-    """Files as textures and masks; the same bytes as without a job, for each number of threads."""
+    """Files as textures and masks; the same bytes for each number of threads."""
     roof = write_roof(folder / "roof.obj")
     png, solid = write_png(folder / "t.png"), write_pyramid(folder / "t.stl")
-    for texture, more, lab in (
-        ("knurl:pitch=2,height=0.2", [], []),
-        (png, ["--set", "texture_width=2", "--set", "texture_height=0.2"], ["--texture-width", "2", "--texture-height", "0.2"]),
-        (solid, ["--set", "texture_pitch=2.5,3"], ["--texture-pitch", "2.5,3"]),
-        ("waves", ["--mask", png, "--set", "equidistant=1"], ["--mask", png, "--equidistant"]),
+    for texture, more in (
+        ("knurl:pitch=2,height=0.2", []),
+        (png, ["--set", "texture_width=2", "--set", "texture_height=0.2"]),
+        (solid, ["--set", "texture_pitch=2.5,3"]),
+        ("waves", ["--mask", png, "--set", "equidistant=1"]),
     ):
         for suffix in ("csv", "nc"):
             one = engrave(program, roof, folder / f"one.{suffix}", texture, *more, "--threads", 1)
             assert one == engrave(program, roof, folder / f"five.{suffix}", texture, *more, "--threads", 5), texture
-            must(program, "engrave-program", roof, "--texture", texture, "-o", folder / f"lab.{suffix}", "--spacing", "0.2", *lab)
-            assert one == (folder / f"lab.{suffix}").read_bytes(), f"{texture} {suffix}"
+            assert one.count(b"\n") > 100, f"{texture} {suffix}"
+
+
+def check_whole_files(program, folder):
+    """The surface with the texture in it, and pictures: the name of the file says which."""
+    roof = write_roof(folder / "roof.obj")
+    texture = "bumps:pitch=2,height=0.3"
+    stl = engrave(program, roof, folder / "with.stl", texture, "--report", folder / "r.json")
+    assert json.loads((folder / "r.json").read_text())["layers"] == 6
+    count = struct.unpack_from("<I", stl, 80)[0]
+    assert len(stl) == 84 + 50 * count and count > 2 * SIDE * SIDE
+    places = [struct.unpack_from("<3f", stl, 84 + 50 * t + 12 + 12 * k) for t in range(count) for k in range(3)]
+    offsets = [distance_to_roof(*place) for place in places]
+    assert 0.25 < max(offsets) < 0.31 and min(offsets) < 1e-4, (min(offsets), max(offsets))
+    assert stl == engrave(program, roof, folder / "threads.stl", texture, "--threads", 3)
+    obj = engrave(program, roof, folder / "with.obj", texture, "--set", "displaced_edge=0.1").decode()
+    assert obj.count("\nf ") > count and engrave(program, roof, folder / "any", texture, "--format", "stl") == stl
+    pictures = [engrave(program, roof, folder / name, texture) for name in ("lines.png", "flat.map.png")]
+    for picture in pictures:
+        assert picture.startswith(b"\x89PNG") and max(struct.unpack_from(">II", picture, 16)) == 1200
+    assert pictures[0] != pictures[1]
 
 
 def check_refusals(program, folder):
@@ -134,6 +153,7 @@ def check_refusals(program, folder):
         (roof, [*engraving, "--copies", "roof.obj=2"], "one copy"),
         (broken, engraving, "do not hang together"),
         (roof, ["--texture", "bumps"], "--machine engrave"),
+        (roof, [*engraving, "--format", "stl", "--set", "displaced_edge=0.0015", "--texture", "bumps"], "triangles"),
     ):
         done = run(program, "slice", model, "-o", folder / "bad.csv" if "--machine" in given else folder / "bad.gcode", *given)
         assert done.returncode not in (0, 1) and words in done.stderr, f"{given}: {done.returncode} {done.stderr}"
@@ -181,7 +201,7 @@ def check_farm(program, folder):
 
 def main(program):
     with tempfile.TemporaryDirectory() as name:
-        for check in (check_points, check_textures, check_refusals, check_interpreter, check_farm):
+        for check in (check_points, check_textures, check_whole_files, check_refusals, check_interpreter, check_farm):
             check(program, pathlib.Path(name))
             print(f"{check.__name__}: ok", flush=True)
 

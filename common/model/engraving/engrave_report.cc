@@ -68,7 +68,8 @@ std::vector<std::string> WarningsOf(const MapReport& map, const std::vector<Laye
         "there the tool turns back on its way; first in layer {} at ({:.3f}, {:.3f}, {:.3f})",
         folds, folds_mm, first->layer, p.x(), p.y(), p.z()));
   }
-  if (std::all_of(layers.begin(), layers.end(), [](auto& layer) { return layer.runs == 0; }))
+  const auto is_empty = [](const LayerNumbers& layer) { return layer.runs == 0; };
+  if (!layers.empty() && std::all_of(layers.begin(), layers.end(), is_empty))
     warnings.push_back("no line of the texture lies on the surface");
   return warnings;
 }

@@ -63,11 +63,12 @@ struct ProgramFacts {
 /// What a report of an engraving tells.
 struct EngraveReport {
   MapReport map;
-  std::vector<LayerNumbers> layers;
+  std::vector<LayerNumbers> layers;  ///< none: the file has no layers
   ProgramFacts program;  ///< no moves: no program was made
 };
 
-/// What a user should know of it: lines that lie unevenly, lifts that turn back, nothing to work.
+/// Returns what a user should know: lines that lie unevenly, lifts that turn back, layers without a
+/// line.
 std::vector<std::string> WarningsOf(const MapReport& map, const std::vector<LayerNumbers>& layers);
 
 /// Distortion and spacing with p1, p50 and p99, each layer's height and lengths.

@@ -36,7 +36,14 @@ enum class ToolKind : uint8_t {
 enum class EngraveFormat : uint8_t {
   kCsv,  ///< points with normals
   kGcode,
+  kStl,     ///< the surface with the texture in it, as binary STL
+  kObj,     ///< the same as Wavefront OBJ
+  kPng,     ///< a picture of the lines over the surface
+  kMapPng,  ///< a picture of the map and its distortion
 };
+
+/// Returns true if the file is made at once; else it consists of the texts of its layers.
+constexpr bool IsWhole(EngraveFormat format) { return format >= EngraveFormat::kStl; }
 
 /// Which texture, how high, and where on the surface. Texts of numbers are as users write them:
 /// NumbersOf reads them.
@@ -98,6 +105,7 @@ struct EngraveSettings {
   EngraveLineSettings lines;
   EngraveMachineSettings machine;
   EngraveFormat format = EngraveFormat::kCsv;
+  double displaced_edge_mm = 0.2;  ///< longest edge of a surface with the texture in it
 
   friend bool operator==(const EngraveSettings&, const EngraveSettings&) = default;
 };

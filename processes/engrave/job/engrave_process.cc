@@ -187,11 +187,11 @@ class EngraveJob : public PlannedJob {
 
   /// Few ranges: each finds the lines of its layers' styles once.
   absl::StatusOr<std::vector<Task>> Tasks(int slots) override {
-    const int32_t layers = layout_.layer_count;
-    const int32_t parts = std::clamp(2 * slots, 1, layers);
+    const int32_t pieces = PieceCount();
+    const int32_t parts = std::clamp(2 * slots, 1, pieces);
     std::vector<Task> tasks;
     for (int32_t i = 0; i < parts; ++i) {
-      const auto begin = [&](int64_t part) { return static_cast<int32_t>(layers * part / parts); };
+      const auto begin = [&](int64_t part) { return static_cast<int32_t>(pieces * part / parts); };
       tasks.emplace_back(EngraveTask{{begin(i), begin(i + 1)}, input_});
     }
     ranges_.resize(tasks.size());
@@ -233,8 +233,12 @@ class EngraveJob : public PlannedJob {
     StageTimes times;
   };
 
+  bool IsOfLayers() const { return !IsWhole(input_->settings.format); }
+  /// Number of texts that the file is made of: its layers, or the whole as one.
+  int32_t PieceCount() const { return IsOfLayers() ? layout_.layer_count : 1; }
+
   absl::Status CheckLayers(const std::vector<SpooledLayer>& layers) const {
-    const int32_t count = layout_.layer_count;
+    const int32_t count = PieceCount();
     for (int32_t i = 0; i < static_cast<int32_t>(layers.size()); ++i) {
       const int32_t want = input_->settings.texture.outside ? count - 1 - i : i;
       const int32_t got = layers[static_cast<size_t>(i)].layer.numbers.layer;
@@ -250,18 +254,19 @@ class EngraveJob : public PlannedJob {
   void Tell(const std::vector<SpooledLayer>& layers) {
     auto own = std::make_unique<EngraveJobReport>();
     own->report.map = layout_.map;
-    for (const SpooledLayer& spooled : layers) {
-      own->report.layers.push_back(spooled.layer.numbers);
-      own->report.program.Add(spooled.layer.program);
-      report_.print_time_s +=
-          SecondsOf(spooled.layer.numbers, spooled.layer.program, input_->settings.machine);
-      report_.object_height_mm =
-          std::max(report_.object_height_mm, spooled.layer.numbers.height_mm);
-    }
+    if (IsOfLayers())
+      for (const SpooledLayer& spooled : layers) TellLayer(spooled.layer, own->report);
     report_.layer_count = layout_.layer_count;
     std::ranges::move(WarningsOf(own->report.map, own->report.layers),
                       std::back_inserter(report_.warnings));
     report_.own = std::move(own);
+  }
+
+  void TellLayer(const EngravedLayer& layer, EngraveReport& engraving) {
+    engraving.layers.push_back(layer.numbers);
+    engraving.program.Add(layer.program);
+    report_.print_time_s += SecondsOf(layer.numbers, layer.program, input_->settings.machine);
+    report_.object_height_mm = std::max(report_.object_height_mm, layer.numbers.height_mm);
   }
 
   const Shared<EngraveInput> input_;
@@ -293,6 +298,7 @@ absl::StatusOr<JobEstimate> EngraveProcess::Estimate(const StageCall& call, Slic
   JobEstimate estimate;
   estimate.layers = job->layout.layer_count;
   estimate.meshes = {job->surface};
+  if (IsWhole(job->input->settings.format)) return estimate;  // nothing is worked
   if (executor.Slots(Process::kEngrave) > 0) {
     const auto seconds = SampledSeconds(call, *job, executor);
     if (!seconds.ok()) return seconds.status();

@@ -96,6 +96,25 @@ TEST_F(EngraveProcessTest, ReportsWhatItCameTo) {
   EXPECT_EQ(json["engraving"]["map"]["faces"], 1);
 }
 
+/// A mesh or a picture is one text, and no layer of it is worked.
+TEST_F(EngraveProcessTest, AWholeFileIsOnePiece) {
+  settings_.format = EngraveFormat::kStl;
+  settings_.texture.outside = true;
+  for (const int slots : {1, 16}) {
+    const auto output = Run(slots);
+    ASSERT_TRUE(output.ok()) << output.status();
+    EXPECT_EQ(*output->program.Whole(), "head\nwhole\nfoot\n");
+    EXPECT_EQ(output->report.layer_count, 7);
+    EXPECT_EQ(output->report.print_time_s, 0);
+    EXPECT_THAT(output->report.warnings, testing::ElementsAre("of the settings"));
+  }
+  Dispatcher dispatcher;
+  dispatcher.Join({.name = "here", .tasks = chain_, .slots = 2});
+  const auto found = LookAt({}, Input({"face"}), NoSlicing(), Pipeline(dispatcher));
+  ASSERT_TRUE(found.ok()) << found.status();
+  EXPECT_EQ(found->print_time_s, 0);
+}
+
 TEST_F(EngraveProcessTest, IsLookedAtWithoutSlicing) {
   Dispatcher dispatcher;
   const auto found = LookAt({}, Input({"face"}), NoSlicing(), Pipeline(dispatcher));

@@ -9,6 +9,10 @@ namespace slicefarm::config::engrave {
 namespace {
 
 bool IsProgram(const JobRows& s) { return EngraveOf(s).format == EngraveFormat::kGcode; }
+bool IsMesh(const JobRows& s) {
+  const EngraveFormat format = EngraveOf(s).format;
+  return format == EngraveFormat::kStl || format == EngraveFormat::kObj;
+}
 bool HasImage(const JobRows& s) { return !EngraveOf(s).texture.image.empty(); }
 
 constexpr Need kNeeds[] = {
@@ -17,6 +21,7 @@ constexpr Need kNeeds[] = {
      [](const JobRows& s) { return !HasImage(s); }},
     {"axes tool centre pivot tilt steepest power feed link_feed turn_feed", "output_format = gcode",
      IsProgram},
+    {"displaced_edge", "output_format = stl or obj", IsMesh},
 };
 
 class OfEngraving : public ProcessSettings {
@@ -51,7 +56,11 @@ class OfEngraving : public ProcessSettings {
   std::vector<FileFormat> FileFormats() const override {
     return {{".csv", "output_format", "csv", true},
             {".nc", "output_format", "gcode"},
-            {".gcode", "output_format", "gcode"}};
+            {".gcode", "output_format", "gcode"},
+            {".stl", "output_format", "stl"},
+            {".obj", "output_format", "obj"},
+            {".map.png", "output_format", "map_png"},
+            {".png", "output_format", "png"}};
   }
 };
 

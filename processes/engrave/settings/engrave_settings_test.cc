@@ -57,5 +57,16 @@ TEST(ResolveEngrave, AMachineNeedsAProgram) {
               testing::ElementsAre("axes = none: needs output_format = gcode"));
 }
 
+TEST(ResolveEngrave, AnEdgeNeedsAMesh) {
+  const auto mesh = OfEngrave({{"output_format", "obj"}, {"displaced_edge", "0.5"}});
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  EXPECT_EQ(EngraveOf(mesh->settings).displaced_edge_mm, 0.5);
+  EXPECT_THAT(mesh->no_effect, testing::IsEmpty());
+  const auto picture = OfEngrave({{"output_format", "png"}, {"displaced_edge", "0.5"}});
+  ASSERT_TRUE(picture.ok()) << picture.status();
+  EXPECT_THAT(picture->no_effect,
+              testing::ElementsAre("displaced_edge = 0.5: needs output_format = stl or obj"));
+}
+
 }  // namespace
 }  // namespace slicefarm::config::engrave::engrave_settings_test

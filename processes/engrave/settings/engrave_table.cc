@@ -143,9 +143,16 @@ std::vector<SettingSpec> MachineTable() {
       {.key = "output_format",
        .kind = Kind::kChoice,
        .standard = "csv",
-       .doc = "Points with normals, or a program",
-       .choices = {Named("csv", EngraveFormat::kCsv), Named("gcode", EngraveFormat::kGcode)},
+       .doc = "Points with normals (csv), a program (gcode), the surface with the texture in it "
+              "(stl, obj), a picture of the lines over the surface (png), or a picture of the map "
+              "and its distortion (map_png)",
+       .choices = {Named("csv", EngraveFormat::kCsv), Named("gcode", EngraveFormat::kGcode),
+                   Named("stl", EngraveFormat::kStl), Named("obj", EngraveFormat::kObj),
+                   Named("png", EngraveFormat::kPng), Named("map_png", EngraveFormat::kMapPng)},
        .field = Bind<&EngraveSettings::format>()},
+      Number("displaced_edge", {"mm", 0.001, 1000}, "0.2",
+             "Longest edge of the triangles of a surface with the texture in it",
+             Bind<&EngraveSettings::displaced_edge_mm>()),
   };
 }
 

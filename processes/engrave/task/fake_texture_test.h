@@ -13,7 +13,7 @@
 
 namespace slicefarm {
 
-/// A map that is the surface seen from above, and seven layers of a line of text each.
+/// A map that is the surface seen from above, and seven layers of a line of text each; a whole file is a line.
 class FakeTexture : public TextureStage {
  public:
   static constexpr int32_t kLayers = 7;
@@ -34,6 +34,7 @@ class FakeTexture : public TextureStage {
   absl::StatusOr<std::vector<EngravedLayer>> Engrave(const StageCall&,
                                                      const Shared<EngraveInput>& input,
                                                      LayerRange range) const override {
+    if (IsWhole(input->settings.format)) return std::vector<EngravedLayer>{{{}, {}, "whole\n"}};
     std::vector<EngravedLayer> layers;
     for (int32_t i = range.first; i < range.last; ++i) {
       const int32_t layer = input->settings.texture.outside ? kLayers - 1 - i : i;

@@ -48,7 +48,7 @@ uint64_t FromEnvironment(const char* name, uint64_t otherwise) {
   return value == nullptr ? otherwise : std::strtoull(value, nullptr, 10);
 }
 
-/// As `slicefarm beads` lays beads out.
+/// As `slicefarm-lab beads` lays beads out.
 std::unique_ptr<const BeadingStrategy> Strategy(int max_walls) {
   StrategyOptions options;
   options.outer_width_nm = options.inner_width_nm = kWidthNm;

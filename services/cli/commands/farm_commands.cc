@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "common/base/error.h"
-#include "services/cli/choice_option.h"
+#include "services/cli/console/choice_option.h"
 #include "services/cli/commands/commands.h"
-#include "services/cli/console.h"
-#include "services/cli/files.h"
+#include "services/cli/console/console.h"
+#include "services/cli/console/files.h"
 #include "services/cli/jobs_client.h"
 #include "services/cli/json_text.h"
 #include "services/cli/server_options.h"

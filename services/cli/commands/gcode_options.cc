@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "common/base/error.h"
-#include "services/cli/files.h"
+#include "services/cli/console/files.h"
 
 namespace slicefarm::cli {
 namespace {

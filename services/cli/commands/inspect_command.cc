@@ -3,7 +3,8 @@
 #include <string>
 
 #include "services/cli/commands/commands.h"
-#include "services/cli/console.h"
+#include "services/cli/console/console.h"
+#include "services/cli/console/model_file.h"
 #include "services/cli/models/given_models.h"
 #include "services/cli/models/project_json.h"
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "common/base/duration_text.h"
-#include "services/cli/choice_option.h"
+#include "services/cli/console/choice_option.h"
 #include "services/cli/commands/commands.h"
-#include "services/cli/console.h"
+#include "services/cli/console/console.h"
 #include "services/cli/job_outcome.h"
 #include "services/cli/jobs_client.h"
 #include "services/cli/json_text.h"

@@ -7,11 +7,11 @@
 #include <string>
 
 #include "common/base/error.h"
-#include "services/cli/choice_option.h"
+#include "services/cli/console/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/commands/gcode_options.h"
-#include "services/cli/console.h"
-#include "services/cli/files.h"
+#include "services/cli/console/console.h"
+#include "services/cli/console/files.h"
 #include "services/cli/render/cli_layer.h"
 #include "services/cli/render/gcode_layer.h"
 #include "services/cli/render/layer_drawing.h"

@@ -10,7 +10,7 @@
 #include "common/config/suggest.h"
 #include "common/config/table/settings_table.h"
 #include "services/cli/commands/commands.h"
-#include "services/cli/console.h"
+#include "services/cli/console/console.h"
 #include "services/cli/job_options.h"
 
 namespace slicefarm::cli {

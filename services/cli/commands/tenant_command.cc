@@ -7,8 +7,8 @@
 
 #include "common/base/error.h"
 #include "services/cli/commands/commands.h"
-#include "services/cli/console.h"
-#include "services/cli/files.h"
+#include "services/cli/console/console.h"
+#include "services/cli/console/files.h"
 #include "services/cli/jobs_client.h"
 #include "services/cli/server_options.h"
 

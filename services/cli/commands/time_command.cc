@@ -8,7 +8,7 @@
 
 #include "services/cli/commands/commands.h"
 #include "services/cli/commands/gcode_options.h"
-#include "services/cli/console.h"
+#include "services/cli/console/console.h"
 #include "services/motion/algo/program/program_time.h"
 
 namespace slicefarm::cli {

@@ -13,7 +13,8 @@
 #include "common/config/projects/project.h"
 #include "common/model/limits.h"
 #include "common/model/scene/placement.h"
-#include "services/cli/files.h"
+#include "services/cli/console/files.h"
+#include "services/cli/console/model_file.h"
 #include "services/cli/models/model_arguments.h"
 #include "services/slicing/algo/mesh_reader/mesh_reader.h"
 #include "services/slicing/algo/placement/local_arranging_stage.h"
@@ -333,17 +334,6 @@ std::string OutputOf(const JobOptions& options, const std::string& path, size_t 
   const std::string name =
       fmt::format("{}-{}{}", given.stem().string(), plate + 1, given.extension().string());
   return (given.parent_path() / name).string();
-}
-
-absl::StatusOr<MeshFile> ReadModelFile(const std::string& path) {
-  auto bytes = ReadFile(path, limits::kMaxMeshBytes);
-  if (!bytes.ok()) {
-    const ErrorDetail detail = DetailOf(bytes.status());
-    if (detail.reason != Reason::kRequestTooLarge) return bytes.status();
-    return MakeError(bytes.status().code(), Reason::kMeshTooLarge,
-                     std::string(bytes.status().message()), detail.metadata);
-  }
-  return MeshFile{.name = NameOf(path), .bytes = *std::move(bytes)};
 }
 
 absl::StatusOr<Project> ReadProject(const std::string& path, const MeshFile& file) {

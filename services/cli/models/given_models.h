@@ -74,9 +74,6 @@ std::string NamedOutput(const JobOptions& options, const std::string& output,
 /// Whether results are to be called as their settings say: `output` is a folder, or empty.
 bool IsNamedBySettings(const std::string& output);
 
-/// The bytes of a model file. Errors: REQUEST_MALFORMED naming the file; MESH_TOO_LARGE.
-absl::StatusOr<MeshFile> ReadModelFile(const std::string& path);
-
 /// What a model file says besides its triangles. Errors: those of slicing::ReadMeshFile, naming the
 /// file.
 absl::StatusOr<Project> ReadProject(const std::string& path, const MeshFile& file);

@@ -8,7 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/base/temp_directory_test.h"
-#include "services/cli/files.h"
+#include "services/cli/console/files.h"
 #include "services/cli/models/model_arguments.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 

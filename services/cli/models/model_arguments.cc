@@ -8,7 +8,6 @@
 #include "common/base/error.h"
 #include "common/base/text.h"
 #include "common/model/limits.h"
-#include "common/rpc/utf8.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -94,15 +93,6 @@ absl::StatusOr<int> CopiesOf(const std::string& text, const OfModel& of) {
                                  text, limits::kMaxObjects));
   }
   return static_cast<int>(*count);
-}
-
-std::string PartName(std::string_view file) {
-  return ReplaceControls(rpc::ToUtf8(file, limits::kMaxNameBytes), '?');
-}
-
-std::string NameOf(const std::string& path) {
-  if (path == "-") return "stdin";
-  return PartName(std::string_view(path).substr(path.rfind('/') + 1));  // npos + 1: the whole
 }
 
 }  // namespace slicefarm::cli

@@ -28,11 +28,4 @@ OfModel TakeApart(const std::string& text, char separator, const std::vector<std
 /// The number of --copies NAME=N, from 1 to limits::kMaxObjects.
 absl::StatusOr<int> CopiesOf(const std::string& text, const OfModel& of);
 
-/// A file's name as a part's: it goes over the wire as UTF-8, and into G-code comments, where a
-/// line end would begin a command.
-std::string PartName(std::string_view file);
-
-/// Of a file, without its folders.
-std::string NameOf(const std::string& path);
-
 }  // namespace slicefarm::cli

@@ -8,8 +8,8 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/escaping.h"
 #include "common/model/limits.h"
-#include "services/cli/files.h"
-#include "services/cli/models/model_arguments.h"
+#include "services/cli/console/files.h"
+#include "services/cli/console/model_file.h"
 
 namespace slicefarm::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include "common/config/projects/orca_settings.h"
 #include "common/config/resolve.h"
 #include "common/model/options/fdm_settings.h"
-#include "services/cli/files.h"
+#include "services/cli/console/files.h"
 #include "services/cli/program/klipper_config.h"
 
 namespace slicefarm::cli {

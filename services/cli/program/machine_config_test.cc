@@ -4,7 +4,7 @@
 
 #include "common/base/error.h"
 #include "common/base/temp_directory_test.h"
-#include "services/cli/files.h"
+#include "services/cli/console/files.h"
 
 namespace slicefarm::cli::machine_config_test {
 namespace {

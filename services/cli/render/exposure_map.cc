@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
 
-#include "services/cli/render/cairo_release.h"
+#include "common/picture/cairo_picture.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -33,10 +32,10 @@ bool AddPasses(const std::vector<const BeadRun*>& runs, const Layout& layout, do
                std::vector<double>& values) {
   const int width = layout.part_width_px;
   const int height = layout.height_px;
-  const std::unique_ptr<cairo_surface_t, CairoRelease> surface(
+  const CairoSurface surface(
       cairo_image_surface_create(CAIRO_FORMAT_A8, width, height));
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) return false;
-  const std::unique_ptr<cairo_t, CairoRelease> cairo(cairo_create(surface.get()));
+  const CairoContext cairo(cairo_create(surface.get()));
   AddRuns(cairo.get(), runs, layout);
   cairo_surface_flush(surface.get());
   const unsigned char* rows = cairo_image_surface_get_data(surface.get());

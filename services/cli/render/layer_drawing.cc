@@ -7,11 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <memory>
 #include <utility>
 #include <vector>
 
-#include "services/cli/render/cairo_release.h"
+#include "common/picture/cairo_picture.h"
 #include "services/cli/render/exposure_map.h"
 
 namespace slicefarm::cli {
@@ -56,11 +55,6 @@ constexpr std::pair<std::string_view, Colour> kFeatureColours[] = {
 };
 constexpr Colour kUnknownColour = {0.5, 0.5, 0.5};
 
-Colour Mix(Colour a, Colour b, double t) {
-  return {a.red + (b.red - a.red) * t, a.green + (b.green - a.green) * t,
-          a.blue + (b.blue - a.blue) * t};
-}
-
 /// What a scale of colours tells.
 struct Quantity {
   std::string_view name;
@@ -94,11 +88,6 @@ Range RangeOf(const GcodeLayer& layer, const Quantity& quantity) {
       layer.beads.begin(), layer.beads.end(),
       [&](const BeadRun& a, const BeadRun& b) { return quantity.of(a) < quantity.of(b); });
   return {quantity.of(*least), quantity.of(*most)};
-}
-
-cairo_status_t Append(void* bytes, const unsigned char* data, unsigned int size) {
-  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), size);
-  return CAIRO_STATUS_SUCCESS;
 }
 
 /// Paints one layer; all lengths in the part are mm, in the legend pixels.
@@ -285,18 +274,6 @@ Colour FeatureColour(std::string_view feature) {
   return kUnknownColour;
 }
 
-Colour ScaleColour(double fraction) {
-  constexpr Colour kStops[] = {{0.27, 0.00, 0.33},
-                               {0.23, 0.32, 0.55},
-                               {0.13, 0.57, 0.55},
-                               {0.37, 0.79, 0.38},
-                               {0.99, 0.91, 0.15}};
-  constexpr int kSpans = 4;
-  const double at = std::clamp(fraction, 0.0, 1.0) * kSpans;
-  const int span = std::min(static_cast<int>(at), kSpans - 1);
-  return Mix(kStops[span], kStops[span + 1], at - span);
-}
-
 Layout LayOut(const GcodeLayer& layer, const DrawingOptions& options) {
   constexpr double kFar = std::numeric_limits<double>::max();
   Vector2 min = {kFar, kFar};
@@ -327,16 +304,17 @@ absl::StatusOr<std::string> DrawLayer(const GcodeLayer& layer, const DrawingOpti
   const Layout layout = LayOut(layer, options);
   std::string bytes;
   const bool svg = options.format == ImageFormat::kSvg;
-  const std::unique_ptr<cairo_surface_t, CairoRelease> surface(
-      svg ? cairo_svg_surface_create_for_stream(Append, &bytes, layout.width_px, layout.height_px)
+  const CairoSurface surface(
+      svg ? cairo_svg_surface_create_for_stream(AppendToString, &bytes, layout.width_px,
+                                                layout.height_px)
           : cairo_image_surface_create(CAIRO_FORMAT_RGB24, layout.width_px, layout.height_px));
   {
-    const std::unique_ptr<cairo_t, CairoRelease> cairo(cairo_create(surface.get()));
+    const CairoContext cairo(cairo_create(surface.get()));
     Painter(cairo.get(), layer, options, layout).Paint();
     const cairo_status_t status = cairo_status(cairo.get());
     if (status != CAIRO_STATUS_SUCCESS) return absl::InternalError(cairo_status_to_string(status));
   }
-  if (!svg) cairo_surface_write_to_png_stream(surface.get(), Append, &bytes);
+  if (!svg) return PngOf(surface.get());
   cairo_surface_finish(surface.get());
   const cairo_status_t status = cairo_surface_status(surface.get());
   if (status != CAIRO_STATUS_SUCCESS) return absl::InternalError(cairo_status_to_string(status));

@@ -5,6 +5,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/geometry/vector.h"
+#include "common/picture/colour.h"
 #include "services/cli/render/gcode_layer.h"
 
 namespace slicefarm::cli {
@@ -27,17 +28,8 @@ struct DrawingOptions {
   bool travels = false;  ///< as thin lines
 };
 
-struct Colour {
-  double red = 0;  ///< 0 to 1
-  double green = 0;
-  double blue = 0;
-};
-
 /// Of a feature by the words of its `;TYPE:` comment; grey for words nobody knows.
 Colour FeatureColour(std::string_view feature);
-
-/// From dark blue (0) over green to yellow (1), rising in lightness.
-Colour ScaleColour(double fraction);
 
 /// Where things lie in the picture: the part to the left, the legend to the right.
 struct Layout {

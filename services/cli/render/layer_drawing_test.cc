@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "services/cli/render/picture_test.h"
+#include "common/picture/picture_test.h"
 
 namespace slicefarm::cli::layer_drawing_test {
 namespace {

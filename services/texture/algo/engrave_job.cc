@@ -135,7 +135,8 @@ absl::StatusOr<EngraveJob> PrepareEngraving(const EngraveInput& input) {
                             *std::move(texture), std::move(mask), *options);
   if (!plan.ok()) return plan.status();
   program->layer_mm = plan->texture.height_mm / plan->layer_count();
-  return EngraveJob{*std::move(plan), *std::move(program), input.settings.format};
+  return EngraveJob{*std::move(plan), *std::move(program), input.settings.format,
+                    input.settings.displaced_edge_mm};
 }
 
 }  // namespace slicefarm::texture

@@ -12,6 +12,7 @@ struct EngraveJob {
   EngravePlan plan;
   ProgramOptions program;
   EngraveFormat format = EngraveFormat::kCsv;
+  double displaced_edge_mm = 0.2;
 };
 
 /// Errors: those of reading the texture, of NumbersOf, of BoundaryOfDisk and of PlanEngraving;

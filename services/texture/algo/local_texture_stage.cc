@@ -11,6 +11,7 @@
 #include "services/texture/algo/engrave_job.h"
 #include "services/texture/algo/output/csv_text.h"
 #include "services/texture/algo/output/engrave_report.h"
+#include "services/texture/algo/output/whole_file.h"
 #include "services/texture/algo/surface_mapping.h"
 
 namespace slicefarm::texture {
@@ -57,6 +58,11 @@ absl::StatusOr<EngravedLayer> LayerOf(const EngraveJob& job, const LayerPath& pa
   return layer;
 }
 
+/// Returns how many pieces the job's file is made of.
+int32_t PieceCountOf(const EngraveJob& job) {
+  return IsWhole(job.format) ? 1 : job.plan.layer_count();
+}
+
 absl::StatusOr<std::vector<EngravedLayer>> LayersOf(const EngraveJob& job, LayerRange range,
                                                     const CancelToken& cancel) {
   const auto paths = LayerPaths(job.plan, range.first, range.last, cancel);
@@ -91,7 +97,8 @@ class LocalTexture : public TextureStage {
     if (!job.ok()) return job.status();
     const auto map = MapReportOf((*job)->plan, call.cancel);
     if (!map.ok()) return map.status();
-    EngraveLayout layout{(*job)->plan.layer_count(), kCsvHeader, "", *map};
+    EngraveLayout layout{(*job)->plan.layer_count(), "", "", *map};
+    if ((*job)->format == EngraveFormat::kCsv) layout.header = kCsvHeader;
     if ((*job)->format == EngraveFormat::kGcode) {
       EngraveProgram program((*job)->program, SafeHeight((*job)->plan, (*job)->program));
       layout.header = program.Start();
@@ -105,10 +112,17 @@ class LocalTexture : public TextureStage {
                                                      LayerRange range) const override {
     const auto job = JobOf(call, input);
     if (!job.ok()) return job.status();
-    if (range.first < 0 || range.first > range.last || range.last > (*job)->plan.layer_count())
+    if (range.first < 0 || range.first > range.last || range.last > PieceCountOf(**job))
       return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
                        "the job has no such range of layers");
-    return LayersOf(**job, range, call.cancel);
+    if (!IsWhole((*job)->format)) return LayersOf(**job, range, call.cancel);
+    std::vector<EngravedLayer> pieces(static_cast<size_t>(range.size()));
+    for (EngravedLayer& piece : pieces) {
+      auto file = WholeFile(**job, call.cancel);
+      if (!file.ok()) return file.status();
+      piece.text = *std::move(file);
+    }
+    return pieces;
   }
 };
 

@@ -61,6 +61,24 @@ TEST_F(LocalTextureTest, RangesGiveTheSameLayersAsAllTogether) {
   }
 }
 
+TEST_F(LocalTextureTest, AWholeFileIsOnePiece) {
+  for (const EngraveFormat format : {EngraveFormat::kStl, EngraveFormat::kObj, EngraveFormat::kPng,
+                                     EngraveFormat::kMapPng}) {
+    const auto input = Input(format);
+    const auto layout = stage_->LayOut({}, input);
+    ASSERT_TRUE(layout.ok()) << layout.status();
+    EXPECT_EQ(layout->layer_count, 6);
+    EXPECT_EQ(layout->header + layout->footer, "");
+    const auto pieces = stage_->Engrave({}, input, {0, 1});
+    ASSERT_TRUE(pieces.ok()) << pieces.status();
+    ASSERT_EQ(pieces->size(), 1u);
+    EXPECT_GT(pieces->front().text.size(), 1000u);
+    EXPECT_TRUE(stage_->Engrave({}, input, {0, 0})->empty());
+    EXPECT_EQ(DetailOf(stage_->Engrave({}, input, {0, 2}).status()).reason,
+              Reason::kRequestMalformed);
+  }
+}
+
 TEST_F(LocalTextureTest, NamesWhatCannotBe) {
   const auto input = Input(EngraveFormat::kCsv);
   EXPECT_EQ(DetailOf(stage_->Engrave({}, input, {0, 7}).status()).reason,

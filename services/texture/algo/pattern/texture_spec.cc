@@ -146,8 +146,4 @@ std::string TextureSpecText(const TextureSpec& spec) {
   return text;
 }
 
-bool LooksLikeTextureSpec(std::string_view text) {
-  return KindNamed(Trim(text.substr(0, text.find(':')))).has_value();
-}
-
 }  // namespace slicefarm::texture

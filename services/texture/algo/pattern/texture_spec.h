@@ -87,8 +87,4 @@ absl::StatusOr<TextureSpec> ParseTextureSpec(std::string_view text);
 /// With all parameters; ParseTextureSpec takes it back.
 std::string TextureSpecText(const TextureSpec& spec);
 
-/// Whether a text begins as ParseTextureSpec's do: with the name of a kind, alone or before a
-/// colon.
-bool LooksLikeTextureSpec(std::string_view text);
-
 }  // namespace slicefarm::texture

@@ -1,0 +1,171 @@
+#include "services/cli/console/console.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "common/base/duration_text.h"
+#include "common/base/error.h"
+#include "common/config/missing_feature.h"
+#include "common/config/table/settings_table.h"
+#include "common/model/process.h"
+
+namespace slicefarm::cli {
+
+namespace {
+
+/// How `slicefarm settings` shows a setting; empty: no process has it.
+std::string HowToShow(std::string_view key) {
+  for (const ProcessInfo& info : kProcesses) {
+    if (config::FindSetting(key, info.process) < 0) continue;
+    const bool other = info.process != kDefaultProcess;
+    return fmt::format("slicefarm settings {}{}{}", key, other ? " --machine " : "",
+                       other ? info.name : "");
+  }
+  return "";
+}
+
+/// `detail`: of an error about the value of a setting.
+std::string AdviceOnValue(const ErrorDetail& detail) {
+  const auto setting = detail.metadata.find("setting");
+  if (setting == detail.metadata.end()) return "";
+  const std::string how = HowToShow(setting->second);
+  if (how.empty()) return "";
+  return fmt::format("`{}` says what it means; --set {}=VALUE replaces it", how, setting->second);
+}
+
+std::string AdviceOnFeature(const ErrorDetail& detail) {
+  const auto allow = detail.metadata.find("allow");
+  if (allow == detail.metadata.end()) return AdviceOnValue(detail);
+  const bool tools = allow->second == config::kSeveralTools;
+  return fmt::format("{}--allow {} makes the job all the same, with a warning",
+                     tools ? "give all objects the same extruder, or print them as jobs of their "
+                             "own; "
+                           : "",
+                     allow->second);
+}
+
+}  // namespace
+
+std::string Advice(const absl::Status& status) {
+  if (absl::IsUnimplemented(status)) return "is a coordinator of this version at that address?";
+  const ErrorDetail detail = DetailOf(status);
+  switch (detail.reason) {
+    case Reason::kSettingUnknown:
+    case Reason::kSettingMisplaced:
+      return "`slicefarm settings [--machine MACHINE]` lists every setting with its range";
+    case Reason::kSettingMalformed:
+    case Reason::kSettingOutOfRange:
+      return AdviceOnValue(detail);
+    case Reason::kNotSupported:
+      return AdviceOnFeature(detail);
+    case Reason::kPrinterMissing:
+      return "--profile NAME (`slicefarm profile list`) or --config FILE names the printer; "
+             "--generic makes the job without one";
+    case Reason::kRequestMalformed:
+      return detail.metadata.contains("plates")
+                 ? "--plate N takes one of them, --plates makes a job of each"
+                 : "";
+    case Reason::kMeshFormatUnknown:
+      return "give an STL (binary or ASCII), OBJ, PLY or 3MF file";
+    case Reason::kMeshEmpty:
+      return "is a model in the file? What a slicer exports sliced (.gcode.3mf) may hold G-code "
+             "alone";
+    case Reason::kMeshTruncated:
+      return "the file was cut off: export or download it again";
+    case Reason::kOutOfRange:
+    case Reason::kOutOfBuildVolume:
+      return "use --scale or --rotate, or another bed_shape and max_print_height; --units if the "
+             "file is not in mm; --plates for more copies than fit on a bed";
+    case Reason::kNothingToPrint:
+      return "is the model empty, or much smaller than a layer? --units says what its numbers mean";
+    case Reason::kUnavailable:
+      return "is the coordinator running there? `slicefarm health HOST:PORT` asks it";
+    case Reason::kDeadlineExceeded:
+      return detail.metadata.contains("field")  // of a job, not of a call
+                 ? "submit the job again with a later --deadline, or with a higher --priority"
+                 : "the server is too busy, or the network too slow: try again";
+    case Reason::kOverloaded:
+    case Reason::kQueueFull:
+    case Reason::kDiskLow:
+      return "the farm took no more for as long as --patience says: try again later, or with a "
+             "larger --patience";
+    case Reason::kJobNotFound:
+      return "`slicefarm list` shows the jobs there are";
+    case Reason::kJobNotFinished:
+      return "`slicefarm watch JOB` waits for its end";
+    case Reason::kInternal:
+      return absl::IsDataLoss(status) ? "" : "this is a fault of slicefarm's; please report it";
+    default:
+      return "";
+  }
+}
+
+ExitCode Fail(const absl::Status& status) {
+  fmt::print(stderr, "error: {}\n", std::string(status.message()));
+  const std::string advice = Advice(status);
+  if (!advice.empty()) fmt::print(stderr, "       {}\n", advice);
+  return ExitCodeOf(status);
+}
+
+void Warn(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
+}
+
+void WarnOfRest(std::vector<std::string> warnings, const std::vector<std::string>& told) {
+  std::erase_if(warnings, [&told](const std::string& warning) {
+    return std::ranges::find(told, warning) != told.end();
+  });
+  Warn(warnings);
+}
+
+void Print(std::string_view text, bool to_stderr) {
+  std::FILE* out = to_stderr ? stderr : stdout;
+  std::fwrite(text.data(), 1, text.size(), out);
+  std::fflush(out);
+}
+
+ProgressBar::ProgressBar(bool wanted) : enabled_(wanted && isatty(STDERR_FILENO) != 0) {}
+
+void ProgressBar::Show(std::string_view what, int done, int total) {
+  if (!enabled_) return;
+  constexpr int kWidth = 30;
+  std::string line;
+  if (total > 0) {
+    const int filled = kWidth * std::clamp(done, 0, total) / total;
+    line = fmt::format("{:<12} [{}{}] {}/{}{}", what, std::string(filled, '#'),
+                       std::string(kWidth - filled, ' '), done, total, TimeLeft(what, done, total));
+  } else {
+    line = fmt::format("{} ...", what);
+  }
+  if (line == line_) return;
+  line_ = std::move(line);
+  shown_ = true;
+  fmt::print(stderr, "\r\x1b[K{}", line_);
+  std::fflush(stderr);
+}
+
+/// ", 12s left", if what comes takes as long as what was seen to be done.
+std::string ProgressBar::TimeLeft(std::string_view what, int done, int total) {
+  if (what != what_) {
+    what_ = what;
+    first_done_ = done;
+    since_ = Stopwatch();
+  }
+  constexpr double kSoonestS = 2;
+  const double seconds = since_.Seconds();
+  if (done <= first_done_ || done >= total || seconds < kSoonestS) return "";
+  return fmt::format(", {} left", DurationText(seconds * (total - done) / (done - first_done_)));
+}
+
+void ProgressBar::Clear() {
+  if (!shown_) return;
+  shown_ = false;
+  line_.clear();
+  fmt::print(stderr, "\r\x1b[K");
+  std::fflush(stderr);
+}
+
+}  // namespace slicefarm::cli

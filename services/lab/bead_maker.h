@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "common/geometry/polygon.h"
+#include "services/beading/algo/arachne/variable_walls.h"
+#include "services/beading/algo/strategy/beading_strategy.h"
+
+namespace slicefarm::lab {
+
+struct BeadMakerOptions {
+  double width_mm = 0.5;
+  double min_feature_mm = 0.3;
+  double transition_angle = 45;  ///< degrees
+  int walls = 0;                 ///< on either side; 0: as many as fill the part
+};
+
+struct BeadTotals {
+  int outlines = 0;
+  int fallbacks = 0;  ///< islands
+  double seconds = 0;
+  double diagram_s = 0;
+};
+
+/// Beads of outlines, laid out as the paper does: they tile, edge to edge, and the outermost ones
+/// reach the outline.
+class BeadMaker {
+ public:
+  explicit BeadMaker(const BeadMakerOptions& options);
+
+  /// Beads of one outline, which is added to `totals`.
+  std::vector<beading::WallLine> Make(const MultiPolygon& islands, BeadTotals& totals) const;
+
+ private:
+  beading::VariableWalls MakeIsland(const PolygonWithHoles& island, BeadTotals& totals) const;
+  /// Where there is no skeleton: constant insets, and lines along the gaps between them.
+  beading::VariableWalls Constant(const PolygonWithHoles& island) const;
+
+  Coord width_nm_ = 0;
+  Coord least_nm_ = 0;
+  int walls_ = 0;
+  std::unique_ptr<const beading::BeadingStrategy> strategy_;
+  beading::VariableWallOptions walls_options_;
+};
+
+}  // namespace slicefarm::lab

@@ -1,0 +1,27 @@
+#include "services/cli/console/program_main.h"
+#include "services/lab/commands.h"
+
+namespace slicefarm::lab {
+namespace {
+
+constexpr cli::AddCommand kCommands[] = {AddBeads,   AddFill,      AddDecompose, AddTsp,
+                                         AddFlatten, AddWaterline, AddSupportLab};
+
+constexpr char kDescription[] =
+    "slicefarm-lab runs one algorithm of slicefarm on a file of its own, to judge it without a "
+    "job.";
+
+constexpr char kFooter[] =
+    "`slicefarm-lab COMMAND --help` tells more, with an example. Exit codes are those of "
+    "slicefarm:\n"
+    "0 done, 1 a fault of slicefarm's own, 2 wrong command line or input, 3 to 9 as `slicefarm\n"
+    "--help` lists them.";
+
+}  // namespace
+}  // namespace slicefarm::lab
+
+int main(int argc, char** argv) {
+  using namespace slicefarm;
+  return cli::RunProgram({"slicefarm-lab", lab::kDescription, lab::kFooter}, lab::kCommands, argc,
+                         argv);
+}

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "absl/status/statusor.h"
+#include "common/stage/slicing_stage.h"
+#include "common/stage/stages.h"
+
+namespace slicefarm::lab {
+
+/// The layers of a model, standing on a wide bed with the middle of its box at the origin.
+/// Errors: those of reading and slicing it.
+absl::StatusOr<SlicedJob> SliceModel(const std::string& path, Coord layer_height_nm, int threads);
+
+}  // namespace slicefarm::lab

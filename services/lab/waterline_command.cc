@@ -1,0 +1,121 @@
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/model/milling/cutter_text.h"
+#include "services/cli/console/choice_option.h"
+#include "services/cli/console/console.h"
+#include "services/cli/console/files.h"
+#include "services/lab/commands.h"
+#include "services/lab/mill_mesh.h"
+#include "services/milling/algo/waterline/waterline.h"
+
+namespace slicefarm::lab {
+namespace {
+
+struct WaterlineCommandOptions {
+  std::string model;
+  std::string output;
+  std::string cutter;
+  std::vector<double> levels_mm;
+  milling::WaterlineOptions how;
+};
+
+using WaterlineLevels = std::vector<std::vector<milling::WaterlineLoop>>;
+
+std::string LoopsText(const WaterlineLevels& levels) {
+  fmt::memory_buffer text;
+  const auto out = std::back_inserter(text);
+  for (const auto& loops : levels) {
+    for (const milling::WaterlineLoop& loop : loops) {
+      fmt::format_to(out, "{} {}", loop.z_mm, loop.points_mm.size());
+      for (const Eigen::Vector2d& p : loop.points_mm)
+        fmt::format_to(out, " {:.9f} {:.9f}", p.x(), p.y());
+      text.push_back('\n');
+    }
+  }
+  return fmt::to_string(text);
+}
+
+cli::ExitCode Waterline(const WaterlineCommandOptions& options) {
+  const auto cutter = ParseCutter(options.cutter);
+  if (!cutter.ok()) return cli::Fail(cutter.status());
+  const auto mesh = ReadTriangles(options.model);
+  if (!mesh.ok()) return cli::Fail(mesh.status());
+  const auto start = std::chrono::steady_clock::now();
+  const auto levels = milling::Waterlines(*mesh, *cutter, options.levels_mm, options.how);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!levels.ok()) return cli::Fail(levels.status());
+  const absl::Status written = cli::WriteFile(options.output, LoopsText(*levels));
+  if (!written.ok()) return cli::Fail(written);
+  size_t loops = 0, outer = 0, points = 0;
+  for (const auto& level : *levels) {
+    for (const milling::WaterlineLoop& loop : level) {
+      ++loops;
+      outer += loop.outer ? 1 : 0;
+      points += loop.points_mm.size();
+    }
+  }
+  cli::Print(fmt::format("levels {}\nloops {}\nouter_loops {}\npoints {}\nseconds {:.6f}\n",
+                         levels->size(), loops, outer, points, seconds));
+  return cli::ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddWaterline(CLI::App& app, cli::CommandContext& context) {
+  CLI::App* command =
+      app.add_subcommand("waterline", "Ways of a milling cutter around a model, level by level");
+  const auto options = std::make_shared<WaterlineCommandOptions>();
+  command->add_option("MODEL", options->model, "STL, OBJ or PLY, in mm")->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "Where the loops go: `z n x y x y ...` a line, closed without repeating the "
+                   "first point")
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option("--cutter", options->cutter,
+                   "cyl:D, ball:D, bull:D:CORNER, cone:D:ANGLE, ballcone:TIP:ANGLE:D, "
+                   "bullcone:TIP:CORNER:ANGLE:D or conecone:TIP:TIP_ANGLE:ANGLE:D; diameters and "
+                   "corners in mm, half angles in degrees")
+      ->required()
+      ->type_name("CUTTER");
+  command->add_option("--z", options->levels_mm, "Heights of the cutter's tip")
+      ->required()
+      ->delimiter(',')
+      ->type_name("MM,...");
+  command->add_option("--sampling", options->how.sampling_mm, "Distance of fibers")
+      ->capture_default_str()
+      ->type_name("MM");
+  command
+      ->add_option("--tolerance", options->how.tolerance_mm,
+                   "Points are put in where a loop leaves its chords by more; 0: nowhere")
+      ->capture_default_str()
+      ->type_name("MM");
+  command
+      ->add_option("--least-sampling", options->how.least_sampling_mm,
+                   "But no points nearer than this")
+      ->capture_default_str()
+      ->type_name("MM");
+  command->add_option("--threads", options->how.threads, "Threads")
+      ->check(cli::InRange(1, 1024))
+      ->capture_default_str()
+      ->type_name("N");
+  command->footer(
+      "At every point of a loop the cutter touches the model; its tip must not go inside. Outer\n"
+      "loops run counter-clockwise, inner ones clockwise.\n"
+      "Example:\n"
+      "  slicefarm-lab waterline part.stl --cutter ball:4 --z 1.5,2.0 --sampling 0.2 -o loops.txt");
+  command->callback(
+      [options, &context] { context.run = [options] { return Waterline(*options); }; });
+}
+
+}  // namespace slicefarm::lab

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "services/texture/algo/surface/surface_mesh.h"
+
+namespace slicefarm::texture {
+
+/// A line over a surface, as a picture shows it.
+struct PictureLine {
+  Eigen::Vector3d from_mm;
+  Eigen::Vector3d to_mm;
+  Eigen::Vector3d normal;  ///< of the surface: lines on its far side are left out
+  double shade = 0;        ///< 0 to 1 on the scale of colours
+};
+
+struct SurfacePictureOptions {
+  int size_px = 1200;  ///< of the longer side
+  Eigen::Vector3d towards_viewer = {0.45, -0.65, 0.61};
+};
+
+/// Draws a surface seen from far away, shaded, with lines on it; far triangles first. Returns a
+/// PNG. Errors: Internal if the picture cannot be made. Cost: O(n log n).
+absl::StatusOr<std::string> DrawSurface(const SurfaceMesh& mesh, std::span<const PictureLine> lines,
+                                        const SurfacePictureOptions& options);
+
+/// Draws a map's triangles, coloured by `values` from 1 (dark) to `most` (light). Returns a PNG.
+absl::StatusOr<std::string> DrawMap(const SurfaceMesh& mesh,
+                                    std::span<const Eigen::Vector2d> map_mm,
+                                    std::span<const double> values, double most, int size_px);
+
+}  // namespace slicefarm::texture
