@@ -9,9 +9,9 @@
 # With -D LISTING=FILE it also writes the names of the covered files, one a line.
 set(left_out
   common/rpc                                    # carries messages
-  services/cli services/lab services/load       # talk to users
+  services/cli services/lab                     # talk to users
   services/coordinator/algo/[^/]+$ services/coordinator/algo/dispatch   # decide when and where a task runs
-  services/coordinator/remote services/coordinator/run services/coordinator/server services/coordinator/sim services/coordinator/store)
+  services/coordinator/remote services/coordinator/run services/coordinator/server services/coordinator/store)
 set(files "")
 foreach(folder common processes services)
   file(GLOB_RECURSE found RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/${folder}/*.h ${SOURCE_DIR}/${folder}/*.cc)

@@ -26,7 +26,7 @@ CHANGES = [
     ("proto/slicefarm/v1/layer.proto", True),
     ("CMakeLists.txt", True),
     ("services/cli/commands/slice_command.cc", False),
-    ("services/load/client/main.cc", False),
+    ("services/lab/main.cc", False),
     ("services/coordinator/server/webhooks/webhook_message.cc", False),
     ("services/coordinator/store/blobs/directory_blob_store.cc", False),
     ("services/coordinator/algo/dispatch/dispatcher.cc", False),

@@ -3,7 +3,7 @@
 
 usage: check_layers.py [repo root]        exit 1 and one line per violation
 
-The way is base <- gcode, geometry, picture <- model <- macro, kinematics <- config, stage, algo <- wire, rpc, sandbox <- remote, store <- run <- server, sim, client;
+The way is base <- gcode, geometry, picture <- model <- macro, kinematics <- config, stage, algo <- wire, rpc, sandbox <- remote, store <- run <- server;
 a service never includes another one, except in the places where whole programs are put together: services/worker, services/cli and
 services/lab, which nothing includes. What is of one process lies in processes/<name>, a folder for each side that asks for it (settings, task, wire,
 job); the others reach it through processes/list alone, and name no process but in common/model/process.h.
@@ -39,11 +39,9 @@ LAYERS = [
     ("store", r"services/(\w+)/store/", PURE | {"store", "algo", "rpc", "wire"}, GRPC),
     ("run", r"services/(\w+)/run/", PURE | {"run", "algo", "store"}, f"{WIRE}|{GRPC}"),
     ("server", r"services/(\w+)/server/", EDGE | {"remote", "sandbox", "store", "run", "server"} | PROCESS, None),
-    ("sim", r"services/(\w+)/sim/", PURE | {"sim", "run", "algo", "store"}, f"{WIRE}|{GRPC}"),
     ("console", r"services/(cli)/console/", PURE | {"config", "console"}, f"{WIRE}|{GRPC}"),
     ("cli", r"services/(cli)/", EDGE | {"remote", "console", "cli", "picture"} | PROCESS, None),
     ("lab", r"services/(lab)/", EDGE | {"console", "lab", "picture"}, None),
-    ("client", r"services/(\w+)/client/", EDGE | {"client"}, None),
 ]
 COMPOSITION_ROOTS = {"worker", "cli", "lab"}
 JOBS_OF = "coordinator"  # the service that puts jobs together, whose interfaces processes/*/job implements
@@ -67,7 +65,6 @@ SUBRANGE = re.compile(
 STRUCT = re.compile(r"\bstruct (\w+) \{")
 COORDINATES = re.compile(r"(?:(?:double|float) )?[uvxyz](?: = [\d.]+)?")
 LIBM_FREE = {"base", "gcode", "geometry", "model", "kinematics", "macro", "config", "stage", "algo", "settings", "task", "job"}
-NO_GCODE = {"load"}  # services that make none
 MAX_LINES, MAX_TEST_LINES = 500, 1000
 TEST_FILE = re.compile(r"_test\.(cc|h)$")  # as in cmake/build_info.cmake
 TEST_ONLY = re.compile(r"^(gtest|gmock)/|_test\.h$")
@@ -169,7 +166,7 @@ def check(root, file):
     for m in SUBRANGE.finditer(text):
         if not is_test:
             yield f"{path}:{text[: m.start()].count(chr(10)) + 1}: std::{m.group(1)}, which the compiler of the fuzzers does not take"
-    if layer in LIBM_FREE and service not in NO_GCODE and not is_test:
+    if layer in LIBM_FREE and not is_test:
         for number, line in enumerate(text.splitlines(), 1):
             if m := LIBM.search(line.split("//")[0]):
                 yield f"{path}:{number}: {m.group(1) or m.group(2)} of libm; use common/base/portable_math.h"

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "common/base/error.h"
-#include "common/wire/support/every_field.h"
+#include "tests/support/every_field.h"
 #include "google/protobuf/util/message_differencer.h"
 
 namespace slicefarm::mesh_wire_test {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "common/base/error.h"
-#include "common/wire/support/every_field.h"
+#include "tests/support/every_field.h"
 #include "google/protobuf/util/message_differencer.h"
 
 namespace slicefarm {

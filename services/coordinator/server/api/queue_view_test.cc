@@ -10,7 +10,7 @@
 #include "common/base/error.h"
 #include "common/rpc/event_test.h"
 #include "services/coordinator/store/jobs/forwarding_job_store.h"
-#include "services/coordinator/store/jobs/memory_job_store.h"
+#include "tests/support/memory_job_store.h"
 
 namespace slicefarm::coordinator::queue_view_test {
 namespace {

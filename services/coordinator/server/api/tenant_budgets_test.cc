@@ -7,7 +7,7 @@
 #include "common/base/error.h"
 #include "common/base/temp_directory_test.h"
 #include "common/rpc/status_mapping.h"
-#include "services/coordinator/store/jobs/memory_job_store.h"
+#include "tests/support/memory_job_store.h"
 
 namespace slicefarm::coordinator::tenant_budgets_test {
 namespace {

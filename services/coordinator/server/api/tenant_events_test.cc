@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-#include "services/coordinator/store/jobs/memory_job_store.h"
+#include "tests/support/memory_job_store.h"
 
 namespace slicefarm::coordinator::tenant_events_test {
 namespace {

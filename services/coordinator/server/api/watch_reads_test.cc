@@ -12,7 +12,7 @@
 #include "common/base/error.h"
 #include "common/rpc/status_mapping.h"
 #include "services/coordinator/store/jobs/forwarding_job_store.h"
-#include "services/coordinator/store/jobs/memory_job_store.h"
+#include "tests/support/memory_job_store.h"
 
 namespace slicefarm::coordinator::watch_reads_test {
 namespace {

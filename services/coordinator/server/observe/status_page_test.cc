@@ -5,7 +5,7 @@
 
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/server/observe/status_board.h"
-#include "services/coordinator/store/jobs/memory_job_store.h"
+#include "tests/support/memory_job_store.h"
 
 namespace slicefarm::coordinator::status_page_test {
 namespace {

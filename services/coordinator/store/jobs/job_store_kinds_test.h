@@ -15,7 +15,7 @@
 #include "common/base/error.h"
 #include "common/base/from_environment_test.h"
 #include "common/base/temp_directory_test.h"
-#include "services/coordinator/store/jobs/memory_job_store.h"
+#include "tests/support/memory_job_store.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 #include "services/coordinator/store/sql/postgres_database.h"
 #include "services/coordinator/store/sql/shared_postgres_test.h"

@@ -1,0 +1,135 @@
+#include "tests/load/generator/client/flags.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
+
+namespace slicefarm::load {
+namespace {
+
+/// Fewer than the calls that a coordinator lets one connection have open, 128: its connections are
+/// taken in turn, not by how full they are.
+constexpr int kCallsPerConnection = 64;
+
+constexpr double kMaxSeconds = 24 * 3600;
+
+const std::map<std::string, ScenarioKind>& Scenarios() {
+  static const std::map<std::string, ScenarioKind> scenarios = {{"print", ScenarioKind::kPrint},
+                                                                {"submit", ScenarioKind::kSubmit},
+                                                                {"get", ScenarioKind::kGet},
+                                                                {"watch", ScenarioKind::kWatch}};
+  return scenarios;
+}
+
+/// Names of processes, and `both`: of all.
+const std::map<std::string, std::vector<Process>>& Processes() {
+  static const std::map<std::string, std::vector<Process>> processes = [] {
+    std::map<std::string, std::vector<Process>> names;
+    for (const ProcessInfo& info : kProcesses) {
+      names[std::string(info.name)] = {info.process};
+      names["both"].push_back(info.process);
+    }
+    return names;
+  }();
+  return processes;
+}
+
+void AddWhat(CLI::App& app, LoadFlags* flags) {
+  app.add_option("--server", flags->server, "The coordinator")
+      ->envname("SLICEFARM_SERVER")
+      ->capture_default_str()
+      ->type_name("HOST:PORT");
+  rpc::AddTlsOptions(app, &flags->security);
+  rpc::AddTokenOptions(app, &flags->security);
+  app.add_option("--scenario", flags->scenario,
+                 "print: upload, create, watch, download; submit: create; get: GetJob; watch: as "
+                 "print, with many watchers and no download")
+      ->check(CLI::IsMember(Scenarios()))
+      ->capture_default_str();
+  app.add_option("--mix", flags->mix, "Parts: mixed is 80 % tiny, 18 % medium, 2 % huge")
+      ->check(CLI::IsMember({"tiny", "medium", "huge", "mixed"}))
+      ->capture_default_str();
+  app.add_option("--process", flags->process, "Of the jobs; both: of all, by turns")
+      ->check(CLI::IsMember(Processes()))
+      ->capture_default_str();
+  app.add_flag("--same", flags->same, "The same part each time: the server's cache may answer");
+  app.add_option("--watchers", flags->watchers, "Watchers of each job, for --scenario watch")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  app.add_option("--seed", flags->seed,
+                 "Of arrivals, parts and request ids; repeated on the same server, it brings the "
+                 "jobs of the first time again. 0: a new one")
+      ->capture_default_str();
+}
+
+void AddHow(CLI::App& app, LoadFlags* flags) {
+  auto* rate = app.add_option("--rate", flags->rates,
+                              "Open loop: requests per second, or several rates, one run each")
+                   ->delimiter(',')
+                   ->check(CLI::Range(0.001, 1e6));
+  auto* closed = app.add_option("--closed", flags->closed,
+                                "Closed loop: so many requests at once, each after another")
+                     ->check(CLI::Range(1, 100'000));
+  rate->excludes(closed);
+  app.add_option("--seconds", flags->seconds, "Of each run")
+      ->check(CLI::Range(0.1, kMaxSeconds))
+      ->capture_default_str();
+  app.add_option("--deadline", flags->deadline_s, "Seconds that a request may take")
+      ->check(CLI::Range(0.001, kMaxSeconds))
+      ->capture_default_str();
+  app.add_option("--in-flight", flags->in_flight,
+                 "Open loop: requests at once; an arrival beyond is skipped and counted")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  app.add_option("--connections", flags->connections, "0: as many as the requests at once need")
+      ->check(CLI::Range(0, 10'000))
+      ->capture_default_str();
+  app.add_flag("--retry", flags->retry, "Try refused calls again when the server says when");
+}
+
+}  // namespace
+
+void AddLoadFlags(CLI::App& app, LoadFlags* flags) {
+  AddWhat(app, flags);
+  AddHow(app, flags);
+  app.add_option("--json", flags->json, "Report in ghz's form; of several rates, an array");
+  app.add_option("--svg", flags->svg, "Plot of latency percentiles over the rates");
+  app.callback([flags] {
+    if (flags->rates.empty() && flags->closed == 0) {
+      throw CLI::ValidationError("either --rate or --closed is needed");
+    }
+    std::sort(flags->rates.begin(), flags->rates.end());
+  });
+}
+
+ScenarioOptions LoadFlags::scenario_options() const {
+  return {.kind = Scenarios().at(scenario),
+          .parts = {.mix = MixFromName(mix).value(), .same = same, .seed = seed},
+          .watchers = watchers,
+          .processes = Processes().at(process)};
+}
+
+std::vector<RunOptions> LoadFlags::runs() const {
+  RunOptions run = {.duration = std::chrono::duration<double>(seconds),
+                    .deadline = std::chrono::duration<double>(deadline_s),
+                    .in_flight = closed > 0 ? closed : in_flight,
+                    .retry = retry,
+                    .seed = seed};
+  if (closed > 0) return {run};
+  std::vector<RunOptions> runs;
+  for (const double rate : rates) {
+    run.rate_rps = rate;
+    ++run.seed;
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+int LoadFlags::needed_connections() const {
+  if (connections > 0) return connections;
+  const int requests = closed > 0 ? closed : in_flight;
+  const int calls = std::max(requests, scenario == "watch" ? watchers : 0);
+  return (calls + kCallsPerConnection - 1) / kCallsPerConnection;
+}
+
+}  // namespace slicefarm::load

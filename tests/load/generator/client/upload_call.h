@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+
+#include "tests/load/generator/client/calls.h"
+#include "tests/load/generator/client/part_supply.h"
+#include "slicefarm/v1/jobs.grpc.pb.h"
+
+namespace slicefarm::load {
+
+/// One UploadMesh call with the part's bytes from `offset` on. Errors: the server's; UNAVAILABLE if
+/// it ended the call before the mesh was complete.
+void StartUpload(v1::Meshes::Stub& stub, const PartPtr& part, int64_t offset,
+                 const CallContext& context, Ended ended);
+
+}  // namespace slicefarm::load

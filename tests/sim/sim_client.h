@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/sim/sim_coordinator.h"
+
+namespace slicefarm::coordinator::sim {
+
+using Coordinators = std::vector<std::unique_ptr<SimCoordinator>>;
+
+/// A client: creates a job and asks again until it knows that it was taken, may want it to end,
+/// watches it by the numbers of its events, and may delete it. Each call goes to any coordinator.
+/// Uploads its mesh when it is told that there is none.
+class SimClient {
+ public:
+  SimClient(World& world, CheckedStore& store, Coordinators& coordinators, int index);
+
+  void Start();
+  /// It had its job made and done before, and will come back for it.
+  void StartFromYesterday(const std::string& job_id);
+  bool done() const { return done_; }
+
+ private:
+  using Call = std::function<void(SimCoordinator& to, const ReplyTo& reply)>;
+
+  void Send(const Call& call, const ReplyTo& then);
+  void Arrive(SimCoordinator& to, int64_t delay_us, const Call& call, const ReplyTo& settle);
+  void Create();
+  void NotCreated(const absl::Status& error);
+  void Created(const std::string& job_id);
+  void Cancel();
+  void Watch();
+  void Watched(const std::vector<JobEventRecord>& events);
+  void Ended(JobState state);
+  void Delete();
+  void Again(void (SimClient::*what)());
+
+  World& world_;
+  CheckedStore& store_;
+  Coordinators& coordinators_;
+  const int index_;
+  const ClientPlan plan_;
+  std::string job_id_;
+  int64_t seen_ = 0;  ///< number of the last event
+  int tries_ = 0;
+  bool cancelling_ = false;
+  bool done_ = false;
+};
+
+}  // namespace slicefarm::coordinator::sim

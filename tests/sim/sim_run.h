@@ -1,0 +1,78 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "services/coordinator/algo/pipeline/job_pipeline.h"
+#include "services/coordinator/run/lost_runs.h"
+#include "services/coordinator/run/run_steps.h"
+#include "tests/sim/sim_dispatcher.h"
+#include "tests/sim/store_link.h"
+
+namespace slicefarm::coordinator::sim {
+
+/// What the runs of a coordinator share.
+struct RunDesk {
+  World& world;
+  Process& process;
+  StoreLink& link;
+  SimDispatcher& dispatcher;
+  std::string build;
+  std::function<int64_t()> now_us;
+  std::function<void()> die;  ///< the coordinator, of the job that it runs
+};
+
+/// JobRun without a thread: takes the steps of RunSteps, each of which goes on when the store or
+/// the workers have answered.
+class SimRun : public std::enable_shared_from_this<SimRun> {
+ public:
+  SimRun(RunDesk& desk, Work work, JobRecord job, int64_t calm_us);
+
+  /// `over` is called once, unless the coordinator dies before.
+  void Start(std::function<void()> over);
+
+  /// The wishes may have changed.
+  void Notice();
+
+  /// As JobRun has it.
+  bool lost() const { return !ended_; }
+
+  const Lease& lease() const { return lease_; }
+  const std::shared_ptr<RunWishes>& wishes() const { return wishes_; }
+
+ private:
+  using Then = std::function<void(const absl::Status&)>;
+
+  void Advance();
+  void Took(const absl::StatusOr<bool>& succeeded);
+  void FindCached();
+  void CheckBlobs(const JobResult& found);
+  void ForgetResult();
+  void Compute();
+  void Sliced();
+  void Computed(absl::StatusOr<RangeHashes> layers);
+  void Keep();
+  void PutBlobs();
+  void Conclude();
+  void WriteAtLast(const JobUpdate& update, int writes);
+  void Write(JobUpdate update, Then then);
+
+  RunDesk& desk_;
+  const Work work_;
+  const JobRecord job_;
+  const LostRuns lost_runs_;
+  const Lease lease_;
+  const std::shared_ptr<RunWishes> wishes_;
+  std::function<void()> over_;
+  RunSteps steps_{lost_runs_};
+  PipelineProgress told_;
+  bool computing_ = false;
+  std::optional<FanOut::JobId> fan_out_;  ///< while its ranges run
+  RangeHashes layers_;
+  bool ended_ = false;
+  bool fenced_ = false;  ///< it was told so
+};
+
+}  // namespace slicefarm::coordinator::sim
