@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "common/geometry/vector.h"
 #include "common/picture/colour.h"
 
 namespace slicefarm {
@@ -25,7 +24,11 @@ class Picture {
   int width() const { return cairo_image_surface_get_width(surface_); }
   int height() const { return cairo_image_surface_get_height(surface_); }
 
-  Colour At(Vector2 pixel) const { return At(pixel.x(), pixel.y()); }
+  /// `pixel`: a vector with x() and y().
+  template <typename Pixel>
+  Colour At(const Pixel& pixel) const {
+    return At(pixel.x(), pixel.y());
+  }
   Colour At(double x, double y) const {
     const int row = static_cast<int>(y) * cairo_image_surface_get_stride(surface_);
     uint32_t value = 0;

@@ -11,7 +11,7 @@
 #include "services/texture/algo/engrave_job.h"
 #include "services/texture/algo/output/csv_text.h"
 #include "services/texture/algo/output/engrave_report.h"
-#include "services/texture/algo/output/whole_file.h"
+#include "services/texture/algo/whole_file.h"
 #include "services/texture/algo/surface_mapping.h"
 
 namespace slicefarm::texture {

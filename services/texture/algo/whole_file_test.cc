@@ -1,4 +1,4 @@
-#include "services/texture/algo/output/whole_file.h"
+#include "services/texture/algo/whole_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
