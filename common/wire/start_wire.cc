@@ -14,55 +14,22 @@
 #include "common/wire/support/repeated_wire.h"
 
 namespace slicefarm {
-namespace {
 
-template <typename Start, typename Proto>
-absl::Status PutCall(const Start& start, Proto* proto) {
+absl::Status ToProto(const StageStart& start, v1::StageStart* proto) {
   *proto->mutable_call() = ToProto(start.call);
   proto->set_shared(start.shared);
+  if (!start.range.empty()) *proto->mutable_range() = ToProto(start.range);
   return absl::OkStatus();
 }
-
-template <typename Start, typename Proto>
-absl::StatusOr<Start> TakeCall(const Proto& proto) {
-  Start start;
+absl::StatusOr<StageStart> FromProto(const v1::StageStart& proto) {
   absl::StatusOr<StageCall> call = FromProto(proto.call());
   if (!call.ok()) return call.status();
-  start.call = *std::move(call);
-  start.shared = proto.shared();
-  return start;
-}
-
-template <typename Start, typename Proto>
-absl::Status PutRangeCall(const Start& start, Proto* proto) {
-  *proto->mutable_range() = ToProto(start.range);
-  return PutCall(start, proto);
-}
-
-template <typename Start, typename Proto>
-absl::StatusOr<Start> TakeRangeCall(const Proto& proto) {
-  absl::StatusOr<Start> start = TakeCall<Start>(proto);
-  if (!start.ok()) return start;
+  StageStart start{*std::move(call), proto.shared()};
+  if (!proto.has_range()) return start;
   const absl::StatusOr<LayerRange> range = FromProto(proto.range());
   if (!range.ok()) return range.status();
-  start->range = *range;
+  start.range = *range;
   return start;
-}
-
-}  // namespace
-
-absl::Status ToProto(const BeadStart& start, v1::BeadStart* proto) {
-  return PutRangeCall(start, proto);
-}
-absl::StatusOr<BeadStart> FromProto(const v1::BeadStart& proto) {
-  return TakeRangeCall<BeadStart>(proto);
-}
-
-absl::Status ToProto(const FillStart& start, v1::FillStart* proto) {
-  return PutRangeCall(start, proto);
-}
-absl::StatusOr<FillStart> FromProto(const v1::FillStart& proto) {
-  return TakeRangeCall<FillStart>(proto);
 }
 
 absl::Status ToProto(const PlanStart& start, v1::PlanStart* proto) {
@@ -86,27 +53,6 @@ absl::StatusOr<PlanStart> FromProto(const v1::PlanStart& proto) {
   status = AllFromProto(proto.copies(), "copies", &start.copies);
   if (!status.ok()) return status;
   return start;
-}
-
-absl::Status ToProto(const OrderStart& start, v1::OrderStart* proto) {
-  return PutCall(start, proto);
-}
-absl::StatusOr<OrderStart> FromProto(const v1::OrderStart& proto) {
-  return TakeCall<OrderStart>(proto);
-}
-
-absl::Status ToProto(const ProgramStart& start, v1::ProgramStart* proto) {
-  return PutCall(start, proto);
-}
-absl::StatusOr<ProgramStart> FromProto(const v1::ProgramStart& proto) {
-  return TakeCall<ProgramStart>(proto);
-}
-
-absl::Status ToProto(const ExposeStart& start, v1::ExposeStart* proto) {
-  return PutRangeCall(start, proto);
-}
-absl::StatusOr<ExposeStart> FromProto(const v1::ExposeStart& proto) {
-  return TakeRangeCall<ExposeStart>(proto);
 }
 
 }  // namespace slicefarm

@@ -165,6 +165,19 @@ TEST_P(EveryProcess, RefusesATaskWithoutItsLayers) {
   EXPECT_EQ(DetailOf(received.status()).reason, Reason::kRequestMalformed) << received.status();
 }
 
+TEST_P(EveryProcess, RefusesWorkWithoutARange) {
+  const Sample sample;
+  ToWorker sender;
+  ASSERT_TRUE(wire().Send({}, sample.TaskOf(GetParam()), sender).ok());
+  v1::WorkStart start = sender.out.front().start();
+  const auto* work = start.GetDescriptor()->FindFieldByNumber(start.work_case());
+  start.GetReflection()->MutableMessage(&start, work)->Clear();
+  SharedCache shared(1 << 20);
+  ToCoordinator receiver;
+  ExpectMalformed(wire().Receive(start, shared, {}, receiver).status(),
+                  "start." + work->name() + ".range");
+}
+
 INSTANTIATE_TEST_SUITE_P(Wire, EveryProcess, testing::ValuesIn([] {
                            std::vector<Process> all;
                            for (const ProcessInfo& info : kProcesses) all.push_back(info.process);

@@ -12,7 +12,6 @@
 #include "common/wire/stage_jobs_wire.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "processes/fdm/wire/fdm_work.h"
-#include "processes/laser/wire/laser_work.h"
 #include "processes/list/tasks.h"
 #include "processes/list/wire.h"
 #include "processes/mill/wire/mill_work.h"
@@ -47,13 +46,13 @@ ProcessRunners RunnersOver(const Stages& stages) {
   return ProcessRunners(std::move(runners));
 }
 
-/// Has `work` name what the call has beside it.
-template <typename Work, typename Proto>
-void Name(const Proto& proto, Work& work, SharedCache& cache) {
+/// Has `start` name what the call has beside it.
+template <typename Proto>
+void Name(const Proto& proto, v1::WorkStart& start, SharedCache& cache) {
   CheckRoundTrip(proto);
   std::string bytes = proto.SerializeAsString();
-  work.set_shared(SharedDigest(proto.GetTypeName(), bytes));
-  cache.Put({proto.GetTypeName(), work.shared(), std::move(bytes)});
+  start.set_shared(SharedDigest(proto.GetTypeName(), bytes));
+  cache.Put({proto.GetTypeName(), start.shared(), std::move(bytes)});
 }
 
 void Run(const WorkCall& given) {
@@ -73,7 +72,6 @@ void Run(const WorkCall& given) {
                                                      .texture = texture.get()});
   for (const v1::WorkRequest& request : given.requests()) {
     CheckRoundTrip(request.start().fdm());
-    CheckRoundTrip(request.start().laser());
     CheckRoundTrip(request.start().mill());
     CheckRoundTrip(request.layer());
   }
@@ -83,13 +81,13 @@ void Run(const WorkCall& given) {
   if (!end.Read(&first)) return;
   SharedCache shared(0);
   if (first.start().has_fdm())
-    Name(given.fdm(), *first.mutable_start()->mutable_fdm(), shared);
+    Name(given.fdm(), *first.mutable_start(), shared);
   else if (first.start().has_laser())
-    Name(given.laser(), *first.mutable_start()->mutable_laser(), shared);
+    Name(given.laser(), *first.mutable_start(), shared);
   else if (first.start().has_mill())
-    Name(given.mill(), *first.mutable_start()->mutable_mill(), shared);
+    Name(given.mill(), *first.mutable_start(), shared);
   else if (first.start().has_engrave())
-    Name(given.engrave(), *first.mutable_start()->mutable_engrave(), shared);
+    Name(given.engrave(), *first.mutable_start(), shared);
   const TaskWire* wire = WireOf(first.start());
   if (wire == nullptr || !FromProto(first.start().call()).ok()) return;
   const CancelToken cancel = WithDeadline();

@@ -14,7 +14,7 @@
 #include "common/config/plate.h"
 #include "common/model/milling/cutter_text.h"
 #include "common/wire/engraving/engrave_input_wire.h"
-#include "common/wire/engraving/texture_start_wire.h"
+#include "common/wire/fields/fields.h"
 #include "common/wire/layers/exposure_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
@@ -22,7 +22,6 @@
 #include "common/wire/milling/mill_input_wire.h"
 #include "common/wire/milling/mill_start_wire.h"
 #include "common/wire/milling/milled_wire.h"
-#include "common/wire/fields/fields.h"
 #include "common/wire/options/given_settings_wire.h"
 #include "common/wire/scene_wire.h"
 #include "common/wire/slicing_wire.h"
@@ -31,16 +30,15 @@
 #include "common/wire/start_wire.h"
 #include "common/wire/support/repeated_wire.h"
 #include "processes/fdm/wire/fdm_work.h"
-#include "processes/laser/wire/laser_work.h"
 #include "processes/mill/wire/mill_work.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
 #include "services/milling/algo/local_milling_stage.h"
-#include "services/texture/algo/local_texture_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "services/planning/algo/local_planning_stage.h"
 #include "services/slicing/algo/local_slicing_stage.h"
+#include "services/texture/algo/local_texture_stage.h"
 #include "tests/fuzz/calls.pb.h"
 
 // Seeds for the fuzzers of calls: those of a small job, as its stages get them.
@@ -260,9 +258,9 @@ void WriteSliceSeed(const Seeds& seeds, const std::string& name, Job& job) {
 void WritePlanSeed(const Seeds& seeds, const std::string& name, Job& job) {
   PlanCall plan;
   v1::PlanStart& start = *plan.add_requests()->mutable_start();
-  Must(ToProto(
-      PlanStart{job.call, PlanningOf(FdmOf(job.settings)), job.sliced.copies, job.sliced.object_names},
-      &start));
+  Must(ToProto(PlanStart{job.call, PlanningOf(FdmOf(job.settings)), job.sliced.copies,
+                         job.sliced.object_names},
+               &start));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, plan.add_requests()->mutable_layer()));
@@ -275,7 +273,7 @@ void WriteWorkSeed(const Seeds& seeds, const std::string& name, const Job& job) 
   WorkCall work;
   v1::WorkStart& start = *work.add_requests()->mutable_start();
   *start.mutable_call() = ToProto(job.call);
-  Must(ToProto(FdmWork{job.range, job.plans(), {}}, start.mutable_fdm()));
+  Must(ToProto(FdmWork{job.range, job.plans()}, start.mutable_fdm()));
   Must(ToProto(FdmShared{FdmOf(job.settings), job.plan.copies, job.facts}, work.mutable_fdm()));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
@@ -286,8 +284,8 @@ void WriteWorkSeed(const Seeds& seeds, const std::string& name, const Job& job) 
 std::vector<WalledLayer> WriteBeadSeeds(const Seeds& seeds, const std::string& name,
                                         const Job& job) {
   BeadCall bead;
-  v1::BeadStart& start = *bead.add_requests()->mutable_start();
-  Must(ToProto(BeadStart{job.call, {}, job.range}, &start));
+  v1::StageStart& start = *bead.add_requests()->mutable_start();
+  Must(ToProto(StageStart{job.call, {}, job.range}, &start));
   Must(ToProto(BeadingOf(FdmOf(job.settings)), bead.mutable_shared()));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
@@ -304,8 +302,8 @@ std::vector<WalledLayer> WriteBeadSeeds(const Seeds& seeds, const std::string& n
 std::vector<FilledLayer> WriteFillSeed(const Seeds& seeds, const std::string& name, const Job& job,
                                        std::vector<WalledLayer> walled) {
   FillCall fill;
-  v1::FillStart& start = *fill.add_requests()->mutable_start();
-  Must(ToProto(FillStart{job.call, {}, job.range}, &start));
+  v1::StageStart& start = *fill.add_requests()->mutable_start();
+  Must(ToProto(StageStart{job.call, {}, job.range}, &start));
   Must(ToProto(InfillOf(FdmOf(job.settings)), fill.mutable_shared()));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
@@ -324,9 +322,9 @@ std::vector<FilledLayer> WriteFillSeed(const Seeds& seeds, const std::string& na
 std::vector<OrderedLayer> WriteOrderSeed(const Seeds& seeds, const std::string& name,
                                          const Job& job, std::vector<FilledLayer> filled) {
   OrderCall order;
-  v1::OrderStart& start = *order.add_requests()->mutable_start();
+  v1::StageStart& start = *order.add_requests()->mutable_start();
   const OrderingJob shared{OrderingOf(FdmOf(job.settings)), job.plan.copies};
-  Must(ToProto(OrderStart{job.call, {}}, &start));
+  Must(ToProto(StageStart{job.call, {}, job.range}, &start));
   Must(ToProto(shared, order.mutable_shared()));
   Anonymous(&start);
   const std::vector<LayerPlan> plans = job.plans();
@@ -342,9 +340,9 @@ std::vector<OrderedLayer> WriteOrderSeed(const Seeds& seeds, const std::string& 
 void WriteMotionSeed(const Seeds& seeds, const std::string& name, const Job& job,
                      std::vector<OrderedLayer> ordered) {
   MotionCall motion;
-  v1::ProgramStart& start = *motion.add_requests()->mutable_start();
+  v1::StageStart& start = *motion.add_requests()->mutable_start();
   const MotionJob shared{MotionOf(FdmOf(job.settings)), job.facts};
-  Must(ToProto(ProgramStart{job.call, {}}, &start));
+  Must(ToProto(StageStart{job.call, {}, job.range}, &start));
   Must(ToProto(shared, motion.mutable_shared()));
   Anonymous(&start);
   for (const OrderedLayer& layer : ordered)
@@ -382,9 +380,9 @@ void WriteExposureSeeds(const Seeds& seeds, const std::string& name, const Job& 
       region.downskin_layers = 1;
     }
     ExposeCall call;
-    v1::ExposeStart& start = *call.add_requests()->mutable_start();
+    v1::StageStart& start = *call.add_requests()->mutable_start();
     const ExposureJob shared{settings, job.plan.copies};
-    Must(ToProto(ExposeStart{job.call, {}, job.range}, &start));
+    Must(ToProto(StageStart{job.call, {}, job.range}, &start));
     Must(ToProto(shared, call.mutable_shared()));
     Anonymous(&start);
     for (const SlicedLayer& layer : job.sliced.layers)
@@ -397,7 +395,7 @@ void WriteExposureSeeds(const Seeds& seeds, const std::string& name, const Job& 
     WorkCall work;
     v1::WorkStart& whole = *work.add_requests()->mutable_start();
     *whole.mutable_call() = ToProto(job.call);
-    Must(ToProto(LaserWork{job.range, {}}, whole.mutable_laser()));
+    *whole.mutable_laser()->mutable_range() = ToProto(job.range);
     Must(ToProto(shared, work.mutable_laser()));
     Anonymous(&whole);
     for (const SlicedLayer& layer : job.sliced.layers)
@@ -433,7 +431,7 @@ void WriteMillSeeds(const Seeds& seeds) {
     WorkCall work;
     v1::WorkStart& whole = *work.add_requests()->mutable_start();
     *whole.mutable_call() = ToProto(StageCall());
-    Must(ToProto(MillWork{{0, count}, MillPhase::kRoughing, 0, 4, {}}, whole.mutable_mill()));
+    Must(ToProto(MillTask{{0, count}, MillPhase::kRoughing, 0, 4, {}}, whole.mutable_mill()));
     Must(ToProto(input, work.mutable_mill()));
     Anonymous(&whole);
     seeds.Write("worker", "mill_" + name, work);
@@ -451,8 +449,8 @@ void WriteEngraveSeeds(const Seeds& seeds) {
     input.settings.texture.texture = kind;
     input.settings.format = EngraveFormat::kGcode;
     TextureCall call;
-    v1::TextureStart& start = *call.mutable_request()->mutable_start();
-    Must(ToProto(TextureStart{{}, {}, {0, 3}}, &start));
+    v1::StageStart& start = *call.mutable_request()->mutable_start();
+    Must(ToProto(StageStart{{}, {}, {0, 3}}, &start));
     Anonymous(&start);
     Must(ToProto(surface, call.mutable_surface()));
     Must(ToProto(input, call.mutable_shared()));

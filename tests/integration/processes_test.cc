@@ -11,6 +11,8 @@
 #include "common/rpc/client/channel.h"
 #include "common/wire/slicing_wire.h"
 #include "processes/fdm/task/layer_chain.h"
+#include "services/coordinator/remote/remote_planning.h"
+#include "services/coordinator/remote/remote_slicing.h"
 #include "services/coordinator/remote/remote_stages.h"
 #include "services/coordinator/remote/stage_pool.h"
 #include "services/coordinator/remote/worker_pool.h"

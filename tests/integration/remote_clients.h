@@ -4,6 +4,8 @@
 
 #include "common/rpc/client/channel.h"
 #include "services/coordinator/remote/remote_milling.h"
+#include "services/coordinator/remote/remote_planning.h"
+#include "services/coordinator/remote/remote_slicing.h"
 #include "services/coordinator/remote/remote_stages.h"
 #include "services/coordinator/remote/remote_texture.h"
 #include "services/coordinator/remote/remote_worker.h"

@@ -18,10 +18,10 @@ class DuplexCall {
   using Stream = grpc::ClientAsyncReaderWriter<Request, Response>;
   using Start =
       std::function<std::unique_ptr<Stream>(grpc::ClientContext*, grpc::CompletionQueue*)>;
-  using Take = std::function<absl::Status(const Response&)>;
+  using Take = std::function<absl::Status(Response&)>;
 
   /// `start`: the stub's PrepareAsync method. `take` gets each answer, in order, from within Write
-  /// and Finish; its first error ends the call.
+  /// and Finish, and may move from it; its first error ends the call.
   DuplexCall(const ClientCallOptions& options, const Start& start, Take take)
       : call_(options), take_(std::move(take)), stream_(start(call_.context(), call_.queue())) {
     stream_->StartCall(&writing_);

@@ -8,9 +8,12 @@ namespace slicefarm::rpc {
 /// until that is full or the call ends: a system call and a wake-up for each message cost more than
 /// all else about a small one (22 us of CPU time a message against 12, both ends together). For
 /// handlers that write their answer in one go.
-template <typename Response, typename Request>
+template <typename Out, typename In>
 class ServerStream {
  public:
+  using Request = In;
+  using Response = Out;
+
   explicit ServerStream(grpc::ServerReaderWriter<Response, Request>& stream) : stream_(stream) {}
 
   bool Read(Request* request) { return stream_.Read(request); }

@@ -28,6 +28,15 @@ auto ReadStart(Stream& stream, const CancelToken& cancel)
   return start;
 }
 
+/// Begins a call. That the peer is gone shows at what is written next, or at the call's end.
+template <typename Request, typename Stream, typename Start>
+absl::Status WriteStart(Stream& stream, const Start& start) {
+  Request request;
+  absl::Status status = ToProto(start, request.mutable_start());
+  if (status.ok()) stream.Write(request);
+  return status;
+}
+
 /// Gives each message that is left to `take`, until one is refused; the error says which.
 template <typename Message, typename Stream, typename Take>
 absl::Status ReadEach(Stream& stream, const Take& take) {

@@ -12,14 +12,13 @@ namespace slicefarm {
 
 absl::Status ToProto(const FdmWork& work, v1::FdmWork* proto) {
   *proto->mutable_range() = ToProto(work.range);
-  proto->set_shared(work.shared);
   return AllToProto(work.plans, "plans", proto->mutable_plans());
 }
 
 absl::StatusOr<FdmWork> FromProto(const v1::FdmWork& proto) {
   const absl::StatusOr<LayerRange> range = FromProto(proto.range());
   if (!range.ok()) return range.status();
-  FdmWork work{*range, {}, proto.shared()};
+  FdmWork work{*range, {}};
   if (proto.plans_size() != range->size())
     return Malformed("plans", "not one for each layer of the range");
   const absl::Status status = AllFromProto(proto.plans(), "plans", &work.plans);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -13,11 +12,10 @@
 
 namespace slicefarm {
 
-/// FdmTask but its outlines.
+/// FdmTask but its outlines and its job.
 struct FdmWork {
   LayerRange range;
   std::vector<LayerPlan> plans;  ///< one for each layer of the range
-  std::string shared;            ///< the digest of its FdmShared
 };
 
 /// Errors: REQUEST_MALFORMED and REQUEST_TOO_LARGE with the way to the field.

@@ -19,11 +19,10 @@ std::vector<Copy> Copies() { return {{0, {}, 0}, {1, {2'000, -3'000}, 4}}; }
 // wire.
 FdmWork Work() {
   FdmWork work;
-  auto& [range, plans, shared] = work;
+  auto& [range, plans] = work;
   range = kRange;
   plans = {{{1, 2}, false, true, {{0, {3, 4}, Point{9, 9}, {{5, 6}}}}, {}, {}},
            {{7, 8}, true, false, {}, {MakePathOrDie("(0 0, 9 0)")}, {}}};
-  shared = "00112233";
   return work;
 }
 
@@ -45,7 +44,6 @@ TEST(FdmWork, Returns) {
   ASSERT_TRUE(work.ok()) << work.status();
   EXPECT_EQ(work->range, kRange);
   EXPECT_EQ(work->plans, Work().plans);
-  EXPECT_EQ(work->shared, "00112233");
   ExpectReturns<v1::FdmShared>(Job());
 }
 
@@ -53,8 +51,8 @@ TEST(FdmWork, EveryFieldChangedAloneReturns) {
   // Another range has another number of plans; the only copy of "a" has no second one; one
   // nanometre more is no whole micrometre.
   ExpectEveryChangeReturns<v1::FdmWork, FdmWork>(ProtoOf<v1::FdmWork>(Work()), {"range"});
-  ExpectEveryChangeReturns<v1::FdmShared, FdmShared>(
-      ProtoOf<v1::FdmShared>(Job()), {"settings", "shift", "facts.copies[0].copy"});
+  ExpectEveryChangeReturns<v1::FdmShared, FdmShared>(ProtoOf<v1::FdmShared>(Job()),
+                                                     {"settings", "shift", "facts.copies[0].copy"});
 }
 
 TEST(FdmWork, RefusesMoreCopiesThanAJobMayHave) {

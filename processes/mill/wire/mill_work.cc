@@ -6,16 +6,15 @@
 
 namespace slicefarm {
 
-absl::Status ToProto(const MillWork& work, v1::MillWork* proto) {
-  *proto->mutable_range() = ToProto(work.steps);
-  proto->set_phase(EnumToProto<v1::MillPhase>(work.phase));
-  proto->set_phase_first(work.phase_first);
-  proto->set_weight(work.weight);
-  proto->set_shared(work.shared);
+absl::Status ToProto(const MillTask& task, v1::MillWork* proto) {
+  *proto->mutable_range() = ToProto(task.steps);
+  proto->set_phase(EnumToProto<v1::MillPhase>(task.phase));
+  proto->set_phase_first(task.phase_first);
+  proto->set_weight(task.weight);
   return absl::OkStatus();
 }
 
-absl::StatusOr<MillWork> FromProto(const v1::MillWork& proto) {
+absl::StatusOr<MillTask> FromProto(const v1::MillWork& proto) {
   const absl::StatusOr<StepRange> range = FromProto(proto.range());
   if (!range.ok()) return range.status();
   const auto phase = EnumFromProto<MillPhase>(proto.phase(), kMillPhaseCount, "phase");
@@ -23,7 +22,7 @@ absl::StatusOr<MillWork> FromProto(const v1::MillWork& proto) {
   if (proto.phase_first() < 0 || proto.phase_first() > range->first)
     return Malformed("phase_first", "is no step before the range");
   if (proto.weight() < 0) return Malformed("weight", "is negative");
-  return MillWork{*range, *phase, proto.phase_first(), proto.weight(), proto.shared()};
+  return MillTask{*range, *phase, proto.phase_first(), proto.weight(), {}};
 }
 
 }  // namespace slicefarm

@@ -70,8 +70,8 @@ absl::Status StreamOver(ReplicaSource& replicas, std::chrono::milliseconds deadl
   });
 }
 
-/// The same with a method that answers while it is written to: `begin()` drops what an earlier try
-/// left, `take(response)` takes an answer.
+/// The same, with answers that are taken while the request is written: `begin()` drops what an
+/// earlier try left, `take(response)` takes an answer.
 template <typename Stub, typename Request, typename Response, typename Begin, typename Write,
           typename Take>
 absl::Status DuplexOver(ReplicaSource& replicas, std::chrono::milliseconds deadline,
@@ -84,7 +84,7 @@ absl::Status DuplexOver(ReplicaSource& replicas, std::chrono::milliseconds deadl
     rpc::DuplexCall<Request, Response> stream(
         {deadline, call.cancel, ChildSpan(call.trace, stage)},
         [&](auto* context, auto* queue) { return (Stub(channel).*prepare)(context, queue); },
-        [&](const Response& response) { return taken = take(response); });
+        [&](Response& response) { return taken = take(response); });
     const absl::Status written = write(stream);
     if (!written.ok() && stream.alive()) return stream.Abandon(written);
     const absl::Status outcome = stream.Finish();

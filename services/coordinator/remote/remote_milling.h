@@ -8,17 +8,15 @@
 #include "common/model/milling/milled_program.h"
 #include "common/stage/milling_stage.h"
 #include "common/stage/stages.h"
-#include "services/coordinator/remote/remote_call.h"
-#include "services/coordinator/remote/replica_source.h"
-#include "services/coordinator/remote/shared_sends.h"
+#include "services/coordinator/remote/stage_client.h"
 
 namespace slicefarm::coordinator {
 
-/// The milling stage as a client of its service, as those of remote_stages.h.
+/// The milling stage as a client of its service (stage_client.h).
 class RemoteMilling : public MillingStage {
  public:
   explicit RemoteMilling(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options), sends_(options.deadline) {}
+      : client_("milling", replicas, options) {}
 
   absl::StatusOr<MillLayout> LayOut(const StageCall& call,
                                     const Shared<MillInput>& input) const override;
@@ -30,9 +28,7 @@ class RemoteMilling : public MillingStage {
                                          std::string_view settings_text) const override;
 
  private:
-  ReplicaSource& replicas_;
-  const RemoteOptions options_;
-  mutable SharedSends sends_;  // what is under way
+  const StageClient client_;
 };
 
 }  // namespace slicefarm::coordinator

@@ -3,8 +3,7 @@
 #include "absl/status/statusor.h"
 #include "common/model/scene/mesh.h"
 #include "common/stage/stages.h"
-#include "services/coordinator/remote/remote_call.h"
-#include "services/coordinator/remote/replica_source.h"
+#include "services/coordinator/remote/stage_client.h"
 #include "slicefarm/v1/jobs.pb.h"
 
 namespace slicefarm::coordinator {
@@ -25,13 +24,12 @@ class RemoteProjects : public ProjectReader {
  public:
   /// `replicas` outlives it.
   explicit RemoteProjects(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options) {}
+      : client_("slicing", replicas, options) {}
 
   absl::StatusOr<v1::ReadProjectResponse> Read(const StageCall& call, MeshFile file) const override;
 
  private:
-  ReplicaSource& replicas_;
-  const RemoteOptions options_;
+  const StageClient client_;
 };
 
 }  // namespace slicefarm::coordinator

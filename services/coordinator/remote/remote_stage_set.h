@@ -4,6 +4,8 @@
 
 #include "common/stage/stage_list.h"
 #include "services/coordinator/remote/remote_milling.h"
+#include "services/coordinator/remote/remote_planning.h"
+#include "services/coordinator/remote/remote_slicing.h"
 #include "services/coordinator/remote/remote_stages.h"
 #include "services/coordinator/remote/remote_texture.h"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "common/base/shared/shared.h"
@@ -19,93 +20,29 @@
 #include "common/stage/plates.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
-#include "services/coordinator/remote/remote_call.h"
-#include "services/coordinator/remote/replica_source.h"
-#include "services/coordinator/remote/shared_sends.h"
+#include "services/coordinator/remote/stage_client.h"
 
 namespace slicefarm::coordinator {
 
-/// The stages as clients of their services. Each call goes to one of `replicas`, which must outlive
-/// the stage; it has a deadline, and its cancellation reaches the algorithm at the other end.
-/// Errors: the stage's own; Unavailable, DeadlineExceeded, Cancelled; Internal for an answer that
-/// does not fit the call.
-
-class RemoteSlicing : public SlicingStage {
- public:
-  explicit RemoteSlicing(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options) {}
-
-  /// Keeps the bytes until the answer is there: another replica may need them.
-  absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
-                                  const SlicingOptions& options) const override;
-
- private:
-  ReplicaSource& replicas_;
-  const RemoteOptions options_;
-};
-
-/// The slicing service puts on plates as well.
-class RemoteArranging : public ArrangingStage {
- public:
-  explicit RemoteArranging(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options) {}
-
-  absl::StatusOr<std::vector<PlatePlace>> PutOnPlates(const StageCall& call, SliceInput input,
-                                                      const SlicingOptions& options) const override;
-
- private:
-  ReplicaSource& replicas_;
-  const RemoteOptions options_;
-};
-
-/// And it places.
-class RemotePlacing : public PlacingStage {
- public:
-  explicit RemotePlacing(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options) {}
-
-  absl::StatusOr<PlacedScene> Place(const StageCall& call, SliceInput input,
-                                    const SlicingOptions& options) const override;
-  absl::StatusOr<std::vector<SurfaceMesh>> ReadSurfaces(
-      const StageCall& call, SliceInput input, const SlicingOptions& options) const override;
-
- private:
-  ReplicaSource& replicas_;
-  const RemoteOptions options_;
-};
-
-class RemotePlanning : public PlanningStage {
- public:
-  explicit RemotePlanning(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options) {}
-
-  absl::StatusOr<JobPlan> Plan(const StageCall& call, const SlicedOutlines& job,
-                               const PlanningOptions& options) const override;
-
- private:
-  ReplicaSource& replicas_;
-  const RemoteOptions options_;
-};
+/// The stages that work on ranges of layers, as clients of their services (stage_client.h).
 
 class RemoteBeading : public BeadingStage {
  public:
   explicit RemoteBeading(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options), sends_(options.deadline) {}
+      : client_("beading", replicas, options) {}
 
   absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall& call,
                                                 const Neighbourhood& neighbourhood,
                                                 const Shared<BeadingTable>& regions) const override;
 
  private:
-  ReplicaSource& replicas_;
-  const RemoteOptions options_;
-  mutable SharedSends sends_;  // what is under way
+  const StageClient client_;
 };
 
 class RemoteInfill : public InfillStage {
  public:
   explicit RemoteInfill(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options), sends_(options.deadline) {}
+      : client_("infill", replicas, options) {}
 
   absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall& call,
                                                 std::vector<WalledLayer> walled,
@@ -114,15 +51,13 @@ class RemoteInfill : public InfillStage {
                                                 const Shared<InfillTable>& regions) const override;
 
  private:
-  ReplicaSource& replicas_;
-  const RemoteOptions options_;
-  mutable SharedSends sends_;  // what is under way
+  const StageClient client_;
 };
 
 class RemoteOrdering : public OrderingStage {
  public:
   explicit RemoteOrdering(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options), sends_(options.deadline) {}
+      : client_("ordering", replicas, options) {}
 
   absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall& call,
                                                   std::vector<FilledLayer> layers,
@@ -130,15 +65,13 @@ class RemoteOrdering : public OrderingStage {
                                                   const Shared<OrderingJob>& job) const override;
 
  private:
-  ReplicaSource& replicas_;
-  const RemoteOptions options_;
-  mutable SharedSends sends_;  // what is under way
+  const StageClient client_;
 };
 
 class RemoteMotion : public MotionStage {
  public:
   explicit RemoteMotion(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options), sends_(options.deadline) {}
+      : client_("motion", replicas, options) {}
 
   absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
                                                     std::vector<OrderedLayer> layers,
@@ -147,15 +80,13 @@ class RemoteMotion : public MotionStage {
                                            const MotionOptions& options) const override;
 
  private:
-  ReplicaSource& replicas_;
-  const RemoteOptions options_;
-  mutable SharedSends sends_;  // what is under way
+  const StageClient client_;
 };
 
 class RemoteExposure : public ExposureStage {
  public:
   explicit RemoteExposure(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options), sends_(options.deadline) {}
+      : client_("exposure", replicas, options) {}
 
   absl::StatusOr<std::vector<ExposedProgram>> Expose(const StageCall& call,
                                                      const Neighbourhood& neighbourhood,
@@ -164,9 +95,7 @@ class RemoteExposure : public ExposureStage {
                                             const ExposureSettings& settings) const override;
 
  private:
-  ReplicaSource& replicas_;
-  const RemoteOptions options_;
-  mutable SharedSends sends_;  // what is under way
+  const StageClient client_;
 };
 
 }  // namespace slicefarm::coordinator

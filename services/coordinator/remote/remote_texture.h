@@ -7,17 +7,15 @@
 #include "common/model/engraving/engraved_layer.h"
 #include "common/stage/stages.h"
 #include "common/stage/texture_stage.h"
-#include "services/coordinator/remote/remote_call.h"
-#include "services/coordinator/remote/replica_source.h"
-#include "services/coordinator/remote/shared_sends.h"
+#include "services/coordinator/remote/stage_client.h"
 
 namespace slicefarm::coordinator {
 
-/// The texture stage as a client of its service, as those of remote_stages.h.
+/// The texture stage as a client of its service (stage_client.h).
 class RemoteTexture : public TextureStage {
  public:
   explicit RemoteTexture(ReplicaSource& replicas, const RemoteOptions& options = {})
-      : replicas_(replicas), options_(options), sends_(options.deadline) {}
+      : client_("texture", replicas, options) {}
 
   absl::StatusOr<MappedSurface> Map(const StageCall& call,
                                     const Shared<SurfaceInput>& surface) const override;
@@ -28,9 +26,7 @@ class RemoteTexture : public TextureStage {
                                                      LayerRange range) const override;
 
  private:
-  ReplicaSource& replicas_;
-  const RemoteOptions options_;
-  mutable SharedSends sends_;  // what is under way
+  const StageClient client_;
 };
 
 }  // namespace slicefarm::coordinator

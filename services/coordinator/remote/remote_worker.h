@@ -8,7 +8,7 @@
 namespace slicefarm::coordinator {
 
 /// slicefarm.v1.Worker as a runner of tasks, of the processes that it told of. Errors as in
-/// remote_stages.h.
+/// stage_client.h.
 class RemoteWorker : public TaskRunner {
  public:
   /// `replicas` must outlive the worker.

@@ -3,52 +3,23 @@
 #include <utility>
 #include <vector>
 
-#include "common/rpc/server/server_stream.h"
+#include "common/rpc/server/gated_service.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
+#include "common/wire/stage_answer.h"
 #include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
-#include "common/wire/support/message_stream.h"
 #include "common/wire/support/repeated_wire.h"
 #include "slicefarm/v1/infill.grpc.pb.h"
 
 namespace slicefarm::infill {
 namespace {
 
-class InfillService final : public v1::Infill::Service {
- public:
-  InfillService(const InfillStage& stage, rpc::CallGate& gate, SharedCache& shared)
-      : stage_(stage), gate_(gate), shared_(shared) {}
-
-  grpc::Status FillLayers(
-      grpc::ServerContext* context,
-      grpc::ServerReaderWriter<v1::FilledLayer, v1::FillRequest>* stream) override;
-
- private:
-  using Stream = rpc::ServerStream<v1::FilledLayer, v1::FillRequest>;
-  absl::Status Fill(rpc::Call& call, Stream& stream) const;
-
-  const InfillStage& stage_;
-  rpc::CallGate& gate_;
-  SharedCache& shared_;
-};
-
-}  // namespace
-
-grpc::Status InfillService::FillLayers(
-    grpc::ServerContext* context,
-    grpc::ServerReaderWriter<v1::FilledLayer, v1::FillRequest>* stream) {
-  Stream buffered(*stream);
-  return gate_.Run(*context, "FillLayers", [&](rpc::Call& call) { return Fill(call, buffered); });
-}
-
-absl::Status InfillService::Fill(rpc::Call& call, Stream& stream) const {
-  absl::StatusOr<FillStart> start = ReadStart<v1::FillRequest>(stream, call.cancel);
-  if (!start.ok()) return start.status();
-  const auto regions = TakeShared<InfillTable>(shared_, start->shared, "start.shared");
-  if (!regions.ok()) return regions.status();
-  call.job_id = start->call.job_id;
-  call.layers = start->range;
+template <typename Stream>
+absl::Status Fill(const InfillStage& stage, rpc::Call& call, Stream& stream, SharedCache& shared) {
+  const auto begun = BeginRange<InfillTable>(call, stream, shared);
+  if (!begun.ok()) return begun.status();
+  const auto& [start, regions] = *begun;
   std::vector<SlicedLayer> neighbours;
   std::vector<WalledLayer> walled;
   std::vector<LayerPlan> plans;
@@ -60,21 +31,21 @@ absl::Status InfillService::Fill(rpc::Call& call, Stream& stream) const {
     return taken;
   });
   status.Update(call.cancel.Check());
-  status.Update(CheckNeighbourhood(neighbours, start->range));
-  status.Update(CheckLayersOfRange(walled, start->range));
+  status.Update(CheckNeighbourhood(neighbours, start.range));
+  status.Update(CheckLayersOfRange(walled, start.range));
   if (!status.ok()) return status;
-
-  const absl::StatusOr<std::vector<FilledLayer>> filled =
-      stage_.Fill(start->call, std::move(walled), {start->range, neighbours}, plans, *regions);
-  if (!filled.ok()) return filled.status();
-  return WriteEach<v1::FilledLayer>(
-      stream, *filled,
-      [](const FilledLayer& layer, v1::FilledLayer* proto) { return ToProto(layer, proto); });
+  return AnswerEach(
+      stream, stage.Fill(start.call, std::move(walled), {start.range, neighbours}, plans, regions));
 }
+
+}  // namespace
 
 std::unique_ptr<grpc::Service> MakeInfillService(const InfillStage& stage, rpc::CallGate& gate,
                                                  SharedCache& shared) {
-  return std::make_unique<InfillService>(stage, gate, shared);
+  auto service = std::make_unique<rpc::GatedService<v1::Infill>>(gate);
+  service->Add("FillLayers", &v1::Infill::Service::FillLayers,
+               [&](rpc::Call& call, auto& stream) { return Fill(stage, call, stream, shared); });
+  return service;
 }
 
 }  // namespace slicefarm::infill

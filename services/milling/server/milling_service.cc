@@ -1,16 +1,14 @@
 #include "services/milling/server/milling_service.h"
 
-#include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "common/model/limits.h"
-#include "common/rpc/server/server_stream.h"
+#include "common/rpc/server/gated_service.h"
 #include "common/wire/milling/mill_input_wire.h"
 #include "common/wire/milling/mill_start_wire.h"
 #include "common/wire/milling/milled_wire.h"
-#include "common/wire/support/message_stream.h"
+#include "common/wire/stage_answer.h"
 #include "slicefarm/v1/milling.grpc.pb.h"
 
 namespace slicefarm::milling {
@@ -33,103 +31,17 @@ absl::StatusOr<std::vector<MilledStep>> ReadSteps(Stream& stream, const MillStar
   return steps;
 }
 
-class MillingService final : public v1::Milling::Service {
- public:
-  MillingService(const MillingStage& stage, rpc::CallGate& gate, SharedCache& shared)
-      : stage_(stage), gate_(gate), shared_(shared) {}
-
-  grpc::Status LayOutSteps(
-      grpc::ServerContext* context,
-      grpc::ServerReaderWriter<v1::MillLayout, v1::MillRequest>* stream) override;
-  grpc::Status MillSteps(
-      grpc::ServerContext* context,
-      grpc::ServerReaderWriter<v1::MilledStep, v1::MillRequest>* stream) override;
-  grpc::Status AssembleProgram(
-      grpc::ServerContext* context,
-      grpc::ServerReaderWriter<v1::MillProgramPart, v1::MillRequest>* stream) override;
-
- private:
-  using LayoutStream = rpc::ServerStream<v1::MillLayout, v1::MillRequest>;
-  using StepStream = rpc::ServerStream<v1::MilledStep, v1::MillRequest>;
-  using ProgramStream = rpc::ServerStream<v1::MillProgramPart, v1::MillRequest>;
-  absl::Status LayOut(rpc::Call& call, LayoutStream& stream) const;
-  absl::Status Mill(rpc::Call& call, StepStream& stream) const;
-  absl::Status Assemble(rpc::Call& call, ProgramStream& stream) const;
-  static absl::Status Answer(const MilledProgram& program, ProgramStream& stream);
-
-  const MillingStage& stage_;
-  rpc::CallGate& gate_;
-  SharedCache& shared_;
-};
-
-}  // namespace
-
-grpc::Status MillingService::LayOutSteps(
-    grpc::ServerContext* context,
-    grpc::ServerReaderWriter<v1::MillLayout, v1::MillRequest>* stream) {
-  LayoutStream buffered(*stream);
-  return gate_.Run(*context, "LayOutSteps",
-                   [&](rpc::Call& call) { return LayOut(call, buffered); });
+template <typename Stream>
+absl::Status Mill(const MillingStage& stage, rpc::Call& call, Stream& stream, SharedCache& shared) {
+  const auto begun = BeginCall<MillInput>(call, stream, shared);
+  if (!begun.ok()) return begun.status();
+  const StepRange range = begun->start.range;
+  call.about = {{"step_first", range.first}, {"step_last", range.last - 1}};
+  return AnswerEach(stream, stage.Mill(begun->start.call, begun->job, range));
 }
 
-absl::Status MillingService::LayOut(rpc::Call& call, LayoutStream& stream) const {
-  absl::StatusOr<MillStart> start = ReadStart<v1::MillRequest>(stream, call.cancel);
-  if (!start.ok()) return start.status();
-  const auto input = TakeShared<MillInput>(shared_, start->shared, "start.shared");
-  if (!input.ok()) return input.status();
-  call.job_id = start->call.job_id;
-  const auto layout = stage_.LayOut(start->call, *input);
-  if (!layout.ok()) return layout.status();
-  v1::MillLayout response;
-  if (absl::Status put = ToProto(*layout, &response); !put.ok()) return put;
-  stream.Write(response);
-  return absl::OkStatus();
-}
-
-grpc::Status MillingService::MillSteps(
-    grpc::ServerContext* context,
-    grpc::ServerReaderWriter<v1::MilledStep, v1::MillRequest>* stream) {
-  StepStream buffered(*stream);
-  return gate_.Run(*context, "MillSteps", [&](rpc::Call& call) { return Mill(call, buffered); });
-}
-
-absl::Status MillingService::Mill(rpc::Call& call, StepStream& stream) const {
-  absl::StatusOr<MillStart> start = ReadStart<v1::MillRequest>(stream, call.cancel);
-  if (!start.ok()) return start.status();
-  const auto input = TakeShared<MillInput>(shared_, start->shared, "start.shared");
-  if (!input.ok()) return input.status();
-  call.job_id = start->call.job_id;
-  call.about = {{"step_first", start->range.first}, {"step_last", start->range.last - 1}};
-  const auto steps = stage_.Mill(start->call, *input, start->range);
-  if (!steps.ok()) return steps.status();
-  return WriteEach<v1::MilledStep>(
-      stream, *steps,
-      [](const MilledStep& step, v1::MilledStep* proto) { return ToProto(step, proto); });
-}
-
-grpc::Status MillingService::AssembleProgram(
-    grpc::ServerContext* context,
-    grpc::ServerReaderWriter<v1::MillProgramPart, v1::MillRequest>* stream) {
-  ProgramStream buffered(*stream);
-  return gate_.Run(*context, "AssembleProgram",
-                   [&](rpc::Call& call) { return Assemble(call, buffered); });
-}
-
-absl::Status MillingService::Assemble(rpc::Call& call, ProgramStream& stream) const {
-  absl::StatusOr<MillStart> start = ReadStart<v1::MillRequest>(stream, call.cancel);
-  if (!start.ok()) return start.status();
-  const auto input = TakeShared<MillInput>(shared_, start->shared, "start.shared");
-  if (!input.ok()) return input.status();
-  call.job_id = start->call.job_id;
-  auto steps = ReadSteps(stream, *start);
-  if (!steps.ok()) return steps.status();
-  const auto program =
-      stage_.Assemble(start->call, *input, *std::move(steps), start->settings_text);
-  if (!program.ok()) return program.status();
-  return Answer(*program, stream);
-}
-
-absl::Status MillingService::Answer(const MilledProgram& program, ProgramStream& stream) {
+template <typename Stream>
+absl::Status Answer(const MilledProgram& program, Stream& stream) {
   v1::MillProgramPart part;
   if (absl::Status put = ToProto(program.report, part.mutable_summary()); !put.ok()) return put;
   bool there = stream.Write(part);  // that the client is gone says its call
@@ -140,9 +52,36 @@ absl::Status MillingService::Answer(const MilledProgram& program, ProgramStream&
   return absl::OkStatus();
 }
 
+template <typename Stream>
+absl::Status Assemble(const MillingStage& stage, rpc::Call& call, Stream& stream,
+                      SharedCache& shared) {
+  const auto begun = BeginCall<MillInput>(call, stream, shared);
+  if (!begun.ok()) return begun.status();
+  const auto& [start, input] = *begun;
+  auto steps = ReadSteps(stream, start);
+  if (!steps.ok()) return steps.status();
+  const auto program = stage.Assemble(start.call, input, *std::move(steps), start.settings_text);
+  if (!program.ok()) return program.status();
+  return Answer(*program, stream);
+}
+
+}  // namespace
+
 std::unique_ptr<grpc::Service> MakeMillingService(const MillingStage& stage, rpc::CallGate& gate,
                                                   SharedCache& shared) {
-  return std::make_unique<MillingService>(stage, gate, shared);
+  auto service = std::make_unique<rpc::GatedService<v1::Milling>>(gate);
+  service->Add("LayOutSteps", &v1::Milling::Service::LayOutSteps,
+               [&](rpc::Call& call, auto& stream) -> absl::Status {
+                 const auto begun = BeginCall<MillInput>(call, stream, shared);
+                 if (!begun.ok()) return begun.status();
+                 return AnswerOne(stream, stage.LayOut(begun->start.call, begun->job));
+               });
+  service->Add("MillSteps", &v1::Milling::Service::MillSteps,
+               [&](rpc::Call& call, auto& stream) { return Mill(stage, call, stream, shared); });
+  service->Add(
+      "AssembleProgram", &v1::Milling::Service::AssembleProgram,
+      [&](rpc::Call& call, auto& stream) { return Assemble(stage, call, stream, shared); });
+  return service;
 }
 
 }  // namespace slicefarm::milling

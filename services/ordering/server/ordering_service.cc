@@ -3,50 +3,22 @@
 #include <utility>
 #include <vector>
 
-#include "common/rpc/server/server_stream.h"
+#include "common/rpc/server/gated_service.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
+#include "common/wire/stage_answer.h"
 #include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
-#include "common/wire/support/message_stream.h"
 #include "slicefarm/v1/ordering.grpc.pb.h"
 
 namespace slicefarm::ordering {
 namespace {
 
-class OrderingService final : public v1::Ordering::Service {
- public:
-  OrderingService(const OrderingStage& stage, rpc::CallGate& gate, SharedCache& shared)
-      : stage_(stage), gate_(gate), shared_(shared) {}
-
-  grpc::Status OrderLayers(
-      grpc::ServerContext* context,
-      grpc::ServerReaderWriter<v1::OrderedLayer, v1::OrderRequest>* stream) override;
-
- private:
-  using Stream = rpc::ServerStream<v1::OrderedLayer, v1::OrderRequest>;
-  absl::Status Order(rpc::Call& call, Stream& stream) const;
-
-  const OrderingStage& stage_;
-  rpc::CallGate& gate_;
-  SharedCache& shared_;
-};
-
-}  // namespace
-
-grpc::Status OrderingService::OrderLayers(
-    grpc::ServerContext* context,
-    grpc::ServerReaderWriter<v1::OrderedLayer, v1::OrderRequest>* stream) {
-  Stream buffered(*stream);
-  return gate_.Run(*context, "OrderLayers", [&](rpc::Call& call) { return Order(call, buffered); });
-}
-
-absl::Status OrderingService::Order(rpc::Call& call, Stream& stream) const {
-  absl::StatusOr<OrderStart> start = ReadStart<v1::OrderRequest>(stream, call.cancel);
-  if (!start.ok()) return start.status();
-  const auto job = TakeShared<OrderingJob>(shared_, start->shared, "start.shared");
-  if (!job.ok()) return job.status();
-  call.job_id = start->call.job_id;
+template <typename Stream>
+absl::Status Order(const OrderingStage& stage, rpc::Call& call, Stream& stream,
+                   SharedCache& shared) {
+  const auto begun = BeginRange<OrderingJob>(call, stream, shared);
+  if (!begun.ok()) return begun.status();
   std::vector<FilledLayer> layers;
   std::vector<LayerPlan> plans;
   absl::Status status = ReadEach<v1::OrderRequest>(stream, [&](const v1::OrderRequest& request) {
@@ -55,20 +27,19 @@ absl::Status OrderingService::Order(rpc::Call& call, Stream& stream) const {
     return appended;
   });
   status.Update(call.cancel.Check());
+  status.Update(CheckLayersOfRange(layers, begun->start.range));
   if (!status.ok()) return status;
-  call.layers = RangeOf(layers);
-
-  const absl::StatusOr<std::vector<OrderedLayer>> ordered =
-      stage_.Order(start->call, std::move(layers), plans, *job);
-  if (!ordered.ok()) return ordered.status();
-  return WriteEach<v1::OrderedLayer>(
-      stream, *ordered,
-      [](const OrderedLayer& layer, v1::OrderedLayer* proto) { return ToProto(layer, proto); });
+  return AnswerEach(stream, stage.Order(begun->start.call, std::move(layers), plans, begun->job));
 }
+
+}  // namespace
 
 std::unique_ptr<grpc::Service> MakeOrderingService(const OrderingStage& stage, rpc::CallGate& gate,
                                                    SharedCache& shared) {
-  return std::make_unique<OrderingService>(stage, gate, shared);
+  auto service = std::make_unique<rpc::GatedService<v1::Ordering>>(gate);
+  service->Add("OrderLayers", &v1::Ordering::Service::OrderLayers,
+               [&](rpc::Call& call, auto& stream) { return Order(stage, call, stream, shared); });
+  return service;
 }
 
 }  // namespace slicefarm::ordering

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/base/error.h"
-#include "common/rpc/server/server_stream.h"
+#include "common/rpc/server/gated_service.h"
 #include "common/stage/memory_budget.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
@@ -16,22 +16,6 @@
 
 namespace slicefarm::planning {
 namespace {
-
-class PlanningService final : public v1::Planning::Service {
- public:
-  explicit PlanningService(rpc::CallGate& gate) : gate_(gate) {}
-
-  grpc::Status PlanJob(
-      grpc::ServerContext* context,
-      grpc::ServerReaderWriter<v1::PlanResponse, v1::PlanRequest>* stream) override;
-
- private:
-  using Stream = rpc::ServerStream<v1::PlanResponse, v1::PlanRequest>;
-  absl::Status Plan(rpc::Call& call, Stream& stream);
-
-  rpc::CallGate& gate_;
-  MemoryBudget memory_{DefaultMemoryBudget()};
-};
 
 template <typename Stream>
 absl::Status AnswerLayers(const std::vector<LayerPlan>& layers, Stream& stream) {
@@ -91,23 +75,15 @@ absl::Status AnswerRest(const JobPlan& plan, Stream& stream) {
   return status;
 }
 
-}  // namespace
-
-grpc::Status PlanningService::PlanJob(
-    grpc::ServerContext* context,
-    grpc::ServerReaderWriter<v1::PlanResponse, v1::PlanRequest>* stream) {
-  Stream buffered(*stream);
-  return gate_.Run(*context, "PlanJob", [&](rpc::Call& call) { return Plan(call, buffered); });
-}
-
-absl::Status PlanningService::Plan(rpc::Call& call, Stream& stream) {
+template <typename Stream>
+absl::Status Plan(rpc::Call& call, Stream& stream, MemoryBudget& memory) {
   absl::StatusOr<PlanStart> start = ReadStart<v1::PlanRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
   call.job_id = start->call.job_id;
   absl::StatusOr<JobPlanner> planner =
       JobPlanner::Make(start->options, start->copies, start->object_names);
   if (!planner.ok()) return planner.status();
-  const auto room = memory_.Take({}, call.job_id, 0, call.cancel);
+  const auto room = memory.Take({}, call.job_id, 0, call.cancel);
   if (!room.ok()) return room.status();
   absl::Status status = PlanLayers(*planner, **room, call.cancel, stream);
   status.Update(call.cancel.Check());
@@ -117,8 +93,14 @@ absl::Status PlanningService::Plan(rpc::Call& call, Stream& stream) {
   return AnswerRest(*plan, stream);
 }
 
+}  // namespace
+
 std::unique_ptr<grpc::Service> MakePlanningService(rpc::CallGate& gate) {
-  return std::make_unique<PlanningService>(gate);
+  auto service = std::make_unique<rpc::GatedService<v1::Planning>>(gate);
+  const auto memory = std::make_shared<MemoryBudget>(DefaultMemoryBudget());
+  service->Add("PlanJob", &v1::Planning::Service::PlanJob,
+               [memory](rpc::Call& call, auto& stream) { return Plan(call, stream, *memory); });
+  return service;
 }
 
 }  // namespace slicefarm::planning

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/rpc/server/server_stream.h"
+#include "common/rpc/server/gated_service.h"
 #include "common/wire/engraving/surface_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/placed_scene_wire.h"
@@ -15,58 +15,6 @@
 namespace slicefarm::slicing {
 namespace {
 
-class SlicingService final : public v1::Slicing::Service {
- public:
-  SlicingService(const SlicingStage& slicing, const ArrangingStage& arranging,
-                 const PlacingStage& placing, ReadProjects projects, rpc::CallGate& gate, int threads,
-                 MemoryBudget& memory)
-      : slicing_(slicing),
-        arranging_(arranging),
-        placing_(placing),
-        projects_(std::move(projects)),
-        gate_(gate),
-        threads_(threads),
-        memory_(memory) {}
-
-  grpc::Status Slice(
-      grpc::ServerContext* context,
-      grpc::ServerReaderWriter<v1::SliceResponse, v1::SliceRequest>* stream) override;
-  grpc::Status PutOnPlates(
-      grpc::ServerContext* context,
-      grpc::ServerReaderWriter<v1::PlatePlace, v1::SliceRequest>* stream) override;
-  grpc::Status Place(
-      grpc::ServerContext* context,
-      grpc::ServerReaderWriter<v1::PlaceResponse, v1::SliceRequest>* stream) override;
-  grpc::Status ReadSurfaces(
-      grpc::ServerContext* context,
-      grpc::ServerReaderWriter<v1::SurfaceMesh, v1::SliceRequest>* stream) override;
-  grpc::Status ReadProject(
-      grpc::ServerContext* context,
-      grpc::ServerReaderWriter<v1::ReadProjectResponse, v1::SliceRequest>* stream) override;
-
- private:
-  using Stream = rpc::ServerStream<v1::SliceResponse, v1::SliceRequest>;
-  using SceneStream = rpc::ServerStream<v1::PlaceResponse, v1::SliceRequest>;
-  using PlacesStream = rpc::ServerStream<v1::PlatePlace, v1::SliceRequest>;
-  absl::Status SliceFiles(rpc::Call& call, Stream& stream) const;
-  using ProjectStream = rpc::ServerStream<v1::ReadProjectResponse, v1::SliceRequest>;
-  absl::Status ArrangeFiles(rpc::Call& call, PlacesStream& stream) const;
-  using SurfaceStream = rpc::ServerStream<v1::SurfaceMesh, v1::SliceRequest>;
-  absl::Status ReadFiles(rpc::Call& call, SurfaceStream& stream) const;
-  absl::Status PlaceFiles(rpc::Call& call, SceneStream& stream) const;
-  absl::Status ReadFile(rpc::Call& call, ProjectStream& stream) const;
-  static absl::Status Answer(const SlicedJob& job, Stream& stream);
-  static absl::Status Answer(const PlacedScene& scene, SceneStream& stream);
-
-  const SlicingStage& slicing_;
-  const ArrangingStage& arranging_;
-  const PlacingStage& placing_;
-  const ReadProjects projects_;
-  rpc::CallGate& gate_;
-  const int threads_;
-  MemoryBudget& memory_;
-};
-
 /// A file's bytes, what they are read to, and what that is connected to.
 constexpr int64_t kMemoryPerFileByte = 3;
 
@@ -77,7 +25,7 @@ struct Request {
   SlicingOptions options;
 };
 
-/// What both methods are asked with, once there is room for it.
+/// What the methods are asked with, once there is room for it.
 template <typename Stream>
 absl::StatusOr<Request> ReadRequest(rpc::Call& call, Stream& stream, MemoryBudget& memory) {
   absl::StatusOr<SliceStart> start = ReadStart<v1::SliceRequest>(stream, call.cancel);
@@ -96,97 +44,19 @@ absl::StatusOr<Request> ReadRequest(rpc::Call& call, Stream& stream, MemoryBudge
                  std::move(start->options)};
 }
 
-}  // namespace
-
-grpc::Status SlicingService::Slice(
-    grpc::ServerContext* context,
-    grpc::ServerReaderWriter<v1::SliceResponse, v1::SliceRequest>* stream) {
-  Stream buffered(*stream);
-  return gate_.Run(*context, "Slice", [&](rpc::Call& call) { return SliceFiles(call, buffered); });
+template <typename Stream>
+absl::Status Answer(const SlicedJob& job, Stream& stream) {
+  v1::SliceResponse summary;
+  if (absl::Status status = ToProto(job, summary.mutable_summary()); !status.ok()) return status;
+  stream.Write(summary);  // that the client is gone shows at the first layer
+  return WriteEach<v1::SliceResponse>(stream, job.layers,
+                                      [](const SlicedLayer& layer, v1::SliceResponse* proto) {
+                                        return ToProto(layer, proto->mutable_layer());
+                                      });
 }
 
-grpc::Status SlicingService::PutOnPlates(
-    grpc::ServerContext* context,
-    grpc::ServerReaderWriter<v1::PlatePlace, v1::SliceRequest>* stream) {
-  PlacesStream buffered(*stream);
-  return gate_.Run(*context, "PutOnPlates",
-                   [&](rpc::Call& call) { return ArrangeFiles(call, buffered); });
-}
-
-grpc::Status SlicingService::Place(
-    grpc::ServerContext* context,
-    grpc::ServerReaderWriter<v1::PlaceResponse, v1::SliceRequest>* stream) {
-  SceneStream buffered(*stream);
-  return gate_.Run(*context, "Place", [&](rpc::Call& call) { return PlaceFiles(call, buffered); });
-}
-
-grpc::Status SlicingService::ReadSurfaces(
-    grpc::ServerContext* context,
-    grpc::ServerReaderWriter<v1::SurfaceMesh, v1::SliceRequest>* stream) {
-  SurfaceStream buffered(*stream);
-  return gate_.Run(*context, "ReadSurfaces",
-                   [&](rpc::Call& call) { return ReadFiles(call, buffered); });
-}
-
-absl::Status SlicingService::ReadFiles(rpc::Call& call, SurfaceStream& stream) const {
-  absl::StatusOr<Request> request = ReadRequest(call, stream, memory_);
-  if (!request.ok()) return request.status();
-  const auto surfaces =
-      placing_.ReadSurfaces(request->call, std::move(request->input), request->options);
-  if (!surfaces.ok()) return surfaces.status();
-  return WriteEach<v1::SurfaceMesh>(
-      stream, *surfaces,
-      [](const SurfaceMesh& mesh, v1::SurfaceMesh* proto) { return ToProto(mesh, proto); });
-}
-
-grpc::Status SlicingService::ReadProject(
-    grpc::ServerContext* context,
-    grpc::ServerReaderWriter<v1::ReadProjectResponse, v1::SliceRequest>* stream) {
-  ProjectStream buffered(*stream);
-  return gate_.Run(*context, "ReadProject",
-                   [&](rpc::Call& call) { return ReadFile(call, buffered); });
-}
-
-absl::Status SlicingService::ReadFile(rpc::Call& call, ProjectStream& stream) const {
-  absl::StatusOr<Request> request = ReadRequest(call, stream, memory_);
-  if (!request.ok()) return request.status();
-  if (request->input.files.size() != 1) return Malformed("start.files", "are not one");
-  const auto project = projects_(request->input.files.front(), call.cancel);
-  if (!project.ok()) return project.status();
-  stream.Write(*project);  // that the client is gone is no error
-  return absl::OkStatus();
-}
-
-absl::Status SlicingService::SliceFiles(rpc::Call& call, Stream& stream) const {
-  absl::StatusOr<Request> request = ReadRequest(call, stream, memory_);
-  if (!request.ok()) return request.status();
-  request->call.threads = threads_;
-  const absl::StatusOr<SlicedJob> job =
-      slicing_.Slice(request->call, std::move(request->input), request->options);
-  if (!job.ok()) return job.status();
-  return Answer(*job, stream);
-}
-
-absl::Status SlicingService::ArrangeFiles(rpc::Call& call, PlacesStream& stream) const {
-  absl::StatusOr<Request> request = ReadRequest(call, stream, memory_);
-  if (!request.ok()) return request.status();
-  const auto places =
-      arranging_.PutOnPlates(request->call, std::move(request->input), request->options);
-  if (!places.ok()) return places.status();
-  return WriteEach<v1::PlatePlace>(
-      stream, *places,
-      [](const PlatePlace& place, v1::PlatePlace* proto) { return ToProto(place, proto); });
-}
-
-absl::Status SlicingService::PlaceFiles(rpc::Call& call, SceneStream& stream) const {
-  absl::StatusOr<Request> request = ReadRequest(call, stream, memory_);
-  if (!request.ok()) return request.status();
-  const auto scene = placing_.Place(request->call, std::move(request->input), request->options);
-  if (!scene.ok()) return scene.status();
-  return Answer(*scene, stream);
-}
-
-absl::Status SlicingService::Answer(const PlacedScene& scene, SceneStream& stream) {
+template <typename Stream>
+absl::Status Answer(const PlacedScene& scene, Stream& stream) {
   v1::PlaceResponse response;
   if (absl::Status status = ToProto(scene, response.mutable_scene()); !status.ok()) return status;
   stream.Write(response);  // that the client is gone shows at the first piece
@@ -202,23 +72,73 @@ absl::Status SlicingService::Answer(const PlacedScene& scene, SceneStream& strea
   return absl::OkStatus();
 }
 
-absl::Status SlicingService::Answer(const SlicedJob& job, Stream& stream) {
-  v1::SliceResponse summary;
-  if (absl::Status status = ToProto(job, summary.mutable_summary()); !status.ok()) return status;
-  stream.Write(summary);  // that the client is gone shows at the first layer
-  return WriteEach<v1::SliceResponse>(stream, job.layers,
-                                      [](const SlicedLayer& layer, v1::SliceResponse* proto) {
-                                        return ToProto(layer, proto->mutable_layer());
-                                      });
+template <typename Stream>
+absl::Status Answer(const std::vector<PlatePlace>& places, Stream& stream) {
+  return WriteEach<v1::PlatePlace>(
+      stream, places,
+      [](const PlatePlace& place, v1::PlatePlace* proto) { return ToProto(place, proto); });
 }
+
+template <typename Stream>
+absl::Status Answer(const std::vector<SurfaceMesh>& surfaces, Stream& stream) {
+  return WriteEach<v1::SurfaceMesh>(
+      stream, surfaces,
+      [](const SurfaceMesh& mesh, v1::SurfaceMesh* proto) { return ToProto(mesh, proto); });
+}
+
+template <typename Stream>
+absl::Status Answer(const v1::ReadProjectResponse& project, Stream& stream) {
+  stream.Write(project);  // that the client is gone is no error
+  return absl::OkStatus();
+}
+
+/// Serves a method that is sent files: `make(request)` makes what is answered.
+template <typename Make>
+auto FromFiles(MemoryBudget& memory, const Make& make) {
+  return [&memory, make](rpc::Call& call, auto& stream) -> absl::Status {
+    absl::StatusOr<Request> request = ReadRequest(call, stream, memory);
+    if (!request.ok()) return request.status();
+    const auto made = make(*request);
+    if (!made.ok()) return made.status();
+    return Answer(*made, stream);
+  };
+}
+
+absl::StatusOr<v1::ReadProjectResponse> ReadOne(const ReadProjects& projects,
+                                                const Request& request) {
+  if (request.input.files.size() != 1) return Malformed("start.files", "are not one");
+  return projects(request.input.files.front(), request.call.cancel);
+}
+
+}  // namespace
 
 std::unique_ptr<grpc::Service> MakeSlicingService(const SlicingStage& slicing,
                                                   const ArrangingStage& arranging,
                                                   const PlacingStage& placing,
                                                   ReadProjects projects, rpc::CallGate& gate,
                                                   int threads, MemoryBudget& memory) {
-  return std::make_unique<SlicingService>(slicing, arranging, placing, std::move(projects), gate,
-                                          threads, memory);
+  using Service = v1::Slicing::Service;
+  auto service = std::make_unique<rpc::GatedService<v1::Slicing>>(gate);
+  service->Add("Slice", &Service::Slice, FromFiles(memory, [&slicing, threads](Request& request) {
+                 request.call.threads = threads;
+                 return slicing.Slice(request.call, std::move(request.input), request.options);
+               }));
+  service->Add("PutOnPlates", &Service::PutOnPlates, FromFiles(memory, [&](Request& request) {
+                 return arranging.PutOnPlates(request.call, std::move(request.input),
+                                              request.options);
+               }));
+  service->Add("Place", &Service::Place, FromFiles(memory, [&](Request& request) {
+                 return placing.Place(request.call, std::move(request.input), request.options);
+               }));
+  service->Add("ReadSurfaces", &Service::ReadSurfaces, FromFiles(memory, [&](Request& request) {
+                 return placing.ReadSurfaces(request.call, std::move(request.input),
+                                             request.options);
+               }));
+  service->Add("ReadProject", &Service::ReadProject,
+               FromFiles(memory, [projects = std::move(projects)](const Request& request) {
+                 return ReadOne(projects, request);
+               }));
+  return service;
 }
 
 }  // namespace slicefarm::slicing

@@ -13,7 +13,7 @@
 #include "common/rpc/security/identity.h"
 #include "common/rpc/server/serve.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
-#include "services/coordinator/remote/remote_stages.h"
+#include "services/coordinator/remote/remote_slicing.h"
 #include "services/coordinator/remote/stage_pool.h"
 #include "services/coordinator/remote/worker_pool.h"
 #include "services/coordinator/server/execution/stage_pools.h"

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <grpcpp/impl/rpc_service_method.h>
+#include <grpcpp/impl/service_type.h>
+#include <grpcpp/support/method_handler.h>
+
+#include <deque>
+#include <string>
+#include <utility>
+
+#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/server_stream.h"
+
+namespace slicefarm::rpc {
+
+/// The server of `Api`, such as v1::Beading: its methods are functions, and each call of them goes
+/// through a gate. Methods that are not added are unimplemented. Add them before the server starts:
+///
+///   auto service = std::make_unique<GatedService<v1::Beading>>(gate);
+///   service->Add("BeadLayers", &v1::Beading::Service::BeadLayers, [&](Call& call, auto& stream) {
+///     ...;
+///   });
+template <typename Api>
+class GatedService : public grpc::Service {
+ public:
+  /// `gate` must outlive the service.
+  explicit GatedService(CallGate& gate) : gate_(gate) {}
+
+  /// Adds a method with streams both ways. `method`: the one that the generated service declares,
+  /// for its types. `handle`: absl::Status(Call&, ServerStream<Response, Request>&).
+  template <typename Response, typename Request, typename Handle>
+  void Add(const char* name,
+           grpc::Status (Api::Service::*)(grpc::ServerContext*,
+                                          grpc::ServerReaderWriter<Response, Request>*),
+           Handle handle) {
+    const auto serve = [name, handle = std::move(handle)](
+                           GatedService* service, grpc::ServerContext* context,
+                           grpc::ServerReaderWriter<Response, Request>* stream) {
+      ServerStream<Response, Request> buffered(*stream);
+      return service->gate_.Run(*context, name, [&](Call& call) { return handle(call, buffered); });
+    };
+    AddServed(
+        name, grpc::internal::RpcMethod::BIDI_STREAMING,
+        new grpc::internal::BidiStreamingHandler<GatedService, Request, Response>(serve, this));
+  }
+
+  /// Adds a method with one request and one response.
+  /// `handle`: absl::Status(Call&, const Request&, Response*).
+  template <typename Request, typename Response, typename Handle>
+  void Add(const char* name,
+           grpc::Status (Api::Service::*)(grpc::ServerContext*, const Request*, Response*),
+           Handle handle) {
+    const auto serve = [name, handle = std::move(handle)](
+                           GatedService* service, grpc::ServerContext* context,
+                           const Request* request, Response* response) {
+      return service->gate_.Run(*context, name,
+                                [&](Call& call) { return handle(call, *request, response); });
+    };
+    AddServed(name, grpc::internal::RpcMethod::NORMAL_RPC,
+              new grpc::internal::RpcMethodHandler<GatedService, Request, Response>(serve, this));
+  }
+
+ private:
+  /// As the services do that gRPC generates. gRPC owns the method and its handler.
+  void AddServed(const char* name, grpc::internal::RpcMethod::RpcType type,
+                 grpc::internal::MethodHandler* handler) {
+    paths_.push_back(std::string("/") + Api::service_full_name() + "/" + name);
+    AddMethod(new grpc::internal::RpcServiceMethod(paths_.back().c_str(), type, handler));
+  }
+
+  CallGate& gate_;
+  std::deque<std::string> paths_;  ///< of the methods, which keep pointers to them
+};
+
+}  // namespace slicefarm::rpc

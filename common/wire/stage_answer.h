@@ -1,0 +1,67 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/base/shared/shared_cache.h"
+#include "common/wire/shared_wire.h"
+#include "common/wire/support/message_stream.h"
+
+namespace slicefarm {
+
+/// A stage's end of a call that names by digest what it is told of the whole job. A Call has
+/// `cancel` and `job_id`, which goes to the log; a Stream has the types Request and Response.
+
+/// A call that has begun.
+template <typename Start, typename Job>
+struct BegunCall {
+  Start start;
+  Shared<Job> job;
+};
+
+/// Reads how a call begins. Errors: those of the start; SHARED_MISSING; those of reading a Job.
+template <typename Job, typename Call, typename Stream>
+auto BeginCall(Call& call, Stream& stream, SharedCache& shared) {
+  auto start = ReadStart<typename Stream::Request>(stream, call.cancel);
+  using Begun = BegunCall<typename decltype(start)::value_type, Job>;
+  if (!start.ok()) return absl::StatusOr<Begun>(start.status());
+  call.job_id = start->call.job_id;
+  auto job = TakeShared<Job>(shared, start->shared, "start.shared");
+  if (!job.ok()) return absl::StatusOr<Begun>(job.status());
+  return absl::StatusOr<Begun>(Begun{*std::move(start), *std::move(job)});
+}
+
+/// The same of a call about a range of layers, which goes to the log as well. Errors: besides,
+/// REQUEST_MALFORMED without a range.
+template <typename Job, typename Call, typename Stream>
+auto BeginRange(Call& call, Stream& stream, SharedCache& shared) {
+  auto begun = BeginCall<Job>(call, stream, shared);
+  if (!begun.ok()) return begun;
+  call.layers = begun->start.range;
+  if (call.layers.empty()) begun = Malformed("start.range", "is missing");
+  return begun;
+}
+
+/// Answers with one message. A client that is gone needs no error.
+template <typename Stream, typename Model>
+absl::Status AnswerOne(Stream& stream, const absl::StatusOr<Model>& model) {
+  if (!model.ok()) return model.status();
+  typename Stream::Response response;
+  absl::Status put = ToProto(*model, &response);
+  if (put.ok()) stream.Write(response);
+  return put;
+}
+
+/// Answers with a message for each model. Unavailable if the client is gone.
+template <typename Stream, typename Model>
+absl::Status AnswerEach(Stream& stream, absl::StatusOr<std::vector<Model>> models) {
+  if (!models.ok()) return models.status();
+  return WriteEach<typename Stream::Response>(
+      stream, *models, [](Model& model, typename Stream::Response* response) {
+        return ToProto(std::move(model), response);
+      });
+}
+
+}  // namespace slicefarm

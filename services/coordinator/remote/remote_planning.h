@@ -1,0 +1,21 @@
+#pragma once
+
+#include "common/stage/stages.h"
+#include "services/coordinator/remote/stage_client.h"
+
+namespace slicefarm::coordinator {
+
+/// The planning stage as a client of its service (stage_client.h).
+class RemotePlanning : public PlanningStage {
+ public:
+  explicit RemotePlanning(ReplicaSource& replicas, const RemoteOptions& options = {})
+      : client_("planning", replicas, options) {}
+
+  absl::StatusOr<JobPlan> Plan(const StageCall& call, const SlicedOutlines& job,
+                               const PlanningOptions& options) const override;
+
+ private:
+  const StageClient client_;
+};
+
+}  // namespace slicefarm::coordinator

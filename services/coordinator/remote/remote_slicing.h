@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "common/stage/plates.h"
+#include "common/stage/stages.h"
+#include "services/coordinator/remote/stage_client.h"
+
+namespace slicefarm::coordinator {
+
+/// The stages of the slicing service, as its clients (stage_client.h). They keep the bytes of the
+/// input until the answer is there: another replica may need them.
+
+class RemoteSlicing : public SlicingStage {
+ public:
+  explicit RemoteSlicing(ReplicaSource& replicas, const RemoteOptions& options = {})
+      : client_("slicing", replicas, options) {}
+
+  absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
+                                  const SlicingOptions& options) const override;
+
+ private:
+  const StageClient client_;
+};
+
+class RemoteArranging : public ArrangingStage {
+ public:
+  explicit RemoteArranging(ReplicaSource& replicas, const RemoteOptions& options = {})
+      : client_("slicing", replicas, options) {}
+
+  absl::StatusOr<std::vector<PlatePlace>> PutOnPlates(const StageCall& call, SliceInput input,
+                                                      const SlicingOptions& options) const override;
+
+ private:
+  const StageClient client_;
+};
+
+class RemotePlacing : public PlacingStage {
+ public:
+  explicit RemotePlacing(ReplicaSource& replicas, const RemoteOptions& options = {})
+      : client_("placing", replicas, options) {}
+
+  absl::StatusOr<PlacedScene> Place(const StageCall& call, SliceInput input,
+                                    const SlicingOptions& options) const override;
+  absl::StatusOr<std::vector<SurfaceMesh>> ReadSurfaces(
+      const StageCall& call, SliceInput input, const SlicingOptions& options) const override;
+
+ private:
+  const StageClient client_;
+};
+
+}  // namespace slicefarm::coordinator
