@@ -2,7 +2,10 @@
 
 #include <vector>
 
+#include "common/model/engraving/surface_mesh.h"
+#include "common/model/scene/placed_scene.h"
 #include "common/stage/plates.h"
+#include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/remote/stage_client.h"
 
