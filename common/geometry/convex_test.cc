@@ -7,7 +7,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::convex_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "common/geometry/predicates.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::edge_index_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "common/geometry/between.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::measure_test {
 namespace {

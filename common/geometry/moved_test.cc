@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::moved_test {
 namespace {

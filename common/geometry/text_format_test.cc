@@ -1,4 +1,4 @@
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/path.h"
 
 namespace slicefarm {

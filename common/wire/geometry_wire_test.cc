@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/base/error.h"
 
 namespace slicefarm::geometry_wire_test {

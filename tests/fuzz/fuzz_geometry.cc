@@ -9,7 +9,7 @@
 #include "common/geometry/boolean/clipper_oracle_test.h"
 #include "common/geometry/boolean/region_pairs_test.h"
 #include "common/geometry/offset/clean_offset.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace {
 

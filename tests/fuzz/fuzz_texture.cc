@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/geometry/vector.h"
 #include "common/model/limits.h"
 #include "services/slicing/algo/mesh_io/stl_reader.h"
 #include "services/texture/algo/pattern/computed_heights.h"
@@ -48,7 +49,7 @@ void UseSolid(std::string_view stl) {
   const auto raw = slicing::ReadBinaryStl(stl, limits::kMaxMeshCoordinateMm, {});
   if (!raw.ok()) return;
   SurfaceMesh solid;
-  for (const slicing::Position& p : raw->positions) solid.points_mm.push_back({p.x, p.y, p.z});
+  for (const Vector3& p : raw->positions) solid.points_mm.push_back({p.x(), p.y(), p.z()});
   for (const auto& [a, b, c] : raw->triangles)
     solid.triangles.push_back(
         {static_cast<int32_t>(a), static_cast<int32_t>(b), static_cast<int32_t>(c)});

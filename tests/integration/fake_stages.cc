@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/stage/slice_input_test.h"
 #include "common/stage/print_layers.h"
 #include "common/wire/layers/layer_wire.h"

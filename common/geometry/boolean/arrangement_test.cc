@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::internal::arrangement_test {
 namespace {

@@ -11,7 +11,7 @@
 #include "common/geometry/boolean/clipper_oracle_test.h"
 #include "common/geometry/boolean/region_pairs_test.h"
 #include "common/geometry/offset/clean_offset.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 // What is ours against Clipper, and where the two differ, against CGAL's exact arithmetic. What the
 // environment sets:

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/boolean/boolean.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::without_rings_test {
 namespace {

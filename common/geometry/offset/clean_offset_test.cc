@@ -9,7 +9,7 @@
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/boolean/clipper_oracle_test.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::clean_offset_test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/boolean/clipper_oracle_test.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::internal::offset_curve_test {
 namespace {

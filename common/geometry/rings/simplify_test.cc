@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::simplify_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "common/geometry/predicates.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::boundary_test {
 namespace {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::skeletal_graph_test {
 namespace {

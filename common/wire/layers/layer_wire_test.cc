@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/wire/layers/path_wire.h"
 #include "common/wire/layers/region_wire.h"
 #include "common/wire/support/round_trip_test.h"

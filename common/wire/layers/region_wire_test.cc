@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/limits.h"
 #include "common/wire/support/round_trip_test.h"
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/wire/support/round_trip_test.h"
 
 namespace slicefarm::milled_wire_test {

@@ -9,7 +9,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/stage/slice_input_test.h"
 #include "processes/fdm/job/fdm_report.h"
 #include "processes/fdm/task/fdm_task.h"

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::coordinator::pass_facts_test {
 namespace {

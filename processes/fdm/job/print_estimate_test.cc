@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::coordinator::print_estimate_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::beading::top_walls_test {
 namespace {

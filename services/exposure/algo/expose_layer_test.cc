@@ -11,7 +11,7 @@
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/exposure/algo/scan/coverage_test.h"
 
 namespace slicefarm::exposure::expose_layer_test {

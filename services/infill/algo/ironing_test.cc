@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/bead_section.h"
 #include "services/infill/algo/inside_checks_test.h"
 

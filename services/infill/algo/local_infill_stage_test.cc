@@ -7,7 +7,7 @@
 #include <set>
 
 #include "common/base/error.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::infill::local_infill_stage_test {
 namespace {

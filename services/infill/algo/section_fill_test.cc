@@ -9,7 +9,7 @@
 
 #include "common/base/error.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/bead_section.h"
 
 namespace slicefarm::infill::section_fill_test {

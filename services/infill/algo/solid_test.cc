@@ -12,7 +12,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/offset/offset.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/bead_section.h"
 #include "services/infill/algo/solid_raster_test.h"
 #include "services/infill/algo/space_filling/fill_checks_test.h"

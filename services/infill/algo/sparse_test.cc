@@ -7,7 +7,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/bead_section.h"
 
 namespace slicefarm::infill::sparse_test {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::infill::sparse_under_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/paths_test.h"
 
 namespace slicefarm::ordering::layer_order_test {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/ordering/algo/comb/curled_ways.h"
 #include "services/ordering/algo/route.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/layer.h"
 
 namespace slicefarm::planning {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/bead_section.h"
 
 namespace slicefarm::beading::arachne_island_test {

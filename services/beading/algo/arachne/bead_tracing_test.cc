@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/beading/algo/arachne/beading_field.h"
 #include "services/beading/algo/skeleton/centrality.h"
 #include "services/beading/algo/strategy/strategy_factory.h"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::beading::outline_index_test {
 namespace {

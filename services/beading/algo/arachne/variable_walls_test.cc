@@ -11,7 +11,7 @@
 #include <string>
 
 #include "common/geometry/boolean/boolean.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/beading/algo/bead_raster_test.h"
 #include "services/beading/algo/strategy/strategy_factory.h"
 #include "tests/corpus_slice.h"

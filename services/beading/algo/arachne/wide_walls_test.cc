@@ -12,7 +12,7 @@
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/beading/algo/strategy/strategy_factory.h"
 
 namespace slicefarm::beading::wide_walls_test {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::beading::classic_island_test {
 namespace {

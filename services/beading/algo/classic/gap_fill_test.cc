@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/bead_section.h"
 
 namespace slicefarm::beading::gap_fill_test {

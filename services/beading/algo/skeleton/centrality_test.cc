@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::beading::centrality_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::beading::medial_axis_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "processes/fdm/job/fdm_process.h"
 #include "processes/fdm/task/fdm_task.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "common/base/error.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::coordinator::range_split_test {
 namespace {

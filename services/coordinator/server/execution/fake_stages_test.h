@@ -10,7 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 #include "common/base/sha256.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/stage/motion_stage.h"
 #include "common/stage/planning_stage.h"
 #include "common/stage/plates.h"

@@ -14,7 +14,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
 #include "common/geometry/predicates.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/exposure/algo/decompose/piece_quality.h"
 
 namespace slicefarm::exposure::decompose_test {

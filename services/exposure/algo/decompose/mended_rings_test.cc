@@ -4,7 +4,7 @@
 
 #include "common/base/error.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::exposure::mended_rings_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::exposure::merge_corners_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::exposure::piece_quality_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "common/geometry/boolean/random_islands_test.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::exposure::border_grid_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::exposure::corner_spurs_test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::exposure::deep_outlines_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::exposure::outline_check_test {
 namespace {

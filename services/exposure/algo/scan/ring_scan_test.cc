@@ -8,7 +8,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/offset/offset.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/exposure/algo/scan/coverage_test.h"
 
 namespace slicefarm::exposure::ring_scan_test {

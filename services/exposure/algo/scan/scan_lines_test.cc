@@ -10,7 +10,7 @@
 #include "common/base/error.h"
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::exposure::scan_lines_test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::exposure::thin_walls_test {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "common/base/portable_math.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/infill/algo/axis/main_axis.h"
 
 namespace slicefarm::infill::axis_spokes_test {

@@ -9,7 +9,7 @@
 
 #include "common/base/portable_math.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::infill::main_axis_test {
 namespace {

@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/infill/algo/fields/field_samples_test.h"
 
 namespace slicefarm::infill::field_cells_test {

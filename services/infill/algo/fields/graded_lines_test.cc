@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/infill/algo/fields/field_samples_test.h"
 
 namespace slicefarm::infill::graded_lines_test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/infill/algo/fields/field_samples_test.h"
 
 namespace slicefarm::infill::mean_density_test {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "common/base/error.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::infill::surface_distance_test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/infill/algo/lines/scan_lines.h"
 
 namespace slicefarm::infill::clip_curves_test {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::infill::fitted_strips_test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/bead_section.h"
 #include "services/infill/algo/quality/fill_plastic.h"
 

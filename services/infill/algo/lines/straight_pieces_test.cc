@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::infill::straight_pieces_test {
 namespace {

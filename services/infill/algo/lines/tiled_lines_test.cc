@@ -7,7 +7,7 @@
 
 #include "common/base/error.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::infill::tiled_lines_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/infill/algo/lines/straight_pieces.h"
 
 namespace slicefarm::infill::all_links_test {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/infill/algo/lines/straight_pieces.h"
 
 namespace slicefarm::infill::edge_ends_test {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::infill::inner_ends_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "common/base/perfect_matching.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/infill/algo/lines/clip_curves.h"
 
 namespace slicefarm::infill::least_links_test {

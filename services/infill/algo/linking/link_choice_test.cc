@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/infill/algo/lines/straight_pieces.h"
 
 namespace slicefarm::infill::link_choice_test {

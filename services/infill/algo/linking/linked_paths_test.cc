@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/infill/algo/bead_checks_test.h"
 #include "services/infill/algo/lines/straight_pieces.h"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/paths_test.h"
 
 namespace slicefarm::infill::serpentine_test {

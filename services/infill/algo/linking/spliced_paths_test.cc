@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::infill::spliced_paths_test {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/infill/algo/lines/piece.h"
 
 namespace slicefarm::infill {

@@ -8,7 +8,7 @@
 
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/options/fill_patterns.h"
 #include "services/infill/algo/solid.h"
 #include "services/infill/algo/sparse.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/infill/algo/solid.h"
 #include "services/infill/algo/space_filling/hilbert.h"
 #include "services/infill/algo/space_filling/peano.h"

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::infill::bridge_angle_test {
 namespace {

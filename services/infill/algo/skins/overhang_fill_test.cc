@@ -8,7 +8,7 @@
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/bead_section.h"
 
 namespace slicefarm::infill::overhang_fill_test {

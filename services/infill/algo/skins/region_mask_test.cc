@@ -7,7 +7,7 @@
 #include <random>
 
 #include "common/geometry/boolean/boolean.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::infill::region_mask_test {
 namespace {

@@ -11,7 +11,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
 #include "common/geometry/predicates.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "tests/corpus_slice.h"
 
 namespace slicefarm::infill {

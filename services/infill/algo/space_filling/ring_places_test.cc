@@ -5,7 +5,7 @@
 #include <random>
 
 #include "common/geometry/boolean/random_islands_test.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::infill::ring_places_test {
 namespace {

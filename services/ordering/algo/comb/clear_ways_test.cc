@@ -11,7 +11,7 @@
 #include "common/geometry/offset/offset.h"
 #include "common/geometry/predicates.h"
 #include "common/geometry/rings/simplify.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::ordering::clear_ways_test {
 namespace {

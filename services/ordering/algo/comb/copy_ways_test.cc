@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/paths_test.h"
 #include "services/ordering/algo/comb/curled_ways.h"
 

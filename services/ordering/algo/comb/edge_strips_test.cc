@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/geometry/boolean/random_islands_test.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::ordering::edge_strips_test {
 namespace {

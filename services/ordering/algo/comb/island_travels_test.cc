@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/paths_test.h"
 
 namespace slicefarm::ordering::island_travels_test {

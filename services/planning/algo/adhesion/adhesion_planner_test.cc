@@ -8,7 +8,7 @@
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/planning/algo/adhesion/planned_test.h"
 
 namespace slicefarm::planning::adhesion_planner_test {

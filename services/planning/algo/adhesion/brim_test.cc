@@ -9,7 +9,7 @@
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/boolean/random_islands_test.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::planning::brim_test {
 namespace {

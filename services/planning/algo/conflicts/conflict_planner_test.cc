@@ -4,7 +4,7 @@
 
 #include "common/base/error.h"
 #include "common/geometry/moved.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::planning::conflict_planner_test {
 namespace {

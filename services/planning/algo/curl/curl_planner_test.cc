@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/planning/algo/job_planner.h"
 #include "services/planning/algo/layers_test.h"
 

@@ -10,7 +10,7 @@
 
 #include "common/geometry/covers.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::planning::curled_edges_test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::planning::grid_points_test {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::planning::lightning_trees_test {
 namespace {

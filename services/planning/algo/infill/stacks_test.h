@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/planning/algo/infill/object_stack.h"
 
 namespace slicefarm::planning {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/planning/algo/rings/ring_shape.h"
 #include "services/planning/algo/seams/rings_test.h"
 

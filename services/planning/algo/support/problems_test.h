@@ -7,7 +7,7 @@
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/planning/algo/support/support_plan.h"
 #include "services/planning/algo/support/support_problem.h"
 

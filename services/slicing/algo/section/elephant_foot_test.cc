@@ -9,7 +9,7 @@
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/offset/offset.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "services/slicing/algo/section/local_width.h"
 
 namespace slicefarm::slicing::elephant_foot_test {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::slicing::local_width_test {
 namespace {

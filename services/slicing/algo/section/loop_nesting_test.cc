@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::slicing::loop_nesting_test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/predicates.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::slicing::regions_test {
 namespace {

@@ -13,7 +13,7 @@
 #include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 #include "common/model/limits.h"
 
 namespace slicefarm::slicing::arrange_test {

@@ -11,7 +11,7 @@
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::slicing::convex_parts_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "common/geometry/convex.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::slicing::overlaps_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/convex.h"
-#include "common/geometry/text_format.h"
+#include "common/geometry/text_format_test.h"
 
 namespace slicefarm::slicing::packing_test {
 namespace {

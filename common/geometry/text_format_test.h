@@ -1,4 +1,4 @@
-#include "common/geometry/text_format.h"
+#pragma once
 
 #include <fmt/core.h>
 
@@ -7,12 +7,18 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "absl/status/status.h"
+#include "absl/status/statusor.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/polygon.h"
 
 namespace slicefarm {
-namespace {
+namespace text_format {
 
 /// Reads the text from front to back.
 class Reader {
@@ -56,7 +62,7 @@ class Reader {
   size_t at_ = 0;
 };
 
-absl::StatusOr<Polyline> ReadLine(Reader& reader) {
+inline absl::StatusOr<Polyline> ReadLine(Reader& reader) {
   if (!reader.Take('(')) return reader.Error("'('");
   Polyline line;
   do {
@@ -68,11 +74,11 @@ absl::StatusOr<Polyline> ReadLine(Reader& reader) {
   return line;
 }
 
-void Turn(Polygon& ring, bool counter_clockwise) {
+inline void Turn(Polygon& ring, bool counter_clockwise) {
   if ((SignedArea(ring) > 0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
 }
 
-absl::StatusOr<PolygonWithHoles> ReadIsland(Reader& reader) {
+inline absl::StatusOr<PolygonWithHoles> ReadIsland(Reader& reader) {
   PolygonWithHoles island;
   do {
     auto ring = ReadLine(reader);
@@ -96,8 +102,43 @@ T ValueOrDie(absl::StatusOr<T> value) {
   std::abort();
 }
 
+}  // namespace text_format
+
+/// Geometry as text, for tests; lengths in millimetres.
+///
+///   line or ring    (0 0, 10 0, 10 10)
+///   island          (outer ring) (hole) (hole)
+///   islands         island ; island
+///
+/// A ring turns the right way by itself: the first of an island is made counter-clockwise, the rest
+/// clockwise. Errors: InvalidArgument with the offset of what could not be read.
+inline absl::StatusOr<Polyline> ParseLine(std::string_view text) {
+  text_format::Reader reader(text);
+  auto line = text_format::ReadLine(reader);
+  if (line.ok() && !reader.AtEnd()) return reader.Error("the end");
+  return line;
+}
+
+inline absl::StatusOr<MultiPolygon> ParseMultiPolygon(std::string_view text) {
+  text_format::Reader reader(text);
+  MultiPolygon polygons;
+  if (reader.AtEnd()) return polygons;
+  do {
+    auto island = text_format::ReadIsland(reader);
+    if (!island.ok()) return island.status();
+    polygons.push_back(*std::move(island));
+  } while (reader.Take(';'));
+  if (!reader.AtEnd()) return reader.Error("'(' or ';'");
+  return polygons;
+}
+
+inline std::string ToText(Point point);
+inline std::string ToText(const Polyline& line);
+inline std::string ToText(const PolygonWithHoles& polygon);
+inline std::string ToText(const MultiPolygon& polygons);
+
 template <typename T>
-std::string Joined(const std::vector<T>& items, std::string_view separator) {
+std::string JoinedTexts(const std::vector<T>& items, std::string_view separator) {
   std::string text;
   for (const T& item : items) {
     if (!text.empty()) text += separator;
@@ -106,46 +147,27 @@ std::string Joined(const std::vector<T>& items, std::string_view separator) {
   return text;
 }
 
-}  // namespace
-
-absl::StatusOr<Polyline> ParseLine(std::string_view text) {
-  Reader reader(text);
-  auto line = ReadLine(reader);
-  if (line.ok() && !reader.AtEnd()) return reader.Error("the end");
-  return line;
-}
-
-absl::StatusOr<MultiPolygon> ParseMultiPolygon(std::string_view text) {
-  Reader reader(text);
-  MultiPolygon polygons;
-  if (reader.AtEnd()) return polygons;
-  do {
-    auto island = ReadIsland(reader);
-    if (!island.ok()) return island.status();
-    polygons.push_back(*std::move(island));
-  } while (reader.Take(';'));
-  if (!reader.AtEnd()) return reader.Error("'(' or ';'");
-  return polygons;
-}
-
-std::string ToText(Point point) {
+inline std::string ToText(Point point) {
   return fmt::format("{} {}", ToMm(static_cast<double>(point.x)),
                      ToMm(static_cast<double>(point.y)));
 }
 
-std::string ToText(const Polyline& line) { return "(" + Joined(line, ", ") + ")"; }
+inline std::string ToText(const Polyline& line) { return "(" + JoinedTexts(line, ", ") + ")"; }
 
-std::string ToText(const PolygonWithHoles& polygon) {
+inline std::string ToText(const PolygonWithHoles& polygon) {
   std::string text = ToText(polygon.outer);
   for (const Polygon& hole : polygon.holes) text += " " + ToText(hole);
   return text;
 }
 
-std::string ToText(const MultiPolygon& polygons) { return Joined(polygons, " ; "); }
+inline std::string ToText(const MultiPolygon& polygons) { return JoinedTexts(polygons, " ; "); }
 
-Polyline MakeLineOrDie(std::string_view text) { return ValueOrDie(ParseLine(text)); }
-MultiPolygon MakePolygonsOrDie(std::string_view text) {
-  return ValueOrDie(ParseMultiPolygon(text));
+/// For literals: die on text that cannot be read.
+inline Polyline MakeLineOrDie(std::string_view text) {
+  return text_format::ValueOrDie(ParseLine(text));
+}
+inline MultiPolygon MakePolygonsOrDie(std::string_view text) {
+  return text_format::ValueOrDie(ParseMultiPolygon(text));
 }
 
 }  // namespace slicefarm
