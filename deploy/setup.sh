@@ -11,7 +11,7 @@ build=(
   libgrpc++-dev protobuf-compiler-grpc libprotobuf-dev protobuf-compiler libabsl-dev
   libboost-dev libpolyclipping-dev libeigen3-dev libcgal-dev liblemon-dev libsuitesparse-dev libexpat1-dev libzip-dev
   libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev prometheus-cpp-dev libcivetweb-dev libmicrohttpd-dev
-  libsqlite3-dev sqlite3 libpq-dev postgresql-15 libcurl4-openssl-dev libssl-dev libpng-dev libjpeg-dev zlib1g-dev libcairo2-dev libseccomp-dev
+  libsqlite3-dev sqlite3 libpq-dev postgresql-15 libcurl4-openssl-dev libssl-dev libpng-dev libjpeg-dev libqoi-dev zlib1g-dev libcairo2-dev libseccomp-dev
   libjemalloc-dev libre2-dev nginx
   libgtest-dev libgmock-dev
   clang clang-format clang-tidy libclang-rt-14-dev

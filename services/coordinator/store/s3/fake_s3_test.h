@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "common/base/temp_directory_test.h"
-#include "services/coordinator/store/s3/http_client.h"
 #include "services/coordinator/store/s3/s3_client.h"
 
 namespace slicefarm::coordinator {

@@ -1,11 +1,16 @@
 #include "services/coordinator/store/s3/s3_address.h"
 
+#include <curl/curl.h>
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <memory>
 #include <string_view>
 
 #include "absl/strings/ascii.h"
+#include "absl/strings/str_join.h"
+#include "absl/strings/str_split.h"
+#include "absl/strings/string_view.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -36,7 +41,22 @@ bool IsPlainPath(std::string_view path) {
   return true;
 }
 
+/// Returns a part of a path as it stands in a URL.
+std::string Escaped(absl::string_view part) {
+  if (part.empty()) return {};  // to libcurl, a length of 0 means that it is unknown
+  const std::unique_ptr<char, decltype(&curl_free)> escaped(
+      curl_easy_escape(nullptr, part.data(), static_cast<int>(part.size())), &curl_free);
+  return escaped.get();
+}
+
 }  // namespace
+
+std::string S3Address::UrlOf(const std::string& key) const {
+  const std::string path = path_prefix + "/" + key_prefix + key;
+  return endpoint +
+         absl::StrJoin(absl::StrSplit(path, '/'), "/",
+                       [](std::string* url, absl::string_view part) { *url += Escaped(part); });
+}
 
 absl::StatusOr<S3Address> ParseS3Address(const std::string& url, bool bucket_in_host) {
   const auto bad = [&](std::string_view why) {
@@ -58,7 +78,6 @@ absl::StatusOr<S3Address> ParseS3Address(const std::string& url, bool bucket_in_
     return bad("the path is of a-z, A-Z, 0-9, '-', '_', '.' and single slashes");
   S3Address address;
   address.endpoint = fmt::format("{}://{}", url.substr(0, scheme), host);
-  address.host = std::string(host);
   if (!bucket_in_host) {
     const size_t end = std::min(path.find('/'), path.size());
     if (end == 0) return bad("the bucket is missing");

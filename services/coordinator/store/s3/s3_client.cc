@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "absl/time/clock.h"
-#include "absl/time/time.h"
 #include "common/base/cancel_scope.h"
 #include "common/base/sha256.h"
 #include "common/base/stoppable_sleep.h"
@@ -47,8 +45,6 @@ absl::Status ErrorOf(const HttpAnswer& answer, const std::string& method) {
   return absl::UnavailableError(text);
 }
 
-std::string Now() { return absl::FormatTime("%Y%m%dT%H%M%SZ", absl::Now(), absl::UTCTimeZone()); }
-
 const std::string& DigestOfNothing() {
   static const std::string digest = Sha256Hex("");
   return digest;
@@ -67,25 +63,19 @@ struct S3Client::Wanted {
 
 absl::StatusOr<HttpAnswer> S3Client::AskOnce(const Wanted& wanted, const CancelToken& cancel,
                                              bool& again) {
-  const std::string path = UriEncoded(options_.address.PathOf(wanted.key), /*is_path=*/true);
   const auto credentials = options_.credentials();
-  const std::string time = Now();
-  S3Request request{wanted.method, path, {}, {}, wanted.sha256};
-  request.headers = {{"host", options_.address.host},
-                     {"x-amz-content-sha256", wanted.sha256},
-                     {"x-amz-date", time}};
-  if (!wanted.range.empty()) request.headers.emplace_back("range", wanted.range);
+  HttpRequest http{wanted.method, options_.address.UrlOf(wanted.key)};
+  http.headers = {absl::StrCat("x-amz-content-sha256: ", wanted.sha256)};
+  if (!wanted.range.empty()) http.headers.push_back(absl::StrCat("range: ", wanted.range));
   if (!credentials->session_token.empty())
-    request.headers.emplace_back("x-amz-security-token", credentials->session_token);
-  HttpRequest http{wanted.method, options_.address.endpoint + path};
-  for (const auto& [name, value] : request.headers)
-    http.headers.push_back(absl::StrCat(name, ": ", value));
-  http.headers.push_back(absl::StrCat(
-      "authorization: ", S3Authorization(request, *credentials, options_.region, time)));
+    http.headers.push_back(absl::StrCat("x-amz-security-token: ", credentials->session_token));
+  http.signature = {options_.region, credentials->access_key, credentials->secret_key};
   http.body = wanted.body;
   http.most_bytes = wanted.most_bytes;
   http.cancel = cancel;
   auto answer = http_.Do(http);
+  if (answer.ok() && answer->is_cut)
+    answer = absl::UnavailableError("the answer is longer than what was asked for");
   again = absl::IsUnavailable(answer.status());
   if (!answer.ok() || answer->status / 100 == 2) return answer;
   again = MayGoBetter(answer->status, CodeOf(answer->body));

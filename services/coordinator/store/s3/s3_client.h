@@ -7,11 +7,17 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "services/coordinator/store/s3/http_client.h"
+#include "services/coordinator/store/http/http_client.h"
 #include "services/coordinator/store/s3/s3_address.h"
-#include "services/coordinator/store/s3/sigv4.h"
 
 namespace slicefarm::coordinator {
+
+/// Keys of a bucket.
+struct S3Credentials {
+  std::string access_key;
+  std::string secret_key;
+  std::string session_token = {};  ///< of keys that are for some time; empty: none
+};
 
 /// The credentials as they are now.
 using S3CredentialsNow = std::function<std::shared_ptr<const S3Credentials>()>;

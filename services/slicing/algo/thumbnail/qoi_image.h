@@ -8,9 +8,9 @@
 
 namespace slicefarm::slicing {
 
-/// The picture as QOI, with opacity: what printers with little memory read. `pixels`: row by row
-/// from the top, width * height of them. The same bytes for the same pixels. Cost: O(pixels).
-/// Source: "The Quite OK Image Format", specification 1.0 of 2022-01-05.
+/// Returns the picture as QOI with opacity, a format for printers with little memory. `pixels`: row
+/// by row from the top, width * height of them. REQUIRES: width >= 1, height >= 1. The same bytes
+/// for the same pixels. Cost: O(pixels).
 std::string EncodeQoi(std::span<const Rgba> pixels, int32_t width, int32_t height);
 
 }  // namespace slicefarm::slicing

@@ -1,6 +1,7 @@
-#include "services/coordinator/store/s3/http_client.h"
+#include "services/coordinator/store/http/http_client.h"
 
 #include <curl/curl.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -41,7 +42,13 @@ struct Sending {
 struct Receiving {
   std::string bytes;
   int64_t most = 0;
-  bool too_much = false;
+  bool is_cut = false;
+};
+
+/// Whether addresses may be reached, and whether one was that may not.
+struct Reach {
+  bool (*may_reach)(const sockaddr& address);
+  bool refused = false;
 };
 
 size_t Send(char* to, size_t size, size_t count, void* user) {
@@ -64,10 +71,19 @@ int Rewind(void* user, curl_off_t offset, int) {
 
 size_t Receive(char* from, size_t size, size_t count, void* user) {
   auto& receiving = *static_cast<Receiving*>(user);
-  receiving.too_much = std::ssize(receiving.bytes) + static_cast<int64_t>(count) > receiving.most;
-  if (receiving.too_much) return 0;
+  receiving.is_cut = std::ssize(receiving.bytes) + static_cast<int64_t>(count) > receiving.most;
+  if (receiving.is_cut) return 0;
   receiving.bytes.append(from, size * count);
   return size * count;
+}
+
+curl_socket_t OpenSocket(void* user, curlsocktype, curl_sockaddr* address) {
+  auto& reach = *static_cast<Reach*>(user);
+  if (reach.may_reach != nullptr && !reach.may_reach(address->addr)) {
+    reach.refused = true;
+    return CURL_SOCKET_BAD;
+  }
+  return socket(address->family, address->socktype | SOCK_CLOEXEC, address->protocol);
 }
 
 /// Not 0: the transfer is to end.
@@ -91,7 +107,8 @@ void SetRules(CURL* curl, const HttpClientOptions& options) {
   curl_easy_setopt(curl, CURLOPT_PROXY, "");
   curl_easy_setopt(curl, CURLOPT_NOSIGNAL, 1L);
   curl_easy_setopt(curl, CURLOPT_USERAGENT, "slicefarm");
-  curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT, static_cast<long>(options.connect.count()));
+  curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT_MS, static_cast<long>(options.connect.count()));
+  curl_easy_setopt(curl, CURLOPT_TIMEOUT_MS, static_cast<long>(options.total.count()));
   curl_easy_setopt(curl, CURLOPT_LOW_SPEED_LIMIT, kLeastBytesPerSecond);
   curl_easy_setopt(curl, CURLOPT_LOW_SPEED_TIME, static_cast<long>(options.stall.count()));
   curl_easy_setopt(curl, CURLOPT_UPLOAD_BUFFERSIZE, 512L << 10);
@@ -99,27 +116,49 @@ void SetRules(CURL* curl, const HttpClientOptions& options) {
   if (!options.ca_file.empty()) curl_easy_setopt(curl, CURLOPT_CAINFO, options.ca_file.c_str());
 }
 
-void SetMethod(CURL* curl, const HttpRequest& request, Sending& sending) {
-  if (request.method == "PUT") {
+void SetMethod(CURL* curl, const std::string& method, Sending& sending) {
+  const auto size = static_cast<curl_off_t>(sending.body.size);
+  if (method == "PUT") {
     curl_easy_setopt(curl, CURLOPT_UPLOAD, 1L);
-    curl_easy_setopt(curl, CURLOPT_INFILESIZE_LARGE, static_cast<curl_off_t>(sending.body.size));
-    curl_easy_setopt(curl, CURLOPT_READFUNCTION, &Send);
-    curl_easy_setopt(curl, CURLOPT_READDATA, &sending);
-    curl_easy_setopt(curl, CURLOPT_SEEKFUNCTION, &Rewind);
-    curl_easy_setopt(curl, CURLOPT_SEEKDATA, &sending);
-  } else if (request.method == "HEAD") {
+    curl_easy_setopt(curl, CURLOPT_INFILESIZE_LARGE, size);
+  } else if (method == "POST") {
+    curl_easy_setopt(curl, CURLOPT_POST, 1L);
+    curl_easy_setopt(curl, CURLOPT_POSTFIELDSIZE_LARGE, size);
+  } else if (method == "HEAD") {
     curl_easy_setopt(curl, CURLOPT_NOBODY, 1L);
-  } else if (request.method != "GET") {
-    curl_easy_setopt(curl, CURLOPT_CUSTOMREQUEST, request.method.c_str());
+  } else if (method != "GET") {
+    curl_easy_setopt(curl, CURLOPT_CUSTOMREQUEST, method.c_str());
   }
+  curl_easy_setopt(curl, CURLOPT_READFUNCTION, &Send);
+  curl_easy_setopt(curl, CURLOPT_READDATA, &sending);
+  curl_easy_setopt(curl, CURLOPT_SEEKFUNCTION, &Rewind);
+  curl_easy_setopt(curl, CURLOPT_SEEKDATA, &sending);
 }
 
-HttpAnswer AnswerOf(CURL* curl, std::string body) {
+void SetSignature(CURL* curl, const AwsSignature& signature) {
+  const std::string scope = fmt::format("aws:amz:{}:s3", signature.region);
+  curl_easy_setopt(curl, CURLOPT_AWS_SIGV4, scope.c_str());
+  curl_easy_setopt(curl, CURLOPT_USERNAME, signature.access_key.c_str());
+  curl_easy_setopt(curl, CURLOPT_PASSWORD, signature.secret_key.c_str());
+}
+
+/// `receiving` and `reach` are written to until the transfer ends.
+void SetCallbacks(CURL* curl, const CancelToken& cancel, Receiving& receiving, Reach& reach) {
+  curl_easy_setopt(curl, CURLOPT_WRITEFUNCTION, &Receive);
+  curl_easy_setopt(curl, CURLOPT_WRITEDATA, &receiving);
+  curl_easy_setopt(curl, CURLOPT_OPENSOCKETFUNCTION, &OpenSocket);
+  curl_easy_setopt(curl, CURLOPT_OPENSOCKETDATA, &reach);
+  curl_easy_setopt(curl, CURLOPT_NOPROGRESS, 0L);
+  curl_easy_setopt(curl, CURLOPT_XFERINFOFUNCTION, &GoOn);
+  curl_easy_setopt(curl, CURLOPT_XFERINFODATA, &cancel);
+}
+
+HttpAnswer AnswerOf(CURL* curl, Receiving receiving) {
   long status = 0;
   curl_off_t length = 0;
   curl_easy_getinfo(curl, CURLINFO_RESPONSE_CODE, &status);
   curl_easy_getinfo(curl, CURLINFO_CONTENT_LENGTH_DOWNLOAD_T, &length);
-  return {static_cast<int>(status), std::move(body), length};
+  return {static_cast<int>(status), std::move(receiving.bytes), length, receiving.is_cut};
 }
 
 }  // namespace
@@ -161,24 +200,21 @@ absl::StatusOr<HttpAnswer> HttpClient::Do(const HttpRequest& request) {
   static const BodySource kNoBody = {};
   Sending sending{request.body != nullptr ? *request.body : kNoBody};
   Receiving receiving{.bytes = {}, .most = request.most_bytes};
+  Reach reach{options_.may_reach};
   const HeaderList headers = ListOf(request.headers);
   std::array<char, CURL_ERROR_SIZE> error = {};
   SetRules(curl, options_);
-  SetMethod(curl, request, sending);
+  SetMethod(curl, request.method, sending);
+  SetCallbacks(curl, request.cancel, receiving, reach);
+  if (request.signature) SetSignature(curl, *request.signature);
   curl_easy_setopt(curl, CURLOPT_URL, request.url.c_str());
   curl_easy_setopt(curl, CURLOPT_HTTPHEADER, headers.get());
-  curl_easy_setopt(curl, CURLOPT_WRITEFUNCTION, &Receive);
-  curl_easy_setopt(curl, CURLOPT_WRITEDATA, &receiving);
-  curl_easy_setopt(curl, CURLOPT_NOPROGRESS, 0L);
-  curl_easy_setopt(curl, CURLOPT_XFERINFOFUNCTION, &GoOn);
-  curl_easy_setopt(curl, CURLOPT_XFERINFODATA, &request.cancel);
   curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, error.data());
   const CURLcode code = curl_easy_perform(curl);
   if (!sending.status.ok()) return sending.status;
-  if (receiving.too_much)
-    return absl::UnavailableError("the answer is longer than what was asked for");
+  if (reach.refused) return absl::PermissionDeniedError("the address may not be reached");
   if (code == CURLE_ABORTED_BY_CALLBACK) return request.cancel.Check();
-  if (code == CURLE_OK) return AnswerOf(curl, std::move(receiving.bytes));
+  if (code == CURLE_OK || receiving.is_cut) return AnswerOf(curl, std::move(receiving));
   return absl::UnavailableError(error[0] == '\0' ? curl_easy_strerror(code) : error.data());
 }
 
