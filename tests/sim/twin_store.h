@@ -1,73 +1,47 @@
 #pragma once
 
 #include <memory>
-#include <string>
-#include <vector>
+#include <utility>
 
+#include "common/base/error.h"
+#include "services/coordinator/store/jobs/forwarding_job_store.h"
 #include "tests/sim/world.h"
-#include "services/coordinator/store/jobs/job_store.h"
 
 namespace slicefarm::coordinator::sim {
 
 /// Two stores that are called alike. The first one's answers count; where the second one answers
 /// otherwise, the world is told.
-class TwinStore : public JobStore {
+class TwinStore : public JobStoreCalls<TwinStore> {
  public:
   TwinStore(World& world, JobStore& first, std::unique_ptr<JobStore> second)
       : world_(world), first_(first), second_(std::move(second)) {}
 
-  absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override;
-  absl::StatusOr<std::vector<Created>> CreateAll(const std::vector<NewJob>& jobs,
-                                                 int64_t now_us) override;
-  absl::StatusOr<JobRecord> Get(const std::string& id) override;
-  absl::StatusOr<std::string> TenantOf(const std::string& id) override;
-  absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override;
-  absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
-                                                 int64_t until_us,
-                                                 const ClaimFilter& filter) override;
-  absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
-                                                    int32_t limit) override;
-  absl::StatusOr<bool> Adopt(const Lease& lease, const JobIdentity& identity,
-                             int64_t now_us) override;
-  absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
-                                             int64_t until_us) override;
-  absl::Status Release(const std::string& owner) override;
-  absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
-                                   int64_t now_us) override;
-  absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) override;
-  absl::StatusOr<JobRecord> Change(const std::string& id, const JobChanging& changing,
-                                   int64_t now_us) override;
-  absl::Status Delete(const std::string& id) override;
-  absl::StatusOr<std::vector<JobRecord>> FindRequested(const std::string& tenant,
-                                                       const std::vector<std::string>& request_ids,
-                                                       const std::string& spec_digest) override;
-  absl::StatusOr<JobRecord> GetWithoutSpec(const std::string& id) override;
-  absl::StatusOr<std::vector<JobEventRecord>> Events(const std::string& id, int64_t after,
-                                                     int32_t limit) override;
-  absl::StatusOr<std::vector<TenantEvent>> EventsOf(const std::string& tenant,
-                                                    const EventPlace& after,
-                                                    int32_t limit) override;
-  absl::StatusOr<std::optional<JobResult>> FindResult(const std::string& action_digest) override;
-  absl::Status ForgetResult(const std::string& action_digest) override;
-  absl::Status ExpireRequestIds(int64_t now_us) override;
-  absl::StatusOr<std::map<JobState, int64_t>> CountEnded() override;
-  absl::StatusOr<int64_t> CountOf(const std::string& tenant) override;
-  absl::StatusOr<std::map<JobState, int64_t>> CountOpenOf(const std::string& tenant) override;
-  absl::StatusOr<std::vector<OpenJobs>> CountOpen() override;
-  absl::StatusOr<QueueSnapshot> ReadQueue(int64_t now_us) override;
-  absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
-                                                   const std::set<std::string>& digests) override;
-  absl::StatusOr<std::set<std::string>> Artifacts(const std::string& tenant,
-                                                  const std::set<std::string>& digests) override;
-  absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) override;
-  absl::StatusOr<int64_t> InUseSince(int64_t now_us, int64_t most_gap_us) override;
-  absl::StatusOr<bool> TakeChore(const std::string& chore, int64_t now_us,
-                                 int64_t until_us) override;
+  /// Calls both and returns the answer of the first.
+  template <typename Method, typename... Args>
+  auto Dispatch(const char* name, Method method, const Args&... args) {
+    auto answer = (first_.*method)(args...);
+    const auto other = ((*second_).*method)(args...);
+    if (!Equal(answer, other)) {
+      world_.Violated("{}: the stores answer differently: {}, {}", name,
+                      StatusOf(answer).ToString(), StatusOf(other).ToString());
+    }
+    return answer;
+  }
 
  private:
-  /// `call` of both: the answer of the first.
-  template <typename Call>
-  auto Both(const char* name, const Call& call);
+  static const absl::Status& StatusOf(const absl::Status& status) { return status; }
+  template <typename Value>
+  static const absl::Status& StatusOf(const absl::StatusOr<Value>& answer) {
+    return answer.status();
+  }
+
+  static bool Equal(const absl::Status& a, const absl::Status& b) {
+    return a.code() == b.code() && DetailOf(a).reason == DetailOf(b).reason;
+  }
+  template <typename Value>
+  static bool Equal(const absl::StatusOr<Value>& a, const absl::StatusOr<Value>& b) {
+    return Equal(a.status(), b.status()) && (!a.ok() || *a == *b);
+  }
 
   World& world_;
   JobStore& first_;
