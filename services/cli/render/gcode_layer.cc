@@ -183,7 +183,7 @@ class Reader {
     if (!bead_.empty()) {
       const double flow = length_mm_ > 0 ? pushed_mm_ / length_mm_ * speed_mm_s_ : 0;
       const double time_s = lines_ <= line_end_s_.size() ? line_end_s_[lines_ - 1] : 0;
-      layer_.beads.push_back({feature_, width_mm_, std::move(bead_), speed_mm_s_, flow, time_s});
+      layer_.beads.push_back({feature_, width_mm_, std::move(bead_), speed_mm_s_, flow, 0, time_s});
     }
     pushed_mm_ = length_mm_ = 0;
     if (!travel_.empty()) layer_.travels.push_back(std::move(travel_));

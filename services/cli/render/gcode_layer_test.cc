@@ -69,6 +69,20 @@ TEST(ReadGcodeLayer, SpeedsAndFlows) {
   EXPECT_NEAR(layer.beads[1].flow_mm3_s, 0.025 * 40 * 3.14159265, 1e-6);
 }
 
+// The time once stood in the place of the energy.
+TEST(ReadGcodeLayer, BeadsAreLaidWhenTheirLinesEnd) {
+  std::vector<double> line_end_s(40);
+  for (size_t line = 0; line < line_end_s.size(); ++line)
+    line_end_s[line] = static_cast<double>(line);
+  const auto layer = ReadGcodeLayer(kTwoLayers, 0, line_end_s);
+  ASSERT_TRUE(layer.ok()) << layer.status();
+  ASSERT_GE(layer->beads.size(), 3U);
+  EXPECT_EQ(layer->beads.front().time_s, 0);
+  for (size_t bead = 1; bead < layer->beads.size(); ++bead)
+    EXPECT_GT(layer->beads[bead].time_s, layer->beads[bead - 1].time_s);
+  for (const BeadRun& bead : layer->beads) EXPECT_EQ(bead.energy_j_mm, 0);
+}
+
 TEST(ReadGcodeLayer, FindsLaterLayers) {
   const GcodeLayer layer = ReadOrDie(kTwoLayers, 1);
   EXPECT_DOUBLE_EQ(layer.z_mm, 0.45);
