@@ -257,7 +257,7 @@ TEST_F(IntegratorCallsTest, TheFarmSaysWhatItKnows) {
   EXPECT_EQ(info("fill_density").scope(), "region");
   EXPECT_EQ(info("fill_density").group(), "infill");
   EXPECT_FALSE(info("layer_gcode").has_min());
-  EXPECT_EQ(info("seam_position").choices_size(), 4);
+  EXPECT_EQ(info("seam_position").choices_size(), 5);
 }
 
 TEST_F(IntegratorCallsTest, AJobTellsOfItsAttempts) {
