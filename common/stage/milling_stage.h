@@ -16,10 +16,11 @@ namespace slicefarm {
 class MillingStage {
  public:
   virtual ~MillingStage() = default;
-  /// Errors: what cannot be milled so.
+  /// Errors: the reason why the part cannot be milled with these settings.
   virtual absl::StatusOr<MillLayout> LayOut(const StageCall& call,
                                             const Shared<MillInput>& input) const = 0;
-  /// What the steps of the range come to. REQUEST_MALFORMED for a range that the job has not.
+  /// Returns the results of the steps in the range. REQUEST_MALFORMED for a range outside of the
+  /// job.
   virtual absl::StatusOr<std::vector<MilledStep>> Mill(const StageCall& call,
                                                        const Shared<MillInput>& input,
                                                        StepRange range) const = 0;

@@ -23,8 +23,8 @@ struct MotionJob {
 class MotionStage {
  public:
   virtual ~MotionStage() = default;
-  /// By layer, then pass: a layer has a program for each pass that prints something in it, and one
-  /// at least.
+  /// Returns programs by layer, then pass: a layer has a program for each pass that prints
+  /// something in it, and at least one.
   virtual absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
                                                             std::vector<OrderedLayer> layers,
                                                             const Shared<MotionJob>& job) const = 0;

@@ -17,10 +17,10 @@ struct PartInput {
   MeshRef mesh;
   PartRole role = PartRole::kSolid;
   Transform to_object = Transform::Identity();
-  /// Of solid parts: the row of the part's region; one for each of ObjectInput::ranges, then that
-  /// of all other heights.
+  /// Rows of a solid part's regions: one for each of ObjectInput::ranges, then the row of all other
+  /// heights.
   std::vector<int32_t> regions = {0};
-  /// Of modifiers: what row a region has inside of it, where it has the first one outside.
+  /// Rows of regions inside a modifier, by the row that the region has outside of it.
   std::map<int32_t, int32_t> changes = {};
 
   bool operator==(const PartInput&) const = default;
@@ -35,7 +35,7 @@ struct RangeInput {
   friend bool operator==(const RangeInput&, const RangeInput&) = default;
 };
 
-/// Where a copy stands.
+/// Place of a copy.
 struct CopyInput {
   enum class Place : uint8_t {
     kAnywhere,  ///< to be arranged; alone on the plate: in the middle of the bed
@@ -57,7 +57,7 @@ struct ObjectInput {
   /// Put before each part's to_object. Afterwards the object is lowered or raised until it stands
   /// on the bed.
   Transform to_plate = Transform::Identity();
-  /// How far below the bed the object reaches, mm; what is below is not printed.
+  /// Depth of the object below the bed, mm; that part is not printed.
   double sunk_mm = 0;
 
   bool operator==(const ObjectInput&) const = default;

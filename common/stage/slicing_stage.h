@@ -21,27 +21,29 @@ namespace slicefarm {
 /// A copy as it stands on the plate.
 struct PlacedCopy {
   int32_t object = 0;
-  Point shift;        ///< from the object's origin; whole micrometres
+  Point shift;        ///< shift of the object's origin, in whole micrometres
   Polygon footprint;  ///< the object's convex hull at its place; no points: no area
 
   friend bool operator==(const PlacedCopy&, const PlacedCopy&) = default;
 };
 
-/// Layers bottom up without gaps (a layer may be empty), and what was found on the way.
+/// Layers bottom up without gaps (a layer may be empty), and findings about the meshes.
 struct SlicedJob {
   std::vector<SlicedLayer> layers;
-  std::vector<std::string> object_names;  ///< by object
-  std::vector<PlacedCopy> copies;         ///< by object, then as in the input
+  std::vector<std::string> object_names;  ///< name of each object
+  std::vector<PlacedCopy> copies;         ///< copies, ordered by object and then as in the input
   std::vector<MeshReport> meshes;         ///< one a part, by object; none of surfaces for seams
   std::vector<Thumbnail> thumbnails;
-  std::vector<OrientationAdvice> orientations;  ///< of objects that would print better otherwise
+  std::vector<OrientationAdvice>
+      orientations;  ///< advice for objects that would print better in another orientation
 };
 
 /// Outlines of a sliced job and its copies.
 struct SlicedOutlines {
   std::span<const SlicedLayer> layers;
   std::span<const PlacedCopy> copies;
-  std::span<const std::string> object_names = {};  ///< by object, for messages; may be fewer
+  std::span<const std::string> object_names =
+      {};  ///< names for messages; may be fewer than objects
 };
 
 class SlicingStage {
@@ -52,8 +54,8 @@ class SlicingStage {
                                           const SlicingOptions& options) const = 0;
 };
 
-/// Reads meshes and puts them on the bed: what slicing begins with, for processes that work on the
-/// meshes themselves. Errors: those of slicing up to there.
+/// Reads meshes and puts them on the bed, for processes that work on the meshes themselves. Errors:
+/// those of slicing up to there.
 class PlacingStage {
  public:
   virtual ~PlacingStage() = default;

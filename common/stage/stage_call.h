@@ -20,10 +20,10 @@ struct StageCall {
   std::string job_id;  ///< for logs
   Claimant claimant = {};
   CancelToken cancel;
-  int threads = 1;              ///< how many a stage may use; never changes the result
-  TraceContext trace = {};      ///< travels on with each call; empty: none
-  SpanLog* spans = nullptr;     ///< notes what is done when, in this process; null: nobody asks
-  JobMemory* memory = nullptr;  ///< what the job holds in this process; null: nobody counts
+  int threads = 1;           ///< number of threads that a stage may use; never changes the result
+  TraceContext trace = {};   ///< travels on with each call; empty: none
+  SpanLog* spans = nullptr;  ///< log of timed spans in this process; null: none
+  JobMemory* memory = nullptr;  ///< memory that the job holds in this process; null: not counted
 };
 
 }  // namespace slicefarm

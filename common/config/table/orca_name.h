@@ -10,13 +10,13 @@ enum class OrcaValue {
   kPercent,    ///< a number is a percentage, with or without its sign
   kPercentOf,  ///< a percentage is one of `detail`, which is another setting of OrcaSlicer's
   kOrAuto,     ///< a number; a negative one, or `detail`, leaves the choice to the slicer
-  kRest,       ///< a percentage, of which PrusaSlicer says what is missing to 100%
+  kRest,       ///< a percentage; PrusaSlicer has its complement to 100%
   kNot,        ///< a flag that means the opposite
   kPoints,     ///< a list counts as a whole
   kPairs,      ///< the same, with `;` between its items
-  kChoice,     ///< one of those that OrcaChoices lists for the setting
+  kChoice,     ///< a name that OrcaChoices lists for the setting
   kWhole,      ///< the text as it is
-  kGcode,      ///< G-code, whose placeholders have other names
+  kGcode,      ///< G-code with other names of placeholders
 };
 
 /// Name of a setting in OrcaSlicer and Bambu Studio.

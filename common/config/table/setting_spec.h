@@ -32,7 +32,7 @@ enum class Kind {
   kAngles,         ///< angles by layer (common/model/options/fill_angles.h); empty: none
   kFlowTable,      ///< factors by length (common/model/options/flow_table.h)
   kHeightCode,     ///< JSON on one line (common/model/options/height_code.h); empty: none
-  kLayerHeights,   ///< z and height by turns (common/model/options/layer_heights.h); empty: none
+  kLayerHeights,   ///< z and height alternately (common/model/options/layer_heights.h); empty: none
   kSubstitutions,  ///< texts by fours (common/gcode/substitutions.h); empty: none
   kCutter,         ///< a milling cutter (common/model/milling/cutter_text.h)
 };
@@ -66,7 +66,7 @@ enum class List {
 /// machine_limits_usage = ignore.
 inline constexpr int kIgnoreLimits = 2;
 
-/// What a config.ini writes for "no value".
+/// Text for "no value" in a config.ini.
 inline constexpr std::string_view kNotSet = "nil";
 
 /// One setting: all that reading, checking, documenting and printing it takes.
@@ -74,19 +74,21 @@ struct SettingSpec {
   std::string_view key;
   Kind kind = Kind::kNumber;
   std::string_view unit = {};
-  double min = 0;  ///< of numbers, in `unit`; of kNumberOrPercent, for what the percentage comes to
+  double min =
+      0;  ///< least number, in `unit`; percentages are checked by the number that they amount to
   double max = 0;
   std::string_view standard = {};  ///< the value when none is given, as a config.ini writes it
   std::string_view doc = {};
   std::vector<Choice> choices = {};
   std::string_view relative_to = {};
-  std::string_view percent_of = {};  ///< where it relates to no setting: to what, in words
+  std::string_view percent_of = {};  ///< base of the percentage, in words, if it is no setting
   List list = List::kNone;
-  Field field = {};                     ///< none: it works through other settings only (derive.h)
-  Field also = {};                      ///< a second place for the same value
-  std::string_view group = {};          ///< part of the table: "walls", "infill"
-  std::optional<Scope> own_scope = {};  ///< where the setting has no field, or a wider scope
-  std::vector<OrcaName> orca = {};      ///< of two names the later one wins
+  Field field = {};             ///< none: it works through other settings only (derive.h)
+  Field also = {};              ///< a second place for the same value
+  std::string_view group = {};  ///< part of the table: "walls", "infill"
+  std::optional<Scope> own_scope =
+      {};  ///< scope, if the setting has no field or another scope than its row
+  std::vector<OrcaName> orca = {};  ///< names in OrcaSlicer; the later one wins
 
   Scope scope() const { return own_scope.value_or(field.scope); }
 };

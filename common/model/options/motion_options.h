@@ -60,9 +60,9 @@ struct MachineMotion {
   double first_layer_speed_mm_s = 30;        ///< first_layer_speed; 0: as above
   double first_layer_speed_ratio = 1;        ///< first_layer_speed in percent
   double first_layer_infill_speed_mm_s = 0;  ///< first_layer_infill_speed; 0: as the others
-  double over_raft_speed_mm_s = 30;       ///< first_layer_speed_over_raft, on a raft; 0: as above
-  double over_raft_speed_ratio = 1;       ///< first_layer_speed_over_raft in percent
-  double max_print_speed_mm_s = 80;       ///< max_print_speed
+  double over_raft_speed_mm_s = 30;  ///< first_layer_speed_over_raft, on a raft; 0: as above
+  double over_raft_speed_ratio = 1;  ///< first_layer_speed_over_raft in percent
+  double max_print_speed_mm_s = 80;  ///< max_print_speed
   /// max_volumetric_extrusion_rate_slope_positive and _negative: how fast the flow may rise and
   /// fall; 0: at once.
   double flow_rise_mm3_s2 = 0;
@@ -80,7 +80,7 @@ struct MachineMotion {
   double short_travel_acceleration_mm_s2 = 0;
   double seam_gap_mm = 0;  ///< seam_gap_distance: how much a closed path's end stays open
 
-  std::string printer_model;             ///< printer_model
+  std::string printer_model;  ///< printer_model
 
   /// activate_chamber_temp_control: else its temperatures are there for templates alone.
   bool heats_chamber = true;
@@ -99,9 +99,9 @@ struct MachineMotion {
   SharedText layer_gcode;         ///< layer_gcode, with time_lapse_gcode
   /// The settings that these two name, as `key = value` lines.
   SharedText layer_settings;
-  ObjectLabels labels = ObjectLabels::kNone;       ///< gcode_label_objects
-  SharedText between_objects_gcode;                ///< between_objects_gcode
-  Coord max_print_height_nm = 0;                   ///< max_print_height, 0: unlimited
+  ObjectLabels labels = ObjectLabels::kNone;  ///< gcode_label_objects
+  SharedText between_objects_gcode;           ///< between_objects_gcode
+  Coord max_print_height_nm = 0;              ///< max_print_height, 0: unlimited
   /// bed_shape without bed_exclude_area: travel stays in it; empty: nothing is excluded.
   MultiPolygon room;
   ArcFitting arc_fitting = ArcFitting::kDisabled;  ///< arc_fitting
@@ -114,8 +114,8 @@ struct MachineMotion {
 
 /// Options of the motion stage.
 struct MotionOptions : MachineMotion {
-  std::vector<ToolRow> tools = {{}};        ///< by tool
-  std::vector<RegionSpeeds> speeds = {{}};  ///< by region
+  std::vector<ToolRow> tools = {{}};        ///< options of each tool
+  std::vector<RegionSpeeds> speeds = {{}};  ///< options of each region
 
   /// The tool that prints.
   const ToolRow& tool() const { return tools.front(); }

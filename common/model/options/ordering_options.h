@@ -25,7 +25,7 @@ struct WallOrder {
 struct TravelOptions {
   /// only_retract_when_crossing_perimeters: what oozes out inside the part is not seen.
   bool hide = true;
-  double longest_hidden_mm = 30;     ///< retract_inside_after; 0: however long
+  double longest_hidden_mm = 30;      ///< retract_inside_after; 0: however long
   bool avoid_crossing = false;        ///< avoid_crossing_perimeters
   double max_detour_mm = 0;           ///< avoid_crossing_perimeters_max_detour; 0: however long
   double max_detour_ratio = 0;        ///< the same in percent of the straight way; 0: however long
@@ -49,7 +49,7 @@ struct JobOrder {
 
 /// Options of the ordering stage.
 struct OrderingOptions : JobOrder {
-  std::vector<WallOrder> walls = {{}};  ///< by region
+  std::vector<WallOrder> walls = {{}};  ///< order in each region
 
   using Row = JobOrder;
   template <typename Self>

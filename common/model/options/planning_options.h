@@ -34,7 +34,7 @@ struct JobPlanOptions {
   SkirtOptions skirt;
   int32_t skirt_settings = 0;        ///< row of the job's regions
   bool objects_may_overlap = false;  ///< objects_may_overlap
-  bool avoid_curled = false;  ///< avoid_crossing_curled_overhangs: tells where parts curl up
+  bool avoid_curled = false;         ///< avoid_crossing_curled_overhangs: tells where parts curl up
   /// bed_shape without bed_exclude_area: nothing is added outside of it; empty: no limit.
   MultiPolygon bed;
 
@@ -43,8 +43,8 @@ struct JobPlanOptions {
 
 /// Options of the planning stage.
 struct PlanningOptions : JobPlanOptions {
-  std::vector<ObjectPlanOptions> objects = {{}};  ///< by object
-  std::vector<InfillOptions> infill;              ///< by region; empty: none needs a plan
+  std::vector<ObjectPlanOptions> objects = {{}};  ///< options of each object
+  std::vector<InfillOptions> infill;  ///< infill of each region; empty: none needs a plan
 
   using Row = JobPlanOptions;
   template <typename Self>

@@ -10,7 +10,7 @@ namespace slicefarm {
 /// Number of overhang degrees: 0, 25, 50 and 75 % of a wall's width rest on the layer below.
 inline constexpr int kOverhangDegrees = 4;
 
-/// Which loops of a region get a scarf.
+/// Loops of a region that get a scarf.
 enum class ScarfPlacement : uint8_t {
   kNowhere,
   kContours,  ///< the outer contours of islands
@@ -31,7 +31,7 @@ struct ScarfOptions {
   friend bool operator==(const ScarfOptions&, const ScarfOptions&) = default;
 };
 
-/// How the beads of one region are printed.
+/// Speeds, scarfs and bridges of one region.
 struct RegionSpeeds {
   std::array<double, kFeatureCount> speed_mm_s = {30, 60, 30, 20, 80, 20, 15,
                                                   60, 60, 60, 60, 15, 0};  ///< by Feature

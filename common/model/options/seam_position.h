@@ -4,7 +4,7 @@
 
 namespace slicefarm {
 
-/// Where loops start.
+/// Places where loops start.
 enum class SeamPosition : uint8_t {
   kNearest,  ///< near the nozzle
   kRear,     ///< at the back, in line

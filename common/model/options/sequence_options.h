@@ -4,7 +4,7 @@
 
 namespace slicefarm {
 
-/// How copies are printed one after the other, each as a whole.
+/// Printing of copies one after the other, each as a whole.
 struct SequencePlanOptions {
   bool complete_objects = false;              ///< complete_objects
   Coord clearance_radius_nm = 20 * kNmPerMm;  ///< extruder_clearance_radius: around the nozzle

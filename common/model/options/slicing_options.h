@@ -14,14 +14,14 @@ namespace slicefarm {
 
 /// Names in the comments are the settings' (PrusaSlicer's, where it has the setting).
 
-/// What is done where a hole begins over a wider recess.
+/// Treatment of a hole that begins over a wider recess.
 enum class CounterboreBridging : uint8_t {
   kNone,         ///< its edge is printed on air
   kPartial,      ///< bridges beside it, others across those, and then the hole
   kSacrificial,  ///< a bridge over the recess, to be drilled through
 };
 
-/// How one object is cut.
+/// Settings of one object that slicing needs.
 struct ObjectSlicingOptions {
   Coord layer_height_nm = 200'000;          ///< layer_height
   FillRule fill_rule = FillRule::kNonZero;  ///< slicing_mode: regular, even_odd, positive
@@ -34,7 +34,8 @@ struct ObjectSlicingOptions {
   /// It stands on the bed itself: its first layer is first_layer_height high, and has a foot.
   bool on_bed = true;
   Coord elephant_foot_nm = 0;  ///< elefant_foot_compensation: shrinks the first layer on the bed
-  /// What that leaves of thin places; PrusaSlicer: width + spacing of the first layer's outer wall.
+  /// Least width that the compensation leaves; PrusaSlicer: width + spacing of the first layer's
+  /// outer wall.
   Coord elephant_foot_min_width_nm = 757'000;
   Coord lift_nm = 0;  ///< how high above the bed it will stand: the build volume holds that too
   /// spiral_vase: layers from this one on are hollow, and of their outlines the largest stays; 0:
@@ -59,7 +60,7 @@ struct JobSlicingOptions {
   /// bed_shape; empty: no limit.
   Polygon bed = {{0, 0}, {250'000'000, 0}, {250'000'000, 210'000'000}, {0, 210'000'000}};
   std::vector<Polygon> excluded = {};  ///< bed_exclude_area: parts of the bed where nothing may be
-  Coord max_print_height_nm = 0;  ///< max_print_height, 0: unlimited
+  Coord max_print_height_nm = 0;       ///< max_print_height, 0: unlimited
   std::vector<ThumbnailSize> thumbnails = {{32, 32}, {300, 300}};  ///< thumbnails
   Coord part_distance_nm = 6'000'000;  ///< duplicate_distance: between copies that are arranged
   /// Between copies that are arranged, where it is more: extruder_clearance_radius with
@@ -71,7 +72,7 @@ struct JobSlicingOptions {
 
 /// Options of the slicing stage.
 struct SlicingOptions : JobSlicingOptions {
-  std::vector<ObjectSlicingOptions> objects = {{}};  ///< by object
+  std::vector<ObjectSlicingOptions> objects = {{}};  ///< options of each object
 
   using Row = JobSlicingOptions;
   template <typename Self>

@@ -14,7 +14,7 @@ namespace slicefarm {
 enum class LiftAfter : uint8_t {
   kAll,
   kTop,           ///< tops and ironing
-  kBottom,        ///< those of the first layer
+  kBottom,        ///< beads of the first layer
   kTopAndBottom,  ///< both
 };
 
@@ -28,12 +28,12 @@ struct RetractionOptions {
   double lift_above_mm = 0;        ///< retract_lift_above: no lift where the nozzle is lower
   double lift_below_mm = 0;        ///< retract_lift_below: nor higher than this; 0: however high
   LiftAfter lift_after = LiftAfter::kAll;  ///< retract_lift_enforce
-  bool ramping = false;            ///< travel_ramping_lift: the nozzle rises on its way
-  double ramp_lift_mm = 0;         ///< travel_max_lift: in place of lift_mm
-  double ramp_slope_deg = 0;       ///< travel_slope; 0 and 90: straight up
-  bool before_obstacles = false;   ///< travel_lift_before_obstacle: steeper where edges are near
-  bool wipe = false;               ///< wipe: the nozzle goes on along the path while retracting
-  double before_wipe = 0;          ///< retract_before_wipe: share of the length, in place
+  bool ramping = false;           ///< travel_ramping_lift: the nozzle rises along the travel
+  double ramp_lift_mm = 0;        ///< travel_max_lift: in place of lift_mm
+  double ramp_slope_deg = 0;      ///< travel_slope; 0 and 90: straight up
+  bool before_obstacles = false;  ///< travel_lift_before_obstacle: steeper where edges are near
+  bool wipe = false;              ///< wipe: the nozzle continues along the path while retracting
+  double before_wipe = 0;         ///< retract_before_wipe: share of the length, in place
 
   friend bool operator==(const RetractionOptions&, const RetractionOptions&) = default;
 };
@@ -68,7 +68,7 @@ struct ToolRow {
   Point offset;                           ///< extruder_offset, taken off all places in the G-code
   int32_t number = -1;                    ///< extruder - 1; -1: the machine has one tool
   double max_volumetric_speed_mm3_s = 0;  ///< filament_max_volumetric_speed; 0: unlimited
-  double pressure_advance = 0;            ///< pressure_advance, in the firmware's unit; 0: unchanged
+  double pressure_advance = 0;  ///< pressure_advance, in the firmware's unit; 0: unchanged
 
   double filament_diameter_mm = 1.75;    ///< filament_diameter
   double extrusion_multiplier = 1;       ///< extrusion_multiplier

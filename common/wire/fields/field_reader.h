@@ -14,7 +14,7 @@
 
 namespace slicefarm::internal {
 
-/// Reads what FieldWriter wrote. After the first fault it reads nothing, and leaves values alone.
+/// Reads the bytes of a FieldWriter. After the first fault it reads nothing and changes no value.
 class FieldReader {
  public:
   explicit FieldReader(std::string_view bytes) : left_(bytes) {}

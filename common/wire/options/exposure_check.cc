@@ -11,7 +11,7 @@ namespace {
 
 /// Finer lines have no meaning, and would take all memory.
 constexpr Coord kLeastHatchNm = 1'000;
-constexpr int32_t kMostCount = 1'000;  ///< of contours, and of layers that skins reach
+constexpr int32_t kMostCount = 1'000;  ///< largest number of contours, and of layers that skins reach
 
 absl::Status CheckStyle(const ExposureStyle& style) {
   absl::Status status = CheckNotNegative({{"styles.point_distance_nm", style.point_distance_nm}});

@@ -52,7 +52,7 @@ inline absl::Status CheckNoLessThanZero(std::string_view member, double value) {
 /// Returns an error unless a table has at least one row and at most limits::kMaxRegionSettings.
 absl::Status CheckRows(size_t rows, std::string_view table);
 
-/// Returns the first error that `check` finds in a row, with the way to it.
+/// Returns the first error that `check` finds in a row, with the path to it.
 template <typename Row, typename Check>
 absl::Status CheckEach(const std::vector<Row>& table, std::string_view name, const Check& check) {
   absl::Status status = CheckRows(table.size(), name);

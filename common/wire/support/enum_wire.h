@@ -24,10 +24,4 @@ absl::StatusOr<Model> EnumFromProto(Proto value, int count, std::string_view fie
   return static_cast<Model>(number - 1);
 }
 
-/// The model's value of an enum that is known to be one, as CheckComplete makes sure.
-template <typename Model, typename Proto>
-Model Known(Proto value) {
-  return static_cast<Model>(static_cast<int>(value) - 1);
-}
-
 }  // namespace slicefarm

@@ -34,7 +34,7 @@ class OfFdm : public ProcessSettings {
   std::vector<SettingSpec> Table() const override {
     return TableOf(kGroups);
   }
-  /// What PrusaSlicer knows is about filament.
+  /// All keys of PrusaSlicer are about filament.
   bool Knows(std::string_view key) const override { return FindKnownKey(key) != nullptr; }
   std::vector<Need> Needs() const override { return fdm::Needs(); }
 

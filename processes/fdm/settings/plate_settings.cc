@@ -11,7 +11,8 @@
 namespace slicefarm::config::fdm {
 namespace {
 
-/// How far an object's brim stands out from it. That of auto_brim is not known before its shape is.
+/// Returns the distance from an object to the outer edge of its brim; 0 for auto_brim, whose width
+/// depends on the shape.
 Coord BrimReach(const ObjectPlanOptions& object) {
   const BrimOptions& brim = object.brim;
   const bool outside = brim.type == BrimType::kOuterOnly || brim.type == BrimType::kOuterAndInner ||

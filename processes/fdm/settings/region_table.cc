@@ -11,7 +11,7 @@ bool IsOfWalls(Feature feature) {
          feature == Feature::kOverhangPerimeter || feature == Feature::kGapFill;
 }
 
-/// Returns the row without what walls do not depend on.
+/// Returns the row with standard values for all members that walls do not depend on.
 RegionRow WallsOf(const RegionRow& region) {
   RegionRow walls = region;
   walls.walls.wall_class = 0;

@@ -20,7 +20,7 @@ class RegionTable : public RegionRows {
 
  private:
   RowTable<RegionRow> table_;
-  std::vector<RegionRow> wall_classes_;  ///< by wall_class: what walls depend on; the rest is standard
+  std::vector<RegionRow> wall_classes_;  ///< rows reduced by WallsOf, by wall_class
 };
 
 }  // namespace slicefarm::config::fdm
