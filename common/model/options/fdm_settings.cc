@@ -6,12 +6,6 @@ namespace slicefarm {
 
 namespace {
 
-bool NeedsPlan(const RegionRow& region) {
-  const InfillOptions& infill = region.infill;
-  return infill.choose_pattern || InfoOf(infill.pattern).planned || infill.every_layers > 1 ||
-         infill.only_where_needed;
-}
-
 /// One member of each region.
 template <typename Member>
 std::vector<Member> Column(const FdmSettings& settings, Member RegionRow::*member) {
@@ -33,7 +27,9 @@ std::vector<InfillOptions> InfillOf(const FdmSettings& settings) {
 
 PlanningOptions PlanningOf(const FdmSettings& settings) {
   PlanningOptions options{settings.machine.plan, settings.objects, {}};
-  if (std::ranges::any_of(settings.regions, NeedsPlan)) options.infill = InfillOf(settings);
+  const bool needs_plan = std::ranges::any_of(
+      settings.regions, [](const RegionRow& region) { return NeedsPlan(region.infill); });
+  if (needs_plan) options.infill = InfillOf(settings);
   return options;
 }
 

@@ -100,4 +100,10 @@ inline bool BridgesSparse(const InfillOptions& options) {
          options.stress_field.empty();
 }
 
+/// Returns true if planning decides about the sparse infill: its pattern, its lines or its layers.
+inline bool NeedsPlan(const InfillOptions& options) {
+  return options.choose_pattern || InfoOf(options.pattern).planned || options.every_layers > 1 ||
+         options.only_where_needed;
+}
+
 }  // namespace slicefarm

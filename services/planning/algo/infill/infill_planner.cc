@@ -25,11 +25,6 @@ constexpr Coord kBridgedWidths = 2;
 /// A strip of so many beads has no room for lines of its own.
 constexpr Coord kNarrowWidths = 4;
 
-bool NeedsPlan(const InfillOptions& options) {
-  return options.choose_pattern || InfoOf(options.pattern).planned || options.every_layers > 1 ||
-         options.only_where_needed;
-}
-
 /// The distance of lines that the density asks for, in layers of the usual height.
 double PitchOf(const InfillOptions& options, const ObjectStack& stack) {
   Coord height_nm = 0;
