@@ -37,8 +37,8 @@ absl::StatusOr<v1::Usage> UsageOf(const std::string& tenant, JobStore& jobs, Blo
 
 void TellWaiting(const TaskExecutor& executor, v1::Job& job) {
   if (job.state() != v1::JOB_STATE_QUEUED && job.state() != v1::JOB_STATE_RUNNING) return;
-  const bool is_given = job.spec().process() != v1::PROCESS_UNSPECIFIED;
-  const Process process = is_given ? Known<Process>(job.spec().process()) : kDefaultProcess;
+  const Process process =
+      EnumFromProto<Process>(job.spec().process(), kProcessCount, "process").value_or(kDefaultProcess);
   if (executor.Slots(process) > 0) return;
   job.set_waits_for(fmt::format("a worker: none is connected that runs jobs of process {}",
                                 ProcessName(process)));
