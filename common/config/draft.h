@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "common/config/value.h"
+#include "common/config/table/value.h"
 #include "common/model/process.h"
 
 namespace slicefarm::config {

@@ -3,8 +3,8 @@
 #include <span>
 
 #include "absl/status/status.h"
-#include "common/model/options/setting.h"
 #include "common/model/process.h"
+#include "common/model/setting.h"
 
 namespace slicefarm::config {
 

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "common/base/error.h"
-#include "common/config/suggest.h"
+#include "common/config/table/suggest.h"
 
 namespace slicefarm::config {
 namespace {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/config/told_settings.h"
 #include "common/config/missing_feature.h"
-#include "common/model/options/setting.h"
+#include "common/config/told_settings.h"
 #include "common/model/options/settings.h"
+#include "common/model/setting.h"
 
 namespace slicefarm::config {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "common/model/options/setting.h"
 #include "common/model/scene/scene.h"
+#include "common/model/setting.h"
 
 namespace slicefarm::config {
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/model/options/setting.h"
+#include "common/model/setting.h"
 
 namespace slicefarm::config {
 

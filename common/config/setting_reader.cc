@@ -9,9 +9,9 @@
 #include "common/base/error.h"
 #include "common/base/text.h"
 #include "common/config/process_settings.h"
-#include "common/config/projects/orca_table.h"
-#include "common/config/suggest.h"
+#include "common/config/table/orca_table.h"
 #include "common/config/table/settings_table.h"
+#include "common/config/table/suggest.h"
 #include "common/model/limits.h"
 
 namespace slicefarm::config {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common/base/error.h"
-#include "common/config/value.h"
+#include "common/config/table/value.h"
 
 namespace slicefarm::config {
 

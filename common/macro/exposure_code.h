@@ -5,8 +5,8 @@
 #include "absl/status/statusor.h"
 #include "common/macro/template.h"
 #include "common/macro/template_value.h"
-#include "common/model/exposed_program.h"
-#include "common/model/layer.h"
+#include "common/model/layers/exposed_program.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/exposure_options.h"
 
 namespace slicefarm::macro {

@@ -4,7 +4,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/shared/shared.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/beading_options.h"
 #include "common/stage/neighbourhood.h"
 #include "common/stage/stage_call.h"

@@ -5,8 +5,8 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/shared/shared.h"
-#include "common/model/job_plan.h"
-#include "common/model/layer.h"
+#include "common/model/layers/job_plan.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/infill_options.h"
 #include "common/stage/neighbourhood.h"
 #include "common/stage/stage_call.h"

@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "absl/status/status.h"
-#include "common/model/job_plan.h"
-#include "common/model/layer.h"
+#include "common/model/layers/job_plan.h"
+#include "common/model/layers/layer.h"
 #include "common/model/scene/placed_scene.h"
 
 namespace slicefarm {

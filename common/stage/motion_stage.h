@@ -5,9 +5,9 @@
 #include "absl/status/statusor.h"
 #include "common/base/shared/shared.h"
 #include "common/model/job_facts.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
+#include "common/model/layers/program_summary.h"
 #include "common/model/options/motion_options.h"
-#include "common/model/program_summary.h"
 #include "common/stage/stage_call.h"
 
 namespace slicefarm {

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm {
 

@@ -8,7 +8,7 @@
 #include "absl/status/statusor.h"
 #include "common/geometry/polygon.h"
 #include "common/model/engraving/surface_mesh.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/slicing_options.h"
 #include "common/model/scene/mesh.h"
 #include "common/model/scene/orientation_advice.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/process.h"
 #include "common/stage/stage_call.h"
 #include "common/stage/stage_list.h"

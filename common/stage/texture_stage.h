@@ -6,7 +6,7 @@
 #include "common/base/shared/shared.h"
 #include "common/model/engraving/engrave_input.h"
 #include "common/model/engraving/engraved_layer.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/stage/stage_call.h"
 
 namespace slicefarm {

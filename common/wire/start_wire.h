@@ -5,7 +5,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/planning_options.h"
 #include "common/stage/beading_stage.h"
 #include "common/stage/infill_stage.h"

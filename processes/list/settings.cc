@@ -1,6 +1,8 @@
 #include <cstdlib>
+#include <vector>
 
 #include "common/config/process_settings.h"
+#include "common/config/table/settings_table.h"
 #include "processes/engrave/settings/engrave_settings.h"
 #include "processes/fdm/settings/fdm_settings.h"
 #include "processes/laser/settings/laser_settings.h"
@@ -21,5 +23,7 @@ const ProcessSettings& SettingsOf(Process process) {
   }
   std::abort();  // a Process is one of them
 }
+
+std::vector<SettingSpec> SpecsOf(Process process) { return SettingsOf(process).Table(); }
 
 }  // namespace slicefarm::config

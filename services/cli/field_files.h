@@ -4,7 +4,7 @@
 #include <string>
 
 #include "absl/status/statusor.h"
-#include "common/model/options/setting.h"
+#include "common/model/setting.h"
 
 namespace slicefarm::cli {
 

@@ -9,7 +9,7 @@
 
 #include "common/base/text.h"
 #include "common/config/process_settings.h"
-#include "common/config/suggest.h"
+#include "common/config/table/suggest.h"
 #include "services/cli/job_options.h"
 
 namespace slicefarm::cli {

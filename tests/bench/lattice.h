@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm::bench {
 

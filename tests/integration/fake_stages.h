@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/model/exposed_program.h"
+#include "common/model/layers/exposed_program.h"
 #include "common/model/options/exposure_settings.h"
 #include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/server_stream.h"

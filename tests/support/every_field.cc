@@ -7,7 +7,7 @@
 
 #include "google/protobuf/descriptor.h"
 
-#include "common/model/job_plan.h"
+#include "common/model/layers/job_plan.h"
 
 namespace slicefarm {
 namespace {

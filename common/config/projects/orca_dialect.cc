@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "common/config/value.h"
+#include "common/config/table/value.h"
 #include "common/geometry/measure.h"
 
 namespace slicefarm::config {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "common/config/value.h"
+#include "common/config/table/value.h"
 
 namespace slicefarm::config {
 namespace {

@@ -16,11 +16,11 @@
 #include "common/config/projects/orca_dialect.h"
 #include "common/config/projects/orca_mesh.h"
 #include "common/config/projects/orca_placeholders.h"
-#include "common/config/projects/orca_table.h"
 #include "common/config/projects/orca_weights.h"
 #include "common/config/table/known_keys.h"
+#include "common/config/table/orca_table.h"
 #include "common/config/table/settings_table.h"
-#include "common/config/value.h"
+#include "common/config/table/value.h"
 
 namespace slicefarm::config {
 namespace {

@@ -7,8 +7,8 @@
 #include <iterator>
 #include <set>
 
-#include "common/config/projects/orca_table.h"
 #include "common/config/table/known_keys.h"
+#include "common/config/table/orca_table.h"
 #include "common/config/table/settings_table.h"
 
 namespace slicefarm::config::orca_settings_test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/config/projects/orca_table.h"
+#include "common/config/table/orca_table.h"
 
 namespace slicefarm::config::orca_weights_test {
 namespace {

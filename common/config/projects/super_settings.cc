@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "common/base/text.h"
-#include "common/config/value.h"
+#include "common/config/table/value.h"
 
 namespace slicefarm::config {
 namespace {

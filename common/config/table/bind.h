@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/config/table/field.h"
-#include "common/config/value.h"
+#include "common/config/table/value.h"
 #include "common/model/milling/cutter_text.h"
 #include "common/model/options/settings.h"
 

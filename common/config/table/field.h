@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "common/config/value.h"
+#include "common/config/table/value.h"
 
 namespace slicefarm {
 struct JobRows;

@@ -10,8 +10,7 @@
 #include "absl/strings/str_join.h"
 #include "common/base/error.h"
 #include "common/base/text.h"
-#include "common/config/process_settings.h"
-#include "common/config/suggest.h"
+#include "common/config/table/suggest.h"
 #include "common/gcode/substitutions.h"
 #include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
@@ -25,7 +24,7 @@ namespace slicefarm::config {
 namespace {
 
 std::vector<SettingSpec> MakeTable(Process process) {
-  std::vector<SettingSpec> table = SettingsOf(process).Table();
+  std::vector<SettingSpec> table = SpecsOf(process);
   std::sort(table.begin(), table.end(),
             [](const SettingSpec& a, const SettingSpec& b) { return a.key < b.key; });
   return table;

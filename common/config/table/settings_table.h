@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/config/table/setting_spec.h"
@@ -13,6 +14,10 @@ namespace slicefarm::config {
 /// All settings that have an effect on jobs of the process, sorted by key. Made once; cheap to
 /// call.
 std::span<const SettingSpec> SettingsTable(Process process);
+
+/// Returns the specs of a process, in any order. Defined by processes/list/settings.cc, the list of
+/// processes. Called once for each process.
+std::vector<SettingSpec> SpecsOf(Process process);
 
 /// Index into SettingsTable(process), or -1.
 int FindSetting(std::string_view key, Process process);

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "common/geometry/point.h"
-#include "common/model/options/setting.h"
 #include "common/model/scene/mesh.h"
 #include "common/model/scene/part_role.h"
 #include "common/model/scene/placement.h"
 #include "common/model/scene/transform.h"
+#include "common/model/setting.h"
 
 namespace slicefarm {
 

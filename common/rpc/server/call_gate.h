@@ -10,7 +10,7 @@
 #include "absl/status/status.h"
 #include "common/base/cancel_token.h"
 #include "common/base/trace_context.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/rpc/observe/json_log.h"
 #include "common/rpc/server/admission.h"
 #include "common/rpc/server/call_scope.h"

@@ -4,7 +4,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/stage/stage_call.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/texture.pb.h"

@@ -2,7 +2,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/fill_use.h"
+#include "common/model/layers/fill_use.h"
 #include "slicefarm/v1/layer.pb.h"
 
 namespace slicefarm {

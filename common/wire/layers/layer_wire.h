@@ -5,7 +5,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/wire/support/wire_error.h"
 #include "slicefarm/v1/layer.pb.h"
 

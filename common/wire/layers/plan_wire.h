@@ -6,7 +6,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/model/job_facts.h"
-#include "common/model/job_plan.h"
+#include "common/model/layers/job_plan.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/layer.pb.h"

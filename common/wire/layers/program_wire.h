@@ -4,9 +4,9 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/layer.h"
 #include "common/model/layer_warning.h"
-#include "common/model/program_summary.h"
+#include "common/model/layers/layer.h"
+#include "common/model/layers/program_summary.h"
 #include "common/stage/stage_list.h"
 #include "slicefarm/v1/layer.pb.h"
 #include "slicefarm/v1/motion.pb.h"

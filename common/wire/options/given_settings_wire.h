@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "common/model/options/setting.h"
+#include "common/model/setting.h"
 #include "slicefarm/v1/jobs.pb.h"
 
 namespace slicefarm {

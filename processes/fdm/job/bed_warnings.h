@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/model/job_plan.h"
+#include "common/model/layers/job_plan.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 

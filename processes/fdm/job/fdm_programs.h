@@ -8,8 +8,8 @@
 #include "common/base/cancel_token.h"
 #include "common/base/spooled_text.h"
 #include "common/gcode/substitutions.h"
-#include "common/model/layer.h"
-#include "common/model/program_summary.h"
+#include "common/model/layers/layer.h"
+#include "common/model/layers/program_summary.h"
 
 namespace slicefarm::coordinator {
 

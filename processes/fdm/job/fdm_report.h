@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "common/model/filament_use.h"
-#include "common/model/fill_use.h"
-#include "common/model/job_plan.h"
+#include "common/model/layers/filament_use.h"
+#include "common/model/layers/fill_use.h"
+#include "common/model/layers/job_plan.h"
 #include "common/model/print_times.h"
 #include "services/coordinator/algo/pipeline/job_process.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm::coordinator {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "common/model/job_facts.h"
-#include "common/model/job_plan.h"
-#include "common/model/layer.h"
+#include "common/model/layers/job_plan.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm::coordinator {
 

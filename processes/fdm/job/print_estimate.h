@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/fdm_settings.h"
 #include "common/model/options/settings.h"
 #include "common/stage/stages.h"

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "common/model/job_plan.h"
+#include "common/model/layers/job_plan.h"
 #include "processes/fdm/job/print_estimate.h"
 
 namespace slicefarm::coordinator {

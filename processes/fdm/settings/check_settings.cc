@@ -9,7 +9,7 @@
 
 #include "common/base/error.h"
 #include "common/config/setting_refusal.h"
-#include "common/config/value.h"
+#include "common/config/table/value.h"
 #include "common/model/options/adhesion_options.h"
 #include "common/model/options/machine_limits.h"
 

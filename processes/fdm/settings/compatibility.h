@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/config/missing_feature.h"
-#include "common/model/options/setting.h"
+#include "common/model/setting.h"
 
 namespace slicefarm::config::fdm {
 

@@ -4,8 +4,8 @@
 
 #include "absl/status/statusor.h"
 #include "common/config/missing_feature.h"
-#include "common/model/options/setting.h"
 #include "common/model/scene/scene.h"
+#include "common/model/setting.h"
 
 namespace slicefarm::config::fdm {
 

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "common/model/fill_use.h"
 #include "common/model/job_facts.h"
-#include "common/model/job_plan.h"
 #include "common/model/layer_warning.h"
+#include "common/model/layers/fill_use.h"
+#include "common/model/layers/job_plan.h"
 #include "common/model/options/fdm_settings.h"
 #include "common/stage/task.h"
 

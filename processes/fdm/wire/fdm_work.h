@@ -4,8 +4,8 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/job_plan.h"
-#include "common/model/layer.h"
+#include "common/model/layers/job_plan.h"
+#include "common/model/layers/layer.h"
 #include "common/wire/shared_wire.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "slicefarm/v1/worker.pb.h"

@@ -4,7 +4,7 @@
 
 #include "absl/status/status.h"
 #include "common/geometry/measure.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/exposure_settings.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/base/shared/shared.h"
-#include "common/model/exposed_program.h"
+#include "common/model/layers/exposed_program.h"
 #include "common/stage/exposure_stage.h"
 #include "common/stage/task.h"
 

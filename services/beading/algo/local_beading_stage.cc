@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/model/region_check.h"
+#include "common/model/layers/region_check.h"
 #include "services/beading/algo/section_walls.h"
 
 namespace slicefarm::beading {

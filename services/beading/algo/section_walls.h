@@ -4,7 +4,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/beading_options.h"
 #include "services/beading/algo/arachne/neighbour_outlines.h"
 

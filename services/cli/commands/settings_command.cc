@@ -7,8 +7,8 @@
 
 #include "common/base/error.h"
 #include "common/config/coverage.h"
-#include "common/config/suggest.h"
 #include "common/config/table/settings_table.h"
+#include "common/config/table/suggest.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console/console.h"
 #include "services/cli/job_options.h"

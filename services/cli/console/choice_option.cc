@@ -9,7 +9,7 @@
 
 #include "absl/strings/str_join.h"
 #include "common/base/text.h"
-#include "common/config/suggest.h"
+#include "common/config/table/suggest.h"
 
 namespace slicefarm::cli {
 namespace {

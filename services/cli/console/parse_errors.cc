@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "common/config/suggest.h"
 #include "common/config/table/settings_table.h"
+#include "common/config/table/suggest.h"
 #include "common/model/process.h"
 
 namespace slicefarm::cli {

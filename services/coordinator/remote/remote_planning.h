@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/model/job_plan.h"
+#include "common/model/layers/job_plan.h"
 #include "common/model/options/planning_options.h"
 #include "common/stage/planning_stage.h"
 #include "common/stage/slicing_stage.h"

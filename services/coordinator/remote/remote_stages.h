@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "common/base/shared/shared.h"
-#include "common/model/exposed_program.h"
-#include "common/model/job_plan.h"
+#include "common/model/layers/exposed_program.h"
+#include "common/model/layers/job_plan.h"
 #include "common/model/options/exposure_settings.h"
 #include "common/model/options/motion_options.h"
 #include "common/model/options/planning_options.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
-#include "common/model/region_check.h"
+#include "common/model/layers/region_check.h"
 #include "services/exposure/algo/expose_region.h"
 #include "services/exposure/algo/scan/block_order.h"
 #include "services/exposure/algo/scan/deep_outlines.h"

@@ -4,9 +4,9 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "common/model/exposed_layer.h"
-#include "common/model/job_plan.h"
-#include "common/model/layer.h"
+#include "common/model/layers/exposed_layer.h"
+#include "common/model/layers/job_plan.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/exposure_options.h"
 #include "common/stage/object_layers.h"
 #include "services/exposure/algo/exposure_report.h"

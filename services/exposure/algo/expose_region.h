@@ -7,7 +7,7 @@
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
 #include "common/geometry/polygon.h"
-#include "common/model/exposed_layer.h"
+#include "common/model/layers/exposed_layer.h"
 #include "common/model/options/exposure_options.h"
 #include "services/exposure/algo/scan/skins.h"
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "common/model/exposed_layer.h"
+#include "common/model/layers/exposed_layer.h"
 #include "common/model/options/exposure_options.h"
 
 namespace slicefarm::exposure {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/base/error.h"
-#include "common/model/region_check.h"
+#include "common/model/layers/region_check.h"
 #include "common/stage/object_layers.h"
 #include "services/infill/algo/section_fill.h"
 

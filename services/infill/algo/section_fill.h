@@ -3,8 +3,8 @@
 #include <span>
 
 #include "absl/status/statusor.h"
-#include "common/model/job_plan.h"
-#include "common/model/layer.h"
+#include "common/model/layers/job_plan.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/infill_options.h"
 #include "common/stage/object_layers.h"
 #include "services/infill/algo/fields/region_fields.h"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/infill_options.h"
 #include "common/stage/object_layers.h"
 #include "services/infill/algo/skins/skins.h"

@@ -8,7 +8,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/polygon.h"
 #include "common/model/bead_section.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/path.h"
 #include "services/infill/algo/quality/fill_plastic.h"
 

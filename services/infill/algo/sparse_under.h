@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "absl/status/statusor.h"
-#include "common/model/job_plan.h"
+#include "common/model/layers/job_plan.h"
 #include "services/infill/algo/section_view.h"
 #include "services/infill/algo/skins/sparse_bridges.h"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "common/model/layers/region_check.h"
 #include "common/model/limits.h"
-#include "common/model/region_check.h"
 
 namespace slicefarm::motion {
 namespace {

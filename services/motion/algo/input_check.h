@@ -1,7 +1,7 @@
 #pragma once
 
 #include "absl/status/status.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion {

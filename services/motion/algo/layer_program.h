@@ -5,7 +5,7 @@
 #include "absl/status/statusor.h"
 #include "common/model/fields/material_field.h"
 #include "common/model/job_facts.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/motion_options.h"
 #include "services/motion/algo/macro/layer_code.h"
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "common/model/layers/program_summary.h"
 #include "common/model/options/motion_options.h"
-#include "common/model/program_summary.h"
 
 namespace slicefarm::motion {
 

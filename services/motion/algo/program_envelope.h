@@ -1,9 +1,9 @@
 #pragma once
 
 #include "absl/status/statusor.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
+#include "common/model/layers/program_summary.h"
 #include "common/model/options/motion_options.h"
-#include "common/model/program_summary.h"
 
 namespace slicefarm::motion {
 

@@ -3,8 +3,8 @@
 #include <span>
 
 #include "absl/status/statusor.h"
-#include "common/model/job_plan.h"
-#include "common/model/layer.h"
+#include "common/model/layers/job_plan.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/ordering_options.h"
 
 namespace slicefarm::ordering {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "common/model/job_plan.h"
-#include "common/model/layer.h"
+#include "common/model/layers/job_plan.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/ordering_options.h"
 #include "services/ordering/algo/travel_order.h"
 

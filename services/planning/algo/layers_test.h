@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/geometry/text_format_test.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm::planning {
 

@@ -1,4 +1,4 @@
-#include "common/model/job_plan.h"
+#include "common/model/layers/job_plan.h"
 #include "common/model/limits.h"
 #include "processes/fdm/settings/table/settings_sections.h"
 

@@ -1,4 +1,4 @@
-#include "common/config/value.h"
+#include "common/config/table/value.h"
 #include "processes/fdm/settings/table/settings_sections.h"
 
 namespace slicefarm::config::fdm {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "common/model/job_plan.h"
+#include "common/model/layers/job_plan.h"
 
 namespace slicefarm::coordinator {
 

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "absl/status/status.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm::coordinator {
 

@@ -9,7 +9,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/spooled_text.h"
-#include "common/model/filament_use.h"
+#include "common/model/layers/filament_use.h"
 #include "common/stage/slice_input.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/task.h"

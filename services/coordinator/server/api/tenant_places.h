@@ -7,7 +7,7 @@
 
 #include "absl/status/statusor.h"
 
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm::coordinator {
 

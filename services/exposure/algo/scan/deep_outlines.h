@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "common/geometry/polygon.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/stage/object_layers.h"
 
 namespace slicefarm::exposure {

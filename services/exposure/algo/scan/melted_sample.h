@@ -4,7 +4,7 @@
 #include <span>
 
 #include "common/geometry/polygon.h"
-#include "common/model/exposed_layer.h"
+#include "common/model/layers/exposed_layer.h"
 #include "common/model/options/exposure_options.h"
 
 namespace slicefarm::exposure {

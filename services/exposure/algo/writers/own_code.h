@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/exposed_program.h"
+#include "common/model/layers/exposed_program.h"
 #include "common/model/options/exposure_options.h"
 
 namespace slicefarm::exposure {

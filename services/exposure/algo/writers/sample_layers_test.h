@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "common/model/exposed_layer.h"
+#include "common/model/layers/exposed_layer.h"
 #include "services/exposure/algo/writers/writers.h"
 
 namespace slicefarm::exposure {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/infill_options.h"
 #include "services/infill/algo/fields/layer_field.h"
 #include "services/infill/algo/fields/streamlines.h"

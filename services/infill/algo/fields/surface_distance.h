@@ -8,7 +8,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/geometry/measure.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm::infill {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "common/model/fill_use.h"
+#include "common/model/layers/fill_use.h"
 #include "common/model/path.h"
 
 namespace slicefarm::infill {

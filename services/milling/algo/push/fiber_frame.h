@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/model/milling/cutter.h"
-#include "common/model/options/setting.h"
+#include "common/model/setting.h"
 #include "services/milling/algo/mesh/triangle_mesh.h"
 #include "services/milling/algo/push/edge_push.h"
 #include "services/milling/algo/push/facet_push.h"

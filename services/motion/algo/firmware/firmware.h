@@ -7,8 +7,8 @@
 
 #include "common/gcode/gcode_text.h"
 #include "common/kinematics/planner.h"
+#include "common/model/layers/program_summary.h"
 #include "common/model/options/motion_options.h"
-#include "common/model/program_summary.h"
 #include "services/motion/algo/text/gcode_line.h"
 
 namespace slicefarm::motion {

@@ -9,7 +9,7 @@
 #include "common/gcode/gcode_text.h"
 #include "common/gcode/modal.h"
 #include "common/geometry/arc_fit.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/firmware/material_mix.h"
 #include "services/motion/algo/gcode/extruder_words.h"

@@ -3,10 +3,10 @@
 #include <span>
 #include <string>
 
-#include "common/model/job_facts.h"
-#include "common/model/options/motion_options.h"
-#include "common/model/program_summary.h"
 #include "common/gcode/gcode_text.h"
+#include "common/model/job_facts.h"
+#include "common/model/layers/program_summary.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion {
 

@@ -12,7 +12,7 @@
 #include "common/base/duration_text.h"
 #include "common/gcode/gcode_text.h"
 #include "common/macro/settings_text.h"
-#include "common/model/filament_use.h"
+#include "common/model/layers/filament_use.h"
 #include "services/motion/algo/text/comment_text.h"
 
 namespace slicefarm::motion {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "common/model/layers/program_summary.h"
 #include "common/model/options/motion_options.h"
-#include "common/model/program_summary.h"
 
 namespace slicefarm::motion {
 

@@ -7,7 +7,7 @@
 #include "absl/status/statusor.h"
 #include "common/macro/job_code.h"
 #include "common/macro/template_run.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/height_code.h"
 #include "common/model/options/motion_options.h"
 

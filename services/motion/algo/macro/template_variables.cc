@@ -8,7 +8,7 @@
 #include "common/base/duration_text.h"
 #include "common/geometry/measure.h"
 #include "common/macro/setting_variables.h"
-#include "common/model/filament_use.h"
+#include "common/model/layers/filament_use.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/text/comment_text.h"
 #include "services/motion/algo/toolpath/footprint.h"

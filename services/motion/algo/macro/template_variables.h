@@ -4,9 +4,9 @@
 
 #include "common/macro/template_value.h"
 #include "common/model/job_facts.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
+#include "common/model/layers/program_summary.h"
 #include "common/model/options/motion_options.h"
-#include "common/model/program_summary.h"
 #include "services/motion/algo/toolpath/layer_place.h"
 
 namespace slicefarm::motion {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "common/kinematics/planner.h"
+#include "common/model/layers/program_summary.h"
 #include "common/model/options/motion_options.h"
-#include "common/model/program_summary.h"
 #include "services/motion/algo/program/gcode_machine.h"
 #include "services/motion/algo/program/heat_waits.h"
 

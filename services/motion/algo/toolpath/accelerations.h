@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/motion_options.h"
 #include "common/model/path.h"
 #include "services/motion/algo/toolpath/toolpath.h"

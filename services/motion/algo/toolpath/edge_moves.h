@@ -4,7 +4,7 @@
 #include <span>
 
 #include "common/kinematics/kinematic_move.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
 namespace slicefarm::motion {

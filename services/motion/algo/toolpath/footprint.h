@@ -3,7 +3,7 @@
 #include <span>
 
 #include "common/geometry/polygon.h"
-#include "common/model/program_summary.h"
+#include "common/model/layers/program_summary.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
 namespace slicefarm::motion {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "common/model/job_facts.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm::motion {
 

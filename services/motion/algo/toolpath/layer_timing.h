@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/kinematics/planner.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/motion_options.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/toolpath/overhang.h"

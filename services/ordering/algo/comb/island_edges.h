@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "services/ordering/algo/comb/barrier.h"
 #include "services/ordering/algo/comb/edge_strips.h"
 

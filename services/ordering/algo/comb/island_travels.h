@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/ordering_options.h"
 #include "services/ordering/algo/comb/curled_ways.h"
 #include "services/ordering/algo/comb/island_edges.h"

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/ordering_options.h"
 #include "services/ordering/algo/comb/clear_ways.h"
 #include "services/ordering/algo/comb/edge_strips.h"

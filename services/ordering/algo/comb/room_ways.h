@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/geometry/polygon.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm::ordering {
 

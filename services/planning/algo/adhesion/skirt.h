@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/adhesion_options.h"
 #include "common/model/path.h"
 

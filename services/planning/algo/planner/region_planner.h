@@ -7,8 +7,8 @@
 
 #include "absl/status/status.h"
 #include "common/base/cancel_token.h"
-#include "common/model/job_plan.h"
-#include "common/model/layer.h"
+#include "common/model/layers/job_plan.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm::planning {
 

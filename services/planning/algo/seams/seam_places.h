@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "services/planning/algo/rings/region_edges.h"
 
 namespace slicefarm::planning {

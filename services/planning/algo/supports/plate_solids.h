@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "common/model/job_plan.h"
-#include "common/model/layer.h"
+#include "common/model/layers/job_plan.h"
+#include "common/model/layers/layer.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "services/planning/algo/support/support_problem.h"

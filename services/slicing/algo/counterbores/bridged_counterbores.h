@@ -3,7 +3,7 @@
 #include <span>
 
 #include "common/base/cancel_token.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/slicing_options.h"
 
 namespace slicefarm::slicing {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm::slicing {
 

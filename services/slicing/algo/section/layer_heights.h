@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/layer_heights.h"
 #include "common/stage/slice_input.h"
 #include "common/stage/stages.h"

@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/scene/scene.h"
 #include "services/slicing/algo/section/regions.h"
 

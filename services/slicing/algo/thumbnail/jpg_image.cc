@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "common/base/error.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm::slicing {
 namespace {

@@ -3,7 +3,7 @@
 #include <condition_variable>
 #include <mutex>
 
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm::load {
 

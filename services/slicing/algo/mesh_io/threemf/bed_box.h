@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "common/model/options/setting.h"
+#include "common/model/setting.h"
 
 namespace slicefarm::slicing::threemf {
 

@@ -6,7 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "services/slicing/algo/placement/arranging/footprint.h"
 
 namespace slicefarm::slicing {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/options/setting.h"
+#include "common/model/setting.h"
 
 namespace slicefarm::slicing::threemf {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "common/model/options/setting.h"
+#include "common/model/setting.h"
 
 namespace slicefarm::slicing::threemf {
 

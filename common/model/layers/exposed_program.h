@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "common/model/exposed_layer.h"
-#include "common/model/layer.h"
+#include "common/model/layers/exposed_layer.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm {
 

@@ -1,4 +1,4 @@
-#include "common/model/fill_use.h"
+#include "common/model/layers/fill_use.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "common/config/value.h"
+#include "common/config/table/value.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

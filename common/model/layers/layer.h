@@ -9,7 +9,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/polygon.h"
-#include "common/model/fill_use.h"
+#include "common/model/layers/fill_use.h"
 #include "common/model/path.h"
 #include "common/model/print_times.h"
 #include "common/model/region.h"

@@ -1,4 +1,4 @@
-#include "common/model/filament_use.h"
+#include "common/model/layers/filament_use.h"
 
 #include "common/model/options/motion_options.h"
 

@@ -1,4 +1,4 @@
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "common/config/projects/orca_table.h"
+#include "common/config/table/orca_table.h"
 
 #include <iterator>
 #include <vector>

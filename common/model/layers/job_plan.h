@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/options/fill_patterns.h"
 #include "common/model/path.h"
 #include "common/model/region.h"

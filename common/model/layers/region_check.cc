@@ -1,4 +1,4 @@
-#include "common/model/region_check.h"
+#include "common/model/layers/region_check.h"
 
 #include <fmt/core.h>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/model/job_facts.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 #include "common/model/scene/mesh.h"
 
 namespace slicefarm {

@@ -1,4 +1,4 @@
-#include "common/config/suggest.h"
+#include "common/config/table/suggest.h"
 
 #include <algorithm>
 #include <utility>

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "absl/status/status.h"
-#include "common/model/layer.h"
+#include "common/model/layers/layer.h"
 
 namespace slicefarm {
 
