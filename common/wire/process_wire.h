@@ -9,10 +9,10 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/wire/layers/layer_wire.h"
+#include "common/wire/layers/message_stream.h"
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/shared_wire.h"
 #include "common/wire/stage_call_wire.h"
-#include "common/wire/support/message_stream.h"
 #include "common/wire/task_wire.h"
 
 namespace slicefarm {

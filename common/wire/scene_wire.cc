@@ -8,10 +8,10 @@
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 #include "common/model/limits.h"
-#include "common/wire/mesh_wire.h"
 #include "common/wire/options/given_settings_wire.h"
 #include "common/wire/slice_object_wire.h"
 #include "common/wire/support/enum_wire.h"
+#include "common/wire/support/mesh_wire.h"
 #include "common/wire/support/wire_error.h"
 
 namespace slicefarm {

@@ -6,12 +6,12 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
-#include "common/wire/geometry_wire.h"
 #include "common/wire/layers/plan_wire.h"
-#include "common/wire/mesh_wire.h"
 #include "common/wire/options/options_wire.h"
 #include "common/wire/slice_object_wire.h"
 #include "common/wire/stage_call_wire.h"
+#include "common/wire/support/geometry_wire.h"
+#include "common/wire/support/mesh_wire.h"
 #include "common/wire/support/repeated_wire.h"
 #include "common/wire/support/wire_error.h"
 

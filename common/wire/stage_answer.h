@@ -6,8 +6,8 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/base/shared/shared_cache.h"
+#include "common/wire/layers/message_stream.h"
 #include "common/wire/shared_wire.h"
-#include "common/wire/support/message_stream.h"
 
 namespace slicefarm {
 

@@ -17,13 +17,13 @@
 
 #include "common/base/sha256.h"
 #include "common/base/temp_directory_test.h"
+#include "common/picture/picture_test.h"
 #include "services/cli/console/exit_code.h"
-#include "services/cli/fake_coordinator_test.h"
 #include "services/cli/console/files.h"
 #include "services/cli/console/program_fixture_test.h"
+#include "services/cli/farm/fake_coordinator_test.h"
 #include "services/cli/render/gcode_layer.h"
 #include "services/cli/render/layer_drawing.h"
-#include "common/picture/picture_test.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"
 

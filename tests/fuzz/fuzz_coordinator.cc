@@ -10,7 +10,7 @@
 #include <string>
 
 #include "common/rpc/server/call_queue.h"
-#include "common/wire/mesh_wire.h"
+#include "common/wire/support/mesh_wire.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/dispatch/fleet.h"
 #include "services/coordinator/server/execution/fake_stages_test.h"

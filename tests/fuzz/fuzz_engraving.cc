@@ -2,8 +2,8 @@
 
 #include "common/wire/engraving/engrave_input_wire.h"
 #include "common/wire/engraving/engraved_wire.h"
+#include "common/wire/layers/message_stream.h"
 #include "common/wire/start_wire.h"
-#include "common/wire/support/message_stream.h"
 #include "services/texture/algo/local_texture_stage.h"
 #include "tests/fuzz/calls.pb.h"
 #include "tests/fuzz/proto_mutator.h"

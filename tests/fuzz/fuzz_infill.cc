@@ -2,10 +2,10 @@
 #include <vector>
 
 #include "common/wire/layers/layer_wire.h"
+#include "common/wire/layers/message_stream.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
-#include "common/wire/support/message_stream.h"
 #include "common/wire/support/repeated_wire.h"
 #include "services/infill/algo/local_infill_stage.h"
 #include "tests/fuzz/calls.pb.h"

@@ -1,10 +1,10 @@
 #include <utility>
 #include <vector>
 
+#include "common/wire/layers/message_stream.h"
 #include "common/wire/milling/mill_input_wire.h"
 #include "common/wire/milling/mill_start_wire.h"
 #include "common/wire/milling/milled_wire.h"
-#include "common/wire/support/message_stream.h"
 #include "services/milling/algo/local_milling_stage.h"
 #include "tests/fuzz/calls.pb.h"
 #include "tests/fuzz/proto_mutator.h"

@@ -1,11 +1,11 @@
 #include <vector>
 
+#include "common/wire/layers/message_stream.h"
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/options/options_wire.h"
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
-#include "common/wire/support/message_stream.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "tests/fuzz/calls.pb.h"
 #include "tests/fuzz/proto_mutator.h"

@@ -1,9 +1,9 @@
 #include <vector>
 
+#include "common/wire/layers/message_stream.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
-#include "common/wire/support/message_stream.h"
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "tests/fuzz/calls.pb.h"
 #include "tests/fuzz/proto_mutator.h"

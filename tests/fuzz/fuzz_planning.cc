@@ -3,9 +3,9 @@
 
 #include "common/geometry/polygon.h"
 #include "common/stage/print_layers.h"
+#include "common/wire/layers/message_stream.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/start_wire.h"
-#include "common/wire/support/message_stream.h"
 #include "services/planning/algo/local_planning_stage.h"
 #include "tests/fuzz/calls.pb.h"
 #include "tests/fuzz/proto_mutator.h"

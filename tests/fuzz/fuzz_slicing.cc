@@ -1,10 +1,10 @@
 #include <algorithm>
 
+#include "common/wire/layers/message_stream.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/options/options_wire.h"
 #include "common/wire/slice_object_wire.h"
 #include "common/wire/slicing_wire.h"
-#include "common/wire/support/message_stream.h"
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "tests/fuzz/calls.pb.h"
 #include "tests/fuzz/proto_mutator.h"

@@ -3,12 +3,12 @@
 #include <utility>
 
 #include "common/geometry/text_format_test.h"
-#include "common/stage/slice_input_test.h"
 #include "common/stage/print_layers.h"
+#include "common/stage/slice_input_test.h"
 #include "common/wire/layers/layer_wire.h"
+#include "common/wire/layers/message_stream.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/start_wire.h"
-#include "common/wire/support/message_stream.h"
 
 namespace slicefarm {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "common/stage/slice_input_test.h"
 #include "processes/list/jobs.h"
-#include "services/cli/local_pipeline.h"
+#include "services/cli/local/local_pipeline.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
 #include "tests/corpus_file.h"
 

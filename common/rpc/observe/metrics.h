@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/rpc/server/http_pages.h"
+#include "common/rpc/observe/http_pages.h"
 #include "prometheus/collectable.h"
 #include "prometheus/registry.h"
 

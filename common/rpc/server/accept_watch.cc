@@ -14,7 +14,7 @@
 
 #include "common/base/stoppable_sleep.h"
 #include "common/base/stopwatch.h"
-#include "common/rpc/server/socket_address.h"
+#include "common/rpc/address/socket_address.h"
 
 namespace slicefarm::rpc {
 namespace {

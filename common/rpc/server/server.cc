@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/rpc/address/listen_address.h"
 #include "common/rpc/client/health.h"
-#include "common/rpc/server/listen_address.h"
 #include "common/rpc/server/storage_errors.h"
 #include "common/rpc/server/unreadable_request.h"
 

@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "common/base/error.h"
-#include "common/wire/geometry_wire.h"
 #include "common/wire/support/enum_wire.h"
+#include "common/wire/support/geometry_wire.h"
 #include "common/wire/support/wire_error.h"
 
 namespace slicefarm {

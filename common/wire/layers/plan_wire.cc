@@ -6,11 +6,11 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
-#include "common/wire/geometry_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/path_wire.h"
 #include "common/wire/layers/region_wire.h"
 #include "common/wire/support/enum_wire.h"
+#include "common/wire/support/geometry_wire.h"
 #include "common/wire/support/repeated_wire.h"
 
 namespace slicefarm {

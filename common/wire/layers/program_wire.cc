@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "common/model/limits.h"
-#include "common/wire/geometry_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
-#include "common/wire/mesh_wire.h"
 #include "common/wire/support/amounts.h"
 #include "common/wire/support/box_wire.h"
 #include "common/wire/support/enum_wire.h"
+#include "common/wire/support/geometry_wire.h"
+#include "common/wire/support/mesh_wire.h"
 #include "common/wire/support/repeated_wire.h"
 
 namespace slicefarm {

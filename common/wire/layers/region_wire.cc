@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "common/model/limits.h"
-#include "common/wire/geometry_wire.h"
 #include "common/wire/support/enum_wire.h"
+#include "common/wire/support/geometry_wire.h"
 #include "common/wire/support/wire_error.h"
 
 namespace slicefarm {

@@ -5,8 +5,8 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
-#include "common/wire/geometry_wire.h"
 #include "common/wire/support/enum_wire.h"
+#include "common/wire/support/geometry_wire.h"
 #include "common/wire/support/wire_error.h"
 
 namespace slicefarm {

@@ -2,7 +2,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/geometry/measure.h"
-#include "common/wire/geometry_wire.h"
+#include "common/wire/support/geometry_wire.h"
 #include "common/wire/support/wire_error.h"
 
 namespace slicefarm {

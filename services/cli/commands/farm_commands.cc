@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "common/base/error.h"
-#include "services/cli/console/choice_option.h"
 #include "services/cli/commands/commands.h"
+#include "services/cli/console/choice_option.h"
 #include "services/cli/console/console.h"
 #include "services/cli/console/files.h"
-#include "services/cli/jobs_client.h"
-#include "services/cli/json_text.h"
-#include "services/cli/server_options.h"
-#include "services/cli/summary.h"
+#include "services/cli/farm/jobs_client.h"
+#include "services/cli/farm/json_text.h"
+#include "services/cli/farm/server_options.h"
+#include "services/cli/job/summary.h"
 
 namespace slicefarm::cli {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "common/base/error.h"
 #include "common/rpc/client/channel.h"
+#include "common/rpc/client/client_security.h"
 #include "common/rpc/client/health.h"
-#include "common/rpc/security/client_security.h"
-#include "services/cli/console/choice_option.h"
 #include "services/cli/commands/commands.h"
+#include "services/cli/console/choice_option.h"
 #include "services/cli/console/console.h"
 
 namespace slicefarm::cli {

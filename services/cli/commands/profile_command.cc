@@ -8,13 +8,13 @@
 #include "absl/strings/numbers.h"
 #include "common/base/error.h"
 #include "common/wire/options/given_settings_wire.h"
-#include "services/cli/console/choice_option.h"
 #include "services/cli/commands/commands.h"
+#include "services/cli/console/choice_option.h"
 #include "services/cli/console/console.h"
-#include "services/cli/job_options.h"
-#include "services/cli/jobs_client.h"
-#include "services/cli/json_text.h"
-#include "services/cli/server_options.h"
+#include "services/cli/farm/jobs_client.h"
+#include "services/cli/farm/json_text.h"
+#include "services/cli/farm/server_options.h"
+#include "services/cli/job/job_options.h"
 
 namespace slicefarm::cli {
 namespace {

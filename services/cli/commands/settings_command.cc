@@ -11,7 +11,7 @@
 #include "common/config/table/suggest.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console/console.h"
-#include "services/cli/job_options.h"
+#include "services/cli/job/job_options.h"
 
 namespace slicefarm::cli {
 namespace {

@@ -11,10 +11,10 @@
 #include "absl/strings/str_replace.h"
 #include "common/base/build_info.h"
 #include "common/base/text.h"
-#include "services/cli/console/choice_option.h"
 #include "services/cli/commands/commands.h"
+#include "services/cli/console/choice_option.h"
 #include "services/cli/console/console.h"
-#include "services/cli/job_options.h"
+#include "services/cli/job/job_options.h"
 
 namespace slicefarm::cli {
 namespace {

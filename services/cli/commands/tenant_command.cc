@@ -9,8 +9,8 @@
 #include "services/cli/commands/commands.h"
 #include "services/cli/console/console.h"
 #include "services/cli/console/files.h"
-#include "services/cli/jobs_client.h"
-#include "services/cli/server_options.h"
+#include "services/cli/farm/jobs_client.h"
+#include "services/cli/farm/server_options.h"
 
 namespace slicefarm::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include "common/config/missing_feature.h"
 #include "common/model/scene/mesh.h"
 #include "common/model/scene/scene.h"
-#include "services/cli/job_options.h"
+#include "services/cli/job/job_options.h"
 
 namespace slicefarm::cli {
 

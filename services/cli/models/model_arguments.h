@@ -6,7 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/model/scene/placement.h"
-#include "services/cli/job_options.h"
+#include "services/cli/job/job_options.h"
 
 namespace slicefarm::cli {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "absl/status/status.h"
-#include "services/cli/job_options.h"
+#include "services/cli/job/job_options.h"
 
 namespace slicefarm::cli {
 

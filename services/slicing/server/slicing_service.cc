@@ -6,9 +6,9 @@
 #include "common/rpc/server/gated_service.h"
 #include "common/wire/engraving/surface_wire.h"
 #include "common/wire/layers/layer_wire.h"
+#include "common/wire/layers/message_stream.h"
 #include "common/wire/placed_scene_wire.h"
 #include "common/wire/slicing_wire.h"
-#include "common/wire/support/message_stream.h"
 #include "common/wire/support/wire_error.h"
 #include "slicefarm/v1/slicing.grpc.pb.h"
 

@@ -9,12 +9,12 @@
 #include "common/base/trace_context.h"
 #include "common/model/limits.h"
 #include "services/coordinator/server/api/full_queues.h"
-#include "services/coordinator/server/api/job_request.h"
 #include "services/coordinator/server/api/tenant_budgets.h"
 #include "services/coordinator/server/api/tenant_turns.h"
 #include "services/coordinator/server/execution/disk_guard.h"
 #include "services/coordinator/server/execution/job_results.h"
 #include "services/coordinator/server/execution/resolved_jobs.h"
+#include "services/coordinator/server/messages/job_request.h"
 #include "services/coordinator/store/blobs/blob_stores.h"
 #include "services/coordinator/store/jobs/job_store.h"
 

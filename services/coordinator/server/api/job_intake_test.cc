@@ -8,7 +8,7 @@
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 #include "common/base/temp_directory_test.h"
-#include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/messages/jobs_wire.h"
 #include "services/coordinator/store/jobs/forwarding_job_store.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 

@@ -4,7 +4,7 @@
 
 #include "common/rpc/status_mapping.h"
 #include "common/wire/support/wire_error.h"
-#include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/messages/jobs_wire.h"
 #include "services/coordinator/store/jobs/job_steps.h"
 
 namespace slicefarm::coordinator {

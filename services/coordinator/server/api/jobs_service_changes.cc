@@ -3,7 +3,7 @@
 #include "common/model/limits.h"
 #include "common/rpc/status_mapping.h"
 #include "services/coordinator/server/api/jobs_service.h"
-#include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/messages/jobs_wire.h"
 #include "services/coordinator/server/observe/job_log.h"
 
 namespace slicefarm::coordinator {

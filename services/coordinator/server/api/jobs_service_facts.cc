@@ -6,7 +6,7 @@
 #include "services/coordinator/server/api/derived_artifacts.h"
 #include "services/coordinator/server/api/farm_facts.h"
 #include "services/coordinator/server/api/jobs_service.h"
-#include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/messages/jobs_wire.h"
 
 namespace slicefarm::coordinator {
 

@@ -11,9 +11,9 @@
 #include "common/rpc/status_mapping.h"
 #include "common/wire/support/wire_error.h"
 #include "services/coordinator/server/api/blob_download.h"
-#include "services/coordinator/server/api/jobs_wire.h"
 #include "services/coordinator/server/api/kept_meshes.h"
 #include "services/coordinator/server/api/upload_pieces.h"
+#include "services/coordinator/server/messages/jobs_wire.h"
 #include "services/coordinator/store/blobs/checking_reader.h"
 
 namespace slicefarm::coordinator {

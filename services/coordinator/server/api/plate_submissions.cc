@@ -10,8 +10,8 @@
 #include "common/model/limits.h"
 #include "common/wire/scene_wire.h"
 #include "common/wire/support/wire_error.h"
-#include "services/coordinator/server/api/jobs_wire.h"
 #include "services/coordinator/server/execution/job_meshes.h"
+#include "services/coordinator/server/messages/jobs_wire.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -11,7 +11,7 @@
 #include "common/config/machine_named.h"
 #include "common/model/limits.h"
 #include "common/wire/support/wire_error.h"
-#include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/messages/jobs_wire.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -11,8 +11,8 @@
 #include "common/rpc/status_mapping.h"
 #include "common/wire/options/given_settings_wire.h"
 #include "common/wire/support/wire_error.h"
-#include "services/coordinator/server/api/jobs_wire.h"
 #include "services/coordinator/server/api/profile_settings.h"
+#include "services/coordinator/server/messages/jobs_wire.h"
 
 namespace slicefarm::coordinator {
 namespace {

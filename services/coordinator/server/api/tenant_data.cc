@@ -10,8 +10,8 @@
 #include "common/base/error.h"
 #include "common/base/stoppable_sleep.h"
 #include "services/coordinator/algo/tar_entry.h"
-#include "services/coordinator/server/api/jobs_wire.h"
 #include "services/coordinator/server/api/profile_settings.h"
+#include "services/coordinator/server/messages/jobs_wire.h"
 #include "services/coordinator/store/blobs/checking_reader.h"
 
 namespace slicefarm::coordinator {

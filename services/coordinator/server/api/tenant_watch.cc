@@ -1,7 +1,7 @@
 #include "services/coordinator/server/api/tenant_watch.h"
 
-#include "services/coordinator/server/api/jobs_wire.h"
 #include "services/coordinator/server/api/watch_reads.h"
+#include "services/coordinator/server/messages/jobs_wire.h"
 
 namespace slicefarm::coordinator {
 namespace {

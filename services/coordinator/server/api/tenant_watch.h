@@ -10,8 +10,8 @@
 #include <string>
 
 #include "absl/status/status.h"
-#include "services/coordinator/server/api/tenant_events.h"
 #include "services/coordinator/server/execution/job_feed.h"
+#include "services/coordinator/server/messages/tenant_events.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::coordinator {

@@ -5,7 +5,7 @@
 #include "absl/status/statusor.h"
 #include "common/stage/memory_budget.h"
 #include "common/stage/stages.h"
-#include "services/coordinator/server/api/job_request.h"
+#include "services/coordinator/server/messages/job_request.h"
 #include "services/coordinator/store/blobs/blob_store.h"
 
 namespace slicefarm::coordinator {

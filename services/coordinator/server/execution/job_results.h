@@ -6,7 +6,7 @@
 
 #include "common/base/spooled_text.h"
 #include "services/coordinator/algo/pipeline/cost.h"
-#include "services/coordinator/server/api/job_request.h"
+#include "services/coordinator/server/messages/job_request.h"
 #include "services/coordinator/store/blobs/blob_stores.h"
 #include "services/coordinator/store/jobs/job_store.h"
 

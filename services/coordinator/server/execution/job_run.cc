@@ -11,8 +11,8 @@
 #include "services/coordinator/algo/job_trace.h"
 #include "services/coordinator/algo/pipeline/report_json.h"
 #include "services/coordinator/run/run_conclusion.h"
-#include "services/coordinator/server/api/jobs_wire.h"
 #include "services/coordinator/server/execution/job_meshes.h"
+#include "services/coordinator/server/messages/jobs_wire.h"
 #include "services/coordinator/server/observe/job_log.h"
 #include "services/coordinator/server/observe/job_traces.h"
 

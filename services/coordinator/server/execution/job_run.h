@@ -16,10 +16,10 @@
 #include "services/coordinator/run/progress_gate.h"
 #include "services/coordinator/run/run_steps.h"
 #include "services/coordinator/run/run_wishes.h"
-#include "services/coordinator/server/api/job_request.h"
 #include "services/coordinator/server/execution/job_feed.h"
 #include "services/coordinator/server/execution/job_results.h"
 #include "services/coordinator/server/execution/resolved_jobs.h"
+#include "services/coordinator/server/messages/job_request.h"
 
 namespace slicefarm::coordinator {
 

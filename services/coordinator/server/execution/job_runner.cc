@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "services/coordinator/run/run_conclusion.h"
-#include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/messages/jobs_wire.h"
 #include "services/coordinator/server/observe/job_log.h"
 
 namespace slicefarm::coordinator {

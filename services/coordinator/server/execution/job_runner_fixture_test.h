@@ -15,10 +15,10 @@
 #include "processes/list/jobs.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/server/api/job_intake.h"
-#include "services/coordinator/server/api/jobs_wire.h"
 #include "services/coordinator/server/execution/failing_job_store_test.h"
 #include "services/coordinator/server/execution/fake_stages_test.h"
 #include "services/coordinator/server/execution/job_runner.h"
+#include "services/coordinator/server/messages/jobs_wire.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 
 namespace slicefarm::coordinator {

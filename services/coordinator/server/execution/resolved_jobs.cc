@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "common/base/sha256.h"
-#include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/messages/jobs_wire.h"
 
 namespace slicefarm::coordinator {
 namespace {

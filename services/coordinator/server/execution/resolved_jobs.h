@@ -11,7 +11,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "services/coordinator/server/api/job_request.h"
+#include "services/coordinator/server/messages/job_request.h"
 
 namespace slicefarm::coordinator {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "common/base/error.h"
-#include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/messages/jobs_wire.h"
 
 namespace slicefarm::coordinator::resolved_jobs_test {
 namespace {

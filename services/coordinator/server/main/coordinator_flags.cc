@@ -8,7 +8,7 @@
 #include <map>
 
 #include "common/model/limits.h"
-#include "common/rpc/server/listen_address.h"
+#include "common/rpc/address/listen_address.h"
 #include "services/coordinator/remote/address_watch.h"
 #include "services/coordinator/server/api/callers.h"
 #include "services/coordinator/server/api/transfers.h"

@@ -6,7 +6,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
-#include "services/coordinator/store/blobs/posix_file.h"
+#include "services/coordinator/store/disk/posix_file.h"
 #include "services/coordinator/store/jobs/postgres_job_changes.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 #include "services/coordinator/store/jobs/sql_profile_store.h"

@@ -10,7 +10,7 @@
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 #include "services/coordinator/store/blobs/blob_errors.h"
-#include "services/coordinator/store/blobs/posix_file.h"
+#include "services/coordinator/store/disk/posix_file.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -10,7 +10,7 @@
 #include "services/coordinator/store/blobs/blob_store.h"
 #include "services/coordinator/store/blobs/checked_blobs.h"
 #include "services/coordinator/store/blobs/name_locks.h"
-#include "services/coordinator/store/blobs/posix_file.h"
+#include "services/coordinator/store/disk/posix_file.h"
 
 namespace slicefarm::coordinator {
 

@@ -5,7 +5,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
-#include "services/coordinator/store/blobs/posix_file.h"
+#include "services/coordinator/store/disk/posix_file.h"
 #include "services/coordinator/store/sql/sqlite_schema.h"
 
 namespace slicefarm::coordinator {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/rpc/security/client_security.h"
+#include "common/rpc/client/client_security.h"
 #include "tests/load/generator/client/farm_calls.h"
 
 namespace slicefarm::load {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/model/process.h"
-#include "common/rpc/security/client_security.h"
+#include "common/rpc/client/client_security.h"
 #include "tests/load/generator/client/run.h"
 #include "tests/load/generator/client/scenario.h"
 

@@ -1,0 +1,31 @@
+#include "common/rpc/server/gate_metrics.h"
+
+namespace slicefarm::rpc {
+namespace {
+
+using prometheus::ClientMetric;
+using prometheus::MetricType;
+
+ClientMetric Calls(const char* state, int count) {
+  ClientMetric metric;
+  metric.label = {{"state", state}};
+  metric.gauge.value = count;
+  return metric;
+}
+
+}  // namespace
+
+std::vector<prometheus::MetricFamily> GateMetrics::Collect() const {
+  ClientMetric slots;
+  slots.gauge.value = admission_.slots();
+  return {{"slicefarm_calls",
+           "Heavy calls that are worked on, and that wait for their turn",
+           MetricType::Gauge,
+           {Calls("working", admission_.working()), Calls("waiting", admission_.waiting())}},
+          {"slicefarm_call_slots",
+           "Heavy calls that are worked on at most",
+           MetricType::Gauge,
+           {slots}}};
+}
+
+}  // namespace slicefarm::rpc

@@ -1,0 +1,134 @@
+#include "services/cli/job/output_name.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <vector>
+
+#include "common/base/text.h"
+#include "common/config/process_settings.h"
+#include "common/config/table/suggest.h"
+#include "services/cli/job/job_options.h"
+
+namespace slicefarm::cli {
+namespace {
+
+struct OtherFile {
+  std::string_view endings;  ///< by spaces
+  std::string_view what;
+};
+
+constexpr OtherFile kOtherFiles[] = {
+    {".gcode.3mf", "an archive with G-code, as Bambu Studio makes it"},
+    {".3mf .stl .obj .ply .amf .step .stp .iges .igs .off .gltf .glb", "a model"},
+    {".slm .sli .sl1 .sl1s .ctb .cbddlp .photon .goo .pwmo .pws .lys", "a file of layers"},
+    {".x3g .makerbot .ufp", "a file for another firmware"},
+    {".zip .gz .bz2 .xz .7z .tar", "an archive"},
+    {".png .jpg .jpeg .gif .pdf", "a picture"},
+    {".json .ini .toml .yaml .yml .xml .html .md", "a document"},
+};
+
+std::string LowerCase(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+std::string EndingsOf(Process process) {
+  std::string all;
+  for (const config::FileFormat& format : config::SettingsOf(process).FileFormats())
+    all += fmt::format("{}{}", all.empty() ? "" : ", ", format.suffix.substr(1));
+  return all;
+}
+
+bool HasEnding(Process process, std::string_view name) {
+  return std::ranges::any_of(config::SettingsOf(process).FileFormats(),
+                             [&](const auto& format) { return name.ends_with(format.suffix); });
+}
+
+/// The process that alone has files of such a name or, for `format`, any that has them.
+const ProcessInfo* OwnerOf(std::string_view name, bool any) {
+  for (const ProcessInfo& info : kProcesses)
+    for (const config::FileFormat& format : config::SettingsOf(info.process).FileFormats())
+      if ((any || format.alone) && name.ends_with(format.suffix)) return &info;
+  return nullptr;
+}
+
+/// The value of a setting among `key = value` lines; empty: it is not there.
+std::string_view ValueOf(std::string_view settings_text, std::string_view key) {
+  constexpr std::string_view kEquals = " = ";
+  for (const std::string_view line : Split(settings_text, "\n"))
+    if (line.starts_with(key) && line.substr(key.size()).starts_with(kEquals))
+      return line.substr(key.size() + kEquals.size());
+  return "";
+}
+
+absl::Status Contradiction(const std::string& output, std::string_view what,
+                           std::string_view made) {
+  return Malformed(
+      fmt::format("--output {}: the name says {}, and the job makes {}: give it another name, or "
+                  "say with --format that the name is meant",
+                  output, what, made));
+}
+
+}  // namespace
+
+absl::Status CheckEnding(const std::string& output, Process process) {
+  const std::string name = LowerCase(output);
+  if (HasEnding(process, name)) return absl::OkStatus();
+  if (const ProcessInfo* owner = OwnerOf(name, /*any=*/false))
+    return Malformed(
+        fmt::format("--output {}: --machine {} makes such files", output, owner->name));
+  for (const OtherFile& other : kOtherFiles) {
+    std::string_view rest = other.endings;
+    while (!rest.empty()) {
+      const std::string_view ending = rest.substr(0, rest.find(' '));
+      rest.remove_prefix(std::min(rest.size(), ending.size() + 1));
+      if (name.ends_with(ending)) return Contradiction(output, other.what, EndingsOf(process));
+    }
+  }
+  return absl::OkStatus();
+}
+
+absl::Status CheckFormat(const std::string& output, Process process,
+                         std::string_view settings_text) {
+  const std::string name = LowerCase(output);
+  const auto is_made = [&](const config::FileFormat& format) {
+    return ValueOf(settings_text, format.key) == format.value;
+  };
+  const config::FileFormat* other = nullptr;
+  std::string made;
+  const std::vector<config::FileFormat> formats = config::SettingsOf(process).FileFormats();
+  for (const config::FileFormat& format : formats) {
+    if (is_made(format) && made.empty()) made = format.suffix;
+    if (!name.ends_with(format.suffix)) continue;
+    if (is_made(format)) return absl::OkStatus();
+    other = &format;
+  }
+  if (other == nullptr) return absl::OkStatus();
+  return Contradiction(
+      output, fmt::format("{} = {}", other->key, other->value),
+      fmt::format("{} = {} (a file *{})", other->key, ValueOf(settings_text, other->key), made));
+}
+
+absl::StatusOr<config::Setting> FormatSetting(const std::string& format, Process process) {
+  std::vector<std::string_view> names;
+  const std::vector<config::FileFormat> formats = config::SettingsOf(process).FileFormats();
+  for (const config::FileFormat& each : formats) {
+    names.push_back(each.suffix.substr(1));
+    if (names.back() == format)
+      return config::Setting{std::string(each.key), std::string(each.value),
+                             config::Source::kRequest};
+  }
+  if (const ProcessInfo* owner = OwnerOf("." + format, /*any=*/true))
+    return Malformed(
+        fmt::format("--format {}: --machine {} makes such files", format, owner->name));
+  const std::string nearest = config::Nearest(format, names);
+  return Malformed(fmt::format("--format {}: there is no such format{}; --machine {} makes {}",
+                               format,
+                               nearest.empty() ? "" : fmt::format("; do you mean {}?", nearest),
+                               ProcessName(process), EndingsOf(process)));
+}
+
+}  // namespace slicefarm::cli

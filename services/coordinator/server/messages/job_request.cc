@@ -1,0 +1,220 @@
+#include "services/coordinator/server/messages/job_request.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "common/base/error.h"
+#include "common/base/sha256.h"
+#include "common/base/text.h"
+#include "common/config/machine_named.h"
+#include "common/model/limits.h"
+#include "common/wire/support/wire_error.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+absl::Status CheckText(const std::string& field, const std::string& text) {
+  if (ReplaceControls(text, '?') == text) return absl::OkStatus();
+  return Malformed(field, "has control characters");
+}
+
+absl::Status CheckName(const std::string& field, const std::string& name) {
+  if (std::ssize(name) > limits::kMaxNameBytes) {
+    return LimitError(Reason::kRequestTooLarge, "bytes of an object's name", limits::kMaxNameBytes,
+                      std::ssize(name));
+  }
+  // Names end up in G-code comments, where a line end would begin a command.
+  return CheckText(field, name);
+}
+
+absl::Status CheckNames(const SceneObject& object, size_t index) {
+  if (absl::Status ok = CheckName(fmt::format("objects[{}].name", index), object.name); !ok.ok())
+    return ok;
+  for (size_t i = 0; i < object.parts.size(); ++i) {
+    const absl::Status ok =
+        CheckName(fmt::format("objects[{}].parts[{}].name", index, i), object.parts[i].name);
+    if (!ok.ok()) return ok;
+  }
+  return absl::OkStatus();
+}
+
+/// They become warnings, which events and lists of jobs have.
+absl::Status CheckNotes(const JobRequest& request) {
+  constexpr int64_t kMostBytes = 64 << 10;
+  int64_t bytes = 0;
+  const auto check = [&](const std::string& text) {
+    bytes += std::ssize(text);
+    return CheckText("notes", text);
+  };
+  for (const std::string& text : request.warnings)
+    if (absl::Status ok = check(text); !ok.ok()) return ok;
+  for (const config::MissingFeature& each : request.missing)
+    if (absl::Status ok = check(each.text + each.feature); !ok.ok()) return ok;
+  if (bytes <= kMostBytes) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, "bytes of a job's notes", kMostBytes, bytes);
+}
+
+/// Appends what decides the result. Texts that may hold anything come with their length, numbers
+/// with all their bits.
+class ActionWriter {
+ public:
+  explicit ActionWriter(std::string& text) : out_(text) {}
+
+  void Add(const SubmittedScene& scene) {
+    for (const StoredMesh& mesh : scene.meshes) {
+      Out("mesh {} {} ", mesh.sha256, static_cast<int>(mesh.format));
+      Text(mesh.name);
+    }
+    for (const SceneObject& object : scene.objects) Add(object);
+  }
+
+ private:
+  void Add(const SceneObject& object) {
+    Out("object ");
+    Text(object.name);
+    Add(object.settings);
+    for (const Part& part : object.parts) Add(part);
+    for (const HeightRange& range : object.ranges) {
+      Out("range {:a} {:a}\n", range.from_mm, range.to_mm);
+      Add(range.settings);
+    }
+    for (const Instance& instance : object.instances) {
+      Out("copy {:d}{:d}{:d}", instance.printable, instance.placed, instance.by_middle);
+      Add(instance.to_plate);
+    }
+  }
+
+  void Add(const Part& part) {
+    const MeshRef& mesh = part.mesh;
+    Out("part {} {} {} {} {} ", static_cast<int>(part.role), mesh.file, mesh.mesh,
+        mesh.first_triangle, mesh.triangle_count);
+    Text(part.name);
+    Add(part.to_object);
+    Add(part.settings);
+  }
+
+  void Add(const Transform& transform) {
+    for (int i = 0; i < 12; ++i) Out(" {:a}", transform(i / 4, i % 4));
+    Out("\n");
+  }
+
+  void Add(const std::vector<Setting>& settings) {
+    for (const Setting& setting : settings) {
+      Out("own {} ", static_cast<int>(setting.source));
+      Text(setting.key);
+      Text(setting.value);
+    }
+  }
+
+  void Text(const std::string& text) { Out("{}:{}\n", text.size(), text); }
+
+  template <typename... Args>
+  void Out(fmt::format_string<Args...> format, Args&&... args) {
+    out_ += fmt::format(format, std::forward<Args>(args)...);
+  }
+
+  std::string& out_;
+};
+
+/// The text of all that decides the result.
+std::string ActionText(const JobRequest& request, const config::ResolvedPlate& settings,
+                       std::string_view build_id, std::string_view result_tenant) {
+  std::string text = fmt::format("build {}\n", build_id);
+  if (!result_tenant.empty()) text += fmt::format("tenant {}\n", result_tenant);
+  ActionWriter(text).Add(request.scene);
+  text += settings.effective_text;
+  // The report names these, so they belong to the result as well.
+  for (const std::string& line : settings.no_effect) {
+    text += fmt::format("unused {}:{}\n", line.size(), line);
+  }
+  // So are warnings that the settings alone do not lead to.
+  for (const std::string& line : request.warnings)
+    text += fmt::format("warning {}:{}\n", line.size(), line);
+  for (const config::MissingFeature& each : settings.missing)
+    text += fmt::format("missing {}:{}\n", each.text.size(), each.text);
+  return text;
+}
+
+}  // namespace
+
+absl::Status CheckRequest(const JobRequest& request) {
+  const std::vector<SceneObject>& objects = request.scene.objects;
+  if (objects.empty()) return Malformed("objects", "are missing: a job has at least one");
+  int64_t copies = 0;
+  for (size_t i = 0; i < objects.size(); ++i) {
+    if (absl::Status ok = CheckNames(objects[i], i); !ok.ok()) return ok;
+    copies += std::ssize(objects[i].instances);
+  }
+  for (const std::string& text : request.without_effect)
+    if (absl::Status ok = CheckText("without_effect", text); !ok.ok()) return ok;
+  if (absl::Status ok = CheckNotes(request); !ok.ok()) return ok;
+  if (copies <= limits::kMaxObjects) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, "objects with their copies", limits::kMaxObjects,
+                    copies);
+}
+
+absl::Status CheckLabels(const std::map<std::string, std::string>& labels) {
+  if (std::ssize(labels) > limits::kMaxLabels) {
+    return LimitError(Reason::kRequestTooLarge, "labels", limits::kMaxLabels, std::ssize(labels));
+  }
+  for (const auto& [key, value] : labels) {
+    const auto bytes = static_cast<int64_t>(key.size() + value.size());
+    if (bytes > limits::kMaxLabelBytes) {
+      return LimitError(Reason::kRequestTooLarge, "bytes of a label", limits::kMaxLabelBytes,
+                        bytes);
+    }
+    // They are shown by others, and not every database keeps a NUL in a text.
+    if (absl::Status ok = CheckText("labels", key + value); !ok.ok()) return ok;
+  }
+  return absl::OkStatus();
+}
+
+absl::Status CheckRequestId(const std::string& request_id) {
+  const auto bytes = static_cast<int64_t>(request_id.size());
+  if (bytes > limits::kMaxNameBytes) {
+    return LimitError(Reason::kRequestTooLarge, "bytes of request_id", limits::kMaxNameBytes,
+                      bytes);
+  }
+  return CheckText("request_id", request_id);
+}
+
+absl::Status CheckAcceptable(const ResolvedJob& job) {
+  const JobRequest& request = job.request;
+  if (absl::Status ok = config::CheckAllowed(request.allowed); !ok.ok()) return ok;
+  if (!request.generic) {
+    const absl::Status named = config::CheckMachineNamed(request.settings, request.process);
+    if (!named.ok()) return named;
+  }
+  return config::CheckMissing(job.plate.missing, request.allowed);
+}
+
+absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view build_id,
+                                       std::string_view result_tenant, const CancelToken& cancel) {
+  if (absl::Status ok = CheckRequest(request); !ok.ok()) return ok;
+  ResolvedJob job;
+  auto settings =
+      config::ResolvePlate(request.settings, request.scene.objects, request.process, cancel);
+  if (!settings.ok()) return settings.status();
+  settings->no_effect.insert(settings->no_effect.begin(), request.without_effect.begin(),
+                             request.without_effect.end());
+  std::ranges::copy(request.warnings, std::back_inserter(settings->warnings));
+  for (const config::MissingFeature& each : request.missing) {
+    settings->missing.push_back(each);
+    settings->warnings.push_back(each.text);
+  }
+  job.settings_digest = Sha256Hex(settings->effective_text);
+  job.action_digest = Sha256Hex(ActionText(request, *settings, build_id, result_tenant));
+  job.serving_actions = {job.action_digest};
+  if (request.mode == JobMode::kQuote) {
+    job.action_digest = Sha256Hex("quote of " + job.action_digest);
+    job.serving_actions.push_back(job.action_digest);
+  }
+  job.request = std::move(request);
+  job.plate = *std::move(settings);
+  return job;
+}
+
+}  // namespace slicefarm::coordinator
