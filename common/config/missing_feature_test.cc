@@ -6,7 +6,7 @@
 #include "common/base/error.h"
 #include "common/config/machine_named.h"
 #include "common/config/plate.h"
-#include "common/model/options/fdm_settings.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config::missing_feature_test {
 namespace {

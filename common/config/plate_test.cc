@@ -9,7 +9,7 @@
 #include "common/base/error.h"
 #include "common/config/setting_pairs_test.h"
 #include "common/model/limits.h"
-#include "common/model/options/fdm_settings.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config::plate_test {
 namespace {

@@ -19,12 +19,12 @@
 #include "common/model/limits.h"
 #include "common/model/options/adhesion_options.h"
 #include "common/model/options/beading_options.h"
-#include "common/model/options/fdm_settings.h"
 #include "common/model/options/infill_options.h"
 #include "common/model/options/motion_options.h"
 #include "common/model/options/ordering_options.h"
 #include "common/model/options/planning_options.h"
 #include "common/model/options/tool_row.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config::resolve_test {
 namespace {

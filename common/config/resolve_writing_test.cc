@@ -4,8 +4,8 @@
 #include "common/base/error.h"
 #include "common/config/resolve.h"
 #include "common/config/setting_pairs_test.h"
-#include "common/model/options/fdm_settings.h"
 #include "common/model/options/motion_options.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config::resolve_writing_test {
 namespace {

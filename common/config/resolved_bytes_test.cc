@@ -7,8 +7,8 @@
 #include "common/base/error.h"
 #include "common/config/plate.h"
 #include "common/model/limits.h"
-#include "common/model/options/fdm_settings.h"
 #include "common/model/options/infill_options.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config::resolved_bytes_test {
 namespace {

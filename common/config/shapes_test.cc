@@ -3,8 +3,8 @@
 
 #include "common/config/resolve.h"
 #include "common/config/setting_pairs_test.h"
-#include "common/model/options/fdm_settings.h"
 #include "common/model/options/tool_row.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config::shapes_test {
 namespace {

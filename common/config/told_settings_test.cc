@@ -5,7 +5,7 @@
 
 #include "common/config/projects/ini.h"
 #include "common/config/resolve.h"
-#include "common/model/options/fdm_settings.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config::told_settings_test {
 namespace {

@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "common/config/resolve.h"
 #include "common/config/setting_pairs_test.h"
-#include "common/model/options/fdm_settings.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config::vendor_values_test {
 namespace {

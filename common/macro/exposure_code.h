@@ -5,9 +5,9 @@
 #include "absl/status/statusor.h"
 #include "common/macro/template.h"
 #include "common/macro/template_value.h"
-#include "common/model/layers/exposed_program.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/exposure_options.h"
+#include "processes/laser/model/exposed_program.h"
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::macro {
 

@@ -4,12 +4,12 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/shared/shared.h"
-#include "common/model/layers/exposed_program.h"
 #include "common/model/layers/job_plan.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/exposure_settings.h"
 #include "common/stage/neighbourhood.h"
 #include "common/stage/stage_call.h"
+#include "processes/laser/model/exposed_program.h"
+#include "processes/laser/model/exposure_settings.h"
 
 namespace slicefarm {
 

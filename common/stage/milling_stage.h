@@ -5,9 +5,9 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/shared/shared.h"
-#include "common/model/milling/mill_input.h"
-#include "common/model/milling/milled_program.h"
 #include "common/stage/stage_call.h"
+#include "processes/mill/model/mill_input.h"
+#include "processes/mill/model/milled_program.h"
 
 namespace slicefarm {
 

@@ -7,7 +7,6 @@
 
 #include "absl/status/statusor.h"
 #include "common/geometry/polygon.h"
-#include "common/model/engraving/surface_mesh.h"
 #include "common/model/layers/layer.h"
 #include "common/model/options/slicing_options.h"
 #include "common/model/scene/mesh.h"
@@ -15,6 +14,7 @@
 #include "common/model/scene/placed_scene.h"
 #include "common/stage/slice_input.h"
 #include "common/stage/stage_call.h"
+#include "processes/engrave/model/surface_mesh.h"
 
 namespace slicefarm {
 

@@ -4,10 +4,10 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/shared/shared.h"
-#include "common/model/engraving/engrave_input.h"
-#include "common/model/engraving/engraved_layer.h"
 #include "common/model/layers/layer.h"
 #include "common/stage/stage_call.h"
+#include "processes/engrave/model/engrave_input.h"
+#include "processes/engrave/model/engraved_layer.h"
 
 namespace slicefarm {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "common/model/milling/cutter_text.h"
+#include "common/model/options/cutter_text.h"
 #include "services/cli/console/choice_option.h"
 #include "services/cli/console/console.h"
 #include "services/cli/console/files.h"

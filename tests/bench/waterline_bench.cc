@@ -11,7 +11,7 @@
 
 #include "common/geometry/vector.h"
 #include "common/model/limits.h"
-#include "common/model/milling/cutter_text.h"
+#include "common/model/options/cutter_text.h"
 #include "services/milling/algo/waterline/waterline.h"
 #include "services/slicing/algo/mesh_reader/mesh_reader.h"
 #include "tests/bench/benchmarks.h"

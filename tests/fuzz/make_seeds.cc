@@ -12,7 +12,7 @@
 #include "absl/status/statusor.h"
 #include "common/base/sha256.h"
 #include "common/config/plate.h"
-#include "common/model/milling/cutter_text.h"
+#include "common/model/options/cutter_text.h"
 #include "common/wire/engraving/engrave_input_wire.h"
 #include "common/wire/fields/fields.h"
 #include "common/wire/layers/exposure_wire.h"

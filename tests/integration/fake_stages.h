@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "common/model/layers/exposed_program.h"
-#include "common/model/options/exposure_settings.h"
 #include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/server_stream.h"
 #include "common/stage/beading_stage.h"
@@ -20,6 +18,8 @@
 #include "common/stage/slicing_stage.h"
 #include "common/stage/task.h"
 #include "processes/fdm/task/fdm_task.h"
+#include "processes/laser/model/exposed_program.h"
+#include "processes/laser/model/exposure_settings.h"
 #include "slicefarm/v1/planning.grpc.pb.h"
 
 namespace slicefarm {

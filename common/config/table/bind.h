@@ -9,7 +9,7 @@
 
 #include "common/config/table/field.h"
 #include "common/config/table/value.h"
-#include "common/model/milling/cutter_text.h"
+#include "common/model/options/cutter_text.h"
 #include "common/model/options/settings.h"
 
 namespace slicefarm::config {

@@ -34,7 +34,7 @@ enum class Kind {
   kHeightCode,     ///< JSON on one line (common/model/options/height_code.h); empty: none
   kLayerHeights,   ///< z and height alternately (common/model/options/layer_heights.h); empty: none
   kSubstitutions,  ///< texts by fours (common/gcode/substitutions.h); empty: none
-  kCutter,         ///< a milling cutter (common/model/milling/cutter_text.h)
+  kCutter,         ///< a milling cutter (common/model/options/cutter_text.h)
 };
 
 /// Returns the kind's name for clients that build forms: "flag", "number_or_percent".

@@ -14,11 +14,12 @@
 #include "common/gcode/substitutions.h"
 #include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
-#include "common/model/milling/cutter.h"
-#include "common/model/milling/cutter_text.h"
+#include "common/model/options/cutter.h"
+#include "common/model/options/cutter_text.h"
 #include "common/model/options/fill_angles.h"
 #include "common/model/options/flow_table.h"
 #include "common/model/options/height_code.h"
+#include "common/model/options/layer_heights.h"
 
 namespace slicefarm::config {
 namespace {

@@ -2,9 +2,9 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/engraving/engrave_input.h"
 #include "common/wire/engraving/surface_wire.h"
 #include "common/wire/shared_wire.h"
+#include "processes/engrave/model/engrave_input.h"
 #include "slicefarm/v1/texture.pb.h"
 
 namespace slicefarm {

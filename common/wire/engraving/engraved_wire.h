@@ -6,7 +6,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/base/error.h"
-#include "common/model/engraving/engraved_layer.h"
+#include "processes/engrave/model/engraved_layer.h"
 #include "slicefarm/v1/texture.pb.h"
 
 namespace slicefarm {

@@ -2,7 +2,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/engraving/surface_mesh.h"
+#include "processes/engrave/model/surface_mesh.h"
 #include "slicefarm/v1/surface.pb.h"
 
 namespace slicefarm {

@@ -10,7 +10,7 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
-#include "common/model/milling/cutter_text.h"
+#include "common/model/options/cutter_text.h"
 #include "common/wire/support/wire_error.h"
 
 namespace slicefarm::internal {

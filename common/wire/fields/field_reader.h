@@ -10,7 +10,7 @@
 #include "absl/status/status.h"
 #include "common/base/shared/shared_text.h"
 #include "common/geometry/point.h"
-#include "common/model/milling/cutter.h"
+#include "common/model/options/cutter.h"
 
 namespace slicefarm::internal {
 

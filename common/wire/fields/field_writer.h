@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "common/base/shared/shared_text.h"
-#include "common/model/milling/cutter.h"
+#include "common/model/options/cutter.h"
 
 namespace slicefarm::internal {
 

@@ -6,17 +6,17 @@
 #include <string>
 
 #include "common/base/error.h"
-#include "common/model/engraving/engrave_settings.h"
 #include "common/model/limits.h"
-#include "common/model/milling/cutter_text.h"
-#include "common/model/milling/milling_options.h"
-#include "common/model/options/exposure_settings.h"
-#include "common/model/options/fdm_settings.h"
+#include "common/model/options/cutter_text.h"
 #include "common/model/options/infill_options.h"
 #include "common/model/options/motion_options.h"
 #include "common/model/options/ordering_options.h"
 #include "common/model/options/planning_options.h"
 #include "common/model/options/settings.h"
+#include "processes/engrave/model/engrave_settings.h"
+#include "processes/fdm/model/fdm_settings.h"
+#include "processes/laser/model/exposure_settings.h"
+#include "processes/mill/model/milling_options.h"
 
 namespace slicefarm::fields_test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/layers/exposed_program.h"
+#include "processes/laser/model/exposed_program.h"
 #include "slicefarm/v1/exposure.pb.h"
 
 namespace slicefarm {

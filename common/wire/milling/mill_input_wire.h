@@ -2,8 +2,8 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/milling/mill_input.h"
 #include "common/wire/shared_wire.h"
+#include "processes/mill/model/mill_input.h"
 #include "slicefarm/v1/milling.pb.h"
 
 namespace slicefarm {

@@ -5,9 +5,9 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/milling/milled_step.h"
 #include "common/stage/stage_call.h"
 #include "common/stage/stages.h"
+#include "processes/mill/model/milled_step.h"
 #include "slicefarm/v1/milling.pb.h"
 
 namespace slicefarm {

@@ -2,8 +2,8 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/milling/milled_program.h"
-#include "common/model/milling/milled_step.h"
+#include "processes/mill/model/milled_program.h"
+#include "processes/mill/model/milled_step.h"
 #include "slicefarm/v1/milling.pb.h"
 
 namespace slicefarm {

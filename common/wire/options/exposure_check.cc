@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <string_view>
 
-#include "common/model/options/exposure_options.h"
-#include "common/model/options/exposure_settings.h"
 #include "common/wire/options/options_check.h"
 #include "common/wire/options/value_checks.h"
+#include "processes/laser/model/exposure_options.h"
+#include "processes/laser/model/exposure_settings.h"
 
 namespace slicefarm {
 namespace {

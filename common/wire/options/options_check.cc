@@ -3,9 +3,7 @@
 #include <string_view>
 
 #include "common/model/limits.h"
-#include "common/model/milling/milling_options.h"
 #include "common/model/options/beading_options.h"
-#include "common/model/options/fdm_settings.h"
 #include "common/model/options/infill_options.h"
 #include "common/model/options/motion_options.h"
 #include "common/model/options/ordering_options.h"
@@ -15,6 +13,8 @@
 #include "common/model/options/tool_row.h"
 #include "common/wire/options/value_checks.h"
 #include "common/wire/support/wire_error.h"
+#include "processes/fdm/model/fdm_settings.h"
+#include "processes/mill/model/milling_options.h"
 
 namespace slicefarm {
 namespace {

@@ -1,8 +1,8 @@
-#include "common/model/milling/milling_options.h"
-#include "common/model/options/exposure_settings.h"
-#include "common/model/options/fdm_settings.h"
 #include "common/model/options/slicing_options.h"
 #include "common/wire/options/options_wire.h"
+#include "processes/fdm/model/fdm_settings.h"
+#include "processes/laser/model/exposure_settings.h"
+#include "processes/mill/model/milling_options.h"
 
 #include <gtest/gtest.h>
 

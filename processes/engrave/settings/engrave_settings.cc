@@ -2,7 +2,7 @@
 
 #include <iterator>
 
-#include "common/model/engraving/engrave_settings.h"
+#include "processes/engrave/model/engrave_settings.h"
 #include "processes/engrave/settings/engrave_table.h"
 
 namespace slicefarm::config::engrave {

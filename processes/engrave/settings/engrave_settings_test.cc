@@ -9,7 +9,7 @@
 #include "common/base/error.h"
 #include "common/config/resolve.h"
 #include "common/config/setting_pairs_test.h"
-#include "common/model/engraving/engrave_settings.h"
+#include "processes/engrave/model/engrave_settings.h"
 
 namespace slicefarm::config::engrave::engrave_settings_test {
 namespace {

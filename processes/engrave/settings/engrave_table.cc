@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "common/config/table/bind.h"
-#include "common/model/engraving/engrave_settings.h"
+#include "processes/engrave/model/engrave_settings.h"
 
 namespace slicefarm::config::engrave {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/model/engraving/engrave_input.h"
-#include "common/model/engraving/engraved_layer.h"
 #include "common/stage/task.h"
+#include "processes/engrave/model/engrave_input.h"
+#include "processes/engrave/model/engraved_layer.h"
 
 namespace slicefarm {
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <utility>
 
-#include "common/model/options/fdm_settings.h"
 #include "common/stage/motion_stage.h"
 #include "common/stage/planning_stage.h"
 #include "common/stage/slicing_stage.h"
 #include "processes/fdm/job/sampled_estimate.h"
+#include "processes/fdm/model/fdm_settings.h"
 #include "services/coordinator/algo/dispatch/task_executor.h"
 #include "services/coordinator/algo/pipeline/job_process.h"
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "common/model/layers/layer.h"
-#include "common/model/options/fdm_settings.h"
 #include "common/model/options/settings.h"
 #include "common/stage/stages.h"
+#include "processes/fdm/model/fdm_settings.h"
 #include "services/coordinator/algo/pipeline/job_process.h"
 
 namespace slicefarm::coordinator {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "common/model/options/adhesion_options.h"
-#include "common/model/options/fdm_settings.h"
 #include "common/model/options/support_options.h"
+#include "processes/fdm/model/fdm_settings.h"
 #include "processes/fdm/settings/plain_row.h"
 
 namespace slicefarm::config::fdm {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "common/config/resolve.h"
-#include "common/model/options/fdm_settings.h"
 #include "common/model/options/infill_options.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config::fdm::adhesion_rows_test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "common/base/error.h"
 #include "common/config/resolve.h"
-#include "common/model/options/fdm_settings.h"
+#include "processes/fdm/model/fdm_settings.h"
 #include "processes/fdm/settings/draft_of_test.h"
 
 namespace slicefarm::config::fdm::joined_gcode_test {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "common/model/options/fdm_settings.h"
 #include "common/model/options/planning_options.h"
 #include "common/model/options/support_options.h"
 #include "common/model/options/tool_row.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config::fdm {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "common/model/bead_section.h"
-#include "common/model/options/fdm_settings.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config::fdm {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "common/model/options/adhesion_options.h"
-#include "common/model/options/fdm_settings.h"
 #include "common/model/options/planning_options.h"
+#include "processes/fdm/model/fdm_settings.h"
 #include "processes/fdm/settings/adhesion_rows.h"
 #include "processes/fdm/settings/support_rows.h"
 

@@ -5,8 +5,8 @@
 
 #include "common/base/error.h"
 #include "common/config/plate.h"
-#include "common/model/options/fdm_settings.h"
 #include "common/model/options/motion_options.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config::fdm::plate_tool_test {
 namespace {

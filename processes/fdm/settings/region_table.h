@@ -6,8 +6,8 @@
 #include "absl/status/statusor.h"
 #include "common/config/process_settings.h"
 #include "common/config/row_table.h"
-#include "common/model/options/fdm_settings.h"
 #include "common/model/options/settings.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config::fdm {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "common/model/limits.h"
-#include "common/model/options/fdm_settings.h"
 #include "common/model/options/infill_options.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config::fdm {
 namespace {

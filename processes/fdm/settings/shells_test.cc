@@ -5,8 +5,8 @@
 #include <string>
 
 #include "common/config/resolve.h"
-#include "common/model/options/fdm_settings.h"
 #include "common/model/options/infill_options.h"
+#include "processes/fdm/model/fdm_settings.h"
 #include "processes/fdm/settings/draft_of_test.h"
 
 namespace slicefarm::config::fdm::shells_test {

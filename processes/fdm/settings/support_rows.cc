@@ -2,8 +2,8 @@
 
 #include <numbers>
 
-#include "common/model/options/fdm_settings.h"
 #include "common/model/options/planning_options.h"
+#include "processes/fdm/model/fdm_settings.h"
 #include "processes/fdm/settings/plain_row.h"
 
 namespace slicefarm::config::fdm {

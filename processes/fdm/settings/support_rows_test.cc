@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/config/resolve.h"
-#include "common/model/options/fdm_settings.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config::fdm::support_rows_test {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "common/base/error.h"
-#include "common/model/options/fdm_settings.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config::fdm {
 namespace {

@@ -9,8 +9,8 @@
 #include "common/model/layer_warning.h"
 #include "common/model/layers/fill_use.h"
 #include "common/model/layers/job_plan.h"
-#include "common/model/options/fdm_settings.h"
 #include "common/stage/task.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm {
 

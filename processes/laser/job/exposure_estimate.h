@@ -1,7 +1,7 @@
 #pragma once
 
-#include "common/model/options/exposure_settings.h"
 #include "common/stage/stages.h"
+#include "processes/laser/model/exposure_settings.h"
 #include "services/coordinator/algo/pipeline/job_process.h"
 
 namespace slicefarm::coordinator {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "common/model/layers/exposed_layer.h"
+#include "processes/laser/model/exposed_layer.h"
 #include "services/coordinator/algo/pipeline/job_process.h"
 
 namespace slicefarm::coordinator {

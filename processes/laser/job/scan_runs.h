@@ -5,9 +5,9 @@
 #include "absl/status/status.h"
 #include "common/geometry/measure.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/exposure_settings.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
+#include "processes/laser/model/exposure_settings.h"
 
 namespace slicefarm::coordinator {
 

@@ -10,7 +10,7 @@
 #include "common/base/error.h"
 #include "common/config/setting_refusal.h"
 #include "common/config/table/value.h"
-#include "common/model/options/exposure_options.h"
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::config::laser {
 namespace {

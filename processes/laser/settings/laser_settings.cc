@@ -6,7 +6,7 @@
 #include "common/config/row_table.h"
 #include "common/config/table/shared_settings.h"
 #include "common/macro/exposure_code.h"
-#include "common/model/options/exposure_settings.h"
+#include "processes/laser/model/exposure_settings.h"
 #include "processes/laser/settings/check_settings.h"
 #include "processes/laser/settings/derive.h"
 #include "processes/laser/settings/needs.h"

@@ -10,8 +10,8 @@
 #include "common/config/projects/ini.h"
 #include "common/config/resolve.h"
 #include "common/config/setting_pairs_test.h"
-#include "common/model/options/exposure_options.h"
-#include "common/model/options/exposure_settings.h"
+#include "processes/laser/model/exposure_options.h"
+#include "processes/laser/model/exposure_settings.h"
 
 namespace slicefarm::config::laser::laser_settings_test {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <iterator>
 
-#include "common/model/options/exposure_options.h"
-#include "common/model/options/exposure_settings.h"
+#include "processes/laser/model/exposure_options.h"
+#include "processes/laser/model/exposure_settings.h"
 
 namespace slicefarm::config::laser {
 namespace {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "common/config/table/bind.h"
-#include "common/model/options/exposure_options.h"
-#include "common/model/options/exposure_settings.h"
+#include "processes/laser/model/exposure_options.h"
+#include "processes/laser/model/exposure_settings.h"
 
 namespace slicefarm::config {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "common/base/shared/shared.h"
-#include "common/model/layers/exposed_program.h"
 #include "common/stage/exposure_stage.h"
 #include "common/stage/task.h"
+#include "processes/laser/model/exposed_program.h"
 
 namespace slicefarm {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/model/milling/milling_options.h"
+#include "processes/mill/model/milling_options.h"
 #include "services/coordinator/algo/pipeline/job_process.h"
 
 namespace slicefarm::coordinator {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "common/model/milling/milled_program.h"
+#include "processes/mill/model/milled_program.h"
 #include "services/coordinator/algo/pipeline/job_process.h"
 
 namespace slicefarm::coordinator {

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/milling/mill_input.h"
 #include "common/model/options/slicing_options.h"
 #include "common/model/scene/placed_scene.h"
 #include "common/stage/slice_input.h"
 #include "common/stage/stages.h"
+#include "processes/mill/model/mill_input.h"
 
 namespace slicefarm::coordinator {
 

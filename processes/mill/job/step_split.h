@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/base/shared/shared.h"
-#include "common/model/milling/milled_program.h"
+#include "processes/mill/model/milled_program.h"
 #include "processes/mill/task/mill_task.h"
 
 namespace slicefarm::coordinator {

@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "common/config/table/shared_settings.h"
-#include "common/model/milling/check_milling.h"
+#include "processes/mill/model/check_milling.h"
 #include "processes/mill/settings/mill_table.h"
 
 namespace slicefarm::config::mill {

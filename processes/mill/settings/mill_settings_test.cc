@@ -10,7 +10,7 @@
 #include "common/config/projects/ini.h"
 #include "common/config/resolve.h"
 #include "common/config/setting_pairs_test.h"
-#include "common/model/milling/milling_options.h"
+#include "processes/mill/model/milling_options.h"
 
 namespace slicefarm::config::mill::mill_settings_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "common/config/table/bind.h"
-#include "common/model/milling/milling_options.h"
+#include "processes/mill/model/milling_options.h"
 
 namespace slicefarm::config::mill {
 namespace {

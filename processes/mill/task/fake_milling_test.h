@@ -7,11 +7,11 @@
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 #include "common/base/shared/shared.h"
-#include "common/model/milling/mill_input.h"
-#include "common/model/milling/milled_program.h"
 #include "common/stage/milling_stage.h"
 #include "common/stage/stage_call.h"
 #include "common/stage/stages.h"
+#include "processes/mill/model/mill_input.h"
+#include "processes/mill/model/milled_program.h"
 
 namespace slicefarm {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "common/base/shared/shared.h"
-#include "common/model/milling/mill_input.h"
-#include "common/model/milling/milled_step.h"
 #include "common/stage/task.h"
+#include "processes/mill/model/mill_input.h"
+#include "processes/mill/model/milled_step.h"
 
 namespace slicefarm {
 

@@ -7,7 +7,7 @@
 #include "common/config/projects/ini.h"
 #include "common/config/projects/orca_settings.h"
 #include "common/config/resolve.h"
-#include "common/model/options/fdm_settings.h"
+#include "processes/fdm/model/fdm_settings.h"
 #include "services/cli/console/files.h"
 #include "services/cli/program/klipper_config.h"
 

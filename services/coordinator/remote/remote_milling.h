@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "common/base/shared/shared.h"
-#include "common/model/milling/mill_input.h"
-#include "common/model/milling/milled_program.h"
 #include "common/stage/milling_stage.h"
 #include "common/stage/stages.h"
+#include "processes/mill/model/mill_input.h"
+#include "processes/mill/model/milled_program.h"
 #include "services/coordinator/remote/stage_client.h"
 
 namespace slicefarm::coordinator {

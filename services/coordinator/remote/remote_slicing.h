@@ -2,11 +2,11 @@
 
 #include <vector>
 
-#include "common/model/engraving/surface_mesh.h"
 #include "common/model/scene/placed_scene.h"
 #include "common/stage/plates.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
+#include "processes/engrave/model/surface_mesh.h"
 #include "services/coordinator/remote/stage_client.h"
 
 namespace slicefarm::coordinator {

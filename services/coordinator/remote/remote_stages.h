@@ -4,9 +4,7 @@
 #include <vector>
 
 #include "common/base/shared/shared.h"
-#include "common/model/layers/exposed_program.h"
 #include "common/model/layers/job_plan.h"
-#include "common/model/options/exposure_settings.h"
 #include "common/model/options/motion_options.h"
 #include "common/model/options/planning_options.h"
 #include "common/model/scene/placed_scene.h"
@@ -20,6 +18,8 @@
 #include "common/stage/plates.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
+#include "processes/laser/model/exposed_program.h"
+#include "processes/laser/model/exposure_settings.h"
 #include "services/coordinator/remote/stage_client.h"
 
 namespace slicefarm::coordinator {

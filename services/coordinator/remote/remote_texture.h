@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "common/base/shared/shared.h"
-#include "common/model/engraving/engrave_input.h"
-#include "common/model/engraving/engraved_layer.h"
 #include "common/stage/stages.h"
 #include "common/stage/texture_stage.h"
+#include "processes/engrave/model/engrave_input.h"
+#include "processes/engrave/model/engraved_layer.h"
 #include "services/coordinator/remote/stage_client.h"
 
 namespace slicefarm::coordinator {

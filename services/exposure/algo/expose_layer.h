@@ -4,11 +4,11 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "common/model/layers/exposed_layer.h"
 #include "common/model/layers/job_plan.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/exposure_options.h"
 #include "common/stage/object_layers.h"
+#include "processes/laser/model/exposed_layer.h"
+#include "processes/laser/model/exposure_options.h"
 #include "services/exposure/algo/exposure_report.h"
 
 namespace slicefarm::exposure {

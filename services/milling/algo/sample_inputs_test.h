@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "common/model/milling/mill_input.h"
+#include "processes/mill/model/mill_input.h"
 #include "services/milling/algo/sample_jobs_test.h"
 
 namespace slicefarm::milling {

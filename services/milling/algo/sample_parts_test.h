@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
-#include "common/model/milling/sample_cutters_test.h"
+#include "common/model/options/sample_cutters_test.h"
 #include "services/milling/algo/mesh/triangle_mesh.h"
 
 namespace slicefarm::milling {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "absl/status/statusor.h"
-#include "common/model/engraving/engrave_input.h"
+#include "processes/engrave/model/engrave_input.h"
 #include "services/texture/algo/output/engrave_program.h"
 #include "services/texture/algo/paths/engrave_plan.h"
 

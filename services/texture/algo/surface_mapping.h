@@ -2,7 +2,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "common/model/engraving/engrave_input.h"
+#include "processes/engrave/model/engrave_input.h"
 
 namespace slicefarm::texture {
 

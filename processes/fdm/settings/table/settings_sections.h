@@ -4,7 +4,7 @@
 
 #include "common/config/table/bind.h"
 #include "common/config/table/setting_spec.h"
-#include "common/model/options/fdm_settings.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::config {
 

@@ -5,7 +5,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/point.h"
-#include "common/model/options/exposure_options.h"
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure {
 

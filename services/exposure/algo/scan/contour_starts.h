@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "common/geometry/polygon.h"
-#include "common/model/options/exposure_options.h"
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure {
 

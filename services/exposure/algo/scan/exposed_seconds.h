@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/geometry/measure.h"
-#include "common/model/options/exposure_options.h"
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/options/exposure_options.h"
+#include "processes/laser/model/exposure_options.h"
 #include "services/exposure/algo/scan/scan_lines.h"
 
 namespace slicefarm::exposure {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/geometry/point.h"
-#include "common/model/options/exposure_options.h"
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure {
 

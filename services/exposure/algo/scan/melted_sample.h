@@ -4,8 +4,8 @@
 #include <span>
 
 #include "common/geometry/polygon.h"
-#include "common/model/layers/exposed_layer.h"
-#include "common/model/options/exposure_options.h"
+#include "processes/laser/model/exposed_layer.h"
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure {
 

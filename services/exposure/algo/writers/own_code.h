@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/layers/exposed_program.h"
-#include "common/model/options/exposure_options.h"
+#include "processes/laser/model/exposed_program.h"
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "common/model/options/exposure_options.h"
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure {
 

@@ -7,8 +7,8 @@
 
 #include "absl/status/status.h"
 #include "common/geometry/measure.h"
-#include "common/model/layers/exposed_layer.h"
-#include "common/model/options/exposure_options.h"
+#include "processes/laser/model/exposed_layer.h"
+#include "processes/laser/model/exposure_options.h"
 #include "services/exposure/algo/writers/own_code.h"
 
 namespace slicefarm::exposure {

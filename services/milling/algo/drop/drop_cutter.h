@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "common/model/milling/cutter.h"
+#include "common/model/options/cutter.h"
 #include "services/milling/algo/mesh/triangle_mesh.h"
 #include "services/milling/algo/push/local_push.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/base/cancel_token.h"
-#include "common/model/milling/cutter.h"
+#include "common/model/options/cutter.h"
 #include "services/milling/algo/strategy/milling_job.h"
 
 namespace slicefarm::milling {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "common/model/milling/milling_options.h"
+#include "processes/mill/model/milling_options.h"
 
 namespace slicefarm::milling {
 

@@ -2,7 +2,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "common/model/milling/mill_report.h"
+#include "processes/mill/model/mill_report.h"
 #include "services/milling/algo/motion/mill_program.h"
 
 namespace slicefarm::milling {

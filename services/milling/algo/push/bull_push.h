@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/model/milling/cutter.h"
+#include "common/model/options/cutter.h"
 #include "services/milling/algo/push/edge_push.h"
 
 namespace slicefarm::milling {

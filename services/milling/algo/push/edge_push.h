@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "common/model/milling/cutter.h"
+#include "common/model/options/cutter.h"
 
 namespace slicefarm::milling {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "common/model/milling/cutter.h"
+#include "common/model/options/cutter.h"
 #include "services/milling/algo/push/edge_push.h"
 
 namespace slicefarm::milling {

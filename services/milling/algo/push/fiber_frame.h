@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/model/milling/cutter.h"
+#include "common/model/options/cutter.h"
 #include "common/model/setting.h"
 #include "services/milling/algo/mesh/triangle_mesh.h"
 #include "services/milling/algo/push/edge_push.h"

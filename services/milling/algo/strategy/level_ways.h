@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "common/base/cancel_token.h"
-#include "common/model/milling/milled_step.h"
-#include "common/model/milling/milling_options.h"
+#include "processes/mill/model/milled_step.h"
+#include "processes/mill/model/milling_options.h"
 #include "services/milling/algo/strategy/free_area.h"
 
 namespace slicefarm::milling {

@@ -12,7 +12,7 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
-#include "common/model/milling/check_milling.h"
+#include "processes/mill/model/check_milling.h"
 #include "services/milling/algo/strategy/level_ways.h"
 
 namespace slicefarm::milling {

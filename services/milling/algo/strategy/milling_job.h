@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/milling/milled_step.h"
-#include "common/model/milling/milling_options.h"
+#include "processes/mill/model/milled_step.h"
+#include "processes/mill/model/milling_options.h"
 #include "services/milling/algo/mesh/triangle_mesh.h"
 
 namespace slicefarm::milling {

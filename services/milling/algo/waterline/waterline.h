@@ -6,7 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "common/model/milling/cutter.h"
+#include "common/model/options/cutter.h"
 #include "services/milling/algo/mesh/triangle_mesh.h"
 
 namespace slicefarm::milling {

@@ -4,9 +4,9 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "common/model/engraving/surface_mesh.h"
 #include "common/stage/slice_input.h"
 #include "common/stage/stages.h"
+#include "processes/engrave/model/surface_mesh.h"
 #include "services/slicing/algo/mesh_reader/mesh_source.h"
 
 namespace slicefarm::slicing {

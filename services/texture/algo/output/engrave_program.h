@@ -3,8 +3,8 @@
 #include <string>
 
 #include "absl/status/statusor.h"
-#include "common/model/engraving/engrave_report.h"
-#include "common/model/engraving/engrave_settings.h"
+#include "processes/engrave/model/engrave_report.h"
+#include "processes/engrave/model/engrave_settings.h"
 #include "services/texture/algo/output/rotary_axes.h"
 #include "services/texture/algo/paths/layer_paths.h"
 

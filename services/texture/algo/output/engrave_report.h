@@ -4,7 +4,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "common/model/engraving/engrave_report.h"
+#include "processes/engrave/model/engrave_report.h"
 #include "services/texture/algo/paths/layer_paths.h"
 
 namespace slicefarm::texture {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "common/model/engraving/engrave_settings.h"
+#include "processes/engrave/model/engrave_settings.h"
 
 namespace slicefarm::texture {
 

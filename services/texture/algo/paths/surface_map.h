@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "common/model/engraving/engrave_settings.h"
+#include "processes/engrave/model/engrave_settings.h"
 #include "services/texture/algo/surface/cut_open.h"
 #include "services/texture/algo/surface/surface_mesh.h"
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "common/model/engraving/surface_mesh.h"
+#include "processes/engrave/model/surface_mesh.h"
 
 namespace slicefarm::texture {
 

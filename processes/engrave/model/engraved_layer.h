@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "common/model/engraving/engrave_report.h"
+#include "processes/engrave/model/engrave_report.h"
 
 namespace slicefarm {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/model/options/exposure_options.h"
 #include "common/model/options/settings.h"
 #include "common/model/process.h"
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm {
 

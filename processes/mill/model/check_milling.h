@@ -1,7 +1,7 @@
 #pragma once
 
 #include "absl/status/status.h"
-#include "common/model/milling/milling_options.h"
+#include "processes/mill/model/milling_options.h"
 
 namespace slicefarm {
 

@@ -1,4 +1,4 @@
-#include "common/model/milling/cutter.h"
+#include "common/model/options/cutter.h"
 
 #include <fmt/core.h>
 

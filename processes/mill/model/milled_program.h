@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "common/model/milling/mill_report.h"
-#include "common/model/milling/milled_step.h"
+#include "processes/mill/model/mill_report.h"
+#include "processes/mill/model/milled_step.h"
 
 namespace slicefarm {
 

@@ -1,4 +1,4 @@
-#include "common/model/engraving/engrave_report.h"
+#include "processes/engrave/model/engrave_report.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "common/model/milling/milled_step.h"
+#include "processes/mill/model/milled_step.h"
 
 namespace slicefarm {
 

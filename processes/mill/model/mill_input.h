@@ -1,7 +1,7 @@
 #pragma once
 
-#include "common/model/milling/milling_options.h"
 #include "common/model/scene/mesh.h"
+#include "processes/mill/model/milling_options.h"
 
 namespace slicefarm {
 

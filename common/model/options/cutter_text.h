@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "absl/status/statusor.h"
-#include "common/model/milling/cutter.h"
+#include "common/model/options/cutter.h"
 
 namespace slicefarm {
 

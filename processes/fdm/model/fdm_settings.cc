@@ -1,4 +1,4 @@
-#include "common/model/options/fdm_settings.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "common/model/milling/check_milling.h"
+#include "processes/mill/model/check_milling.h"
 
 #include <fmt/core.h>
 

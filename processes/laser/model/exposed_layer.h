@@ -9,7 +9,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/polygon.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/exposure_options.h"
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm {
 

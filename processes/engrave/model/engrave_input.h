@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "common/model/engraving/engrave_settings.h"
-#include "common/model/engraving/surface_mesh.h"
+#include "processes/engrave/model/engrave_settings.h"
+#include "processes/engrave/model/surface_mesh.h"
 
 namespace slicefarm {
 

@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include "common/model/milling/cutter.h"
-#include "common/model/milling/cutter_text.h"
+#include "common/model/options/cutter.h"
+#include "common/model/options/cutter_text.h"
 
 namespace slicefarm {
 

@@ -1,4 +1,4 @@
-#include "common/model/engraving/engrave_settings.h"
+#include "processes/engrave/model/engrave_settings.h"
 
 #include <fmt/core.h>
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "common/model/layers/exposed_layer.h"
 #include "common/model/layers/layer.h"
+#include "processes/laser/model/exposed_layer.h"
 
 namespace slicefarm {
 

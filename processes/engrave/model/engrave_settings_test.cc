@@ -1,4 +1,4 @@
-#include "common/model/engraving/engrave_settings.h"
+#include "processes/engrave/model/engrave_settings.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "common/model/milling/cutter.h"
+#include "common/model/options/cutter.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "common/base/error.h"
-#include "common/model/milling/sample_cutters_test.h"
+#include "common/model/options/sample_cutters_test.h"
 
 namespace slicefarm::cutter_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "common/model/milling/cutter.h"
+#include "common/model/options/cutter.h"
 #include "common/model/process.h"
 
 namespace slicefarm {

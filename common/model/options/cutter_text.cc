@@ -1,4 +1,4 @@
-#include "common/model/milling/cutter_text.h"
+#include "common/model/options/cutter_text.h"
 
 #include <fmt/core.h>
 
