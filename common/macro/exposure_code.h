@@ -7,7 +7,10 @@
 #include "common/macro/template_value.h"
 #include "common/model/layers/layer.h"
 #include "processes/laser/model/exposed_program.h"
-#include "processes/laser/model/exposure_options.h"
+
+namespace slicefarm {
+struct ExposureOutput;
+}  // namespace slicefarm
 
 namespace slicefarm::macro {
 

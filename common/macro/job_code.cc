@@ -6,6 +6,7 @@
 #include <span>
 
 #include "common/macro/setting_variables.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::macro {
 namespace {

@@ -6,7 +6,10 @@
 #include "absl/status/statusor.h"
 #include "common/macro/template.h"
 #include "common/macro/template_run.h"
-#include "common/model/options/motion_options.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::macro {
 

@@ -5,11 +5,12 @@
 #include "absl/status/statusor.h"
 #include "common/base/shared/shared.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/beading_options.h"
 #include "common/stage/neighbourhood.h"
 #include "common/stage/stage_call.h"
 
 namespace slicefarm {
+
+struct BeadingOptions;
 
 /// Walls of each region, by row of the job's regions. All calls of a job share it: it is sent and
 /// read once (common/wire/shared_wire.h).

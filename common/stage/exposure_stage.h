@@ -9,17 +9,11 @@
 #include "common/stage/neighbourhood.h"
 #include "common/stage/stage_call.h"
 #include "processes/laser/model/exposed_program.h"
-#include "processes/laser/model/exposure_settings.h"
 
 namespace slicefarm {
 
-/// Data of a job that all calls share.
-struct ExposureJob {
-  ExposureSettings settings;
-  std::vector<Copy> copies;
-
-  friend bool operator==(const ExposureJob&, const ExposureJob&) = default;
-};
+struct ExposureJob;
+struct ExposureSettings;
 
 /// Layers to vectors that expose them: all that is done to a layer.
 class ExposureStage {

@@ -7,11 +7,12 @@
 #include "common/base/shared/shared.h"
 #include "common/model/layers/job_plan.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/infill_options.h"
 #include "common/stage/neighbourhood.h"
 #include "common/stage/stage_call.h"
 
 namespace slicefarm {
+
+struct InfillOptions;
 
 /// Infill of each region, by row of the job's regions. All calls of a job share it.
 using InfillTable = std::vector<InfillOptions>;

@@ -7,18 +7,12 @@
 #include "common/model/job_facts.h"
 #include "common/model/layers/layer.h"
 #include "common/model/layers/program_summary.h"
-#include "common/model/options/motion_options.h"
 #include "common/stage/stage_call.h"
 
 namespace slicefarm {
 
-/// Data of a job that all calls share.
-struct MotionJob {
-  MotionOptions options;
-  JobFacts facts;
-
-  friend bool operator==(const MotionJob&, const MotionJob&) = default;
-};
+struct MotionJob;
+struct MotionOptions;
 
 class MotionStage {
  public:

@@ -7,18 +7,11 @@
 #include "common/base/shared/shared.h"
 #include "common/model/layers/job_plan.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/ordering_options.h"
 #include "common/stage/stage_call.h"
 
 namespace slicefarm {
 
-/// Data of a job that all calls share.
-struct OrderingJob {
-  OrderingOptions options;
-  std::vector<Copy> copies;
-
-  friend bool operator==(const OrderingJob&, const OrderingJob&) = default;
-};
+struct OrderingJob;
 
 class OrderingStage {
  public:

@@ -6,12 +6,12 @@
 #include "absl/status/statusor.h"
 #include "common/model/layers/job_plan.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/planning_options.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stage_call.h"
 
 namespace slicefarm {
 
+struct PlanningOptions;
 class PlanningStage {
  public:
   virtual ~PlanningStage() = default;

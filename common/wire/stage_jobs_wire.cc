@@ -2,6 +2,11 @@
 
 #include <utility>
 
+#include "common/model/options/beading_options.h"
+#include "common/model/options/infill_options.h"
+#include "common/stage/exposure_job.h"
+#include "common/stage/motion_job.h"
+#include "common/stage/ordering_job.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/options/options_wire.h"

@@ -17,6 +17,10 @@
 
 namespace slicefarm {
 
+struct ExposureJob;
+struct MotionJob;
+struct OrderingJob;
+
 /// Data of a whole job that all calls of a stage share. Errors: those of options_wire.h and
 /// plan_wire.h, with the path to the field.
 

@@ -4,6 +4,11 @@
 
 #include <vector>
 
+#include "common/model/options/beading_options.h"
+#include "common/model/options/infill_options.h"
+#include "common/stage/exposure_job.h"
+#include "common/stage/motion_job.h"
+#include "common/stage/ordering_job.h"
 #include "common/wire/fields/fields.h"
 #include "common/wire/support/round_trip_test.h"
 

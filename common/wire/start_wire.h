@@ -6,13 +6,11 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/planning_options.h"
 #include "common/stage/beading_stage.h"
 #include "common/stage/infill_stage.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stage_call.h"
 #include "common/stage/stages.h"
-#include "slicefarm/v1/planning.pb.h"
 #include "slicefarm/v1/start.pb.h"
 
 namespace slicefarm {
@@ -26,18 +24,8 @@ struct StageStart {
   LayerRange range = {};  ///< layers to work on; empty: the call is about no layers
 };
 
-struct PlanStart {
-  StageCall call;
-  PlanningOptions options;
-  std::vector<PlacedCopy> copies;
-  std::vector<std::string> object_names;  ///< by object, for messages
-};
-
 absl::Status ToProto(const StageStart& start, v1::StageStart* proto);
 absl::StatusOr<StageStart> FromProto(const v1::StageStart& proto);
-
-absl::Status ToProto(const PlanStart& start, v1::PlanStart* proto);
-absl::StatusOr<PlanStart> FromProto(const v1::PlanStart& proto);
 
 namespace v1 {
 using slicefarm::FromProto;  // so that templates find it by the message's namespace

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "common/wire/plan_start_wire.h"
 #include "common/wire/support/round_trip_test.h"
 
 namespace slicefarm::start_wire_test {

@@ -6,8 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "common/stage/exposure_job.h"
 #include "common/wire/support/round_trip_test.h"
 #include "processes/engrave/task/engrave_task.h"
+#include "processes/fdm/task/fdm_shared.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "processes/laser/task/laser_task.h"
 #include "processes/mill/task/mill_task.h"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
+#include "common/model/options/support_options.h"
 #include "services/cli/console/choice_option.h"
 #include "services/cli/console/console.h"
 #include "services/cli/console/files.h"

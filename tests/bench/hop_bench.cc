@@ -9,13 +9,18 @@
 #include <utility>
 #include <vector>
 
+#include "common/model/options/beading_options.h"
+#include "common/model/options/infill_options.h"
 #include "common/rpc/security/identity.h"
 #include "common/rpc/security/tls.h"
+#include "common/stage/motion_job.h"
 #include "common/stage/object_layers.h"
+#include "common/stage/ordering_job.h"
 #include "common/stage/slice_input_test.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/layers/program_wire.h"
+#include "processes/fdm/task/fdm_shared.h"
 #include "processes/fdm/task/layer_chain.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/coordinator/algo/pipeline/range_split.h"

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/stage/exposure_job.h"
 #include "services/exposure/algo/local_exposure_stage.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/lattice.h"

@@ -11,6 +11,7 @@
 #include "common/rpc/client/duplex_call.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
+#include "common/wire/plan_start_wire.h"
 #include "common/wire/start_wire.h"
 #include "services/planning/algo/job_planner.h"
 #include "slicefarm/v1/planning.grpc.pb.h"

@@ -5,6 +5,7 @@
 #include "common/stage/print_layers.h"
 #include "common/wire/layers/message_stream.h"
 #include "common/wire/layers/plan_wire.h"
+#include "common/wire/plan_start_wire.h"
 #include "common/wire/start_wire.h"
 #include "services/planning/algo/local_planning_stage.h"
 #include "tests/fuzz/calls.pb.h"

@@ -13,6 +13,7 @@
 #include "common/config/plate.h"
 #include "common/stage/object_layers.h"
 #include "common/stage/print_layers.h"
+#include "processes/fdm/task/fdm_shared.h"
 #include "processes/fdm/task/layer_chain.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/infill/algo/local_infill_stage.h"

@@ -3,12 +3,19 @@
 #include <utility>
 
 #include "common/geometry/text_format_test.h"
+#include "common/model/options/beading_options.h"
+#include "common/model/options/infill_options.h"
+#include "common/stage/exposure_job.h"
+#include "common/stage/motion_job.h"
+#include "common/stage/ordering_job.h"
 #include "common/stage/print_layers.h"
 #include "common/stage/slice_input_test.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/message_stream.h"
 #include "common/wire/layers/plan_wire.h"
+#include "common/wire/plan_start_wire.h"
 #include "common/wire/start_wire.h"
+#include "processes/fdm/task/fdm_shared.h"
 
 namespace slicefarm {
 namespace {

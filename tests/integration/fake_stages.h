@@ -6,6 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "common/model/options/beading_options.h"
+#include "common/model/options/infill_options.h"
+#include "common/model/options/motion_options.h"
+#include "common/model/options/ordering_options.h"
+#include "common/model/options/planning_options.h"
 #include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/server_stream.h"
 #include "common/stage/beading_stage.h"
@@ -17,6 +22,7 @@
 #include "common/stage/slice_input.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/task.h"
+#include "processes/fdm/model/fdm_settings.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "processes/laser/model/exposed_program.h"
 #include "processes/laser/model/exposure_settings.h"

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "common/base/from_environment_test.h"
+#include "common/model/options/beading_options.h"
+#include "common/model/options/infill_options.h"
 #include "common/stage/object_layers.h"
 #include "common/stage/slice_input_test.h"
 #include "services/beading/algo/local_beading_stage.h"

@@ -25,6 +25,7 @@
 #include "processes/fdm/job/fdm_report.h"
 #include "processes/fdm/job/pass_facts.h"
 #include "processes/fdm/job/print_estimate.h"
+#include "processes/fdm/task/fdm_shared.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "services/coordinator/algo/pipeline/check_printable.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"

@@ -10,6 +10,7 @@
 #include "common/base/error.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format_test.h"
+#include "common/stage/motion_job.h"
 #include "common/stage/slice_input_test.h"
 #include "processes/fdm/job/fdm_report.h"
 #include "processes/fdm/task/fdm_task.h"

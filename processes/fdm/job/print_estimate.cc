@@ -8,6 +8,7 @@
 
 #include "common/base/portable_math.h"
 #include "common/geometry/measure.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -6,8 +6,11 @@
 #include "common/model/layers/layer.h"
 #include "common/model/options/settings.h"
 #include "common/stage/stages.h"
-#include "processes/fdm/model/fdm_settings.h"
 #include "services/coordinator/algo/pipeline/job_process.h"
+
+namespace slicefarm {
+struct FdmSettings;
+}  // namespace slicefarm
 
 namespace slicefarm::coordinator {
 

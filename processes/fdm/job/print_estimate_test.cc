@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/geometry/text_format_test.h"
+#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm::coordinator::print_estimate_test {
 namespace {

@@ -1,5 +1,7 @@
 #include "processes/fdm/job/sampled_estimate.h"
 
+#include "common/model/options/motion_options.h"
+
 #include <algorithm>
 #include <numbers>
 #include <set>

@@ -7,6 +7,10 @@
 #include "common/model/layers/job_plan.h"
 #include "processes/fdm/job/print_estimate.h"
 
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
+
 namespace slicefarm::coordinator {
 
 /// What a layer takes that was made, from rest to rest, all copies.

@@ -5,23 +5,15 @@
 #include <span>
 #include <vector>
 
-#include "common/model/job_facts.h"
+#include "common/base/shared/shared.h"
 #include "common/model/layer_warning.h"
 #include "common/model/layers/fill_use.h"
 #include "common/model/layers/job_plan.h"
 #include "common/stage/task.h"
-#include "processes/fdm/model/fdm_settings.h"
 
 namespace slicefarm {
 
-/// What the tasks of a job have in common.
-struct FdmShared {
-  FdmSettings settings;
-  std::vector<Copy> copies;
-  JobFacts facts;
-
-  friend bool operator==(const FdmShared&, const FdmShared&) = default;
-};
+struct FdmShared;
 
 /// A range of layers to print, with everything they depend on.
 struct FdmTask {

@@ -1,5 +1,7 @@
 #include "processes/fdm/task/fdm_task.h"
 
+#include "processes/fdm/task/fdm_shared.h"
+
 #include <gtest/gtest.h>
 
 namespace slicefarm::fdm_task_test {

@@ -6,7 +6,12 @@
 #include <utility>
 
 #include "common/base/stopwatch.h"
+#include "common/model/options/beading_options.h"
+#include "common/model/options/infill_options.h"
+#include "common/stage/motion_job.h"
 #include "common/stage/object_layers.h"
+#include "common/stage/ordering_job.h"
+#include "processes/fdm/task/fdm_shared.h"
 
 namespace slicefarm {
 

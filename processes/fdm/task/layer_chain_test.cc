@@ -6,6 +6,11 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "common/model/options/beading_options.h"
+#include "common/model/options/infill_options.h"
+#include "common/stage/motion_job.h"
+#include "common/stage/ordering_job.h"
+#include "processes/fdm/task/fdm_shared.h"
 
 namespace slicefarm::layer_chain_test {
 namespace {

@@ -7,6 +7,7 @@
 #include "common/wire/options/options_wire.h"
 #include "common/wire/support/repeated_wire.h"
 #include "common/wire/support/wire_error.h"
+#include "processes/fdm/task/fdm_shared.h"
 
 namespace slicefarm {
 

@@ -7,6 +7,7 @@
 #include "common/model/layers/job_plan.h"
 #include "common/model/layers/layer.h"
 #include "common/wire/shared_wire.h"
+#include "processes/fdm/task/fdm_shared.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "slicefarm/v1/worker.pb.h"
 

@@ -7,6 +7,7 @@
 #include "common/model/paths_test.h"
 #include "common/wire/fields/fields.h"
 #include "common/wire/support/round_trip_test.h"
+#include "processes/fdm/task/fdm_shared.h"
 
 namespace slicefarm::fdm_work_test {
 namespace {

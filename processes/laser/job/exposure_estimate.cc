@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
+#include "processes/laser/model/exposure_options.h"
+#include "processes/laser/model/exposure_settings.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "common/stage/stages.h"
-#include "processes/laser/model/exposure_settings.h"
 #include "services/coordinator/algo/pipeline/job_process.h"
+
+namespace slicefarm {
+struct ExposureSettings;
+}  // namespace slicefarm
 
 namespace slicefarm::coordinator {
 

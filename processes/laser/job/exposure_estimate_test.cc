@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "common/geometry/text_format_test.h"
+#include "processes/laser/model/exposure_options.h"
+#include "processes/laser/model/exposure_settings.h"
 
 namespace slicefarm::coordinator::exposure_estimate_test {
 namespace {

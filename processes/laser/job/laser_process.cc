@@ -8,6 +8,7 @@
 #include "common/base/error.h"
 #include "common/base/span_log.h"
 #include "common/base/stopwatch.h"
+#include "common/stage/exposure_job.h"
 #include "common/stage/job_memory.h"
 #include "common/stage/object_layers.h"
 #include "processes/laser/job/exposure_estimate.h"

@@ -9,6 +9,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 #include "common/geometry/text_format_test.h"
+#include "common/stage/exposure_job.h"
 #include "processes/laser/job/laser_report.h"
 #include "processes/laser/task/laser_chain.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"

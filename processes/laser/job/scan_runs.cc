@@ -6,7 +6,11 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
+#include "common/base/shared/shared_text.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "common/model/process.h"
+#include "processes/laser/model/exposure_options.h"
+#include "processes/laser/model/exposure_settings.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -7,7 +7,10 @@
 #include "common/model/layers/layer.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
-#include "processes/laser/model/exposure_settings.h"
+
+namespace slicefarm {
+struct ExposureSettings;
+}  // namespace slicefarm
 
 namespace slicefarm::coordinator {
 

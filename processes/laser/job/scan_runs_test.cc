@@ -7,6 +7,8 @@
 
 #include "common/base/error.h"
 #include "common/geometry/text_format_test.h"
+#include "processes/laser/model/exposure_options.h"
+#include "processes/laser/model/exposure_settings.h"
 
 namespace slicefarm::coordinator::scan_runs_test {
 namespace {

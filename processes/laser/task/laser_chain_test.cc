@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "common/stage/exposure_job.h"
 
 namespace slicefarm::laser_chain_test {
 namespace {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/base/shared/shared.h"
+#include "common/stage/exposure_job.h"
 #include "common/stage/exposure_stage.h"
 #include "common/stage/task.h"
 #include "processes/laser/model/exposed_program.h"

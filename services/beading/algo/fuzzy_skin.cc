@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "common/geometry/measure.h"
+#include "common/model/options/beading_options.h"
 
 namespace slicefarm::beading {
 namespace {

@@ -3,8 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/model/options/beading_options.h"
 #include "common/model/path.h"
+
+namespace slicefarm {
+struct BeadingOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::beading {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "common/geometry/measure.h"
+#include "common/model/options/beading_options.h"
 #include "common/model/paths_test.h"
 
 namespace slicefarm::beading::fuzzy_skin_test {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/model/layers/region_check.h"
+#include "common/model/options/beading_options.h"
 #include "services/beading/algo/section_walls.h"
 
 namespace slicefarm::beading {

@@ -4,6 +4,7 @@
 
 #include "common/base/error.h"
 #include "common/geometry/text_format_test.h"
+#include "common/model/options/beading_options.h"
 
 namespace slicefarm::beading::local_beading_stage_test {
 namespace {

@@ -11,6 +11,7 @@
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/model/bead_section.h"
+#include "common/model/options/beading_options.h"
 #include "common/model/spiral.h"
 #include "services/beading/algo/arachne/arachne_island.h"
 #include "services/beading/algo/classic/classic_island.h"

@@ -5,8 +5,11 @@
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/beading_options.h"
 #include "services/beading/algo/arachne/neighbour_outlines.h"
+
+namespace slicefarm {
+struct BeadingOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::beading {
 

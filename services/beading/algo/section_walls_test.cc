@@ -7,6 +7,7 @@
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format_test.h"
+#include "common/model/options/beading_options.h"
 #include "services/beading/algo/local_beading_stage.h"
 
 namespace slicefarm::beading::section_walls_test {

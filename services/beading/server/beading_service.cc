@@ -1,5 +1,6 @@
 #include "services/beading/server/beading_service.h"
 
+#include "common/model/options/beading_options.h"
 #include "common/rpc/server/gated_service.h"
 #include "common/wire/stage_answer.h"
 #include "common/wire/stage_jobs_wire.h"

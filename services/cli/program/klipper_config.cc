@@ -8,6 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/base/text.h"
+#include "common/model/options/tool_row.h"
 
 namespace slicefarm::cli {
 namespace {

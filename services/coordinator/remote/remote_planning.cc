@@ -7,6 +7,7 @@
 #include "common/stage/job_memory.h"
 #include "common/stage/print_layers.h"
 #include "common/wire/layers/plan_wire.h"
+#include "common/wire/plan_start_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/repeated_wire.h"
 #include "slicefarm/v1/planning.grpc.pb.h"

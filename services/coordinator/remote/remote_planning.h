@@ -1,11 +1,14 @@
 #pragma once
 
 #include "common/model/layers/job_plan.h"
-#include "common/model/options/planning_options.h"
 #include "common/stage/planning_stage.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/remote/stage_client.h"
+
+namespace slicefarm {
+struct PlanningOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::coordinator {
 

@@ -5,8 +5,6 @@
 
 #include "common/base/shared/shared.h"
 #include "common/model/layers/job_plan.h"
-#include "common/model/options/motion_options.h"
-#include "common/model/options/planning_options.h"
 #include "common/model/scene/placed_scene.h"
 #include "common/stage/beading_stage.h"
 #include "common/stage/exposure_stage.h"
@@ -19,8 +17,16 @@
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "processes/laser/model/exposed_program.h"
-#include "processes/laser/model/exposure_settings.h"
 #include "services/coordinator/remote/stage_client.h"
+
+namespace slicefarm {
+struct ExposureSettings;
+
+struct ExposureJob;
+struct MotionJob;
+struct MotionOptions;
+struct OrderingJob;
+}  // namespace slicefarm
 
 namespace slicefarm::coordinator {
 

@@ -9,6 +9,7 @@
 
 #include "common/base/error.h"
 #include "common/rpc/status_mapping.h"
+#include "processes/fdm/task/fdm_shared.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "services/coordinator/remote/fake_replica_test.h"
 

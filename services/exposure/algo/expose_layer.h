@@ -8,8 +8,11 @@
 #include "common/model/layers/layer.h"
 #include "common/stage/object_layers.h"
 #include "processes/laser/model/exposed_layer.h"
-#include "processes/laser/model/exposure_options.h"
 #include "services/exposure/algo/exposure_report.h"
+
+namespace slicefarm {
+struct ExposureOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::exposure {
 

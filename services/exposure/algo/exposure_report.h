@@ -3,7 +3,10 @@
 #include <span>
 
 #include "processes/laser/model/exposed_layer.h"
-#include "processes/laser/model/exposure_options.h"
+
+namespace slicefarm {
+struct ExposureOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::exposure {
 

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/stage/exposure_job.h"
 #include "common/stage/object_layers.h"
 #include "services/exposure/algo/expose_layer.h"
 #include "services/exposure/algo/writers/writers.h"

@@ -8,6 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/geometry/text_format_test.h"
+#include "common/stage/exposure_job.h"
 
 namespace slicefarm::exposure::local_exposure_stage_test {
 namespace {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "common/rpc/server/gated_service.h"
+#include "common/stage/exposure_job.h"
 #include "common/wire/layers/exposure_wire.h"
 #include "common/wire/options/options_wire.h"
 #include "common/wire/stage_answer.h"

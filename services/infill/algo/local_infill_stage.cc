@@ -5,6 +5,7 @@
 
 #include "common/base/error.h"
 #include "common/model/layers/region_check.h"
+#include "common/model/options/infill_options.h"
 #include "common/stage/object_layers.h"
 #include "services/infill/algo/section_fill.h"
 

@@ -8,6 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/geometry/text_format_test.h"
+#include "common/model/options/infill_options.h"
 
 namespace slicefarm::infill::local_infill_stage_test {
 namespace {

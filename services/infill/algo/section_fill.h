@@ -5,9 +5,12 @@
 #include "absl/status/statusor.h"
 #include "common/model/layers/job_plan.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/infill_options.h"
 #include "common/stage/object_layers.h"
 #include "services/infill/algo/fields/region_fields.h"
+
+namespace slicefarm {
+struct InfillOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::infill {
 

@@ -11,6 +11,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format_test.h"
 #include "common/model/bead_section.h"
+#include "common/model/options/infill_options.h"
 
 namespace slicefarm::infill::section_fill_test {
 namespace {

@@ -4,9 +4,12 @@
 #include <optional>
 
 #include "common/model/layers/layer.h"
-#include "common/model/options/infill_options.h"
 #include "common/stage/object_layers.h"
 #include "services/infill/algo/skins/skins.h"
+
+namespace slicefarm {
+struct InfillOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::infill {
 

@@ -2,7 +2,6 @@
 
 #include "absl/status/statusor.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/infill_options.h"
 
 namespace slicefarm::infill {
 

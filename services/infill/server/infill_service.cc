@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/model/options/infill_options.h"
 #include "common/rpc/server/gated_service.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"

@@ -9,6 +9,9 @@
 #include "common/base/error.h"
 #include "common/model/layers/region_check.h"
 #include "common/model/limits.h"
+#include "common/model/options/motion_options.h"
+#include "common/model/options/region_speeds.h"
+#include "common/model/options/tool_row.h"
 
 namespace slicefarm::motion {
 namespace {

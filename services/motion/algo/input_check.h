@@ -2,7 +2,10 @@
 
 #include "absl/status/status.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/motion_options.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "common/base/error.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion::input_check_test {
 namespace {

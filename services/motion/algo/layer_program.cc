@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "common/gcode/custom_code.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/gcode/layer_writer.h"
 #include "services/motion/algo/gcode/machine_setup.h"

@@ -6,8 +6,11 @@
 #include "common/model/fields/material_field.h"
 #include "common/model/job_facts.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/macro/layer_code.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

@@ -12,6 +12,8 @@
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 #include "common/model/bead_section.h"
+#include "common/model/options/machine_limits.h"
+#include "common/model/options/motion_options.h"
 #include "common/model/paths_test.h"
 
 namespace slicefarm::motion::layer_program_test {

@@ -2,6 +2,7 @@
 
 #include "common/base/text.h"
 #include "common/gcode/gcode_text.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/pass_change.h"
 #include "services/motion/algo/program/gcode_machine.h"
@@ -11,6 +12,8 @@
 #include "services/motion/algo/toolpath/travel_ramp.h"
 
 namespace slicefarm::motion {
+
+LayerWays::LayerWays(const MotionOptions& options) : options_(options), ways_(options.room) {}
 
 std::vector<Point> LayerWays::Corners(Point from, Point to) const {
   const Point offset = options_.tool().offset;

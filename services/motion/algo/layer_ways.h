@@ -6,7 +6,10 @@
 
 #include "common/geometry/offset/ways_within.h"
 #include "common/model/layers/program_summary.h"
-#include "common/model/options/motion_options.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 
@@ -15,7 +18,7 @@ namespace slicefarm::motion {
 class LayerWays {
  public:
   /// `options` must outlive this.
-  explicit LayerWays(const MotionOptions& options) : options_(options), ways_(options.room) {}
+  explicit LayerWays(const MotionOptions& options);
 
   /// Returns the corners of the way from `from` to `to`; none: it is straight.
   std::vector<Point> Corners(Point from, Point to) const;

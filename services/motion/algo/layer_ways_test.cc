@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/boolean/boolean.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/pass_change.h"
 
 namespace slicefarm::motion::layer_ways_test {

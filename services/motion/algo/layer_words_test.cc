@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "common/model/options/motion_options.h"
 #include "common/model/paths_test.h"
 #include "services/motion/algo/layer_program.h"
 

@@ -8,6 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/model/fields/field_text.h"
+#include "common/stage/motion_job.h"
 #include "services/motion/algo/gcode/machine_setup.h"
 #include "services/motion/algo/input_check.h"
 #include "services/motion/algo/layer_program.h"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/stage/motion_job.h"
 
 namespace slicefarm::motion::local_motion_stage_test {
 namespace {

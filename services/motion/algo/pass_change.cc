@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
-#include "services/motion/algo/gcode/extruder_words.h"
 #include "common/gcode/gcode_text.h"
+#include "common/model/options/motion_options.h"
+#include "services/motion/algo/gcode/extruder_words.h"
 #include "services/motion/algo/gcode/machine_setup.h"
-#include "services/motion/algo/text/commands.h"
 #include "services/motion/algo/layer_ways.h"
+#include "services/motion/algo/text/commands.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 

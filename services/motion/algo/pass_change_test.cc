@@ -1,3 +1,4 @@
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/pass_change.h"
 
 #include <gmock/gmock.h>

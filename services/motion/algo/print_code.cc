@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/macro/file_name.h"
 #include "services/motion/algo/macro/height_text.h"
 #include "services/motion/algo/macro/template_variables.h"

@@ -8,8 +8,11 @@
 #include "absl/status/statusor.h"
 #include "common/macro/job_code.h"
 #include "common/model/layers/program_summary.h"
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/pass_change.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

@@ -1,3 +1,4 @@
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/print_code.h"
 
 #include <gmock/gmock.h>

@@ -11,6 +11,7 @@
 #include "common/geometry/measure.h"
 #include "common/macro/job_code.h"
 #include "common/model/layers/filament_use.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/gcode/extruder_words.h"
 #include "services/motion/algo/gcode/machine_setup.h"

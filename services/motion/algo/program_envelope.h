@@ -3,7 +3,10 @@
 #include "absl/status/statusor.h"
 #include "common/model/layers/layer.h"
 #include "common/model/layers/program_summary.h"
-#include "common/model/options/motion_options.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

@@ -8,6 +8,8 @@
 #include "common/base/duration_text.h"
 #include "common/base/error.h"
 #include "common/kinematics/trapezoid.h"
+#include "common/model/options/machine_limits.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion::program_envelope_test {
 namespace {

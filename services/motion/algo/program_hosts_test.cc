@@ -8,6 +8,7 @@
 
 #include "absl/strings/escaping.h"
 #include "common/base/text.h"
+#include "common/model/options/motion_options.h"
 #include "common/model/paths_test.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/layer_program.h"

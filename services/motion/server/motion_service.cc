@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/rpc/server/gated_service.h"
+#include "common/stage/motion_job.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/options/options_wire.h"

@@ -10,6 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 #include "common/model/layers/region_check.h"
+#include "common/model/options/ordering_options.h"
 #include "services/ordering/algo/comb/copy_ways.h"
 #include "services/ordering/algo/comb/room_ways.h"
 #include "services/ordering/algo/section_order.h"

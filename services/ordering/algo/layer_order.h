@@ -5,7 +5,10 @@
 #include "absl/status/statusor.h"
 #include "common/model/layers/job_plan.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/ordering_options.h"
+
+namespace slicefarm {
+struct OrderingOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::ordering {
 

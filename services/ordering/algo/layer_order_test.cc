@@ -5,6 +5,7 @@
 
 #include "common/base/error.h"
 #include "common/geometry/text_format_test.h"
+#include "common/model/options/ordering_options.h"
 #include "common/model/paths_test.h"
 
 namespace slicefarm::ordering::layer_order_test {

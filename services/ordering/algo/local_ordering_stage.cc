@@ -4,6 +4,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
+#include "common/stage/ordering_job.h"
 #include "services/ordering/algo/layer_order.h"
 
 namespace slicefarm::ordering {

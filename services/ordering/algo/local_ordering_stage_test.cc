@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
+#include "common/stage/ordering_job.h"
 
 namespace slicefarm::ordering::local_ordering_stage_test {
 namespace {

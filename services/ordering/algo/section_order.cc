@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
+#include "common/model/options/ordering_options.h"
 #include "services/ordering/algo/comb/island_travels.h"
 #include "services/ordering/algo/comb/outside_travels.h"
 #include "services/ordering/algo/fill_order.h"

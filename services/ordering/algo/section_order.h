@@ -2,8 +2,11 @@
 
 #include "common/model/layers/job_plan.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/ordering_options.h"
 #include "services/ordering/algo/travel_order.h"
+
+namespace slicefarm {
+struct OrderingOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::ordering {
 

@@ -8,6 +8,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format_test.h"
+#include "common/model/options/ordering_options.h"
 #include "services/ordering/algo/comb/curled_ways.h"
 #include "services/ordering/algo/route.h"
 

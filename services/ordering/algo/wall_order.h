@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "common/model/options/ordering_options.h"
 #include "services/ordering/algo/route.h"
 #include "services/ordering/algo/travel_order.h"
 

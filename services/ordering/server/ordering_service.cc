@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/rpc/server/gated_service.h"
+#include "common/stage/ordering_job.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/stage_answer.h"

@@ -6,11 +6,14 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/options/planning_options.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "services/planning/algo/planner/planner.h"
 #include "services/planning/algo/planner/region_planner.h"
+
+namespace slicefarm {
+struct PlanningOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::planning {
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
+#include "common/model/options/planning_options.h"
 #include "services/planning/algo/layers_test.h"
 
 namespace slicefarm::planning::job_planner_test {

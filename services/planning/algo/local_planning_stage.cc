@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "common/model/options/planning_options.h"
 #include "services/planning/algo/job_planner.h"
 
 namespace slicefarm::planning {

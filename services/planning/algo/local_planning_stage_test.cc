@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "common/model/options/adhesion_options.h"
+#include "common/model/options/planning_options.h"
 #include "services/planning/algo/layers_test.h"
 
 namespace slicefarm::planning::local_planning_stage_test {

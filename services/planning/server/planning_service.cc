@@ -9,6 +9,7 @@
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/message_stream.h"
 #include "common/wire/layers/plan_wire.h"
+#include "common/wire/plan_start_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/repeated_wire.h"
 #include "services/planning/algo/job_planner.h"

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "common/model/bead_section.h"
-#include "services/beading/algo/strategy/strategy_factory.h"
+#include "common/model/options/beading_options.h"
 #include "services/beading/algo/arachne/wide_walls.h"
+#include "services/beading/algo/strategy/strategy_factory.h"
 
 namespace slicefarm::beading {
 namespace {

@@ -6,12 +6,15 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "common/model/options/beading_options.h"
 #include "services/beading/algo/arachne/variable_walls.h"
 #include "services/beading/algo/beads/island_beads.h"
 #include "services/beading/algo/classic/constant_walls.h"
 #include "services/beading/algo/classic/gap_fill.h"
 #include "services/beading/algo/strategy/beading_strategy.h"
+
+namespace slicefarm {
+struct BeadingOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::beading {
 

@@ -13,6 +13,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format_test.h"
 #include "common/model/bead_section.h"
+#include "common/model/options/beading_options.h"
 
 namespace slicefarm::beading::arachne_island_test {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "common/base/error.h"
 #include "common/base/span_log.h"
+#include "processes/fdm/task/fdm_shared.h"
 #include "processes/fdm/task/fdm_task.h"
 
 namespace slicefarm::coordinator::fleet_test {

@@ -10,6 +10,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
+#include "processes/fdm/task/fdm_shared.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 

@@ -5,6 +5,7 @@
 
 #include "common/base/error.h"
 #include "common/geometry/text_format_test.h"
+#include "common/stage/motion_job.h"
 #include "processes/fdm/job/fdm_process.h"
 #include "processes/fdm/task/fdm_task.h"
 

@@ -19,6 +19,12 @@
 #include "processes/fdm/task/fdm_task.h"
 #include "services/coordinator/remote/remote_projects.h"
 
+namespace slicefarm {
+struct MotionJob;
+struct MotionOptions;
+struct PlanningOptions;
+}  // namespace slicefarm
+
 namespace slicefarm::coordinator {
 
 /// Stages for tests of the coordinator: a mesh's bytes say what is to happen, one layer for each

@@ -8,6 +8,7 @@
 #include "common/base/error.h"
 #include "common/base/temp_directory_test.h"
 #include "common/rpc/event_test.h"
+#include "processes/fdm/task/fdm_shared.h"
 #include "services/coordinator/server/execution/fake_stages_test.h"
 #include "services/coordinator/server/observe/metric_values_test.h"
 #include "services/coordinator/store/jobs/forwarding_job_store.h"

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "processes/laser/model/exposure_options.h"
 #include "services/exposure/algo/scan/scan_lines.h"
 
 namespace slicefarm::exposure {

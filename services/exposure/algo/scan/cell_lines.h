@@ -4,6 +4,10 @@
 #include "services/exposure/algo/scan/line_blocks.h"
 #include "services/exposure/algo/scan/scan_lines.h"
 
+namespace slicefarm {
+struct ExposureOptions;
+}  // namespace slicefarm
+
 namespace slicefarm::exposure {
 
 /// The hatch lines of each stripe (kStripes) or island (kIslands); see hatch.h.

@@ -4,6 +4,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format_test.h"
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure::cell_lines_test {
 namespace {

@@ -1,7 +1,10 @@
 #pragma once
 
 #include "common/geometry/measure.h"
-#include "processes/laser/model/exposure_options.h"
+
+namespace slicefarm {
+struct ExposureStyle;
+}  // namespace slicefarm
 
 namespace slicefarm::exposure {
 

@@ -1,5 +1,6 @@
 #include "services/exposure/algo/scan/hatch.h"
 
+#include "processes/laser/model/exposure_options.h"
 #include "services/exposure/algo/scan/cell_lines.h"
 #include "services/exposure/algo/scan/serpentines.h"
 

@@ -3,8 +3,11 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "processes/laser/model/exposure_options.h"
 #include "services/exposure/algo/scan/scan_lines.h"
+
+namespace slicefarm {
+struct ExposureOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::exposure {
 

@@ -1,5 +1,7 @@
 #include "services/exposure/algo/scan/hatch_angle.h"
 
+#include "processes/laser/model/exposure_options.h"
+
 #include <algorithm>
 #include <cmath>
 

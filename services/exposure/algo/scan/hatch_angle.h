@@ -2,7 +2,10 @@
 
 #include <cstdint>
 
-#include "processes/laser/model/exposure_options.h"
+
+namespace slicefarm {
+struct ExposureOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::exposure {
 

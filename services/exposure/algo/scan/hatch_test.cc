@@ -11,6 +11,7 @@
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format_test.h"
+#include "processes/laser/model/exposure_options.h"
 #include "services/exposure/algo/scan/coverage_test.h"
 
 namespace slicefarm::exposure::hatch_test {

@@ -1,5 +1,7 @@
 #include "services/exposure/algo/scan/inside.h"
 
+#include "processes/laser/model/exposure_options.h"
+
 #include <algorithm>
 
 namespace slicefarm::exposure {

@@ -1,3 +1,4 @@
+#include "processes/laser/model/exposure_options.h"
 #include "services/exposure/algo/scan/inside.h"
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/geometry/line_axes.h"
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure {
 namespace {

@@ -3,7 +3,10 @@
 #include <cstdint>
 
 #include "common/geometry/point.h"
-#include "processes/laser/model/exposure_options.h"
+
+namespace slicefarm {
+struct ExposureOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::exposure {
 

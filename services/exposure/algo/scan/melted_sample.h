@@ -5,7 +5,10 @@
 
 #include "common/geometry/polygon.h"
 #include "processes/laser/model/exposed_layer.h"
-#include "processes/laser/model/exposure_options.h"
+
+namespace slicefarm {
+struct ExposureOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::exposure {
 

@@ -4,7 +4,10 @@
 #include "common/base/cancel_token.h"
 #include "common/geometry/polygon.h"
 #include "processes/laser/model/exposed_layer.h"
-#include "processes/laser/model/exposure_options.h"
+
+namespace slicefarm {
+struct ExposureOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::exposure {
 

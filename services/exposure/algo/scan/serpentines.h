@@ -4,6 +4,10 @@
 #include "services/exposure/algo/scan/line_blocks.h"
 #include "services/exposure/algo/scan/scan_lines.h"
 
+namespace slicefarm {
+struct ExposureOptions;
+}  // namespace slicefarm
+
 namespace slicefarm::exposure {
 
 /// Lines right through a region; from each the way goes on to the nearest one of the next line that

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/text_format_test.h"
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure::serpentines_test {
 namespace {

@@ -5,7 +5,10 @@
 
 #include "absl/status/statusor.h"
 #include "processes/laser/model/exposed_program.h"
-#include "processes/laser/model/exposure_options.h"
+
+namespace slicefarm {
+struct ExposureOutput;
+}  // namespace slicefarm
 
 namespace slicefarm::exposure {
 

@@ -1,5 +1,7 @@
 #include "services/exposure/algo/writers/style_text.h"
 
+#include "processes/laser/model/exposure_options.h"
+
 #include <fmt/core.h>
 
 namespace slicefarm::exposure {

@@ -1,3 +1,4 @@
+#include "processes/laser/model/exposure_options.h"
 #include "services/exposure/algo/writers/style_text.h"
 
 #include <gtest/gtest.h>

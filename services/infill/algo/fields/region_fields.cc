@@ -8,6 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/model/fields/field_text.h"
+#include "common/model/options/infill_options.h"
 
 namespace slicefarm::infill {
 namespace {

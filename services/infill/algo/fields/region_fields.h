@@ -8,9 +8,12 @@
 
 #include "absl/status/statusor.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/infill_options.h"
 #include "services/infill/algo/fields/layer_field.h"
 #include "services/infill/algo/fields/streamlines.h"
+
+namespace slicefarm {
+struct InfillOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::infill {
 

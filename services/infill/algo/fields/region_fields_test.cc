@@ -4,6 +4,7 @@
 
 #include "common/base/error.h"
 #include "common/geometry/text_format_test.h"
+#include "common/model/options/infill_options.h"
 
 namespace slicefarm::infill::region_fields_test {
 namespace {

@@ -1,5 +1,6 @@
 #include "services/motion/algo/firmware/firmware.h"
 
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/bambu.h"
 #include "services/motion/algo/firmware/grbl.h"
 #include "services/motion/algo/firmware/jerk.h"

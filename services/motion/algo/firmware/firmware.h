@@ -8,8 +8,11 @@
 #include "common/gcode/gcode_text.h"
 #include "common/kinematics/planner.h"
 #include "common/model/layers/program_summary.h"
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/text/gcode_line.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

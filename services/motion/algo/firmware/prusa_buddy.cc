@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "common/base/shared/shared_text.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/marlin.h"
 #include "services/motion/algo/text/commands.h"
 #include "services/motion/algo/text/comment_text.h"

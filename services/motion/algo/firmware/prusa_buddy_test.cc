@@ -1,3 +1,4 @@
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/prusa_buddy.h"
 
 #include <gtest/gtest.h>

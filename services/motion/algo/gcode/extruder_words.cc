@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/model/options/motion_options.h"
+#include "common/model/options/tool_row.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 
 namespace slicefarm::motion {

@@ -2,8 +2,12 @@
 
 #include <cstdint>
 
-#include "common/model/options/motion_options.h"
+#include "common/model/options/tool_row.h"
 #include "common/gcode/gcode_text.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

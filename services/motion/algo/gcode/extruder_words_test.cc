@@ -1,3 +1,4 @@
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/gcode/extruder_words.h"
 
 #include <gtest/gtest.h>

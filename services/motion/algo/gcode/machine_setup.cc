@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <string>
 
+#include "common/base/shared/shared_text.h"
 #include "common/base/text.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/text/commands.h"
 

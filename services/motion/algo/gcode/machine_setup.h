@@ -2,8 +2,12 @@
 
 #include <string_view>
 
+#include "common/model/options/machine_limits.h"
 #include "common/gcode/gcode_text.h"
-#include "common/model/options/motion_options.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

@@ -6,7 +6,10 @@
 #include "common/gcode/gcode_text.h"
 #include "common/model/job_facts.h"
 #include "common/model/layers/program_summary.h"
-#include "common/model/options/motion_options.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

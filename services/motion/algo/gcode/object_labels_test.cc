@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/text_format_test.h"
+#include "common/model/options/machine_limits.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion::object_labels_test {
 namespace {

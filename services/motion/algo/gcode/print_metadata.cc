@@ -13,6 +13,7 @@
 #include "common/gcode/gcode_text.h"
 #include "common/macro/settings_text.h"
 #include "common/model/layers/filament_use.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/text/comment_text.h"
 
 namespace slicefarm::motion {

@@ -4,7 +4,10 @@
 #include <string>
 
 #include "common/model/layers/program_summary.h"
-#include "common/model/options/motion_options.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

@@ -6,6 +6,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 #include "common/gcode/gcode_text.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion {
 namespace {

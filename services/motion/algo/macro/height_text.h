@@ -9,7 +9,10 @@
 #include "common/macro/template_run.h"
 #include "common/model/layers/layer.h"
 #include "common/model/options/height_code.h"
-#include "common/model/options/motion_options.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

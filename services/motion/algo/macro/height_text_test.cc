@@ -5,6 +5,7 @@
 #include <string>
 
 #include "common/base/error.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/macro/template_variables.h"
 
 namespace slicefarm::motion::height_text_test {

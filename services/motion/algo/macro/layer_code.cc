@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/base/text.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/macro/template_variables.h"
 
 namespace slicefarm::motion {

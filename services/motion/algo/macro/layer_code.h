@@ -6,9 +6,12 @@
 #include "common/macro/job_code.h"
 #include "common/macro/template_value.h"
 #include "common/model/job_facts.h"
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/macro/height_text.h"
 #include "services/motion/algo/toolpath/layer_place.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

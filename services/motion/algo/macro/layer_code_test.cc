@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion::layer_code_test {
 namespace {

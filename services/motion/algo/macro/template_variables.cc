@@ -6,9 +6,11 @@
 #include <string_view>
 
 #include "common/base/duration_text.h"
+#include "common/base/shared/shared_text.h"
 #include "common/geometry/measure.h"
 #include "common/macro/setting_variables.h"
 #include "common/model/layers/filament_use.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/text/comment_text.h"
 #include "services/motion/algo/toolpath/footprint.h"

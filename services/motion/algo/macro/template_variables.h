@@ -6,8 +6,11 @@
 #include "common/model/job_facts.h"
 #include "common/model/layers/layer.h"
 #include "common/model/layers/program_summary.h"
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/toolpath/layer_place.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

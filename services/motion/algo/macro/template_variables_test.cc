@@ -5,6 +5,7 @@
 
 #include "common/macro/setting_variables.h"
 #include "common/macro/template_run.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion::template_variables_test {
 namespace {

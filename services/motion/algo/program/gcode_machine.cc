@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "common/base/portable_math.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion {
 namespace {

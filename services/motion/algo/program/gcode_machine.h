@@ -6,12 +6,16 @@
 #include <string_view>
 #include <vector>
 
+#include "common/model/options/tool_row.h"
 #include "common/kinematics/kinematic_move.h"
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/program/heat_waits.h"
 #include "services/motion/algo/text/gcode_line.h"
 #include "services/motion/algo/toolpath/arc_chords.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/klipper.h"
 #include "services/motion/algo/firmware/marlin.h"
 #include "services/motion/algo/firmware/reprap.h"

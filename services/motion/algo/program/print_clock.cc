@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/gcode/gcode_text.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/toolpath/edge_moves.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 

@@ -8,9 +8,12 @@
 
 #include "common/kinematics/planner.h"
 #include "common/model/layers/program_summary.h"
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/program/gcode_machine.h"
 #include "services/motion/algo/program/heat_waits.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

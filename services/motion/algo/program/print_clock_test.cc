@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/model/options/motion_options.h"
 #include "common/model/paths_test.h"
 #include "services/motion/algo/layer_program.h"
 #include "services/motion/algo/program/program_time.h"

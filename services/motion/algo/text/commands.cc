@@ -1,5 +1,7 @@
 #include "services/motion/algo/text/commands.h"
 
+#include "common/model/options/motion_options.h"
+
 #include <algorithm>
 #include <cctype>
 

@@ -3,7 +3,10 @@
 #include <initializer_list>
 #include <string_view>
 
-#include "common/model/options/motion_options.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
 namespace slicefarm::motion {
 namespace {

@@ -3,9 +3,12 @@
 #include <array>
 
 #include "common/model/layers/layer.h"
-#include "common/model/options/motion_options.h"
 #include "common/model/path.h"
 #include "services/motion/algo/toolpath/toolpath.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

@@ -1,3 +1,5 @@
+#include "common/model/options/machine_limits.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 
 #include <gtest/gtest.h>

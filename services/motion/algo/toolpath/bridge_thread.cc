@@ -5,6 +5,8 @@
 
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
+#include "common/model/options/motion_options.h"
+#include "common/model/options/region_speeds.h"
 
 namespace slicefarm::motion {
 namespace {

@@ -1,7 +1,11 @@
 #pragma once
 
-#include "common/model/options/motion_options.h"
+#include "common/model/options/region_speeds.h"
 #include "common/model/path.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/model/bead_section.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion::bridge_thread_test {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "common/base/portable_math.h"
 #include "common/gcode/gcode_text.h"
+#include "common/model/options/tool_row.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 
 namespace slicefarm::motion {

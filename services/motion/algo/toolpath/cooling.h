@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "common/model/options/tool_row.h"
 #include "services/motion/algo/toolpath/layer_timing.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 

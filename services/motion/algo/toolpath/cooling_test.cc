@@ -4,6 +4,8 @@
 
 #include <numeric>
 
+#include "common/model/options/motion_options.h"
+#include "common/model/options/tool_row.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/toolpath_builder.h"
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/toolpath/toolpath_builder.h"
 
 namespace slicefarm::motion::edge_moves_test {

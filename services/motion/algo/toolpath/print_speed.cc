@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/model/options/motion_options.h"
+#include "common/model/options/region_speeds.h"
 #include "services/motion/algo/toolpath/overhang.h"
 
 namespace slicefarm::motion {

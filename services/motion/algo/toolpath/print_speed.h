@@ -1,8 +1,11 @@
 #pragma once
 
-#include "common/model/options/motion_options.h"
 #include "common/model/path.h"
 #include "services/motion/algo/toolpath/toolpath.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

@@ -1,3 +1,4 @@
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 
 #include <gtest/gtest.h>

@@ -10,6 +10,7 @@
 #include "common/geometry/arc_fit.h"
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/material_mix.h"
 #include "services/motion/algo/toolpath/bridge_thread.h"
 #include "services/motion/algo/toolpath/divided_path.h"

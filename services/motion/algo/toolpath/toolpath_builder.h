@@ -4,14 +4,18 @@
 #include <span>
 #include <vector>
 
+#include "common/model/options/region_speeds.h"
 #include "common/model/layers/layer.h"
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/toolpath/overhang.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/simplified_path.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 #include "services/motion/algo/toolpath/wipe.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

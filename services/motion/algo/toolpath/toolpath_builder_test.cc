@@ -10,6 +10,9 @@
 
 #include "common/gcode/gcode_text.h"
 #include "common/model/bead_section.h"
+#include "common/model/options/motion_options.h"
+#include "common/model/options/region_speeds.h"
+#include "common/model/options/tool_row.h"
 #include "common/model/paths_test.h"
 
 namespace slicefarm::motion::toolpath_builder_test {

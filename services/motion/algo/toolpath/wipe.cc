@@ -5,6 +5,8 @@
 
 #include "common/geometry/between.h"
 #include "common/geometry/measure.h"
+#include "common/model/options/motion_options.h"
+#include "common/model/options/tool_row.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 

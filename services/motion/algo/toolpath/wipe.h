@@ -3,8 +3,11 @@
 #include <vector>
 
 #include "common/geometry/arc_fit.h"
-#include "common/model/options/motion_options.h"
 #include "common/model/path.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::motion {
 

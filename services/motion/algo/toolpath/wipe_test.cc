@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/model/options/motion_options.h"
+#include "common/model/options/tool_row.h"
 #include "common/model/paths_test.h"
 
 namespace slicefarm::motion::wipe_test {

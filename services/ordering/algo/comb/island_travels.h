@@ -5,9 +5,12 @@
 #include <vector>
 
 #include "common/model/layers/layer.h"
-#include "common/model/options/ordering_options.h"
 #include "services/ordering/algo/comb/curled_ways.h"
 #include "services/ordering/algo/comb/island_edges.h"
+
+namespace slicefarm {
+struct TravelOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::ordering {
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/geometry/text_format_test.h"
+#include "common/model/options/ordering_options.h"
 #include "common/model/paths_test.h"
 
 namespace slicefarm::ordering::island_travels_test {

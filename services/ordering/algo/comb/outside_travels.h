@@ -3,9 +3,12 @@
 #include <optional>
 
 #include "common/model/layers/layer.h"
-#include "common/model/options/ordering_options.h"
 #include "services/ordering/algo/comb/clear_ways.h"
 #include "services/ordering/algo/comb/edge_strips.h"
+
+namespace slicefarm {
+struct TravelOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::ordering {
 

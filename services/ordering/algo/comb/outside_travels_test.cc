@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/text_format_test.h"
+#include "common/model/options/ordering_options.h"
 #include "common/model/paths_test.h"
 
 namespace slicefarm::ordering::outside_travels_test {

@@ -7,11 +7,13 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/base/shared/shared_text.h"
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/convex.h"
 #include "common/geometry/moved.h"
 #include "common/geometry/offset/offset.h"
 #include "common/model/limits.h"
+#include "common/model/options/planning_options.h"
 #include "services/planning/algo/adhesion/alone.h"
 #include "services/planning/algo/adhesion/automatic_brim.h"
 #include "services/planning/algo/adhesion/brim.h"

@@ -7,11 +7,14 @@
 #include <vector>
 
 #include "common/model/options/adhesion_options.h"
-#include "common/model/options/planning_options.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "services/planning/algo/adhesion/skirt.h"
 #include "services/planning/algo/planner/planner.h"
+
+namespace slicefarm {
+struct PlanningOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::planning {
 

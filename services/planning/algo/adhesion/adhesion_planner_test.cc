@@ -9,6 +9,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
 #include "common/geometry/text_format_test.h"
+#include "common/model/options/planning_options.h"
 #include "services/planning/algo/adhesion/planned_test.h"
 
 namespace slicefarm::planning::adhesion_planner_test {

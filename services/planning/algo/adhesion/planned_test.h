@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/model/options/planning_options.h"
 #include "common/stage/print_layers.h"
 #include "common/stage/slicing_stage.h"
 #include "services/planning/algo/job_planner.h"

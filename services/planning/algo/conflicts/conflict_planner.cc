@@ -10,6 +10,7 @@
 #include "common/geometry/convex.h"
 #include "common/geometry/moved.h"
 #include "common/geometry/offset/offset.h"
+#include "common/model/options/planning_options.h"
 #include "services/planning/algo/conflicts/meeting.h"
 
 namespace slicefarm::planning {

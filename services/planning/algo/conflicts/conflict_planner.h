@@ -6,12 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "common/model/options/planning_options.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "services/planning/algo/adhesion/skirt.h"
 #include "services/planning/algo/conflicts/near_copies.h"
 #include "services/planning/algo/planner/planner.h"
+
+namespace slicefarm {
+struct PlanningOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::planning {
 

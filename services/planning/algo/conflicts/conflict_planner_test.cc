@@ -5,6 +5,7 @@
 #include "common/base/error.h"
 #include "common/geometry/moved.h"
 #include "common/geometry/text_format_test.h"
+#include "common/model/options/planning_options.h"
 
 namespace slicefarm::planning::conflict_planner_test {
 namespace {

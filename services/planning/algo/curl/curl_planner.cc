@@ -1,5 +1,7 @@
 #include "services/planning/algo/curl/curl_planner.h"
 
+#include "common/model/options/planning_options.h"
+
 #include <utility>
 
 namespace slicefarm::planning {

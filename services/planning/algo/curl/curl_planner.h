@@ -3,9 +3,12 @@
 #include <cstdint>
 #include <map>
 
-#include "common/model/options/planning_options.h"
 #include "services/planning/algo/curl/curled_edges.h"
 #include "services/planning/algo/planner/planner.h"
+
+namespace slicefarm {
+struct PlanningOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::planning {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/geometry/text_format_test.h"
+#include "common/model/options/planning_options.h"
 #include "services/planning/algo/job_planner.h"
 #include "services/planning/algo/layers_test.h"
 

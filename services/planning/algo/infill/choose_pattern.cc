@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/geometry/measure.h"
+#include "common/model/options/infill_options.h"
 
 namespace slicefarm::planning {
 namespace {

@@ -3,8 +3,11 @@
 #include <string>
 
 #include "common/model/options/fill_patterns.h"
-#include "common/model/options/infill_options.h"
 #include "services/planning/algo/infill/object_stack.h"
+
+namespace slicefarm {
+struct InfillOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::planning {
 

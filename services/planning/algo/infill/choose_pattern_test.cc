@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/model/options/infill_options.h"
 #include "services/planning/algo/infill/stacks_test.h"
 
 namespace slicefarm::planning::choose_pattern_test {

@@ -8,6 +8,8 @@
 
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
+#include "common/model/options/infill_options.h"
+#include "common/model/options/planning_options.h"
 #include "common/stage/job_memory.h"
 #include "services/planning/algo/infill/choose_pattern.h"
 #include "services/planning/algo/infill/cubic_octree.h"

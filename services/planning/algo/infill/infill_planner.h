@@ -5,10 +5,13 @@
 #include <string>
 #include <utility>
 
-#include "common/model/options/planning_options.h"
 #include "services/planning/algo/infill/infill_places.h"
 #include "services/planning/algo/infill/object_stack.h"
 #include "services/planning/algo/planner/planner.h"
+
+namespace slicefarm {
+struct PlanningOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::planning {
 

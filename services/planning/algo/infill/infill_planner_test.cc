@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "common/geometry/measure.h"
+#include "common/model/options/infill_options.h"
+#include "common/model/options/planning_options.h"
 #include "common/stage/job_memory.h"
 #include "services/planning/algo/layers_test.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/model/options/planning_options.h"
 #include "services/planning/algo/seams/seam_costs.h"
 #include "services/planning/algo/seams/seam_lines.h"
 

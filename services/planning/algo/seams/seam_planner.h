@@ -3,12 +3,15 @@
 #include <map>
 #include <vector>
 
-#include "common/model/options/planning_options.h"
 #include "services/planning/algo/planner/planner.h"
 #include "services/planning/algo/seams/occupancy.h"
 #include "services/planning/algo/seams/seam_costs.h"
 #include "services/planning/algo/seams/seam_forest.h"
 #include "services/planning/algo/seams/seam_places.h"
+
+namespace slicefarm {
+struct PlanningOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::planning {
 

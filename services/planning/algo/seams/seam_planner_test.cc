@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "common/model/options/planning_options.h"
 #include "services/planning/algo/layers_test.h"
 #include "services/planning/algo/seams/rings_test.h"
 

@@ -9,6 +9,7 @@
 #include "common/base/portable_math.h"
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/branch_necks.h"
 
 namespace slicefarm::planning {

@@ -3,10 +3,13 @@
 #include <vector>
 
 #include "common/base/cancel_token.h"
-#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/branches.h"
 #include "services/planning/algo/support/clearance.h"
 #include "services/planning/algo/support/support_heights.h"
+
+namespace slicefarm {
+struct SupportOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::planning {
 

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/problems_test.h"
 
 namespace slicefarm::planning::branch_drawing_test {

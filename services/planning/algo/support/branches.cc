@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "common/base/portable_math.h"
+#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/tips.h"
 
 namespace slicefarm::planning {

@@ -5,9 +5,12 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/reach_field.h"
 #include "services/planning/algo/support/support_heights.h"
+
+namespace slicefarm {
+struct SupportOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::planning {
 

@@ -5,9 +5,12 @@
 
 #include "common/base/cancel_token.h"
 #include "common/geometry/measure.h"
-#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/raster.h"
 #include "services/planning/algo/support/support_problem.h"
+
+namespace slicefarm {
+struct SupportOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::planning {
 

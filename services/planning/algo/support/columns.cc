@@ -10,6 +10,7 @@
 #include "common/geometry/boolean/without_rings.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/rings/simplify.h"
+#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/raster.h"
 #include "services/planning/algo/support/reach_field.h"
 #include "services/planning/algo/support/slender.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/problems_test.h"
 
 namespace slicefarm::planning::columns_test {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/clearance.h"
 #include "services/planning/algo/support/support_plan.h"
 

@@ -7,6 +7,7 @@
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/boolean/without_rings.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/tolerances.h"
 #include "services/planning/algo/support/widened.h"
 

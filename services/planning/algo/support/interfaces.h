@@ -3,13 +3,16 @@
 #include <vector>
 
 #include "common/base/cancel_token.h"
-#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/branch_drawing.h"
 #include "services/planning/algo/support/clearance.h"
 #include "services/planning/algo/support/columns.h"
 #include "services/planning/algo/support/support_heights.h"
 #include "services/planning/algo/support/support_plan.h"
 #include "services/planning/algo/support/support_problem.h"
+
+namespace slicefarm {
+struct SupportOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::planning {
 

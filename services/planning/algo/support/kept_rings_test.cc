@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "common/base/portable_math.h"
+#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/problems_test.h"
 
 namespace slicefarm::planning::kept_rings_test {

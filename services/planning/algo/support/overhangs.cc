@@ -9,6 +9,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/offset/offset.h"
+#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/bridges.h"
 #include "services/planning/algo/support/tolerances.h"
 

@@ -3,8 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/support_problem.h"
+
+namespace slicefarm {
+struct SupportOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::planning {
 

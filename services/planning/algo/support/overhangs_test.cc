@@ -7,6 +7,7 @@
 #include <random>
 
 #include "common/base/portable_math.h"
+#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/problems_test.h"
 
 namespace slicefarm::planning::overhangs_test {

@@ -6,6 +6,7 @@
 
 #include "common/base/parallel.h"
 #include "common/base/portable_math.h"
+#include "common/model/options/support_options.h"
 
 namespace slicefarm::planning {
 namespace {

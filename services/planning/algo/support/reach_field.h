@@ -5,10 +5,13 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/raster.h"
 #include "services/planning/algo/support/support_heights.h"
 #include "services/planning/algo/support/support_problem.h"
+
+namespace slicefarm {
+struct SupportOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::planning {
 

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/problems_test.h"
 
 namespace slicefarm::planning::reach_field_test {

@@ -1,5 +1,7 @@
 #include "services/planning/algo/support/support_heights.h"
 
+#include "common/model/options/support_options.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <utility>

@@ -2,9 +2,12 @@
 
 #include <vector>
 
-#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/overhangs.h"
 #include "services/planning/algo/support/support_problem.h"
+
+namespace slicefarm {
+struct SupportOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::planning {
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/problems_test.h"
 
 namespace slicefarm::planning::support_heights_test {

@@ -9,6 +9,7 @@
 #include "common/geometry/boolean/without_rings.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/branch_drawing.h"
 #include "services/planning/algo/support/branches.h"
 #include "services/planning/algo/support/clearance.h"

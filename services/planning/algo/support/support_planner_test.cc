@@ -10,6 +10,7 @@
 
 #include "common/geometry/moved.h"
 #include "common/geometry/offset/offset.h"
+#include "common/model/options/support_options.h"
 #include "services/planning/algo/support/problems_test.h"
 
 namespace slicefarm::planning::support_planner_test {

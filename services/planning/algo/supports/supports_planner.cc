@@ -8,6 +8,8 @@
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
+#include "common/model/options/planning_options.h"
+#include "common/model/options/support_options.h"
 #include "services/planning/algo/planner/planner.h"
 #include "services/planning/algo/support/support_planner.h"
 #include "services/planning/algo/supports/plate_solids.h"

@@ -4,10 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "common/model/options/planning_options.h"
 #include "common/stage/slicing_stage.h"
 #include "common/stage/stages.h"
 #include "services/planning/algo/planner/region_planner.h"
+
+namespace slicefarm {
+struct PlanningOptions;
+}  // namespace slicefarm
 
 namespace slicefarm::planning {
 

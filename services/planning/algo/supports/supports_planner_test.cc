@@ -6,6 +6,8 @@
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
+#include "common/model/options/planning_options.h"
+#include "common/model/options/support_options.h"
 #include "common/stage/print_layers.h"
 #include "services/planning/algo/job_planner.h"
 #include "services/planning/algo/layers_test.h"
