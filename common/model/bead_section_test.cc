@@ -10,7 +10,7 @@ namespace slicefarm::bead_section_test {
 namespace {
 
 TEST(BeadSection, OfTheUsualBead) {
-  // 0.45 mm wide, 0.2 mm high: PrusaSlicer writes 0.407080 spacing and 0.0814159 mm3/mm.
+  // A bead 0.45 mm wide and 0.2 mm high: PrusaSlicer writes 0.407080 spacing and 0.0814159 mm3/mm.
   EXPECT_EQ(Spacing(450'000, 200'000), 407'080);
   EXPECT_NEAR(SectionMm2(450'000, 200'000), 0.0814159, 1e-7);
   EXPECT_EQ(WidthForSpacing(407'080, 200'000), 450'000);

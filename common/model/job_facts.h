@@ -8,31 +8,34 @@
 
 namespace slicefarm {
 
-/// What a copy is called.
+/// Name of a copy of an object.
 struct CopyName {
   std::string object_name;
   int32_t object = 0;
-  int32_t copy = 0;    ///< of the object's, from 0
-  int32_t copies = 1;  ///< how many the object has
+  int32_t copy = 0;  ///< number of this copy among the object's copies, from 0
+  int32_t copies = 1;  ///< number of copies of the object
 
   friend bool operator==(const CopyName&, const CopyName&) = default;
 };
 
-/// What a pass finds when it begins, as planned: layers at the very top of an object that turn out
-/// to be too thin for a bead are counted.
+/// State of the print at the start of a pass, as planned. The numbers include layers at the very
+/// top of an object that may turn out too thin for a bead.
 struct PassFacts {
-  int32_t layers_before = 0;  ///< of the passes before it; of the first pass: the raft's
-  int32_t first_layer = 0;    ///< the job's layer in which its objects begin: 0 without a raft
-  Coord top_before_nm = 0;    ///< how high the passes before it reach
+  /// number of layers of the passes before; for the first pass: layers of the raft
+  int32_t layers_before = 0;
+  /// the job's layer in which the objects of this pass begin; 0 without a raft
+  int32_t first_layer = 0;
+  Coord top_before_nm = 0;  ///< height of the passes before
 
   friend bool operator==(const PassFacts&, const PassFacts&) = default;
 };
 
-/// What the G-code of a layer may say of its job.
+/// Facts about the job that the G-code of a layer may contain.
 struct JobFacts {
-  int32_t layer_count = 0;       ///< of all passes; templates may name it; 0: not known
-  std::vector<CopyName> copies;  ///< in the order of the job's copies; empty: nothing is labelled
-  std::vector<PassFacts> passes;  ///< by pass; empty: there is one
+  int32_t layer_count = 0;  ///< number of layers of all passes, for templates; 0: unknown
+  /// names in the order of the job's copies; empty: no copy is labelled
+  std::vector<CopyName> copies;
+  std::vector<PassFacts> passes;  ///< state at the start of each pass; empty: there is one pass
 
   friend bool operator==(const JobFacts&, const JobFacts&) = default;
 };

@@ -4,10 +4,10 @@
 
 namespace slicefarm {
 
-/// What a stage could not do as it was asked to, in one layer.
+/// Limitation of a stage's result in one layer, compared with the request.
 struct LayerWarning {
   int32_t layer = 0;
-  int32_t plain_islands = 0;  ///< islands that fell back to walls of constant width
+  int32_t plain_islands = 0;  ///< number of islands with walls of constant width as a fallback
 
   friend bool operator==(const LayerWarning&, const LayerWarning&) = default;
 };

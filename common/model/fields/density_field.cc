@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLeastExponent = -300;  // below that e^x counts as 0
 
-/// e^x for x <= 0.
+/// Returns e^x for x <= 0.
 double ExpOfNegative(double x) {
   if (x < kLeastExponent) return 0;
   const double s = Sinh(-x);
@@ -40,7 +40,8 @@ bool AllEqual(std::span<const double> values) {
   return std::ranges::all_of(values, [&](double v) { return v == values.front(); });
 }
 
-/// Whether each of the sheets of nodes that a height lies between has one value.
+/// Returns true if the grid is constant over x and y at the height: each of the two node sheets
+/// next to it has a single value.
 bool IsUniformAt(const FieldGrid& grid, double z_mm) {
   const auto sheet = static_cast<size_t>(grid.count[0]) * static_cast<size_t>(grid.count[1]);
   const double at = std::clamp((z_mm - grid.origin_mm[2]) / grid.spacing_mm[2], 0.0,

@@ -8,7 +8,7 @@
 
 namespace slicefarm {
 
-/// How a field's value v in [0, 1] becomes a density in [0, 1].
+/// Formula that converts a field's value v in [0, 1] to a density in [0, 1].
 enum class DensityLaw : uint8_t {
   kLinear,
   kSimp,       ///< v^p
@@ -16,40 +16,45 @@ enum class DensityLaw : uint8_t {
   kHeaviside,  ///< (tanh(b e) + tanh(b (v - e))) / (tanh(b e) + tanh(b (1 - e)))
 };
 
-/// How cells are chosen that are filled as densely as the field gets anywhere, or not at all.
+/// Method that selects the filled cells if each cell is either empty or filled with the field's
+/// greatest density.
 enum class Dither : uint8_t {
-  kNone,  ///< lines are graded; blue noise for patterns whose lines cannot be
+  /// no dithering: line spacing follows the field; patterns with fixed spacing use blue noise
+  kNone,
   kBlueNoise,
   kFloydSteinberg,
 };
 
-/// How dense the sparse infill is, by place. A pure function of the place and of its distance to
-/// the part's surface.
+/// Density of the sparse infill as a function of position. The density depends only on the position
+/// and its distance to the part's surface.
 struct DensityField {
   enum class Kind : uint8_t { kHeight, kSurfaceDistance, kGrid };
 
   Kind kind = Kind::kHeight;
-  std::vector<double> at_mm = {0};  ///< heights or distances, ascending
-  std::vector<double> values = {0.2};  ///< at them; linear between, as at the ends beyond
-  FieldGrid grid = {};                 ///< of kGrid
+  std::vector<double> at_mm = {0};  ///< heights or surface distances, ascending
+  /// values at `at_mm`: linear in between, constant beyond both ends
+  std::vector<double> values = {0.2};
+  FieldGrid grid = {};  ///< grid of a field of kind kGrid
   DensityLaw law = DensityLaw::kLinear;
-  double steepness = 3;  ///< p, q or b of the law
-  double threshold = 0.5;  ///< e
+  double steepness = 3;  ///< parameter p, q or b of the formula
+  double threshold = 0.5;  ///< parameter e of the formula
   Dither dither = Dither::kNone;
-  double cell_mm = 2;  ///< side of a cell that is dithered
+  double cell_mm = 2;  ///< side of a dither cell
 
   double At(const PlaceMm& place_mm, double to_surface_mm) const;
-  /// The density of a whole layer, if it is the same everywhere.
+  /// Returns the density of a layer if it is the same in the whole layer.
   std::optional<double> UniformAt(double z_mm) const;
   double Greatest() const;
   double Least() const;
-  /// How far away the surface still counts, mm; 0: not at all.
+  /// Returns the largest distance to the surface that influences the density, in mm. Returns 0 if
+  /// the distance has no influence.
   double ReachMm() const;
 
   friend bool operator==(const DensityField&, const DensityField&) = default;
 };
 
-/// The law alone. REQUIRES: value in [0, 1], steepness > 0.
+/// Returns the density for one field value by the given formula. REQUIRES: value in [0, 1],
+/// steepness > 0.
 double DensityOf(double value, DensityLaw law, double steepness, double threshold);
 
 }  // namespace slicefarm

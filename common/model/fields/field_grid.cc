@@ -6,7 +6,8 @@
 namespace slicefarm {
 namespace {
 
-/// The nodes below and above a place along one axis, and how far it lies towards the upper one.
+/// Nodes below and above a position along one axis, and the position's relative distance to the
+/// upper node.
 struct Between {
   int64_t below = 0;
   int64_t above = 0;

@@ -6,13 +6,15 @@
 
 namespace slicefarm {
 
-using PlaceMm = std::array<double, 3>;  ///< x, y of the object's own frame; z above its bottom
+/// position: x and y in the object's own frame, z above its bottom
+using PlaceMm = std::array<double, 3>;
 
-/// Values at the nodes of a box, x running fastest: linear between nodes, and beyond the box as at
-/// its nearest place. INVARIANT: counts >= 1, spacings > 0, a value for each node.
+/// Values at the nodes of a regular grid, with x as the fastest index. Values between nodes are
+/// interpolated linearly. A position outside of the grid has the value of the nearest position
+/// inside. INVARIANT: counts >= 1, spacings > 0, one value per node.
 struct FieldGrid {
   std::array<int32_t, 3> count = {1, 1, 1};
-  PlaceMm origin_mm = {0, 0, 0};  ///< of the first node
+  PlaceMm origin_mm = {0, 0, 0};  ///< position of the first node
   PlaceMm spacing_mm = {1, 1, 1};
   std::vector<double> values = {0};
 
@@ -21,7 +23,7 @@ struct FieldGrid {
   friend bool operator==(const FieldGrid&, const FieldGrid&) = default;
 };
 
-/// Whether two grids have the same nodes.
+/// Returns true if two grids have the same nodes.
 bool SameNodes(const FieldGrid& a, const FieldGrid& b);
 
 }  // namespace slicefarm

@@ -5,7 +5,7 @@
 namespace slicefarm::field_grid_test {
 namespace {
 
-/// a + b x + c y + d z at the nodes: what is linear between them is exact everywhere.
+/// Returns a grid with values a + b x + c y + d z: linear interpolation reproduces them exactly.
 FieldGrid LinearGrid() {
   FieldGrid grid{{3, 4, 2}, {-1, 2, 0.5}, {2, 1, 4}, {}};
   for (int z = 0; z < 2; ++z)

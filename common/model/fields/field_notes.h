@@ -8,15 +8,16 @@
 
 namespace slicefarm {
 
-/// What a job's report says of a field that infill cannot follow to 5 % on average in cells of
-/// 5 mm: because cells are filled or empty, or because a pattern's lines are too far apart where
-/// the field asks for little. `spacing_mm`: of lines that lie side by side.
+/// Returns notes for the job's report if the infill cannot follow the field to within 5 % on
+/// average in cells of 5 mm. Either dithered cells are only filled or empty, or the field's low
+/// densities need lines too far apart for the pattern. `spacing_mm`: spacing of adjacent lines.
 std::vector<std::string> FieldNotes(const DensityField& field, FillPattern pattern,
                                     double spacing_mm);
 
-/// How far apart lines of a pattern may be, mm, to be as dense as asked for in cells of 5 mm, to 5
-/// % on average. Measured with densities that are the same everywhere, by the plastic in 196 cells
-/// of a box of 16 mm height. 0: nothing is known of it, or its lines are graded.
+/// Returns the largest line distance, in mm, at which a pattern's density in cells of 5 mm is
+/// within 5 % of the requested density on average. The values were measured with uniform densities,
+/// by the plastic in 196 cells of a box 16 mm high. Returns 0 if the value is unknown or the
+/// pattern's lines are graded.
 double MostEvenPitchMm(FillPattern pattern);
 
 }  // namespace slicefarm

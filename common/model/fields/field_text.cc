@@ -33,7 +33,7 @@ constexpr std::pair<Dither, std::string_view> kDithers[] = {
 
 absl::Status Wrong(const std::string& why) { return absl::InvalidArgumentError(why); }
 
-/// Reads the entries of one JSON object. After the first error nothing else is looked at.
+/// Reader of the entries of one JSON object. After the first error it ignores all further entries.
 class Reader {
  public:
   explicit Reader(const Json& json) : json_(json) {
@@ -44,7 +44,7 @@ class Reader {
   void Fail(const std::string& why) { status_.Update(Wrong(why)); }
   bool Has(const std::string& key) const { return status_.ok() && json_.contains(key); }
 
-  /// Entries beside `known` would be without effect.
+  /// Reports an error for any entry not in `known`, because such an entry would have no effect.
   void Only(const std::vector<std::string>& known) {
     if (!status_.ok()) return;
     for (const auto& [key, value] : json_.items()) {
@@ -81,7 +81,7 @@ class Reader {
     return names[0].first;
   }
 
-  /// `size`: how many there must be; -1: any number from 1 on.
+  /// Returns the numbers of an array. `size`: required number of elements; -1: any number from 1.
   std::vector<double> Numbers(const std::string& key, int64_t size, double min, double max) {
     std::vector<double> numbers;
     const Json* entry = Find(key);
@@ -131,7 +131,7 @@ class Reader {
   absl::Status status_;
 };
 
-/// The nodes of a grid; the values are to be read.
+/// Reads the nodes of a grid, without its values.
 FieldGrid ReadNodes(Reader& reader) {
   FieldGrid grid;
   const auto count = reader.Numbers("count", 3, 1, static_cast<double>(limits::kMaxFieldValues));
@@ -248,7 +248,7 @@ const std::vector<double>& ValuesOf(const DensityField& part) {
   return part.kind == DensityField::Kind::kGrid ? part.grid.values : part.values;
 }
 
-/// Shares must sum to 1 wherever they are given, and so do in between.
+/// Checks that the shares sum to 1 at each node. Then interpolation makes them sum to 1 in between.
 absl::Status CheckUnity(const MaterialField& field) {
   const DensityField& first = field.parts[0];
   for (const DensityField& part : field.parts) {

@@ -11,17 +11,18 @@
 
 namespace slicefarm {
 
-/// Fields as settings have them: JSON on one line, as common/model/fields/README.md describes it.
-/// Errors: InvalidArgument that says which entry is missing, unknown, of the wrong kind, not
-/// finite or out of range, or how many values there are and must be.
+/// Parses a field from a setting: JSON on one line, as common/model/fields/README.md describes it.
+/// Errors: InvalidArgument that names the entry that is missing, unknown, of the wrong type, not
+/// finite or out of range. A wrong number of values is reported with the required number.
 absl::StatusOr<DensityField> ParseDensityField(std::string_view text);
 absl::StatusOr<StressField> ParseStressField(std::string_view text);
 absl::StatusOr<MaterialField> ParseMaterialField(std::string_view text);
 
-/// The same of a text that many have, read once for all of them.
+/// Returns the parsed field of a shared text. The text is parsed only once for all its users.
 const absl::StatusOr<DensityField>& DensityFieldOf(const SharedText& text);
 
-/// The inverse, in canonical form: numbers have six digits, and what has its standard is left out.
+/// Returns a field as JSON in canonical form: numbers have six digits, and entries with default
+/// values are left out.
 std::string PrintDensityField(const DensityField& field);
 std::string PrintStressField(const StressField& field);
 std::string PrintMaterialField(const MaterialField& field);

@@ -6,11 +6,12 @@
 
 namespace slicefarm {
 
-/// What share of the extruded plastic each of the materials that a mixing extruder takes in has, by
-/// place on the plate. INVARIANT: all parts have the same kind and nodes, and their sum at each is 1.
+/// Share of each material in the plastic of a mixing extruder, by position on the plate. INVARIANT:
+/// all parts have the same kind and nodes, and their sum at each node is 1.
 struct MaterialField {
-  std::vector<DensityField> parts;  ///< of linear law; two or more
-  double step = 0.05;               ///< a mix is set anew when a share changes by more
+  /// share of each material: two or more fields with the linear formula
+  std::vector<DensityField> parts;
+  double step = 0.05;  ///< smallest change of a share that causes a new mix command
 
   friend bool operator==(const MaterialField&, const MaterialField&) = default;
 };

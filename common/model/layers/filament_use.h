@@ -7,12 +7,12 @@ namespace slicefarm {
 
 struct MotionOptions;
 
-/// What a print takes of its filament.
+/// Filament that a print uses.
 struct FilamentUse {
   double length_mm = 0;
   double volume_mm3 = 0;
   double mass_g = 0;
-  double cost = 0;  ///< in the currency of the settings
+  double cost = 0;  ///< cost in the currency of the settings
 
   friend bool operator==(const FilamentUse&, const FilamentUse&) = default;
 };

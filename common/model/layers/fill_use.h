@@ -9,26 +9,27 @@
 
 namespace slicefarm {
 
-/// What infill of one kind comes to: of one region's settings, for one feature, by one pattern.
+/// Totals of the infill of one kind: one region's settings, one feature, one pattern.
 struct FillUse {
   int32_t settings = 0;  ///< row of the job's tables of region settings
   Feature feature = Feature::kInternalInfill;
-  std::optional<FillPattern> pattern;  ///< none: lines follow stresses, or what bears an overhang
-  double area_mm2 = 0;                 ///< of what is filled, of all layers together
-  double room_mm3 = 0;                 ///< that area, as high as the beads in it
-  double asked_mm3 = 0;                ///< plastic that the settings ask for in that room
-  double plastic_mm3 = 0;              ///< of the beads, links included
+  /// pattern; none: lines that follow stresses or support an overhang
+  std::optional<FillPattern> pattern;
+  double area_mm2 = 0;  ///< filled area, summed over all layers
+  double room_mm3 = 0;  ///< filled area times the height of its beads
+  double asked_mm3 = 0;  ///< plastic that the settings require in `room_mm3`
+  double plastic_mm3 = 0;  ///< plastic of the beads, links included
   int64_t paths = 0;
   double length_mm = 0;
-  double longest_mm = 0;  ///< of one path
+  double longest_mm = 0;  ///< length of the longest path
 
-  /// Adds what so many copies of `other` come to.
+  /// Adds `copies` times the totals of `other`.
   void Add(const FillUse& other, int64_t copies);
   friend bool operator==(const FillUse&, const FillUse&) = default;
 };
 
-/// Adds so many copies of a use to that of the same kind. `uses`: one a kind, by settings, feature
-/// and pattern. Cost: O(uses).
+/// Adds `copies` times a use to the entry of the same kind. `uses`: one entry per kind, sorted by
+/// settings, feature and pattern. Cost: O(uses).
 void AddUse(const FillUse& use, int64_t copies, std::vector<FillUse>& uses);
 
 }  // namespace slicefarm

@@ -32,7 +32,7 @@ TEST(FillUse, WhatIsNotPrintedHasNoLongestPath) {
   EXPECT_EQ(use, FillUse{});
 }
 
-// Whatever comes first.
+// Entries have the same order for any order of insertion.
 TEST(FillUse, KindsStayApartAndInOrder) {
   const std::vector<FillUse> kinds = {Some(0, Feature::kInternalInfill, std::nullopt),
                                       Some(0, Feature::kInternalInfill, FillPattern::kGrid),

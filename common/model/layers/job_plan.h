@@ -16,106 +16,116 @@
 
 namespace slicefarm {
 
-/// A copy of an object on the plate. Its toolpaths are the object's, shifted.
+/// Copy of an object on the plate. Its toolpaths are the object's toolpaths, shifted.
 struct Copy {
   int32_t object = 0;
-  Point shift;       ///< in whole micrometres, so that it moves rounded coordinates exactly
-  int32_t pass = 0;  ///< copies of a pass are printed layer by layer, one pass after the other
+  /// displacement in whole micrometres, so that rounded coordinates are shifted exactly
+  Point shift;
+  /// number of the pass; a pass prints its copies layer by layer before the next pass begins
+  int32_t pass = 0;
 
   friend bool operator==(const Copy&, const Copy&) = default;
 };
 
-/// What is decided for a section of one stack, in the object's own coordinates.
+/// Planning decisions for one stack's section in a layer, in the object's own coordinates.
 struct SectionPlan {
-  int32_t stack = 0;  ///< its id
-  Point entry;               ///< start the section near here
-  std::optional<Point> exit;  ///< end it near here, where the section above starts
-  /// Where walls start, by the ring of OutlineOf; empty: near the nozzle.
+  int32_t stack = 0;  ///< id of the stack
+  Point entry;  ///< point near which the section starts
+  std::optional<Point> exit;  ///< point near which the section ends: the start of the section above
+  /// Start points of the walls, one per ring of OutlineOf. Empty: walls start near the nozzle.
   std::vector<Point> seams;
-  MultiPolygon carried = {};  ///< supports lie right below its underside here
-  std::optional<SpiralTurn> spiral = {};  ///< its only wall is a turn of a spiral
-  MultiPolygon curled = {};  ///< what hangs over stands above the layer here: travels keep off
+  MultiPolygon carried = {};  ///< area directly above supports
+  std::optional<SpiralTurn> spiral = {};  ///< turn of a spiral that is the only wall of the section
+  /// area where overhangs have curled up above the layer; travels avoid it
+  MultiPolygon curled = {};
 
   friend bool operator==(const SectionPlan&, const SectionPlan&) = default;
 };
 
-/// The plan of a stack, by its id; null: nothing is decided for it. `plans`: by ascending stack.
+/// Returns the plan of the stack with the given id, or null if planning decided nothing for it.
+/// `plans`: by ascending stack.
 inline const SectionPlan* FindPlan(int32_t stack, std::span<const SectionPlan> plans) {
   const auto found = std::ranges::lower_bound(plans, stack, {}, &SectionPlan::stack);
   return found != plans.end() && found->stack == stack ? &*found : nullptr;
 }
 
-/// What is decided for the sparse infill of one region of a stack's section, in the object's own
+/// Planning decisions for the sparse infill of one region of a stack's section, in the object's own
 /// coordinates.
 struct PlannedInfill {
-  int32_t stack = 0;     ///< its id
+  int32_t stack = 0;  ///< id of the stack
   int32_t settings = 0;  ///< row of the job's tables of region settings
   FillPattern pattern = FillPattern::kGrid;
-  std::vector<Polyline> lines;  ///< of patterns that planning lays out; they may reach beyond
-  MultiPolygon left_out;        ///< no sparse infill here
-  MultiPolygon combined;        ///< here it is printed as high as `combined_height_nm`
+  /// lines of a pattern that planning lays out; they may extend beyond the region
+  std::vector<Polyline> lines;
+  MultiPolygon left_out;  ///< area without sparse infill
+  MultiPolygon combined;  ///< area where the sparse infill is `combined_height_nm` high
   Coord combined_height_nm = 0;
 
   friend bool operator==(const PlannedInfill&, const PlannedInfill&) = default;
 };
 
-/// What is decided for a layer before the fan-out, so that layers are independent afterwards.
+/// Planning decisions for one layer. They are made before the layers are distributed to workers, so
+/// that the layers are independent afterwards.
 struct LayerPlan {
-  Point entry;                        ///< start the layer near here, in plate coordinates
-  /// The layer below ends near `entry` with the filament ready to print, and the section of the
-  /// only copy begins there; as does this one near the exit of its last section. Else the filament
-  /// is retracted where layers meet.
+  Point entry;  ///< point near which the layer starts, in plate coordinates
+  /// True if the layer below ends near `entry` with the filament ready to print, and the section of
+  /// the only copy begins there. `ends_ready` is the same condition at the exit of the layer's last
+  /// section. Otherwise the filament is retracted between the layers.
   bool begins_ready = false;
   bool ends_ready = false;
-  std::vector<SectionPlan> sections;  ///< by ascending stack
-  std::vector<Path> paths;            ///< finished ones in plate coordinates, printed first
-  std::vector<PlannedInfill> infill;  ///< by ascending stack, then row; none: nothing is decided
-  Coord paths_height_nm = 0;          ///< how high `paths` are; 0: as the layer
+  std::vector<SectionPlan> sections;  ///< decisions by ascending stack
+  std::vector<Path> paths;  ///< finished paths in plate coordinates, printed first
+  /// decisions by ascending stack, then row; empty: no decisions
+  std::vector<PlannedInfill> infill;
+  Coord paths_height_nm = 0;  ///< height of the beads of `paths`; 0: the layer's height
 
   friend bool operator==(const LayerPlan&, const LayerPlan&) = default;
 };
 
-/// A stack that planning adds.
+/// Stack that planning adds.
 struct AddedStack {
   Stack stack;
-  Coord lift_nm = 0;  ///< its bottom, above the bed
-  std::vector<ObjectSection> sections;  ///< its own layers, upwards
+  Coord lift_nm = 0;  ///< height of the stack's bottom above the bed
+  std::vector<ObjectSection> sections;  ///< the stack's own layers, from the bottom
 
   friend bool operator==(const AddedStack&, const AddedStack&) = default;
 };
 
-/// Finished paths in plate coordinates that the lowest layers of the print begin with.
+/// Finished paths in plate coordinates with which the lowest layers of the print begin.
 struct Skirt {
   std::vector<Path> loops;
-  int32_t layers = 0;  ///< from the lowest, but for those of supports alone (OnlySupports)
+  /// number of layers from the lowest; layers of supports alone (OnlySupports) are not counted
+  int32_t layers = 0;
 
   friend bool operator==(const Skirt&, const Skirt&) = default;
 };
 
-/// How good the planned seams are. A seam's step is its distance from that of the ring below which
-/// it follows.
+/// Quality of the planned seams. The step of a seam is its distance from the seam that it follows,
+/// on a ring in the layer below.
 struct SeamQuality {
-  int64_t loops = 0;        ///< outlines with a planned seam
-  int64_t followers = 0;    ///< of them, above another
-  int64_t jumps = 0;        ///< of the followers, with a step of more than 1 mm
-  double steps_mm = 0;      ///< sum of the other followers' steps
-  int64_t with_corner = 0;  ///< loops that have an inner corner, or an outer one of 30 degrees
-  int64_t on_corner = 0;    ///< of them, with the seam there
-  int64_t overhanging = 0;  ///< seams that hang over the edge of the layer below
+  int64_t loops = 0;  ///< number of outlines with a planned seam
+  int64_t followers = 0;  ///< number of seams that follow a seam in the layer below
+  int64_t jumps = 0;  ///< number of followers with a step of more than 1 mm
+  double steps_mm = 0;  ///< sum of the steps of all followers that are not jumps
+  /// number of loops that have a concave corner, or a convex corner of 30 degrees
+  int64_t with_corner = 0;
+  int64_t on_corner = 0;  ///< number of loops in `with_corner` with the seam at such a corner
+  int64_t overhanging = 0;  ///< number of seams that overhang the edge of the layer below
 
   friend bool operator==(const SeamQuality&, const SeamQuality&) = default;
 };
 
-/// What planning makes of the outlines of a whole job.
+/// Result of planning for the outlines of a whole job.
 struct JobPlan {
-  std::vector<LayerPlan> layers;   ///< one a layer of the print, without the skirt's paths
-  std::vector<Coord> lifts_nm;     ///< by object: its part's bottom, above the bed; fewer: 0
-  std::vector<AddedStack> stacks;  ///< by ascending id
+  std::vector<LayerPlan> layers;  ///< plans of the print's layers, without the paths of the skirt
+  /// height of each object's bottom above the bed; 0 for objects beyond the end of the list
+  std::vector<Coord> lifts_nm;
+  std::vector<AddedStack> stacks;  ///< added stacks by ascending id
   Skirt skirt;
-  std::vector<Copy> copies;  ///< as in SlicedJob::copies
+  std::vector<Copy> copies;  ///< copies in the form of SlicedJob::copies
   SeamQuality seams;
-  std::vector<std::string> notes;     ///< for the job's report: what was chosen, and why
-  std::vector<std::string> warnings;  ///< what cannot be made as it was asked for
+  std::vector<std::string> notes;  ///< notes for the job's report: decisions and their reasons
+  std::vector<std::string> warnings;  ///< requests that planning cannot fulfil
 
   friend bool operator==(const JobPlan&, const JobPlan&) = default;
 };

@@ -19,20 +19,20 @@
 
 namespace slicefarm {
 
-/// One message type per hop:
+/// Each pipeline step has its own message type:
 ///   SlicedLayer -> beading -> WalledLayer -> infill -> FilledLayer -> ordering -> OrderedLayer ->
 ///   motion -> LayerProgram
 
-/// Where a layer lies.
+/// Index, position and height of a layer.
 struct LayerFrame {
   int32_t index = 0;
-  Coord print_z_nm = 0;  ///< height of the nozzle: the layer's top
-  Coord height_nm = 0;   ///< from the top of the layer below
+  Coord print_z_nm = 0;  ///< nozzle height during the layer, equal to the layer's top
+  Coord height_nm = 0;  ///< height above the top of the layer below
 
   friend bool operator==(const LayerFrame&, const LayerFrame&) = default;
 };
 
-/// Layers [first, last).
+/// Range of layers [first, last).
 struct LayerRange {
   int32_t first = 0;
   int32_t last = 0;
@@ -40,12 +40,12 @@ struct LayerRange {
   int32_t size() const { return last - first; }
   bool empty() const { return first == last; }
   bool Contains(int32_t index) const { return first <= index && index < last; }
-  /// This range with `by` more layers on either side, cut to [0, layer_count).
+  /// Returns this range with `by` more layers on either side, limited to [0, layer_count).
   LayerRange Grown(int32_t by, int32_t layer_count) const;
   friend bool operator==(const LayerRange&, const LayerRange&) = default;
 };
 
-/// What a part of an object asks of planning where it lies: seams or supports, to be there or not.
+/// Area in which a modifier part enforces or blocks seams or supports. Only planning uses it.
 struct Mark {
   PartRole role = PartRole::kSeamEnforcer;
   MultiPolygon outlines;
@@ -53,43 +53,48 @@ struct Mark {
   friend bool operator==(const Mark&, const Mark&) = default;
 };
 
-/// The section of one stack in one of its layers, around the object's own origin. Copies are not
-/// sections: ordering puts them in their places.
+/// Section of one stack in one of its layers, relative to the object's own origin. Copies have no
+/// sections of their own: ordering places them on the plate.
 struct ObjectSection {
   Stack stack;
-  int32_t layer = 0;        ///< of the stack's own layers: 0 is its lowest
-  int32_t layer_count = 1;  ///< how many layers the stack has
-  Coord height_nm = 0;      ///< of this stack's layer
-  std::vector<Region> regions;  ///< disjoint
-  /// The outlines of all regions together; empty where there is one region at most. See OutlineOf.
+  int32_t layer = 0;  ///< number of the layer within the stack; 0 is the lowest
+  int32_t layer_count = 1;  ///< number of layers of the stack
+  Coord height_nm = 0;  ///< height of this layer of the stack
+  std::vector<Region> regions;  ///< disjoint regions
+  /// Union of the outlines of all regions. Empty if there are fewer than two regions. See
+  /// OutlineOf.
   MultiPolygon whole;
-  Coord z_nm = 0;  ///< of the layer's top, above the stack's own bottom
-  std::vector<Mark> marks;  ///< for planning alone; at most one of a role
-  /// spiral_vase: it has nothing but one wall, along its outline.
+  Coord z_nm = 0;  ///< height of the layer's top above the stack's own bottom
+  std::vector<Mark> marks;  ///< marks for planning only; at most one per role
+  /// spiral_vase: true if the section has only one wall along its outline.
   bool hollow = false;
 
   friend bool operator==(const ObjectSection&, const ObjectSection&) = default;
 };
 
-/// What the section covers. Rings are numbered through: by island, outer ring before holes.
+/// Returns the area that the section covers. Ring numbers count through all islands; in each island
+/// the outer ring precedes the holes.
 const MultiPolygon& OutlineOf(const ObjectSection& section);
 
-/// What is marked so in a section; empty: nothing.
+/// Returns the area of a section that has a mark of the role. Returns an empty area if there is
+/// none.
 const MultiPolygon& MarkedIn(const ObjectSection& section, PartRole role);
 
-/// A stack has a section in each of its own layers, be it empty.
+/// Sections of all stacks in one layer. A stack has a section in each of its own layers, even if
+/// the section is empty.
 struct SlicedLayer {
   LayerFrame frame;
-  std::vector<ObjectSection> sections;  ///< by ascending stack
+  std::vector<ObjectSection> sections;  ///< sections by ascending stack
 
   friend bool operator==(const SlicedLayer&, const SlicedLayer&) = default;
 };
 
-/// Whether nothing but supports is printed in a layer, between those of all parts.
+/// Returns true if only supports are printed in the layer. This happens between the layers of the
+/// parts.
 bool OnlySupports(const SlicedLayer& layer);
 
-/// What is left for the infill of one region: the area that the infill's beads may cover, edge to
-/// edge, less any overlap with the walls (which is the infill's option).
+/// Area for the infill of one region. The edges of the infill's beads may reach its border. The
+/// overlap with the walls is not included: it is an option of the infill.
 struct FillArea {
   Role role = Role::kPart;
   int32_t settings = 0;
@@ -99,11 +104,11 @@ struct FillArea {
   friend bool operator==(const FillArea&, const FillArea&) = default;
 };
 
-/// One island with its walls.
+/// Island with its walls.
 struct WalledIsland {
   std::vector<Path> walls;  ///< walls and gap fill, in no particular order
   std::vector<FillArea> fill_areas;
-  PolygonWithHoles outline = {};  ///< what its walls were made of; not known if empty
+  PolygonWithHoles outline = {};  ///< outline from which the walls were made; empty: unknown
 
   friend bool operator==(const WalledIsland&, const WalledIsland&) = default;
 };
@@ -120,14 +125,15 @@ struct WalledSection {
 struct WalledLayer {
   LayerFrame frame;
   std::vector<WalledSection> sections;
-  int32_t plain_islands = 0;  ///< islands that fell back to walls of constant width
+  int32_t plain_islands = 0;  ///< number of islands with walls of constant width as a fallback
 
   friend bool operator==(const WalledLayer&, const WalledLayer&) = default;
 };
 
-/// Lines that fill one connected region of an island.
+/// Lines that fill one connected area of an island.
 struct FillGroup {
-  bool keep_order = false;  ///< monotonic: the paths are printed in this order and direction
+  /// true for monotonic infill: the paths are printed in this order and direction
+  bool keep_order = false;
   std::vector<Path> paths;
 
   friend bool operator==(const FillGroup&, const FillGroup&) = default;
@@ -136,7 +142,7 @@ struct FillGroup {
 struct FilledIsland {
   std::vector<Path> walls;
   std::vector<FillGroup> fills;
-  PolygonWithHoles outline = {};  ///< as WalledIsland's
+  PolygonWithHoles outline = {};  ///< outline of the WalledIsland
 
   friend bool operator==(const FilledIsland&, const FilledIsland&) = default;
 };
@@ -146,7 +152,7 @@ struct FilledSection {
   int32_t layer = 0;
   Coord height_nm = 0;
   std::vector<FilledIsland> islands;
-  std::vector<FillUse> uses = {};  ///< what `islands` are filled with: see AddUse
+  std::vector<FillUse> uses = {};  ///< totals of the infill of `islands`: see AddUse
 
   friend bool operator==(const FilledSection&, const FilledSection&) = default;
 };
@@ -158,16 +164,17 @@ struct FilledLayer {
   friend bool operator==(const FilledLayer&, const FilledLayer&) = default;
 };
 
-/// The way to a path from the end of the one before it.
+/// Travel from the end of one path to the start of the next.
 struct Travel {
-  bool hidden = false;         ///< what oozes out is not seen: the filament need not go back
-  std::vector<Point> corners;  ///< on the way; none: straight on
-  bool over_wall = false;      ///< crosses an outer wall: however short, the filament goes back
+  bool hidden = false;  ///< true if oozing is not visible here, so that no retraction is needed
+  std::vector<Point> corners;  ///< intermediate points of the travel; empty: straight line
+  /// true if the travel crosses an outer wall: it needs a retraction even if it is short
+  bool over_wall = false;
 
   friend bool operator==(const Travel&, const Travel&) = default;
 };
 
-/// The way on from the last path of a block.
+/// Travel that leaves the last path of a block.
 struct Leave {
   Point to;
   Travel way;
@@ -175,33 +182,35 @@ struct Leave {
   friend bool operator==(const Leave&, const Leave&) = default;
 };
 
-/// Paths of one stack in the order and direction of printing, around the object's own origin. A closed path starts (and ends) at its first point. INVARIANT: not empty.
+/// Paths of one stack in the order and direction of printing, relative to the object's own origin.
+/// A closed path starts and ends at its first point. INVARIANT: not empty.
 struct PathBlock {
   Stack stack;
   int32_t layer = 0;
   Coord height_nm = 0;
   std::vector<Path> paths;
-  /// To each path, or empty: all straight and in sight. The way to the first is looked at only
-  /// where the block begins a layer that begins ready.
+  /// Travel to each path. Empty: all travels are straight and visible. The travel to the first path
+  /// is used only if the block begins a layer that begins ready.
   std::vector<Travel> travels = {};
-  std::optional<Leave> leave = {};  ///< where the block may end a layer that ends ready
-  /// What the stack's layer below covers, where motion asks for it (LooksBelow), and below turns of
-  /// a spiral; else empty.
+  std::optional<Leave> leave = {};  ///< exit at which the block may end a layer that ends ready
+  /// Area that the stack's layer below covers. It is set if motion needs it (LooksBelow) and below
+  /// turns of a spiral; otherwise it is empty.
   MultiPolygon below = {};
-  MultiPolygon carried = {};  ///< as SectionPlan::carried, where motion asks for `below`
-  std::optional<SpiralTurn> spiral = {};  ///< as SectionPlan's, of the only path
+  MultiPolygon carried = {};  ///< SectionPlan::carried, set if motion needs `below`
+  /// SectionPlan::spiral, the turn that the only path follows
+  std::optional<SpiralTurn> spiral = {};
 
   friend bool operator==(const PathBlock&, const PathBlock&) = default;
 };
 
-/// A copy of a block on the plate.
+/// Placement of one copy of a block on the plate.
 struct BlockVisit {
   int32_t block = 0;  ///< index into OrderedLayer::blocks
-  int32_t copy = -1;  ///< index into the job's copies; -1: of the plate
-  int32_t pass = 0;   ///< of the copy
-  Point shift;        ///< from the object's origin to the copy's place
-  /// Of the way from the visit before, on the plate; none: straight on. Not looked at for the first
-  /// visit of a pass.
+  int32_t copy = -1;  ///< index into the job's copies; -1: the block belongs to the plate
+  int32_t pass = 0;  ///< pass of the copy
+  Point shift;  ///< displacement from the object's origin to the copy's position
+  /// Intermediate points of the travel from the previous visit, on the plate. Empty: straight line.
+  /// The first visit of a pass does not use them.
   std::vector<Point> corners = {};
 
   friend bool operator==(const BlockVisit&, const BlockVisit&) = default;
@@ -210,17 +219,18 @@ struct BlockVisit {
 struct OrderedLayer {
   LayerFrame frame;
   std::vector<PathBlock> blocks;
-  std::vector<BlockVisit> visits;  ///< in the order of printing
-  /// The layer meets the one below or above in the middle of a print: the filament may be ready or
-  /// retracted there, as it suits the layer below. Else it is retracted. No block of such a layer has
-  /// two visits, but for a turn of a spiral alone: one in each pass.
+  std::vector<BlockVisit> visits;  ///< visits in the order of printing
+  /// True if the layer continues from the layer below within a print; `ends_ready` is the same for
+  /// the layer above. Then the lower layer decides if the filament is ready or retracted at the
+  /// boundary; otherwise it is retracted. In such a layer no block has two visits. The only
+  /// exception is a spiral turn that is alone: it has one visit per pass.
   bool begins_ready = false;
   bool ends_ready = false;
 
   friend bool operator==(const OrderedLayer&, const OrderedLayer&) = default;
 };
 
-/// What one feature takes.
+/// Totals of one feature.
 struct FeatureUse {
   double time_s = 0;
   double length_mm = 0;
@@ -232,13 +242,13 @@ struct FeatureUse {
 };
 
 struct ProgramStats {
-  std::array<FeatureUse, kFeatureCount> features;  ///< by Feature
-  double travel_time_s = 0;                        ///< retractions included
-  double retract_time_s = 0;                       ///< of that, what moves the filament alone
+  std::array<FeatureUse, kFeatureCount> features;  ///< totals per Feature
+  double travel_time_s = 0;  ///< time of travels, including retractions
+  double retract_time_s = 0;  ///< part of `travel_time_s` that moves only the filament
   double travel_mm = 0;
   int64_t travels = 0;
   int64_t retractions = 0;
-  Box bounds;  ///< of what is extruded
+  Box bounds;  ///< bounding box of the extruded beads
 
   double TimeS() const;
   double FilamentMm() const;
@@ -248,52 +258,55 @@ struct ProgramStats {
   friend bool operator==(const ProgramStats&, const ProgramStats&) = default;
 };
 
-/// A move at an end of a layer's program, rounded as its G-code is: where it ends, and how it goes.
+/// Move at an end of a layer's program, rounded like its G-code: end position, feed rate,
+/// acceleration and extrusion.
 struct EdgeMove {
   int32_t x_um = 0;
   int32_t y_um = 0;
   int32_t z_um = 0;
-  int32_t filament = 0;           ///< in 1e-5 mm, relative
-  int32_t feed_rate = 0;          ///< mm/min
-  double acceleration_mm_s2 = 0;  ///< 0: what the machine is set to
-  Feature feature = Feature::kPerimeter;  ///< of a bead: a move in the plane that pushes filament
+  int32_t filament = 0;  ///< extruded length in 1e-5 mm, relative
+  int32_t feed_rate = 0;  ///< feed rate in mm/min
+  double acceleration_mm_s2 = 0;  ///< acceleration; 0: the machine's current value
+  /// feature of a bead, which is a move in the plane that extrudes filament
+  Feature feature = Feature::kPerimeter;
 
   friend bool operator==(const EdgeMove&, const EdgeMove&) = default;
 };
 
-/// The moves of a layer whose times depend on what is printed before it and after it. Each list
-/// begins with the place that its first move starts from; none if nothing moves.
+/// Moves of a layer that take a time that depends on the moves before and after the layer. Each
+/// list begins with the start position of its first move. A list is empty if nothing moves.
 struct LayerEdges {
-  std::vector<EdgeMove> head;  ///< x and y are not known before the approach
-  int32_t approach = 0;        ///< the move of `head` that goes to the layer's entry
+  /// moves at the start of the layer; x and y are unknown before the approach
+  std::vector<EdgeMove> head;
+  int32_t approach = 0;  ///< index in `head` of the move to the layer's entry
   std::vector<EdgeMove> tail;
-  double acceleration_mm_s2 = 0;  ///< what the machine is set to at the end
+  double acceleration_mm_s2 = 0;  ///< acceleration setting of the machine at the end of the layer
 
   friend bool operator==(const LayerEdges&, const LayerEdges&) = default;
 };
 
-/// before_layer_gcode and layer_gcode.
+/// Number of custom G-code texts per layer: before_layer_gcode and layer_gcode.
 inline constexpr int kCodesOfALayer = 2;
 
-/// What a program sets and the machine keeps until it is set anew.
+/// Machine state that a program sets and that stays until it is set again.
 enum class MachineMode : uint8_t {
   kFan,
-  kAcceleration,        ///< of all moves, or of those that print
-  kTravelAcceleration,  ///< where travels have one of their own
-  kPlace,               ///< where the nozzle is
-  kFilament,            ///< retracted, or ready to print
+  kAcceleration,  ///< acceleration of all moves, or of printing moves only
+  kTravelAcceleration,  ///< acceleration of travels, if the firmware has a separate one
+  kPlace,  ///< position of the nozzle
+  kFilament,  ///< state of the filament: retracted or ready to print
 };
 inline constexpr int kMachineModes = 5;
 
 /// Values of MachineMode::kFilament.
 inline constexpr std::string_view kReady = "ready", kRetracted = "retracted";
 
-/// Values by MachineMode, as text; empty: not known.
+/// Values per MachineMode, as text. Empty: unknown.
 using ModeValues = std::array<std::string, kMachineModes>;
 
-/// A line of a layer's program that changes nothing where the mode has this value already.
+/// Line of a layer's program that has no effect if the mode already has this value.
 struct ModeLine {
-  int64_t at = 0;  ///< of its first byte in the G-code
+  int64_t at = 0;  ///< offset of its first byte in the G-code
   int64_t size = 0;
   MachineMode mode = MachineMode::kFan;
   std::string value;
@@ -301,48 +314,54 @@ struct ModeLine {
   friend bool operator==(const ModeLine&, const ModeLine&) = default;
 };
 
-/// The G-code of one layer (of one pass). It starts and ends in the canonical state: relative
-/// extrusion, absolute coordinates, filament retracted. Where OrderedLayer says that it meets another
-/// layer, the filament is as that layer leaves it, and `mode_lines` has the line that retracts it or
-/// makes it ready. Layers are joined by concatenation, without the lines that are not needed.
+/// G-code of one layer of one pass. It starts and ends in the canonical state: relative extrusion,
+/// absolute coordinates, filament retracted. If OrderedLayer begins or ends ready, the filament has
+/// the state in which the layer below ends. Then `mode_lines` contains the line that retracts the
+/// filament or makes it ready. Layers are joined by concatenation, without the mode lines that have
+/// no effect.
 struct LayerProgram {
   LayerFrame frame;
-  int32_t pass = 0;  ///< see Copy::pass
+  int32_t pass = 0;  ///< number of the pass: see Copy::pass
   std::string gcode;
-  /// Where the first path begins, in the G-code's coordinates; the program's first move goes there
-  /// from anywhere.
+  /// Start of the first path in G-code coordinates. The program's first move goes to this point
+  /// from any position.
   Point entry;
   Point exit;
-  ProgramStats stats;  ///< times: from rest to rest, without the approach to the entry
+  /// statistics; times are from rest to rest, without the approach to the entry
+  ProgramStats stats;
   LayerEdges edges;
-  /// Places in `gcode`, upwards, where before_layer_gcode and layer_gcode go that depend on what the
-  /// layers before them did (ProgramEnvelope::layer_code); most often none: they stand there.
+  /// Ascending offsets in `gcode` for before_layer_gcode and layer_gcode, if these texts depend on
+  /// previous layers (ProgramEnvelope::layer_code). Usually empty: `gcode` then already contains
+  /// the texts.
   std::vector<int64_t> code_at;
-  std::vector<ModeLine> mode_lines = {};  ///< upwards
-  /// Modes at the end; an empty value: as before the layer. None: the settings' own G-code in the
-  /// layer may have changed any of them.
+  std::vector<ModeLine> mode_lines = {};  ///< mode lines by ascending offset
+  /// Values of the modes at the end of the layer. An empty value: unchanged by the layer. None:
+  /// custom G-code in the layer may have changed any mode.
   std::optional<ModeValues> modes_at_end = {};
-  bool ends_retracted = true;  ///< whatever the settings' own G-code does
-  /// Convex hull of the beads, edges included, on the plate; only of a layer that lies on the bed.
+  /// true if the layer ends retracted, apart from effects of custom G-code
+  bool ends_retracted = true;
+  /// Convex hull of the beads on the plate, edges included. Only set for a layer on the bed.
   Polygon footprint = {};
-  double silent_time_s = 0;  ///< in the machine's silent mode, if MotionOptions has it
+  /// time in the machine's silent mode, if MotionOptions has silent limits
+  double silent_time_s = 0;
 
   friend bool operator==(const LayerProgram&, const LayerProgram&) = default;
 };
 
-/// What stands around the layers: head, prologue, then for each layer its prefix and its program,
-/// then epilogue and tail. Head and tail are comments for those who read files.
+/// Texts around the layers of a program. The file consists of head, prologue, then a prefix and a
+/// program for each layer, then epilogue and tail. Head and tail are comments for programs that
+/// read the file.
 struct ProgramEnvelope {
   std::string prologue;
-  std::vector<std::string> layer_prefixes;  ///< one a layer (progress), most often empty
+  std::vector<std::string> layer_prefixes;  ///< prefix of each layer (progress); usually empty
   std::string epilogue;
-  PrintTimes times;      ///< of the whole print
-  double travel_mm = 0;  ///< layers' and between them
-  /// What goes to the places LayerProgram::code_at: two texts a layer, or none at all.
+  PrintTimes times;  ///< times of the whole print
+  double travel_mm = 0;  ///< length of the travels in layers and between them
+  /// Texts to insert at LayerProgram::code_at: two per layer, or none at all.
   std::vector<std::string> layer_code;
   std::string head;
   std::string tail;
-  std::string file_name;  ///< what the settings call the file, without a folder
+  std::string file_name;  ///< file name by the settings, without a folder
 
   friend bool operator==(const ProgramEnvelope&, const ProgramEnvelope&) = default;
 };

@@ -45,7 +45,7 @@ absl::Status CheckGrowth(double tip_mm, double diameter_mm) {
 
 double RadiansOf(double degrees) { return degrees * std::numbers::pi / 180; }
 
-/// A line from (height, radius) on, up to another radius.
+/// Returns a straight piece from (height, radius) to the height where the radius is `to_radius_mm`.
 ProfilePiece Slope(double from_mm, double radius_mm, double slope, double to_radius_mm) {
   return {.from_mm = from_mm,
           .to_mm = from_mm + (to_radius_mm - radius_mm) / slope,
@@ -141,7 +141,7 @@ double Cutter::TouchHeight(double rise, double run) const {
   for (const ProfilePiece& piece : pieces_) {
     if (piece.corner_mm > 0) {
       const double length = std::sqrt(rise * rise + run * run);
-      // corner (1 - run / length), without the difference of nearly equal numbers.
+      // Equals corner (1 - run / length), without the difference of nearly equal numbers.
       const double height = piece.corner_mm * rise * rise / (length * (length + run));
       if (height <= piece.to_mm) return height;
     } else if (piece.slope * rise <= run) {

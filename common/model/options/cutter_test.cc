@@ -33,7 +33,7 @@ TEST(Cutter, IsAsWideAsItsKindSays) {
            WidthCase{"bull:4:0.5", 1, 2},
            WidthCase{"cone:4:45", 1, 1},
            WidthCase{"cone:4:45", 3, 2},
-           // A ball of radius 1 up to 45 degrees, a cone from there.
+           // A ball of radius 1 up to 45 degrees, then a cone.
            WidthCase{"ballcone:2:45:4", 1 - root, root},
            WidthCase{"ballcone:2:45:4", 1 - root + 0.5, root + 0.5},
            WidthCase{"ballcone:2:45:4", 9, 2},
@@ -67,7 +67,7 @@ TEST(Cutter, IsConvexAndHeightAtTurnsWidthRound) {
   }
 }
 
-/// A plane is touched where the cutter comes nearest to it.
+/// The plane touches the cutter at the point of the cutter that is nearest to the plane.
 TEST(Cutter, TouchesAPlaneWhereItIsNearest) {
   for (const std::string_view text : kAllCutters) {
     const Cutter cutter = CutterOf(text);
@@ -79,7 +79,7 @@ TEST(Cutter, TouchesAPlaneWhereItIsNearest) {
   }
 }
 
-/// A cutter's name makes the same cutter again.
+/// Parsing a cutter's name gives the same cutter.
 TEST(Cutter, IsNamedAsItIsRead) {
   for (const std::string_view text : kAllCutters) {
     EXPECT_EQ(CutterOf(text).name(), text);
@@ -101,8 +101,8 @@ TEST(Cutter, RefusesWhatIsNone) {
   }
 }
 
-/// A grown cutter's surface is as far from the cutter as it was grown; the other way round for what
-/// is left of it.
+/// The surface of a grown cutter has the distance `by_mm` from the cutter. For a negative `by_mm`
+/// the cutter's surface has that distance from the reduced cutter.
 TEST(Cutter, GrowsEvenly) {
   for (const std::string_view text : kAllCutters) {
     const Cutter cutter = CutterOf(text);

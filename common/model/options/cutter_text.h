@@ -7,16 +7,16 @@
 
 namespace slicefarm {
 
-/// What ParseCutter reads.
+/// Forms of text that ParseCutter accepts, for messages.
 inline constexpr std::string_view kCutterForms =
     "cyl:D, ball:D, bull:D:CORNER, cone:D:ANGLE, ballcone:TIP:ANGLE:D, "
     "bullcone:TIP:CORNER:ANGLE:D, conecone:TIP:TIP_ANGLE:ANGLE:D";
 
-/// A cutter by its name and measures, in mm and degrees: cyl:DIAMETER, ball:DIAMETER,
+/// Parses a cutter's text, with sizes in mm and degrees: cyl:DIAMETER, ball:DIAMETER,
 /// bull:DIAMETER:CORNER, cone:DIAMETER:ANGLE, ballcone:TIP:ANGLE:DIAMETER,
 /// bullcone:TIP:CORNER:ANGLE:DIAMETER, conecone:TIP:TIP_ANGLE:ANGLE:DIAMETER. TIP is the diameter
-/// at which the upper cone begins, of a ball or a bull nose that of the whole of it. Errors:
-/// SETTING_MALFORMED, and those of Cutter.
+/// at which the upper cone begins; for a ball or a bull nose it is the full diameter of that tip.
+/// Errors: SETTING_MALFORMED, and the errors of Cutter.
 absl::StatusOr<Cutter> ParseCutter(std::string_view text);
 
 }  // namespace slicefarm

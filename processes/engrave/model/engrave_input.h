@@ -10,29 +10,30 @@
 
 namespace slicefarm {
 
-/// What a map is made of.
+/// Input of the mapping of a surface into the plane.
 struct SurfaceInput {
   SurfaceMesh mesh;
-  bool seam = true;  ///< whether it may be cut open
+  bool seam = true;  ///< true if the surface may be cut open
 
   friend bool operator==(const SurfaceInput&, const SurfaceInput&) = default;
 };
 
-/// A surface, cut open where it had to be, and its one-to-one map into the plane.
+/// Surface, cut open where necessary, with its one-to-one map into the plane.
 struct MappedSurface {
   SurfaceMesh mesh;
-  std::vector<int32_t> vertex_of;         ///< by vertex, the one that it was before the cut
-  std::vector<Eigen::Vector2d> map_mm;  ///< by vertex
+  std::vector<int32_t> vertex_of;  ///< index that each vertex had before the cut
+  std::vector<Eigen::Vector2d> map_mm;  ///< position of each vertex in the plane
 
   friend bool operator==(const MappedSurface&, const MappedSurface&) = default;
 };
 
-/// What all layers of a job are made of.
+/// Common input of all layers of a job.
 struct EngraveInput {
-  EngraveSettings settings;  ///< without images
-  SurfaceMesh solid;         ///< a texture that is an object; no triangles: it is another one
-  std::string image;         ///< PNG of a texture; empty: it is none
-  std::string mask;          ///< PNG; empty: none
+  EngraveSettings settings;  ///< settings without the images
+  /// object used as the texture; without triangles: the texture is not an object
+  SurfaceMesh solid;
+  std::string image;  ///< PNG of the texture; empty: the texture is not an image
+  std::string mask;  ///< PNG of the mask; empty: no mask
   MappedSurface surface;
 
   friend bool operator==(const EngraveInput&, const EngraveInput&) = default;

@@ -13,49 +13,54 @@
 namespace slicefarm {
 
 enum class NormalKind : uint8_t {
-  kFaces,  ///< the face's; on an edge the mean of its two faces', at a vertex that of its ring
-  kInterpolated,  ///< between the vertices' normals
+  /// normal of the face; on an edge the mean of both faces, at a vertex the mean of the faces
+  /// around it
+  kFaces,
+  kInterpolated,  ///< normal interpolated between the normals of the vertices
 };
 
-/// Which axes a machine has besides X, Y and Z.
+/// Rotary axes of a machine, besides X, Y and Z.
 enum class AxisLayout : uint8_t {
-  kNone,     ///< the tool points down
-  kTableAb,  ///< the part turns by B about Y, then by A about X
-  kTableBc,  ///< the part turns by C about Z, then by B about Y
-  kHeadAb,   ///< the head turns by A about X, then by B about Y
-  kHeadBc,   ///< the head turns by B about Y, then by C about Z
+  kNone,  ///< no rotary axis: the tool points down
+  kTableAb,  ///< table that turns the part by B about Y, then by A about X
+  kTableBc,  ///< table that turns the part by C about Z, then by B about Y
+  kHeadAb,  ///< head that turns by A about X, then by B about Y
+  kHeadBc,  ///< head that turns by B about Y, then by C about Z
 };
 
 enum class ToolKind : uint8_t {
-  kBeam,      ///< on and off by M3 and M5
-  kSpindle,   ///< turns all the time
-  kExtruder,  ///< lays down filament
+  kBeam,  ///< beam that M3 switches on and M5 switches off
+  kSpindle,  ///< spindle that turns all the time
+  kExtruder,  ///< extruder that deposits filament
 };
 
-/// What a job's file holds.
+/// Content of a job's output file.
 enum class EngraveFormat : uint8_t {
   kCsv,  ///< points with normals
   kGcode,
-  kStl,     ///< the surface with the texture in it, as binary STL
-  kObj,     ///< the same as Wavefront OBJ
-  kPng,     ///< a picture of the lines over the surface
-  kMapPng,  ///< a picture of the map and its distortion
+  kStl,  ///< surface with the texture applied, as binary STL
+  kObj,  ///< surface with the texture applied, as Wavefront OBJ
+  kPng,  ///< picture of the lines over the surface
+  kMapPng,  ///< picture of the map and its distortion
 };
 
-/// Returns true if the file is made at once; else it consists of the texts of its layers.
+/// Returns true if the file is made as a whole. Other files are the texts of the layers, one after
+/// the other.
 constexpr bool IsWhole(EngraveFormat format) { return format >= EngraveFormat::kStl; }
 
-/// Which texture, how high, and where on the surface. Texts of numbers are as users write them:
-/// NumbersOf reads them.
+/// Texture, its height and its position on the surface. Members that are texts of numbers hold the
+/// user's text; NumbersOf parses them.
 struct TextureSettings {
-  std::string texture = "bumps";  ///< a computed kind with parameters, or the object that is it
-  SharedText image;               ///< texture_image: a PNG in base64; wins over `texture`
-  SharedText mask;                ///< mask_image: likewise, over the map's box
-  double width_mm = 20;           ///< of an image
-  double height_mm = 0.5;         ///< of an image's white
-  std::string pitch;              ///< X,Y: of an object's repetitions; empty: its box
-  std::string anchor;             ///< X,Y,Z; empty: the map's middle
-  std::string orient;             ///< X,Y,Z; empty: the map's x
+  /// computed texture with its parameters, or the name of the object used as texture
+  std::string texture = "bumps";
+  SharedText image;  ///< texture_image: PNG in base64; takes precedence over `texture`
+  SharedText mask;  ///< mask_image: PNG in base64 that covers the bounding box of the map
+  double width_mm = 20;  ///< width of the image on the surface
+  double height_mm = 0.5;  ///< height of the texture at white pixels of the image
+  /// X,Y distance between repetitions of the object; empty: the size of its bounding box
+  std::string pitch;
+  std::string anchor;  ///< X,Y,Z of the texture's origin; empty: the middle of the map
+  std::string orient;  ///< X,Y,Z direction of the texture's x axis; empty: the x axis of the map
   double turn_deg = 0;
   double scale = 1;
   bool once = false;
@@ -66,26 +71,28 @@ struct TextureSettings {
   friend bool operator==(const TextureSettings&, const TextureSettings&) = default;
 };
 
-/// Layers and the lines in them.
+/// Settings of the layers and of the lines in them.
 struct EngraveLineSettings {
   double layer_height_mm = 0.05;
-  std::string spacing = "0.1";  ///< of the first layer, the next one, ...; over again
-  std::string angle = "0";      ///< likewise, in degrees
+  std::string spacing = "0.1";  ///< line spacing per layer, as a list that repeats from the start
+  /// line angle per layer in degrees, as a list that repeats from the start
+  std::string angle = "0";
   bool equidistant = false;
   NormalKind normals = NormalKind::kFaces;
   bool connect = true;
   double clearance_mm = 0;
   double shortest_mm = 0;
-  bool seam = true;  ///< a surface that is no disk is cut open; else it is refused
+  /// true: cuts a surface open that is not a disk; false: refuses such a surface
+  bool seam = true;
 
   friend bool operator==(const EngraveLineSettings&, const EngraveLineSettings&) = default;
 };
 
-/// The machine.
+/// Settings of the machine.
 struct EngraveMachineSettings {
   AxisLayout axes = AxisLayout::kTableBc;
   ToolKind tool = ToolKind::kBeam;
-  std::string centre;  ///< X,Y,Z: where a table's axes meet; empty: the origin
+  std::string centre;  ///< X,Y,Z of the point where the table's axes meet; empty: the origin
   double pivot_mm = 100;
   double tilt_deg = 110;
   double steepest_deg = 60;
@@ -97,7 +104,7 @@ struct EngraveMachineSettings {
   friend bool operator==(const EngraveMachineSettings&, const EngraveMachineSettings&) = default;
 };
 
-/// What engraving a job is made with.
+/// Settings of an engraving job.
 struct EngraveSettings {
   static constexpr Process kProcess = Process::kEngrave;
 
@@ -105,28 +112,28 @@ struct EngraveSettings {
   EngraveLineSettings lines;
   EngraveMachineSettings machine;
   EngraveFormat format = EngraveFormat::kCsv;
-  double displaced_edge_mm = 0.2;  ///< longest edge of a surface with the texture in it
+  double displaced_edge_mm = 0.2;  ///< longest triangle edge of a surface with the texture applied
 
   friend bool operator==(const EngraveSettings&, const EngraveSettings&) = default;
 };
 
-/// Returns the settings of a job (JobSettings, JobRows), which has none by object or region.
-/// REQUIRES: the job is of that process.
+/// Returns the engraving settings of a job (JobSettings, JobRows). Engraving has no settings per
+/// object or region. REQUIRES: the job is an engraving job.
 template <typename Job>
 auto& EngraveOf(Job& job) {
   return job.own.template As<EngraveSettings>();
 }
 
-/// Numbers between commas. `count`: how many there must be; 0: one at least, and no more than 1000.
-/// Nothing for an empty text. Errors: SETTING_MALFORMED naming `setting`.
+/// Returns the numbers of a comma-separated text; an empty text has no numbers. `count`: required
+/// number of numbers; 0: between 1 and 1000. Errors: SETTING_MALFORMED naming `setting`.
 absl::StatusOr<std::vector<double>> NumbersOf(std::string_view setting, std::string_view text,
                                               size_t count);
 
-/// Whether all texts of numbers, and images, can be read. Errors: SETTING_MALFORMED naming the
-/// setting.
+/// Checks that all texts of numbers and all images can be parsed. Errors: SETTING_MALFORMED naming
+/// the setting.
 absl::Status CheckTexts(const EngraveSettings& settings);
 
-/// The bytes of an image. Errors: SETTING_MALFORMED for what is no base64.
+/// Returns the bytes of an image. Errors: SETTING_MALFORMED if the text is not base64.
 absl::StatusOr<std::string> ImageBytes(std::string_view setting, std::string_view base64);
 
 }  // namespace slicefarm

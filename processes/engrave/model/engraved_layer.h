@@ -7,17 +7,17 @@
 
 namespace slicefarm {
 
-/// What all layers of a job come to together, before they are made.
+/// Common data of all layers of a job, computed before the layers are made.
 struct EngraveLayout {
   int32_t layer_count = 0;
-  std::string header;  ///< of the file
+  std::string header;  ///< first lines of the file
   std::string footer;
   MapReport map;
 
   friend bool operator==(const EngraveLayout&, const EngraveLayout&) = default;
 };
 
-/// A layer's part of the file: it depends on no other layer.
+/// Part of the output file that belongs to one layer. It depends on no other layer.
 struct EngravedLayer {
   LayerNumbers numbers;
   ProgramFacts program;

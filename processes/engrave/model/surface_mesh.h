@@ -7,10 +7,12 @@
 
 namespace slicefarm {
 
-/// A surface of triangles, in mm: doubles as the file has them. A point may be used by no triangle.
+/// Surface of triangles, in mm, with the double-precision coordinates of the file. Some points may
+/// belong to no triangle.
 struct SurfaceMesh {
   std::vector<Eigen::Vector3d> points_mm;
-  std::vector<std::array<int32_t, 3>> triangles;  ///< counter-clockwise as seen from outside
+  /// point indices, counter-clockwise as seen from outside
+  std::vector<std::array<int32_t, 3>> triangles;
 
   friend bool operator==(const SurfaceMesh&, const SurfaceMesh&) = default;
 };

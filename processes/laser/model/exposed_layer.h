@@ -13,16 +13,16 @@
 
 namespace slicefarm {
 
-/// Lines of one object, region and kind in the order of scanning, around the object's own origin.
-/// Flat, for millions of them.
+/// Lines of one object, region and kind in the order of scanning, relative to the object's own
+/// origin. The lines are stored in flat arrays because a layer can have millions of them.
 struct ExposureGroup {
   int32_t object = 0;
   int32_t settings = 0;  ///< index into the job's tables of region settings
   ExposureKind kind = ExposureKind::kHatch;
-  /// Skywriting: the scanner comes and goes on this length of each line's direction, beam off.
+  /// Skywriting: length by which the scanner extends each line at both ends with the beam off.
   Coord run_nm = 0;
-  std::vector<Point> points;  ///< of all lines, one after the other
-  /// Number of points of each line, or empty: all are hatch lines of two points. A closed line
+  std::vector<Point> points;  ///< points of all lines, one line after the other
+  /// Number of points of each line. Empty: all lines are hatch lines of two points. A closed line
   /// repeats its first point.
   std::vector<int32_t> line_sizes;
 
@@ -45,22 +45,24 @@ struct ExposureGroup {
   friend bool operator==(const ExposureGroup&, const ExposureGroup&) = default;
 };
 
-/// A copy of an object on the plate: all groups of the object, shifted.
+/// Placement of one copy of an object on the plate: all groups of the object are shifted.
 struct ExposureVisit {
   int32_t object = 0;
   int32_t copy = 0;  ///< index into the job's copies
-  Point shift;       ///< from the object's origin
+  Point shift;  ///< displacement from the object's origin
 
   friend bool operator==(const ExposureVisit&, const ExposureVisit&) = default;
 };
 
-/// Where the cuts of a layer's decomposition into convex pieces came out; of rings only.
+/// Statistics of the decomposition of a layer's outlines into convex pieces. Only the ring
+/// strategies use such a decomposition.
 struct CutCounts {
   int64_t pieces = 0;
-  int64_t reflex = 0;        ///< corners over 180 degrees
-  int64_t extra_points = 0;  ///< ends of cuts that are no corners
-  int64_t sharp_cuts = 0;    ///< cuts with an angle below 30 degrees, where no better one was
-  int64_t replaced = 0;      ///< outlines cut by Bian's method, as the one asked for cannot
+  int64_t reflex = 0;  ///< number of corners over 180 degrees
+  int64_t extra_points = 0;  ///< number of cut ends that are not corners
+  int64_t sharp_cuts = 0;  ///< number of cuts at an angle below 30 degrees for lack of a better cut
+  /// number of outlines cut by Bian's method because the requested method cannot cut them
+  int64_t replaced = 0;
 
   void Add(const CutCounts& other) {
     pieces += other.pieces;
@@ -72,16 +74,16 @@ struct CutCounts {
   friend bool operator==(const CutCounts&, const CutCounts&) = default;
 };
 
-/// What a few lines across each layer meet: a sample of what is melted, and how much.
+/// Sample of the melted area and its energy along a few lines across each layer.
 struct MeltedSample {
-  double length_mm = 0;    ///< of the lines, inside of the outlines
-  double melted_mm = 0;    ///< of it, no farther than half a spot from a vector
-  double energy_j_mm = 0;  ///< energy by area, added up along the lines
-  int64_t pieces = 0;      ///< of about a millimetre
-  double least_j_mm2 = 0;  ///< of a piece
+  double length_mm = 0;  ///< length of the sample lines inside the outlines
+  double melted_mm = 0;  ///< part of `length_mm` within half a spot of a vector
+  double energy_j_mm = 0;  ///< energy per area, integrated along the sample lines
+  int64_t pieces = 0;  ///< number of sampled pieces of about 1 mm
+  double least_j_mm2 = 0;  ///< lowest energy per area of a piece
   double most_j_mm2 = 0;
 
-  /// Of 1; 1 of nothing.
+  /// Returns the melted share of the sample lines, in [0, 1]. Returns 1 for an empty sample.
   double Melted() const { return length_mm > 0 ? melted_mm / length_mm : 1; }
   double MeanJmm2() const { return length_mm > 0 ? energy_j_mm / length_mm : 0; }
   void AddPiece(double j_mm2) {
@@ -103,21 +105,22 @@ struct MeltedSample {
 
 struct ExposedLayer {
   LayerFrame frame;
-  std::vector<ExposureGroup> groups;  ///< by object; of each in the order of scanning
-  std::vector<ExposureVisit> visits;  ///< in the order of scanning
-  double area_mm2 = 0;                ///< of the outlines of all visits
+  /// groups by object, and for each object in the order of scanning
+  std::vector<ExposureGroup> groups;
+  std::vector<ExposureVisit> visits;  ///< placements in the order of scanning
+  double area_mm2 = 0;  ///< area of the outlines of all placements
   CutCounts cuts;
-  MeltedSample melted;  ///< of one copy of each object
+  MeltedSample melted;  ///< sample of one copy of each object
 
   friend bool operator==(const ExposedLayer&, const ExposedLayer&) = default;
 };
 
-/// What one kind of vector takes.
+/// Totals of one kind of vector.
 struct KindExposure {
-  int64_t vectors = 0;  ///< edges
-  int64_t lines = 0;    ///< times that the beam goes on, and off again
+  int64_t vectors = 0;  ///< number of edges
+  int64_t lines = 0;  ///< number of times that the beam is switched on and off
   double length_mm = 0;
-  double time_s = 0;  ///< delays at the ends and corners of lines included
+  double time_s = 0;  ///< time, including the delays at the ends and corners of lines
   double energy_j = 0;
 
   void Add(const KindExposure& other) {
@@ -130,17 +133,17 @@ struct KindExposure {
   friend bool operator==(const KindExposure&, const KindExposure&) = default;
 };
 
-/// Sums over layers.
+/// Totals over layers.
 struct ExposureReport {
-  std::array<KindExposure, kExposureKindCount> kinds;  ///< by ExposureKind
+  std::array<KindExposure, kExposureKindCount> kinds;  ///< totals per ExposureKind
   int64_t jumps = 0;
-  double jump_mm = 0;      ///< beam off, skywriting included
-  double jump_time_s = 0;  ///< delays after jumps included
-  double area_mm2 = 0;     ///< of outlines
-  double volume_mm3 = 0;   ///< of outlines by their layers' heights
+  double jump_mm = 0;  ///< path length with the beam off, including skywriting
+  double jump_time_s = 0;  ///< time of jumps, including the delays after them
+  double area_mm2 = 0;  ///< area of the outlines
+  double volume_mm3 = 0;  ///< sum of each layer's outline area times its height
   CutCounts cuts;
   MeltedSample melted;
-  Box bounds;  ///< of what is exposed, on the plate
+  Box bounds;  ///< bounding box of all exposed vectors on the plate
 
   KindExposure Total() const {
     KindExposure total;
@@ -148,7 +151,7 @@ struct ExposureReport {
     return total;
   }
   double TimeS() const { return Total().time_s + jump_time_s; }
-  /// Of the volume; 0 of nothing.
+  /// Returns the energy per volume, in J/mm3. Returns 0 for an empty volume.
   double EnergyDensityJmm3() const { return volume_mm3 > 0 ? Total().energy_j / volume_mm3 : 0; }
   void Add(const ExposureReport& other) {
     for (size_t kind = 0; kind < kinds.size(); ++kind) kinds[kind].Add(other.kinds[kind]);

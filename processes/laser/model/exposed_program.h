@@ -9,29 +9,29 @@
 
 namespace slicefarm {
 
-/// One layer for the machine, in the job's format. It begins and ends with the beam off.
+/// Program of one layer in the job's output format. It begins and ends with the beam off.
 struct ExposedProgram {
   LayerFrame frame;
-  std::string text;  ///< bytes, where the format has them
+  std::string text;  ///< text of the program; bytes if the format is binary
   ExposureReport report;
 
   friend bool operator==(const ExposedProgram&, const ExposedProgram&) = default;
 };
 
-/// What stands before and after the layers depends on this.
+/// Data on which the texts before and after the layers depend.
 struct ExposureSummary {
   std::vector<LayerFrame> layers;
-  Box bounds;                             ///< of what is exposed, on the plate
-  std::vector<std::string> object_names;  ///< by object
-  double time_s = 0;                      ///< of all layers, recoating included
-  std::string settings_text;              ///< effective settings, for templates
+  Box bounds;  ///< bounding box of all exposed vectors on the plate
+  std::vector<std::string> object_names;  ///< name of each object
+  double time_s = 0;  ///< time of all layers, including recoating
+  std::string settings_text;  ///< effective settings, for use in templates
 
   friend bool operator==(const ExposureSummary&, const ExposureSummary&) = default;
 };
 
 struct ExposureEnvelope {
   std::string header;
-  /// What stands before each layer's text, where the format has such; else empty.
+  /// Text before each layer's program. Empty if the format has no such text.
   std::vector<std::string> layer_heads;
   std::string footer;
 

@@ -12,7 +12,7 @@
 namespace slicefarm {
 namespace {
 
-/// A number of the options and where it may lie, both ends included.
+/// Number of the options with its allowed range, both ends included.
 struct NumberRule {
   std::string_view setting;
   double got = 0;

@@ -5,7 +5,7 @@
 
 namespace slicefarm {
 
-/// SETTING_OUT_OF_RANGE, with `setting` and `got`, for the first number that cannot be.
+/// Returns SETTING_OUT_OF_RANGE, with `setting` and `got`, for the first number out of its range.
 absl::Status CheckMillingOptions(const MillingOptions& options);
 
 }  // namespace slicefarm

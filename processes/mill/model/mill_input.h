@@ -5,10 +5,10 @@
 
 namespace slicefarm {
 
-/// What is milled and how. Meshes are in the program's coordinates.
+/// Input of a milling job. Meshes are in the program's coordinates.
 struct MillInput {
   IndexedMesh part;
-  IndexedMesh stock;  ///< no triangles: a box around the part
+  IndexedMesh stock;  ///< mesh of the stock; without triangles: a box around the part
   MillSettings settings;
 
   friend bool operator==(const MillInput&, const MillInput&) = default;

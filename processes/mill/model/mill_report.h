@@ -8,7 +8,7 @@
 
 namespace slicefarm {
 
-/// Sums over the moves of a phase.
+/// Totals of the moves of a phase.
 struct PhaseReport {
   double cut_mm = 0;
   double rapid_mm = 0;
@@ -19,16 +19,15 @@ struct PhaseReport {
   friend bool operator==(const PhaseReport&, const PhaseReport&) = default;
 };
 
-/// What a program does, and whether it gouges.
+/// Statistics of a program and result of its gouge check.
 struct MillReport {
-  std::array<PhaseReport, kMillPhaseCount> phases;  ///< by MillPhase
-  int64_t ways = 0;                                 ///< loops and runs that were cut
+  std::array<PhaseReport, kMillPhaseCount> phases;  ///< totals per MillPhase
+  int64_t ways = 0;  ///< number of toolpaths: loops and runs that were cut
   double removed_mm3 = 0;
 
-  /// Places of the tip that were looked at: the ends of moves and of the chords of arcs, and their
-  /// middles.
+  /// Number of checked positions of the tip: ends and midpoints of moves and of the chords of arcs.
   int64_t checked = 0;
-  /// Of them, where the part reaches into the cutter by more than the tolerance.
+  /// Number of checked positions where the part reaches into the cutter by more than the tolerance.
   int64_t gouges = 0;
   Eigen::Vector3d first_gouge_mm{0, 0, 0};
 

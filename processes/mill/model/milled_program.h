@@ -10,17 +10,17 @@
 
 namespace slicefarm {
 
-/// The steps of a job, in their order: phase by phase; levels from the top down, rows by y.
+/// Steps of a job in machining order: phase by phase, levels from the top down, rows by y.
 struct MillLayout {
   std::vector<MillStep> steps;
-  std::vector<int32_t> weights;  ///< by step: about what each takes beside the others; above 0
+  std::vector<int32_t> weights;  ///< approximate relative effort of each step; above 0
   Eigen::AlignedBox3d part_mm;
   Eigen::AlignedBox3d stock_mm;
 };
 
-/// What a job comes to.
+/// Result of a milling job.
 struct MilledProgram {
-  std::string text;  ///< for the machine, or the picture that was asked for
+  std::string text;  ///< program for the machine, or the requested picture
   MillReport report;
 };
 

@@ -9,13 +9,13 @@
 namespace slicefarm {
 
 enum class MillPhase : uint8_t {
-  kRoughing,   ///< a level: all stock above it goes, but for the allowance
-  kFinishing,  ///< a level: ways that touch the part
-  kRest,       ///< a row along x: what is too flat for levels
+  kRoughing,  ///< level that removes all stock above it, except the allowance
+  kFinishing,  ///< level of toolpaths that touch the part
+  kRest,  ///< row along x over surfaces too flat for levels
 };
 inline constexpr int kMillPhaseCount = 3;
 
-/// The least piece of work: any range of a job's steps can be made apart from the others.
+/// Smallest unit of work. Any range of a job's steps can be computed independently of the rest.
 struct MillStep {
   MillPhase phase = MillPhase::kRoughing;
   double at_mm = 0;  ///< z of a level, y of a row
@@ -23,7 +23,7 @@ struct MillStep {
   friend bool operator==(const MillStep&, const MillStep&) = default;
 };
 
-/// [first, last) of a job's steps.
+/// Range [first, last) of a job's steps.
 struct StepRange {
   int32_t first = 0;
   int32_t last = 0;
@@ -32,20 +32,20 @@ struct StepRange {
   friend bool operator==(const StepRange&, const StepRange&) = default;
 };
 
-/// One connected part of a level's free area, and the ways of the tip in it, in nm.
+/// Connected part of a level's free area, with the toolpaths of the tip in it, in nm.
 struct CutArea {
   PolygonWithHoles area;
-  /// In the order of cutting, turned as the direction of cutting wants; closed without repeating
-  /// the first point.
+  /// Toolpaths in the order and direction of cutting. They are closed without repeating the first
+  /// point.
   std::vector<Polygon> ways;
 
   friend bool operator==(const CutArea&, const CutArea&) = default;
 };
 
-/// A way of the tip, in mm, along x.
+/// Toolpath of the tip along x, in mm.
 using RestRun = std::vector<Eigen::Vector3d>;
 
-/// What became of a step: areas of a level, or runs of a row.
+/// Result of a step: the areas of a level, or the runs of a row.
 struct MilledStep {
   MillStep step;
   std::vector<CutArea> areas;
