@@ -12,7 +12,7 @@ namespace slicefarm {
 struct CopyName {
   std::string object_name;
   int32_t object = 0;
-  int32_t copy = 0;  ///< number of this copy among the object's copies, from 0
+  int32_t copy = 0;    ///< number of this copy among the object's copies, from 0
   int32_t copies = 1;  ///< number of copies of the object
 
   friend bool operator==(const CopyName&, const CopyName&) = default;
@@ -21,9 +21,9 @@ struct CopyName {
 /// State of the print at the start of a pass, as planned. The numbers include layers at the very
 /// top of an object that may turn out too thin for a bead.
 struct PassFacts {
-  /// number of layers of the passes before; for the first pass: layers of the raft
+  /// Number of layers of the passes before; for the first pass: layers of the raft.
   int32_t layers_before = 0;
-  /// the job's layer in which the objects of this pass begin; 0 without a raft
+  /// The job's layer in which the objects of this pass begin; 0 without a raft.
   int32_t first_layer = 0;
   Coord top_before_nm = 0;  ///< height of the passes before
 
@@ -33,7 +33,7 @@ struct PassFacts {
 /// Facts about the job that the G-code of a layer may contain.
 struct JobFacts {
   int32_t layer_count = 0;  ///< number of layers of all passes, for templates; 0: unknown
-  /// names in the order of the job's copies; empty: no copy is labelled
+  /// Names in the order of the job's copies; empty: no copy is labelled.
   std::vector<CopyName> copies;
   std::vector<PassFacts> passes;  ///< state at the start of each pass; empty: there is one pass
 

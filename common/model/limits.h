@@ -21,23 +21,23 @@ inline constexpr int64_t kMaxCompressionRatio = 200;
 /// compress a thousandfold.
 inline constexpr int64_t kFreeExpandedBytes = 1 << 20;
 inline constexpr int64_t kMaxArchiveEntries = 1'000;
-/// size of one settings file in the archive
+/// Size of one settings file in the archive.
 inline constexpr int64_t kMaxMetadataBytes = 16 << 20;
 inline constexpr int64_t kMaxXmlDepth = 64;
 inline constexpr int64_t kMaxXmlTagBytes = 1 << 20;
 inline constexpr int64_t kMaxComponentsDepth = 32;
-/// objects and components of all models of a file
+/// Objects and components of all models of a file.
 inline constexpr int64_t kMaxFileResources = 100'000;
-inline constexpr int64_t kMaxParts = 10'000;  ///< parts of all objects on the plates
+inline constexpr int64_t kMaxParts = 10'000;        ///< parts of all objects on the plates
 inline constexpr int64_t kMaxHeightRanges = 1'000;  ///< height ranges of one object
-/// pairs of a part and a height range of its object
+/// Pairs of a part and a height range of its object.
 inline constexpr int64_t kMaxPartRanges = 100'000;
 inline constexpr int64_t kMaxProjectPlates = 1'000;
 inline constexpr int64_t kMaxProjectBytes = 16 << 20;  ///< size of names and settings together
-/// scale factor, or shift in mm; large because plates lie side by side
+/// Scale factor, or shift in mm; large because plates lie side by side.
 inline constexpr double kMaxTransformEntry = 1e6;
 inline constexpr double kMaxMeshCoordinateMm = 10'000;
-/// coordinate of a placed part; it fits in 32-bit nanometres
+/// Coordinate of a placed part; it fits in 32-bit nanometres.
 inline constexpr Coord kMaxCoord = 2'100'000'000;
 /// Height of a machine in profiles. The parts on it are still limited by kMaxCoord.
 inline constexpr Coord kMaxPrintHeight = 10'000'000'000;
@@ -70,7 +70,7 @@ inline constexpr int64_t kMaxSurfacePoints = 2'000'000;
 inline constexpr int64_t kMaxLinesPerFill = 200'000;
 inline constexpr int32_t kMaxThumbnails = 8;
 inline constexpr int32_t kMaxThumbnailPx = 1'024;
-/// message between stages; it contains one layer
+/// Message between stages; it contains one layer.
 inline constexpr int64_t kMaxStageMessageBytes = 64 << 20;
 /// Size of the values that the calls of a job share: of one value such as the settings, and of all
 /// shared values that a server keeps at a time for all jobs.
@@ -79,9 +79,9 @@ inline constexpr int64_t kMaxKeptSharedBytes = 256 << 20;
 inline constexpr int64_t kSharedPieceBytes = 1 << 20;
 inline constexpr int64_t kMaxPublicMessageBytes = 4 << 20;
 inline constexpr int64_t kUploadChunkBytes = 64 << 10;  ///< upload chunk that our own programs send
-/// upload chunk that other clients may send
+/// Upload chunk that other clients may send.
 inline constexpr int64_t kMaxUploadChunkBytes = 1 << 20;
-/// size of one value, such as a start G-code
+/// Size of one value, such as a start G-code.
 inline constexpr int64_t kMaxSettingBytes = 64 << 10;
 /// Size of an expanded G-code template, or of a text within it. A layer with it stays far below the
 /// message limit.
@@ -89,12 +89,12 @@ inline constexpr int64_t kMaxExpandedBytes = 1 << 20;
 /// Size of a field of density, stress or materials. A field is a setting and fits in a job's spec.
 inline constexpr int64_t kMaxFieldBytes = 768 << 10;
 inline constexpr int64_t kMaxFieldValues = 200'000;  ///< nodes of a field's grid
-inline constexpr size_t kMaxMixedMaterials = 6;  ///< materials of one mixing extruder
-/// layers on each side that a field by surface distance reads
+inline constexpr size_t kMaxMixedMaterials = 6;      ///< materials of one mixing extruder
+/// Layers on each side that a field by surface distance reads.
 inline constexpr int64_t kMaxFieldHaloLayers = 100;
 inline constexpr int64_t kMaxSettings = 2'000;
 inline constexpr int64_t kMaxNameBytes = 255;  ///< length of an object's name or a request id
-/// size of a job's spec, which is echoed in one message
+/// Size of a job's spec, which is echoed in one message.
 inline constexpr int64_t kMaxSpecBytes = 1 << 20;
 inline constexpr int64_t kMaxPlatesBytes = 64 * kMaxSpecBytes;  ///< size of all plates of one call
 inline constexpr int64_t kMaxLabels = 64;

@@ -9,7 +9,7 @@
 
 namespace slicefarm {
 
-/// What a path is part of.
+/// Kind of feature to which a path belongs.
 enum class Feature : uint8_t {
   kExternalPerimeter,
   kPerimeter,
@@ -27,25 +27,26 @@ enum class Feature : uint8_t {
 };
 inline constexpr int kFeatureCount = 13;
 
-/// "External perimeter", "Perimeter", ..., for reports.
+/// Returns the name of a feature for reports: "External perimeter", "Perimeter", ...
 std::string_view FeatureName(Feature feature);
 
-/// The words of the `;TYPE:` comment, as PrusaSlicer's previewers read them: FeatureName, but for
-/// solid infill over bridges, which is solid infill to them.
+/// Returns the text of the `;TYPE:` comment that PrusaSlicer's previewers read. It is FeatureName,
+/// except that solid infill over bridges is reported as solid infill.
 std::string_view FeatureType(Feature feature);
 
-/// A bead to lay down: a line with a width at each point, as high as its layer.
-/// Along an edge the width goes from one point's to the next one's; where two points in a row are
-/// equal it steps. INVARIANT: points.size() >= 2; widths_nm.size() is 1 (the same everywhere) or
+/// Bead to print: a line with a width at each point and the height of its layer. Along an edge the
+/// width changes linearly between the widths of the two points. Two equal consecutive points make a
+/// step of the width. INVARIANT: points.size() >= 2; widths_nm.size() is 1 (constant width) or
 /// points.size().
 struct Path {
   Feature feature = Feature::kPerimeter;
-  int32_t settings = 0;    ///< index into the job's tables of region settings
-  int32_t inset = 0;       ///< of walls: 0 is the outermost
-  int32_t ring = -1;       ///< of closed walls of inset 0: the outline's ring that it follows
-  bool closed = false;     ///< the last point joins the first, which is not repeated
-  bool reversible = true;  ///< may be printed backwards
-  int32_t tool = 0;        ///< 0: others are refused until tools exist
+  int32_t settings = 0;  ///< index into the job's tables of region settings
+  int32_t inset = 0;     ///< number of the wall, for walls; 0 is the outermost
+  int32_t ring = -1;     ///< ring of the outline that the path follows, for closed walls of inset 0
+  bool closed = false;   ///< true if the last point connects to the first, which is not repeated
+  bool reversible = true;  ///< true if the path may be printed backwards
+  /// Tool index; other values than 0 are refused because there is only one tool yet.
+  int32_t tool = 0;
   std::vector<Point> points;
   std::vector<Coord> widths_nm;
 
@@ -53,14 +54,15 @@ struct Path {
   friend bool operator==(const Path&, const Path&) = default;
 };
 
-/// Whether the invariant holds.
+/// Returns true if the path's invariant holds.
 bool WellFormed(const Path& path);
 
-/// Where a path starts, and where it ends; the same for a closed one. REQUIRES: WellFormed.
+/// Return the start and the end of a path. Both are the same point for a closed path. REQUIRES:
+/// WellFormed.
 Point StartOf(const Path& path);
 Point EndOf(const Path& path);
 
-/// Length in nm, the closing edge included.
+/// Returns the length in nm, including the closing edge.
 double PathLength(const Path& path);
 
 }  // namespace slicefarm

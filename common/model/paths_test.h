@@ -9,7 +9,7 @@
 
 namespace slicefarm {
 
-/// A path of the usual width through the points of a text such as "(0 0, 9 0, 9 9)".
+/// Makes a path of the usual width through the points of a text such as "(0 0, 9 0, 9 9)".
 inline Path MakePathOrDie(std::string_view points, bool closed = false) {
   Path path;
   path.closed = closed;
@@ -18,7 +18,7 @@ inline Path MakePathOrDie(std::string_view points, bool closed = false) {
   return path;
 }
 
-/// The length of all lines together.
+/// Returns the total length of all lines.
 inline double TotalMm(const std::vector<Polyline>& lines) {
   double length_nm = 0;
   for (const Polyline& line : lines) length_nm += Length(line);

@@ -9,19 +9,20 @@
 
 namespace slicefarm {
 
-/// What a print takes, by what it is spent on. Times in s.
+/// Time of a print, by activity. Times in s.
 struct PrintTimes {
-  std::array<double, kFeatureCount> feature_s = {};  ///< by Feature
-  double travel_s = 0;   ///< what moves without printing
-  double retract_s = 0;  ///< filament alone
-  double custom_s = 0;   ///< moves of the settings' own G-code
-  double dwell_s = 0;    ///< G4
-  double heating_s = 0;  ///< waits for heat, by the settings' heating rates
-  // What takes a time that no program tells: counted as 0 s.
+  std::array<double, kFeatureCount> feature_s = {};  ///< time of beads per Feature
+  double travel_s = 0;                               ///< time of moves without extrusion
+  double retract_s = 0;                              ///< time of moves of the filament alone
+  double custom_s = 0;                               ///< time of moves in custom G-code
+  double dwell_s = 0;                                ///< time of G4 commands
+  double heating_s = 0;  ///< waiting time for heaters, by the heating rates of the settings
+  // Numbers of actions of unknown duration; each counts as 0 s.
   int64_t homings = 0;
-  int64_t heat_waits = 0;  ///< those without a rate
+  int64_t heat_waits = 0;  ///< number of waits for heaters without a heating rate
   int64_t tool_changes = 0;
-  // All of it, once more: before the layers, by layer of the program, after them.
+  // The same total time, divided by position: before the layers, in each layer of the program, and
+  // after the layers.
   double before_s = 0;
   std::vector<double> layer_s;
   double after_s = 0;

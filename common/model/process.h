@@ -7,7 +7,7 @@
 
 namespace slicefarm {
 
-/// What kind of machine a job is for: it decides which stages the job goes through.
+/// Manufacturing process of a job. It determines the stages through which the job passes.
 enum class Process : uint8_t {
   kFdm,
   kLaser,
@@ -17,11 +17,11 @@ enum class Process : uint8_t {
 
 struct ProcessInfo {
   Process process;
-  std::string_view name;  ///< as jobs, workers and command lines write it
+  std::string_view name;  ///< name in jobs, workers and command lines
   std::string_view doc;
 };
 
-/// All processes, in the order of Process.
+/// Table of all processes, in the order of Process.
 inline constexpr ProcessInfo kProcesses[] = {
     {Process::kFdm, "fdm", "Filament is laid down in beads; the result is G-code"},
     {Process::kLaser, "laser", "A laser scans each layer's area, in powder or resin"},
@@ -29,7 +29,7 @@ inline constexpr ProcessInfo kProcesses[] = {
     {Process::kEngrave, "engrave", "A texture is worked onto a curved surface or into it"},
 };
 
-/// That of jobs that name none.
+/// Process of jobs that name none.
 inline constexpr Process kDefaultProcess = Process::kFdm;
 
 inline constexpr int kProcessCount = static_cast<int>(std::size(kProcesses));
@@ -38,7 +38,7 @@ constexpr std::string_view ProcessName(Process process) {
   return kProcesses[static_cast<size_t>(process)].name;
 }
 
-/// A set of processes: what a worker can run.
+/// Set of processes, such as the processes that a worker can run.
 class ProcessSet {
  public:
   constexpr ProcessSet() = default;

@@ -7,13 +7,14 @@
 
 namespace slicefarm {
 
-/// Value of a type that belongs to one process, such as FdmSettings: its holder need not know the
-/// type. Copies share the value until one of them is changed. An empty one is the standard value of
-/// the default process.
+/// Value of a type that belongs to one process, such as FdmSettings. Code that holds the value does
+/// not need the type. Copies share the value until one of them is changed. An empty ProcessValue
+/// has the default value of the default process.
 class ProcessValue {
  public:
   ProcessValue() = default;
-  /// `value`: of a type with kProcess and operator==. Implicit, as settings are a process value.
+  /// Makes a ProcessValue from a value of a type with kProcess and operator==. The constructor is
+  /// implicit, because the settings of a process are a process value.
   template <typename T>
   requires requires { T::kProcess; }
   ProcessValue(T value)  // NOLINT(google-explicit-constructor)
@@ -21,7 +22,7 @@ class ProcessValue {
 
   Process process() const { return process_; }
 
-  /// Returns the value. REQUIRES: it was made of a T, or is empty and T belongs to the default
+  /// Returns the value. REQUIRES: it was made from a T, or it is empty and T belongs to the default
   /// process.
   template <typename T>
   const T& As() const {
@@ -43,7 +44,8 @@ class ProcessValue {
  private:
   struct Holder {
     virtual ~Holder() = default;
-    /// `other`: of the same type; null: the standard value.
+    /// Returns true if both values are equal. `other`: a holder of the same type; null: the default
+    /// value.
     virtual bool Equals(const Holder* other) const = 0;
   };
   template <typename T>

@@ -6,17 +6,20 @@
 
 namespace slicefarm {
 
-/// How high the layers of a raft are, and what stands on it.
+/// Heights of a raft's layers and of the part on it.
 struct RaftHeights {
-  int32_t layers = 0;                   ///< raft_layers; 0: no raft
-  Coord first_nm = 200'000;             ///< first_layer_height: the raft's, no longer the part's
-  Coord others_nm = 300'000;            ///< the greater of layer_height and 3/4 of nozzle_diameter
-  Coord contact_distance_nm = 100'000;  ///< raft_contact_distance: from the raft's top to the part
+  int32_t layers = 0;  ///< raft_layers: number of layers; 0: no raft
+  /// first_layer_height: height of the raft's first layer; the part has no such layer then
+  Coord first_nm = 200'000;
+  /// Height of the other layers: the greater of layer_height and 3/4 of nozzle_diameter.
+  Coord others_nm = 300'000;
+  /// raft_contact_distance: gap between the raft's top and the part
+  Coord contact_distance_nm = 100'000;
 
   Coord HeightOf(int32_t layer) const { return layer == 0 ? first_nm : others_nm; }
-  /// The top of a layer, above the bed.
+  /// Returns the height of a layer's top above the bed.
   Coord TopOf(int32_t layer) const { return first_nm + layer * others_nm; }
-  /// The part's bottom, above the bed; 0 without a raft.
+  /// Returns the height of the part's bottom above the bed; 0 without a raft.
   Coord LiftNm() const { return layers > 0 ? TopOf(layers - 1) + contact_distance_nm : 0; }
 
   friend bool operator==(const RaftHeights&, const RaftHeights&) = default;

@@ -7,18 +7,19 @@
 
 namespace slicefarm {
 
-/// What an outline is part of.
+/// Kind of structure to which an outline belongs.
 enum class Role : uint8_t {
-  kPart,  ///< what the job is about
+  kPart,  ///< the object to be made
   kBrim,
   kRaft,
-  kRaftInterface,  ///< the layers of a raft that carry the part
+  kRaftInterface,  ///< layers of a raft directly below the part
   kSupport,
-  kSupportInterface,  ///< the layers of supports next to the part
+  kSupportInterface,  ///< layers of supports next to the part
 };
 inline constexpr int kRoleCount = 6;
 
-/// What beads of a role are called, whatever they are for within it; of kPart: `feature`.
+/// Returns the feature that beads of a role are reported as. For kPart it is `feature`; other roles
+/// have a fixed feature.
 constexpr Feature FeatureFor(Role role, Feature feature) {
   switch (role) {
     case Role::kPart:
@@ -35,11 +36,12 @@ constexpr Feature FeatureFor(Role role, Feature feature) {
   return feature;
 }
 
-/// Outlines that are walled and filled alike.
+/// Outlines with the same settings for walls and infill.
 struct Region {
   Role role = Role::kPart;
   int32_t settings = 0;  ///< index into the job's tables of region settings
-  int32_t tool = 0;      ///< 0: others are refused until tools exist
+  /// Tool index; other values than 0 are refused because there is only one tool yet.
+  int32_t tool = 0;
   MultiPolygon outlines;
 
   friend bool operator==(const Region&, const Region&) = default;

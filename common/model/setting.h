@@ -5,11 +5,11 @@
 
 namespace slicefarm {
 
-/// Who asks: a whole profile, of which many keys may mean nothing here, or a person who names what
-/// they want.
+/// Origin of a setting. A profile is a whole file in which many keys may have no meaning here; a
+/// request contains only keys that a person chose.
 enum class Source : uint8_t { kProfile, kRequest };
 
-/// A key of a config.ini and its value, as text: newlines as `\n`.
+/// Key and value of a config.ini, as text. Newlines in the value are written as `\n`.
 struct Setting {
   std::string key;
   std::string value;

@@ -6,19 +6,22 @@
 
 namespace slicefarm {
 
-/// A turn of a spiral: the only bead of a section, a loop along which the nozzle rises from the top
-/// of the layer below to the top of its own.
+/// Turn of a spiral, the only bead of a section. It is a loop along which the nozzle rises from the
+/// top of the layer below to the top of its own layer.
 struct SpiralTurn {
-  Point start;                ///< of the loop, and its end
-  std::optional<Point> from = {};  ///< where the turn below ends, and this one goes on; none: the first
-  bool last = false;          ///< no turn follows
-  bool blends = true;         ///< it leads over from the turn below all along, else at once
+  Point start;  ///< start and end of the loop
+  /// End of the turn below, from which this turn continues; none: the first turn.
+  std::optional<Point> from = {};
+  bool last = false;  ///< true if no turn follows
+  /// True: the path moves gradually from the turn below to this one; false: at once.
+  bool blends = true;
 
   friend bool operator==(const SpiralTurn&, const SpiralTurn&) = default;
 };
 
-/// The middle of a bead of `width_nm` along the inside of an outline; nothing where that is not one
-/// loop: a hole, several islands, or a place too narrow for two beads.
+/// Returns the centre line of a bead of `width_nm` along the inside of an outline. Returns nullopt
+/// if the result is not a single loop: the outline has a hole or several islands, or is narrower
+/// than two beads.
 std::optional<Polygon> SpiralLoop(const MultiPolygon& outline, Coord width_nm);
 
 }  // namespace slicefarm

@@ -19,7 +19,7 @@ enum class DensityLaw : uint8_t {
 /// Method that selects the filled cells if each cell is either empty or filled with the field's
 /// greatest density.
 enum class Dither : uint8_t {
-  /// no dithering: line spacing follows the field; patterns with fixed spacing use blue noise
+  /// No dithering: line spacing follows the field; patterns with fixed spacing use blue noise.
   kNone,
   kBlueNoise,
   kFloydSteinberg,
@@ -32,11 +32,11 @@ struct DensityField {
 
   Kind kind = Kind::kHeight;
   std::vector<double> at_mm = {0};  ///< heights or surface distances, ascending
-  /// values at `at_mm`: linear in between, constant beyond both ends
+  /// Values at `at_mm`: linear in between, constant beyond both ends.
   std::vector<double> values = {0.2};
   FieldGrid grid = {};  ///< grid of a field of kind kGrid
   DensityLaw law = DensityLaw::kLinear;
-  double steepness = 3;  ///< parameter p, q or b of the formula
+  double steepness = 3;    ///< parameter p, q or b of the formula
   double threshold = 0.5;  ///< parameter e of the formula
   Dither dither = Dither::kNone;
   double cell_mm = 2;  ///< side of a dither cell

@@ -9,7 +9,7 @@ namespace slicefarm {
 /// Share of each material in the plastic of a mixing extruder, by position on the plate. INVARIANT:
 /// all parts have the same kind and nodes, and their sum at each node is 1.
 struct MaterialField {
-  /// share of each material: two or more fields with the linear formula
+  /// Share of each material: two or more fields with the linear formula.
   std::vector<DensityField> parts;
   double step = 0.05;  ///< smallest change of a share that causes a new mix command
 

@@ -13,11 +13,11 @@ namespace slicefarm {
 struct FillUse {
   int32_t settings = 0;  ///< row of the job's tables of region settings
   Feature feature = Feature::kInternalInfill;
-  /// pattern; none: lines that follow stresses or support an overhang
+  /// Pattern; none: lines that follow stresses or support an overhang.
   std::optional<FillPattern> pattern;
-  double area_mm2 = 0;  ///< filled area, summed over all layers
-  double room_mm3 = 0;  ///< filled area times the height of its beads
-  double asked_mm3 = 0;  ///< plastic that the settings require in `room_mm3`
+  double area_mm2 = 0;     ///< filled area, summed over all layers
+  double room_mm3 = 0;     ///< filled area times the height of its beads
+  double asked_mm3 = 0;    ///< plastic that the settings require in `room_mm3`
   double plastic_mm3 = 0;  ///< plastic of the beads, links included
   int64_t paths = 0;
   double length_mm = 0;

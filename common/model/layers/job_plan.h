@@ -19,9 +19,9 @@ namespace slicefarm {
 /// Copy of an object on the plate. Its toolpaths are the object's toolpaths, shifted.
 struct Copy {
   int32_t object = 0;
-  /// displacement in whole micrometres, so that rounded coordinates are shifted exactly
+  /// Displacement in whole micrometres, so that rounded coordinates are shifted exactly.
   Point shift;
-  /// number of the pass; a pass prints its copies layer by layer before the next pass begins
+  /// Number of the pass; a pass prints its copies layer by layer before the next pass begins.
   int32_t pass = 0;
 
   friend bool operator==(const Copy&, const Copy&) = default;
@@ -29,14 +29,14 @@ struct Copy {
 
 /// Planning decisions for one stack's section in a layer, in the object's own coordinates.
 struct SectionPlan {
-  int32_t stack = 0;  ///< id of the stack
-  Point entry;  ///< point near which the section starts
+  int32_t stack = 0;          ///< id of the stack
+  Point entry;                ///< point near which the section starts
   std::optional<Point> exit;  ///< point near which the section ends: the start of the section above
   /// Start points of the walls, one per ring of OutlineOf. Empty: walls start near the nozzle.
   std::vector<Point> seams;
-  MultiPolygon carried = {};  ///< area directly above supports
+  MultiPolygon carried = {};              ///< area directly above supports
   std::optional<SpiralTurn> spiral = {};  ///< turn of a spiral that is the only wall of the section
-  /// area where overhangs have curled up above the layer; travels avoid it
+  /// Area where overhangs have curled up above the layer; travels avoid it.
   MultiPolygon curled = {};
 
   friend bool operator==(const SectionPlan&, const SectionPlan&) = default;
@@ -52,10 +52,10 @@ inline const SectionPlan* FindPlan(int32_t stack, std::span<const SectionPlan> p
 /// Planning decisions for the sparse infill of one region of a stack's section, in the object's own
 /// coordinates.
 struct PlannedInfill {
-  int32_t stack = 0;  ///< id of the stack
+  int32_t stack = 0;     ///< id of the stack
   int32_t settings = 0;  ///< row of the job's tables of region settings
   FillPattern pattern = FillPattern::kGrid;
-  /// lines of a pattern that planning lays out; they may extend beyond the region
+  /// Lines of a pattern that planning lays out; they may extend beyond the region.
   std::vector<Polyline> lines;
   MultiPolygon left_out;  ///< area without sparse infill
   MultiPolygon combined;  ///< area where the sparse infill is `combined_height_nm` high
@@ -74,8 +74,8 @@ struct LayerPlan {
   bool begins_ready = false;
   bool ends_ready = false;
   std::vector<SectionPlan> sections;  ///< decisions by ascending stack
-  std::vector<Path> paths;  ///< finished paths in plate coordinates, printed first
-  /// decisions by ascending stack, then row; empty: no decisions
+  std::vector<Path> paths;            ///< finished paths in plate coordinates, printed first
+  /// Decisions by ascending stack, then row; empty: no decisions.
   std::vector<PlannedInfill> infill;
   Coord paths_height_nm = 0;  ///< height of the beads of `paths`; 0: the layer's height
 
@@ -85,7 +85,7 @@ struct LayerPlan {
 /// Stack that planning adds.
 struct AddedStack {
   Stack stack;
-  Coord lift_nm = 0;  ///< height of the stack's bottom above the bed
+  Coord lift_nm = 0;                    ///< height of the stack's bottom above the bed
   std::vector<ObjectSection> sections;  ///< the stack's own layers, from the bottom
 
   friend bool operator==(const AddedStack&, const AddedStack&) = default;
@@ -94,7 +94,7 @@ struct AddedStack {
 /// Finished paths in plate coordinates with which the lowest layers of the print begin.
 struct Skirt {
   std::vector<Path> loops;
-  /// number of layers from the lowest; layers of supports alone (OnlySupports) are not counted
+  /// Number of layers from the lowest; layers of supports alone (OnlySupports) are not counted.
   int32_t layers = 0;
 
   friend bool operator==(const Skirt&, const Skirt&) = default;
@@ -103,13 +103,13 @@ struct Skirt {
 /// Quality of the planned seams. The step of a seam is its distance from the seam that it follows,
 /// on a ring in the layer below.
 struct SeamQuality {
-  int64_t loops = 0;  ///< number of outlines with a planned seam
+  int64_t loops = 0;      ///< number of outlines with a planned seam
   int64_t followers = 0;  ///< number of seams that follow a seam in the layer below
-  int64_t jumps = 0;  ///< number of followers with a step of more than 1 mm
-  double steps_mm = 0;  ///< sum of the steps of all followers that are not jumps
-  /// number of loops that have a concave corner, or a convex corner of 30 degrees
+  int64_t jumps = 0;      ///< number of followers with a step of more than 1 mm
+  double steps_mm = 0;    ///< sum of the steps of all followers that are not jumps
+  /// Number of loops that have a concave corner, or a convex corner of 30 degrees.
   int64_t with_corner = 0;
-  int64_t on_corner = 0;  ///< number of loops in `with_corner` with the seam at such a corner
+  int64_t on_corner = 0;    ///< number of loops in `with_corner` with the seam at such a corner
   int64_t overhanging = 0;  ///< number of seams that overhang the edge of the layer below
 
   friend bool operator==(const SeamQuality&, const SeamQuality&) = default;
@@ -118,13 +118,13 @@ struct SeamQuality {
 /// Result of planning for the outlines of a whole job.
 struct JobPlan {
   std::vector<LayerPlan> layers;  ///< plans of the print's layers, without the paths of the skirt
-  /// height of each object's bottom above the bed; 0 for objects beyond the end of the list
+  /// Height of each object's bottom above the bed; 0 for objects beyond the end of the list.
   std::vector<Coord> lifts_nm;
   std::vector<AddedStack> stacks;  ///< added stacks by ascending id
   Skirt skirt;
   std::vector<Copy> copies;  ///< copies in the form of SlicedJob::copies
   SeamQuality seams;
-  std::vector<std::string> notes;  ///< notes for the job's report: decisions and their reasons
+  std::vector<std::string> notes;     ///< notes for the job's report: decisions and their reasons
   std::vector<std::string> warnings;  ///< requests that planning cannot fulfil
 
   friend bool operator==(const JobPlan&, const JobPlan&) = default;

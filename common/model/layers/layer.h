@@ -27,7 +27,7 @@ namespace slicefarm {
 struct LayerFrame {
   int32_t index = 0;
   Coord print_z_nm = 0;  ///< nozzle height during the layer, equal to the layer's top
-  Coord height_nm = 0;  ///< height above the top of the layer below
+  Coord height_nm = 0;   ///< height above the top of the layer below
 
   friend bool operator==(const LayerFrame&, const LayerFrame&) = default;
 };
@@ -57,14 +57,14 @@ struct Mark {
 /// sections of their own: ordering places them on the plate.
 struct ObjectSection {
   Stack stack;
-  int32_t layer = 0;  ///< number of the layer within the stack; 0 is the lowest
-  int32_t layer_count = 1;  ///< number of layers of the stack
-  Coord height_nm = 0;  ///< height of this layer of the stack
+  int32_t layer = 0;            ///< number of the layer within the stack; 0 is the lowest
+  int32_t layer_count = 1;      ///< number of layers of the stack
+  Coord height_nm = 0;          ///< height of this layer of the stack
   std::vector<Region> regions;  ///< disjoint regions
   /// Union of the outlines of all regions. Empty if there are fewer than two regions. See
   /// OutlineOf.
   MultiPolygon whole;
-  Coord z_nm = 0;  ///< height of the layer's top above the stack's own bottom
+  Coord z_nm = 0;           ///< height of the layer's top above the stack's own bottom
   std::vector<Mark> marks;  ///< marks for planning only; at most one per role
   /// spiral_vase: true if the section has only one wall along its outline.
   bool hollow = false;
@@ -132,7 +132,7 @@ struct WalledLayer {
 
 /// Lines that fill one connected area of an island.
 struct FillGroup {
-  /// true for monotonic infill: the paths are printed in this order and direction
+  /// True for monotonic infill: the paths are printed in this order and direction.
   bool keep_order = false;
   std::vector<Path> paths;
 
@@ -168,7 +168,7 @@ struct FilledLayer {
 struct Travel {
   bool hidden = false;  ///< true if oozing is not visible here, so that no retraction is needed
   std::vector<Point> corners;  ///< intermediate points of the travel; empty: straight line
-  /// true if the travel crosses an outer wall: it needs a retraction even if it is short
+  /// True if the travel crosses an outer wall: it needs a retraction even if it is short.
   bool over_wall = false;
 
   friend bool operator==(const Travel&, const Travel&) = default;
@@ -207,8 +207,8 @@ struct PathBlock {
 struct BlockVisit {
   int32_t block = 0;  ///< index into OrderedLayer::blocks
   int32_t copy = -1;  ///< index into the job's copies; -1: the block belongs to the plate
-  int32_t pass = 0;  ///< pass of the copy
-  Point shift;  ///< displacement from the object's origin to the copy's position
+  int32_t pass = 0;   ///< pass of the copy
+  Point shift;        ///< displacement from the object's origin to the copy's position
   /// Intermediate points of the travel from the previous visit, on the plate. Empty: straight line.
   /// The first visit of a pass does not use them.
   std::vector<Point> corners = {};
@@ -220,10 +220,10 @@ struct OrderedLayer {
   LayerFrame frame;
   std::vector<PathBlock> blocks;
   std::vector<BlockVisit> visits;  ///< visits in the order of printing
-  /// True if the layer continues from the layer below within a print; `ends_ready` is the same for
-  /// the layer above. Then the lower layer decides if the filament is ready or retracted at the
-  /// boundary; otherwise it is retracted. In such a layer no block has two visits. The only
-  /// exception is a spiral turn that is alone: it has one visit per pass.
+  /// True if the layer continues from the layer below within a print; `ends_ready` is the
+  /// corresponding value for the layer above. Then the lower layer decides if the filament is ready
+  /// or retracted at the boundary; otherwise it is retracted. In such a layer no block has two
+  /// visits. The only exception is a spiral turn that is alone: it has one visit per pass.
   bool begins_ready = false;
   bool ends_ready = false;
 
@@ -243,7 +243,7 @@ struct FeatureUse {
 
 struct ProgramStats {
   std::array<FeatureUse, kFeatureCount> features;  ///< totals per Feature
-  double travel_time_s = 0;  ///< time of travels, including retractions
+  double travel_time_s = 0;                        ///< time of travels, including retractions
   double retract_time_s = 0;  ///< part of `travel_time_s` that moves only the filament
   double travel_mm = 0;
   int64_t travels = 0;
@@ -264,10 +264,10 @@ struct EdgeMove {
   int32_t x_um = 0;
   int32_t y_um = 0;
   int32_t z_um = 0;
-  int32_t filament = 0;  ///< extruded length in 1e-5 mm, relative
-  int32_t feed_rate = 0;  ///< feed rate in mm/min
+  int32_t filament = 0;           ///< extruded length in 1e-5 mm, relative
+  int32_t feed_rate = 0;          ///< feed rate in mm/min
   double acceleration_mm_s2 = 0;  ///< acceleration; 0: the machine's current value
-  /// feature of a bead, which is a move in the plane that extrudes filament
+  /// Feature of a bead, which is a move in the plane that extrudes filament.
   Feature feature = Feature::kPerimeter;
 
   friend bool operator==(const EdgeMove&, const EdgeMove&) = default;
@@ -276,7 +276,7 @@ struct EdgeMove {
 /// Moves of a layer that take a time that depends on the moves before and after the layer. Each
 /// list begins with the start position of its first move. A list is empty if nothing moves.
 struct LayerEdges {
-  /// moves at the start of the layer; x and y are unknown before the approach
+  /// Moves at the start of the layer; x and y are unknown before the approach.
   std::vector<EdgeMove> head;
   int32_t approach = 0;  ///< index in `head` of the move to the layer's entry
   std::vector<EdgeMove> tail;
@@ -291,10 +291,10 @@ inline constexpr int kCodesOfALayer = 2;
 /// Machine state that a program sets and that stays until it is set again.
 enum class MachineMode : uint8_t {
   kFan,
-  kAcceleration,  ///< acceleration of all moves, or of printing moves only
+  kAcceleration,        ///< acceleration of all moves, or of printing moves only
   kTravelAcceleration,  ///< acceleration of travels, if the firmware has a separate one
-  kPlace,  ///< position of the nozzle
-  kFilament,  ///< state of the filament: retracted or ready to print
+  kPlace,               ///< position of the nozzle
+  kFilament,            ///< state of the filament: retracted or ready to print
 };
 inline constexpr int kMachineModes = 5;
 
@@ -327,7 +327,7 @@ struct LayerProgram {
   /// from any position.
   Point entry;
   Point exit;
-  /// statistics; times are from rest to rest, without the approach to the entry
+  /// Statistics; times are from rest to rest, without the approach to the entry.
   ProgramStats stats;
   LayerEdges edges;
   /// Ascending offsets in `gcode` for before_layer_gcode and layer_gcode, if these texts depend on
@@ -338,11 +338,11 @@ struct LayerProgram {
   /// Values of the modes at the end of the layer. An empty value: unchanged by the layer. None:
   /// custom G-code in the layer may have changed any mode.
   std::optional<ModeValues> modes_at_end = {};
-  /// true if the layer ends retracted, apart from effects of custom G-code
+  /// True if the layer ends retracted, apart from effects of custom G-code.
   bool ends_retracted = true;
   /// Convex hull of the beads on the plate, edges included. Only set for a layer on the bed.
   Polygon footprint = {};
-  /// time in the machine's silent mode, if MotionOptions has silent limits
+  /// Time in the machine's silent mode, if MotionOptions has silent limits.
   double silent_time_s = 0;
 
   friend bool operator==(const LayerProgram&, const LayerProgram&) = default;
@@ -355,7 +355,7 @@ struct ProgramEnvelope {
   std::string prologue;
   std::vector<std::string> layer_prefixes;  ///< prefix of each layer (progress); usually empty
   std::string epilogue;
-  PrintTimes times;  ///< times of the whole print
+  PrintTimes times;      ///< times of the whole print
   double travel_mm = 0;  ///< length of the travels in layers and between them
   /// Texts to insert at LayerProgram::code_at: two per layer, or none at all.
   std::vector<std::string> layer_code;

@@ -10,23 +10,23 @@
 
 namespace slicefarm {
 
-/// What the frame of a finished program tells about a layer (of a pass).
+/// Summary of one layer of one pass, from which the texts around the layers are written.
 struct LayerSummary {
   LayerFrame frame;
   int32_t pass = 0;
-  Point entry;  ///< this and the next: as LayerProgram has them
+  Point entry;  ///< first and last point, as in LayerProgram
   Point exit;
   double time_s = 0;
-  bool empty = false;  ///< nothing is printed in it; entry and exit mean nothing
+  bool empty = false;  ///< true if the layer prints no beads; entry and exit are then undefined
   LayerEdges edges;
   double filament_mm = 0;
-  Polygon footprint = {};    ///< as LayerProgram's
-  double silent_time_s = 0;  ///< as LayerProgram's
+  Polygon footprint = {};    ///< footprint of LayerProgram
+  double silent_time_s = 0;  ///< silent time of LayerProgram
 
   friend bool operator==(const LayerSummary&, const LayerSummary&) = default;
 };
 
-/// A copy of an object, for those who read G-code.
+/// Copy of an object, described for programs that read the G-code.
 struct CopySummary {
   CopyName name;
   Polygon footprint;  ///< convex hull on the plate
@@ -34,20 +34,21 @@ struct CopySummary {
   friend bool operator==(const CopySummary&, const CopySummary&) = default;
 };
 
-/// What motion needs to write what stands before and after the layers.
+/// Data from which motion writes the texts before and after the layers.
 struct ProgramSummary {
-  std::vector<LayerSummary> layers;  ///< in the order of printing: by pass, then bottom up
+  /// Layers in the order of printing: by pass, then from the bottom up.
+  std::vector<LayerSummary> layers;
   ProgramStats total;  ///< sum over the layers
   std::vector<Thumbnail> thumbnails;
   std::vector<CopySummary> copies;
-  /// The effective settings, `key = value`, one a line: the tail of the file quotes them for those
-  /// who read G-code.
+  /// Effective settings, one `key = value` per line. The end of the file quotes them for programs
+  /// that read the G-code.
   std::string settings_text;
 
   friend bool operator==(const ProgramSummary&, const ProgramSummary&) = default;
 };
 
-/// How high the layers of all passes reach.
+/// Returns the height of the highest layer of all passes.
 inline Coord TopOf(const ProgramSummary& summary) {
   Coord top_nm = 0;
   for (const LayerSummary& layer : summary.layers)

@@ -7,11 +7,11 @@
 
 namespace slicefarm {
 
-/// REQUEST_MALFORMED, with the layer, unless a row of settings is one of a table of `rows`, and the
-/// tool is 0: others are refused until tools exist.
+/// Checks that a row of settings is below `rows` and that the tool is 0; other tools are not
+/// supported yet. Errors: REQUEST_MALFORMED with the layer.
 absl::Status CheckRegion(int32_t settings, int32_t tool, size_t rows, const LayerFrame& frame);
 
-/// The same for all regions of a layer.
+/// Checks all regions of a layer with CheckRegion.
 absl::Status CheckRegions(const SlicedLayer& layer, size_t rows);
 
 }  // namespace slicefarm

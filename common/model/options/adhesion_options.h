@@ -7,74 +7,85 @@
 
 namespace slicefarm {
 
-/// What keeps parts on the bed. Names in the comments are the settings' (PrusaSlicer's).
+/// Options of skirt, brim and raft, which keep parts on the bed. Member comments begin with the
+/// name of the setting (the name in PrusaSlicer).
 
-/// How far up a skirt stands as a wall against draft, and what it keeps its distance from.
+/// Use of the skirt as a wall against draught: its height and the object from which its distance is
+/// measured.
 enum class DraftShield : uint8_t {
-  kDisabled,  ///< a skirt on the first layers, outside of the brims
-  kLimited,   ///< as high as a skirt, but close to the parts: brims give way to it
-  kEnabled,   ///< the same on all layers
+  kDisabled,  ///< skirt on the first layers, outside of the brims
+  /// Skirt of the usual height, but close to the parts: brims are cut back where it runs.
+  kLimited,
+  kEnabled,  ///< skirt close to the parts on all layers
 };
 
 struct SkirtOptions {
-  int32_t loops = 0;              ///< skirts; 0: none, whatever else is asked for
-  Coord distance_nm = 6'000'000;  ///< skirt_distance: to the inner edge of the first line
-  Coord min_length_nm = 0;        ///< min_skirt_length: of filament, on one layer
-  int32_t height_layers = 1;      ///< skirt_height
+  /// Number of skirt loops; 0 disables the skirt and overrides the other options.
+  int32_t loops = 0;
+  Coord distance_nm = 6'000'000;  ///< skirt_distance: distance to the inner edge of the first line
+  Coord min_length_nm = 0;        ///< min_skirt_length: minimum length of filament on each layer
+  int32_t height_layers = 1;      ///< skirt_height: number of layers
   DraftShield draft_shield = DraftShield::kDisabled;  ///< draft_shield
-  Coord width_nm = 400'000;             ///< of a line over all: first_layer_extrusion_width
-  Coord height_nm = 200'000;            ///< of the first layer
-  double filament_area_mm2 = 2.405282;  ///< section of the filament: 1.75 mm across
+  Coord width_nm = 400'000;   ///< first_layer_extrusion_width: full width of a line
+  Coord height_nm = 200'000;  ///< height of the first layer
+  /// Cross section of the filament; the default is a diameter of 1.75 mm.
+  double filament_area_mm2 = 2.405282;
 
   friend bool operator==(const SkirtOptions&, const SkirtOptions&) = default;
 };
 
 enum class BrimType : uint8_t {
   kNone,
-  kOuterOnly,      ///< around the object
-  kInnerOnly,      ///< in its holes
-  kOuterAndInner,  ///< both
+  kOuterOnly,      ///< brim around the object
+  kInnerOnly,      ///< brim in the object's holes
+  kOuterAndInner,  ///< brim around the object and in its holes
   kEars,           ///< discs at sharp corners of the outer rings only
 };
 
-/// brim_type = auto_brim, OrcaSlicer's: the width follows from the object's shape and these.
+/// brim_type = auto_brim, from OrcaSlicer: the brim's width is computed from the object's shape and
+/// from these values.
 struct AutomaticBrim {
   bool on = false;
-  double thermal_length_mm = 200;  ///< of the material: shorter ones warp more
-  double adhesion = 1;             ///< of the material: brims are so many times as wide
-  double max_speed_mm_s = 0;       ///< of what is printed
+  /// Warping length of the material: a shorter length means more warping.
+  double thermal_length_mm = 200;
+  double adhesion = 1;        ///< factor of the material on the brim's width
+  double max_speed_mm_s = 0;  ///< highest print speed of the object
 
   friend bool operator==(const AutomaticBrim&, const AutomaticBrim&) = default;
 };
 
-/// Ears are OrcaSlicer's.
+/// Options of the brim. Its ears are as in OrcaSlicer.
 struct BrimOptions {
   BrimType type = BrimType::kNone;  ///< brim_type
   AutomaticBrim automatic = {};
-  Coord width_nm = 0;             ///< brim_width; of ears: their radius
-  Coord separation_nm = 0;        ///< brim_separation
-  Coord line_width_nm = 400'000;  ///< of the brim's lines; below half of it nothing is left
+  Coord width_nm = 0;       ///< brim_width; for ears: their radius
+  Coord separation_nm = 0;  ///< brim_separation
+  /// Width of the brim's lines; pieces narrower than half a line are dropped.
+  Coord line_width_nm = 400'000;
   double ear_max_angle_rad =
-      2.18166;  ///< brim_ears_max_angle: inner angle of a corner, 125 degrees
-  Coord ear_detection_nm = 1'000'000;  ///< brim_ears_detection_length: corners are those of the
-                                       ///< outline simplified to this
+      2.18166;  ///< brim_ears_max_angle: largest inner angle of a corner with an ear; 125 degrees
+  /// brim_ears_detection_length: tolerance to which the outline is simplified before corners are
+  /// detected
+  Coord ear_detection_nm = 1'000'000;
 
   friend bool operator==(const BrimOptions&, const BrimOptions&) = default;
 };
 
-/// What a layer of a raft is for.
+/// Purpose of a layer of a raft.
 enum class RaftLayerKind : uint8_t { kFirst, kBase, kInterface };
 
-/// Of n layers the upper (n + 1) / 2 are interface; of those below, the lowest one is the first.
+/// Returns the kind of a raft layer. Of n layers, the upper (n + 1) / 2 are interface layers. The
+/// lowest of the remaining layers is the first layer.
 constexpr RaftLayerKind RaftLayerKindOf(int32_t layer, int32_t layers) {
   if (layer >= layers / 2) return RaftLayerKind::kInterface;
   return layer == 0 ? RaftLayerKind::kFirst : RaftLayerKind::kBase;
 }
 
-/// The lines of a raft's layers, as the settings say: rows of region settings are made of it.
+/// Lines of a raft's layers, from the settings. Rows of region settings for the raft are made from
+/// it.
 struct RaftLines {
   Coord width_nm = 400'000;          ///< support_material_extrusion_width
-  Coord spacing_nm = 2'500'000;      ///< support_material_spacing: free between lines of the base
+  Coord spacing_nm = 2'500'000;      ///< support_material_spacing: gap between lines of the base
   double angle_rad = 0;              ///< support_material_angle
   double first_layer_density = 0.9;  ///< raft_first_layer_density
 
@@ -84,8 +95,9 @@ struct RaftLines {
 struct RaftOptions {
   RaftHeights heights = {};
   RaftLines lines = {};
-  Coord expansion_nm = 1'500'000;              ///< raft_expansion
-  Coord first_layer_expansion_nm = 3'000'000;  ///< raft_first_layer_expansion, beyond the former
+  Coord expansion_nm = 1'500'000;  ///< raft_expansion
+  /// raft_first_layer_expansion, in addition to raft_expansion
+  Coord first_layer_expansion_nm = 3'000'000;
 
   friend bool operator==(const RaftOptions&, const RaftOptions&) = default;
 };

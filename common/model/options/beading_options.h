@@ -7,25 +7,25 @@
 namespace slicefarm {
 
 enum class WallGenerator : uint8_t {
-  kArachne,  ///< as many walls as fit, as wide as makes them fill the place
-  kClassic,  ///< walls of constant width, with gap fill where they do not fit
+  kArachne,  ///< the number of walls that fits, with widths that fill the island
+  kClassic,  ///< walls of constant width, with gap fill where no wall fits
 };
 
-/// Where an island has one wall alone, and infill inside it.
+/// Part of an island that has only one wall, with infill inside it.
 enum class OneWallOnTop : uint8_t {
   kNowhere,
-  kTopmost,   ///< in the object's last layer
-  kSurfaces,  ///< wherever nothing lies above: the inner walls go round it
+  kTopmost,   ///< islands of the object's last layer
+  kSurfaces,  ///< areas with nothing above; the inner walls go around these areas
 };
 
-/// Which walls get a rough skin.
+/// Walls that get a rough surface.
 enum class FuzzySkin : uint8_t {
   kNone,
   kContours,  ///< external: the outermost walls of outer rings
-  kAllWalls,  ///< all: those of holes, too
+  kAllWalls,  ///< all: the outermost walls of outer rings and of holes
 };
 
-/// Walls of kArachne depend on so many layers above and below.
+/// Number of layers above and below on which the walls of kArachne depend.
 inline constexpr int32_t kBeadingHaloLayers = 2;
 
 struct BeadingOptions {
@@ -33,28 +33,33 @@ struct BeadingOptions {
   int32_t perimeters = 3;                             ///< perimeters
   bool one_on_bed = false;                            ///< only_one_perimeter_first_layer
   OneWallOnTop one_on_top = OneWallOnTop::kNowhere;   ///< top_one_perimeter_type
-  bool extra_perimeters = false;  ///< extra_perimeters: more walls where a slope would show gaps
+  bool extra_perimeters = false;  ///< extra_perimeters: adds walls where a slope would have gaps
   FuzzySkin fuzzy = FuzzySkin::kNone;  ///< fuzzy_skin
-  Coord fuzzy_thickness_nm = 300'000;  ///< fuzzy_skin_thickness: how far points move, both ways
-  Coord fuzzy_point_distance_nm = 800'000;  ///< fuzzy_skin_point_dist: on average
+  /// fuzzy_skin_thickness: largest displacement of points, inwards and outwards
+  Coord fuzzy_thickness_nm = 300'000;
+  Coord fuzzy_point_distance_nm = 800'000;  ///< fuzzy_skin_point_dist: average distance of points
   Coord external_width_nm = 450'000;        ///< external_perimeter_extrusion_width
   Coord inner_width_nm = 450'000;           ///< perimeter_extrusion_width
-  Coord first_layer_width_nm = 450'000;  ///< first_layer_extrusion_width, for all walls of layer 0
+  /// first_layer_extrusion_width: width of all walls of layer 0
+  Coord first_layer_width_nm = 450'000;
   bool gap_fill = true;                  ///< gap_fill_enabled
-  Coord min_gap_width_nm = 80'000;       ///< gap_fill_min_width: narrower gaps stay empty
-  Coord max_gap_width_nm = 800'000;      ///< wider gaps are the infill's
-  bool thin_walls = true;                ///< thin_walls: of kClassic; kArachne always prints them
-  /// Of kClassic: beside a wall, beads of thin walls shorter than this stay out: tips of supports.
+  Coord min_gap_width_nm = 80'000;       ///< gap_fill_min_width: narrower gaps remain empty
+  Coord max_gap_width_nm = 800'000;      ///< width above which the infill fills a gap
+  bool thin_walls = true;  ///< thin_walls: used by kClassic; kArachne always prints thin walls
+  /// Shortest thin-wall bead of kClassic that is printed beside a wall. It removes the tips of
+  /// supports.
   Coord least_tip_nm = 0;
   Coord transition_length_nm = 400'000;  ///< wall_transition_length
-  double transition_angle = 10 * 3.14159265358979323846 / 180;  ///< wall_transition_angle, radians
+  /// wall_transition_angle in radians
+  double transition_angle = 10 * 3.14159265358979323846 / 180;
   Coord transition_deviation_nm = 100'000;  ///< wall_transition_filter_deviation
   int32_t distribution_count = 1;           ///< wall_distribution_count
   Coord min_feature_nm = 100'000;           ///< min_feature_size
   Coord min_bead_width_nm = 340'000;        ///< min_bead_width
   Coord max_bead_width_nm = 800'000;        ///< max_bead_width
   bool lock_outer_width = false;            ///< lock_outer_width
-  /// Regions of an object that are equal in this get their walls together, as if they were one.
+  /// Class of the region. Regions of an object with the same class get their walls together, as if
+  /// they were one region.
   int32_t wall_class = 0;
 
   friend bool operator==(const BeadingOptions&, const BeadingOptions&) = default;

@@ -19,7 +19,7 @@ struct ProfilePiece {
   double corner_mm = 0;
   double flat_mm = 0;  ///< arc: distance of its centre from the axis
   double base_mm = 0;  ///< line: radius of the line when extended to the height of the tip
-  double slope = 0;  ///< line: growth of the radius per height; >= 0
+  double slope = 0;    ///< line: growth of the radius per height; >= 0
 
   friend bool operator==(const ProfilePiece&, const ProfilePiece&) = default;
 };
@@ -89,7 +89,7 @@ class Cutter {
 /// Cutter that represents another cutter with an offset.
 struct GrownCutter {
   Cutter cutter;
-  /// height of this tip above the original tip; negative if this cutter is larger
+  /// Height of this tip above the original tip; negative if this cutter is larger.
   double tip_mm = 0;
 };
 

@@ -16,7 +16,7 @@ absl::Status Malformed(std::string_view why) {
   return absl::InvalidArgumentError(fmt::format("angles by layer, as 0,45,+30 or 90#2: {}", why));
 }
 
-/// How often an item comes: what stands behind `#`.
+/// Returns the number of repetitions of an item, from the text after `#`.
 std::optional<int> CountOf(std::string_view text) {
   const auto count = ToNumber(text);
   if (!count.has_value() || *count != std::floor(*count)) return std::nullopt;
@@ -68,7 +68,7 @@ double FillAngleAt(const std::vector<AngleStep>& steps, double base_degrees, int
   const int64_t count = std::ssize(steps);
   double turned = 0;
   int64_t at = layer;
-  // Back to the last angle that stands for itself: at most once round.
+  // Goes back to the last absolute angle, through the whole list at most once.
   for (; at >= 0 && at > layer - count; --at) {
     const AngleStep& step = steps[static_cast<size_t>(at % count)];
     turned += step.degrees;
@@ -76,7 +76,7 @@ double FillAngleAt(const std::vector<AngleStep>& steps, double base_degrees, int
   }
   const bool found = at >= 0 && at > layer - count;
   if (!found) {
-    // All are turns: those of one round come as often as there are rounds.
+    // All items are relative: the turn of the whole list counts once per complete repetition.
     double round = 0, rest = 0;
     const int64_t layers = layer + 1;
     for (int64_t i = 0; i < count; ++i) {

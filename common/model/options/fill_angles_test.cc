@@ -8,7 +8,7 @@ namespace {
 struct Case {
   const char* text;
   double base;
-  std::vector<double> want;  ///< by layer
+  std::vector<double> want;  ///< expected angle of each layer
 };
 
 TEST(FillAngles, TurnLayerByLayer) {

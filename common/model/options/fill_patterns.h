@@ -6,7 +6,7 @@
 
 namespace slicefarm {
 
-/// The patterns of infill, in the order of kFillPatterns.
+/// Infill patterns, in the order of kFillPatterns.
 enum class FillPattern : uint8_t {
   kRectilinear,
   kAlignedRectilinear,
@@ -39,24 +39,24 @@ enum class FillPattern : uint8_t {
   kVoronoi,
 };
 
-/// How a pattern fills a solid region.
+/// Method by which a pattern fills a solid region.
 enum class SolidWay : uint8_t {
-  kNone,       ///< it may not stand in top_fill_pattern and the like
-  kLines,      ///< straight lines whose spacing fits the region
-  kCurves,     ///< lines that end at the region's edge
-  kAlongEdge,  ///< lines that run along it
+  kNone,    ///< no solid fill: the pattern is not allowed in top_fill_pattern and similar settings
+  kLines,   ///< straight lines with a spacing fitted to the region
+  kCurves,  ///< lines that end at the region's edge
+  kAlongEdge,  ///< lines along the region's edge
 };
 
-/// What all who list patterns read: settings, help, gallery, benchmarks, tests. How each is made
-/// stands in services/infill/algo/patterns/.
+/// Description of a pattern. Settings, help, gallery, benchmarks and tests read this table. The
+/// code of each pattern is in services/infill/algo/patterns/.
 struct FillPatternInfo {
   FillPattern pattern = FillPattern::kRectilinear;
-  std::string_view name;  ///< in settings: PrusaSlicer's, where it has the pattern
-  bool sparse = false;    ///< may stand in fill_pattern
+  std::string_view name;  ///< name in settings: the name in PrusaSlicer if it has the pattern
+  bool sparse = false;    ///< true if the pattern is allowed in fill_pattern
   SolidWay solid = SolidWay::kNone;
   std::string_view doc;
-  bool has_law = true;   ///< the length of its lines follows from the density alone, exactly
-  bool planned = false;  ///< its lines are laid out over the whole job, by services/planning
+  bool has_law = true;   ///< true if the density alone determines the length of the lines exactly
+  bool planned = false;  ///< true if services/planning lays out the lines over the whole job
 };
 
 inline constexpr FillPatternInfo kFillPatterns[] = {

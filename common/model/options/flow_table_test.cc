@@ -27,7 +27,7 @@ TEST(FlowTable, TheStandardRisesToAllOfThePlastic) {
 
 TEST(FlowTable, IsPrintedAsItIsRead) {
   EXPECT_EQ(PrintFlowTable(*ParseFlowTable(kSmallAreaFlowTable)), kSmallAreaFlowTable);
-  // As a list of OrcaSlicer's.
+  // A list as OrcaSlicer writes it.
   EXPECT_EQ(PrintFlowTable(*ParseFlowTable("\"0,0\";\"\n0.20, 0.5\" ; \n1.0,1.0")),
             "0,0;0.2,0.5;1,1");
   EXPECT_EQ(PrintFlowTable(*ParseFlowTable("-0,-0;1,1")), "0,0;1,1");

@@ -43,7 +43,7 @@ absl::StatusOr<Coord> HeightOf(const HeightJson& entry) {
   return FromMm(z->get<double>());
 }
 
-/// Line ends and tabs are all that a text may control.
+/// Returns true if a text contains no control characters except line ends and tabs.
 bool IsClean(std::string_view text) {
   return std::ranges::none_of(
       text, [](char c) { return IsControl(c) && c != '\n' && c != '\r' && c != '\t'; });
@@ -75,7 +75,7 @@ absl::StatusOr<HeightCode> CodeOf(const HeightJson& entry) {
 absl::StatusOr<std::vector<HeightCode>> ParseHeightCodes(std::string_view text) {
   std::vector<HeightCode> codes;
   if (Trim(text).empty()) return codes;
-  // What is nested deeper is no list of codes, and may be nested a million times.
+  // A list of codes has no deeper nesting. The limit stops texts that are nested a million times.
   const auto is_flat = [](int depth, HeightJson::parse_event_t, const HeightJson&) {
     return depth <= 2;
   };

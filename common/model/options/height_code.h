@@ -11,13 +11,14 @@
 namespace slicefarm {
 
 enum class HeightCodeKind : uint8_t {
-  kColorChange,  ///< `text`: the colour, #RRGGBB
-  kPause,        ///< `text`: what the printer shows meanwhile
-  kTemplate,     ///< template_custom_gcode
-  kCustom,       ///< `text`: lines of G-code, as they are
+  kColorChange,  ///< change of colour; `text`: the colour, #RRGGBB
+  kPause,        ///< pause; `text`: message on the printer's display
+  kTemplate,     ///< the setting template_custom_gcode
+  kCustom,       ///< custom G-code; `text`: its lines, written unchanged
 };
 
-/// G-code before the layer whose top is the first at or above a height of the print.
+/// G-code inserted before a layer. The layer is the first one with its top at or above the given
+/// height of the print.
 struct HeightCode {
   Coord print_z_nm = 0;
   HeightCodeKind kind = HeightCodeKind::kCustom;
@@ -28,12 +29,14 @@ struct HeightCode {
 
 inline constexpr int kMaxHeightCodes = 10'000;
 
-/// `[{"z":1.2,"type":"pause","text":"insert the nut"}]`: z in mm above 0; type: color_change,
-/// pause, template or custom; text: may be left out. They come back by height. Empty: none. Errors:
-/// InvalidArgument for anything else, and for more than kMaxHeightCodes.
+/// Parses a list such as `[{"z":1.2,"type":"pause","text":"insert the nut"}]`. z: in mm, above 0.
+/// type: color_change, pause, template or custom. text: optional. The result is sorted by height;
+/// it is empty for an empty text. Errors: InvalidArgument for any other text, and for more than
+/// kMaxHeightCodes.
 absl::StatusOr<std::vector<HeightCode>> ParseHeightCodes(std::string_view text);
 
-/// As ParseHeightCodes reads it, on one line; empty for none.
+/// Returns the codes on one line in the form that ParseHeightCodes reads. Returns an empty text for
+/// an empty list.
 std::string PrintHeightCodes(const std::vector<HeightCode>& codes);
 
 }  // namespace slicefarm

@@ -7,9 +7,10 @@ namespace slicefarm {
 
 enum class GcodeFlavor { kMarlin2, kMarlinLegacy, kKlipper, kRepRapFirmware, kPrusaBuddy, kBambu };
 
-/// The machine as its firmware sees it; the planner obeys the same rules, so that times are true.
+/// Limits of the machine as set in its firmware. The motion planner uses the same rules, so that
+/// times are accurate.
 struct MachineLimits {
-  // x, y, z, e
+  // Values in the order x, y, z, e.
   std::array<double, 4> max_feedrate_mm_s = {300, 300, 20, 120};  ///< machine_max_feedrate_x..e
   std::array<double, 4> max_acceleration_mm_s2 = {3000, 3000, 500,
                                                   3000};   ///< machine_max_acceleration_x..e
@@ -17,13 +18,13 @@ struct MachineLimits {
   double max_acceleration_extruding_mm_s2 = 1500;          ///< machine_max_acceleration_extruding
   double max_acceleration_retracting_mm_s2 = 1500;         ///< machine_max_acceleration_retracting
   double max_acceleration_travel_mm_s2 = 3000;             ///< machine_max_acceleration_travel
-  double junction_deviation_mm = 0;        ///< machine_max_junction_deviation; 0: classic jerk
+  double junction_deviation_mm = 0;  ///< machine_max_junction_deviation; 0: classic jerk is used
   double square_corner_velocity_mm_s = 5;  ///< square_corner_velocity (Klipper)
   double minimum_cruise_ratio = 0.5;       ///< minimum_cruise_ratio (Klipper)
-  double min_extruding_rate_mm_s = 0;      ///< machine_min_extruding_rate: no bead is slower
-  double min_travel_rate_mm_s = 0;         ///< machine_min_travel_rate: nor is any travel
-  double jerk_mm_s3 = 100'000;             ///< jerk_limit: change of acceleration (own planner)
-  bool emit_to_gcode = false;              ///< machine_limits_usage = emit_to_gcode
+  double min_extruding_rate_mm_s = 0;      ///< machine_min_extruding_rate: lowest speed of beads
+  double min_travel_rate_mm_s = 0;         ///< machine_min_travel_rate: lowest speed of travels
+  double jerk_mm_s3 = 100'000;  ///< jerk_limit: maximum change of acceleration (own planner)
+  bool emit_to_gcode = false;   ///< machine_limits_usage = emit_to_gcode
 
   friend bool operator==(const MachineLimits&, const MachineLimits&) = default;
 };

@@ -8,48 +8,54 @@
 
 namespace slicefarm {
 
-/// The order of the walls of one region, and where they start.
+/// Order and start points of the walls of one region.
 struct WallOrder {
   bool external_perimeters_first = false;  ///< external_perimeters_first
-  bool inner_outer_inner = false;          ///< inner_outer_inner: goes before the one above
-  /// From the outer edge of an island to its holes: brims. Goes before both.
+  bool inner_outer_inner = false;  ///< inner_outer_inner: overrides external_perimeters_first
+  /// True for brims: walls are printed from the outer edge of an island to its holes. Overrides the
+  /// two options above.
   bool towards_holes = false;
-  /// staggered_inner_seams: each inner loop starts further along than the one outside of it.
+  /// staggered_inner_seams: each inner loop starts further along than the loop outside of it.
   bool stagger_seams = false;
-  bool whole_loops = false;  ///< no link to another path takes from an inner loop
+  bool whole_loops = false;  ///< true: links to other paths never cut into an inner loop
 
   friend bool operator==(const WallOrder&, const WallOrder&) = default;
 };
 
-/// How the nozzle goes from path to path.
+/// Options for travels between paths.
 struct TravelOptions {
-  /// only_retract_when_crossing_perimeters: what oozes out inside the part is not seen.
+  /// only_retract_when_crossing_perimeters: no retraction inside the part, because oozing is not
+  /// visible there.
   bool hide = true;
-  double longest_hidden_mm = 30;      ///< retract_inside_after; 0: however long
-  bool avoid_crossing = false;        ///< avoid_crossing_perimeters
-  double max_detour_mm = 0;           ///< avoid_crossing_perimeters_max_detour; 0: however long
-  double max_detour_ratio = 0;        ///< the same in percent of the straight way; 0: however long
-  bool retract_layer_change = false;  ///< retract_layer_change: even if the way is hidden
-  /// bed_shape without bed_exclude_area: travel stays in it; empty: nothing is excluded.
+  /// retract_inside_after: longest travel inside the part without retraction; 0: unlimited
+  double longest_hidden_mm = 30;
+  bool avoid_crossing = false;  ///< avoid_crossing_perimeters
+  double max_detour_mm = 0;     ///< avoid_crossing_perimeters_max_detour; 0: unlimited
+  /// avoid_crossing_perimeters_max_detour in percent of the straight line; 0: unlimited
+  double max_detour_ratio = 0;
+  /// retract_layer_change: retracts between layers even if the travel is hidden
+  bool retract_layer_change = false;
+  /// bed_shape without bed_exclude_area: travels stay within it. Empty: no area is excluded.
   MultiPolygon room = {};
 
   friend bool operator==(const TravelOptions&, const TravelOptions&) = default;
 };
 
-/// Settings of a job that ordering needs.
+/// Job settings for ordering.
 struct JobOrder {
   bool infill_first = false;  ///< infill_first
-  bool clockwise = false;     ///< prefer_clockwise_movements: outer rings; holes the other way
+  /// prefer_clockwise_movements: outer rings run clockwise, holes counter-clockwise
+  bool clockwise = false;
   TravelOptions travel;
   int32_t improvement_moves =
-      200'000;  ///< bound on the 2-opt moves tried per layer: work, not time
+      200'000;  ///< limit on the 2-opt moves tried per layer, as a number and not as a time
 
   friend bool operator==(const JobOrder&, const JobOrder&) = default;
 };
 
 /// Options of the ordering stage.
 struct OrderingOptions : JobOrder {
-  std::vector<WallOrder> walls = {{}};  ///< order in each region
+  std::vector<WallOrder> walls = {{}};  ///< wall order of each region
 
   using Row = JobOrder;
   template <typename Self>

@@ -14,13 +14,13 @@
 
 namespace slicefarm {
 
-/// Settings of one object that planning needs.
+/// Object settings for planning.
 struct ObjectPlanOptions {
   SeamPosition seam = SeamPosition::kAligned;  ///< seam_position
-  BrimOptions brim = {};                       ///< none under an object with a raft
-  int32_t brim_settings = 0;                   ///< row of the job's tables of region settings
+  BrimOptions brim = {};      ///< brim of the object; kNone for an object with a raft
+  int32_t brim_settings = 0;  ///< row of the job's tables of region settings
   RaftOptions raft = {};
-  std::vector<int32_t> raft_settings = {};  ///< rows, one for each layer of the raft
+  std::vector<int32_t> raft_settings = {};  ///< row of region settings for each layer of the raft
   SupportOptions support = {};
   SupportRows support_settings = {};
   SpiralOptions spiral = {};
@@ -28,14 +28,14 @@ struct ObjectPlanOptions {
   friend bool operator==(const ObjectPlanOptions&, const ObjectPlanOptions&) = default;
 };
 
-/// Settings of a job that planning needs.
+/// Job settings for planning.
 struct JobPlanOptions {
   SequencePlanOptions sequence;
   SkirtOptions skirt;
-  int32_t skirt_settings = 0;        ///< row of the job's regions
+  int32_t skirt_settings = 0;        ///< row of the job's tables of region settings
   bool objects_may_overlap = false;  ///< objects_may_overlap
-  bool avoid_curled = false;         ///< avoid_crossing_curled_overhangs: tells where parts curl up
-  /// bed_shape without bed_exclude_area: nothing is added outside of it; empty: no limit.
+  bool avoid_curled = false;  ///< avoid_crossing_curled_overhangs: computes where overhangs curl up
+  /// bed_shape without bed_exclude_area: planning adds nothing outside of it. Empty: no limit.
   MultiPolygon bed;
 
   friend bool operator==(const JobPlanOptions&, const JobPlanOptions&) = default;
@@ -44,7 +44,7 @@ struct JobPlanOptions {
 /// Options of the planning stage.
 struct PlanningOptions : JobPlanOptions {
   std::vector<ObjectPlanOptions> objects = {{}};  ///< options of each object
-  std::vector<InfillOptions> infill;  ///< infill of each region; empty: none needs a plan
+  std::vector<InfillOptions> infill;  ///< infill of each region; empty: no region needs a plan
 
   using Row = JobPlanOptions;
   template <typename Self>

@@ -4,13 +4,13 @@
 
 namespace slicefarm {
 
-/// Places where loops start.
+/// Start position of loops.
 enum class SeamPosition : uint8_t {
-  kNearest,  ///< near the nozzle
-  kRear,     ///< at the back, in line
-  kAligned,  ///< in line up the object, at corners
-  kRandom,   ///< anywhere, each loop elsewhere
-  kHidden,   ///< in line, where the least is seen of it
+  kNearest,  ///< point near the nozzle
+  kRear,     ///< vertical line at the rear
+  kAligned,  ///< vertical line along the object, at corners
+  kRandom,   ///< random point for each loop
+  kHidden,   ///< vertical line where the seam is least visible
 };
 
 }  // namespace slicefarm

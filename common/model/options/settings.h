@@ -6,21 +6,21 @@
 
 namespace slicefarm {
 
-/// Settings of a plate, complete and validated: tables with a row for each object, region and tool.
+/// Complete and validated settings of a plate: tables with one row per object, region and tool.
 struct JobSettings {
   SlicingOptions slicing;
-  ProcessValue own;  ///< settings that its process alone has: FdmSettings, ExposureSettings, ...
+  ProcessValue own;  ///< settings of the job's process: FdmSettings, ExposureSettings, ...
 
   Process process() const { return own.process(); }
 
   friend bool operator==(const JobSettings&, const JobSettings&) = default;
 };
 
-/// One resolved set of settings: a row of each scope.
+/// Resolved set of settings with one row of each scope.
 struct JobRows {
   JobSlicingOptions slicing;
   ObjectSlicingOptions object;
-  ProcessValue own;  ///< rows that its process alone has: FdmRows, ExposureRows, ...
+  ProcessValue own;  ///< rows of the job's process: FdmRows, ExposureRows, ...
 
   Process process() const { return own.process(); }
 

@@ -6,20 +6,22 @@
 
 namespace slicefarm {
 
-/// top_solid_min_thickness, bottom_solid_min_thickness: of the solid layers under (over) a surface,
-/// those farthest from it that are there only to make them thick enough.
+/// top_solid_min_thickness, bottom_solid_min_thickness: solid layers that exist only to reach a
+/// minimum thickness. They are the layers farthest from the surface, and some of them may be left
+/// out.
 struct SkinSpare {
-  int32_t layers = 0;   ///< left out one by one
-  Coord enough_nm = 0;  ///< where the others are so thick
+  int32_t layers = 0;  ///< largest number of layers that may be left out
+  /// Thickness of the layers nearer to the surface from which further layers are left out.
+  Coord enough_nm = 0;
 
   friend bool operator==(const SkinSpare&, const SkinSpare&) = default;
 };
 
-/// Whether the layer that lies `number` layers (from 1) behind the surface is not needed: the
-/// layers before it are `before_nm` high.
+/// Returns true if a solid layer may be left out. `number`: its distance from the surface in
+/// layers, from 1. `before_nm`: total height of the layers between it and the surface.
 inline bool IsSpared(const SkinSpare& spare, int32_t solid_layers, int32_t number,
                      Coord before_nm) {
-  /// Heights are sums of rounded ones.
+  /// Tolerance for heights, which are sums of rounded values.
   constexpr Coord kToleranceNm = 2'000;
   return number > solid_layers - spare.layers && before_nm + kToleranceNm >= spare.enough_nm;
 }

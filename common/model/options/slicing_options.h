@@ -12,59 +12,63 @@
 
 namespace slicefarm {
 
-/// Names in the comments are the settings' (PrusaSlicer's, where it has the setting).
+/// Member comments begin with the name of the setting (the name in PrusaSlicer if it has the
+/// setting).
 
-/// Treatment of a hole that begins over a wider recess.
+/// Treatment of a hole that begins above a wider recess (counterbore).
 enum class CounterboreBridging : uint8_t {
-  kNone,         ///< its edge is printed on air
-  kPartial,      ///< bridges beside it, others across those, and then the hole
-  kSacrificial,  ///< a bridge over the recess, to be drilled through
+  kNone,  ///< no bridging: the hole's edge is printed in the air
+  /// Bridges beside the hole in one layer, bridges across them in the next, then the hole.
+  kPartial,
+  kSacrificial,  ///< one bridge that closes the recess and is drilled through later
 };
 
-/// Settings of one object that slicing needs.
+/// Object settings for slicing.
 struct ObjectSlicingOptions {
   Coord layer_height_nm = 200'000;          ///< layer_height
   FillRule fill_rule = FillRule::kNonZero;  ///< slicing_mode: regular, even_odd, positive
-  bool close_holes = false;                 ///< slicing_mode = close_holes: outer rings alone count
-  /// slice_closing_radius: cracks narrower than twice this are closed, in meshes that are not
-  /// closed only.
+  bool close_holes = false;  ///< slicing_mode = close_holes: only outer rings are used
+  /// slice_closing_radius: closes cracks narrower than twice this value, but only in meshes that
+  /// are not closed.
   Coord closing_radius_nm = 49'000;
-  Coord xy_compensation_nm = 0;    ///< xy_size_compensation: grows the outlines, holes shrink
-  Coord hole_compensation_nm = 0;  ///< xy_hole_compensation: grows the holes, besides
-  /// It stands on the bed itself: its first layer is first_layer_height high, and has a foot.
+  Coord xy_compensation_nm = 0;  ///< xy_size_compensation: grows the outlines and shrinks the holes
+  Coord hole_compensation_nm = 0;  ///< xy_hole_compensation: additional growth of the holes
+  /// True if the object is directly on the bed: its first layer has first_layer_height and gets the
+  /// elephant foot compensation.
   bool on_bed = true;
   Coord elephant_foot_nm = 0;  ///< elefant_foot_compensation: shrinks the first layer on the bed
-  /// Least width that the compensation leaves; PrusaSlicer: width + spacing of the first layer's
-  /// outer wall.
+  /// Smallest width that the compensation leaves. PrusaSlicer uses width + spacing of the first
+  /// layer's outer wall.
   Coord elephant_foot_min_width_nm = 757'000;
-  Coord lift_nm = 0;  ///< how high above the bed it will stand: the build volume holds that too
-  /// spiral_vase: layers from this one on are hollow, and of their outlines the largest stays; 0:
-  /// none are.
+  /// Height of the object's bottom above the bed; it counts towards the build height.
+  Coord lift_nm = 0;
+  /// spiral_vase: first layer that is hollow and keeps only its largest outline. 0: no hollow
+  /// layers.
   int32_t hollow_from = 0;
   CounterboreBridging counterbores = CounterboreBridging::kNone;  ///< counterbore_hole_bridging
   AdaptiveHeights adaptive;
-  /// layer_height_profile: heights by z, in between in proportion, instead of layer_height, ranges
-  /// of heights and `adaptive`; upwards. None: by those.
+  /// layer_height_profile: layer heights at ascending z, interpolated linearly. They replace
+  /// layer_height, height ranges and `adaptive`. Empty: no profile.
   std::vector<LayerHeightAt> height_profile;
 
   friend bool operator==(const ObjectSlicingOptions&, const ObjectSlicingOptions&) = default;
 };
 
-/// Settings of a job that slicing needs.
+/// Job settings for slicing.
 struct JobSlicingOptions {
-  Coord first_layer_height_nm = 200'000;  ///< first_layer_height: of what stands on the bed
-  /// open_loop_max_gap: outlines with a hole up to this are closed over it, wider ones are dropped
-  /// and counted.
+  Coord first_layer_height_nm = 200'000;  ///< first_layer_height: height of the layer on the bed
+  /// open_loop_max_gap: outlines with a gap up to this length are closed. Outlines with a wider gap
+  /// are dropped and counted.
   Coord max_gap_nm = 2'000'000;
-  Coord resolution_nm = 5'000;  ///< outline_resolution: outlines are simplified to this tolerance
+  Coord resolution_nm = 5'000;  ///< outline_resolution: tolerance to which outlines are simplified
   /// bed_shape; empty: no limit.
   Polygon bed = {{0, 0}, {250'000'000, 0}, {250'000'000, 210'000'000}, {0, 210'000'000}};
-  std::vector<Polygon> excluded = {};  ///< bed_exclude_area: parts of the bed where nothing may be
-  Coord max_print_height_nm = 0;       ///< max_print_height, 0: unlimited
+  std::vector<Polygon> excluded = {};  ///< bed_exclude_area: parts of the bed that must remain free
+  Coord max_print_height_nm = 0;       ///< max_print_height; 0: unlimited
   std::vector<ThumbnailSize> thumbnails = {{32, 32}, {300, 300}};  ///< thumbnails
-  Coord part_distance_nm = 6'000'000;  ///< duplicate_distance: between copies that are arranged
-  /// Between copies that are arranged, where it is more: extruder_clearance_radius with
-  /// complete_objects; with brims, part_distance_nm between these.
+  Coord part_distance_nm = 6'000'000;  ///< duplicate_distance: distance between arranged copies
+  /// Distance between arranged copies if it exceeds `part_distance_nm`. With complete_objects it is
+  /// extruder_clearance_radius; with brims it leaves part_distance_nm between the brims.
   Coord clearance_radius_nm = 0;
 
   friend bool operator==(const JobSlicingOptions&, const JobSlicingOptions&) = default;

@@ -4,10 +4,11 @@
 
 namespace slicefarm {
 
-/// spiral_vase: hollow layers are printed as one bead that winds up.
+/// Options of spiral_vase: hollow layers are printed as one continuous rising bead.
 struct SpiralOptions {
   Coord width_nm = 0;  ///< width of the bead; 0: no spiral
-  bool blends = true;  ///< turns lead over into each other: not where their skin is fuzzy
+  /// True: each turn changes gradually from the outline below to its own; false with fuzzy skin.
+  bool blends = true;
 
   friend bool operator==(const SpiralOptions&, const SpiralOptions&) = default;
 };

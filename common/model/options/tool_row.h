@@ -10,30 +10,31 @@
 
 namespace slicefarm {
 
-/// retract_lift_enforce: after which beads the nozzle rises for a travel.
+/// retract_lift_enforce: beads after which the nozzle is lifted for a travel.
 enum class LiftAfter : uint8_t {
   kAll,
-  kTop,           ///< tops and ironing
+  kTop,           ///< beads of top surfaces and ironing
   kBottom,        ///< beads of the first layer
-  kTopAndBottom,  ///< both
+  kTopAndBottom,  ///< beads of the first layer, top surfaces and ironing
 };
 
 struct RetractionOptions {
-  double length_mm = 0.8;          ///< retract_length; 0: none
+  double length_mm = 0.8;          ///< retract_length; 0: no retraction
   double speed_mm_s = 35;          ///< retract_speed
-  double restart_speed_mm_s = 35;  ///< deretract_speed (0 in the settings: as retract_speed)
+  double restart_speed_mm_s = 35;  ///< deretract_speed (0 in the settings: retract_speed)
   double restart_extra_mm = 0;     ///< retract_restart_extra
   double min_travel_mm = 2;        ///< retract_before_travel: shorter travels do not retract
   double lift_mm = 0;              ///< retract_lift
-  double lift_above_mm = 0;        ///< retract_lift_above: no lift where the nozzle is lower
-  double lift_below_mm = 0;        ///< retract_lift_below: nor higher than this; 0: however high
+  double lift_above_mm = 0;        ///< retract_lift_above: no lift below this nozzle height
+  double lift_below_mm = 0;  ///< retract_lift_below: no lift above this nozzle height; 0: unlimited
   LiftAfter lift_after = LiftAfter::kAll;  ///< retract_lift_enforce
   bool ramping = false;           ///< travel_ramping_lift: the nozzle rises along the travel
-  double ramp_lift_mm = 0;        ///< travel_max_lift: in place of lift_mm
-  double ramp_slope_deg = 0;      ///< travel_slope; 0 and 90: straight up
-  bool before_obstacles = false;  ///< travel_lift_before_obstacle: steeper where edges are near
+  double ramp_lift_mm = 0;        ///< travel_max_lift: replaces lift_mm
+  double ramp_slope_deg = 0;      ///< travel_slope; 0 and 90: vertical lift
+  bool before_obstacles = false;  ///< travel_lift_before_obstacle: steeper lift if edges are near
   bool wipe = false;              ///< wipe: the nozzle continues along the path while retracting
-  double before_wipe = 0;         ///< retract_before_wipe: share of the length, in place
+  /// retract_before_wipe: share of the length that is retracted before the wipe begins
+  double before_wipe = 0;
 
   friend bool operator==(const RetractionOptions&, const RetractionOptions&) = default;
 };
@@ -50,25 +51,27 @@ struct CoolingOptions {
   double min_print_speed_mm_s = 10;        ///< min_print_speed
   /// cooling_slowdown_logic = consistent_surface: outer walls are slowed down last.
   bool consistent_surface = false;
-  double transition_mm = 10;  ///< cooling_perimeter_transition_distance, then, before outer walls
-  int32_t full_fan_speed_layer = 0;  ///< full_fan_speed_layer: the fan grows up to it; 0: none
-  bool dynamic_fan = false;          ///< enable_dynamic_fan_speeds
-  /// overhang_fan_speed_0 to _3, by degree.
+  /// cooling_perimeter_transition_distance: length before outer walls, used with consistent_surface
+  double transition_mm = 10;
+  /// full_fan_speed_layer: layer up to which the fan speed rises; 0: no ramp
+  int32_t full_fan_speed_layer = 0;
+  bool dynamic_fan = false;  ///< enable_dynamic_fan_speeds
+  /// overhang_fan_speed_0 to _3, per overhang degree.
   std::array<int32_t, kOverhangDegrees> overhang_fan_percent = {};
 
   friend bool operator==(const CoolingOptions&, const CoolingOptions&) = default;
 };
 
-/// Settings of one tool: its nozzle and the filament in it.
+/// Settings of one tool: its nozzle and its filament.
 struct ToolRow {
   RetractionOptions retraction;
   CoolingOptions cooling;
 
-  double nozzle_diameter_mm = 0.4;        ///< nozzle_diameter
-  Point offset;                           ///< extruder_offset, taken off all places in the G-code
-  int32_t number = -1;                    ///< extruder - 1; -1: the machine has one tool
+  double nozzle_diameter_mm = 0.4;  ///< nozzle_diameter
+  Point offset;         ///< extruder_offset, subtracted from all positions in the G-code
+  int32_t number = -1;  ///< number of the extruder from 0; -1: the machine has one tool
   double max_volumetric_speed_mm3_s = 0;  ///< filament_max_volumetric_speed; 0: unlimited
-  double pressure_advance = 0;  ///< pressure_advance, in the firmware's unit; 0: unchanged
+  double pressure_advance = 0;            ///< pressure_advance in the firmware's unit; 0: not set
 
   double filament_diameter_mm = 1.75;    ///< filament_diameter
   double extrusion_multiplier = 1;       ///< extrusion_multiplier
@@ -83,8 +86,10 @@ struct ToolRow {
   int32_t bed_temperature_c = 0;              ///< bed_temperature
   int32_t first_layer_bed_temperature_c = 0;  ///< first_layer_bed_temperature
   int32_t chamber_temperature_c = 0;          ///< chamber_temperature
-  int32_t chamber_least_c = 0;                ///< chamber_minimal_temperature: waited for
-  /// start_filament_gcode: after start_gcode, when all is hot and the tool is chosen.
+  /// chamber_minimal_temperature: temperature that the print waits for
+  int32_t chamber_least_c = 0;
+  /// start_filament_gcode: G-code after start_gcode, when all heaters are hot and the tool is
+  /// selected.
   SharedText start_filament_gcode;
 
   friend bool operator==(const ToolRow&, const ToolRow&) = default;

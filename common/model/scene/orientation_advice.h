@@ -5,20 +5,21 @@
 
 namespace slicefarm {
 
-/// How an object lies on the bed.
+/// Measures of an object's orientation on the bed.
 struct Lying {
-  double contact_mm2 = 0;   ///< faces that lie on the bed
-  double overhang_mm2 = 0;  ///< faces that need support, seen from above
+  double contact_mm2 = 0;   ///< area of faces in contact with the bed
+  double overhang_mm2 = 0;  ///< area of faces that need support, projected from above
   double height_mm = 0;
-  bool stable = false;  ///< its centre of mass is over what touches the bed
+  bool stable = false;  ///< true if the centre of mass is above the contact area
 
   friend bool operator==(const Lying&, const Lying&) = default;
 };
 
-/// A better way round to print an object than the one that was asked for.
+/// Orientation that is better for printing an object than the requested one.
 struct OrientationAdvice {
-  std::string object;                            ///< its name
-  std::array<double, 3> rotate_deg = {0, 0, 0};  ///< in place of Placement::rotate_deg
+  std::string object;  ///< name of the object
+  /// Rotation that should replace Placement::rotate_deg.
+  std::array<double, 3> rotate_deg = {0, 0, 0};
   Lying asked;
   Lying advised;
 

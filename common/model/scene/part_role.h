@@ -5,15 +5,15 @@
 
 namespace slicefarm {
 
-/// What a part is for.
+/// Purpose of a part of an object.
 enum class PartRole : uint8_t {
-  kSolid,            ///< is printed
-  kNegative,         ///< is cut out of the object's solid parts
-  kModifier,         ///< gives what lies inside it settings of its own
-  kSupportEnforcer,  ///< is supported from below
-  kSupportBlocker,   ///< is not
-  kSeamEnforcer,     ///< loops start inside it where they can
-  kSeamBlocker,      ///< loops start outside of it where they can
+  kSolid,            ///< volume that is printed
+  kNegative,         ///< volume that is cut out of the object's solid parts
+  kModifier,         ///< volume inside which the object has other settings
+  kSupportEnforcer,  ///< volume that gets supports
+  kSupportBlocker,   ///< volume that gets no supports
+  kSeamEnforcer,     ///< volume in which loops preferably start
+  kSeamBlocker,      ///< volume in which loops preferably do not start
 };
 
 }  // namespace slicefarm

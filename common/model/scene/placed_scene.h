@@ -9,23 +9,23 @@
 
 namespace slicefarm {
 
-/// A part of an object, around the object's own origin.
+/// Part of an object, relative to the object's own origin.
 struct PlacedScenePart {
   PartRole role = PartRole::kSolid;
   IndexedMesh mesh;
   MeshReport report;
 };
 
-/// An object whose solid parts' box has its middle over x = y = 0, and its bottom at z = 0 or as
-/// far below as it is sunk.
+/// Object in its own coordinates: the middle of its solid parts' bounding box is at x = y = 0. Its
+/// bottom is at z = 0, or below if the object is sunk into the bed.
 struct PlacedSceneObject {
   std::string name;
   std::vector<PlacedScenePart> parts;
-  Vertex to_origin;           ///< what was added to all its places, in nm
-  std::vector<Point> shifts;  ///< of its copies on the bed, in whole micrometres
+  Vertex to_origin;           ///< shift that was added to all positions, in nm
+  std::vector<Point> shifts;  ///< positions of the copies on the bed, in whole micrometres
 };
 
-/// A scene as it stands on the bed: what processes begin with that work on meshes.
+/// Scene as placed on the bed. It is the input of processes that work on meshes.
 struct PlacedScene {
   std::vector<PlacedSceneObject> objects;
 };

@@ -9,22 +9,24 @@
 
 namespace slicefarm {
 
-/// How an object comes to lie on the bed: units, then scale, then rotation about x, y, z in this
-/// order; the result drops onto z = 0 with the middle of its bounding box over each of `centers`.
+/// Placement of an object on the bed: units, then scale, then rotation about x, y, z in this order.
+/// Then the object drops onto z = 0. Each of `centers` is the position of the middle of one copy's
+/// bounding box.
 struct Placement {
   double unit_mm = 1.0;                     ///< mm per unit of the file
-  std::array<double, 3> scale = {1, 1, 1};  ///< > 0
+  std::array<double, 3> scale = {1, 1, 1};  ///< scale factors, above 0
   std::array<double, 3> rotate_deg = {0, 0, 0};
-  std::vector<Point> centers = {};  ///< one per copy; empty: one copy, wherever there is room
+  std::vector<Point> centers = {};  ///< position of each copy; empty: one copy at any free position
 
   friend bool operator==(const Placement&, const Placement&) = default;
 };
 
-/// Errors: SETTING_OUT_OF_RANGE for units, scale or angles that are not finite, or not above zero.
+/// Checks that units, scale and angles are finite, and units and scale above zero. Errors:
+/// SETTING_OUT_OF_RANGE.
 absl::Status CheckPlacement(const Placement& placement);
 
-/// From the units of the file to millimetres, without a shift. The rotation's sines are computed
-/// from + and * alone, so they have the same bits on every machine, and right angles are exact.
+/// Returns the transform from the file's units to millimetres, without a shift. Sines are computed
+/// with + and * alone, so they have the same bits on every machine. Right angles are exact.
 Transform TransformOf(const Placement& placement);
 
 }  // namespace slicefarm

@@ -27,7 +27,7 @@ TEST(CheckPlacement, RefusesSenselessFactors) {
 struct PlacementCase {
   const char* name;
   Placement placement;
-  Eigen::Vector3d want;  ///< of (10, 20, 30)
+  Eigen::Vector3d want;  ///< expected image of (10, 20, 30)
 };
 
 TEST(TransformOf, UnitsThenScaleThenTurn) {

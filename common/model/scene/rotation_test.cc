@@ -35,7 +35,7 @@ TEST(SineCosine, IsOddAndEven) {
 }
 
 TEST(RotationXyz, TurnsAboutXThenYThenZ) {
-  // About x, y goes to z; about y, z goes to x; about z, x goes to y.
+  // The rotation about x moves y to z; about y, z to x; about z, x to y.
   const Eigen::Matrix3d m = RotationXyz({90, 90, 90});
   const double y_axis[3] = {m(0, 1), m(1, 1), m(2, 1)};
   EXPECT_EQ(y_axis[0], 0);

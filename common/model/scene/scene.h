@@ -13,20 +13,20 @@
 
 namespace slicefarm {
 
-/// MeshRef::mesh of a file that must have no more than one, as STL, OBJ and PLY files do.
+/// Value of MeshRef::mesh for a file that must have exactly one mesh, like STL, OBJ and PLY files.
 inline constexpr int32_t kOnlyMesh = -1;
 
-/// One of the meshes of a file, or some of its triangles.
+/// Reference to one of the meshes of a file, or to some of its triangles.
 struct MeshRef {
   int32_t file = 0;
-  int32_t mesh = 0;             ///< by the order in which the file has them, or kOnlyMesh
-  int64_t first_triangle = 0;   ///< of the mesh as the file lists it
-  int64_t triangle_count = -1;  ///< -1: all from first_triangle on
+  int32_t mesh = 0;             ///< number of the mesh in the order of the file, or kOnlyMesh
+  int64_t first_triangle = 0;   ///< first triangle in the order of the file
+  int64_t triangle_count = -1;  ///< number of triangles; -1: all from first_triangle
 
   friend bool operator==(const MeshRef&, const MeshRef&) = default;
 };
 
-/// A mesh as a part of an object.
+/// Mesh that is a part of an object.
 struct Part {
   std::string name;
   MeshRef mesh;
@@ -37,7 +37,7 @@ struct Part {
   bool operator==(const Part&) const = default;
 };
 
-/// Settings of a slice of an object, in mm above its bottom.
+/// Settings for a range of heights of an object, in mm above its bottom.
 struct HeightRange {
   double from_mm = 0;
   double to_mm = 0;
@@ -46,19 +46,21 @@ struct HeightRange {
   bool operator==(const HeightRange&) const = default;
 };
 
-/// A copy of an object on the plate.
+/// Copy of an object on the plate.
 struct Instance {
   Transform to_plate = Transform::Identity();
   bool printable = true;
-  /// Whether to_plate's x and y say where it stands; else it is to be arranged.
+  /// True if x and y of to_plate are the copy's position. Otherwise the copy is arranged
+  /// automatically.
   bool placed = true;
-  /// They say where the middle of the object's box stands, and not the object's origin.
+  /// True if this position is the middle of the object's bounding box instead of the object's
+  /// origin.
   bool by_middle = false;
 
   bool operator==(const Instance&) const = default;
 };
 
-/// A mesh file by its content: what jobs refer to once it was uploaded.
+/// Uploaded mesh file, identified by its content. Jobs refer to it.
 struct StoredMesh {
   std::string sha256;
   std::string name;
@@ -67,10 +69,10 @@ struct StoredMesh {
   friend bool operator==(const StoredMesh&, const StoredMesh&) = default;
 };
 
-/// What stands on the plate as one: solid parts, what changes them, and its copies.
+/// Object on the plate: its solid parts, the parts that modify them, and its copies.
 struct SceneObject {
   std::string name;
-  std::vector<Part> parts;  ///< later ones win where they overlap
+  std::vector<Part> parts;  ///< parts; a later part takes precedence where parts overlap
   std::vector<HeightRange> ranges;
   std::vector<Setting> settings;
   std::vector<Instance> instances;
@@ -78,12 +80,13 @@ struct SceneObject {
   bool operator==(const SceneObject&) const = default;
 };
 
-/// An object of one part, the whole of a file with one mesh: a copy at each of the placement's
-/// centers, or `copies` (one at least) wherever there is room.
+/// Makes an object of one part, from a file with one mesh. It has one copy at each of the
+/// placement's centers. Without centers it has `copies` copies (at least one), which are arranged
+/// automatically.
 SceneObject ObjectOfFile(const std::string& name, int32_t file, const Placement& placement,
                          int32_t copies);
 
-/// One plate of a project, with indices into Project::objects.
+/// Plate of a project, with indices into Project::objects.
 struct ProjectPlate {
   struct Member {
     int32_t object = 0;
@@ -99,24 +102,24 @@ struct ProjectPlate {
   bool operator==(const ProjectPlate&) const = default;
 };
 
-/// Whose names and values the settings of a project have.
+/// Slicer that defines the names and values of a project's settings.
 enum class SettingsDialect : uint8_t {
-  kPrusa,  ///< PrusaSlicer's own, and those of no slicer
-  kOrca,   ///< OrcaSlicer's and Bambu Studio's
+  kPrusa,  ///< PrusaSlicer; also used for files of unknown origin
+  kOrca,   ///< OrcaSlicer and Bambu Studio
 };
 
-/// What a project file (3MF) says besides its triangles. Settings are text as the file has them,
-/// under the names of its dialect.
+/// Content of a project file (3MF) besides its triangles. Settings are the texts of the file, under
+/// the names of its dialect.
 struct Project {
-  std::string application;  ///< "PrusaSlicer-2.9.2", as the file says
+  std::string application;  ///< application that wrote the file, such as "PrusaSlicer-2.9.2"
   SettingsDialect dialect = SettingsDialect::kPrusa;
-  std::vector<Setting> settings;  ///< of the whole project
+  std::vector<Setting> settings;  ///< settings of the whole project
   std::vector<SceneObject> objects;
-  std::vector<ProjectPlate> plates;  ///< empty: all objects lie on one
-  /// What the file has and nobody here makes anything of, for the report: "painted supports of
+  std::vector<ProjectPlate> plates;  ///< plates; empty: all objects are on one plate
+  /// Features of the file that this service ignores, for the report, such as "painted supports of
   /// object 2".
   std::vector<std::string> without_effect;
-  std::vector<int32_t> painted;  ///< indices of objects on which filaments are painted, ascending
+  std::vector<int32_t> painted;  ///< indices of objects with painted filaments, ascending
 
   bool operator==(const Project&) const = default;
 };

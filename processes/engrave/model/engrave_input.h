@@ -21,7 +21,7 @@ struct SurfaceInput {
 /// Surface, cut open where necessary, with its one-to-one map into the plane.
 struct MappedSurface {
   SurfaceMesh mesh;
-  std::vector<int32_t> vertex_of;  ///< index that each vertex had before the cut
+  std::vector<int32_t> vertex_of;       ///< index that each vertex had before the cut
   std::vector<Eigen::Vector2d> map_mm;  ///< position of each vertex in the plane
 
   friend bool operator==(const MappedSurface&, const MappedSurface&) = default;
@@ -30,10 +30,10 @@ struct MappedSurface {
 /// Common input of all layers of a job.
 struct EngraveInput {
   EngraveSettings settings;  ///< settings without the images
-  /// object used as the texture; without triangles: the texture is not an object
+  /// Object used as the texture; without triangles: the texture is not an object.
   SurfaceMesh solid;
   std::string image;  ///< PNG of the texture; empty: the texture is not an image
-  std::string mask;  ///< PNG of the mask; empty: no mask
+  std::string mask;   ///< PNG of the mask; empty: no mask
   MappedSurface surface;
 
   friend bool operator==(const EngraveInput&, const EngraveInput&) = default;

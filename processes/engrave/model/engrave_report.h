@@ -23,10 +23,10 @@ struct MapReport {
   double area_mm2 = 0;
   double energy_mean = 0;  ///< mean symmetric Dirichlet energy divided by 4: 1 without distortion
   double energy_max = 0;
-  /// ratio of lengths in the map to lengths on the surface, in both main directions
+  /// Ratio of lengths in the map to lengths on the surface, in both main directions.
   Spread stretch = {};
   Spread line_distance_mm = {};  ///< distance of the first layer's lines on the surface
-  /// share of the first layer's line length with a spacing within 10 % of the setting
+  /// Share of the first layer's line length with a spacing within 10 % of the setting.
   double line_even = 0;
 
   friend bool operator==(const MapReport&, const MapReport&) = default;
@@ -43,7 +43,7 @@ struct LayerNumbers {
   double on_mm = 0;
   double off_mm = 0;
   double section_mm2 = 0;
-  /// number of toolpaths that reverse direction when they are lifted off the surface
+  /// Number of path segments that run backwards after the offset along the normals.
   int64_t folds = 0;
   double folds_mm = 0;
   Eigen::Vector3d first_fold_mm = Eigen::Vector3d::Zero();
@@ -67,7 +67,7 @@ struct ProgramFacts {
 struct EngraveReport {
   MapReport map;
   std::vector<LayerNumbers> layers;  ///< statistics of each layer; empty: the file has no layers
-  ProgramFacts program;  ///< totals of the program; no moves: no program was made
+  ProgramFacts program;              ///< totals of the program; no moves: no program was made
 };
 
 /// Returns warnings for the user: uneven line spacing, lifted paths that reverse direction, layers

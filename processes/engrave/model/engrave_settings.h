@@ -13,24 +13,24 @@
 namespace slicefarm {
 
 enum class NormalKind : uint8_t {
-  /// normal of the face; on an edge the mean of both faces, at a vertex the mean of the faces
-  /// around it
+  /// Normal of the face; on an edge the mean of both faces, at a vertex the mean of the faces
+  /// around it.
   kFaces,
   kInterpolated,  ///< normal interpolated between the normals of the vertices
 };
 
 /// Rotary axes of a machine, besides X, Y and Z.
 enum class AxisLayout : uint8_t {
-  kNone,  ///< no rotary axis: the tool points down
+  kNone,     ///< no rotary axis: the tool points down
   kTableAb,  ///< table that turns the part by B about Y, then by A about X
   kTableBc,  ///< table that turns the part by C about Z, then by B about Y
-  kHeadAb,  ///< head that turns by A about X, then by B about Y
-  kHeadBc,  ///< head that turns by B about Y, then by C about Z
+  kHeadAb,   ///< head that turns by A about X, then by B about Y
+  kHeadBc,   ///< head that turns by B about Y, then by C about Z
 };
 
 enum class ToolKind : uint8_t {
-  kBeam,  ///< beam that M3 switches on and M5 switches off
-  kSpindle,  ///< spindle that turns all the time
+  kBeam,      ///< beam that M3 switches on and M5 switches off
+  kSpindle,   ///< spindle that turns all the time
   kExtruder,  ///< extruder that deposits filament
 };
 
@@ -38,9 +38,9 @@ enum class ToolKind : uint8_t {
 enum class EngraveFormat : uint8_t {
   kCsv,  ///< points with normals
   kGcode,
-  kStl,  ///< surface with the texture applied, as binary STL
-  kObj,  ///< surface with the texture applied, as Wavefront OBJ
-  kPng,  ///< picture of the lines over the surface
+  kStl,     ///< surface with the texture applied, as binary STL
+  kObj,     ///< surface with the texture applied, as Wavefront OBJ
+  kPng,     ///< picture of the lines over the surface
   kMapPng,  ///< picture of the map and its distortion
 };
 
@@ -51,11 +51,11 @@ constexpr bool IsWhole(EngraveFormat format) { return format >= EngraveFormat::k
 /// Texture, its height and its position on the surface. Members that are texts of numbers hold the
 /// user's text; NumbersOf parses them.
 struct TextureSettings {
-  /// computed texture with its parameters, or the name of the object used as texture
+  /// Computed texture with its parameters, or the name of the object used as texture.
   std::string texture = "bumps";
-  SharedText image;  ///< texture_image: PNG in base64; takes precedence over `texture`
-  SharedText mask;  ///< mask_image: PNG in base64 that covers the bounding box of the map
-  double width_mm = 20;  ///< width of the image on the surface
+  SharedText image;        ///< texture_image: PNG in base64; takes precedence over `texture`
+  SharedText mask;         ///< mask_image: PNG in base64 that covers the bounding box of the map
+  double width_mm = 20;    ///< width of the image on the surface
   double height_mm = 0.5;  ///< height of the texture at white pixels of the image
   /// X,Y distance between repetitions of the object; empty: the size of its bounding box
   std::string pitch;
@@ -75,14 +75,14 @@ struct TextureSettings {
 struct EngraveLineSettings {
   double layer_height_mm = 0.05;
   std::string spacing = "0.1";  ///< line spacing per layer, as a list that repeats from the start
-  /// line angle per layer in degrees, as a list that repeats from the start
+  /// Line angle per layer in degrees, as a list that repeats from the start.
   std::string angle = "0";
   bool equidistant = false;
   NormalKind normals = NormalKind::kFaces;
   bool connect = true;
   double clearance_mm = 0;
   double shortest_mm = 0;
-  /// true: cuts a surface open that is not a disk; false: refuses such a surface
+  /// True: cuts a surface open that is not a disk; false: refuses such a surface.
   bool seam = true;
 
   friend bool operator==(const EngraveLineSettings&, const EngraveLineSettings&) = default;

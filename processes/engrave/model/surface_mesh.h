@@ -11,7 +11,7 @@ namespace slicefarm {
 /// belong to no triangle.
 struct SurfaceMesh {
   std::vector<Eigen::Vector3d> points_mm;
-  /// point indices, counter-clockwise as seen from outside
+  /// Point indices, counter-clockwise as seen from outside.
   std::vector<std::array<int32_t, 3>> triangles;
 
   friend bool operator==(const SurfaceMesh&, const SurfaceMesh&) = default;

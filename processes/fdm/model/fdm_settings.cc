@@ -6,7 +6,7 @@ namespace slicefarm {
 
 namespace {
 
-/// One member of each region.
+/// Returns one member of each region's row.
 template <typename Member>
 std::vector<Member> Column(const FdmSettings& settings, Member RegionRow::*member) {
   std::vector<Member> column;

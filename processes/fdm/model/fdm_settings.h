@@ -13,7 +13,7 @@
 
 namespace slicefarm {
 
-/// Settings that hold for the whole job: the machine, and how all objects are printed.
+/// Settings of the whole job: the machine, and options common to all objects.
 struct MachineRow {
   JobPlanOptions plan;
   JobOrder order;
@@ -35,7 +35,7 @@ struct RegionRow {
   friend bool operator==(const RegionRow&, const RegionRow&) = default;
 };
 
-/// One resolved set of settings for filament printing: a row of each scope.
+/// Resolved set of settings for filament printing with one row of each scope.
 struct FdmRows {
   static constexpr Process kProcess = Process::kFdm;
 
@@ -47,7 +47,8 @@ struct FdmRows {
   friend bool operator==(const FdmRows&, const FdmRows&) = default;
 };
 
-/// Settings of a plate for filament printing. Region and Path name rows of `regions`.
+/// Filament printing settings of a plate. The `settings` index of a Region or Path is a row of
+/// `regions`.
 struct FdmSettings {
   static constexpr Process kProcess = Process::kFdm;
 
@@ -59,16 +60,17 @@ struct FdmSettings {
   friend bool operator==(const FdmSettings&, const FdmSettings&) = default;
 };
 
-// Settings of a job for filament printing. REQUIRES: the job is of that process.
+// Returns the filament printing settings of a job. REQUIRES: the job is a filament printing job.
 inline const FdmSettings& FdmOf(const JobSettings& settings) { return settings.own.As<FdmSettings>(); }
 inline FdmSettings& FdmOf(JobSettings& settings) { return settings.own.As<FdmSettings>(); }
 inline const FdmRows& FdmOf(const JobRows& rows) { return rows.own.As<FdmRows>(); }
 inline FdmRows& FdmOf(JobRows& rows) { return rows.own.As<FdmRows>(); }
 
-// Options of each stage: the rows that it works with.
+// Return the options of one stage: the rows that the stage needs.
 std::vector<BeadingOptions> BeadingOf(const FdmSettings& settings);
 std::vector<InfillOptions> InfillOf(const FdmSettings& settings);
-/// The infill of the regions is left out where planning has nothing to decide about it.
+/// Returns the options of planning. They include the infill of the regions only if planning decides
+/// about infill.
 PlanningOptions PlanningOf(const FdmSettings& settings);
 OrderingOptions OrderingOf(const FdmSettings& settings);
 MotionOptions MotionOf(const FdmSettings& settings);
@@ -79,7 +81,7 @@ MotionOptions MotionOf(const FdmRows& rows);
 /// Returns how many of an object's own layers on each side a layer's result depends on.
 int32_t HaloLayers(const FdmSettings& settings);
 
-/// Returns how many of these layers the walls depend on.
+/// Returns how many of an object's own layers on each side the walls of a layer depend on.
 int32_t BeadingHaloLayers(const FdmSettings& settings);
 
 }  // namespace slicefarm

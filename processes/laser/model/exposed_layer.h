@@ -49,7 +49,7 @@ struct ExposureGroup {
 struct ExposureVisit {
   int32_t object = 0;
   int32_t copy = 0;  ///< index into the job's copies
-  Point shift;  ///< displacement from the object's origin
+  Point shift;       ///< displacement from the object's origin
 
   friend bool operator==(const ExposureVisit&, const ExposureVisit&) = default;
 };
@@ -58,10 +58,10 @@ struct ExposureVisit {
 /// strategies use such a decomposition.
 struct CutCounts {
   int64_t pieces = 0;
-  int64_t reflex = 0;  ///< number of corners over 180 degrees
+  int64_t reflex = 0;        ///< number of corners over 180 degrees
   int64_t extra_points = 0;  ///< number of cut ends that are not corners
   int64_t sharp_cuts = 0;  ///< number of cuts at an angle below 30 degrees for lack of a better cut
-  /// number of outlines cut by Bian's method because the requested method cannot cut them
+  /// Number of outlines cut by Bian's method because the requested method cannot cut them.
   int64_t replaced = 0;
 
   void Add(const CutCounts& other) {
@@ -76,10 +76,10 @@ struct CutCounts {
 
 /// Sample of the melted area and its energy along a few lines across each layer.
 struct MeltedSample {
-  double length_mm = 0;  ///< length of the sample lines inside the outlines
-  double melted_mm = 0;  ///< part of `length_mm` within half a spot of a vector
+  double length_mm = 0;    ///< length of the sample lines inside the outlines
+  double melted_mm = 0;    ///< part of `length_mm` within half a spot of a vector
   double energy_j_mm = 0;  ///< energy per area, integrated along the sample lines
-  int64_t pieces = 0;  ///< number of sampled pieces of about 1 mm
+  int64_t pieces = 0;      ///< number of sampled pieces of about 1 mm
   double least_j_mm2 = 0;  ///< lowest energy per area of a piece
   double most_j_mm2 = 0;
 
@@ -105,10 +105,10 @@ struct MeltedSample {
 
 struct ExposedLayer {
   LayerFrame frame;
-  /// groups by object, and for each object in the order of scanning
+  /// Groups by object, and for each object in the order of scanning.
   std::vector<ExposureGroup> groups;
   std::vector<ExposureVisit> visits;  ///< placements in the order of scanning
-  double area_mm2 = 0;  ///< area of the outlines of all placements
+  double area_mm2 = 0;                ///< area of the outlines of all placements
   CutCounts cuts;
   MeltedSample melted;  ///< sample of one copy of each object
 
@@ -118,7 +118,7 @@ struct ExposedLayer {
 /// Totals of one kind of vector.
 struct KindExposure {
   int64_t vectors = 0;  ///< number of edges
-  int64_t lines = 0;  ///< number of times that the beam is switched on and off
+  int64_t lines = 0;    ///< number of times that the beam is switched on and off
   double length_mm = 0;
   double time_s = 0;  ///< time, including the delays at the ends and corners of lines
   double energy_j = 0;
@@ -137,10 +137,10 @@ struct KindExposure {
 struct ExposureReport {
   std::array<KindExposure, kExposureKindCount> kinds;  ///< totals per ExposureKind
   int64_t jumps = 0;
-  double jump_mm = 0;  ///< path length with the beam off, including skywriting
+  double jump_mm = 0;      ///< path length with the beam off, including skywriting
   double jump_time_s = 0;  ///< time of jumps, including the delays after them
-  double area_mm2 = 0;  ///< area of the outlines
-  double volume_mm3 = 0;  ///< sum of each layer's outline area times its height
+  double area_mm2 = 0;     ///< area of the outlines
+  double volume_mm3 = 0;   ///< sum of each layer's outline area times its height
   CutCounts cuts;
   MeltedSample melted;
   Box bounds;  ///< bounding box of all exposed vectors on the plate

@@ -21,10 +21,10 @@ struct ExposedProgram {
 /// Data on which the texts before and after the layers depend.
 struct ExposureSummary {
   std::vector<LayerFrame> layers;
-  Box bounds;  ///< bounding box of all exposed vectors on the plate
+  Box bounds;                             ///< bounding box of all exposed vectors on the plate
   std::vector<std::string> object_names;  ///< name of each object
-  double time_s = 0;  ///< time of all layers, including recoating
-  std::string settings_text;  ///< effective settings, for use in templates
+  double time_s = 0;                      ///< time of all layers, including recoating
+  std::string settings_text;              ///< effective settings, for use in templates
 
   friend bool operator==(const ExposureSummary&, const ExposureSummary&) = default;
 };

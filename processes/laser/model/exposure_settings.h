@@ -10,7 +10,7 @@
 
 namespace slicefarm {
 
-/// One resolved set of settings for exposure: a row of each scope.
+/// Resolved set of exposure settings with one row of each scope.
 struct ExposureRows {
   static constexpr Process kProcess = Process::kLaser;
 
@@ -20,7 +20,7 @@ struct ExposureRows {
   friend bool operator==(const ExposureRows&, const ExposureRows&) = default;
 };
 
-/// Settings of a plate for exposure. Region names rows of `regions`.
+/// Exposure settings of a plate. The `settings` index of a Region is a row of `regions`.
 struct ExposureSettings {
   static constexpr Process kProcess = Process::kLaser;
 
@@ -30,7 +30,7 @@ struct ExposureSettings {
   friend bool operator==(const ExposureSettings&, const ExposureSettings&) = default;
 };
 
-// Settings of a job for exposure. REQUIRES: the job is of that process.
+// Returns the exposure settings of a job. REQUIRES: the job is an exposure job.
 inline const ExposureSettings& ExposureOf(const JobSettings& settings) { return settings.own.As<ExposureSettings>(); }
 inline ExposureSettings& ExposureOf(JobSettings& settings) { return settings.own.As<ExposureSettings>(); }
 inline const ExposureRows& ExposureOf(const JobRows& rows) { return rows.own.As<ExposureRows>(); }

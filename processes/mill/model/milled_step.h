@@ -9,9 +9,9 @@
 namespace slicefarm {
 
 enum class MillPhase : uint8_t {
-  kRoughing,  ///< level that removes all stock above it, except the allowance
+  kRoughing,   ///< level that removes all stock above it, except the allowance
   kFinishing,  ///< level of toolpaths that touch the part
-  kRest,  ///< row along x over surfaces too flat for levels
+  kRest,       ///< row along x over surfaces too flat for levels
 };
 inline constexpr int kMillPhaseCount = 3;
 

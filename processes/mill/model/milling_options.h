@@ -11,14 +11,14 @@ namespace slicefarm {
 
 /// Side of the cutter that meets the stock, for a spindle that turns clockwise.
 enum class CutDirection : uint8_t {
-  kClimb,  ///< stock on the right of the toolpath
+  kClimb,         ///< stock on the right of the toolpath
   kConventional,  ///< stock on the left of the toolpath
 };
 
 /// Motion by which the cutter enters the stock.
 enum class EntryKind : uint8_t {
-  kHelix,  ///< helix if a circle fits beside the toolpath, otherwise a ramp
-  kRamp,  ///< ramp along the toolpath
+  kHelix,   ///< helix if a circle fits beside the toolpath, otherwise a ramp
+  kRamp,    ///< ramp along the toolpath
   kPlunge,  ///< vertical move
 };
 
@@ -29,8 +29,8 @@ enum class MillDialect : uint8_t { kLinuxCnc, kGrbl };
 
 /// Position of X0 Y0 Z0 of a program.
 enum class MillOrigin : uint8_t {
-  kModel,  ///< origin of the first object's file
-  kBed,  ///< corner of the bed, at its top
+  kModel,     ///< origin of the first object's file
+  kBed,       ///< corner of the bed, at its top
   kStockTop,  ///< corner of the stock's bounding box with the least x and y, at its top
 };
 
@@ -44,15 +44,15 @@ enum class MillFormat : uint8_t {
 struct MachiningOptions {
   CutDirection direction = CutDirection::kClimb;
   EntryKind entry = EntryKind::kHelix;
-  double ramp_angle_deg = 3;  ///< angle of ramps and helices
-  double helix_radius_mm = 0;  ///< radius of entry helices; 0: half the cutter's radius
+  double ramp_angle_deg = 3;     ///< angle of ramps and helices
+  double helix_radius_mm = 0;    ///< radius of entry helices; 0: half the cutter's radius
   double lead_in_radius_mm = 1;  ///< radius of arcs onto and off finishing toolpaths; 0: no arcs
-  bool arcs = true;  ///< true: writes arcs as G2 and G3; false: only lines
-  double safe_height_mm = 5;  ///< height above the stock at which rapid moves are always free
-  double clearance_mm = 0.5;  ///< distance between a rapid move and the remaining stock
+  bool arcs = true;              ///< true: writes arcs as G2 and G3; false: only lines
+  double safe_height_mm = 5;     ///< height above the stock at which rapid moves are always free
+  double clearance_mm = 0.5;     ///< distance between a rapid move and the remaining stock
   double feed_mm_min = 800;
   double plunge_feed_mm_min = 300;  ///< feed of downward moves, ramps and helices included
-  double rapid_mm_min = 3000;  ///< the machine's maximum speed; used only for times
+  double rapid_mm_min = 3000;       ///< the machine's maximum speed; used only for times
   int spindle_rpm = 12'000;
   Coolant coolant = Coolant::kOff;
   int tool_number = 1;
@@ -61,7 +61,7 @@ struct MachiningOptions {
   /// machine_max_acceleration_x, _y, _z
   std::array<double, 3> max_acceleration_mm_s2 = {500, 500, 300};
   double jerk_mm_s3 = 20'000;  ///< jerk_limit: maximum change of acceleration
-  /// true: reduces feeds to the values that the acceleration and jerk limits allow
+  /// True: reduces feeds to the values that the acceleration and jerk limits allow.
   bool corner_feeds = false;
 
   friend bool operator==(const MachiningOptions&, const MachiningOptions&) = default;
@@ -71,21 +71,21 @@ struct MachiningOptions {
 struct MillingOptions {
   Cutter cutter;
   double stepdown_mm = 1;  ///< largest distance between two levels of roughing
-  /// distance of a level's toolpaths as a share of the cutter's diameter; at most half
+  /// Distance of a level's toolpaths as a share of the cutter's diameter; at most half.
   double stepover_share = 0.4;
-  /// thickness of stock that roughing leaves around the part for finishing
+  /// Thickness of stock that roughing leaves around the part for finishing.
   double allowance_mm = 0.2;
   double minimum_width_mm = 0.05;  ///< narrower passages for the tip are left to finishing
   bool finishing = true;
   double finish_stepdown_mm = 0.25;  ///< largest distance between two waterlines
   double finish_stepover_mm = 0.25;  ///< distance of parallel toolpaths
   double rest_angle_deg = 45;  ///< slope below which the part is finished by parallel toolpaths
-  bool finish_floor = false;  ///< true: finishes the stock's floor beside the part, too
-  double sampling_mm = 0.1;  ///< distance of sampling fibers
+  bool finish_floor = false;   ///< true: finishes the stock's floor beside the part, too
+  double sampling_mm = 0.1;    ///< distance of sampling fibers
   double tolerance_mm = 0.01;  ///< distance between toolpaths and exact contact with the mesh
   double stock_margin_mm = 1;  ///< margin of a stock box around the part, at its sides and top
-  double bottom_mm = 0;  ///< least height of the tip above the stock's bottom
-  bool open_mesh = false;  ///< true: the part may be an open surface
+  double bottom_mm = 0;        ///< least height of the tip above the stock's bottom
+  bool open_mesh = false;      ///< true: the part may be an open surface
   MachiningOptions machining = {};
 
   double stepover_mm() const { return 2 * stepover_share * cutter.radius_mm(); }
