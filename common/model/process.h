@@ -15,6 +15,7 @@ enum class Process : uint8_t {
   kEngrave,
 };
 
+/// Name and description of a process.
 struct ProcessInfo {
   Process process;
   std::string_view name;  ///< name in jobs, workers and command lines
@@ -34,6 +35,7 @@ inline constexpr Process kDefaultProcess = Process::kFdm;
 
 inline constexpr int kProcessCount = static_cast<int>(std::size(kProcesses));
 
+/// Returns the name of a process, such as "fdm".
 constexpr std::string_view ProcessName(Process process) {
   return kProcesses[static_cast<size_t>(process)].name;
 }

@@ -17,6 +17,7 @@ struct FilamentUse {
   friend bool operator==(const FilamentUse&, const FilamentUse&) = default;
 };
 
+/// Returns the filament use of a print from its totals and the filament's settings.
 FilamentUse FilamentUseOf(const ProgramStats& total, const MotionOptions& options);
 
 }  // namespace slicefarm

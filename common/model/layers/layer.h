@@ -113,6 +113,7 @@ struct WalledIsland {
   friend bool operator==(const WalledIsland&, const WalledIsland&) = default;
 };
 
+/// Section of a stack with the walls of its islands.
 struct WalledSection {
   Stack stack;
   int32_t layer = 0;
@@ -122,6 +123,7 @@ struct WalledSection {
   friend bool operator==(const WalledSection&, const WalledSection&) = default;
 };
 
+/// Layer with walls, as beading makes it.
 struct WalledLayer {
   LayerFrame frame;
   std::vector<WalledSection> sections;
@@ -139,6 +141,7 @@ struct FillGroup {
   friend bool operator==(const FillGroup&, const FillGroup&) = default;
 };
 
+/// Island with its walls and infill.
 struct FilledIsland {
   std::vector<Path> walls;
   std::vector<FillGroup> fills;
@@ -147,6 +150,7 @@ struct FilledIsland {
   friend bool operator==(const FilledIsland&, const FilledIsland&) = default;
 };
 
+/// Section of a stack with the walls and infill of its islands.
 struct FilledSection {
   Stack stack;
   int32_t layer = 0;
@@ -157,6 +161,7 @@ struct FilledSection {
   friend bool operator==(const FilledSection&, const FilledSection&) = default;
 };
 
+/// Layer with walls and infill, as infill makes it.
 struct FilledLayer {
   LayerFrame frame;
   std::vector<FilledSection> sections;
@@ -216,6 +221,7 @@ struct BlockVisit {
   friend bool operator==(const BlockVisit&, const BlockVisit&) = default;
 };
 
+/// Layer with its paths in the order of printing, as ordering makes it.
 struct OrderedLayer {
   LayerFrame frame;
   std::vector<PathBlock> blocks;
@@ -241,6 +247,7 @@ struct FeatureUse {
   friend bool operator==(const FeatureUse&, const FeatureUse&) = default;
 };
 
+/// Totals of a program: time, length, filament and volume.
 struct ProgramStats {
   std::array<FeatureUse, kFeatureCount> features;  ///< totals per Feature
   double travel_time_s = 0;                        ///< time of travels, including retractions

@@ -19,6 +19,7 @@ enum class DraftShield : uint8_t {
   kEnabled,  ///< skirt close to the parts on all layers
 };
 
+/// Options of the skirt.
 struct SkirtOptions {
   /// Number of skirt loops; 0 disables the skirt and overrides the other options.
   int32_t loops = 0;
@@ -34,6 +35,7 @@ struct SkirtOptions {
   friend bool operator==(const SkirtOptions&, const SkirtOptions&) = default;
 };
 
+/// Part of an object's outline that gets a brim.
 enum class BrimType : uint8_t {
   kNone,
   kOuterOnly,      ///< brim around the object
@@ -92,6 +94,7 @@ struct RaftLines {
   friend bool operator==(const RaftLines&, const RaftLines&) = default;
 };
 
+/// Options of the raft.
 struct RaftOptions {
   RaftHeights heights = {};
   RaftLines lines = {};

@@ -6,6 +6,7 @@
 
 namespace slicefarm {
 
+/// Algorithm that makes the walls.
 enum class WallGenerator : uint8_t {
   kArachne,  ///< the number of walls that fits, with widths that fill the island
   kClassic,  ///< walls of constant width, with gap fill where no wall fits
@@ -28,6 +29,7 @@ enum class FuzzySkin : uint8_t {
 /// Number of layers above and below on which the walls of kArachne depend.
 inline constexpr int32_t kBeadingHaloLayers = 2;
 
+/// Options for the walls of one region. Member comments begin with the name of the setting.
 struct BeadingOptions {
   WallGenerator generator = WallGenerator::kArachne;  ///< perimeter_generator
   int32_t perimeters = 3;                             ///< perimeters

@@ -118,6 +118,7 @@ inline constexpr FillPatternInfo kFillPatterns[] = {
 
 inline constexpr int kFillPatternCount = std::size(kFillPatterns);
 
+/// Returns the description of a pattern.
 constexpr const FillPatternInfo& InfoOf(FillPattern pattern) {
   return kFillPatterns[static_cast<int>(pattern)];
 }

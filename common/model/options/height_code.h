@@ -10,6 +10,7 @@
 
 namespace slicefarm {
 
+/// Kind of G-code that is inserted at a height.
 enum class HeightCodeKind : uint8_t {
   kColorChange,  ///< change of colour; `text`: the colour, #RRGGBB
   kPause,        ///< pause; `text`: message on the printer's display

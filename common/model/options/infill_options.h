@@ -41,6 +41,7 @@ enum class ShellThickness : uint8_t {
 /// gap two layers below.
 inline constexpr int32_t kOverBridgeHaloLayers = 2;
 
+/// Options for the infill of one region. Member comments begin with the name of the setting.
 struct InfillOptions {
   int32_t top_solid_layers = 5;                 ///< top_solid_layers
   int32_t bottom_solid_layers = 5;              ///< bottom_solid_layers

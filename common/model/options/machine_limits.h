@@ -5,6 +5,7 @@
 
 namespace slicefarm {
 
+/// Firmware for which the G-code is written.
 enum class GcodeFlavor { kMarlin2, kMarlinLegacy, kKlipper, kRepRapFirmware, kPrusaBuddy, kBambu };
 
 /// Limits of the machine as set in its firmware. The motion planner uses the same rules, so that

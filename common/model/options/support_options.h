@@ -11,14 +11,17 @@ namespace slicefarm {
 /// Options of supports below overhangs. Member comments begin with the name of the setting (the
 /// name in PrusaSlicer).
 
+/// Shape of supports.
 enum class SupportStyle : uint8_t {
   kGrid,  ///< columns on a coarse grid
   kSnug,  ///< columns as wide as the overhang that they support
   kTree,  ///< organic supports: branches
 };
 
+/// Fill pattern of the support's body.
 enum class SupportPattern : uint8_t { kRectilinear, kRectilinearGrid, kHoneycomb };
 
+/// Fill pattern of support interfaces.
 enum class InterfacePattern : uint8_t { kRectilinear, kConcentric };
 
 /// Branches of style kTree.

@@ -18,6 +18,8 @@ enum class LiftAfter : uint8_t {
   kTopAndBottom,  ///< beads of the first layer, top surfaces and ironing
 };
 
+/// Options for retraction, lift and wipe of one tool. Member comments begin with the name of the
+/// setting.
 struct RetractionOptions {
   double length_mm = 0.8;          ///< retract_length; 0: no retraction
   double speed_mm_s = 35;          ///< retract_speed
@@ -39,6 +41,7 @@ struct RetractionOptions {
   friend bool operator==(const RetractionOptions&, const RetractionOptions&) = default;
 };
 
+/// Options for the fan and for slower printing of short layers.
 struct CoolingOptions {
   bool enabled = true;                     ///< cooling
   bool fan_always_on = true;               ///< fan_always_on

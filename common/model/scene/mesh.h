@@ -9,6 +9,7 @@
 
 namespace slicefarm {
 
+/// File format of a mesh.
 enum class MeshFormat { kUnknown, kStl, kObj, kPly, k3mf };
 
 /// Unchanged content of a mesh file.
@@ -18,6 +19,7 @@ struct MeshFile {
   std::string bytes;
 };
 
+/// Point in space, in nanometres.
 struct Vertex {
   Coord x = 0;
   Coord y = 0;
@@ -66,6 +68,7 @@ struct MeshReport {
   friend bool operator==(const MeshReport&, const MeshReport&) = default;
 };
 
+/// File format of a picture.
 enum class PictureFormat : uint8_t { kPng, kQoi, kJpg };
 
 /// Size and format of a requested picture of the part.

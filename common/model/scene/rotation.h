@@ -5,6 +5,7 @@
 
 namespace slicefarm {
 
+/// Sine and cosine of an angle.
 struct SineCosine {
   double sine = 0;
   double cosine = 1;

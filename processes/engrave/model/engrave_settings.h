@@ -12,6 +12,7 @@
 
 namespace slicefarm {
 
+/// Surface normal along which points of the texture are displaced.
 enum class NormalKind : uint8_t {
   /// Normal of the face; on an edge the mean of both faces, at a vertex the mean of the faces
   /// around it.
@@ -28,6 +29,7 @@ enum class AxisLayout : uint8_t {
   kHeadBc,   ///< head that turns by B about Y, then by C about Z
 };
 
+/// Tool of the machine.
 enum class ToolKind : uint8_t {
   kBeam,      ///< beam that M3 switches on and M5 switches off
   kSpindle,   ///< spindle that turns all the time

@@ -103,6 +103,7 @@ struct MeltedSample {
   friend bool operator==(const MeltedSample&, const MeltedSample&) = default;
 };
 
+/// Vectors of one layer, as the exposure stage makes them.
 struct ExposedLayer {
   LayerFrame frame;
   /// Groups by object, and for each object in the order of scanning.

@@ -29,6 +29,7 @@ struct ExposureSummary {
   friend bool operator==(const ExposureSummary&, const ExposureSummary&) = default;
 };
 
+/// Texts around the layers of an exposure program.
 struct ExposureEnvelope {
   std::string header;
   /// Text before each layer's program. Empty if the format has no such text.

@@ -20,6 +20,7 @@ enum class ScanStrategy : uint8_t {
   kHatch,        ///< lines across the whole outline
 };
 
+/// Returns true if the strategy scans convex pieces by rings.
 constexpr bool IsRings(ScanStrategy strategy) {
   return strategy == ScanStrategy::kRings || strategy == ScanStrategy::kRingsInward;
 }
@@ -48,6 +49,7 @@ enum class ContourStart : uint8_t {
   kRear,       ///< corner farthest to the rear
 };
 
+/// Format of the output file.
 enum class OutputFormat : uint8_t {
   kCliAscii,   ///< Common Layer Interface 2.0, text
   kCliBinary,  ///< Common Layer Interface 2.0 with binary geometry

@@ -8,6 +8,7 @@
 
 namespace slicefarm {
 
+/// Phase of a milling job. The comments name the kind of step of each phase.
 enum class MillPhase : uint8_t {
   kRoughing,   ///< level that removes all stock above it, except the allowance
   kFinishing,  ///< level of toolpaths that touch the part

@@ -22,6 +22,7 @@ enum class EntryKind : uint8_t {
   kPlunge,  ///< vertical move
 };
 
+/// Coolant that the machine applies.
 enum class Coolant : uint8_t { kOff, kMist, kFlood };
 
 /// Controller that reads the program.
