@@ -10,7 +10,8 @@
 namespace slicefarm::config {
 namespace {
 
-/// What is done instead of a choice; empty: the choice itself.
+/// Returns the substitute for a choice that is not supported. Returns an empty text if the choice
+/// itself is supported.
 std::string_view InsteadOf(const SettingSpec& spec, std::string_view value) {
   const std::string_view item = Trim(value.substr(0, value.find_first_of(",;")));
   const auto choice = std::ranges::find(spec.choices, item, &Choice::name);

@@ -8,16 +8,17 @@
 
 namespace slicefarm::config {
 
-/// How much of a profile counts, key by key and whatever the values are. Keys that concern print
-/// hosts or resin are not among them.
+/// Number of keys in a profile that have an effect. A key's value is only considered for choices
+/// without full support. Keys of print hosts and of resin printing are not counted.
 struct Coverage {
   int32_t keys = 0;
-  int32_t effect = 0;   ///< has its effect, or describes the profile and is told as such
-  int32_t partial = 0;  ///< has an effect, but something else is done for the value that is given
+  int32_t effect = 0;   ///< keys that have their full effect, or that only describe the profile
+  int32_t partial = 0;  ///< keys with an effect, but with a substitute for the given value
   int32_t none = 0;
-  std::vector<std::string> without;  ///< `key: why`, of partial and none, sorted
+  std::vector<std::string> without;  ///< `key: why` for each partial or ineffective key, sorted
 };
 
+/// Returns how many keys of a profile have an effect. The last value of a repeated key counts.
 Coverage CoverageOf(std::span<const Setting> profile);
 
 }  // namespace slicefarm::config

@@ -7,22 +7,22 @@
 
 namespace slicefarm::config {
 
-/// Steps of which processes derive settings from others.
+/// Steps from which processes build the derivation of settings from other settings.
 
-/// The setting's value, a percentage taken of `whole`.
+/// Returns the setting's value, where a percentage refers to `whole`.
 double Absolute(const Value& value, double whole);
 
-/// Replaces a percentage by what it comes to of the setting it relates to, which must be an
-/// absolute number by now.
+/// Replaces a percentage by the absolute number. The setting to which the percentage refers must
+/// already be an absolute number.
 void TakePercentage(Draft& draft, std::string_view key);
 
-/// Replaces 0 by another setting's value.
+/// Replaces a value of 0 by the value of another setting.
 void FallBack(Draft& draft, std::string_view key, std::string_view to);
 
-/// Replaces what is less than another setting's value by that.
+/// Raises a value to the value of another setting if it is smaller.
 void RaiseTo(Draft& draft, std::string_view key, std::string_view least);
 
-/// Whether what percentages came to is in range. Errors: SETTING_OUT_OF_RANGE.
+/// Checks that the absolute numbers from percentages are in range. Errors: SETTING_OUT_OF_RANGE.
 absl::Status CheckPercentages(const Draft& draft);
 
 }  // namespace slicefarm::config

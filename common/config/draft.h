@@ -10,30 +10,31 @@
 
 namespace slicefarm::config {
 
-/// The values of all settings on their way from text to JobRows, in the order of
+/// Values of all settings during their conversion from text to JobRows, in the order of
 /// SettingsTable(process()).
 class Draft {
  public:
-  /// Every setting of the process at its standard.
+  /// Makes a draft with the default value of every setting of the process.
   explicit Draft(Process process);
 
   struct Entry {
-    std::optional<Value> value = {};  ///< none: `nil`
-    std::string written = {};         ///< as the user wrote it, for errors
-    std::string all = {};             ///< the list that it comes from
-    bool given = false;               ///< not the standard
-    bool requested = false;           ///< by a person, who names no more than they want
+    std::optional<Value> value = {};  ///< value; none: `nil`
+    std::string written = {};         ///< text that the user wrote, for errors
+    std::string all = {};             ///< list from which the value was taken
+    bool given = false;               ///< true if the value was given and is not just the default
+    /// True if a person chose this setting; a profile lists settings without such a choice.
+    bool requested = false;
   };
 
   Process process() const { return process_; }
   std::vector<Entry>& entries() { return entries_; }
   const std::vector<Entry>& entries() const { return entries_; }
 
-  /// REQUIRES: `key` stands in the table.
+  /// Returns the entry of a setting. REQUIRES: `key` is in the table.
   Entry& At(std::string_view key);
   const Entry& At(std::string_view key) const;
 
-  /// REQUIRES: the setting has a value.
+  /// Returns the number of a setting. REQUIRES: the setting has a value.
   double Number(std::string_view key) const;
   void SetNumber(std::string_view key, double number);
 

@@ -8,8 +8,9 @@
 
 namespace slicefarm::config {
 
-/// Returns PRINTER_MISSING (metadata `settings`: keys that are not set) unless the settings of a
-/// job name its machine: they set each of ProcessSettings::MachineKeys, to any value.
+/// Checks that the settings of a job name its machine: they set each of
+/// ProcessSettings::MachineKeys, to any value. Errors: PRINTER_MISSING (metadata `settings`: keys
+/// that are not set).
 absl::Status CheckMachineNamed(std::span<const Setting> given, Process process);
 
 }  // namespace slicefarm::config

@@ -10,17 +10,17 @@
 
 namespace slicefarm::config {
 
-/// A feature that a job asks for and slicefarm lacks, and without which the print is spoilt or the
-/// machine in danger. The job is refused unless it allows the feature to be missing.
+/// Feature that a job requires and slicefarm lacks, where the lack would spoil the print or
+/// endanger the machine. The job is refused unless it allows the feature to be missing.
 struct MissingFeature {
-  std::string feature;  ///< one of Allowances()
-  std::string text;     ///< for people: the warning of a job that allows it
+  std::string feature;  ///< name of the feature, one of Allowances()
+  std::string text;     ///< message for people: the warning of a job that allows the lack
   std::map<std::string, std::string> metadata = {};  ///< facts for the error, such as `objects`
 
   friend bool operator==(const MissingFeature&, const MissingFeature&) = default;
 };
 
-/// A feature that a job may do without when it says so (`--allow`, JobSpec.allow).
+/// Feature that may be missing if the job allows it (`--allow`, JobSpec.allow).
 struct Allowance {
   std::string_view name;
   std::string_view doc;  ///< consequence of the allowance, for people
@@ -31,15 +31,15 @@ inline constexpr std::string_view kSeveralTools = "several_tools";
 inline constexpr std::string_view kGcodeTemplates = "gcode_templates";
 inline constexpr std::string_view kIncompatibleProfiles = "incompatible_profiles";
 
-/// All features that a job may allow to be missing.
+/// Returns all features that a job may allow to be missing.
 std::span<const Allowance> Allowances();
 
-/// Returns REQUEST_MALFORMED for the first name that is none of Allowances(), with the name that
-/// comes nearest (metadata `field`: `allow`, `suggestion`).
+/// Checks that all names are in Allowances(). Errors: REQUEST_MALFORMED for the first unknown name,
+/// with the most similar name (metadata `field`: `allow`, `suggestion`).
 absl::Status CheckAllowed(std::span<const std::string> allowed);
 
-/// Returns NOT_SUPPORTED for the first feature that is missing and not allowed (metadata
-/// `feature`, `allow`, and its own).
+/// Checks that all missing features are allowed. Errors: NOT_SUPPORTED for the first feature that
+/// is not allowed (metadata `feature`, `allow`, and the feature's own).
 absl::Status CheckMissing(std::span<const MissingFeature> missing,
                           std::span<const std::string> allowed);
 

@@ -74,7 +74,7 @@ ResolvedPlate PlateOf(std::vector<Setting> job) {
 struct Case {
   const char* name;
   Setting setting;
-  const char* feature;  ///< empty: nothing is missing
+  const char* feature;  ///< expected feature; empty: none is missing
 };
 
 class PlateTest : public testing::TestWithParam<Case> {};
@@ -110,7 +110,7 @@ TEST(ResolvePlate, LeavesOutATemplateThatCannotBeExpanded) {
   EXPECT_EQ(FdmOf(plate.settings).machine.motion.layer_gcode.str(), "");
 }
 
-// A machine that is not homed, or stays hot, is a danger.
+// A machine that is not homed or that stays hot is dangerous.
 TEST(ResolvePlate, NeverLeavesOutStartAndEnd) {
   for (const char* key : {"start_gcode", "end_gcode"}) {
     const std::vector<Setting> job = {{key, "{no_such_name}", Source::kProfile}};

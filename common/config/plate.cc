@@ -34,7 +34,7 @@ absl::Status OfObject(const std::string& name, const absl::Status& status) {
                    std::move(detail.metadata));
 }
 
-/// REQUIRES: the process has the setting.
+/// Returns the scope of a setting. REQUIRES: the process has the setting.
 Scope ScopeOf(const Setting& setting, Process process) {
   return SettingsTable(process)[FindSetting(setting.key, process)].scope();
 }
@@ -46,14 +46,16 @@ absl::Status Misplaced(const Setting& setting, Process process, Scope place) {
                    {{"setting", setting.key}});
 }
 
-/// A range has a layer height of its own, besides what regions have.
+/// Returns true if the setting may be given at a level. A height range may have a layer height in
+/// addition to the settings of regions.
 bool MayBeGiven(const Setting& setting, Process process, Scope place, bool of_range) {
   if (FindSetting(setting.key, process) < 0) return true;  // Resolve says what it is
   if (of_range && setting.key == "layer_height") return true;
   return ScopeOf(setting, process) >= place;
 }
 
-/// Resolves settings of places inside a job, each set of settings once.
+/// Resolver of the settings of objects, parts and ranges of a job. It resolves each set of settings
+/// only once.
 class Resolver {
  public:
   Resolver(std::span<const Setting> job, Process process, const CancelToken& cancel,
@@ -82,7 +84,7 @@ class Resolver {
   const JobRows& job_rows() const { return job_rows_; }
   const ProcessSettings& process() const { return SettingsOf(process_); }
 
-  /// The job's settings with `own` over them.
+  /// Returns the job's settings overridden by `own`.
   absl::StatusOr<JobRows> With(const std::string& object, const Settings& own) {
     if (const auto known = known_.find(own); known != known_.end()) return known->second;
     if (absl::Status wanted = cancel_.Check(); !wanted.ok()) return wanted;
@@ -103,22 +105,22 @@ class Resolver {
     return resolved->settings;
   }
 
-  /// Tells, once, of what changes the print and is not made.
+  /// Reports, once, a request that changes the print and cannot be fulfilled.
   void Warn(const std::string& text) {
     if (!warned_.insert(text).second) return;
     plate_.no_effect.insert(plate_.no_effect.begin(), text);
     plate_.warnings.push_back(text);
   }
 
-  /// Tells, once, of what spoils the print; it is a warning as well.
+  /// Reports, once, a missing feature that spoils the print. The feature is also a warning.
   void TellMissing(MissingFeature feature) {
     if (std::ranges::find(plate_.missing, feature) != plate_.missing.end()) return;
     if (warned_.insert(feature.text).second) plate_.warnings.push_back(feature.text);
     plate_.missing.push_back(std::move(feature));
   }
 
-  /// Those of `settings` that the place may have. Others are errors if a person asked for them, and
-  /// reported if a file has them.
+  /// Returns the settings that are allowed at the given level. Other settings are errors if a
+  /// person requested them, and are reported if they are from a file.
   absl::StatusOr<Settings> Fitting(const std::string& object, const Settings& settings, Scope place,
                                    bool of_range = false) {
     Settings fitting;
@@ -145,7 +147,8 @@ class Resolver {
     }
   };
 
-  /// What needs a setting that the job lacks has its effect where a place gives that setting.
+  /// Removes the job's notes on unmet needs if an object meets the need. Example: a setting of the
+  /// job requires a raft, and only one object has a raft.
   void DropMetNeeds(const Settings& own, const std::vector<std::string>& notes_there) {
     std::erase_if(plate_.no_effect, [&](const std::string& note) {
       if (!of_job_.contains(note) || note.find(": needs ") == std::string::npos) return false;
@@ -156,7 +159,8 @@ class Resolver {
     });
   }
 
-  /// That an object's own value takes the place of the job's is what it is for.
+  /// Returns true if a note only reports that an object's own value overrides the value of the job,
+  /// which is intended.
   static bool IsOverride(const std::string& note, const Settings& own) {
     return std::ranges::any_of(own, [&](const Setting& setting) {
       return note.ends_with("overridden by a later " + setting.key);
@@ -168,16 +172,16 @@ class Resolver {
   const CancelToken& cancel_;
   ResolvedPlate& plate_;
   Growth growth_;
-  JobRows job_rows_;  ///< of the job's own settings
+  JobRows job_rows_;  ///< rows of the job's own settings
   std::set<std::string> told_, warned_;
   std::set<std::string> of_job_;  ///< notes on the job's own settings
-  std::map<Settings, JobRows, Less> known_;  ///< by own settings
+  std::map<Settings, JobRows, Less> known_;  ///< resolved rows per set of own settings
   ParsedTexts parsed_;
-  ResolvedBytes bytes_;  ///< of those that are known
+  ResolvedBytes bytes_;  ///< size of all sets in `known_`
 };
 
-/// The second over the first. What it takes the place of goes, so that equal settings are told to
-/// be equal however they came about.
+/// Returns both sets, where `second` overrides `first`. Overridden settings are removed, so that
+/// equal sets compare equal regardless of their origin.
 Settings Joined(Settings first, const Settings& second) {
   std::erase_if(first, [&](const Setting& setting) {
     return std::ranges::find(second, setting.key, &Setting::key) != second.end();
@@ -186,17 +190,17 @@ Settings Joined(Settings first, const Settings& second) {
   return first;
 }
 
-/// The rows of an object's parts, by settings: what modifiers start from.
+/// Settings of each row of an object's parts, to which modifiers are applied.
 using RowSettings = std::map<int32_t, Settings>;
 
-/// Resolves one object.
+/// Resolver of one object.
 class ObjectResolver {
  public:
   ObjectResolver(const SceneObject& object, Resolver& resolver, RegionRows& rows)
       : object_(object), resolver_(resolver), process_(resolver.process()), rows_of_job_(rows) {}
 
   struct Result {
-    ObjectInput input;  ///< without copies
+    ObjectInput input;  ///< input for slicing, without copies
     JobRows settings;
   };
 
@@ -265,8 +269,8 @@ class ObjectResolver {
     return absl::OkStatus();
   }
 
-  /// What the modifier makes of each row there is so far, among them those that earlier modifiers
-  /// have made.
+  /// Adds the rows that the modifier makes from each existing row. The existing rows include rows
+  /// made by earlier modifiers.
   absl::Status AddChanges(const Settings& own, PartInput& modifier) {
     RowSettings made;
     for (const auto& [row, settings] : rows_) {
@@ -295,7 +299,7 @@ class ObjectResolver {
   RowSettings rows_;
 };
 
-/// Settings of objects, for people and for the cache's key.
+/// Returns the settings of an object as JSON, for people and for the cache's key.
 nlohmann::ordered_json ToJson(const Settings& settings) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   for (const Setting& setting : settings) json[setting.key] = setting.value;
@@ -326,7 +330,7 @@ std::string ObjectsText(std::span<const SceneObject> objects) {
          all.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-/// Copies grow where they stand, and upwards from the bed.
+/// Scales copies in place: the position in x and y stays, and z grows from the bed.
 void Grow(const Growth& growth, std::vector<Instance>& copies) {
   for (Instance& copy : copies) {
     copy.to_plate.topRows<2>().leftCols<3>() *= growth.xy;
@@ -334,7 +338,8 @@ void Grow(const Growth& growth, std::vector<Instance>& copies) {
   }
 }
 
-/// Adds the object, or its copies to an equal one.
+/// Adds the object to the plate. If the plate has an equal object, only the copies are added to
+/// that object.
 void Add(ObjectResolver::Result object, const ProcessSettings& process, ResolvedPlate& plate) {
   JobSettings& settings = plate.settings;
   for (size_t i = 0; i < plate.objects.size(); ++i) {
@@ -389,7 +394,7 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
                      "no object has a printable copy");
   if (absl::Status ok = own.FinishPlate(resolver.job_rows(), *rows, plate.settings); !ok.ok()) return ok;
   plate.region_rows = rows->size();
-  // That of jobs from before there were processes: its text says nothing of it.
+  // Texts of the default process contain no process, because such texts are older than processes.
   if (process != kDefaultProcess)
     plate.effective_text += fmt::format("process = {}\n", ProcessName(process));
   plate.effective_text += ObjectsText(objects);

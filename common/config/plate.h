@@ -14,33 +14,38 @@
 
 namespace slicefarm::config {
 
-/// A plate of objects with all settings resolved: what a job works with.
+/// Input of a job: a plate of objects with all settings resolved.
 struct ResolvedPlate {
   JobSettings settings;
   std::vector<ObjectInput> objects;
-  int64_t region_rows = 0;  ///< different sets of settings of regions
-  /// ResolvedSettings::effective_text, and where objects have settings of their own a line
-  /// `object_settings = ` with them as JSON.
+  int64_t region_rows = 0;  ///< number of different sets of region settings
+  /// Text of ResolvedSettings::effective_text. If objects have settings of their own, a line
+  /// `object_settings = ` follows with these settings as JSON.
   std::string effective_text;
-  /// See ResolvedSettings; those of an object begin with its name.
+  /// Notes as in ResolvedSettings. Notes on an object begin with the object's name.
   std::vector<std::string> no_effect;
   int64_t beside_print = 0;
   std::vector<std::string> warnings;
-  /// What makes the job one to be refused (CheckMissing); `warnings` has each text as well.
+  /// Missing features for which the job is refused unless it allows them (CheckMissing). `warnings`
+  /// contains their texts as well.
   std::vector<MissingFeature> missing;
 };
 
-/// Settings of the job, of objects, parts, modifiers and ranges of heights to tables, and objects
-/// to what slicing is given. Each narrower place wins over the wider ones: job, object, part,
-/// range; modifiers change what they lie in, one after the other (PrusaSlicer's order). Copies that
-/// are turned or scaled differently become objects of their own; equal objects become copies of
-/// one.
+/// Resolves the settings of job, objects, parts, modifiers and height ranges into tables, and
+/// converts the objects to the input of slicing. Settings of a narrower level override wider
+/// levels, in the order job, object, part, range. Modifiers then change the volumes inside them,
+/// one after the other (the order of PrusaSlicer). Copies with different rotation or scale become
+/// separate objects; equal objects become copies of one object.
 ///
-/// Errors: those of Resolve, with the object's name in front; SETTING_MISPLACED for a kRequest key
-/// that the place cannot have (metadata `object`, `setting`); REQUEST_TOO_LARGE for more than
-/// limits::kMaxRegionSettings different sets of settings, or for sets that take too much room
-/// (CheckResolvedBytes, before any is resolved); REQUEST_MALFORMED for ranges that are
-/// none, NOTHING_TO_PRINT if no copy is printable; `cancel`'s, asked before each set.
+/// Errors:
+/// - the errors of Resolve, with the object's name in front;
+/// - SETTING_MISPLACED for a kRequest key that is not allowed at its level (metadata `object`,
+///   `setting`);
+/// - REQUEST_TOO_LARGE for more than limits::kMaxRegionSettings different sets of settings, or for
+///   sets that are too large (CheckResolvedBytes, before any set is resolved);
+/// - REQUEST_MALFORMED for invalid ranges;
+/// - NOTHING_TO_PRINT if no copy is printable;
+/// - the error of `cancel`, which is checked before each set.
 absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> job,
                                            std::span<const SceneObject> objects, Process process,
                                            const CancelToken& cancel = {});

@@ -75,7 +75,7 @@ TEST(ResolvePlate, PartsAreLargerByWhatTheirFilamentShrinks) {
   EXPECT_EQ(grown.objects[0].copies, PlateOrDie({}, {object}).objects[0].copies) << "moved";
   EXPECT_THAT(grown.effective_text, HasSubstr("filament_shrinkage_compensation_xy = 1%"));
 
-  // Of the tool in use, whatever the way the object is turned.
+  // The factor is the factor of the tool in use, also for a rotated object.
   object.settings = Settings({{"extruder", "2"}});
   object.instances = {StandingAt(20, 30, 90)};
   const ResolvedPlate second = PlateOrDie(shrinking, {object});
@@ -122,7 +122,7 @@ TEST(ResolvePlate, ANeedThatAnObjectMeetsIsMet) {
   const std::vector<SceneObject> without = {plain}, with = {plain, raft};
   EXPECT_EQ(ResolvePlate(job, without, Process::kFdm)->no_effect.size(), 1u);
   EXPECT_TRUE(ResolvePlate(job, with, Process::kFdm)->no_effect.empty());
-  // One that replaces the value says nothing about the job's.
+  // An object that overrides the value does not use the value of the job.
   raft.settings.push_back({"raft_expansion", "5"});
   const std::vector<SceneObject> replaced = {plain, raft};
   EXPECT_EQ(ResolvePlate(job, replaced, Process::kFdm)->no_effect.size(), 1u);
@@ -308,7 +308,8 @@ TEST(ResolvePlate, ASettingOfTheObjectIsMisplacedInAPart) {
   EXPECT_EQ(DetailOf(PlateRefusal({}, {object})).reason, Reason::kSettingMisplaced);
 }
 
-// Project files carry what their program wrote; that is told, and no reason to refuse the job.
+// Project files contain misplaced settings of their program. Such a setting is reported, and the
+// job is not refused.
 TEST(ResolvePlate, AMisplacedSettingOfAFileIsTold) {
   SceneObject object = ObjectNamed("box");
   object.settings = Settings({{"temperature", "200"}}, Source::kProfile);
@@ -347,7 +348,7 @@ TEST(ResolvePlate, TooManySetsOfSettings) {
   EXPECT_TRUE(ResolvePlate({}, objects, Process::kFdm).ok());
 }
 
-// The text is the cache's key and the G-code's last lines: settings of objects are part of it.
+// The text is the cache's key and the end of the G-code, so it contains the settings of objects.
 TEST(ResolvePlate, TheTextSaysWhatObjectsHave) {
   SceneObject object = ObjectNamed("box", {{"fill_density", "20%"}});
   object.ranges.push_back({5, 10, Settings({{"perimeters", "4"}})});
@@ -357,7 +358,8 @@ TEST(ResolvePlate, TheTextSaysWhatObjectsHave) {
   EXPECT_THAT(text, HasSubstr(R"("perimeters":"4")"));
 }
 
-// Regions whose walls are alike are of one class: walls go round both together.
+// Regions with the same wall settings have the same wall class: walls go around all of them
+// together.
 TEST(ResolvePlate, RegionsThatDifferInFillingShareWalls) {
   SceneObject object = ObjectNamed("box");
   object.parts.push_back(PartOf(1, PartRole::kModifier, {{"fill_density", "60%"}}));

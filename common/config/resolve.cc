@@ -26,8 +26,9 @@ absl::Status CheckLimits(std::span<const Setting> given) {
   return status;
 }
 
-/// Which of `given` a later one of the same key replaces: what they say need not hold. A profile's
-/// empty value replaces nothing, as it may be no value at all.
+/// Returns a flag for each setting that a later one with the same key replaces. The value of a
+/// replaced setting may be invalid. An empty value in a profile replaces nothing, because it may
+/// not be a value at all.
 std::vector<bool> Replaced(std::span<const Setting> given) {
   std::vector<bool> replaced(given.size());
   std::set<std::string_view> later;
@@ -51,7 +52,7 @@ absl::Status ReadAll(std::span<const Setting> given, SettingReader& reader) {
   return absl::OkStatus();
 }
 
-/// Gives each value its place.
+/// Stores each value in its row.
 void PutInto(JobRows& settings, const Draft& draft) {
   const auto table = SettingsTable(draft.process());
   for (size_t i = 0; i < table.size(); ++i)
@@ -90,8 +91,8 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
 
 namespace {
 
-/// Few jobs have fields, angles by layer, heights by z, excluded areas, or G-code at heights or of
-/// the filament: those that have none do not say so.
+/// Returns true if the setting is left out of the effective text when it is empty. Few jobs have
+/// fields, angles by layer, heights by z, excluded areas, or G-code at heights or of the filament.
 bool IsRare(const SettingSpec& spec) {
   return spec.kind == Kind::kDensityField || spec.kind == Kind::kStressField ||
          spec.kind == Kind::kMaterialField || spec.kind == Kind::kAngles ||

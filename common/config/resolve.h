@@ -17,42 +17,47 @@ using slicefarm::Source;
 
 class ParsedTexts;
 
-/// What parts are multiplied by, as their filament shrinks.
+/// Factors by which parts are scaled, because their filament shrinks.
 struct Growth {
   double xy = 1;
   double z = 1;
 };
 
+/// Result of Resolve: the settings, their text, and notes for the report.
 struct ResolvedSettings {
   JobRows settings;
   Growth growth;
-  /// EffectiveText(settings, what was given besides). Resolve of its lines gives `settings` and the
-  /// same text back.
+  /// Text of EffectiveText(settings, told settings). Resolve of its lines gives the same `settings`
+  /// and the same text.
   std::string effective_text;
-  /// Settings that were given and have no effect, or not the full one: `key = value: why`.
+  /// Given settings without effect or without full effect, as `key = value: why`.
   std::vector<std::string> no_effect;
-  int64_t beside_print = 0;  ///< of no_effect: those that cannot matter to a print like this one
-  /// Those of them that change what is printed, and other things worth a look.
+  /// Number of entries of no_effect that do not matter to a print like this one.
+  int64_t beside_print = 0;
+  /// Entries of no_effect that change the print, and other warnings.
   std::vector<std::string> warnings;
   std::vector<MissingFeature> missing;
 };
 
-/// Settings as text to settings as a job needs them: complete, in range, percentages worked out.
-/// Later settings win, whatever the earlier ones say; what none gives has the standard of
-/// settings_table.h.
+/// Converts settings from text to the settings of a job: complete, in range, and with percentages
+/// resolved. Later settings override earlier ones, even if the earlier ones are invalid. Settings
+/// that are not given have the default of settings_table.h.
 ///
-/// Errors: REQUEST_TOO_LARGE past the limits, for what the layers' G-code names too;
-/// SETTING_UNKNOWN for a kRequest key that neither slicefarm nor PrusaSlicer knows (metadata
-/// `setting` and, where one comes near, `suggestion`); SETTING_OF_OTHER_PROCESS for a kRequest key
-/// of another process (metadata `setting`, `process`); SETTING_MALFORMED; SETTING_OUT_OF_RANGE
-/// (metadata `setting`, `value`, `min`, `max`), also where settings do not fit each other.
+/// Errors:
+/// - REQUEST_TOO_LARGE beyond the limits, also for the settings that the G-code of layers names;
+/// - SETTING_UNKNOWN for a kRequest key that neither slicefarm nor PrusaSlicer has (metadata
+///   `setting` and, if there is a similar name, `suggestion`);
+/// - SETTING_OF_OTHER_PROCESS for a kRequest key of another process (metadata `setting`, `process`);
+/// - SETTING_MALFORMED;
+/// - SETTING_OUT_OF_RANGE (metadata `setting`, `value`, `min`, `max`), also for inconsistent
+///   settings.
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process);
-/// The same of one of many sets that have long texts in common.
+/// Resolves one of many sets that share long texts. `parsed` stores the parsed texts.
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process,
                                          ParsedTexts& parsed);
 
-/// All settings that have an effect on the job's process, and those that are told, as `key = value`
-/// lines, sorted by key: equal texts for equal settings, and the other way round.
+/// Returns the settings that have an effect on the job's process, and the told settings, as `key =
+/// value` lines sorted by key. Two texts are equal if and only if the settings are equal.
 std::string EffectiveText(const JobRows& settings, const ToldSettings& told = {});
 
 }  // namespace slicefarm::config

@@ -29,7 +29,7 @@
 namespace slicefarm::config::resolve_test {
 namespace {
 
-/// A plate with one region.
+/// Returns the settings of a plate with one region.
 FdmSettings OneRegion(const JobRows& rows) {
   const FdmRows& fdm = FdmOf(rows);
   return {fdm.machine, {fdm.object}, {fdm.region}, {fdm.tool}};
@@ -86,7 +86,7 @@ TEST(Resolve, GivesPrusaSlicersStandardsForNothing) {
   EXPECT_EQ(FdmOf(s).tool.temperature_c, 200);
 }
 
-// The file that the benchmarks run with, value by value.
+// The profile of the benchmarks is read correctly, value by value.
 TEST(Resolve, ReadsThePeersProfile) {
   const auto given = ReadIni(ReadCorpus("peers.ini"));
   ASSERT_TRUE(given.ok()) << given.status();
@@ -119,8 +119,9 @@ TEST(Resolve, ReadsThePeersProfile) {
   EXPECT_EQ(m.limits.max_acceleration_travel_mm_s2, 3000);
   EXPECT_EQ(m.limits.max_acceleration_retracting_mm_s2, 1500);
   EXPECT_FALSE(m.limits.emit_to_gcode);
-  // By Feature: walls 40 60, overhangs 40, gaps 40, infill 80 80 40, bridges 40, skirt, support
-  // and its interface 60, ironing 15, over bridges as solid infill.
+  // Values by Feature: walls 40 60, overhangs 40, gaps 40, infill 80 80 40, bridges 40, skirt,
+  // support and its interface 60, ironing 15. Solid infill over bridges has 0: it has the speed of
+  // other solid infill.
   EXPECT_THAT(m.speeds[0].speed_mm_s,
               ElementsAre(40, 60, 40, 40, 80, 80, 40, 40, 60, 60, 60, 15, 0));
   EXPECT_EQ(m.speeds[0].small_perimeter_speed_mm_s, 40);
@@ -149,7 +150,7 @@ TEST(Resolve, ReadsThePeersProfile) {
   EXPECT_THAT(resolved.no_effect, IsEmpty());
 }
 
-// Everything PrusaSlicer 2.5 writes when it saves its own defaults.
+// The profile has everything that PrusaSlicer 2.5 writes when it saves its own defaults.
 TEST(Resolve, TakesAWholeProfile) {
   const auto given = ReadIni(ReadCorpus("prusaslicer_defaults.ini"));
   ASSERT_TRUE(given.ok()) << given.status();
@@ -158,11 +159,10 @@ TEST(Resolve, TakesAWholeProfile) {
   EXPECT_THAT(resolved.no_effect, Not(Contains(HasSubstr(": unknown"))));
   EXPECT_THAT(resolved.no_effect, Contains(HasSubstr("clip_multipart_objects = 1")));
   EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("gcode_flavor = reprap")));
-  // Which are those that a user should look at.
+  // The entries that a user should read.
   EXPECT_EQ(std::ssize(resolved.no_effect) - resolved.beside_print, 2);
 
-  // Where the standards differ from PrusaSlicer's, it is for a reason given in the table's
-  // documentation.
+  // Defaults differ from PrusaSlicer's only for a reason given in the table's documentation.
   JobRows ours = Job({});
   FdmOf(ours).tool.filament_density_g_cm3 = 0;
   FdmOf(ours).machine.plan.skirt.loops = 1;
@@ -341,7 +341,7 @@ TEST(Resolve, LetsLaterSettingsWin) {
   EXPECT_EQ(FdmOf(Job({{"perimeters", "2"}, {"perimeters", "4"}})).region.walls.perimeters, 4);
 }
 
-// A remedy that an error names, or another profile, must get through.
+// A correction that an error suggests, or another profile, must be accepted.
 TEST(Resolve, LooksAtNoValueThatALaterOneReplaces) {
   const Source kSources[] = {Source::kProfile, Source::kRequest};
   for (const Source last : kSources) {
@@ -368,13 +368,13 @@ TEST(Resolve, LetsNoEmptyValueOfAProfileReplaceANumber) {
   EXPECT_EQ(FdmOf(resolved.settings).region.walls.perimeters, 4);
 }
 
-// PrusaSlicer proposes values up to 35 % and takes larger ones; projects have 60 % and 100 %.
+// PrusaSlicer suggests values up to 35 % but accepts larger ones; projects have 60 % and 100 %.
 TEST(Resolve, TakesTreesThatCoverAllOfWhatTheyCarry) {
   const JobRows s = Job({{"support_tree_top_rate", "100%"}});
   EXPECT_DOUBLE_EQ(FdmOf(s).object.support.tree.top_rate, 1);
 }
 
-// The text is the settings: it resolves to them, and to itself.
+// Resolving the text gives the same settings and the same text.
 TEST(Resolve, ReadsItsOwnEffectiveText) {
   const std::vector<Pairs> kCases = {
       {},
@@ -452,7 +452,7 @@ TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
     const ResolvedSettings resolved = ResolveOrDie(Settings({{key, value}}, Source::kProfile));
     EXPECT_THAT(resolved.no_effect, ElementsAre(HasSubstr(key + " = " + value))) << key;
     EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr(key + " = " + value))) << key;
-    // Whoever asks for it by name gets it, or an error.
+    // A request for a named value is either fulfilled or an error.
     const ErrorDetail detail = DetailOf(Refusal({{key, value}}));
     EXPECT_EQ(detail.reason, Reason::kNotSupported) << key;
     EXPECT_EQ(detail.metadata.at("feature"), key);
@@ -516,7 +516,7 @@ TEST(Resolve, SkirtBrimAndRaftTakeWidthsAndHeightsOfOtherSettings) {
   EXPECT_TRUE(FdmOf(settings).machine.motion.room.empty());
 }
 
-// Unlike PrusaSlicer's, whose standard is one skirt.
+// PrusaSlicer differs: its default is one skirt.
 TEST(Resolve, NothingIsAddedToThePlateUnasked) {
   const FdmRows rows = FdmOf(ResolveOrDie({}).settings);
   EXPECT_EQ(rows.machine.plan.skirt.loops, 0);
@@ -636,13 +636,14 @@ TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
       FdmOf(given.settings).region.motion.speed_mm_s[static_cast<size_t>(Feature::kIroning)],
       22);
   EXPECT_THAT(given.no_effect, IsEmpty());
-  // What is read back from the effective text is the same.
+  // Reading the effective text gives the same values.
   EXPECT_THAT(given.effective_text, HasSubstr("\nfill_angle_template = 0,45,+30\n"));
   EXPECT_THAT(ResolveOrDie(Settings({{"fill_pattern", "auto"}})).effective_text,
               HasSubstr("\nfill_pattern = auto\n"));
 }
 
-// What lies over bridges is told apart where it has a speed of its own, and takes two layers below.
+// Solid infill over bridges is a separate feature if it has a speed of its own. It then depends on
+// two layers below.
 TEST(Resolve, ReadsTheSpeedOverBridges) {
   constexpr auto kFeature = static_cast<size_t>(Feature::kSolidOverBridge);
   const std::vector<Setting> flat = Settings({{"bottom_solid_layers", "1"},

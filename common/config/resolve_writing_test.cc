@@ -68,7 +68,7 @@ TEST(ResolveWriting, RefusesWhatNoFirmwareReads) {
   };
   for (const Case& c : cases)
     EXPECT_EQ(DetailOf(Refusal(c.given)).metadata.at("setting"), c.setting) << c.setting;
-  // Nobody runs it.
+  // No code runs this template.
   EXPECT_TRUE(Resolve(Settings({{"pause_print_gcode", "{oops}"}}), Process::kFdm).ok());
 }
 

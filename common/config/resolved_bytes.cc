@@ -12,16 +12,16 @@
 namespace slicefarm::config {
 namespace {
 
-/// Of a resolved set beside its texts, about: the structs of all stages.
+/// Approximate size of a resolved set without its texts: the structs of all stages.
 constexpr int64_t kBytesOfASet = 4096;
 
-/// A text that is shared is still looked at for each set, which takes a sixteenth of the time of
-/// reading it.
+/// Divisor for the size of a shared text. Each set still scans the text, which takes a sixteenth of
+/// the time of parsing it.
 constexpr int64_t kPassedOver = 16;
 
-/// The settings of a place, as a name and a length.
+/// Settings of an object, part or range, as a digest and a size.
 struct Own {
-  std::string digest;  ///< empty: there are none
+  std::string digest;  ///< SHA-256 of the settings; empty: no settings
   int64_t bytes = 0;
 };
 

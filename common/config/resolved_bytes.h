@@ -10,12 +10,13 @@
 
 namespace slicefarm::config {
 
-/// What settings take once they are resolved, by the length of their texts: each place that has
-/// settings of its own has all of the job's as well. Of the job's long texts, which all places
-/// share, each is counted for a part of its length: they are only passed over.
+/// Size of settings after resolution, estimated from the length of their texts. Each object, part
+/// or range with settings of its own also has all settings of the job. Long texts of the job are
+/// shared by all of them, so only a fraction of their length counts: they are scanned but not
+/// parsed again.
 class ResolvedBytes {
  public:
-  /// One more set of settings. Errors: REQUEST_TOO_LARGE if all of them take more than
+  /// Adds one more set of settings. Errors: REQUEST_TOO_LARGE if all sets together exceed
   /// limits::kMaxResolvedBytes.
   absl::Status Add(int64_t bytes);
 
@@ -23,15 +24,15 @@ class ResolvedBytes {
   int64_t bytes_ = 0;
 };
 
-/// Keys and values.
+/// Returns the length of all keys and values.
 int64_t BytesOf(std::span<const Setting> settings);
-/// What the job's settings add to a set.
+/// Returns the size that the job's settings add to each set.
 int64_t BytesOfJob(std::span<const Setting> settings);
 
-/// Whether the settings of all objects, parts and ranges of heights can be resolved, before any is:
-/// counts each different set once, but for what modifiers make of the rows that they lie in.
-/// Errors: those of ResolvedBytes::Add. Cost: O(n) for n bytes of settings, and one look-up for
-/// each part in each range.
+/// Checks that the settings of all objects, parts and height ranges are small enough, before any
+/// set is resolved. Each different set counts once. Rows that modifiers make are not counted.
+/// Errors: the errors of ResolvedBytes::Add. Cost: O(n) for n bytes of settings, and one look-up
+/// for each part in each range.
 absl::Status CheckResolvedBytes(std::span<const Setting> job, std::span<const SceneObject> objects);
 
 }  // namespace slicefarm::config

@@ -13,7 +13,7 @@
 namespace slicefarm::config::resolved_bytes_test {
 namespace {
 
-/// A job of which each set of settings has half a megabyte, which all of them share.
+/// Returns the settings of a job with half a megabyte in each set, which all sets share.
 std::vector<Setting> LongJob() { return {{"notes", std::string(500'000, 'x')}}; }
 
 SceneObject ObjectWith(int ranges, int parts) {
@@ -56,7 +56,8 @@ TEST(CheckResolvedBytes, RefusesWhatWouldTakeTooMuch) {
       << "it goes on counting";
 }
 
-// Modifiers make rows of rows: two to the power of how many there are.
+// Modifiers make rows from the rows of other modifiers: two to the power of the number of
+// modifiers.
 TEST(CheckResolvedBytes, WhatModifiersMakeIsCountedWhenItIsMade) {
   const std::string field =
       R"({"kind":"constant",)" + std::string(400'000, ' ') + R"("density":0.3})";
@@ -71,7 +72,7 @@ TEST(CheckResolvedBytes, WhatModifiersMakeIsCountedWhenItIsMade) {
             Reason::kRequestTooLarge);
 }
 
-// Each has a row of its own, and all have the job's one field.
+// Each modifier has a row of its own, and all rows share the job's one field.
 TEST(CheckResolvedBytes, ManyModifiersShareALongFieldOfTheJob) {
   const std::string field =
       R"({"kind":"constant",)" + std::string(700'000, ' ') + R"("density":0.3})";

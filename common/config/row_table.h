@@ -10,12 +10,12 @@
 
 namespace slicefarm::config {
 
-/// Different rows of settings: equal ones share a number.
+/// Table of different rows of settings. Equal rows share a number.
 template <typename Row>
 class RowTable {
  public:
-  /// Returns the number of an equal row, or of a new one. Cost: O(rows). Errors: REQUEST_TOO_LARGE
-  /// past limits::kMaxRegionSettings.
+  /// Returns the number of the row, which is added if it is new. Cost: O(rows). Errors:
+  /// REQUEST_TOO_LARGE beyond limits::kMaxRegionSettings.
   absl::StatusOr<int32_t> Add(const Row& row) {
     const auto found = std::ranges::find(rows_, row);
     if (found != rows_.end()) return static_cast<int32_t>(found - rows_.begin());

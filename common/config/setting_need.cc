@@ -8,7 +8,7 @@
 namespace slicefarm::config {
 namespace {
 
-/// Whether somebody wants it, rather than a profile listing it.
+/// Returns true if a person wants the setting. False if a profile merely lists it.
 bool IsWanted(const Need& need, const Draft& draft, std::string_view key) {
   const Draft::Entry& entry = draft.At(key);
   if (!entry.given || !entry.value.has_value()) return false;

@@ -10,20 +10,21 @@
 
 namespace slicefarm::config {
 
-/// Settings that do nothing unless others are so.
+/// Settings that have no effect unless another setting has a certain value.
 struct Need {
-  std::string_view keys;  ///< by spaces
-  std::string_view what;  ///< for people: "wipe = 1"
+  std::string_view keys;  ///< names of the settings, separated by spaces
+  std::string_view what;  ///< requirement for messages: "wipe = 1"
   bool (*met)(const JobRows&) = nullptr;
   bool (*met_by)(const Draft&) =
-      nullptr;  ///< in its place, for flags that are no option of a stage
-  /// Their standards follow others, so a profile that holds the numbers asks for nothing.
+      nullptr;  ///< replacement for `met`, for flags that are not options of a stage
+  /// True if the defaults of the settings depend on other settings. Then a number in a profile does
+  /// not count as a request.
   bool only_requested = false;
 };
 
-/// The settings that were given and have no effect because another setting switches off what they
-/// are about, as `key = value: needs ...`. A profile gives every setting there is, so of a profile
-/// only those count that differ from their standard.
+/// Returns the given settings that have no effect because another setting disables them, as `key =
+/// value: needs ...`. A profile lists every setting, so settings of a profile count only if they
+/// differ from their default.
 std::vector<std::string> UnmetNeeds(std::span<const Need> needs, const Draft& draft,
                                     const JobRows& settings);
 

@@ -8,7 +8,7 @@
 
 namespace slicefarm::config {
 
-using Pairs = std::vector<std::pair<std::string, std::string>>;  ///< key, value
+using Pairs = std::vector<std::pair<std::string, std::string>>;  ///< pairs of key and value
 
 inline std::vector<Setting> Settings(const Pairs& pairs, Source source = Source::kRequest) {
   std::vector<Setting> settings;

@@ -17,13 +17,14 @@
 namespace slicefarm::config {
 namespace {
 
-/// A value as a report quotes it: start G-codes and ramming tables are long.
+/// Returns a value in short form for a report, because start G-codes and ramming tables are long.
 std::string Quoted(std::string_view key, std::string_view value) {
   constexpr size_t kMax = 40;
   return fmt::format("{} = {}{}", key, value.substr(0, kMax), value.size() > kMax ? "..." : "");
 }
 
-/// Of a list with an item for each extruder, that of `tool`; other values as they are.
+/// Returns the item of `tool` in a list that has one item per extruder. Other values are returned
+/// unchanged.
 std::string ItemOf(const SettingSpec& spec, std::string_view value, size_t tool) {
   if (spec.list != List::kPerExtruder) return std::string(value);
   if (spec.kind == Kind::kText || spec.kind == Kind::kGcode)
@@ -32,7 +33,8 @@ std::string ItemOf(const SettingSpec& spec, std::string_view value, size_t tool)
   return std::string(Trim(items[tool < items.size() ? tool : 0]));
 }
 
-/// The process that has the setting; empty: the job's own, or none.
+/// Returns the name of the other process that has the setting. Returns an empty text if the job's
+/// own process has it, or none.
 std::string_view OwnerOf(std::string_view key, Process process) {
   for (const ProcessInfo& info : kProcesses)
     if (info.process != process && FindSetting(key, info.process) >= 0) return info.name;
@@ -48,14 +50,15 @@ absl::Status OfOtherProcess(const std::string& key, std::string_view owner, Proc
                    {{"setting", key}, {"process", std::string(owner)}});
 }
 
-/// A person who asks for what changes the print should not get another one.
+/// Returns the error for a requested setting that would change the print and is not supported. A
+/// person who requests it must not get a different print.
 absl::Status NotMade(const std::string& key, std::string_view value, const KnownKey& known) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNotSupported,
                    fmt::format("{}: {}", Quoted(key, value), known.why),
                    {{"feature", key}, {"setting", key}, {"value", std::string(value)}});
 }
 
-/// The setting that OrcaSlicer and Bambu Studio call `key`; empty: none.
+/// Returns the setting that OrcaSlicer and Bambu Studio call `key`, or an empty text.
 std::string FromOrcaName(std::string_view key, Process process) {
   const auto rows = OrcaRows();
   const auto row = std::ranges::find(rows, key, &OrcaRow::from);
@@ -89,7 +92,7 @@ std::string_view NumberAtFront(std::string_view value) {
   return Trim(value.substr(0, end));
 }
 
-/// A corner without "x" is its number, and 0.
+/// Completes corners without "x": the second number is 0.
 std::string WithAllCorners(std::string_view value) {
   std::string corners;
   for (const std::string_view corner : Split(value, ",")) {
@@ -100,7 +103,7 @@ std::string WithAllCorners(std::string_view value) {
   return corners;
 }
 
-/// The choice of `spec` that `value` names, if something else is done instead.
+/// Returns the choice named `value` if the choice has a substitute, otherwise null.
 const Choice* StandIn(const SettingSpec& spec, std::string_view value) {
   for (const Choice& choice : spec.choices) {
     if (choice.name == value && !choice.note.empty()) return &choice;
@@ -108,7 +111,8 @@ const Choice* StandIn(const SettingSpec& spec, std::string_view value) {
   return nullptr;
 }
 
-/// Pictures of the same sizes are made, those of other formats as PNG.
+/// Returns true if a picture is requested in an unsupported format. Such pictures are made as PNG
+/// in the same size.
 bool WantsOtherFormat(const SettingSpec& spec, std::string_view value) {
   return spec.kind == Kind::kSizes && !OnlyOurFormats(value);
 }
@@ -157,7 +161,7 @@ absl::Status SettingReader::Read(const Setting& setting) {
   return absl::OkStatus();
 }
 
-/// Says what has no effect, once all settings are read.
+/// Reports the settings without effect, after all settings are read.
 Draft SettingReader::Finish(ResolvedSettings& result) {
   const auto table = SettingsTable(process_);
   for (size_t i = 0; i < table.size(); ++i) {
@@ -175,7 +179,7 @@ Draft SettingReader::Finish(ResolvedSettings& result) {
   return std::move(draft_);
 }
 
-/// What was read and no stage works with.
+/// Returns the settings that no stage uses.
 ToldSettings SettingReader::Told() const {
   ToldSettings told;
   for (const auto& [key, other] : others_) Tell(key, other.second, told);
@@ -208,8 +212,8 @@ absl::Status SettingReader::ReadEffective(const SettingSpec& spec, Draft::Entry&
   return absl::OkStatus();
 }
 
-/// What a vendor's file writes after a number, a comment or a percent sign where there is
-/// nothing that it relates to, PrusaSlicer leaves out.
+/// Removes text after a number that vendors' files contain, such as a comment or a percent sign
+/// without a base. PrusaSlicer ignores such text, too.
 std::string SettingReader::Readable(const SettingSpec& spec, const std::string& value) {
   const bool has_corners = spec.kind == Kind::kBedShape || spec.kind == Kind::kAreas ||
                            spec.kind == Kind::kPoint;
@@ -221,8 +225,8 @@ std::string SettingReader::Readable(const SettingSpec& spec, const std::string& 
   return read;
 }
 
-/// Within one source, a key that comes twice is likely a mistake; a request over a profile is
-/// not.
+/// Notes a key that occurs twice in the same source, which is probably a mistake. A request that
+/// overrides a profile is not noted.
 void SettingReader::NoteOverridden(const Setting& setting, std::string_view value) {
   const auto [entry, first] = last_.try_emplace({setting.source, setting.key}, value);
   std::string& last = entry->second;
@@ -249,13 +253,14 @@ void SettingReader::NoteEffective(const SettingSpec& spec, const Draft::Entry& e
   if (spec.kind == Kind::kPercent && !value.ends_with("%")) NoteMissingPercent(spec, value);
 }
 
-/// Returns true if the second values of the machine's limits count.
+/// Returns true if the second values of the machine's limits are used.
 bool SettingReader::HasSilentMode() const {
   constexpr std::string_view kKey = "silent_mode";
   return FindSetting(kKey, draft_.process()) >= 0 && draft_.Number(kKey) != 0;
 }
 
-/// Of lists one item counts: the tool's, or that of the machine's normal mode.
+/// Notes the items of a list that have no effect. Only one item counts: the item of the tool, or of
+/// the machine's normal mode.
 void SettingReader::NoteOtherItems(const SettingSpec& spec, const Draft::Entry& entry) {
   const std::string_view separator =
       spec.kind == Kind::kText || spec.kind == Kind::kGcode ? ";" : ",";
@@ -271,8 +276,8 @@ void SettingReader::NoteOtherItems(const SettingSpec& spec, const Draft::Entry& 
                                            ? "the first value"
                                            : fmt::format("that of extruder {}", tool_ + 1),
                                        entry.written);
-  // A profile has values for all extruders, and which of them prints is known; no machine is
-  // silent.
+  // A profile has values for all extruders, and the printing extruder is known. No machine here
+  // uses the silent mode.
   if (spec.list == List::kPerExtruder && entry.requested) {
     Warn(text);
   } else {
@@ -304,7 +309,7 @@ void SettingReader::NoteOther(const std::string& key, const KnownKey* known,
   }
 }
 
-/// What changes the print first, what describes profiles last.
+/// Sorts the notes: changes of the print first, descriptions of profiles last.
 void SettingReader::SortNotes() {
   std::vector<std::string>& notes = no_effect_;
   const std::set<std::string> weighty(warnings_.begin(), warnings_.end());

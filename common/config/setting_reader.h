@@ -16,33 +16,36 @@
 
 namespace slicefarm::config {
 
-/// Values of long texts, such as fields, which sets of settings have in common: each is read once.
+/// Parsed values of long texts, such as fields, that several sets of settings share. Each text is
+/// parsed once.
 class ParsedTexts {
  public:
-  /// ParseValue(spec, text).
+  /// Returns ParseValue(spec, text).
   absl::StatusOr<Value> Parse(const SettingSpec& spec, std::string_view text);
 
  private:
   std::map<std::pair<const SettingSpec*, std::string>, absl::StatusOr<Value>, std::less<>> known_;
 };
 
-/// Reads settings one by one: the last value of each key, and what is to be said about the others.
+/// Reader that takes settings one by one. It keeps the last value of each key and makes notes on
+/// replaced values.
 class SettingReader {
  public:
-  /// `tool`: whose items of lists count. `parsed` must outlive the reader.
+  /// Makes a reader. `tool`: index of the item that counts in lists per extruder. `parsed` must
+  /// outlive the reader.
   SettingReader(Process process, size_t tool, ParsedTexts& parsed);
 
-  /// Errors: those of Resolve that are about one setting.
+  /// Reads a setting. Errors: the errors of Resolve for a single setting.
   absl::Status Read(const Setting& setting);
 
-  /// Of a setting that a later one replaces, of whatever source.
+  /// Skips a setting that a later one replaces, from any source.
   void Skip(const Setting& setting) { NoteOverridden(setting, Trim(setting.value)); }
 
-  /// What was read and no stage works with.
+  /// Returns the settings that no stage uses.
   ToldSettings Told() const;
 
-  /// The values, once all are read. Says in `result` what has no effect: what changes the print
-  /// first, what describes profiles last.
+  /// Returns the values after all settings are read. Reports the settings without effect in
+  /// `result`: changes of the print first, descriptions of profiles last.
   Draft Finish(ResolvedSettings& result);
 
  private:
@@ -66,7 +69,7 @@ class SettingReader {
   std::vector<std::string> no_effect_;
   std::vector<std::string> warnings_;
   std::vector<MissingFeature> missing_;
-  std::vector<std::string> last_notes_;  ///< those of no_effect_ that do not matter to the print
+  std::vector<std::string> last_notes_;  ///< notes for no_effect_ that do not matter to the print
   std::map<std::string, std::pair<std::string_view, std::string>> foreign_;
   std::map<std::string, std::pair<const KnownKey*, std::string>> others_;
   std::map<std::pair<Source, std::string>, std::string> last_;

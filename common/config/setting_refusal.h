@@ -10,8 +10,8 @@ namespace slicefarm::config {
 
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// SETTING_OUT_OF_RANGE: a length, in mm, that does not fit other settings. `rule`: "it must ...";
-/// `min`, `max`: the bounds, 0 and kUnbounded for none.
+/// Returns SETTING_OUT_OF_RANGE for a length, in mm, that is inconsistent with other settings.
+/// `rule`: "it must ..."; `min`, `max`: the bounds; 0 and kUnbounded mean no bound.
 absl::Status Refuse(const Draft& draft, std::string_view key, std::string_view rule, double min,
                     double max);
 

@@ -1,4 +1,4 @@
-// What walls, seams, travels and brims are to be like.
+// Tests of the settings for walls, seams, travels and brims.
 #include <gtest/gtest.h>
 
 #include "common/config/resolve.h"

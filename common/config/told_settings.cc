@@ -18,7 +18,7 @@ bool IsName(std::string_view key) {
          std::all_of(key.begin(), key.end(), IsOfName);
 }
 
-/// Variables that stand for a setting of another name.
+/// Template variable that represents a setting of another name.
 struct Alias {
   std::string_view variable;
   std::string_view key;
@@ -48,7 +48,7 @@ constexpr Alias kAliases[] = {
     {"physical_printer_preset", "physical_printer_settings_id"},
 };
 
-/// `temperature_0` is the first item of `temperature`.
+/// Removes the index: `temperature_0` is the first item of `temperature`.
 std::string_view WithoutIndex(std::string_view word) {
   size_t end = word.size();
   while (end > 0 && absl::ascii_isdigit(word[end - 1])) --end;
@@ -87,9 +87,10 @@ void TellDerived(const Draft& draft, ToldSettings& told) {
   for (size_t i = 0; i < table.size(); ++i) {
     const Draft::Entry& entry = draft.entries()[i];
     if (table[i].field.get != nullptr || !entry.given || !entry.value.has_value()) continue;
-    // What a profile lists without need leaves no trace: the same job, the same bytes.
+    // Default values that a profile lists are left out, so that equal jobs give equal bytes.
     if (IsStandard(table[i], entry.written)) continue;
-    // The filament's own G-code that ends is part of end_gcode; it must not come twice.
+    // G-code is left out: the filament's end G-code is already part of end_gcode, and must not
+    // occur twice.
     if (table[i].kind != Kind::kGcode) Tell(table[i].key, entry.written, told);
   }
 }

@@ -8,21 +8,22 @@
 
 namespace slicefarm::config {
 
-/// What a job was given and no stage works with, by key, each value on one line as a config.ini
-/// writes it. Profiles ask for it in their G-code (`{if printer_notes=~/.*MK3S.*/}`), and files
-/// quote it.
+/// Given settings that no stage uses, by key. Each value is on one line, in the form of a
+/// config.ini. The G-code of profiles may query them (`{if printer_notes=~/.*MK3S.*/}`), and output
+/// files quote them.
 using ToldSettings = std::map<std::string, std::string, std::less<>>;
 
-/// Adds `key = value` to `told`, where there is anything to tell: not if the key is none that a
-/// template could name, or one that known_keys.h keeps back. Control characters become spaces.
+/// Adds `key = value` to `told`. Keys that a template cannot name, and keys that known_keys.h
+/// withholds, are not added. Control characters become spaces.
 void Tell(std::string_view key, std::string_view value, ToldSettings& told);
 
-/// Adds the settings of `draft` that were given another value than their standard and work through
-/// others only, `extrusion_width` say.
+/// Adds the settings of `draft` that differ from their default and act only through other settings,
+/// such as `extrusion_width`.
 void TellDerived(const Draft& draft, ToldSettings& told);
 
-/// The lines `key = value` of `text` whose keys `code`, G-code with placeholders, mentions. More
-/// than it needs rather than fewer: any word counts, wherever it stands.
+/// Returns the `key = value` lines of `text` with keys that occur in `code`, a G-code with
+/// placeholders. The result may contain more lines than necessary, because any word at any position
+/// counts.
 std::string LinesNamedIn(std::string_view code, std::string_view text);
 
 }  // namespace slicefarm::config

@@ -1,4 +1,4 @@
-// Values as vendors' files have them, and what becomes of them.
+// Tests of values in the form of vendors' files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -86,7 +86,7 @@ TEST(Resolve, TemplatesAreCheckedBeforeAnyWork) {
           .ok());
 }
 
-// Equal jobs have equal texts, and so equal bytes, unless they name the time.
+// Equal jobs have equal texts, and so equal bytes, unless their G-code contains the time.
 TEST(Resolve, CreationTimeCountsOnlyIfItIsNamed) {
   const Pairs early = {{"creation_time", "2026-01-02T03:04:05Z"}};
   EXPECT_EQ(Profile(early).effective_text, Profile({}).effective_text);

@@ -18,7 +18,7 @@ bool IsOfRegion(const Setting& setting, Process process) {
   return index >= 0 && SettingsTable(process)[index].scope() >= Scope::kRegion;
 }
 
-/// A name for what a region takes from these; empty: nothing.
+/// Returns a digest of the settings that concern regions. Returns an empty text if there are none.
 std::string NameOf(const std::vector<Setting>& settings, Process process) {
   Sha256 sha;
   bool any = false;

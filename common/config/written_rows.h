@@ -8,10 +8,11 @@
 
 namespace slicefarm::config {
 
-/// Whether the regions of all objects have at most limits::kMaxRegionSettings sets of settings that
-/// are written differently: before any is resolved, which takes about a millisecond each. What
-/// modifiers make of them is not counted. Errors: REQUEST_TOO_LARGE. Cost: O(n) for n bytes of
-/// settings, and one look-up for each part in each range of heights.
+/// Checks that the regions of all objects have at most limits::kMaxRegionSettings different sets of
+/// settings, compared as text. The check is done before any set is resolved, because resolving one
+/// set takes about a millisecond. Rows that modifiers make are not counted. Errors:
+/// REQUEST_TOO_LARGE. Cost: O(n) for n bytes of settings, and one look-up for each part in each
+/// height range.
 absl::Status CheckWrittenRows(std::span<const SceneObject> objects, Process process);
 
 }  // namespace slicefarm::config

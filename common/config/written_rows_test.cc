@@ -12,7 +12,7 @@
 namespace slicefarm::config::written_rows_test {
 namespace {
 
-/// Height ranges with one setting each, of as many values.
+/// Returns an object with height ranges that each have one setting, with different values.
 SceneObject ObjectWith(int64_t ranges, const std::string& key) {
   SceneObject object;
   object.name = "box";
@@ -28,7 +28,7 @@ bool Fits(const std::vector<SceneObject>& objects) {
 }
 
 TEST(CheckWrittenRows, CountsWhatRegionsMayHave) {
-  // Heights that are in no range are a row as well.
+  // Heights outside of all ranges are a row as well.
   EXPECT_TRUE(Fits({ObjectWith(limits::kMaxRegionSettings - 1, "top_infill_extrusion_width")}));
   EXPECT_FALSE(Fits({ObjectWith(limits::kMaxRegionSettings, "top_infill_extrusion_width")}));
   EXPECT_TRUE(Fits({ObjectWith(5'000, "layer_height")})) << "of which no region has its own";
@@ -46,7 +46,7 @@ TEST(CheckWrittenRows, CountsWhatRegionsMayHave) {
   EXPECT_FALSE(Fits({changed}));
 }
 
-// A thousand sets take a second, which is too much for a request that is then refused.
+// Resolving a thousand sets takes a second, which is too much for a request that is then refused.
 TEST(CheckWrittenRows, ARefusalResolvesNone) {
   const std::vector<SceneObject> objects = {
       ObjectWith(limits::kMaxRegionSettings, "top_infill_extrusion_width")};

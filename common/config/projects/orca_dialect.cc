@@ -8,7 +8,7 @@
 namespace slicefarm::config {
 namespace {
 
-/// Whether limits are written for the firmware at all.
+/// Returns true if OrcaSlicer writes limits for this firmware.
 bool IsMarlinOrRepRap(std::string_view flavor) {
   return flavor == "marlin" || flavor == "marlin2" || flavor == "reprapfirmware";
 }
@@ -29,11 +29,12 @@ std::vector<Setting> DialectOf(const OrcaLookup& given) {
   if (bambu && flavor == "marlin") set("gcode_flavor", "bambu");
   if (bambu || given("exclude_object") == "1") set("gcode_label_objects", "firmware");
   if (bambu || given("disable_m73") == "0") set("remaining_times", "1");
-  // Projects of Bambu Studio and older ones of OrcaSlicer's have no such setting, and limits.
+  // Projects of Bambu Studio and of older versions of OrcaSlicer have limits, but lack this
+  // setting.
   if (IsMarlinOrRepRap(flavor) && given("machine_max_speed_x"))
     set("machine_limits_usage", given("emit_machine_limits_to_gcode") == "0" ? "time_estimate_only"
                                                                              : "emit_to_gcode");
-  // Without it the temperature is there for templates alone.
+  // Without this setting the temperature would only be a variable of templates.
   if (given("chamber_temperature").value_or("0") != "0")
     set("activate_chamber_temp_control",
         given("activate_chamber_temp_control") == "1" ? "1" : "0");

@@ -11,7 +11,7 @@ namespace {
 
 std::string Number(double mm) { return PrintNumber(Quantise(mm)); }
 
-/// `{local name = (x, y)}`
+/// Returns `{local name = (x, y)}`.
 template <typename OfAxis>
 std::string Define(std::string_view name, const OfAxis& of_axis) {
   return fmt::format("{{local {} = ({}, {})}}", name, of_axis(0), of_axis(1));
@@ -30,7 +30,8 @@ std::string Bounds(const BedMesh& mesh) {
          });
 }
 
-/// So many points that none is farther from the next than probe_distance, at least 3.
+/// Returns an expression for the number of points, so that neighbours are at most probe_distance
+/// apart. The number is at least 3.
 std::string Count(const BedMesh& mesh) {
   return Define("bed_mesh_probe_count", [&](size_t axis) {
     const std::string steps =

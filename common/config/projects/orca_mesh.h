@@ -7,18 +7,19 @@
 
 namespace slicefarm::config {
 
-/// OrcaSlicer's settings for probing the bed only where the print stands.
+/// OrcaSlicer's settings for probing only the part of the bed under the print.
 struct BedMesh {
-  std::array<double, 2> min = {-99'999, -99'999};  ///< mm: what the probe reaches
+  std::array<double, 2> min = {-99'999, -99'999};  ///< corner of the probe's reach, in mm
   std::array<double, 2> max = {99'999, 99'999};
-  std::array<double, 2> probe_distance = {50, 50};  ///< mm from one point to the next
-  double margin = 0;                                ///< mm around the first layer
-  bool klipper = false;                             ///< whose bicubic mesh needs 4 points a side
+  std::array<double, 2> probe_distance = {50, 50};  ///< largest distance of points, in mm
+  double margin = 0;                                ///< margin around the first layer, in mm
+  bool klipper = false;  ///< true for Klipper: its bicubic mesh needs 4 points per side
 };
 
-/// G-code that defines what it names of adaptive_bed_mesh_min, adaptive_bed_mesh_max,
-/// bed_mesh_probe_count and bed_mesh_algo before its first line; else as it is. These follow from
-/// the bounds of the first layer, which are known when G-code is written.
+/// Returns the G-code with definitions of the variables that it uses. The possible variables are
+/// adaptive_bed_mesh_min, adaptive_bed_mesh_max, bed_mesh_probe_count and bed_mesh_algo. They
+/// depend on the bounds of the first layer, which are known only when G-code is written. Without
+/// such a variable the G-code is unchanged.
 std::string WithBedMesh(std::string gcode, const BedMesh& mesh);
 
 }  // namespace slicefarm::config

@@ -7,7 +7,7 @@
 namespace slicefarm::config::orca_mesh_test {
 namespace {
 
-/// Of a first layer from 20, 30 to 120, 95 mm.
+/// Expands G-code for a first layer from 20, 30 to 120, 95 mm.
 std::string Expanded(const std::string& gcode, const BedMesh& mesh) {
   const macro::TemplateVariables variables = {
       {"first_layer_print_min", macro::TemplateVariable::List({20.0, 30.0})},

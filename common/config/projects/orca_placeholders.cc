@@ -8,7 +8,8 @@
 namespace slicefarm::config {
 namespace {
 
-/// How long the name, the number or the text in quotes is that `text` begins with; else 1.
+/// Returns the length of the name, number or quoted text at the start of `text`; 1 for any other
+/// character.
 size_t TokenSize(std::string_view text) {
   size_t size = 1;
   if (text.front() == '"') {
@@ -20,7 +21,8 @@ size_t TokenSize(std::string_view text) {
   return size;
 }
 
-/// Position after the bracket that closes the one that `text` begins with; npos: none does.
+/// Returns the position after the bracket that closes the bracket at the start of `text`; npos if
+/// there is none.
 size_t AfterClosing(std::string_view text, char open, char close) {
   int depth = 0;
   for (size_t at = 0; at < text.size(); at += TokenSize(text.substr(at))) {
@@ -50,7 +52,8 @@ std::string ReplaceInExpression(std::string_view text, const PlaceholderMeaning&
   return result;
 }
 
-/// `inside`: of the brackets. A value needs braces.
+/// Returns the replacement for a text in square brackets. `inside`: text between the brackets. A
+/// value is put into braces.
 std::string ReplaceInBrackets(std::string_view inside, const PlaceholderMeaning& meaning) {
   const std::string_view name = Trim(inside.substr(0, inside.find('[')));
   const bool is_name = !name.empty() && std::all_of(name.begin(), name.end(), IsOfName);

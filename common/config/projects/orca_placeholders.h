@@ -7,21 +7,22 @@
 
 namespace slicefarm::config {
 
-/// What stands for a name in an expression of G-code.
+/// Replacement for a name in an expression of G-code.
 struct Placeholder {
-  std::string text;         ///< another name, or a value: `0.4`, `"PLA"`
-  bool is_variable = true;  ///< else it is a value: an index after the name goes
+  std::string text;  ///< another name, or a value such as `0.4` or `"PLA"`
+  /// True: a name; false: a value, and an index after the original name is dropped.
+  bool is_variable = true;
 };
 
-/// What a name means; nothing: it stays as it is.
+/// Function that returns the replacement of a name, or nullopt if the name stays.
 using PlaceholderMeaning = std::function<std::optional<Placeholder>(std::string_view name)>;
 
-/// G-code whose names in `[name]`, `[name[index]]` and `{expression}` are replaced by their
-/// meanings. Texts in quotes, functions and all outside of brackets stay. What is no template of
-/// PrusaSlicer's (a bracket without end) stays as well: who expands it says so.
+/// Returns G-code in which names in `[name]`, `[name[index]]` and `{expression}` are replaced.
+/// Quoted texts, functions and text outside of brackets stay. Malformed templates (a bracket
+/// without end) stay as well: their expansion reports the error.
 std::string ReplacePlaceholders(std::string_view gcode, const PlaceholderMeaning& meaning);
 
-/// A value in an expression: `0.4`, `(-1)`, `"Textured PEI Plate"`.
+/// Returns a value as it is written in an expression: `0.4`, `(-1)`, `"Textured PEI Plate"`.
 Placeholder ValuePlaceholder(std::string_view value);
 
 }  // namespace slicefarm::config

@@ -27,7 +27,7 @@ namespace {
 
 using ByKey = std::map<std::string_view, const Setting*>;
 
-/// The items of a list as OrcaSlicer's files have it; nothing for what is no list.
+/// Returns the items of a list in OrcaSlicer's form, or nullopt if the text is not a list.
 std::optional<std::vector<std::string>> ItemsOf(std::string_view text) {
   if (!text.starts_with('[')) return std::nullopt;
   const auto list = nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
@@ -38,8 +38,8 @@ std::optional<std::vector<std::string>> ItemsOf(std::string_view text) {
   return items;
 }
 
-/// The value, or an item of a list of them, the first one where there is none at `index`; nothing
-/// for a list without any.
+/// Returns a single value, or the item at `index` of a list. Returns the first item if there is
+/// none at `index`, and nullopt for an empty list.
 std::optional<std::string> ItemOf(std::string_view text, size_t index) {
   const std::optional<std::vector<std::string>> items = ItemsOf(text);
   if (!items) return std::string(text);
@@ -58,13 +58,13 @@ std::string Joined(std::string_view text, std::string_view separator) {
   return joined;
 }
 
-/// Pairs of numbers, which may stand in quotes in a list that is one text.
+/// Removes quotes from pairs of numbers. They may be quoted in a list that is a single text.
 std::string WithoutQuotes(std::string text) {
   std::erase(text, '"');
   return text;
 }
 
-/// A value of PrusaSlicer's, and whether it is quite the same.
+/// Value in PrusaSlicer's form, with a flag for exact equivalence.
 struct Converted {
   std::optional<std::string> text;
   bool exact = true;
@@ -87,7 +87,8 @@ class OrcaReader {
     const bool chosen = row.value == OrcaValue::kChoice && !row.to.starts_with("support_material");
     if (chosen && (!value.exact || !value.text)) stand_ins_.emplace(row.from);
     if (value.text && !value.text->empty()) Set(row.to, *value.text, setting.source);
-    // An empty text is one for G-code and the like; a choice without a value says nothing.
+    // An empty text is a valid value for G-code and similar settings. A choice without a value is
+    // ignored.
     if (value.text && value.text->empty() &&
         (row.value == OrcaValue::kSame || row.value == OrcaValue::kGcode))
       Set(row.to, "", setting.source);
@@ -111,7 +112,7 @@ class OrcaReader {
     return unused;
   }
 
-  /// What depends on a second setting: whether it is used at all, or how.
+  /// Converts settings that depend on a second setting.
   void TakePairs() {
     TakeDialect();
     TakeSlopes();
@@ -135,14 +136,14 @@ class OrcaReader {
     };
   }
 
-  /// What the program that owns the project writes whatever its settings say.
+  /// Adds settings for output that the project's program writes without a setting.
   void TakeDialect() {
     for (const Setting& setting : DialectOf(Lookup()))
       Set(setting.key, setting.value, setting.source);
     TakeFirstLayerScan();
   }
 
-  /// Machines with a scanner look at the first layer before they print the second one.
+  /// Adds the inspection of the first layer before the second one, on machines with a scanner.
   /// Source: the G-code of Bambu Studio 2.4.
   void TakeFirstLayerScan() {
     if (!IsBambuMachine(Lookup()) || !IsOn("scan_first_layer")) return;
@@ -156,9 +157,9 @@ class OrcaReader {
         by_key_.find("scan_first_layer")->second->source);
   }
 
-  /// The fan beside the bed, of machines that have one: off on the first layers, then at one speed.
-  /// PrusaSlicer knows none, so the G-code of layers and of the end says it.
-  /// Source: the G-code of OrcaSlicer 2.3 and Bambu Studio 2.
+  /// Converts the speed of the fan beside the bed, if the machine has one: off on the first layers,
+  /// then a constant speed. PrusaSlicer has no such setting, so the fan is switched by the G-code
+  /// of layers and of the end. Source: the G-code of OrcaSlicer 2.3 and Bambu Studio 2.
   void TakeAuxiliaryFan() {
     const auto fan = by_key_.find("additional_cooling_fan_speed");
     if (fan == by_key_.end()) return;
@@ -175,13 +176,13 @@ class OrcaReader {
     Set("end_gcode", "M106 P2 S0\\n" + Given("end_gcode"), source);
   }
 
-  /// What was set before.
+  /// Returns the converted value of a setting so far, or an empty text.
   std::string Given(std::string_view key) const {
     const auto found = index_.find(key);
     return found == index_.end() ? "" : settings_[found->second].value;
   }
 
-  /// The kind of lift that counts: the filament's own, or the machine's.
+  /// Returns the effective kind of lift: the filament's own kind, or else the machine's kind.
   std::string LiftType() const {
     for (const std::string_view key : {"filament_z_hop_types", "z_hop_types"}) {
       const auto found = by_key_.find(key);
@@ -192,8 +193,8 @@ class OrcaReader {
     return "";
   }
 
-  /// A slope lift rises by z_hop at travel_slope, 3 degrees if nothing says otherwise. Others are
-  /// straight up here.
+  /// Converts slope lifts, which rise by z_hop at travel_slope (default 3 degrees). Other kinds of
+  /// lift become vertical lifts.
   void TakeSlopes() {
     const std::string type = LiftType();
     for (const std::string_view key : {"z_hop_types", "filament_z_hop_types", "travel_slope"}) {
@@ -212,7 +213,7 @@ class OrcaReader {
       if (const auto height = NumberOf(from)) Set(to, PrintNumber(*height), kSource);
   }
 
-  /// Whether trees are organic ones: so they are by default.
+  /// Returns true if tree supports are organic, which is the default.
   bool HasOrganicTrees() const {
     const auto style = by_key_.find("support_style");
     if (style == by_key_.end()) return true;
@@ -220,9 +221,10 @@ class OrcaReader {
     return name != "tree_slim" && name != "tree_strong" && name != "tree_hybrid";
   }
 
-  /// OrcaSlicer has some settings twice, for organic trees and for its other ones; projects of
-  /// Bambu Studio have those without an ending only, for both. A place that chooses the style, an
-  /// object for example, has all that goes with it.
+  /// Converts the settings of organic trees. OrcaSlicer has some settings twice: with the ending
+  /// `_organic` for organic trees, and without it for other trees. Projects of Bambu Studio only
+  /// have the settings without the ending, for both. An object or part that chooses the style also
+  /// gets the matching settings.
   void TakeOrganicTrees() {
     constexpr std::pair<std::string_view, std::string_view> kTwice[] = {
         {"tree_support_branch_angle", "support_tree_angle"},
@@ -246,14 +248,15 @@ class OrcaReader {
     return found != by_key_.end() && FirstOf(found->second->value) == "1";
   }
 
-  /// For a line of the report.
+  /// Returns a value, shortened for a line of the report.
   static std::string ShortValue(std::string_view value) {
     constexpr size_t kMost = 60;
     const std::string text = Joined(value, ",");
     return text.size() <= kMost ? text : text.substr(0, kMost) + "...";
   }
 
-  /// Of a list with an item for each extruder, all of them, as PrusaSlicer writes lists.
+  /// Converts a value. A list with one item per extruder is converted as a whole, in PrusaSlicer's
+  /// form of a list.
   Converted ConvertAll(const OrcaRow& row, std::string_view text) const {
     const int to = FindSetting(row.to, Process::kFdm);
     const bool is_list = to >= 0 && SettingsTable(Process::kFdm)[to].list == List::kPerExtruder;
@@ -306,7 +309,7 @@ class OrcaReader {
     return {first};
   }
 
-  /// `x,y`, as OrcaSlicer writes points.
+  /// Reads a point `x,y` in OrcaSlicer's form.
   void TakePoint(std::string_view key, std::array<double, 2>& point) const {
     const auto found = by_key_.find(key);
     if (found == by_key_.end()) return;
@@ -328,7 +331,7 @@ class OrcaReader {
     return mesh;
   }
 
-  /// Bambu Studio's lists of what flushes: the first of these settings that says so.
+  /// Returns a flush value of Bambu Studio: the first of both settings that has a positive number.
   std::optional<Placeholder> FlushOf(std::string_view own, std::string_view otherwise) const {
     for (const std::string_view key : {own, otherwise})
       if (const auto number = NumberOf(key, filament_); number && *number > 0)
@@ -336,7 +339,8 @@ class OrcaReader {
     return std::nullopt;
   }
 
-  /// A setting that has an effect here goes by its name, as somebody may set it otherwise.
+  /// Returns the replacement of a placeholder. A setting that has an effect here is referred to by
+  /// its name, because another setting of the job may override its value.
   std::optional<Placeholder> MeaningOf(std::string_view name) const {
     if (name == "outer_wall_volumetric_speed") return OuterWallFlow();
     if (name == "during_print_exhaust_fan_speed_num") return ExhaustFan();
@@ -362,7 +366,7 @@ class OrcaReader {
     return std::nullopt;
   }
 
-  /// The fan's speed in M106's steps, rounded down.
+  /// Returns the fan speed in the steps of M106, rounded down.
   std::optional<Placeholder> ExhaustFan() const {
     const double percent = NumberOf("during_print_exhaust_fan_speed", filament_).value_or(60);
     return ValuePlaceholder(PrintNumber(std::floor(percent / 100 * 255)));
@@ -374,7 +378,8 @@ class OrcaReader {
     return Placeholder{HeadWrapExpression(Joined(zone->second->value, ",")), false};
   }
 
-  /// Of Snapmaker's U1: 2, 1, 0 for a filament that goes soft at 50 C, at 70 C, or above.
+  /// Returns the chamber cooling mode of Snapmaker's U1: 2 for a filament that softens at up to 50
+  /// C, 1 at up to 70 C, otherwise 0.
   std::optional<Placeholder> ChamberCooling() const {
     const auto soft_c = NumberOf("temperature_vitrification", filament_);
     const bool hot = NumberOf("filament_is_high_temperature", filament_).value_or(0) != 0;
@@ -382,7 +387,8 @@ class OrcaReader {
     return ValuePlaceholder(*soft_c <= 50 ? "2" : *soft_c <= 70 ? "1" : "0");
   }
 
-  /// In mm3/s: the outer wall's speed times its cross-section, at most what the filament stands.
+  /// Returns the outer wall's speed times its cross section, in mm3/s, limited by the filament's
+  /// maximum.
   std::optional<Placeholder> OuterWallFlow() const {
     const auto speed = NumberOf("outer_wall_speed");
     const auto width = NumberOf("outer_wall_line_width");
@@ -393,7 +399,7 @@ class OrcaReader {
     return ValuePlaceholder(PrintNumber(Quantise(most > 0 ? std::min(flow, most) : flow)));
   }
 
-  /// Percentages are those of the nozzle.
+  /// Returns a setting as a number. Percentages refer to the nozzle diameter.
   std::optional<double> NumberOf(std::string_view key, size_t index = 0) const {
     const auto found = by_key_.find(key);
     if (found == by_key_.end()) return std::nullopt;
@@ -415,7 +421,7 @@ class OrcaReader {
     return PrintNumber(Quantise(*percent / 100 * *number));
   }
 
-  /// 0.5% of 99.5%, or of 99.5.
+  /// Returns the complement to 100%: 0.5% for 99.5% or 99.5.
   static std::optional<std::string> RestOf(std::string_view text) {
     if (text.ends_with('%')) text.remove_suffix(1);
     const std::optional<double> percent = ToNumber(Trim(text));
@@ -432,7 +438,8 @@ class OrcaReader {
     return {std::string(found->to), found->exact};
   }
 
-  /// Each kind of bed has two temperatures; those of the one that is in the printer count.
+  /// Converts the bed temperatures. Each kind of bed has two temperatures; only the kind that is in
+  /// the printer counts.
   void TakeTemperaturesOfBed() {
     struct Bed {
       std::string_view type, key;
@@ -475,9 +482,10 @@ class OrcaReader {
   const size_t filament_;
   ByKey by_key_;
   std::vector<Setting> settings_;
-  std::map<std::string, size_t, std::less<>> index_;  ///< into settings_
+  std::map<std::string, size_t, std::less<>> index_;  ///< index of each key in settings_
   std::set<std::string, std::less<>> known_, inexact_;
-  std::set<std::string, std::less<>> stand_ins_;  ///< for which something else is printed
+  /// Settings with a substitute that changes the print.
+  std::set<std::string, std::less<>> stand_ins_;
 };
 
 }  // namespace

@@ -8,22 +8,25 @@
 
 namespace slicefarm::config {
 
-/// Settings that PrusaSlicer has nothing for, or not with that value; in their order.
+/// Settings that PrusaSlicer lacks, or lacks with the given value, in their order.
 struct OrcaUnused {
-  std::vector<std::string> of_print;  ///< `key = value` of what makes another print
-  std::vector<std::string> others;    ///< `key`; `key = value` where only the value is unknown
+  std::vector<std::string> of_print;  ///< `key = value` of each setting that would change the print
+  /// `key` of the remaining settings; `key = value` if only the value is unknown
+  std::vector<std::string> others;
 };
 
-/// Settings of OrcaSlicer or Bambu Studio under PrusaSlicer's names and with its values, in the
-/// order of our table, each once; what they were given for stays (`source`).
+/// Converts settings of OrcaSlicer or Bambu Studio to PrusaSlicer's names and values. The result
+/// has each setting once, in the order of our table. The `source` of a setting is kept.
 ///
-/// A list, as JSON (`["220","230"]`), counts with its first item. Widths and accelerations in
-/// percent become numbers, because PrusaSlicer relates them to other things; for that the settings
-/// they are percentages of must be among `settings`. Of the temperatures of several beds that of
-/// `curr_bed_type` counts. Placeholders in G-code become PrusaSlicer's, or, where it has none, the
-/// value that `settings` have; others stay, and are an error when the G-code is made.
-/// `unused`: takes what has no effect. `filament`: which one prints, from 0: of its values those
-/// that placeholders become; of fewer values the first one. Cost: O(n log n).
+/// The first item of a JSON list (`["220","230"]`) counts. Widths and accelerations in percent
+/// become numbers, because PrusaSlicer's percentages have another base; the base settings must be
+/// among `settings`. If there are temperatures for several beds, the temperature of `curr_bed_type`
+/// counts. Placeholders in G-code become PrusaSlicer's placeholders, or the value in `settings` if
+/// PrusaSlicer has none. Other placeholders stay and cause an error when the G-code is made.
+///
+/// `unused`: receives the settings without effect. `filament`: number of the printing filament,
+/// from 0. Placeholders get its values; a list without a value for it gives its first value. Cost:
+/// O(n log n).
 std::vector<Setting> FromOrca(std::span<const Setting> settings, OrcaUnused* unused,
                               size_t filament = 0);
 

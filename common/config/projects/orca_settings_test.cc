@@ -20,7 +20,7 @@ using testing::IsEmpty;
 struct Case {
   std::string name;
   std::vector<Setting> from;
-  std::vector<std::string> to;  ///< "key = value"
+  std::vector<std::string> to;  ///< expected settings, "key = value"
   std::vector<std::string> unknown = {};
 };
 
@@ -51,7 +51,7 @@ TEST(FromOrca, GivesNamesAndValuesOfPrusaSlicer) {
       {"GcodeInList",
        {{"filament_start_gcode", R"(["G1\nM104"])"}},
        {R"(start_filament_gcode = "G1\nM104")"}},
-      // An array's text is one value, whatever stands in it.
+      // An array's text is one value, even if it contains special characters.
       {"GcodesWithComments",
        {{"filament_start_gcode", R"(["; PLA\nM900 K0.02 ; pressure \"PA\"","; PETG"])"}},
        {R"(start_filament_gcode = "; PLA\nM900 K0.02 ; pressure \"PA\"";"; PETG")"}},
@@ -162,7 +162,7 @@ TEST(FromOrca, GivesNamesAndValuesOfPrusaSlicer) {
        {{"z_foo", "1"}, {"print_flow_ratio", "0.9"}, {"hole_to_polyhole", "0"}},
        {},
        {"print_flow_ratio = 0.9", "z_foo"}},
-      // On a machine whose head is wider than its nozzle's radius says, copies would be hit.
+      // On a machine with a head wider than the nozzle's radius, the head would hit copies.
       {"WidestClearance",
        {{"extruder_clearance_radius", "57"}, {"extruder_clearance_max_radius", "68"}},
        {"extruder_clearance_radius = 68"}},
@@ -191,7 +191,7 @@ TEST(FromOrca, GivesNamesAndValuesOfPrusaSlicer) {
        {{"layer_change_gcode", "{if spiral_mode}M117 vase{endif}"}},
        {"layer_gcode = {if spiral_vase}M117 vase{endif}"}},
       {"RaftsWidth", {{"raft_first_layer_expansion", "2"}}, {"raft_first_layer_expansion = 2"}},
-      // Bambu Studio 2.3 and later: the slicer chooses.
+      // Bambu Studio 2.3 and later: the slicer chooses the width.
       {"RaftsWidthBySlicer", {{"raft_first_layer_expansion", "-1"}}, {}},
       {"ShellsOfOrca",
        {{"ensure_vertical_shell_thickness", "ensure_all"}},
@@ -246,12 +246,13 @@ TEST(FromOrca, OrganicTreesHaveSettingsOfTheirOwn) {
     given.push_back({"support_style", style});
     EXPECT_EQ(lines(given), style.starts_with("tree_") ? others : organic) << style;
   }
-  // Bambu Studio.
+  // Settings of Bambu Studio.
   EXPECT_EQ(lines({{"tree_support_branch_angle", "40"}, {"support_style", "organic"}}),
             std::vector<std::string>{"support_tree_angle = 40"});
 }
 
-/// Of a project, an object that chooses other trees takes their settings with it.
+/// An object that chooses another kind of tree also gets the settings of this kind from the
+/// project.
 TEST(FromOrca, WhoChoosesTheTreesHasTheirSettings) {
   const std::vector<Setting> given = {{"tree_support_branch_angle", "40", Source::kProfile},
                                       {"tree_support_branch_angle_organic", "50", Source::kProfile},
@@ -270,7 +271,7 @@ TEST(FromOrca, KeepsWhoAsks) {
     EXPECT_EQ(setting.source, setting.key == "perimeters" ? Source::kProfile : Source::kRequest);
 }
 
-/// No name of the table is misspelt: PrusaSlicer has it, or we do.
+/// Every name in the table is a setting of PrusaSlicer or of ours; this finds misspelt names.
 TEST(OrcaTable, LeadsToKnownKeys) {
   const std::set<std::string_view> of_objects = {"extruder"};  // in no config.ini
   for (const OrcaRow& row : OrcaRows()) {

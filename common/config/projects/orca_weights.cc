@@ -9,11 +9,12 @@ namespace {
 
 struct Weighty {
   std::string_view key;
-  std::string_view neutral;  ///< values that ask for nothing, by `|`; an empty one always does
+  /// Values that request nothing, separated by `|`; an empty value never requests anything.
+  std::string_view neutral;
 };
 
 constexpr Weighty kWeighty[] = {
-    // Other material, or other sizes.
+    // Settings that change the material or sizes.
     {"print_flow_ratio", "1"},
     {"bottom_solid_infill_flow_ratio", "1"},
     {"hole_to_polyhole", "0"},
@@ -22,7 +23,7 @@ constexpr Weighty kWeighty[] = {
     {"precise_z_height", "0"},
     {"elefant_foot_compensation_layers", "1|0"},
     {"interlocking_beam", "0"},
-    // Other walls and fill.
+    // Settings that change walls and infill.
     {"alternate_extra_wall", "0"},
     {"extra_solid_infills", ""},
     {"fill_multiline", "1"},
@@ -36,7 +37,7 @@ constexpr Weighty kWeighty[] = {
     {"skirt_type", "combined"},
     {"spiral_mode_smooth", "0"},
     {"print_order", "default"},
-    // Temperatures, fans, the machine.
+    // Settings for temperatures, fans and the machine.
     {"activate_air_filtration", "0"},
     {"slow_down_layers", "0"},
     {"resonance_avoidance", "0"},
@@ -48,7 +49,7 @@ constexpr Weighty kWeighty[] = {
     {"post_process", ""},
 };
 
-/// Of `value`, which may be a list: each of its items.
+/// Returns true if `value`, or each of its items if it is a list, requests nothing.
 bool AllNeutral(std::string_view value, std::string_view neutral) {
   const std::vector<std::string_view> accepted = Split(neutral, "|");
   const std::vector<std::string_view> items = Split(value, "[]\", \n");

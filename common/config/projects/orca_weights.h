@@ -4,14 +4,15 @@
 
 namespace slicefarm::config {
 
-/// How much a setting of OrcaSlicer's or Bambu Studio's matters that has no effect here.
+/// Importance of a setting of OrcaSlicer or Bambu Studio that has no effect here.
 enum class OrcaWeight {
-  kPrint,    ///< the part, its material or its temperatures come out otherwise: worth a warning
-  kDetail,   ///< what is left: worth a line in the report
-  kNothing,  ///< with this value it asks for nothing
+  kPrint,    ///< change of the part, its material or its temperatures: needs a warning
+  kDetail,   ///< any other change: needs a line in the report
+  kNothing,  ///< no change: the value requests nothing
 };
 
-/// `value`: as the file has it, lists with brackets.
+/// Returns the importance of a setting. `value`: the text of the file, including the brackets of a
+/// list.
 OrcaWeight WeightOf(std::string_view key, std::string_view value);
 
 }  // namespace slicefarm::config

@@ -21,7 +21,7 @@ void SetSource(Source source, Settings& settings) {
   for (Setting& setting : settings) setting.source = source;
 }
 
-/// Translates settings of a project in OrcaSlicer's dialect.
+/// Translator for the settings of a project in OrcaSlicer's dialect.
 class Translator {
  public:
   Translator(Project& project, size_t filament)
@@ -29,8 +29,8 @@ class Translator {
     SetSource(Source::kProfile, project_settings_);
   }
 
-  /// Returns what makes another print than the project asks for; it comes first of all that has no
-  /// effect.
+  /// Translates all settings. Returns the settings without effect that change the print; they are
+  /// first in Project::without_effect.
   std::vector<std::string> Run() {
     project_.settings = OfProject();
     for (ProjectPlate& plate : project_.plates) Translate(plate.name, plate.settings);
@@ -57,8 +57,8 @@ class Translator {
     return settings;
   }
 
-  /// Percentages relate to settings of the project, which must be at hand; the source tells the
-  /// place's own from them.
+  /// Translates the settings of a plate, object, part or range. Percentages refer to settings of
+  /// the project, so the settings of the project are included; the source distinguishes both kinds.
   void Translate(const std::string& place, Settings& own) {
     if (own.empty()) return;
     SetSource(Source::kRequest, own);
@@ -80,14 +80,14 @@ class Translator {
     for (const std::string& text : unused.others) add(text, others_);
   }
 
-  const size_t filament_;                       ///< that prints, from 0
-  std::vector<std::string> of_print_, others_;  ///< without effect
+  const size_t filament_;                       ///< number of the printing filament, from 0
+  std::vector<std::string> of_print_, others_;  ///< settings without effect
   Project& project_;
   Settings project_settings_;
-  std::set<std::string> told_;  ///< of the project
+  std::set<std::string> told_;  ///< settings of the project that are already reported
 };
 
-/// That a part is printed with the tool of what stands around it says nothing.
+/// Returns true if the setting only says that a part is printed with the tool of its surroundings.
 bool IsUsualTool(const Setting& setting) {
   return setting.key == "extruder" && setting.value == "0";
 }
@@ -123,7 +123,7 @@ std::string PlatesText(const Project& project) {
   return text;
 }
 
-/// From 0. A project without plates has one.
+/// Returns the index of the chosen plate, from 0. A project without plates has one plate.
 absl::StatusOr<size_t> ChosenPlate(const Project& project, int plate) {
   const auto count = std::max<size_t>(project.plates.size(), 1);
   if (plate < 0 || static_cast<size_t>(plate) > count) {
@@ -139,7 +139,7 @@ absl::StatusOr<size_t> ChosenPlate(const Project& project, int plate) {
   return used == project.plates.end() ? 0 : static_cast<size_t>(used - project.plates.begin());
 }
 
-/// Indices of the objects that have a printable copy on the plate.
+/// Returns the indices of the objects that have a printable copy on the plate.
 std::set<int32_t> IndicesOn(const Project& project, size_t plate) {
   std::set<int32_t> printed;
   const auto add = [&](size_t object, const Instance& instance) {
@@ -157,7 +157,7 @@ std::set<int32_t> IndicesOn(const Project& project, size_t plate) {
   return printed;
 }
 
-/// Objects of the plate that are painted with several filaments.
+/// Returns a missing feature if objects of the plate are painted with several filaments.
 std::vector<MissingFeature> MissingOn(const Project& project, size_t plate) {
   const std::set<int32_t> printed = IndicesOn(project, plate);
   std::string names;
@@ -187,8 +187,8 @@ std::vector<SceneObject> ObjectsOn(const Project& project, size_t plate) {
   return objects;
 }
 
-/// The filament that all of `objects` are printed with, from 0. Of several the first one: such a
-/// plate is refused (plate_tool.h).
+/// Returns the number of the filament of all `objects`, from 0. If there are several, it returns
+/// the first one: such a plate is refused (plate_tool.h).
 size_t FilamentOf(const std::vector<SceneObject>& objects) {
   double least = 0;
   const auto look = [&least](const Settings& settings) {
@@ -209,7 +209,8 @@ size_t FilamentOf(const std::vector<SceneObject>& objects) {
   return least < 1 ? 0 : static_cast<size_t>(least) - 1;
 }
 
-/// `printed`: what the job consists of. Returns what makes another print.
+/// Converts the project to PrusaSlicer's names. `printed`: objects of the job. Returns the settings
+/// without effect that change the print.
 std::vector<std::string> TakePrusaNames(const std::vector<SceneObject>& printed, Project& project) {
   std::vector<std::string> of_print;
   if (project.dialect == SettingsDialect::kOrca)

@@ -9,32 +9,33 @@
 
 namespace slicefarm::config {
 
-/// What a job takes from a project file.
+/// Part of a project file that becomes a job.
 struct ProjectJob {
-  std::vector<Setting> settings;     ///< of the project, then of the plate
-  std::vector<SceneObject> objects;  ///< with their printable copies; those without are left out
-  /// What else the project has that no stage uses, as lines for the report.
+  std::vector<Setting> settings;  ///< settings of the project, then of the plate
+  /// Objects with their printable copies; objects without such copies are left out.
+  std::vector<SceneObject> objects;
+  /// Other contents of the project that no stage uses, as lines for the report.
   std::vector<std::string> without_effect;
-  /// Those of them that are no settings (what was painted, pauses at heights, parts left out) or
-  /// make another print.
+  /// Lines of `without_effect` that are not settings (painted areas, pauses at heights, left-out
+  /// parts) or that change the print.
   std::vector<std::string> warnings;
-  /// What spoils the print of this plate: painted filaments. Not among the warnings.
+  /// Missing features that spoil the print of this plate: painted filaments. They are not among the
+  /// warnings.
   std::vector<MissingFeature> missing;
 
   friend bool operator==(const ProjectJob&, const ProjectJob&) = default;
 };
 
-/// The project with all settings under PrusaSlicer's names and with its values, as those of a
-/// profile: what nobody knows is told later, and not refused. What PrusaSlicer has nothing for
-/// joins Project::without_effect.
+/// Returns the project with all settings under PrusaSlicer's names and values, as settings of a
+/// profile. Unknown settings are therefore reported later and not refused. Settings without an
+/// equivalent in PrusaSlicer are added to Project::without_effect.
 Project InPrusaNames(Project project);
 
-/// One plate of a project, as InPrusaNames has it.
+/// Returns the job of one plate of a project, in the form of InPrusaNames.
 ///
-/// `plate`: from 1; 0: the only one that has objects.
-/// Errors: REQUEST_MALFORMED (metadata `field`: `plate`, and `plates`: how many there are) for a
-/// plate that there is not, and for 0 if several have objects; NOTHING_TO_PRINT for a plate without
-/// printable copies.
+/// `plate`: number from 1; 0: the only plate that has objects. Errors: REQUEST_MALFORMED (metadata
+/// `field`: `plate`, and `plates`: number of plates) for a plate that does not exist, and for 0 if
+/// several plates have objects. NOTHING_TO_PRINT for a plate without printable copies.
 absl::StatusOr<ProjectJob> JobOfProject(const Project& project, int plate);
 
 }  // namespace slicefarm::config

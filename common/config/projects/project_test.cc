@@ -11,7 +11,8 @@ namespace {
 using testing::Contains;
 using testing::ElementsAre;
 
-/// Two objects, the second one with two copies of which one is not printed.
+/// Returns a project of two objects. The second object has two copies, and one of them is not
+/// printed.
 Project TwoObjects() {
   Project project;
   project.settings = {{"layer_height", "0.2"}};
@@ -26,7 +27,7 @@ Project TwoObjects() {
   return project;
 }
 
-/// The same, on two plates and with one that is empty between them.
+/// Returns the project of TwoObjects on two plates, with an empty plate between them.
 Project OnPlates() {
   Project project = TwoObjects();
   project.plates.resize(3);
@@ -150,7 +151,7 @@ TEST(InPrusaNames, TranslatesSettingsOfEveryPlace) {
   EXPECT_THAT(named.objects[0].settings, ElementsAre(Setting{"perimeters", "4", Source::kProfile}));
   EXPECT_THAT(named.objects[1].parts[0].settings,
               ElementsAre(Setting{"fill_density", "40%", Source::kProfile}));
-  // Of the nozzle, which only the project names.
+  // Percentage of the nozzle diameter, which only the project gives.
   EXPECT_THAT(named.objects[1].ranges[0].settings,
               ElementsAre(Setting{"external_perimeter_extrusion_width", "0.44", Source::kProfile}));
   EXPECT_THAT(named.without_effect, ElementsAre("no_such", "b, body: odd"));

@@ -12,8 +12,8 @@
 namespace slicefarm::config {
 namespace {
 
-/// Of a percentage, the setting that it relates to in SuperSlicer, where PrusaSlicer relates it to
-/// another one or to none. Source: `ratio_over` of its option definitions, 2.5.
+/// Setting to which a percentage refers in SuperSlicer, if it refers to another setting or to none
+/// in PrusaSlicer. Source: `ratio_over` of its option definitions, 2.5.
 struct SuperRelation {
   std::string_view key;
   std::string_view of;
@@ -56,7 +56,8 @@ constexpr SuperRelation kSuperRelations[] = {
     {"travel_acceleration", "default_acceleration"},
 };
 
-/// A value that PrusaSlicer has not, and what SuperSlicer exports for it. `key`: all that end so.
+/// Value that PrusaSlicer lacks, with the value that SuperSlicer exports instead. `key`: ending of
+/// the setting names.
 struct SuperChoice {
   std::string_view key;
   std::string_view from;
@@ -103,13 +104,14 @@ class SuperReader {
     return found == index_.end() ? std::string_view() : settings_[found->second].value;
   }
 
-  /// Of the first extruder and the usual mode.
+  /// Returns a number of the first extruder and the normal mode.
   std::optional<double> NumberOf(std::string_view key) const {
     const std::string_view text = TextOf(key);
     return AbsoluteOf(key, text.substr(0, text.find(',')));
   }
 
-  /// Nothing for a percentage of what is not known. Relations make no rings.
+  /// Returns the absolute value, or nullopt for a percentage of an unknown value. The relations
+  /// have no cycles.
   std::optional<double> AbsoluteOf(std::string_view key, std::string_view text) const {
     text = Trim(text);
     if (!text.ends_with('%')) return ToNumber(text);
@@ -146,7 +148,7 @@ class SuperReader {
     return found == std::end(kSuperChoices) ? setting.value : std::string(found->to);
   }
 
-  /// Flows are percentages; one of the print multiplies that of the filament.
+  /// Converts flows from percentages. A flow of the print multiplies the flow of the filament.
   void TakeFlows() {
     const std::optional<double> bridges = PercentOf("bridge_flow_ratio");
     if (bridges) Set("bridge_flow_ratio", PrintNumber(Quantise(*bridges / 100)));
@@ -163,7 +165,8 @@ class SuperReader {
     return ToNumber(Trim(text));
   }
 
-  /// A width for each side instead of one width and a choice of sides.
+  /// Converts the brim: SuperSlicer has a width for each side, PrusaSlicer one width and a choice
+  /// of sides.
   void TakeBrim() {
     const std::optional<double> inside = NumberOf("brim_width_interior");
     if (!inside) return;
@@ -172,7 +175,8 @@ class SuperReader {
     if (*inside > 0) Set("brim_type", outside > 0 ? "outer_and_inner" : "inner_only");
   }
 
-  /// -1: bridges have no fan speed of their own. The usual one goes by another name since 2.5.
+  /// Converts a fan speed of -1: bridges then have the usual fan speed. That setting has another
+  /// name since 2.5.
   void TakeBridgeFan() {
     const auto own = NumberOf("bridge_fan_speed");
     if (!own || *own >= 0) return;
@@ -181,7 +185,8 @@ class SuperReader {
     if (usual && *usual >= 0) Set("bridge_fan_speed", PrintNumber(Quantise(*usual)));
   }
 
-  /// What the first layer grows by; PrusaSlicer's shrinks it, and cannot let it grow.
+  /// Converts the growth of the first layer. PrusaSlicer's value is a shrinkage and cannot be
+  /// negative.
   void TakeCompensation() {
     const auto growth = NumberOf("first_layer_size_compensation");
     if (growth) Set("elefant_foot_compensation", PrintNumber(Quantise(std::max(-*growth, 0.0))));
@@ -197,7 +202,8 @@ class SuperReader {
   }
 
   std::vector<Setting> settings_;
-  std::map<std::string, size_t, std::less<>> index_;  ///< into settings_; of repetitions the last
+  /// Index of each key in settings_; the last one of repeated keys.
+  std::map<std::string, size_t, std::less<>> index_;
 };
 
 }  // namespace

@@ -7,16 +7,18 @@
 
 namespace slicefarm::config {
 
-/// Whether a config.ini, or the first line of a G-code file, says that SuperSlicer made it.
+/// Returns true if a config.ini, or the first line of a G-code file, names SuperSlicer as its
+/// author.
 bool IsSuperSlicers(std::string_view text);
 
-/// Settings of SuperSlicer's as PrusaSlicer would have them, in their order.
+/// Converts settings of SuperSlicer to PrusaSlicer's, in their order.
 ///
-/// Both have most names, but not what some values mean: SuperSlicer's widths are percentages of the
-/// nozzle, PrusaSlicer's of the layer; its speeds and accelerations are percentages of each other
-/// in another way. Those become numbers, for which the settings they relate to must be among
-/// `settings`. Choices that PrusaSlicer has not become those that SuperSlicer itself exports for
-/// it. Names of SuperSlicer's alone stay, as its G-code may name them. Cost: O(n log n).
+/// Most names are equal in both programs, but some values differ in meaning. SuperSlicer's widths
+/// are percentages of the nozzle, PrusaSlicer's of the layer. Its speeds and accelerations are
+/// percentages of other base settings. Such percentages become numbers; the base settings must be
+/// among `settings`. Choices that PrusaSlicer lacks become the choices that SuperSlicer itself
+/// exports. Names that only SuperSlicer has stay, because its G-code may use them. Cost: O(n log
+/// n).
 std::vector<Setting> FromSuperSlicer(std::vector<Setting> settings);
 
 }  // namespace slicefarm::config

@@ -14,8 +14,8 @@
 
 namespace slicefarm::config {
 
-/// Row of type `Row` in a resolved set, and the scope of its settings. The base: a process's own
-/// settings, which has none by object or region.
+/// Row of type `Row` in a resolved set, and the scope of its settings. The base template is for a
+/// process's own settings without settings per object or region.
 template <typename Row>
 struct RowOf {
   static constexpr Scope kScope = Scope::kJob;
@@ -53,15 +53,17 @@ struct MemberRow<kMember, kRowScope> {
   }
 };
 
-/// Relation of the number in a member to the setting's.
+/// Relation between the number in a member and the number in the setting.
 enum class Scale { kSame, kPercent, kDegrees };
 
 namespace internal {
 
+/// Returns the factor by which a member's number is smaller than the setting's number.
 constexpr double Divisor(Scale scale) {
   return scale == Scale::kPercent ? 100 : scale == Scale::kDegrees ? 180 / std::numbers::pi : 1;
 }
 
+/// Stores a setting's value in a member, converted to the member's type.
 template <class T>
 void Store(T& member, const Value& value, double divisor) {
   if constexpr (std::is_same_v<T, double>) {
@@ -89,6 +91,7 @@ void Store(T& member, const Value& value, double divisor) {
   }
 }
 
+/// Returns the setting's value from a member, the inverse of Store.
 template <class T>
 Value Load(const T& member, double divisor) {
   if constexpr (std::is_same_v<T, double>) {
@@ -114,10 +117,11 @@ Value Load(const T& member, double divisor) {
   }
 }
 
+/// Returns the class of a pointer to member. It is only declared, for use in types.
 template <typename Class, typename Member>
 Class ClassOf(Member Class::*);
 
-/// Returns the member that a path of pointers to members and indices leads to.
+/// Returns the member at the end of a path of pointers to members and indices.
 template <auto kStep, auto... kRest>
 auto& Follow(auto& object) {
   const auto step = [&]() -> auto& {
@@ -134,6 +138,7 @@ auto& Follow(auto& object) {
   }
 }
 
+/// Returns the field at the end of a path of pointers to members and indices.
 template <Scale kScale, auto kFirst, auto... kRest>
 Field BindPath() {
   using Row = decltype(ClassOf(kFirst));
@@ -149,11 +154,12 @@ Field BindPath() {
 
 }  // namespace internal
 
-/// Returns the field of a row's member. The member's type says how a value becomes one: lengths are
-/// given in mm, enumerations by number. A path ends at a member or at an item of an array:
-///     Bind<&RegionRow::infill, &InfillOptions::overlap_nm>()
-///     Bind<Scale::kPercent, &RegionRow::infill, &InfillOptions::density>()
-///     Bind<&MachineRow::motion, &MachineMotion::acceleration_mm_s2, Feature::kPerimeter>()
+/// Returns the field of a row's member. The member's type determines the conversion of a value:
+/// lengths are given in mm, enumerations by number. A path ends at a member or at an item of an
+/// array:
+///       Bind<&RegionRow::infill, &InfillOptions::overlap_nm>()
+///       Bind<Scale::kPercent, &RegionRow::infill, &InfillOptions::density>()
+///       Bind<&MachineRow::motion, &MachineMotion::acceleration_mm_s2, Feature::kPerimeter>()
 template <auto kFirst, auto... kRest>
 Field Bind() {
   if constexpr (std::is_same_v<decltype(kFirst), Scale>) {

@@ -10,14 +10,14 @@ struct JobRows;
 
 namespace slicefarm::config {
 
-/// The narrowest place where a setting may be given; wider places are allowed as well.
+/// Narrowest level at which a setting may be given. Wider levels are allowed as well.
 enum class Scope {
-  kJob,     ///< one value for all
-  kObject,  ///< an object may have its own
-  kRegion,  ///< so may a part, a modifier and a range of heights
+  kJob,     ///< job: one value for all objects
+  kObject,  ///< object: each object may have its own value
+  kRegion,  ///< region: each part, modifier and height range may have its own value
 };
 
-/// Returns "the job", "an object" or "a region".
+/// Returns the name of a scope: "the job", "an object" or "a region".
 constexpr std::string_view ScopeName(Scope scope) {
   switch (scope) {
     case Scope::kJob:
@@ -30,7 +30,7 @@ constexpr std::string_view ScopeName(Scope scope) {
   return {};
 }
 
-/// The member of a resolved set that a setting sets.
+/// Member of a resolved set to which a setting is stored.
 struct Field {
   void (*set)(JobRows&, const Value&) = nullptr;
   Value (*get)(const JobRows&) = nullptr;

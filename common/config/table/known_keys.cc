@@ -15,9 +15,9 @@ constexpr std::string_view kProfile = "describes the profile, not the print";
 constexpr std::string_view kSending = "concerns sending files to a printer";
 constexpr std::string_view kResin = "concerns resin printers";
 
-/// What a profile switches on and off, with the value that asks for what is done anyway.
+/// Settings that switch a feature on or off, with the value that requests the usual behaviour.
 constexpr KnownKey kSwitches[] = {
-    // These change the part or whether it prints at all.
+    // These settings change the part, or decide if it prints at all.
     {"post_process", "scripts are never run", "", true, true, true},
     {.key = "printer_technology",
      .why = kResin,
@@ -26,7 +26,7 @@ constexpr KnownKey kSwitches[] = {
      .changes_print = true,
      .spoils_print = true},
     {"single_extruder_multi_material", kNotYet, "0", true},
-    // These make it better or different in detail.
+    // These settings improve the part or change details of it.
     {.key = "colorprint_heights",
      .why = kNotYet,
      .has_neutral = true,
@@ -52,7 +52,7 @@ struct Group {
   bool told = true;
 };
 
-/// Settings of features that are not there yet, and those that no slicing ever looks at.
+/// Settings of features that do not exist yet, and settings that slicing never reads.
 constexpr Group kGroups[] = {
     {kNotYet, "clip_multipart_objects interlocking_*"},
     {kSeveral,
@@ -110,7 +110,7 @@ bool Matches(std::string_view pattern, std::string_view key) {
   return key.starts_with(pattern.substr(0, pattern.size() - 1));
 }
 
-/// 0 is 0%.
+/// Removes the percent sign, so that 0 equals 0%.
 std::string_view WithoutPercent(std::string_view text) {
   return text.ends_with('%') ? text.substr(0, text.size() - 1) : text;
 }

@@ -4,30 +4,33 @@
 
 namespace slicefarm::config {
 
-/// A setting of PrusaSlicer's (2.5 to 2.9) that has no effect here.
+/// Setting of PrusaSlicer (2.5 to 2.9) that has no effect here.
 struct KnownKey {
   std::string_view key;
-  std::string_view why;  ///< "not supported yet", ...
-  /// With this value nothing is lost, and nothing need be said. `has_neutral` false: there is no
-  /// such value.
+  std::string_view why;  ///< reason, such as "not supported yet"
+  /// Value with which the setting loses nothing and needs no report. `has_neutral` false: there is
+  /// no such value.
   std::string_view neutral = {};
   bool has_neutral = false;
-  bool of_print = true;  ///< concerns the print at all, not profiles, hosts or other machines
-  bool changes_print = false;         ///< the part comes out otherwise than asked: worth a warning
-  /// Templates may name it, and the G-code quotes it. Not so for what is nobody's business who gets
-  /// the file, such as a print host's password.
+  /// True if the setting concerns the print; false for profiles, hosts and other machines.
+  bool of_print = true;
+  bool changes_print = false;  ///< true if the part differs from the request: needs a warning
+  /// True if templates may name the setting and the G-code quotes it. False for private values,
+  /// such as the password of a print host: receivers of the file must not get them.
   bool told = true;
-  bool of_several_extruders = false;  ///< decides between them, and one prints
-  /// The print is spoilt without it: a job is refused unless it allows that (missing_feature.h).
+  /// True if the setting concerns the use of several extruders; only one prints.
+  bool of_several_extruders = false;
+  /// True if its lack spoils the print. A job is then refused unless it allows the lack
+  /// (missing_feature.h).
   bool spoils_print = false;
 };
 
-/// The entry of `key`, or nullptr: not known to PrusaSlicer either, or it has an effect
-/// (settings_table.h).
+/// Returns the entry of `key`. Returns nullptr if PrusaSlicer does not have the key, or if the key
+/// has an effect (settings_table.h).
 const KnownKey* FindKnownKey(std::string_view key);
 
-/// Whether `value` asks for nothing that is not done: its items all equal the neutral value, as
-/// numbers if they are.
+/// Returns true if `value` requests nothing beyond the usual behaviour: all its items equal the
+/// neutral value. Numbers are compared as numbers.
 bool IsNeutral(const KnownKey& key, std::string_view value);
 
 }  // namespace slicefarm::config

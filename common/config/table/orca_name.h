@@ -7,15 +7,15 @@ namespace slicefarm::config {
 /// Conversion of a value from OrcaSlicer's form to PrusaSlicer's.
 enum class OrcaValue {
   kSame,
-  kPercent,    ///< a number is a percentage, with or without its sign
-  kPercentOf,  ///< a percentage is one of `detail`, which is another setting of OrcaSlicer's
-  kOrAuto,     ///< a number; a negative one, or `detail`, leaves the choice to the slicer
-  kRest,       ///< a percentage; PrusaSlicer has its complement to 100%
-  kNot,        ///< a flag that means the opposite
-  kPoints,     ///< a list counts as a whole
-  kPairs,      ///< the same, with `;` between its items
-  kChoice,     ///< a name that OrcaChoices lists for the setting
-  kWhole,      ///< the text as it is
+  kPercent,    ///< number that is a percentage, with or without its sign
+  kPercentOf,  ///< percentage of `detail`, which is another setting of OrcaSlicer
+  kOrAuto,     ///< number; if it is negative or `detail`, the slicer chooses the value
+  kRest,       ///< percentage; PrusaSlicer has its complement to 100%
+  kNot,        ///< flag with the opposite meaning
+  kPoints,     ///< list that is used as a whole
+  kPairs,      ///< list that is used as a whole, with `;` between its items
+  kChoice,     ///< name that OrcaChoices lists for the setting
+  kWhole,      ///< unchanged text
   kGcode,      ///< G-code with other names of placeholders
 };
 

@@ -8,7 +8,8 @@
 namespace slicefarm::config {
 namespace {
 
-// Settings that are no single row of the table: lists by tool and by mode, and those without effect.
+// Rows for settings that are not rows of our settings table: lists by tool and by mode, and
+// settings without effect.
 constexpr OrcaRow kRows[] = {
     {"support_filament", "support_material_extruder"},
     {"support_interface_filament", "support_material_interface_extruder"},
@@ -212,7 +213,7 @@ constexpr OrcaVariable kVariables[] = {
     {"initial_no_support_extruder", "initial_extruder"},
     {"initial_no_support_tool", "initial_tool"},
     {"overall_chamber_temperature", "chamber_temperature"},
-    // Of all filaments in use, which is one.
+    // The minimum over all filaments in use; only one is in use.
     {"min_vitrification_temperature", "temperature_vitrification"},
     {"long_retraction_when_cut", "long_retractions_when_cut"},
     {"long_retraction_when_ec", "long_retractions_when_ec"},
@@ -220,7 +221,7 @@ constexpr OrcaVariable kVariables[] = {
     {"retraction_distance_when_ec", "retraction_distances_when_ec"},
 };
 
-// Source: OrcaSlicer 2.2, PrintConfig.
+// Default values of OrcaSlicer 2.2. Source: PrintConfig.
 constexpr OrcaStandard kStandards[] = {
     {"activate_air_filtration", "0"}, {"enable_pressure_advance", "0"},
     {"filament_notes", ""},           {"print_sequence", "by layer"},

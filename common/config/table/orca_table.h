@@ -7,35 +7,37 @@
 
 namespace slicefarm::config {
 
+/// Conversion of a setting of OrcaSlicer to a setting of PrusaSlicer.
 struct OrcaRow {
-  std::string_view from;  ///< OrcaSlicer's and Bambu Studio's name
-  std::string_view to;    ///< PrusaSlicer's; two rows may have the same: the later one wins
+  std::string_view from;  ///< name in OrcaSlicer and Bambu Studio
+  std::string_view to;  ///< name in PrusaSlicer; if two rows have the same name, the later row wins
   OrcaValue value = OrcaValue::kSame;
   std::string_view detail = {};
 };
 
-/// A value of a choice. Where PrusaSlicer has none, `to` is empty and there is nothing to set.
+/// Value of a choice. If PrusaSlicer has no such value, `to` is empty and nothing is set.
 struct OrcaChoice {
-  std::string_view row;  ///< OrcaRow::to, as one key may decide on two settings
+  /// Name OrcaRow::to, because one key of OrcaSlicer may decide two settings.
+  std::string_view row;
   std::string_view from;
   std::string_view to;
-  bool exact = true;  ///< else it is not quite the same, and is reported
+  bool exact = true;  ///< false: the value is only similar, and the difference is reported
 };
 
-/// What G-code may name besides settings.
+/// Variable that G-code may name and that is not a setting.
 struct OrcaVariable {
   std::string_view from;
-  std::string_view to;  ///< PrusaSlicer's variable or setting
+  std::string_view to;  ///< variable or setting in PrusaSlicer
 };
 
-/// The value of a setting that G-code names and that a preset may leave out.
+/// Default value of a setting that G-code may name and that a preset may leave out.
 struct OrcaStandard {
   std::string_view key;
   std::string_view value;
 };
 
-/// Returns the names of all settings in OrcaSlicer: those that rows of the settings table tell, then
-/// those of settings that slicefarm only knows. Made once.
+/// Returns the names of all settings in OrcaSlicer. First are the names in rows of the settings
+/// table, then the settings without effect. The list is made once.
 std::span<const OrcaRow> OrcaRows();
 std::span<const OrcaChoice> OrcaChoices();
 std::span<const OrcaVariable> OrcaVariables();

@@ -7,7 +7,8 @@
 
 namespace slicefarm::config {
 
-/// How much anyone may set. Errors: REQUEST_TOO_LARGE with `limit` and `got`.
+/// Check the size of a value and the number of settings. Errors: REQUEST_TOO_LARGE with `limit` and
+/// `got`.
 absl::Status CheckSettingSize(std::string_view key, std::string_view value);
 absl::Status CheckSettingCount(int64_t count);
 

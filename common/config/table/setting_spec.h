@@ -12,32 +12,36 @@
 
 namespace slicefarm::config {
 
+/// Kind of value that a setting has.
 enum class Kind {
-  kFlag,  ///< 0 or 1
+  kFlag,  ///< flag, 0 or 1
   kInteger,
   kNumber,
-  kPercent,          ///< `20%`, or `20`
-  kNumberOrPercent,  ///< a number, or a percentage of the setting `relative_to`
+  kPercent,          ///< percentage, `20%` or `20`
+  kNumberOrPercent,  ///< number, or a percentage of the setting `relative_to`
   kChoice,           ///< one of `choices`
-  kText,             ///< one line
-  kGcode,            ///< lines of G-code, `\n` between them
+  kText,             ///< text of one line
+  kGcode,            ///< lines of G-code, separated by `\n`
   kBedShape,
-  kAreas,  ///< areas of the bed (ParseAreas); empty: none
-  kPoint,  ///< `XxY`
+  kAreas,  ///< areas of the bed (ParseAreas); empty: no areas
+  kPoint,  ///< point, `XxY`
   kSizes,
-  // JSON on one line (common/model/fields/field_text.h); empty: none
+  // Fields as JSON on one line (common/model/fields/field_text.h). Empty: no field.
   kDensityField,
   kStressField,
   kMaterialField,
-  kAngles,         ///< angles by layer (common/model/options/fill_angles.h); empty: none
-  kFlowTable,      ///< factors by length (common/model/options/flow_table.h)
-  kHeightCode,     ///< JSON on one line (common/model/options/height_code.h); empty: none
-  kLayerHeights,   ///< z and height alternately (common/model/options/layer_heights.h); empty: none
-  kSubstitutions,  ///< texts by fours (common/gcode/substitutions.h); empty: none
-  kCutter,         ///< a milling cutter (common/model/options/cutter_text.h)
+  kAngles,     ///< angles by layer (common/model/options/fill_angles.h); empty: no angles
+  kFlowTable,  ///< factors by length (common/model/options/flow_table.h)
+  /// G-code at heights, as JSON on one line (common/model/options/height_code.h); empty: none
+  kHeightCode,
+  /// Alternately z and height (common/model/options/layer_heights.h); empty: no heights.
+  kLayerHeights,
+  /// Text substitutions, four texts each (common/gcode/substitutions.h); empty: none.
+  kSubstitutions,
+  kCutter,  ///< milling cutter (common/model/options/cutter_text.h)
 };
 
-/// Returns the kind's name for clients that build forms: "flag", "number_or_percent".
+/// Returns the kind's name for clients that build forms, such as "flag" or "number_or_percent".
 constexpr std::string_view KindName(Kind kind) {
   constexpr std::string_view kNames[] = {
       "flag",   "integer",    "number",        "percent",       "number_or_percent",
@@ -48,52 +52,53 @@ constexpr std::string_view KindName(Kind kind) {
   return kNames[static_cast<size_t>(kind)];
 }
 
-/// One name of a choice. PrusaSlicer's names that are not made yet stand in the table too: `note`
-/// then says what is done instead, and the value counts as one without full effect.
+/// Name of a choice. The table also contains PrusaSlicer's names that are not supported yet. Their
+/// `note` describes the substitute, and such a value is reported as one without full effect.
 struct Choice {
   std::string_view name;
   int value = 0;
   std::string_view note = {};
 };
 
-/// Whether the setting is a list in a config.ini; its first item counts.
+/// Kind of list that a setting is in a config.ini. Only one item counts.
 enum class List {
   kNone,
-  kPerExtruder,  ///< one item per extruder
-  kPerMode,      ///< normal and silent mode of the machine
+  kPerExtruder,  ///< list with one item per extruder
+  kPerMode,      ///< list with the items of normal and silent mode
 };
 
-/// machine_limits_usage = ignore.
+/// Number of the choice machine_limits_usage = ignore.
 inline constexpr int kIgnoreLimits = 2;
 
 /// Text for "no value" in a config.ini.
 inline constexpr std::string_view kNotSet = "nil";
 
-/// One setting: all that reading, checking, documenting and printing it takes.
+/// Definition of a setting: everything needed to read, check, document and print it.
 struct SettingSpec {
   std::string_view key;
   Kind kind = Kind::kNumber;
   std::string_view unit = {};
-  double min =
-      0;  ///< least number, in `unit`; percentages are checked by the number that they amount to
+  double min = 0;  ///< smallest number, in `unit`; a percentage is checked by its absolute value
   double max = 0;
-  std::string_view standard = {};  ///< the value when none is given, as a config.ini writes it
+  std::string_view standard = {};  ///< default value, in the form of a config.ini
   std::string_view doc = {};
   std::vector<Choice> choices = {};
   std::string_view relative_to = {};
-  std::string_view percent_of = {};  ///< base of the percentage, in words, if it is no setting
+  /// Base of the percentage in words, if the base is not a setting.
+  std::string_view percent_of = {};
   List list = List::kNone;
-  Field field = {};             ///< none: it works through other settings only (derive.h)
-  Field also = {};              ///< a second place for the same value
-  std::string_view group = {};  ///< part of the table: "walls", "infill"
+  /// Member for the value; none: the value only acts through other settings (derive.h).
+  Field field = {};
+  Field also = {};              ///< second member for the same value
+  std::string_view group = {};  ///< part of the table, such as "walls" or "infill"
   std::optional<Scope> own_scope =
-      {};  ///< scope, if the setting has no field or another scope than its row
-  std::vector<OrcaName> orca = {};  ///< names in OrcaSlicer; the later one wins
+      {};  ///< scope, if the setting has no field or a scope different from its row's
+  std::vector<OrcaName> orca = {};  ///< names in OrcaSlicer; a later name wins
 
   Scope scope() const { return own_scope.value_or(field.scope); }
 };
 
-/// Returns the setting with a scope that differs from its row's.
+/// Returns the setting with a scope that differs from the scope of its row.
 inline SettingSpec InScope(Scope scope, SettingSpec spec) {
   spec.own_scope = scope;
   return spec;
@@ -105,13 +110,13 @@ inline SettingSpec Orca(OrcaName name, SettingSpec spec) {
   return spec;
 }
 
-/// Part of a settings table: a function that makes it, and its name.
+/// Part of a settings table: a name and the function that makes its settings.
 struct SettingGroup {
   std::string_view name;
   std::vector<SettingSpec> (*make)();
 };
 
-/// Returns the settings of all groups, which carry the groups' names.
+/// Returns the settings of all groups, each with the name of its group.
 template <typename Groups>
 std::vector<SettingSpec> TableOf(const Groups& groups) {
   std::vector<SettingSpec> all;

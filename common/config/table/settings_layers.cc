@@ -5,7 +5,7 @@ namespace slicefarm::config {
 
 namespace {
 
-/// slicing_mode beyond the rules of filling.
+/// Choice number of slicing_mode that has no fill rule.
 constexpr int kCloseHoles = 3;
 
 void SetSlicingMode(ObjectSlicingOptions& object, const Value& value) {

@@ -91,7 +91,7 @@ absl::StatusOr<Value> ParseText(const SettingSpec& spec, std::string text) {
     return IsControl(c) && !(lines && (c == '\n' || c == '\r' || c == '\t'));
   });
   if (!clean) return MalformedError(spec, text, "must not contain control characters");
-  // A line of the effective text cannot keep the blanks at its value's ends.
+  // A line of the effective text cannot preserve blanks at the ends of its value.
   return Value{.text = std::string(Trim(text, " \t"))};
 }
 
@@ -110,7 +110,7 @@ absl::StatusOr<Value> ParseField(const SettingSpec& spec, std::string_view text,
   return Canonical<T>(spec, text, parse(text), print);
 }
 
-/// A list of texts, which is read again where G-code is put together.
+/// Checks a list of texts. The list is parsed again when G-code is written.
 absl::StatusOr<Value> ParseSubstitutions(const SettingSpec& spec, std::string_view text) {
   const std::vector<std::string> items = gcode::TextsOfList(text);
   const auto read = gcode::Substitutions::Of(items);
@@ -123,7 +123,7 @@ absl::StatusOr<Value> ParseSubstitutions(const SettingSpec& spec, std::string_vi
   return Value{.text = std::move(list)};
 }
 
-/// What is said of measures that no cutter has is told as it is.
+/// Parses a cutter. The message about impossible measures is passed on unchanged.
 absl::StatusOr<Value> ParseCutterValue(const SettingSpec& spec, std::string_view text) {
   const absl::StatusOr<Cutter> cutter = ParseCutter(text);
   if (cutter.ok()) return Value{.text = cutter->name()};

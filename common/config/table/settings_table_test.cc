@@ -24,8 +24,9 @@ bool IsNumeric(const SettingSpec& spec) {
          spec.kind == Kind::kNumberOrPercent;
 }
 
-/// Old profiles have other names for the same value; the first one is printed. Limits that are
-/// ignored are other limits, reckoned with alone.
+/// Returns true if the choice is another name for an earlier value. Old profiles have such names;
+/// the first name is the one that is printed. Ignored limits also count, because they are a set of
+/// limits of their own.
 bool IsOtherSpelling(const Choice& choice, const SettingSpec& spec) {
   if (spec.key == "machine_limits_usage" && choice.value == kIgnoreLimits) return true;
   return std::ranges::any_of(spec.choices, [&](const Choice& other) {
@@ -33,7 +34,7 @@ bool IsOtherSpelling(const Choice& choice, const SettingSpec& spec) {
   });
 }
 
-/// Values of the setting that differ from each other, as a config.ini writes them.
+/// Returns different values of the setting, in the form of a config.ini.
 std::vector<std::string> Samples(const SettingSpec& spec) {
   switch (spec.kind) {
     case Kind::kFlag:
@@ -92,7 +93,7 @@ std::vector<std::string> Samples(const SettingSpec& spec) {
   }
 }
 
-/// A setting of a process.
+/// Setting of a process.
 struct Row {
   Process process;
   int index = 0;
@@ -225,7 +226,7 @@ TEST(SettingsTable, RelatesToSettingsOfItsOwn) {
 class EveryTable : public testing::TestWithParam<Process> {};
 
 TEST_P(EveryTable, HasNoTwoSettingsForOneField) {
-  // Each setting changes its own text and no other's.
+  // Each setting changes only its own text.
   for (const SettingSpec& changed : SettingsTable(GetParam())) {
     if (changed.field.set == nullptr) continue;
     JobRows settings = SettingsOf(GetParam()).Standards();
@@ -264,7 +265,7 @@ TEST(ParseValue, ShortensWhatItQuotes) {
 }
 
 TEST(ParseValue, RefusesNewlinesInNames) {
-  // Such a text is quoted in a comment of the G-code: what follows a newline would be a command.
+  // The text is quoted in a comment of the G-code. Characters after a newline would be a command.
   for (const char* key : {"filament_type", "filament_colour", "filament_settings_id"}) {
     EXPECT_FALSE(
         ParseValue(SettingsTable(Process::kFdm)[FindSetting(key, Process::kFdm)], "\"PLA\\nM112\"")

@@ -6,9 +6,9 @@
 
 namespace slicefarm::config {
 
-// The parts of the settings table that processes share: a process that slices meshes takes them
-// into its own, with other standards and words where it needs them.
-std::vector<SettingSpec> LayerSettings();  ///< how meshes become layers: settings_layers.cc
-std::vector<SettingSpec> PlateSettings();  ///< where the machine has room: settings_plate.cc
+// Parts of the settings table that processes share. A process that slices meshes includes them in
+// its own table, if necessary with other defaults and descriptions.
+std::vector<SettingSpec> LayerSettings();  ///< layers of meshes: settings_layers.cc
+std::vector<SettingSpec> PlateSettings();  ///< build volume and plate: settings_plate.cc
 
 }  // namespace slicefarm::config

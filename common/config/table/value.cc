@@ -22,7 +22,7 @@ constexpr double kLargest = 1e9;  // times kSteps, still an exact integer in a d
 constexpr size_t kMaxCorners = 1000;
 constexpr std::string_view kQoi = "QOI";
 constexpr std::string_view kJpg = "JPG";
-/// PrusaSlicer's.
+/// Picture formats of PrusaSlicer.
 constexpr const char* kPictureFormats[] = {"PNG", "JPG", "QOI", "BTT_TFT", "COLPIC"};
 
 absl::Status Malformed(const std::string& why) { return absl::InvalidArgumentError(why); }
@@ -45,7 +45,7 @@ bool IsPictureFormat(std::string_view name) {
          std::end(kPictureFormats);
 }
 
-/// What is made for a format that PrusaSlicer knows.
+/// Returns the format in which a picture is made for a format name of PrusaSlicer.
 PictureFormat MadeFormat(std::string_view name) {
   return name == kQoi   ? PictureFormat::kQoi
          : name == kJpg ? PictureFormat::kJpg
@@ -179,7 +179,7 @@ absl::StatusOr<Polygon> ParseCorners(std::string_view text) {
   return corners;
 }
 
-/// Whether four corners are those of a rectangle along the axes, in order.
+/// Returns true if four corners form an axis-parallel rectangle, in order.
 bool IsRectangle(const Polygon& four) {
   const bool x_first = four[0].y == four[1].y && four[1].x == four[2].x &&
                        four[2].y == four[3].y && four[3].x == four[0].x;
@@ -188,7 +188,7 @@ bool IsRectangle(const Polygon& four) {
   return x_first || y_first;
 }
 
-/// A corner that is said twice in a row, as files do that close the outline, says nothing.
+/// Removes consecutive equal corners. Files that repeat the first corner at the end have them.
 void DropRepeated(Polygon& bed) {
   bed.erase(std::unique(bed.begin(), bed.end()), bed.end());
   while (bed.size() > 1 && bed.front() == bed.back()) bed.pop_back();

@@ -12,56 +12,58 @@
 
 namespace slicefarm::config {
 
-/// The value of a setting, in the setting's own unit (mm, mm/s, degrees, ...).
+/// Value of a setting, in the setting's own unit (mm, mm/s, degrees, ...).
 struct Value {
-  double number = 0;     ///< of numbers, flags (0, 1) and choices
-  bool percent = false;  ///< `number` is a percentage of another setting
-  SharedText text = {};  ///< of texts, unescaped; of lists, in canonical form
+  double number = 0;     ///< value of a number, a flag (0, 1) or a choice
+  bool percent = false;  ///< true if `number` is a percentage of another setting
+  SharedText text = {};  ///< unescaped text, or a list in canonical form
 
   friend bool operator==(const Value&, const Value&) = default;
 };
 
-/// Every number is a multiple of 1e-6 of its unit (lengths: 1 nm), so that a value printed and read
-/// again is the same bits, and equal settings have equal texts.
+/// Rounds a number to a multiple of 1e-6 of its unit (lengths: 1 nm). All numbers are rounded.
+/// Therefore a value has the same bits after printing and parsing, and equal settings have equal
+/// texts.
 double Quantise(double number);
 
-/// "0.2", " 1e3 ", with "%" if `may_be_percent`. Errors: InvalidArgument for anything else, NaN and
-/// infinities included.
+/// Parses a number such as "0.2" or " 1e3 ", with "%" if `may_be_percent`. Errors: InvalidArgument
+/// for any other text, and for NaN and infinities.
 absl::StatusOr<Value> ParseNumber(std::string_view text, bool may_be_percent);
 
-/// The shortest decimal of a quantised number: "0.2", "1000", "-0.05".
+/// Returns the shortest decimal text of a quantised number: "0.2", "1000", "-0.05".
 std::string PrintNumber(double number);
 
-/// `\n`, `\r` and `\\` of a config.ini's texts, to the characters and back.
+/// Convert the escapes `\n`, `\r` and `\\` in texts of a config.ini to characters and back.
 std::string Unescape(std::string_view text);
 std::string Escape(std::string_view text);
 
-/// Item `index` of a list of texts, `PLA;PETG` or `"a; b";"c"`, quotes and escapes taken off; past
-/// the list's end, the first.
+/// Returns item `index` of a list of texts, `PLA;PETG` or `"a; b";"c"`, without quotes and escapes.
+/// Returns the first item if `index` is past the end.
 std::string TextOfList(std::string_view list, size_t index = 0);
-/// One text as such a list has it: in quotes where it must be.
+/// Returns a text in the form of an item of such a list, in quotes if necessary.
 std::string QuoteText(std::string_view text);
 
-/// `0x0,250x0,250x210,0x210`, mm: a simple ring of at least three corners, which comes back
-/// counter-clockwise.
+/// Parses a bed shape in mm, such as `0x0,250x0,250x210,0x210`: a simple ring of at least three
+/// corners. The result is counter-clockwise.
 absl::StatusOr<Polygon> ParseBedShape(std::string_view text);
 std::string PrintBedShape(const Polygon& bed);
 
-/// Reads areas of the bed: corners as those of ParseBedShape. Corners that come to rectangles by
-/// fours are one area each, as Bambu Studio reads them; else all of them are one polygon, as
-/// OrcaSlicer reads them, which may touch itself. Fewer than three corners are no area.
+/// Parses areas of the bed, with corners in the form of ParseBedShape. If each group of four
+/// corners is a rectangle, each group is one area, as in Bambu Studio. Otherwise all corners form
+/// one polygon, as in OrcaSlicer; it may touch itself. Fewer than three corners are no area.
 absl::StatusOr<std::vector<Polygon>> ParseAreas(std::string_view text);
 std::string PrintAreas(const std::vector<Polygon>& areas);
 
-/// Reads `2x0`, mm.
+/// Parses a point in mm, such as `2x0`.
 absl::StatusOr<Point> ParsePoint(std::string_view text);
 std::string PrintPoint(const Point& point);
 
-/// `32x32, 300x300/QOI`, pixels; empty: none. The format may be any of PrusaSlicer's; what is made
-/// is QOI or JPG where it says so, else PNG. Errors: another format, more than
-/// limits::kMaxThumbnails pictures, a side beyond limits::kMaxThumbnailPx.
+/// Parses picture sizes in pixels, such as `32x32, 300x300/QOI`; an empty text has none. All
+/// formats of PrusaSlicer are accepted. Pictures are made as QOI or JPG if requested, otherwise as
+/// PNG. Errors: unknown format, more than limits::kMaxThumbnails pictures, a side beyond
+/// limits::kMaxThumbnailPx.
 absl::StatusOr<std::vector<ThumbnailSize>> ParseSizes(std::string_view text);
-/// Whether `text`, as ParseSizes takes it, asks for no format but PNG, JPG and QOI.
+/// Returns true if `text`, in the form of ParseSizes, requests only the formats PNG, JPG and QOI.
 bool OnlyOurFormats(std::string_view text);
 std::string PrintSizes(const std::vector<ThumbnailSize>& sizes);
 
