@@ -12,11 +12,11 @@ namespace slicefarm {
 
 struct BeadingOptions;
 
-/// Walls of each region, by row of the job's regions. All calls of a job share it: it is sent and
+/// Wall options per row of the job's regions. All calls of a job share the table: it is sent and
 /// read once (common/wire/shared_wire.h).
 using BeadingTable = std::vector<BeadingOptions>;
 
-/// Results are in order, one for each layer of the range.
+/// Stage that makes the walls. The results are in order, one per layer of the range.
 class BeadingStage {
  public:
   virtual ~BeadingStage() = default;

@@ -9,17 +9,17 @@
 
 namespace slicefarm {
 
-/// Copies of an object that differ by a shift along the bed alone.
+/// Copies of an object that differ only by a shift along the bed.
 struct CopyGroup {
-  Transform to_plate;  ///< without x and y
+  Transform to_plate;  ///< common transform of the copies, without the shift in x and y
   std::vector<const Instance*> instances;
 };
 
-/// The printable copies of an object, in the order in which they come; their instances are those of
-/// the argument.
+/// Returns the printable copies of an object in groups, in the order of their first copies. The
+/// groups point to the instances of the argument.
 std::vector<CopyGroup> GroupsOf(std::span<const Instance> instances);
 
-/// Where the copies of a group stand.
+/// Returns the positions of the copies of a group.
 std::vector<CopyInput> CopiesOf(const CopyGroup& group);
 
 }  // namespace slicefarm

@@ -15,11 +15,12 @@ namespace slicefarm {
 struct ExposureJob;
 struct ExposureSettings;
 
-/// Layers to vectors that expose them: all that is done to a layer.
+/// Stage that converts layers to exposure vectors and to programs for the machine. It is the only
+/// stage per layer of its process.
 class ExposureStage {
  public:
   virtual ~ExposureStage() = default;
-  /// A program for each layer of the range.
+  /// Returns a program for each layer of the range.
   virtual absl::StatusOr<std::vector<ExposedProgram>> Expose(
       const StageCall& call, const Neighbourhood& neighbourhood,
       const Shared<ExposureJob>& job) const = 0;

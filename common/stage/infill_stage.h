@@ -14,13 +14,15 @@ namespace slicefarm {
 
 struct InfillOptions;
 
-/// Infill of each region, by row of the job's regions. All calls of a job share it.
+/// Infill options per row of the job's regions. All calls of a job share the table.
 using InfillTable = std::vector<InfillOptions>;
 
+/// Stage that fills the islands of each layer.
 class InfillStage {
  public:
   virtual ~InfillStage() = default;
-  /// `walled` and `plans`: of the layers of neighbourhood.range; of a plan, its `infill`.
+  /// Returns the layers of neighbourhood.range with walls and infill. `walled` and `plans` belong
+  /// to the same layers; only the `infill` of a plan is used.
   virtual absl::StatusOr<std::vector<FilledLayer>> Fill(
       const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
       std::span<const LayerPlan> plans, const Shared<InfillTable>& regions) const = 0;

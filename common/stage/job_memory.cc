@@ -7,7 +7,7 @@
 namespace slicefarm {
 namespace {
 
-/// What an allocation takes beside its bytes.
+/// Overhead of an allocation, in bytes.
 constexpr int64_t kAllocation = 16;
 
 template <typename T>

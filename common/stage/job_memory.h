@@ -11,8 +11,8 @@ namespace slicefarm {
 
 struct StageCall;
 
-/// What a job holds in this process, as it comes and goes. Who reads what may be large says so
-/// while it comes, so that a job is stopped before it takes the memory of others.
+/// Account of the memory that a job uses in this process. Code that reads possibly large data
+/// reports the size while it reads. Then a job is stopped before it uses the memory of other jobs.
 class JobMemory {
  public:
   enum class Kind { kMeshes, kOutlines, kPlan, kProgram };
@@ -20,27 +20,27 @@ class JobMemory {
 
   virtual ~JobMemory() = default;
 
-  /// From now on the job has so many bytes of this kind; fewer than before is always well. May wait
-  /// for others. Errors: see IsOutOfMemory; Cancelled.
+  /// Sets the number of bytes of this kind that the job uses from now on. A reduction always
+  /// succeeds. The call may wait for other jobs. Errors: see IsOutOfMemory; Cancelled.
   virtual absl::Status Hold(Kind kind, int64_t bytes) = 0;
 };
 
-/// True of errors of Hold: REQUEST_TOO_LARGE if the job would not fit if it were alone; OVERLOADED
-/// if it makes room for another one, and may come again.
+/// Returns true for the memory errors of Hold. REQUEST_TOO_LARGE: the job would not fit even if it
+/// were alone. OVERLOADED: the job has to free its memory for another job, and may be retried.
 bool IsOutOfMemory(const absl::Status& status);
 
-/// The metadata by which they are known.
+/// Metadata key that marks these errors.
 inline constexpr char kMemoryKind[] = "memory";
 
-/// Hold of the call's memory, where it has one.
+/// Calls Hold of the call's memory account, if there is one.
 absl::Status HoldMemory(const StageCall& call, JobMemory::Kind kind, int64_t bytes);
 
-/// What layers and their plans take in memory, about. Cost: O(rings).
+/// Return the approximate memory of layers and their plans, in bytes. Cost: O(rings).
 int64_t MemoryOf(const SlicedLayer& layer);
 int64_t MemoryOf(const LayerPlan& plan);
 int64_t MemoryOf(const ObjectSection& section);
 int64_t MemoryOf(const Skirt& skirt);
-/// What meshes take. Cost: O(parts).
+/// Returns the memory of meshes, in bytes. Cost: O(parts).
 int64_t MemoryOf(const PlacedScene& scene);
 
 }  // namespace slicefarm

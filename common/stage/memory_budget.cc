@@ -16,7 +16,7 @@ namespace slicefarm {
 namespace {
 
 constexpr std::chrono::milliseconds kPollCancel{20};
-constexpr size_t kMostNeeds = 10'000;  ///< remembered; then all are forgotten
+constexpr size_t kMostNeeds = 10'000;  ///< limit of remembered needs; beyond it all are forgotten
 
 absl::Status MakesRoom() {
   return MakeError(absl::StatusCode::kResourceExhausted, Reason::kOverloaded,
@@ -24,7 +24,8 @@ absl::Status MakesRoom() {
                    {{kMemoryKind, "taken"}, {"retry_after_ms", "1000"}});
 }
 
-/// Of control groups, version 2 and 1; the most there is where none says.
+/// Returns the memory limit of the control group, version 2 or 1. Returns the largest int64_t if
+/// there is no limit.
 int64_t ContainerMemory() {
   for (const char* path :
        {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
@@ -141,7 +142,8 @@ void MemoryBudget::GiveBack(Share& share, int64_t bytes) {
   changed_.notify_all();
 }
 
-/// What a job is known to need stays taken until it holds more: it shall not begin in vain again.
+/// Changes the bytes of a share. The known need of a job stays reserved until the job uses more, so
+/// that the job does not fail again.
 absl::Status MemoryBudget::Grow(Share& share, int64_t wanted) {
   Lock lock(mutex_);
   if (wanted > limit_) return TooLarge(wanted);
@@ -158,8 +160,8 @@ absl::Status MemoryBudget::Grow(Share& share, int64_t wanted) {
   return absl::OkStatus();
 }
 
-/// Of two that wait for more, the one that began last makes room: the first one ends some day, and
-/// what it has comes free.
+/// Waits until `more` bytes are free. If two jobs wait for more memory, the one that began later
+/// frees its memory. The earlier job then ends some day and frees its own memory.
 absl::Status MemoryBudget::AwaitRoom(Lock& lock, Share& share, int64_t more) {
   absl::Status wanted;
   if (growing_ != nullptr && growing_->turn_ < share.turn_) {

@@ -17,20 +17,22 @@
 
 namespace slicefarm {
 
-/// How many bytes all jobs of this process may have in memory together.
+/// Limit on the memory of all jobs of this process together.
 ///
-/// Who wants to begin waits until what it wants fits beside what others have. First comes whose
-/// tenant has least, then who has the highest priority, then who waits longest. Who fits may pass
-/// those before it that do not, until as much as the whole budget has passed them.
+/// A new job waits until its memory fits beside the memory of the running jobs. The order of
+/// waiting jobs: first the tenant that uses the least memory, then the highest priority, then the
+/// longest wait. A job that fits may overtake earlier jobs that do not fit, until the overtaking
+/// jobs have used as much as the whole budget.
 ///
-/// Who has begun may come to need more. Of those that then do not fit, one waits and the others
-/// make room for it: the one that began last ends with OVERLOADED. What it needed is remembered, so
-/// that it waits for that before it begins again.
+/// A running job may need more memory. If several such jobs do not fit, one of them waits, and the
+/// job that began last ends with OVERLOADED to free memory. Its need is remembered, so that it
+/// waits for as much memory before it begins again.
 ///
 /// Thread-safe; must outlive its shares.
 class MemoryBudget {
  public:
-  /// What one has; given back when it is destroyed. For one thread at a time.
+  /// Memory of one job. The destructor returns the memory to the budget. A share is used by one
+  /// thread at a time.
   class Share final : public JobMemory {
    public:
     ~Share() override;
@@ -49,17 +51,18 @@ class MemoryBudget {
     const std::string job_;
     const CancelToken cancel_;
     std::array<int64_t, kKinds> held_ = {};
-    // Under the budget's mutex:
+    // Protected by the budget's mutex:
     int64_t turn_ = 0;
-    int64_t bytes_ = 0;  ///< that are taken for it: as many as are held, or more
+    int64_t bytes_ = 0;  ///< reserved bytes: at least the used bytes
     bool gives_way_ = false;
     bool made_room_ = false;
   };
 
   explicit MemoryBudget(int64_t limit) : limit_(limit) {}
 
-  /// Room for `bytes` of meshes, and for what the job is known to need beyond them. `cancel` holds
-  /// for the share as well. Errors: REQUEST_TOO_LARGE if it does not fit alone; `cancel`'s.
+  /// Waits for `bytes` of meshes and for the known further need of the job. `cancel` also applies
+  /// to the share. Errors: REQUEST_TOO_LARGE if the job does not fit even alone; the error of
+  /// `cancel`.
   absl::StatusOr<std::unique_ptr<Share>> Take(const Claimant& who, const std::string& job,
                                               int64_t bytes, const CancelToken& cancel);
 
@@ -72,7 +75,7 @@ class MemoryBudget {
     Claimant who;
     int64_t bytes = 0;
     int64_t turn = 0;
-    int64_t passed_by = 0;  ///< bytes of those that went before it though they came after
+    int64_t passed_by = 0;  ///< bytes of the jobs that have overtaken this one
   };
 
   bool Before(const Waiter& a, const Waiter& b) const;
@@ -93,12 +96,12 @@ class MemoryBudget {
   int64_t next_turn_ = 0;
   std::list<Waiter> waiting_;
   std::map<std::string, int64_t> by_tenant_;
-  std::map<std::string, int64_t> needs_;  ///< of jobs that made room, by id
-  Share* growing_ = nullptr;              ///< who has begun and waits for more
+  std::map<std::string, int64_t> needs_;  ///< needs of the jobs that had to free memory, by job id
+  Share* growing_ = nullptr;              ///< running job that waits for more memory
 };
 
-/// What the jobs of this process should take at most: half of what the container, or else the
-/// machine, has; the rest is for messages under way, results, and what the allocator keeps.
+/// Returns the default limit for the jobs of this process: half of the memory of the container, or
+/// else of the machine. The other half is for messages, results and the allocator's reserve.
 int64_t DefaultMemoryBudget();
 
 }  // namespace slicefarm

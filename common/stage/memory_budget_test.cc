@@ -20,8 +20,8 @@ const Claimant kAnna = {"anna", 1};
 const Claimant kBert = {"bert", 1};
 const Claimant kUrgentBert = {"bert", 2};
 
-/// Someone on a thread of its own. Waits, until it is given what it asks for; then until it is let
-/// go.
+/// Thread that requests memory. It waits until the request is granted, and then until the test
+/// releases it.
 class Asker {
  public:
   Asker(MemoryBudget& budget, const Claimant& who, const std::string& job, int64_t bytes) {
@@ -32,7 +32,7 @@ class Asker {
     });
     AwaitPoll();
   }
-  /// Wants more of what it has.
+  /// Requests more memory for an existing share.
   Asker(MemoryBudget::Share& share, int64_t bytes) {
     thread_ = std::thread([this, &share, bytes] {
       status_ = share.Hold(Kind::kOutlines, bytes);
@@ -156,7 +156,7 @@ TEST(MemoryBudget, WhoHasBegunComesBeforeWhoHasNot) {
   EXPECT_EQ(budget.used(), 10);
 }
 
-// Two that both wait for what the other has would wait for ever.
+// Two jobs that each wait for the memory of the other job would wait for ever.
 TEST(MemoryBudget, OfTwoThatWantMoreTheLastOneMakesRoom) {
   for (const bool last_asks_first : {false, true}) {
     MemoryBudget budget(10);

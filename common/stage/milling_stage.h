@@ -11,20 +11,22 @@
 
 namespace slicefarm {
 
-/// Meshes to programs of a milling machine. Any ranges of a job's steps can be made apart; their
-/// results are put together at once.
+/// Stage that converts meshes to programs of a milling machine. Any ranges of a job's steps can be
+/// computed separately. Assemble combines all results in one call.
 class MillingStage {
  public:
   virtual ~MillingStage() = default;
-  /// Errors: the reason why the part cannot be milled with these settings.
+  /// Divides a job into steps. Errors: the reason why the part cannot be milled with these
+  /// settings.
   virtual absl::StatusOr<MillLayout> LayOut(const StageCall& call,
                                             const Shared<MillInput>& input) const = 0;
-  /// Returns the results of the steps in the range. REQUEST_MALFORMED for a range outside of the
-  /// job.
+  /// Returns the results of the steps in the range. Errors: REQUEST_MALFORMED for a range outside
+  /// of the job.
   virtual absl::StatusOr<std::vector<MilledStep>> Mill(const StageCall& call,
                                                        const Shared<MillInput>& input,
                                                        StepRange range) const = 0;
-  /// `steps`: all of the job's. `settings_text`: effective settings, quoted at the program's end.
+  /// Combines the steps into a program. `steps`: all steps of the job. `settings_text`: effective
+  /// settings, quoted at the end of the program.
   virtual absl::StatusOr<MilledProgram> Assemble(const StageCall& call,
                                                  const Shared<MillInput>& input,
                                                  std::vector<MilledStep> steps,

@@ -14,11 +14,12 @@ namespace slicefarm {
 struct MotionJob;
 struct MotionOptions;
 
+/// Stage that writes the G-code of layers and the texts around them.
 class MotionStage {
  public:
   virtual ~MotionStage() = default;
-  /// Returns programs by layer, then pass: a layer has a program for each pass that prints
-  /// something in it, and at least one.
+  /// Returns programs by layer, then pass. A layer has a program for each pass that prints
+  /// something in it, and at least one program.
   virtual absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
                                                             std::vector<OrderedLayer> layers,
                                                             const Shared<MotionJob>& job) const = 0;

@@ -6,10 +6,10 @@
 
 namespace slicefarm {
 
-/// A stretch of consecutive layers of a job: the layers to work on and their halo.
+/// Consecutive layers of a job: the layers to work on and their halo.
 struct Neighbourhood {
-  LayerRange range;                     ///< to work on
-  std::span<const SlicedLayer> layers;  ///< consecutive, the range among them
+  LayerRange range;                     ///< layers to work on
+  std::span<const SlicedLayer> layers;  ///< consecutive layers that include `range`
 };
 
 }  // namespace slicefarm

@@ -9,11 +9,11 @@
 namespace slicefarm {
 namespace {
 
-/// The first and the last of a stack's own layers that a range has.
+/// First and last of a stack's own layers that are in a range.
 struct OwnLayers {
   int32_t first = 0;
   int32_t last = 0;
-  int32_t count = 0;  ///< of the stack
+  int32_t count = 0;  ///< number of layers of the stack
 };
 
 std::map<int32_t, OwnLayers> LayersOfStacks(std::span<const SlicedLayer> layers) {
@@ -35,8 +35,8 @@ const ObjectSection* SectionOf(const SlicedLayer& layer, int32_t stack) {
   return found != layer.sections.end() && found->stack.id == stack ? &*found : nullptr;
 }
 
-/// Steps from layer `from` until the stack's own layer `wanted` is reached; the index of the layer
-/// that has it, or of the last one there is.
+/// Steps from layer `from` until a layer contains the stack's own layer `wanted`. Returns the index
+/// of this layer, or of the last layer if there is none.
 int32_t Reach(std::span<const SlicedLayer> layers, int32_t stack, int32_t from, int32_t step,
               int32_t wanted) {
   int32_t at = from;
@@ -56,7 +56,7 @@ ObjectLayers::ObjectLayers(std::span<const SlicedLayer> layers) {
     for (const ObjectSection& section : layer.sections) {
       Sections& own = stacks_[section.stack.id];
       if (own.sections.empty()) own.first = section.layer;
-      // A gap or a step back breaks SlicedLayer's promise: what does not follow is not found.
+      // A gap or a step back violates the condition of SlicedLayer. Layers after it are not found.
       if (section.layer == own.first + std::ssize(own.sections)) own.sections.push_back(&section);
     }
   }

@@ -10,13 +10,14 @@
 
 namespace slicefarm {
 
-/// Looks sections up by stack and by the stack's own layer, in a stretch of a job's layers.
+/// Index of the sections in a range of a job's layers, by stack and by the stack's own layer.
 class ObjectLayers {
  public:
-  /// `layers` must outlive this.
+  /// Makes the index. `layers` must outlive it.
   explicit ObjectLayers(std::span<const SlicedLayer> layers);
 
-  /// `stack`: its id. nullptr: there is no such layer here. Above and below a stack is air.
+  /// Returns the section of a stack in its own layer `layer`, or nullptr if the range does not
+  /// contain it. `stack`: id of the stack. Below and above a stack is air.
   const ObjectSection* Find(int32_t stack, int32_t layer) const;
 
  private:
@@ -24,18 +25,18 @@ class ObjectLayers {
     int32_t first = 0;  ///< own layer of sections[0]
     std::vector<const ObjectSection*> sections;
   };
-  std::map<int32_t, Sections> stacks_;  ///< by id
+  std::map<int32_t, Sections> stacks_;  ///< sections per stack id
 };
 
-/// The smallest stretch of `layers` that has, for each stack in `range`, its own layers `halo`
-/// below and above. `layers` are a whole job's. Cost: O(sections in the range * log layers).
+/// Returns the smallest range of `layers` that has `halo` own layers below and above for each stack
+/// in `range`. `layers`: all layers of the job. Cost: O(sections in the range * log layers).
 LayerRange WithHalo(std::span<const SlicedLayer> layers, LayerRange range, int32_t halo);
 
-/// REQUEST_MALFORMED unless each stack in the range comes with its `halo` layers below and above,
-/// as far as the stack has them.
+/// Checks that each stack in the range has its `halo` layers below and above, if they exist.
+/// Errors: REQUEST_MALFORMED.
 absl::Status CheckHalo(std::span<const SlicedLayer> layers, LayerRange range, int32_t halo);
 
-/// How many points the outlines have. Cost: O(rings).
+/// Returns the number of points of all outlines. Cost: O(rings).
 int64_t PointsIn(std::span<const SlicedLayer> layers);
 
 }  // namespace slicefarm

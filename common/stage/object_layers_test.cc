@@ -32,7 +32,8 @@ SlicedLayer LayerWith(int32_t index, const std::vector<Own>& sections) {
   return layer;
 }
 
-/// Two objects whose layers are in step: `heights` layers of each.
+/// Returns the layers of two objects with equal layer heights: `first` layers of one object and
+/// `second` layers of the other.
 std::vector<SlicedLayer> InStep(int32_t first, int32_t second) {
   std::vector<SlicedLayer> layers;
   for (int32_t i = 0; i < std::max(first, second); ++i) {
@@ -44,7 +45,7 @@ std::vector<SlicedLayer> InStep(int32_t first, int32_t second) {
   return layers;
 }
 
-/// Object 0 has a layer in each of the job's layers, object 1 one in every third.
+/// Returns layers in which object 0 has a section in each layer, and object 1 in every third.
 std::vector<SlicedLayer> OutOfStep() {
   std::vector<SlicedLayer> layers;
   for (int32_t i = 0; i < 30; ++i) {
@@ -87,7 +88,7 @@ TEST(ObjectLayers, AStretchFromTheMiddleOfTheJob) {
   EXPECT_THAT(found.Find(1, 5), IsNull());
 }
 
-// SlicedLayer promises that an object's layers follow each other; a stranger's message may not.
+// SlicedLayer requires consecutive layers of an object, but an untrusted message may violate this.
 TEST(ObjectLayers, LayersAfterAGapAreNotFound) {
   const std::vector<SlicedLayer> layers = {LayerWith(0, {{0, 0, 9}}), LayerWith(1, {{0, 4, 9}}),
                                            LayerWith(2, {{0, 1, 9}})};
@@ -112,7 +113,7 @@ TEST(WithHalo, InStepItIsTheRangeAndAHaloOnEachSide) {
   EXPECT_EQ(WithHalo(layers, {5, 8}, 0), (LayerRange{5, 8}));
 }
 
-// Two thick layers above and below are six thin ones of the other object.
+// Two thick layers above and below equal six thin layers of the other object.
 TEST(WithHalo, ReachesAsFarAsTheThickestLayersWant) {
   const std::vector<SlicedLayer> layers = OutOfStep();
   EXPECT_EQ(WithHalo(layers, {14, 15}, 2), (LayerRange{8, 21}));

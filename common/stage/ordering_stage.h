@@ -13,10 +13,11 @@ namespace slicefarm {
 
 struct OrderingJob;
 
+/// Stage that orders the paths of each layer.
 class OrderingStage {
  public:
   virtual ~OrderingStage() = default;
-  /// `plans`: one a layer.
+  /// Returns the layers with their paths in the order of printing. `plans`: one per layer.
   virtual absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall& call,
                                                           std::vector<FilledLayer> layers,
                                                           std::span<const LayerPlan> plans,

@@ -12,6 +12,7 @@
 namespace slicefarm {
 
 struct PlanningOptions;
+/// Stage that decides about the whole job before its layers are processed independently.
 class PlanningStage {
  public:
   virtual ~PlanningStage() = default;

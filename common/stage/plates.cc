@@ -23,14 +23,15 @@ ObjectInput InputOf(const SceneObject& object, const CopyGroup& group) {
   return input;
 }
 
-/// A quarter turn about the vertical, counter-clockwise: without a cosine, no digit is lost.
+/// Turns a copy by 90 degrees about the vertical, counter-clockwise. Coordinates are exchanged
+/// without a cosine, so the result is exact.
 void Turn(Transform& to_plate) {
   const Transform before = to_plate;
   to_plate.row(0) = -before.row(1);
   to_plate.row(1) = before.row(0);
 }
 
-/// A copy that had no place has this one now.
+/// Returns the copy at its new position.
 Instance At(Instance instance, const PlatePlace& place) {
   if (instance.placed) return instance;
   const Point middle = place.middle;

@@ -11,7 +11,7 @@ using testing::SizeIs;
 
 SceneObject Copies(const std::string& name, int count) { return ObjectOfFile(name, 0, {}, count); }
 
-/// A copy of the object as it stands at a place of its own.
+/// Returns an object with a copy at a fixed position.
 SceneObject Standing(const std::string& name, double x, double y) {
   SceneObject object = Copies(name, 1);
   object.instances[0].placed = true;
@@ -71,7 +71,7 @@ TEST(OnPlates, EachCopyIsOnItsPlateAtItsPlace) {
   EXPECT_EQ(plates[1][1].instances[0].to_plate(1, 3), 7e-6);
 }
 
-// The n-th copy of ObjectsToPlace has the n-th place, however copies are turned.
+// The n-th copy of ObjectsToPlace has the n-th position, for any orientation of the copies.
 TEST(OnPlates, PlacesFollowTheCopiesOfObjectsToPlace) {
   SceneObject object = Copies("a", 4);
   for (size_t i = 0; i < 4; ++i)

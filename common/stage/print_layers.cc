@@ -15,7 +15,7 @@ Coord LiftOf(const Stack& stack, std::span<const Coord> lifts_nm) {
   return object < lifts_nm.size() ? lifts_nm[object] : 0;
 }
 
-/// Whether the parts alone, as they are, make the print.
+/// Returns true if the print consists of the unchanged parts: nothing is lifted or added.
 bool AreThePrint(std::span<const Coord> lifts_nm, std::span<const AddedStack> added) {
   return added.empty() && std::ranges::all_of(lifts_nm, [](Coord lift_nm) { return lift_nm == 0; });
 }

@@ -21,7 +21,7 @@ ObjectSection SectionOf(Stack stack, int32_t layer, Coord z_nm, Coord height_nm)
   return section;
 }
 
-/// Layers of parts that all have layers of `height_nm`, those of object i `counts[i]` of them.
+/// Returns layers of parts with a common layer height. Object i has `counts[i]` layers.
 std::vector<SlicedLayer> Parts(const std::vector<int32_t>& counts, Coord height_nm) {
   std::vector<SlicedLayer> layers;
   for (int32_t i = 0; i < *std::ranges::max_element(counts); ++i) {
@@ -34,7 +34,7 @@ std::vector<SlicedLayer> Parts(const std::vector<int32_t>& counts, Coord height_
   return layers;
 }
 
-/// "index top/height: stack.layer ..." of each layer.
+/// Returns "index top/height: stack.layer ..." for each layer.
 std::vector<std::string> TextOf(const std::vector<SlicedLayer>& layers) {
   std::vector<std::string> texts;
   for (const SlicedLayer& layer : layers) {

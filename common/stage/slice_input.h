@@ -11,7 +11,7 @@
 
 namespace slicefarm {
 
-/// A part of an object as slicing sees it: its settings are rows of the job's tables by now.
+/// Part of an object as input of slicing. Its settings are already rows of the job's tables.
 struct PartInput {
   std::string name;
   MeshRef mesh;
@@ -20,13 +20,13 @@ struct PartInput {
   /// Rows of a solid part's regions: one for each of ObjectInput::ranges, then the row of all other
   /// heights.
   std::vector<int32_t> regions = {0};
-  /// Rows of regions inside a modifier, by the row that the region has outside of it.
+  /// Rows of regions inside a modifier, by the row of the region outside of it.
   std::map<int32_t, int32_t> changes = {};
 
   bool operator==(const PartInput&) const = default;
 };
 
-/// Heights of an object, above its bottom, with a layer height of their own.
+/// Heights of an object, above its bottom, that have a layer height of their own.
 struct RangeInput {
   Coord from_nm = 0;
   Coord to_nm = 0;
@@ -35,12 +35,12 @@ struct RangeInput {
   friend bool operator==(const RangeInput&, const RangeInput&) = default;
 };
 
-/// Place of a copy.
+/// Position of a copy.
 struct CopyInput {
   enum class Place : uint8_t {
-    kAnywhere,  ///< to be arranged; alone on the plate: in the middle of the bed
-    kMiddleAt,  ///< the middle of the object's box is over `at`
-    kOriginAt,  ///< the object's origin is over `at`
+    kAnywhere,  ///< automatic arrangement; a copy alone on the plate is in the middle of the bed
+    kMiddleAt,  ///< middle of the object's bounding box at `at`
+    kOriginAt,  ///< origin of the object at `at`
   };
   Place place = Place::kAnywhere;
   Point at;
@@ -48,25 +48,26 @@ struct CopyInput {
   friend bool operator==(const CopyInput&, const CopyInput&) = default;
 };
 
-/// An object and its copies, which are all alike.
+/// Object and its copies, which are all alike.
 struct ObjectInput {
   std::string name;
   std::vector<PartInput> parts;
   std::vector<RangeInput> ranges;
   std::vector<CopyInput> copies = {{}};
-  /// Put before each part's to_object. Afterwards the object is lowered or raised until it stands
-  /// on the bed.
+  /// Transform that is applied after each part's to_object. Afterwards the object is lowered or
+  /// raised onto the bed.
   Transform to_plate = Transform::Identity();
-  /// Depth of the object below the bed, mm; that part is not printed.
+  /// Depth of the object below the bed, in mm. The part of the object below the bed is not printed.
   double sunk_mm = 0;
 
   bool operator==(const ObjectInput&) const = default;
 };
 
+/// Input of slicing: mesh files and the objects that use them.
 struct SliceInput {
   std::vector<MeshFile> files;
   std::vector<ObjectInput> objects;
-  bool advise_orientations = false;  ///< whether SlicedJob::orientations is wanted
+  bool advise_orientations = false;  ///< true: computes SlicedJob::orientations
 };
 
 }  // namespace slicefarm

@@ -11,7 +11,7 @@
 
 namespace slicefarm {
 
-/// A file as an object of one part.
+/// Returns an object of one part made from a file.
 inline ObjectInput ObjectOf(const MeshFile& file, int32_t index, const Placement& placement = {}) {
   ObjectInput object;
   object.name = file.name;
@@ -24,7 +24,8 @@ inline ObjectInput ObjectOf(const MeshFile& file, int32_t index, const Placement
   return object;
 }
 
-/// Each file as an object of its own; placements beyond the end of the list are the usual ones.
+/// Returns an input with one object per file. Objects beyond the end of `placements` have the
+/// default placement.
 inline SliceInput InputOf(std::vector<MeshFile> files, std::vector<Placement> placements = {}) {
   SliceInput input;
   placements.resize(files.size());
@@ -34,7 +35,7 @@ inline SliceInput InputOf(std::vector<MeshFile> files, std::vector<Placement> pl
   return input;
 }
 
-/// Options for as many objects, all alike.
+/// Returns options for the given number of objects, all alike.
 inline SlicingOptions ForObjects(SlicingOptions options, size_t objects) {
   options.objects.resize(objects, options.objects.front());
   return options;

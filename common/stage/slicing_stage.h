@@ -18,21 +18,22 @@
 
 namespace slicefarm {
 
-/// A copy as it stands on the plate.
+/// Copy at its position on the plate.
 struct PlacedCopy {
   int32_t object = 0;
   Point shift;        ///< shift of the object's origin, in whole micrometres
-  Polygon footprint;  ///< the object's convex hull at its place; no points: no area
+  Polygon footprint;  ///< convex hull of the object at its position; empty: no area
 
   friend bool operator==(const PlacedCopy&, const PlacedCopy&) = default;
 };
 
-/// Layers bottom up without gaps (a layer may be empty), and findings about the meshes.
+/// Result of slicing: layers from the bottom up without gaps (a layer may be empty), and findings
+/// about the meshes.
 struct SlicedJob {
   std::vector<SlicedLayer> layers;
   std::vector<std::string> object_names;  ///< name of each object
   std::vector<PlacedCopy> copies;         ///< copies, ordered by object and then as in the input
-  std::vector<MeshReport> meshes;         ///< one a part, by object; none of surfaces for seams
+  std::vector<MeshReport> meshes;  ///< report of each part, by object; surfaces for seams have none
   std::vector<Thumbnail> thumbnails;
   std::vector<OrientationAdvice>
       orientations;  ///< advice for objects that would print better in another orientation
@@ -46,23 +47,25 @@ struct SlicedOutlines {
       {};  ///< names for messages; may be fewer than objects
 };
 
+/// Stage that reads meshes, puts them on the bed and slices them.
 class SlicingStage {
  public:
   virtual ~SlicingStage() = default;
-  /// Takes the input by value: the bytes of a big mesh are freed as soon as they are read.
+  /// Slices the objects. The input is passed by value, so that the bytes of a large mesh are freed
+  /// as soon as they are read.
   virtual absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
                                           const SlicingOptions& options) const = 0;
 };
 
-/// Reads meshes and puts them on the bed, for processes that work on the meshes themselves. Errors:
-/// those of slicing up to there.
+/// Stage that reads meshes and puts them on the bed, for processes that work on the meshes
+/// themselves. Errors: the errors of slicing for these steps.
 class PlacingStage {
  public:
   virtual ~PlacingStage() = default;
   virtual absl::StatusOr<PlacedScene> Place(const StageCall& call, SliceInput input,
                                             const SlicingOptions& options) const = 0;
-  /// The objects as their files have them, transformed and not placed: for processes that need the
-  /// doubles. Errors: REQUEST_MALFORMED for an object that is not one part and one copy;
+  /// Returns the objects with the double-precision coordinates of their files, transformed but not
+  /// placed on the bed. Errors: REQUEST_MALFORMED for an object that is not one part and one copy;
   /// MESH_TOO_LARGE.
   virtual absl::StatusOr<std::vector<SurfaceMesh>> ReadSurfaces(
       const StageCall& call, SliceInput input, const SlicingOptions& options) const = 0;

@@ -10,20 +10,21 @@ namespace slicefarm {
 class JobMemory;
 class SpanLog;
 
-/// Tenant and priority, for fair sharing.
+/// Tenant and priority of a job, for fair sharing.
 struct Claimant {
   std::string tenant;
-  int priority = 0;  ///< greater ones first, among the tenant's own
+  int priority = 0;  ///< priority among the tenant's own jobs; greater values first
 };
 
+/// Context of a call of a stage.
 struct StageCall {
-  std::string job_id;  ///< for logs
+  std::string job_id;  ///< id of the job, for logs
   Claimant claimant = {};
   CancelToken cancel;
   int threads = 1;           ///< number of threads that a stage may use; never changes the result
-  TraceContext trace = {};   ///< travels on with each call; empty: none
+  TraceContext trace = {};   ///< trace context, passed on with each call; empty: none
   SpanLog* spans = nullptr;  ///< log of timed spans in this process; null: none
-  JobMemory* memory = nullptr;  ///< memory that the job holds in this process; null: not counted
+  JobMemory* memory = nullptr;  ///< memory account of the job in this process; null: not counted
 };
 
 }  // namespace slicefarm

@@ -9,7 +9,7 @@
 
 namespace slicefarm {
 
-/// The stages (stages.h), of all processes.
+/// Stages (stages.h) of all processes.
 enum class Stage : uint8_t {
   kSlicing,
   kPlanning,
@@ -18,17 +18,18 @@ enum class Stage : uint8_t {
   kOrdering,
   kMotion,
   kExposure,
-  kPlacing,  ///< a method of the slicing service
+  kPlacing,  ///< method of the slicing service
   kMilling,
   kTexture,
 };
 
+/// Name of a stage.
 struct StageInfo {
   Stage stage;
-  std::string_view name;  ///< as services, flags, reports and metrics write it
+  std::string_view name;  ///< name in services, flags, reports and metrics
 };
 
-/// All stages, in the order of Stage and of reports.
+/// Table of all stages, in the order of Stage and of reports.
 inline constexpr StageInfo kStages[] = {
     {Stage::kSlicing, "slicing"},   {Stage::kPlanning, "planning"}, {Stage::kBeading, "beading"},
     {Stage::kInfill, "infill"},     {Stage::kOrdering, "ordering"}, {Stage::kMotion, "motion"},
@@ -38,19 +39,20 @@ inline constexpr StageInfo kStages[] = {
 
 inline constexpr size_t kStageCount = std::size(kStages);
 
+/// Returns the name of a stage, such as "slicing".
 constexpr std::string_view StageName(Stage stage) {
   return kStages[static_cast<size_t>(stage)].name;
 }
 
-/// The stage of that name, or none.
+/// Returns the stage of that name, or nullopt.
 constexpr std::optional<Stage> FindStage(std::string_view name) {
   for (const StageInfo& info : kStages)
     if (info.name == name) return info.stage;
   return std::nullopt;
 }
 
-/// What each stage took, in seconds of wall time as the caller sees it. A stage that a process
-/// lacks takes none.
+/// Wall time of each stage in seconds, as measured by the caller. A stage that a process lacks has
+/// 0.
 class StageTimes {
  public:
   double& operator[](Stage stage) { return seconds_[static_cast<size_t>(stage)]; }

@@ -13,12 +13,14 @@ class PlacingStage;
 class MillingStage;
 class TextureStage;
 
-/// The stages as the pipeline sees them. Each has a local implementation (services/<name>/algo) and
-/// a remote one (services/coordinator/remote); the embedded process, the fused worker and the split
-/// services run the same pipeline over either, and give the same bytes.
+/// Interfaces of the stages that the pipeline calls. Each stage has a local implementation
+/// (services/<name>/algo) and a remote one (services/coordinator/remote). The embedded process, the
+/// fused worker and the split services run the same pipeline over either implementation, with the
+/// same result to the byte.
 ///
-/// All stages are pure: same input, same output; safe to call from many threads; safe to call
-/// again. Errors: what Reason lists; Cancelled as soon as `call.cancel` asks for it.
+/// All stages are pure: equal input gives equal output. They may be called from many threads, and a
+/// call may be repeated. Errors: the errors in Reason; Cancelled as soon as `call.cancel` requests
+/// it.
 
 /// Stages that a process has, local or remote; null: none. They must outlive their users.
 struct Stages {

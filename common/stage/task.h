@@ -19,25 +19,27 @@
 
 namespace slicefarm {
 
-/// What people and logs are told of a task.
+/// Description of a task for people and logs.
 struct TaskLabel {
-  std::string text;                        ///< "layers 3 to 9"
-  std::map<std::string, int64_t> numbers;  ///< the same for programs: layer_first, layer_last
+  std::string text;  ///< description such as "layers 3 to 9"
+  /// The same description for programs: layer_first, layer_last.
+  std::map<std::string, int64_t> numbers;
 
   friend bool operator==(const TaskLabel&, const TaskLabel&) = default;
 };
 
-/// Of a task that makes a range of layers.
+/// Returns the label of a task that makes a range of layers.
 TaskLabel LabelOf(LayerRange layers);
 
-/// A piece of a job's work: what one call of a runner makes, whole or not at all. Who hands tasks
-/// out sees their process, weight and label, and nothing else of them: the payload is what the
-/// process made it (processes/<name>/task).
+/// Piece of a job's work that one call of a runner makes, completely or not at all. Code that
+/// distributes tasks only uses their process, weight and label. The payload has a type of the
+/// process (processes/<name>/task).
 class Task {
  public:
-  Task() = default;  ///< nothing to do
+  Task() = default;  ///< Makes an empty task.
 
-  /// `payload`: a value with kProcess, Weight() and Label(). Implicit, as a payload is a task.
+  /// Makes a task from a value with kProcess, Weight() and Label(). The constructor is implicit,
+  /// because a payload is a task.
   template <class Payload>
   requires requires { Payload::kProcess; }
   Task(Payload payload)  // NOLINT(google-explicit-constructor)
@@ -47,10 +49,11 @@ class Task {
         payload_(std::move(payload)) {}
 
   Process process() const { return process_; }
-  int32_t weight() const { return weight_; }  ///< what it adds to the progress when it is made
+  /// Amount that the finished task adds to the progress.
+  int32_t weight() const { return weight_; }
   const TaskLabel& label() const { return label_; }
 
-  /// REQUIRES: it was made of one.
+  /// Returns the payload. REQUIRES: the task was made from a Payload.
   template <class Payload>
   const Payload& As() const {
     return *std::any_cast<Payload>(&payload_);
@@ -63,27 +66,29 @@ class Task {
   std::any payload_;
 };
 
-/// What a task came to, of whatever process.
+/// Result of a task of any process.
 class TaskResult {
  public:
-  TaskResult() = default;  ///< nothing
+  TaskResult() = default;  ///< Makes an empty result.
 
-  /// `result`: a value with `times`, Print() and ProgramBytes(). Implicit, as for tasks.
+  /// Makes a result from a value with `times`, Print() and ProgramBytes(). The constructor is
+  /// implicit, like the constructor of Task.
   template <class Result>
   requires requires(const Result& result) { result.ProgramBytes(); }
   TaskResult(Result result)  // NOLINT(google-explicit-constructor)
       : made_(std::make_unique<Of<Result>>(std::move(result))) {}
 
-  // REQUIRES, of all that follow: it is not nothing.
+  // REQUIRES, for all functions below: the result is not empty.
 
   const StageTimes& times() const { return made_->times(); }
-  /// A number that two runs of a task have in common if their programs are the same; times may
-  /// differ. Good within this process only. Cost: O(bytes).
+  /// Returns a fingerprint of the program. Two runs of a task with equal programs have equal
+  /// fingerprints, even if their times differ. It is valid only within this process. Cost:
+  /// O(bytes).
   size_t Print() const { return made_->Print(); }
-  /// What it adds to the job's program.
+  /// Returns the number of bytes that the result adds to the job's program.
   int64_t ProgramBytes() const { return made_->ProgramBytes(); }
 
-  /// REQUIRES: it was made of one.
+  /// Returns the result. REQUIRES: it was made from a Result.
   template <class Result>
   Result& As() const {
     return static_cast<Of<Result>&>(*made_).result;
@@ -108,19 +113,20 @@ class TaskResult {
   std::unique_ptr<Made> made_;
 };
 
-/// Makes tasks: a chain of stages, or a worker that runs one elsewhere.
+/// Interface for running tasks: a chain of stages, or a worker that runs the chain elsewhere.
 class TaskRunner {
  public:
   virtual ~TaskRunner() = default;
 
-  /// What it can make.
+  /// Returns the processes that the runner supports.
   virtual ProcessSet processes() const = 0;
 
-  /// The result is of the task's process. REQUIRES: processes() has it.
+  /// Runs a task. The result has the type of the task's process. REQUIRES: processes() contains
+  /// this process.
   virtual absl::StatusOr<TaskResult> RunTask(const StageCall& call, const Task& task) const = 0;
 };
 
-/// A runner of one process.
+/// Runner for tasks of one process.
 template <class OneTask, class OneResult>
 class RunnerOf : public TaskRunner {
  public:
@@ -134,10 +140,10 @@ class RunnerOf : public TaskRunner {
   }
 };
 
-/// Runners of several processes as one.
+/// Runner that combines runners of several processes.
 class ProcessRunners : public TaskRunner {
  public:
-  /// One of each process at most.
+  /// Makes the runner. `runners`: at most one per process.
   explicit ProcessRunners(std::vector<std::shared_ptr<const TaskRunner>> runners)
       : runners_(std::move(runners)) {}
 

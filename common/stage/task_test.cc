@@ -11,7 +11,7 @@
 namespace slicefarm::task_test {
 namespace {
 
-/// Text to be made longer: of a process that makes no layers.
+/// Task that makes a text longer, for a process without layers.
 template <Process kOf>
 struct Words {
   static constexpr Process kProcess = kOf;

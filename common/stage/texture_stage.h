@@ -11,17 +11,17 @@
 
 namespace slicefarm {
 
-/// Surfaces to textures on them. Any ranges of a job's layers can be made apart.
+/// Stage that makes textures on surfaces. Any ranges of a job's layers can be made separately.
 class TextureStage {
  public:
   virtual ~TextureStage() = default;
-  /// Lays the surface flat. Made once for all who ask with the same value.
+  /// Maps the surface into the plane. Calls with an equal value share one result.
   virtual absl::StatusOr<MappedSurface> Map(const StageCall& call,
                                             const Shared<SurfaceInput>& surface) const = 0;
   virtual absl::StatusOr<EngraveLayout> LayOut(const StageCall& call,
                                                const Shared<EngraveInput>& input) const = 0;
-  /// One for each layer of the range, in order of work. REQUEST_MALFORMED for a range that the job
-  /// has not.
+  /// Returns a layer for each number in the range, in the order of work. Errors: REQUEST_MALFORMED
+  /// for a range outside of the job.
   virtual absl::StatusOr<std::vector<EngravedLayer>> Engrave(const StageCall& call,
                                                              const Shared<EngraveInput>& input,
                                                              LayerRange range) const = 0;
