@@ -15,14 +15,14 @@ std::optional<int64_t> Number(std::string_view text) {
   return number;
 }
 
-/// The first word of a file; empty: there is none.
+/// Returns the first word of a file, or an empty text if there is none.
 std::string Word(const std::string& path) {
   std::string word;
   std::ifstream(path) >> word;
   return word;
 }
 
-/// A container sees its own cgroup as the root.
+/// Returns the quota of the process. In a container its own cgroup appears as the root.
 std::optional<int> Quota() {
   std::string quota;
   std::string period;

@@ -6,12 +6,13 @@
 
 namespace slicefarm {
 
-/// CPUs that this process may use at a time, at least 1: those of the machine that it may run on,
-/// or fewer if its container has a quota (cgroup v2, `cpu.max`, or v1).
+/// Returns the number of CPUs that this process may use at a time, at least 1. It is the number of
+/// the machine's CPUs on which the process may run, limited by the container's quota (cgroup v2,
+/// `cpu.max`, or v1).
 int AvailableCpus();
 
-/// What a cgroup's `cpu.max` allows, in CPUs, rounded up; none: any number. `quota` is "max" or
-/// microseconds, of each `period` microseconds.
+/// Returns the number of CPUs that a cgroup's `cpu.max` allows, rounded up; nullopt if it is
+/// unlimited. `quota`: "max" or microseconds per `period`, which is also in microseconds.
 std::optional<int> CpusOfQuota(std::string_view quota, std::string_view period);
 
 }  // namespace slicefarm

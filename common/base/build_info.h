@@ -4,17 +4,17 @@
 
 namespace slicefarm {
 
-/// `0.1.0`
+/// Returns the version, such as `0.1.0`.
 std::string_view Version();
 
-/// Day of the release, `2026-11-21`: a constant of the source, so that programs quote a date and
-/// stay reproducible.
+/// Returns the day of the release, such as `2026-11-21`. It is a constant in the source, so that
+/// programs can quote a date and stay reproducible.
 std::string_view ReleaseDate();
 
-/// 16 hex digits of a digest over what decides a job's result: the sources of the stages, compiler
-/// and libraries (cmake/build_info.cmake). The same wherever the same source was built by the same
-/// tools, with or without a repository around it. Builds with the same id give the same bytes, and
-/// understand each other.
+/// Returns the build id: 16 hex digits of a digest over everything that determines a job's result:
+/// sources of the stages, compiler and libraries (cmake/build_info.cmake). Equal sources and tools
+/// give the same id, with or without a repository. Builds with the same id give the same bytes and
+/// understand each other's messages.
 std::string_view BuildId();
 
 }  // namespace slicefarm

@@ -11,10 +11,10 @@
 
 namespace slicefarm {
 
-/// How many bytes may be in memory at a time for one purpose. Thread-safe; must outlive its shares.
+/// Limit on the bytes in memory at a time for one purpose. Thread-safe; must outlive its shares.
 class ByteBudget {
  public:
-  /// Gives its bytes back when destroyed.
+  /// Bytes taken from the budget. The destructor returns them.
   class Share {
    public:
     Share(ByteBudget& budget, int64_t bytes) : budget_(&budget), bytes_(bytes) {}
@@ -30,8 +30,8 @@ class ByteBudget {
 
   explicit ByteBudget(int64_t limit) : limit_(limit) {}
 
-  /// Waits, in the order of the calls, until `bytes` fit beside those that others have; more than
-  /// the limit are had alone. Errors: `cancel`'s.
+  /// Waits, in the order of the calls, until `bytes` fit beside the other shares. A share larger
+  /// than the limit is granted when there is no other share. Errors: the error of `cancel`.
   absl::StatusOr<Share> Take(int64_t bytes, const CancelToken& cancel);
 
   int64_t limit() const { return limit_; }
@@ -44,7 +44,7 @@ class ByteBudget {
   std::condition_variable changed_;
   int64_t used_ = 0;
   int64_t next_turn_ = 0;
-  std::set<int64_t> waiting_;  ///< turns
+  std::set<int64_t> waiting_;  ///< turn numbers of the waiting calls
 };
 
 }  // namespace slicefarm

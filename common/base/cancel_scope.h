@@ -4,8 +4,8 @@
 
 namespace slicefarm {
 
-/// As long as it lives, what its thread waits for is not wanted any more once the token says so:
-/// for those who wait deep below and are handed no token, as stores are. Scopes of a thread nest;
+/// Scope that sets the current cancel token of its thread. Functions that wait and get no token as
+/// an argument, such as the functions of stores, use it to stop waiting. Scopes of a thread nest;
 /// the innermost one counts.
 class CancelScope {
  public:
@@ -14,7 +14,7 @@ class CancelScope {
   CancelScope(const CancelScope&) = delete;
   CancelScope& operator=(const CancelScope&) = delete;
 
-  /// Of this thread; without a scope, never cancelled.
+  /// Returns the current token of this thread. Without a scope, the token is never cancelled.
   static CancelToken Current();
 
  private:

@@ -7,15 +7,16 @@
 
 namespace slicefarm {
 
-/// Asks whether the work is still wanted. Algorithms that can take over 50 ms poll it and return
-/// Cancelled. Cheap to copy; safe to poll from any thread if the poll function is.
+/// Token that reports if the work has been cancelled. Algorithms that can take over 50 ms poll it
+/// and return Cancelled. It is cheap to copy. It may be polled from any thread if its poll function
+/// allows this.
 class CancelToken {
  public:
-  CancelToken() = default;  ///< never cancelled
+  CancelToken() = default;  ///< Makes a token that is never cancelled.
   explicit CancelToken(std::function<bool()> poll) : poll_(std::move(poll)) {}
 
   bool Cancelled() const { return poll_ && poll_(); }
-  /// OK, or a Cancelled error with reason CANCELLED.
+  /// Returns OK, or a Cancelled error with reason CANCELLED.
   absl::Status Check() const;
 
  private:

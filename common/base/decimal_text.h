@@ -8,12 +8,12 @@
 namespace slicefarm {
 
 inline constexpr int64_t kPowersOfTen[] = {1, 10, 100, 1'000, 10'000, 100'000, 1'000'000};
-/// Of a decimal, its sign and point among them.
+/// Largest length of a decimal, including sign and point.
 inline constexpr size_t kLongestDecimal = 22;
 
-/// Writes value / 10^digits without zeros at its end: 1500 with 3 digits is "1.5". Returns its end.
-/// `leading_zero`: "0.5" instead of ".5". REQUIRES: digits <= 6, value > INT64_MIN, room for
-/// kLongestDecimal.
+/// Writes value / 10^digits without trailing zeros: 1500 with 3 digits is "1.5". Returns the end of
+/// the text. `leading_zero`: "0.5" instead of ".5". REQUIRES: digits <= 6, value > INT64_MIN, space
+/// for kLongestDecimal characters.
 inline char* WriteDecimal(char* at, int64_t value, int digits, bool leading_zero) {
   char* const end = at + kLongestDecimal;
   if (value < 0) {
@@ -32,19 +32,20 @@ inline char* WriteDecimal(char* at, int64_t value, int digits, bool leading_zero
   return at;
 }
 
-/// Appends value / 10^digits, with a zero before the point. REQUIRES: as WriteDecimal.
+/// Appends value / 10^digits, with a zero before the point. REQUIRES: the conditions of
+/// WriteDecimal.
 inline void AppendDecimal(std::string& text, int64_t value, int digits) {
   char buffer[kLongestDecimal];
   text.append(buffer, WriteDecimal(buffer, value, digits, /*leading_zero=*/true));
 }
 
-/// nm in units of 10^-digits mm, half away from zero. REQUIRES: digits <= 6.
+/// Converts nm to units of 10^-digits mm, rounded half away from zero. REQUIRES: digits <= 6.
 inline int64_t RoundedNm(int64_t nm, int digits) {
   const int64_t unit = kPowersOfTen[6 - digits];
   return (nm + (nm < 0 ? -unit / 2 : unit / 2)) / unit;
 }
 
-/// Appends nm as mm, rounded to so many digits. REQUIRES: digits <= 6.
+/// Appends nm as mm, rounded to the number of digits. REQUIRES: digits <= 6.
 inline void AppendMm(std::string& text, int64_t nm, int digits) {
   AppendDecimal(text, RoundedNm(nm, digits), digits);
 }

@@ -9,17 +9,17 @@
 namespace slicefarm {
 
 /// Disjoint sets of numbers that are joined one by one. Source: Galler and Fischer 1964; Tarjan,
-/// with halved paths. Cost: O(log n) a call, amortised.
+/// with path halving. Cost: O(log n) per call, amortised.
 class DisjointSets {
  public:
-  /// Each of 0 to count - 1 by itself.
+  /// Makes a set for each number from 0 to count - 1.
   explicit DisjointSets(int32_t count) : root_(static_cast<size_t>(count)), sets_(count) {
     std::iota(root_.begin(), root_.end(), 0);
   }
 
   int32_t sets() const { return sets_; }
 
-  /// Makes one set of the two. False: they were one already.
+  /// Joins the sets of both numbers. Returns false if they were already in one set.
   bool Join(int32_t a, int32_t b) {
     const int32_t root_a = RootOf(a), root_b = RootOf(b);
     if (root_a == root_b) return false;

@@ -19,7 +19,7 @@ TEST(DisjointSets, JoinOnce) {
   EXPECT_EQ(sets.sets(), 1);
 }
 
-// Beside colours that are painted over.
+// The sets equal the sets of a simple implementation that repaints colours.
 TEST(DisjointSets, AreThoseOfTheJoins) {
   constexpr int32_t kCount = 60;
   std::mt19937 random(3);

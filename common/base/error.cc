@@ -85,7 +85,8 @@ Reason DefaultReason(absl::StatusCode code) {
   }
 }
 
-/// NUL-separated: reason, key, value, key, value, ... NUL in one of them becomes a space.
+/// Encodes the detail as NUL-separated texts: reason, key, value, key, value, ... A NUL within a
+/// text becomes a space.
 std::string Encode(const ErrorDetail& detail) {
   std::string text(ReasonName(detail.reason));
   const auto add = [&text](std::string part) {

@@ -9,11 +9,11 @@
 
 namespace slicefarm {
 
-/// Why something was refused or failed: stable names that clients may test for. The wire carries
-/// the name
-/// (`MESH_TRUNCATED`) in google.rpc.ErrorInfo.reason; proto/slicefarm/v1/README.md documents each.
+/// Reason of a refusal or failure. Clients may test for its name, which is stable. Messages contain
+/// the name (`MESH_TRUNCATED`) in google.rpc.ErrorInfo.reason. proto/slicefarm/v1/README.md
+/// documents each reason.
 enum class Reason {
-  // The mesh, as read.
+  // Errors in a mesh as read from the file.
   kMeshFormatUnknown,
   kMeshTruncated,
   kMeshMalformed,
@@ -22,13 +22,13 @@ enum class Reason {
   kMeshTooLarge,
   kMeshTooExpensive,
   kMeshReaderCrashed,
-  // The mesh, as placed.
+  // Errors in a mesh as placed.
   kOutOfRange,
   kOutOfBuildVolume,
   kNothingToPrint,
   kObjectsCollide,
   kPathsConflict,
-  // Settings and requests.
+  // Errors in settings and requests.
   kSettingUnknown,
   kSettingMalformed,
   kSettingOutOfRange,
@@ -39,10 +39,10 @@ enum class Reason {
   kRequestIdReused,
   kRequestTooLarge,
   kWebhookRefused,
-  // Who asks.
+  // Errors of authentication and authorization.
   kUnauthenticated,
   kPermissionDenied,
-  // Jobs and blobs.
+  // Errors of jobs and blobs.
   kJobNotFound,
   kJobNotFinished,
   kBlobNotFound,
@@ -50,7 +50,7 @@ enum class Reason {
   kUploadOffset,
   kQueueFull,
   kProfileNotFound,
-  // Running.
+  // Errors while a job runs.
   kCancelled,
   kDeadlineExceeded,
   kUnavailable,
@@ -64,30 +64,31 @@ enum class Reason {
   kDiskFull,
   kDiskLow,
   kInternal,
-  // Settings again: a feature that slicefarm lacks, and a job without a printer.
+  // Further errors in settings: a feature that slicefarm lacks, and a job without a printer.
   kNotSupported,
   kPrinterMissing,
 };
 
-/// `kMeshTruncated` -> "MESH_TRUNCATED".
+/// Returns the name of a reason: "MESH_TRUNCATED" for `kMeshTruncated`.
 std::string_view ReasonName(Reason reason);
 std::optional<Reason> ReasonFromName(std::string_view name);
 
-/// What travels with an error besides its message: the reason and facts such as `limit`, `got`,
-/// `setting`, `layer`.
+/// Details of an error besides its message: the reason and facts such as `limit`, `got`, `setting`,
+/// `layer`.
 struct ErrorDetail {
   Reason reason = Reason::kInternal;
   std::map<std::string, std::string> metadata;
 };
 
-/// A status with its reason attached. The message says what is wrong in words a user can act on.
+/// Returns a status with a reason. The message describes the problem so that a user can act on it.
 absl::Status MakeError(absl::StatusCode code, Reason reason, std::string_view message,
                        std::map<std::string, std::string> metadata = {});
 
-/// InvalidArgument naming the bound: message, metadata `limit` and `got`.
+/// Returns InvalidArgument with the limit in the message and the metadata `limit` and `got`.
 absl::Status LimitError(Reason reason, std::string_view what, int64_t limit, int64_t got);
 
-/// The detail attached by MakeError; for other errors, a reason that suits the code.
+/// Returns the details attached by MakeError. For other errors it returns a reason that matches the
+/// code.
 ErrorDetail DetailOf(const absl::Status& status);
 
 }  // namespace slicefarm

@@ -11,12 +11,13 @@ namespace slicefarm {
 
 namespace internal {
 
-/// Converts to any type, to ask the compiler how many members an aggregate can be made from.
+/// Type that converts to any type, used to count the members of an aggregate at compile time.
 struct AnyMember {
   template <typename T>
   operator T() const;  // NOLINT(google-explicit-constructor): a conversion without a body
 };
 
+/// Returns true if an aggregate can be initialized with as many values as there are indices.
 template <typename T, size_t... I>
 constexpr bool CanBeMadeFrom(std::index_sequence<I...>) {
   return requires { T{(static_cast<void>(I), AnyMember{})...}; };
@@ -24,6 +25,7 @@ constexpr bool CanBeMadeFrom(std::index_sequence<I...>) {
 
 inline constexpr size_t kMostMembers = 96;
 
+/// Returns the number of members of an aggregate, by trying N and then smaller numbers.
 template <typename T, size_t N = kMostMembers>
 constexpr size_t CountMembers() {
   if constexpr (N == 0 || CanBeMadeFrom<T>(std::make_index_sequence<N>{})) {

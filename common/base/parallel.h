@@ -9,8 +9,8 @@
 namespace slicefarm {
 
 /// Calls body(index, worker) once for each index of [0, count), on up to `threads` threads
-/// including this one; `worker` tells them apart, from 0. Indices are handed out one by one, so
-/// results must go to places of their own, by index. REQUIRES: body does not throw.
+/// including this one. `worker`: number of the thread, from 0. Threads take the indices one by one,
+/// so each index must write its result to its own element. REQUIRES: body does not throw.
 template <typename Body>
 void ForEachIndex(int threads, size_t count, Body body) {
   std::atomic<size_t> next = 0;

@@ -1,4 +1,5 @@
-// LEMON 1.3.1 needs what C++20 took out of std::allocator: this file is C++17 (CMakeLists.txt).
+// LEMON 1.3.1 needs members of std::allocator that C++20 removed, so this file is C++17
+// (CMakeLists.txt).
 #include "common/base/perfect_matching.h"
 
 #include <lemon/matching.h>

@@ -5,32 +5,36 @@
 
 namespace slicefarm {
 
+/// Edge between the nodes a and b.
 struct WeightedEdge {
   int32_t a;
   int32_t b;
   int64_t weight;
 };
 
-/// A perfect matching of least weight in a graph, and the proof that there is none lighter in it.
+/// Perfect matching of minimum weight in a graph, with the proof that no perfect matching is
+/// lighter.
 struct PerfectMatching {
-  std::vector<int32_t> mate;  ///< by node
+  std::vector<int32_t> mate;  ///< partner of each node
 
-  /// Whether the proof holds with this edge too: whether it could make the matching no lighter.
+  /// Returns true if the proof also holds with this edge added: the edge does not allow a lighter
+  /// matching.
   bool Proves(const WeightedEdge& edge) const;
 
-  /// Set by LightestPerfectMatching: duals of nodes, and of the odd sets that hold them.
+  /// Part of the proof, set by LightestPerfectMatching: odd set of nodes with its dual variable.
   struct OddSet {
     int32_t number;
     int64_t dual;
   };
   int64_t dual_scale = 1;
-  std::vector<int64_t> node_dual;             ///< by node
-  std::vector<std::vector<OddSet>> odd_sets;  ///< by node, in order of their numbers
+  std::vector<int64_t> node_dual;  ///< dual variable of each node
+  /// Odd sets that contain each node, ordered by their numbers.
+  std::vector<std::vector<OddSet>> odd_sets;
 };
 
-/// REQUIRES: the graph on 0 .. size - 1 has a perfect matching; |weight| <= 2^56. Cost:
-/// O(size * edges * log size). Source: J. Edmonds, "Maximum Matching and a Polyhedron with
-/// 0,1-Vertices" (1965), by the LEMON library.
+/// Returns a perfect matching of minimum weight. REQUIRES: the graph on 0 .. size - 1 has a perfect
+/// matching; |weight| <= 2^56. Cost: O(size * edges * log size). Source: J. Edmonds, "Maximum
+/// Matching and a Polyhedron with 0,1-Vertices" (1965), by the LEMON library.
 PerfectMatching LightestPerfectMatching(int32_t size, const std::vector<WeightedEdge>& edges);
 
 }  // namespace slicefarm

@@ -68,8 +68,8 @@ TEST(PerfectMatching, IsTheLightest) {
   }
 }
 
-// Of a part of the edges: if the proof holds with all the others, the matching is the lightest; if
-// it does not hold, there may be a lighter one.
+// The matching is computed with only a part of the edges. If the proof holds for all other edges,
+// the matching is the lightest of the full graph. Otherwise there may be a lighter matching.
 TEST(PerfectMatching, TheProofTellsWhetherMoreEdgesMatter) {
   int proved = 0;
   int lighter = 0;

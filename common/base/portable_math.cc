@@ -13,10 +13,11 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Adding and subtracting it rounds a small double to a whole number, ties to even.
+/// Constant that rounds a small double to a whole number when it is added and subtracted. Ties
+/// round to even.
 constexpr double kToWhole = 0x1.8p52;
 
-/// c[0] + c[1] x + c[2] x^2 ...
+/// Returns c[0] + c[1] x + c[2] x^2 ...
 template <size_t kCount>
 double Polynomial(const std::array<double, kCount>& c, double x) {
   double sum = c.back();
@@ -24,33 +25,36 @@ double Polynomial(const std::array<double, kCount>& c, double x) {
   return sum;
 }
 
-/// The upper half of the bits: times itself, or times a whole number of 21 bits, it is exact.
+/// Returns the upper half of the bits. Its product with itself, or with an integer of 21 bits, is
+/// exact.
 double UpperHalf(double x) {
   return std::bit_cast<double>(std::bit_cast<uint64_t>(x) & 0xffffffff00000000);
 }
 
-/// 2^power. REQUIRES: a normal number.
+/// Returns 2^power. REQUIRES: the result is a normal number.
 double PowerOfTwo(int power) {
   return std::bit_cast<double>(static_cast<uint64_t>(power + 1023) << 52);
 }
 
 // --- sine, cosine, tangent ---------------------------------------------------------------------
 
-/// angle = quarters * pi / 2 + rest + low, |rest| <= pi / 4 and a little, |low| below rest's ulp.
+/// Reduced angle: angle = quarters * pi / 2 + rest + low. |rest| is at most slightly above pi / 4,
+/// and |low| is below the ulp of rest.
 struct Reduced {
   int64_t quarters = 0;
   double rest = 0;
   double low = 0;
 };
 
-/// Cody and Waite: pi / 2 in pieces of 33 bits, whose products with `quarters` are exact.
+/// Reduces an angle by the method of Cody and Waite: pi / 2 is split into pieces of 33 bits, so
+/// that the products with `quarters` are exact.
 Reduced ByQuarterTurns(double angle) {
   constexpr double kTwoOverPi = 6.36619772367581382433e-01;
   constexpr std::array kPiece = {1.57079632673412561417e+00, 6.07710050630396597660e-11,
                                  2.02226624871116645580e-21};
   constexpr std::array kTail = {6.07710050650619224932e-11, 2.02226624879595063154e-21,
                                 8.47842766036889956997e-32};  // pi / 2 less the pieces so far
-  // How much smaller than the angle the rest may be before the next piece is needed.
+  // Ratios of rest to angle below which the next piece is needed.
   constexpr std::array kEnough = {0x1p-16, 0x1p-49, 0.0};
   if (std::abs(angle) <= std::numbers::pi / 4) return {0, angle, 0};
   const double quarters = (angle * kTwoOverPi + kToWhole) - kToWhole;
@@ -85,7 +89,7 @@ double CosOfRest(const Reduced& angle) {
   return most + (((1 - most) - half) + (square * r - angle.rest * angle.low));
 }
 
-/// tan, or -1 / tan for `inverse`.
+/// Returns tan, or -1 / tan for `inverse`.
 double TanOfRest(const Reduced& angle, bool inverse) {
   constexpr std::array kOdd = {1.33333333333201242699e-01, 2.18694882948595424599e-02,
                                3.59207910759131235356e-03, 5.88041240820264096874e-04,
@@ -112,13 +116,13 @@ double TanOfRest(const Reduced& angle, bool inverse) {
     return sign * (one - 2 * (x - (tangent * tangent / (tangent + one) - rest)));
   }
   if (!inverse) return tangent;
-  // -1 / (x + rest), with the error of the division taken out.
+  // Computes -1 / (x + rest) and corrects the error of the division.
   const double upper = UpperHalf(tangent), lower = rest - (upper - x);
   const double quotient = -1 / tangent, rough = UpperHalf(quotient);
   return rough + quotient * ((1 + rough * upper) + rough * lower);
 }
 
-/// Of a sine: `quarters` turned by 1 makes the cosine of it.
+/// Returns the sine of the angle plus `turned` quarter turns: 0 gives the sine, 1 the cosine.
 double Wave(double angle_rad, int64_t turned) {
   if (!(std::abs(angle_rad) <= kMaxAngleRad)) return kNan;
   const Reduced angle = ByQuarterTurns(angle_rad);
@@ -129,7 +133,7 @@ double Wave(double angle_rad, int64_t turned) {
 
 // --- arcs --------------------------------------------------------------------------------------
 
-/// Of a ratio >= 0.
+/// Returns the arc tangent of a ratio >= 0.
 double AtanOfRatio(double ratio) {
   constexpr std::array kOdd = {3.33333333333329318027e-01, 1.42857142725034663711e-01,
                                9.09088713343650656196e-02, 6.66107313738753120669e-02,
@@ -162,7 +166,7 @@ double AtanOfRatio(double ratio) {
   return kBases[base].arc - ((x * sum - kBases[base].low) - x);
 }
 
-/// (asin(x) - x) / x, where `square` is x^2 <= 1/4.
+/// Returns (asin(x) - x) / x, where `square` is x^2 <= 1/4.
 double ArcExcess(double square) {
   constexpr std::array kP = {1.66666666666666657415e-01, -3.25565818622400915405e-01,
                              2.01212532134862925881e-01, -4.00555345006794114027e-02,
@@ -179,7 +183,7 @@ constexpr double kHalfPiLow = 6.12323399573676603587e-17;
 
 constexpr double kLn2 = 6.93147180369123816490e-01, kLn2Low = 1.90821492927058770002e-10;
 
-/// REQUIRES: 0 <= x < 709.
+/// Returns e^x. REQUIRES: 0 <= x < 709.
 double Exp(double x) {
   constexpr std::array kP = {1.66666666666666019037e-01, -2.77777777770155933842e-03,
                              6.61375632143793436117e-05, -1.65339022054652515390e-06,
@@ -191,7 +195,7 @@ double Exp(double x) {
   return value * PowerOfTwo(static_cast<int>(power));
 }
 
-/// sinh for |x| <= 1, by its series: x + x^3 / 3! + ... x^21 / 21!
+/// Returns sinh x for |x| <= 1 by its series: x + x^3 / 3! + ... x^21 / 21!
 double SinhSeries(double x) {
   const double square = x * x;
   double sum = 0;
@@ -228,7 +232,7 @@ double Acos(double cosine) {
   if (std::abs(cosine) < 0.5) {
     return kHalfPi - (cosine - (kHalfPiLow - cosine * ArcExcess(cosine * cosine)));
   }
-  // acos x = 2 asin(sqrt((1 - x) / 2)), and the other side of pi for x < 0.
+  // acos x = 2 asin(sqrt((1 - x) / 2)); for x < 0 the result is pi minus the value for -x.
   const double square = (1 - std::abs(cosine)) * 0.5, root = std::sqrt(square);
   if (cosine < 0) return kPi - 2 * (root + (ArcExcess(square) * root - kHalfPiLow));
   if (square == 0) return 0;

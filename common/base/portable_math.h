@@ -4,31 +4,34 @@
 
 namespace slicefarm {
 
-/// Transcendental functions whose bits are the same on every machine with IEEE 754 doubles. libm's
-/// are not: glibc picks variants by what the CPU offers (FMA, AVX2), and they differ in the last
-/// bit. These are made of + - * / and sqrt, which IEEE 754 defines to the bit, and are compiled
-/// without contraction of a * b + c. What makes G-code uses these and not libm's.
+/// Transcendental functions with the same bits on every machine with IEEE 754 doubles. libm differs
+/// between machines in the last bit, because glibc picks variants by the features of the CPU (FMA,
+/// AVX2). These functions consist of + - * / and sqrt, which IEEE 754 defines to the bit. They are
+/// compiled without contraction of a * b + c. Code that makes G-code uses these functions instead
+/// of libm.
 ///
-/// Errors:  below 2 ulp (Sinh beyond 700: 3); Sin, Cos, Tan and Acos below 1. NaN gives NaN.
-/// Source:  the algorithms and coefficients of fdlibm 5.3 (Sun Microsystems, 1993, "Permission to
-///          use, copy, modify, and distribute this software is freely granted"): k_sin, k_cos,
-///          k_tan, e_rem_pio2 (the medium case), s_atan, e_atan2, e_acos, e_exp, s_log1p.
+///   Errors:  below 2 ulp (Sinh beyond 700: 3); Sin, Cos, Tan and Acos below 1. NaN gives NaN.
+///   Source:  the algorithms and coefficients of fdlibm 5.3 (Sun Microsystems, 1993, "Permission to
+///            use, copy, modify, and distribute this software is freely granted"): k_sin, k_cos,
+///            k_tan, e_rem_pio2 (the medium case), s_atan, e_atan2, e_acos, e_exp, s_log1p.
 
-/// REQUIRES of Sin, Cos and Tan: |angle_rad| <= kMaxAngleRad. NaN beyond.
+/// Largest |angle_rad| of Sin, Cos and Tan. Beyond it they return NaN.
 inline constexpr double kMaxAngleRad = 8e5;
 double Sin(double angle_rad);
 double Cos(double angle_rad);
 double Tan(double angle_rad);
 
-/// Signs of zeros and the four infinite corners as in C's atan2.
+/// Returns the angle of (x, y). Signs of zeros and infinite arguments are treated as in C's atan2.
 double Atan2(double y, double x);
-double Acos(double cosine);  ///< NaN outside [-1, 1]
+double Acos(double cosine);  ///< returns NaN outside [-1, 1]
 
+/// Hyperbolic functions and logarithm with the same bits on every machine.
 double Sinh(double x);
 double Asinh(double x);
-double Log1p(double x);  ///< log(1 + x); -infinity at -1, NaN below
+double Log1p(double x);  ///< returns log(1 + x): -infinity at -1, NaN below
 
-/// REQUIRES: |x| and |y| in [1e-140, 1e150], or 0: the squares neither overflow nor lose bits.
+/// Returns sqrt(x^2 + y^2). REQUIRES: |x| and |y| in [1e-140, 1e150], or 0, so that the squares
+/// neither overflow nor lose bits.
 inline double Hypot(double x, double y) { return std::sqrt(x * x + y * y); }
 
 }  // namespace slicefarm

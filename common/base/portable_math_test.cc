@@ -18,8 +18,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPi = std::numbers::pi;
 
-/// libm's long double functions are the judge: at 64 bits of mantissa, one of their ulps is 1/2048
-/// of ours.
+/// Error of a function compared with the long double functions of libm. With 64 bits of mantissa,
+/// their ulp is 1/2048 of the ulp of double.
 struct Accuracy {
   std::string name;
   double (*got)(double);
@@ -105,7 +105,7 @@ TEST(PortableMath, ReducesWhatLiesNearQuarterTurns) {
   }
 }
 
-/// Equal also in the sign of zero; all NaNs are one.
+/// Expects equal values, including the sign of zero. All NaNs are equal.
 void ExpectSame(double got, double want) {
   EXPECT_TRUE(std::isnan(want) ? std::isnan(got)
                                : std::bit_cast<uint64_t>(got) == std::bit_cast<uint64_t>(want))
@@ -139,9 +139,9 @@ TEST(PortableMath, Atan2HasAllQuadrantsAndCorners) {
     }
 }
 
-/// What other machines must get too: a digest of the bits of many results. Where it differs, either
-/// the functions have changed (then change the number), or the compiler did what it was told not
-/// to.
+/// All machines must get the same digest of the bits of many results. If the digest differs, either
+/// the functions have changed (then change the number), or the compiler has used a forbidden
+/// optimization.
 TEST(PortableMath, HasTheBitsOfAllOtherMachines) {
   uint64_t digest = 0xcbf29ce484222325;
   const auto add = [&](double value) {
@@ -149,7 +149,7 @@ TEST(PortableMath, HasTheBitsOfAllOtherMachines) {
   };
   std::mt19937_64 random(7);
   for (int i = 0; i < 100'000; ++i) {
-    // The distributions of the library are not the same everywhere.
+    // The random distributions of the library differ between platforms.
     const double unit = static_cast<double>(random() >> 11) * 0x1p-53, wide = (unit - 0.5) * 100;
     for (const auto f : {Sin, Cos, Tan, Sinh, Asinh}) add(f(wide));
     add(Atan2(wide, unit));

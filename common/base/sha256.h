@@ -6,7 +6,8 @@
 
 namespace slicefarm {
 
-/// SHA-256 of bytes that come in pieces. Contents are named by it. Source: FIPS 180-4, by libcrypto.
+/// SHA-256 of bytes that are added in pieces. Contents are named by their digest. Source: FIPS
+/// 180-4, by libcrypto.
 class Sha256 {
  public:
   Sha256();
@@ -16,7 +17,8 @@ class Sha256 {
 
   void Add(std::string_view bytes);
 
-  /// 64 lower-case hex digits. REQUIRES: called once, and nothing added afterwards.
+  /// Returns 64 lower-case hex digits. REQUIRES: it is called once, and nothing is added
+  /// afterwards.
   std::string Hex();
 
  private:
@@ -24,10 +26,10 @@ class Sha256 {
   std::unique_ptr<State> state_;
 };
 
-/// The digest of all of `bytes`.
+/// Returns the digest of `bytes` as 64 hex digits.
 std::string Sha256Hex(std::string_view bytes);
 
-/// True for 64 lower-case hex digits: what may become part of a path.
+/// Returns true for 64 lower-case hex digits. Such a text may safely become part of a path.
 bool IsSha256Hex(std::string_view text);
 
 }  // namespace slicefarm

@@ -12,29 +12,31 @@
 
 namespace slicefarm {
 
-/// A stretch of time in the work on a job.
+/// Timed activity in the work on a job.
 struct Span {
-  std::string name;                               ///< what was done: "slicing", "layers 0-31"
-  std::string track = {};                         ///< by whom; empty: by whoever runs the job
-  int64_t begin_us = 0;                           ///< since 1970
-  int64_t end_us = 0;                             ///< not before begin_us
-  std::map<std::string, std::string> facts = {};  ///< such as how it ended
+  std::string name;  ///< name of the activity, such as "slicing" or "layers 0-31"
+  /// Name of the worker that did the work. Empty: the process that runs the job.
+  std::string track = {};
+  int64_t begin_us = 0;  ///< start in microseconds since 1970
+  int64_t end_us = 0;    ///< end, not before begin_us
+  /// Further facts, such as the result of the activity.
+  std::map<std::string, std::string> facts = {};
 
   friend bool operator==(const Span&, const Span&) = default;
 };
 
-/// What was done for one job, and when: for people who ask where its time went; never read by what
-/// makes the result. Bounded: what does not fit is only counted. Thread-safe.
+/// Log of the timed activities of one job, for people who want to know how its time was spent. It
+/// never influences the result. Its size is limited: further spans are only counted. Thread-safe.
 class SpanLog {
  public:
-  /// `now_us`: since 1970; from there on a clock counts that does not run backwards.
+  /// Makes a log. `now_us`: current time since 1970; from then on a monotonic clock is used.
   SpanLog(int64_t now_us, size_t max_spans) : start_us_(now_us), max_spans_(max_spans) {}
 
   int64_t NowUs() const { return start_us_ + static_cast<int64_t>(clock_.Seconds() * 1e6); }
 
   void Add(Span span);
 
-  /// In the order of their adding.
+  /// Returns the spans in the order in which they were added.
   std::vector<Span> spans() const;
   int64_t dropped() const;
 
@@ -47,10 +49,10 @@ class SpanLog {
   int64_t dropped_ = 0;
 };
 
-/// A span as long as it is in scope. For one thread.
+/// Span that lasts from its construction to its destruction. For use by one thread.
 class ScopedSpan {
  public:
-  /// Without a log, nothing is kept. The log must outlive it.
+  /// Begins a span. Without a log, nothing is recorded. The log must outlive the span.
   ScopedSpan(SpanLog* log, std::string name, std::string track = "") : log_(log) {
     if (log_ != nullptr) span_ = {std::move(name), std::move(track), log_->NowUs()};
   }

@@ -23,7 +23,8 @@ absl::Status SpoolError(const char* what, const std::string& directory, int erro
   return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed, message);
 }
 
-/// Where the file system has no files without names, it loses its name at once.
+/// Opens a file without a name. If the file system does not support this, the file is created with
+/// a name that is removed at once.
 int OpenNameless(const std::string& directory) {
   const int descriptor = open(directory.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
   if (descriptor >= 0 || (errno != EOPNOTSUPP && errno != EISDIR)) return descriptor;

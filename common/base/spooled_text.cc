@@ -8,13 +8,13 @@
 namespace slicefarm {
 namespace {
 
-/// Gathers pieces to blocks.
+/// Buffer that collects pieces into blocks.
 class Blocks {
  public:
   explicit Blocks(const SpooledText::Visit& visit)
       : visit_(visit), block_(static_cast<size_t>(SpooledText::kBlockBytes)) {}
 
-  /// `size` bytes; `fill(offset, bytes)` puts those from `offset` on in place.
+  /// Adds `size` bytes. `fill(offset, bytes)` writes the bytes from `offset` on.
   template <typename Fill>
   absl::Status Take(int64_t size, const Fill& fill) {
     for (int64_t done = 0; done < size;) {
@@ -76,7 +76,7 @@ absl::Status SpooledText::ForEachBlock(const Visit& visit) const {
   return blocks.Flush();
 }
 
-/// `count` bytes of a piece, from `offset` in it on.
+/// Appends `count` bytes of a piece, from `offset` in the piece.
 absl::Status SpooledText::Append(const Piece& piece, int64_t offset, int64_t count,
                                  std::string& text) const {
   if (const auto* part = std::get_if<std::string>(&piece)) {

@@ -13,35 +13,35 @@
 
 namespace slicefarm {
 
-/// A text that need not fit into memory: pieces in their order, some of them in a spool.
+/// Text that may be larger than the memory: a sequence of pieces, some of them in a spool file.
 class SpooledText {
  public:
-  /// What is done with the text's next bytes; an error ends the way through it.
+  /// Function that receives the text's next bytes. An error ends the iteration.
   using Visit = std::function<absl::Status(std::string_view bytes)>;
 
-  /// What is gone through at a time.
+  /// Size of the blocks of an iteration.
   static constexpr int64_t kBlockBytes = 1 << 20;
 
   SpooledText() = default;
   explicit SpooledText(std::string text) { Add(std::move(text)); }
-  /// Of texts in this spool.
+  /// Makes a text with pieces in this spool file.
   explicit SpooledText(std::unique_ptr<const SpoolFile> spool) : spool_(std::move(spool)) {}
 
   void Add(std::string text);
-  /// REQUIRES: the spool is there.
+  /// Appends a piece in the spool file. REQUIRES: the text has a spool file.
   void Add(SpoolFile::Place place);
 
   int64_t size() const { return size_; }
 
-  /// From the beginning to the end, in blocks of kBlockBytes; the last one may be shorter. May be
-  /// called again, with the same bytes. Errors: those of `visit`; STORE_FAILED.
+  /// Calls `visit` for the whole text in blocks of kBlockBytes; the last block may be shorter. It
+  /// may be called again, with the same bytes. Errors: the errors of `visit`; STORE_FAILED.
   absl::Status ForEachBlock(const Visit& visit) const;
 
-  /// Up to `limit` bytes from `offset` on; fewer only at the end. Cost: looks at all pieces before
-  /// them. Errors: STORE_FAILED. REQUIRES: 0 <= offset, limit.
+  /// Returns up to `limit` bytes from `offset` on; fewer only at the end. Cost: iterates over all
+  /// pieces before them. Errors: STORE_FAILED. REQUIRES: 0 <= offset, limit.
   absl::StatusOr<std::string> Read(int64_t offset, int64_t limit) const;
 
-  /// All of it, for texts that fit into memory. Errors: STORE_FAILED.
+  /// Returns the whole text, for texts that fit into memory. Errors: STORE_FAILED.
   absl::StatusOr<std::string> Whole() const;
 
  private:

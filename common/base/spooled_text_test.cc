@@ -17,7 +17,7 @@ constexpr auto kBlock = static_cast<size_t>(SpooledText::kBlockBytes);
 
 std::unique_ptr<SpoolFile> NewSpool() { return *SpoolFile::Make(""); }
 
-/// Bytes that tell where they were.
+/// Returns bytes with values that identify their position.
 std::string Counted(size_t size, char first) {
   std::string text(size, first);
   for (size_t i = 0; i < size; ++i) text[i] = static_cast<char>(first + i % 61);

@@ -11,7 +11,7 @@
 
 namespace slicefarm {
 
-/// Sleeps for `time`, or until a stop is requested. Returns false if it is.
+/// Sleeps for `time`, or until a stop is requested. Returns false if a stop is requested.
 inline bool SleepUnlessStopped(const std::stop_token& stop, std::chrono::milliseconds time) {
   std::mutex mutex;
   std::condition_variable_any never;
@@ -20,7 +20,7 @@ inline bool SleepUnlessStopped(const std::stop_token& stop, std::chrono::millise
   return !stop.stop_requested();
 }
 
-/// Sleeps for `time`, or until the token is cancelled, which it asks every 50 ms. Errors:
+/// Sleeps for `time`, or until the token is cancelled. The token is polled every 50 ms. Errors:
 /// CANCELLED.
 inline absl::Status SleepUnlessCancelled(const CancelToken& cancel,
                                          std::chrono::milliseconds time) {

@@ -4,8 +4,8 @@
 
 namespace slicefarm {
 
-/// Seconds since it was made, of a clock that does not run backwards. Times go into reports and decide when work is done
-/// twice; they never change a result.
+/// Timer that returns the seconds since its construction, by a monotonic clock. Times are used in
+/// reports and to decide when work is done twice; they never change a result.
 class Stopwatch {
  public:
   double Seconds() const {
@@ -16,7 +16,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The result of `work()`; the time it takes is added to `seconds`.
+/// Returns the result of `work()` and adds its duration to `seconds`.
 template <typename Work>
 auto Timed(double& seconds, const Work& work) {
   const Stopwatch watch;

@@ -8,7 +8,7 @@
 
 namespace slicefarm {
 
-/// A directory for one test, removed at its end. `parent` ends with a slash.
+/// Directory for one test, removed at its end. `parent` ends with a slash.
 class TempDirectory {
  public:
   explicit TempDirectory(const std::string& parent = testing::TempDir()) {

@@ -7,7 +7,8 @@ namespace slicefarm {
 
 namespace {
 
-/// How many bytes of the text's beginning are one control character; 0: it begins otherwise.
+/// Returns the length of the control character at the start of the text, in bytes. Returns 0 if the
+/// text starts with another character.
 size_t ControlBytes(std::string_view text) {
   if (IsControl(text[0])) return 1;
   if (text.size() >= 2 && text[0] == '\xc2' && static_cast<unsigned char>(text[1]) < 0xa0) return 2;

@@ -27,7 +27,7 @@ bool SampledFlag(char low_digit) {
 }  // namespace
 
 std::optional<TraceContext> ParseTraceparent(std::string_view text) {
-  // version-traceid-spanid-flags
+  // Length of version-traceid-spanid-flags.
   constexpr size_t kSize = 2 + 1 + kTraceIdDigits + 1 + kSpanIdDigits + 1 + 2;
   if (text.size() < kSize || text[2] != '-' || text[35] != '-' || text[52] != '-') {
     return std::nullopt;

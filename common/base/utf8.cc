@@ -6,8 +6,8 @@
 namespace slicefarm {
 namespace {
 
-/// Length of the sequence that begins with `first`; 0 if none does. Two-byte forms of ASCII and
-/// what lies beyond U+10FFFF are out by their first byte.
+/// Returns the length of the UTF-8 sequence that begins with `first`, or 0 if no sequence does.
+/// Two-byte forms of ASCII and code points beyond U+10FFFF are excluded by their first byte.
 size_t SequenceLength(uint8_t first) {
   if (first < 0x80) return 1;
   if (first >= 0xc2 && first < 0xe0) return 2;
@@ -16,8 +16,8 @@ size_t SequenceLength(uint8_t first) {
   return 0;
 }
 
-/// The first continuation byte narrows what the first byte leaves open: no overlong forms, no
-/// surrogates.
+/// Returns true if `second` may follow `first`. This excludes overlong forms and surrogates, which
+/// the first byte does not exclude.
 bool IsSecond(uint8_t first, uint8_t second) {
   const uint8_t least = first == 0xe0 ? 0xa0 : first == 0xf0 ? 0x90 : 0x80;
   const uint8_t most = first == 0xed ? 0x9f : first == 0xf4 ? 0x8f : 0xbf;
@@ -31,7 +31,7 @@ bool IsSequence(std::string_view bytes) {
          });
 }
 
-/// The sequence that `text` begins with; empty if it begins with none.
+/// Returns the sequence at the start of `text`, or an empty text if there is no valid one.
 std::string_view FirstSequence(std::string_view text) {
   const size_t length = SequenceLength(static_cast<uint8_t>(text[0]));
   const std::string_view sequence = text.substr(0, length);

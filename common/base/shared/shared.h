@@ -10,8 +10,8 @@
 
 namespace slicefarm {
 
-/// A value that much work has in common, such as a job's settings: it never changes, copies are
-/// cheap and name the same value, and what is made of it is made once. Thread-safe.
+/// Value that many tasks share, such as a job's settings. It never changes, and copies are cheap
+/// references to the same value. Results derived from it are computed once. Thread-safe.
 template <typename T>
 class Shared {
  public:
@@ -22,9 +22,9 @@ class Shared {
   const T& operator*() const { return held_->value; }
   const T* operator->() const { return &held_->value; }
 
-  /// What `make(const T&)` gives, made at the first call: later ones, also of copies, get the same.
-  /// One thing of a type can be made of a value. The result lives as long as the value. `make` must
-  /// not ask the same value for anything.
+  /// Returns the result of `make(const T&)`. It is computed at the first call; later calls, also of
+  /// copies, return the same object. Each value has one result per result type. The result lives as
+  /// long as the value. `make` must not call Once of the same value.
   template <typename Make, typename Made = std::invoke_result_t<const Make&, const T&>>
   const Made& Once(const Make& make) const {
     const std::lock_guard lock(held_->mutex);

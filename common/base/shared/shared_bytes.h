@@ -7,17 +7,18 @@
 
 namespace slicefarm {
 
-/// A shared value as it travels.
+/// Shared value in the form in which it is sent.
 struct SharedBytes {
-  std::string kind;    ///< how the bytes are to be read
-  std::string digest;  ///< of both: 64 hex digits
+  std::string kind;    ///< name of the format of the bytes
+  std::string digest;  ///< digest of kind and bytes: 64 hex digits
   std::string bytes;
 };
 
-/// Values that a call names by their digests.
+/// Values to which a call refers by their digests.
 using SharedParts = std::vector<std::shared_ptr<const SharedBytes>>;  // with what they were made of
 
-/// SHA-256 of the kind, a zero byte and the bytes: equal bytes of two kinds are two values.
+/// Returns the SHA-256 of the kind, a zero byte and the bytes. Equal bytes of two kinds have
+/// different digests.
 std::string SharedDigest(std::string_view kind, std::string_view bytes);
 
 }  // namespace slicefarm

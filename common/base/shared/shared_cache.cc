@@ -8,7 +8,7 @@
 
 namespace slicefarm {
 
-/// What is kept of a value: its bytes until somebody asks for it, then what they came to.
+/// Cached value: its bytes until the first request, then the parsed value.
 struct SharedCache::Entry {
   explicit Entry(SharedBytes given)
       : kind(std::move(given.kind)),
@@ -19,7 +19,7 @@ struct SharedCache::Entry {
   const std::string kind;
   const std::string digest;
   const int64_t size;
-  std::mutex mutex;  ///< held while the bytes are read
+  std::mutex mutex;  ///< locked while the bytes are parsed
   std::string bytes;
   std::any value;
 };

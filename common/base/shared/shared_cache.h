@@ -19,28 +19,29 @@
 
 namespace slicefarm {
 
-/// Values that came as bytes, by their digest: the newest, and those asked for last, as many as
-/// fit. A value that was taken lives on with who took it, whatever becomes of it here. Thread-safe.
+/// Cache of values that were received as bytes, by their digest. It keeps the most recently added
+/// or requested values. A value that was taken remains valid for its user after its eviction.
+/// Thread-safe.
 class SharedCache {
  public:
   struct Counts {
-    int64_t hits = 0;     ///< that were asked for and there
-    int64_t misses = 0;   ///< that were asked for and not there
-    int64_t evicted = 0;  ///< that had to go
-    int64_t entries = 0;  ///< at the moment
-    int64_t bytes = 0;    ///< of these, as they came
+    int64_t hits = 0;     ///< number of requests for values in the cache
+    int64_t misses = 0;   ///< number of requests for values not in the cache
+    int64_t evicted = 0;  ///< number of evicted values
+    int64_t entries = 0;  ///< current number of values
+    int64_t bytes = 0;    ///< size of the current values, as received
   };
 
-  /// Keeps at most `capacity` bytes, or one value that is longer.
+  /// Makes a cache for at most `capacity` bytes, or for one larger value.
   explicit SharedCache(int64_t capacity) : capacity_(capacity) {}
 
   bool Has(const std::string& digest) const;
-  /// REQUIRES: the digest is that of kind and bytes.
+  /// Adds a value. REQUIRES: the digest is the digest of kind and bytes.
   void Put(SharedBytes bytes);
 
-  /// The value of a digest, of that kind: `read(bytes)` makes it at the first call, and the bytes
-  /// go. Errors: SHARED_MISSING with metadata `digest`; REQUEST_MALFORMED if it is of another kind;
-  /// those of `read`.
+  /// Returns the value of a digest and kind. The first call parses it by `read(bytes)` and then
+  /// discards the bytes. Errors: SHARED_MISSING with metadata `digest`; REQUEST_MALFORMED if the
+  /// value is of another kind; the errors of `read`.
   template <typename T>
   absl::StatusOr<Shared<T>> Take(const std::string& digest, std::string_view kind,
                                  const std::function<absl::StatusOr<T>(std::string_view)>& read) {
@@ -65,12 +66,12 @@ class SharedCache {
 
   const int64_t capacity_;
   mutable std::mutex mutex_;
-  Entries entries_;  ///< the one asked for last comes first
+  Entries entries_;  ///< entries, the most recently requested first
   std::map<std::string, Entries::iterator, std::less<>> by_digest_;
   Counts counts_;
 };
 
-/// The digest that SHARED_MISSING names; empty for other errors.
+/// Returns the digest in a SHARED_MISSING error, or an empty text for other errors.
 std::string MissingDigest(const absl::Status& status);
 
 }  // namespace slicefarm

@@ -9,8 +9,8 @@
 
 namespace slicefarm {
 
-/// A text that many have: it never changes, copies are cheap, and equal ones that were copied are
-/// told by a look.
+/// Text with many owners. It never changes, and copies are cheap. Comparing copies of one text
+/// takes constant time.
 class SharedText {
  public:
   SharedText() : SharedText(Empty()) {}
@@ -26,7 +26,8 @@ class SharedText {
   size_t size() const { return text_->size(); }
   void clear() { *this = {}; }
 
-  /// What `make(const std::string&)` makes of it, once for all who have it: see Shared::Once.
+  /// Returns the result of `make(const std::string&)`, which is computed once for all owners: see
+  /// Shared::Once.
   template <typename Make>
   const auto& Once(const Make& make) const {
     return text_.Once(make);
