@@ -11,9 +11,9 @@
 namespace slicefarm {
 namespace {
 
-/// Vertices or triangles: a piece stays about a megabyte.
+/// Largest number of vertices or triangles in a piece, so that a piece stays at about a megabyte.
 constexpr size_t kInPiece = 65'536;
-/// Room for a mesh that is merely announced; more comes with its pieces.
+/// Largest memory reserved for an announced mesh. More is allocated when its pieces arrive.
 constexpr int64_t kMostReserved = 1 << 20;
 constexpr int64_t kMaxVertices = 3 * limits::kMaxTriangles;
 

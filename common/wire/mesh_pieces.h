@@ -14,22 +14,23 @@ namespace slicefarm {
 
 v1::MeshSize SizeOf(const IndexedMesh& mesh);
 
-/// Calls `send` with each piece of a mesh, until it returns false. Errors: OUT_OF_RANGE for
+/// Calls `send` with each piece of a mesh, until `send` returns false. Errors: OUT_OF_RANGE for
 /// vertices that do not fit in 32 bits.
 absl::Status ForEachPiece(const IndexedMesh& mesh,
                           const std::function<bool(const v1::MeshPiece&)>& send);
 
-/// The other end: puts meshes together, whose pieces come one mesh after the other.
+/// Receiver that assembles meshes from their pieces. The pieces arrive one mesh after the other.
 class MeshReader {
  public:
-  /// Errors: REQUEST_MALFORMED; MESH_TOO_LARGE if they are announced to have more triangles than a
-  /// job may have.
+  /// Begins with the announced sizes. Errors: REQUEST_MALFORMED; MESH_TOO_LARGE if more triangles
+  /// are announced than a job may have.
   static absl::StatusOr<MeshReader> Begin(std::vector<v1::MeshSize> sizes);
 
-  /// Errors: REQUEST_MALFORMED for more than was announced, and for corners that no vertex is at.
+  /// Adds a piece. Errors: REQUEST_MALFORMED for more data than announced, and for corners without
+  /// a vertex.
   absl::Status Add(const v1::MeshPiece& piece);
 
-  /// Errors: REQUEST_MALFORMED for less than was announced.
+  /// Returns the meshes. Errors: REQUEST_MALFORMED for less data than announced.
   absl::StatusOr<std::vector<IndexedMesh>> Finish();
 
  private:
@@ -37,7 +38,7 @@ class MeshReader {
 
   std::vector<v1::MeshSize> sizes_;
   std::vector<IndexedMesh> meshes_;
-  size_t mesh_ = 0;  ///< being filled
+  size_t mesh_ = 0;  ///< index of the mesh that is being filled
 };
 
 }  // namespace slicefarm

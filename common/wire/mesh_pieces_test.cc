@@ -8,7 +8,7 @@
 namespace slicefarm::mesh_pieces_test {
 namespace {
 
-/// A fan of so many triangles.
+/// Returns a fan of the given number of triangles.
 IndexedMesh Fan(uint32_t triangles) {
   IndexedMesh mesh;
   for (uint32_t i = 0; i < triangles + 2; ++i) mesh.vertices.push_back({i, -Coord{i}, 7});

@@ -10,15 +10,16 @@
 
 namespace slicefarm {
 
-/// All of a scene but its meshes, which follow in pieces, part by part.
+/// Converts a scene without its meshes, which follow in pieces, part by part.
 absl::Status ToProto(const PlacedScene& scene, v1::PlacedScene* proto);
-/// The scene without its meshes. Errors: REQUEST_MALFORMED naming the field; REQUEST_TOO_LARGE.
+/// Returns the scene without its meshes. Errors: REQUEST_MALFORMED naming the field;
+/// REQUEST_TOO_LARGE.
 absl::StatusOr<PlacedScene> FromProto(const v1::PlacedScene& proto);
 
-/// Of all parts, in their order.
+/// Returns the sizes of the meshes of all parts, in the order of the parts.
 std::vector<v1::MeshSize> MeshSizesOf(const v1::PlacedScene& proto);
 
-/// Puts the meshes where they belong. REQUIRES: one for each part.
+/// Stores the meshes in the parts of the scene. REQUIRES: one mesh for each part.
 void PutMeshes(std::vector<IndexedMesh> meshes, PlacedScene& scene);
 
 namespace v1 {

@@ -37,7 +37,7 @@ TEST(PlacedSceneWire, Returns) {
   EXPECT_EQ(object.parts[0].mesh, want.parts[0].mesh);
   EXPECT_EQ(object.parts[0].report, want.parts[0].report);
   EXPECT_EQ(object.parts[1].role, PartRole::kModifier);
-  // Sizes are those of the meshes, which travel apart.
+  // Sizes are read from the meshes, which are sent separately.
   auto without = proto;
   without.mutable_objects(0)->mutable_parts(0)->mutable_size()->clear_vertices();
   without.mutable_objects(0)->mutable_parts(0)->mutable_size()->clear_triangles();

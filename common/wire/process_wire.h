@@ -17,7 +17,7 @@
 
 namespace slicefarm {
 
-/// The layers that follow the start of a task: those of its range and halo.
+/// Reads the layers that follow the start of a task: the layers of its range and halo.
 inline absl::StatusOr<std::vector<SlicedLayer>> ReceiveLayers(LayerRange range,
                                                               const CancelToken& cancel,
                                                               WorkerEnd& end) {
@@ -30,18 +30,18 @@ inline absl::StatusOr<std::vector<SlicedLayer>> ReceiveLayers(LayerRange range,
   return ReadNeighbourhood<v1::WorkRequest>(end, start);
 }
 
-/// The tasks of a process on the wire, by what is its own:
+/// TaskWire of a process, defined by the process's traits:
 ///
 ///   struct MillTraits {
 ///     using Task = MillTask;      // if it has `layers`, they follow the start
 ///     using Result = MillResult;  // has `times`, which are sent last
-///     using Payload = MillTask;   // what v1::WorkStart.work says of the task
+///     using Payload = MillTask;   // content of v1::WorkStart.work
 ///     static constexpr auto kWork = v1::WorkStart::kMill;
-///     static constexpr auto kShared = &MillTask::input;  // goes to a worker once, by its digest
+///     static constexpr auto kShared = &MillTask::input;  // sent to a worker once, with its digest
 ///     static int64_t PointsIn(const Task& task);         // see TaskWire
 ///     static absl::Status Put(const Task& task, v1::WorkStart* start);  // fills `work`
 ///     static absl::StatusOr<Payload> Take(const v1::WorkStart& start);
-///     static Task TaskOf(const Payload& payload);  // without its layers and what is shared
+///     static Task TaskOf(const Payload& payload);  // without its layers and the shared value
 ///     static absl::Status SendParts(Result& result, WorkerEnd& end);
 ///     static absl::Status TakePart(v1::WorkResponse& response, Result* result);
 ///     static absl::Status Check(const Task& task, const Result& result);

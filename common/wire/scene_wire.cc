@@ -65,7 +65,7 @@ absl::StatusOr<HeightRange> FromProto(const v1::HeightRange& proto) {
   return HeightRange{proto.from_mm(), proto.to_mm(), SettingsFromProto(proto.settings())};
 }
 
-/// Reads objects, and gives each mesh that they name an index.
+/// Reader of objects that gives an index to each mesh that the objects refer to.
 class SceneReader {
  public:
   absl::Status Add(const v1::Object& proto) {
@@ -89,7 +89,8 @@ class SceneReader {
   SubmittedScene Take() && { return std::move(scene_); }
 
  private:
-  /// Before any copy is made: a short message may ask for very many.
+  /// Checks the number of copies before any copy is made, because a short message may request very
+  /// many.
   absl::Status CountCopies(int64_t copies) {
     copies_ += std::max<int64_t>(copies, 1);
     if (copies_ <= limits::kMaxObjects) return absl::OkStatus();
@@ -133,7 +134,7 @@ class SceneReader {
       return LimitError(Reason::kRequestTooLarge, "parts of all objects", limits::kMaxParts,
                         parts_);
     }
-    // Each part gets a row of settings in each range.
+    // Each part gets a row of settings in each height range.
     slices_ += int64_t{proto.parts_size()} * (proto.height_ranges_size() + 1);
     if (slices_ > limits::kMaxPartRanges) {
       return LimitError(Reason::kRequestTooLarge, "parts of all objects, in each height range",
@@ -180,7 +181,7 @@ class SceneReader {
   SubmittedScene scene_;
   std::map<std::pair<std::string, MeshFormat>, int32_t> known_;
   int64_t parts_ = 0;
-  int64_t slices_ = 0;  ///< parts by height ranges
+  int64_t slices_ = 0;  ///< number of parts times height ranges
   int64_t copies_ = 0;
 };
 

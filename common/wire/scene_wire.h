@@ -10,21 +10,22 @@
 
 namespace slicefarm {
 
-/// Objects as clients submit them, and the files that their parts refer to by index.
+/// Objects as clients submit them, and the files to which their parts refer by index.
 struct SubmittedScene {
-  std::vector<StoredMesh> meshes;  ///< each once
+  std::vector<StoredMesh> meshes;  ///< files, each of them once
   std::vector<SceneObject> objects;
 
   bool operator==(const SubmittedScene&) const = default;
 };
 
-/// An object of parts, its copies among them. `meshes`: by the parts' MeshRef::file. A copy that is
-/// not printable is left out.
+/// Converts an object with its parts and copies. `meshes`: files, indexed by MeshRef::file of the
+/// parts. A copy that is not printable is left out.
 void ToProto(const SceneObject& object, std::span<const StoredMesh> meshes, v1::Object* proto);
 
-/// Errors: REQUEST_MALFORMED with the way to the field: digests that are none, numbers that are not
-/// finite, what is given in both ways, an object without a mesh; those of FromProto(v1::Placement);
-/// REQUEST_TOO_LARGE beyond limits::kMaxParts, kMaxHeightRanges and kMaxObjects.
+/// Converts submitted objects. Errors: REQUEST_MALFORMED with the path to the field, for invalid
+/// digests, numbers that are not finite, values given in both possible forms, and objects without a
+/// mesh. REQUEST_TOO_LARGE beyond limits::kMaxParts, kMaxHeightRanges and kMaxObjects. The errors
+/// of FromProto(v1::Placement).
 absl::StatusOr<SubmittedScene> FromProto(
     const google::protobuf::RepeatedPtrField<v1::Object>& objects);
 

@@ -14,7 +14,7 @@ namespace {
 
 using Objects = google::protobuf::RepeatedPtrField<v1::Object>;
 
-/// With every field different from what it is without being given.
+/// Returns a scene with a value different from the default in every field.
 SubmittedScene RichScene() {
   SubmittedScene scene;
   scene.meshes = {{Sha256Hex("a"), "bracket", MeshFormat::k3mf},

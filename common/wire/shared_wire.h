@@ -17,20 +17,21 @@
 
 namespace slicefarm {
 
-/// What the calls of a job have in common goes to a server once, and calls name it by its digest:
+/// Data that the calls of a job share are sent to a server once. Calls refer to them by their
+/// digest:
 ///
 ///   template <> struct MessageOf<Table> { using Type = v1::Table; };   // with ToProto and
 ///   FromProto
 ///
-///   const auto part = PartOf(shared);                 // at the client's end: made once a value
-///   start.set_table((*part)->digest);                 // and give the part to SharedSends
+///   const auto part = PartOf(shared);                 // in the client: made once per value
+///   start.set_table((*part)->digest);                 // and pass the part to SharedSends
 ///
-///   auto table = TakeShared<Table>(cache, start.table(), "table");     // at the server's end
+///   auto table = TakeShared<Table>(cache, start.table(), "table");     // in the server
 ///
-/// The server reads the bytes once, too, and hands the same Shared<Table> to each call.
+/// The server also parses the bytes only once, and passes the same Shared<Table> to each call.
 
-/// The message that a shared value of type T travels as: `absl::Status ToProto(const T&, Type*)`
-/// and `absl::StatusOr<T> FromProto(const Type&)`.
+/// Message type for a shared value of type T. REQUIRES: `absl::Status ToProto(const T&, Type*)` and
+/// `absl::StatusOr<T> FromProto(const Type&)`.
 template <typename T>
 struct MessageOf;
 
@@ -51,14 +52,14 @@ absl::StatusOr<std::shared_ptr<const SharedBytes>> MakePart(const T& value) {
 
 }  // namespace internal
 
-/// The value's bytes. Cost: O(bytes) at the first call, nothing afterwards. Errors: those of
-/// ToProto; REQUEST_TOO_LARGE for more than limits::kMaxSharedBytes.
+/// Returns the bytes of the value. Cost: O(bytes) at the first call, nothing afterwards. Errors:
+/// the errors of ToProto; REQUEST_TOO_LARGE for more than limits::kMaxSharedBytes.
 template <typename T>
 const absl::StatusOr<std::shared_ptr<const SharedBytes>>& PartOf(const Shared<T>& value) {
   return value.Once([](const T& held) { return internal::MakePart(held); });
 }
 
-/// The parts of a call that names this value alone.
+/// Returns the shared parts of a call that refers only to this value.
 template <typename T>
 absl::StatusOr<SharedParts> OnePart(const Shared<T>& value) {
   const auto& part = PartOf(value);
@@ -66,8 +67,8 @@ absl::StatusOr<SharedParts> OnePart(const Shared<T>& value) {
   return SharedParts{*part};
 }
 
-/// The value of a digest that a call names in `field`. Errors: SHARED_MISSING; REQUEST_MALFORMED
-/// and REQUEST_TOO_LARGE with the way to the field.
+/// Returns the value for the digest in the call's field `field`. Errors: SHARED_MISSING;
+/// REQUEST_MALFORMED and REQUEST_TOO_LARGE with the path to the field.
 template <typename T>
 absl::StatusOr<Shared<T>> TakeShared(SharedCache& cache, const std::string& digest,
                                      std::string_view field) {

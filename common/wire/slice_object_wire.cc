@@ -101,7 +101,7 @@ absl::StatusOr<CopyInput> FromProto(const v1::SliceCopy& proto) {
   return CopyInput{*place, FromProto(proto.at())};
 }
 
-/// Like AllToProto, for the converters of this file.
+/// Does the same as AllToProto, for the converters of this file.
 template <typename Model, typename Proto>
 absl::Status EachToProto(const std::vector<Model>& models, std::string_view field,
                          google::protobuf::RepeatedPtrField<Proto>* protos) {

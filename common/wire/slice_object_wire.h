@@ -8,13 +8,13 @@
 
 namespace slicefarm {
 
-/// An object as slicing is given it. Errors: OUT_OF_RANGE for what does not fit in 32-bit
-/// nanometres; REQUEST_MALFORMED, with the way to the field, for numbers that are not finite and
-/// indices that are negative.
+/// Convert an object of the input of slicing. Errors: OUT_OF_RANGE for values that do not fit in
+/// 32-bit nanometres; REQUEST_MALFORMED, with the path to the field, for numbers that are not
+/// finite and for negative indices.
 absl::Status ToProto(const ObjectInput& object, v1::SliceObject* proto);
 absl::StatusOr<ObjectInput> FromProto(const v1::SliceObject& proto);
 
-/// Row by row.
+/// Writes the matrix row by row.
 void PutTransform(const Transform& transform, google::protobuf::RepeatedField<double>* proto);
 absl::StatusOr<Transform> TakeTransform(const google::protobuf::RepeatedField<double>& proto,
                                         std::string_view field);

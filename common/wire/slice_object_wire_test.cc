@@ -23,8 +23,8 @@ Transform Counted(double from) {
   return transform;
 }
 
-// The bindings name every member: a new one does not compile until it is sent here, and so on the
-// wire.
+// The structured bindings name every member. A new member does not compile until it is added here,
+// and thereby to the message.
 PartInput DistinctPart() {
   PartInput part;
   auto& [name, mesh, role, to_object, regions, changes] = part;
@@ -78,7 +78,7 @@ TEST(SliceObjectWire, EveryFieldChangedAloneReturns) {
   ExpectEveryChangeReturns<v1::SliceObject, ObjectInput>(ProtoOf<v1::SliceObject>(Distinct()));
 }
 
-// Sees fields that are swapped in both directions, which no round trip does.
+// Finds fields that are swapped in both directions, which no round trip finds.
 TEST(SliceObjectWire, EachMemberIsTheFieldOfItsName) {
   const auto proto = ProtoOf<v1::SliceObject>(Distinct());
   EXPECT_EQ(proto.name(), "object");

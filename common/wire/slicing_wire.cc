@@ -18,7 +18,7 @@
 namespace slicefarm {
 namespace {
 
-/// Memory for a file that is merely announced; more comes with the bytes.
+/// Largest memory reserved for an announced file. More is allocated when its bytes arrive.
 constexpr int64_t kMaxReservedBytes = 64 << 20;
 
 absl::StatusOr<MeshFile> FileFromProto(const v1::SliceFile& proto) {

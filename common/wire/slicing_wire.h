@@ -15,37 +15,37 @@
 
 namespace slicefarm {
 
-/// The start of a stream. After it come the bytes of the files in chunks, in order; a chunk may
-/// hold the end of one file and the beginning of the next.
+/// Converts the start of a stream. The bytes of the files follow in chunks, in order. A chunk may
+/// contain the end of one file and the beginning of the next.
 absl::Status ToProto(const StageCall& call, const SliceInput& input, const SlicingOptions& options,
                      v1::SliceStart* proto);
 
-/// Calls `send` with each chunk, until it returns false. Chunks are views of the input.
+/// Calls `send` with each chunk, until `send` returns false. Chunks are views of the input.
 void ForEachChunk(const SliceInput& input, const std::function<bool(std::string_view)>& send);
 
-/// The other end: puts the files together.
+/// Receiver that assembles the files from chunks.
 class SliceInputReader {
  public:
-  /// Errors: REQUEST_MALFORMED; MESH_TOO_LARGE when all files together are announced beyond
-  /// limits::kMaxMeshBytes.
+  /// Begins with the announced files. Errors: REQUEST_MALFORMED; MESH_TOO_LARGE if all announced
+  /// files together exceed limits::kMaxMeshBytes.
   static absl::StatusOr<SliceInputReader> Begin(const v1::SliceStart& start);
 
-  /// Errors: REQUEST_MALFORMED for more bytes than were announced.
+  /// Adds a chunk. Errors: REQUEST_MALFORMED for more bytes than announced.
   absl::Status Add(std::string_view chunk);
 
-  /// Bytes of all files, as announced.
+  /// Returns the announced size of all files.
   int64_t size() const;
 
-  /// Errors: REQUEST_MALFORMED for fewer bytes than were announced.
+  /// Returns the input. Errors: REQUEST_MALFORMED for fewer bytes than announced.
   absl::StatusOr<SliceInput> Finish();
 
  private:
   SliceInput input_;
   std::vector<size_t> sizes_;
-  size_t file_ = 0;  ///< being filled
+  size_t file_ = 0;  ///< index of the file that is being filled
 };
 
-/// What begins the stream, and what the files are read into.
+/// First message of the stream, and the reader for the files.
 struct SliceStart {
   StageCall call;
   SlicingOptions options;
@@ -53,12 +53,13 @@ struct SliceStart {
 };
 absl::StatusOr<SliceStart> FromProto(const v1::SliceStart& proto);
 
-/// All of a sliced job but its layers, which follow one by one.
+/// Converts a sliced job without its layers, which follow one by one.
 absl::Status ToProto(const SlicedJob& job, v1::SliceSummary* proto);
 absl::StatusOr<SlicedJob> FromProto(const v1::SliceSummary& proto);
 
 absl::Status ToProto(const PlatePlace& place, v1::PlatePlace* proto);
-/// Errors: REQUEST_MALFORMED for a plate that no job can have.
+/// Converts a plate position. Errors: REQUEST_MALFORMED for a plate number that is impossible in
+/// any job.
 absl::StatusOr<PlatePlace> FromProto(const v1::PlatePlace& proto);
 
 namespace v1 {

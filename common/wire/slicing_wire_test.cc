@@ -25,7 +25,7 @@ v1::SliceStart StartOf(const SliceInput& input) {
   return proto;
 }
 
-// The end of one file and the beginning of the next may come together, or byte by byte.
+// A chunk may contain the end of one file and the beginning of the next, or a single byte.
 TEST(SliceInputReader, PutsFilesTogetherFromAnyChunks) {
   SliceInput input = TwoFiles();
   input.advise_orientations = true;
@@ -83,7 +83,7 @@ TEST(SliceInputReader, RefusesMoreFilesOrObjectsThanAPlateMayHave) {
   EXPECT_EQ(DetailOf(FromProto(objects).status()).reason, Reason::kRequestTooLarge);
 }
 
-// Found by fuzz_slicing: the sum of both has no room in 64 bits.
+// Found by fuzz_slicing: the sum of both numbers exceeds 64 bits.
 TEST(SliceInputReader, MoreBytesThanCanBeCountedAreRefused) {
   v1::SliceStart start;
   start.add_files()->set_size_bytes(124);
@@ -95,7 +95,7 @@ TEST(SliceInputReader, MoreBytesThanCanBeCountedAreRefused) {
 
 TEST(SliceSummaryWire, Returns) {
   SlicedJob job;
-  // A new member does not compile until it is sent here, and so on the wire.
+  // A new member does not compile until it is added here, and thereby to the message.
   auto& [layers, object_names, copies, meshes, thumbnails, orientations] = job;
   orientations = {{"lid", {90, 0, 0}, {1, 2, 3, false}, {4, 0, 5, true}}};
   layers.resize(7);

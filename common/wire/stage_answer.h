@@ -11,17 +11,18 @@
 
 namespace slicefarm {
 
-/// A stage's end of a call that names by digest what it is told of the whole job. A Call has
-/// `cancel` and `job_id`, which goes to the log; a Stream has the types Request and Response.
+/// Server side of a stage's call that refers to its job data by digest. Requirements: a Call has
+/// `cancel` and `job_id`, which is written to the log; a Stream has the types Request and Response.
 
-/// A call that has begun.
+/// Call with its first message and its job data.
 template <typename Start, typename Job>
 struct BegunCall {
   Start start;
   Shared<Job> job;
 };
 
-/// Reads how a call begins. Errors: those of the start; SHARED_MISSING; those of reading a Job.
+/// Reads the start of a call and its job data. Errors: the errors of the start; SHARED_MISSING; the
+/// errors of reading a Job.
 template <typename Job, typename Call, typename Stream>
 auto BeginCall(Call& call, Stream& stream, SharedCache& shared) {
   auto start = ReadStart<typename Stream::Request>(stream, call.cancel);
@@ -33,8 +34,8 @@ auto BeginCall(Call& call, Stream& stream, SharedCache& shared) {
   return absl::StatusOr<Begun>(Begun{*std::move(start), *std::move(job)});
 }
 
-/// The same of a call about a range of layers, which goes to the log as well. Errors: besides,
-/// REQUEST_MALFORMED without a range.
+/// Reads the start of a call about a range of layers, like BeginCall. The range is also written to
+/// the log. Further errors: REQUEST_MALFORMED without a range.
 template <typename Job, typename Call, typename Stream>
 auto BeginRange(Call& call, Stream& stream, SharedCache& shared) {
   auto begun = BeginCall<Job>(call, stream, shared);
@@ -44,7 +45,7 @@ auto BeginRange(Call& call, Stream& stream, SharedCache& shared) {
   return begun;
 }
 
-/// Answers with one message. A client that is gone needs no error.
+/// Answers with one message. A disconnected client causes no error.
 template <typename Stream, typename Model>
 absl::Status AnswerOne(Stream& stream, const absl::StatusOr<Model>& model) {
   if (!model.ok()) return model.status();
@@ -54,7 +55,7 @@ absl::Status AnswerOne(Stream& stream, const absl::StatusOr<Model>& model) {
   return put;
 }
 
-/// Answers with a message for each model. Unavailable if the client is gone.
+/// Answers with a message for each model. Errors: Unavailable if the client has disconnected.
 template <typename Stream, typename Model>
 absl::Status AnswerEach(Stream& stream, absl::StatusOr<std::vector<Model>> models) {
   if (!models.ok()) return models.status();

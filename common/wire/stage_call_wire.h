@@ -7,11 +7,13 @@
 
 namespace slicefarm {
 
-/// What begins every call of a stage; cancellation and deadline travel beside the message.
+/// Converts the context of a call, the first part of every call. Cancellation and deadline are sent
+/// outside of the message.
 v1::StageCall ToProto(const StageCall& call);
 
-/// Errors: FailedPrecondition, reason BUILD_MISMATCH with `caller` and `callee`, where the caller
-/// is of another build: its other stages would not give the same bytes.
+/// Converts the context of a call. Errors: FailedPrecondition, reason BUILD_MISMATCH with `caller`
+/// and `callee`, if the caller has another build. The stages of another build would not give the
+/// same bytes.
 absl::StatusOr<StageCall> FromProto(const v1::StageCall& proto);
 
 namespace v1 {

@@ -21,7 +21,7 @@ struct ExposureJob;
 struct MotionJob;
 struct OrderingJob;
 
-/// Data of a whole job that all calls of a stage share. Errors: those of options_wire.h and
+/// Data of a whole job that all calls of a stage share. Errors: the errors of options_wire.h and
 /// plan_wire.h, with the path to the field.
 
 absl::Status ToProto(const BeadingTable& table, v1::BeadingTable* proto);

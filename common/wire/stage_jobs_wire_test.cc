@@ -41,7 +41,7 @@ OrderingJob Ordering() {
 MotionJob Motion() {
   MotionJob job;
   auto& [options, facts] = job;
-  // The next value of 100 % would be refused.
+  // The value after 100 % would be refused.
   options.tool().cooling.max_fan_percent = 50;
   options.tool().cooling.bridge_fan_percent = 50;
   options.speeds.resize(2);
@@ -54,7 +54,7 @@ ExposureJob Exposure() {
   ExposureJob job;
   auto& [settings, copies] = job;
   settings.regions.resize(2);
-  // Skins of a distance of their own: the next value of 0 would be refused.
+  // Skins have a distance of their own, because the value after 0 would be refused.
   for (ExposureOptions& region : settings.regions)
     region.upskin_distance_nm = region.downskin_distance_nm = 90'000;
   settings.regions[1].spot_nm = 7;
@@ -72,10 +72,10 @@ TEST(StageJobsWire, Return) {
 }
 
 TEST(StageJobsWire, EveryFieldChangedAloneReturns) {
-  // One nanometre more is no whole micrometre.
+  // A shift increased by one nanometre is no whole micrometre.
   ExpectEveryChangeReturns<v1::OrderingJob, OrderingJob>(ProtoOf<v1::OrderingJob>(Ordering()),
                                                          {"options", "shift"});
-  // The only copy of "a" has no second one.
+  // Object "a" has only one copy, so a second copy is refused.
   ExpectEveryChangeReturns<v1::MotionJob, MotionJob>(ProtoOf<v1::MotionJob>(Motion()),
                                                      {"options", "facts.copies[0].copy"});
   ExpectEveryChangeReturns<v1::ExposureJob, ExposureJob>(ProtoOf<v1::ExposureJob>(Exposure()),

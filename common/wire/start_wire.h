@@ -15,12 +15,12 @@
 
 namespace slicefarm {
 
-/// First message of a call. Errors: those of stage_call_wire.h, layer_wire.h, plan_wire.h and
+/// First message of a call. Errors: the errors of stage_call_wire.h, layer_wire.h, plan_wire.h and
 /// options_check.h, with the path to the field.
 
 struct StageStart {
   StageCall call;
-  std::string shared;     ///< digest of the stage's data of the whole job (shared_wire.h)
+  std::string shared;     ///< digest of the stage's job data (shared_wire.h)
   LayerRange range = {};  ///< layers to work on; empty: the call is about no layers
 };
 

@@ -20,8 +20,8 @@ StageCall Call() {
 
 constexpr char kDigest[] = "00112233";
 
-// The bindings name every member: a new one does not compile until it is sent here, and so on the
-// wire.
+// The structured bindings name every member. A new member does not compile until it is added here,
+// and thereby to the message.
 StageStart Start() {
   StageStart start;
   auto& [call, shared, range] = start;
@@ -65,7 +65,7 @@ TEST(StartWire, PlanReturns) {
 TEST(StartWire, EveryFieldChangedAloneReturns) {
   ExpectEveryChangeReturns<v1::StageStart, StageStart>(ProtoOf<v1::StageStart>(Start()),
                                                        {"build_id"});
-  // One nanometre more is no whole micrometre.
+  // A shift increased by one nanometre is no whole micrometre.
   ExpectEveryChangeReturns<v1::PlanStart, PlanStart>(ProtoOf<v1::PlanStart>(Plan()),
                                                      {"build_id", "options", "shift"});
 }

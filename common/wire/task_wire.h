@@ -12,7 +12,8 @@
 
 namespace slicefarm {
 
-/// One end of a call with messages both ways. Both methods tell by false that there is no more.
+/// One end of a call with messages in both directions. Both methods return false if there are no
+/// more messages.
 template <typename In, typename Out>
 class MessageChannel {
  public:
@@ -21,7 +22,8 @@ class MessageChannel {
   virtual bool Write(const Out& message) = 0;
 };
 
-/// A stream of gRPC, or what looks like one, as a channel. It must outlive the channel.
+/// Channel that uses a gRPC stream or an object with the same interface. The stream must outlive
+/// the channel.
 template <typename In, typename Out, typename Stream>
 class ChannelOf : public MessageChannel<In, Out> {
  public:
@@ -36,43 +38,45 @@ class ChannelOf : public MessageChannel<In, Out> {
 using WorkerEnd = MessageChannel<v1::WorkRequest, v1::WorkResponse>;
 using CoordinatorEnd = MessageChannel<v1::WorkResponse, v1::WorkRequest>;
 
-/// A task that came over the wire, and all that it points into.
+/// Received task with all data to which it points.
 class ReceivedTask {
  public:
   virtual ~ReceivedTask() = default;
-  /// It points into this object.
+  /// Returns the task, which points into this object.
   virtual Task task() const = 0;
 };
 
-/// The tasks of one process on the wire, and what they come to. One object a process, in
-/// processes/<name>/wire; processes/list/wire.h lists them.
+/// Messages for the tasks of one process and for their results. Each process has one object, in
+/// processes/<name>/wire; processes/list/wire.h lists these objects.
 class TaskWire {
  public:
   virtual ~TaskWire() = default;
 
-  /// Whether what a call begins with is a task of this process.
+  /// Returns true if the first message of a call contains a task of this process.
   virtual bool IsIn(const v1::WorkStart& start) const = 0;
 
-  // At the coordinator's end.
-  /// Of outlines: what the time of a call depends on.
+  // Functions for the coordinator.
+  /// Returns the number of points of the outlines, which determines the duration of a call.
   virtual int64_t PointsIn(const Task& task) const = 0;
-  /// What the start names: what the job's tasks have in common. Made once a job.
+  /// Returns the shared data of the job's tasks, to which the first message refers. It is called
+  /// once per job.
   virtual absl::StatusOr<SharedParts> PartsOf(const Task& task) const = 0;
-  /// OK if it is all written, or the peer is gone.
+  /// Sends a task. Returns OK if all messages are written, or if the peer has disconnected.
   virtual absl::Status Send(const StageCall& call, const Task& task, CoordinatorEnd& end) const = 0;
-  /// Until there is no more. Errors: REQUEST_MALFORMED.
+  /// Reads the result until there are no more messages. Errors: REQUEST_MALFORMED.
   virtual absl::StatusOr<TaskResult> ReceiveResult(CoordinatorEnd& end) const = 0;
-  /// Whether a result is one of this task. Errors: REQUEST_MALFORMED.
+  /// Checks that a result belongs to this task. Errors: REQUEST_MALFORMED.
   virtual absl::Status Check(const Task& task, const TaskResult& result) const = 0;
 
-  // At the worker's end.
-  /// `start`: the first message, which IsIn; the rest is read from `end`. Errors: SHARED_MISSING;
-  /// REQUEST_MALFORMED and REQUEST_TOO_LARGE with the way to the field; `cancel`'s.
+  // Functions for the worker.
+  /// Reads a task. `start`: the first message, for which IsIn is true; further messages are read
+  /// from `end`. Errors: SHARED_MISSING; REQUEST_MALFORMED and REQUEST_TOO_LARGE with the path to
+  /// the field; the error of `cancel`.
   virtual absl::StatusOr<std::unique_ptr<ReceivedTask>> Receive(const v1::WorkStart& start,
                                                                 SharedCache& shared,
                                                                 const CancelToken& cancel,
                                                                 WorkerEnd& end) const = 0;
-  /// Unavailable if the peer takes no more.
+  /// Sends a result. Errors: Unavailable if the peer has stopped reading.
   virtual absl::Status SendResult(TaskResult result, WorkerEnd& end) const = 0;
 };
 

@@ -10,7 +10,7 @@
 namespace slicefarm {
 namespace {
 
-/// A surface that is folded up may be laid out far wider than it is.
+/// Largest coordinate of a map. A folded surface may be far wider after flattening.
 constexpr double kMostMapMm = 1e9;
 
 EngraveSettings WithoutImages(EngraveSettings settings) {

@@ -9,9 +9,9 @@
 
 namespace slicefarm {
 
-/// Data that all calls of an engraving job share. Settings travel without their images, which are
-/// fields of their own; the stage checks whether the numbers make sense. Errors: REQUEST_MALFORMED
-/// with the path to the field; MESH_TOO_LARGE.
+/// Convert data that all calls of an engraving job share. The settings are sent without their
+/// images, which are separate fields. The stage checks whether the numbers make sense. Errors:
+/// REQUEST_MALFORMED with the path to the field; MESH_TOO_LARGE.
 absl::Status ToProto(const SurfaceInput& surface, v1::SurfaceInput* proto);
 absl::StatusOr<SurfaceInput> FromProto(const v1::SurfaceInput& proto);
 absl::Status ToProto(const MappedSurface& surface, v1::MappedSurface* proto);

@@ -11,15 +11,15 @@
 
 namespace slicefarm {
 
-/// What the texture stage answers. Errors: REQUEST_MALFORMED with the way to the field.
+/// Convert the results of the texture stage. Errors: REQUEST_MALFORMED with the path to the field.
 absl::Status ToProto(const EngraveLayout& layout, v1::EngraveLayout* proto);
 absl::StatusOr<EngraveLayout> FromProto(const v1::EngraveLayout& proto);
-/// Without its text.
+/// Converts a layer without its text.
 absl::Status ToProto(const EngravedLayer& layer, v1::EngravedLayer* proto);
 absl::StatusOr<EngravedLayer> FromProto(const v1::EngravedLayer& proto);
 
-/// A layer travels in pieces, as its text may be longer than a message: calls `send` with each of
-/// them. Unavailable if that returns false: the peer takes no more.
+/// Sends a layer in pieces, because its text may be longer than a message. Calls `send` with each
+/// piece. Errors: Unavailable if `send` returns false, because the peer has stopped reading.
 template <typename Send>
 absl::Status SendPieces(const EngravedLayer& layer, const Send& send) {
   constexpr size_t kPieceBytes = 1 << 20;
@@ -35,8 +35,8 @@ absl::Status SendPieces(const EngravedLayer& layer, const Send& send) {
   return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, "the peer went away");
 }
 
-/// The other end. Errors: REQUEST_MALFORMED for text of no layer, and for more of it than a program
-/// may have.
+/// Adds a received piece to the layers. Errors: REQUEST_MALFORMED for text without a layer, and for
+/// more text than a program may have.
 absl::Status TakePiece(const v1::EngravedPiece& piece, std::vector<EngravedLayer>* layers);
 
 namespace v1 {

@@ -11,11 +11,12 @@
 
 namespace slicefarm {
 
-/// What begins a call of the texture service. Errors: those of stage_call_wire.h and layer_wire.h.
+/// First message of a call of the texture service. Errors: the errors of stage_call_wire.h and
+/// layer_wire.h.
 struct TextureStart {
   StageCall call;
-  std::string shared;     ///< of a SurfaceInput or an EngraveInput
-  LayerRange range = {};  ///< of EngraveLayers
+  std::string shared;     ///< digest of a SurfaceInput or an EngraveInput
+  LayerRange range = {};  ///< layers of an EngraveLayers call
 };
 absl::Status ToProto(const TextureStart& start, v1::TextureStart* proto);
 absl::StatusOr<TextureStart> FromProto(const v1::TextureStart& proto);

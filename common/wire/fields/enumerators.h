@@ -8,7 +8,8 @@ namespace slicefarm {
 
 namespace internal {
 
-/// The compiler's text of an enumerator is its name; of any other value, a cast of a number.
+/// Returns true if the value is an enumerator. The compiler's text of an enumerator is its name;
+/// the text of any other value is a cast of a number.
 template <auto kValue>
 constexpr bool IsEnumerator() {
   constexpr std::string_view kText = __PRETTY_FUNCTION__;

@@ -14,7 +14,8 @@
 
 namespace slicefarm::internal {
 
-/// Reads the bytes of a FieldWriter. After the first fault it reads nothing and changes no value.
+/// Reader of the bytes of a FieldWriter. After the first error it reads nothing and changes no
+/// value.
 class FieldReader {
  public:
   explicit FieldReader(std::string_view bytes) : left_(bytes) {}
@@ -27,18 +28,19 @@ class FieldReader {
   void Read(Number* value) {
     *value = static_cast<Number>(Integer(std::numeric_limits<Number>::max()));
   }
-  /// Reads a point within limits::kMaxCoord, as points of layers are.
+  /// Reads a point within limits::kMaxCoord, like the points of layers.
   void Read(Point* point);
   void Read(std::string* text);
   void Read(SharedText* text);
   void Read(Cutter* cutter);
 
-  /// Returns a number from 0 to count - 1, such as that of an enumerator.
+  /// Reads a number from 0 to count - 1, such as the number of an enumerator.
   int64_t Index(int64_t count);
-  /// Returns the length of a list: each of its items takes a byte at least.
+  /// Reads the length of a list. Each item needs at least one byte, so the length is at most the
+  /// number of remaining bytes.
   int64_t Count() { return Index(static_cast<int64_t>(left_.size()) + 1); }
 
-  /// Returns the first fault; REQUEST_MALFORMED if bytes are left.
+  /// Returns the first error; REQUEST_MALFORMED if bytes are left.
   absl::Status Finish();
 
  private:
@@ -47,7 +49,7 @@ class FieldReader {
   void Fail(std::string_view what);
 
   std::string_view left_;
-  int64_t fields_ = 0;  ///< values that were read, for messages
+  int64_t fields_ = 0;  ///< number of values read so far, for messages
   std::vector<SharedText> texts_;
   absl::Status fault_;
 };

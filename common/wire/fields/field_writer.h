@@ -12,7 +12,7 @@
 
 namespace slicefarm::internal {
 
-/// Appends values to a text of bytes: numbers as eight bytes, texts after their length.
+/// Writer that appends values to a byte string: numbers as eight bytes, texts after their length.
 class FieldWriter {
  public:
   void Write(double value);
@@ -21,7 +21,7 @@ class FieldWriter {
     WriteInteger(static_cast<int64_t>(value));
   }
   void Write(const std::string& text);
-  /// Writes a text at its first time, and its number at later ones.
+  /// Writes a text at its first occurrence, and only its number at later ones.
   void Write(const SharedText& text);
   void Write(const Cutter& cutter);
 
@@ -31,7 +31,7 @@ class FieldWriter {
   void WriteInteger(int64_t value);
 
   std::string bytes_;
-  std::map<std::string_view, int64_t> texts_;  ///< numbers of shared texts, from 1
+  std::map<std::string_view, int64_t> texts_;  ///< number of each shared text, from 1
 };
 
 }  // namespace slicefarm::internal

@@ -18,12 +18,13 @@
 
 namespace slicefarm {
 
-/// Options of stages travel as the bytes of their members, one after the other, without names or
-/// numbers: both ends are of one build (StageCall). A new member needs no line here.
+/// Serialization of the options of stages. The bytes of the members follow one another without
+/// names or field numbers, because both ends have the same build (StageCall). A new member needs no
+/// code here.
 ///
-/// Taken are numbers, booleans, enumerations, texts, cutters, aggregates of these, and vectors,
-/// arrays and optionals of any. A struct that extends a row by tables names them (Row, TablesOf).
-/// Equal long texts (SharedText) are sent once.
+/// Supported types are numbers, booleans, enumerations, texts, cutters, aggregates of these types,
+/// and vectors, arrays and optionals of any supported type. A struct that extends a row by tables
+/// names them (Row, TablesOf). Equal long texts (SharedText) are sent once.
 
 namespace internal {
 
@@ -94,10 +95,10 @@ std::string PackFields(const T& value) {
   return std::move(writer).Finish();
 }
 
-/// Returns the aggregate that PackFields wrote. Errors: REQUEST_MALFORMED for bytes that are cut
-/// off or too many, for numbers that are not finite or beyond limits::kMaxPrintHeight, and for unknown
-/// enumerators; REQUEST_TOO_LARGE for texts of more than limits::kMaxFieldBytes. Ranges of single
-/// values are checked by CheckOptions. Cost: O(bytes), in time and in memory.
+/// Returns the aggregate that PackFields wrote. Errors: REQUEST_MALFORMED for missing or additional
+/// bytes, for numbers that are not finite or beyond limits::kMaxPrintHeight, and for unknown
+/// enumerators. REQUEST_TOO_LARGE for texts of more than limits::kMaxFieldBytes. CheckOptions
+/// checks the ranges of single values. Cost: O(bytes), in time and in memory.
 template <typename T>
 absl::StatusOr<T> UnpackFields(std::string_view bytes) {
   internal::FieldReader reader(bytes);

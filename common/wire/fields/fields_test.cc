@@ -80,7 +80,8 @@ void Change(Leaf& leaf) {
   }
 }
 
-/// Expects that each leaf, changed alone, changes the bytes and comes back.
+/// Expects that a change of any single leaf changes the bytes, and that reading the bytes returns
+/// the changed value.
 template <typename T>
 void ExpectEachLeafReturns(const T& value) {
   int leaves = 0;
@@ -160,7 +161,7 @@ TEST(Fields, ValuesThatNoAlgorithmTakesAreRefused) {
             Reason::kRequestTooLarge);
 }
 
-// A count is believed only as far as bytes follow: no memory is taken for the rest.
+// A count larger than the number of remaining bytes is refused before memory is allocated.
 TEST(Fields, AHugeCountIsRefused) {
   std::string bytes = PackFields(std::vector<Inner>{});
   bytes[6] = 1;

@@ -7,7 +7,7 @@
 
 namespace slicefarm {
 
-/// Programs of exposure and what stands around them. Texts are moved, not copied. Errors:
+/// Programs of exposure and the texts around them. Texts are moved, not copied. Errors:
 /// OUT_OF_RANGE, REQUEST_MALFORMED, REQUEST_TOO_LARGE naming the field.
 
 absl::Status ToProto(const ExposureReport& report, v1::ExposureReport* proto);
@@ -16,7 +16,7 @@ absl::StatusOr<ExposureReport> FromProto(const v1::ExposureReport& proto);
 absl::Status ToProto(ExposedProgram program, v1::ExposedProgram* proto);
 absl::StatusOr<ExposedProgram> FromProto(v1::ExposedProgram proto);
 
-/// All of ExposureFrameRequest but its call and settings.
+/// Converts all of ExposureFrameRequest except its call and settings.
 absl::Status ToProto(const ExposureSummary& summary, v1::ExposureFrameRequest* proto);
 absl::StatusOr<ExposureSummary> FromProto(const v1::ExposureFrameRequest& proto);
 

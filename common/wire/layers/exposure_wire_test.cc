@@ -12,8 +12,8 @@
 namespace slicefarm::exposure_wire_test {
 namespace {
 
-// The bindings name every member: a new one does not compile until it is sent here, and so on the
-// wire.
+// The structured bindings name every member. A new member does not compile until it is added here,
+// and thereby to the message.
 KindExposure DistinctKind(int n) {
   KindExposure kind;
   auto& [vectors, lines, length, time, energy] = kind;

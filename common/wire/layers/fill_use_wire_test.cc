@@ -12,8 +12,8 @@
 namespace slicefarm::fill_use_wire_test {
 namespace {
 
-// The binding names every member: a new one does not compile until it is sent here, and so on the
-// wire.
+// The structured binding names every member. A new member does not compile until it is added here,
+// and thereby to the message.
 FillUse Distinct() {
   FillUse use;
   auto& [settings, feature, pattern, area, room, asked, plastic, paths, length, longest] = use;

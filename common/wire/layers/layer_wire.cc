@@ -16,7 +16,7 @@ namespace {
 
 bool IsHeight(Coord nm) { return 0 < nm && nm <= limits::kMaxCoord; }
 
-/// What all sections have in common.
+/// Converts the members that all kinds of section share.
 template <typename Section, typename Proto>
 void PlaceToProto(const Section& section, Proto* proto) {
   ToProto(section.stack, proto->mutable_stack());
@@ -37,7 +37,7 @@ absl::StatusOr<Section> PlaceFromProto(const Proto& proto) {
   return section;
 }
 
-/// Walls and fills come in sections of islands.
+/// Converts walls and fills, which are in sections of islands.
 template <typename Section, typename Proto>
 absl::Status SectionToProto(const Section& section, Proto* proto) {
   PlaceToProto(section, proto);
@@ -53,7 +53,7 @@ absl::StatusOr<Section> SectionFromProto(const Proto& proto) {
   return section;
 }
 
-/// An island's outline is one polygon, or none.
+/// Converts an island's outline, which is one polygon or none.
 template <typename Island, typename Proto>
 absl::Status OutlineToProto(const Island& island, Proto* proto) {
   if (island.outline.outer.empty()) return absl::OkStatus();
@@ -70,7 +70,7 @@ absl::Status OutlineFromProto(const Proto& proto, Island* island) {
   return absl::OkStatus();
 }
 
-/// Layers come as a frame and sections.
+/// Converts layers, which consist of a frame and sections.
 template <typename Layer, typename Proto>
 absl::Status LayerToProto(const Layer& layer, Proto* proto) {
   ToProto(layer.frame, proto->mutable_frame());

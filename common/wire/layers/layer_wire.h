@@ -11,15 +11,15 @@
 
 namespace slicefarm {
 
-/// Layers from slicing to ordering (programs: program_wire.h). Errors are those of geometry_wire.h
-/// and path_wire.h, with the way to the field: `islands[2].walls[7].xy_nm`; besides, indices and
-/// ranges that no job has are REQUEST_MALFORMED.
+/// Layers from slicing to ordering (programs: program_wire.h). Errors: the errors of
+/// geometry_wire.h and path_wire.h, with the path to the field: `islands[2].walls[7].xy_nm`.
+/// REQUEST_MALFORMED for indices and ranges that are impossible in any job.
 
 void ToProto(const LayerFrame& frame, v1::LayerFrame* proto);
 absl::StatusOr<LayerFrame> FromProto(const v1::LayerFrame& proto);
 
 v1::LayerRange ToProto(LayerRange range);
-/// A range of a job: 0 <= first < last <= limits::kMaxLayers.
+/// Converts a range of a job: 0 <= first < last <= limits::kMaxLayers.
 absl::StatusOr<LayerRange> FromProto(const v1::LayerRange& proto);
 
 absl::Status ToProto(const ObjectSection& section, v1::ObjectSection* proto);
@@ -64,15 +64,15 @@ absl::StatusOr<BlockVisit> FromProto(const v1::BlockVisit& proto);
 absl::Status ToProto(const OrderedLayer& layer, v1::OrderedLayer* proto);
 absl::StatusOr<OrderedLayer> FromProto(const v1::OrderedLayer& proto);
 
-/// The layers from the first to the last one. REQUIRES: CheckConsecutive.
+/// Returns the range from the first to the last of the layers. REQUIRES: CheckConsecutive.
 template <typename Layers>
 LayerRange RangeOf(const Layers& layers) {
   if (layers.empty()) return {};
   return {layers.front().frame.index, layers.back().frame.index + 1};
 }
 
-/// Appends a converted layer, which must follow the one before, so that a peer that sends without
-/// end is refused early.
+/// Appends a converted layer, which must follow the previous layer. A peer that sends without end
+/// is therefore refused early.
 template <typename Layer>
 absl::Status AppendNext(absl::StatusOr<Layer> layer, std::vector<Layer>* layers) {
   if (!layer.ok()) return layer.status();
@@ -84,7 +84,7 @@ absl::Status AppendNext(absl::StatusOr<Layer> layer, std::vector<Layer>* layers)
   return Malformed("layer", "does not follow the one before");
 }
 
-/// Layers come one after the other, bottom up.
+/// Checks that the layers are consecutive, from the bottom up.
 template <typename Layers>
 absl::Status CheckConsecutive(const Layers& layers) {
   for (size_t i = 1; i < layers.size(); ++i) {
@@ -95,7 +95,7 @@ absl::Status CheckConsecutive(const Layers& layers) {
   return absl::OkStatus();
 }
 
-/// One layer for each of the range, in order.
+/// Checks that there is one layer for each index of the range, in order.
 template <typename Layers>
 absl::Status CheckLayersOfRange(const Layers& layers, LayerRange range) {
   if (absl::Status status = CheckConsecutive(layers); !status.ok()) return status;
@@ -103,7 +103,8 @@ absl::Status CheckLayersOfRange(const Layers& layers, LayerRange range) {
   return Malformed("layer", "not one for each layer of the range");
 }
 
-/// A program or more for each layer of the range, in order of layers, then passes.
+/// Checks that there is at least one program for each layer of the range, in order of layers, then
+/// passes.
 template <typename Programs>
 absl::Status CheckProgramsOfRange(const Programs& programs, LayerRange range) {
   int32_t next = range.first;
@@ -118,7 +119,7 @@ absl::Status CheckProgramsOfRange(const Programs& programs, LayerRange range) {
   return Malformed("layer", "not a program for each layer of the range");
 }
 
-/// What a stage of a range needs: consecutive layers that contain the range.
+/// Checks the input of a stage for a range: consecutive layers that contain the range.
 absl::Status CheckNeighbourhood(std::span<const SlicedLayer> layers, LayerRange range);
 
 namespace v1 {

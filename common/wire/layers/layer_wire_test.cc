@@ -18,8 +18,8 @@ namespace {
 
 constexpr LayerFrame kFrame{3, 800'000, 200'000};
 
-// The bindings name every member: a new one does not compile until it is sent here, and so on the
-// wire.
+// The structured bindings name every member. A new member does not compile until it is added here,
+// and thereby to the message.
 Path DistinctPath() {
   Path path;
   auto& [feature, settings, inset, ring, closed, reversible, tool, points, widths] = path;
@@ -130,7 +130,7 @@ OrderedLayer Ordered() {
 
 template <typename Proto, typename Model>
 void ExpectEveryFieldReturns(const Model& model) {
-  // Sizes that no longer add up, and stacks that are none of their object.
+  // Changes that make sizes inconsistent, or a stack not part of its object, are refused.
   ExpectEveryChangeReturns<Proto, Model>(ProtoOf<Proto>(model), {"ring_sizes", "rings_per_island", "stack"});
 }
 
@@ -155,7 +155,7 @@ TEST(LayerWire, EveryFieldChangedAloneReturns) {
   ExpectEveryFieldReturns<v1::OrderedLayer>(Ordered());
 }
 
-// One region is its own whole: most layers would be twice as long otherwise.
+// A single region is its own union. Without this rule most layers would be twice as long.
 TEST(LayerWire, NoWholeIsNotSent) {
   ObjectSection section = DistinctSection(0);
   section.whole.clear();
@@ -164,7 +164,7 @@ TEST(LayerWire, NoWholeIsNotSent) {
   EXPECT_EQ(*FromProto(proto), section);
 }
 
-// Sees fields that are swapped in both directions, which no round trip does.
+// Finds fields that are swapped in both directions, which no round trip finds.
 TEST(LayerWire, EachMemberIsTheFieldOfItsName) {
   const auto section = ProtoOf<v1::ObjectSection>(DistinctSection(kRaftStack));
   EXPECT_EQ(section.stack().id(), 9);

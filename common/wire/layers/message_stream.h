@@ -13,10 +13,11 @@
 
 namespace slicefarm {
 
-/// Reading and writing the messages of a call one by one, at either end of it. A Stream has
-/// Read(Message*) and Write(const Message&); both tell by false that there is no more.
+/// Functions for reading and writing the messages of a call one by one, in the client and the
+/// server. A Stream has Read(Message*) and Write(const Message&). Both return false if there are no
+/// more messages.
 
-/// What the first message of a call says; it must hold `start`.
+/// Reads the first message of a call, which must contain `start`.
 template <typename Request, typename Stream>
 auto ReadStart(Stream& stream, const CancelToken& cancel)
     -> decltype(FromProto(std::declval<Request>().start())) {
@@ -28,7 +29,8 @@ auto ReadStart(Stream& stream, const CancelToken& cancel)
   return start;
 }
 
-/// Begins a call. That the peer is gone shows at what is written next, or at the call's end.
+/// Writes the first message of a call. A disconnected peer is detected by the next write, or at the
+/// end of the call.
 template <typename Request, typename Stream, typename Start>
 absl::Status WriteStart(Stream& stream, const Start& start) {
   Request request;
@@ -37,7 +39,8 @@ absl::Status WriteStart(Stream& stream, const Start& start) {
   return status;
 }
 
-/// Gives each message that is left to `take`, until one is refused; the error says which.
+/// Passes each remaining message to `take`, until one is refused. The error contains the number of
+/// the message.
 template <typename Message, typename Stream, typename Take>
 absl::Status ReadEach(Stream& stream, const Take& take) {
   Message message;
@@ -47,8 +50,8 @@ absl::Status ReadEach(Stream& stream, const Take& take) {
   return absl::OkStatus();
 }
 
-/// Writes a message for each of `models`, filled by `fill(model, &message)`. Unavailable if the
-/// peer takes no more.
+/// Writes a message for each of `models`, filled by `fill(model, &message)`. Errors: Unavailable if
+/// the peer has stopped reading.
 template <typename Message, typename Stream, typename Models, typename Fill>
 absl::Status WriteEach(Stream& stream, Models&& models, const Fill& fill) {
   for (auto& model : models) {
@@ -61,7 +64,7 @@ absl::Status WriteEach(Stream& stream, Models&& models, const Fill& fill) {
   return absl::OkStatus();
 }
 
-/// Appends a converted message, or hands on why it could not be converted.
+/// Appends a converted message, or returns the error of its conversion.
 template <typename Model>
 absl::Status Append(absl::StatusOr<Model> model, std::vector<Model>* models) {
   if (!model.ok()) return model.status();
@@ -69,7 +72,7 @@ absl::Status Append(absl::StatusOr<Model> model, std::vector<Model>* models) {
   return absl::OkStatus();
 }
 
-/// The layers that are left to read of a call that `start` began: those of its range and halo.
+/// Reads the remaining layers of a call that `start` began: the layers of its range and halo.
 template <typename Request, typename Start, typename Stream>
 absl::StatusOr<std::vector<SlicedLayer>> ReadNeighbourhood(Stream& stream, const Start& start) {
   std::vector<SlicedLayer> layers;

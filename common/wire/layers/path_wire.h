@@ -10,8 +10,8 @@ namespace slicefarm {
 v1::Feature ToProto(Feature feature);
 absl::StatusOr<Feature> FromProto(v1::Feature proto);
 
-/// Errors: OUT_OF_RANGE for what does not fit in 32-bit nanometres; REQUEST_MALFORMED where Path's
-/// invariant or the range of a field is broken.
+/// Convert a path. Errors: OUT_OF_RANGE for values that do not fit in 32-bit nanometres;
+/// REQUEST_MALFORMED if the invariant of Path or the range of a field is violated.
 absl::Status ToProto(const Path& path, v1::Path* proto);
 absl::StatusOr<Path> FromProto(const v1::Path& proto);
 

@@ -21,7 +21,7 @@ absl::Status CheckObject(int32_t object) {
   return Malformed("object", "is not the index of an object");
 }
 
-/// Whether plans ascend by what `key` says of each, so that none comes twice.
+/// Returns true if the values `key(plan)` ascend strictly, so that no value occurs twice.
 template <class Plans, class Key>
 bool Ascend(const Plans& plans, Key key) {
   for (size_t i = 1; i < plans.size(); ++i)

@@ -14,10 +14,10 @@
 
 namespace slicefarm {
 
-/// What planning is told and what it answers. Errors: those of geometry_wire.h and path_wire.h,
-/// with the way to the field; REQUEST_MALFORMED for numbers that no job has.
+/// Input and results of planning. Errors: the errors of geometry_wire.h and path_wire.h, with the
+/// path to the field; REQUEST_MALFORMED for numbers that are impossible in any job.
 
-/// REQUEST_TOO_LARGE for more than a job may have.
+/// Checks the number of copies of a job. Errors: REQUEST_TOO_LARGE.
 absl::Status CheckCopyCount(int count, std::string_view field);
 
 absl::Status ToProto(const Copy& copy, v1::Copy* proto);
@@ -31,16 +31,16 @@ absl::StatusOr<SectionPlan> FromProto(const v1::SectionPlan& proto);
 
 absl::Status ToProto(const PlannedInfill& plan, v1::PlannedInfill* proto);
 absl::StatusOr<PlannedInfill> FromProto(const v1::PlannedInfill& proto);
-/// Errors: REQUEST_MALFORMED unless they ascend by stack, then row.
+/// Checks that the plans ascend by stack, then row. Errors: REQUEST_MALFORMED.
 absl::Status CheckOrder(std::span<const PlannedInfill> plans);
 
 absl::Status ToProto(const LayerPlan& plan, v1::LayerPlan* proto);
 absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto);
 
-/// Without its sections, which are messages of their own.
+/// Converts a stack without its sections, which are separate messages.
 absl::Status ToProto(const AddedStack& added, v1::AddedStack* proto);
 absl::StatusOr<AddedStack> FromProto(const v1::AddedStack& proto);
-/// Whether a stack may stand so high above the bed.
+/// Checks that the height of a stack above the bed is possible.
 absl::Status CheckLift(std::string_view field, int64_t lift_nm);
 
 absl::Status ToProto(const Skirt& skirt, v1::Skirt* proto);

@@ -15,8 +15,8 @@
 namespace slicefarm::plan_wire_test {
 namespace {
 
-// The bindings name every member: a new one does not compile until it is sent here, and so on the
-// wire.
+// The structured bindings name every member. A new member does not compile until it is added here,
+// and thereby to the message.
 Copy DistinctCopy() {
   Copy copy;
   auto& [object, shift, pass] = copy;
@@ -151,12 +151,12 @@ TEST(PlanWire, EmptyReturns) {
 }
 
 TEST(PlanWire, EveryFieldChangedAloneReturns) {
-  // One nanometre more is no whole micrometre.
+  // A shift increased by one nanometre is no whole micrometre.
   ExpectEveryChangeReturns<v1::PlacedCopy, PlacedCopy>(ProtoOf<v1::PlacedCopy>(DistinctPlaced()),
                                                        {"shift"});
   ExpectEveryChangeReturns<v1::SectionPlan, SectionPlan>(
       ProtoOf<v1::SectionPlan>(DistinctSection(1)), {"ring_sizes", "rings_per_island"});
-  // Infill's stacks ascend.
+  // The stacks of infill must ascend.
   ExpectEveryChangeReturns<v1::LayerPlan, LayerPlan>(
       ProtoOf<v1::LayerPlan>(DistinctLayer()),
       {"ring_sizes", "rings_per_island", "line_sizes", "infill[0].stack"});
@@ -216,7 +216,8 @@ TEST(PlanWire, RefusesObjectsThatNoJobHas) {
   }
 }
 
-// Text rounds to micrometres: a copy elsewhere would not be the same any more.
+// G-code rounds to micrometres. With a shift between micrometres a copy would differ from the
+// object.
 TEST(PlanWire, RefusesShiftsBetweenMicrometres) {
   for (const auto& [x, y] : {std::pair{1, 0}, {0, 999}, {-1'500, 0}}) {
     auto copy = ProtoOf<v1::Copy>(DistinctCopy());

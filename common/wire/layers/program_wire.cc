@@ -104,7 +104,7 @@ v1::ModeLine ToProto(const ModeLine& line) {
   return proto;
 }
 
-/// Lines that lie one after the other in `gcode_bytes` bytes.
+/// Converts lines, which must be consecutive within `gcode_bytes` bytes.
 absl::StatusOr<std::vector<ModeLine>> FromProto(
     const google::protobuf::RepeatedPtrField<v1::ModeLine>& protos, int64_t gcode_bytes) {
   std::vector<ModeLine> lines;

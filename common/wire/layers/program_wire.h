@@ -13,8 +13,8 @@
 
 namespace slicefarm {
 
-/// Programs and what stands around them. G-code is moved, not copied, where the argument is an
-/// rvalue or by value. Errors: OUT_OF_RANGE, REQUEST_MALFORMED naming the field.
+/// Programs and the texts around them. G-code is moved, not copied, if the argument is an rvalue or
+/// passed by value. Errors: OUT_OF_RANGE, REQUEST_MALFORMED naming the field.
 
 void ToProto(const FeatureUse& use, v1::FeatureUse* proto);
 absl::StatusOr<FeatureUse> FromProto(const v1::FeatureUse& proto);
@@ -34,7 +34,7 @@ absl::StatusOr<StageTimes> FromProto(const v1::StageTimes& proto);
 absl::Status ToProto(const LayerSummary& layer, v1::LayerSummary* proto);
 absl::StatusOr<LayerSummary> FromProto(const v1::LayerSummary& proto);
 
-/// All of FrameRequest but its call and options.
+/// Converts all of FrameRequest except its call and options.
 absl::Status ToProto(const ProgramSummary& summary, v1::FrameRequest* proto);
 absl::StatusOr<ProgramSummary> FromProto(const v1::FrameRequest& proto);
 

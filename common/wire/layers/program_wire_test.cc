@@ -23,8 +23,8 @@ using google::protobuf::util::MessageDifferencer;
 constexpr LayerFrame kFrame{3, 800'000, 200'000};
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// The bindings name every member: a new one does not compile until it is sent here, and so on the
-// wire.
+// The structured bindings name every member. A new member does not compile until it is added here,
+// and thereby to the message.
 ProgramStats DistinctStats() {
   ProgramStats stats;
   auto& [features, travel_time, retract_time, travel, travels, retractions, bounds] = stats;
@@ -151,7 +151,7 @@ StageTimes DistinctTimes() {
   return times;
 }
 
-/// With each field changed alone, the message returns from the model.
+/// Expects that the message returns unchanged from the model when any single field is changed.
 template <typename Proto, typename Model>
 void ExpectEveryFieldReturns(const Proto& proto, const std::function<Proto(const Model&)>& render) {
   int fields = 0;

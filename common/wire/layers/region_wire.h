@@ -9,8 +9,8 @@
 
 namespace slicefarm {
 
-/// Regions, and where sections stand among an object's layers. Errors are those of geometry_wire.h,
-/// and REQUEST_MALFORMED for numbers that no job has.
+/// Regions, and positions of sections within an object's layers. Errors: the errors of
+/// geometry_wire.h, and REQUEST_MALFORMED for numbers that are impossible in any job.
 
 absl::Status ToProto(const Region& region, v1::Region* proto);
 absl::StatusOr<Region> FromProto(const v1::Region& proto);
@@ -20,13 +20,13 @@ absl::StatusOr<FillArea> FromProto(const v1::FillArea& proto);
 
 void ToProto(const Stack& stack, v1::Stack* proto);
 absl::StatusOr<Stack> FromProto(const v1::Stack& proto);
-/// Whether it may be the id of a stack.
+/// Checks that a number may be the id of a stack.
 absl::Status CheckStack(std::string_view field, int32_t id);
 
 absl::Status ToProto(const Mark& mark, v1::Mark* proto);
 absl::StatusOr<Mark> FromProto(const v1::Mark& proto);
 
-/// A stack's own layer; the height of beads.
+/// Checks the number of a stack's own layer and the height of its beads.
 absl::Status CheckSection(int32_t layer, int64_t height_nm);
 
 namespace v1 {

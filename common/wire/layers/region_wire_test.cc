@@ -20,8 +20,8 @@ const MultiPolygon& Outlines() {
   return outlines;
 }
 
-// The bindings name every member: a new one does not compile until it is sent here, and so on the
-// wire.
+// The structured bindings name every member. A new member does not compile until it is added here,
+// and thereby to the message.
 template <typename Model>
 Model Distinct() {
   Model model;

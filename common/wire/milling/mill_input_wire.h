@@ -8,8 +8,8 @@
 
 namespace slicefarm {
 
-/// What the calls of a milling job have in common. Errors: REQUEST_MALFORMED with the way to the
-/// field; MESH_TOO_LARGE; OUT_OF_RANGE.
+/// Convert the data that the calls of a milling job share. Errors: REQUEST_MALFORMED with the path
+/// to the field; MESH_TOO_LARGE; OUT_OF_RANGE.
 absl::Status ToProto(const MillInput& input, v1::MillInput* proto);
 absl::StatusOr<MillInput> FromProto(const v1::MillInput& proto);
 

@@ -12,13 +12,13 @@
 
 namespace slicefarm {
 
-/// What begins a call of the milling service. Errors: those of stage_call_wire.h;
+/// First message of a call of the milling service. Errors: the errors of stage_call_wire.h;
 /// REQUEST_MALFORMED naming the field.
 struct MillStart {
   StageCall call;
-  std::string shared;      ///< of a MillInput
-  StepRange range = {};    ///< of MillSteps; empty: of none
-  int32_t step_count = 0;  ///< of AssembleProgram: so many steps follow
+  std::string shared;      ///< digest of a MillInput
+  StepRange range = {};    ///< steps of a MillSteps call; empty for other calls
+  int32_t step_count = 0;  ///< number of steps that follow in an AssembleProgram call
   std::string settings_text = {};
 };
 absl::Status ToProto(const MillStart& start, v1::MillStart* proto);

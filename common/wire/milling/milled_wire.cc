@@ -14,7 +14,7 @@ namespace {
 
 static_assert(v1::MILL_PHASE_REST == static_cast<int>(MillPhase::kRest) + 1);
 
-/// Where places of the tip may lie, as those of outlines.
+/// Largest coordinate of the tip, equal to the limit for outlines.
 constexpr double kMostRunMm = static_cast<double>(limits::kMaxCoord) / 1e6;
 
 using Numbers = google::protobuf::RepeatedField<double>;

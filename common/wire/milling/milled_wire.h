@@ -8,8 +8,7 @@
 
 namespace slicefarm {
 
-/// What milling comes to. Errors: OUT_OF_RANGE, REQUEST_MALFORMED, REQUEST_TOO_LARGE naming the
-/// field.
+/// Results of milling. Errors: OUT_OF_RANGE, REQUEST_MALFORMED, REQUEST_TOO_LARGE naming the field.
 
 absl::Status ToProto(const MilledStep& step, v1::MilledStep* proto);
 absl::StatusOr<MilledStep> FromProto(const v1::MilledStep& proto);
@@ -21,7 +20,8 @@ absl::Status ToProto(const MillReport& report, v1::MillReport* proto);
 absl::StatusOr<MillReport> FromProto(const v1::MillReport& proto);
 
 v1::StepRange ToProto(StepRange range);
-/// Errors: REQUEST_MALFORMED for an empty range, and for one that no job has.
+/// Converts a range. Errors: REQUEST_MALFORMED for an empty range, and for a range that is
+/// impossible in any job.
 absl::StatusOr<StepRange> FromProto(const v1::StepRange& proto);
 
 namespace v1 {

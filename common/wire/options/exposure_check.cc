@@ -9,9 +9,9 @@
 namespace slicefarm {
 namespace {
 
-/// Finer lines have no meaning, and would take all memory.
+/// Smallest line distance. Finer lines are meaningless and would need too much memory.
 constexpr Coord kLeastHatchNm = 1'000;
-constexpr int32_t kMostCount = 1'000;  ///< largest number of contours, and of layers that skins reach
+constexpr int32_t kMostCount = 1'000;  ///< largest number of contours and of layers in skins
 
 absl::Status CheckStyle(const ExposureStyle& style) {
   absl::Status status = CheckNotNegative({{"styles.point_distance_nm", style.point_distance_nm}});
@@ -40,7 +40,7 @@ absl::Status CheckDistances(const ExposureOptions& region) {
   if (narrowest < std::max({region.hatch_distance_nm, region.upskin_distance_nm,
                             region.downskin_distance_nm}))
     status.Update(Malformed("stripe_width_nm, island_width_nm", "less than the hatch distance"));
-  // Cells that reach into the next but one would be scanned thrice.
+  // Cells that overlap the next cell but one would be scanned three times.
   if (region.overlap_nm > narrowest / 2)
     status.Update(Malformed("overlap_nm", "more than half of a stripe or island"));
   if (region.ring_overlap_nm > region.hatch_distance_nm)

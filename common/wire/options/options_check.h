@@ -18,10 +18,10 @@ struct ExposureSettings;
 struct MillSettings;
 struct EngraveSettings;
 
-/// Each function returns an error unless algorithms can work with all values: lengths that divide
-/// are positive, counts are bounded, tables of regions are equally long. Whether a value makes sense
-/// to a user is decided where the setting is read (common/config). Errors: REQUEST_MALFORMED that
-/// names the member; REQUEST_TOO_LARGE for too many rows. Cost: O(rows).
+/// Each function checks that the algorithms can work with all values: lengths used as divisors are
+/// positive, counts are bounded, and tables of regions have equal lengths. Whether a value makes
+/// sense for a user is checked when the setting is read (common/config). Errors: REQUEST_MALFORMED
+/// that names the member; REQUEST_TOO_LARGE for too many rows. Cost: O(rows).
 absl::Status CheckOptions(const SlicingOptions& options);
 absl::Status CheckOptions(const std::vector<BeadingOptions>& table);
 absl::Status CheckOptions(const std::vector<InfillOptions>& table);

@@ -9,7 +9,7 @@
 
 namespace slicefarm {
 
-/// Returns the options that PackFields wrote, if algorithms can work with them. Errors: see
+/// Returns the options that PackFields wrote, if the algorithms can work with them. Errors: see
 /// UnpackFields and CheckOptions.
 template <typename Options>
 absl::StatusOr<Options> OptionsFromBytes(std::string_view bytes) {

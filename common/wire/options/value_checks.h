@@ -17,8 +17,8 @@ struct NamedLength {
   Coord value_nm = 0;
 };
 
-/// Returns REQUEST_MALFORMED that names the first length below `least_nm` or above
-/// limits::kMaxCoord.
+/// Checks that all lengths are from `least_nm` to limits::kMaxCoord. Errors: REQUEST_MALFORMED that
+/// names the first other length.
 inline absl::Status CheckLengths(std::initializer_list<NamedLength> lengths, Coord least_nm) {
   for (const auto& [member, value_nm] : lengths)
     if (value_nm < least_nm || value_nm > limits::kMaxCoord)
@@ -34,25 +34,25 @@ inline absl::Status CheckNotNegative(std::initializer_list<NamedLength> lengths)
   return CheckLengths(lengths, 0);
 }
 
-/// Returns REQUEST_MALFORMED unless least <= value <= most.
+/// Checks that least <= value <= most. Errors: REQUEST_MALFORMED.
 inline absl::Status CheckRange(std::string_view member, double value, double least, double most) {
   return least <= value && value <= most ? absl::OkStatus() : Malformed(member, "is out of range");
 }
 
-/// Returns REQUEST_MALFORMED unless the value is above 0.
+/// Checks that the value is above 0. Errors: REQUEST_MALFORMED.
 inline absl::Status CheckAboveZero(std::string_view member, double value) {
   return value > 0 ? absl::OkStatus() : Malformed(member, "is not above 0");
 }
 
-/// Returns REQUEST_MALFORMED unless the value is 0 or more.
+/// Checks that the value is 0 or more. Errors: REQUEST_MALFORMED.
 inline absl::Status CheckNoLessThanZero(std::string_view member, double value) {
   return value >= 0 ? absl::OkStatus() : Malformed(member, "is negative");
 }
 
-/// Returns an error unless a table has at least one row and at most limits::kMaxRegionSettings.
+/// Checks that a table has at least one row and at most limits::kMaxRegionSettings rows.
 absl::Status CheckRows(size_t rows, std::string_view table);
 
-/// Returns the first error that `check` finds in a row, with the path to it.
+/// Returns the first error that `check` finds in a row, with the path to the row.
 template <typename Row, typename Check>
 absl::Status CheckEach(const std::vector<Row>& table, std::string_view name, const Check& check) {
   absl::Status status = CheckRows(table.size(), name);

@@ -5,7 +5,7 @@
 
 namespace slicefarm {
 
-/// A sum of lengths, times and the like: finite and not negative.
+/// Returns true if the value may be a sum of lengths, times and the like: finite and not negative.
 inline bool IsAmount(double value) { return std::isfinite(value) && value >= 0; }
 
 inline bool AreAmounts(std::initializer_list<double> values) {

@@ -7,7 +7,7 @@
 
 namespace slicefarm {
 
-/// Boxes of messages that have the fields `min` and `max`; of an empty box both are absent.
+/// Boxes in messages that have the fields `min` and `max`. Both are absent for an empty box.
 
 template <typename Proto>
 absl::Status BoxToProto(const Box& box, Proto* proto) {
@@ -18,7 +18,8 @@ absl::Status BoxToProto(const Box& box, Proto* proto) {
   return status.ok() ? status : Within("max", status);
 }
 
-/// Errors: REQUEST_MALFORMED for one without the other, and if max is less than min.
+/// Reads a box. Errors: REQUEST_MALFORMED if only one of the fields is present, and if max is less
+/// than min.
 template <typename Proto>
 absl::StatusOr<Box> BoxFromProto(const Proto& proto) {
   if (proto.has_min() != proto.has_max()) return Malformed("min, max", "only one is given");

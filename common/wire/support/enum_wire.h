@@ -7,15 +7,16 @@
 
 namespace slicefarm {
 
-/// Enums of the wire are those of the model, one higher: 0 says that the sender forgot. Each pair
-/// is held to that by static_asserts where it is converted.
+/// Converts an enumerator to its message value, which is one higher than the model's value. The
+/// value 0 means that the sender did not set the field. Each pair of enumerations is checked by
+/// static_asserts where it is converted.
 template <typename Proto, typename Model>
 Proto EnumToProto(Model value) {
   return static_cast<Proto>(static_cast<int>(value) + 1);
 }
 
-/// Errors: Malformed for 0 and for values of a later version. `count`: how many values the model
-/// has.
+/// Converts a message value to an enumerator. Errors: Malformed for 0 and for values of a later
+/// version. `count`: number of enumerators of the model.
 template <typename Model, typename Proto>
 absl::StatusOr<Model> EnumFromProto(Proto value, int count, std::string_view field) {
   const int number = static_cast<int>(value);

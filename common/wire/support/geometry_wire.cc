@@ -15,7 +15,7 @@ using google::protobuf::RepeatedField;
 
 constexpr Coord kMost = std::numeric_limits<int32_t>::max();
 
-/// 0 in the upper half exactly when the value fits in 32 bits.
+/// Returns a number with 0 in its upper half exactly if the value fits in 32 bits.
 uint64_t Excess(Coord value) { return static_cast<uint64_t>(value) + (uint64_t{1} << 31); }
 
 bool Fits(Coord value) { return Excess(value) >> 32 == 0; }
@@ -28,8 +28,8 @@ absl::Status OutOfRange(std::span<const Point> points) {
   return absl::OkStatus();
 }
 
-/// Writes x, y, x, y, ... to `to`. The range is looked at once for all points, so that the loop
-/// stays a copy.
+/// Writes x, y, x, y, ... to `to`. The range is checked once for all points, so that the loop only
+/// copies.
 bool CopyPoints(std::span<const Point> points, int32_t* to) {
   uint64_t excess = 0;
   for (const Point p : points) {

@@ -12,9 +12,9 @@
 
 namespace slicefarm {
 
-/// Geometry on the wire is 32-bit nanometres. What does not fit is refused with reason
-/// OUT_OF_RANGE; what does not add up (an odd number of coordinates, ring sizes that miss the
-/// points) with REQUEST_MALFORMED. Cost: one pass over the points.
+/// Geometry in messages is in 32-bit nanometres. Larger values are refused with reason
+/// OUT_OF_RANGE. Inconsistent data, such as an odd number of coordinates or ring sizes that do not
+/// match the points, are refused with REQUEST_MALFORMED. Cost: one pass over the points.
 
 absl::Status ToProto(Point point, v1::Point* proto);
 Point FromProto(const v1::Point& proto);
@@ -28,7 +28,7 @@ absl::Status PackPoints(std::span<const Point> points,
 absl::StatusOr<std::vector<Point>> UnpackPoints(
     const google::protobuf::RepeatedField<int32_t>& xy_nm, std::string_view field);
 
-/// OUT_OF_RANGE unless `value_nm` fits in 32 bits.
+/// Checks that `value_nm` fits in 32 bits. Errors: OUT_OF_RANGE.
 absl::Status CheckCoord(Coord value_nm);
 
 namespace v1 {

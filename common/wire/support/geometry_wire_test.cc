@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(
              {{{{kLeast, kLeast}, {kMost, kLeast}, {kMost, kMost}, {kLeast, kMost}}, {}}}}),
     [](const auto& info) { return info.param.name; });
 
-// Two islands that arrive as one with a hole is the mistake that this message's shape rules out.
+// The structure of the message prevents that two islands are received as one island with a hole.
 TEST(GeometryWire, SaysWhichRingsMakeAnIsland) {
   const v1::MultiPolygon proto =
       Proto(MakePolygonsOrDie("(0 0, 9 0, 9 9, 0 9) (1 1, 2 1, 2 2) ; (20 0, 30 0, 30 10)"));

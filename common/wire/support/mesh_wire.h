@@ -13,9 +13,10 @@ namespace slicefarm {
 v1::MeshFormat ToProto(MeshFormat format);
 absl::StatusOr<MeshFormat> FromProto(v1::MeshFormat proto);
 
-/// The wire may leave out what is as usual: no unit is 1 mm, no scale is 1, one scale goes for all
-/// axes, no rotation is none. Errors: REQUEST_MALFORMED for sizes, non-finite numbers and scales
-/// that are not positive; OUT_OF_RANGE; REQUEST_TOO_LARGE for more than limits::kMaxObjects copies.
+/// Convert a placement. A message may omit default values: the unit is then 1 mm, the scale 1, and
+/// the rotation 0; one scale applies to all axes. Errors: REQUEST_MALFORMED for wrong sizes,
+/// non-finite numbers and scales that are not positive; OUT_OF_RANGE; REQUEST_TOO_LARGE for more
+/// than limits::kMaxObjects copies.
 absl::Status ToProto(const Placement& placement, v1::Placement* proto);
 absl::StatusOr<Placement> FromProto(const v1::Placement& proto);
 

@@ -18,8 +18,8 @@ using google::protobuf::util::MessageDifferencer;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// The bindings name every member: a new one does not compile until it is sent here, and so on the
-// wire.
+// The structured bindings name every member. A new member does not compile until it is added here,
+// and thereby to the message.
 Placement DistinctPlacement() {
   Placement placement;
   auto& [unit, scale, rotate, centers] = placement;

@@ -7,7 +7,8 @@
 
 namespace slicefarm {
 
-/// REQUEST_TOO_LARGE for more names than a job may have objects, and for long ones.
+/// Checks the names of objects. Errors: REQUEST_TOO_LARGE for more names than a job may have
+/// objects, and for long names.
 absl::Status CheckObjectNames(const google::protobuf::RepeatedPtrField<std::string>& names);
 
 }  // namespace slicefarm

@@ -11,8 +11,7 @@
 
 namespace slicefarm {
 
-/// Converts element by element with the ToProto or FromProto of the element's type; errors name the
-/// element.
+/// Conversion of lists by the ToProto or FromProto of the element's type. Errors name the element.
 
 template <typename Model, typename Proto>
 absl::Status AllToProto(const std::vector<Model>& models, std::string_view field,

@@ -14,7 +14,7 @@
 
 namespace slicefarm {
 
-/// For tests of converters that have the form `absl::Status ToProto(const Model&, Proto*)` and
+/// Helpers to test converters of the form `absl::Status ToProto(const Model&, Proto*)` and
 /// `absl::StatusOr<Model> FromProto(const Proto&)`.
 template <typename Proto, typename Model>
 Proto ProtoOf(const Model& model) {
@@ -31,9 +31,10 @@ void ExpectReturns(const Model& model) {
   EXPECT_EQ(*back, model);
 }
 
-/// With each field changed alone, the message returns from the model. Changes of fields whose path
-/// holds one of `refused` break a rule of the message, and are refused; those that hold one of
-/// `apart` are read from elsewhere, and do not return.
+/// Expects that the message returns unchanged from the model when any single field is changed.
+/// `refused`: parts of the paths of fields with a rule that the change violates; the message is
+/// then refused. `apart`: parts of the paths of fields that are read from another source and do not
+/// return.
 template <typename Proto, typename Model>
 void ExpectEveryChangeReturns(const Proto& original,
                               const std::vector<std::string_view>& refused = {},
@@ -61,7 +62,7 @@ void ExpectEveryChangeReturns(const Proto& original,
   EXPECT_GE(accepted, 2);
 }
 
-/// The reason and the field of a refusal.
+/// Expects a REQUEST_MALFORMED error that names the field.
 inline void ExpectMalformed(const absl::Status& status, std::string_view field) {
   EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument) << status;
   EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed) << status;

@@ -16,7 +16,7 @@ absl::Status Malformed(std::string_view field, std::string_view what) {
 absl::Status Within(std::string_view field, const absl::Status& status) {
   ErrorDetail detail = DetailOf(status);
   std::string& path = detail.metadata["field"];
-  // A message that names no field yet is a sentence of its own.
+  // A message that does not yet name a field is a complete sentence.
   const std::string_view between = path.empty() ? ": " : ".";
   path = path.empty() ? std::string(field) : fmt::format("{}.{}", field, path);
   return MakeError(status.code(), detail.reason,

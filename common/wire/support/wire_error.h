@@ -7,11 +7,11 @@
 
 namespace slicefarm {
 
-/// InvalidArgument, reason REQUEST_MALFORMED, that names the field (metadata `field`): "xy_nm: an
-/// odd number of values".
+/// Returns InvalidArgument, reason REQUEST_MALFORMED, that names the field (metadata `field`):
+/// "xy_nm: an odd number of values".
 absl::Status Malformed(std::string_view field, std::string_view what);
 
-/// The same error seen from the message around it: `xy_nm` becomes `walls.xy_nm`, or
+/// Returns the error with the path from the enclosing message: `xy_nm` becomes `walls.xy_nm` or
 /// `walls[3].xy_nm`.
 absl::Status Within(std::string_view field, const absl::Status& status);
 absl::Status Within(std::string_view field, size_t index, const absl::Status& status);
