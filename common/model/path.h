@@ -57,7 +57,7 @@ struct Path {
 /// Returns true if the path's invariant holds.
 bool WellFormed(const Path& path);
 
-/// Return the start and the end of a path. Both are the same point for a closed path. REQUIRES:
+/// Returns the start and the end of a path. Both are the same point for a closed path. REQUIRES:
 /// WellFormed.
 Point StartOf(const Path& path);
 Point EndOf(const Path& path);

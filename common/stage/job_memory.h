@@ -35,7 +35,7 @@ inline constexpr char kMemoryKind[] = "memory";
 /// Calls Hold of the call's memory account, if there is one.
 absl::Status HoldMemory(const StageCall& call, JobMemory::Kind kind, int64_t bytes);
 
-/// Return the approximate memory of layers and their plans, in bytes. Cost: O(rings).
+/// Returns the approximate memory of layers and their plans, in bytes. Cost: O(rings).
 int64_t MemoryOf(const SlicedLayer& layer);
 int64_t MemoryOf(const LayerPlan& plan);
 int64_t MemoryOf(const ObjectSection& section);

@@ -12,6 +12,7 @@
 
 namespace slicefarm {
 
+/// Returns the numbers of vertices and triangles of a mesh.
 v1::MeshSize SizeOf(const IndexedMesh& mesh);
 
 /// Calls `send` with each piece of a mesh, until `send` returns false. Errors: OUT_OF_RANGE for

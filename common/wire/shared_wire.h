@@ -37,6 +37,7 @@ struct MessageOf;
 
 namespace internal {
 
+/// Serializes a value and computes its digest.
 template <typename T>
 absl::StatusOr<std::shared_ptr<const SharedBytes>> MakePart(const T& value) {
   typename MessageOf<T>::Type message;

@@ -8,7 +8,7 @@
 
 namespace slicefarm {
 
-/// Convert an object of the input of slicing. Errors: OUT_OF_RANGE for values that do not fit in
+/// Converts an object of the input of slicing. Errors: OUT_OF_RANGE for values that do not fit in
 /// 32-bit nanometres; REQUEST_MALFORMED, with the path to the field, for numbers that are not
 /// finite and for negative indices.
 absl::Status ToProto(const ObjectInput& object, v1::SliceObject* proto);

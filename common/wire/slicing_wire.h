@@ -57,6 +57,7 @@ absl::StatusOr<SliceStart> FromProto(const v1::SliceStart& proto);
 absl::Status ToProto(const SlicedJob& job, v1::SliceSummary* proto);
 absl::StatusOr<SlicedJob> FromProto(const v1::SliceSummary& proto);
 
+/// Converts the position of a copy on a plate to its message and back.
 absl::Status ToProto(const PlatePlace& place, v1::PlatePlace* proto);
 /// Converts a plate position. Errors: REQUEST_MALFORMED for a plate number that is impossible in
 /// any job.

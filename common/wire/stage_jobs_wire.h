@@ -24,18 +24,23 @@ struct OrderingJob;
 /// Data of a whole job that all calls of a stage share. Errors: the errors of options_wire.h and
 /// plan_wire.h, with the path to the field.
 
+/// Converts a beading table to its message and back.
 absl::Status ToProto(const BeadingTable& table, v1::BeadingTable* proto);
 absl::StatusOr<BeadingTable> FromProto(const v1::BeadingTable& proto);
 
+/// Converts an infill table to its message and back.
 absl::Status ToProto(const InfillTable& table, v1::InfillTable* proto);
 absl::StatusOr<InfillTable> FromProto(const v1::InfillTable& proto);
 
+/// Converts an ordering job to its message and back.
 absl::Status ToProto(const OrderingJob& job, v1::OrderingJob* proto);
 absl::StatusOr<OrderingJob> FromProto(const v1::OrderingJob& proto);
 
+/// Converts a motion job to its message and back.
 absl::Status ToProto(const MotionJob& job, v1::MotionJob* proto);
 absl::StatusOr<MotionJob> FromProto(const v1::MotionJob& proto);
 
+/// Converts an exposure job to its message and back.
 absl::Status ToProto(const ExposureJob& job, v1::ExposureJob* proto);
 absl::StatusOr<ExposureJob> FromProto(const v1::ExposureJob& proto);
 

@@ -18,6 +18,7 @@ namespace slicefarm {
 /// First message of a call. Errors: the errors of stage_call_wire.h, layer_wire.h, plan_wire.h and
 /// options_check.h, with the path to the field.
 
+/// Start of a call of most stages.
 struct StageStart {
   StageCall call;
   std::string shared;     ///< digest of the stage's job data (shared_wire.h)

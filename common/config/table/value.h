@@ -33,7 +33,7 @@ absl::StatusOr<Value> ParseNumber(std::string_view text, bool may_be_percent);
 /// Returns the shortest decimal text of a quantised number: "0.2", "1000", "-0.05".
 std::string PrintNumber(double number);
 
-/// Convert the escapes `\n`, `\r` and `\\` in texts of a config.ini to characters and back.
+/// Converts the escapes `\n`, `\r` and `\\` in texts of a config.ini to characters and back.
 std::string Unescape(std::string_view text);
 std::string Escape(std::string_view text);
 

@@ -9,7 +9,7 @@
 
 namespace slicefarm {
 
-/// Convert data that all calls of an engraving job share. The settings are sent without their
+/// Converts data that all calls of an engraving job share. The settings are sent without their
 /// images, which are separate fields. The stage checks whether the numbers make sense. Errors:
 /// REQUEST_MALFORMED with the path to the field; MESH_TOO_LARGE.
 absl::Status ToProto(const SurfaceInput& surface, v1::SurfaceInput* proto);

@@ -11,7 +11,7 @@
 
 namespace slicefarm {
 
-/// Convert the results of the texture stage. Errors: REQUEST_MALFORMED with the path to the field.
+/// Converts the results of the texture stage. Errors: REQUEST_MALFORMED with the path to the field.
 absl::Status ToProto(const EngraveLayout& layout, v1::EngraveLayout* proto);
 absl::StatusOr<EngraveLayout> FromProto(const v1::EngraveLayout& proto);
 /// Converts a layer without its text.

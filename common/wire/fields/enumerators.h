@@ -18,6 +18,7 @@ constexpr bool IsEnumerator() {
   return kText[kAt + sizeof("kValue = ") - 1] != '(';
 }
 
+/// Returns the number of enumerators from kCount up, to at most 64.
 template <typename Enum, int kCount = 0>
 constexpr int CountEnumerators() {
   constexpr int kMost = 64;

@@ -41,6 +41,7 @@ inline constexpr bool kIsOptional = false;
 template <typename T>
 inline constexpr bool kIsOptional<std::optional<T>> = true;
 
+/// Writes a value of any supported type.
 template <typename T>
 void WriteField(const T& value, FieldWriter& writer) {
   if constexpr (std::is_enum_v<T>) {
@@ -62,6 +63,7 @@ void WriteField(const T& value, FieldWriter& writer) {
   }
 }
 
+/// Reads a value that WriteField wrote.
 template <typename T>
 void ReadField(FieldReader& reader, T* value) {
   if constexpr (std::is_enum_v<T>) {

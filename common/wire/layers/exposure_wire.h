@@ -10,9 +10,11 @@ namespace slicefarm {
 /// Programs of exposure and the texts around them. Texts are moved, not copied. Errors:
 /// OUT_OF_RANGE, REQUEST_MALFORMED, REQUEST_TOO_LARGE naming the field.
 
+/// Converts the report of an exposure to its message and back.
 absl::Status ToProto(const ExposureReport& report, v1::ExposureReport* proto);
 absl::StatusOr<ExposureReport> FromProto(const v1::ExposureReport& proto);
 
+/// Converts an exposed program to its message and back.
 absl::Status ToProto(ExposedProgram program, v1::ExposedProgram* proto);
 absl::StatusOr<ExposedProgram> FromProto(v1::ExposedProgram proto);
 
@@ -20,6 +22,7 @@ absl::StatusOr<ExposedProgram> FromProto(v1::ExposedProgram proto);
 absl::Status ToProto(const ExposureSummary& summary, v1::ExposureFrameRequest* proto);
 absl::StatusOr<ExposureSummary> FromProto(const v1::ExposureFrameRequest& proto);
 
+/// Converts the texts around an exposure program to its message and back.
 v1::ExposureFrame ToProto(ExposureEnvelope frame);
 absl::StatusOr<ExposureEnvelope> FromProto(v1::ExposureFrame proto);
 

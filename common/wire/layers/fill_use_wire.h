@@ -7,7 +7,7 @@
 
 namespace slicefarm {
 
-/// Convert the totals of an infill. Errors: REQUEST_MALFORMED naming the field that is not a valid
+/// Converts the totals of an infill. Errors: REQUEST_MALFORMED naming the field that is not a valid
 /// amount, row, feature or pattern.
 absl::Status ToProto(const FillUse& use, v1::FillUse* proto);
 absl::StatusOr<FillUse> FromProto(const v1::FillUse& proto);

@@ -15,52 +15,68 @@ namespace slicefarm {
 /// geometry_wire.h and path_wire.h, with the path to the field: `islands[2].walls[7].xy_nm`.
 /// REQUEST_MALFORMED for indices and ranges that are impossible in any job.
 
+/// Converts a layer frame to its message and back.
 void ToProto(const LayerFrame& frame, v1::LayerFrame* proto);
 absl::StatusOr<LayerFrame> FromProto(const v1::LayerFrame& proto);
 
+/// Converts a layer range to its message and back.
 v1::LayerRange ToProto(LayerRange range);
 /// Converts a range of a job: 0 <= first < last <= limits::kMaxLayers.
 absl::StatusOr<LayerRange> FromProto(const v1::LayerRange& proto);
 
+/// Converts an object section to its message and back.
 absl::Status ToProto(const ObjectSection& section, v1::ObjectSection* proto);
 absl::StatusOr<ObjectSection> FromProto(const v1::ObjectSection& proto);
 
+/// Converts a sliced layer to its message and back.
 absl::Status ToProto(const SlicedLayer& layer, v1::SlicedLayer* proto);
 absl::StatusOr<SlicedLayer> FromProto(const v1::SlicedLayer& proto);
 
+/// Converts a walled island to its message and back.
 absl::Status ToProto(const WalledIsland& island, v1::WalledIsland* proto);
 absl::StatusOr<WalledIsland> FromProto(const v1::WalledIsland& proto);
 
+/// Converts a walled section to its message and back.
 absl::Status ToProto(const WalledSection& section, v1::WalledSection* proto);
 absl::StatusOr<WalledSection> FromProto(const v1::WalledSection& proto);
 
+/// Converts a walled layer to its message and back.
 absl::Status ToProto(const WalledLayer& layer, v1::WalledLayer* proto);
 absl::StatusOr<WalledLayer> FromProto(const v1::WalledLayer& proto);
 
+/// Converts a fill group to its message and back.
 absl::Status ToProto(const FillGroup& group, v1::FillGroup* proto);
 absl::StatusOr<FillGroup> FromProto(const v1::FillGroup& proto);
 
+/// Converts a filled island to its message and back.
 absl::Status ToProto(const FilledIsland& island, v1::FilledIsland* proto);
 absl::StatusOr<FilledIsland> FromProto(const v1::FilledIsland& proto);
 
+/// Converts a filled section to its message and back.
 absl::Status ToProto(const FilledSection& section, v1::FilledSection* proto);
 absl::StatusOr<FilledSection> FromProto(const v1::FilledSection& proto);
 
+/// Converts a filled layer to its message and back.
 absl::Status ToProto(const FilledLayer& layer, v1::FilledLayer* proto);
 absl::StatusOr<FilledLayer> FromProto(const v1::FilledLayer& proto);
 
+/// Converts a travel to its message and back.
 absl::Status ToProto(const Travel& travel, v1::Travel* proto);
 absl::StatusOr<Travel> FromProto(const v1::Travel& proto);
 
+/// Converts a spiral turn to its message and back.
 absl::Status ToProto(const SpiralTurn& turn, v1::SpiralTurn* proto);
 SpiralTurn FromProto(const v1::SpiralTurn& proto);
 
+/// Converts a path block to its message and back.
 absl::Status ToProto(const PathBlock& block, v1::PathBlock* proto);
 absl::StatusOr<PathBlock> FromProto(const v1::PathBlock& proto);
 
+/// Converts a block visit to its message and back.
 absl::Status ToProto(const BlockVisit& visit, v1::BlockVisit* proto);
 absl::StatusOr<BlockVisit> FromProto(const v1::BlockVisit& proto);
 
+/// Converts an ordered layer to its message and back.
 absl::Status ToProto(const OrderedLayer& layer, v1::OrderedLayer* proto);
 absl::StatusOr<OrderedLayer> FromProto(const v1::OrderedLayer& proto);
 

@@ -7,10 +7,11 @@
 
 namespace slicefarm {
 
+/// Converts a feature to its message and back.
 v1::Feature ToProto(Feature feature);
 absl::StatusOr<Feature> FromProto(v1::Feature proto);
 
-/// Convert a path. Errors: OUT_OF_RANGE for values that do not fit in 32-bit nanometres;
+/// Converts a path. Errors: OUT_OF_RANGE for values that do not fit in 32-bit nanometres;
 /// REQUEST_MALFORMED if the invariant of Path or the range of a field is violated.
 absl::Status ToProto(const Path& path, v1::Path* proto);
 absl::StatusOr<Path> FromProto(const v1::Path& proto);

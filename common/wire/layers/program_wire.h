@@ -16,21 +16,27 @@ namespace slicefarm {
 /// Programs and the texts around them. G-code is moved, not copied, if the argument is an rvalue or
 /// passed by value. Errors: OUT_OF_RANGE, REQUEST_MALFORMED naming the field.
 
+/// Converts the totals of a feature to its message and back.
 void ToProto(const FeatureUse& use, v1::FeatureUse* proto);
 absl::StatusOr<FeatureUse> FromProto(const v1::FeatureUse& proto);
 
+/// Converts the totals of a program to its message and back.
 absl::Status ToProto(const ProgramStats& stats, v1::ProgramStats* proto);
 absl::StatusOr<ProgramStats> FromProto(const v1::ProgramStats& proto);
 
+/// Converts a layer program to its message and back.
 absl::Status ToProto(LayerProgram program, v1::LayerProgram* proto);
 absl::StatusOr<LayerProgram> FromProto(v1::LayerProgram proto);
 
+/// Converts a layer warning to its message and back.
 v1::LayerWarning ToProto(const LayerWarning& warning);
 absl::StatusOr<LayerWarning> FromProto(const v1::LayerWarning& proto);
 
+/// Converts the times of the stages to its message and back.
 v1::StageTimes ToProto(const StageTimes& times);
 absl::StatusOr<StageTimes> FromProto(const v1::StageTimes& proto);
 
+/// Converts a layer summary to its message and back.
 absl::Status ToProto(const LayerSummary& layer, v1::LayerSummary* proto);
 absl::StatusOr<LayerSummary> FromProto(const v1::LayerSummary& proto);
 
@@ -38,6 +44,7 @@ absl::StatusOr<LayerSummary> FromProto(const v1::LayerSummary& proto);
 absl::Status ToProto(const ProgramSummary& summary, v1::FrameRequest* proto);
 absl::StatusOr<ProgramSummary> FromProto(const v1::FrameRequest& proto);
 
+/// Converts the texts around a program to its message and back.
 v1::ProgramFrame ToProto(ProgramEnvelope frame);
 absl::StatusOr<ProgramEnvelope> FromProto(v1::ProgramFrame proto);
 

@@ -12,17 +12,21 @@ namespace slicefarm {
 /// Regions, and positions of sections within an object's layers. Errors: the errors of
 /// geometry_wire.h, and REQUEST_MALFORMED for numbers that are impossible in any job.
 
+/// Converts a region to its message and back.
 absl::Status ToProto(const Region& region, v1::Region* proto);
 absl::StatusOr<Region> FromProto(const v1::Region& proto);
 
+/// Converts the area of an infill to its message and back.
 absl::Status ToProto(const FillArea& area, v1::FillArea* proto);
 absl::StatusOr<FillArea> FromProto(const v1::FillArea& proto);
 
+/// Converts a stack to its message and back.
 void ToProto(const Stack& stack, v1::Stack* proto);
 absl::StatusOr<Stack> FromProto(const v1::Stack& proto);
 /// Checks that a number may be the id of a stack.
 absl::Status CheckStack(std::string_view field, int32_t id);
 
+/// Converts a mark to its message and back.
 absl::Status ToProto(const Mark& mark, v1::Mark* proto);
 absl::StatusOr<Mark> FromProto(const v1::Mark& proto);
 

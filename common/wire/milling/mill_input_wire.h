@@ -8,7 +8,7 @@
 
 namespace slicefarm {
 
-/// Convert the data that the calls of a milling job share. Errors: REQUEST_MALFORMED with the path
+/// Converts the data that the calls of a milling job share. Errors: REQUEST_MALFORMED with the path
 /// to the field; MESH_TOO_LARGE; OUT_OF_RANGE.
 absl::Status ToProto(const MillInput& input, v1::MillInput* proto);
 absl::StatusOr<MillInput> FromProto(const v1::MillInput& proto);

@@ -10,15 +10,19 @@ namespace slicefarm {
 
 /// Results of milling. Errors: OUT_OF_RANGE, REQUEST_MALFORMED, REQUEST_TOO_LARGE naming the field.
 
+/// Converts a milled step to its message and back.
 absl::Status ToProto(const MilledStep& step, v1::MilledStep* proto);
 absl::StatusOr<MilledStep> FromProto(const v1::MilledStep& proto);
 
+/// Converts a mill layout to its message and back.
 absl::Status ToProto(const MillLayout& layout, v1::MillLayout* proto);
 absl::StatusOr<MillLayout> FromProto(const v1::MillLayout& proto);
 
+/// Converts the report of a milling job to its message and back.
 absl::Status ToProto(const MillReport& report, v1::MillReport* proto);
 absl::StatusOr<MillReport> FromProto(const v1::MillReport& proto);
 
+/// Converts a step range to its message and back.
 v1::StepRange ToProto(StepRange range);
 /// Converts a range. Errors: REQUEST_MALFORMED for an empty range, and for a range that is
 /// impossible in any job.

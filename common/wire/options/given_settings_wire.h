@@ -9,6 +9,7 @@ namespace slicefarm {
 
 /// Settings as clients give them.
 
+/// Converts a setting to its message.
 inline v1::Setting ToProto(const Setting& setting) {
   v1::Setting proto;
   proto.set_key(setting.key);
@@ -17,15 +18,18 @@ inline v1::Setting ToProto(const Setting& setting) {
   return proto;
 }
 
+/// Returns the setting of a message. The message contains the source, too.
 inline Setting FromProto(const v1::Setting& proto) {
   return {proto.key(), proto.value(), proto.from_profile() ? Source::kProfile : Source::kRequest};
 }
 
+/// Appends the messages of all settings.
 inline void SettingsToProto(const std::vector<Setting>& settings,
                             google::protobuf::RepeatedPtrField<v1::Setting>* proto) {
   for (const Setting& setting : settings) *proto->Add() = ToProto(setting);
 }
 
+/// Returns the settings of all messages.
 inline std::vector<Setting> SettingsFromProto(
     const google::protobuf::RepeatedPtrField<v1::Setting>& proto) {
   std::vector<Setting> settings;

@@ -12,6 +12,7 @@
 
 namespace slicefarm {
 
+/// Length with the name of its member, for errors.
 struct NamedLength {
   std::string_view member;
   Coord value_nm = 0;
@@ -26,10 +27,12 @@ inline absl::Status CheckLengths(std::initializer_list<NamedLength> lengths, Coo
   return absl::OkStatus();
 }
 
+/// Checks that all lengths are positive.
 inline absl::Status CheckPositive(std::initializer_list<NamedLength> lengths) {
   return CheckLengths(lengths, 1);
 }
 
+/// Checks that no length is negative.
 inline absl::Status CheckNotNegative(std::initializer_list<NamedLength> lengths) {
   return CheckLengths(lengths, 0);
 }

@@ -8,6 +8,7 @@ namespace slicefarm {
 /// Returns true if the value may be a sum of lengths, times and the like: finite and not negative.
 inline bool IsAmount(double value) { return std::isfinite(value) && value >= 0; }
 
+/// Returns true if all values are amounts.
 inline bool AreAmounts(std::initializer_list<double> values) {
   for (const double value : values)
     if (!IsAmount(value)) return false;

@@ -9,6 +9,7 @@ namespace slicefarm {
 
 /// Boxes in messages that have the fields `min` and `max`. Both are absent for an empty box.
 
+/// Writes a box to the fields of a message.
 template <typename Proto>
 absl::Status BoxToProto(const Box& box, Proto* proto) {
   if (box.Empty()) return absl::OkStatus();

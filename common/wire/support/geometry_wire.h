@@ -16,9 +16,11 @@ namespace slicefarm {
 /// OUT_OF_RANGE. Inconsistent data, such as an odd number of coordinates or ring sizes that do not
 /// match the points, are refused with REQUEST_MALFORMED. Cost: one pass over the points.
 
+/// Converts a point to its message and back.
 absl::Status ToProto(Point point, v1::Point* proto);
 Point FromProto(const v1::Point& proto);
 
+/// Converts a set of polygons to its message and back.
 absl::Status ToProto(const MultiPolygon& polygons, v1::MultiPolygon* proto);
 absl::StatusOr<MultiPolygon> FromProto(const v1::MultiPolygon& proto);
 

@@ -10,22 +10,26 @@
 
 namespace slicefarm {
 
+/// Converts a mesh format to its message and back.
 v1::MeshFormat ToProto(MeshFormat format);
 absl::StatusOr<MeshFormat> FromProto(v1::MeshFormat proto);
 
-/// Convert a placement. A message may omit default values: the unit is then 1 mm, the scale 1, and
+/// Converts a placement. A message may omit default values: the unit is then 1 mm, the scale 1, and
 /// the rotation 0; one scale applies to all axes. Errors: REQUEST_MALFORMED for wrong sizes,
 /// non-finite numbers and scales that are not positive; OUT_OF_RANGE; REQUEST_TOO_LARGE for more
 /// than limits::kMaxObjects copies.
 absl::Status ToProto(const Placement& placement, v1::Placement* proto);
 absl::StatusOr<Placement> FromProto(const v1::Placement& proto);
 
+/// Converts the report of a mesh to its message and back.
 v1::MeshReport ToProto(const MeshReport& report);
 absl::StatusOr<MeshReport> FromProto(const v1::MeshReport& proto);
 
+/// Converts orientation advice to its message and back.
 v1::OrientationAdvice ToProto(const OrientationAdvice& advice);
 absl::StatusOr<OrientationAdvice> FromProto(const v1::OrientationAdvice& proto);
 
+/// Converts a thumbnail to its message and back.
 v1::Thumbnail ToProto(const Thumbnail& thumbnail);
 absl::StatusOr<Thumbnail> FromProto(const v1::Thumbnail& proto);
 

@@ -13,6 +13,7 @@ namespace slicefarm {
 
 /// Conversion of lists by the ToProto or FromProto of the element's type. Errors name the element.
 
+/// Converts all models to messages in the field `field`.
 template <typename Model, typename Proto>
 absl::Status AllToProto(const std::vector<Model>& models, std::string_view field,
                         google::protobuf::RepeatedPtrField<Proto>* protos) {
@@ -25,6 +26,7 @@ absl::Status AllToProto(const std::vector<Model>& models, std::string_view field
   return absl::OkStatus();
 }
 
+/// Converts all messages in the field `field` to models.
 template <typename Model, typename Proto>
 absl::Status AllFromProto(const google::protobuf::RepeatedPtrField<Proto>& protos,
                           std::string_view field, std::vector<Model>* models) {

@@ -66,7 +66,7 @@ inline FdmSettings& FdmOf(JobSettings& settings) { return settings.own.As<FdmSet
 inline const FdmRows& FdmOf(const JobRows& rows) { return rows.own.As<FdmRows>(); }
 inline FdmRows& FdmOf(JobRows& rows) { return rows.own.As<FdmRows>(); }
 
-// Return the options of one stage: the rows that the stage needs.
+// Returns the options of one stage: the rows that the stage needs.
 std::vector<BeadingOptions> BeadingOf(const FdmSettings& settings);
 std::vector<InfillOptions> InfillOf(const FdmSettings& settings);
 /// Returns the options of planning. They include the infill of the regions only if planning decides
