@@ -26,7 +26,7 @@ struct SkirtOptions {
   Coord distance_nm = 6'000'000;  ///< skirt_distance: distance to the inner edge of the first line
   Coord min_length_nm = 0;        ///< min_skirt_length: minimum length of filament on each layer
   int32_t height_layers = 1;      ///< skirt_height: number of layers
-  DraftShield draft_shield = DraftShield::kDisabled;  ///< draft_shield
+  DraftShield draft_shield = DraftShield::kDisabled;  ///< setting draft_shield
   Coord width_nm = 400'000;   ///< first_layer_extrusion_width: full width of a line
   Coord height_nm = 200'000;  ///< height of the first layer
   /// Cross section of the filament; the default is a diameter of 1.75 mm.
@@ -58,10 +58,10 @@ struct AutomaticBrim {
 
 /// Options of the brim. Its ears are as in OrcaSlicer.
 struct BrimOptions {
-  BrimType type = BrimType::kNone;  ///< brim_type
+  BrimType type = BrimType::kNone;  ///< setting brim_type
   AutomaticBrim automatic = {};
-  Coord width_nm = 0;       ///< brim_width; for ears: their radius
-  Coord separation_nm = 0;  ///< brim_separation
+  Coord width_nm = 0;       ///< setting brim_width; for ears: their radius
+  Coord separation_nm = 0;  ///< setting brim_separation
   /// Width of the brim's lines; pieces narrower than half a line are dropped.
   Coord line_width_nm = 400'000;
   double ear_max_angle_rad =
@@ -86,10 +86,10 @@ constexpr RaftLayerKind RaftLayerKindOf(int32_t layer, int32_t layers) {
 /// Lines of a raft's layers, from the settings. Rows of region settings for the raft are made from
 /// it.
 struct RaftLines {
-  Coord width_nm = 400'000;          ///< support_material_extrusion_width
+  Coord width_nm = 400'000;          ///< setting support_material_extrusion_width
   Coord spacing_nm = 2'500'000;      ///< support_material_spacing: gap between lines of the base
-  double angle_rad = 0;              ///< support_material_angle
-  double first_layer_density = 0.9;  ///< raft_first_layer_density
+  double angle_rad = 0;              ///< setting support_material_angle
+  double first_layer_density = 0.9;  ///< setting raft_first_layer_density
 
   friend bool operator==(const RaftLines&, const RaftLines&) = default;
 };
@@ -98,8 +98,8 @@ struct RaftLines {
 struct RaftOptions {
   RaftHeights heights = {};
   RaftLines lines = {};
-  Coord expansion_nm = 1'500'000;  ///< raft_expansion
-  /// raft_first_layer_expansion, in addition to raft_expansion
+  Coord expansion_nm = 1'500'000;  ///< setting raft_expansion
+  /// Setting raft_first_layer_expansion, in addition to raft_expansion.
   Coord first_layer_expansion_nm = 3'000'000;
 
   friend bool operator==(const RaftOptions&, const RaftOptions&) = default;

@@ -31,35 +31,35 @@ inline constexpr int32_t kBeadingHaloLayers = 2;
 
 /// Options for the walls of one region. Member comments begin with the name of the setting.
 struct BeadingOptions {
-  WallGenerator generator = WallGenerator::kArachne;  ///< perimeter_generator
-  int32_t perimeters = 3;                             ///< perimeters
-  bool one_on_bed = false;                            ///< only_one_perimeter_first_layer
-  OneWallOnTop one_on_top = OneWallOnTop::kNowhere;   ///< top_one_perimeter_type
+  WallGenerator generator = WallGenerator::kArachne;  ///< setting perimeter_generator
+  int32_t perimeters = 3;                             ///< setting perimeters
+  bool one_on_bed = false;                            ///< setting only_one_perimeter_first_layer
+  OneWallOnTop one_on_top = OneWallOnTop::kNowhere;   ///< setting top_one_perimeter_type
   bool extra_perimeters = false;  ///< extra_perimeters: adds walls where a slope would have gaps
-  FuzzySkin fuzzy = FuzzySkin::kNone;  ///< fuzzy_skin
+  FuzzySkin fuzzy = FuzzySkin::kNone;  ///< setting fuzzy_skin
   /// fuzzy_skin_thickness: largest displacement of points, inwards and outwards
   Coord fuzzy_thickness_nm = 300'000;
   Coord fuzzy_point_distance_nm = 800'000;  ///< fuzzy_skin_point_dist: average distance of points
-  Coord external_width_nm = 450'000;        ///< external_perimeter_extrusion_width
-  Coord inner_width_nm = 450'000;           ///< perimeter_extrusion_width
+  Coord external_width_nm = 450'000;        ///< setting external_perimeter_extrusion_width
+  Coord inner_width_nm = 450'000;           ///< setting perimeter_extrusion_width
   /// first_layer_extrusion_width: width of all walls of layer 0
   Coord first_layer_width_nm = 450'000;
-  bool gap_fill = true;                  ///< gap_fill_enabled
-  Coord min_gap_width_nm = 80'000;       ///< gap_fill_min_width: narrower gaps remain empty
-  Coord max_gap_width_nm = 800'000;      ///< width above which the infill fills a gap
+  bool gap_fill = true;              ///< setting gap_fill_enabled
+  Coord min_gap_width_nm = 80'000;   ///< gap_fill_min_width: narrower gaps remain empty
+  Coord max_gap_width_nm = 800'000;  ///< width above which the infill fills a gap
   bool thin_walls = true;  ///< thin_walls: used by kClassic; kArachne always prints thin walls
   /// Shortest thin-wall bead of kClassic that is printed beside a wall. It removes the tips of
   /// supports.
   Coord least_tip_nm = 0;
-  Coord transition_length_nm = 400'000;  ///< wall_transition_length
+  Coord transition_length_nm = 400'000;  ///< setting wall_transition_length
   /// wall_transition_angle in radians
   double transition_angle = 10 * 3.14159265358979323846 / 180;
-  Coord transition_deviation_nm = 100'000;  ///< wall_transition_filter_deviation
-  int32_t distribution_count = 1;           ///< wall_distribution_count
-  Coord min_feature_nm = 100'000;           ///< min_feature_size
-  Coord min_bead_width_nm = 340'000;        ///< min_bead_width
-  Coord max_bead_width_nm = 800'000;        ///< max_bead_width
-  bool lock_outer_width = false;            ///< lock_outer_width
+  Coord transition_deviation_nm = 100'000;  ///< setting wall_transition_filter_deviation
+  int32_t distribution_count = 1;           ///< setting wall_distribution_count
+  Coord min_feature_nm = 100'000;           ///< setting min_feature_size
+  Coord min_bead_width_nm = 340'000;        ///< setting min_bead_width
+  Coord max_bead_width_nm = 800'000;        ///< setting max_bead_width
+  bool lock_outer_width = false;            ///< setting lock_outer_width
   /// Class of the region. Regions of an object with the same class get their walls together, as if
   /// they were one region.
   int32_t wall_class = 0;

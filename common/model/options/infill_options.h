@@ -22,8 +22,8 @@ enum class IroningType : uint8_t {
 
 /// Options of ironing: the nozzle smooths a printed surface by a second pass with little plastic.
 struct IroningOptions {
-  bool enabled = false;                  ///< ironing
-  IroningType type = IroningType::kTop;  ///< ironing_type
+  bool enabled = false;                  ///< setting ironing
+  IroningType type = IroningType::kTop;  ///< setting ironing_type
   double flow = 0.15;          ///< ironing_flowrate: share of the plastic that would fill the layer
   Coord spacing_nm = 100'000;  ///< ironing_spacing: distance of the ironing lines
 
@@ -43,27 +43,27 @@ inline constexpr int32_t kOverBridgeHaloLayers = 2;
 
 /// Options for the infill of one region. Member comments begin with the name of the setting.
 struct InfillOptions {
-  int32_t top_solid_layers = 5;                 ///< top_solid_layers
-  int32_t bottom_solid_layers = 5;              ///< bottom_solid_layers
+  int32_t top_solid_layers = 5;                 ///< setting top_solid_layers
+  int32_t bottom_solid_layers = 5;              ///< setting bottom_solid_layers
   SkinSpare top_spare = {}, bottom_spare = {};  ///< top and bottom layers that may be left out
-  double density = 0.2;                         ///< fill_density, in [0, 1]
-  FillPattern pattern = FillPattern::kGrid;     ///< fill_pattern
+  double density = 0.2;                         ///< setting fill_density, in [0, 1]
+  FillPattern pattern = FillPattern::kGrid;     ///< setting fill_pattern
   bool choose_pattern = false;  ///< fill_pattern = auto: planning chooses a pattern for each object
-  FillGoal goal = FillGoal::kStrength;  ///< infill_goal
+  FillGoal goal = FillGoal::kStrength;  ///< setting infill_goal
   /// solid_fill_pattern: pattern of solid infill inside the part
   FillPattern solid_pattern = FillPattern::kRectilinear;
-  FillPattern top_pattern = FillPattern::kMonotonic;     ///< top_fill_pattern
-  FillPattern bottom_pattern = FillPattern::kMonotonic;  ///< bottom_fill_pattern
-  double angle_rad =
-      0.78539816339744831;  ///< fill_angle; solid layers turn by 90 degrees from layer to layer
+  FillPattern top_pattern = FillPattern::kMonotonic;     ///< setting top_fill_pattern
+  FillPattern bottom_pattern = FillPattern::kMonotonic;  ///< setting bottom_fill_pattern
+  /// Setting fill_angle; solid layers turn by 90 degrees from layer to layer.
+  double angle_rad = 0.78539816339744831;
   /// fill_angle_template, solid_fill_angle_template: canonical texts (fill_angles.h). Empty: no
   /// template.
   SharedText angle_template = {};
   SharedText solid_angle_template = {};
-  Coord sparse_width_nm = 450'000;       ///< infill_extrusion_width
-  Coord solid_width_nm = 450'000;        ///< solid_infill_extrusion_width
-  Coord top_width_nm = 450'000;          ///< top_infill_extrusion_width
-  Coord first_layer_width_nm = 450'000;  ///< first_layer_extrusion_width
+  Coord sparse_width_nm = 450'000;       ///< setting infill_extrusion_width
+  Coord solid_width_nm = 450'000;        ///< setting solid_infill_extrusion_width
+  Coord top_width_nm = 450'000;          ///< setting top_infill_extrusion_width
+  Coord first_layer_width_nm = 450'000;  ///< setting first_layer_extrusion_width
   /// infill_overlap: length by which the ends of lines extend into the walls
   Coord overlap_nm = 112'500;
   double solid_below_area_mm2 =
@@ -71,23 +71,25 @@ struct InfillOptions {
   Coord anchor_nm = 2'700'000;  ///< infill_anchor: anchor length at a line's end that is not linked
   Coord anchor_max_nm = 50'000'000;  ///< infill_anchor_max: longest link; 0: no links
   Coord smoothing_nm = 0;  ///< infill_smoothing: smoothing of the lines of medialaxis; 0: none
-  int32_t solid_every_layers = 0;  ///< solid_infill_every_layers; 0: no additional solid layers
-  double bridge_angle_rad = 0;     ///< bridge_angle; 0: a direction is computed for each bridge
-  double bridge_flow = 1;          ///< bridge_flow_ratio: factor on the plastic of bridges
+  /// Setting solid_infill_every_layers; 0: no additional solid layers.
+  int32_t solid_every_layers = 0;
+  /// Setting bridge_angle; 0: a direction is computed for each bridge.
+  double bridge_angle_rad = 0;
+  double bridge_flow = 1;     ///< bridge_flow_ratio: factor on the plastic of bridges
   double top_flow = 1;        ///< top_solid_infill_flow_ratio: factor on the plastic of top skins
   bool thick_bridges = true;  ///< thick_bridges: bridges are round threads as wide as the nozzle
   Coord walls_nm = 0;         ///< total thickness of the walls around the infill
   /// over_bridge_speed: solid infill over bridges is a separate feature
   bool over_bridges = false;
   bool interface_shells = false;  ///< interface_shells: adds skins at the borders to other regions
-  Coord nozzle_nm = 400'000;      ///< nozzle_diameter
+  Coord nozzle_nm = 400'000;      ///< setting nozzle_diameter
   /// infill_every_layers: number of layers that one layer of sparse infill fills
   int32_t every_layers = 1;
-  bool only_where_needed = false;                    ///< infill_only_where_needed
-  ShellThickness shells = ShellThickness::kEnabled;  ///< ensure_vertical_shell_thickness
-  bool overhang_lines = false;                       ///< extra_perimeters_on_overhangs
+  bool only_where_needed = false;                    ///< setting infill_only_where_needed
+  ShellThickness shells = ShellThickness::kEnabled;  ///< setting ensure_vertical_shell_thickness
+  bool overhang_lines = false;                       ///< setting extra_perimeters_on_overhangs
   IroningOptions ironing = {};
-  bool small_area_flow = false;  ///< small_area_infill_flow_compensation
+  bool small_area_flow = false;  ///< setting small_area_infill_flow_compensation
   /// small_area_infill_flow_compensation_model: canonical text (flow_table.h).
   SharedText small_area_flow_table = kSmallAreaFlowTable;
   /// density_field, stress_field: canonical texts (fields/field_text.h). Empty: no field.

@@ -11,11 +11,11 @@ namespace slicefarm {
 
 /// Options of layers that are as high as the object's shape allows.
 struct AdaptiveHeights {
-  bool on = false;           ///< adaptive_layer_height
+  bool on = false;  ///< setting adaptive_layer_height
   /// adaptive_layer_cusp: highest step, measured along the surface's normal
   Coord cusp_nm = 100'000;
-  Coord min_nm = 70'000;     ///< min_layer_height
-  Coord max_nm = 300'000;    ///< max_layer_height, above 0
+  Coord min_nm = 70'000;   ///< setting min_layer_height
+  Coord max_nm = 300'000;  ///< setting max_layer_height, above 0
   /// adaptive_layer_ratio: largest ratio of neighbouring layers, 1 or more
   double max_ratio = 1.5;
 

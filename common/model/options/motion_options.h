@@ -32,32 +32,34 @@ enum class ArcFitting : uint8_t {
 
 /// Options for the text of the program and for its file.
 struct WritingOptions {
-  bool relative_e = true;            ///< use_relative_e_distances
+  bool relative_e = true;            ///< setting use_relative_e_distances
   bool volumetric_e = false;         ///< use_volumetric_e: filament in mm3 instead of mm
   bool firmware_retraction = false;  ///< use_firmware_retraction: retracts by G10 and G11
   bool comments = false;             ///< gcode_comments: adds the purpose of each line as a comment
-  bool binary = false;               ///< binary_gcode
-  SharedText substitutions;          ///< gcode_substitutions, in the form of a config.ini
+  bool binary = false;               ///< setting binary_gcode
+  SharedText substitutions;          ///< setting gcode_substitutions, in the form of a config.ini
   std::string file_name;             ///< output_filename_format: template of the file's name
-  SharedText height_code;            ///< custom_gcode_per_print_z (height_code.h); empty: no codes
-  SharedText color_change_gcode;     ///< color_change_gcode
-  SharedText pause_gcode;            ///< pause_print_gcode
-  SharedText template_gcode;         ///< template_custom_gcode
+  /// Setting custom_gcode_per_print_z (height_code.h); empty: no codes.
+  SharedText height_code;
+  SharedText color_change_gcode;  ///< setting color_change_gcode
+  SharedText pause_gcode;         ///< setting pause_print_gcode
+  SharedText template_gcode;      ///< setting template_custom_gcode
 
   friend bool operator==(const WritingOptions&, const WritingOptions&) = default;
 };
 
 /// Machine settings for motion planning and G-code.
 struct MachineMotion {
-  GcodeFlavor flavor = GcodeFlavor::kMarlin2;  ///< gcode_flavor
+  GcodeFlavor flavor = GcodeFlavor::kMarlin2;  ///< setting gcode_flavor
   MachineLimits limits;
   /// silent_mode: limits of the machine's silent mode, for a second time estimate.
   std::optional<MachineLimits> silent_limits;
 
-  double travel_speed_mm_s = 130;            ///< travel_speed
-  double first_layer_travel_speed_mm_s = 0;  ///< first_layer_travel_speed; 0: travel_speed
-  double travel_speed_z_mm_s = 0;            ///< travel_speed_z; 0: the machine's z limit
-  double first_layer_speed_mm_s = 30;  ///< first_layer_speed; 0: first_layer_speed_ratio applies
+  double travel_speed_mm_s = 130;            ///< setting travel_speed
+  double first_layer_travel_speed_mm_s = 0;  ///< setting first_layer_travel_speed; 0: travel_speed
+  double travel_speed_z_mm_s = 0;            ///< setting travel_speed_z; 0: the machine's z limit
+  /// Setting first_layer_speed; 0: first_layer_speed_ratio applies.
+  double first_layer_speed_mm_s = 30;
   /// first_layer_speed in percent, as a ratio to the feature's speed
   double first_layer_speed_ratio = 1;
   /// first_layer_infill_speed of solid infill; 0: first_layer_speed
@@ -66,7 +68,7 @@ struct MachineMotion {
   double over_raft_speed_mm_s = 30;
   /// first_layer_speed_over_raft in percent, as a ratio to the feature's speed
   double over_raft_speed_ratio = 1;
-  double max_print_speed_mm_s = 80;  ///< max_print_speed
+  double max_print_speed_mm_s = 80;  ///< setting max_print_speed
   /// max_volumetric_extrusion_rate_slope_positive and _negative: largest rise and fall of the flow
   /// per time. 0: unlimited.
   double flow_rise_mm3_s2 = 0;
@@ -75,12 +77,12 @@ struct MachineMotion {
   /// perimeter_acceleration, infill_acceleration, ...: acceleration per Feature. 0:
   /// default_acceleration.
   std::array<double, kFeatureCount> acceleration_mm_s2 = {};
-  double default_acceleration_mm_s2 = 0;  ///< default_acceleration; 0: the firmware decides
-  /// first_layer_acceleration; 0: the feature's acceleration
+  double default_acceleration_mm_s2 = 0;  ///< setting default_acceleration; 0: the firmware decides
+  /// Setting first_layer_acceleration; 0: the feature's acceleration.
   double first_layer_acceleration_mm_s2 = 0;
-  /// first_layer_acceleration_over_raft; 0: the feature's acceleration
+  /// Setting first_layer_acceleration_over_raft; 0: the feature's acceleration.
   double over_raft_acceleration_mm_s2 = 0;
-  /// travel_acceleration; 0: the machine's limit for travels
+  /// Setting travel_acceleration; 0: the machine's limit for travels.
   double travel_acceleration_mm_s2 = 0;
 
   /// travel_short_distance_acceleration: acceleration of travels to outer walls that are too short
@@ -88,7 +90,7 @@ struct MachineMotion {
   double short_travel_acceleration_mm_s2 = 0;
   double seam_gap_mm = 0;  ///< seam_gap_distance: length of the gap at the end of a closed path
 
-  std::string printer_model;  ///< printer_model
+  std::string printer_model;  ///< setting printer_model
 
   /// activate_chamber_temp_control. If false, the chamber temperatures are only variables of
   /// templates.
@@ -97,24 +99,26 @@ struct MachineMotion {
   /// does not heat.
   bool emit_temperatures = true;
 
-  double nozzle_heating_c_s = 0;  ///< nozzle_heating_rate, for times; 0: heating takes no time
-  double bed_heating_c_s = 0;     ///< bed_heating_rate
+  /// Setting nozzle_heating_rate, for times; 0: heating takes no time.
+  double nozzle_heating_c_s = 0;
+  double bed_heating_c_s = 0;  ///< setting bed_heating_rate
 
   bool progress = false;   ///< remaining_times: writes M73 before each layer
-  double z_offset_mm = 0;  ///< z_offset
-  SharedText start_gcode = "G28 ; home all axes\nG1 Z5 F5000 ; lift nozzle\n";  ///< start_gcode
+  double z_offset_mm = 0;  ///< setting z_offset
+  /// Setting start_gcode.
+  SharedText start_gcode = "G28 ; home all axes\nG1 Z5 F5000 ; lift nozzle\n";
   SharedText end_gcode =
       "M104 S0 ; turn off temperature\nG28 X0 ; home X axis\nM84 ; disable motors\n";
-  SharedText before_layer_gcode;  ///< before_layer_gcode
-  SharedText layer_gcode;         ///< layer_gcode, including time_lapse_gcode
+  SharedText before_layer_gcode;  ///< setting before_layer_gcode
+  SharedText layer_gcode;         ///< setting layer_gcode, including time_lapse_gcode
   /// Settings that before_layer_gcode and layer_gcode name, as `key = value` lines.
   SharedText layer_settings;
-  ObjectLabels labels = ObjectLabels::kNone;  ///< gcode_label_objects
-  SharedText between_objects_gcode;           ///< between_objects_gcode
-  Coord max_print_height_nm = 0;              ///< max_print_height; 0: unlimited
+  ObjectLabels labels = ObjectLabels::kNone;  ///< setting gcode_label_objects
+  SharedText between_objects_gcode;           ///< setting between_objects_gcode
+  Coord max_print_height_nm = 0;              ///< setting max_print_height; 0: unlimited
   /// bed_shape without bed_exclude_area: travels stay within it. Empty: no area is excluded.
   MultiPolygon room;
-  ArcFitting arc_fitting = ArcFitting::kDisabled;  ///< arc_fitting
+  ArcFitting arc_fitting = ArcFitting::kDisabled;  ///< setting arc_fitting
   /// gcode_resolution: tolerance to which paths are simplified; 0: no simplification
   Coord resolution_nm = 12'500;
   SharedText material_field;  ///< canonical text of a field (fields/field_text.h); empty: no mixing

@@ -10,7 +10,7 @@ namespace slicefarm {
 
 /// Order and start points of the walls of one region.
 struct WallOrder {
-  bool external_perimeters_first = false;  ///< external_perimeters_first
+  bool external_perimeters_first = false;  ///< setting external_perimeters_first
   bool inner_outer_inner = false;  ///< inner_outer_inner: overrides external_perimeters_first
   /// True for brims: walls are printed from the outer edge of an island to its holes. Overrides the
   /// two options above.
@@ -29,8 +29,8 @@ struct TravelOptions {
   bool hide = true;
   /// retract_inside_after: longest travel inside the part without retraction; 0: unlimited
   double longest_hidden_mm = 30;
-  bool avoid_crossing = false;  ///< avoid_crossing_perimeters
-  double max_detour_mm = 0;     ///< avoid_crossing_perimeters_max_detour; 0: unlimited
+  bool avoid_crossing = false;  ///< setting avoid_crossing_perimeters
+  double max_detour_mm = 0;     ///< setting avoid_crossing_perimeters_max_detour; 0: unlimited
   /// avoid_crossing_perimeters_max_detour in percent of the straight line; 0: unlimited
   double max_detour_ratio = 0;
   /// retract_layer_change: retracts between layers even if the travel is hidden
@@ -43,7 +43,7 @@ struct TravelOptions {
 
 /// Job settings for ordering.
 struct JobOrder {
-  bool infill_first = false;  ///< infill_first
+  bool infill_first = false;  ///< setting infill_first
   /// prefer_clockwise_movements: outer rings run clockwise, holes counter-clockwise
   bool clockwise = false;
   TravelOptions travel;

@@ -16,7 +16,7 @@ namespace slicefarm {
 
 /// Object settings for planning.
 struct ObjectPlanOptions {
-  SeamPosition seam = SeamPosition::kAligned;  ///< seam_position
+  SeamPosition seam = SeamPosition::kAligned;  ///< setting seam_position
   BrimOptions brim = {};      ///< brim of the object; kNone for an object with a raft
   int32_t brim_settings = 0;  ///< row of the job's tables of region settings
   RaftOptions raft = {};
@@ -33,7 +33,7 @@ struct JobPlanOptions {
   SequencePlanOptions sequence;
   SkirtOptions skirt;
   int32_t skirt_settings = 0;        ///< row of the job's tables of region settings
-  bool objects_may_overlap = false;  ///< objects_may_overlap
+  bool objects_may_overlap = false;  ///< setting objects_may_overlap
   bool avoid_curled = false;  ///< avoid_crossing_curled_overhangs: computes where overhangs curl up
   /// bed_shape without bed_exclude_area: planning adds nothing outside of it. Empty: no limit.
   MultiPolygon bed;

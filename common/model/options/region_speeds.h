@@ -20,13 +20,13 @@ enum class ScarfPlacement : uint8_t {
 /// Options of a scarf seam: a loop begins low and thin, rises, and ends over its own beginning. The
 /// scarf replaces a butt joint, which would be visible.
 struct ScarfOptions {
-  ScarfPlacement placement = ScarfPlacement::kNowhere;  ///< scarf_seam_placement
+  ScarfPlacement placement = ScarfPlacement::kNowhere;  ///< setting scarf_seam_placement
   bool only_on_smooth = true;  ///< scarf_seam_only_on_smooth: no scarf at corners
-  bool on_inner = false;       ///< scarf_seam_on_inner_perimeters
+  bool on_inner = false;       ///< setting scarf_seam_on_inner_perimeters
   bool entire_loop = false;    ///< scarf_seam_entire_loop: the scarf is as long as the loop
   /// scarf_seam_start_height: start height as a share of the layer height
   double start_height_ratio = 0;
-  double length_mm = 20;      ///< scarf_seam_length
+  double length_mm = 20;      ///< setting scarf_seam_length
   double max_segment_mm = 1;  ///< scarf_seam_max_segment_length: longest step of the flow
 
   friend bool operator==(const ScarfOptions&, const ScarfOptions&) = default;
@@ -38,13 +38,13 @@ struct RegionSpeeds {
                                                   60, 60, 60, 60, 15, 0};  ///< speed per Feature
   /// small_perimeter_speed: speed of loops with a radius below 6.5 mm
   double small_perimeter_speed_mm_s = 15;
-  bool dynamic_overhangs = false;  ///< enable_dynamic_overhang_speeds
+  bool dynamic_overhangs = false;  ///< setting enable_dynamic_overhang_speeds
   /// overhang_speed_0 to _3, per overhang degree.
   std::array<double, kOverhangDegrees> overhang_speed_mm_s = {15, 15, 20, 25};
   ScarfOptions scarf;
   /// overhangs: walls without support below are bridges, with the speed, fan and flow of bridges.
   bool bridging_walls = false;
-  double bridge_flow = 1;     ///< bridge_flow_ratio
+  double bridge_flow = 1;     ///< setting bridge_flow_ratio
   bool thick_bridges = true;  ///< thick_bridges: bridges are round threads as wide as the nozzle
 
   friend bool operator==(const RegionSpeeds&, const RegionSpeeds&) = default;

@@ -25,7 +25,7 @@ enum class CounterboreBridging : uint8_t {
 
 /// Object settings for slicing.
 struct ObjectSlicingOptions {
-  Coord layer_height_nm = 200'000;          ///< layer_height
+  Coord layer_height_nm = 200'000;          ///< setting layer_height
   FillRule fill_rule = FillRule::kNonZero;  ///< slicing_mode: regular, even_odd, positive
   bool close_holes = false;  ///< slicing_mode = close_holes: only outer rings are used
   /// slice_closing_radius: closes cracks narrower than twice this value, but only in meshes that
@@ -45,7 +45,8 @@ struct ObjectSlicingOptions {
   /// spiral_vase: first layer that is hollow and keeps only its largest outline. 0: no hollow
   /// layers.
   int32_t hollow_from = 0;
-  CounterboreBridging counterbores = CounterboreBridging::kNone;  ///< counterbore_hole_bridging
+  /// Setting counterbore_hole_bridging.
+  CounterboreBridging counterbores = CounterboreBridging::kNone;
   AdaptiveHeights adaptive;
   /// layer_height_profile: layer heights at ascending z, interpolated linearly. They replace
   /// layer_height, height ranges and `adaptive`. Empty: no profile.
@@ -64,8 +65,8 @@ struct JobSlicingOptions {
   /// bed_shape; empty: no limit.
   Polygon bed = {{0, 0}, {250'000'000, 0}, {250'000'000, 210'000'000}, {0, 210'000'000}};
   std::vector<Polygon> excluded = {};  ///< bed_exclude_area: parts of the bed that must remain free
-  Coord max_print_height_nm = 0;       ///< max_print_height; 0: unlimited
-  std::vector<ThumbnailSize> thumbnails = {{32, 32}, {300, 300}};  ///< thumbnails
+  Coord max_print_height_nm = 0;       ///< setting max_print_height; 0: unlimited
+  std::vector<ThumbnailSize> thumbnails = {{32, 32}, {300, 300}};  ///< setting thumbnails
   Coord part_distance_nm = 6'000'000;  ///< duplicate_distance: distance between arranged copies
   /// Distance between arranged copies if it exceeds `part_distance_nm`. With complete_objects it is
   /// extruder_clearance_radius; with brims it leaves part_distance_nm between the brims.

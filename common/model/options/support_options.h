@@ -30,49 +30,52 @@ struct TreeOptions {
   double angle_rad = 40 * std::numbers::pi / 180;
   double slow_angle_rad =
       25 * std::numbers::pi / 180;       ///< support_tree_angle_slow: preferred largest angle
-  Coord branch_diameter_nm = 2'000'000;  ///< support_tree_branch_diameter
-  double diameter_angle_rad = 5 * std::numbers::pi / 180;  ///< support_tree_branch_diameter_angle
-  Coord double_wall_diameter_nm = 3'000'000;  ///< support_tree_branch_diameter_double_wall
-  Coord tip_diameter_nm = 800'000;            ///< support_tree_tip_diameter
-  Coord branch_distance_nm = 1'000'000;       ///< support_tree_branch_distance
-  double top_rate = 0.15;                     ///< support_tree_top_rate
+  Coord branch_diameter_nm = 2'000'000;  ///< setting support_tree_branch_diameter
+  /// Setting support_tree_branch_diameter_angle.
+  double diameter_angle_rad = 5 * std::numbers::pi / 180;
+  Coord double_wall_diameter_nm = 3'000'000;  ///< setting support_tree_branch_diameter_double_wall
+  Coord tip_diameter_nm = 800'000;            ///< setting support_tree_tip_diameter
+  Coord branch_distance_nm = 1'000'000;       ///< setting support_tree_branch_distance
+  double top_rate = 0.15;                     ///< setting support_tree_top_rate
 
   friend bool operator==(const TreeOptions&, const TreeOptions&) = default;
 };
 
 /// Support options of one object.
 struct SupportOptions {
-  bool on = false;  ///< support_material
+  bool on = false;  ///< setting support_material
   /// support_material_auto: also supports overhangs by the threshold, not only enforced areas
   bool automatic = true;
-  SupportStyle style = SupportStyle::kGrid;  ///< support_material_style
+  SupportStyle style = SupportStyle::kGrid;  ///< setting support_material_style
   /// support_material_threshold: walls that rise less steeply are supported. 0: supports walls that
   /// overhang by more than half of the outer wall's width.
   double threshold_rad = 0;
   /// support_material_enforce_layers: number of layers supported regardless of the threshold
   int32_t enforced_layers = 0;
   bool bed_only = false;       ///< support_material_buildplate_only: no supports begin on the part
-  bool skip_bridges = true;    ///< dont_support_bridges
-  Coord top_gap_nm = 200'000;  ///< support_material_contact_distance
-  Coord bottom_gap_nm = 200'000;        ///< support_material_bottom_contact_distance
-  Coord xy_gap_nm = 225'000;            ///< support_material_xy_spacing
-  Coord closing_radius_nm = 2'000'000;  ///< support_material_closing_radius
-  int32_t top_interface_layers = 3;     ///< support_material_interface_layers
-  int32_t bottom_interface_layers = 3;  ///< support_material_bottom_interface_layers
+  bool skip_bridges = true;    ///< setting dont_support_bridges
+  Coord top_gap_nm = 200'000;  ///< setting support_material_contact_distance
+  Coord bottom_gap_nm = 200'000;        ///< setting support_material_bottom_contact_distance
+  Coord xy_gap_nm = 225'000;            ///< setting support_material_xy_spacing
+  Coord closing_radius_nm = 2'000'000;  ///< setting support_material_closing_radius
+  int32_t top_interface_layers = 3;     ///< setting support_material_interface_layers
+  int32_t bottom_interface_layers = 3;  ///< setting support_material_bottom_interface_layers
   /// support_material_spacing: gap between lines of the support's body
   Coord spacing_nm = 2'500'000;
-  Coord interface_spacing_nm = 0;                         ///< support_material_interface_spacing
-  SupportPattern pattern = SupportPattern::kRectilinear;  ///< support_material_pattern
+  /// Setting support_material_interface_spacing.
+  Coord interface_spacing_nm = 0;
+  SupportPattern pattern = SupportPattern::kRectilinear;  ///< setting support_material_pattern
   InterfacePattern interface_pattern = InterfacePattern::kRectilinear;  ///< ..._interface_pattern
-  double angle_rad = 0;                                                 ///< support_material_angle
+  /// Setting support_material_angle.
+  double angle_rad = 0;
   bool sheath = true;  ///< support_material_with_sheath: adds a line around the support's body
-  Coord width_nm = 400'000;               ///< support_material_extrusion_width
+  Coord width_nm = 400'000;               ///< setting support_material_extrusion_width
   Coord wall_width_nm = 450'000;          ///< width of the part's outer wall
   Coord walls_nm = 0;                     ///< total thickness of the part's walls
   Coord layer_height_nm = 200'000;        ///< layer height of the object
   Coord first_layer_height_nm = 200'000;  ///< height of the first layer on the bed
-  Coord min_layer_height_nm = 70'000;     ///< min_layer_height
-  bool synchronize_layers = false;        ///< support_material_synchronize_layers
+  Coord min_layer_height_nm = 70'000;     ///< setting min_layer_height
+  bool synchronize_layers = false;        ///< setting support_material_synchronize_layers
   TreeOptions tree = {};
 
   friend bool operator==(const SupportOptions&, const SupportOptions&) = default;

@@ -21,18 +21,18 @@ enum class LiftAfter : uint8_t {
 /// Options for retraction, lift and wipe of one tool. Member comments begin with the name of the
 /// setting.
 struct RetractionOptions {
-  double length_mm = 0.8;          ///< retract_length; 0: no retraction
-  double speed_mm_s = 35;          ///< retract_speed
-  double restart_speed_mm_s = 35;  ///< deretract_speed (0 in the settings: retract_speed)
-  double restart_extra_mm = 0;     ///< retract_restart_extra
+  double length_mm = 0.8;          ///< setting retract_length; 0: no retraction
+  double speed_mm_s = 35;          ///< setting retract_speed
+  double restart_speed_mm_s = 35;  ///< setting deretract_speed (0 in the settings: retract_speed)
+  double restart_extra_mm = 0;     ///< setting retract_restart_extra
   double min_travel_mm = 2;        ///< retract_before_travel: shorter travels do not retract
-  double lift_mm = 0;              ///< retract_lift
+  double lift_mm = 0;              ///< setting retract_lift
   double lift_above_mm = 0;        ///< retract_lift_above: no lift below this nozzle height
   double lift_below_mm = 0;  ///< retract_lift_below: no lift above this nozzle height; 0: unlimited
-  LiftAfter lift_after = LiftAfter::kAll;  ///< retract_lift_enforce
+  LiftAfter lift_after = LiftAfter::kAll;  ///< setting retract_lift_enforce
   bool ramping = false;           ///< travel_ramping_lift: the nozzle rises along the travel
   double ramp_lift_mm = 0;        ///< travel_max_lift: replaces lift_mm
-  double ramp_slope_deg = 0;      ///< travel_slope; 0 and 90: vertical lift
+  double ramp_slope_deg = 0;      ///< setting travel_slope; 0 and 90: vertical lift
   bool before_obstacles = false;  ///< travel_lift_before_obstacle: steeper lift if edges are near
   bool wipe = false;              ///< wipe: the nozzle continues along the path while retracting
   /// retract_before_wipe: share of the length that is retracted before the wipe begins
@@ -43,22 +43,22 @@ struct RetractionOptions {
 
 /// Options for the fan and for slower printing of short layers.
 struct CoolingOptions {
-  bool enabled = true;                     ///< cooling
-  bool fan_always_on = true;               ///< fan_always_on
-  int32_t min_fan_percent = 35;            ///< min_fan_speed
-  int32_t max_fan_percent = 100;           ///< max_fan_speed
-  int32_t bridge_fan_percent = 100;        ///< bridge_fan_speed
-  int32_t disable_fan_first_layers = 1;    ///< disable_fan_first_layers
-  double fan_below_layer_time_s = 60;      ///< fan_below_layer_time
-  double slowdown_below_layer_time_s = 5;  ///< slowdown_below_layer_time
-  double min_print_speed_mm_s = 10;        ///< min_print_speed
+  bool enabled = true;                     ///< setting cooling
+  bool fan_always_on = true;               ///< setting fan_always_on
+  int32_t min_fan_percent = 35;            ///< setting min_fan_speed
+  int32_t max_fan_percent = 100;           ///< setting max_fan_speed
+  int32_t bridge_fan_percent = 100;        ///< setting bridge_fan_speed
+  int32_t disable_fan_first_layers = 1;    ///< setting disable_fan_first_layers
+  double fan_below_layer_time_s = 60;      ///< setting fan_below_layer_time
+  double slowdown_below_layer_time_s = 5;  ///< setting slowdown_below_layer_time
+  double min_print_speed_mm_s = 10;        ///< setting min_print_speed
   /// cooling_slowdown_logic = consistent_surface: outer walls are slowed down last.
   bool consistent_surface = false;
   /// cooling_perimeter_transition_distance: length before outer walls, used with consistent_surface
   double transition_mm = 10;
   /// full_fan_speed_layer: layer up to which the fan speed rises; 0: no ramp
   int32_t full_fan_speed_layer = 0;
-  bool dynamic_fan = false;  ///< enable_dynamic_fan_speeds
+  bool dynamic_fan = false;  ///< setting enable_dynamic_fan_speeds
   /// overhang_fan_speed_0 to _3, per overhang degree.
   std::array<int32_t, kOverhangDegrees> overhang_fan_percent = {};
 
@@ -70,25 +70,25 @@ struct ToolRow {
   RetractionOptions retraction;
   CoolingOptions cooling;
 
-  double nozzle_diameter_mm = 0.4;  ///< nozzle_diameter
-  Point offset;         ///< extruder_offset, subtracted from all positions in the G-code
+  double nozzle_diameter_mm = 0.4;  ///< setting nozzle_diameter
+  Point offset;         ///< setting extruder_offset, subtracted from all positions in the G-code
   int32_t number = -1;  ///< number of the extruder from 0; -1: the machine has one tool
-  double max_volumetric_speed_mm3_s = 0;  ///< filament_max_volumetric_speed; 0: unlimited
+  double max_volumetric_speed_mm3_s = 0;  ///< setting filament_max_volumetric_speed; 0: unlimited
   double pressure_advance = 0;            ///< pressure_advance in the firmware's unit; 0: not set
 
-  double filament_diameter_mm = 1.75;    ///< filament_diameter
-  double extrusion_multiplier = 1;       ///< extrusion_multiplier
-  double filament_density_g_cm3 = 1.24;  ///< filament_density
-  double filament_cost_per_kg = 0;       ///< filament_cost
-  std::string filament_type = "PLA";     ///< filament_type
-  std::string filament_colour;           ///< filament_colour
-  std::string filament_settings_id;      ///< filament_settings_id
+  double filament_diameter_mm = 1.75;    ///< setting filament_diameter
+  double extrusion_multiplier = 1;       ///< setting extrusion_multiplier
+  double filament_density_g_cm3 = 1.24;  ///< setting filament_density
+  double filament_cost_per_kg = 0;       ///< setting filament_cost
+  std::string filament_type = "PLA";     ///< setting filament_type
+  std::string filament_colour;           ///< setting filament_colour
+  std::string filament_settings_id;      ///< setting filament_settings_id
 
-  int32_t temperature_c = 200;                ///< temperature
-  int32_t first_layer_temperature_c = 200;    ///< first_layer_temperature
-  int32_t bed_temperature_c = 0;              ///< bed_temperature
-  int32_t first_layer_bed_temperature_c = 0;  ///< first_layer_bed_temperature
-  int32_t chamber_temperature_c = 0;          ///< chamber_temperature
+  int32_t temperature_c = 200;                ///< setting temperature
+  int32_t first_layer_temperature_c = 200;    ///< setting first_layer_temperature
+  int32_t bed_temperature_c = 0;              ///< setting bed_temperature
+  int32_t first_layer_bed_temperature_c = 0;  ///< setting first_layer_bed_temperature
+  int32_t chamber_temperature_c = 0;          ///< setting chamber_temperature
   /// chamber_minimal_temperature: temperature that the print waits for
   int32_t chamber_least_c = 0;
   /// start_filament_gcode: G-code after start_gcode, when all heaters are hot and the tool is
