@@ -27,8 +27,8 @@ struct Growth {
 struct ResolvedSettings {
   JobRows settings;
   Growth growth;
-  /// Text of EffectiveText(settings, told settings). Resolve of its lines gives the same `settings`
-  /// and the same text.
+  /// Text of the settings by EffectiveText, including given settings that no stage uses
+  /// (told_settings.h). Resolve of its lines gives the same `settings` and the same text.
   std::string effective_text;
   /// Given settings without effect or without full effect, as `key = value: why`.
   std::vector<std::string> no_effect;
@@ -56,8 +56,9 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process,
                                          ParsedTexts& parsed);
 
-/// Returns the settings that have an effect on the job's process, and the told settings, as `key =
-/// value` lines sorted by key. Two texts are equal if and only if the settings are equal.
+/// Returns the settings that have an effect on the job's process as `key = value` lines sorted by
+/// key. The lines include `told`: given settings that no stage uses. Two texts are equal if and
+/// only if the settings are equal.
 std::string EffectiveText(const JobRows& settings, const ToldSettings& told = {});
 
 }  // namespace slicefarm::config

@@ -12,8 +12,8 @@ namespace slicefarm {
 struct WallOrder {
   bool external_perimeters_first = false;  ///< setting external_perimeters_first
   bool inner_outer_inner = false;  ///< inner_outer_inner: overrides external_perimeters_first
-  /// True for brims: walls are printed from the outer edge of an island to its holes. Overrides the
-  /// two options above.
+  /// True for brims: walls are printed from the outer edge of an island to its holes. Overrides
+  /// external_perimeters_first and inner_outer_inner.
   bool towards_holes = false;
   /// staggered_inner_seams: each inner loop starts further along than the loop outside of it.
   bool stagger_seams = false;

@@ -53,8 +53,8 @@ struct Instance {
   /// True if x and y of to_plate are the copy's position. Otherwise the copy is arranged
   /// automatically.
   bool placed = true;
-  /// True if this position is the middle of the object's bounding box instead of the object's
-  /// origin.
+  /// True if x and y of to_plate are the position of the middle of the object's bounding box.
+  /// Otherwise they are the position of the object's origin.
   bool by_middle = false;
 
   bool operator==(const Instance&) const = default;
