@@ -8,7 +8,7 @@
 namespace slicefarm {
 namespace {
 
-/// Null: a stage is missing.
+/// Returns the job process over these stages, or null if a stage is missing.
 std::unique_ptr<coordinator::JobProcess> JobOver(Process process, const Stages& stages,
                                                  const std::string& spool_directory) {
   switch (process) {

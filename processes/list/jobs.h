@@ -8,8 +8,8 @@
 
 namespace slicefarm {
 
-/// The processes whose jobs can be made of the stages, in the order of Process. `spool_directory`:
-/// where programs wait for each other (SpoolFile::Make).
+/// Returns the processes that can make jobs with the given stages, in the order of Process.
+/// `spool_directory`: directory for programs that wait for other programs (SpoolFile::Make).
 std::vector<std::unique_ptr<coordinator::JobProcess>> JobsOver(const Stages& stages,
                                                                const std::string& spool_directory);
 

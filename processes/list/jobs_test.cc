@@ -11,7 +11,7 @@
 namespace slicefarm::jobs_test {
 namespace {
 
-/// A stage that nobody calls: its address is all that counts.
+/// Returns a stage that is never called. Tests use only its address.
 template <class Stage>
 const Stage* Somewhere() {
   static const int place = 0;

@@ -21,7 +21,7 @@ const ProcessSettings& SettingsOf(Process process) {
     case Process::kEngrave:
       return engrave::Settings();
   }
-  std::abort();  // a Process is one of them
+  std::abort();  // unreachable: all values of Process are handled
 }
 
 std::vector<SettingSpec> SpecsOf(Process process) { return SettingsOf(process).Table(); }

@@ -8,7 +8,7 @@
 namespace slicefarm {
 namespace {
 
-/// Null: a stage is missing.
+/// Returns the runner of a process over these stages, or null if a stage is missing.
 std::shared_ptr<const TaskRunner> RunnerOver(const Stages& stages, Process process) {
   switch (process) {
     case Process::kFdm:

@@ -9,17 +9,17 @@
 
 namespace slicefarm {
 
-/// What makes the tasks of a process out of stages.
+/// The stages and the runner that make the tasks of a process.
 struct TaskChain {
   Process process;
-  std::vector<Stage> stages;  ///< what it calls, in this order
+  std::vector<Stage> stages;  ///< called in this order
   std::shared_ptr<const TaskRunner> runner;
 };
 
-/// The chains whose stages are all there, in the order of Process.
+/// Returns the chains for which all stages exist, in the order of Process.
 std::vector<TaskChain> ChainsOver(const Stages& stages);
 
-/// The stages that tasks of the process go through.
+/// Returns the stages that tasks of the process use.
 std::vector<Stage> TaskStagesOf(Process process);
 
 }  // namespace slicefarm

@@ -20,7 +20,7 @@ const TaskWire& WireOf(Process process) {
     case Process::kEngrave:
       return EngraveWire();
   }
-  std::abort();  // a Process is one of them
+  std::abort();  // unreachable: all values of Process are handled
 }
 
 const TaskWire* WireOf(const v1::WorkStart& start) {

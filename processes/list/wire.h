@@ -6,7 +6,8 @@ namespace slicefarm {
 
 const TaskWire& WireOf(Process process);
 
-/// The wire of the process whose task a call begins with, or null: it begins with none.
+/// Returns the wire format of the process that `start` belongs to, or null if `start` contains no
+/// task.
 const TaskWire* WireOf(const v1::WorkStart& start);
 
 }  // namespace slicefarm

@@ -17,7 +17,7 @@
 namespace slicefarm::wire_test {
 namespace {
 
-/// What one end writes, the other one reads.
+/// A stream in memory: one end reads the messages that the other end wrote.
 template <typename In, typename Out>
 class Pipe : public MessageChannel<In, Out> {
  public:
@@ -38,7 +38,7 @@ class Pipe : public MessageChannel<In, Out> {
 using ToWorker = Pipe<v1::WorkResponse, v1::WorkRequest>;
 using ToCoordinator = Pipe<v1::WorkRequest, v1::WorkResponse>;
 
-/// A layer, and what a task of each process makes of it.
+/// A layer, and the result of a task of each process for it.
 struct Sample {
   static constexpr LayerFrame kFrame = {0, 200'000, 200'000};
 
@@ -161,7 +161,7 @@ TEST_P(EveryProcess, RefusesATaskWithoutItsLayers) {
   const auto parts = wire().PartsOf(task);
   ASSERT_TRUE(parts.ok()) << parts.status();
   for (const auto& part : *parts) shared.Put(*part);
-  if (sender.out.size() == 1) return;  // its start says all
+  if (sender.out.size() == 1) return;  // the start contains the whole task
   ToCoordinator receiver;
   const auto received = wire().Receive(sender.out.front().start(), shared, {}, receiver);
   EXPECT_EQ(DetailOf(received.status()).reason, Reason::kRequestMalformed) << received.status();

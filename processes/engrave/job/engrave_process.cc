@@ -17,17 +17,17 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// What a report tells of engraving: `engraving`.
+/// Part `engraving` of the report of an engraving job.
 struct EngraveJobReport : OwnReport {
   EngraveReport report;
 
   void AddTo(nlohmann::ordered_json& json) const override { json["engraving"] = JsonOf(report); }
 };
 
-/// Which objects of a job are its surface and its texture.
+/// Indices of the objects that are the surface and the texture of a job.
 struct Roles {
   size_t surface = 0;
-  size_t texture = 0;  ///< the surface: no object is the texture
+  size_t texture = 0;  ///< equal to `surface`: no object is the texture
 };
 
 absl::StatusOr<Roles> RolesOf(const std::vector<ObjectInput>& objects,
@@ -43,7 +43,7 @@ absl::StatusOr<Roles> RolesOf(const std::vector<ObjectInput>& objects,
   return Roles{1 - texture, texture};
 }
 
-/// What a surface takes as long as the job runs.
+/// Returns the memory of a surface, in bytes. The job holds this memory until it ends.
 int64_t BytesOf(const SurfaceMesh& mesh) {
   return static_cast<int64_t>(mesh.points_mm.size() * sizeof(mesh.points_mm[0]) +
                               mesh.triangles.size() * sizeof(mesh.triangles[0]));
@@ -96,7 +96,7 @@ absl::StatusOr<EngraveInput> InputOf(std::vector<SurfaceMesh> meshes, const Role
   return input;
 }
 
-/// A job whose surface has its map.
+/// A job with the map of its surface.
 struct LaidOut {
   Shared<EngraveInput> input;
   EngraveLayout layout;
@@ -139,17 +139,19 @@ absl::StatusOr<LaidOut> LayOutJob(const StageCall& call, const PlacingStage& pla
   return job;
 }
 
-/// Of points, no program says it: as if the tip kept its speeds.
+/// Returns the time of a layer. Point files state no time; for them, the tip moves at constant feed
+/// rates.
 double SecondsOf(const LayerNumbers& numbers, const ProgramFacts& program,
                  const EngraveMachineSettings& machine) {
   if (program.moves > 0) return program.seconds;
   return 60 * (numbers.on_mm / machine.feed_mm_min + numbers.off_mm / machine.link_mm_min);
 }
 
-/// Layers evenly among all.
+/// Number of layers in an estimate's sample; they are evenly spaced.
 constexpr int32_t kSampledLayers = 5;
 
-/// What all layers take, by a few that are made. REQUIRES: a slot.
+/// Returns the estimated time of all layers, in s, from a few layers that are made. REQUIRES: the
+/// executor has a slot.
 absl::StatusOr<double> SampledSeconds(const StageCall& call, const LaidOut& job,
                                       TaskExecutor& executor) {
   const int32_t layers = job.layout.layer_count, samples = std::min(layers, kSampledLayers);
@@ -169,9 +171,9 @@ absl::StatusOr<double> SampledSeconds(const StageCall& call, const LaidOut& job,
   return layers * std::accumulate(seconds.begin(), seconds.end(), 0.0) / samples;
 }
 
-/// A layer's part of the file, whose text is in a spool.
+/// A layer of the file. Its text is in a spool.
 struct SpooledLayer {
-  EngravedLayer layer;  ///< without its text
+  EngravedLayer layer;  ///< the layer without its text
   SpoolFile::Place text;
 };
 
@@ -185,7 +187,8 @@ class EngraveJob : public PlannedJob {
 
   int32_t Weight() const override { return layout_.layer_count; }
 
-  /// Few ranges: each finds the lines of its layers' styles once.
+  /// Returns few tasks with long ranges of layers, because each task calculates the lines of its
+  /// layers' styles anew.
   absl::StatusOr<std::vector<Task>> Tasks(int slots) override {
     const int32_t pieces = PieceCount();
     const int32_t parts = std::clamp(2 * slots, 1, pieces);
@@ -227,14 +230,15 @@ class EngraveJob : public PlannedJob {
   }
 
  private:
-  /// What a task came to.
+  /// Result of one task.
   struct Range {
     std::vector<SpooledLayer> layers;
     StageTimes times;
   };
 
   bool IsOfLayers() const { return !IsWhole(input_->settings.format); }
-  /// Number of texts that the file is made of: its layers, or the whole as one.
+  /// Returns the number of texts in the file: one per layer, or one for a format that is a single
+  /// whole.
   int32_t PieceCount() const { return IsOfLayers() ? layout_.layer_count : 1; }
 
   absl::Status CheckLayers(const std::vector<SpooledLayer>& layers) const {
@@ -273,7 +277,7 @@ class EngraveJob : public PlannedJob {
   EngraveLayout layout_;
   JobReport report_;
   std::unique_ptr<SpoolFile> spool_;
-  std::vector<Range> ranges_;  ///< by task
+  std::vector<Range> ranges_;  ///< one per task
 };
 
 }  // namespace
@@ -298,7 +302,7 @@ absl::StatusOr<JobEstimate> EngraveProcess::Estimate(const StageCall& call, Slic
   JobEstimate estimate;
   estimate.layers = job->layout.layer_count;
   estimate.meshes = {job->surface};
-  if (IsWhole(job->input->settings.format)) return estimate;  // nothing is worked
+  if (IsWhole(job->input->settings.format)) return estimate;  // this format has no toolpaths
   if (executor.Slots(Process::kEngrave) > 0) {
     const auto seconds = SampledSeconds(call, *job, executor);
     if (!seconds.ok()) return seconds.status();

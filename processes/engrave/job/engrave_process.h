@@ -10,27 +10,30 @@
 
 namespace slicefarm::coordinator {
 
-/// A surface and a texture to ways over the surface:
+/// Makes toolpaths over a surface from the surface and a texture, in these steps:
 ///   1 meshes as doubles   2 the map   3 layers laid out   4 tasks: ranges of layers   5 their
 ///   texts
-/// The first object is the surface, or the only one but that which `texture` names.
+/// The setting `texture` may name an object. The first other object is the surface.
 class EngraveProcess : public JobProcess {
  public:
-  /// The stages must outlive it. `spool_directory`: where texts wait (SpoolFile::Make).
+  /// Creates a process. The stages must outlive it. `spool_directory`: directory for texts that
+  /// wait to be written (SpoolFile::Make).
   EngraveProcess(const PlacingStage& placing, const TextureStage& texture,
                  std::string spool_directory = "")
       : placing_(placing), texture_(texture), spool_directory_(std::move(spool_directory)) {}
 
-  /// Null: a stage is missing.
+  /// Returns a process over these stages, or null if a stage is missing.
   static std::unique_ptr<JobProcess> Over(const Stages& stages, const std::string& spool_directory);
 
   Process process() const override { return Process::kEngrave; }
-  /// Errors also: REQUEST_MALFORMED for objects that are neither surface nor texture.
+  /// Errors as in JobProcess, and REQUEST_MALFORMED for objects that are neither surface nor
+  /// texture.
   absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
                                                    JobInput input) const override;
   bool EstimatesByOutlines() const override { return false; }
-  /// By a few layers that are made; where nobody makes them, by area, distance of lines and layers,
-  /// as if all of each layer were worked.
+  /// Estimates the time from a few layers that are made. If no worker can make them, the estimate
+  /// uses the area, the distance of lines and the number of layers. It then assumes that every
+  /// layer covers the whole surface.
   absl::StatusOr<JobEstimate> Estimate(const StageCall& call, SlicedJob sliced, JobInput input,
                                        TaskExecutor& executor) const override;
 

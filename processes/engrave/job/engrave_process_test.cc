@@ -18,7 +18,7 @@
 namespace slicefarm::coordinator::engrave_process_test {
 namespace {
 
-/// A triangle for each object.
+/// Placing stage that returns one triangle for each object.
 class FakeSurfaces : public PlacingStage {
  public:
   absl::StatusOr<PlacedScene> Place(const StageCall&, SliceInput,
@@ -32,7 +32,7 @@ class FakeSurfaces : public PlacingStage {
   }
 };
 
-/// Plane slicing has no business with a surface.
+/// Slicing stage that must not be called: engraving does not slice surfaces with planes.
 class NoSlicing : public SlicingStage {
  public:
   absl::StatusOr<SlicedJob> Slice(const StageCall&, SliceInput,
@@ -96,7 +96,7 @@ TEST_F(EngraveProcessTest, ReportsWhatItCameTo) {
   EXPECT_EQ(json["engraving"]["map"]["faces"], 1);
 }
 
-/// A mesh or a picture is one text, and no layer of it is worked.
+/// A mesh or picture format has a single text and no toolpaths.
 TEST_F(EngraveProcessTest, AWholeFileIsOnePiece) {
   settings_.format = EngraveFormat::kStl;
   settings_.texture.outside = true;
@@ -129,7 +129,7 @@ TEST_F(EngraveProcessTest, IsLookedAtWithoutSlicing) {
   EXPECT_EQ(found->meshes[0].max_mm, (std::array<double, 3>{9, 9, 0}));
 }
 
-/// As a whole job takes.
+/// The estimate equals the time of the whole job.
 TEST_F(EngraveProcessTest, TimeIsEstimatedByLayersThatAreMade) {
   Dispatcher dispatcher;
   dispatcher.Join({.name = "here", .tasks = chain_, .slots = 2});

@@ -26,7 +26,8 @@ constexpr Need kNeeds[] = {
 
 class OfEngraving : public ProcessSettings {
  public:
-  /// Surfaces stay where their files have them: all that can be read has room.
+  /// Returns the default rows. The bed is so large that any readable surface fits, because surfaces
+  /// keep the positions that they have in their files.
   JobRows Standards() const override {
     JobRows standards{.slicing = {}, .object = {}, .own = EngraveSettings()};
     constexpr Coord kRoom = 2'000'000'000;

@@ -4,7 +4,7 @@
 
 namespace slicefarm::config::engrave {
 
-/// The settings of textures on surfaces. Lives as long as the program.
+/// Returns the settings of textures on surfaces. The result exists as long as the program.
 const ProcessSettings& Settings();
 
 }  // namespace slicefarm::config::engrave

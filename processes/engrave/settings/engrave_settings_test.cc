@@ -38,7 +38,7 @@ TEST(ResolveEngrave, SettingsReachTheirOptions) {
   EXPECT_THAT(resolved->no_effect, testing::IsEmpty());
 }
 
-// The table's standards are the options' own defaults.
+// The default values in the table equal the default values of the options.
 TEST(ResolveEngrave, StandardsAreTheDefaults) {
   const auto resolved = OfEngrave({});
   ASSERT_TRUE(resolved.ok()) << resolved.status();

@@ -6,7 +6,7 @@
 
 namespace slicefarm::config::engrave {
 
-/// The texture, its lines, the machine, and the file.
+/// Returns the settings of the texture, its lines, the machine and the file.
 std::vector<SettingSpec> EngraveTable();
 
 }  // namespace slicefarm::config::engrave

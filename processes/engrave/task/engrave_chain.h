@@ -8,12 +8,12 @@
 
 namespace slicefarm {
 
-/// The stage that engraves, local or remote. It must outlive the chain.
+/// The engraving stage, local or remote. The stage must outlive the chain.
 class EngraveChain : public EngraveRunner {
  public:
   explicit EngraveChain(const TextureStage& texture) : texture_(texture) {}
 
-  /// Null: it is missing.
+  /// Returns the chain, or null if the stage is missing.
   static std::shared_ptr<const EngraveChain> Over(const Stages& stages) {
     if (stages.texture == nullptr) return nullptr;
     return std::make_shared<EngraveChain>(*stages.texture);

@@ -13,7 +13,8 @@
 
 namespace slicefarm {
 
-/// A map that is the surface seen from above, and seven layers of a line of text each; a whole file is a line.
+/// Texture stage for tests. Its map is the surface seen from above. It has seven layers, each with
+/// one line of text; a whole file is one line.
 class FakeTexture : public TextureStage {
  public:
   static constexpr int32_t kLayers = 7;

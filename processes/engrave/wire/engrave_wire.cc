@@ -15,7 +15,7 @@ struct EngraveTraits {
   static constexpr auto kWork = v1::WorkStart::kEngrave;
   static constexpr auto kShared = &EngraveTask::input;
 
-  /// Lines pass each triangle many times.
+  /// Returns the approximate number of points of a task. Lines cross each triangle many times.
   static int64_t PointsIn(const EngraveTask& task) {
     constexpr int64_t kPointsATriangle = 400;
     return kPointsATriangle * std::ssize(task.input->surface.mesh.triangles);

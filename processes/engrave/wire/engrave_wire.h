@@ -4,8 +4,8 @@
 
 namespace slicefarm {
 
-/// Tasks of engraving: v1::EngraveWork, all of which but the range is in common. Lives as long as
-/// the program.
+/// Returns the wire format of engraving tasks: v1::EngraveWork. All tasks of a job share everything
+/// except the range. The result exists as long as the program.
 const TaskWire& EngraveWire();
 
 }  // namespace slicefarm

@@ -12,13 +12,13 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// What is so near to the edge ends at it.
+/// Distance from the edge of the bed, in nm, below which a region counts as cut by the edge.
 constexpr Coord kAtEdgeNm = 20'000;
 constexpr size_t kNamed = 5;
 
 using Objects = std::set<int32_t>;
 
-/// Those that stand nearest to a convex place.
+/// Returns the objects that are nearest to the convex polygon `place`.
 Objects NearestTo(const Polygon& place, std::span<const PlacedCopy> copies) {
   std::map<double, Objects> by_distance;
   for (const PlacedCopy& copy : copies)
@@ -26,7 +26,7 @@ Objects NearestTo(const Polygon& place, std::span<const PlacedCopy> copies) {
   return by_distance.empty() ? Objects() : by_distance.begin()->second;
 }
 
-/// Those beside which a region ends at the edge.
+/// Returns the objects nearest to the places where a region reaches the edge of the bed.
 Objects CutBeside(const MultiPolygon& region, const MultiPolygon& bed,
                   std::span<const PlacedCopy> copies) {
   Objects objects;
@@ -35,7 +35,7 @@ Objects CutBeside(const MultiPolygon& region, const MultiPolygon& bed,
   return objects;
 }
 
-/// Those beside which loops are open.
+/// Returns the objects nearest to the ends of open loops.
 Objects OpenBeside(std::span<const Path> loops, std::span<const PlacedCopy> copies) {
   Objects objects;
   for (const Path& loop : loops) {

@@ -12,14 +12,14 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Of 100 mm, with a cup on the left, a lid on the right, and a second lid in the middle.
+/// A bed of 100 mm with a cup on the left, a lid on the right, and a second lid in the middle.
 class BedWarningsTest : public testing::Test {
  protected:
   std::vector<std::string> Of(const JobPlan& plan) const {
     return BedWarnings(plan, bed_, copies_, names_);
   }
 
-  /// A plan that adds this alone.
+  /// Returns a plan that adds only this stack.
   static JobPlan With(StackKind kind, MultiPolygon outlines, int32_t object = kPlateObject) {
     JobPlan plan;
     AddedStack& added = plan.stacks.emplace_back();

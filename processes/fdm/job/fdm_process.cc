@@ -34,7 +34,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// What cannot be as exact as the regions' density fields ask for.
+/// Returns notes about density fields that the regions' infill cannot follow exactly.
 std::vector<std::string> FieldNotesOf(const JobSettings& settings) {
   std::vector<std::string> notes;
   if (settings.slicing.objects.empty()) return notes;
@@ -43,7 +43,7 @@ std::vector<std::string> FieldNotesOf(const JobSettings& settings) {
     const InfillOptions& options = region.infill;
     if (options.density_field.empty() || options.choose_pattern) continue;
     const auto& field = DensityFieldOf(options.density_field);
-    if (!field.ok()) continue;  // the infill stage says so
+    if (!field.ok()) continue;  // the infill stage reports the error
     const Coord spacing = Spacing(options.sparse_width_nm, height);
     std::ranges::move(FieldNotes(*field, options.pattern, ToMm(static_cast<double>(spacing))),
                       std::back_inserter(notes));
@@ -51,13 +51,14 @@ std::vector<std::string> FieldNotesOf(const JobSettings& settings) {
   return notes;
 }
 
-/// Nobody but planning asks what is marked.
+/// Removes the marks of all sections, because only planning uses them.
 void DropMarks(std::vector<SlicedLayer>& layers) {
   for (SlicedLayer& layer : layers)
     for (ObjectSection& section : layer.sections) section.marks.clear();
 }
 
-/// The layers of the print, with all that planning adds, which is no longer in the plan then.
+/// Returns the layers of the print, with everything that planning adds. The added stacks and the
+/// skirt are moved out of `plan`.
 absl::StatusOr<std::vector<SlicedLayer>> TakeLayers(std::vector<SlicedLayer> parts, JobPlan& plan) {
   DropMarks(parts);
   std::vector<SlicedLayer> layers = PrintLayers(std::move(parts), std::exchange(plan.lifts_nm, {}),
@@ -81,7 +82,7 @@ absl::StatusOr<std::vector<SlicedLayer>> TakeLayers(std::vector<SlicedLayer> par
   return layers;
 }
 
-/// The names of the copies, in their order.
+/// Returns the names of the copies, in their order.
 std::vector<CopyName> NamesOf(const std::vector<std::string>& objects,
                               const std::vector<PlacedCopy>& copies) {
   std::vector<int32_t> count(objects.size(), 0);
@@ -94,7 +95,7 @@ std::vector<CopyName> NamesOf(const std::vector<std::string>& objects,
   return names;
 }
 
-/// Whether outlines alone do not say how many layers a print has.
+/// Returns true if the number of layers of a print depends on planning, not only on the outlines.
 bool NeedsPlan(const FdmSettings& settings) {
   return settings.machine.plan.sequence.complete_objects ||
          std::ranges::any_of(settings.objects, [](const ObjectRow& object) {
@@ -102,10 +103,11 @@ bool NeedsPlan(const FdmSettings& settings) {
          });
 }
 
-/// Of G-code, about what a point of an outline comes to.
+/// Approximate number of bytes of G-code per point of an outline.
 constexpr int64_t kBytesAPoint = 40;
 
-/// Texts that each layer has do not make a range's programs longer than others.
+/// Returns the options for cutting the layers into ranges. G-code that each layer repeats counts as
+/// additional points, so that ranges have programs of similar length.
 RangeSplitOptions SplitOptionsOf(const FdmSettings& settings) {
   const MachineMotion& motion = settings.machine.motion;
   RangeSplitOptions options;
@@ -114,7 +116,7 @@ RangeSplitOptions SplitOptionsOf(const FdmSettings& settings) {
   return options;
 }
 
-/// The file that the settings ask for.
+/// Returns the file in the format that the settings request.
 absl::StatusOr<SpooledText> MakeFile(ProgramEnvelope frame,
                                      const std::vector<SpooledProgram>& programs,
                                      const WritingOptions& writing,
@@ -128,8 +130,8 @@ absl::StatusOr<SpooledText> MakeFile(ProgramEnvelope frame,
   auto text =
       WholeProgram(std::move(frame), programs, *substitutions, std::move(spool), call.cancel);
   if (!text.ok() || !writing.binary) return text;
-  // Its metadata come before the text that they describe, and its blocks are compressed as a whole:
-  // the text and the file are in memory at one time.
+  // Binary G-code has its metadata before the text, and its blocks are compressed as a whole.
+  // Therefore the text and the file are in memory at the same time.
   if (absl::Status held = HoldMemory(call, JobMemory::Kind::kProgram, 2 * text->size()); !held.ok())
     return held;
   const auto whole = text->Whole();
@@ -141,7 +143,8 @@ absl::StatusOr<SpooledText> MakeFile(ProgramEnvelope frame,
                    {{"setting", "binary_gcode"}, {"value", "1"}});
 }
 
-/// Nothing if all islands got the walls that were asked for.
+/// Returns a warning about islands that did not get the requested walls; empty if all islands got
+/// them.
 std::string WallWarning(const std::vector<LayerWarning>& warnings) {
   int64_t islands = 0;
   std::vector<int32_t> layers;
@@ -184,10 +187,10 @@ void FillIn(JobReport& report, FdmReport& own, const ProgramSummary& summary,
   }
 }
 
-/// Outlines of copies are told as exactly as this.
+/// Tolerance of the outlines of copies in the G-code.
 constexpr Coord kOutlineToleranceNm = 50'000;
 
-/// Copies with their names, for those who read G-code.
+/// Returns the copies with their names and simplified outlines, for comments in the G-code.
 std::vector<CopySummary> SummarizeCopies(std::vector<CopyName> names,
                                          std::vector<PlacedCopy> copies) {
   std::vector<CopySummary> summaries;
@@ -297,7 +300,7 @@ class FdmJob : public PlannedJob {
     return JobOutput{*std::move(file), std::move(report_)};
   }
 
-  /// What the envelope of these programs looks at, thumbnails apart.
+  /// Returns the data of these programs that the envelope needs, except thumbnails.
   ProgramSummary SummaryOf(const std::vector<SpooledProgram>& programs) const {
     ProgramSummary summary = Summarize(programs);
     summary.copies = SummarizeCopies(job_->facts.copies, copies_);
@@ -306,10 +309,10 @@ class FdmJob : public PlannedJob {
   }
 
  private:
-  /// What a task came to.
+  /// Result of one task.
   struct Range {
     std::vector<SpooledProgram> programs;
-    FdmResult rest;  ///< without programs
+    FdmResult rest;  ///< the result without its programs
   };
 
   const MotionStage& motion_;
@@ -318,7 +321,7 @@ class FdmJob : public PlannedJob {
   JobReport report_;
   FdmReport own_;
   std::unique_ptr<SpoolFile> spool_;
-  std::vector<Range> ranges_;  ///< by task
+  std::vector<Range> ranges_;  ///< one per task
   std::vector<SlicedLayer> layers_;
   JobPlan plan_;
   std::vector<PlacedCopy> copies_;

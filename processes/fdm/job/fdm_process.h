@@ -15,7 +15,7 @@
 
 namespace slicefarm::coordinator {
 
-/// A job as its layers are made of it.
+/// A planned job: the input from which its layers are made.
 struct PlannedPlate {
   SlicedJob sliced;
   JobPlan plan;
@@ -23,12 +23,12 @@ struct PlannedPlate {
   std::string settings_text;  ///< see JobInput
 };
 
-/// Meshes to G-code:
+/// Makes G-code from meshes, in these steps:
 ///   1 slicing   2 planning   3 ranges with halo (range_split.h)   4 tasks   5 frame and assembly
 class FdmProcess : public JobProcess {
  public:
-  /// The stages must outlive it. `spool_directory`: where programs wait for each other
-  /// (SpoolFile::Make).
+  /// Creates a process. The stages must outlive it. `spool_directory`: directory for programs that
+  /// wait for other programs (SpoolFile::Make).
   FdmProcess(const SlicingStage& slicing, const PlanningStage& planning, const MotionStage& motion,
              std::string spool_directory = "")
       : slicing_(slicing),
@@ -36,19 +36,19 @@ class FdmProcess : public JobProcess {
         motion_(motion),
         spool_directory_(std::move(spool_directory)) {}
 
-  /// Null: a stage is missing.
+  /// Returns a process over these stages, or null if a stage is missing.
   static std::unique_ptr<JobProcess> Over(const Stages& stages, const std::string& spool_directory);
 
   Process process() const override { return Process::kFdm; }
   absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
                                                    JobInput input) const override;
-  /// Plates that are printed one copy after the other, and those of which layers are made, are
-  /// planned.
+  /// Estimates a job. A plate is planned if its copies are printed one after another, or if layers
+  /// are sampled.
   absl::StatusOr<JobEstimate> Estimate(const StageCall& call, SlicedJob sliced, JobInput input,
                                        TaskExecutor& executor) const override;
 
-  /// Makes these layers alone, to see what they take. Errors: those of the stages and of the
-  /// executor.
+  /// Makes only these layers and returns their times and filament. Errors: errors of the stages and
+  /// of the executor.
   absl::StatusOr<LayerSamples> Sample(const StageCall& call, PlannedPlate plate,
                                       std::span<const int32_t> layers,
                                       TaskExecutor& executor) const;

@@ -27,11 +27,11 @@ const FdmReport& OwnOf(const JobOutput& output) {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A copy stands so far to the right of the one before.
+/// Distance from each copy to the next one on its right.
 constexpr Coord kStepNm = 20'000'000;
 
-/// Squares, as many layers as the file has bytes; '0' bytes are empty layers, '-' bytes outlines
-/// that no bead fits into.
+/// Slicing stage that returns squares, one layer per byte of the file. A '0' byte is an empty
+/// layer. A '-' byte is an outline that is too small for a bead.
 class FakeSlicing : public SlicingStage {
  public:
   absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
@@ -63,7 +63,7 @@ class FakeSlicing : public SlicingStage {
   }
 };
 
-/// Layer i begins at (i, 0).
+/// Planning stage. Layer i begins at (i, 0).
 class FakePlanning : public PlanningStage {
  public:
   absl::StatusOr<JobPlan> Plan(const StageCall&, const SlicedOutlines& job,
@@ -85,17 +85,17 @@ class FakePlanning : public PlanningStage {
   absl::Status fails;
   std::vector<AddedStack> stacks;
   Skirt skirt;
-  int32_t more_layers = 0;  ///< than the parts have
-  bool one_by_one = false;  ///< each copy in a pass of its own
+  int32_t more_layers = 0;  ///< number of layers beyond the layers of the parts
+  bool one_by_one = false;  ///< each copy is a pass
 };
 
-/// Writes what it was given: its layer, plan and neighbours.
+/// Runner that writes its input: the layer, the plan and the neighbours.
 class FakeRanges : public FdmRunner {
  public:
   absl::StatusOr<FdmResult> Run(const StageCall& call, const FdmTask& task) const override {
     EXPECT_EQ(call.threads, 1);
     EXPECT_EQ(task.layers.front().frame.index, std::max(0, task.range.first - 6));
-    // Of several passes the facts count the layers together.
+    // The facts of several passes contain the total number of layers.
     const auto layers =
         task.job->facts.layer_count / std::max<int32_t>(1, std::ssize(task.job->facts.passes));
     EXPECT_EQ(task.layers.back().frame.index, std::min(layers, task.range.last + 6) - 1);
@@ -126,7 +126,7 @@ class FakeRanges : public FdmRunner {
     return result;
   }
 
-  int lost = -1;  ///< a layer that does not come back
+  int lost = -1;  ///< a layer that the runner does not return
 
  private:
   static bool HasBeads(const ObjectSection& section) { return Area(OutlineOf(section)) > 1e12; }
@@ -268,7 +268,7 @@ TEST_F(FdmProcessTest, PassesFollowEachOtherAndEndWhereTheirBeadsDo) {
   EXPECT_DOUBLE_EQ(output->report.object_height_mm, 0.6);
 }
 
-/// A stack of the plate with one layer that ends there.
+/// Returns a stack of the plate with one layer, of which the top is at `top_nm`.
 AddedStack OnPlate(int32_t id, Coord top_nm, Coord height_nm) {
   AddedStack added;
   added.stack = Stack(id, kPlateObject, StackKind::kRaft);

@@ -34,12 +34,12 @@ absl::Status CheckPrograms(const std::vector<SpooledProgram>& programs, size_t l
                    absl::StrCat(next, " of ", layer_count, " layers came back"));
 }
 
-/// An object that ends between two planes may leave outlines at its top that no bead fits into. A
-/// pass ends with the last layer that has beads; empty layers below it stay. Errors:
-/// InvalidArgument (NOTHING_TO_PRINT) if there is none at all.
+/// Removes empty layers at the top of each pass. An object that ends between two slicing planes may
+/// have top outlines that are too small for a bead. A pass ends with the last layer that has beads;
+/// empty layers below it remain. Errors: InvalidArgument (NOTHING_TO_PRINT) if no layer has beads.
 absl::Status DropEmptyTops(std::vector<SpooledProgram>& programs) {
   std::vector<SpooledProgram> kept;
-  std::map<int32_t, size_t> last;  // of a pass, with beads
+  std::map<int32_t, size_t> last;  // last layer with beads, by pass
   for (size_t i = 0; i < programs.size(); ++i)
     if (!IsEmpty(programs[i].program)) last[programs[i].program.pass] = i;
   for (size_t i = 0; i < programs.size(); ++i) {
@@ -67,7 +67,7 @@ LayerSummary Summarize(const LayerProgram& program) {
           .silent_time_s = program.silent_time_s};
 }
 
-/// A layer's pieces as they are in the spool.
+/// Appends the pieces of a layer to `gcode` without reading the program from the spool.
 void AddLayer(const SpooledProgram& layer, std::vector<LayerPiece> pieces, SpooledText& gcode) {
   for (LayerPiece& piece : pieces) {
     gcode.Add(SpoolFile::Place{layer.text.offset + piece.first, piece.last - piece.first});
@@ -75,7 +75,7 @@ void AddLayer(const SpooledProgram& layer, std::vector<LayerPiece> pieces, Spool
   }
 }
 
-/// The same after a prefix, as one text.
+/// Returns a prefix and the pieces of a layer as one text.
 absl::StatusOr<std::string> TextOf(const SpooledProgram& layer, std::string_view prefix,
                                    std::span<const LayerPiece> pieces, const SpoolFile& spool) {
   std::string program(static_cast<size_t>(layer.text.size), '\0');
@@ -88,7 +88,8 @@ absl::StatusOr<std::string> TextOf(const SpooledProgram& layer, std::string_view
   return text;
 }
 
-/// Returns `text` after the substitutions, which may double it and add limits::kMaxExpandedBytes.
+/// Returns `text` after the substitutions. The result may have twice the size plus
+/// limits::kMaxExpandedBytes.
 absl::StatusOr<std::string> Substituted(std::string text, const gcode::Substitutions& substitutions,
                                         const CancelToken& cancel) {
   const size_t most = 2 * text.size() + limits::kMaxExpandedBytes;
@@ -100,8 +101,8 @@ absl::StatusOr<std::string> Substituted(std::string text, const gcode::Substitut
                    {{"setting", "gcode_substitutions"}, {"limit", absl::StrCat(most)}});
 }
 
-/// Returns the number of a program's retractions that its join with a layer below that `retracted`
-/// leaves out.
+/// Returns the number of retractions that a program omits when it follows a layer that ends
+/// retracted. `retracted`: the layer below ends retracted.
 int64_t LeftOutAfter(bool retracted, const LayerProgram& program) {
   if (!retracted) return 0;
   return std::ranges::count_if(program.mode_lines, [](const ModeLine& line) {

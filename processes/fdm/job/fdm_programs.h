@@ -13,31 +13,34 @@
 
 namespace slicefarm::coordinator {
 
-/// A layer's program whose text is in a spool, so that a job may have more of it than fits into
+/// The program of a layer with its text in a spool, so that the programs of a job may exceed the
 /// memory.
 struct SpooledProgram {
-  LayerProgram program;  ///< without its text
+  LayerProgram program;  ///< the program without its text
   SpoolFile::Place text;
 };
 
-/// Errors: the spool's.
+/// Moves the texts of the programs to the spool. Errors: errors of the spool.
 absl::StatusOr<std::vector<SpooledProgram>> Spooled(std::vector<LayerProgram> programs,
                                                     SpoolFile& spool);
 
-/// All programs in the order of printing: by pass, then bottom up. `programs` come in the order of
-/// their layers. Errors: INTERNAL unless there are programs of `layer_count` layers, each with the
-/// passes that its predecessor has or fewer; NOTHING_TO_PRINT if none has a bead.
+/// Returns all programs in the order of printing: by pass, then from the bottom up. `programs` are
+/// in the order of their layers. Errors:
+/// - INTERNAL unless there are programs of `layer_count` layers, and each layer has only passes
+///   that the layer before it has.
+/// - NOTHING_TO_PRINT if no program has a bead.
 absl::StatusOr<std::vector<SpooledProgram>> InPrintOrder(std::vector<SpooledProgram> programs,
                                                          size_t layer_count);
 
-/// What the frame of the job is made of.
+/// Returns the data of the programs from which the frame of the job is made.
 ProgramSummary Summarize(const std::vector<SpooledProgram>& programs);
 
-/// Returns head, prologue, prefixes and programs, epilogue, tail. `substitutions` are made in all
-/// of it except head and tail, layer by layer; the text that they make of layers goes to `spool`,
-/// which holds the programs. Errors: REQUEST_TOO_LARGE where substitutions make a text more than
-/// twice as long and limits::kMaxExpandedBytes longer, or the whole longer than
-/// limits::kMaxProgramBytes; those of the spool; Cancelled.
+/// Returns the whole text: head, prologue, prefixes and programs, epilogue, tail. `substitutions`
+/// apply layer by layer to all of it except head and tail. The substituted text of layers is
+/// written to `spool`, which contains the programs. Errors:
+/// - REQUEST_TOO_LARGE if a substituted text exceeds twice the original length plus
+///   limits::kMaxExpandedBytes, or the whole exceeds limits::kMaxProgramBytes.
+/// - Errors of the spool; Cancelled.
 absl::StatusOr<SpooledText> WholeProgram(ProgramEnvelope frame,
                                          const std::vector<SpooledProgram>& programs,
                                          const gcode::Substitutions& substitutions,

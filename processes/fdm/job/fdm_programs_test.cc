@@ -13,7 +13,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// A layer of a pass; one without a text has no beads.
+/// Returns a layer of a pass. A layer without a text has no beads.
 LayerProgram Layer(int32_t index, std::string text, int32_t pass = 0) {
   LayerProgram program;
   program.frame.index = index;
@@ -117,7 +117,7 @@ TEST_F(FdmProgramsTest, SubstitutionsAreCancelled) {
 TEST_F(FdmProgramsTest, LaterTextsGoToTheirPlacesInTheLayers) {
   LayerProgram first = Layer(0, "[|]");
   first.code_at = {1, 2};
-  LayerProgram second = Layer(1, "(x)");  // its own texts stand there
+  LayerProgram second = Layer(1, "(x)");  // it already contains its own texts
   LayerProgram third = Layer(2, "<>");
   third.code_at = {0, 2};
   ProgramEnvelope frame;

@@ -20,7 +20,8 @@ OrderedJson Features(const ProgramStats& stats) {
   return features;
 }
 
-/// Sparse infill has a density, all else of it is to cover what it fills.
+/// Returns the infill section of the report. Sparse infill is reported with its density. Other
+/// infill is reported with its coverage, because it should cover the filled area completely.
 OrderedJson Infill(const std::vector<FillUse>& fills) {
   OrderedJson list = OrderedJson::array();
   for (const FillUse& use : fills) {
@@ -49,7 +50,8 @@ OrderedJson Travel(const FdmReport& report) {
           {"retractions", report.stats.retractions}};
 }
 
-/// Parts of print_time_s, beside those that `features` and `travel` tell, and all of it by layer.
+/// Returns the parts of print_time_s that `features` and `travel` do not contain, and the total
+/// time by layer.
 OrderedJson Times(const PrintTimes& times) {
   return {{"custom_gcode_s", times.custom_s},  {"dwell_s", times.dwell_s},
           {"heating_s", times.heating_s},      {"homings", times.homings},
@@ -58,7 +60,8 @@ OrderedJson Times(const PrintTimes& times) {
           {"after_layers_s", times.after_s}};
 }
 
-/// Shares are of the loops that they can be of; none if there are no such loops.
+/// Returns the seam section of the report. Each share is a fraction of the loops to which it can
+/// apply, or null if there are none.
 OrderedJson Seams(const SeamQuality& seams) {
   const auto share = [](int64_t part, int64_t whole) {
     return whole == 0 ? OrderedJson()

@@ -11,18 +11,23 @@
 
 namespace slicefarm::coordinator {
 
-/// What a report tells of filament printing. As JSON: `file_name`, `filament` (mm, mm3, g, cost),
-/// `features` (time, length, volume by feature), `infill` (density or coverage asked and got,
-/// paths; by row of region settings, feature and pattern), `travel`, `times` (what else
-/// print_time_s is spent on, and all of it by layer), `seams`.
+/// FDM part of a job report. As JSON:
+/// - `file_name`
+/// - `filament`: mm, mm3, g, cost
+/// - `features`: time, length and volume by feature
+/// - `infill`: requested and actual density or coverage, and paths, by row of region settings,
+///   feature and pattern
+/// - `travel`
+/// - `times`: other parts of print_time_s, and the total time by layer
+/// - `seams`
 struct FdmReport : OwnReport {
-  std::string file_name;       ///< JobReport's
-  FilamentUse filament;        ///< JobReport's
-  ProgramStats stats;          ///< of all layers
-  PrintTimes times;            ///< what print_time_s is spent on
-  double travel_mm = 0;        ///< between layers included
-  std::vector<FillUse> fills;  ///< of all copies, one a kind: see AddUse
-  SeamQuality seams;           ///< of loops of objects, whatever their copies
+  std::string file_name;       ///< same as JobReport's
+  FilamentUse filament;        ///< same as JobReport's
+  ProgramStats stats;          ///< sum over all layers
+  PrintTimes times;            ///< print_time_s, divided by cause
+  double travel_mm = 0;        ///< includes travel between layers
+  std::vector<FillUse> fills;  ///< sum over all copies, one entry per kind: see AddUse
+  SeamQuality seams;  ///< counts each loop of an object once, independent of the number of copies
 
   void AddTo(nlohmann::ordered_json& json) const override;
 };

@@ -8,13 +8,13 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Collects a program's pieces from its front to its end.
+/// Collects the pieces of a program from its start to its end.
 class Pieces {
  public:
   Pieces(std::span<const int64_t> code_at, std::span<std::string> code)
       : code_at_(code_at), code_(code.first(std::min(code.size(), code_at.size()))) {}
 
-  /// Takes all up to `end`, with the code that stands in between.
+  /// Appends all bytes up to `end`, and the inserted code between them.
   void TakeTo(int64_t end) {
     for (; filled_ < code_.size() && code_at_[filled_] <= end; ++filled_) {
       pieces_.push_back({done_, code_at_[filled_], std::move(code_[filled_])});

@@ -10,7 +10,7 @@
 
 namespace slicefarm::coordinator {
 
-/// A piece of a layer's text in the file: bytes [first, last) of its program, then a text.
+/// A piece of a layer's text in the file: bytes [first, last) of its program, followed by `text`.
 struct LayerPiece {
   int64_t first = 0;
   int64_t last = 0;
@@ -19,20 +19,23 @@ struct LayerPiece {
   friend bool operator==(const LayerPiece&, const LayerPiece&) = default;
 };
 
-/// Takes the programs of layers in the order of the file, and leaves out their lines that set what
-/// is set already (LayerProgram::mode_lines): a program alone cannot know.
+/// Joins the programs of layers in file order. It omits lines that set a mode to its current value
+/// (LayerProgram::mode_lines). A single program cannot omit them, because it does not have the
+/// modes of the layer before it.
 class LayerJoin {
  public:
-  /// Other G-code comes next. What it may change is told anew.
+  /// Handles other G-code between layers. Modes that the G-code may change are written again
+  /// afterwards.
   void Pass(std::string_view gcode);
 
-  /// Returns what stands in the file of a program of `size` bytes: `code` at its code_at.
+  /// Returns the pieces of a program of `size` bytes, with the texts `code` inserted at its
+  /// code_at.
   std::vector<LayerPiece> PiecesOf(const LayerProgram& program, int64_t size,
                                    std::span<std::string> code);
 
  private:
-  ModeValues set_;         ///< empty values: not known
-  bool retracted_ = true;  ///< the filament, whatever other G-code does
+  ModeValues set_;         ///< current modes; an empty value is unknown
+  bool retracted_ = true;  ///< state of the filament; other G-code does not change it
 };
 
 }  // namespace slicefarm::coordinator

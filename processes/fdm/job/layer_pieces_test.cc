@@ -5,15 +5,15 @@
 namespace slicefarm::coordinator::layer_pieces_test {
 namespace {
 
-/// A layer that tells its fan and goes to its entry, and ends there.
+/// A layer that sets its fan, moves to its entry, and ends there.
 struct Layer {
   std::string fan;
   std::string place;
-  std::string code = {};  ///< between the two
-  std::string end = {};   ///< where the nozzle is at the end; empty: at `place`
+  std::string code = {};  ///< inserted between the fan and the move
+  std::string end = {};   ///< position of the nozzle at the end; empty: `place`
 };
 
-/// The text of the layers one after the other.
+/// The joined text of the layers.
 class Joined {
  public:
   Joined& Add(const Layer& layer) {
@@ -78,7 +78,7 @@ TEST(LayerJoin, CodeWithinALayerStaysInItsPlace) {
       << "nothing is known after it";
 }
 
-// The layer below has retracted or not, as it suits it.
+// The layer below ends retracted or ready; the layer above only changes the state if necessary.
 TEST(LayerJoin, TheFilamentGoesBackAndForthWhereItIsNeeded) {
   LayerProgram meets;
   meets.mode_lines = {{3, 4, MachineMode::kFilament, std::string(kReady)}};
@@ -91,7 +91,7 @@ TEST(LayerJoin, TheFilamentGoesBackAndForthWhereItIsNeeded) {
     for (const LayerProgram& above : {meets, goes_back}) {
       LayerJoin join;
       join.PiecesOf(below, 9, {});
-      join.Pass("PARK\n");  // known all the same
+      join.Pass("PARK\n");  // does not change the known state
       const bool needed = (above.mode_lines[0].value == kRetracted) != retracted;
       EXPECT_EQ(join.PiecesOf(above, 9, {}), needed ? whole : without);
     }

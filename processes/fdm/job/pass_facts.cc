@@ -6,10 +6,10 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Layers of the job in which an object is printed, those between them included.
+/// Layers of the job from the first to the last in which an object is printed.
 struct Extent {
   int32_t first = 0;
-  int32_t layers = 0;  ///< the object's own
+  int32_t layers = 0;  ///< number of the object's own layers
   Coord top_nm = 0;
 };
 

@@ -9,14 +9,14 @@
 
 namespace slicefarm::coordinator {
 
-/// What is known of the passes before any layer is programmed. What stands on the plate alone, such
-/// as a raft, belongs to the first pass.
+/// Facts about the passes that are known before any layer is programmed. Stacks of the plate, such
+/// as a raft, belong to the first pass.
 struct PassPlan {
-  std::vector<PassFacts> passes;  ///< by pass; none if there is one
-  int32_t layer_count = 0;        ///< of all passes
+  std::vector<PassFacts> passes;  ///< one per pass; empty if there is only one pass
+  int32_t layer_count = 0;        ///< total number of layers of all passes
 };
 
-/// Cost: O(layers + copies). REQUIRES: each pass is that of some copy.
+/// Returns the facts about the passes. Cost: O(layers + copies). REQUIRES: each pass has a copy.
 PassPlan PassesOf(std::span<const SlicedLayer> layers, std::span<const Copy> copies);
 
 }  // namespace slicefarm::coordinator

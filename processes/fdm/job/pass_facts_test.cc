@@ -13,8 +13,8 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// A layer of 0.2 mm for each character of the objects: `x` is printed, `0` is empty, a blank is no
-/// section.
+/// Returns one layer of 0.2 mm for each character of the objects. `x` is printed, `0` is empty, and
+/// a blank has no section.
 std::vector<SlicedLayer> Layers(const std::vector<std::string_view>& objects) {
   std::vector<SlicedLayer> layers(objects.front().size());
   std::vector<int32_t> own(objects.size(), 0);

@@ -16,7 +16,7 @@ namespace {
 constexpr double kSharpTurnRad = 0.5;
 constexpr double kMm2PerNm2 = 1e-12;
 
-/// The outlines of a layer in figures, millimetres.
+/// Area, perimeter and corners of the outlines of a layer, in mm.
 struct LayerShape {
   double area = 0;
   double perimeter = 0;
@@ -47,8 +47,9 @@ LayerShape ShapeOf(const ObjectSection& section) {
   return shape;
 }
 
-/// Part of layer `index` that no layer among the `reach` ones above (step 1) or below (step -1)
-/// covers, at least: as if each lay within the other.
+/// Returns a lower bound of the area of layer `index` that is exposed. A point is exposed if one of
+/// the `reach` layers above (step 1) or below (step -1) does not cover it. The bound assumes that
+/// smaller layers are completely inside larger ones.
 double Exposed(std::span<const LayerShape> shapes, std::ptrdiff_t index, int step, int reach) {
   const double area = shapes[index].area;
   double covered = area;
@@ -69,7 +70,7 @@ struct Lines {
 
 class SectionEstimate {
  public:
-  /// Of one section of one object, all of it with the settings of `row`.
+  /// Estimates one section of one object with the settings of `row`.
   SectionEstimate(const LayerShape& shape, double exposed_mm2, const LayerFrame& frame,
                   const FdmSettings& settings, size_t row)
       : shape_(shape), frame_(frame), settings_(settings), speeds_(settings.regions[row].motion) {
@@ -96,8 +97,8 @@ class SectionEstimate {
   double time_s() const { return time_s_; }
 
  private:
-  /// Of beads side by side: a rectangle with round ends (see bead_section.h) is this wide on
-  /// average.
+  /// Returns the spacing of adjacent beads, in mm. A bead is a rectangle with round ends (see
+  /// bead_section.h), and the spacing is its mean width.
   double Spacing(Coord width_nm) const {
     return ToMm(width_nm) - ToMm(frame_.height_nm) * (1 - std::numbers::pi / 4);
   }
@@ -114,8 +115,8 @@ class SectionEstimate {
     time_s_ += lines.length_mm / speed + lines.stops * stop_s;
   }
 
-  /// Lines across the islands, with a stop at both ends: as long as a mean chord, pi area /
-  /// perimeter (Crofton).
+  /// Adds lines across the islands, with a full stop at both ends. Their length is the mean chord:
+  /// pi area / perimeter (Crofton).
   void AddFill(Feature feature, double area_mm2, double spacing_mm) {
     if (area_mm2 <= 0) return;
     const double length = area_mm2 / spacing_mm;
@@ -146,11 +147,11 @@ double FilamentMm(double volume_mm3, const MotionOptions& motion) {
   return volume_mm3 * motion.tool().extrusion_multiplier / (std::numbers::pi * radius * radius);
 }
 
-/// One object's layers, bottom up.
+/// Layers of one object, from the bottom up.
 struct ObjectShapes {
   std::vector<LayerShape> shapes;
   std::vector<LayerFrame> frames;
-  std::vector<size_t> rows;  ///< of the settings of the section's first region
+  std::vector<size_t> rows;  ///< settings row of the first region of each section
 };
 
 std::map<int32_t, ObjectShapes> ShapesByObject(std::span<const SlicedLayer> layers) {
@@ -174,7 +175,7 @@ std::map<int32_t, int> CopiesByObject(std::span<const PlacedCopy> copies) {
   return count;
 }
 
-/// With the time that cooling asks for.
+/// Returns the time of a layer after the slowdown that cooling requires.
 double CooledTime(double time_s, double area_mm2, const CoolingOptions& cooling) {
   if (!cooling.enabled || area_mm2 == 0) return time_s;
   return std::max(time_s, cooling.slowdown_below_layer_time_s);

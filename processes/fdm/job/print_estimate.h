@@ -14,20 +14,24 @@ struct FdmSettings;
 
 namespace slicefarm::coordinator {
 
-/// What a layer of the job takes, of all copies of all objects.
+/// Estimated time and filament of one layer of the job, for all copies of all objects.
 struct LayerEstimate {
   double time_s = 0;
   double volume_mm3 = 0;
 };
 
-/// By layer, what EstimatePrint tells of all together.
+/// Returns the estimates of EstimatePrint layer by layer.
 std::vector<LayerEstimate> EstimateLayers(const SlicedOutlines& job, const FdmSettings& settings);
 
-/// What a print will take, from the areas and outlines of its layers alone: walls as wide as they
-/// are many, solid skins where a layer is larger than one near it, sparse infill in the rest; lines
-/// at their speeds with a full stop at each sharp corner. Cost: linear in the points; no stage is
-/// run. tests/bench/README.md says how far it is off.
-/// Each section counts with the settings of its first region.
+/// Estimates a print from the areas and outlines of its layers alone. The model has these rules:
+/// - Walls have the width of the number of walls.
+/// - A layer has solid skin where it is larger than one of the layers near it, and sparse infill in
+///   the rest.
+/// - Lines are printed at their speed, with a full stop at each sharp corner.
+/// - Each section uses the settings of its first region.
+///
+/// Cost: linear in the number of points; no stage runs. tests/bench/README.md states the error of
+/// the estimate.
 JobEstimate EstimatePrint(const SlicedOutlines& job, const FdmSettings& settings);
 
 }  // namespace slicefarm::coordinator

@@ -18,7 +18,7 @@ struct Plate {
   std::vector<PlacedCopy> copies;
 };
 
-/// Of an object, layers of 0.2 mm.
+/// Returns a section of an object with layers of 0.2 mm.
 ObjectSection SectionOf(int32_t object, const std::string& outlines) {
   ObjectSection section;
   section.stack = object;
@@ -27,7 +27,7 @@ ObjectSection SectionOf(int32_t object, const std::string& outlines) {
   return section;
 }
 
-/// One copy of one object.
+/// Returns a plate with one copy of one object.
 Plate Layers(const std::vector<std::string>& outlines) {
   Plate plate;
   for (const std::string& outline : outlines) {
@@ -48,7 +48,7 @@ Plate Cube(int layers) {
   return Layers(std::vector<std::string>(layers, "(0 0, 20 0, 20 20, 0 20)"));
 }
 
-/// Another object besides, one copy of it, with another row of settings.
+/// Adds one copy of a second object, which has another row of settings.
 void AddCube(Plate& plate, int layers) {
   for (int i = 0; i < layers; ++i) {
     ObjectSection section = SectionOf(1, "(0 0, 20 0, 20 20, 0 20)");
@@ -60,7 +60,7 @@ void AddCube(Plate& plate, int layers) {
   plate.copies.emplace_back().object = 1;
 }
 
-/// Settings with a second row like the first.
+/// Returns settings with a second row equal to the first.
 FdmSettings TwoRows() {
   FdmSettings settings;
   settings.regions.resize(2);
@@ -130,7 +130,7 @@ TEST(EstimatePrint, EachCopyTakesAsMuch) {
   EXPECT_NEAR(three.print_time_s, 3 * one.print_time_s, 1e-6);
 }
 
-// The copies are printed in turn, and each cools while the others are printed.
+// The copies are printed alternately, and each copy cools while the rest of them are printed.
 TEST(EstimatePrint, CoolingWantsItsTimeOfTheLayerAndNotOfEachCopy) {
   FdmSettings settings;
   settings.tools[0].cooling.slowdown_below_layer_time_s = 30;
@@ -155,7 +155,7 @@ TEST(EstimatePrint, AnObjectIsAsDenseAsItsOwnSettingsSay) {
   EXPECT_NEAR(Estimate(plate, settings).filament.volume_mm3, sparse + 8000, 1e-6);
 }
 
-// A lower object ends in a skin of its own, whatever goes on beside it.
+// A lower object ends in its own skin, even if a taller object is beside it.
 TEST(EstimatePrint, SkinsAreThoseOfTheObject) {
   FdmSettings settings = TwoRows();
   for (RegionRow& region : settings.regions) {

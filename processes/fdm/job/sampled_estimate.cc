@@ -12,13 +12,15 @@ namespace {
 constexpr int kSamples = 32;
 constexpr size_t kMostAdded = 8;
 
-/// What a sample is by the rough estimate's measure; 0 where that says nothing of the layer.
+/// Returns the ratio of a sample to the rough estimate of its layer; 0 if there is no rough
+/// estimate.
 double Ratio(double got, double rough) { return rough > 0 ? got / rough : 0; }
 
-/// Sums up over all layers.
+/// Sum over all layers.
 class Sum {
  public:
-  /// A layer without a sample is off as the samples around it are.
+  /// Adds layers without a sample. Their ratio to the rough estimate is interpolated between the
+  /// samples before and after them.
   void AddGap(std::span<const double> rough, double ratio_before, double ratio_after) {
     const auto count = static_cast<double>(rough.size());
     for (size_t i = 0; i < rough.size(); ++i) {
@@ -33,16 +35,17 @@ class Sum {
   double total_ = 0;
 };
 
-/// `rough`: by layer; `got`: by sample.
+/// Returns the estimated total. `rough`: one per layer; `got`: one per sample.
 double Total(std::span<const LayerSample> samples, std::span<const double> rough,
              std::span<const double> got) {
   Sum sum;
-  size_t next = 0;  // layer
+  size_t next = 0;  // index of the next layer
   double before = -1;
   for (size_t i = 0; i <= samples.size(); ++i) {
     const size_t end = i < samples.size() ? static_cast<size_t>(samples[i].layer) : rough.size();
     const double after = i < samples.size() ? Ratio(got[i], rough[end]) : before;
-    // A layer of which the estimate says nothing, such as one of a raft, is no measure of others.
+    // A layer without a rough estimate, such as a layer of a raft, gives no ratio for its
+    // neighbours.
     const double from = before > 0 ? before : after;
     sum.AddGap(rough.subspan(next, end - next), from, after > 0 ? after : from);
     if (i == samples.size()) break;

@@ -13,7 +13,7 @@ struct MotionOptions;
 
 namespace slicefarm::coordinator {
 
-/// What a layer takes that was made, from rest to rest, all copies.
+/// Measured time and filament of a sample layer, from rest to rest, for all copies.
 struct LayerSample {
   int32_t layer = 0;
   double time_s = 0;
@@ -23,18 +23,19 @@ struct LayerSample {
 };
 
 struct LayerSamples {
-  std::vector<LayerSample> layers;  ///< upwards
-  double around_s = 0;              ///< of the print: before, between and after its layers
+  std::vector<LayerSample> layers;  ///< in ascending order
+  double around_s = 0;              ///< time before, between and after the layers
 };
 
-/// Which layers to make to see what all take: the first one, those of the plate's own stacks such as
-/// rafts (the lowest few), and the middles of stretches that take about as long by the rough
-/// estimate, which is one a layer of the print. Upwards, each once. REQUIRES: layers.
+/// Returns the layers to make as samples: in ascending order, each once. They are the first layer,
+/// the lowest few layers of the plate's own stacks such as rafts, and the middles of intervals with
+/// about equal times. The times are the rough estimates in `layers`, one per layer of the print.
+/// REQUIRES: `layers` is not empty.
 std::vector<int32_t> LayersToSample(std::span<const LayerEstimate> layers,
                                     std::span<const SlicedLayer> print);
 
-/// What all layers take: by how much the samples are off the rough estimate, so much, between
-/// samples in proportion, the others are taken to be. Cost: O(layers).
+/// Returns the estimate of the whole print. It corrects the rough estimate by the error of the
+/// samples, and interpolates the correction between samples. Cost: O(layers).
 JobEstimate EstimateFrom(const LayerSamples& samples, std::span<const LayerEstimate> layers,
                          const MotionOptions& motion);
 

@@ -12,14 +12,14 @@ namespace {
 
 using testing::ElementsAre;
 
-/// 1 s, 2 s, 3 s, ...
+/// Returns layers that take 1 s, 2 s, 3 s, ...
 std::vector<LayerEstimate> Layers(int count) {
   std::vector<LayerEstimate> layers;
   for (int i = 0; i < count; ++i) layers.push_back({1.0 + i, 10.0 * (1 + i)});
   return layers;
 }
 
-/// Samples of these layers, of which each takes `by` times what is thought.
+/// Returns samples of these layers. Each sample is `by` times its estimate.
 LayerSamples SamplesOf(const std::vector<LayerEstimate>& layers, const std::vector<int32_t>& which,
                        double by) {
   LayerSamples samples;
@@ -40,7 +40,7 @@ TEST(LayersToSample, AreTheFirstAndSpreadByTime) {
   const std::vector<int32_t> all = LayersToSample(Layers(300), {});
   EXPECT_EQ(all.front(), 0);
   EXPECT_EQ(all.size(), 33u);
-  // Half of the time lies above 212.
+  // The layers above 212 take half of the total time.
   EXPECT_NEAR(std::ranges::count_if(all, [](int32_t layer) { return layer > 212; }), 16, 1);
   EXPECT_THAT(LayersToSample(Layers(1), {}), ElementsAre(0));
   EXPECT_THAT(LayersToSample(Layers(3), {}), ElementsAre(0, 1, 2));

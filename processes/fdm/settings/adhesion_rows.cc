@@ -11,10 +11,11 @@
 namespace slicefarm::config::fdm {
 namespace {
 
-/// More than fit into any brim.
+/// More lines than fit into any brim.
 constexpr int32_t kAllLines = 1'000;
 
-/// Rafts end in the supports' interface, and have its gaps.
+/// Returns the density of a raft layer. The upper layers of a raft are the interface of supports
+/// and have its spacing.
 double DensityOf(const RaftOptions& raft, int32_t layer, const SupportOptions& support) {
   const RaftLayerKind kind = RaftLayerKindOf(layer, raft.heights.layers);
   if (kind == RaftLayerKind::kFirst) return raft.lines.first_layer_density;
@@ -31,7 +32,8 @@ JobRows BrimRow(JobRows settings) {
   beading.generator = WallGenerator::kArachne;
   beading.perimeters = kAllLines;
   MakePlain(beading);
-  // A brim has no narrower places: a wider line there would lie on what it keeps away from.
+  // A brim has no narrow places. A wider line there would overlap the object that the brim must not
+  // touch.
   beading.min_feature_nm = beading.min_bead_width_nm = beading.first_layer_width_nm / 2;
   beading.gap_fill = true;
   FillAlike(1, 0, FdmOf(settings).region.infill);

@@ -6,22 +6,24 @@
 
 namespace slicefarm::config::fdm {
 
-/// The settings of regions that planning adds to the plate, as the settings of a job or an object
-/// come to them: rows for RegionTable. `settings`: resolved; what counts is the first region.
+/// Rows of RegionTable for regions that planning adds to the plate. They are derived from the
+/// settings of a job or an object. `settings`: resolved settings; the rows use its first region.
 
-/// Brim: closed lines as wide as the first layer's, side by side over the whole region.
+/// Returns the row of a brim: closed lines of the first layer's width, side by side over the whole
+/// region.
 JobRows BrimRow(JobRows settings);
 
-/// A layer of a raft: straight lines.
+/// Returns the row of a raft layer, which has straight lines:
 ///
 ///   layer        density                           lines run at support_material_angle
 ///   first        raft_first_layer_density          + 90 degrees if there are two base layers
 ///   other base   by support_material_spacing
 ///   interface    by its spacing                    + 90 degrees
 ///
-/// A line runs round those that are no interface. Source: measured, PrusaSlicer 2.5.0; its
-/// snug style turns the topmost interface by 45 degrees: not followed. It lays interfaces of height
-/// 0.3 at the spacing of lines of layer_height, 6 % too little plastic: a spacing of 0 fills here.
+/// All layers except the interface also have a line along their outline. Source: measurements of
+/// PrusaSlicer 2.5.0, with two differences. Its snug style turns the topmost interface by 45
+/// degrees; slicefarm does not. It also prints an interface of height 0.3 with the spacing of lines
+/// of layer_height, which is 6 % too little plastic. Here a spacing of 0 fills the area completely.
 JobRows RaftRow(JobRows settings, int32_t layer);
 
 }  // namespace slicefarm::config::fdm

@@ -14,7 +14,7 @@ namespace slicefarm::config::fdm::adhesion_rows_test {
 namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2;
-/// Of lines 0.4 mm wide that fill a layer of 0.3 mm: three quarters of the nozzle.
+/// Spacing of lines 0.4 mm wide that fill a layer of 0.3 mm, which is three quarters of the nozzle.
 constexpr double kSpacing = 0.4 - 0.3 * (1 - std::numbers::pi / 4);
 
 JobRows Resolved(const std::vector<std::pair<std::string, std::string>>& given) {
@@ -52,7 +52,7 @@ struct Layer {
   int32_t walls;
 };
 
-// As PrusaSlicer 2.5.0 prints them.
+// The expected values were measured in PrusaSlicer 2.5.0.
 TEST(RaftRow, DensityAndAngleOfEachLayer) {
   const double base = kSpacing / (kSpacing + 2.5);
   const std::vector<std::vector<Layer>> rafts = {

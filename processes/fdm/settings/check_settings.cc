@@ -53,7 +53,7 @@ absl::Status CheckWidths(const Draft& draft) {
   return CheckWidth(draft, "first_layer_extrusion_width", "first_layer_height");
 }
 
-/// A raft's lines must have room beside each other, as high as its layers are.
+/// Checks that lines of a raft, with the layer height of the raft, have a positive spacing.
 absl::Status CheckRaft(const Draft& draft) {
   constexpr std::string_view kWidth = "support_material_extrusion_width";
   if (draft.Number("raft_layers") == 0) return absl::OkStatus();
@@ -68,7 +68,8 @@ absl::Status CheckRaft(const Draft& draft) {
   return CheckWidth(draft, kWidth, "layer_height");
 }
 
-/// From one copy to the next the head would meet a wall around all of them.
+/// Refuses a tall skirt if copies are printed one after another, because the head would hit it
+/// between copies.
 absl::Status CheckSkirt(const Draft& draft) {
   if (draft.Number("complete_objects") == 0 || draft.Number("skirts") == 0) return absl::OkStatus();
   const bool shields = draft.Number("draft_shield") == static_cast<double>(DraftShield::kEnabled);
@@ -81,7 +82,7 @@ absl::Status CheckSkirt(const Draft& draft) {
                    {{"setting", key}, {"value", draft.At(key).written}});
 }
 
-/// Klipper has no mixing extruder.
+/// Refuses mixed materials for Klipper, which has no mixing extruder.
 absl::Status CheckMixing(const Draft& draft) {
   const bool klipper = draft.Number("gcode_flavor") == static_cast<double>(GcodeFlavor::kKlipper);
   if (draft.At("material_field").value->text.empty() || !klipper) return absl::OkStatus();
@@ -96,7 +97,8 @@ absl::Status RefuseWords(std::string_view key, std::string_view why) {
                    {{"setting", std::string(key)}, {"value", "1"}});
 }
 
-/// What the firmware cannot read. A retraction that the firmware makes is not cut to a wipe.
+/// Refuses commands that the firmware does not support. A firmware retraction cannot be combined
+/// with a wipe.
 absl::Status CheckWords(const Draft& draft) {
   const auto flavor = static_cast<GcodeFlavor>(std::lround(draft.Number("gcode_flavor")));
   constexpr std::string_view kByFirmware = "use_firmware_retraction";
@@ -115,7 +117,7 @@ absl::Status CheckWords(const Draft& draft) {
   return absl::OkStatus();
 }
 
-/// Between which heights layers that fit the shape lie.
+/// Checks the range of layer heights for adaptive layers.
 absl::Status CheckAdaptiveHeights(const Draft& draft) {
   if (draft.Number("adaptive_layer_height") == 0) return absl::OkStatus();
   const double most = draft.Number("max_layer_height"), least = draft.Number("min_layer_height");

@@ -5,10 +5,11 @@
 
 namespace slicefarm::config::fdm {
 
-/// What settings ask of each other, once derived (derive.h): layers no higher than the nozzle is
-/// wide, beads at least as wide as their layer is high and narrower than three nozzles
-/// (PrusaSlicer's rules), a speed for retractions, gaps from narrow to wide. Errors:
-/// SETTING_OUT_OF_RANGE naming both settings, with metadata `setting`, `value`, `min`, `max`.
+/// Checks derived settings (derive.h) against each other. Layers must be no higher than the nozzle
+/// diameter. Beads must be at least as wide as their layer is high, and narrower than three nozzle
+/// diameters (PrusaSlicer's rules). Retractions need a speed, and gap widths must be in ascending
+/// order. Errors: SETTING_OUT_OF_RANGE naming both settings, with metadata `setting`, `value`,
+/// `min`, `max`.
 absl::Status CheckSettings(const Draft& draft);
 
 }  // namespace slicefarm::config::fdm

@@ -24,8 +24,8 @@ absl::Status Check(const Pairs& given) {
 struct CheckCase {
   std::string name;
   Pairs good, bad;
-  Metadata want;      ///< of the error
-  std::string other;  ///< which the message names besides
+  Metadata want;      ///< metadata of the error
+  std::string other;  ///< the other setting that the message names
 };
 class Checked : public testing::TestWithParam<CheckCase> {};
 

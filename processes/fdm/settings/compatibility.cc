@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view kWhole = "_cummulative";
 
 struct Condition {
-  std::string_view key;  ///< without kWhole
+  std::string_view key;  ///< key without kWhole
   std::string text;
 };
 
@@ -26,7 +26,7 @@ bool IsCondition(std::string_view key) {
   return key == "compatible_printers_condition" || key == "compatible_prints_condition";
 }
 
-/// The conditions that hold for the job, in their order, each once.
+/// Returns the conditions that apply to the job, in order and without duplicates.
 std::vector<Condition> ConditionsOf(std::span<const Setting> given) {
   std::vector<Condition> conditions;
   const auto add = [&](std::string_view key, std::string text) {

@@ -9,12 +9,12 @@
 
 namespace slicefarm::config::fdm {
 
-/// Returns `incompatible_profiles` for each condition among `given` that is not met: of filaments
-/// and print settings on their printer (compatible_printers_condition) and of filaments on the
-/// print settings (compatible_prints_condition). Each profile of several that come one after the
-/// other may have one; a whole config.ini has all of its own
-/// (compatible_printers_condition_cummulative), which replace those before it. A condition that
-/// cannot be evaluated counts as met, as in PrusaSlicer.
+/// Returns an `incompatible_profiles` feature for each condition in `given` that is false.
+/// Filaments and print settings have conditions on the printer (compatible_printers_condition).
+/// Filaments also have conditions on the print settings (compatible_prints_condition). If several
+/// profiles follow one another, each may have a condition. A whole config.ini contains the
+/// conditions of all its profiles (compatible_printers_condition_cummulative); they replace the
+/// conditions before it. A condition that cannot be evaluated counts as true, as in PrusaSlicer.
 ///
 /// `settings_text`: ResolvedSettings::effective_text. Cost: O(settings) if there is a condition.
 std::vector<MissingFeature> IncompatibleProfiles(std::span<const Setting> given,

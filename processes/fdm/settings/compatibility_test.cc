@@ -29,7 +29,7 @@ Setting Of(const char* key, const char* value) { return {key, value, Source::kPr
 constexpr char kPrinters[] = "compatible_printers_condition";
 constexpr char kPrints[] = "compatible_prints_condition";
 
-// The conditions of Prusa's, Creality's and other vendors' profiles.
+// Conditions from the profiles of Prusa, Creality and other vendors.
 INSTANTIATE_TEST_SUITE_P(
     Profiles, ConditionTest,
     testing::Values(
@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"NotNotes", {Of(kPrinters, "printer_notes!~/.*NO_TEMPLATES.*/")}, 1},
         Case{"Negated", {Of(kPrinters, "! (printer_notes=~/.*PRINTER_VENDOR_E3D.*/)")}, 0},
         Case{"Prints", {Of(kPrints, "layer_height<=0.1")}, 1},
-        // A print profile's and a filament's, one after the other.
+        // Condition of a print profile, then of a filament.
         Case{"Stacked",
              {Of(kPrinters, "nozzle_diameter[0]==0.4"), Of(kPrinters, "nozzle_diameter[0]==0.8")},
              1},
@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(
              {Of("compatible_printers_condition_cummulative",
                  "\"nozzle_diameter[0]==0.4\";\"printer_model==\\\"MINI\\\"\"")},
              1},
-        // A whole config.ini takes the place of what came before it.
+        // A whole config.ini replaces the settings before it.
         Case{"Replaced",
              {Of(kPrinters, "nozzle_diameter[0]==0.8"),
               Of("compatible_printers_condition_cummulative", "nozzle_diameter[0]==0.4;;")},

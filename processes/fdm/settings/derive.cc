@@ -18,7 +18,7 @@
 namespace slicefarm::config::fdm {
 namespace {
 
-constexpr double kWidthPerNozzle = 1.125;  // of a bead whose width nobody set
+constexpr double kWidthPerNozzle = 1.125;  // default width of a bead, in nozzle diameters
 
 constexpr std::string_view kSpeeds[] = {
     "perimeter_speed",        "external_perimeter_speed",
@@ -29,7 +29,7 @@ constexpr std::string_view kSpeeds[] = {
     "ironing_speed",
 };
 
-/// Sparse infill whose lines run over each other in one layer.
+/// Sparse infill patterns with lines that cross each other in one layer.
 constexpr FillPattern kCrossing[] = {FillPattern::kGrid,          FillPattern::kTriangles,
                                      FillPattern::kStars,         FillPattern::kCubic,
                                      FillPattern::kAdaptiveCubic, FillPattern::kSupportCubic};
@@ -67,7 +67,8 @@ void DeriveVariableWalls(Draft& draft) {
   }
 }
 
-/// The filament may stand less where lines run over each other.
+/// Limits the infill speed to the filament's limit, which may be lower for patterns with crossing
+/// lines.
 void LimitInfillSpeed(Draft& draft) {
   const auto pattern = static_cast<FillPattern>(std::lround(draft.Number("fill_pattern")));
   const bool crosses = std::ranges::find(kCrossing, pattern) != std::end(kCrossing);
@@ -96,7 +97,7 @@ void DeriveAccelerations(Draft& draft) {
   FallBack(draft, "top_solid_infill_acceleration", "solid_infill_acceleration");
 }
 
-/// Limits that are ignored are those of no setting.
+/// Resets machine limits to their default values if the job ignores them.
 void DeriveLimits(Draft& draft) {
   if (draft.Number("machine_limits_usage") != kIgnoreLimits) return;
   const auto table = SettingsTable(draft.process());
@@ -106,7 +107,8 @@ void DeriveLimits(Draft& draft) {
   }
 }
 
-/// As many layers as their infill may be high. Their most is the setting's own.
+/// Sets infill_every_layers to the number of layers that fit into the maximum height of combined
+/// infill and into the nozzle diameter, within the range of the setting.
 void DeriveCombination(Draft& draft) {
   constexpr std::string_view kHeight = "automatic_infill_combination_max_layer_height";
   TakePercentage(draft, kHeight);
@@ -130,7 +132,8 @@ void DeriveFilament(Draft& draft) {
     if (own.value.has_value()) draft.At(key).value = own.value;
   }
   FallBack(draft, "deretract_speed", "retract_speed");
-  // How far, the machine knows; this much counts in times.
+  // With firmware retraction, only the machine has the retraction length. This assumed length is
+  // used for times.
   if (draft.Number("use_firmware_retraction") != 0 && draft.Number("retract_length") == 0)
     draft.SetNumber("retract_length", 1);
 
@@ -141,7 +144,8 @@ void DeriveFilament(Draft& draft) {
   }
 }
 
-/// Whether G-code does anything but comment and set E to 0, which profiles do in each layer.
+/// Returns true if G-code contains more than comments and commands that set E to 0. Many profiles
+/// set E to 0 in each layer.
 bool Acts(std::string_view gcode) {
   for (const std::string_view line : Split(gcode, "\n")) {
     const std::string_view code = Trim(line.substr(0, line.find(';')));
@@ -150,8 +154,9 @@ bool Acts(std::string_view gcode) {
   return false;
 }
 
-/// Layers meet with the filament ready only where nothing happens between them: G-code may lead the
-/// nozzle anywhere, and a copy that is left out must leave the printer as it found it.
+/// Enables retraction at layer changes unless nothing is inserted between layers. Inserted G-code
+/// may move the nozzle. If labelled objects are cancelled during the print, the printer must
+/// continue in the same state.
 void DeriveLayerChange(Draft& draft) {
   const auto text = [&](std::string_view key) -> std::string_view {
     return draft.At(key).value->text;
@@ -162,13 +167,13 @@ void DeriveLayerChange(Draft& draft) {
     draft.SetNumber("retract_layer_change", 1);
 }
 
-/// More walls take the place of infill: where there is none, they are not looked for.
+/// Disables extra walls if there is no infill, because extra walls only replace infill.
 void DeriveExtraWalls(Draft& draft) {
   const bool filled = draft.Number("fill_density") > 0 && draft.Number("perimeters") > 0;
   if (!filled) draft.SetNumber("extra_perimeters", 0);
 }
 
-/// Thumbnails take the format that they do not name from thumbnails_format.
+/// Adds the format of thumbnails_format to thumbnails that do not name a format.
 void DeriveThumbnails(Draft& draft) {
   const auto format = static_cast<PictureFormat>(std::lround(draft.Number("thumbnails_format")));
   if (format == PictureFormat::kPng) return;
@@ -183,9 +188,9 @@ void DeriveThumbnails(Draft& draft) {
   if (const auto sizes = ParseSizes(text); sizes.ok()) thumbnails.value->text = PrintSizes(*sizes);
 }
 
-/// Between copies that are printed one after the other a skirt of one layer is all that the head
-/// can pass; profiles ask for more. What a person asks for is checked (check_settings.h). Returns
-/// what to say of it.
+/// Limits the skirt to one layer if copies are printed one after another, because the head would
+/// hit a taller one. This applies to values from profiles. A value that the request sets is checked
+/// instead (check_settings.h). Returns a note if the height changed.
 std::optional<std::string> TakeSequentialSkirt(Draft& draft) {
   if (draft.Number("complete_objects") == 0 || draft.Number("skirts") == 0) return std::nullopt;
   const Draft::Entry& height = draft.At("skirt_height");
@@ -198,7 +203,8 @@ std::optional<std::string> TakeSequentialSkirt(Draft& draft) {
   return note;
 }
 
-/// A vase has one wall, no infill and no top, whatever profiles ask for. Returns what to say of it.
+/// Sets one wall, no infill and no top layers for a vase, even if profiles set other values.
+/// Returns notes about changed values.
 std::vector<std::string> DeriveVase(Draft& draft) {
   std::vector<std::string> notes;
   if (draft.Number("spiral_vase") == 0) return notes;

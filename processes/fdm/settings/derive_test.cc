@@ -43,7 +43,8 @@ INSTANTIATE_TEST_SUITE_P(
                    0.15}),
     NameOf);
 
-// 0 is extrusion_width, and where that is 0 too 1.125 nozzles; top infill takes the nozzle's.
+// 0 means extrusion_width, and if it is also 0, 1.125 nozzle diameters; for top infill, one nozzle
+// diameter.
 INSTANTIATE_TEST_SUITE_P(
     Widths, DerivedNumber,
     testing::Values(
@@ -102,7 +103,8 @@ INSTANTIATE_TEST_SUITE_P(
                    0.1}),
     NameOf);
 
-// Percentages are of the other's number as it was given: 0 goes to max_print_speed only then.
+// Percentages refer to the other setting's value as given. A result of 0 is replaced by
+// max_print_speed afterwards.
 INSTANTIATE_TEST_SUITE_P(
     Speeds, DerivedNumber,
     testing::Values(
@@ -252,7 +254,8 @@ struct GcodeCase {
   std::string want_end;
 };
 
-// The filament's is the first after the layers; before them the two stay apart.
+// The filament's G-code is the first after the layers. Before the layers, the two settings remain
+// separate.
 TEST(Derive, JoinsTheGcodesOfTheEnd) {
   const std::vector<GcodeCase> cases = {
       {"Both", "M", "F", "F\nM"},   {"BreaksThatAreThere", "M\n", "F\n", "F\nM\n"},
@@ -294,7 +297,7 @@ TEST(Derive, RefusesWhatPercentagesComeTo) {
       {"TooLow", {{"first_layer_height", "1%"}}, "first_layer_height", "1%"},
       {"TooHigh", {{"first_layer_height", "5000%"}}, "first_layer_height", "5000%"},
       {"TooFast", {{"external_perimeter_speed", "100000%"}}, "external_perimeter_speed", "100000%"},
-      // Both are out of range by now; the standard is not what the user wrote.
+      // The two settings are now out of range; the error names the one that the user gave.
       {"GivenBeforeStandard",
        {{"infill_overlap", "2000%"}, {"perimeter_extrusion_width", "4900%"}},
        "infill_overlap",

@@ -13,7 +13,7 @@ namespace slicefarm::config::fdm {
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
-/// The standards but for these, as Resolve has read them.
+/// Returns the default settings with these changes, as Resolve reads them.
 inline Draft DraftOf(const Pairs& given) {
   Draft draft(Process::kFdm);
   for (const auto& [key, text] : given) {

@@ -34,7 +34,7 @@ class OfFdm : public ProcessSettings {
   std::vector<SettingSpec> Table() const override {
     return TableOf(kGroups);
   }
-  /// All keys of PrusaSlicer are about filament.
+  /// Returns true if PrusaSlicer has the key; all its keys concern FDM.
   bool Knows(std::string_view key) const override { return FindKnownKey(key) != nullptr; }
   std::vector<Need> Needs() const override { return fdm::Needs(); }
 
@@ -77,7 +77,8 @@ class OfFdm : public ProcessSettings {
     return fdm::FinishPlate(job, rows, plate);
   }
 
-  /// A printer's profile says whether it reads binary G-code, whatever the file is called.
+  /// Returns the file formats. The profile of a printer decides whether the printer reads binary
+  /// G-code; the file name does not matter.
   std::vector<FileFormat> FileFormats() const override {
     constexpr std::string_view kKey = "binary_gcode";
     return {

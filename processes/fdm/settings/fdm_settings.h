@@ -4,7 +4,7 @@
 
 namespace slicefarm::config::fdm {
 
-/// The settings of filament printing. Lives as long as the program.
+/// Returns the settings of FDM. The result exists as long as the program.
 const ProcessSettings& Settings();
 
 }  // namespace slicefarm::config::fdm

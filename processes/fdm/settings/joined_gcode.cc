@@ -41,9 +41,9 @@ absl::Status Renamed(const absl::Status& status, ErrorDetail detail, std::string
                    detail.metadata);
 }
 
-/// Two settings that are one to the stages.
+/// Two settings that stages use as one.
 struct Joint {
-  std::string_view into;   ///< the setting that holds both
+  std::string_view into;   ///< the setting that contains both texts
   std::string_view other;  ///< the setting that is joined to it
   bool other_first = true;
 };

@@ -5,16 +5,17 @@
 
 namespace slicefarm::config::fdm {
 
-/// Joins G-code that follows each other: to the stages it is one setting.
-/// - end_filament_gcode comes before end_gcode. start_filament_gcode stays apart from start_gcode,
+/// Joins G-code settings that follow one another, so that stages see one setting.
+/// - end_filament_gcode comes before end_gcode. start_filament_gcode is separate from start_gcode,
 ///   since the machine is heated between the two.
-/// - time_lapse_gcode comes before layer_gcode, on machines of Bambu Lab's after it, as OrcaSlicer
-///   and Bambu Studio have it.
-/// Errors: those of CheckSettingSize.
+/// - time_lapse_gcode comes before layer_gcode. On machines of Bambu Lab it comes after
+///   layer_gcode, as in OrcaSlicer and Bambu Studio.
+///
+/// Errors: errors of CheckSettingSize.
 absl::Status JoinGcode(Draft& draft);
 
-/// Returns an error in a line of joined G-code (metadata `setting` and `line`) with the setting that
-/// the line is written in, and its line there. Other errors as they are.
+/// Returns the error of a line of joined G-code (metadata `setting` and `line`) with the original
+/// setting of this line, and its line number there. Returns other errors unchanged.
 absl::Status NamingOwnGcode(const absl::Status& status, const Draft& draft);
 
 }  // namespace slicefarm::config::fdm

@@ -58,7 +58,7 @@ constexpr Need kNeeds[] = {
      [](const JobRows& s) { return FdmOf(s).region.walls.fuzzy != FuzzySkin::kNone; }},
     {"retract_before_wipe filament_retract_before_wipe", "wipe = 1",
      [](const JobRows& s) { return FdmOf(s).tool.retraction.wipe; }},
-    // Accelerations are either all told to the firmware or all left to it.
+    // slicefarm either sends all accelerations to the firmware or none.
     {"perimeter_acceleration external_perimeter_acceleration infill_acceleration "
      "solid_infill_acceleration top_solid_infill_acceleration bridge_acceleration "
      "first_layer_acceleration travel_acceleration",
@@ -70,7 +70,7 @@ constexpr Need kNeeds[] = {
      "machine_max_junction_deviation",
      "a gcode_flavor of Marlin",
      [](const JobRows& s) { return FdmOf(s).machine.motion.flavor != GcodeFlavor::kKlipper; }},
-    // The fan at its least and at bridges runs without.
+    // The minimum fan speed and the bridge fan speed have an effect without cooling.
     {"max_fan_speed fan_below_layer_time slowdown_below_layer_time min_print_speed", "cooling = 1",
      [](const JobRows& s) { return FdmOf(s).tool.cooling.enabled; }},
     {"skirt_distance skirt_height min_skirt_length draft_shield", "skirts of more than 0",

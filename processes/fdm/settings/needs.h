@@ -7,7 +7,7 @@
 
 namespace slicefarm::config::fdm {
 
-/// Of settings that have an effect on filament printing.
+/// Returns the conditions under which settings have an effect on FDM.
 std::vector<Need> Needs();
 
 /// See ProcessSettings::UnmetNeedsOf.

@@ -24,7 +24,7 @@ std::vector<std::string> Notes(const std::vector<std::pair<std::string, std::str
 struct NeedCase {
   std::string name;
   std::pair<std::string, std::string> setting;
-  std::pair<std::string, std::string> off;  // with which it has no effect
+  std::pair<std::string, std::string> off;  // other settings with which it has no effect
   std::pair<std::string, std::string> on;
   std::string want;
 };
@@ -123,7 +123,8 @@ TEST(UnmetNeeds, BridgesHaveTheirFanWithoutCooling) {
   EXPECT_THAT(Notes({{"bridge_fan_speed", "80"}, {"cooling", "0"}}), IsEmpty());
 }
 
-// A profile lists all settings; a request names what it wants, be it the standard.
+// A profile lists all settings. A request lists only intended settings, even if a value is the
+// default.
 TEST(UnmetNeeds, AProfilesStandardsAreNoWish) {
   EXPECT_THAT(Notes({{"square_corner_velocity", "5"}}, Source::kProfile), IsEmpty());
   EXPECT_THAT(Notes({{"square_corner_velocity", "8"}}, Source::kProfile),

@@ -47,7 +47,7 @@ void FillAlike(double density, double angle_rad, InfillOptions& infill) {
 }
 
 double LineDensity(Coord width_nm, Coord height_nm, Coord free_nm) {
-  // Widths that are none are refused where lines are laid.
+  // Invalid widths are refused where lines are laid.
   const auto spacing = static_cast<double>(std::max<Coord>(Spacing(width_nm, height_nm), 1));
   return spacing / (spacing + static_cast<double>(free_nm));
 }

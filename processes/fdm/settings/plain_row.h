@@ -7,19 +7,21 @@
 
 namespace slicefarm::config::fdm {
 
-// What rows of regions that planning adds have in common; all change the first region's settings.
+// Functions shared by the rows of regions that planning adds. All of them change the settings of
+// the first region.
 
-/// Beads of one width in place of what the part's walls and infill have.
+/// Sets one bead width for walls and infill.
 void SetWidths(Coord width_nm, JobRows& settings);
 
-/// Nothing but the number of walls that is asked for.
+/// Disables everything in walls except the requested number of walls.
 void MakePlain(BeadingOptions& beading);
 
-/// No skins: all of a region is filled alike, with lines that do not turn from layer to layer.
+/// Disables skins: the whole region is filled uniformly, with lines that have the same direction in
+/// all layers.
 void FillAlike(double density, double angle_rad, InfillOptions& infill);
 
-/// The density of lines that lie `free_nm` further apart than lines that fill a layer of that height:
-/// what PrusaSlicer calls support_material_spacing.
+/// Returns the density of lines with an additional distance of `free_nm` between them; 0 fills a
+/// layer of this height completely. PrusaSlicer calls this distance support_material_spacing.
 double LineDensity(Coord width_nm, Coord height_nm, Coord free_nm);
 
 }  // namespace slicefarm::config::fdm

@@ -11,8 +11,8 @@
 namespace slicefarm::config::fdm {
 namespace {
 
-/// Returns the distance from an object to the outer edge of its brim; 0 for auto_brim, whose width
-/// depends on the shape.
+/// Returns the distance from an object to the outer edge of its brim. Returns 0 for auto_brim,
+/// because its width depends on the shape.
 Coord BrimReach(const ObjectPlanOptions& object) {
   const BrimOptions& brim = object.brim;
   const bool outside = brim.type == BrimType::kOuterOnly || brim.type == BrimType::kOuterAndInner ||
@@ -22,7 +22,7 @@ Coord BrimReach(const ObjectPlanOptions& object) {
   return brim.separation_nm + brim.width_nm;
 }
 
-/// Copies that are arranged stand duplicate_distance apart, brims included.
+/// Sets the distance of arranged copies: duplicate_distance between the edges of their brims.
 void LeaveRoomForBrims(JobSettings& plate) {
   Coord reach = 0;
   for (const ObjectRow& object : FdmOf(plate).objects) reach = std::max(reach, BrimReach(object));

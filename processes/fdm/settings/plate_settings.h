@@ -5,11 +5,11 @@
 
 namespace slicefarm::config::fdm {
 
-/// Adds the rows of the object's brim and raft, which its settings name then.
+/// Adds the rows of the object's brim and raft, and stores their numbers in the object's settings.
 absl::Status AddAdhesionRows(JobRows& object, RegionRows& rows);
 
-/// Adds the row of the skirt, and room for brims between copies that are arranged. `job`: the
-/// settings of the job.
+/// Adds the row of the skirt, and the space for brims between arranged copies. `job`: the settings
+/// of the job.
 absl::Status FinishPlate(const JobRows& job, RegionRows& rows, JobSettings& plate);
 
 }  // namespace slicefarm::config::fdm

@@ -22,13 +22,13 @@ constexpr std::array<std::string_view, 3> kToolsOfLines = {"perimeter_extruder",
                                                            "solid_infill_extruder"};
 constexpr double kMost = 255;
 
-/// Of walls, infill and skins.
+/// Tools for walls, infill and skins.
 using Tools = std::array<int, 3>;
 
-/// Tools by what is printed with them, for people.
+/// Names of the printed things, by tool, for messages to people.
 using Uses = std::map<int, std::set<std::string>>;
 
-/// 0: as what stands around it.
+/// Returns the tool number of a setting; 0: the tool of the enclosing scope.
 absl::StatusOr<int> NumberOf(const Setting& setting) {
   const auto number = ToNumber(Trim(setting.value));
   if (number && *number >= 0 && *number <= kMost && *number == static_cast<int>(*number))
@@ -39,7 +39,7 @@ absl::StatusOr<int> NumberOf(const Setting& setting) {
       {{"setting", setting.key}, {"value", setting.value}});
 }
 
-/// What a place with settings of its own makes of the tools around it.
+/// Returns the tools of a scope with settings `own` inside a scope with the tools `around`.
 absl::StatusOr<Tools> Within(Tools around, const Settings& own) {
   Tools exact = {};
   int all = 0;

@@ -9,12 +9,14 @@
 
 namespace slicefarm::config::fdm {
 
-/// The extruder, from 1, with which all that is printed of a plate is printed: by `extruder`,
-/// `perimeter_extruder`, `infill_extruder` and `solid_infill_extruder` of the job, of objects with
-/// a printable copy, of their parts, modifiers and ranges of heights, as PrusaSlicer has them. Of
-/// several it is the first, and `missing` gets `several_tools` (metadata `setting`, `objects`).
-/// Takes those settings out of `job` and `objects`, and puts `extruder` into `job` unless it is the
-/// first one. Errors: SETTING_OUT_OF_RANGE with metadata `setting` for one that is no number.
+/// Finds the extruder, counted from 1, with which the whole plate is printed. It evaluates
+/// `extruder`, `perimeter_extruder`, `infill_extruder` and `solid_infill_extruder` as PrusaSlicer
+/// does. These settings may be in the job, in objects with a printable copy, and in their parts,
+/// modifiers and ranges of heights. If there are several extruders, the first one is used, and
+/// `missing` gets `several_tools` (metadata `setting`, `objects`).
+///
+/// Removes these settings from `job` and `objects`. Adds `extruder` to `job` unless it is the first
+/// one. Errors: SETTING_OUT_OF_RANGE with metadata `setting` for a value that is not a number.
 absl::Status TakeTool(std::vector<Setting>& job, std::vector<SceneObject>& objects,
                       std::vector<MissingFeature>& missing);
 

@@ -35,7 +35,7 @@ struct Case {
   std::string name;
   Settings job;
   std::vector<SceneObject> objects;
-  std::string want;  ///< the job's extruder; empty: the first
+  std::string want;  ///< extruder of the job; empty: the first one
 };
 
 class OneToolTest : public testing::TestWithParam<Case> {};
@@ -111,7 +111,7 @@ TEST_P(ManyToolsTest, AreMissingByName) {
   EXPECT_EQ(missing[0].feature, "several_tools");
   EXPECT_EQ(missing[0].metadata.at("setting"), "extruder");
   for (const std::string& name : GetParam().named) EXPECT_THAT(missing[0].text, HasSubstr(name));
-  // The first of them prints all.
+  // The first of them prints everything.
   const std::string_view tool = job.empty() ? "1" : std::string_view(job.front().value);
   EXPECT_THAT(missing[0].text, HasSubstr("number " + std::string(tool) + ":"));
 }
@@ -142,7 +142,7 @@ TEST(TakeTool, WantsANumber) {
   EXPECT_EQ(DetailOf(TakeTool(job, objects, missing)).reason, Reason::kSettingOutOfRange);
 }
 
-// The second filament is hotter, thicker and pulled back further; so is what is made of it.
+// The second filament is hotter, thicker and retracted further; the derived settings show this.
 TEST(ResolvePlate, TakesTheFilamentOfTheTool) {
   const Settings job = {{"nozzle_diameter", "0.4,0.6", Source::kProfile},
                         {"temperature", "210,245", Source::kProfile},

@@ -5,13 +5,13 @@
 namespace slicefarm::config::fdm {
 namespace {
 
-/// Returns true if walls, or the scarfs and gaps between them, are printed as the feature.
+/// Returns true if walls, or the scarfs and gaps between them, are printed as this feature.
 bool IsOfWalls(Feature feature) {
   return feature == Feature::kExternalPerimeter || feature == Feature::kPerimeter ||
          feature == Feature::kOverhangPerimeter || feature == Feature::kGapFill;
 }
 
-/// Returns the row with standard values for all members that walls do not depend on.
+/// Returns the row with default values for all members that do not affect walls.
 RegionRow WallsOf(const RegionRow& region) {
   RegionRow walls = region;
   walls.walls.wall_class = 0;

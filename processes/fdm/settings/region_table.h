@@ -11,7 +11,7 @@
 
 namespace slicefarm::config::fdm {
 
-/// Regions of a plate for filament printing.
+/// Regions of a plate for FDM.
 class RegionTable : public RegionRows {
  public:
   absl::StatusOr<int32_t> RowOf(const JobRows& settings) override;
@@ -20,7 +20,7 @@ class RegionTable : public RegionRows {
 
  private:
   RowTable<RegionRow> table_;
-  std::vector<RegionRow> wall_classes_;  ///< rows reduced by WallsOf, by wall_class
+  std::vector<RegionRow> wall_classes_;  ///< rows reduced by WallsOf, one per wall_class
 };
 
 }  // namespace slicefarm::config::fdm

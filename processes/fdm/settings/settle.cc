@@ -32,10 +32,11 @@
 namespace slicefarm::config::fdm {
 namespace {
 
-/// How many tools a machine can have.
+/// Maximum number of tools of a machine.
 constexpr double kMostTools = 255;
 
-/// How many extruders the machine has, by its nozzles, or as effective settings tell it.
+/// Returns the number of extruders of the machine: the number of its nozzles, or num_extruders if
+/// it is larger.
 size_t ToolCount(std::span<const Setting> given) {
   size_t nozzles = 1, told = 0;
   for (const Setting& setting : given) {
@@ -61,8 +62,8 @@ absl::Status TakeLayerSettings(const std::string& text, MachineMotion& options) 
                     limits::kMaxSettingBytes, size);
 }
 
-/// What elefant_foot_compensation leaves of thin places: room for the first layer's outer wall and
-/// its neighbour, as PrusaSlicer has it.
+/// Sets the width of thin places that elefant_foot_compensation must preserve: space for the outer
+/// wall of the first layer and the adjacent wall, as in PrusaSlicer.
 void TakeFootWidth(JobRows& settings) {
   const Coord width_nm = FdmOf(settings).region.walls.first_layer_width_nm;
   const Coord spacing_nm = Spacing(width_nm, settings.slicing.first_layer_height_nm);
@@ -70,15 +71,15 @@ void TakeFootWidth(JobRows& settings) {
       width_nm + std::max<Coord>(spacing_nm, 0);
 }
 
-/// Copies that are arranged to be printed one after the other leave room for the head.
+/// Sets the space for the head around arranged copies that are printed one after another.
 void TakeClearance(JobRows& settings) {
   const SequencePlanOptions& sequence = FdmOf(settings).machine.plan.sequence;
   settings.slicing.clearance_radius_nm =
       sequence.complete_objects ? sequence.clearance_radius_nm : 0;
 }
 
-/// What auto_brim knows of the material: how long a part of it may be before it warps, and how well
-/// it holds; and how fast it is printed. Figures are OrcaSlicer's.
+/// Returns the material and speed data of auto_brim: the length at which a part warps, the
+/// adhesion, and the highest print speed. The material values are OrcaSlicer's.
 AutomaticBrim AutomaticBrimOf(const JobRows& settings) {
   struct Material {
     std::string_view type;
@@ -101,7 +102,7 @@ AutomaticBrim AutomaticBrimOf(const JobRows& settings) {
   return brim;
 }
 
-/// What skirt, brim and raft take from settings that are about other things.
+/// Copies values that skirt, brim and raft need from other settings.
 void TakeAdhesion(JobRows& settings) {
   const Coord first_height_nm = settings.slicing.first_layer_height_nm;
   const Coord line_width_nm = FdmOf(settings).region.walls.first_layer_width_nm;
@@ -122,7 +123,8 @@ void TakeAdhesion(JobRows& settings) {
   object.raft_settings.assign(static_cast<size_t>(raft.layers), 0);
 }
 
-/// Gives planning the bed without its excluded areas, and travel too if there are any.
+/// Sets the area for planning: the bed without its excluded areas. Sets the same area for travel if
+/// there are excluded areas.
 absl::Status TakeRoom(JobRows& settings) {
   const JobSlicingOptions& slicing = settings.slicing;
   MachineRow& machine = FdmOf(settings).machine;
@@ -139,7 +141,7 @@ absl::Status TakeRoom(JobRows& settings) {
 
 constexpr Coord kLowestLayerNm = 10'000;
 
-/// A range of heights for layers that fit the shape.
+/// Limits the range of adaptive layer heights.
 void TakeAdaptiveHeights(JobRows& settings) {
   AdaptiveHeights& adaptive = settings.object.adaptive;
   const Coord nozzle_nm = FromMm(FdmOf(settings).tool.nozzle_diameter_mm);
@@ -148,7 +150,7 @@ void TakeAdaptiveHeights(JobRows& settings) {
   adaptive.min_nm = std::clamp<Coord>(adaptive.min_nm, kLowestLayerNm, adaptive.max_nm);
 }
 
-/// What supports take from settings that are about other things.
+/// Copies values that supports need from other settings.
 void TakeSupports(JobRows& settings) {
   SupportOptions& support = FdmOf(settings).object.support;
   support.wall_width_nm = FdmOf(settings).region.walls.external_width_nm;
@@ -160,7 +162,7 @@ void TakeSupports(JobRows& settings) {
   support.min_layer_height_nm = std::min(support.min_layer_height_nm, support.layer_height_nm);
 }
 
-/// How thick the walls are of an island that has room for all of them.
+/// Sets the total width of the walls of an island that has space for all of them.
 void TakeWalls(JobRows& settings) {
   const BeadingOptions& walls = FdmOf(settings).region.walls;
   FdmOf(settings).region.infill.walls_nm =
@@ -169,7 +171,8 @@ void TakeWalls(JobRows& settings) {
           : walls.external_width_nm + (walls.perimeters - 1) * walls.inner_width_nm;
 }
 
-/// From where on a vase is hollow: its bottom has no fewer layers than asked for, and one at least.
+/// Sets the first hollow layer of a vase. Its bottom has the requested number of layers, and at
+/// least one.
 void TakeVase(JobRows& settings) {
   int32_t& hollow_from = settings.object.hollow_from;
   if (hollow_from == 0) return;
@@ -179,8 +182,8 @@ void TakeVase(JobRows& settings) {
                                    .blends = walls.fuzzy == FuzzySkin::kNone};
 }
 
-/// A density that depends on the distance to the surface looks as many layers up and down as it
-/// reaches.
+/// Sets the halo of a density field: the number of layers above and below that a density depends on
+/// through the distance to the surface.
 absl::Status TakeDensityField(JobRows& settings) {
   InfillOptions& infill = FdmOf(settings).region.infill;
   if (infill.density_field.empty()) return absl::OkStatus();
@@ -206,7 +209,8 @@ absl::Status TakeDensityField(JobRows& settings) {
   return absl::OkStatus();
 }
 
-/// Lines that planning lays out do not follow a field.
+/// Refuses density fields for patterns that planning lays out, because these patterns cannot follow
+/// a field.
 absl::Status CheckPlannedPattern(const InfillOptions& infill) {
   const bool planned = infill.choose_pattern || InfoOf(infill.pattern).planned;
   if (!planned || infill.density_field.empty()) return absl::OkStatus();
@@ -223,7 +227,8 @@ Growth GrowthOf(const Draft& draft) {
           growth("filament_shrinkage_compensation_z")};
 }
 
-/// Beads are not higher than the nozzle is wide. Returns what to say of it.
+/// Limits the number of combined infill layers so that beads are not higher than the nozzle
+/// diameter. Returns a note if the number changed.
 std::optional<std::string> TakeEveryLayers(JobRows& settings) {
   int32_t& every = FdmOf(settings).region.infill.every_layers;
   const Coord height_nm = settings.object.layer_height_nm;
@@ -235,16 +240,16 @@ std::optional<std::string> TakeEveryLayers(JobRows& settings) {
                      asked, most);
 }
 
-/// Inner walls with a scarf are loops by themselves: what is printed in one go with the next wall has
-/// no seam.
+/// Makes inner walls with a scarf separate loops. A wall that is printed in one path with the next
+/// wall has no seam for a scarf.
 void TakeInnerScarfs(JobRows& settings) {
   const ScarfOptions& scarf = FdmOf(settings).region.motion.scarf;
   FdmOf(settings).region.order.whole_loops =
       scarf.placement != ScarfPlacement::kNowhere && scarf.on_inner;
 }
 
-/// The limits of the machine's silent mode: the second values of lists, and the first ones of those
-/// that have no others. Firmwares without such a mode know none.
+/// Sets the limits of the machine's silent mode: the second value of each list, or the first value
+/// of a list with only one. Only Marlin firmware has a silent mode.
 absl::Status TakeSilentMode(const Draft& draft, JobRows& settings) {
   MachineMotion& motion = FdmOf(settings).machine.motion;
   const bool marlin =
@@ -266,7 +271,7 @@ absl::Status TakeSilentMode(const Draft& draft, JobRows& settings) {
   return absl::OkStatus();
 }
 
-/// Which of the machine's tools prints, where it has several.
+/// Sets the number of the tool that prints, if the machine has several tools.
 void TakeTool(const Settling& settling) {
   const size_t tools = ToolCount(settling.given);
   if (tools <= 1) return;

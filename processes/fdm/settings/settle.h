@@ -8,15 +8,16 @@
 
 namespace slicefarm::config::fdm {
 
-/// The tool that prints, from 0: the last `extruder` that is given, 0 being none of its own.
+/// Returns the index of the tool that prints, counted from 0. It is the last `extruder` in `given`;
+/// 0 means that the setting selects no tool.
 size_t ToolOf(std::span<const Setting> given);
 
-/// What options of stages take from settings that are about others: growth, adhesion, room for the
-/// head, halos of fields. Errors: those of Resolve about settings that do not fit each other.
+/// Sets the options of stages that depend on several settings: growth, adhesion, space for the
+/// head, halos of fields. Errors: errors of Resolve about settings that contradict each other.
 absl::Status Settle(const Settling& settling);
 
-/// What the G-code of each layer names goes along with its options, and no more: the rest is no
-/// part of what decides a layer. Errors: those of the job's G-code; REQUEST_TOO_LARGE.
+/// Adds the settings that the G-code of each layer refers to, and no other settings. Other settings
+/// must not affect the identity of a layer. Errors: errors of the job's G-code; REQUEST_TOO_LARGE.
 absl::Status TakeGcode(const Draft& draft, ResolvedSettings& result);
 
 }  // namespace slicefarm::config::fdm

@@ -11,7 +11,7 @@
 namespace slicefarm::config::fdm {
 namespace {
 
-/// Of layers that lie on each other, the lowest may have a height of its own.
+/// Heights of stacked layers. The lowest layer may have a different height.
 struct LayerStack {
   Coord first_nm = 0;
   Coord others_nm = 0;
@@ -23,7 +23,7 @@ LayerStack StackOf(const JobRows& settings) {
           object.layer_height_nm};
 }
 
-/// How many layers are `thickness_mm` thick, wherever they lie.
+/// Returns the number of layers that always reach `thickness_mm`, at any height.
 double MostLayers(double thickness_mm, const LayerStack& stack) {
   constexpr double kRounding = 1e-6;
   const double others_mm = ToMm(static_cast<double>(stack.others_nm));

@@ -5,12 +5,14 @@
 
 namespace slicefarm::config::fdm {
 
-/// Under (over) a surface as many layers are solid as top_solid_layers (bottom_solid_layers) says,
-/// and more until they are top_solid_min_thickness (bottom_solid_min_thickness) thick by their own
-/// heights: the options name the most that it may take, and which of them can be spared.
+/// Sets the number of solid layers below top surfaces and above bottom surfaces. The number is
+/// top_solid_layers (bottom_solid_layers). Layers are added until the actual layer heights reach
+/// top_solid_min_thickness (bottom_solid_min_thickness). The options store the maximum number of
+/// layers, and how many of them can be omitted if the rest is thick enough.
 void TakeShells(const Draft& draft, JobRows& settings);
 
-/// How many layers on the bed are solid below a hollow object. REQUIRES: TakeShells.
+/// Returns the number of solid layers at the bottom of a hollow object. REQUIRES: TakeShells was
+/// called.
 int32_t BottomLayers(const JobRows& settings);
 
 }  // namespace slicefarm::config::fdm

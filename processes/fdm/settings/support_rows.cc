@@ -21,8 +21,8 @@ FillPattern PatternOf(SupportPattern pattern) {
   return FillPattern::kAlignedRectilinear;
 }
 
-/// The ragged side of a column has tips. What lies over a shorter one is no farther than this from the
-/// column's other beads.
+/// Minimum length of tips at the ragged side of a support column. If a shorter tip is left out, the
+/// object above it is within this distance of the column's other beads.
 constexpr Coord kLeastTipNm = 1 * kNmPerMm;
 
 void SetLines(const ObjectPlanOptions& object, SupportRow row, BeadingOptions& beading,
@@ -49,7 +49,8 @@ void SetLines(const ObjectPlanOptions& object, SupportRow row, BeadingOptions& b
       FillAlike(0, angle_rad, infill);
       return;
     case SupportRow::kInterface:
-      // A loop ends exactly at the region's edge, and fits into strips where no line across would.
+      // A loop ends exactly at the region's edge, and fits into narrow strips without space for
+      // crossing lines.
       beading.perimeters = 1;
       FillAlike(density(support.interface_spacing_nm), angle_rad + std::numbers::pi / 2, infill);
       if (support.interface_pattern == InterfacePattern::kConcentric)

@@ -5,8 +5,8 @@
 
 namespace slicefarm::config::fdm {
 
-/// The settings of a support's regions, as those of an object come to them: a row for RegionTable.
-/// `settings`: resolved; what counts is the first region.
+/// Returns the row of RegionTable for a support region, derived from the settings of an object.
+/// `settings`: resolved settings; the row uses the first region.
 ///
 ///   row           density                    lines
 ///   first layer   raft_first_layer_density   at support_material_angle, in a loop

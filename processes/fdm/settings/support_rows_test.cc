@@ -13,7 +13,7 @@ namespace slicefarm::config::fdm::support_rows_test {
 namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2;
-/// Of lines 0.4 mm wide that fill a layer of 0.3 mm.
+/// Spacing of lines 0.4 mm wide that fill a layer of 0.3 mm.
 constexpr double kSpacing = 0.4 - 0.3 * (1 - std::numbers::pi / 4);
 
 JobRows Resolved(const std::vector<std::pair<std::string, std::string>>& given) {

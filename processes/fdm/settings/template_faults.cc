@@ -8,7 +8,7 @@
 namespace slicefarm::config::fdm {
 namespace {
 
-/// The template that a job can do without, or nullptr.
+/// Returns the template of a setting that a job does not need, or nullptr.
 SharedText* TemplateOf(const std::string& setting, FdmRows& rows) {
   MachineMotion& motion = rows.machine.motion;
   if (setting == "start_filament_gcode") return &rows.tool.start_filament_gcode;

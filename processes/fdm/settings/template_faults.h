@@ -6,10 +6,10 @@
 
 namespace slicefarm::config::fdm {
 
-/// Takes the G-code template that `fault` names out of the settings and tells `gcode_templates` as
-/// missing. Returns false for a fault of no template, for one that somebody has written by hand, and
-/// for start_gcode and end_gcode: a machine that is not homed, or whose heaters stay on, is a
-/// danger.
+/// Removes the G-code template that `fault` names from the settings and reports `gcode_templates`
+/// as missing. Returns false without a change if the fault concerns no template, or a template that
+/// the request set itself. Also returns false for start_gcode and end_gcode: a machine that is not
+/// homed, or with heaters that stay on, is dangerous.
 bool LeaveOutTemplate(const absl::Status& fault, const Draft& draft, ResolvedSettings& result);
 
 }  // namespace slicefarm::config::fdm

@@ -15,13 +15,13 @@ namespace slicefarm {
 
 struct FdmShared;
 
-/// A range of layers to print, with everything they depend on.
+/// A range of layers to print, with all its inputs.
 struct FdmTask {
   static constexpr Process kProcess = Process::kFdm;
 
   LayerRange range;
-  std::span<const SlicedLayer> layers;  ///< the range and its halo
-  std::span<const LayerPlan> plans;     ///< one for each layer of the range
+  std::span<const SlicedLayer> layers;  ///< layers of the range and its halo
+  std::span<const LayerPlan> plans;     ///< one per layer of the range
   Shared<FdmShared> job;
 
   int32_t Weight() const { return range.size(); }
@@ -31,7 +31,8 @@ struct FdmTask {
 struct FdmResult {
   std::vector<LayerProgram> programs;
   std::vector<LayerWarning> warnings;
-  std::vector<FillUse> fills;  ///< by layer, of all copies; within a layer see AddUse
+  /// layer by layer, summed over all copies; for the order within a layer see AddUse
+  std::vector<FillUse> fills;
   StageTimes times;
 
   size_t Print() const;

@@ -17,8 +17,8 @@ namespace slicefarm {
 
 namespace {
 
-/// The layers of a neighbourhood that hold a halo of `halo`: a stage elsewhere is sent no outlines
-/// that it does not look at. REQUIRES: CheckHalo.
+/// Returns the neighbourhood with a halo of only `halo` layers, so that a remote stage does not
+/// receive outlines that it does not use. REQUIRES: CheckHalo.
 Neighbourhood Trimmed(const Neighbourhood& all, int32_t halo) {
   const int32_t sent_from = all.layers.front().frame.index;
   const LayerRange kept =
@@ -27,8 +27,8 @@ Neighbourhood Trimmed(const Neighbourhood& all, int32_t halo) {
           all.layers.subspan(static_cast<size_t>(kept.first), static_cast<size_t>(kept.size()))};
 }
 
-/// Gives motion what it looks at: below walls if it `looks` there, and below turns of a spiral.
-/// `plans`: one a layer.
+/// Adds the outlines below to the blocks for which motion needs them: all blocks if `looks` is
+/// true, and turns of a spiral. `plans`: one per layer.
 void AddBelow(std::span<const SlicedLayer> sliced, std::span<const LayerPlan> plans, bool looks,
               std::vector<OrderedLayer>& ordered) {
   const ObjectLayers stacks(sliced);
@@ -50,9 +50,9 @@ void NoteWarnings(const std::vector<WalledLayer>& layers, std::vector<LayerWarni
   }
 }
 
-/// What the infill of all copies comes to. The layers go on without it.
+/// Moves the infill figures out of the layers and returns them, summed over all copies.
 std::vector<FillUse> TakeUses(std::vector<FilledLayer>& layers, std::span<const Copy> copies) {
-  std::map<int32_t, int64_t> count = {{kPlateObject, 1}};  // by object
+  std::map<int32_t, int64_t> count = {{kPlateObject, 1}};  // number of copies by object
   for (const Copy& copy : copies) ++count[copy.object];
   std::vector<FillUse> all;
   for (FilledLayer& layer : layers) {
@@ -65,7 +65,7 @@ std::vector<FillUse> TakeUses(std::vector<FilledLayer>& layers, std::span<const 
   return all;
 }
 
-/// What each stage is told of the whole job.
+/// Job-wide inputs of each stage.
 struct StageJobs {
   Shared<BeadingTable> beading;
   Shared<InfillTable> infill;

@@ -11,15 +11,14 @@
 
 namespace slicefarm {
 
-/// The four layer stages one after the other, each local or remote. The stages must outlive the
-/// chain.
+/// The four layer stages in sequence, each local or remote. The stages must outlive the chain.
 class LayerChain : public FdmRunner {
  public:
   LayerChain(const BeadingStage& beading, const InfillStage& infill, const OrderingStage& ordering,
              const MotionStage& motion)
       : beading_(beading), infill_(infill), ordering_(ordering), motion_(motion) {}
 
-  /// Null: one of them is missing.
+  /// Returns the chain, or null if one of the stages is missing.
   static std::shared_ptr<const LayerChain> Over(const Stages& stages);
   static std::vector<Stage> StagesOf();
 

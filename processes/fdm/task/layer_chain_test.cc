@@ -18,7 +18,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Notes which layers it sees; each walled layer has as many plain islands as its index.
+/// Beading stage that records its input layers. Each walled layer has as many plain islands as its
+/// index.
 struct Beading : BeadingStage {
   absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall&, const Neighbourhood& hood,
                                                 const Shared<BeadingTable>&) const override {
@@ -45,7 +46,7 @@ struct Infill : InfillStage {
     return filled;
   }
   bool fails = false;
-  std::vector<FilledSection> sections;  ///< of each layer
+  std::vector<FilledSection> sections;  ///< same sections for each layer
   mutable LayerRange seen;
 };
 
@@ -128,12 +129,12 @@ TEST_F(LayerChainTest, EachStageIsGivenWhatItWorksFrom) {
   const auto result = Run({8, 11}, {0, 20});
   ASSERT_TRUE(result.ok()) << result.status();
   EXPECT_EQ(result->programs.size(), 3u);
-  EXPECT_EQ(result->programs[0].frame.index, 3);  // the facts came through
+  EXPECT_EQ(result->programs[0].frame.index, 3);  // the facts reached the stage
   EXPECT_EQ(ordering_.plan_count, 3u);
   EXPECT_EQ(ordering_.copy_count, 3u);
 }
 
-// Only if walls are slowed down or cooled over air.
+// Motion gets the layer below only if walls over air are slowed down or cooled.
 TEST_F(LayerChainTest, MotionIsGivenWhatLiesBelow) {
   for (size_t i = 0; i < layers_.size(); ++i) {
     const Coord x = FromMm(static_cast<double>(i));
@@ -151,7 +152,7 @@ TEST_F(LayerChainTest, MotionIsGivenWhatLiesBelow) {
   EXPECT_THAT(motion_.below, ElementsAre(IsEmpty())) << "nothing lies below an object";
 }
 
-// Beading elsewhere is not sent outlines that only infill looks at.
+// A remote beading stage does not receive outlines that only infill uses.
 TEST_F(LayerChainTest, AStageIsSentItsOwnHaloOnly) {
   ASSERT_TRUE(Run({8, 11}, {0, 20}).ok());
   const int32_t halo = BeadingHaloLayers(settings_);
@@ -166,7 +167,8 @@ TEST_F(LayerChainTest, PlainIslandsAreWarnedOf) {
                                             LayerWarning{.layer = 2, .plain_islands = 2}));
 }
 
-// Each layer's apart, so that sums over the job do not depend on how it was cut into ranges.
+// Figures are separate for each layer, so that sums over the job do not depend on its division into
+// ranges.
 TEST_F(LayerChainTest, WhatInfillComesToIsCountedForEachCopy) {
   const auto use = [](int32_t settings, int64_t paths) {
     FillUse of;

@@ -4,8 +4,8 @@
 
 namespace slicefarm {
 
-/// Tasks of filament printing: v1::FdmWork, then the outlines of its layers with their halo. Lives
-/// as long as the program.
+/// Returns the wire format of FDM tasks: v1::FdmWork, then the outlines of the layers with their
+/// halo. The result exists as long as the program.
 const TaskWire& FdmWire();
 
 }  // namespace slicefarm

@@ -13,13 +13,14 @@
 
 namespace slicefarm {
 
-/// FdmTask but its outlines and its job.
+/// An FdmTask without its outlines and its job.
 struct FdmWork {
   LayerRange range;
-  std::vector<LayerPlan> plans;  ///< one for each layer of the range
+  std::vector<LayerPlan> plans;  ///< one per layer of the range
 };
 
-/// Errors: REQUEST_MALFORMED and REQUEST_TOO_LARGE with the way to the field.
+/// Converts a task to its message. Errors: REQUEST_MALFORMED and REQUEST_TOO_LARGE with the path to
+/// the field.
 absl::Status ToProto(const FdmWork& work, v1::FdmWork* proto);
 absl::StatusOr<FdmWork> FromProto(const v1::FdmWork& proto);
 
@@ -27,7 +28,7 @@ absl::Status ToProto(const FdmShared& job, v1::FdmShared* proto);
 absl::StatusOr<FdmShared> FromProto(const v1::FdmShared& proto);
 
 namespace v1 {
-using slicefarm::FromProto;  // so that templates find it by the message's namespace
+using slicefarm::FromProto;  // templates find it by the message's namespace
 }  // namespace v1
 
 template <>

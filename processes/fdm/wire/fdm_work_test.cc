@@ -16,7 +16,7 @@ constexpr LayerRange kRange{3, 5};
 
 std::vector<Copy> Copies() { return {{0, {}, 0}, {1, {2'000, -3'000}, 4}}; }
 
-// The bindings name every member: a new one does not compile until it is sent here, and so on the
+// Sets every member. A new member does not compile until it is set here, and thus tested on the
 // wire.
 FdmWork Work() {
   FdmWork work;
@@ -49,8 +49,8 @@ TEST(FdmWork, Returns) {
 }
 
 TEST(FdmWork, EveryFieldChangedAloneReturns) {
-  // Another range has another number of plans; the only copy of "a" has no second one; one
-  // nanometre more is no whole micrometre.
+  // Some changes cannot be accepted: another range has another number of plans, the only copy of
+  // "a" has no second one, and one additional nanometre is not a whole micrometre.
   ExpectEveryChangeReturns<v1::FdmWork, FdmWork>(ProtoOf<v1::FdmWork>(Work()), {"range"});
   ExpectEveryChangeReturns<v1::FdmShared, FdmShared>(ProtoOf<v1::FdmShared>(Job()),
                                                      {"settings", "shift", "facts.copies[0].copy"});
@@ -82,7 +82,7 @@ TEST(FdmWork, RefusesWhatDoesNotAddUp) {
   ExpectMalformed(FromProto(job).status(), "facts.copies[0].copy");
 }
 
-// A huge range must not be paid for before its plans are counted.
+// A huge range must be refused before memory for its plans is allocated.
 TEST(FdmWork, ARangeWithoutItsPlansIsRefused) {
   auto work = ProtoOf<v1::FdmWork>(Work());
   work.mutable_range()->set_first(0);

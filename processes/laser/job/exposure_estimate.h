@@ -9,9 +9,9 @@ struct ExposureSettings;
 
 namespace slicefarm::coordinator {
 
-/// What scanning will take, from areas and perimeters alone: each area by hatch distance and speed,
-/// each contour by its speed, and recoating before each layer. Jumps and delays are left out; there
-/// is no filament. Cost: O(points).
+/// Estimates the scanning time from areas and perimeters alone. Areas count with the hatch distance
+/// and speed, contours with their speed, and each layer with its recoating time. Jumps and delays
+/// are left out, and there is no filament. Cost: O(points).
 JobEstimate EstimateExposure(const SlicedOutlines& job, const ExposureSettings& settings);
 
 }  // namespace slicefarm::coordinator

@@ -11,7 +11,8 @@
 namespace slicefarm::coordinator::exposure_estimate_test {
 namespace {
 
-// A square of 10 mm: 100 mm2 at 0.1 mm are 1,000 mm of hatch, and two contours 80 mm.
+// A square of 10 mm has 1,000 mm of hatch at a distance of 0.1 mm, and two contours of 80 mm in
+// total.
 TEST(EstimateExposure, IsAreaByHatchAndPerimeterByContours) {
   ExposureSettings settings;
   settings.regions[0].hatch_distance_nm = FromMm(0.1);

@@ -34,9 +34,9 @@ absl::Status CheckLayer(const ExposureOutput& output, size_t layers) {
        {"max", absl::StrCat(layers - 1)}});
 }
 
-/// A layer's part of the file, whose text is in a spool.
+/// A layer of the file. Its text is in a spool.
 struct SpooledExposure {
-  ExposedProgram program;  ///< without its text
+  ExposedProgram program;  ///< the program without its text
   SpoolFile::Place text;
 };
 
@@ -131,7 +131,7 @@ class LaserJob : public PlannedJob {
   }
 
  private:
-  /// What a task came to.
+  /// Result of one task.
   struct Range {
     std::vector<SpooledExposure> programs;
     StageTimes times;
@@ -178,7 +178,7 @@ class LaserJob : public PlannedJob {
   const std::vector<SlicedLayer> layers_;
   const std::vector<std::string> object_names_;
   std::unique_ptr<SpoolFile> spool_;
-  std::vector<Range> ranges_;  ///< by task
+  std::vector<Range> ranges_;  ///< one per task
 };
 
 }  // namespace

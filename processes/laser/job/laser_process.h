@@ -10,21 +10,22 @@
 
 namespace slicefarm::coordinator {
 
-/// Meshes to a file of scan vectors:
+/// Makes a file of scan vectors from meshes, in these steps:
 ///   1 slicing   2 ranges with halo (range_split.h)   3 tasks   4 frame and assembly
 class LaserProcess : public JobProcess {
  public:
-  /// The stages must outlive it. `spool_directory`: where programs wait for each other
-  /// (SpoolFile::Make).
+  /// Creates a process. The stages must outlive it. `spool_directory`: directory for programs that
+  /// wait for other programs (SpoolFile::Make).
   LaserProcess(const SlicingStage& slicing, const ExposureStage& exposure,
                std::string spool_directory = "")
       : slicing_(slicing), exposure_(exposure), spool_directory_(std::move(spool_directory)) {}
 
-  /// Null: a stage is missing.
+  /// Returns a process over these stages, or null if a stage is missing.
   static std::unique_ptr<JobProcess> Over(const Stages& stages, const std::string& spool_directory);
 
   Process process() const override { return Process::kLaser; }
-  /// Errors also: SETTING_OUT_OF_RANGE if the one layer that is asked for is not there.
+  /// Errors as in JobProcess, and SETTING_OUT_OF_RANGE if the settings request a single layer that
+  /// does not exist.
   absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
                                                    JobInput input) const override;
   absl::StatusOr<JobEstimate> Estimate(const StageCall& call, SlicedJob sliced, JobInput input,

@@ -18,7 +18,7 @@
 namespace slicefarm::coordinator::laser_process_test {
 namespace {
 
-/// A layer of 1 mm for each letter; 'x' has an outline.
+/// Slicing stage that returns a layer of 1 mm for each letter. An 'x' has an outline.
 class FakeSlicing : public SlicingStage {
  public:
   absl::StatusOr<SlicedJob> Slice(const StageCall&, SliceInput input,
@@ -40,7 +40,7 @@ class FakeSlicing : public SlicingStage {
   }
 };
 
-/// Writes the layer's number and its copies.
+/// Exposure stage that writes the number of the layer and its copies.
 class FakeExposure : public ExposureStage {
  public:
   absl::StatusOr<std::vector<ExposedProgram>> Expose(const StageCall&, const Neighbourhood& hood,
@@ -145,7 +145,7 @@ TEST_F(LaserProcessTest, ReportsTimesByLayer) {
             (std::vector<double>{0.75, 0, 0.75}));
 }
 
-/// What is exposed lies from (0, 0) to (2, 9) nm.
+/// The exposed area extends from (0, 0) to (2, 9) nm.
 TEST_F(LaserProcessTest, SkywritingStaysOnTheBed) {
   ExposureOptions& options = ExposureOf(settings_).regions[0];
   options.strategy = ScanStrategy::kHatch;

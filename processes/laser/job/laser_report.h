@@ -7,12 +7,12 @@
 
 namespace slicefarm::coordinator {
 
-/// What a report tells of lasers: `exposure`, with `recoating_s` and the times by layer as
+/// Part `exposure` of the report of a laser job, with `recoating_s` and the times by layer as
 /// `layers_s`.
 struct LaserReport : OwnReport {
   ExposureReport exposure;
-  double recoating_s = 0;       ///< of print_time_s
-  std::vector<double> layer_s;  ///< recoating included
+  double recoating_s = 0;       ///< part of print_time_s that is spent on recoating
+  std::vector<double> layer_s;  ///< includes recoating
 
   void AddTo(nlohmann::ordered_json& json) const override;
 };

@@ -15,7 +15,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// The longest way before and after lines with the laser off, and the setting that asks for it.
+/// The longest run before and after lines with the laser off, and the setting that requests it.
 struct LongestRun {
   Coord run_nm = 0;
   std::string setting;
@@ -32,8 +32,8 @@ LongestRun RunOf(std::span<const ExposureOptions> regions) {
   return longest;
 }
 
-/// Of what contours may reach, by object: all that lies compensation within the outlines' bounds,
-/// or in fact.
+/// Returns the bounding boxes of the area that contours can reach, by object. `exact`: insets the
+/// outlines by the beam compensation; otherwise insets their bounding boxes.
 std::map<int32_t, Box> ExposedBoxes(const SlicedOutlines& job, const ExposureSettings& exposure,
                                     bool exact) {
   std::map<int32_t, Box> boxes;
@@ -85,7 +85,8 @@ absl::Status CheckRuns(const ExposureSettings& settings, const Polygon& bed,
   const auto check = [&](bool exact) {
     return CheckRuns(settings, bed, OnPlate(ExposedBoxes(job, settings, exact), job.copies));
   };
-  // Corners are farther within than sides are: a look at the sides settles most.
+  // The inset of a sharp corner is farther inside than the inset of the box. The cheap check of
+  // boxes therefore suffices in most cases, and the exact check follows only if it fails.
   return check(false).ok() ? absl::OkStatus() : check(true);
 }
 

@@ -14,13 +14,13 @@ struct ExposureSettings;
 
 namespace slicefarm::coordinator {
 
-/// OUT_OF_BUILD_VOLUME, naming the setting, if the scanner may leave the bed where it runs on
-/// beyond lines with the laser off (skywriting, contour_run): what is exposed must lie as far from
-/// the bed's edge as the longest run. `exposed`: on the plate.
+/// Checks that the scanner stays on the bed where it runs beyond lines with the laser off
+/// (skywriting, contour_run). The exposed area must be at least the longest run away from the bed's
+/// edge. Returns OUT_OF_BUILD_VOLUME, with the setting, if it is not. `exposed`: on the plate.
 absl::Status CheckRuns(const ExposureSettings& settings, const Polygon& bed, const Box& exposed);
 
-/// The same before anything is scanned, by the outermost contours; thin walls are left out.
-/// Cost: O(points), and an offset of each outline if it fails.
+/// Checks the same before anything is scanned, from the outermost contours. Thin walls are left
+/// out. Cost: O(points), and an offset of each outline if the first check fails.
 absl::Status CheckRuns(const ExposureSettings& settings, const Polygon& bed,
                        const SlicedOutlines& job);
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kLeastHatchMm = 0.001;
 
-/// The keys of the hatch distances that are given: skins may have their own.
+/// Returns the keys of the given hatch distances; skins may have their own distances.
 std::vector<std::string_view> HatchDistances(const Draft& draft) {
   std::vector<std::string_view> keys = {"hatch_distance"};
   for (const std::string_view key : {"upskin_distance", "downskin_distance"})
@@ -25,7 +25,8 @@ std::vector<std::string_view> HatchDistances(const Draft& draft) {
   return keys;
 }
 
-/// Stripes and islands that overlap by all of their width would not get on.
+/// Checks widths and overlaps. Stripes and islands must be wider than their overlaps, because
+/// otherwise each one would not advance beyond the previous one.
 absl::Status CheckScan(const Draft& draft) {
   const double overlap = draft.Number("scan_overlap");
   for (const std::string_view width : {"stripe_width", "island_width"}) {
@@ -56,7 +57,8 @@ absl::Status CheckScan(const Draft& draft) {
   return absl::OkStatus();
 }
 
-/// Lines both ways can keep from the flow of gas by half as much as lines of one direction.
+/// Checks the angle window around the gas flow. Lines that run in both directions can use only half
+/// the window of lines in one direction.
 absl::Status CheckGas(const Draft& draft) {
   const bool islands = draft.Number("scan_strategy") == static_cast<double>(ScanStrategy::kIslands);
   const double window = draft.Number("gas_window"), widest = kWidestGasWindowDeg / 2;
@@ -69,7 +71,7 @@ absl::Status CheckGas(const Draft& draft) {
       {{"setting", "gas_window"}, {"value", PrintNumber(window)}, {"max", PrintNumber(widest)}});
 }
 
-/// G-code says power as a part of the laser's full power.
+/// Checks power values. G-code contains power as a fraction of the laser's full power.
 absl::Status CheckPower(const Draft& draft) {
   const auto format = static_cast<OutputFormat>(std::lround(draft.Number("output_format")));
   if (format != OutputFormat::kGrbl && format != OutputFormat::kMarlin) return absl::OkStatus();

@@ -5,7 +5,7 @@
 
 namespace slicefarm::config::laser {
 
-/// Whether the values fit each other. Errors: SETTING_OUT_OF_RANGE.
+/// Checks that the values are consistent with each other. Errors: SETTING_OUT_OF_RANGE.
 absl::Status CheckSettings(const Draft& draft);
 
 }  // namespace slicefarm::config::laser

@@ -5,9 +5,9 @@
 
 namespace slicefarm::config::laser {
 
-/// Turns what refers to other settings into what it comes to: first_layer_height in percent, and
-/// outline_resolution to no less than resolution. Errors: SETTING_OUT_OF_RANGE for what a
-/// percentage comes to.
+/// Replaces values that refer to other settings by numbers: first_layer_height in percent, and
+/// outline_resolution, which is at least resolution. Errors: SETTING_OUT_OF_RANGE for the result of
+/// a percentage.
 absl::Status Derive(Draft& draft);
 
 }  // namespace slicefarm::config::laser

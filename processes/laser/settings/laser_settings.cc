@@ -15,7 +15,8 @@
 namespace slicefarm::config::laser {
 namespace {
 
-/// Layers of powder and resin are thinner than those of beads.
+/// Returns settings with the default heights of powder and resin layers, which are thinner than
+/// layers of beads.
 std::vector<SettingSpec> ThinLayers() {
   std::vector<SettingSpec> all = LayerSettings();
   for (SettingSpec& spec : all) {

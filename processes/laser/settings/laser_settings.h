@@ -4,7 +4,8 @@
 
 namespace slicefarm::config::laser {
 
-/// The settings of lasers that scan powder or resin. Lives as long as the program.
+/// Returns the settings of lasers that scan powder or resin. The result exists as long as the
+/// program.
 const ProcessSettings& Settings();
 
 }  // namespace slicefarm::config::laser

@@ -49,13 +49,13 @@ TEST(ResolveLaser, EverySettingReachesItsOption) {
   EXPECT_EQ(region.jump.speed_mm_s, 7000);
   EXPECT_EQ(ExposureOf(resolved->settings).output.format, OutputFormat::kCliBinary);
   EXPECT_EQ(resolved->settings.object.layer_height_nm, 30'000);
-  // Rings do not turn, there is no upskin, and a CLI file says nothing of jumps.
+  // Rings do not turn, there is no upskin, and a CLI file has no jumps.
   EXPECT_THAT(resolved->no_effect,
               ElementsAre(HasSubstr("hatch_rotation = 90: "), HasSubstr("upskin_power = 150: "),
                           HasSubstr("jump_speed = 7000: ")));
 }
 
-// The table's standards are the options' own defaults.
+// The default values in the table equal the default values of the options.
 TEST(ResolveLaser, StandardsAreTheDefaults) {
   const auto resolved = OfLaser({});
   ASSERT_TRUE(resolved.ok()) << resolved.status();
@@ -132,7 +132,7 @@ TEST(ResolveLaser, TellsWhatTheFileCannotSay) {
       {{{"contours", "0"}, {"contour_start", "rear"}},
        {"contour_start = rear: needs contours of more than 0"}},
       {{{"contour_run", "0.1"}, {"z_compensation_layers", "2"}, {"recoating_time", "7"}}, {}},
-      {{{"laser_spot", "0.1"}, {"contours", "0"}}, {}},  // what it leaves open is reported
+      {{{"laser_spot", "0.1"}, {"contours", "0"}}, {}},  // the report has the unmelted share
       {{{"output_format", "grbl"},
         {"hatch_focus", "1"},
         {"jump_delay", "100"},
@@ -187,7 +187,7 @@ TEST(ResolveLaser, TemplatesAreCheckedBeforeAnyWork) {
     EXPECT_EQ(detail.metadata.at("setting"), key);
     EXPECT_EQ(detail.metadata.at("line"), "2");
   }
-  // A profile's own, for a file that has no place for it.
+  // A template of a profile is accepted, although the file format has no place for it.
   EXPECT_TRUE(OfLaser({{"start_gcode", "[extruded_volume]"}}, Source::kProfile).ok());
 }
 

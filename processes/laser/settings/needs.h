@@ -6,7 +6,8 @@
 
 namespace slicefarm::config::laser {
 
-/// What a file cannot say has an effect on the report alone: its times and energies.
+/// Returns the conditions under which settings have an effect. A setting that the file format
+/// cannot express still affects the times and energies in the report.
 std::vector<Need> Needs();
 
 }  // namespace slicefarm::config::laser

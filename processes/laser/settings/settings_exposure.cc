@@ -28,7 +28,7 @@ Choice Named(std::string_view name, Enum value) {
   return {name, static_cast<int>(value)};
 }
 
-/// Keys and words that are put together live as long as the table.
+/// Returns a view of a text that exists as long as the table; used for assembled keys and texts.
 std::string_view Kept(std::string text) {
   static auto& texts = *new std::deque<std::string>();
   return texts.emplace_back(std::move(text));
@@ -250,7 +250,7 @@ std::vector<SettingSpec> ScanSettings() {
   };
 }
 
-/// The style of one kind of vector: keys `contour_power` and so on.
+/// Appends the style settings of one kind of vector: keys `contour_power` and so on.
 template <size_t kKind>
 void AppendStyle(std::vector<SettingSpec>& all) {
   const auto kind = static_cast<ExposureKind>(kKind);
@@ -345,7 +345,7 @@ std::vector<SettingSpec> ExposureTable() {
   AppendStyle<3>(all);
   AppendStyle<4>(all);
   static_assert(kExposureKindCount == 5);
-  // Gas flows one way over the whole bed.
+  // Gas flows in one direction over the whole bed, so objects cannot override it.
   for (SettingSpec& spec : all)
     if (spec.key == "gas_flow") spec.own_scope = Scope::kJob;
   std::ranges::move(OutputSettings(), std::back_inserter(all));

@@ -6,7 +6,7 @@
 
 namespace slicefarm::config::laser {
 
-/// How layers are scanned, and what the file says of it.
+/// Returns the settings of scanning and of the file format.
 std::vector<SettingSpec> ExposureTable();
 
 }  // namespace slicefarm::config::laser

@@ -8,12 +8,12 @@
 
 namespace slicefarm {
 
-/// The layer stage of lasers, local or remote. It must outlive the chain.
+/// The exposure stage, local or remote. The stage must outlive the chain.
 class LaserChain : public LaserRunner {
  public:
   explicit LaserChain(const ExposureStage& exposure) : exposure_(exposure) {}
 
-  /// Null: it is missing.
+  /// Returns the chain, or null if the stage is missing.
   static std::shared_ptr<const LaserChain> Over(const Stages& stages) {
     if (stages.exposure == nullptr) return nullptr;
     return std::make_shared<LaserChain>(*stages.exposure);

@@ -13,12 +13,12 @@
 
 namespace slicefarm {
 
-/// A range of layers to scan, with everything they depend on.
+/// A range of layers to scan, with all its inputs.
 struct LaserTask {
   static constexpr Process kProcess = Process::kLaser;
 
   LayerRange range;
-  std::span<const SlicedLayer> layers;  ///< the range and its halo
+  std::span<const SlicedLayer> layers;  ///< layers of the range and its halo
   Shared<ExposureJob> job;
 
   int32_t Weight() const { return range.size(); }

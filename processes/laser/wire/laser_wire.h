@@ -4,8 +4,8 @@
 
 namespace slicefarm {
 
-/// Tasks of lasers: v1::LaserWork, then the outlines of its layers with their halo. Lives as long
-/// as the program.
+/// Returns the wire format of laser tasks: v1::LaserWork, then the outlines of the layers with
+/// their halo. The result exists as long as the program.
 const TaskWire& LaserWire();
 
 }  // namespace slicefarm

@@ -8,7 +8,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Of all copies of a layer, in mm and mm2.
+/// Sums over all copies of a layer, in mm and mm2.
 struct LayerSums {
   double area = 0;
   double perimeter = 0;
@@ -37,7 +37,7 @@ LayerSums SumsOf(const SlicedLayer& layer, std::span<const PlacedCopy> copies) {
   return sums;
 }
 
-/// The box around all copies, as seen from above, grown by the margin.
+/// Returns the area of the box around all copies, seen from above and grown by the margin.
 double StockAreaMm2(std::span<const PlacedCopy> copies, double margin_mm) {
   Box box;
   bool first = true;

@@ -5,10 +5,13 @@
 
 namespace slicefarm::coordinator {
 
-/// What milling will take, from areas and perimeters of layers alone: roughing by the volume that
-/// goes over stepover times stepdown, waterlines by perimeter, rest areas by what of a layer
-/// nothing lies above. Entries, rapid moves and the way around the stock are left out; a stock that
-/// is an object counts as a part, as layers do not tell them apart. Cost: O(points).
+/// Estimates the milling time from areas and perimeters of layers alone:
+/// - roughing from the removed volume, divided by stepover times stepdown;
+/// - waterlines from the perimeters;
+/// - rest areas from the area of each layer that no layer above covers.
+///
+/// Entries, rapid moves and the passes around the stock are left out. A stock that is an object
+/// counts as a part, because the layers do not distinguish them. Cost: O(points).
 JobEstimate EstimateMilling(const SlicedOutlines& job, const MillingOptions& how);
 
 }  // namespace slicefarm::coordinator

@@ -7,7 +7,7 @@
 namespace slicefarm::coordinator::mill_estimate_test {
 namespace {
 
-/// A block of 10 x 10 mm, so many layers of 1 mm high.
+/// A block of 10 x 10 mm with a given number of layers, each 1 mm high.
 struct Block {
   explicit Block(int count) {
     Polygon square = {{0, 0}, {FromMm(10), 0}, {FromMm(10), FromMm(10)}, {0, FromMm(10)}};
@@ -26,10 +26,10 @@ struct Block {
 };
 
 TEST(EstimateMilling, AddsWhatIsCut) {
-  MillingOptions how;  // a stepover of 1.6 mm, a stepdown of 1 mm, 800 mm a minute
+  MillingOptions how;  // a stepover of 1.6 mm, a stepdown of 1 mm, 800 mm/min
   how.finishing = false;
   const Block block(5);
-  // A box of 12 x 12 x 6 mm less 500 mm3.
+  // The removed volume is a box of 12 x 12 x 6 mm less 500 mm3.
   const JobEstimate rough = EstimateMilling(block.outlines(), how);
   EXPECT_NEAR(rough.print_time_s, 60 * (144.0 * 6 - 500) / 1.6 / 800, 1e-9);
   EXPECT_EQ(rough.layers, 6);

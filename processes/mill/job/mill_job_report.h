@@ -7,7 +7,7 @@
 
 namespace slicefarm::coordinator {
 
-/// What a report tells of milling: `milling`, with its phases, the stock and the check for gouges.
+/// Part `milling` of the report of a milling job: its phases, the stock and the check for gouges.
 struct MillJobReport : OwnReport {
   MillReport report;
   MillLayout layout;

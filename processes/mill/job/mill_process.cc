@@ -35,7 +35,7 @@ absl::StatusOr<MillScene> PlaceScene(const StageCall& call, const PlacingStage& 
   return MillSceneOf(*std::move(parts), std::move(stock), settings);
 }
 
-/// What a mesh takes as long as the job runs.
+/// Returns the memory of a mesh, in bytes. The job holds this memory until it ends.
 int64_t BytesOf(const IndexedMesh& mesh) {
   return static_cast<int64_t>(mesh.vertices.size() * sizeof(mesh.vertices[0]) +
                               mesh.triangles.size() * sizeof(mesh.triangles[0]));
@@ -138,7 +138,7 @@ class MillJob : public PlannedJob {
   const std::string settings_text_;
   JobReport report_;
   std::unique_ptr<SpoolFile> spool_;
-  std::vector<MillResult> made_;  ///< by task
+  std::vector<MillResult> made_;  ///< one per task
 };
 
 }  // namespace

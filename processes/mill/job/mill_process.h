@@ -10,21 +10,22 @@
 
 namespace slicefarm::coordinator {
 
-/// Meshes to a milling program:
+/// Makes a milling program from meshes, in these steps:
 ///   1 placing   2 part and stock (mill_scene.h)   3 levels and rows   4 tasks (step_split.h)
-///   5 the program put together
+///   5 assembly of the program
 class MillProcess : public JobProcess {
  public:
-  /// The stages must outlive it. `spool_directory`: where programs wait (SpoolFile::Make).
+  /// Creates a process. The stages must outlive it. `spool_directory`: directory for programs that
+  /// wait (SpoolFile::Make).
   MillProcess(const PlacingStage& placing, const MillingStage& milling,
               std::string spool_directory = "")
       : placing_(placing), milling_(milling), spool_directory_(std::move(spool_directory)) {}
 
-  /// Null: a stage is missing.
+  /// Returns a process over these stages, or null if a stage is missing.
   static std::unique_ptr<JobProcess> Over(const Stages& stages, const std::string& spool_directory);
 
   Process process() const override { return Process::kMill; }
-  /// Errors also: those of TakeStock and MillSceneOf.
+  /// Errors as in JobProcess, and errors of TakeStock and MillSceneOf.
   absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
                                                    JobInput input) const override;
   absl::StatusOr<JobEstimate> Estimate(const StageCall& call, SlicedJob sliced, JobInput input,

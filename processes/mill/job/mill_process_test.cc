@@ -18,7 +18,7 @@
 namespace slicefarm::coordinator::mill_process_test {
 namespace {
 
-/// An object of a triangle for each of the input.
+/// Placing stage that returns an object with one triangle for each object of the input.
 class FakePlacing : public PlacingStage {
  public:
   absl::StatusOr<PlacedScene> Place(const StageCall&, SliceInput input,

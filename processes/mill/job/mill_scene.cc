@@ -22,7 +22,8 @@ absl::Status StockError(std::string_view stock, std::string_view what,
                    {{"setting", "stock"}, {"value", std::string(stock)}});
 }
 
-/// The files that an object needs, with their numbers as in the job; of the others only the names.
+/// Returns the files of the job, with the same numbers. Files that the object does not use have
+/// only a name and no bytes.
 std::vector<MeshFile> FilesOf(const ObjectInput& object, const std::vector<MeshFile>& files) {
   std::vector<MeshFile> own;
   for (size_t i = 0; i < files.size(); ++i) {
@@ -49,7 +50,7 @@ Vertex Sum(const Vertex& a, const Vertex& b) { return {a.x + b.x, a.y + b.y, a.z
 Vertex Minus(const Vertex& a) { return {-a.x, -a.y, -a.z}; }
 Vertex At(Point shift) { return {shift.x, shift.y, 0}; }
 
-/// Calls `visit` with each solid part and each of its copies' shifts.
+/// Calls `visit` with each solid part and the shift of each of its copies.
 template <class Visit>
 void ForEachCopy(const PlacedScene& scene, const Visit& visit) {
   for (const PlacedSceneObject& object : scene.objects)
@@ -66,7 +67,7 @@ Bounds BoundsOf(const PlacedScene& scene) {
   return bounds;
 }
 
-/// All copies on the bed, moved.
+/// Returns all copies on the bed as one mesh, moved by `by`.
 IndexedMesh Joined(const PlacedScene& scene, const Vertex& by) {
   IndexedMesh all;
   ForEachCopy(scene, [&](const IndexedMesh& mesh, Point shift) {
@@ -109,7 +110,7 @@ absl::Status CheckReach(const IndexedMesh& mesh) {
   return absl::OkStatus();
 }
 
-/// What is added to places on the bed.
+/// Returns the vector from bed coordinates to program coordinates.
 Vertex ToProgram(const PlacedScene& parts, const std::optional<PlacedScene>& stock,
                  const MillSettings& settings) {
   switch (settings.origin) {
@@ -165,7 +166,7 @@ absl::StatusOr<PartsAndStock> TakeStock(PlacingInput job, std::string_view stock
   own.meshes.objects = {std::move(*found)};
   own.options = job.options;
   own.options.objects = {job.options.objects[static_cast<size_t>(index)]};
-  // A blank may be larger than the table.
+  // A stock may be larger than the table.
   own.options.bed.clear();
   own.options.max_print_height_nm = 0;
   objects.erase(found);

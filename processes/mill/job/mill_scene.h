@@ -13,7 +13,7 @@
 
 namespace slicefarm::coordinator {
 
-/// What placing is asked: once for the parts, once for the stock.
+/// Input of the placing stage, which runs once for the parts and once for the stock.
 struct PlacingInput {
   SliceInput meshes;
   SlicingOptions options;
@@ -21,24 +21,25 @@ struct PlacingInput {
 
 struct PartsAndStock {
   PlacingInput parts;
-  std::optional<PlacingInput> stock;  ///< none: a box
+  std::optional<PlacingInput> stock;  ///< none: the stock is a box
 };
 
-/// Takes the object that is the stock out of a job's. Errors: SETTING_MALFORMED, with `setting`,
-/// if `stock` is the name of no object or of several; NOTHING_TO_PRINT if it is the only one.
+/// Separates the object that is the stock from the objects of a job. Errors: SETTING_MALFORMED,
+/// with `setting`, if no object or several objects have the name `stock`; NOTHING_TO_PRINT if the
+/// stock is the only object.
 absl::StatusOr<PartsAndStock> TakeStock(PlacingInput job, std::string_view stock);
 
-/// Puts a stock that may stand anywhere with its middle where that of the parts is.
+/// Centres the stock on the parts, unless the job gives the stock a position.
 void PutAround(const PlacedScene& parts, PlacingInput& stock);
 
 struct MillScene {
   MillInput input;
-  std::vector<MeshReport> meshes;     ///< in the program's coordinates
-  std::vector<std::string> warnings;  ///< what has no effect
+  std::vector<MeshReport> meshes;     ///< reports in program coordinates
+  std::vector<std::string> warnings;  ///< warnings about input without effect
 };
 
-/// All copies of all solid parts as one mesh, and the stock, in the program's coordinates. Errors:
-/// REQUEST_MALFORMED for parts that cut others out, as meshes are not subtracted; OUT_OF_RANGE.
+/// Returns all copies of all solid parts as one mesh, and the stock, in program coordinates.
+/// Errors: REQUEST_MALFORMED for negative parts, because meshes cannot be subtracted; OUT_OF_RANGE.
 absl::StatusOr<MillScene> MillSceneOf(PlacedScene parts, std::optional<PlacedScene> stock,
                                       const MillSettings& settings);
 

@@ -10,7 +10,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A corner of 10 x 6 x 4 mm around its own origin, which lay at (100, 50, 7) mm in its file.
+/// Returns a corner of a box of 10 x 6 x 4 mm around its own origin, which was at (100, 50, 7) mm
+/// in its file.
 PlacedSceneObject Corner(const std::string& name, std::vector<Point> shifts) {
   PlacedSceneObject object;
   object.name = name;
@@ -87,7 +88,7 @@ TEST(PutAround, PutsTheStockWhereThePartsAre) {
 TEST(MillSceneOf, LiesWhereTheProgramWantsIt) {
   struct Case {
     MillOrigin origin;
-    Vertex first;  ///< of the first copy
+    Vertex first;  ///< position of the first copy
   };
   for (const Case& c : {Case{MillOrigin::kBed, {FromMm(15), FromMm(17), 0}},
                         Case{MillOrigin::kModel, {FromMm(100), FromMm(50), FromMm(7)}},

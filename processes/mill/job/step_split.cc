@@ -6,12 +6,13 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// More than this is lost with a worker at most: about a hundred levels of roughing.
+/// Maximum weight of a task: the work lost with a failed worker, about a hundred levels of
+/// roughing.
 constexpr int64_t kMostWeight = 400;
-/// Below, a call costs more than it is worth.
+/// Minimum weight of a task. Below it, the overhead of a call exceeds the benefit.
 constexpr int64_t kLeastWeight = 16;
 
-/// Behind the last step of the phase that begins here.
+/// Returns the index after the last step of the phase of step `first`.
 int32_t EndOfPhase(const std::vector<MillStep>& steps, int32_t first) {
   const MillPhase phase = steps[static_cast<size_t>(first)].phase;
   int32_t last = first;

@@ -9,9 +9,10 @@
 
 namespace slicefarm::coordinator {
 
-/// Cuts a job's steps into tasks for `slots` workers, each of one phase. Levels share most of their
-/// work with those beside them, so each phase is cut into two ranges a slot at most; a range weighs
-/// no more than a worker's loss is worth. What comes of the steps does not depend on the cut.
+/// Cuts the steps of a job into tasks for `slots` workers. Each task has steps of one phase.
+/// Adjacent levels share most of their work, so each phase is cut into at most two ranges per slot.
+/// The weight of a range is limited, so that a failed worker does not lose too much work. The
+/// results of the steps do not depend on the cuts.
 ///
 /// Shapes: the ranges cover all steps in order, none is empty. Cost: O(steps).
 std::vector<MillTask> SplitSteps(const MillLayout& layout, const Shared<MillInput>& input,

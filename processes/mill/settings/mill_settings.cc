@@ -29,7 +29,8 @@ constexpr Need kNeeds[] = {
      "output_format = gcode", IsProgram},
 };
 
-/// A table of a machine tool is larger than a printer's bed, and its height bounds no part.
+/// Returns the plate settings with defaults for milling. The table of a machine tool is larger than
+/// a printer's bed, and the height of the machine does not limit parts.
 std::vector<SettingSpec> TableSettings() {
   std::vector<SettingSpec> all = PlateSettings();
   for (SettingSpec& spec : all) {

@@ -4,7 +4,7 @@
 
 namespace slicefarm::config::mill {
 
-/// The settings of milling in three axes. Lives as long as the program.
+/// Returns the settings of milling in three axes. The result exists as long as the program.
 const ProcessSettings& Settings();
 
 }  // namespace slicefarm::config::mill

@@ -47,7 +47,7 @@ TEST(ResolveMill, EverySettingReachesItsOption) {
   EXPECT_THAT(resolved->no_effect, IsEmpty());
 }
 
-// The table's standards are the options' own defaults.
+// The default values in the table equal the default values of the options.
 TEST(ResolveMill, StandardsAreTheDefaults) {
   const auto resolved = OfMill({});
   ASSERT_TRUE(resolved.ok()) << resolved.status();

@@ -6,7 +6,7 @@
 
 namespace slicefarm::config::mill {
 
-/// Cutter and strategy, the machine, and the file.
+/// Returns the settings of the cutter, the strategy, the machine and the file.
 std::vector<SettingSpec> MillTable();
 
 }  // namespace slicefarm::config::mill

@@ -15,8 +15,8 @@
 
 namespace slicefarm {
 
-/// Five levels of roughing, three of finishing, four rows, whatever the input; a program of a word
-/// for each step.
+/// Milling stage for tests. For any input it has five levels of roughing, three of finishing and
+/// four rows. Its program has one word for each step.
 class FakeMilling : public MillingStage {
  public:
   static std::vector<MillStep> AllSteps() {

@@ -8,12 +8,12 @@
 
 namespace slicefarm {
 
-/// The stage that mills, local or remote. It must outlive the chain.
+/// The milling stage, local or remote. The stage must outlive the chain.
 class MillChain : public MillRunner {
  public:
   explicit MillChain(const MillingStage& milling) : milling_(milling) {}
 
-  /// Null: it is missing.
+  /// Returns the chain, or null if the stage is missing.
   static std::shared_ptr<const MillChain> Over(const Stages& stages) {
     if (stages.milling == nullptr) return nullptr;
     return std::make_shared<MillChain>(*stages.milling);

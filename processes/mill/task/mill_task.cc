@@ -6,7 +6,8 @@
 namespace slicefarm {
 namespace {
 
-/// What a point is in a program: a word for each coordinate that changes.
+/// Approximate number of bytes of a point in a program, which has a word for each changed
+/// coordinate.
 constexpr int64_t kBytesAPoint = 20;
 
 const char* WordsOf(MillPhase phase) {

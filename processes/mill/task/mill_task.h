@@ -17,12 +17,12 @@ struct MillTask {
 
   StepRange steps;
   MillPhase phase = MillPhase::kRoughing;
-  int32_t phase_first = 0;  ///< the number of its first step within the phase
+  int32_t phase_first = 0;  ///< number of the range's first step within the phase
   int32_t weight = 0;
   Shared<MillInput> input;
 
   int32_t Weight() const { return weight; }
-  /// "roughing level 4", "finishing levels 3 to 9", "rest rows 10 to 40".
+  /// Returns a label such as "roughing level 4", "finishing levels 3 to 9" or "rest rows 10 to 40".
   TaskLabel Label() const;
 };
 
@@ -31,7 +31,7 @@ struct MillResult {
   StageTimes times;
 
   size_t Print() const;
-  /// Of the program that is made of it, about: one line a point.
+  /// Returns the approximate size of the program that is made from the task: one line per point.
   int64_t ProgramBytes() const;
 };
 

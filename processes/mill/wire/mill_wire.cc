@@ -15,7 +15,8 @@ struct MillTraits {
   static constexpr auto kWork = v1::WorkStart::kMill;
   static constexpr auto kShared = &MillTask::input;
 
-  /// Triangles have no outlines yet: each is cut about so often.
+  /// Returns the approximate number of points of a task. Triangles have no outlines yet; each
+  /// triangle is cut about 100 times.
   static int64_t PointsIn(const MillTask& task) {
     constexpr int64_t kPointsATriangle = 100;
     return kPointsATriangle * std::ssize(task.input->part.triangles);

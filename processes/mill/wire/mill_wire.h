@@ -4,8 +4,8 @@
 
 namespace slicefarm {
 
-/// Tasks of milling: v1::MillWork, all of which but the range is in common. Lives as long as the
-/// program.
+/// Returns the wire format of milling tasks: v1::MillWork. All tasks of a job share everything
+/// except the range. The result exists as long as the program.
 const TaskWire& MillWire();
 
 }  // namespace slicefarm

@@ -7,12 +7,12 @@
 
 namespace slicefarm {
 
-/// A task without its input. Errors: REQUEST_MALFORMED with the path to the field.
+/// Converts a task without its input. Errors: REQUEST_MALFORMED with the path to the field.
 absl::Status ToProto(const MillTask& task, v1::MillWork* proto);
 absl::StatusOr<MillTask> FromProto(const v1::MillWork& proto);
 
 namespace v1 {
-using slicefarm::FromProto;  // so that templates find it by the message's namespace
+using slicefarm::FromProto;  // templates find it by the message's namespace
 }  // namespace v1
 
 }  // namespace slicefarm

@@ -7,7 +7,7 @@
 namespace slicefarm::mill_work_test {
 namespace {
 
-// The bindings name every member: a new one does not compile until it is sent here, and so on the
+// Sets every member. A new member does not compile until it is set here, and thus tested on the
 // wire.
 MillTask Work() {
   MillTask task;

@@ -58,7 +58,7 @@ std::vector<SettingSpec> Skirt() {
   };
 }
 
-/// brim_type beyond the types.
+/// Additional value of brim_type that is not a BrimType.
 constexpr int kAutoBrim = 5;
 
 void SetBrimType(BrimOptions& brim, const Value& value) {

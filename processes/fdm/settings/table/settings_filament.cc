@@ -8,7 +8,7 @@ SettingSpec PerExtruder(SettingSpec spec) {
   return spec;
 }
 
-/// ResolvePlate scales objects by it: no stage sees it.
+/// Returns a shrinkage setting. ResolvePlate scales objects with it; stages do not use it.
 SettingSpec Shrinkage(std::string_view key, std::string_view doc) {
   return PerExtruder({.key = key,
                       .kind = Kind::kPercent,

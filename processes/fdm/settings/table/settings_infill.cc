@@ -5,7 +5,7 @@
 namespace slicefarm::config::fdm {
 namespace {
 
-/// The value of fill_pattern = auto, which is no pattern.
+/// Value of fill_pattern = auto, which is not a pattern.
 constexpr int kAutoPattern = kFillPatternCount;
 
 std::vector<Choice> SparsePatterns() {
@@ -82,7 +82,8 @@ SettingSpec SolidFill(std::string_view key, std::string_view standard, std::stri
           .field = field};
 }
 
-/// As the setting says; thickness adds layers of its own (shells.h).
+/// Returns a field for the number of solid layers that the setting requests. It excludes layers
+/// added for the thickness (shells.h).
 template <int32_t InfillOptions::*kLayers, SkinSpare InfillOptions::*kSpare>
 Field LayersField() {
   return Convert<RegionRow>(

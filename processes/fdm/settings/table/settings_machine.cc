@@ -319,7 +319,7 @@ std::vector<SettingSpec> Sequence() {
   };
 }
 
-/// What all machines have, and what this one does with it besides.
+/// Returns the plate settings of all machines, with additional plate settings of FDM.
 std::vector<SettingSpec> Plate() {
   std::vector<SettingSpec> settings = PlateSettings();
   settings.push_back(

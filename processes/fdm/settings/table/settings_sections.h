@@ -21,7 +21,7 @@ struct RowOf<ToolRow> : MemberRow<&FdmRows::tool, Scope::kJob> {};
 
 namespace slicefarm::config::fdm {
 
-// The parts of the settings table, by what they are about.
+// Sections of the settings table, by topic.
 std::vector<SettingSpec> SlicingSettings();   ///< settings_slicing.cc
 std::vector<SettingSpec> WallSettings();      ///< settings_walls.cc
 std::vector<SettingSpec> SeamSettings();      ///< settings_seams.cc

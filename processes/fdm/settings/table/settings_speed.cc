@@ -48,7 +48,7 @@ SettingSpec Acceleration(std::string_view key, std::string_view doc, Field field
           .also = also};
 }
 
-/// Millimetres per second, or a percentage of what each feature's own setting says.
+/// Returns a speed setting: mm/s, or a percentage of the speed of each feature.
 template <double MachineMotion::*kSpeed, double MachineMotion::*kRatio>
 SettingSpec LayerSpeed(std::string_view key, std::string_view doc) {
   const auto set = [](MachineRow& row, const Value& value) {
@@ -115,7 +115,8 @@ SettingSpec FlowSlope(std::string_view key, std::string_view doc, Field field) {
           .field = field};
 }
 
-/// What lies over bridges is told apart only where it has a speed of its own.
+/// Returns the speed of infill over bridges. This infill is a separate feature only if it has its
+/// own speed.
 SettingSpec OverBridgeSpeed() {
   SettingSpec spec =
       RelativeSpeed("over_bridge_speed", "0", "solid_infill_speed",

@@ -6,7 +6,7 @@
 namespace slicefarm::config::fdm {
 namespace {
 
-/// A setting of retraction, and the filament's own one that overrides it (through derive.h).
+/// Adds a retraction setting, and the setting of the filament that overrides it (through derive.h).
 void AddRetraction(std::vector<SettingSpec>& to, SettingSpec spec, std::string_view filament_key) {
   spec.list = List::kPerExtruder;
   to.push_back(spec);
@@ -129,7 +129,7 @@ std::vector<SettingSpec> Retraction() {
   return settings;
 }
 
-/// Millimetres, or a percentage of the straight way.
+/// Returns the maximum detour: mm, or a percentage of the straight travel.
 SettingSpec MaxDetour() {
   const auto set = [](MachineRow& row, const Value& value) {
     row.order.travel.max_detour_mm = value.percent ? 0 : value.number;

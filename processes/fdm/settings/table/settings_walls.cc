@@ -3,7 +3,7 @@
 namespace slicefarm::config::fdm {
 namespace {
 
-/// A width of beads: mm, a percentage of the layer's height, or 0 for what `extrusion_width` says.
+/// Returns a bead width: mm, a percentage of the layer height, or 0 for `extrusion_width`.
 SettingSpec Width(std::string_view key, std::string_view doc, Field field) {
   return {.key = key,
           .kind = Kind::kNumberOrPercent,
@@ -16,7 +16,7 @@ SettingSpec Width(std::string_view key, std::string_view doc, Field field) {
           .field = field};
 }
 
-/// A length as mm or as a percentage of the nozzle's diameter.
+/// Returns a length: mm, or a percentage of the nozzle diameter.
 SettingSpec OfNozzle(std::string_view key, std::string_view standard, std::string_view doc,
                      Field field) {
   return {.key = key,
@@ -31,7 +31,8 @@ SettingSpec OfNozzle(std::string_view key, std::string_view standard, std::strin
           .own_scope = Scope::kObject};
 }
 
-/// Other settings say from which layer on the vase is hollow (settle.h).
+/// Returns the field of spiral_vase. Other settings determine the first hollow layer of the vase
+/// (settle.h).
 Field SpiralField() {
   return Convert<ObjectSlicingOptions>(
       [](ObjectSlicingOptions& row, const Value& value) {
