@@ -12,13 +12,14 @@ namespace slicefarm {
 namespace {
 
 constexpr size_t kFewestSegments = 3;
-/// What rounding of the centre leaves is taken off the tolerance.
+/// Part of the tolerance that is reserved for the rounding of the centre.
 constexpr double kRoundingUm = 1.5;
 constexpr double kLengthShare = 0.001;
-/// Straighter curves gain nothing, and their centres lie too far away.
+/// Largest radius of an arc. Straighter curves gain nothing, and their centres are too far away.
 constexpr double kGreatestRadiusUm = 1e6;
 constexpr double kLeastRadiusUm = 100;
-/// Ends too near to each other do not say which way round an arc goes.
+/// Largest turn of an arc. If the ends are too close to each other, the direction of the arc is
+/// ambiguous.
 constexpr double kMostTurn = 1.9 * std::numbers::pi;
 
 Vector2 FromTo(PlaceUm from, PlaceUm to) {
@@ -27,7 +28,7 @@ Vector2 FromTo(PlaceUm from, PlaceUm to) {
 
 double Length(const Vector2& a) { return Hypot(a.x(), a.y()); }
 
-/// Centre of the circle through three points; nothing if they lie on a line, nearly.
+/// Returns the centre of the circle through three points; nothing if they are nearly on a line.
 std::optional<PlaceUm> CentreThrough(PlaceUm a, PlaceUm b, PlaceUm c) {
   const Vector2 u = FromTo(a, b), v = FromTo(a, c);
   const double twice = 2 * Cross(u, v);
@@ -39,7 +40,7 @@ std::optional<PlaceUm> CentreThrough(PlaceUm a, PlaceUm b, PlaceUm c) {
                  a.y + static_cast<int32_t>(std::lround(y))};
 }
 
-/// The arc for points[first] to points[last], if it fits.
+/// Returns the arc for points[first] to points[last], if it fits.
 std::optional<CurvePiece> ArcOf(std::span<const PlaceUm> points, size_t first, size_t last,
                                 double tolerance_um) {
   const double reach_um = tolerance_um - kRoundingUm;
@@ -56,7 +57,7 @@ std::optional<CurvePiece> ArcOf(std::span<const PlaceUm> points, size_t first, s
     const double cross = Cross(a, b);
     if (cross == 0 || (cross < 0) != clockwise) return std::nullopt;
     if (std::abs(Length(b) - radius) > reach_um) return std::nullopt;
-    // The arc is farthest from a segment at its middle.
+    // The arc is farthest from a segment at the middle of the segment.
     if (std::abs(radius - Length((a + b) / 2)) > reach_um) return std::nullopt;
     turn += std::abs(Atan2(cross, Dot(a, b)));
     length += Length(FromTo(points[i], points[i + 1]));
@@ -66,8 +67,8 @@ std::optional<CurvePiece> ArcOf(std::span<const PlaceUm> points, size_t first, s
   return CurvePiece{last, true, *centre, clockwise};
 }
 
-/// The longest arc from points[first] on that is found by doubling its number of segments, then
-/// halving the step.
+/// Returns the longest arc that starts at points[first]. The search doubles the number of segments
+/// until an arc does not fit, then halves the step.
 std::optional<CurvePiece> LongestArc(std::span<const PlaceUm> points, size_t first,
                                      double tolerance_um) {
   std::optional<CurvePiece> best;

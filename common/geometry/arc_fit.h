@@ -6,7 +6,7 @@
 
 namespace slicefarm {
 
-/// A place in the plane, in whole micrometres.
+/// A point of the plane, in whole micrometres.
 struct PlaceUm {
   int32_t x = 0;
   int32_t y = 0;
@@ -14,9 +14,9 @@ struct PlaceUm {
   friend bool operator==(const PlaceUm&, const PlaceUm&) = default;
 };
 
-/// A stretch of a polyline: one of its segments, or an arc that stands for several.
+/// A piece of a polyline: one of its segments, or an arc that replaces several segments.
 struct CurvePiece {
-  size_t last = 0;  ///< index of the point at which it ends
+  size_t last = 0;  ///< index of the piece's last point
   bool is_arc = false;
   PlaceUm centre;
   bool clockwise = false;
@@ -24,17 +24,20 @@ struct CurvePiece {
   friend bool operator==(const CurvePiece&, const CurvePiece&) = default;
 };
 
-/// How far an arc and the polyline that it stands for may lie apart, at any place of either, unless
-/// told otherwise.
+/// Default maximum distance between an arc and the polyline that it replaces, at any point of
+/// either.
 inline constexpr double kArcToleranceUm = 25;
 
-/// A polyline as arcs where they fit, from its first point on, each as long as it can be:
-///   within the tolerance, and as long as its segments to 0.1 %;
-///   at least three segments, all turning the same way, less than a whole turn;
-///   both ends equally far from the centre, up to the rounding of the centre.
+/// Replaces segments of a polyline by arcs where they fit, starting at its first point. Each arc is
+/// as long as possible, and fulfils these conditions:
+/// - The arc is within the tolerance of its segments, and has their length to 0.1 %.
+/// - It replaces at least three segments, all turning in the same direction, by less than a whole
+///   turn.
+/// - Both ends have the same distance from the centre, except for the rounding of the centre.
+///
 /// Shapes: points[0] to points[n - 1]; pieces end at increasing indices, the last at n - 1. No two
-/// neighbouring points are the same. REQUIRES: tolerance_um > 1.5, which rounding takes. Cost: O(n
-/// log n) where arcs are long.
+/// neighbouring points are the same. REQUIRES: tolerance_um > 1.5, because rounding uses 1.5 of it.
+/// Cost: O(n log n) where arcs are long.
 std::vector<CurvePiece> FitArcs(std::span<const PlaceUm> points,
                                 double tolerance_um = kArcToleranceUm);
 

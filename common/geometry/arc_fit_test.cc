@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Points of a circle around (50, 50) mm, `turn` of it.
+/// Returns points of a circle around (50, 50) mm, over an angle of `turn` radians.
 std::vector<PlaceUm> Circle(double radius_um, double turn, int segments) {
   std::vector<PlaceUm> points;
   for (int i = 0; i <= segments; ++i) {
@@ -59,8 +59,8 @@ TEST(FitArcs, CoarseCirclesStayPolygons) {
   for (const CurvePiece& piece : pieces) EXPECT_FALSE(piece.is_arc);
 }
 
-// Arcs and lines joined, with noise: every point and every segment's middle lies within the
-// tolerance of its arc, and the arc nowhere else.
+// Joins arcs and lines, with noise. Every point and the middle of every segment must be within the
+// tolerance of its arc, and the arc must not deviate elsewhere.
 TEST(FitArcs, StaysWithinTheTolerance) {
   std::mt19937 random(3);
   int arcs = 0;
@@ -93,7 +93,7 @@ TEST(FitArcs, StaysWithinTheTolerance) {
   EXPECT_GT(arcs, 300);
 }
 
-/// A circle of 10 mm in 48 segments leaves its chords by 21 um.
+/// A circle of 10 mm in 48 segments deviates from its chords by 21 um.
 TEST(FitArcs, KeepsToTheToleranceThatItIsTold) {
   const std::vector<PlaceUm> coarse = Circle(10'000, kPi, 24), fine = Circle(10'000, kPi, 96);
   EXPECT_TRUE(FitArcs(coarse)[0].is_arc);

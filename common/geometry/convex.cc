@@ -12,7 +12,7 @@
 namespace slicefarm {
 namespace {
 
-/// As Orientation; most signs are clear in double.
+/// Returns the sign of Orientation. It is calculated in double if it is certain there.
 int QuickOrientation(Point a, Point b, Point c) {
   const double left = static_cast<double>(b.x - a.x) * static_cast<double>(c.y - a.y);
   const double right = static_cast<double>(b.y - a.y) * static_cast<double>(c.x - a.x);
@@ -20,7 +20,7 @@ int QuickOrientation(Point a, Point b, Point c) {
   return cross > doubt ? 1 : cross < -doubt ? -1 : Orientation(a, b, c);
 }
 
-/// > 0 if the direction b lies counter-clockwise of a. Exact.
+/// Returns a value > 0 if the direction b is counter-clockwise of a. Exact.
 int Turn(Point a, Point b) { return Orientation({0, 0}, a, b); }
 
 Point EdgeFrom(const Polygon& ring, size_t i) { return ring[(i + 1) % ring.size()] - ring[i]; }
@@ -41,7 +41,7 @@ Polygon ConvexHull(std::vector<Point> points) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   Polygon hull;
-  // Andrew's monotone chain.
+  // Algorithm: Andrew's monotone chain.
   const auto add_chain = [&hull](auto begin, auto end) {
     const size_t base = hull.size();
     for (auto it = begin; it != end; ++it) {
@@ -84,10 +84,11 @@ Polygon DiscCover(Coord radius_nm) {
   const double half = std::numbers::pi / corners;
   std::vector<Point> points;
   for (int i = 0; i < corners; ++i) {
-    // Rounded away from the middle, so that no rounding lets a corner in.
+    // Corners are rounded away from the centre, so that rounding never moves a corner into the
+    // disc.
     const double angle = (2 * i + 1) * half, reach = radius_nm / Cos(half);
     const auto outward = [](double v) {
-      const double tidy = std::round(v * 16) / 16;  // takes what libm's last bits may say
+      const double tidy = std::round(v * 16) / 16;  // removes the last bits, which depend on libm
       return static_cast<Coord>(tidy < 0 ? std::floor(tidy) : std::ceil(tidy));
     };
     points.push_back({outward(reach * Cos(angle)), outward(reach * Sin(angle))});
@@ -100,7 +101,7 @@ bool StrictlyInside(Point p, const Polygon& convex) {
   if (n < 3 || QuickOrientation(convex[0], convex[1], p) <= 0 ||
       QuickOrientation(convex[0], convex[n - 1], p) >= 0)
     return false;
-  // The triangle of the fan around the first corner in whose angle p lies.
+  // Binary search: finds the triangle of the fan around the first corner that has p in its angle.
   size_t left = 1, right = n - 1;
   while (right - left > 1) {
     const size_t middle = (left + right) / 2;

@@ -7,7 +7,7 @@
 
 namespace slicefarm {
 
-/// Whether `p` lies in one of the islands, or on its edge. Exact. Cost: O(n).
+/// Returns true if `p` is inside one of the islands, or on its edge. Exact. Cost: O(n).
 inline bool Covers(const MultiPolygon& polygons, Point p) {
   return std::ranges::any_of(polygons, [p](const PolygonWithHoles& island) {
     return Locate(p, island) != Side::kOutside;

@@ -9,7 +9,7 @@
 namespace slicefarm {
 namespace {
 
-/// Squares for each edge, at most, and some anyway.
+/// Maximum number of squares per edge, in addition to a fixed number.
 constexpr double kSquaresPerEdge = 4;
 constexpr double kSquaresAnyway = 4096;
 
@@ -49,8 +49,8 @@ EdgeIndex::EdgeIndex(const MultiPolygon& region, Coord square_nm) {
                   [&](size_t number) { items_[at[number]++] = static_cast<int32_t>(i); });
 }
 
-/// Row by row: the columns between the places at which the edge enters and leaves it, and one
-/// nanometre more.
+/// Visits the squares that an edge passes, row by row. In each row these are the columns from the
+/// edge's entry to its exit, extended by one nanometre.
 template <typename Visit>
 void EdgeIndex::ForEachSquare(const Edge& edge, Visit visit) const {
   const Point low = edge.a.y <= edge.b.y ? edge.a : edge.b;

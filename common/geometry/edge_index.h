@@ -9,21 +9,21 @@
 
 namespace slicefarm {
 
-/// The edges of a region by the squares of a grid that they pass, to find those near a place.
+/// Index of the edges of a region, to find the edges near a point or box. It stores the edges that
+/// pass each square of a grid.
 class EdgeIndex {
  public:
   struct Edge {
-    Point a, b;  ///< the region lies to the left
+    Point a, b;  ///< the region is to the left of ab
     int32_t ring = 0;
     int32_t edge = 0;
   };
 
-  /// Squares of about `square_nm` (the next power of two), or larger where they would be many more
-  /// than edges.
-  /// Cost: O(edges + squares).
+  /// Makes an index with squares of about `square_nm`, rounded up to a power of two. Squares are
+  /// larger if there would be many more squares than edges. Cost: O(edges + squares).
   EdgeIndex(const MultiPolygon& region, Coord square_nm);
 
-  /// Calls visit(edge number) for all edges that may come within the box, each once or more.
+  /// Calls visit(edge number) for all edges that may meet the box, each once or more.
   template <typename Visit>
   void ForEachNear(const Box& box, Visit visit) const {
     const int32_t left = Column(box.min.x), right = Column(box.max.x);
@@ -41,11 +41,11 @@ class EdgeIndex {
   const Box& bounds() const { return box_; }
   int32_t size() const { return static_cast<int32_t>(edges_.size()); }
 
-  /// The square in which a place lies; of places outside of the bounds the nearest one.
+  /// Returns the square that contains a point; for points outside the bounds, the nearest square.
   int32_t Column(Coord x) const { return SquareOf(x, box_.min.x, box_.max.x); }
   int32_t Row(Coord y) const { return SquareOf(y, box_.min.y, box_.max.y); }
 
-  /// Whether the open segment ab meets an edge anywhere. Exact.
+  /// Returns true if the open segment ab meets an edge. Exact.
   bool Meets(Point a, Point b) const;
 
  private:
@@ -57,10 +57,10 @@ class EdgeIndex {
 
   std::vector<Edge> edges_;
   Box box_;
-  int square_bits_ = 0;  ///< a square is 2^bits nm wide: no division to find one
+  int square_bits_ = 0;  ///< a square is 2^bits nm wide, so that no division is needed
   int32_t columns_ = 1;
   int32_t rows_ = 1;
-  std::vector<int32_t> begin_;  ///< in items_, by square
+  std::vector<int32_t> begin_;  ///< index of the first item of each square in items_
   std::vector<int32_t> items_;
 };
 

@@ -21,7 +21,7 @@ bool SegmentsMeet(Point a, Point b, Point c, Point d) {
          Orientation(c, d, a) * Orientation(c, d, b) < 0;
 }
 
-// Against all edges one by one, for squares of several sizes.
+// Compares the index with a search over all edges, for squares of several sizes.
 TEST(EdgeIndex, FindsWhatASearchOfAllEdgesFinds) {
   const MultiPolygon region = Star();
   for (const Coord square : {50'000, 700'000, 90'000'000}) {

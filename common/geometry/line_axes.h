@@ -4,12 +4,12 @@
 
 namespace slicefarm {
 
-/// Axes turned about the origin: u runs along the direction, v across. Parallel lines are laid out
-/// in it. Multiples of a right angle are exact.
+/// Axes turned about the origin: u is along the direction, v across it. Parallel lines are laid out
+/// in these axes. Multiples of a right angle are exact.
 class LineAxes {
  public:
   explicit LineAxes(double angle_rad);
-  /// Exact at right angles, however large.
+  /// Returns axes at an angle in degrees; exact at right angles of any magnitude.
   static LineAxes OfDegrees(double angle_deg);
 
   double U(Point p) const {
@@ -18,13 +18,13 @@ class LineAxes {
   double V(Point p) const {
     return cos_ * static_cast<double>(p.y) - sin_ * static_cast<double>(p.x);
   }
-  /// Rounded to nm.
+  /// Returns the point at (u, v), rounded to nm.
   Point At(double u, double v) const {
     return {Rounded(cos_ * u - sin_ * v), Rounded(sin_ * u + cos_ * v)};
   }
 
  private:
-  /// As llround, of what is far below 2^52; many times as fast.
+  /// Returns llround(x) for |x| far below 2^52; much faster than llround.
   static Coord Rounded(double x) { return static_cast<Coord>(x < 0 ? x - 0.5 : x + 0.5); }
 
   double cos_;

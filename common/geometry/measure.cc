@@ -9,7 +9,7 @@ namespace {
 
 using Wide = __int128;
 
-/// Twice the signed area; exact for rings within +-2^61 nm of their first point.
+/// Returns twice the signed area; exact for rings within +-2^61 nm of their first point.
 Wide DoubledArea(const Polygon& ring) {
   Wide sum = 0;
   const Point origin = ring.empty() ? Point{} : ring[0];
@@ -80,7 +80,7 @@ double Area(const MultiPolygon& polygons) {
 Point Centroid(const Polygon& ring) {
   const Wide doubled_area = DoubledArea(ring);
   if (doubled_area == 0) return Mean(ring);
-  // Relative to the first point, so that the sums keep their precision far from the origin.
+  // Coordinates are relative to the first point, so that the sums are precise far from the origin.
   const Point origin = ring[0];
   double x = 0, y = 0;
   for (size_t i = 0; i < ring.size(); ++i) {

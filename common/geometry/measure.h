@@ -6,7 +6,7 @@
 
 namespace slicefarm {
 
-/// An axis-parallel box; empty while min > max.
+/// An axis-parallel box; empty if min > max.
 struct Box {
   Point min{INT64_MAX, INT64_MAX};
   Point max{INT64_MIN, INT64_MIN};
@@ -23,28 +23,30 @@ struct Box {
 Box Bounds(std::span<const Point> points);
 Box Bounds(const MultiPolygon& polygons);
 
-/// Area in nm^2, positive for counter-clockwise rings. Summed exactly and rounded once.
+/// Returns the area in nm^2, positive for counter-clockwise rings. It is summed exactly and rounded
+/// once.
 double SignedArea(const Polygon& ring);
 double Area(const PolygonWithHoles& polygon);
 double Area(const MultiPolygon& polygons);
 
-/// Centre of mass of a ring; of its points' mean where the area is zero. REQUIRES: ring not empty.
+/// Returns the centre of mass of a ring, or the mean of its points if the area is zero. REQUIRES:
+/// ring not empty.
 Point Centroid(const Polygon& ring);
 
-/// Length in nm of an open line; of a ring, including its closing edge.
+/// Returns the length in nm of an open line, or of a ring including its closing edge.
 double Length(std::span<const Point> line);
 double Perimeter(const Polygon& ring);
 
 enum class Side { kOutside, kBoundary, kInside };
 
-/// Where p lies; exact, by crossing number. Cost: O(n).
+/// Returns the position of p relative to the ring; exact, by crossing number. Cost: O(n).
 Side Locate(Point p, const Polygon& ring);
 Side Locate(Point p, const PolygonWithHoles& polygon);
 
-/// The point of the segment ab nearest to p, rounded to nm.
+/// Returns the point of the segment ab nearest to p, rounded to nm.
 Point NearestOnSegment(Point p, Point a, Point b);
 
-/// Distance in nm from p to the segment ab.
+/// Returns the distance in nm from p to the segment ab.
 double DistanceToSegment(Point p, Point a, Point b);
 
 }  // namespace slicefarm

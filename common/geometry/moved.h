@@ -4,7 +4,7 @@
 
 namespace slicefarm {
 
-/// The same shape `by` farther.
+/// Returns the shape moved by `by`.
 Polygon Moved(Polygon ring, Point by);
 MultiPolygon Moved(MultiPolygon polygons, Point by);
 

@@ -6,16 +6,18 @@
 
 namespace slicefarm {
 
-/// A length or a coordinate in nanometres. `double` lives inside a step and is rounded once.
+/// A length or a coordinate in nanometres. Calculations use `double` within a step and round once
+/// at its end.
 using Coord = int64_t;
 
 inline constexpr Coord kNmPerMm = 1'000'000;
 
 inline constexpr double ToMm(double nm) { return nm / kNmPerMm; }
-/// Rounds half away from zero, which keeps mirror images mirror images.
+/// Converts mm to nm. It rounds half away from zero, so that mirrored input gives a mirrored
+/// result.
 inline Coord FromMm(double mm) { return std::llround(mm * kNmPerMm); }
 
-/// A point of the plane, or a vector between two.
+/// A point of the plane, or a vector between two points.
 struct Point {
   Coord x = 0;
   Coord y = 0;
@@ -25,8 +27,8 @@ struct Point {
   friend constexpr Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
 };
 
-/// Dot and cross product and length in double: relative error below 1e-15 within the +-2.1 m of a
-/// job.
+/// Dot product, cross product and length in double. The relative error is below 1e-15 within the
+/// +-2.1 m of a job.
 inline double Dot(Point a, Point b) {
   return static_cast<double>(a.x) * b.x + static_cast<double>(a.y) * b.y;
 }

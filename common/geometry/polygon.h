@@ -6,7 +6,7 @@
 
 namespace slicefarm {
 
-/// A closed ring; the last point is not a copy of the first. Outer rings run counter-clockwise,
+/// A closed ring. The last point does not repeat the first. Outer rings run counter-clockwise,
 /// holes clockwise.
 using Polygon = std::vector<Point>;
 
@@ -24,12 +24,12 @@ struct PolygonWithHoles {
 /// Disjoint islands. The functions of this folder return them in canonical form (see Canonicalize).
 using MultiPolygon = std::vector<PolygonWithHoles>;
 
-/// Turns each ring so that it starts at its least point, and sorts holes and islands, so that equal
-/// regions made of equal rings compare equal whatever order they came in. Cost: O(n + k log k), n
-/// points in k rings.
+/// Brings islands into canonical form: rotates each ring so that it starts at its least point, and
+/// sorts holes and islands. Equal regions made of equal rings then compare equal, independent of
+/// their original order. Cost: O(n + k log k) for n points in k rings.
 void Canonicalize(MultiPolygon& polygons);
 
-/// Calls visit(ring) for all rings, each outer ring followed by its holes.
+/// Calls visit(ring) for all rings: each outer ring, followed by its holes.
 template <typename Visit>
 void ForEachRing(const MultiPolygon& polygons, Visit visit) {
   for (const PolygonWithHoles& polygon : polygons) {
@@ -38,10 +38,10 @@ void ForEachRing(const MultiPolygon& polygons, Visit visit) {
   }
 }
 
-/// Copies of all rings, in that order.
+/// Returns copies of all rings, in the order of ForEachRing.
 std::vector<Polygon> Rings(const MultiPolygon& polygons);
 
-/// Number of points over all rings.
+/// Returns the number of points of all rings.
 size_t PointCount(const MultiPolygon& polygons);
 
 }  // namespace slicefarm

@@ -7,7 +7,7 @@
 namespace slicefarm {
 namespace {
 
-/// Up to here, 1 m, products of differences fit 63 bits.
+/// Limit of coordinates (about 1 m) up to which products of differences fit into 63 bits.
 constexpr Coord kSmall = Coord{1} << 30;
 
 bool AreSmall(Point a, Point b, Point c) {
@@ -16,7 +16,8 @@ bool AreSmall(Point a, Point b, Point c) {
          uint64_t{2 * kSmall};
 }
 
-/// Up to here differences fit 63 bits and the difference of two products fits 127.
+/// Limit of coordinates up to which differences fit into 63 bits and differences of two products
+/// into 127 bits.
 constexpr Coord kNarrow = Coord{1} << 61;
 
 bool IsNarrow(Point p) {

@@ -4,11 +4,11 @@
 
 namespace slicefarm {
 
-/// +1 if a, b, c turn counter-clockwise, -1 if clockwise, 0 if they lie on one line.
-/// Exact for all inputs: 128-bit integers where the coordinates allow, wider ones beyond.
+/// Returns +1 if a, b, c turn counter-clockwise, -1 if clockwise, 0 if they are on one line. Exact
+/// for all inputs: it uses 128-bit integers where the coordinates allow, and wider integers beyond.
 int Orientation(Point a, Point b, Point c);
 
-/// True if p lies on the closed segment ab. Exact.
+/// Returns true if p is on the closed segment ab. Exact.
 bool OnSegment(Point p, Point a, Point b);
 
 }  // namespace slicefarm

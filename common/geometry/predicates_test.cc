@@ -9,7 +9,7 @@ namespace {
 
 constexpr Coord kMax = std::numeric_limits<Coord>::max();
 constexpr Coord kMin = std::numeric_limits<Coord>::min();
-/// About one, up to which sides are told by 64 bits.
+/// About one metre: the limit up to which 64 bits suffice.
 constexpr Coord kMetre = Coord{1} << 30;
 
 struct Case {
@@ -47,7 +47,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"WholeRangeOneOff", {kMin, kMin}, {0, 0}, {kMax, kMax - 1}, -1}),
     [](const auto& info) { return info.param.name; });
 
-// The grid of Kettner et al., on which doubles get one sign in six wrong: a near b and c on a line.
+// The grid of Kettner et al., on which doubles give a wrong sign in one of six cases: a is near b
+// and c on a line.
 TEST(Orientation, AgreesWithTheSignOfTheExactDeterminantOnAFineGrid) {
   const Point b{Coord{12} << 40, Coord{12} << 40}, c{Coord{24} << 40, Coord{24} << 40};
   for (Coord i = 0; i < 256; ++i) {

@@ -20,7 +20,7 @@
 namespace slicefarm {
 namespace text_format {
 
-/// Reads the text from front to back.
+/// Reads the text from start to end.
 class Reader {
  public:
   explicit Reader(std::string_view text) : text_(text) {}
@@ -110,8 +110,8 @@ T ValueOrDie(absl::StatusOr<T> value) {
 ///   island          (outer ring) (hole) (hole)
 ///   islands         island ; island
 ///
-/// A ring turns the right way by itself: the first of an island is made counter-clockwise, the rest
-/// clockwise. Errors: InvalidArgument with the offset of what could not be read.
+/// The direction of rings is corrected: the first ring of an island becomes counter-clockwise, all
+/// further rings clockwise. Errors: InvalidArgument with the offset of the unreadable text.
 inline absl::StatusOr<Polyline> ParseLine(std::string_view text) {
   text_format::Reader reader(text);
   auto line = text_format::ReadLine(reader);
@@ -162,7 +162,7 @@ inline std::string ToText(const PolygonWithHoles& polygon) {
 
 inline std::string ToText(const MultiPolygon& polygons) { return JoinedTexts(polygons, " ; "); }
 
-/// For literals: die on text that cannot be read.
+/// Functions for literals; they terminate the program if the text cannot be read.
 inline Polyline MakeLineOrDie(std::string_view text) {
   return text_format::ValueOrDie(ParseLine(text));
 }

@@ -18,7 +18,7 @@ inline Point RoundedPoint(const Vector2& v) { return {std::llround(v.x()), std::
 inline double Dot(const Vector2& a, const Vector2& b) { return a.x() * b.x() + a.y() * b.y(); }
 inline double Cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 inline double Norm(const Vector2& a) { return std::sqrt(Dot(a, a)); }
-/// A quarter turn to the left.
+/// Returns the vector turned by 90 degrees to the left.
 inline Vector2 TurnedLeft(const Vector2& a) { return {-a.y(), a.x()}; }
 
 }  // namespace slicefarm

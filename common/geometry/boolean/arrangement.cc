@@ -12,19 +12,20 @@
 namespace slicefarm::internal {
 namespace {
 
-/// What is nearer than this is in doubtful order.
+/// Distance below which the order of two points is uncertain.
 constexpr double kDoubtNm = 0.5;
-/// Edges looked at from rings' starts, in all, before it is given up: a tenth of a second.
+/// Maximum number of edges that all rays from the starts of rings may test; about a tenth of a
+/// second.
 constexpr int64_t kMostLooks = 100'000'000;
 
-/// A crossing as met along one of its two edges.
+/// A crossing, seen from one of its two edges.
 struct Stop {
   int32_t ring = 0;
   int32_t edge = 0;
-  double along_nm = 0;  ///< from the edge's start
-  int32_t change = 0;   ///< of the winding number to the left of the ring
+  double along_nm = 0;  ///< distance from the edge's start
+  int32_t change = 0;   ///< change of the winding number to the left of the ring
   int32_t crossing = 0;
-  int32_t winding = 0;  ///< to the left of what follows
+  int32_t winding = 0;  ///< winding number to the left of the part after the stop
   bool used = false;
 
   friend bool operator<(const Stop& a, const Stop& b) {
@@ -80,14 +81,14 @@ class Arrangement {
     });
   }
 
-  /// Whether f follows e around a corner of a ring.
+  /// Returns true if f follows e around a corner of a ring.
   bool Follows(const BoxedEdge& e, const BoxedEdge& f) const {
     if (e.ring != f.ring) return false;
     const auto size = static_cast<int32_t>(Points(e.ring).size());
     return (e.index + 1) % size == f.index;
   }
 
-  /// Notes where e and f cross. False if they touch.
+  /// Records the crossing of e and f. Returns false if they touch.
   bool NoteCrossing(const BoxedEdge& e, const BoxedEdge& f) {
     const int f_from = Orientation(e.from, e.to, f.from), f_to = Orientation(e.from, e.to, f.to);
     if (Follows(e, f)) return f_to != 0 || Dot(e.to - e.from, f.to - f.from) > 0;
@@ -102,7 +103,7 @@ class Arrangement {
     const auto crossing = static_cast<int32_t>(crossings_.size());
     crossings_.push_back({e.from + Point{std::llround(t * static_cast<double>(de.x)),
                                          std::llround(t * static_cast<double>(de.y))}});
-    // To the left of f it is one more than to the right.
+    // The winding number is one greater to the left of f than to the right.
     stops_.push_back({e.ring, e.index, t * Norm(de), f_to > 0 ? -1 : 1, crossing});
     stops_.push_back({f.ring, f.index, s * Norm(df), e_to > 0 ? -1 : 1, crossing});
     return true;
@@ -127,7 +128,7 @@ class Arrangement {
     return true;
   }
 
-  /// Sets the winding numbers along a ring. False if in doubt.
+  /// Sets the winding numbers along a ring. Returns false if they are uncertain.
   bool CountAlong(int32_t ring) {
     const int32_t begin = ring_begin_[ring], end = ring_begin_[ring + 1];
     const std::optional<int> at_start = WindingAtStart(ring);
@@ -138,10 +139,10 @@ class Arrangement {
     return winding == *at_start;
   }
 
-  /// The winding number to the left of a ring's first edge, at its start.
+  /// Returns the winding number to the left of a ring's first edge, at its start.
   std::optional<int> WindingAtStart(int32_t ring) {
-    // Along a level edge a level ray sees nothing: go on to one that rises or falls, and undo the
-    // stops on the way.
+    // A horizontal ray along a horizontal edge has no clear crossings. Therefore the ray starts
+    // from the first edge that rises or falls, and the changes at stops before it are subtracted.
     const Polygon& points = Points(ring);
     const auto size = static_cast<int32_t>(points.size());
     const auto next = [&](int32_t i) { return i + 1 == size ? 0 : i + 1; };
@@ -161,18 +162,20 @@ class Arrangement {
         WindingSeenFrom(static_cast<double>(from.x) + t * static_cast<double>(d.x),
                         static_cast<double>(from.y) + t * static_cast<double>(d.y), ring, edge);
     if (!seen) return std::nullopt;
-    // The ray runs to the right, past an edge that rises: its left is one more.
+    // The ray runs to the right and leaves a rising edge on its right side. The winding number to
+    // the left of this edge is one greater.
     return winding + *seen + (d.y > 0 ? 1 : 0);
   }
 
-  /// Whether a level ray from a point to the right may meet something that lies between these.
+  /// Returns true if a horizontal ray from (x, y) to the right may meet an object within the box
+  /// from `min` to `max`.
   static bool MaySee(double x, double y, Point min, Point max) {
     return static_cast<double>(min.y) <= y && static_cast<double>(max.y) > y &&
            static_cast<double>(max.x) >= x;
   }
 
-  /// How often all edges but one wind around a point on that one. nullopt if in doubt, or if there
-  /// were too many edges to look at.
+  /// Returns the winding number of all edges except `but` around a point on the edge `but`. Returns
+  /// nullopt if it is uncertain, or if too many edges were tested.
   std::optional<int> WindingSeenFrom(double x, double y, int32_t ring, int32_t but) {
     int winding = 0;
     for (size_t other = 0; other < rings_.size(); ++other) {
@@ -203,8 +206,8 @@ class Arrangement {
     return winding;
   }
 
-  /// Joins the parts to the left of which the winding number is just enough. False if they do not
-  /// join.
+  /// Joins the parts with the winding number `least_` to their left into rings. Returns false if
+  /// they do not join.
   bool Trace() {
     for (size_t ring = 0; ring < rings_.size(); ++ring)
       if (ring_begin_[ring] == ring_begin_[ring + 1] && whole_winding_[ring] == least_)
@@ -218,7 +221,7 @@ class Arrangement {
         stops_[at].used = true;
         const int32_t end = AppendPart(at, outline);
         const Crossing& crossing = crossings_[stops_[end].crossing];
-        // At its end a part gives way to the one that begins there on the other edge.
+        // At a crossing, the outline continues with the part that begins there on the other edge.
         at = crossing.stops[0] == end ? crossing.stops[1] : crossing.stops[0];
       } while (at != static_cast<int32_t>(first));
     }
@@ -241,7 +244,7 @@ class Arrangement {
     return next;
   }
 
-  /// Gives each hole to the island it lies in. nullopt if in doubt.
+  /// Adds each hole to the island around it. Returns nullopt if the island is uncertain.
   std::optional<MultiPolygon> Assemble() {
     MultiPolygon islands;
     std::vector<Polygon> holes;
@@ -271,7 +274,7 @@ class Arrangement {
       if (!boxes[i].Intersects(box)) continue;
       const Side side = Locate(hole[0], islands[i].outer);
       if (side == Side::kBoundary) return -1;
-      // Of islands in each other the innermost holds the hole.
+      // If islands are nested, the innermost one contains the hole.
       if (side == Side::kInside &&
           (around < 0 || Locate(islands[i].outer[0], islands[around].outer) == Side::kInside)) {
         around = static_cast<int>(i);
@@ -284,13 +287,14 @@ class Arrangement {
   int least_;
   std::vector<BoxedEdge> edges_;    ///< in the order of the search
   std::vector<BoxedEdge> by_ring_;  ///< in the order of the rings
-  std::vector<size_t> edge_begin_;  ///< of each ring's, among these
-  std::vector<Box> boxes_;          ///< of rings
+  std::vector<size_t> edge_begin_;  ///< index in by_ring_ of the first edge of each ring
+  std::vector<Box> boxes_;          ///< box of each ring
   int64_t looks_left_ = kMostLooks;
   std::vector<Crossing> crossings_;
   std::vector<Stop> stops_;
-  std::vector<int32_t> ring_begin_;  ///< of each ring's stops; one more than rings
-  std::vector<int> whole_winding_;   ///< by ring, at its start
+  /// index of the first stop of each ring; one entry more than rings
+  std::vector<int32_t> ring_begin_;
+  std::vector<int> whole_winding_;  ///< winding number of each ring at its start
   std::vector<Polygon> result_;
 };
 

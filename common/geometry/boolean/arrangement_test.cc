@@ -19,7 +19,7 @@ std::vector<GroupedRing> Rings(std::vector<std::string_view> texts) {
 
 double Mm2(const std::optional<MultiPolygon>& region) { return region ? Area(*region) / 1e12 : -1; }
 
-// Three squares, each over the next one's corner; in the middle all three.
+// Three squares, each over a corner of the next one. All three overlap in the middle.
 const std::vector<std::string_view> kThree = {"(0 0, 4 0, 4 4, 0 4)", "(1 1, 5 1, 5 5, 1 5)",
                                               "(2 -1, 6 -1, 6 3, 2 3)"};
 
@@ -37,12 +37,12 @@ TEST(Arrangement, RingsTheOtherWayRoundTakeAway) {
 }
 
 TEST(Arrangement, ARingMayCrossItself) {
-  // A pentagram: its middle winds twice.
+  // A pentagram: its middle has the winding number two.
   const auto star = Rings({"(0 3, -1.76 -2.43, 2.85 0.93, -2.85 0.93, 1.76 -2.43)"});
   const double all = Mm2(TryWindingRegion(star, 1)), middle = Mm2(TryWindingRegion(star, 2));
   EXPECT_NEAR(all + middle, SignedArea(star[0].points) / 1e12, 1e-5);
   EXPECT_GT(middle, 2);
-  // A loop that turns inside out counts as minus one, and vanishes.
+  // A loop that is turned inside out has the winding number -1, and vanishes.
   const auto twisted = Rings({"(0 0, 5 0, 5 2, 3 2, 4 3, 5 4, 0 4)", "(10 0, 14 3, 14 0, 10 4)"});
   EXPECT_NEAR(Mm2(TryWindingRegion(twisted, 1)), 18 + 32.0 / 7, 1e-5);
 }
@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
         DoubtCase{"Flat", {"(0 0, 4 0, 8 0)"}}),
     [](const auto& info) { return info.param.name; });
 
-// Each small ring looks past the many edges of the one around all of them.
+// The ray of each small ring tests the many edges of the ring around all of them.
 TEST(Arrangement, ManyRingsBesideManyEdgesAreLeftToOthers) {
   Polygon disc;
   for (int i = 0; i < 60'000; ++i) {

@@ -55,7 +55,8 @@ MultiPolygon Execute(Operation op, const MultiPolygon& a, const MultiPolygon& b)
   return Execute(ToClipper(op), subject, clip, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
 }
 
-/// A region with the boxes of its islands and rings, to take from it what can matter near a box.
+/// A region with the boxes of its islands and rings. It can return the part of the region that
+/// matters near a box.
 class Surroundings {
  public:
   explicit Surroundings(const MultiPolygon& region) : region_(region) {
@@ -66,7 +67,8 @@ class Surroundings {
     }
   }
 
-  /// Equal to the region inside `box`: islands that meet it, with the holes that meet it.
+  /// Returns a region that is equal to this region inside `box`: islands that meet the box, with
+  /// the holes that meet it.
   MultiPolygon Near(const Box& box) const {
     MultiPolygon near;
     for (size_t i = 0; i < region_.size(); ++i) {

@@ -6,16 +6,16 @@
 
 namespace slicefarm {
 
-/// Which points of a set of rings count as inside.
+/// Rule that decides which points of a set of rings are inside.
 enum class FillRule {
   kNonZero,   ///< winding number is not 0
   kEvenOdd,   ///< winding number is odd
   kPositive,  ///< winding number is above 0
 };
 
-/// The region that `rings` enclose under `rule`, as disjoint islands in canonical form.
-/// Points of intersection are rounded to nm; slivers under 1 nm vanish. Cost: O((n + k) log n), k
-/// crossings.
+/// Returns the region that `rings` enclose under `rule`, as disjoint islands in canonical form.
+/// Points of intersection are rounded to nm; slivers under 1 nm vanish. Cost: O((n + k) log n) for
+/// k crossings.
 MultiPolygon Union(std::span<const Polygon> rings, FillRule rule);
 MultiPolygon Union(const MultiPolygon& a, const MultiPolygon& b);
 MultiPolygon Difference(const MultiPolygon& a, const MultiPolygon& b);

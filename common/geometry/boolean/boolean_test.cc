@@ -47,7 +47,7 @@ struct RuleCase {
 };
 class FillRuleTest : public testing::TestWithParam<RuleCase> {};
 
-// Two shells the same way round, one in the other, and one the wrong way round beside them.
+// Two nested shells with the same direction, and a shell with the opposite direction beside them.
 TEST_P(FillRuleTest, DecidesWhatIsInside) {
   std::vector<Polygon> rings = {Square(0, 0, 10)[0].outer, Square(2, 2, 4)[0].outer,
                                 Square(20, 0, 3)[0].outer};
@@ -67,7 +67,7 @@ TEST(Boolean, ResultsAreCanonical) {
   EXPECT_EQ(ab, ba);
 }
 
-// Clipper lists the hole that b widens as an island of its own, of a negative area.
+// Clipper lists the hole that b widens as a separate island with a negative area.
 TEST(Difference, KeepsAHoleThatBWidens) {
   const MultiPolygon a = MakePolygonsOrDie(
       "(-8.768464 -14.708185, 40.491988 6.201635, 25.549430 41.404093, 22.570245 42.607765)"

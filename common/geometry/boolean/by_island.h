@@ -7,9 +7,9 @@
 
 namespace slicefarm::internal {
 
-/// Adds up what `one` makes of each island on its own, in canonical form. A sweep's cost grows with
-/// all edges that a scan line meets, so many small sweeps beat one over a whole layer. REQUIRES:
-/// the results of islands that do not meet do not meet either.
+/// Applies `one` to each island separately and returns all results in canonical form. The cost of a
+/// sweep grows with the number of edges that meet a scan line, so many small sweeps are faster than
+/// one over a whole layer. REQUIRES: if two islands do not meet, their results do not meet either.
 template <typename One>
 MultiPolygon ByIsland(const MultiPolygon& polygons, const One& one) {
   if (polygons.size() == 1) return one(polygons);

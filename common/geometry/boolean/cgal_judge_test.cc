@@ -20,7 +20,8 @@ using Segments = CGAL::Arr_segment_traits_2<Kernel>;
 
 enum Group { kGot, kA, kB, kGroups };
 
-/// How many edges more run from left to right than the other way, by the regions they belong to.
+/// Number of edges from left to right minus the number from right to left, for each group of
+/// regions.
 struct Windings {
   std::array<int, kGroups> by = {};
 };
@@ -74,7 +75,7 @@ class Judge {
     struct Shape {
       double area2 = 0, perimeter = 0;
     };
-    std::map<Face, Shape> faces;  // those that differ
+    std::map<Face, Shape> faces;  // the faces that differ
     std::vector<std::pair<Place, Place>> boundary;
     std::vector<Place> corners;
     Differences differences;
@@ -99,7 +100,7 @@ class Judge {
           std::max(differences.thickness_nm, (shape.area2 - 2 * kForgivenNm2) / shape.perimeter);
     }
     for (const Place corner : corners) {
-      double nearest = boundary.empty() ? 0 : INFINITY;  // of nothing, the area says enough
+      double nearest = boundary.empty() ? 0 : INFINITY;  // without a boundary, the area suffices
       for (const auto& [from, to] : boundary)
         nearest = std::min(nearest, DistanceTo(corner, from, to));
       differences.distance_nm = std::max(differences.distance_nm, nearest);
@@ -108,7 +109,7 @@ class Judge {
   }
 
  private:
-  /// From the unbounded face over the edges.
+  /// Counts the winding numbers of all faces, starting at the unbounded face and crossing edges.
   void CountWindings() {
     std::vector<Face> open = {arrangement_.unbounded_face()};
     windings_[open.back()] = {};

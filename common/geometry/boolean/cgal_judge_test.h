@@ -9,26 +9,27 @@
 
 namespace slicefarm {
 
-/// How a region differs from what it should be, by exact arithmetic (CGAL's arrangements of the
-/// edges of both, with winding numbers in each face). The difference falls into faces: those where
-/// one has what the other has not.
+/// Differences between a region and the expected region, by exact arithmetic (CGAL's arrangements
+/// of the edges of both, with winding numbers in each face). The difference consists of faces that
+/// are in only one of the regions.
 struct Differences {
   double area_nm2 = 0;
-  /// Of the thickest face: twice its area by its perimeter, with 4 nm2 forgiven. What rounding
-  /// moves by d is d thick at most.
+  /// Thickness of the thickest face: twice its area divided by its perimeter, after subtraction of
+  /// 4 nm2. A boundary that rounding moves by d differs by at most d.
   double thickness_nm = 0;
-  /// Of the corner of a face that lies farthest from the boundary of what should be.
+  /// Largest distance from a corner of a face to the boundary of the expected region.
   double distance_nm = 0;
-  /// Of what the rings of the region wind around less than 0 times or more than once.
+  /// Area in which the rings of the region have a winding number below 0 or above 1.
   double overlap_nm2 = 0;
 };
 std::string ToText(const Differences& differences);
 
-/// `got` against the exact outcome of `op`. What a, b and got wind around at least once is theirs.
+/// Compares `got` with the exact result of `op`. A point is in a, b or got if the winding number
+/// there is at least one.
 Differences JudgeBoolean(const MultiPolygon& got, const MultiPolygon& a, const MultiPolygon& b,
                          Operation op);
 
-/// `got` against `want`.
+/// Compares `got` with `want`.
 Differences JudgeEqual(const MultiPolygon& got, const MultiPolygon& want);
 
 }  // namespace slicefarm

@@ -20,7 +20,8 @@ void AppendIslands(const ClipperLib::PolyNode& parent, MultiPolygon& out) {
   }
 }
 
-/// Whether an island's rings have the sense that the tree says, and its holes can lie in it.
+/// Returns true if the rings of an island have the direction that the tree implies, and its holes
+/// can be inside it.
 bool IsPlausible(const PolygonWithHoles& island) {
   if (SignedArea(island.outer) < 0) return false;
   const Box box = Bounds(island.outer);
@@ -31,7 +32,8 @@ bool IsPlausible(const PolygonWithHoles& island) {
   });
 }
 
-/// Where the most of a ring's corners lie that are not on the other ring.
+/// Returns true if most corners of `ring` are inside `outer`. Corners on the boundary of `outer` do
+/// not count.
 bool LiesIn(const Polygon& ring, const Polygon& outer) {
   int64_t inside = 0;
   for (const Point corner : ring) {
@@ -41,7 +43,7 @@ bool LiesIn(const Polygon& ring, const Polygon& outer) {
   return inside > 0;
 }
 
-/// The innermost island around a hole; null: none.
+/// Returns the innermost island around a hole; null if there is none.
 PolygonWithHoles* IslandAround(const Polygon& hole, MultiPolygon& islands) {
   PolygonWithHoles* around = nullptr;
   double least = 0;

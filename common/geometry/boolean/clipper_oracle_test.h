@@ -7,7 +7,8 @@
 
 namespace slicefarm {
 
-/// Clipper by itself, with nothing of ours in the way: an oracle for what is ours.
+/// Functions of Clipper without slicefarm's algorithms. Tests compare slicefarm's results with
+/// them.
 
 inline MultiPolygon ClipperBoolean(const MultiPolygon& a, const MultiPolygon& b,
                                    ClipperLib::ClipType type) {
@@ -28,7 +29,7 @@ inline MultiPolygon ClipperBoolean(const MultiPolygon& a, const MultiPolygon& b,
       a, b, op == Operation::kIntersection ? ClipperLib::ctIntersection : ClipperLib::ctDifference);
 }
 
-/// Area in mm2 of what one has and the other has not.
+/// Returns the area of the symmetric difference of two regions, in mm2.
 inline double Apart(const MultiPolygon& a, const MultiPolygon& b) {
   return Area(ClipperBoolean(a, b, ClipperLib::ctXor)) / 1e12;
 }
@@ -48,7 +49,7 @@ inline MultiPolygon ClipperOffsetTogether(const MultiPolygon& region, Coord dist
   return internal::FromTree(tree);
 }
 
-/// Islands that shrink do so one by one.
+/// Shrinks islands one by one.
 inline MultiPolygon ClipperOffset(const MultiPolygon& region, Coord distance_nm,
                                   const OffsetOptions& options = {}) {
   if (distance_nm > 0) return ClipperOffsetTogether(region, distance_nm, options);

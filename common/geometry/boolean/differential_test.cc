@@ -13,10 +13,11 @@
 #include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/text_format_test.h"
 
-// What is ours against Clipper, and where the two differ, against CGAL's exact arithmetic. What the
-// environment sets:
-//   SLICEFARM_REGION_PAIRS       how many (1500)
-//   SLICEFARM_REGION_PAIRS_SEED  the first one (1); a failure again: its seed, and 1 pair
+// Compares slicefarm's results with Clipper's, and where the two differ, with CGAL's exact
+// arithmetic. Environment variables:
+//   SLICEFARM_REGION_PAIRS       number of pairs (1500)
+//   SLICEFARM_REGION_PAIRS_SEED  seed of the first pair (1); to repeat a failure: its seed, and 1
+//   pair
 
 namespace slicefarm::differential_test {
 namespace {
@@ -65,7 +66,7 @@ constexpr std::pair<Operation, const char*> kOperations[] = {
     {Operation::kIntersection, "intersection"},
     {Operation::kDifference, "difference"}};
 
-// Corners are where exact ones are, rounded: sqrt(1/2) nm away at most.
+// Corners are the exact corners, rounded: at most sqrt(1/2) nm away.
 TEST(Differential, FastBooleans) {
   std::map<std::string, Totals> all;
   ForEachPair([&](const RegionPair& pair) {
@@ -84,8 +85,9 @@ TEST(Differential, FastBooleans) {
   Print(all);
 }
 
-// Clipper's among them: where edges run beside each other by less than a nanometre it leaves out
-// spurs of any length and no thickness, or makes some. So nothing is asked of the distance.
+// Includes the functions that use Clipper. Where edges are less than a nanometre apart, Clipper
+// omits or adds spurs of any length and no thickness. Therefore the test does not check the
+// distance.
 TEST(Differential, AllBooleans) {
   std::map<std::string, Totals> all;
   ForEachPair([&](const RegionPair& pair) {
@@ -103,8 +105,8 @@ TEST(Differential, AllBooleans) {
   Print(all);
 }
 
-// Of tips nothing is asked along their way: where edges meet at a small angle, a nanometre across
-// them is micrometres along.
+// The test does not check the distance along tips. Where edges meet at a small angle, a nanometre
+// across them is micrometres along them.
 TEST(Differential, Offsets) {
   std::map<std::string, Totals> all;
   ForEachPair([&](const RegionPair& pair) {

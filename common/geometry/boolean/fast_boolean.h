@@ -8,11 +8,12 @@ namespace slicefarm {
 
 enum class Operation { kUnion, kIntersection, kDifference };
 
-/// A boolean operation on regions in general position: no edge of the one passes through a corner
-/// of the other, touches it, or lies along it. nullopt where that is not so, or where there is
-/// doubt; Union, Intersection and Difference, which try this first, are for that. REQUIRES: islands
-/// are simple and disjoint. Points of intersection are rounded to nm. Cost: see TryWindingRegion;
-/// about a fifth of a sweep's.
+/// Calculates a boolean operation on regions in general position: no edge of one region passes
+/// through a corner of the other, touches it, or runs along it. Returns nullopt if the regions are
+/// not in general position or the result is uncertain. Use Union, Intersection and Difference
+/// instead: they try this function first. REQUIRES: islands are simple and disjoint. Points of
+/// intersection are rounded to nm. Cost: see TryWindingRegion; about a fifth of the cost of a
+/// sweep.
 std::optional<MultiPolygon> TryBoolean(const MultiPolygon& a, const MultiPolygon& b, Operation op);
 
 }  // namespace slicefarm

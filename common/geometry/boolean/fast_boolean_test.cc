@@ -46,7 +46,7 @@ TEST(FastBoolean, TouchingIsDoubtful) {
     EXPECT_FALSE(TryBoolean(a, P(b), Operation::kUnion).has_value()) << b;
 }
 
-/// A wavy ring around a point, with a hole of the same kind.
+/// Returns a wavy ring around a point, with a hole of the same kind.
 PolygonWithHoles Wavy(std::mt19937& random, Point middle) {
   std::uniform_real_distribution<double> unit(0, 1);
   PolygonWithHoles island;
@@ -67,7 +67,7 @@ PolygonWithHoles Wavy(std::mt19937& random, Point middle) {
   return island;
 }
 
-// Whatever the two regions: the sets are Clipper's, but for the rounding of crossings.
+// For any two regions, the result equals Clipper's result, except for the rounding of crossings.
 TEST(FastBoolean, GivesTheSetsThatClipperGives) {
   std::mt19937 random(7);
   int tried = 0;

@@ -14,8 +14,8 @@ namespace slicefarm::internal {
 struct BoxedEdge {
   Point from, to;
   Point min, max;
-  int32_t ring = 0;   ///< for the caller
-  int32_t index = 0;  ///< for the caller
+  int32_t ring = 0;   ///< set and used by the caller only
+  int32_t index = 0;  ///< set and used by the caller only
 };
 
 inline BoxedEdge MakeBoxedEdge(Point from, Point to, int32_t ring, int32_t index) {
@@ -32,7 +32,7 @@ inline void AppendBoxedEdges(const Polygon& points, int32_t ring, std::vector<Bo
   }
 }
 
-/// The axis along which fewer edges lie beside each other, as a member of Point.
+/// Returns the axis along which fewer edges overlap, as a member of Point.
 inline Coord Point::*SweepAxis(const std::vector<BoxedEdge>& edges) {
   double x = 0, y = 0;
   for (const BoxedEdge& edge : edges) {
@@ -42,14 +42,14 @@ inline Coord Point::*SweepAxis(const std::vector<BoxedEdge>& edges) {
   return x <= y ? &Point::x : &Point::y;
 }
 
-/// The search gives up on more pairs than these, a few milliseconds' and as many for each edge:
-/// it would not be faster than a proper sweep.
+/// Number of pairs that the search always allows (a few milliseconds), in addition to a number per
+/// edge. With more pairs the search gives up, because it would not be faster than a sweep.
 inline constexpr size_t kPairsAnyway = 1'000'000;
 inline constexpr size_t kPairsPerEdge = 64;
 
-/// Calls visit(e, f) for all pairs whose boxes meet. Stops and returns false as soon as visit does,
-/// or when there are too many pairs. Reorders the edges. Cost: O(n log n + pairs that overlap along
-/// the axis).
+/// Calls visit(e, f) for all pairs of edges with intersecting boxes. Stops and returns false if
+/// visit returns false, or if there are too many pairs. Reorders the edges. Cost: O(n log n + pairs
+/// that overlap along the axis).
 template <typename Visit>
 bool ForEachNearPair(std::vector<BoxedEdge>& edges, Visit visit) {
   Coord Point::*const along = SweepAxis(edges);
@@ -70,7 +70,8 @@ bool ForEachNearPair(std::vector<BoxedEdge>& edges, Visit visit) {
   return true;
 }
 
-/// The same for pairs of one edge of `a` and one of `b`: visit(edge of a, edge of b).
+/// Calls visit(edge of a, edge of b) for all pairs of one edge of `a` and one edge of `b` with
+/// intersecting boxes. Stops as the function above does.
 template <typename Visit>
 bool ForEachNearPair(std::vector<BoxedEdge>& a, std::vector<BoxedEdge>& b, Visit visit) {
   Coord Point::*const along = SweepAxis(a);

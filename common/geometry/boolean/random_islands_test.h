@@ -12,14 +12,16 @@
 
 namespace slicefarm {
 
-/// Random regions, and plain measures of them that share no code with the offsets, for tests.
+/// Random regions for tests, and simple measures of them that share no code with the offsets.
 
-/// In [from, to), from the generator's bits alone: the same with every standard library.
+/// Returns a number in [from, to), made only from the generator's bits, so that it is the same with
+/// every standard library.
 inline double Uniform(std::mt19937& random, double from, double to) {
   return from + (to - from) * (static_cast<double>(random()) / 4294967296.0);
 }
 
-/// A ring around the origin with 3 to 30 corners between `depth` times the radius and the radius.
+/// Returns a ring around the origin with 3 to 30 corners. Their radii are between `depth` times the
+/// radius and the radius.
 inline Polygon RandomStar(std::mt19937& random, double radius_mm, double depth) {
   Polygon ring;
   const int corners = 3 + static_cast<int>(Uniform(random, 0, 28));
@@ -32,7 +34,8 @@ inline Polygon RandomStar(std::mt19937& random, double radius_mm, double depth) 
   return ring;
 }
 
-/// An island around `middle`, half of them with a hole, some of those with an island in it.
+/// Returns an island around `middle`. Half of these islands have a hole, and some of the holes
+/// contain an island.
 inline MultiPolygon RandomIsland(std::mt19937& random, Point middle, double radius_mm) {
   const double depth = Uniform(random, 0.25, 1);
   std::vector<Polygon> rings = {RandomStar(random, radius_mm, depth)};
@@ -55,7 +58,7 @@ inline bool Inside(Point p, const MultiPolygon& region) {
   });
 }
 
-/// From p to the nearest point of any ring; infinite if there is none.
+/// Returns the distance from p to the nearest point of any ring; infinite if there is none.
 inline double DistanceToBoundary(Point p, const MultiPolygon& region) {
   double nearest = INFINITY;
   ForEachRing(region, [&](const Polygon& ring) {
@@ -76,7 +79,7 @@ inline Point RandomPoint(std::mt19937& random, const Box& box) {
           Uniform(random, static_cast<double>(box.min.y), static_cast<double>(box.max.y)))};
 }
 
-/// Calls visit(p) for points on all rings: corners, and between them every `step_nm`.
+/// Calls visit(p) for points on all rings: corners, and points every `step_nm` between them.
 template <typename Visit>
 void ForEachBoundaryPoint(const MultiPolygon& region, double step_nm, Visit visit) {
   ForEachRing(region, [&](const Polygon& ring) {
@@ -89,7 +92,7 @@ void ForEachBoundaryPoint(const MultiPolygon& region, double step_nm, Visit visi
   });
 }
 
-/// Turned by a quarter, and mirrored in the y axis.
+/// Returns the region turned by 90 degrees and mirrored in the y axis.
 inline MultiPolygon QuarterTurned(MultiPolygon region) {
   for (PolygonWithHoles& island : region) {
     for (Point& p : island.outer) p = {-p.y, p.x};

@@ -18,12 +18,12 @@ constexpr Coord kStepNm = 1'000'000;
 
 double Unit(const Pick& pick) { return pick(1001) / 1000.0; }
 
-/// A point with `radius` mm around (x, y) mm.
+/// Returns the point at `radius` mm from (x, y) mm in the given direction.
 Point Polar(double x, double y, double radius, double angle_rad) {
   return {FromMm(x + radius * Cos(angle_rad)), FromMm(y + radius * Sin(angle_rad))};
 }
 
-/// A ring with waves or teeth, and often a hole of the same shape.
+/// Returns a ring with waves or teeth, and often a hole of the same shape.
 MultiPolygon Wavy(const Pick& pick) {
   const uint32_t points = 3 + pick(60), waves = pick(9);
   const double x = pick(9), y = pick(9), depth = 0.4 * Unit(pick), noise = pick(2) * 0.4;
@@ -41,7 +41,7 @@ MultiPolygon Wavy(const Pick& pick) {
   return {island};
 }
 
-/// Columns of whole millimetres side by side, upright, lying, hanging or leaning.
+/// Returns columns of whole millimetres side by side: upright, horizontal, hanging or leaning.
 MultiPolygon Skyline(const Pick& pick) {
   Polygon ring;
   const Coord left = pick(6), base = pick(4);
@@ -73,7 +73,7 @@ Polygon Square(Point middle, Coord half) {
   return {{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}};
 }
 
-/// Frames in the holes of frames.
+/// Returns frames in the holes of frames.
 MultiPolygon Nested(const Pick& pick) {
   MultiPolygon frames;
   const Point middle = {static_cast<Coord>(pick(4)) * kStepNm,
@@ -94,7 +94,7 @@ MultiPolygon Nested(const Pick& pick) {
   return frames;
 }
 
-/// A triangle of up to 100 mm, some nanometres or micrometres wide.
+/// Returns a triangle of up to 100 mm that is some nanometres or micrometres wide.
 MultiPolygon Sliver(const Pick& pick) {
   constexpr std::array<Coord, 6> kWidths = {1, 2, 7, 100, 3'000, 200'000};
   const auto place = [&](uint32_t size) {
@@ -130,7 +130,7 @@ MultiPolygon Changed(MultiPolygon region, const Change& change) {
   return region;
 }
 
-/// Some points by a few nanometres.
+/// Moves some points by a few nanometres.
 MultiPolygon Jittered(const MultiPolygon& region, const Pick& pick) {
   const uint32_t share = 1 + pick(4);
   return Changed(region, [&](Point p) {
@@ -148,7 +148,7 @@ MultiPolygon Turned(const MultiPolygon& region, const Pick& pick) {
   });
 }
 
-/// What booleans and offsets ask of a region.
+/// Returns true if the region meets the requirements of booleans and offsets.
 bool IsSimple(const MultiPolygon& region) {
   std::vector<const Polygon*> rings;
   bool has_area = true;

@@ -13,10 +13,11 @@ namespace {
 
 using ClipperLib::Paths;
 
-/// Rings of the lowest level, and groups of each level above, that one sweep unites.
+/// Number of rings that a sweep of the lowest level unites, and number of groups that a sweep of
+/// each higher level unites.
 constexpr size_t kRingsAtOnce = 32, kGroupsAtOnce = 4;
 
-/// Returns the low 32 bits of `value` with a zero before each.
+/// Returns the low 32 bits of `value` with a zero before each bit.
 uint64_t Spread(uint64_t value) {
   value &= 0xffff'ffff;
   value = (value | value << 16) & 0x0000'ffff'0000'ffff;
@@ -26,14 +27,15 @@ uint64_t Spread(uint64_t value) {
   return (value | value << 1) & 0x5555'5555'5555'5555;
 }
 
-/// Returns the place of a point on a Z-order curve from `origin`, on which neighbours are near each
-/// other.
+/// Returns the position of a point on a Z-order curve from `origin`. Points that are close to each
+/// other are close on the curve.
 uint64_t PlaceOnCurve(Point p, Point origin) {
   return Spread(static_cast<uint64_t>(p.x - origin.x)) |
          Spread(static_cast<uint64_t>(p.y - origin.y)) << 1;
 }
 
-/// Puts neighbours next to each other, in an order that only their places decide.
+/// Sorts rings so that neighbours are next to each other. The order depends only on their
+/// positions.
 void SortByPlace(std::vector<Polygon>& rings) {
   std::vector<std::pair<uint64_t, Polygon>> placed;
   Box all;
@@ -49,8 +51,8 @@ void SortByPlace(std::vector<Polygon>& rings) {
   for (auto& [place, ring] : placed) rings.push_back(std::move(ring));
 }
 
-/// Unites groups [from, to). Without a tree: to keep one takes Clipper the square of the number of
-/// rings.
+/// Unites groups [from, to). It does not use a Clipper tree, because Clipper's time for a tree
+/// grows with the square of the number of rings.
 Paths United(const std::vector<Paths>& groups, size_t from, size_t to) {
   if (to == from + 1) return groups[from];
   ClipperLib::Clipper clipper;
@@ -60,7 +62,7 @@ Paths United(const std::vector<Paths>& groups, size_t from, size_t to) {
   return united;
 }
 
-/// Returns the groups with each `count` of them made one.
+/// Returns the groups after each `count` of them are united.
 std::vector<Paths> NextLevel(const std::vector<Paths>& groups, size_t count,
                              const CancelToken& cancel) {
   std::vector<Paths> next;

@@ -7,14 +7,14 @@
 
 namespace slicefarm {
 
-/// Returns Union(rings, FillRule::kNonZero) of many small rings that lie side by side, such as the
+/// Returns Union(rings, FillRule::kNonZero) of many small rings that are side by side, such as the
 /// faces of a surface seen from above. REQUIRES: the rings run counter-clockwise.
 ///
-/// A sweep over all rings at once keeps a list of all edges at its height, and so takes a time that
-/// grows with the square of their number (200,000 faces: hours). This unites neighbours first, then
-/// their unions, level by level. The result may differ from Union's by 1 nm a level and does not
-/// depend on the order of the rings. Empty once `cancel` says so. Cost: O(n log n) while the
-/// outline of the whole is short beside those of the rings.
+/// A sweep over all rings at once has a list of all edges at its height. Its time therefore grows
+/// with the square of the number of rings (200,000 faces: hours). This function unites neighbours
+/// first, then their unions, level by level. The result may differ from Union's by 1 nm per level,
+/// and does not depend on the order of the rings. Returns an empty region if `cancel` is triggered.
+/// Cost: O(n log n) if the outline of the result is short compared with the outlines of the rings.
 MultiPolygon UnionOfMany(std::vector<Polygon> rings, const CancelToken& cancel = {});
 
 }  // namespace slicefarm

@@ -13,8 +13,9 @@ namespace {
 
 constexpr Coord kMm = kNmPerMm;
 
-/// Divides the triangle into four `levels` times where it meets the circle around the origin, as a
-/// brush does, and adds the pieces whose middle is in the circle.
+/// Paints a triangle with a round brush, as a brush in a slicer does. It divides the triangle into
+/// four, `levels` times, where it meets the circle around the origin. It then adds the pieces with
+/// their middle in the circle.
 void Paint(const Polygon& t, double radius, int levels, std::vector<Polygon>& pieces) {
   const Point ab = {(t[0].x + t[1].x) / 2, (t[0].y + t[1].y) / 2};
   const Point bc = {(t[1].x + t[2].x) / 2, (t[1].y + t[2].y) / 2};
@@ -29,7 +30,7 @@ void Paint(const Polygon& t, double radius, int levels, std::vector<Polygon>& pi
     Paint(part, radius, levels - 1, pieces);
 }
 
-/// Two faces with a common edge, painted with a round brush of 9 mm.
+/// Returns two faces with a common edge, painted with a round brush of 9 mm.
 std::vector<Polygon> Painted(int levels) {
   std::vector<Polygon> pieces;
   Paint({{-10 * kMm, -11 * kMm}, {12 * kMm, -10 * kMm}, {11 * kMm, 13 * kMm}}, 9e6, levels, pieces);
@@ -67,7 +68,7 @@ TEST(UnionOfMany, TheOrderOfRingsChangesNothing) {
 }
 
 TEST(UnionOfMany, KeepsHolesAndIslands) {
-  std::vector<Polygon> cells;  // a frame of 30 x 30 cells, one inside of it, and one beside
+  std::vector<Polygon> cells;  // a frame of 30 x 30 cells, one cell inside it, and one beside it
   const auto cell = [&](Coord x, Coord y) {
     cells.push_back({{x * kMm, y * kMm},
                      {(x + 1) * kMm, y * kMm},
@@ -86,7 +87,7 @@ TEST(UnionOfMany, KeepsHolesAndIslands) {
   EXPECT_TRUE(UnionOfMany({}).empty());
 }
 
-/// Every sweep is preceded by a look at the token.
+/// Each sweep checks the token first.
 TEST(UnionOfMany, StopsWhenCancelled) {
   const std::vector<Polygon> pieces = Painted(7);
   int64_t looks = 0;

@@ -8,16 +8,17 @@
 namespace slicefarm {
 namespace {
 
-/// One bit for each side of the box beyond which p lies.
+/// Returns one bit for each side of the box that p is beyond.
 int SidesBeyond(Point p, const Box& box) {
   return (p.x < box.min.x ? 1 : 0) | (p.x > box.max.x ? 2 : 0) | (p.y < box.min.y ? 4 : 0) |
          (p.y > box.max.y ? 8 : 0);
 }
 
-/// The ring without the points between two that are beyond the same side, as all between them are.
+/// Returns the ring without points that cannot affect the box. A sequence of points that are all
+/// beyond the same side of the box is replaced by its ends.
 Polygon WithoutFarStretches(const Polygon& ring, const Box& box) {
   Polygon near;
-  int common = 0;  // sides beyond which all points since the last that had to stay lie
+  int common = 0;  // sides that all points since the last necessary one are beyond
   for (const Point p : ring) {
     const int sides = SidesBeyond(p, box);
     const bool goes_on = near.size() > 1 && (common & sides) != 0;

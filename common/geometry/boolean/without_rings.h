@@ -7,15 +7,15 @@
 
 namespace slicefarm {
 
-/// All that `subject` winds around (winding number not 0), less all that `rings` do. Each may cross
-/// and overlap: outlines of many regions in one sweep. The result is in canonical form.
-/// Cost: O((n + k) log n), k crossings.
+/// Returns the region with a non-zero winding number of `subject`, minus the region with a non-zero
+/// winding number of `rings`. Rings may cross and overlap, so one sweep can handle the outlines of
+/// many regions. The result is in canonical form. Cost: O((n + k) log n) for k crossings.
 MultiPolygon WithoutRings(std::span<const Polygon> subject, std::span<const Polygon> rings);
 MultiPolygon WithoutRings(const MultiPolygon& region, std::span<const Polygon> rings);
 
-/// Adds the rings of `region` that can matter inside `box`, with winding numbers there as they
-/// were: stretches that lie beyond one side of the box are replaced by a line, so what is outside
-/// means nothing. Cost: O(n).
+/// Adds the rings of `region` that can affect `box`, with the same winding numbers inside the box.
+/// Parts of rings that are beyond one side of the box are replaced by a line, so the result is
+/// meaningless outside the box. Cost: O(n).
 void AppendRingsNear(const MultiPolygon& region, const Box& box, std::vector<Polygon>& rings);
 
 }  // namespace slicefarm

@@ -30,7 +30,7 @@ TEST(WithoutRings, HolesOfOneRegionAreFilledByAnother) {
   EXPECT_EQ(AreaMm2(WithoutRings(region, rings)), 12);
 }
 
-/// A comb and boxes all around its teeth: inside each box nothing may change.
+/// A comb, and boxes around all its teeth: the result inside each box must not change.
 TEST(AppendRingsNear, MeansTheSameInsideTheBox) {
   const MultiPolygon comb = MakePolygonsOrDie(
       "(0 0, 30 0, 30 20, 28 20, 28 2, 24 2, 24 20, 20 20, 20 2, 16 2, 16 20, 12 20, 12 2, 8 2, "

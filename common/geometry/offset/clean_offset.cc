@@ -17,19 +17,20 @@
 namespace slicefarm {
 namespace {
 
-/// Edges that get shorter than this vanish where they may.
+/// Length below which a moved edge is removed if possible.
 constexpr double kLeastEdgeNm = 100;
-/// How far behind its neighbours' meeting point the line of a vanished edge may be found, for
-/// rounding.
+/// Tolerance for rounding: distance by which the line of a removed edge may be behind the meeting
+/// point of its neighbours.
 constexpr double kRoundingNm = 0.01;
-/// 1 + cos of the turn at which a miter is twice as long as the distance: corners of 60 degrees.
+/// 1 + cos of the turn at which a miter is twice as long as the distance; this is a corner of 60
+/// degrees.
 constexpr double kSharpest = 0.5;
 
-/// An edge of a ring on its way. Places are relative to the ring's first point.
+/// An edge of a ring that moves. Positions are relative to the ring's first point.
 struct MovingEdge {
-  Vector2 origin;     ///< where the edge started before it moved
-  Vector2 direction;  ///< unit; the island is to the left
-  Vector2 start;      ///< where its ends are now
+  Vector2 origin;     ///< start of the edge before it moved
+  Vector2 direction;  ///< unit vector; the island is to the left
+  Vector2 start;      ///< current ends of the edge
   Vector2 end;
   int previous = 0;
   int next = 0;
@@ -61,7 +62,8 @@ class RingOffset {
     }
   }
 
-  /// The ring in its new place; false if more happens to it than a clean offset allows.
+  /// Sets `ring` to the moved ring. Returns false if the ring changes more than a clean offset
+  /// allows.
   bool Move(Polygon& ring) {
     if (count_ < 3) return false;
     for (MovingEdge& edge : edges_)
@@ -91,12 +93,12 @@ class RingOffset {
     if (ring.empty() || ring.back() != p) ring.push_back(p);
   }
 
-  /// Where two edges that share a corner meet after moving. At a sharp corner that they move away
-  /// from, each ends for itself, in a square cut.
+  /// Sets the meeting point of two edges that share a corner, after the move. At a sharp corner
+  /// that the edges move away from, the edges get separate ends, which form a square cut.
   bool MeetAtCorner(MovingEdge& e, MovingEdge& f) const {
     const Vector2 corner = f.origin;
     const double straightness = 1 + Dot(e.direction, f.direction);
-    if (straightness < 1e-9) return false;  // turns back on itself
+    if (straightness < 1e-9) return false;  // the ring reverses its direction here
     const bool closing = turn_sign_ * Cross(e.direction, f.direction) > 0;
     if (!closing && straightness < kSharpest) {
       const double turn = Acos(std::max(-1.0, straightness - 1));
@@ -127,8 +129,8 @@ class RingOffset {
     return true;
   }
 
-  /// Lets the neighbours of an edge meet, if they both close in on it and meet behind its own line:
-  /// then it adds nothing to the half-planes of these two.
+  /// Removes an edge and lets its neighbours meet, if both approach it and meet behind its line.
+  /// The edge then adds nothing to the half-planes of its neighbours.
   bool Drop(MovingEdge& edge) {
     MovingEdge &before = edges_[edge.previous], &after = edges_[edge.next];
     const double turn = Cross(before.direction, after.direction);
@@ -151,9 +153,9 @@ class RingOffset {
   }
 
   double left_;
-  int turn_sign_;  ///< of the turns at corners towards which the edges move
+  int turn_sign_;  ///< sign of the turns at corners that the edges move towards
   Point base_;
-  int count_ = 0;  ///< edges that are left
+  int count_ = 0;  ///< number of remaining edges
   std::vector<MovingEdge> edges_;
 };
 
@@ -166,10 +168,11 @@ bool HasReflexCorner(const Polygon& ring) {
   return false;
 }
 
-/// The curve that a ring's edges leave when they move left by `distance`, each for itself, from the
-/// outline's edge: an island's winding numbers less one for each rectangle that an edge sweeps, and
-/// each miter of a reflex corner. Where two rectangles overlap at a convex corner no blunter than
-/// square, the overlap is left out once, so that the curve does not cross itself at every corner.
+/// Returns the curve of a ring's edges after each moves left by `distance` on its own, starting at
+/// the outline. The winding numbers of the curve are the island's winding numbers, minus one for
+/// each rectangle that an edge sweeps and for each miter of a reflex corner. At a convex corner of
+/// 90 degrees or more, two rectangles overlap. The overlap is subtracted only once there, so that
+/// the curve does not cross itself at every corner.
 Polygon SweptCurve(const Polygon& ring, double distance) {
   struct Step {
     Point from;
@@ -189,17 +192,17 @@ Polygon SweptCurve(const Polygon& ring, double distance) {
     const Point p{base.x + std::llround(v.x()), base.y + std::llround(v.y())};
     if (curve.empty() || curve.back() != p) curve.push_back(p);
   };
-  // Around a ring without reflex corners a point may lie in all rectangles and all overlaps, which
-  // would come to nothing: there the first overlap stays.
+  // In a ring without reflex corners, a point may be in all rectangles and all overlaps. The
+  // subtractions would then cancel out, so the first overlap remains.
   bool overlaps_left_out = HasReflexCorner(ring);
   for (size_t i = 0; i < steps.size(); ++i) {
     const Step &e = steps[i == 0 ? steps.size() - 1 : i - 1], &f = steps[i];
     const Vector2 to_e = distance * TurnedLeft(e.direction),
                   to_f = distance * TurnedLeft(f.direction);
     const double cosine = Dot(e.direction, f.direction), straightness = 1 + cosine;
-    if (straightness < 1e-9) return {};  // turns back on itself
+    if (straightness < 1e-9) return {};  // the ring reverses its direction here
     const bool convex = Cross(e.direction, f.direction) > 0;
-    // How far the overlap of the two rectangles reaches along either edge, were it long enough.
+    // Length of the overlap of the two rectangles along either edge, if the edges are long enough.
     const double reach = distance * std::abs(Cross(e.direction, f.direction));
     if (convex && (!overlaps_left_out || cosine < 0 || reach > e.length || reach > f.length)) {
       overlaps_left_out = true;
@@ -218,8 +221,8 @@ Polygon SweptCurve(const Polygon& ring, double distance) {
   return curve;
 }
 
-/// For islands without crossing rings: whether holes lie in their outer ring, and nothing in each
-/// other.
+/// Returns true if the holes are inside their outer ring and no hole is inside another. REQUIRES:
+/// rings do not cross.
 bool IsNested(const PolygonWithHoles& island) {
   if (SignedArea(island.outer) <= 0) return false;
   std::vector<Box> boxes;

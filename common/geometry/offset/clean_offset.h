@@ -6,33 +6,32 @@
 
 namespace slicefarm {
 
-/// Islands whose edges have moved, without anything happening to them but that edges between two
-/// corners towards which they moved vanished.
+/// Islands with moved edges. Nothing else changed, except that some edges between two corners
+/// vanished as they moved towards these corners.
 struct CleanOffset {
   MultiPolygon polygons;
-  bool has_tips = false;  ///< a convex corner of less than 60 degrees is left
+  bool has_tips = false;  ///< a convex corner of less than 60 degrees remains
 };
 
-/// Offsets islands edge by edge, and proves the result right: each edge that is left runs as
-/// before, those that are not are behind their neighbours' meeting point, the rings are simple and
-/// nested as they were. Corners away from which the edges move are mitered up to twice the distance
-/// and cut square beyond, as Offset does. nullopt where a ring would vanish, split, join another,
-/// or change its shape otherwise; that is what Offset is for.
+/// Offsets islands edge by edge, and proves that the result is right. Each remaining edge has its
+/// old direction. Each removed edge is behind the meeting point of its neighbours. The rings are
+/// simple, and nested as before. Corners that the edges move away from are mitered up to twice the
+/// distance and cut square beyond, as in Offset. Returns nullopt if a ring would vanish, split,
+/// join another ring, or change its shape otherwise; use Offset for these cases.
 ///
-/// The result equals that of Offset to within 2 nm across its edges; along them, the tips of acute
-/// corners lie farther apart.
-/// Cost: O(n log n), about a tenth of Offset's.
+/// The result equals the result of Offset to within 2 nm across its edges. Along the edges, the
+/// tips of acute corners may differ more. Cost: O(n log n), about a tenth of the cost of Offset.
 std::optional<CleanOffset> TryOffset(const MultiPolygon& polygons, Coord distance_nm);
 
-/// Shrinks an island whatever happens to it: it may split, and parts of it vanish. Each edge sweeps
-/// a rectangle, each reflex corner its miter, and what none of them covers is left; that is read
-/// off the winding numbers of one curve. nullopt where that curve is not in general position.
+/// Shrinks an island, which may split or vanish in parts. Each edge sweeps a rectangle, and each
+/// reflex corner its miter. The result is the area that none of them covers; it is found from the
+/// winding numbers of one curve. Returns nullopt if this curve is not in general position.
 /// REQUIRES: distance_nm > 0; the island is simple. Cost: see TryWindingRegion; about a fifth of
-/// Offset's.
+/// the cost of Offset.
 std::optional<MultiPolygon> TryErode(const PolygonWithHoles& island, Coord distance_nm);
 
-/// Offset(polygons, distance_nm), by TryOffset or TryErode where these will do: island by island if
-/// they shrink, all together if they grow.
+/// Returns Offset(polygons, distance_nm), calculated by TryOffset or TryErode if they succeed.
+/// Islands are handled one by one if they shrink, and together if they grow.
 MultiPolygon FastOffset(const MultiPolygon& polygons, Coord distance_nm);
 
 }  // namespace slicefarm

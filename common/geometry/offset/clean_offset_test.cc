@@ -68,12 +68,13 @@ TEST(Erode, SplitsAndSwallows) {
   ASSERT_TRUE(eroded.has_value());
   EXPECT_EQ(eroded->size(), 2u);
   EXPECT_LT(Apart(*eroded, ClipperOffset(dumbbell, FromMm(-0.7))), 1e-5);
-  // Far more than the inscribed circle: nothing, and no ghost of a ring turned inside out.
+  // Distances far above the radius of the inscribed circle give no result, and no leftover of a
+  // ring that was turned inside out.
   for (const double mm : {2.3, 3.1, 5.3, 11.7})
     EXPECT_TRUE(FastOffset(dumbbell, FromMm(-mm)).empty()) << mm;
 }
 
-/// A ring with waves and teeth; with `fine` many points between them.
+/// Returns a ring with waves and teeth; if `fine`, with many points between them.
 Polygon Blob(std::mt19937& random, bool fine) {
   std::uniform_real_distribution<double> unit(0, 1);
   Polygon ring;
@@ -88,7 +89,7 @@ Polygon Blob(std::mt19937& random, bool fine) {
   return ring;
 }
 
-// The proof of the pudding: whatever the shape and the distance, the same region as Clipper's.
+// For any shape and distance, the result is the same region as Clipper's.
 TEST(FastOffset, EqualsClippers) {
   std::mt19937 random(11);
   int eroded = 0, clean = 0;

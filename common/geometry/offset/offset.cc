@@ -37,7 +37,7 @@ ClipperLib::EndType ToClipper(Cap cap) {
   return ClipperLib::etOpenButt;
 }
 
-/// What `curves` wind around a positive number of times.
+/// Returns the region in which the winding number of `curves` is positive.
 MultiPolygon Outside(const ClipperLib::Paths& curves) {
   ClipperLib::Clipper clipper;
   clipper.AddPaths(curves, ClipperLib::ptSubject, true);
@@ -46,13 +46,13 @@ MultiPolygon Outside(const ClipperLib::Paths& curves) {
   return internal::FromTree(tree);
 }
 
-/// Nothing else has a corner where the frame has its own.
+/// Returns true if the ring is the frame; no other ring has the frame's corner.
 bool IsFrame(const ClipperLib::Path& ring, const ClipperLib::Path& frame) {
   return std::find(ring.begin(), ring.end(), frame[0]) != ring.end();
 }
 
-/// The same, as the holes of its complement in a frame: Clipper is the more robust there for curves
-/// of rings that shrink (as ClipperOffset does it).
+/// Returns the same region as Outside for curves of rings that shrink. It calculates the holes of
+/// the complement in a frame, because Clipper is more robust there (ClipperOffset does the same).
 MultiPolygon Inside(const ClipperLib::Paths& curves) {
   constexpr ClipperLib::cInt kMargin = 10;
   ClipperLib::Clipper clipper;
@@ -66,7 +66,7 @@ MultiPolygon Inside(const ClipperLib::Paths& curves) {
   ClipperLib::PolyTree tree;
   clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftNegative, ClipperLib::pftNegative);
   if (tree.ChildCount() == 1) return internal::FromTree(*tree.Childs[0]);
-  // What should be below the frame is beside it: Clipper has forgotten where it lies.
+  // Clipper has lost the nesting: rings that should be below the frame in the tree are beside it.
   std::vector<Polygon> rings;
   for (const ClipperLib::PolyNode* ring = tree.GetFirst(); ring != nullptr; ring = ring->GetNext())
     if (!IsFrame(ring->Contour, frame)) rings.push_back(internal::FromPath(ring->Contour));
@@ -100,7 +100,7 @@ MultiPolygon OffsetTwice(const MultiPolygon& polygons, Coord first_nm, Coord sec
 
 MultiPolygon OffsetLines(std::span<const Polyline> lines, Coord distance_nm, Cap cap,
                          const OffsetOptions& options) {
-  // ClipperOffset calls libm: not for an output path.
+  // ClipperOffset uses libm, so its result must not be used in the output.
   ClipperOffset offset(options.miter_limit, static_cast<double>(options.arc_tolerance_nm));
   for (const Polyline& line : lines)
     offset.AddPath(internal::ToPath(line), ToClipper(options.join), ToClipper(cap));

@@ -11,7 +11,8 @@ enum class Cap { kButt, kSquare, kRound };
 
 struct OffsetOptions {
   Join join = Join::kMiter;
-  /// Miters longer than this many offsets are cut square. Smallest useful value 1.
+  /// Miter limit: miters longer than this number of offsets are cut square. The smallest useful
+  /// value is 1.
   double miter_limit = 2.0;
   /// Largest distance of a round join from the true arc.
   Coord arc_tolerance_nm = 2'500;
@@ -22,11 +23,11 @@ struct OffsetOptions {
 MultiPolygon Offset(const MultiPolygon& polygons, Coord distance_nm,
                     const OffsetOptions& options = {});
 
-/// Offset by `first_nm` and then by `second_nm`: opening for (-d, +d), closing for (+d, -d).
+/// Offsets by `first_nm` and then by `second_nm`. (-d, +d) is an opening, (+d, -d) is a closing.
 MultiPolygon OffsetTwice(const MultiPolygon& polygons, Coord first_nm, Coord second_nm,
                          const OffsetOptions& options = {});
 
-/// The region within `distance_nm` of open lines. REQUIRES: distance_nm > 0.
+/// Returns the region within `distance_nm` of open lines. REQUIRES: distance_nm > 0.
 MultiPolygon OffsetLines(std::span<const Polyline> lines, Coord distance_nm, Cap cap,
                          const OffsetOptions& options = {});
 

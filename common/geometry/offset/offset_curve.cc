@@ -25,7 +25,7 @@ Vector2 RightOf(Point from, Point to) {
   return {dy * scale, -(dx * scale)};
 }
 
-/// Half away from zero.
+/// Returns the value rounded half away from zero.
 Coord Rounded(double value) { return static_cast<Coord>(value < 0 ? value - 0.5 : value + 0.5); }
 
 class CurveMaker {
@@ -65,8 +65,8 @@ class CurveMaker {
   }
   void Append(Point at, Vector2 n) { Append(at, n.x() * distance_, n.y() * distance_); }
 
-  /// False where the edges run straight on: the next corner is measured against `in` again, so that
-  /// many small turns add up.
+  /// Appends the join at a corner. Returns false if the edges are nearly straight: the next corner
+  /// is then measured against `in` again, so that many small turns add up.
   bool Corner(Point at, Vector2 in, Vector2 out) {
     double sine = Cross(in, out);
     const double cosine = Dot(in, out);

@@ -5,13 +5,15 @@
 
 namespace slicefarm::internal {
 
-/// The curve of a ring's edges, moved `distance_nm` to their right and joined where they meet.
-/// Where they close in on a corner, the curve goes by way of the corner itself, so that loops there
-/// turn the other way: what it winds around a positive number of times is the ring's offset. Empty
-/// where fewer than three points differ from the one before.
+/// Returns the curve of a ring's edges after they move `distance_nm` to their right, with joins
+/// where they meet. At a corner that the edges move towards, the curve passes through the corner
+/// itself, so that loops there turn in the opposite direction. The offset of the ring is the region
+/// in which the curve has a positive winding number. The curve is empty if fewer than three points
+/// differ from the point before.
 ///
-/// The same curve as ClipperOffset 6.4.2's, whose rules these are (Angus Johnson, Boost licence),
-/// with functions of portable_math.h in place of libm's.
+/// The function follows the rules of ClipperOffset 6.4.2 (Angus Johnson, Boost licence), and its
+/// result is the same. This
+/// function uses portable_math.h instead of libm.
 Polygon OffsetCurve(const Polygon& ring, double distance_nm, const OffsetOptions& options);
 
 }  // namespace slicefarm::internal

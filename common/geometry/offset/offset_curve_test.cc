@@ -52,7 +52,7 @@ TEST(OffsetCurve, RingsOfLessThanThreePointsAreNone) {
     EXPECT_TRUE(OffsetCurve(MakeLineOrDie(ring), 1e6, {}).empty()) << ring;
 }
 
-/// Teeth, waves and fine points, with a hole.
+/// Returns a ring with teeth, waves and fine points, with a hole.
 PolygonWithHoles Spiky(std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0, 1);
   PolygonWithHoles island;
@@ -69,7 +69,8 @@ PolygonWithHoles Spiky(std::mt19937& random) {
   return island;
 }
 
-// To the nanometre: libm's last bits make no difference to any of these.
+// Results are equal to the nanometre, because the last bits of libm make no difference in these
+// cases.
 TEST(OffsetCurve, GivesWhatClipperOffsetGives) {
   std::mt19937 random(5);
   for (int i = 0; i < 100; ++i) {

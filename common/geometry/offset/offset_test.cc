@@ -37,7 +37,7 @@ TEST_P(MiterTest, IsAsLongAsTheAngleAsks) {
   const Polygon corner = {
       {0, 0}, {FromMm(100), 0}, {FromMm(100 * std::cos(angle)), FromMm(100 * std::sin(angle))}};
   const MultiPolygon grown = Offset({{corner, {}}}, FromMm(1), {.miter_limit = 20});
-  double reach = 0;  // of the tip that belongs to the corner at the origin
+  double reach = 0;  // distance of the tip at the origin's corner
   for (const Point p : grown[0].outer)
     if (Norm(p) < 10e6) reach = std::max(reach, Norm(p));
   EXPECT_NEAR(reach / 1e6, factor, 1e-5);
@@ -49,12 +49,13 @@ INSTANTIATE_TEST_SUITE_P(Angles, MiterTest,
 
 class NotchTest : public testing::TestWithParam<MiterCase> {};
 
-// errata 10.1.2: the same inwards, where the corner is reflex: 1 / |sin(theta / 2)|.
+// errata 10.1.2: the rule for an inward offset at a reflex corner: 1 / |sin(theta / 2)|.
 TEST_P(NotchTest, InwardMiterIsAsLongAsTheAngleAsks) {
   const auto [degrees, factor] = GetParam();
-  const double half = (360 - degrees) / 2 * std::numbers::pi / 180;  // of the notch's opening
+  // half of the notch's opening angle
+  const double half = (360 - degrees) / 2 * std::numbers::pi / 180;
   const double deep = 300, wide = deep * std::tan(half);
-  // A wide plate with a notch from above, its tip at the origin.
+  // A wide plate with a notch from above. The tip of the notch is at the origin.
   const Polygon plate = {{FromMm(-wide - 400), FromMm(-400)},
                          {FromMm(wide + 400), FromMm(-400)},
                          {FromMm(wide + 400), FromMm(deep)},
@@ -91,15 +92,16 @@ TEST(Offset, MiterLimitIsAnAngle) {
   EXPECT_LT(reach(28.94, 4), 3.9);
 }
 
-// errata 10.1.2: an arc of radius d within the tolerance takes pi / acos(1 - tolerance / d) steps a
-// turn, 49.66 for 5 mm and 0.01 mm; and it sweeps the turn between the edges, not the way around.
+// errata 10.1.2: an arc of radius d within the tolerance has pi / acos(1 - tolerance / d) steps per
+// turn, which is 49.66 for 5 mm and 0.01 mm. The arc covers the turn between the edges, not the
+// rest of the circle.
 TEST(Offset, RoundJoinsTakeTheStepsTheToleranceAsks) {
   const Polygon dot = {{0, 0}, {1'000, 0}, {1'000, 1'000}, {0, 1'000}};
   const MultiPolygon disc =
       Offset({{dot, {}}}, FromMm(5), {.join = Join::kRound, .arc_tolerance_nm = FromMm(0.01)});
   EXPECT_GE(disc[0].outer.size(), 49u);
   EXPECT_LE(disc[0].outer.size(), 58u);  // rounded up at each of four corners
-  // Edges at 170 and at -170 degrees: 20 degrees of an arc lie between them, not 340.
+  // Edges at 170 and at -170 degrees: the arc between them covers 20 degrees, not 340.
   const double a = 20 * std::numbers::pi / 180;
   const Polygon bend = {{FromMm(50), FromMm(-50)},
                         {FromMm(50), FromMm(50)},
@@ -125,7 +127,7 @@ TEST(Offset, MiterAtNinetyDegreesIsASquare) {
               1.44 - 4 * 0.01 * (std::sqrt(2) - 1) * (std::sqrt(2) - 1), 1e-6);
 }
 
-// errata 10.1.2: adjacent offset lines of an over-shrunk ring meet again on the far side.
+// errata 10.1.2: adjacent offset lines of a ring that shrinks too far meet again on the far side.
 TEST(Offset, OverShrunkRingsVanish) {
   EXPECT_TRUE(Offset(kUnitSquare, -FromMm(0.6)).empty());
   EXPECT_TRUE(Offset(kUnitSquare, -FromMm(0.5)).empty());
@@ -173,7 +175,8 @@ TEST(OffsetLines, CapsDecideTheEnds) {
               0.02);
 }
 
-// Turning the input by a right angle, mirroring it and moving it turn, mirror and move the result.
+// If the input is turned by 90 degrees, mirrored or moved, the result is turned, mirrored or moved
+// in the same manner.
 TEST(Offset, CommutesWithRigidMotions) {
   const MultiPolygon shape = MakePolygonsOrDie("(0 0, 9 0, 9 3, 5 3, 5 7, 0 9) (1 1, 2 1, 2 2)");
   const double area = Area(Offset(shape, -FromMm(0.3)));

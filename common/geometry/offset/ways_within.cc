@@ -21,7 +21,7 @@ bool Crosses(Point a, Point b, Point c, Point d) {
   return to_c * to_d <= 0 && to_a * to_b < 0;
 }
 
-/// The point of the region that lies the clearance off `corner`, along the middle of its angle.
+/// Returns the point of the region at the clearance from `corner`, along the bisector of its angle.
 Point Off(Point before, Point corner, Point after) {
   const Point in = corner - before, out = after - corner;
   const double in_length = Norm(in), out_length = Norm(out);
@@ -33,7 +33,7 @@ Point Off(Point before, Point corner, Point after) {
           corner.y + std::llround(kClearanceNm * y / length)};
 }
 
-/// The corners of a ring that point into the region, which lies on the ring's left.
+/// Adds the corners of a ring that point into the region. The region is to the left of the ring.
 void AddBends(const Polygon& ring, std::vector<Point>& bends) {
   for (size_t i = 0; i < ring.size(); ++i) {
     const Point before = ring[(i + ring.size() - 1) % ring.size()];
@@ -65,7 +65,7 @@ bool WaysWithin::Sees(Point a, Point b) const {
   return sees;
 }
 
-/// Dijkstra's algorithm over the bends.
+/// Algorithm: Dijkstra's algorithm over the bends.
 WaysWithin::Tree WaysWithin::WaysFrom(Point a) const {
   const size_t count = bends_.size();
   Tree tree{std::vector<double>(count, kFar), std::vector<size_t>(count, count)};

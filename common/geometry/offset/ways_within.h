@@ -7,35 +7,37 @@
 
 namespace slicefarm {
 
-/// Shortest ways that stay within a region, such as a bed without its excluded areas.
+/// Shortest paths that stay within a region, such as a bed without its excluded areas.
 ///
-/// Ways bend at the corners that point into the region, 0.5 mm off them. All corners are looked at,
-/// so regions of few corners are meant.
-/// Source: T. Lozano-Perez, M. A. Wesley, "An Algorithm for Planning Collision-Free Paths among
-/// Polyhedral Obstacles", CACM 22 (1979).
+/// Paths bend near the corners that point into the region, at a distance of 0.5 mm. The algorithm
+/// tests all corners, so it is only suitable for regions with few corners. Source: T. Lozano-Perez,
+/// M. A. Wesley, "An Algorithm for Planning Collision-Free Paths among Polyhedral Obstacles", CACM
+/// 22 (1979).
 class WaysWithin {
  public:
-  /// Without a region nothing is in the way. Cost: O(n^3) for the n corners.
+  /// Prepares paths within `region`. An empty region has no obstacles. Cost: O(n^3) for n corners.
   explicit WaysWithin(const MultiPolygon& region);
 
-  /// Returns the corners of the shortest way from a to b within the region; none if the straight
-  /// way is one, if a or b lies outside of the region, or if no way leads there.
-  /// Cost: O(n) if the straight way is one; else O(n^2).
+  /// Returns the corners of the shortest path from a to b within the region. Returns none if the
+  /// straight line is within the region, if a or b is outside the region, or if there is no path.
+  /// Cost: O(n) if the straight line is within the region; otherwise O(n^2).
   std::vector<Point> Between(Point a, Point b) const;
 
  private:
-  /// The shortest ways from a place to the bends.
+  /// Shortest paths from one point to all bends.
   struct Tree {
-    std::vector<double> length;  ///< in nm; infinite: no way
-    std::vector<size_t> before;  ///< the bend before; their count: none
+    std::vector<double> length;  ///< length of the path to each bend, in nm; infinite: no path
+    /// previous bend on the path to each bend; the number of bends: none
+    std::vector<size_t> before;
   };
 
   bool Sees(Point a, Point b) const;
   Tree WaysFrom(Point a) const;
 
-  MultiPolygon region_;       ///< grown by a hair: ways may run along its edge
-  std::vector<Point> bends_;  ///< where ways may bend
-  std::vector<std::vector<double>> lengths_;  ///< between bends, in nm; infinite: out of sight
+  MultiPolygon region_;       ///< the region grown slightly, so that paths may run along its edge
+  std::vector<Point> bends_;  ///< points at which paths may bend
+  /// straight distances between bends, in nm; infinite: not visible
+  std::vector<std::vector<double>> lengths_;
 };
 
 }  // namespace slicefarm

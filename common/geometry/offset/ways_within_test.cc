@@ -15,7 +15,7 @@ MultiPolygon Box(double x0, double y0, double x1, double y1) {
   return {{{Mm(x0, y0), Mm(x1, y0), Mm(x1, y1), Mm(x0, y1)}, {}}};
 }
 
-/// A bed of 256 mm without its front left corner.
+/// Returns a bed of 256 mm without its front left corner.
 MultiPolygon WithoutCorner() { return Difference(Box(0, 0, 256, 256), Box(0, 0, 18, 28)); }
 
 double LengthMm(Point a, const std::vector<Point>& corners, Point b) {

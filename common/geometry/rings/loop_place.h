@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// A place on a loop: on the edge from point `edge` to the next; `at` is that point itself if it
-/// lies there.
+/// A position on a loop: on the edge from point `edge` to the next point. `at` is that point itself
+/// if the position is there.
 struct LoopPlace {
   size_t edge = 0;
   Point at;
@@ -16,8 +16,7 @@ struct LoopPlace {
   friend bool operator==(const LoopPlace&, const LoopPlace&) = default;
 };
 
-/// The place nearest to `to`, wherever it lies. REQUIRES: loop not empty.
-/// Cost: O(n).
+/// Returns the position on the loop nearest to `to`. REQUIRES: loop not empty. Cost: O(n).
 LoopPlace NearestPlace(std::span<const Point> loop, Point to);
 
 }  // namespace slicefarm

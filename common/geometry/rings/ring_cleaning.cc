@@ -7,7 +7,7 @@
 namespace slicefarm {
 namespace {
 
-/// Adds p to an open line, dropping what it makes superfluous before it.
+/// Appends p to an open line, and removes earlier points that p makes redundant.
 void Append(Polygon& line, Point p) {
   while (line.size() >= 2 && Orientation(line.end()[-2], line.back(), p) == 0) line.pop_back();
   if (line.empty() || line.back() != p) line.push_back(p);
@@ -19,7 +19,7 @@ Polygon CleanedRing(const Polygon& ring) {
   Polygon line;
   line.reserve(ring.size());
   for (const Point p : ring) Append(line, p);
-  // Where the line's ends meet, either may be superfluous.
+  // The first or the last point may be redundant where the ends of the line meet.
   size_t first = 0, last = line.size();
   while (last - first >= 3) {
     if (line[last - 1] == line[first] ||

@@ -10,14 +10,14 @@ namespace {
 
 using internal::BoxedEdge;
 
-/// Whether two edges do more than follow each other around a corner.
+/// Returns true if two edges meet in any other manner than as consecutive edges at a corner.
 bool Collide(const BoxedEdge& e, const BoxedEdge& f) {
   const int to_from = Orientation(e.from, e.to, f.from), to_to = Orientation(e.from, e.to, f.to);
   if (to_from * to_to > 0) return false;
   const int from_from = Orientation(f.from, f.to, e.from);
   const int from_to = Orientation(f.from, f.to, e.to);
   if (from_from * from_to > 0) return false;
-  // Around a corner, or straight on, they share just the one point.
+  // Consecutive edges share only one point, around a corner or straight on.
   if (e.to == f.from && (to_to != 0 || Dot(e.to - e.from, f.to - f.from) > 0)) return false;
   if (f.to == e.from && (to_from != 0 || Dot(e.to - e.from, f.to - f.from) > 0)) return false;
   if (to_from != 0 || to_to != 0) return true;

@@ -47,7 +47,7 @@ TEST(SimpleRingsLimits, TooFewOrRepeatedPoints) {
     EXPECT_FALSE(AreSimple(std::vector<const Polygon*>{ring}));
 }
 
-// Edges by the thousand beside each other, but in one direction only.
+// Thousands of edges side by side, but in one direction only.
 TEST(SimpleRingsLimits, CombIsSimple) {
   Polygon comb;
   for (Coord i = 0; i < 2000; ++i) {
@@ -61,7 +61,7 @@ TEST(SimpleRingsLimits, CombIsSimple) {
   EXPECT_TRUE(AreSimple(std::vector<const Polygon*>{&comb}));
 }
 
-// In both directions, by the hundred.
+// Hundreds of edges side by side, in both directions.
 TEST(SimpleRingsLimits, SlantedCombIsSimple) {
   Polygon comb;
   for (Coord i = 0; i < 200; ++i) {

@@ -8,8 +8,8 @@
 namespace slicefarm {
 namespace {
 
-/// Marks the points of line[first..last] that Douglas-Peucker keeps, ends excluded. Iterative: a
-/// spiral of 10^6 points must not exhaust the stack.
+/// Marks the points of line[first..last] that Douglas-Peucker keeps, ends excluded. It is
+/// iterative, so that a spiral of 10^6 points does not exhaust the stack.
 void MarkKept(const Polyline& line, size_t first, size_t last, double tolerance_nm,
               std::vector<bool>& keep) {
   std::vector<std::pair<size_t, size_t>> open = {{first, last}};
@@ -48,7 +48,7 @@ Polyline SimplifyLine(const Polyline& line, Coord tolerance_nm) {
 
 Polygon SimplifyRing(const Polygon& ring, Coord tolerance_nm) {
   if (ring.size() < 3) return {};
-  // The least point and the one farthest from it are on the hull, so both belong to any good
+  // The least point and the point farthest from it are on the hull, so both belong to any good
   // approximation.
   Polyline line = ring;
   std::rotate(line.begin(), std::min_element(line.begin(), line.end()), line.end());

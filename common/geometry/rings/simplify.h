@@ -4,16 +4,17 @@
 
 namespace slicefarm {
 
-/// Drops points so that no point of the input lies farther than `tolerance_nm` from the line that
-/// replaces it (Douglas-Peucker). Ends stay. Cost: O(n log n) as a rule, O(n^2) at worst.
+/// Removes points so that no point of the input is farther than `tolerance_nm` from the line that
+/// replaces it (Douglas-Peucker). The ends remain. Cost: typically O(n log n), at worst O(n^2).
 Polyline SimplifyLine(const Polyline& line, Coord tolerance_nm);
 
-/// The same for a ring; it is cut at two far points, so that the result does not depend on where
-/// the ring starts. Rings that fall below three points or to zero area come back empty.
+/// Simplifies a ring in the same manner. The ring is cut at two distant points, so that the result
+/// does not depend on its start. Rings with fewer than three points or zero area afterwards are
+/// returned empty.
 Polygon SimplifyRing(const Polygon& ring, Coord tolerance_nm);
 
-/// Simplifies each ring; empty ones are dropped, an island whose outer ring goes takes its holes
-/// with it. Rings may touch or cross by up to the tolerance afterwards: run Union where that
+/// Simplifies each ring. Empty rings are removed; an island without an outer ring is removed with
+/// its holes. Afterwards rings may touch or cross by up to the tolerance; use Union if this
 /// matters.
 MultiPolygon Simplify(const MultiPolygon& polygons, Coord tolerance_nm);
 

@@ -72,7 +72,7 @@ TEST(Simplify, HolesGoWithTheirIsland) {
   EXPECT_TRUE(simple[0].holes.empty());
 }
 
-/// Runs `work` with so little stack that nothing may recurse deeply.
+/// Runs `work` with such a small stack that deep recursion fails.
 void OnASmallStack(void* (*work)(void*), void* argument) {
   pthread_attr_t attributes;
   pthread_t thread;
@@ -83,8 +83,8 @@ void OnASmallStack(void* (*work)(void*), void* argument) {
   pthread_attr_destroy(&attributes);
 }
 
-// A zigzag that dies out is split at its first point again and again: recursion would go as deep as
-// it is long.
+// A zigzag of decreasing size is split at its first point each time, so recursion would be as deep
+// as the zigzag is long.
 TEST(SimplifyLine, DoesNotRecurse) {
   constexpr int kPoints = 5'000;
   Polyline line;

@@ -18,7 +18,7 @@ Coord OnGrid(Coord nm, Coord unit_nm) {
   return std::llround(static_cast<double>(nm) / static_cast<double>(unit_nm));
 }
 
-/// False for a ring that has no inside.
+/// Adds a ring. Returns false for a ring without an interior.
 bool AppendRing(Polygon ring, Boundary& boundary) {
   for (Point& p : ring) {
     p = p - boundary.origin;

@@ -7,7 +7,8 @@
 
 namespace slicefarm {
 
-/// A directed edge of a boundary, the region to its left; and where the boundary goes on.
+/// A directed edge of a boundary, with the region to its left, and the indices of the previous and
+/// next edge.
 struct BoundaryEdge {
   Point from;
   Point to;
@@ -15,27 +16,29 @@ struct BoundaryEdge {
   int next = 0;
 };
 
-/// The boundary of one connected region as the Voronoi diagram of segments needs it, in multiples
-/// of `unit_nm` from `origin`. INVARIANT: no two edges cross or touch but for neighbours in the
-/// corner they share, and no corner lies on the line through its neighbours; both decided exactly.
+/// Boundary of one connected region in the form for the Voronoi diagram of segments, in multiples
+/// of `unit_nm` from `origin`. INVARIANT: no two edges cross or touch, except neighbours at their
+/// common corner, and no corner is on the line through its neighbours. Both are decided exactly.
 struct Boundary {
   Point origin;
   Coord unit_nm = 1;
-  std::vector<Polygon> rings;  ///< the outer one first
+  std::vector<Polygon> rings;  ///< starts with the outer ring
   std::vector<BoundaryEdge> edges;
 
   int Holes() const { return static_cast<int>(rings.size()) - 1; }
-  /// True if the region is more than half of what is around the corner in which `edge` starts.
+  /// Returns true if the interior angle at the start of `edge` is more than 180 degrees.
   bool StartsReflex(int edge) const;
   bool StartsConvex(int edge) const;
 };
 
-/// The boundary of `region` on a grid of `unit_nm`; nothing if it does not meet the invariant
-/// there, or is wider than 32 bits of the unit. Cost: that of AreSimple.
+/// Returns the boundary of `region` on a grid of `unit_nm`. Returns nothing if the boundary does
+/// not fulfil the invariant on this grid, or is wider than 32 bits of the unit. Cost: the cost of
+/// AreSimple.
 std::optional<Boundary> MakeBoundary(const PolygonWithHoles& region, Coord unit_nm);
 
-/// On a grid of um if that will do, else of nm. On the coarser one fewer edges are almost but not
-/// quite parallel, and these are what costs a diagram its precision.
+/// Returns the boundary on a grid of 1 um if possible, otherwise on a grid of 1 nm. The coarser
+/// grid has fewer edges that are almost but not exactly parallel; such edges reduce the precision
+/// of a diagram.
 std::optional<Boundary> MakeBoundary(const PolygonWithHoles& region);
 
 }  // namespace slicefarm

@@ -76,7 +76,7 @@ TEST(Boundary, CollinearPointsAreDropped) {
     EXPECT_NE(Orientation(boundary->edges[edge.previous].from, edge.from, edge.to), 0);
 }
 
-// The grid alone decides: 0.4 um off the line is on the line in um, and not in nm.
+// The grid decides: a point 0.4 um from the line is on the line in um, but not in nm.
 TEST(Boundary, PointsCollinearOnTheGridAreDropped) {
   const PolygonWithHoles region = Region("(0 0, 3 0.0004, 6 0, 6 4, 0 4)");
   EXPECT_EQ(MakeBoundary(region, kUm)->edges.size(), 4u);
@@ -91,7 +91,7 @@ TEST(Boundary, AHoleWithoutInsideIsNoHole) {
 
 TEST(Boundary, TheGridIsOfMicrometresIfThatWillDo) {
   EXPECT_EQ(Of("(0 0, 4 0, 4 4, 0 4) (0.002 2, 1 1, 1 3)")->unit_nm, kUm);
-  // Rounded to um the hole would touch the outer ring.
+  // After rounding to um, the hole would touch the outer ring.
   const auto fine = Of("(0 0, 4 0, 4 4, 0 4) (0.0004 2, 1 1, 1 3)");
   ASSERT_TRUE(fine.has_value());
   EXPECT_EQ(fine->unit_nm, 1);
@@ -103,7 +103,7 @@ TEST(Boundary, CornersAreConvexOrReflexAsSeenFromTheRegion) {
   ASSERT_TRUE(boundary.has_value());
   for (int edge = 0; edge < static_cast<int>(boundary->edges.size()); ++edge) {
     const Point corner = boundary->edges[edge].from + boundary->origin;
-    // In the hole, of edges 6 to 9, every corner is.
+    // All corners of the hole (edges 6 to 9) are reflex.
     const bool reflex = edge >= 6 || boundary->edges[edge].from == Point{-500, -500};
     EXPECT_EQ(boundary->StartsReflex(edge), reflex) << ToText(corner);
     EXPECT_EQ(boundary->StartsConvex(edge), !reflex) << ToText(corner);
@@ -121,7 +121,7 @@ TEST(Boundary, LiesAroundItsOrigin) {
   }
 }
 
-// 3 m are too many nm, but not too many um.
+// 3 m exceed the range in nm, but not in um.
 TEST(Boundary, IsNoWiderThan32Bits) {
   const PolygonWithHoles wide = Region("(0 0, 3000 0, 3000 1, 0 1)");
   EXPECT_FALSE(MakeBoundary(wide, 1).has_value());

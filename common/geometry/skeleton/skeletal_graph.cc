@@ -13,28 +13,29 @@
 namespace slicefarm {
 namespace {
 
-/// How far a node's distances to its features may differ.
+/// Maximum difference of a node's distances to its features.
 constexpr double kRadiusErrorNm = 1'000;
-/// How far a node may lie from the corner in which its edge is to end.
+/// Maximum distance of a node from the corner in which its edge should end.
 constexpr double kCornerErrorNm = 20'000;
-/// Points on a curved edge that are nearer to each other than this are one.
+/// Distance below which two points on a curved edge are merged.
 constexpr double kLeastChordNm = 5'000;
-constexpr int kMaxChords = 256;  ///< of one edge
+constexpr int kMaxChords = 256;  ///< maximum number of chords of one edge
 
 using Diagram = boost::polygon::voronoi_diagram<double>;
 using Edge = Diagram::edge_type;
 
-/// > 0 for a place to the left of the edge; its distance from the line, times the edge's length.
+/// Returns the distance of p from the line of the edge, times the edge's length. It is positive if
+/// p is to the left of the edge.
 double SideOf(const BoundaryEdge& edge, Vector2 p) {
   const Point d = edge.to - edge.from;
   return static_cast<double>(d.x) * (p.y() - static_cast<double>(edge.from.y)) -
          static_cast<double>(d.y) * (p.x() - static_cast<double>(edge.from.x));
 }
 
-/// What a cell of the diagram surrounds.
+/// The edge or corner of the boundary that a cell of the diagram belongs to.
 struct Feature {
   int edge = 0;
-  bool is_corner = false;  ///< the one in which the edge starts
+  bool is_corner = false;  ///< true: the feature is the corner at the start of the edge
 };
 
 class Builder {
@@ -80,8 +81,9 @@ class Builder {
     return {vertex.x() * unit_, vertex.y() * unit_};
   }
 
-  /// The diagram's edges within the region, for each feature in their order around it. By how the
-  /// cells hang together and not by where their edges lie, which a diagram knows less exactly.
+  /// Collects the edges of the diagram within the region, for each feature in their order around
+  /// it. It uses the connections of the cells instead of the positions of their edges, because the
+  /// positions are less exact.
   bool MakeCells() {
     inside_.assign(diagram_.num_edges(), false);
     const size_t count = boundary_.edges.size();
@@ -102,8 +104,8 @@ class Builder {
     return true;
   }
 
-  /// A reflex corner's cell is bounded by two secondary edges that meet in the corner; the others
-  /// are the chain.
+  /// Collects the edges around a reflex corner. The cell of the corner is bounded by two secondary
+  /// edges that meet in the corner; all remaining edges are the chain.
   static bool CollectAroundCorner(const Diagram::cell_type& cell, std::vector<const Edge*>& chain) {
     const Edge* start = nullptr;
     const Edge* edge = cell.incident_edge();
@@ -122,9 +124,10 @@ class Builder {
     return true;
   }
 
-  /// The cell of an edge surrounds it; the chain goes from its end to its start. Where these are
-  /// is told by the one secondary edge that the cell has with that of each of the two corners: it
-  /// lies within the region at a reflex corner, on the other side of the edge at a convex one.
+  /// Collects the edges beside an edge of the boundary. The cell surrounds this edge; the chain
+  /// runs from the end of the edge to its start. Each end is at the one secondary edge between this
+  /// cell and the cell of the corner. This secondary edge is within the region at a reflex corner,
+  /// and on the other side of the boundary at a convex corner.
   bool CollectBeside(const Diagram::cell_type& cell, int index, std::vector<const Edge*>& chain) {
     const int next = boundary_.edges[index].next;
     const Edge* at_end = nullptr;
@@ -164,7 +167,8 @@ class Builder {
     return std::abs(SideOf(edge, p)) / Norm(d);
   }
 
-  /// The node of a vertex, or -1 if it is not as far from `a` as from `b` and all before them.
+  /// Returns the node of a vertex. Returns -1 if the vertex has different distances to `a`, `b` and
+  /// the earlier features.
   int NodeOf(const Diagram::vertex_type& vertex, Feature a, Feature b) {
     const Vector2 place = PlaceOf(vertex);
     const double to_a = DistanceTo(a, place), to_b = DistanceTo(b, place);
@@ -222,8 +226,8 @@ class Builder {
 
   // --- curves ------------------------------------------------------------------------------------
 
-  /// Sorted parameters strictly between `from` and `to`: `marks` and steps between them of at most
-  /// `step`; none nearer than kLeastChordNm to another one.
+  /// Returns sorted parameters strictly between `from` and `to`: `marks`, and steps between them of
+  /// at most `step`. No two parameters are nearer to each other than kLeastChordNm.
   std::vector<double> Parameters(double from, double to, std::vector<double> marks,
                                  double step) const {
     const double low = std::min(from, to), high = std::max(from, to);
@@ -249,7 +253,7 @@ class Builder {
     return std::min(options_.step_nm, std::sqrt(8 * std::max(height, 1.0) * options_.tolerance_nm));
   }
 
-  /// Nodes as far from a corner as from an edge's line.
+  /// Returns nodes with equal distances to a corner and to the line of an edge.
   std::vector<SkeletalNode> AlongParabola(Feature corner, Feature edge, int from, int to) const {
     const Vector2 focus = ToVector(graph_.boundary[corner.edge].from);
     const BoundaryEdge& directrix = graph_.boundary[edge.edge];
@@ -272,7 +276,7 @@ class Builder {
     return nodes;
   }
 
-  /// Nodes as far from one corner as from the other.
+  /// Returns nodes with equal distances to two corners.
   std::vector<SkeletalNode> BetweenCorners(Feature a, Feature b, int from, int to) const {
     const Vector2 p = ToVector(graph_.boundary[a.edge].from),
                   q = ToVector(graph_.boundary[b.edge].from);
@@ -285,8 +289,8 @@ class Builder {
       return (at.x() - middle.x()) * ux + (at.y() - middle.y()) * uy;
     };
     const double mark = half * Tan(options_.transition_angle / 2);
-    // The farther out, the straighter the radius: even steps of u in t = half sinh(u) have an error
-    // of at most half u^2 / 8.
+    // The radius becomes straighter with the distance from the centre. Even steps of u in t = half
+    // sinh(u) therefore have an error of at most half u^2 / 8.
     const auto stretched = [&](double t) { return half * Asinh(t / half); };
     std::vector<SkeletalNode> nodes;
     for (const double u : Parameters(stretched(along(from)), stretched(along(to)),
@@ -299,7 +303,7 @@ class Builder {
 
   // --- rings -------------------------------------------------------------------------------------
 
-  /// Chains of features after each other, against the direction of each ring.
+  /// Links the chains of consecutive features, against the direction of each ring.
   bool LinkRings() {
     const int count = static_cast<int>(boundary_.edges.size());
     for (int edge = 0; edge < count; ++edge) {
@@ -336,7 +340,8 @@ class Builder {
     return graph_.To(last) == graph_.half_edges[first].from;
   }
 
-  /// A convex corner's node becomes the corner itself.
+  /// Moves the node at a convex corner to the corner itself. Returns false if the node is too far
+  /// from it.
   bool EndsInCorner(int last, int edge) {
     SkeletalNode& node = graph_.nodes[graph_.To(last)];
     const Vector2 corner = ToVector(graph_.boundary[edge].from);
@@ -346,8 +351,8 @@ class Builder {
     return true;
   }
 
-  /// Euler's formula for a connected graph with a cycle around each hole. Each half-edge is on the
-  /// way around one ring already: next is a permutation.
+  /// Checks Euler's formula for a connected graph with a cycle around each hole. Each half-edge is
+  /// already on the walk of exactly one ring, because `next` is a permutation.
   bool HasRightShape() const {
     const auto edges = static_cast<int>(graph_.half_edges.size() / 2);
     return edges - static_cast<int>(graph_.nodes.size()) + 1 == boundary_.Holes();
@@ -355,8 +360,8 @@ class Builder {
 
   // --- coincident nodes --------------------------------------------------------------------------
 
-  /// Where more than three sides are equally far away there are several nodes in one place, with
-  /// radii that differ by rounding: one of them would be the top of the others.
+  /// Merges nodes at the same position. Such nodes appear where more than three sides have equal
+  /// distances. Their radii differ by rounding, so that one of them would be a local maximum.
   void MergeCoincidentNodes() {
     constexpr double kCoincidentNm = 100;
     std::vector<int> same(graph_.nodes.size());
@@ -406,11 +411,11 @@ class Builder {
   const SkeletalOptions& options_;
   const double unit_;
   SkeletalGraph graph_;
-  std::vector<char> inside_;                            ///< by edge of the diagram
-  std::vector<std::vector<const Edge*>> edge_chain_;    ///< by edge of the boundary
-  std::vector<std::vector<const Edge*>> corner_chain_;  ///< by the edge that starts there
-  std::vector<int> node_of_;                            ///< by vertex
-  std::vector<int> first_half_, last_half_;             ///< by edge of the diagram
+  std::vector<char> inside_;                            ///< one per edge of the diagram
+  std::vector<std::vector<const Edge*>> edge_chain_;    ///< one per edge of the boundary
+  std::vector<std::vector<const Edge*>> corner_chain_;  ///< one per edge that starts in the corner
+  std::vector<int> node_of_;                            ///< one per vertex
+  std::vector<int> first_half_, last_half_;             ///< one per edge of the diagram
 };
 
 template <typename Traits>
@@ -464,7 +469,7 @@ int SkeletalGraph::Split(int half, const SkeletalNode& node) {
     half_edges[from].next = to;
     half_edges[to].previous = from;
   };
-  // In a corner of the boundary the way turns back at once.
+  // In a corner of the boundary, the walk reverses its direction.
   const bool turns = half_edges[half].next == twin;
   link(onward, turns ? back : half_edges[half].next);
   if (!turns) link(half_edges[twin].previous, back);

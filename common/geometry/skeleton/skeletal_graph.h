@@ -8,30 +8,31 @@
 
 namespace slicefarm {
 
-/// A node of the medial axis, corners of the boundary (radius 0) included.
+/// A node of the medial axis, including corners of the boundary (radius 0).
 struct SkeletalNode {
   Vector2 place = Vector2::Zero();
-  double radius = 0;  ///< nm, distance to the boundary
+  double radius = 0;  ///< distance to the boundary, in nm
 };
 
-/// One of the two directions of an edge of the medial axis; the other one is `index ^ 1`. To its
-/// left lies the part of the region that is nearest to `feature`: an edge of the boundary, or the
-/// reflex corner in which one starts.
+/// One of the two directions of an edge of the medial axis; the opposite direction is `index ^ 1`.
+/// To its left is the part of the region that is nearest to `feature`. A feature is an edge of the
+/// boundary, or the reflex corner at the start of an edge.
 struct HalfEdge {
-  int from = 0;  ///< node
-  int next = 0;  ///< around the ring of the boundary, against its direction
+  int from = 0;  ///< start node
+  int next = 0;  ///< next half-edge around the ring of the boundary, against its direction
   int previous = 0;
   int feature = 0;
   bool is_corner = false;
 };
 
-/// The medial axis of a region, and around each ring of the boundary the way along its edges: with
-/// the foot of each node on the boundary these are the ribs and quads of a skeletal trapezoidation.
+/// The medial axis of a region, with a closed walk along its half-edges for each ring of the
+/// boundary. Together with the foot of each node on the boundary, these are the ribs and quads of a
+/// skeletal trapezoidation.
 ///
-/// Walking `next`, half-edges of one feature follow each other, then those of the feature before it
-/// on the ring; where one ends the next one begins, in the same node. Every half-edge is on one
-/// ring's way.
-/// Source: T. Kuipers et al. 2020, section 3.1; as arrays, without nodes for the ribs' feet.
+/// The walk follows `next`. It first visits the half-edges of one feature, then the half-edges of
+/// the previous feature on the ring. Each half-edge begins in the node where the one before it
+/// ends. Every half-edge is on the walk of exactly one ring. Source: T. Kuipers et al. 2020,
+/// section 3.1; here as arrays, without nodes for the feet of ribs.
 struct SkeletalGraph {
   Point origin;
   std::vector<SkeletalNode> nodes;
@@ -42,11 +43,12 @@ struct SkeletalGraph {
   const SkeletalNode& FromNode(int half) const { return nodes[half_edges[half].from]; }
   const SkeletalNode& ToNode(int half) const { return nodes[To(half)]; }
   double Length(int half) const;
-  /// The nearest point of the half-edge's feature.
+  /// Returns the point of the half-edge's feature that is nearest to the node.
   Vector2 Foot(int half, const SkeletalNode& node) const;
-  /// By node: a half-edge that leaves it.
+  /// Returns for each node a half-edge that starts there.
   std::vector<int> Leaving() const;
-  /// Calls visit(half) for each half-edge that leaves the node that `leaving` leaves, around it.
+  /// Calls visit(half) for each half-edge that starts in the start node of `leaving`, in their
+  /// order around it.
   template <typename Visit>
   void ForEachLeaving(int leaving, const Visit& visit) const {
     int half = leaving;
@@ -55,24 +57,28 @@ struct SkeletalGraph {
       half = half_edges[half].previous ^ 1;
     } while (half != leaving);
   }
-  /// Puts a node into an edge: `half` and its twin end and begin there from now on. Returns the new
-  /// half-edge that goes on from the node in `half`'s direction.
+  /// Inserts a node into an edge: `half` and its twin now end and begin at the node. Returns the
+  /// new half-edge that starts at the node, in the direction of `half`.
   int Split(int half, const SkeletalNode& node);
 };
 
 struct SkeletalOptions {
-  double tolerance_nm = 2'000;  ///< of parabolas and their radii, where chords take their place
-  double step_nm = 800'000;     ///< the longest chord
-  double transition_angle = 0.1745;  ///< radians: chords end where centrality changes
+  double tolerance_nm = 2'000;  ///< maximum deviation of chords from parabolas, and of their radii
+  double step_nm = 800'000;     ///< length of the longest chord
+  /// in radians: a chord ends where centrality changes at this angle
+  double transition_angle = 0.1745;
 };
 
-/// The graph of `boundary`'s region; nothing where the diagram cannot be trusted. What is checked:
-/// every node is as far from all features around it; the ways around the rings close, with all
-/// features in their order; and the graph has as many cycles as the region has holes, hence is
-/// planar as the region is. Each try is another way to compute the diagram.
+/// Returns the skeletal graph of the region of `boundary`, or nothing if the diagram is unreliable.
+/// These conditions are checked:
+/// - Every node has equal distances to all features around it.
+/// - The walks around the rings are closed, and contain all features in order.
+/// - The graph has as many cycles as the region has holes, so it is planar like the region.
 ///
-/// Cost: O(n log n), n edges: about 5 us each.
-/// Source: Boost.Polygon's Voronoi diagram of segments.
+/// If a check fails, the diagram is calculated in another manner.
+///
+/// Cost: O(n log n) for n edges: about 5 us per edge. Source: Boost.Polygon's Voronoi diagram of
+/// segments.
 std::optional<SkeletalGraph> MakeSkeletalGraph(const Boundary& boundary,
                                                const SkeletalOptions& options);
 

@@ -32,7 +32,7 @@ SkeletalGraph GraphOf(const PolygonWithHoles& region, const SkeletalOptions& opt
 // --- shapes
 // ----------------------------------------------------------------------------------------
 
-/// Corners at `radius_mm(i)`, turning once around the point.
+/// Returns a ring with corners at `radius_mm(i)` that turns once around the centre.
 template <typename Radius>
 Polygon Around(double x_mm, double y_mm, int corners, const Radius& radius_mm) {
   Polygon ring;
@@ -89,8 +89,8 @@ std::vector<ShapeCase> Shapes() {
   };
 }
 
-// --- what must hold
-// --------------------------------------------------------------------------------
+// --- required properties
+// ---------------------------------------------------------------------------
 
 double Distance(Vector2 a, Vector2 b) { return std::hypot(b.x() - a.x(), b.y() - a.y()); }
 
@@ -116,8 +116,8 @@ void ExpectRadiiAreDistances(const SkeletalGraph& graph, const PolygonWithHoles&
   }
 }
 
-/// Half-edges join, each is on one way and leaves one node; one way around each ring; one cycle
-/// around each hole.
+/// Checks that half-edges join, that each is on one walk and starts in one node, that there is one
+/// walk per ring, and one cycle per hole.
 void ExpectConsistent(const SkeletalGraph& graph, int holes) {
   const int halves = static_cast<int>(graph.half_edges.size());
   const int nodes = static_cast<int>(graph.nodes.size());
@@ -154,7 +154,8 @@ void ExpectConsistent(const SkeletalGraph& graph, int holes) {
   EXPECT_EQ(visited, halves);
 }
 
-/// Each edge of the boundary and each reflex corner has one stretch of the way, in their order.
+/// Checks that each edge of the boundary and each reflex corner has one contiguous part of the
+/// walk, in their order.
 void ExpectFeaturesInOrder(const SkeletalGraph& graph) {
   int changes = 0;
   std::set<std::pair<int, bool>> features;
@@ -225,7 +226,7 @@ TEST_P(SkeletalShape, SplittingEveryEdgeKeepsAllThis) {
   const SkeletalOptions options;
   SkeletalGraph graph = graph_;
   for (int half = 0; half < static_cast<int>(graph_.half_edges.size()); half += 2) {
-    // Of one edge in two the twin, so that both directions are split.
+    // Splits the twin of every second edge, so that both directions are tested.
     const int split = half % 4 == 0 ? half : half ^ 1;
     const SkeletalNode from = graph.FromNode(split), to = graph.ToNode(split);
     const int end = graph.To(split);
@@ -242,7 +243,8 @@ TEST_P(SkeletalShape, SplittingEveryEdgeKeepsAllThis) {
   EXPECT_EQ(graph.nodes.size(), graph_.nodes.size() + graph_.half_edges.size() / 2);
   ExpectConsistent(graph, holes_);
   ExpectFeaturesInOrder(graph);
-  // In the middle of a chord the corner is nearer than the radius, by twice the chord's distance.
+  // In the middle of a chord, the corner is nearer than the radius by twice the deviation of the
+  // chord.
   ExpectRadiiAreDistances(graph, region_, kErrorNm + 2 * options.tolerance_nm);
   ExpectFeet(graph, kErrorNm + 2 * options.tolerance_nm);
 }
@@ -270,11 +272,11 @@ INSTANTIATE_TEST_SUITE_P(SkeletalGraph, SkeletalShape, testing::ValuesIn(Shapes(
 // --- curves
 // ----------------------------------------------------------------------------------------
 
-/// A reflex corner 1 mm over a flat floor.
+/// A reflex corner 1 mm above a flat floor.
 constexpr std::string_view kCornerOverFloor = "(0 0, 8 0, 8 6, 4 1, 0 6)";
 
-/// Half of what the distances to the two features of an edge differ by: about how far the point is
-/// from the curve between them.
+/// Returns half of the difference of the distances to the two features of an edge. This is about
+/// the distance of the point from the curve between them.
 double OffCurve(const SkeletalGraph& graph, int half, double t) {
   const Vector2 a = graph.FromNode(half).place, b = graph.ToNode(half).place;
   const SkeletalNode node = {{std::lerp(a.x(), b.x(), t), std::lerp(a.y(), b.y(), t)}, 0};
@@ -292,7 +294,7 @@ TEST(SkeletalGraph, ChordsOfAParabolaStayWithinTheTolerance) {
     for (int half = 0; half < static_cast<int>(graph.half_edges.size()); half += 2)
       for (const double t : {0.25, 0.5, 0.75}) worst = std::max(worst, OffCurve(graph, half, t));
     EXPECT_LT(worst, 1.01 * tolerance);
-    // Chords are about as long as they may be.
+    // Chords are nearly as long as the tolerance allows.
     EXPECT_GT(worst, tolerance / 4);
     EXPECT_GT(worst, before);
     before = worst;
@@ -312,7 +314,7 @@ TEST(SkeletalGraph, ChordsAreNoLongerThanTheStep) {
   }
 }
 
-// A chord over such a place would be central as a whole or not at all.
+// A chord across such a position would be central as a whole or not at all.
 TEST(SkeletalGraph, ChordsEndWhereCentralityChanges) {
   const double angle = 0.4;
   const SkeletalGraph graph = GraphOf(

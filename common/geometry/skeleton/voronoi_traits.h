@@ -7,14 +7,15 @@
 
 namespace slicefarm {
 
-/// A double that Boost.Polygon's Voronoi builder takes for its own floating-point type.
+/// A double that replaces the floating-point type of Boost.Polygon's Voronoi builder.
 ///
-/// The builder works out each circle in doubles with a bound on the error, and again in exact
-/// integers if the bound exceeds 64 ulps. Along two almost parallel sides it nearly always does,
-/// and the integers take most of the time. With this type the bound counts for less (kCoarser), and
-/// only circles that are in doubt by more than 0.1 um are worked out again. The caller has to check
-/// the diagram, and to build it anew with the builder's own type where it is wrong. Measured on the
-/// 300 slices of Kuipers et al.: 0.7 s instead of 1.5 s, 6 of 841 islands a second time.
+/// The builder calculates each circle in doubles with a bound on the error. If the bound exceeds 64
+/// ulps, it calculates the circle again in exact integers. Along two almost parallel sides this
+/// happens nearly always, and the integers take most of the time. With this type the bound counts
+/// less (kCoarser), and only circles with an uncertainty of more than 0.1 um are calculated again.
+/// The caller must check the diagram, and rebuild it with the builder's own type if it is wrong.
+/// Measured on the 300 slices of Kuipers et al.: 0.7 s instead of 1.5 s; 6 of 841 islands had to be
+/// rebuilt.
 class Loose {
  public:
   Loose() = default;
@@ -23,7 +24,7 @@ class Loose {
   Loose(Number value)
       : value_(static_cast<double>(value)) {}  // NOLINT(google-explicit-constructor)
 
-  // Arithmetic is that of doubles.
+  // Arithmetic uses doubles.
   operator double() const { return value_; }  // NOLINT(google-explicit-constructor)
 
   Loose operator-() const { return -value_; }
@@ -37,11 +38,12 @@ class Loose {
   double value_ = 0;
 };
 
-/// A bound of 64 / kCoarser ulps is 1.4e-6 of a number: 0.1 um in 100 mm.
+/// Factor of the error bound. A bound of 64 / kCoarser ulps is 1.4e-6 of a number: 0.1 um in 100
+/// mm.
 inline constexpr double kCoarser = 1e-8;
 
-/// Events nearer than this, in units of the input, are taken for simultaneous, as the builder does
-/// within 64 ulps.
+/// Comparison that treats events within kTolerance, in units of the input, as simultaneous. The
+/// builder's own comparison does so within 64 ulps.
 struct LooseComparison {
   static constexpr double kTolerance = 1e-4;
 
@@ -65,7 +67,7 @@ struct ToLoose {
   }
 };
 
-/// Traits of a builder for 32-bit coordinates that computes with Loose.
+/// Traits of a builder for 32-bit coordinates that calculates with Loose.
 struct LooseTraits : boost::polygon::detail::voronoi_ctype_traits<int32_t> {
   using fpt_type = Loose;
   using ulp_cmp_type = LooseComparison;
@@ -74,8 +76,9 @@ struct LooseTraits : boost::polygon::detail::voronoi_ctype_traits<int32_t> {
 
 }  // namespace slicefarm
 
-/// The builder's number with a bound on its relative error, in ulps; what it is asked for to decide
-/// on another try is a part of that.
+/// The builder's number with a bound on its relative error, in ulps. The builder compares the bound
+/// to decide about an exact recalculation, so the reported bound is only a fraction of the true one
+/// (kCoarser).
 template <>
 class boost::polygon::detail::robust_fpt<slicefarm::Loose> {
   using Number = slicefarm::Loose;
