@@ -5,7 +5,7 @@
 
 namespace slicefarm {
 
-/// Something that happens once, and that a test waits for. Thread-safe.
+/// An event that happens once, and that a test waits for. Thread-safe.
 class Event {
  public:
   void Happen() {

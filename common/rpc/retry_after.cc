@@ -13,8 +13,6 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// How soon a rest ends when nobody wants it any more: a token can only be polled.
-
 }  // namespace
 
 milliseconds RetryAfter(const absl::Status& error) {

@@ -7,13 +7,14 @@
 
 namespace slicefarm::rpc {
 
-/// How often who waits asks whether it is still wanted.
+/// Interval at which waiting code polls its cancel token.
 constexpr std::chrono::milliseconds kPollCancel{20};
 
-/// After how long the server that gave this error wants to be asked again; 0 if it does not say.
+/// Returns the time after which the server that returned this error accepts a retry; 0 if the error
+/// does not say.
 std::chrono::milliseconds RetryAfter(const absl::Status& error);
 
-/// Waits for `time`. Errors: Cancelled as soon as nobody wants what comes after.
+/// Waits for `time`. Errors: Cancelled as soon as the token is cancelled.
 absl::Status AwaitRetry(std::chrono::milliseconds time, const CancelToken& cancel);
 
 }  // namespace slicefarm::rpc

@@ -33,7 +33,8 @@ int64_t ToInt(const std::string& text) {
   return value;
 }
 
-/// Equal errors give equal bytes: protobuf by itself writes the entries of a map in any order.
+/// Serializes a message so that equal errors give equal bytes. By default, protobuf writes the
+/// entries of a map in any order.
 template <typename Message>
 void Pack(const Message& message, google::protobuf::Any* any) {
   any->PackFrom(message);
@@ -54,7 +55,7 @@ google::rpc::RetryInfo RetryAfter(int64_t ms) {
   return info;
 }
 
-/// The first of these keys that is there, under the name that comes with it.
+/// Returns the first of these keys that exists, under the name that belongs to it.
 std::string Named(const std::map<std::string, std::string>& metadata,
                   std::initializer_list<std::pair<const char*, const char*>> keys) {
   for (const auto& [key, name] : keys) {
@@ -72,7 +73,7 @@ google::rpc::BadRequest BadRequestOf(const std::string& field, const std::string
   return bad;
 }
 
-/// A QuotaFailure or a PreconditionFailure of one violation, for its caller to complete.
+/// Returns a QuotaFailure or a PreconditionFailure with one violation, which the caller completes.
 template <typename Failure>
 Failure FailureOf(const std::string& subject, const std::string& description) {
   Failure failure;
@@ -81,8 +82,8 @@ Failure FailureOf(const std::string& subject, const std::string& description) {
   return failure;
 }
 
-/// The detail that clients' libraries know for errors of this code (AIP-193), made of what
-/// ErrorInfo says.
+/// Adds the standard detail of errors with this code (AIP-193), which client libraries support. It
+/// is made from the contents of ErrorInfo.
 void AddDetailOfCode(const ErrorDetail& detail, google::rpc::Status* proto) {
   const std::string description = ToUtf8(proto->message(), kMaxValueBytes);
   const std::string reason(ReasonName(detail.reason));
@@ -137,8 +138,9 @@ bool Contains(const std::string& text, std::initializer_list<std::string_view> p
   return false;
 }
 
-/// What gRPC says when there is nothing behind it but a connection that went away. It says the same
-/// and more, of earlier connections, where none can be made.
+/// Returns true for gRPC's errors of a connection that broke during the call. If no connection can
+/// be made, gRPC reports the same texts about earlier connections, with additional words; these
+/// errors do not count.
 bool IsBrokenConnection(const grpc::Status& status) {
   const grpc::StatusCode code = status.error_code();
   const std::string& message = status.error_message();

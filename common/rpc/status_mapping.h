@@ -6,24 +6,26 @@
 
 namespace slicefarm::rpc {
 
-/// ErrorInfo.domain of all our errors.
+/// ErrorInfo.domain of all errors of slicefarm.
 inline constexpr char kErrorDomain[] = "slicefarm";
 
-/// Metadata that says after how many milliseconds to try again; travels as google.rpc.RetryInfo.
+/// Metadata key: time in milliseconds after which a retry is useful. It is sent as
+/// google.rpc.RetryInfo.
 inline constexpr char kRetryAfterMs[] = "retry_after_ms";
 
-/// Metadata of an error that gRPC itself made: the connection broke in the middle of the call. Not
-/// there if none could be made.
+/// Metadata key of an error that gRPC itself made: the connection broke during the call. It is
+/// absent if no connection could be made.
 inline constexpr char kConnectionBroke[] = "connection_broke";
 
-/// An error with its reason and metadata, as google.rpc.Status with ErrorInfo in
-/// `grpc-status-details-bin`; equal errors give equal bytes. Long texts are cut, so that the
-/// trailers stay within what HTTP/2 peers accept.
+/// Returns an error with its reason and metadata as google.rpc.Status with ErrorInfo in
+/// `grpc-status-details-bin`. Equal errors give equal bytes. Long texts are cut, so that the
+/// trailers do not exceed the limits of HTTP/2 peers.
 grpc::Status ToGrpc(const absl::Status& status);
 
-/// The way back. Errors that gRPC itself made have no details: messages beyond the limit become
-/// InvalidArgument with reason REQUEST_TOO_LARGE, a server without a free thread OVERLOADED,
-/// connections that broke Unavailable, the rest what their code says.
+/// Converts gRPC's status back to an error. Errors that gRPC itself made have no details, and are
+/// converted as follows: messages beyond the limit become InvalidArgument with reason
+/// REQUEST_TOO_LARGE; a server without a free thread becomes OVERLOADED; broken connections become
+/// Unavailable; all other errors follow their code.
 absl::Status FromGrpc(const grpc::Status& status);
 
 }  // namespace slicefarm::rpc

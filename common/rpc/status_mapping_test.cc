@@ -48,7 +48,7 @@ TEST(StatusMapping, ErrorsCarryErrorInfo) {
   EXPECT_EQ(info.metadata().at("got"), "12");
 }
 
-/// The detail of type `Detail`.
+/// Returns the detail of type `Detail`.
 template <typename Detail>
 Detail Find(const absl::Status& status) {
   Detail found;

@@ -12,8 +12,7 @@ namespace slicefarm::internal {
 /// differ from the point before.
 ///
 /// The function follows the rules of ClipperOffset 6.4.2 (Angus Johnson, Boost licence), and its
-/// result is the same. This
-/// function uses portable_math.h instead of libm.
+/// result is the same. It uses portable_math.h instead of libm.
 Polygon OffsetCurve(const Polygon& ring, double distance_nm, const OffsetOptions& options);
 
 }  // namespace slicefarm::internal

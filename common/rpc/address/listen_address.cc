@@ -19,7 +19,8 @@ std::string HostOf(const std::string& address) {
 
 bool PortFits(const std::string& address) {
   const std::string port = address.substr(address.rfind(':') + 1);
-  if (!std::ranges::all_of(port, absl::ascii_isdigit)) return true;  // gRPC knows some by name
+  // gRPC has names for some ports
+  if (!std::ranges::all_of(port, absl::ascii_isdigit)) return true;
   uint32_t number = 0;
   return port.empty() || (absl::SimpleAtoi(port, &number) && number <= UINT16_MAX);
 }

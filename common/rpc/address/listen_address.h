@@ -4,15 +4,15 @@
 
 namespace slicefarm::rpc {
 
-/// "127.0.0.1" of "127.0.0.1:50050", "::1" of "[::1]:50050".
+/// Returns the host of an address: "127.0.0.1" of "127.0.0.1:50050", "::1" of "[::1]:50050".
 std::string HostOf(const std::string& address);
 
-/// False if a number is after the last colon that is no port: gRPC would serve on what is left of
-/// it modulo 65536.
+/// Returns false if the number after the last colon is not a valid port: gRPC would serve on this
+/// number modulo 65536.
 bool PortFits(const std::string& address);
 
-/// True if only this machine can reach a server there: `localhost` and numeric loopback addresses.
-/// What other names stand for may change, so none of them counts.
+/// Returns true if only this machine can reach a server there: `localhost` and numeric loopback
+/// addresses. Other names may be resolved differently later, so they do not count.
 bool IsLoopback(const std::string& address);
 
 }  // namespace slicefarm::rpc

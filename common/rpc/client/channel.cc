@@ -11,9 +11,9 @@
 namespace slicefarm::rpc {
 namespace {
 
-// Streams are left out: what their caller has read of an answer cannot be taken back. So are
-// DeleteJob and DeleteProfile, of which the second attempt would find nothing. CreateJob is safe
-// with a request_id.
+// Retries for unary methods only. Streams are excluded, because a caller that has read part of an
+// answer cannot undo this. DeleteJob and DeleteProfile are excluded, because a second attempt would
+// not find the object. CreateJob can be retried safely with a request_id.
 constexpr char kServiceConfig[] = R"({
   "methodConfig": [{
     "name": [
@@ -53,10 +53,12 @@ std::shared_ptr<grpc::Channel> MakeChannel(const std::string& address,
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 10'000);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
   arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
-  // The default backs off for up to two minutes; a stage that was restarted is back in one second.
+  // gRPC's default backoff grows to two minutes, but a restarted stage is available again within a
+  // second.
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, 100);
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 1'000);
-  // Also how long one attempt may take: an address whose machine is gone does not answer at all.
+  // This value is also the time limit of one connection attempt. An address without a running
+  // machine does not answer at all.
   arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 1'000);
   arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
   arguments.SetInt(GRPC_ARG_SERVICE_CONFIG_DISABLE_RESOLUTION, 1);

@@ -13,17 +13,19 @@ namespace slicefarm::rpc {
 
 struct ChannelOptions {
   int64_t max_message_bytes = limits::kMaxStageMessageBytes;
-  bool retries = true;          ///< of unary methods; without, each call is one attempt
-  bool own_connection = false;  ///< else channels to the same address share theirs
+  bool retries = true;          ///< retries of unary methods; if false, each call is one attempt
+  bool own_connection = false;  ///< if false, channels to the same address share a connection
   std::shared_ptr<grpc::ChannelCredentials> credentials = nullptr;  ///< null: no TLS
-  /// What the server's certificate must say instead of the address's host, if not empty.
+  /// Name that the server's certificate must contain instead of the host of the address, if not
+  /// empty.
   std::string server_name = {};
-  std::string token = {};  ///< goes along with each call as `authorization: Bearer`, if not empty
+  std::string token = {};  ///< sent with each call as `authorization: Bearer`, if not empty
 };
 
-/// A channel to one address (host:port): keepalive that notices a dead peer within half a minute,
-/// reconnection within a second, and, for unary methods, up to three retries while the server is
-/// UNAVAILABLE (unless the options say otherwise). No proxy. Connects when first used.
+/// Returns a channel to one address (host:port). Its keepalive detects a dead peer within half a
+/// minute, and it reconnects within a second. Unary methods have up to three retries while the
+/// server is UNAVAILABLE, unless the options disable them. It does not use a proxy. It connects at
+/// first use.
 std::shared_ptr<grpc::Channel> MakeChannel(const std::string& address,
                                            const ChannelOptions& options = {});
 

@@ -10,8 +10,6 @@
 namespace slicefarm::rpc {
 namespace {
 
-/// How soon a call notices that it is not wanted any more.
-
 }  // namespace
 
 ClientCall::ClientCall(const ClientCallOptions& options) : cancel_(options.cancel) {

@@ -19,11 +19,12 @@ namespace slicefarm::rpc {
 struct ClientCallOptions {
   std::chrono::milliseconds deadline{60'000};
   CancelToken cancel = {};
-  TraceContext trace = {};  ///< empty: the call belongs to none
+  TraceContext trace = {};  ///< empty: the call belongs to no trace
 };
 
-/// One call from the caller's side: its deadline is always set, and while it waits for the peer it
-/// asks the cancel token and cancels the call, so that the peer stops as well. For one thread.
+/// One call from the caller's side. It always has a deadline. While it waits for the peer, it polls
+/// the cancel token and cancels the call if necessary, so that the peer stops as well. For one
+/// thread.
 class ClientCall {
  public:
   explicit ClientCall(const ClientCallOptions& options);
@@ -34,18 +35,18 @@ class ClientCall {
   grpc::ClientContext* context() { return &context_; }
   grpc::CompletionQueue* queue() { return &queue_; }
 
-  /// Waits for the operation that was started last; true if it went well.
+  /// Waits for the operation that was started last. Returns true if it succeeded.
   bool Await() { return AwaitAny().ok; }
 
   struct Done {
     void* tag = nullptr;
-    bool ok = false;  ///< whether it went well
+    bool ok = false;  ///< true if the operation succeeded
   };
-  /// Waits for one of the operations that are under way.
+  /// Waits for one of the running operations.
   Done AwaitAny();
 
-  /// What the call came to, `status` being gRPC's word: Cancelled if our own token asked for it; a
-  /// peer that gave up by itself is Unavailable.
+  /// Returns the result of the call. `status`: the status from gRPC. The result is Cancelled only
+  /// if the caller's own token cancelled the call. A call that the peer cancelled is Unavailable.
   absl::Status Outcome(const grpc::Status& status) const;
 
  private:
@@ -57,7 +58,7 @@ class ClientCall {
   bool cancelled_ = false;
 };
 
-/// A call of a method with one request and one response.
+/// Calls a method with one request and one response. Example:
 ///   UnaryCall(options, request, &response, [&](auto... a) { return stub->AsyncFrameProgram(a...);
 ///   })
 template <typename Request, typename Response, typename Start>
@@ -72,7 +73,8 @@ absl::Status UnaryCall(const ClientCallOptions& options, const Request& request,
   return call.Outcome(status);
 }
 
-/// A call of a method with streams both ways, used by one thread: write all, then read all.
+/// A call of a method with streams in both directions, used by one thread that first writes
+/// everything and then reads everything.
 template <typename Request, typename Response>
 class StreamCall {
  public:
@@ -80,7 +82,7 @@ class StreamCall {
   using Start =
       std::function<std::unique_ptr<Stream>(grpc::ClientContext*, grpc::CompletionQueue*)>;
 
-  /// `start`: the stub's PrepareAsync method.
+  /// Starts the call. `start`: the stub's PrepareAsync method.
   StreamCall(const ClientCallOptions& options, const Start& start)
       : call_(options), stream_(start(call_.context(), call_.queue())) {
     stream_->StartCall(nullptr);
@@ -93,9 +95,9 @@ class StreamCall {
     (void)Finish();
   }
 
-  // Writes gather in gRPC's write buffer; WritesDone sends what is left. See server_stream.h.
+  // Writes are collected in gRPC's write buffer; WritesDone sends the rest. See server_stream.h.
 
-  /// False once an operation found the call to be over: Finish says why.
+  /// Returns false after an operation found that the call has ended. Finish returns the cause.
   bool alive() const { return alive_; }
 
   bool Write(const Request& request) {
@@ -108,7 +110,7 @@ class StreamCall {
     return Step([&] { stream_->Read(response, nullptr); });
   }
 
-  /// The call's end. To be called once, when there is nothing left to read, or to give up.
+  /// Ends the call and returns its status. Call it once: after everything was read, or to give up.
   absl::Status Finish() {
     finished_ = true;
     grpc::Status status;
@@ -117,7 +119,7 @@ class StreamCall {
     return call_.Outcome(status);
   }
 
-  /// Ends a call whose answer is of no use any more, and says why.
+  /// Cancels the call when its answer is no longer needed, and returns `why`.
   absl::Status Abandon(absl::Status why) {
     call_.context()->TryCancel();
     (void)Finish();

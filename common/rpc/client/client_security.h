@@ -12,28 +12,30 @@ class App;
 
 namespace slicefarm::rpc {
 
-/// How a client program knows its server and tells who it is.
+/// Settings by which a client program verifies its server and identifies itself.
 struct ClientSecurity {
   TlsFiles tls = {};
-  std::string server_name = {};  ///< in the server's certificate; empty: the host of its address
-  bool with_token = false;       ///< a token goes along with each call, if there is one
-  std::string token_file = {};   ///< empty: it is that of the environment
+  /// name in the server's certificate; empty: the host of the server's address
+  std::string server_name = {};
+  bool with_token = false;      ///< a token is sent with each call, if there is one
+  std::string token_file = {};  ///< empty: the token is read from the environment
 };
 
-/// --tls-ca, --tls-cert, --tls-key, --tls-server-name; each is also read from the environment.
+/// Adds --tls-ca, --tls-cert, --tls-key and --tls-server-name. Each can also be set in the
+/// environment.
 void AddTlsOptions(CLI::App& app, ClientSecurity* security);
 
-/// --token-file, for servers that ask for tokens.
+/// Adds --token-file, for servers that require tokens.
 void AddTokenOptions(CLI::App& app, ClientSecurity* security);
 
-/// `options` for a channel to `server`. Errors: those of CheckTlsFiles; REQUEST_MALFORMED if the
-/// token cannot be read, or would go in plain text to another machine.
+/// Returns `options` for a channel to `server`. Errors: errors of CheckTlsFiles; REQUEST_MALFORMED
+/// if the token cannot be read, or would be sent unencrypted to another machine.
 absl::StatusOr<ChannelOptions> Secured(ChannelOptions options, const ClientSecurity& security,
                                        const std::string& server);
 
-/// What is behind a connection that does not come about, or may be behind one that ends when it
-/// begins; empty if that is neither a port where nothing listens nor to do with certificates. A server that refuses a client's certificate says no more
-/// than that (TLS 1.3).
+/// Returns the possible cause of a connection that failed, or that ended at its start. Returns an
+/// empty text unless the cause concerns certificates or a port without a server. A server that
+/// refuses the client's certificate gives no other information (TLS 1.3).
 std::string ConnectionHint(const absl::Status& status, const ClientSecurity& security);
 
 }  // namespace slicefarm::rpc

@@ -9,9 +9,9 @@
 
 namespace slicefarm::rpc {
 
-/// A call of a method with streams both ways whose server answers while it is still being written
-/// to: used by one thread, which takes what has come whenever it waits. So neither side waits for
-/// the other to read first, whatever the sizes of both streams are.
+/// A call of a method with streams in both directions. The server may answer before all requests
+/// are written. One thread uses the call, and handles answers whenever it waits. Therefore neither
+/// side waits for the other to read first, for streams of any size.
 template <typename Request, typename Response>
 class DuplexCall {
  public:
@@ -20,8 +20,8 @@ class DuplexCall {
       std::function<std::unique_ptr<Stream>(grpc::ClientContext*, grpc::CompletionQueue*)>;
   using Take = std::function<absl::Status(Response&)>;
 
-  /// `start`: the stub's PrepareAsync method. `take` gets each answer, in order, from within Write
-  /// and Finish, and may move from it; its first error ends the call.
+  /// Starts the call. `start`: the stub's PrepareAsync method. `take`: receives each answer, in
+  /// order, from within Write and Finish, and may move from it. Its first error ends the call.
   DuplexCall(const ClientCallOptions& options, const Start& start, Take take)
       : call_(options), take_(std::move(take)), stream_(start(call_.context(), call_.queue())) {
     stream_->StartCall(&writing_);
@@ -34,10 +34,10 @@ class DuplexCall {
     if (!finished_) (void)Abandon(absl::OkStatus());
   }
 
-  /// False once the call is over, or an answer was refused: Finish says why.
+  /// Returns false after the call has ended or `take` returned an error. Finish returns the cause.
   bool alive() const { return can_write_; }
 
-  /// Whether the call is still alive.
+  /// Writes a request. Returns true if the call is still alive.
   bool Write(const Request& request) {
     if (!can_write_) return false;
     writing_ = true;
@@ -46,7 +46,8 @@ class DuplexCall {
     return can_write_;
   }
 
-  /// Takes the rest of the answers. The first error of `take`, else the call's own.
+  /// Handles the remaining answers. Returns the first error of `take`, or else the status of the
+  /// call.
   absl::Status Finish() {
     if (can_write_) {
       writing_ = true;
@@ -57,7 +58,7 @@ class DuplexCall {
     return End();
   }
 
-  /// Ends a call whose answer is of no use any more, and says why.
+  /// Cancels the call when its answer is no longer needed, and returns `why`.
   absl::Status Abandon(absl::Status why) {
     call_.context()->TryCancel();
     while (reading_ || writing_) AwaitOne();
@@ -83,7 +84,7 @@ class DuplexCall {
       return;
     }
     reading_ = false;
-    if (!done.ok) return;  // that was the last answer
+    if (!done.ok) return;  // there are no more answers
     if (taken_.ok()) taken_ = take_(response_);
     if (!taken_.ok()) call_.context()->TryCancel();
     Read();
@@ -102,7 +103,8 @@ class DuplexCall {
   std::unique_ptr<Stream> stream_;
   Response response_;
   absl::Status taken_;
-  bool writing_ = false;  ///< whether an operation is under way; its address is that one's tag
+  /// a write operation is running; the address of this member is the tag of the operation
+  bool writing_ = false;
   bool reading_ = false;
   bool can_write_ = false;
   bool finished_ = false;

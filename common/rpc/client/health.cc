@@ -10,15 +10,15 @@
 namespace slicefarm::rpc {
 namespace {
 
-/// grpc.health.v1.HealthCheckRequest: the service as field 1, or nothing. Debian packages no stubs
-/// for the two messages. REQUIRES: a name of less than 128 bytes.
+/// Returns a grpc.health.v1.HealthCheckRequest: the service as field 1, or nothing. Debian has no
+/// package with stubs for the two messages. REQUIRES: the name is shorter than 128 bytes.
 grpc::ByteBuffer RequestFor(const std::string& service) {
   if (service.empty()) return {nullptr, 0};
   const grpc::Slice bytes("\x0a" + std::string(1, static_cast<char>(service.size())) + service);
   return {&bytes, 1};
 }
 
-/// grpc.health.v1.HealthCheckResponse with status = SERVING.
+/// Returns true for a grpc.health.v1.HealthCheckResponse with status = SERVING.
 bool SaysServing(const grpc::ByteBuffer& response) {
   std::vector<grpc::Slice> slices;
   if (!response.Dump(&slices).ok()) return false;

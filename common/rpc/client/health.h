@@ -10,17 +10,18 @@
 
 namespace slicefarm::rpc {
 
-/// Asks grpc.health.v1.Health whether a server, or one service of it, is serving. `service`: empty
-/// for the server as a whole. Errors: those of the call; NotFound for a service it does not have.
+/// Calls grpc.health.v1.Health and returns true if a server, or one service of it, is serving.
+/// `service`: empty for the server as a whole. Errors: errors of the call; NotFound if the server
+/// does not have the service.
 absl::StatusOr<bool> IsServing(const std::shared_ptr<grpc::Channel>& channel,
                                const std::string& service, const ClientCallOptions& options);
 
-/// The service that serves for as long as a server runs, also while the server as a whole is not
-/// ready.
+/// Name of a health service that is SERVING as long as a server runs, even while the server as a
+/// whole is not ready.
 inline constexpr char kLiveService[] = "live";
 
-/// The service that servers of this build have, and no others: what they are asked by, before they
-/// are given work.
+/// Returns the name of the health service that only servers of this build have. Callers check it
+/// before they give work to a server.
 std::string ServiceOfThisBuild();
 
 }  // namespace slicefarm::rpc

@@ -13,7 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// "/package.Service/Method" as labels.
+/// Returns the labels for "/package.Service/Method".
 std::map<std::string, std::string> Labels(std::string_view method) {
   const size_t begin = method.starts_with('/') ? 1 : 0;
   const size_t slash = method.find('/', begin);
@@ -25,10 +25,10 @@ std::map<std::string, std::string> Labels(std::string_view method) {
 
 constexpr char kUnknown[] = "/unknown/unknown";
 
-/// Whether a method is one that a server can have. gRPC tells interceptors of calls of methods that
-/// nobody has as well, with the name from the wire.
+/// Returns true if a server can have the method. gRPC also reports calls of unknown methods to
+/// interceptors, with the name that the client sent.
 bool IsKnown(std::string_view method) {
-  // gRPC's own health service has no descriptor here.
+  // gRPC's own health service has no descriptor in this program.
   if (method == "/grpc.health.v1.Health/Check" || method == "/grpc.health.v1.Health/Watch") {
     return true;
   }
@@ -39,7 +39,7 @@ bool IsKnown(std::string_view method) {
   return google::protobuf::DescriptorPool::generated_pool()->FindMethodByName(name) != nullptr;
 }
 
-/// From 1 ms to about a minute, by factors of 2.5 or so.
+/// Returns bucket limits from 1 ms to about a minute, with a factor of about 2.5 between them.
 const prometheus::Histogram::BucketBoundaries& Buckets() {
   static const prometheus::Histogram::BucketBoundaries buckets = {
       0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 10, 25, 60};
@@ -67,7 +67,7 @@ class CallMetricsInterceptor : public grpc::experimental::Interceptor {
   CallMetrics& metrics_;
   const std::string method_;
   const Clock::time_point start_ = Clock::now();
-  grpc::StatusCode code_ = grpc::StatusCode::CANCELLED;  // calls that end without a status
+  grpc::StatusCode code_ = grpc::StatusCode::CANCELLED;  // for calls that end without a status
 };
 
 }  // namespace

@@ -12,16 +12,17 @@
 
 namespace slicefarm::rpc {
 
-/// What a server's calls come to, by the names of the gRPC ecosystem:
+/// Metrics of a server's calls, with the names that are common for gRPC:
 ///   grpc_server_started_total{grpc_service,grpc_method}
 ///   grpc_server_handled_total{grpc_service,grpc_method,grpc_code}
 ///   grpc_server_handling_seconds{grpc_service,grpc_method}
-/// The registry must outlive it; it must outlive the servers whose calls it counts. Thread-safe.
+/// The registry must outlive this object. This object must outlive the servers that it counts calls
+/// of. Thread-safe.
 class CallMetrics {
  public:
   explicit CallMetrics(prometheus::Registry& registry);
 
-  /// `method`: as gRPC has it, "/slicefarm.v1.Beading/BeadLayers".
+  /// Counts the start of a call. `method`: in gRPC's form, "/slicefarm.v1.Beading/BeadLayers".
   void Started(const std::string& method);
   void Handled(const std::string& method, grpc::StatusCode code,
                std::chrono::duration<double> time);
@@ -32,8 +33,8 @@ class CallMetrics {
   prometheus::Family<prometheus::Histogram>& handling_seconds_;
 };
 
-/// Tells CallMetrics of each call of a server. Methods that are not in this program's protos count
-/// as "unknown": whatever strangers call, the number of labels is bounded.
+/// Reports each call of a server to CallMetrics. Methods that are not in this program's protos
+/// count as "unknown", so that unknown callers cannot create any number of labels.
 class CallMetricsFactory : public grpc::experimental::ServerInterceptorFactoryInterface {
  public:
   explicit CallMetricsFactory(CallMetrics& metrics) : metrics_(metrics) {}
@@ -44,7 +45,7 @@ class CallMetricsFactory : public grpc::experimental::ServerInterceptorFactoryIn
   CallMetrics& metrics_;
 };
 
-/// "OK", "INVALID_ARGUMENT", ...
+/// Returns the name of a status code: "OK", "INVALID_ARGUMENT", ...
 std::string CodeName(grpc::StatusCode code);
 
 }  // namespace slicefarm::rpc

@@ -22,7 +22,7 @@ struct EndResponse {
 };
 using Response = std::unique_ptr<MHD_Response, EndResponse>;
 
-/// Takes over a copy of the text.
+/// Returns a response with a copy of the text.
 Response ResponseOf(const std::string& text, const std::string& mime) {
   Response response(MHD_create_response_from_buffer(text.size(), const_cast<char*>(text.data()),
                                                     MHD_RESPMEM_MUST_COPY));
@@ -35,15 +35,16 @@ MHD_Result Refuse(MHD_Connection* connection, unsigned code, const std::string& 
   return MHD_queue_response(connection, code, ResponseOf(why + "\n", "text/plain").get());
 }
 
-/// Called once when the headers are there, and again when all of the request is.
+/// Answers a request. It is called once when the headers have arrived, and again when the whole
+/// request has arrived.
 MHD_Result Answer(void* pages, MHD_Connection* connection, const char* url, const char* method,
                   const char* /*version*/, const char* /*upload*/, size_t* upload_size,
                   void** begun) {
   if (*begun == nullptr) {
-    *begun = connection;  // anything but null
+    *begun = connection;  // any value except null
     return MHD_YES;
   }
-  if (std::exchange(*upload_size, 0) > 0) return MHD_YES;  // a body, of which nothing is wanted
+  if (std::exchange(*upload_size, 0) > 0) return MHD_YES;  // ignores the body of the request
   const std::string_view verb = method;
   if (verb != MHD_HTTP_METHOD_GET && verb != MHD_HTTP_METHOD_HEAD)
     return Refuse(connection, MHD_HTTP_METHOD_NOT_ALLOWED, "only GET and HEAD");
@@ -61,8 +62,8 @@ absl::StatusOr<std::unique_ptr<HttpPages>> HttpPages::Serve(const std::string& a
   if (const SocketAddresses at = ResolveSocketAddress(address, AI_PASSIVE)) {
     unsigned flags = MHD_USE_EPOLL_INTERNAL_THREAD;
     if (at->ai_family == AF_INET6) flags |= MHD_USE_IPv6;
-    // One thread, which waits for nobody: requests that do not come to an end keep no other
-    // waiting.
+    // Uses one thread that never waits for a single connection, so incomplete requests do not delay
+    // other requests.
     served->server_ = MHD_start_daemon(
         flags, 0, nullptr, nullptr, Answer, const_cast<std::vector<HttpPage>*>(&served->pages_),
         MHD_OPTION_SOCK_ADDR, at->ai_addr, MHD_OPTION_CONNECTION_LIMIT, kMaxConnections,

@@ -11,19 +11,20 @@ struct MHD_Daemon;
 
 namespace slicefarm::rpc {
 
-/// A page that people or Prometheus ask for, made anew each time.
+/// A page for people or Prometheus, which is made anew for each request.
 struct HttpPage {
-  std::string path;  ///< "/metrics"
+  std::string path;  ///< for example "/metrics"
   std::string mime;
-  std::function<std::string()> content;  ///< from the thread of the pages, one at a time
+  std::function<std::string()> content;  ///< called on the thread of the pages, one call at a time
 };
 
-/// Serves some pages to GET and HEAD, and nothing else; by libmicrohttpd. A connection without a
-/// request, or with half of one, is closed after 10 s and keeps nobody waiting. For the inner
-/// network: without TLS, and anybody who comes may read.
+/// Serves pages to GET and HEAD requests with libmicrohttpd, and nothing else. A connection without
+/// a complete request is closed after 10 s and delays no other connection. For the internal
+/// network: it has no TLS, and any client may read the pages.
 class HttpPages {
  public:
-  /// On `address` (host:port, port 0: any). Errors: Unavailable if it cannot listen there.
+  /// Starts to serve on `address` (host:port, port 0: any). Errors: Unavailable if it cannot listen
+  /// there.
   static absl::StatusOr<std::unique_ptr<HttpPages>> Serve(const std::string& address,
                                                           std::vector<HttpPage> pages);
 
@@ -38,7 +39,7 @@ class HttpPages {
   explicit HttpPages(std::vector<HttpPage> pages) : pages_(std::move(pages)) {}
 
   const std::vector<HttpPage> pages_;
-  MHD_Daemon* server_ = nullptr;  // the library's handle: MHD_start_daemon makes it
+  MHD_Daemon* server_ = nullptr;  // library's handle, made by MHD_start_daemon
 };
 
 }  // namespace slicefarm::rpc

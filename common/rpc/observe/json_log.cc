@@ -29,7 +29,7 @@ std::string ValueText(const LogField& field) {
   return nlohmann::json(std::get<double>(field.value)).dump();
 }
 
-/// What stands between the fields of the pattern and the closing brace.
+/// Returns the part of a line between the fields of the pattern and the closing brace.
 std::string Body(std::string_view message, const LogFields& fields) {
   std::string body = Quoted(message);
   for (const LogField& field : fields) {

@@ -46,7 +46,7 @@ TEST_F(JsonLogTest, WritesOneObjectALine) {
 TEST_F(JsonLogTest, HasWhatLibrariesSay) {
   auto* const protobufs_own = google::protobuf::SetLogHandler(nullptr);
   LogLibrariesTo(log_);
-  gpr_set_log_verbosity(GPR_LOG_SEVERITY_ERROR);  // which otherwise its first channel does
+  gpr_set_log_verbosity(GPR_LOG_SEVERITY_ERROR);  // otherwise gRPC's first channel does this
   gpr_log("core/lib/ssl.cc", 7, GPR_LOG_SEVERITY_ERROR, "Invalid %s key.", "private");
   gpr_set_log_function(nullptr);
   EXPECT_EQ(Line()["level"], "warning");
@@ -68,7 +68,7 @@ TEST_F(JsonLogTest, NamesTheLevel) {
   EXPECT_EQ(Line()["level"], "error");
 }
 
-// A job's name must not be able to write log lines of its own, nor break the reader.
+// The name of a job must not be able to add log lines, nor break the reader.
 TEST_F(JsonLogTest, HostileTextStaysOneLine) {
   const std::string hostile = "\"}\n{\"level\":\"error\" {} %v %n \xff\0" + std::string(1, '\0');
   log_.Info(hostile, {{"job", hostile}, {"seconds", std::nan("")}});

@@ -4,10 +4,9 @@
 
 namespace slicefarm::rpc {
 
-/// From now on what gRPC and Protobuf say by themselves, in all of the process, are warnings of
-/// this log: `grpc FILE` and `protobuf FILE`, with their words as `error`. gRPC tells of
-/// certificates that cannot be read again, among others; Protobuf of texts that are no UTF-8, which
-/// any caller can send.
+/// Redirects messages of gRPC and Protobuf in this process to this log, as warnings `grpc FILE` and
+/// `protobuf FILE`, with the text as `error`. For example, gRPC reports certificates that it cannot
+/// read again, and Protobuf reports texts that are not UTF-8, which any caller can send.
 void LogLibrariesTo(const JsonLog& log);
 
 }  // namespace slicefarm::rpc

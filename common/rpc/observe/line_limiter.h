@@ -9,18 +9,21 @@
 namespace slicefarm::rpc {
 
 struct LineLimits {
-  double burst = 20;          ///< lines of one message at once
-  double lines_per_s = 1;     ///< of one message in the long run
-  size_t max_messages = 256;  ///< told apart; more of them share one limit
+  double burst = 20;       ///< maximum number of lines of one message at once
+  double lines_per_s = 1;  ///< maximum average rate of one message
+  /// number of messages with separate limits; all further messages share one limit
+  size_t max_messages = 256;
 };
 
-/// Which log lines to write, so that what fails a thousand times a second does not fill a disk: a
-/// token bucket for each message. The clock is the caller's. Not thread-safe.
+/// Decides which log lines are written, with a token bucket for each message. An error that occurs
+/// a thousand times per second thus cannot fill a disk. The caller provides the time. Not
+/// thread-safe.
 class LineLimiter {
  public:
   explicit LineLimiter(const LineLimits& limits = {}) : limits_(limits) {}
 
-  /// Whether a line with this message is to be written; and if so, how many before it were not.
+  /// Decides about a line with this message at time `now_s`. If it should be written, returns the
+  /// number of lines that were omitted before it; otherwise returns nullopt.
   std::optional<int64_t> Pass(std::string_view message, double now_s);
 
  private:

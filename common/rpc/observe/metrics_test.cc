@@ -58,7 +58,7 @@ TEST(Metrics, AreServedToPrometheus) {
   EXPECT_THAT(answer, HasSubstr("process_open_fds "));
 }
 
-// Each held a thread, of which there were four.
+// Half requests must not occupy the server's threads. An earlier server had four, one per request.
 TEST(Metrics, HalfRequestsKeepNobodyWaiting) {
   Metrics metrics;
   const absl::StatusOr<int> port = metrics.Serve("127.0.0.1:0");

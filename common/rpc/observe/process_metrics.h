@@ -7,8 +7,8 @@
 
 namespace slicefarm::rpc {
 
-/// What this process uses of the machine, read from /proc when asked; by the names of Prometheus'
-/// own client libraries.
+/// Resource usage of this process, read from /proc on each request. Metrics have the
+/// same names as in Prometheus' client libraries.
 class ProcessMetrics : public prometheus::Collectable {
  public:
   std::vector<prometheus::MetricFamily> Collect() const override;

@@ -9,11 +9,12 @@
 
 namespace slicefarm::rpc {
 
-/// What a server keeps of its jobs' calls: slicefarm_shared_bytes, slicefarm_shared_values,
-/// slicefarm_shared_takes_total{result="hit"|"miss"} and slicefarm_shared_evictions_total.
+/// Metrics of the values that a server stores for the calls of jobs: slicefarm_shared_bytes,
+/// slicefarm_shared_values, slicefarm_shared_takes_total{result="hit"|"miss"} and
+/// slicefarm_shared_evictions_total.
 class SharedMetrics : public prometheus::Collectable {
  public:
-  /// `cache` must outlive it.
+  /// REQUIRES: `cache` outlives this object.
   explicit SharedMetrics(const SharedCache& cache) : cache_(cache) {}
 
   std::vector<prometheus::MetricFamily> Collect() const override;

@@ -7,13 +7,13 @@
 
 namespace slicefarm::rpc {
 
-/// The trace of a call travels in its metadata, under W3C's name for it.
+/// Metadata key of the trace of a call, as defined by W3C.
 inline constexpr char kTraceparentKey[] = "traceparent";
 
-/// What the client of the call gave; empty if it gave none, or nonsense.
+/// Returns the trace that the client of the call sent; empty if it sent none, or an invalid one.
 TraceContext TraceOf(const grpc::ServerContextBase& context);
 
-/// Gives `trace` to the call; nothing if it is empty. Before the call starts.
+/// Adds `trace` to the call, unless it is empty. Call it before the call starts.
 void SetTrace(const TraceContext& trace, grpc::ClientContext* context);
 
 }  // namespace slicefarm::rpc

@@ -15,24 +15,24 @@
 
 namespace slicefarm::rpc {
 
-/// Of a service between services: its methods are the coordinator's; anybody with a certificate may
-/// ask for health and reflection.
+/// Returns the policy of a service between services. The coordinator may call all its methods. Any
+/// client with a certificate may call health and reflection.
 std::string_view InnerPolicy();
 
-/// Of a service that judges its callers itself, call by call.
+/// Returns the policy of a service that checks its callers itself, call by call.
 std::string_view OpenPolicy();
 
-/// Lets a policy decide on each call of a server with TLS, before any handler sees it: to be given
-/// to its credentials. What is refused ends as UNAUTHENTICATED (a peer without an identity) or
+/// Applies a policy to each call of a server with TLS, before any handler runs. It is passed to the
+/// server's credentials. A refused call ends as UNAUTHENTICATED (a peer without an identity) or
 /// PERMISSION_DENIED. Thread-safe.
 class Authorizer : public grpc::AuthMetadataProcessor {
  public:
-  /// `builtin`: a policy. Errors: those of AuthzPolicy::Parse.
+  /// Makes an authorizer from the policy `builtin`. Errors: errors of AuthzPolicy::Parse.
   static absl::StatusOr<std::shared_ptr<Authorizer>> Make(std::string_view builtin, JsonLog log);
 
-  /// The policy of a file instead, and again whenever it changes. One that cannot be read or used
-  /// leaves the last one in force, with an error in the log. Errors: those of ReadTextFile and
-  /// AuthzPolicy::Parse.
+  /// Makes an authorizer from the policy in a file, and reads it again whenever it changes. If the
+  /// new policy cannot be read or used, the old one remains in force and an error is logged.
+  /// Errors: errors of ReadTextFile and AuthzPolicy::Parse.
   static absl::StatusOr<std::shared_ptr<Authorizer>> Watch(
       const std::string& path, JsonLog log,
       std::chrono::milliseconds every = std::chrono::seconds(1));
@@ -48,7 +48,7 @@ class Authorizer : public grpc::AuthMetadataProcessor {
   const JsonLog log_;
   std::mutex mutex_;
   AuthzPolicy policy_;
-  std::optional<FileWatch> watch_;  ///< the last member: its thread uses the others
+  std::optional<FileWatch> watch_;  ///< the last member, because its thread uses all other members
 };
 
 }  // namespace slicefarm::rpc

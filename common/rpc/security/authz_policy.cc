@@ -25,7 +25,7 @@ bool FitsOne(const std::vector<std::string>& patterns, std::string_view text) {
 
 }  // namespace
 
-/// Reads the parts of a policy. The first error sticks.
+/// Reads the parts of a policy. It keeps the first error.
 class PolicyReader {
  public:
   const absl::Status& status() const { return status_; }
@@ -54,8 +54,8 @@ class PolicyReader {
     ReadPatterns(json, place, "request", "paths", rule.paths);
   }
 
-  /// The list `rule.part.key`. One that is there and empty would fit nothing in one reading and
-  /// anything in the other.
+  /// Reads the list `rule.part.key`. An empty list is refused, because it could mean that nothing
+  /// matches or that everything matches.
   void ReadPatterns(const Json& rule, const std::string& place, const std::string& part,
                     const std::string& key, std::vector<std::string>& patterns) {
     if (!rule.contains(part)) return;
@@ -68,7 +68,8 @@ class PolicyReader {
     patterns = list.get<std::vector<std::string>>();
   }
 
-  /// True if `json` is an object with no other keys than these, and its name, if any, a text.
+  /// Returns true if `json` is an object that has only these keys, and its name, if present, is a
+  /// text.
   bool CheckKeys(const Json& json, const std::string& place, std::vector<std::string> known) {
     if (!json.is_object()) {
       Fail(place, "is not an object");

@@ -8,8 +8,8 @@
 
 namespace slicefarm::rpc {
 
-/// Who may call what. The format is that of gRPC's own authorization policies (proposal A43), as
-/// far as principals and paths go:
+/// Access policy: a list of principals and the methods that they may call. The format is a subset
+/// of gRPC's authorization policies (proposal A43), with principals and paths only:
 ///
 ///   {"name": "stage",
 ///    "deny_rules":  [],
@@ -17,20 +17,21 @@ namespace slicefarm::rpc {
 ///                     "source":  {"principals": ["spiffe://slicefarm/coordinator"]},
 ///                     "request": {"paths": ["/slicefarm.v1.*"]}}]}
 ///
-/// A pattern is the whole text, `prefix*`, `*suffix`, or `*`: anything but the empty text, which is
-/// the principal of a peer without a certificate. A rule fits a call if one of its principals and
-/// one of its paths does; those that it does not name fit any. A call goes through if no deny rule
-/// and one of the allow rules fits it.
+/// A pattern is the whole text, `prefix*`, `*suffix`, or `*`. `*` matches everything except the
+/// empty text, which is the principal of a peer without a certificate. A rule matches a call if one
+/// of its principals and one of its paths match. A missing list matches every call. A call is
+/// allowed if no deny rule and at least one allow rule matches it.
 ///
-/// Evaluated here because the library of gRPC that does it (grpc_authorization_provider) is not
-/// among what its CMake build makes, and so not in Debian's packages: of 1.51 there is the header
-/// only. Keys that are not known, such as `headers`, are refused.
+/// It is evaluated here because Debian's packages do not contain gRPC's library for it
+/// (grpc_authorization_provider). gRPC's CMake build does not make this library; version 1.51 has
+/// only the header. Unknown keys, such as `headers`, are refused.
 class AuthzPolicy {
  public:
-  /// Errors: REQUEST_MALFORMED, naming the place.
+  /// Reads a policy. Errors: REQUEST_MALFORMED, which names the position.
   static absl::StatusOr<AuthzPolicy> Parse(std::string_view json);
 
-  /// `principal`: the caller's identity. `path`: "/slicefarm.v1.Beading/BeadLayers".
+  /// Returns true if the call is allowed. `principal`: the caller's identity. `path`:
+  /// "/slicefarm.v1.Beading/BeadLayers".
   bool Allows(std::string_view principal, std::string_view path) const;
 
  private:

@@ -15,7 +15,7 @@ AuthzPolicy Parse(const std::string& json) {
   return policy.value_or(AuthzPolicy());
 }
 
-/// A policy with one allow rule.
+/// Returns a policy with one allow rule.
 AuthzPolicy Allowing(const std::string& rule) {
   return Parse(R"({"allow_rules": [)" + rule + "]}");
 }

@@ -10,8 +10,8 @@ namespace slicefarm::rpc {
 
 /// A token in a call's metadata, `authorization: Bearer TOKEN` (RFC 6750).
 
-/// Sends one along with each call of a channel. gRPC's own call credentials would do, but not
-/// without TLS, which loopback connections need not have.
+/// Sends a token with each call of a channel. gRPC's call credentials also send tokens, but only
+/// over TLS. Connections on the loopback address may have no TLS.
 class BearerTokenFactory : public grpc::experimental::ClientInterceptorFactoryInterface {
  public:
   explicit BearerTokenFactory(std::string token) : token_(std::move(token)) {}
@@ -22,8 +22,8 @@ class BearerTokenFactory : public grpc::experimental::ClientInterceptorFactoryIn
   const std::string token_;
 };
 
-/// The token of a call. nullopt: there is no such metadata; empty: it is not a bearer's, or there
-/// are several.
+/// Returns the token of a call; nullopt if there is no such metadata; empty if it is not a bearer
+/// token, or there are several.
 std::optional<std::string> BearerToken(const grpc::ServerContextBase& context);
 
 }  // namespace slicefarm::rpc

@@ -18,7 +18,7 @@ namespace {
 
 using X509Pointer = std::unique_ptr<X509, decltype(&X509_free)>;
 
-/// Decodes %XX; what is no such code stays as it is.
+/// Decodes %XX; invalid codes remain unchanged.
 std::string Unescaped(const std::string& text) {
   std::string plain;
   for (size_t i = 0; i < text.size(); ++i) {
@@ -67,14 +67,14 @@ std::optional<CallPeer> PeerOf(const X509& certificate) {
   return peer;
 }
 
-/// The only value of a key of the call's metadata; nullopt if there is none, or several.
+/// Returns the only value of a key of the call's metadata; nullopt if there is none, or several.
 std::optional<std::string> Metadata(const grpc::ServerContextBase& context, const char* key) {
   const auto [begin, end] = context.client_metadata().equal_range(key);
   if (begin == end || std::next(begin) != end) return std::nullopt;
   return std::string(begin->second.data(), begin->second.size());
 }
 
-/// The peer of the connection itself.
+/// Returns the peer of the connection itself.
 CallPeer DirectPeer(const grpc::ServerContextBase& context) {
   const auto auth = context.auth_context();
   CallPeer peer;

@@ -9,26 +9,26 @@
 
 namespace slicefarm::rpc {
 
-/// Who makes a call.
+/// The client of a call.
 struct CallPeer {
-  std::string identity = {};     ///< of the certificate (identity.h); empty: it has none
-  bool certified = false;        ///< a certificate was shown and was valid
+  std::string identity = {};     ///< identity in the certificate (identity.h); empty: there is none
+  bool certified = false;        ///< the client showed a valid certificate
   std::string fingerprint = {};  ///< SHA-256 of the certificate, 64 hex digits; empty without one
-  std::string address = {};  ///< as gRPC writes it, `ipv4:10.1.2.3:40000`; behind the proxy, the IP
+  std::string address = {};  ///< in gRPC's form, `ipv4:10.1.2.3:40000`; behind the proxy, the IP
 };
 
-/// The metadata by which the farm's proxy names its own peer: a URL-encoded PEM certificate that
-/// the proxy has verified, and an IP address. deploy/proxy/nginx.conf.in sets them.
+/// Metadata in which the farm's proxy names its own client: a URL-encoded PEM certificate that the
+/// proxy has verified, and an IP address. deploy/proxy/nginx.conf.in sets them.
 inline constexpr char kProxiedCertificate[] = "slicefarm-client-cert";
 inline constexpr char kProxiedAddress[] = "slicefarm-client-address";
 
-/// The peer of a call; if that is the farm's proxy (kProxyIdentity), the peer that the proxy names.
-/// Errors: PERMISSION_DENIED if anybody but the proxy names another peer; UNAUTHENTICATED if the
-/// proxy names a certificate that cannot be read.
+/// Returns the peer of a call. If this is the farm's proxy (kProxyIdentity), returns the client
+/// that the proxy names. Errors: PERMISSION_DENIED if any other peer names a client;
+/// UNAUTHENTICATED if the proxy names a certificate that cannot be read.
 absl::StatusOr<CallPeer> PeerOf(const grpc::ServerContextBase& context);
 
-/// The identity and the fingerprint of a URL-encoded PEM certificate; nullopt if it is none. The
-/// signature and the dates are not looked at.
+/// Returns the identity and the fingerprint of a URL-encoded PEM certificate; nullopt if it is not
+/// a certificate. The function does not check the signature and the dates.
 std::optional<CallPeer> PeerOfCertificate(const std::string& escaped_pem);
 
 }  // namespace slicefarm::rpc

@@ -22,7 +22,7 @@
 namespace slicefarm::rpc::call_peer_test {
 namespace {
 
-/// As nginx writes `$ssl_client_escaped_cert`.
+/// Returns the certificate in the form of nginx's `$ssl_client_escaped_cert`.
 std::string Escaped(const TlsFiles& files) {
   std::ifstream file(files.cert);
   std::string escaped;
@@ -34,7 +34,7 @@ std::string Escaped(const TlsFiles& files) {
   return escaped;
 }
 
-/// Answers who called, and from where.
+/// Service that answers with the identity and address of its caller.
 class WhoCalls final : public v1::Motion::Service {
  public:
   grpc::Status FrameProgram(grpc::ServerContext* context, const v1::FrameRequest* /*request*/,

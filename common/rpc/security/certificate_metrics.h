@@ -10,9 +10,9 @@
 
 namespace slicefarm::rpc {
 
-/// slicefarm_certificate_expiry_timestamp_seconds: when the certificate in this program's files
-/// expires; 0 if they cannot be used. Read when asked, as gRPC reads them again while it runs, and
-/// of renewed ones that do not fit tells its log only.
+/// Metric slicefarm_certificate_expiry_timestamp_seconds: expiry time of the certificate in this
+/// program's files; 0 if they cannot be used. The files are read on each request. gRPC also reads
+/// them again while it runs, but reports unusable new files only in its log.
 class CertificateMetrics : public prometheus::Collectable {
  public:
   /// REQUIRES: files.has_certificate().

@@ -13,10 +13,10 @@
 
 namespace slicefarm::rpc {
 
-/// A CA and what it signs, by deploy/dev-certs.sh.
+/// A CA and certificates that it signs, made by deploy/dev-certs.sh.
 class DevCerts {
  public:
-  /// A new certificate for a role ("stage/motion"); `days` 0: it has expired.
+  /// Makes a certificate for a role ("stage/motion"); `days` 0: it has expired.
   TlsFiles Make(const std::string& role, int days = 30) {
     const std::string command = fmt::format("{}/deploy/dev-certs.sh '{}' --days {} {}",
                                             SLICEFARM_SOURCE, path(), days, role);
@@ -36,8 +36,7 @@ class DevCerts {
   TempDirectory directory_;
 };
 
-/// A directory under a name that can come to mean another one at once, as when certificates are
-/// renewed.
+/// A path that can be switched to another directory in one step, as when certificates are renewed.
 class SwappedDirectory {
  public:
   explicit SwappedDirectory(const std::string& to) { PointTo(to); }

@@ -9,16 +9,16 @@
 
 namespace slicefarm::rpc {
 
-/// The text of a file of settings. Errors: REQUEST_MALFORMED naming the file if it cannot be read
-/// or is larger than 16 MiB.
+/// Returns the text of a settings file. Errors: REQUEST_MALFORMED naming the file if it cannot be
+/// read or is larger than 16 MiB.
 absl::StatusOr<std::string> ReadTextFile(const std::string& path);
 
-/// Looks at a file again and again, from a thread of its own. By its content: files that are
-/// mounted or linked anew need not have another date.
+/// Watches a file from a separate thread. It compares the content, because mounted or linked files
+/// may change without a new date.
 class FileWatch {
  public:
-  /// `text`: what the watcher knows already; empty: nothing. `changed` is told each other text, and
-  /// that the file cannot be read, once until it can.
+  /// Starts the thread. `text`: the text that was already read; empty: none. `changed`: called with
+  /// each different text; also called once with an error if the file becomes unreadable.
   FileWatch(std::string path, std::string text,
             std::function<void(const absl::StatusOr<std::string>&)> changed,
             std::chrono::milliseconds every = std::chrono::seconds(1));
@@ -31,8 +31,8 @@ class FileWatch {
   const std::string path_;
   const std::function<void(const absl::StatusOr<std::string>&)> changed_;
   const std::chrono::milliseconds every_;
-  absl::StatusOr<std::string> known_;  ///< of the thread alone
-  std::jthread thread_;                ///< the last member: it uses the others
+  absl::StatusOr<std::string> known_;  ///< used only by the thread
+  std::jthread thread_;                ///< the last member, because it uses all other members
 };
 
 }  // namespace slicefarm::rpc

@@ -8,22 +8,23 @@
 
 namespace slicefarm::rpc {
 
-/// Whom a certificate speaks for: the URI among its subject's alternative names, in the form of a
-/// SPIFFE ID. Addresses and host names say where a program runs, and not what it may do.
+/// Identity in a certificate: the URI among its subject alternative names, in the form of a SPIFFE
+/// ID. Addresses and host names do not count, because they say where a program runs, but not its
+/// permissions.
 
 inline constexpr char kCoordinatorIdentity[] = "spiffe://slicefarm/coordinator";
-/// Of the proxy that stands before the coordinators (deploy/proxy), and speaks for its clients.
+/// Identity of the proxy in front of the coordinators (deploy/proxy), which acts for its clients.
 inline constexpr char kProxyIdentity[] = "spiffe://slicefarm/proxy";
 inline constexpr char kWorkerIdentity[] = "spiffe://slicefarm/worker";
 
-/// `stage`: "beading" of slicefarm-beading.
+/// Returns the identity of a stage. `stage`: "beading" of slicefarm-beading.
 std::string StageIdentity(std::string_view stage);
 
-/// The tenant of `spiffe://slicefarm/tenant/NAME`; nullopt for any other identity.
+/// Returns the tenant of `spiffe://slicefarm/tenant/NAME`; nullopt for any other identity.
 std::optional<std::string> TenantOfIdentity(std::string_view identity);
 
-/// The identity of a call's peer; empty if it showed no certificate, or one that has not exactly
-/// one URI.
+/// Returns the identity of a call's peer; empty if the peer showed no certificate, or a certificate
+/// without exactly one URI.
 std::string PeerIdentity(const grpc::AuthContext& context);
 
 }  // namespace slicefarm::rpc

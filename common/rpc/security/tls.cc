@@ -18,8 +18,8 @@ using grpc::experimental::TlsChannelCredentialsOptions;
 
 constexpr unsigned kLookEveryS = 1;
 
-/// Takes servers whose certificate is one identity's. What gRPC has checked before: the chain up to
-/// a CA, and the dates.
+/// Accepts only servers with a certificate of one identity. gRPC has already checked the chain up
+/// to a CA, and the dates.
 class IdentityVerifier : public ExternalCertificateVerifier {
  public:
   IdentityVerifier(std::string identity, JsonLog log)
@@ -37,7 +37,7 @@ class IdentityVerifier : public ExternalCertificateVerifier {
     std::string shown;
     for (const grpc::string_ref& uri : uris) shown.append(uri.data(), uri.size()).append(" ");
     *status = {grpc::StatusCode::UNAUTHENTICATED, "the server is not " + identity_};
-    // Once, and not with each attempt to connect.
+    // Logs the refusal once, not with each connection attempt.
     if (!refused_.exchange(true)) {
       log_.Warn("server refused: its certificate is another's",
                 {{"expected", identity_}, {"shown", shown}});
@@ -92,7 +92,7 @@ std::shared_ptr<grpc::ChannelCredentials> Tls::ForIdentity(const std::string& id
   Watch(has_certificate_, options);
   options.set_certificate_verifier(
       ExternalCertificateVerifier::Create<IdentityVerifier>(identity, log));
-  options.set_check_call_host(false);  // the verifier has said all there is to say
+  options.set_check_call_host(false);  // the verifier makes all necessary checks
   return grpc::experimental::TlsCredentials(options);
 }
 

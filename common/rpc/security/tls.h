@@ -16,27 +16,29 @@ class FileWatcherCertificateProvider;
 
 namespace slicefarm::rpc {
 
-/// Whether a server takes clients that show no certificate. One that is shown must be valid.
+/// Decides if a server accepts clients without a certificate. A certificate that a client shows
+/// must be valid in any case.
 enum class ClientCerts { kRequired, kOptional };
 
-/// TLS of a program, from its files. It looks at them every second: renewed ones hold for new
-/// connections, without a restart. Those that cannot be read leave the old ones in force; a key
-/// that does not belong to its certificate lets no new connection come about until it does, so both
-/// are to be replaced at once (by renaming the directory, or the link to it). Thread-safe.
+/// TLS of a program, from its files. The files are checked every second, and renewed files apply to
+/// new connections without a restart. If renewed files cannot be read, the old ones remain in
+/// force. If a key does not match its certificate, no new connection succeeds until it does.
+/// Therefore replace both at the same time, by renaming the directory or the link to it.
+/// Thread-safe.
 class Tls {
  public:
-  /// Errors: those of CheckTlsFiles.
+  /// Reads the files. Errors: errors of CheckTlsFiles.
   static absl::StatusOr<std::shared_ptr<const Tls>> Open(const TlsFiles& files);
 
-  /// REQUIRES: a certificate.
+  /// Returns credentials of a server. REQUIRES: a certificate.
   std::shared_ptr<grpc::ServerCredentials> ForServer(ClientCerts client_certs) const;
 
-  /// For clients that know a server by its name: the host's of the address must be one of the
-  /// certificate's.
+  /// Returns credentials of a client that verifies the server by name: the certificate must contain
+  /// the host of the address.
   std::shared_ptr<grpc::ChannelCredentials> ForServerName() const;
 
-  /// For clients that know a server by what it is, whatever its address: its certificate must be
-  /// `identity`'s (identity.h). One that is not goes to the log.
+  /// Returns credentials of a client that verifies the server by identity, at any address: its
+  /// certificate must have `identity` (identity.h). A refused server is logged.
   std::shared_ptr<grpc::ChannelCredentials> ForIdentity(const std::string& identity,
                                                         const JsonLog& log) const;
 

@@ -25,7 +25,7 @@ absl::Status BadFile(const std::string& path, std::string_view why) {
                    fmt::format("{} {}", path, why), {{"file", path}});
 }
 
-/// Of encrypted keys nobody is asked for the password.
+/// Password callback that supplies no password, so that encrypted keys fail instead of prompting.
 int NoPassword(char*, int, int, void*) { return 0; }
 
 absl::StatusOr<File> Open(const std::string& path) {
@@ -72,7 +72,7 @@ absl::Status CheckTimes(const std::string& path, X509* certificate) {
   return absl::OkStatus();
 }
 
-/// The certificate, if it and its key are there and belong together.
+/// Returns the certificate, if it and its key can be read and match.
 absl::StatusOr<Certificate> ReadPair(const TlsFiles& files) {
   auto certificate = ReadCertificate(files.cert);
   if (!certificate.ok()) return certificate;

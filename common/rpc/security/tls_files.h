@@ -8,23 +8,23 @@
 
 namespace slicefarm::rpc {
 
-/// Where a program finds what it needs for TLS, as PEM files. Without `ca` it uses none.
+/// Paths of a program's PEM files for TLS. Without `ca`, the program uses no TLS.
 struct TlsFiles {
-  std::string cert;  ///< of the program itself, followed by those that lead from it to a CA
-  std::string key;   ///< of `cert`; not encrypted
-  std::string ca;    ///< the CAs whose signatures count
+  std::string cert;  ///< certificate of the program, followed by the chain to a CA
+  std::string key;   ///< private key of `cert`; not encrypted
+  std::string ca;    ///< trusted CAs
 
   bool enabled() const { return !ca.empty(); }
   bool has_certificate() const { return !cert.empty(); }
 };
 
-/// Looks whether the files can be used now, because gRPC itself takes any and only fails to
-/// connect. Errors, naming the file: REQUEST_MALFORMED if one cannot be read or the key is not the
-/// certificate's; UNAUTHENTICATED if the certificate is not valid yet, or not any more.
+/// Checks that the files can be used now, because gRPC itself accepts any files and only fails to
+/// connect. Errors, naming the file: REQUEST_MALFORMED if one cannot be read or the key does not
+/// match the certificate; UNAUTHENTICATED if the certificate is not yet or no longer valid.
 absl::Status CheckTlsFiles(const TlsFiles& files);
 
-/// When the certificate expires. Errors: REQUEST_MALFORMED as above.
-/// REQUIRES: files.has_certificate().
+/// Returns the expiry time of the certificate. Errors: REQUEST_MALFORMED as above. REQUIRES:
+/// files.has_certificate().
 absl::StatusOr<std::time_t> CertificateExpiry(const TlsFiles& files);
 
 }  // namespace slicefarm::rpc

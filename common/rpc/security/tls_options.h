@@ -11,9 +11,9 @@ class Option;
 
 namespace slicefarm::rpc {
 
-/// --tls-ca, --tls-cert and --tls-key, which are those of clients and servers alike: one
-/// environment (SLICEFARM_TLS_CA, ...) does for all programs of a farm. What each is good for, and
-/// which others it needs, is the program's to say.
+/// Options --tls-ca, --tls-cert and --tls-key, which clients and servers share. One
+/// environment (SLICEFARM_TLS_CA, ...) therefore suffices for all programs of a farm. Each program
+/// describes the use of an option and its dependencies on other options.
 CLI::Option* AddTlsCa(CLI::App& app, TlsFiles* files, const std::string& about);
 CLI::Option* AddTlsCert(CLI::App& app, TlsFiles* files, const std::string& about);
 CLI::Option* AddTlsKey(CLI::App& app, TlsFiles* files, const std::string& about);

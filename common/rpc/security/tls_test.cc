@@ -30,7 +30,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-/// Answers who called, and with which token.
+/// Service that answers with the identity and the token of its caller.
 class WhoCalls final : public v1::Motion::Service {
  public:
   grpc::Status FrameProgram(grpc::ServerContext* context, const v1::FrameRequest* /*request*/,
@@ -48,7 +48,7 @@ class TlsTest : public testing::Test {
     std::string token;
   };
 
-  /// `policy` empty: no authorizer.
+  /// Starts a server. `policy` empty: no authorizer.
   void Serve(const TlsFiles& files, ClientCerts client_certs = ClientCerts::kRequired,
              std::shared_ptr<Authorizer> authorizer = nullptr) {
     auto tls = Tls::Open(files);
@@ -69,7 +69,8 @@ class TlsTest : public testing::Test {
     return MakeChannel("127.0.0.1:" + std::to_string(server_->port()), options);
   }
 
-  /// For a client that has these files and takes no server but this identity's.
+  /// Returns a channel of a client that has these files and accepts only a server with this
+  /// identity.
   std::shared_ptr<grpc::Channel> ChannelOf(const TlsFiles& files,
                                            const std::string& server = StageIdentity("motion")) {
     return Channel((*Tls::Open(files))->ForIdentity(server, log_));
@@ -131,7 +132,7 @@ TEST_F(TlsTest, ClientsThatCannotProveWhoTheyAreGetNoConnection) {
     const absl::Status status = Call(ChannelOf(files)).status();
     EXPECT_TRUE(absl::IsUnavailable(status)) << status;
   }
-  EXPECT_TRUE(absl::IsUnavailable(Call(Channel(nullptr)).status()));  // in plain text
+  EXPECT_TRUE(absl::IsUnavailable(Call(Channel(nullptr)).status()));  // without TLS
 }
 
 TEST_F(TlsTest, ClientsWhoseCertificateExpiresGetNoNewConnection) {
@@ -145,7 +146,7 @@ TEST_F(TlsTest, ClientsWhoseCertificateExpiresGetNoNewConnection) {
   while (Call(Channel(tls->ForIdentity(StageIdentity("motion"), log_))).ok()) {
     std::this_thread::yield();
   }
-  EXPECT_TRUE(Call(first).ok());  // its connection stands
+  EXPECT_TRUE(Call(first).ok());  // keeps its connection open
 }
 
 TEST_F(TlsTest, AServerWithAnothersCertificateIsNotSpokenTo) {
@@ -160,7 +161,7 @@ TEST_F(TlsTest, AServerWithAnothersCertificateIsNotSpokenTo) {
 TEST_F(TlsTest, AServerIsKnownByItsName) {
   Serve(motion_);
   const auto tls = *Tls::Open(coordinator_);
-  EXPECT_TRUE(Call(Channel(tls->ForServerName())).ok());  // 127.0.0.1 is one of its names
+  EXPECT_TRUE(Call(Channel(tls->ForServerName())).ok());  // the certificate contains 127.0.0.1
   ChannelOptions options;
   options.server_name = "motion";
   EXPECT_TRUE(Call(Channel(tls->ForServerName(), options)).ok());
@@ -181,7 +182,7 @@ TEST_F(TlsTest, RenewedFilesHoldForNewConnections) {
   const auto old = ChannelOf(coordinator_);
   EXPECT_TRUE(Call(old).ok());
   server.PointTo(certs_.path() + "/worker");
-  // Tries again and again.
+  // The client retries repeatedly.
   EXPECT_TRUE(ChannelOf(coordinator_, kWorkerIdentity)
                   ->WaitForConnected(std::chrono::system_clock::now() + seconds(60)));
   EXPECT_TRUE(Call(old).ok());

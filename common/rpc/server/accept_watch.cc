@@ -21,10 +21,12 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// HTTP/2's preface and an empty SETTINGS frame, which a server answers with its own.
+/// HTTP/2's preface and an empty SETTINGS frame, which a server answers with its own SETTINGS
+/// frame.
 constexpr std::string_view kHttp2Greeting("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n\0\0\0\4\0\0\0\0\0", 33);
 
-/// TLS's ClientHello. The handshake goes no further, so that no side has to show a certificate.
+/// Returns TLS's ClientHello. The handshake ends after it, so neither side has to show a
+/// certificate.
 std::string TlsGreeting() {
   const std::unique_ptr<SSL_CTX, decltype(&SSL_CTX_free)> context(SSL_CTX_new(TLS_client_method()),
                                                                   SSL_CTX_free);
@@ -50,7 +52,8 @@ class ProbeSocket {
 
   int fd() const { return fd_; }
 
-  /// False: neither `events` nor an end came within the time.
+  /// Waits for `events` or the end of the connection. Returns false if neither occurs within the
+  /// time.
   bool Await(short events, milliseconds time) const {
     pollfd waiting{.fd = fd_, .events = events, .revents = 0};
     return poll(&waiting, 1, static_cast<int>(std::max<int64_t>(time.count(), 0))) == 1;
@@ -60,7 +63,8 @@ class ProbeSocket {
   const int fd_;
 };
 
-/// 0.0.0.0 and [::] mean all addresses; a client names one.
+/// Returns an address to connect to. A server can listen on all addresses (0.0.0.0 and [::]), but a
+/// client must name one.
 std::string ToConnect(const std::string& listened) {
   const size_t colon = listened.rfind(':');
   const std::string host = listened.substr(0, colon);

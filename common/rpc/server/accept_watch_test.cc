@@ -18,7 +18,7 @@ namespace {
 using std::chrono::milliseconds;
 constexpr std::chrono::seconds kLong(60);
 
-/// A port on which connections wait for ever, as on that of a server whose accept() failed.
+/// A port on which connections wait without end, as on a server with a failed accept().
 class DeafPort {
  public:
   DeafPort() : fd_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {

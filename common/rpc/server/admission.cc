@@ -10,7 +10,7 @@
 namespace slicefarm::rpc {
 namespace {
 
-constexpr int kRetryAfter = 200;  // ms
+constexpr int kRetryAfter = 200;  // in ms
 
 }  // namespace
 
@@ -30,7 +30,7 @@ absl::StatusOr<Admission::Ticket> Admission::Enter(const CancelToken& cancel) {
   while (working_ >= slots_) {
     left_.wait_for(lock, kPollCancel);
     if (working_ < slots_) break;
-    lock.unlock();  // the poll may take locks of its own
+    lock.unlock();  // polling the token may lock other mutexes
     const absl::Status wanted = cancel.Check();
     lock.lock();
     if (!wanted.ok()) {

@@ -10,11 +10,11 @@
 
 namespace slicefarm::rpc {
 
-/// How many calls may work at once, and how many may wait for their turn. Thread-safe; must outlive
-/// its tickets.
+/// Limit on the number of calls that work at the same time, and on the number that wait.
+/// Thread-safe; must outlive its tickets.
 class Admission {
  public:
-  /// Gives its place back when destroyed.
+  /// Permission to work. Its destruction frees the slot.
   class Ticket {
    public:
     explicit Ticket(Admission* admission) : admission_(admission) {}

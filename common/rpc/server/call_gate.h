@@ -18,22 +18,23 @@
 namespace slicefarm::rpc {
 
 struct CallGateOptions {
-  int slots = 1;  ///< calls at work at once
-  int queue = 8;  ///< calls that wait for their turn; more are refused with OVERLOADED
-  std::chrono::milliseconds default_deadline{300'000};      ///< where the client sent none
-  std::chrono::milliseconds longest = CallScope::kNoLimit;  ///< whatever the client sent
+  int slots = 1;  ///< number of calls that work at the same time
+  int queue = 8;  ///< number of calls that wait; further calls are refused with OVERLOADED
+  /// deadline of calls without a deadline of the client
+  std::chrono::milliseconds default_deadline{300'000};
+  std::chrono::milliseconds longest = CallScope::kNoLimit;  ///< time limit of every call
 };
 
-/// A call as its handler sees it; what the handler learns of it goes to the log.
+/// A call as its handler sees it. The data that the handler sets here is logged.
 struct Call {
-  CancelToken cancel;  ///< also asks whether the deadline has passed
-  TraceContext trace;  ///< what the client gave
+  CancelToken cancel;  ///< cancelled by the client or at the deadline
+  TraceContext trace;  ///< trace that the client sent
   std::string job_id;
-  LayerRange layers;  ///< empty: the call is about no layers
-  LogFields about;    ///< what else it is about
+  LayerRange layers;  ///< empty: the call concerns no layers
+  LogFields about;    ///< further fields of the log line
 };
 
-/// The way of every heavy call: wait for a turn, work, log one line, answer with a typed status.
+/// Common procedure of every heavy call: wait for a slot, work, log one line, answer with a status.
 /// Thread-safe.
 class CallGate {
  public:

@@ -2,7 +2,8 @@
 
 namespace slicefarm::rpc {
 
-// It is none of those that listen for calls (false), or else gRPC would have no other one do so.
+// `false`: the queue is not one of the queues that listen for calls; otherwise gRPC would use no
+// other queue for this.
 CallQueue::CallQueue(grpc::ServerBuilder& builder)
     : queue_(builder.AddCompletionQueue(false)), thread_([this] { Run(); }) {}
 

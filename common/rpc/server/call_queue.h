@@ -8,21 +8,21 @@
 
 namespace slicefarm::rpc {
 
-/// What a queue's tags are: gRPC's asynchronous operations take a pointer to one, and it is called
-/// when the operation has ended. `ok` means what gRPC says of that operation.
+/// Tag of an operation in the queue. gRPC's asynchronous operations receive a pointer to a tag, and
+/// the tag is called when the operation has ended. `ok`: gRPC's result of the operation.
 using QueueTag = std::function<void(bool ok)>;
 
-/// Calls that may stay open for long without holding a thread, a thousand of them: gRPC's
-/// asynchronous API, with one thread for all that happens to them.
+/// Queue for a thousand or more calls that may stay open for long without occupying a thread. It
+/// uses gRPC's asynchronous API, with one thread for all events of these calls.
 ///
-/// gRPC has an API of callbacks for that, too. In version 1.51 its threads sleep for 0.1 s after
-/// each second without a callback, and a server with one method of that kind takes no call of any
-/// other method meanwhile: every eleventh call waited for up to 0.1 s.
+/// gRPC's callback API is unsuitable. In version 1.51 its threads sleep for 0.1 s after each second
+/// without a callback. A server with one method of this kind accepts no calls of other methods
+/// meanwhile: every eleventh call waited for up to 0.1 s.
 class CallQueue {
  public:
-  /// To be made before the server starts.
+  /// REQUIRES: the server has not started yet.
   explicit CallQueue(grpc::ServerBuilder& builder);
-  /// REQUIRES: the server was shut down. What its calls still have to hear, they hear now.
+  /// REQUIRES: the server was shut down. The remaining events of its calls are handled now.
   ~CallQueue();
 
   grpc::ServerCompletionQueue& queue() { return *queue_; }
@@ -39,8 +39,8 @@ class QueuedMethods {
  public:
   virtual ~QueuedMethods() = default;
 
-  /// The server has started: asks for the first calls. Everything that it asks `queue` for happens
-  /// on one thread, another than this one.
+  /// Requests the first calls after the server has started. All operations on `queue` end on one
+  /// thread, which is not the calling thread.
   virtual void ServeFrom(grpc::ServerCompletionQueue& queue) = 0;
 };
 

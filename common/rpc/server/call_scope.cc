@@ -23,7 +23,7 @@ CallScope::Clock::time_point DeadlineOf(const grpc::ServerContext& context,
 }  // namespace
 
 bool HasDeadline(const grpc::ServerContext& context) {
-  constexpr std::chrono::hours kFar{24 * 365};  // gRPC's infinity lies beyond
+  constexpr std::chrono::hours kFar{24 * 365};  // less than gRPC's infinite deadline
   return context.deadline() - std::chrono::system_clock::now() <= kFar;
 }
 

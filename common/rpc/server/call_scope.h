@@ -12,28 +12,29 @@
 
 namespace slicefarm::rpc {
 
-/// Whether the client of the call set a deadline.
+/// Returns true if the client of the call set a deadline.
 bool HasDeadline(const grpc::ServerContext& context);
 
-/// Until when a call is worth working on, and whether its caller still waits: what a handler hands
-/// on to the algorithm. Lives as long as the handler runs. Thread-safe.
+/// Deadline and cancellation of a call, which a handler passes to the algorithm. It exists as long
+/// as the handler runs. Thread-safe.
 class CallScope {
  public:
   using Clock = std::chrono::steady_clock;
 
   static constexpr std::chrono::milliseconds kNoLimit = std::chrono::milliseconds::max();
 
-  /// `default_deadline` holds where the client sent none; `longest` also where it sent one.
+  /// `default_deadline`: used if the client sent no deadline. `longest`: time limit in any case.
   CallScope(const grpc::ServerContext& context, std::chrono::milliseconds default_deadline,
             std::chrono::milliseconds longest = kNoLimit);
 
-  /// Cancelled when the client went away or gave up, the deadline passed, or the server stops.
-  /// Cheap to poll: it asks gRPC once in a millisecond. Must not outlive the scope.
+  /// Returns a token that is cancelled when the client disconnects or cancels, the deadline passes,
+  /// or the server stops. It is cheap to poll: it queries gRPC once per millisecond. Must not
+  /// outlive the scope.
   CancelToken Token() const;
   bool Cancelled() const;
 
-  /// The status to answer with: where the work ended as Cancelled because time was up,
-  /// DeadlineExceeded.
+  /// Returns the status to answer with: DeadlineExceeded if the work ended as Cancelled because of
+  /// the deadline, otherwise `status`.
   absl::Status Outcome(absl::Status status) const;
 
  private:
@@ -43,7 +44,7 @@ class CallScope {
   const Clock::time_point deadline_;
   mutable std::atomic<bool> cancelled_ = false;
   mutable std::atomic<Clock::rep> next_look_ = 0;
-  mutable std::mutex looking_;  // gRPC lets only a few threads ask at a time
+  mutable std::mutex looking_;  // gRPC allows only a few threads to query at the same time
 };
 
 }  // namespace slicefarm::rpc

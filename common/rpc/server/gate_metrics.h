@@ -9,10 +9,11 @@
 
 namespace slicefarm::rpc {
 
-/// How busy a service is: slicefarm_calls{state="working"|"waiting"} and slicefarm_call_slots.
+/// Metrics of the load of a service: slicefarm_calls{state="working"|"waiting"} and
+/// slicefarm_call_slots.
 class GateMetrics : public prometheus::Collectable {
  public:
-  /// `admission` must outlive it.
+  /// REQUIRES: `admission` outlives this object.
   explicit GateMetrics(const Admission& admission) : admission_(admission) {}
 
   std::vector<prometheus::MetricFamily> Collect() const override;

@@ -13,8 +13,9 @@
 
 namespace slicefarm::rpc {
 
-/// The server of `Api`, such as v1::Beading: its methods are functions, and each call of them goes
-/// through a gate. Methods that are not added are unimplemented. Add them before the server starts:
+/// The server of `Api`, such as v1::Beading. Its methods are functions, and each call of them
+/// passes through a gate. Methods that are not added are unimplemented. Add methods before the
+/// server starts:
 ///
 ///   auto service = std::make_unique<GatedService<v1::Beading>>(gate);
 ///   service->Add("BeadLayers", &v1::Beading::Service::BeadLayers, [&](Call& call, auto& stream) {
@@ -23,11 +24,12 @@ namespace slicefarm::rpc {
 template <typename Api>
 class GatedService : public grpc::Service {
  public:
-  /// `gate` must outlive the service.
+  /// REQUIRES: `gate` outlives the service.
   explicit GatedService(CallGate& gate) : gate_(gate) {}
 
-  /// Adds a method with streams both ways. `method`: the one that the generated service declares,
-  /// for its types. `handle`: absl::Status(Call&, ServerStream<Response, Request>&).
+  /// Adds a method with streams in both directions. `method`: the method that the generated service
+  /// declares; it provides the types. `handle`: absl::Status(Call&, ServerStream<Response,
+  /// Request>&).
   template <typename Response, typename Request, typename Handle>
   void Add(const char* name,
            grpc::Status (Api::Service::*)(grpc::ServerContext*,
@@ -44,8 +46,8 @@ class GatedService : public grpc::Service {
         new grpc::internal::BidiStreamingHandler<GatedService, Request, Response>(serve, this));
   }
 
-  /// Adds a method with one request and one response.
-  /// `handle`: absl::Status(Call&, const Request&, Response*).
+  /// Adds a method with one request and one response. `handle`: absl::Status(Call&, const Request&,
+  /// Response*).
   template <typename Request, typename Response, typename Handle>
   void Add(const char* name,
            grpc::Status (Api::Service::*)(grpc::ServerContext*, const Request*, Response*),
@@ -61,7 +63,7 @@ class GatedService : public grpc::Service {
   }
 
  private:
-  /// As the services do that gRPC generates. gRPC owns the method and its handler.
+  /// Adds a method as gRPC's generated services do. gRPC owns the method and its handler.
   void AddServed(const char* name, grpc::internal::RpcMethod::RpcType type,
                  grpc::internal::MethodHandler* handler) {
     paths_.push_back(std::string("/") + Api::service_full_name() + "/" + name);
@@ -69,7 +71,7 @@ class GatedService : public grpc::Service {
   }
 
   CallGate& gate_;
-  std::deque<std::string> paths_;  ///< of the methods, which keep pointers to them
+  std::deque<std::string> paths_;  ///< paths of the methods, which contain pointers to them
 };
 
 }  // namespace slicefarm::rpc

@@ -2,8 +2,9 @@
 
 namespace slicefarm::rpc {
 
-/// Lets this process open as many files as the system allows: the soft limit is often 1024, which
-/// connections and blobs of a busy server reach. Where it cannot be raised it stays as it was.
+/// Raises the limit of open files of this process to the maximum that the system allows. The soft
+/// limit is often 1024, which a busy server can reach with its connections and blobs. If the limit
+/// cannot be raised, it remains unchanged.
 void RaiseOpenFilesLimit();
 
 }  // namespace slicefarm::rpc

@@ -27,13 +27,13 @@
 namespace slicefarm::rpc {
 namespace {
 
-/// Threads beyond the calls at work and waiting: for health, reflection and calls that are being
-/// refused.
+/// Number of threads in addition to working and waiting calls: for health, reflection and calls
+/// that are refused.
 constexpr int kSpareThreads = 16;
 
 constexpr std::chrono::milliseconds kAskReadyEvery{500};
 
-/// The part of an address that another port can follow.
+/// Returns the address without its port.
 std::string HostPart(const std::string& address) { return address.substr(0, address.rfind(':')); }
 
 void Announce(std::string_view what, const std::string& host, int port) {
@@ -109,7 +109,7 @@ void ServerProgram::Show(const SharedCache& cache) {
   metrics_.Show(std::make_shared<SharedMetrics>(cache));
 }
 
-/// Null without TLS.
+/// Returns the credentials of the server; null without TLS.
 absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> ServerProgram::Credentials(
     const ServeFlags& flags) const {
   if (!flags.tls.enabled()) {
@@ -196,7 +196,7 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
   (*server)->Drain(
       std::max(std::chrono::milliseconds(0), std::chrono::duration_cast<std::chrono::milliseconds>(
                                                  end - std::chrono::steady_clock::now())));
-  metrics_.Stop();  // what it shows may be the caller's, and end with his scope
+  metrics_.Stop();  // the shown values may belong to the caller and end with the caller's scope
   log_.Info("stopped");
   return dead ? kTakesNoConnections : 0;
 }

@@ -24,30 +24,30 @@ class App;
 
 namespace slicefarm::rpc {
 
-/// What every server program can be told on its command line.
+/// Command-line options that every server program has.
 struct ServeFlags {
   ServerOptions server;
-  int metrics_port = -1;   ///< -1: no metrics are served; 0: any port
-  int max_concurrent = 0;  ///< 0: as many as there are CPUs for it
+  int metrics_port = -1;   ///< -1: metrics are not served; 0: any port
+  int max_concurrent = 0;  ///< 0: the number of available CPUs
   int drain_s = 30;
-  int accept_patience_s = 30;  ///< 0: never asks itself for a connection
-  TlsFiles tls;                ///< all three, or none: no TLS
+  int accept_patience_s = 30;  ///< 0: the server does not check that it accepts connections
+  TlsFiles tls;                ///< all three files, or none: no TLS
   ClientCerts client_certs = ClientCerts::kRequired;
-  std::string_view policy = InnerPolicy();  ///< with TLS: who may call what
-  std::string policy_file;                  ///< if not empty, instead of `policy`
+  /// with TLS: policy that decides who may call which method
+  std::string_view policy = InnerPolicy();
+  std::string policy_file;  ///< if not empty, replaces `policy`
 };
 
-/// The exit code of a server that took no new connections any more: one that is started anew does.
+/// Exit code of a server that no longer accepts new connections. A restarted server accepts them.
 inline constexpr int kTakesNoConnections = 3;
 
-/// --listen, --metrics-port, --drain, --accept-patience, --tls-cert, --tls-key, --tls-ca,
-/// --authz-policy, and
-/// --version.
+/// Adds --listen, --metrics-port, --drain, --accept-patience, --tls-cert, --tls-key, --tls-ca,
+/// --authz-policy, and --version.
 void AddServeFlags(CLI::App& app, ServeFlags* flags);
 
-/// The life of a server program: serve until SIGTERM or SIGINT, drain, return. Make one in main()
-/// before any thread starts. Prints `listening on HOST:PORT` and `metrics on HOST:PORT` to stdout
-/// once it serves.
+/// Life cycle of a server program: serve until SIGTERM or SIGINT, drain, return. Make one in main()
+/// before any thread starts. It prints `listening on HOST:PORT` and `metrics on HOST:PORT` to
+/// stdout once it serves.
 class ServerProgram {
  public:
   /// `name`: `beading` of slicefarm-beading.
@@ -58,27 +58,28 @@ class ServerProgram {
   const JsonLog& log() const { return log_; }
   Metrics& metrics() { return metrics_; }
 
-  /// False: there was no signal to end for so long. True: there was, and Run is not to be called.
+  /// Waits for a signal to end. Returns true if a signal arrives within `time`; Run must not be
+  /// called then.
   bool EndsWithin(std::chrono::milliseconds time) const { return signal_.WaitFor(time); }
 
-  /// The gate for heavy calls that the flags ask for.
+  /// Returns the options of the gate for heavy calls, as the flags request.
   CallGateOptions GateOptions(const ServeFlags& flags) const;
 
-  /// Shows how busy the service behind the gate is. The gate outlives Run.
+  /// Adds metrics of the load behind the gate. The gate must outlive Run.
   void Show(const CallGate& gate);
 
-  /// Shows what is kept of jobs' calls. The cache outlives Run.
+  /// Adds metrics of the values stored for calls of jobs. The cache must outlive Run.
   void Show(const SharedCache& cache);
 
-  /// While `ready` returns false, health says NOT_SERVING, and calls are taken all the same. It is
-  /// asked twice a second, by a thread that ends with Run. Before Run.
+  /// Sets a readiness check. While `ready` returns false, health says NOT_SERVING, but calls are
+  /// still accepted. A thread that ends with Run calls it twice per second. Call this before Run.
   void ReadyWhile(std::function<bool()> ready) { ready_ = std::move(ready); }
 
-  /// Serves `services`, among them that of `queued`, until a signal comes or no new connection is
-  /// taken any more; then calls `on_signal`, which ends what would otherwise keep calls in flight.
-  /// When it returns, neither services nor shown metrics are used any more. Returns the exit code
-  /// of the program: 0, 1 if it cannot listen, or not with these certificates, or
-  /// kTakesNoConnections.
+  /// Serves `services`, which include the service of `queued`, until a signal arrives or new
+  /// connections are no longer accepted. It then calls `on_signal`, which must end anything that
+  /// would keep calls in flight. After it returns, services and shown metrics are no longer used.
+  /// Returns the exit code of the program: 0; 1 if it cannot listen, or cannot use the
+  /// certificates; or kTakesNoConnections.
   int Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services,
           const std::function<void()>& on_signal = {}, QueuedMethods* queued = nullptr);
 
@@ -91,21 +92,22 @@ class ServerProgram {
   JsonLog log_;
   Metrics metrics_;
   CallMetrics call_metrics_;
-  std::function<bool()> ready_;  ///< null: always
+  std::function<bool()> ready_;  ///< null: always ready
 };
 
-/// Makes a service behind a gate, which outlives it.
+/// Makes a service behind a gate. The gate outlives the service.
 using MakeService = std::function<std::unique_ptr<grpc::Service>(CallGate& gate)>;
 
 /// main() of the server program of one stage.
 int ServeStage(int argc, char** argv, const std::string& name, const std::string& about,
                const MakeService& make);
 
-/// Makes a service behind a gate, whose calls name what is kept in `shared`; both outlive it.
+/// Makes a service behind a gate. Its calls name values that are stored in `shared`. The gate and
+/// `shared` outlive the service.
 using MakeSharingService =
     std::function<std::unique_ptr<grpc::Service>(CallGate& gate, SharedCache& shared)>;
 
-/// main() of the server program of one stage, where what the calls of a job have in common is sent
+/// main() of the server program of a stage that receives the values shared by a job's calls only
 /// once (SharedKeeper).
 int ServeSharingStage(int argc, char** argv, const std::string& name, const std::string& about,
                       const MakeSharingService& make);

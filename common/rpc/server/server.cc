@@ -33,13 +33,13 @@ void SetConnectionRules(const ServerOptions& options, grpc::ServerBuilder* build
     const std::chrono::milliseconds age = options.max_connection_age;
     builder->AddChannelArgument(GRPC_ARG_MAX_CONNECTION_AGE_MS, static_cast<int>(age.count()));
   }
-  // Clients ping each 20 s (channel.cc); a server of the default setting takes that for abuse.
+  // Clients ping every 20 s (channel.cc); with default settings, a server treats this as abuse.
   builder->AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 10'000);
   builder->AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
-  // Notices clients whose machine is gone, so that their calls are cancelled.
+  // Detects clients with a machine that is gone, so that their calls are cancelled.
   builder->AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, 20'000);
   builder->AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 10'000);
-  // Two servers on one port would each get a share of the calls; the second is to fail instead.
+  // Two servers on one port would each get a share of the calls; the second one must fail instead.
   builder->AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
 }
 
@@ -63,7 +63,8 @@ absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& optio
   SetConnectionRules(options, &builder);
   for (grpc::Service* service : services) builder.RegisterService(service);
   std::vector<std::unique_ptr<grpc::experimental::ServerInterceptorFactoryInterface>> interceptors;
-  interceptors.push_back(std::make_unique<UnreadableRequestFactory>());  // before it is counted
+  // runs before the call is counted
+  interceptors.push_back(std::make_unique<UnreadableRequestFactory>());
   if (options.log) interceptors.push_back(std::make_unique<StorageErrorsFactory>(*options.log));
   interceptors.push_back(std::make_unique<CallMetricsFactory>(metrics));
   for (const auto& make : options.interceptors) interceptors.push_back(make());
@@ -85,7 +86,8 @@ absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& optio
 Server::~Server() { Drain(std::chrono::milliseconds(0)); }
 
 void Server::SetReady(bool ready) {
-  // Without a name it would be said of all services.
+  // The empty name means the server as a whole. SetServingStatus without a name would set all
+  // services.
   if (auto* health = server_->GetHealthCheckService()) health->SetServingStatus("", ready);
 }
 

@@ -20,18 +20,18 @@
 namespace slicefarm::rpc {
 
 struct ServerOptions {
-  std::string listen = "127.0.0.1:0";  ///< host:port; port 0: any that is free
+  std::string listen = "127.0.0.1:0";  ///< host:port; port 0: any free port
   int64_t max_message_bytes = limits::kMaxStageMessageBytes;
-  int64_t max_buffer_bytes = int64_t{1} << 30;  ///< of messages in flight, over all calls
-  int max_threads = 64;  ///< calls beyond are refused with RESOURCE_EXHAUSTED
-  /// After which a connection takes no new calls, so that clients spread over new replicas. Calls
-  /// that are open go on. 0: never.
+  int64_t max_buffer_bytes = int64_t{1} << 30;  ///< limit on messages in flight, over all calls
+  int max_threads = 64;  ///< further calls are refused with RESOURCE_EXHAUSTED
+  /// Age at which a connection accepts no new calls, so that clients spread over new replicas. Open
+  /// calls continue. 0: never.
   std::chrono::seconds max_connection_age{0};
-  /// Calls that one connection may have open; more wait in the client. 0: any number.
+  /// Maximum number of open calls per connection; further calls wait in the client. 0: any number.
   int max_streams_per_connection = 0;
   std::shared_ptr<grpc::ServerCredentials> credentials = nullptr;  ///< null: no TLS
-  std::optional<JsonLog> log = {};  ///< of errors of storage, which are not for clients
-  /// Of the server's own kind; what they see is what clients are told.
+  std::optional<JsonLog> log = {};  ///< receives storage errors, which clients must not see
+  /// Additional interceptors of this server. They see the statuses that clients receive.
   std::vector<
       std::function<std::unique_ptr<grpc::experimental::ServerInterceptorFactoryInterface>()>>
       interceptors = {};
@@ -40,8 +40,8 @@ struct ServerOptions {
 /// A gRPC server with health checking, reflection, limits, keepalive and metrics.
 class Server {
  public:
-  /// `services`, with those of `queued`, and `metrics` must outlive the server. Errors: Unavailable
-  /// if it cannot listen there; OUT_OF_RANGE if that is no port.
+  /// Starts a server. `services`, the service of `queued`, and `metrics` must outlive the server.
+  /// Errors: Unavailable if it cannot listen there; OUT_OF_RANGE if the port is invalid.
   static absl::StatusOr<std::unique_ptr<Server>> Start(const ServerOptions& options,
                                                        const std::vector<grpc::Service*>& services,
                                                        CallMetrics& metrics,
@@ -50,15 +50,16 @@ class Server {
 
   int port() const { return port_; }
 
-  /// What health says of the server as a whole, and not of its build; until TurnAway.
+  /// Sets the health of the server as a whole, but not of the build's service. It has no effect
+  /// after TurnAway.
   void SetReady(bool ready);
 
-  /// Health turns to NOT_SERVING, so that balancers send new calls elsewhere; those that come are
-  /// still taken.
+  /// Sets health to NOT_SERVING, so that load balancers send new calls elsewhere. The server still
+  /// accepts calls.
   void TurnAway();
 
-  /// TurnAway, and no new call is taken; waits until those in flight are done, and
-  /// cancels what is left after `patience`.
+  /// Calls TurnAway and accepts no new calls. Waits until the calls in flight have ended, and
+  /// cancels the remaining ones after `patience`.
   void Drain(std::chrono::milliseconds patience);
 
  private:
@@ -66,7 +67,7 @@ class Server {
       : server_(std::move(server)), queue_(std::move(queue)), port_(port) {}
 
   std::unique_ptr<grpc::Server> server_;
-  std::unique_ptr<CallQueue> queue_;  ///< null if nothing is served from one
+  std::unique_ptr<CallQueue> queue_;  ///< null if no methods are served from a queue
   const int port_;
 };
 

@@ -4,10 +4,11 @@
 
 namespace slicefarm::rpc {
 
-/// The server's end of a call with streams both ways. What it writes gathers in gRPC's write buffer
-/// until that is full or the call ends: a system call and a wake-up for each message cost more than
-/// all else about a small one (22 us of CPU time a message against 12, both ends together). For
-/// handlers that write their answer in one go.
+/// The server's end of a call with streams in both directions. Written messages are collected in
+/// gRPC's write buffer until it is full or the call ends. Otherwise a system call and a wake-up for
+/// each message would cost more than all other work for a small message. Measured: 22 us of CPU
+/// time per message instead of 12 us, both ends together. For handlers that write their whole
+/// answer without a pause.
 template <typename Out, typename In>
 class ServerStream {
  public:
@@ -18,11 +19,11 @@ class ServerStream {
 
   bool Read(Request* request) { return stream_.Read(request); }
 
-  /// False if the client is gone.
+  /// Writes a message. Returns false if the client is gone.
   bool Write(const Response& response) {
     grpc::WriteOptions options;
-    // The first one takes the initial metadata along, and gRPC 1.51 would wait for these to be sent
-    // for ever.
+    // The first message also sends the initial metadata. If it were buffered, gRPC 1.51 would wait
+    // for the metadata without end.
     if (has_written_) options.set_buffer_hint();
     has_written_ = true;
     return stream_.Write(response, options);

@@ -26,7 +26,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-/// Any service would do; this one has a method without and one with streams.
+/// Any service is suitable; this one has a method with streams and one without.
 class TestService final : public v1::Motion::Service {
  public:
   using Work = std::function<absl::Status(Call&)>;
@@ -59,7 +59,7 @@ class TestService final : public v1::Motion::Service {
   Work work_ = [](Call&) { return absl::OkStatus(); };
 };
 
-/// Until the caller does not want it any more.
+/// Works until the caller cancels.
 absl::Status WorkForever(Call& call) {
   while (!call.cancel.Cancelled()) std::this_thread::yield();
   return call.cancel.Check();
@@ -89,7 +89,7 @@ class ServerTest : public testing::Test {
     return status;
   }
 
-  /// A call of a method whose messages are not known here.
+  /// Calls a method with message types that are unknown here.
   absl::Status CallRaw(const std::string& method, const std::string& bytes, std::string* answer) {
     const grpc::Slice slice(bytes);
     const grpc::ByteBuffer request(&slice, 1);
@@ -135,7 +135,7 @@ TEST_F(ServerTest, AnswersAndCounts) {
   EXPECT_EQ(DetailOf(status).reason, Reason::kSettingUnknown);
   EXPECT_EQ(DetailOf(status).metadata["setting"], "colour");
 
-  server_->Drain(seconds(10));  // the counts are there when the calls are gone
+  server_->Drain(seconds(10));  // the counts are complete when the calls have ended
   EXPECT_THAT(MetricsText(),
               testing::AllOf(
                   testing::HasSubstr(R"(grpc_server_started_total{grpc_method="FrameProgram",)"
@@ -197,7 +197,7 @@ TEST_F(ServerTest, WhatStorageSaysIsForTheLogAlone) {
   }
 }
 
-// Bytes that are no message, and a string field that is not UTF-8.
+// Bytes that are not a message, and a string field that is not UTF-8.
 TEST_F(ServerTest, WhatCannotBeReadHasAReason) {
   Start();
   for (const char* bytes : {"\xff\xff\xff", "\x3a\x02\xc3("}) {
@@ -284,7 +284,7 @@ TEST_F(ServerTest, TheClientsDeadlineReachesTheWork) {
 TEST_F(ServerTest, WorkWithoutADeadlineGetsOne) {
   Start({1, 0, milliseconds(50)});
   service_->OnCall(WorkForever);
-  grpc::ClientContext context;  // without a deadline, as no client of ours
+  grpc::ClientContext context;  // has no deadline, unlike calls of slicefarm's clients
   v1::ProgramFrame response;
   const grpc::Status status = v1::Motion::NewStub(channel_)->FrameProgram(&context, {}, &response);
   EXPECT_EQ(status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
@@ -358,7 +358,7 @@ TEST_F(ServerTest, DrainingFinishesWhatIsInFlight) {
   const auto far = std::chrono::system_clock::now() + seconds(60);
   EXPECT_TRUE(channel->WaitForConnected(far));
   auto drain = std::async(std::launch::async, [&] { server_->Drain(seconds(60)); });
-  // As soon as the drain has begun, connections are told to go, and new calls are refused.
+  // Once the drain has begun, connections are told to close, and new calls are refused.
   EXPECT_TRUE(channel->WaitForStateChange(GRPC_CHANNEL_READY, far));
   grpc::ClientContext context;
   context.set_deadline(far);

@@ -15,7 +15,8 @@ namespace {
 
 using Stream = grpc::ServerReaderWriter<v1::KeepResponse, v1::KeepRequest>;
 
-/// A coordinator sends a value once; more than a few come at once only from many of them.
+/// Limits of concurrent uploads. A coordinator sends a value once, so only many coordinators cause
+/// more than a few uploads at the same time.
 constexpr CallGateOptions kGate{.slots = 4, .queue = 32};
 
 absl::Status Refused(const char* field, const char* why) {
@@ -33,7 +34,7 @@ absl::Status Check(const v1::KeepStart& start) {
   return absl::OkStatus();
 }
 
-/// The pieces, as one.
+/// Reads the pieces and returns them as one text.
 absl::StatusOr<std::string> ReadPieces(Stream& stream, int64_t size, const CancelToken& cancel) {
   std::string bytes;
   for (v1::KeepRequest request; stream.Read(&request);) {

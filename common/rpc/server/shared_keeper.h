@@ -11,9 +11,9 @@
 
 namespace slicefarm::rpc {
 
-/// slicefarm.v1.SharedValues: what a server keeps of its jobs' calls, at most
-/// limits::kMaxKeptSharedBytes. What comes must be of the digest that it is sent under. There is no
-/// way to read it back, and who may call is the server's policy: coordinators.
+/// Service slicefarm.v1.SharedValues, which stores values for the calls of jobs, at most
+/// limits::kMaxKeptSharedBytes. Received bytes must match their digest. Values cannot be read back.
+/// The server's policy decides who may call: coordinators.
 class SharedKeeper {
  public:
   explicit SharedKeeper(JsonLog log);

@@ -9,28 +9,30 @@
 
 namespace slicefarm::rpc {
 
-/// The command line of the server program of one stage: that of AddServeFlags, and what the stage
-/// adds. The values that are pointed to are the defaults, and outlive Parse. CLI11 stays behind
-/// this class: a compiler takes 5 s for it in each program that includes it.
+/// Command line of the server program of one stage: the options of AddServeFlags, and options that
+/// the stage adds. The pointers refer to the default values and must outlive Parse. CLI11 is
+/// included only in the implementation, because it adds 5 s to the compilation of each file that
+/// includes it.
 class StageCommandLine {
  public:
-  /// `name`: `beading` of slicefarm-beading. `about`: its line in --help.
+  /// `name`: `beading` of slicefarm-beading. `about`: description of the program in --help.
   StageCommandLine(const std::string& name, const std::string& about, ServeFlags* flags);
   ~StageCommandLine();
 
-  /// --max-concurrent: for programs whose calls each take one slot.
+  /// Adds --max-concurrent, for programs with calls that each use one slot.
   void AddConcurrency(ServeFlags* flags);
-  /// A whole number from `least` to `most`.
+  /// Adds an option for a whole number from `least` to `most`.
   void AddCount(const std::string& option, int* count, const std::string& about, int least,
                 int most);
-  /// One of `names`.
+  /// Adds an option for one of `names`.
   void AddChoice(const std::string& option, std::string* name, const std::string& about,
                  const std::vector<std::string>& names);
-  /// Some of `names`, by commas.
+  /// Adds an option for a comma-separated selection of `names`.
   void AddChoices(const std::string& option, std::vector<std::string>* chosen,
                   const std::string& about, const std::vector<std::string>& names);
 
-  /// Returns the exit code if reading is all there was to do: a bad flag, --help or --version.
+  /// Reads the command line. Returns an exit code if the program should end now: a bad flag, --help
+  /// or --version.
   std::optional<int> Parse(int argc, char** argv);
 
  private:

@@ -8,7 +8,8 @@
 namespace slicefarm::rpc {
 namespace {
 
-/// What a client is told instead; empty: all there is.
+/// Returns the text that a client gets instead of the error message; empty: the client gets the
+/// original message.
 std::string TextFor(const absl::Status& status) {
   if (absl::IsDataLoss(status)) return "";
   switch (DetailOf(status).reason) {

@@ -8,10 +8,9 @@
 
 namespace slicefarm::rpc {
 
-/// Keeps to the server what its storage says: names of files, hosts and tables are no business of
-/// its clients. Errors of STORE_FAILED and DISK_FULL go to the log whole, and to the client with
-/// their code and reason and a message of this file. DATA_LOSS passes: it is about what the client
-/// has sent, and names that.
+/// Hides messages of the storage from clients, because they contain names of files, hosts and
+/// tables. Errors of STORE_FAILED and DISK_FULL are logged completely; clients get their code and
+/// reason with a general message. DATA_LOSS is not changed: it concerns data that the client sent.
 class StorageErrorsFactory : public grpc::experimental::ServerInterceptorFactoryInterface {
  public:
   explicit StorageErrorsFactory(JsonLog log) : log_(std::move(log)) {}

@@ -30,8 +30,8 @@ void StreamWatch::Run() {
   while (!stopping_) changed_.wait_until(lock, CutWhatIsDue());
 }
 
-/// Returns when to look again: messages that move meanwhile only put that off. REQUIRES: mutex_ is
-/// held, so that no guarded call ends under our hands.
+/// Cuts overdue streams and returns the time of the next check. Messages that arrive meanwhile only
+/// delay the check. REQUIRES: mutex_ is held, so that no guarded call ends meanwhile.
 StreamWatch::Clock::time_point StreamWatch::CutWhatIsDue() {
   const Clock::time_point now = Clock::now();
   Clock::time_point next = now + kFar;
@@ -43,7 +43,7 @@ StreamWatch::Clock::time_point StreamWatch::CutWhatIsDue() {
       continue;
     }
     entry.cut = true;
-    entry.context.TryCancel();  // reads and writes of the handler fail at once
+    entry.context.TryCancel();  // reads and writes of the handler fail immediately
   }
   return next;
 }
@@ -52,7 +52,8 @@ StreamWatch::Guard::Guard(StreamWatch& watch, grpc::ServerContext& context) : wa
   const Clock::time_point now = Clock::now();
   const Clock::time_point deadline =
       now +
-      (HasDeadline(context) ? kFar : watch.times_.default_deadline);  // gRPC keeps the client's
+      // gRPC enforces the client's deadline
+      (HasDeadline(context) ? kFar : watch.times_.default_deadline);
   {
     const std::lock_guard lock(watch_.mutex_);
     entry_ =

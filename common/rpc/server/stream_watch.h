@@ -15,15 +15,17 @@
 namespace slicefarm::rpc {
 
 struct StreamTimes {
-  std::chrono::milliseconds idle{60'000};  ///< without a message moving
-  /// In the long run: a stream that stays below it falls behind by `idle`, and ends.
+  std::chrono::milliseconds idle{60'000};  ///< maximum time without a message
+  /// Minimum average rate: a stream that stays below it accumulates a delay, and is cut at a delay
+  /// of `idle`.
   int64_t min_bytes_per_s = 4096;
-  std::chrono::milliseconds default_deadline{300'000};  ///< where the client sent none
+  /// deadline of calls without a deadline of the client
+  std::chrono::milliseconds default_deadline{300'000};
 };
 
-/// Cuts off streams whose client does nothing, or next to nothing. A handler of the synchronous API
-/// that waits for a client's next message holds a thread and cannot ask about the time meanwhile; a
-/// few hundred of them would take all threads of a server. Thread-safe; must outlive its guards.
+/// Cuts streams of clients that send or read nothing, or too slowly. A handler of the synchronous
+/// API that waits for the next message occupies a thread and cannot check the time. A few hundred
+/// of them would occupy all threads of a server. Thread-safe; must outlive its guards.
 class StreamWatch {
  private:
   using Clock = std::chrono::steady_clock;
@@ -33,7 +35,8 @@ class StreamWatch {
 
     grpc::ServerContext& context;
     const Clock::time_point deadline;
-    std::atomic<Clock::time_point> due;  ///< put off by each message, as far as its bytes go
+    /// time of the cut; each message delays it in proportion to its bytes
+    std::atomic<Clock::time_point> due;
     bool cut = false;
   };
 
@@ -43,7 +46,7 @@ class StreamWatch {
   StreamWatch(const StreamWatch&) = delete;
   StreamWatch& operator=(const StreamWatch&) = delete;
 
-  /// Watches over a call as long as its handler runs.
+  /// Watches a call as long as its handler runs.
   class Guard {
    public:
     Guard(StreamWatch& watch, grpc::ServerContext& context);
@@ -51,10 +54,10 @@ class StreamWatch {
     Guard(const Guard&) = delete;
     Guard& operator=(const Guard&) = delete;
 
-    /// A message of so many bytes went through. From one thread at a time.
+    /// Reports a transferred message of `bytes` bytes. For one thread at a time.
     void Moved(int64_t bytes);
 
-    /// DeadlineExceeded if the call was cut off, else `status`.
+    /// Returns DeadlineExceeded if the call was cut, otherwise `status`.
     absl::Status Outcome(absl::Status status) const;
 
    private:

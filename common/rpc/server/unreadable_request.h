@@ -4,9 +4,9 @@
 
 namespace slicefarm::rpc {
 
-/// Gives a reason to calls whose request gRPC could not read, bytes that are no message of the
-/// method or a text that is not UTF-8: REQUEST_MALFORMED, where gRPC says INTERNAL and no more.
-/// Our own errors have details and pass.
+/// Adds a reason to calls with a request that gRPC cannot read: bytes that are not a message of the
+/// method, or a text that is not UTF-8. The calls end with REQUEST_MALFORMED, while gRPC only says
+/// INTERNAL. Errors of slicefarm have details and are not changed.
 class UnreadableRequestFactory : public grpc::experimental::ServerInterceptorFactoryInterface {
  public:
   grpc::experimental::Interceptor* CreateServerInterceptor(
