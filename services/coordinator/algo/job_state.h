@@ -5,21 +5,24 @@
 
 namespace slicefarm::coordinator {
 
-/// The life of a job. A job ends exactly once: SUCCEEDED, FAILED and CANCELLED are left by nothing.
+/// State of a job. A job ends exactly once: no transition leaves SUCCEEDED, FAILED or CANCELLED.
 ///
-///   QUEUED -> RUNNING -> SUCCEEDED | FAILED | CANCELLED
-///   QUEUED -> CANCELLED                    cancelled before it began
-///   QUEUED -> SUCCEEDED                    found in the cache
-///   QUEUED -> FAILED                       its input cannot be read
-///   RUNNING -> QUEUED                      its coordinator stops and hands it back
+///   QUEUED -> RUNNING -> SUCCEEDED | FAILED | CANCELLED;
+///   QUEUED -> CANCELLED                    cancelled before it began;
+///   QUEUED -> SUCCEEDED                    found in the cache;
+///   QUEUED -> FAILED                       its input cannot be read;
+///   RUNNING -> QUEUED                      its coordinator stops and hands it back.
 enum class JobState { kQueued, kRunning, kSucceeded, kFailed, kCancelled };
 
+/// Returns true if no transition leaves the state.
 bool IsTerminal(JobState state);
 
+/// Returns true if a job may change from state `from` to state `to`.
 bool MayFollow(JobState from, JobState to);
 
-/// "QUEUED", "RUNNING", ...: what the store keeps and logs show.
+/// Returns the name that the store and the logs use: "QUEUED", "RUNNING", ...
 std::string_view JobStateName(JobState state);
+/// Returns the state with this name; nullopt if there is none.
 std::optional<JobState> JobStateFromName(std::string_view name);
 
 }  // namespace slicefarm::coordinator

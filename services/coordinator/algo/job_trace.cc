@@ -16,7 +16,7 @@ constexpr int kJobProcess = 1;
 constexpr int kQueueRow = 1;
 constexpr int kRunRow = 2;
 
-/// Texts may come from elsewhere: what is no UTF-8 is replaced.
+/// Returns the JSON text. Replaces bytes that are no UTF-8, because some texts come from outside.
 std::string Text(const json& value) {
   return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
@@ -39,13 +39,14 @@ Span SpanFromJson(const json& value) {
           value.at("facts")};
 }
 
-/// What is told of a span beside its facts.
+/// Number of an attempt at some work, and whether another attempt ran at its begin.
 struct Attempt {
   int number = 1;
   bool copy = false;
 };
 
-/// Spans of the same name on other tracks are attempts at the same work.
+/// Returns the attempt of each span. Spans of the same name on different tracks are attempts at the
+/// same work.
 std::vector<Attempt> Attempts(const std::vector<Span>& spans) {
   struct Before {
     int count = 0;
@@ -61,7 +62,7 @@ std::vector<Attempt> Attempts(const std::vector<Span>& spans) {
   return attempts;
 }
 
-/// The events of a trace, as they come.
+/// Collects the events of a trace in the order of the calls.
 class Events {
  public:
   void Name(int process, const std::string& name) {
@@ -104,10 +105,10 @@ class Events {
   json events_ = json::array();
 };
 
-/// Rows of a process, each of which does one thing at a time.
+/// Assigns spans to rows of a process. The spans of one row do not overlap.
 class Rows {
  public:
-  /// The first row that is free then.
+  /// Returns the first row that is free when the span begins.
   int Take(const Span& span) {
     const auto free = std::ranges::find_if(
         busy_until_us_, [&](int64_t until_us) { return until_us <= span.begin_us; });
@@ -177,7 +178,7 @@ absl::StatusOr<JobTrace> JobTraceFromJson(const std::string& text) {
 std::string ChromeTrace(const JobTrace& trace, const std::vector<Span>& waits,
                         const std::map<std::string, std::string>& about) {
   std::vector<Span> spans = trace.spans;
-  // What encloses others comes before them.
+  // A span that encloses other spans comes before them.
   std::ranges::stable_sort(spans, {},
                            [](const Span& span) { return std::pair(span.begin_us, -span.end_us); });
   const auto others = std::stable_partition(spans.begin(), spans.end(),

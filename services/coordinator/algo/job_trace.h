@@ -10,32 +10,34 @@
 
 namespace slicefarm::coordinator {
 
-/// Of one job, over all its runs: some hundreds of KiB.
+/// Largest number of spans of one job over all its runs; some hundreds of KiB.
 inline constexpr size_t kMaxJobSpans = 4096;
 
-/// What was done for a job, and when, over all runs that came to an end.
+/// Spans of all finished runs of a job: each has a name, a begin and an end.
 struct JobTrace {
   std::vector<Span> spans;
-  int64_t dropped = 0;  ///< that did not fit
+  /// Number of spans that were dropped, because a job may have at most kMaxJobSpans
+  int64_t dropped = 0;
 
   friend bool operator==(const JobTrace&, const JobTrace&) = default;
 };
 
-/// What earlier runs and this one did. Of more than kMaxJobSpans the latest are kept.
+/// Returns the spans of the earlier runs and of this run. If there are more than kMaxJobSpans,
+/// keeps the latest.
 JobTrace Joined(JobTrace earlier, const SpanLog& run);
 
-/// As it is kept: JSON text.
+/// Returns the trace as the JSON text that is stored.
 std::string ToJson(const JobTrace& trace);
-/// Errors: DATA_LOSS.
+/// Returns the trace from its stored JSON text. Errors: DATA_LOSS.
 absl::StatusOr<JobTrace> JobTraceFromJson(const std::string& json);
 
-/// The trace in Chrome's trace event format, for Perfetto (https://ui.perfetto.dev) and
-/// chrome://tracing. The job's own spans stand in one row, nested; those of each other track are
-/// a process of their own, with as many rows as there were at once. Of several spans of the same
-/// name on other tracks, each is told which attempt it was, and whether another one was at work
-/// when it began (`copy`).
+/// Returns the trace in Chrome's trace event format, for Perfetto (https://ui.perfetto.dev) and
+/// chrome://tracing. The job's own spans are in one row, nested. Each other track becomes a
+/// process, with as many rows as it had spans at once. Spans of the same name on other tracks are
+/// attempts at the same work: each gets its attempt number, and `copy` if another attempt ran when
+/// it began.
 ///
-/// `waits`: when the job stood in the queue. `about`: what stands beside the spans.
+/// `waits`: the times that the job was in the queue. `about`: additional facts about the job.
 /// Source: "Trace Event Format", Google.
 std::string ChromeTrace(const JobTrace& trace, const std::vector<Span>& waits,
                         const std::map<std::string, std::string>& about);

@@ -12,7 +12,7 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::SizeIs;
 
-/// The events of one kind: "X" spans, "M" names.
+/// Returns the events of one kind: "X" for spans, "M" for names.
 std::vector<json> EventsOf(const std::string& chrome, const std::string& phase) {
   std::vector<json> events;
   const json trace = json::parse(chrome);
@@ -22,7 +22,7 @@ std::vector<json> EventsOf(const std::string& chrome, const std::string& phase) 
   return events;
 }
 
-/// The row of each span of a track, in the order of their beginning.
+/// Returns the row of each span of a track, in the order in which the spans begin.
 std::vector<int> RowsOf(const std::vector<Span>& spans) {
   std::vector<int> rows;
   for (const json& event : EventsOf(ChromeTrace({spans}, {}, {}), "X"))

@@ -13,10 +13,10 @@ namespace {
 
 using ProgramJson = nlohmann::ordered_json;
 
-constexpr size_t kMostOfLine = 256;  // what is looked for is shorter
+constexpr size_t kMostOfLine = 256;  // longer than every line that the scan reads
 constexpr std::string_view kThumbnail = "; thumbnail begin ";
 
-/// 0 for what is no number.
+/// Returns the number that the text begins with; 0 if there is none.
 double NumberOf(std::string_view text) {
   double number = 0;
   std::from_chars(text.data(), text.data() + text.size(), number);
@@ -28,7 +28,7 @@ bool IsMove(std::string_view line) {
   return line.size() == 2 || line[2] == ' ';
 }
 
-/// The line that begins there, without its end; `at` goes to the next one.
+/// Returns the line that begins at `at`, without its end. Moves `at` to the next line.
 std::string_view TakeLine(std::string_view text, size_t& at) {
   const size_t end = std::min(text.find('\n', at), text.size());
   const std::string_view line = text.substr(at, end - at);
@@ -36,7 +36,7 @@ std::string_view TakeLine(std::string_view text, size_t& at) {
   return line;
 }
 
-/// What follows `; thumbnail begin WxH BYTES`, up to its end.
+/// Returns the Base64 text after `; thumbnail begin WxH BYTES`, up to the end mark.
 std::string Base64At(std::string_view text, size_t& at) {
   std::string base64;
   while (at < text.size()) {
@@ -48,7 +48,7 @@ std::string Base64At(std::string_view text, size_t& at) {
   return base64;
 }
 
-/// W times H; 0: it is no size.
+/// Returns width times height of a text "WxH"; 0 if the text is no size.
 int64_t AreaOf(std::string_view size) {
   int64_t width = 0;
   int64_t height = 0;
@@ -59,7 +59,7 @@ int64_t AreaOf(std::string_view size) {
   return width * height;
 }
 
-/// Of binary G-code. What stands behind its pictures need not be there.
+/// Returns the largest PNG of binary G-code. The data after the pictures may be missing.
 std::optional<std::string> LargestPicture(std::string_view beginning) {
   std::optional<std::string> largest;
   int64_t largest_area = 0;

@@ -11,23 +11,25 @@
 
 namespace slicefarm::coordinator {
 
-/// Where a layer is in a program.
+/// Position and size of a layer in a program.
 struct LayerPlace {
-  int64_t offset = 0;  ///< of its first byte; in binary G-code, of the block that it begins in
+  /// Byte offset of the layer's first byte; in binary G-code, of the block with that byte
+  int64_t offset = 0;
   double z_mm = 0;
   double height_mm = 0;
-  int64_t moves = 0;  ///< G0 to G3
+  int64_t moves = 0;  ///< number of G0 to G3 commands
 
   friend bool operator==(const LayerPlace&, const LayerPlace&) = default;
 };
 
-/// Finds the layers of a program that comes in pieces, by the comments that previewers read:
-/// `;LAYER_CHANGE`, `;Z:` and `;HEIGHT:`. Reads binary G-code, too; of one that is broken it finds
-/// no layer. Cost: O(bytes); holds a line of 256 bytes at most, or a block of binary G-code.
+/// Finds the layers of a program that arrives in pieces. Uses the comments that previewers read:
+/// `;LAYER_CHANGE`, `;Z:` and `;HEIGHT:`. Reads binary G-code, too; if it is damaged, finds no
+/// layers. Cost: O(bytes); stores at most a line of 256 bytes, or a block of binary G-code.
 class LayerScan {
  public:
+  /// Scans the next piece of the program.
   void Add(std::string_view bytes);
-  /// In their order; none: the program tells of no layers.
+  /// Returns the layers in their order in the program. Empty if the program has no layer comments.
   std::vector<LayerPlace> Layers() &&;
 
  private:
@@ -37,28 +39,29 @@ class LayerScan {
 
   bool begun_ = false;
   std::optional<gcode::BinaryGcodeReader> binary_;
-  absl::Status read_;      ///< of binary G-code
-  int64_t block_at_ = -1;  ///< of the block whose lines come; -1: the program is text
-  int64_t offset_ = 0;  ///< of what comes next
+  absl::Status read_;  ///< first error of reading binary G-code
+  /// Offset of the binary block that is being read; -1 if the program is text
+  int64_t block_at_ = -1;
+  int64_t offset_ = 0;  ///< offset of the next byte
   int64_t line_at_ = 0;
-  std::string line_;  ///< its beginning, if it is not at its end
+  std::string line_;  ///< beginning of the current line, if the line is incomplete
   std::vector<LayerPlace> layers_;
 };
 
-/// JSON of layers; `times_s`: of each, or of none.
+/// Returns the layers as JSON. `times_s`: one time per layer, or empty.
 std::string LayersJson(const std::vector<LayerPlace>& layers, const std::vector<double>& times_s);
 
-/// The largest PNG among the thumbnails at a program's beginning, text or binary G-code, as its
-/// bytes.
+/// Returns the bytes of the largest PNG thumbnail at the beginning of a program, text or binary
+/// G-code.
 std::optional<std::string> LargestThumbnail(std::string_view beginning);
 
-/// `layers_s` of a report's `times`; none if it has none.
+/// Returns `layers_s` of a report's `times`; empty if the report has none.
 std::vector<double> LayerTimesOf(const std::string& report);
 
-/// What a program is called: by its report, or else by the job's id.
+/// Returns the file name of a program: the name in its report, or else the job's id with ".gcode".
 std::string ProgramName(const std::string& report, const std::string& job_id);
 
-/// By the ending of a file's name.
+/// Returns the media type for the ending of a file's name.
 std::string_view MediaTypeOf(std::string_view file_name);
 
 }  // namespace slicefarm::coordinator

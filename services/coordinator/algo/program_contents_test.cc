@@ -35,7 +35,7 @@ TEST(LayerScan, FindsLayersHoweverTheBytesCome) {
   }
 }
 
-// Each layer's offset is that of its block: a printer reads whole blocks.
+// The offset of a layer is the offset of its block, because a printer reads whole blocks.
 TEST(LayerScan, FindsTheLayersOfBinaryGcode) {
   std::string text;
   for (int i = 0; i < 9000; ++i) text += ";LAYER_CHANGE\n;Z:0.2\n;HEIGHT:0.2\nG1 X1 Y2\n";

@@ -10,15 +10,15 @@
 namespace slicefarm::coordinator {
 namespace {
 
-constexpr size_t kFewestRuns = 3;         ///< that a mean is told of
-constexpr int64_t kAnyRunUs = 1'000'000;  ///< where no mean is known
+constexpr size_t kFewestRuns = 3;         ///< fewest finished runs for which a mean is computed
+constexpr int64_t kAnyRunUs = 1'000'000;  ///< assumed run time if there is no mean
 
-/// Room for one job at a time.
+/// Slot of a coordinator that runs one job at a time.
 struct Place {
   int64_t free_us = 0;
-  int64_t rank = 0;  ///< among places that are free at the same time
+  int64_t rank = 0;  ///< order among slots that become free at the same time
   bool for_interactive = false;
-  std::string tenant = {};  ///< whose job it has until then, if `taken`
+  std::string tenant = {};  ///< tenant of the current job, if `taken`
   bool taken = false;
 
   bool operator>(const Place& other) const {
@@ -28,14 +28,15 @@ struct Place {
 
 using Places = std::priority_queue<Place, std::vector<Place>, std::greater<>>;
 
-/// The time at which a held place is free.
+/// Returns the time at which a held slot becomes free.
 int64_t FreeUs(const HeldPlace& held, int64_t run_us, int64_t now_us) {
   const int64_t elapsed_us = held.start_us == 0 ? 0 : std::max<int64_t>(0, now_us - held.start_us);
   return now_us + (elapsed_us < run_us ? run_us - elapsed_us : elapsed_us);
 }
 
-/// The places of all coordinators that hold a job, and one place if none does. A coordinator's
-/// first interactive job is taken to have the place that is kept for such jobs.
+/// Returns the slots of all coordinators that hold a job, and one slot if none does. A
+/// coordinator's first interactive job is assumed to use the slot that is reserved for interactive
+/// jobs.
 Places PlacesOf(const QueueSnapshot& queue, int64_t run_us, int64_t now_us) {
   Places places;
   int64_t rank = 0;
@@ -52,7 +53,7 @@ Places PlacesOf(const QueueSnapshot& queue, int64_t run_us, int64_t now_us) {
   return places;
 }
 
-/// Tenants in the order of their turns.
+/// Tenants in the order in which their jobs begin next.
 class Turns {
  public:
   Turns(const QueueSnapshot& queue, int64_t now_us) : last_turn_us_(now_us) {
@@ -65,7 +66,7 @@ class Turns {
 
   bool empty() const { return entries_.empty(); }
 
-  /// A job of the tenant has ended.
+  /// Records that a job of the tenant has ended.
   void Ended(const std::string& tenant) {
     const auto waiting = entries_.find(tenant);
     if (waiting != entries_.end()) order_.erase({held_[tenant], waiting->second.turn_us, tenant});
@@ -73,7 +74,8 @@ class Turns {
     if (waiting != entries_.end()) order_.insert({held_[tenant], waiting->second.turn_us, tenant});
   }
 
-  /// Begins the next job; none: no tenant has one for such a place.
+  /// Begins the next job and returns it with its tenant. Returns nullopt if no tenant has a job for
+  /// such a slot.
   std::optional<std::pair<WaitingJob, std::string>> Begin(bool for_interactive) {
     for (auto at = order_.begin(); at != order_.end(); ++at) {
       const std::string tenant = std::get<2>(*at);
@@ -97,7 +99,7 @@ class Turns {
   struct Entry {
     const TenantQueue* queue = nullptr;
     int64_t turn_us = 0;
-    size_t next = 0;  ///< of its waiting jobs
+    size_t next = 0;  ///< index of the next waiting job
   };
 
   void Enter(const Entry& entry) {
@@ -108,7 +110,7 @@ class Turns {
 
   int64_t last_turn_us_;
   std::map<std::string, int64_t> held_;
-  std::map<std::string, Entry> entries_;  ///< with waiting jobs
+  std::map<std::string, Entry> entries_;  ///< tenants with waiting jobs
   std::set<std::tuple<int64_t, int64_t, std::string>> order_;
 };
 

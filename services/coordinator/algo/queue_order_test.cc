@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
         OrderCase{"Nothing", {.held = {kHeldA}}, {}},
         OrderCase{"OneTenant", {.held = {kHeldA}, .tenants = {Waits("a", {3, 1, 2})}}, {3, 1, 2}},
         OrderCase{"NothingRuns", {.tenants = {Waits("a", {1, 2}), Waits("b", {3})}}, {1, 3, 2}},
-        // The tenant without a job comes before the one that has the only place.
+        // The tenant without a held job comes before the tenant that has the only slot.
         OrderCase{"TenantsTakeTurns",
                   {.held = {kHeldA}, .tenants = {Waits("a", {1, 2, 3}, 7), Waits("b", {4, 5}, 6)}},
                   {4, 1, 5, 2, 3}},
@@ -53,12 +53,13 @@ INSTANTIATE_TEST_SUITE_P(
             "TheLongestWithoutATurnIsFirst",
             {.held = {kHeldA, kHeldB}, .tenants = {Waits("c", {1, 2}, 9), Waits("d", {3, 4}, 8)}},
             {3, 1, 4, 2}},
-        // One of the two places is free for the idle tenant; the other one stays a's until it ends.
+        // One of the two slots is free for the idle tenant; the other one belongs to `a` until its
+        // job ends.
         OrderCase{
             "FewestHeldFirst",
             {.held = {kHeldA, kHeldA}, .tenants = {Waits("a", {1, 2}, 9), Waits("b", {3, 4}, 1)}},
             {3, 1, 4, 2}},
-        // One of `a` has the place for such jobs already.
+        // A job of `a` already uses the slot for interactive jobs.
         OrderCase{"InteractiveJobsHaveAPlace",
                   {.held = {kHeldA, kInteractiveA},
                    .tenants = {Waits("a", {1, 2}), Waits("b", {5, 6, 7}, 0, true)}},

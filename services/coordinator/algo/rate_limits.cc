@@ -5,7 +5,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-constexpr int64_t kFullUs = 2'000'000;  ///< what a bucket holds at most: so many seconds' worth
+/// Largest content of a bucket: two seconds' worth of units
+constexpr int64_t kFullUs = 2'000'000;
 
 }  // namespace
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int64_t kSecondUs = 1'000'000;
 
-/// How many single ones come through in the time, asked for a thousand times a second.
+/// Returns how many single units Take grants if it is called a thousand times a second.
 int CountIn(RateLimits& limits, int64_t per_second, int64_t from_us, int64_t seconds) {
   int passed = 0;
   for (int64_t at = from_us; at < from_us + seconds * kSecondUs; at += 1000)

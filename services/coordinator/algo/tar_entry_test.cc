@@ -18,7 +18,7 @@ std::string ReadFile(const std::string& path) {
   return text.str();
 }
 
-// By the program that people have.
+// Reads the archive with the tar program of the system.
 TEST(TarEntry, TarReadsWhatWasWritten) {
   const TempDirectory directory;
   const std::string large(100'000, 'x');

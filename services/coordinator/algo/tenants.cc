@@ -24,7 +24,7 @@ constexpr size_t kMaxTokens = 2;
 constexpr size_t kMaxNameBytes = 63;
 constexpr int64_t kMaxPerSecond = 1'000'000;
 
-/// Reads the parts of the file. The first error sticks.
+/// Reads the parts of the file. Keeps the first error.
 class Reader {
  public:
   const absl::Status& status() const { return status_; }
@@ -44,8 +44,8 @@ class Reader {
   }
 
  private:
-  /// nlohmann::json takes the last of the values of a key that stands twice: then somebody would be
-  /// missing without a word.
+  /// Parses the text and rejects duplicate keys. nlohmann::json keeps only the last value of a
+  /// duplicate key, so a tenant could be missing without an error.
   Json Parse(std::string_view text) {
     std::vector<std::set<std::string>> objects;
     const auto note = [&](int /*depth*/, Json::parse_event_t event, Json& parsed) {
@@ -89,7 +89,7 @@ class Reader {
     return tenant;
   }
 
-  /// A bound from 1 to `most`, if it is there.
+  /// Reads a limit from 1 to `most` into `value`, if the key exists.
   void ReadMost(const Json& json, const std::string& place, const std::string& key, int64_t most,
                 int64_t& value) {
     if (!json.contains(key)) return;
@@ -159,7 +159,7 @@ class Reader {
     return absl::ToUnixMicros(time);
   }
 
-  /// True if `json` is an object with these keys and no others.
+  /// Returns true if `json` is an object that has only these keys.
   bool CheckKeys(const Json& json, const std::string& place, const std::set<std::string>& known,
                  const std::set<std::string>& needed) {
     if (!json.is_object()) Fail(place, "is not an object");
@@ -179,7 +179,7 @@ class Reader {
   }
 
   absl::Status status_;
-  std::set<std::string> tokens_;  ///< seen so far
+  std::set<std::string> tokens_;  ///< tokens read so far
 };
 
 Caller CallerOf(const std::string& name, const Tenant& tenant, const Scopes& scopes) {
@@ -228,7 +228,7 @@ std::optional<Caller> CallerWithToken(const Tenants& tenants, std::string_view t
   std::optional<Caller> caller;
   for (const auto& [name, tenant] : tenants) {
     for (const Token& known : tenant.tokens) {
-      // To the end of the list in any case, and of the digests: time tells nothing of how close it
+      // The loop compares every byte of every digest, so the time does not reveal how close a guess
       // was.
       const bool same = CRYPTO_memcmp(known.sha256.data(), sha256.data(), sha256.size()) == 0;
       if (same && now_us < known.expires_us) caller = CallerOf(name, tenant, known.scopes);

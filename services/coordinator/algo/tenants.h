@@ -13,40 +13,46 @@
 
 namespace slicefarm::coordinator {
 
-/// What a token allows. None implies another.
+/// Permission of a token. No scope implies another.
 enum class Scope {
-  kSubmit,  ///< upload; create, cancel and delete jobs of the tenant
+  kSubmit,  ///< upload meshes; create, cancel and delete jobs of the tenant
   kRead,    ///< get, list, watch and download jobs of the tenant
   kAdmin,   ///< get, list, watch and cancel jobs of all tenants
 };
 
+/// Returns the name of the scope in the file of tenants.
 std::string_view ScopeName(Scope scope);
+/// Returns the scope with this name; nullopt if there is none.
 std::optional<Scope> ScopeFromName(std::string_view name);
 
 using Scopes = std::set<Scope>;
 
-/// A token as it is kept: who reads this cannot use it.
+/// Stored form of a token. A reader of it cannot use the token.
 struct Token {
-  std::string sha256;  ///< of the token's text
+  std::string sha256;  ///< SHA-256 of the token's text
   Scopes scopes;
-  int64_t expires_us = INT64_MAX;  ///< since 1970
+  int64_t expires_us = INT64_MAX;  ///< expiry time, in us since 1970
 };
 
+/// Tokens and limits of a tenant.
 struct Tenant {
   std::vector<Token>
-      tokens;  ///< two at most, so that a new one can be handed out before the old goes
-  Scopes certificate_scopes = {Scope::kSubmit, Scope::kRead};  ///< without a token
+      tokens;  ///< two at most, so that a new token can be distributed before the old one expires
+  /// Scopes of a client with a certificate and no token
+  Scopes certificate_scopes = {Scope::kSubmit, Scope::kRead};
   int64_t max_open_jobs = limits::kMaxOpenJobs;
-  int64_t max_kept_jobs = INT64_MAX;   ///< ended ones among them
-  int64_t max_kept_bytes = INT64_MAX;  ///< of meshes, results and uploads
-  int64_t max_calls_per_second = 0;    ///< on average (rate_limits.h); 0: any number
-  int64_t max_jobs_per_second = 0;     ///< the same, of jobs that are created
-  std::string default_profile = {};    ///< of jobs that name no printer; empty: they need one
+  int64_t max_kept_jobs = INT64_MAX;   ///< limit of stored jobs, including jobs that ended
+  int64_t max_kept_bytes = INT64_MAX;  ///< limit of stored bytes of meshes, results and uploads
+  int64_t max_calls_per_second = 0;    ///< average limit of calls (rate_limits.h); 0: no limit
+  /// Average limit of created jobs (rate_limits.h); 0: no limit
+  int64_t max_jobs_per_second = 0;
+  /// Profile of jobs that name no printer; if empty, jobs must name one
+  std::string default_profile = {};
 };
 
 using Tenants = std::map<std::string, Tenant, std::less<>>;
 
-/// What the file of tenants says:
+/// Reads the file of tenants:
 ///
 ///   {"tenants": {
 ///     "acme": {
@@ -60,15 +66,15 @@ using Tenants = std::map<std::string, Tenant, std::less<>>;
 ///       "max_jobs_per_second": 10,
 ///       "default_profile": "mk4s"}}}
 ///
-/// All but "sha256" and "scopes" may be left out. Errors: REQUEST_MALFORMED naming the place, also
-/// for keys that are not known or stand twice, and for a token of two tenants.
+/// Only "sha256" and "scopes" are required. Errors: REQUEST_MALFORMED with the position in the
+/// file. Unknown or duplicate keys and a token of two tenants are errors, too.
 absl::StatusOr<Tenants> ParseTenants(std::string_view json);
 
-/// 1 to 63 of a-z, 0-9, '-' and '_', beginning with none of the last two: what may become part of a
-/// path, and of a certificate's URI.
+/// Returns true if the name has 1 to 63 of a-z, 0-9, '-' and '_' and begins with a letter or a
+/// digit. Such a name may become part of a path and of a certificate's URI.
 bool IsTenantName(std::string_view name);
 
-/// Who calls, and what he may do.
+/// Authenticated client with its permissions and limits.
 struct Caller {
   std::string tenant;
   Scopes scopes;
@@ -79,15 +85,17 @@ struct Caller {
   int64_t max_jobs_per_second = 0;
   std::string default_profile = {};
 
+  /// Returns true if the caller has the scope.
   bool may(Scope scope) const { return scopes.contains(scope); }
 };
 
-/// The one who has this token; nullopt if it is nobody's, or no longer. Takes the same time for any
-/// token of the same length.
+/// Returns the caller with this token; nullopt if no tenant has it or if it has expired. Takes the
+/// same time for all tokens of the same length.
 std::optional<Caller> CallerWithToken(const Tenants& tenants, std::string_view token,
                                       int64_t now_us);
 
-/// The one who has shown a certificate of this tenant.
+/// Returns the caller that has shown a certificate of this tenant; nullopt if there is no such
+/// tenant.
 std::optional<Caller> CallerWithCertificate(const Tenants& tenants, std::string_view tenant);
 
 }  // namespace slicefarm::coordinator

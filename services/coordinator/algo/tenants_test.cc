@@ -114,7 +114,7 @@ TEST(Tenants, ATokenIsItsTenantsUntilItExpires) {
   EXPECT_EQ(CallerWithToken(tenants, "two", kJan2027Us - 1)->scopes, Scopes{Scope::kRead});
   EXPECT_FALSE(CallerWithToken(tenants, "two", kJan2027Us));
   EXPECT_EQ(CallerWithToken(tenants, "three", 0)->tenant, "b");
-  // Nor does the digest, which is what a stolen file would give away, serve as a token.
+  // The digest is not accepted as a token, so a stolen file does not give access.
   for (const std::string& token : {std::string(), std::string("four"), Sha256Hex("one")}) {
     EXPECT_FALSE(CallerWithToken(tenants, token, 0)) << token;
   }

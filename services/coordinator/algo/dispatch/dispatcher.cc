@@ -12,10 +12,10 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// How often an idle slot looks for a slow range to double, and Execute asks whether its job is
-/// still wanted.
+/// Interval at which an idle slot searches for a slow range to start a second copy of. Execute
+/// checks for cancellation of its job at the same interval.
 constexpr std::chrono::milliseconds kPoll{20};
-/// How long a slot waits at a time for its runner to be reachable.
+/// Longest time that one readiness check of a runner may block a slot.
 constexpr std::chrono::milliseconds kReadyWait{200};
 
 using Flag =
@@ -48,9 +48,11 @@ struct Dispatcher::Job {
   const StageCall& call;
   const std::span<const Task> tasks;
   const TakeResult& take;
-  std::map<int32_t, size_t> prints = {};      ///< of results that may come again, by range
-  std::map<FanOut::Ticket, Flag> calls = {};  ///< in flight, those of runners that left included
-  size_t taken = 0;                           ///< results
+  /// Prints of first results, by range; only of ranges that may get a second result
+  std::map<int32_t, size_t> prints = {};
+  /// Calls in flight, including calls of runners that left
+  std::map<FanOut::Ticket, Flag> calls = {};
+  size_t taken = 0;  ///< number of results taken
   int32_t weight_done = 0;
   int64_t program_bytes = 0;
   bool over = false;
@@ -59,7 +61,7 @@ struct Dispatcher::Job {
   bool Whole() const { return taken == tasks.size(); }
 };
 
-/// What a slot is to do next.
+/// Task that a slot is about to run, with its job and its stop flag.
 struct Dispatcher::Assignment {
   Job* job = nullptr;
   FanOut::Grant grant;
@@ -111,7 +113,8 @@ void Dispatcher::Leave(RunnerId id) {
   work_.notify_all();
 }
 
-/// Joins the threads of members that left and have come to their end.
+/// Joins the threads of members that left and removes these members. Skips members with a running
+/// thread.
 void Dispatcher::Reap() {
   std::erase_if(left_, [](const std::unique_ptr<Member>& member) {
     if (member->threads_running > 0) return false;
@@ -154,13 +157,13 @@ absl::Status Dispatcher::Execute(const StageCall& call, std::span<const Task> ta
   }
   fan_out_.Remove(job.id);
   jobs_.erase(job.id);
-  // The tasks are the caller's: every call has to be over before they may go.
+  // The caller owns the tasks, so every call must end before Execute returns.
   for (const auto& [ticket, stop] : job.calls) stop->store(true);
   changed_.wait(lock, [&] { return job.calls.empty(); });
   return job.status;
 }
 
-/// Returns when something about the job may have changed.
+/// Waits for a change of the job, for at most kPoll. Ends the job if its call was cancelled.
 void Dispatcher::AwaitEnd(Lock& lock, Job& job) {
   changed_.wait_for(lock, kPoll);
   if (job.over || job.Whole()) return;
@@ -170,7 +173,7 @@ void Dispatcher::AwaitEnd(Lock& lock, Job& job) {
   if (!wanted.ok()) End(job, std::move(wanted));
 }
 
-/// The life of one slot.
+/// Runs tasks on one slot of the member until the member leaves or the dispatcher stops.
 void Dispatcher::Serve(Member& member) {
   Lock lock(mutex_);
   int failures = 0;
@@ -195,7 +198,8 @@ void Dispatcher::Serve(Member& member) {
   --member.threads_running;
 }
 
-/// Waits until a job wants something done; false: the slot's time is over.
+/// Waits until a job has work for the slot. Returns false if the member leaves or the dispatcher
+/// stops.
 bool Dispatcher::AwaitWork(Lock& lock, Member& member) {
   const auto ended = [&] { return stopping_ || member.leaving; };
   while (!ended()) {
@@ -209,7 +213,7 @@ bool Dispatcher::AwaitWork(Lock& lock, Member& member) {
   return false;
 }
 
-/// Asks the runner whether it can be reached.
+/// Returns true if the runner can be reached.
 bool Dispatcher::Ready(Lock& lock, const Member& member) {
   if (!member.runner.await_ready) return true;
   lock.unlock();
@@ -236,15 +240,15 @@ std::optional<Dispatcher::Assignment> Dispatcher::Take(Member& member) {
   return assignment;
 }
 
-/// `wanted`: not OK if the job or this copy of the range was cancelled meanwhile. The job lives as
-/// long as its call is among those in flight.
+/// Applies the result of one call to its job. `wanted` is an error if the job or this copy of the
+/// range was cancelled during the call. The job exists until its last call in flight is removed.
 void Dispatcher::Report(Lock& lock, const Member& member, const Assignment& assignment,
                         const absl::Status& wanted, absl::StatusOr<TaskResult> result) {
   Job& job = *assignment.job;
   fan_out_.Returned(assignment.grant);
   if (assignment.grant.alone) work_.notify_all();
   if (job.over) {
-    // Nothing is wanted of it any more.
+    // The job is over, so the result is dropped.
   } else if (result.ok()) {
     Accept(lock, assignment, *std::move(result));
   } else if (wanted.ok()) {
@@ -258,8 +262,8 @@ void Dispatcher::Report(Lock& lock, const Member& member, const Assignment& assi
   changed_.notify_all();
 }
 
-/// Hands the first result of a range on. Of one that may come again, its print is kept, to be
-/// compared.
+/// Passes the first result of a range to the job. Stores the print of the result if a second copy
+/// still runs, to compare the two results later.
 void Dispatcher::Accept(Lock& lock, const Assignment& assignment, TaskResult result) {
   Job& job = *assignment.job;
   const int32_t range = assignment.grant.range;

@@ -16,25 +16,28 @@
 
 namespace slicefarm::coordinator {
 
+/// Options of a Dispatcher.
 struct DispatcherOptions {
   SchedulerOptions scheduler;
-  /// A slot whose call failed rests this long, twice as long each further time, up to the maximum.
+  /// Pause of a slot after a failed call. Each further failure in a row doubles the pause, up to
+  /// `max_rest`.
   std::chrono::milliseconds min_rest{20};
   std::chrono::milliseconds max_rest{1000};
-  /// A job whose results come to more ends.
+  /// Largest total size of a job's results, in bytes. A larger job ends with an error.
   int64_t most_program_bytes = limits::kMaxProgramBytes;
 };
 
-/// Runs the ranges of any number of jobs over the runners there are, as FanOut decides. One thread
-/// a slot: a runner gets a range when it has answered one, so a fast runner gets more.
+/// Runs the ranges of any number of jobs on the runners that have joined, in the order that FanOut
+/// decides. Each slot has one thread. A slot gets the next range when it has finished one, so a
+/// fast runner gets more ranges.
 ///
-/// A runner gets tasks of its processes only.
+/// A runner gets only tasks of the processes that it supports.
 ///
-/// Errors: a stage's own where it says that the input is at fault (INVALID_ARGUMENT, OUT_OF_RANGE);
-/// RANGE_POISONED with the label of a task that failed too often; REQUEST_TOO_LARGE where the
-/// results come to more bytes than a program may have; CANCELLED. BUILD_MISMATCH is
-/// the runner's fault and no try of the range. With no runner for their process, Execute waits for
-/// one to join. Thread-safe. REQUIRES: no Execute runs any more when it is destroyed.
+/// Errors: the stage's error if the input is at fault (INVALID_ARGUMENT, OUT_OF_RANGE);
+/// RANGE_POISONED with the label of a task that failed too often; REQUEST_TOO_LARGE if the results
+/// have more bytes than a program may have; CANCELLED. BUILD_MISMATCH is the runner's fault and
+/// does not count as a try of the range. If no runner supports the process, Execute waits until one
+/// joins. Thread-safe. REQUIRES: no Execute is running at destruction.
 class Dispatcher : public TaskExecutor, public RunnerSet {
  public:
   explicit Dispatcher(const DispatcherOptions& options = {});
@@ -47,6 +50,7 @@ class Dispatcher : public TaskExecutor, public RunnerSet {
                        const std::function<void(int32_t)>& weight_done) override;
   int Slots(Process process) const override;
 
+  /// Returns the dispatch counts since the start.
   DispatchCounts Counts() const;
 
  private:
@@ -72,12 +76,14 @@ class Dispatcher : public TaskExecutor, public RunnerSet {
   const DispatcherOptions options_;
   const Stopwatch clock_;
   mutable std::mutex mutex_;
-  std::condition_variable work_;     ///< there may be something to do for a slot, or it is to end
-  std::condition_variable changed_;  ///< a job may have got on or be over
+  std::condition_variable work_;     ///< notified when a slot may have work or must end
+  std::condition_variable changed_;  ///< notified when a job may have progressed or ended
   FanOut fan_out_;
-  std::map<FanOut::JobId, Job*> jobs_;  ///< they live on the stacks of Execute
+  /// Jobs that run; each one is on the stack of its Execute call
+  std::map<FanOut::JobId, Job*> jobs_;
   std::map<RunnerId, std::unique_ptr<Member>> members_;
-  std::vector<std::unique_ptr<Member>> left_;  ///< members that left, whose threads may still run
+  /// Members that left but may still have running threads
+  std::vector<std::unique_ptr<Member>> left_;
   RunnerId next_runner_ = 1;
   bool stopping_ = false;
 };

@@ -20,7 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A runner made of a function.
+/// Makes a runner that calls `run` for each task.
 class FakeRunner : public FdmRunner {
  public:
   using Body = std::function<absl::Status(const StageCall&, const FdmTask&)>;
@@ -54,7 +54,7 @@ absl::Status Good(const StageCall&, const FdmTask&) { return absl::OkStatus(); }
 absl::Status Unavailable(const StageCall&, const FdmTask&) {
   return absl::UnavailableError("gone");
 }
-/// Never answers; ends when it is told to.
+/// Waits without an answer until the call is cancelled.
 absl::Status Stuck(const StageCall& call, const FdmTask&) {
   while (!call.cancel.Cancelled()) std::this_thread::yield();
   return call.cancel.Check();
@@ -78,7 +78,7 @@ DispatcherOptions Quick() {
   return options;
 }
 
-/// All results, in the order of the tasks.
+/// Runs the tasks and returns all results, in the order of the tasks.
 absl::StatusOr<std::vector<TaskResult>> Results(Dispatcher& dispatcher, const StageCall& call,
                                                 const std::vector<Task>& tasks,
                                                 const std::function<void(int32_t)>& layers_done) {
@@ -123,7 +123,7 @@ TEST(Dispatcher, RunsAllRangesInOrder) {
   EXPECT_EQ(dispatcher.Counts().done, 50);
 }
 
-// The job ends when its last result is taken, not before.
+// A job ends only when its last result is taken.
 TEST(Dispatcher, AnErrorOfWhoTakesTheResultsEndsTheJob) {
   Dispatcher dispatcher(Quick());
   dispatcher.Join(RunnerOf("a", Good, 3));
@@ -166,7 +166,7 @@ TEST(Dispatcher, InputErrorsEndTheJobAtOnce) {
   EXPECT_EQ(calls, 1);
 }
 
-// Texts of layers, a thousand times what the request has, would take the coordinator's memory.
+// Layer texts a thousand times as long as the request would use up the coordinator's memory.
 TEST(Dispatcher, AProgramHasABound) {
   DispatcherOptions options = Quick();
   options.most_program_bytes = 1'000;
@@ -197,7 +197,7 @@ TEST(Dispatcher, PoisonedRangeNamesItsLayers) {
   EXPECT_TRUE(IsWhole(Results(dispatcher, {}, tasks, nullptr), tasks)) << "the next job is well";
 }
 
-// It would fail for ever; and the job beside it has its runner back.
+// Without a limit the range would fail forever. After the limit, the other job has the runner back.
 TEST(Dispatcher, WhatOneRunnerCannotMakeIsTriedThreeTimes) {
   Dispatcher dispatcher(Quick());
   std::atomic<int> calls = 0;
@@ -244,7 +244,7 @@ TEST(Dispatcher, SecondAnswersThatDifferAreCounted) {
   for (const std::string second : {"same", "other"}) {
     Dispatcher dispatcher(Quick());
     std::atomic<bool> begun = false;
-    // Is superseded, and answers all the same.
+    // This copy is superseded but still returns a result.
     const auto slow = [&](const StageCall& call, const FdmTask&) {
       begun = true;
       while (!call.cancel.Cancelled()) std::this_thread::yield();
@@ -266,7 +266,7 @@ TEST(Dispatcher, AStuckRunnerIsHedged) {
   Dispatcher dispatcher(Quick());
   dispatcher.Join(RunnerOf("stuck", Stuck, 1));
   dispatcher.Join(RunnerOf("good", Good, 1));
-  // As long as it takes until the stuck runner has a range of some job.
+  // Waits until the stuck runner has a range of some job.
   while (dispatcher.Counts().hedged == 0) {
     const auto tasks = Tasks(6);
     ASSERT_TRUE(IsWhole(Results(dispatcher, {}, tasks, nullptr), tasks));
@@ -325,7 +325,8 @@ TEST(Dispatcher, JobsShareTheRunners) {
   Dispatcher dispatcher;
   std::atomic<bool> both = false;
   std::string order;
-  // The first call holds until both jobs are there; then the only slot takes turns.
+  // The first call waits until both jobs exist. After that, the only slot alternates between the
+  // jobs.
   dispatcher.Join(RunnerOf("a", [&](const StageCall& call, const FdmTask&) {
     both.wait(false);
     order += call.job_id;
@@ -352,8 +353,8 @@ TEST(Dispatcher, JobsShareTheRunners) {
   EXPECT_THAT(order, testing::AnyOf("1212121212", "2121212121"));
 }
 
-/// Runners that fail, crawl, leave and join at random, under several jobs at once: every job ends
-/// whole.
+/// Runners fail, stall, leave and join at random while several jobs run. Every job must end with
+/// all results.
 TEST(Dispatcher, EveryJobEndsWholeUnderChurn) {
   DispatcherOptions options = Quick();
   options.scheduler.poison_tries = 1000;
@@ -372,7 +373,7 @@ TEST(Dispatcher, EveryJobEndsWholeUnderChurn) {
   dispatcher.Join(RunnerOf("constant", flaky, 2));
   std::mutex mutex;
   std::vector<RunnerId> ids;
-  // Whenever a job gets on, one runner joins and one leaves.
+  // After each progress report, one runner joins and one leaves.
   const auto churn = [&](int32_t) {
     std::lock_guard lock(mutex);
     ids.push_back(dispatcher.Join(RunnerOf("churn", flaky, 1 + static_cast<int>(ids.size()) % 3)));
@@ -392,7 +393,7 @@ TEST(Dispatcher, EveryJobEndsWholeUnderChurn) {
   for (std::thread& job : jobs) job.join();
 }
 
-/// Makes nothing of any layer.
+/// Returns an empty result for every task.
 class FakeLaser : public LaserRunner {
  public:
   absl::StatusOr<LaserResult> Run(const StageCall&, const LaserTask& task) const override {
@@ -402,7 +403,7 @@ class FakeLaser : public LaserRunner {
   }
 };
 
-// A job of lasers waits for a runner that knows them, while others go on.
+// A laser job waits for a runner that supports lasers. Other jobs continue meanwhile.
 TEST(Dispatcher, JobsWaitForRunnersOfTheirProcess) {
   Dispatcher dispatcher;
   dispatcher.Join(RunnerOf("fdm", Good, 2));
@@ -424,10 +425,11 @@ TEST(Dispatcher, JobsWaitForRunnersOfTheirProcess) {
   for (const TaskResult& result : *scanned) EXPECT_EQ(result.As<LaserResult>().programs.size(), 1u);
 }
 
-/// A runner that dies of one task, with all that it runs at the time, and is back at once.
+/// Runner that dies of one task, together with all tasks that run on it at that time. The runner is
+/// back at once.
 class MortalRunner {
  public:
-  static constexpr int kPoison = 7'000;  ///< first layer of the task
+  static constexpr int kPoison = 7'000;  ///< first layer of the task that kills the runner
 
   Runner WithSlots(std::string name, int slots) {
     return RunnerOf(
@@ -435,13 +437,14 @@ class MortalRunner {
         slots);
   }
   int deaths() const { return deaths_; }
-  int bystanders() const { return bystanders_; }  ///< tasks that died with it
+  /// Number of tasks that died together with the poison task
+  int bystanders() const { return bystanders_; }
 
  private:
   absl::Status Run(const FdmTask& task) {
     const int life = deaths_;
     if (task.range.first == kPoison) {
-      // The first time in company, so that there is something to take along.
+      // The first death waits for another running task, so that at least one bystander dies.
       for (int i = 0; i < 100'000 && life == 0 && others_ == 0; ++i) std::this_thread::yield();
       ++deaths_;
       return absl::UnavailableError("Socket closed");
@@ -460,7 +463,8 @@ class MortalRunner {
 TEST(Dispatcher, WhatARunnerDiesOfTakesOthersWithItOnce) {
   DispatcherOptions options = Quick();
   options.scheduler.hedge_burst = 0;
-  // Else it may be tried anywhere after 2 s, which pass on a busy machine: once more on the same one.
+  // Otherwise any runner may get the range after 2 s. On a busy machine 2 s can pass, and the range
+  // would be tried again on the same runner.
   options.scheduler.elsewhere_after_s = 1e6;
   Dispatcher dispatcher(options);
   MortalRunner one, two;

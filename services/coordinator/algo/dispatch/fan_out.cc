@@ -10,17 +10,18 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// True if the input is at fault: the same anywhere, whatever the number of tries.
+/// Returns true if the input is at fault. Such an error is the same on every runner and for every
+/// try.
 bool IsFinal(const absl::Status& status) {
   return absl::IsInvalidArgument(status) || absl::IsOutOfRange(status);
 }
 
-/// True if a runner says that it cannot make the range, and not that this is a bad moment: it would
-/// say so again.
+/// Returns true if the runner reports that it cannot make the range. Such a runner would refuse the
+/// range again; a busy runner would not.
 bool IsRefusal(const absl::Status& status) { return absl::IsInternal(status); }
 
-/// True if the connection to the runner broke, and no server said why: as far as can be told, the
-/// runner died of what it ran. A server that stops, or is busy, says so.
+/// Returns true if the connection to the runner broke and no server gave a reason. The runner then
+/// probably died of its task. A server that stops or is busy reports so.
 bool IsDeath(const absl::Status& status) {
   const ErrorDetail detail = DetailOf(status);
   const auto lost = detail.metadata.find("lost");
@@ -45,7 +46,7 @@ void FanOut::Remove(JobId job) {
   jobs_.erase(found);
 }
 
-/// The jobs of these processes, those first whose turn it is. Cost: n log n.
+/// Returns the jobs of these processes; the job that is next in turn comes first. Cost: O(n log n).
 std::vector<FanOut::JobId> FanOut::Order(ProcessSet can) const {
   using Turn = std::pair<int32_t, int64_t>;  // ranges in flight, the last time it got one
   std::map<std::string, Turn> tenants;
@@ -66,15 +67,15 @@ std::vector<FanOut::JobId> FanOut::Order(ProcessSet can) const {
   return order;
 }
 
-/// The job with a suspect that may go to the runner, the oldest first.
+/// Returns the oldest job with a suspect range that the runner may get.
 std::optional<FanOut::JobId> FanOut::SuspectsJob(RunnerId runner, double now_s, ProcessSet can) {
   for (auto& [id, job] : jobs_)
     if (can.Has(job.process) && job.scheduler.MayTakeSuspect(runner, now_s)) return id;
   return std::nullopt;
 }
 
-/// Whether the runner gets nothing more until it has nothing to do, for a suspect that could go to
-/// it then. One runner at a time.
+/// Returns true if the runner gets no more ranges until it is idle, because a suspect range could
+/// run on it then. Only one runner is kept free at a time.
 bool FanOut::IsKeptFree(RunnerId runner, double now_s, ProcessSet can) {
   if (loads_.IsTaken(runner)) return true;
   if (!AnySuspects()) kept_free_.reset();

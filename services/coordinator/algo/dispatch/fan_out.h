@@ -14,83 +14,94 @@
 
 namespace slicefarm::coordinator {
 
-/// What happened to ranges since the start; for metrics.
+/// Counts of range outcomes since the start, for metrics.
 struct DispatchCounts {
   int64_t done = 0;
   int64_t requeued = 0;
   int64_t hedged = 0;
   int64_t poisoned = 0;
-  int64_t differing = 0;  ///< second answers that are unlike the first
-  int64_t waiting = 0;    ///< now: ranges that no runner has
+  int64_t differing = 0;  ///< second results that differ from the first result of their range
+  int64_t waiting = 0;    ///< ranges that no runner has at the moment
 };
 
-/// The ranges of any number of jobs over the runners there are: which range of which job a free
-/// slot takes, and what its answer means for the job. A pure state machine, as RangeScheduler is,
-/// of which it has one for each job.
+/// Decides which range of which job a free slot gets, and how a range's result changes its job. A
+/// pure state machine for any number of jobs and runners. It has one RangeScheduler per job.
 ///
 /// Tenants share the runners evenly: a free slot goes to the tenant with the fewest ranges in
-/// flight, of these to the one that has waited longest. Of a tenant's jobs those of the highest
-/// priority come first; among equals the one with the fewest ranges in flight, then the one that
-/// has waited longest. A slow range is doubled only when nothing is queued, and not more than
-/// `hedge_share` of all: when everything is slow, second copies would make it slower.
+/// flight; among equal tenants, to the one that has waited longest. Within a tenant, the jobs of
+/// the highest priority come first. Among equal priorities, the job with the fewest ranges in
+/// flight comes first, then the one that has waited longest.
 ///
-/// A range that runners refuse (INTERNAL) is not tried as often as one that they are too busy for. A
-/// range that a runner died of (UNAVAILABLE that no server has said) is tried alone on an idle
-/// runner, one such range of all jobs at a time. A runner whose slots are never all free is kept
-/// free for it after SchedulerOptions::elsewhere_after_s. Not thread-safe.
+/// A slow range gets a second copy only when nothing is queued. Second copies are at most
+/// `hedge_share` of all ranges: when everything is slow, more copies would make it slower.
+///
+/// A range that runners refuse (INTERNAL) gets fewer tries than a range that runners are too busy
+/// for. A range that a runner died of (UNAVAILABLE that no server sent) is tried alone on an idle
+/// runner. Of all jobs, only one such range runs at a time. If a runner's slots are never all free,
+/// it is kept free for the range after SchedulerOptions::elsewhere_after_s. Not thread-safe.
 class FanOut {
  public:
   using JobId = int64_t;
   using Ticket = RangeScheduler::Ticket;
 
+  /// Permission for a slot to run one copy of a range.
   struct Grant {
     JobId job = 0;
-    Ticket ticket = 0;  ///< of the job
+    Ticket ticket = 0;  ///< ticket of the copy in the job's scheduler
     int32_t range = 0;
-    bool alone = false;  ///< nothing else goes to its runner meanwhile
+    bool alone = false;  ///< true if the runner gets no other range meanwhile
   };
 
-  /// What an error means for its job.
+  /// Effect of a range's error on its job.
   enum class Verdict {
     kGoesOn,
-    kInputAtFault,  ///< it ends with that error, the same anywhere
-    kPoisoned,      ///< it ends: this range has failed too often
+    kInputAtFault,  ///< the job ends with this error, because every runner would report it
+    kPoisoned,      ///< the job ends, because this range has failed too often
   };
 
   explicit FanOut(const SchedulerOptions& options = {})
       : options_(options), hedges_left_(options.hedge_burst) {}
 
-  /// A job with so many ranges to run, by runners that know its process.
+  /// Adds a job with `ranges` ranges, for runners that support `process`.
   JobId Add(int32_t ranges, Process process, Claimant claimant = {});
 
-  /// Nothing of the job is wanted any more.
+  /// Removes the job. Later results of its ranges are ignored.
   void Remove(JobId job);
 
-  /// What a slot of the runner, which can be reached, is to do next; `can`: the processes that the
-  /// runner knows.
+  /// Returns the next range for a free slot of the runner; nullopt if there is none. `can`: the
+  /// processes that the runner supports. REQUIRES: the runner can be reached.
   std::optional<Grant> Take(RunnerId runner, double now_s, ProcessSet can = ProcessSet::All());
 
-  /// Whether Take would grant something that is queued or suspect, or a suspect waits for the runner
-  /// to be back. Slots ask this again after a
-  /// while when there are suspects, and when a call comes back.
+  /// Returns true if Take would grant a queued or suspect range, or if a suspect range waits for
+  /// this runner to be reachable again. Slots call this function again after a while if there are
+  /// suspect ranges, and whenever a call returns.
   bool MayTake(RunnerId runner, double now_s, ProcessSet can = ProcessSet::All());
 
-  /// The call of a grant is over, whatever came of it, and also if its job was removed.
+  /// Records that the call of a grant has ended, with any result. Allowed also if the job was
+  /// removed.
   void Returned(const Grant& grant) { loads_.End({grant.job, grant.ticket}); }
 
+  /// Records a result of the granted range. Returns whether it is the range's first result, and the
+  /// copies to cancel.
   RangeScheduler::Accepted Succeeded(const Grant& grant, double now_s);
+  /// Records a failed try of the granted range and returns the effect on the job.
   Verdict Failed(const Grant& grant, const absl::Status& error);
-  /// The call was cancelled, as another copy of the range has made it.
+  /// Records that the call was cancelled because another copy of the range has finished.
   void Superseded(const Grant& grant);
-  /// Two copies of a range came out differently.
+  /// Counts a range of which two copies had different results.
   void Differed() { ++counts_.differing; }
+  /// Removes the runner. The ranges that it runs return to the queue.
   void RunnerGone(RunnerId runner);
 
+  /// Returns true if all ranges of the job are done.
   bool AllDone(JobId job) const { return jobs_.at(job).scheduler.AllDone(); }
-  /// Of jobs of these processes.
+  /// Returns true if a job of these processes has a queued range.
   bool AnyQueued(ProcessSet can = ProcessSet::All()) const;
+  /// Returns true if any job has a suspect range.
   bool AnySuspects() const;
+  /// Returns the number of failed tries of the range.
   int Tries(JobId job, int32_t range) const { return jobs_.at(job).scheduler.Tries(range); }
+  /// Returns the counts of all jobs since the start, and the ranges that wait now.
   DispatchCounts Counts() const;
 
  private:
@@ -110,14 +121,17 @@ class FanOut {
   SchedulerOptions options_;
   std::map<JobId, Job> jobs_;
   RunnerLoads loads_;
-  std::optional<RunnerId> kept_free_;  ///< for a suspect
+  /// Runner that gets no new ranges until a suspect range can run on it
+  std::optional<RunnerId> kept_free_;
   JobId next_job_ = 1;
   int64_t next_turn_ = 1;
   double hedges_left_;
-  DispatchCounts counts_;  ///< of jobs that were removed; done and poisoned of all
+  /// Counts of removed jobs; `done` and `poisoned` count the ranges of all jobs
+  DispatchCounts counts_;
 };
 
-/// How long a slot rests whose calls failed `failures` times in a row: twice as long each time.
+/// Returns the pause of a slot after `failures` failed calls in a row. Each failure doubles the
+/// pause.
 std::chrono::milliseconds RestAfter(int failures, std::chrono::milliseconds min,
                                     std::chrono::milliseconds max);
 

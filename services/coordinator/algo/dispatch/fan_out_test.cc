@@ -230,7 +230,7 @@ TEST(FanOut, ARunnerGetsTasksOfItsProcessesOnly) {
   EXPECT_EQ(grant->job, fdm);
 }
 
-// Slow ranges are doubled by those who know how to make them.
+// Only runners that support the process get second copies of slow ranges.
 TEST(FanOut, DoublesGoToRunnersOfTheProcessOnly) {
   FanOut fan_out({.hedge_after_s = 0});
   const auto laser = fan_out.Add(2, Process::kLaser);

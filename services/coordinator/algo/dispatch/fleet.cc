@@ -10,7 +10,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// So much of a message tells what went wrong; a job may have thousands of spans.
+/// Longest error text in a span, in bytes. This much shows the cause of the error, and a job may
+/// have thousands of spans.
 constexpr size_t kMaxErrorBytes = 200;
 
 void NoteOutcome(const absl::StatusOr<TaskResult>& result, ScopedSpan& span) {
@@ -27,7 +28,7 @@ void NoteOutcome(const absl::StatusOr<TaskResult>& result, ScopedSpan& span) {
 
 }  // namespace
 
-/// A runner's tasks, with a look at who comes and goes.
+/// Task runner that records which tasks run on it at the moment.
 class Fleet::Watched : public TaskRunner {
  public:
   Watched(Runner runner, int64_t member) : runner_(std::move(runner)), member_(member) {}

@@ -11,32 +11,32 @@
 
 namespace slicefarm::coordinator {
 
-/// A task that is being worked on.
+/// Task that a runner is working on.
 struct TaskAtWork {
   std::string job_id;
-  std::string task;    ///< its label
-  double since_s = 0;  ///< for how long
+  std::string task;    ///< label of the task
+  double since_s = 0;  ///< time since the start of the task, in seconds
 };
 
-/// A runner, and what it has to do.
+/// Runner with its current tasks.
 struct RunnerAtWork {
   std::string name;
   int slots = 0;
   std::vector<TaskAtWork> tasks;
 };
 
-/// Stands before the runners and sees each of their calls: who has what to do now, and, in the span
-/// log of the job, what was done when and how it ended. Each call gets a span of its own in the
-/// job's trace. Thread-safe.
+/// Wraps the runners of another set and records each of their calls. Reports which tasks each
+/// runner has at the moment. Writes the time and the outcome of each task to the span log of the
+/// job. Each call gets a span of its own in the job's trace. Thread-safe.
 class Fleet : public RunnerSet {
  public:
-  /// `runners` must outlive it.
+  /// Adds all runners to `runners`, which must outlive this object.
   explicit Fleet(RunnerSet& runners) : runners_(runners) {}
 
   RunnerId Join(Runner runner) override;
   void Leave(RunnerId id) override;
 
-  /// In the order of their joining.
+  /// Returns the runners and their current tasks, in the order in which the runners joined.
   std::vector<RunnerAtWork> Runners() const;
 
  private:

@@ -18,7 +18,7 @@ using testing::IsEmpty;
 using testing::Pair;
 using testing::SizeIs;
 
-/// Calls what it was given, in the midst of a range.
+/// Runner that calls the given function in the middle of a range.
 class CalledRanges : public FdmRunner {
  public:
   using Work = std::function<absl::StatusOr<FdmResult>(const StageCall&)>;
@@ -32,7 +32,7 @@ class CalledRanges : public FdmRunner {
   const Work work_;
 };
 
-/// Keeps what joins; ranges are run by the test.
+/// Runner set that only stores the runners. The test runs the ranges.
 class KeptRunners : public RunnerSet {
  public:
   RunnerId Join(Runner runner) override {

@@ -27,12 +27,13 @@ std::optional<RangeScheduler::Grant> RangeScheduler::Hedge(RunnerId runner, doub
   if (poisoned_) return std::nullopt;
   const double slow_s =
       std::max(options_.hedge_after_s, options_.hedge_after_ratio * slowest_done_s_);
-  // Tickets count up, so the first that fits runs longest.
+  // Ticket numbers increase, so the first match has run longest.
   for (const auto& [ticket, copy] : running_) {
     if (now_s - copy.since_s < slow_s) break;
     const Range& range = ranges_[copy.range];
     if (range.done || range.suspect || copy.runner == runner || range.copies != 1) continue;
-    // Its last copy decides: with a new one beside each that fails, it would never come to an end.
+    // The last running copy decides about such a range. A new copy beside each failed one would go
+    // on forever.
     if (FailedTooOften(range)) continue;
     ++hedged_;
     return Start(copy.range, runner, now_s);
@@ -40,7 +41,8 @@ std::optional<RangeScheduler::Grant> RangeScheduler::Hedge(RunnerId runner, doub
   return std::nullopt;
 }
 
-/// The first one that may go to the runner. From here on the others' time runs.
+/// Returns the first suspect range that the runner may get. Starts the waiting time of each suspect
+/// range that it checks.
 std::deque<int32_t>::iterator RangeScheduler::SuspectFor(RunnerId runner, double now_s) {
   if (poisoned_) return suspects_.end();
   return std::find_if(suspects_.begin(), suspects_.end(), [&](int32_t index) {
@@ -102,7 +104,7 @@ RangeScheduler::Accepted RangeScheduler::Succeeded(Ticket ticket, double now_s) 
   if (ranges_[range].done) return {};
   ranges_[range].done = true;
   ++done_;
-  std::erase(queue_, range);  // where it stands again if the result is late
+  std::erase(queue_, range);  // a range with a late result may be in the queue again
   std::erase(suspects_, range);
 
   Accepted accepted{.first = true};
@@ -115,7 +117,8 @@ RangeScheduler::Accepted RangeScheduler::Succeeded(Ticket ticket, double now_s) 
   return accepted;
 }
 
-/// The copy that does not run any more; nullopt: its range is done, or it was lost before.
+/// Removes the copy and returns it. Returns nullopt if the range is done or if the copy was lost
+/// before.
 std::optional<RangeScheduler::Copy> RangeScheduler::Stopped(Ticket ticket) {
   lost_.erase(ticket);
   const auto found = running_.find(ticket);
@@ -154,12 +157,12 @@ void RangeScheduler::Abandoned(Ticket ticket) {
 }
 
 void RangeScheduler::RunnerGone(RunnerId runner) {
-  Seen(runner);  // nobody waits for it any more
+  Seen(runner);  // no suspect range waits for this runner any more
   std::vector<Ticket> gone;
   for (const auto& [ticket, copy] : running_) {
     if (copy.runner == runner) gone.push_back(ticket);
   }
-  // Back to front, so that the ranges stand in the queue as they were granted.
+  // The reverse order restores the order of the grants in the queue.
   for (auto ticket = gone.rbegin(); ticket != gone.rend(); ++ticket) {
     const int32_t range = running_.at(*ticket).range;
     Abandoned(*ticket);
@@ -171,7 +174,7 @@ void RangeScheduler::CountFailure(int32_t range, RunnerId runner) {
   Range& r = ranges_[range];
   ++r.tries;
   r.failed_on.insert(runner);
-  if (r.copies > 0) return;  // the other copy may still make it
+  if (r.copies > 0) return;  // the other copy may still succeed
   if (FailedTooOften(r) && !poisoned_) poisoned_ = range;
 }
 

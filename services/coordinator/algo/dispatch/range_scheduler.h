@@ -11,29 +11,34 @@
 
 namespace slicefarm::coordinator {
 
+/// Limits for failing and slow ranges.
 struct SchedulerOptions {
-  int poison_tries = 3;          ///< a range that failed this often ...
-  int poison_runners = 2;        ///< ... on this many runners fails the job,
-  int refused_tries = 3;         ///< and so does one that runners refused this often,
-  int max_tries = 10;            ///< and one that failed this often, on however many runners
-  double elsewhere_after_s = 2;  ///< what a runner died of waits this long for that one to be back
-  double hedge_after_s = 1;      ///< a range is slow when it runs longer than this ...
-  double hedge_after_ratio = 2;  ///< ... and than this many times the slowest range that is done
-  double hedge_share = 0.05;     ///< second copies, as a part of the ranges that are done,
-  double hedge_burst = 16;       ///< and how many more there may be at once
+  /// Failed tries of a range after which the job fails, together with `poison_runners`
+  int poison_tries = 3;
+  /// Different runners that must have failed the range for `poison_tries` to apply
+  int poison_runners = 2;
+  int refused_tries = 3;  ///< refusals of a range after which the job fails
+  /// Failed tries of a range after which the job fails, on any number of runners
+  int max_tries = 10;
+  /// Time that a suspect range waits for the runner that died of it, in seconds
+  double elsewhere_after_s = 2;
+  double hedge_after_s = 1;  ///< shortest running time of a slow range, in seconds
+  /// Shortest running time of a slow range, as a multiple of the slowest finished range
+  double hedge_after_ratio = 2;
+  double hedge_share = 0.05;  ///< second copies per finished range
+  double hedge_burst = 16;    ///< second copies beyond `hedge_share` that may be started at once
 };
 
-/// What is to be done next with the ranges of one job: a pure state machine. It has no threads and
-/// no clock; `now_s` comes from outside, on any clock that does not run backwards.
+/// Decides which range of one job runs next. A pure state machine without threads and without a
+/// clock. `now_s` may come from any clock that does not run backwards.
 ///
-///   - Ranges are granted in order; one that failed goes to the front, and rather to a runner where
-///   it did not fail.
-///   - When the queue is empty, a runner with nothing to do gets a second copy of a slow range that
-///   another one runs.
-///     The first answer wins.
-///   - A range that a runner died of is suspect: it waits beside the queue, for a runner that has
-///   nothing else to do. Those that ran on that runner with it are so, too, until they are done.
-///   - A range that keeps failing ends the job, by the poison rule of SchedulerOptions.
+/// - Ranges are granted in order. A range that failed goes to the front of the queue, preferably to
+///   a runner where it has not failed.
+/// - When the queue is empty, an idle runner gets a second copy of a slow range that another runner
+///   has. The first result counts.
+/// - A range that a runner died of is suspect. It waits beside the queue for an idle runner. All
+///   ranges that ran on that runner at the time are suspect until they are done.
+/// - A range that keeps failing ends the job, by the poison rule of SchedulerOptions.
 ///
 /// INVARIANT: a range is queued, or suspect and waiting, or running in one or two copies, or done.
 /// Not thread-safe.
@@ -41,68 +46,83 @@ class RangeScheduler {
  public:
   using Ticket = int64_t;
 
+  /// Permission for a runner to run one copy of a range.
   struct Grant {
     Ticket ticket = 0;
     int32_t range = 0;
     bool suspect = false;
   };
 
+  /// Effect of a successful copy.
   struct Accepted {
-    bool first = false;                    ///< this is the range's result; otherwise drop it
+    /// True if this is the first result of the range; otherwise the result is dropped
+    bool first = false;
     std::vector<Ticket> superfluous = {};  ///< running copies of the same range, to be cancelled
   };
 
   explicit RangeScheduler(int32_t range_count, const SchedulerOptions& options = {});
 
-  /// The next range from the queue for `runner`; nullopt: nothing queued, or the job failed.
+  /// Returns the next queued range for `runner`. Returns nullopt if the queue is empty or the job
+  /// failed.
   std::optional<Grant> Next(RunnerId runner, double now_s);
 
-  /// The first suspect range, for a runner that has nothing else to do, and gets nothing else
-  /// meanwhile. It goes to the runner that died of it, then, when that is back, to others, or after
-  /// a while to any.
+  /// Returns the first suspect range that `runner` may get; nullopt if there is none. The range
+  /// goes first to the runner that died of it. After the next failure it goes to runners that have
+  /// not had it alone. After `elsewhere_after_s` of waiting it goes to any runner. REQUIRES: the
+  /// runner is idle and gets no other range meanwhile.
   std::optional<Grant> NextSuspect(RunnerId runner, double now_s);
 
-  /// The runner can be reached.
+  /// Records that the runner can be reached.
   void Seen(RunnerId runner);
 
-  /// Whether a suspect waits for the runner to be seen.
+  /// Returns true if a suspect range waits for the runner to be reachable.
   bool Misses(RunnerId runner) const;
 
-  /// Whether NextSuspect would grant one.
+  /// Returns true if NextSuspect would grant a range.
   bool MayTakeSuspect(RunnerId runner, double now_s);
 
-  /// A second copy of the range that runs longest, if it is slow, runs elsewhere, and has not
-  /// failed too often already. REQUIRES: Queued() == 0.
+  /// Returns a second copy of the slow range that has run longest on another runner. Returns
+  /// nullopt if there is none. Skips ranges that have failed too often. REQUIRES: Queued() == 0.
   std::optional<Grant> Hedge(RunnerId runner, double now_s);
 
-  /// A result came. Late results, of runners that are gone, count as well: ranges are pure
-  /// functions.
+  /// Records a result. Late results from runners that left count as well, because a range's result
+  /// does not depend on the runner.
   Accepted Succeeded(Ticket ticket, double now_s);
 
-  /// A copy came to nothing: back to the queue, unless another copy runs or the range is done.
+  /// Records a failed copy. The range returns to the queue, unless another copy runs or the range
+  /// is done.
   void Failed(Ticket ticket);
 
-  /// The same, and the copy's runner lives to say that the range cannot be made.
+  /// Records a failed copy as Failed does, and counts it as a refusal: the runner is alive and
+  /// reports that it cannot make the range.
   void Refused(Ticket ticket);
 
-  /// The same, and the copy's runner died, or its connection: the range becomes suspect.
+  /// Records a failed copy as Failed does, and makes the range suspect: the runner or its
+  /// connection died.
   void Died(Ticket ticket);
 
-  /// A copy was given up for a reason that says nothing of the range (its runner drains): back to
-  /// the queue, not counted.
+  /// Returns the range of a copy to the queue without counting a try. The reason does not concern
+  /// the range; for example, the runner drains.
   void Abandoned(Ticket ticket);
 
-  /// All copies of the runner failed, as far as can be told from here.
+  /// Returns all ranges of the runner to the queue. Their results may still arrive.
   void RunnerGone(RunnerId runner);
 
+  /// Returns true if all ranges are done.
   bool AllDone() const { return done_ == static_cast<int32_t>(ranges_.size()); }
-  /// The range that the poison rule ended the job for.
+  /// Returns the range that ended the job by the poison rule; nullopt if there is none.
   std::optional<int32_t> Poisoned() const { return poisoned_; }
+  /// Returns the number of queued ranges.
   int32_t Queued() const { return static_cast<int32_t>(queue_.size()); }
+  /// Returns the number of suspect ranges that wait.
   int32_t Suspects() const { return static_cast<int32_t>(suspects_.size()); }
+  /// Returns the number of running copies.
   int32_t Running() const { return static_cast<int32_t>(running_.size()); }
+  /// Returns the number of failed tries of the range.
   int Tries(int32_t range) const { return ranges_[range].tries; }
+  /// Returns how often a range returned to the queue.
   int64_t Requeued() const { return requeued_; }
+  /// Returns the number of second copies so far.
   int64_t Hedged() const { return hedged_; }
 
  private:
@@ -110,13 +130,14 @@ class RangeScheduler {
     bool done = false;
     int copies = 0;
     int tries = 0;
-    int refusals = 0;  ///< of the tries
+    int refusals = 0;  ///< tries that ended with a refusal
     bool suspect = false;
-    std::optional<double> waits_since_s = {};  ///< as a suspect, when that was first asked
+    /// Time at which a runner was first considered for the waiting suspect range
+    std::optional<double> waits_since_s = {};
     std::set<RunnerId> failed_on = {};
-    std::set<RunnerId> alone_on = {};  ///< where it was tried as a suspect
-    /// What died of it last, and has not been seen since: while that is away, no other one is to go
-    /// down as well.
+    std::set<RunnerId> alone_on = {};  ///< runners that had the range alone, as a suspect
+    /// Runner that died of the range last and has not been seen since. While it is away, no other
+    /// runner gets the range, so that it does not die as well.
     std::optional<RunnerId> away = {};
   };
   struct Copy {
@@ -137,8 +158,7 @@ class RangeScheduler {
   std::deque<int32_t> queue_;
   std::deque<int32_t> suspects_;
   std::map<Ticket, Copy> running_;
-  std::map<Ticket, int32_t>
-      lost_;  ///< copies of runners that are gone, whose results may still come
+  std::map<Ticket, int32_t> lost_;  ///< copies on runners that left; their results may still arrive
   Ticket next_ticket_ = 1;
   int32_t done_ = 0;
   double slowest_done_s_ = 0;

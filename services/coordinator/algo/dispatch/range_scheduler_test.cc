@@ -166,7 +166,8 @@ TEST(RangeScheduler, ACopyThatFailsLeavesTheOther) {
 TEST(RangeScheduler, ASlowRangeThatAlwaysFailsEndsTheJob) {
   RangeScheduler scheduler(1);
   std::optional<RangeScheduler::Grant> copy = scheduler.Next(kA, 0);
-  // Whenever one copy fails, another one that has become slow runs beside it.
+  // Whenever one copy fails, a second copy of the range is already running, because the range is
+  // slow.
   for (int step = 1; step <= 20 && !scheduler.Poisoned(); ++step) {
     const auto second = scheduler.Hedge(step % 2 == 0 ? kA : kB, 10.0 * step);
     scheduler.Failed(copy->ticket);
@@ -207,8 +208,8 @@ TEST(RangeScheduler, UnknownTicketsChangeNothing) {
   EXPECT_EQ(scheduler.Queued(), 1);
 }
 
-/// Random runners that answer, fail, vanish and answer late. After each step the invariants are
-/// checked against a model of what is where.
+/// Simulates random runners that answer, fail, disappear and answer late. Checks the invariants
+/// after each step against a model of the state of all ranges.
 class Simulation {
  public:
   explicit Simulation(uint32_t seed) : random_(seed), ranges_(1 + Pick(30)), scheduler_(ranges_) {}
@@ -233,7 +234,7 @@ class Simulation {
   struct Call {
     int32_t range;
     RunnerId runner;
-    bool known;  ///< the scheduler has not been told that the runner is gone
+    bool known;  ///< false once the scheduler knows that the runner has left
   };
 
   int Pick(int n) { return static_cast<int>(random_() % n); }

@@ -9,32 +9,34 @@
 
 namespace slicefarm::coordinator {
 
-/// What runs on each runner, so far as that decides what else may: a task that a runner died of
-/// runs alone on its runner, and one such task at a time, so that it takes nothing else with it,
-/// and the runners that are left go on. Not thread-safe.
+/// Calls that run on each runner. A task that a runner died of runs alone on its runner, so that no
+/// other task dies with it. Only one such task runs at a time, so that the remaining runners
+/// continue. Not thread-safe.
 class RunnerLoads {
  public:
   using Call = std::pair<int64_t, int64_t>;  ///< job and ticket
 
+  /// Records the start of a call. `alone`: the runner gets no other call until this one ends.
   void Begin(RunnerId runner, Call call, bool alone) {
     calls_[runner].insert(call);
     if (alone) lone_ = {runner, call};
   }
-  /// More than once does no harm.
+  /// Records the end of a call. A repeated End of the same call has no effect.
   void End(Call call) {
     for (auto& [runner, calls] : calls_) calls.erase(call);
     if (lone_ && lone_->second == call) lone_.reset();
   }
+  /// Removes all calls of the runner.
   void Gone(RunnerId runner) {
     calls_.erase(runner);
     if (lone_ && lone_->first == runner) lone_.reset();
   }
 
-  /// Whether nothing may be added to what the runner has.
+  /// Returns true if the runner has a task that must run alone.
   bool IsTaken(RunnerId runner) const { return lone_ && lone_->first == runner; }
-  /// Whether a task runs alone on any runner.
+  /// Returns true if a task runs alone on any runner.
   bool AnyAlone() const { return lone_.has_value(); }
-  /// Whether the runner may have a task alone.
+  /// Returns true if the runner may get a task that must run alone.
   bool MayTakeAlone(RunnerId runner) const {
     const auto found = calls_.find(runner);
     return !lone_ && (found == calls_.end() || found->second.empty());

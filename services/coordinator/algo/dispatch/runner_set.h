@@ -10,30 +10,31 @@
 
 namespace slicefarm::coordinator {
 
-/// Something that runs tasks of the processes it knows, and how many at once: a worker elsewhere, a
-/// chain of remote stages, or this process.
+/// Executor of tasks: a remote worker, a chain of remote stages, or this process. Has the processes
+/// that it supports and the number of tasks that it runs at once.
 struct Runner {
-  std::string name = {};  ///< for logs and errors: an address
+  std::string name = {};  ///< address, for logs and errors
   std::shared_ptr<const TaskRunner>
-      tasks;      ///< shared: a call may outlive the runner's membership
-  int slots = 1;  ///< calls in flight
-  /// Asked before each task: waits until the runner can be reached, at most for the given time,
-  /// and tells whether it can; so a dead runner costs no task a try. At once when it can. Empty:
-  /// it always can. Thread-safe.
+      tasks;      ///< shared, because a call may outlive the runner's membership
+  int slots = 1;  ///< number of calls that may be in flight at once
+  /// Waits until the runner can be reached, for at most the given time. Returns true at once if it
+  /// can be reached. The dispatcher calls it before each task, so that a dead runner does not use
+  /// up a try. If empty, the runner can always be reached. Thread-safe.
   std::function<bool(std::chrono::milliseconds)> await_ready = {};
 };
 
 using RunnerId = int64_t;
 
-/// The runners there are at the moment. They may join and leave while jobs run. Thread-safe.
+/// Set of available runners. Runners may join and leave while jobs run. Thread-safe.
 class RunnerSet {
  public:
   virtual ~RunnerSet() = default;
 
+  /// Adds a runner and returns its id.
   virtual RunnerId Join(Runner runner) = 0;
 
-  /// No further ranges go to the runner; those it has are given to others as well. A result that
-  /// still comes is taken.
+  /// Removes the runner. It gets no more ranges, and other runners get its current ranges as well.
+  /// Results that it still delivers are accepted.
   virtual void Leave(RunnerId id) = 0;
 };
 

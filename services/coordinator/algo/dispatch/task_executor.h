@@ -8,23 +8,26 @@
 
 namespace slicefarm::coordinator {
 
-/// Runs all tasks of a job somewhere, in any order, with retries as it sees fit.
+/// Runs all tasks of a job on some runners, in any order. Retries failed tasks at its own
+/// discretion.
 class TaskExecutor {
  public:
   virtual ~TaskExecutor() = default;
 
-  /// Takes the result of a task; an error ends the job with it.
+  /// Takes the result of a task. An error from it ends the job with that error.
   using TakeResult = std::function<absl::Status(size_t task, TaskResult result)>;
 
-  /// Makes `tasks`, which are all of one process. `take` gets the result of each of them once, as
-  /// soon as it is there, from any thread and several at a time. `weight_done` is told, from any
-  /// thread but one call at a time, what the tasks weigh that are finished. Neither is called after
-  /// the return. Errors: the first task's that cannot be made; those of `take`; Cancelled.
+  /// Makes `tasks`, which all have the same process. Calls `take` once per task as soon as its
+  /// result exists, from any thread and several at a time. Calls `weight_done` with the total
+  /// weight of the finished tasks, from any thread but one call at a time. Neither function is
+  /// called after the return. Errors: the error of the first task that cannot be made; errors of
+  /// `take`; CANCELLED.
   virtual absl::Status Execute(const StageCall& call, std::span<const Task> tasks,
                                const TakeResult& take,
                                const std::function<void(int32_t)>& weight_done) = 0;
 
-  /// How many tasks of a process can be worked on at once: what a job is cut for.
+  /// Returns how many tasks of a process can run at once. A job is cut into tasks for this number
+  /// of slots.
   virtual int Slots(Process process) const = 0;
 };
 

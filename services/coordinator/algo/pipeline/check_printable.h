@@ -7,7 +7,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Errors: NOTHING_TO_PRINT if no layer has an outline.
+/// Checks that at least one layer has an outline. Errors: NOTHING_TO_PRINT if no layer has one.
 absl::Status CheckPrintable(std::span<const SlicedLayer> layers);
 
 }  // namespace slicefarm::coordinator

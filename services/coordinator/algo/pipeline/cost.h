@@ -4,18 +4,20 @@
 
 namespace slicefarm::coordinator {
 
-/// What a farm charges. Money is in units of `currency`.
+/// Prices of a farm, in units of `currency`.
 struct Rates {
-  std::string currency = {};    ///< empty: nobody has said; filament_cost of profiles has none
-  double setup = 0;             ///< a job
-  double machine_per_hour = 0;  ///< while it prints
+  /// Empty if no rates are set; the `filament_cost` of a profile has no currency
+  std::string currency = {};
+  double setup = 0;             ///< price per job
+  double machine_per_hour = 0;  ///< price per hour of printing
   double energy_per_kwh = 0;
-  double printer_power_w = 0;  ///< while it prints, on average
-  double filament_per_kg = 0;  ///< of filaments whose settings name no cost
+  double printer_power_w = 0;  ///< average power while printing, in W
+  double filament_per_kg = 0;  ///< price of filament if the settings have no filament cost
 
   friend bool operator==(const Rates&, const Rates&) = default;
 };
 
+/// Cost of a job by item, in units of `currency`.
 struct Cost {
   std::string currency;
   double setup = 0;
@@ -23,11 +25,13 @@ struct Cost {
   double energy = 0;
   double filament = 0;
 
+  /// Returns the sum of all items.
   double Total() const { return setup + machine + energy + filament; }
   friend bool operator==(const Cost&, const Cost&) = default;
 };
 
-/// `filament_per_kg`: the settings' filament_cost; 0: that of the rates.
+/// Returns the cost of a job. `filament_per_kg`: the settings' `filament_cost`; if 0, the price of
+/// the rates is used.
 Cost CostOf(const Rates& rates, double print_time_s, double filament_g, double filament_per_kg);
 
 }  // namespace slicefarm::coordinator

@@ -11,38 +11,40 @@
 
 namespace slicefarm::coordinator {
 
-/// In weights of tasks: layers, for processes that make layers.
+/// Progress of a job, in weights of tasks. For processes that make layers, the weight is the number
+/// of layers.
 struct PipelineProgress {
   int32_t total = 0;  ///< 0 until the job is planned
   int32_t done = 0;
 };
 
-/// PROCESS_UNAVAILABLE: nobody here makes jobs of the process.
+/// Returns the error PROCESS_UNAVAILABLE: this program makes no jobs of the process.
 absl::Status ProcessUnavailable(Process process);
 
-/// The whole way from meshes to a program for the machine: the job's process plans it, the executor
-/// makes its tasks, the process puts their results together. The same for the embedded process and
-/// for the coordinator; only the stages and the executor differ.
+/// Makes a program for the machine from meshes. The job's process plans the job, the executor runs
+/// its tasks, and the process joins their results. The embedded program and the coordinator use the
+/// same pipeline; only the stages and the executor differ.
 class JobPipeline {
  public:
-  /// One process of each kind at most. The executor must outlive the pipeline.
+  /// Takes at most one process of each kind. The executor must outlive the pipeline.
   JobPipeline(std::vector<std::unique_ptr<JobProcess>> processes, TaskExecutor& executor)
       : processes_(std::move(processes)), executor_(executor) {}
 
-  /// The process of that kind, or null: its jobs are not made here.
+  /// Returns the process of that kind; null if this pipeline makes no such jobs.
   const JobProcess* Find(Process process) const;
+  /// Returns the executor that runs the tasks.
   TaskExecutor& executor() const { return executor_; }
 
-  /// Whose jobs it makes.
+  /// Returns the processes that this pipeline supports.
   ProcessSet processes() const {
     ProcessSet all;
     for (const auto& process : processes_) all.Add(process->process());
     return all;
   }
 
-  /// `progress` may be called from any thread, one call at a time.
-  /// Errors: those of the process and of the executor; PROCESS_UNAVAILABLE if the job's process
-  /// is none of those given.
+  /// Makes the job's program. Calls `progress` from any thread, one call at a time. Errors: errors
+  /// of the process and of the executor; PROCESS_UNAVAILABLE if the pipeline does not have the
+  /// job's process.
   absl::StatusOr<JobOutput> Run(const StageCall& call, JobInput input,
                                 const std::function<void(PipelineProgress)>& progress) const;
 

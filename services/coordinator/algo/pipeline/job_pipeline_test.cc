@@ -27,7 +27,7 @@ class NamedLayers : public FdmRunner {
   }
 };
 
-/// Ten layers, a task each; joined, they count.
+/// Planned job of ten layers, one task per layer. Assemble joins their texts.
 class Counted : public PlannedJob {
  public:
   int32_t Weight() const override { return 10; }
@@ -75,7 +75,7 @@ class JobPipelineTest : public testing::Test {
     dispatcher_.Join({.name = "here", .tasks = std::make_shared<NamedLayers>(), .slots = 3});
   }
 
-  /// Of a process whose plans fail with this.
+  /// Returns a pipeline with one process. If `fails` is an error, Plan returns it.
   JobPipeline Pipeline(const absl::Status& fails = {}) {
     auto process = std::make_unique<CountedProcess>();
     process->fails = fails;

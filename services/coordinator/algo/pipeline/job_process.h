@@ -17,91 +17,99 @@
 
 namespace slicefarm::coordinator {
 
+/// Meshes and settings of a job.
 struct JobInput {
   SliceInput meshes;
   JobSettings settings;
   std::string settings_text;  ///< effective settings as `key = value` lines, quoted at the end of
                               ///< the G-code
-  std::vector<std::string> warnings = {};  ///< of the settings: the report begins with them
+  /// Warnings about the settings, which the report lists first
+  std::vector<std::string> warnings = {};
 };
 
-/// What a report tells of one process alone.
+/// Part of a report that only one process has.
 class OwnReport {
  public:
   virtual ~OwnReport() = default;
 
+  /// Adds its keys to the report.
   virtual void AddTo(nlohmann::ordered_json& json) const = 0;
 };
 
-/// What a job came to, besides its program.
+/// Result of a job without its program.
 struct JobReport {
   std::vector<MeshReport> meshes;
   int32_t layer_count = 0;
   double object_height_mm = 0;
   double print_time_s = 0;
-  std::string file_name;           ///< what the settings call the file; empty: nothing
-  FilamentUse filament;            ///< none: the process takes none
-  std::unique_ptr<OwnReport> own;  ///< of the process; null: nothing
+  std::string file_name;           ///< file name from the settings; empty if they give none
+  FilamentUse filament;            ///< empty if the process uses no filament
+  std::unique_ptr<OwnReport> own;  ///< the process's own part of the report; null if it has none
   StageTimes stage_times;
-  std::vector<std::string> warnings;  ///< such as what a mesh lacks
-  std::vector<std::string> notes;     ///< what planning chose, and why
+  std::vector<std::string> warnings;  ///< warnings, for example about defects of a mesh
+  std::vector<std::string> notes;     ///< choices of the planning stage, with their reasons
 };
 
-/// What a job will take, before it is made.
+/// Estimated time, filament and layers of a job that has not been made.
 struct JobEstimate {
   double print_time_s = 0;
   FilamentUse filament;
-  std::optional<int32_t> layers = {};      ///< if they are not those that were sliced
-  std::vector<MeshReport> meshes = {};     ///< if nothing was sliced
-  std::vector<std::string> warnings = {};  ///< about what is planned
+  /// Number of layers, if it differs from the number of sliced layers
+  std::optional<int32_t> layers = {};
+  std::vector<MeshReport> meshes = {};     ///< reports of the meshes, if nothing was sliced
+  std::vector<std::string> warnings = {};  ///< warnings about the plan
 };
 
+/// Result of a job.
 struct JobOutput {
-  SpooledText program;  ///< for the machine: G-code, or a file of the settings' output_format
+  /// Program for the machine: G-code, or a file of the settings' output_format
+  SpooledText program;
   JobReport report;
 };
 
-/// A job between its first stages and its tasks. It holds what the tasks point into.
+/// Job after its first stages and before its tasks. Owns the data that the tasks point to.
 class PlannedJob {
  public:
   virtual ~PlannedJob() = default;
 
-  /// What all its tasks weigh together.
+  /// Returns the total weight of all tasks.
   virtual int32_t Weight() const = 0;
 
-  /// All work that is left, cut for so many slots; the result of the job does not depend on the
-  /// cut. They point into this object. Errors: REQUEST_TOO_LARGE if a task would look at more
-  /// outlines than a worker can hold.
+  /// Returns all remaining work, cut into tasks for `slots` slots. The result of the job does not
+  /// depend on the cut. The tasks point into this object. Errors: REQUEST_TOO_LARGE if a task needs
+  /// more outlines than a worker can hold.
   virtual absl::StatusOr<std::vector<Task>> Tasks(int slots) = 0;
 
-  /// Takes the result of one of them, once; from any thread, several at a time. What is long goes
-  /// to a spool. Errors: DISK_FULL, STORE_FAILED.
+  /// Takes the result of a task, once per task. May be called from any thread, several calls at a
+  /// time. Writes long results to a spool. Errors: DISK_FULL, STORE_FAILED.
   virtual absl::Status Take(size_t task, TaskResult result) = 0;
 
-  /// The tasks' results, in the tasks' order, put together. Called once, when all of them were
-  /// taken. Errors: INTERNAL if layers are missing; NOTHING_TO_PRINT; those of stages that see the
-  /// whole.
+  /// Joins the tasks' results in the order of the tasks. Called once, after all results were taken.
+  /// Errors: INTERNAL if layers are missing; NOTHING_TO_PRINT; errors of the stages that process
+  /// the whole job.
   virtual absl::StatusOr<JobOutput> Assemble(const StageCall& call) = 0;
 };
 
-/// How the jobs of one process become tasks: DESIGN section 1, "A process". One class a process;
-/// pipeline, dispatcher, cache, watch and cancel are the same for all.
+/// Cuts the jobs of one process into tasks: DESIGN section 1, "A process". There is one class per
+/// process. Pipeline, dispatcher, cache, watch and cancel are shared by all processes.
 class JobProcess {
  public:
   virtual ~JobProcess() = default;
 
+  /// Returns the process that this class makes jobs of.
   virtual Process process() const = 0;
 
-  /// The stages that see the whole job. Errors: theirs; NOTHING_TO_PRINT.
+  /// Runs the stages that need the whole job. Errors: errors of these stages; NOTHING_TO_PRINT.
   virtual absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
                                                            JobInput input) const = 0;
 
-  /// Whether Estimate looks at the outlines of all layers. If not, nothing is sliced for it: the
-  /// job comes as it is, with its meshes.
+  /// Returns true if Estimate needs the outlines of all layers. If false, the caller does not
+  /// slice: Estimate gets the job with its meshes.
   virtual bool EstimatesByOutlines() const { return true; }
 
-  /// What the job will take, by its outlines; where the process can, and `executor` has slots for
-  /// it, by a few tasks that are made. Errors: those of stages that see the whole job.
+  /// Estimates time, filament and layers of the job from its outlines. Makes a few tasks for the
+  /// estimate if the process supports it and `executor` has slots for it. Errors: errors of the
+  /// stages that process the whole job.
   virtual absl::StatusOr<JobEstimate> Estimate(const StageCall& call, SlicedJob sliced,
                                                JobInput input, TaskExecutor& executor) const = 0;
 };

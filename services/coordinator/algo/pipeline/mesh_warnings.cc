@@ -6,7 +6,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// "1 edge", "3 edges".
+/// Returns the count with its noun: "1 edge", "3 edges".
 std::string Count(int64_t count, const char* noun) {
   return absl::StrCat(count, " ", noun, count == 1 ? "" : "s");
 }

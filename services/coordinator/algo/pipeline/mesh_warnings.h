@@ -7,8 +7,8 @@
 
 namespace slicefarm::coordinator {
 
-/// What its owner should know about a mesh, in plain words, one sentence each; none for a closed,
-/// clean mesh.
+/// Returns the defects of a mesh that its owner should know, one plain sentence each. Empty for a
+/// closed mesh without defects.
 std::vector<std::string> MeshWarnings(const MeshReport& mesh);
 
 }  // namespace slicefarm::coordinator

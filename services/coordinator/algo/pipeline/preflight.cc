@@ -11,7 +11,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Of all copies.
+/// Returns the area of the layer over all copies of its objects.
 double AreaMm2(const SlicedLayer& layer, const std::vector<PlacedCopy>& copies) {
   double nm2 = 0;
   for (const ObjectSection& section : layer.sections) {

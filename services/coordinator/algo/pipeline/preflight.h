@@ -10,21 +10,23 @@
 
 namespace slicefarm::coordinator {
 
-/// What can be told of a job before it is made.
+/// Facts and estimates about a job before it is made.
 struct Preflight {
   std::vector<MeshReport> meshes;
-  int32_t layers = 0;  ///< of all copies, if they are printed one after the other
+  /// Number of layers over all copies, if the copies are printed one after the other
+  int32_t layers = 0;
   double first_layer_area_mm2 = 0;
   double print_time_s = 0;
   FilamentUse filament;
-  std::vector<OrientationAdvice> orientations;  ///< if the input asks for them
-  std::vector<std::string> warnings;  ///< those of the settings, then what the meshes lack
+  /// Advice on orientations, if the input requests it
+  std::vector<OrientationAdvice> orientations;
+  std::vector<std::string> warnings;  ///< warnings of the settings, then defects of the meshes
 };
 
-/// Slices the meshes and looks at the outlines, if the job's process asks for them; it estimates
-/// what the job will take, and may make some of its tasks to see. Errors: those of slicing,
-/// OUT_OF_BUILD_VOLUME among them; NOTHING_TO_PRINT; those of planning, OBJECTS_COLLIDE among them;
-/// those of the stages that make layers; PROCESS_UNAVAILABLE.
+/// Estimates the time and material of a job. Slices the meshes first if the job's process estimates
+/// by outlines. The process may make some of the job's tasks for the estimate. Errors: errors of
+/// slicing, including OUT_OF_BUILD_VOLUME; NOTHING_TO_PRINT; errors of planning, including
+/// OBJECTS_COLLIDE; errors of the stages that make layers; PROCESS_UNAVAILABLE.
 absl::StatusOr<Preflight> LookAt(const StageCall& call, JobInput input, const SlicingStage& slicing,
                                  const JobPipeline& pipeline);
 

@@ -15,7 +15,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Copies of an object: `layers` squares of 10 mm, and above them layers without outlines.
+/// Slicing stage that returns copies of one object: `layers` squares of 10 mm, and above them
+/// layers without outlines.
 class FakeSlicing : public SlicingStage {
  public:
   explicit FakeSlicing(int layers, int copies = 1) : layers_(layers), copies_(copies) {}
@@ -49,7 +50,7 @@ class FakeSlicing : public SlicingStage {
   const int copies_;
 };
 
-/// Each copy in a pass of its own, or a refusal.
+/// Planning stage that prints each copy in a pass of its own, or refuses the job.
 class FakePlanning : public PlanningStage {
  public:
   absl::StatusOr<JobPlan> Plan(const StageCall&, const SlicedOutlines& job,
@@ -72,7 +73,7 @@ JobInput Input() {
   return input;
 }
 
-/// Layers of 3 s and 5 mm.
+/// Executor that returns layers of 3 s and 5 mm.
 class FakeRunners : public TaskExecutor {
  public:
   absl::Status Execute(const StageCall&, std::span<const Task> tasks, const TakeResult& take,
@@ -98,7 +99,7 @@ class FakeRunners : public TaskExecutor {
   int made = 0;
 };
 
-/// 100 s before the layers.
+/// Motion stage that adds 100 s before the layers.
 class FakeMotion : public MotionStage {
  public:
   absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall&, std::vector<OrderedLayer>,
@@ -115,7 +116,7 @@ class FakeMotion : public MotionStage {
   }
 };
 
-/// LookAt, over the process of filament with these stages.
+/// Calls LookAt with the FDM process and these stages.
 absl::StatusOr<Preflight> Look(const StageCall& call, JobInput input, const SlicingStage& slicing,
                                const PlanningStage& planning, FakeRunners& runners) {
   const FakeMotion motion;
@@ -124,7 +125,7 @@ absl::StatusOr<Preflight> Look(const StageCall& call, JobInput input, const Slic
   return LookAt(call, std::move(input), slicing, JobPipeline(std::move(processes), runners));
 }
 
-/// Where nobody makes layers.
+/// Calls LookAt without slots for layers.
 absl::StatusOr<Preflight> Look(const StageCall& call, JobInput input, const SlicingStage& slicing,
                                const PlanningStage& planning) {
   FakeRunners none;

@@ -10,7 +10,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// For how many slots to cut while no worker has joined yet.
+/// Assumed number of slots if no worker has joined yet.
 constexpr int kSlotsToCome = 8;
 
 int64_t PointsOf(const SlicedLayer& layer) {
@@ -40,7 +40,7 @@ std::vector<LayerRange> SplitIntoRanges(std::span<const SlicedLayer> layers, int
     int64_t cost = 0;
     while (last < count && last - first < options.max_layers) {
       const bool full = cost + costs[last] > share;
-      // A range may be shorter than min_layers only where its layers are huge.
+      // A range has fewer than min_layers only if its layers exceed max_points.
       if (full && (last - first >= options.min_layers || cost >= options.max_points)) break;
       cost += costs[last++];
     }

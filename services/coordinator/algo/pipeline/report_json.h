@@ -7,17 +7,17 @@
 
 namespace slicefarm::coordinator {
 
-/// What the edge knows about a job beyond its report.
+/// Facts about a job that only the entry point has, for the report.
 struct ReportContext {
   std::vector<std::string> settings_without_effect =
-      {};  ///< keys that were given and changed nothing
+      {};  ///< keys of settings that were given but had no effect
   std::string settings_digest = {};
   std::string build_id = {};
 };
 
-/// The report as JSON: `meshes`, `layers`, `print_time_s` and `print_time`, what is of the process
-/// alone (OwnReport), `stage_times_s`, `warnings`, `settings_without_effect`. Names that are no
-/// UTF-8 get replacement characters. Units stand in the names.
+/// Returns the report as JSON: `meshes`, `layers`, `print_time_s` and `print_time`, the process's
+/// own part (OwnReport), `stage_times_s`, `warnings`, `settings_without_effect`. Replaces bytes of
+/// names that are no UTF-8. The names of keys contain their units.
 std::string ReportJson(const JobReport& report, const ReportContext& context);
 
 }  // namespace slicefarm::coordinator
