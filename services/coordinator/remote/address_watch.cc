@@ -32,7 +32,7 @@ absl::StatusOr<HostPort> Split(const std::string& name) {
   return HostPort{host, name.substr(colon + 1)};
 }
 
-/// The numeric addresses of one family; sorted.
+/// Returns the numeric addresses of one family, sorted.
 std::set<std::string> OfFamily(const addrinfo* list, int family) {
   std::set<std::string> addresses;
   for (const addrinfo* entry = list; entry != nullptr; entry = entry->ai_next) {

@@ -14,34 +14,35 @@
 
 namespace slicefarm::coordinator {
 
-/// Addresses (host:port, numeric host) behind one name (host:port).
+/// Function that returns the addresses (host:port, numeric host) of a name (host:port).
 using Resolve = std::function<absl::StatusOr<std::vector<std::string>>(const std::string& name)>;
 
-/// By the system's resolver: all IPv4 addresses of the host; if it has none, the IPv6 ones, so that
-/// a host with both is not taken for two. Errors: InvalidArgument for a name that is no host:port;
-/// Unavailable if the host is not known (now).
+/// Resolves a name with the system's resolver. Returns all IPv4 addresses of the host; if it has
+/// none, its IPv6 addresses. So a host with both kinds counts as one host. Errors: InvalidArgument
+/// if the name is not host:port; Unavailable if the host cannot be resolved at the moment.
 absl::StatusOr<std::vector<std::string>> ResolveByDns(const std::string& name);
 
-/// "a:1,b:2" -> {"a:1", "b:2"}; empty parts are left out.
+/// Splits a list of addresses: "a:1,b:2" -> {"a:1", "b:2"}. Ignores empty parts.
 std::vector<std::string> SplitAddresses(std::string_view list);
 
+/// Options of an AddressWatch.
 struct AddressWatchOptions {
   std::chrono::milliseconds every{5'000};
-  std::chrono::milliseconds least_pause{500};  ///< between looks that Refresh asks for
+  std::chrono::milliseconds least_pause{500};  ///< shortest pause between two lookups
   Resolve resolve = ResolveByDns;
 };
 
-/// Looks names up again and again, because replicas come and go behind them. A name that cannot be
-/// resolved keeps the addresses it had. Thread-safe.
+/// Resolves names again at regular intervals, because the replicas behind them change. If a name
+/// cannot be resolved, its last addresses remain. Thread-safe.
 class AddressWatch {
  public:
-  /// `changed` is told, by the watch's thread, each new set of addresses, sorted; from the first
-  /// look on.
+  /// Calls `changed` with each new set of addresses, sorted, beginning with the first lookup. The
+  /// calls run on the watch's own thread.
   AddressWatch(std::vector<std::string> names,
                std::function<void(const std::vector<std::string>&)> changed,
                AddressWatchOptions options = {});
 
-  /// Asks for a look soon: an address has failed.
+  /// Requests a lookup soon, because an address has failed.
   void Refresh();
 
  private:
@@ -51,11 +52,12 @@ class AddressWatch {
   const std::vector<std::string> names_;
   const std::function<void(const std::vector<std::string>&)> changed_;
   const AddressWatchOptions options_;
-  std::map<std::string, std::vector<std::string>> known_;  ///< of the thread alone
+  /// Last addresses of each name; used only by the thread
+  std::map<std::string, std::vector<std::string>> known_;
   std::mutex mutex_;
   std::condition_variable_any wake_;
   bool refresh_ = false;
-  std::jthread thread_;  ///< the last member: it uses the others
+  std::jthread thread_;  ///< last member, because the thread uses the other members
 };
 
 }  // namespace slicefarm::coordinator

@@ -42,12 +42,12 @@ TEST(ResolveByDns, WhatIsNoHostAndPortIsRefused) {
   }
 }
 
-/// A name service whose answers the test sets, and the addresses that the watch has told.
+/// Fake name service with answers from the test. Records the addresses that the watch has reported.
 class Names {
  public:
   AddressWatchOptions Options() {
     AddressWatchOptions options;
-    options.every = std::chrono::hours(1);  // only Refresh makes it look again
+    options.every = std::chrono::hours(1);  // only Refresh triggers another lookup
     options.least_pause = std::chrono::milliseconds(1);
     options.resolve = [this](const std::string& name) -> absl::StatusOr<Addresses> {
       const std::lock_guard lock(mutex_);
@@ -131,7 +131,7 @@ TEST(AddressWatch, IsSilentWhileNothingChanges) {
   EXPECT_THAT(names.AwaitTold(1), testing::SizeIs(1));
 }
 
-// The name service being down is no reason to let the workers go.
+// A failure of the name service must not remove the workers.
 TEST(AddressWatch, AFailingNameKeepsItsAddresses) {
   Names names;
   names.Set("a:1", {"10.0.0.1:1"});

@@ -18,28 +18,35 @@
 
 namespace slicefarm::coordinator {
 
-/// For tests: a worker's server that can be killed and started again on its port.
+/// Fake worker server for tests. It can be killed and restarted on its port.
 class FakeReplica final : public v1::Worker::Service {
  public:
   FakeReplica() { Start("127.0.0.1:0"); }
 
+  /// Returns the address of the server.
   const std::string& address() const { return address_; }
+  /// Returns the number of GetWorkerInfo calls so far.
   int calls() const { return calls_; }
 
+  /// Sets the function that returns the status of GetWorkerInfo.
   void OnCall(std::function<grpc::Status()> answer) { answer_ = std::move(answer); }
+  /// Sets the build id and the number of slots that the server reports.
   void SetInfo(std::string build_id, int slots) {
     build_id_ = std::move(build_id);
     slots_ = slots;
   }
 
-  /// REQUIRES: it is not there.
+  /// Sets the processes that the server reports. REQUIRES: the server is not running.
   void SetProcesses(std::vector<v1::Process> processes) { processes_ = std::move(processes); }
 
-  /// What ranges come to. REQUIRES: no call is in flight.
+  /// Sets the function that returns the status of WorkRange. REQUIRES: no call is in flight.
   void OnWork(std::function<grpc::Status()> answer) { work_ = std::move(answer); }
 
+  /// Returns the running server.
   rpc::Server& server() { return *server_; }
+  /// Stops the server.
   void Kill() { server_.reset(); }
+  /// Starts the server again at the same address.
   void Restart() { Start(address_); }
 
   grpc::Status GetWorkerInfo(grpc::ServerContext* /*context*/,
@@ -62,7 +69,7 @@ class FakeReplica final : public v1::Worker::Service {
   void Start(const std::string& listen) {
     rpc::ServerOptions options;
     options.listen = listen;
-    // While it was down, a connection of somebody else may have come by its port, for a moment.
+    // While the server is down, another connection can occupy its port for a moment.
     absl::StatusOr<std::unique_ptr<rpc::Server>> server;
     do {
       server = rpc::Server::Start(options, {this}, call_metrics_);
@@ -85,13 +92,14 @@ class FakeReplica final : public v1::Worker::Service {
   std::unique_ptr<rpc::Server> server_;
 };
 
-/// For tests: a name whose addresses the test sets. Thread-safe.
+/// Fake name service for tests; the test sets the addresses. Thread-safe.
 class FakeName {
  public:
   void Set(std::vector<std::string> addresses) {
     const std::lock_guard lock(mutex_);
     addresses_ = std::move(addresses);
   }
+  /// Returns options of a watch that resolves every name to the addresses of this object.
   AddressWatchOptions Options() {
     AddressWatchOptions options;
     options.every = std::chrono::milliseconds(20);

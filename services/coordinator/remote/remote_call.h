@@ -16,39 +16,41 @@
 
 namespace slicefarm::coordinator {
 
-/// Bounds of a remote stage's calls.
+/// Time limits of a remote stage's calls.
 struct RemoteOptions {
-  /// Of one try with next to no work. A replica that has not answered by then counts as away; one
-  /// whose machine or process is gone does so earlier, by its connection.
+  /// Deadline of one try for very little work. A replica without an answer by then counts as
+  /// unreachable. A broken connection reveals a dead machine or process earlier.
   std::chrono::milliseconds deadline{300'000};
-  /// Of outlines: for so many, a try may take once more as long.
+  /// Number of outline points for which the deadline grows by another `deadline`.
   int64_t points_a_deadline = 15'000'000;
 
+  /// Returns the deadline of one try for work with so many outline points.
   std::chrono::milliseconds DeadlineFor(int64_t points) const {
     const double times = 1 + static_cast<double>(points) / static_cast<double>(points_a_deadline);
     return std::chrono::duration_cast<std::chrono::milliseconds>(deadline * times);
   }
 };
 
-/// A server that answers what cannot be read or does not fit: Internal, because the input is not at
-/// fault. Why an answer was not taken here stays what it is: that there is no room, or no wish for
-/// it.
+/// Returns the error for an answer that cannot be read or does not fit the call. The code is
+/// Internal, because the input is not at fault. Errors of this process remain unchanged: out of
+/// memory, or cancelled.
 absl::Status BadAnswer(std::string_view stage, const absl::Status& why);
 
-/// `status` of a call; LostCall if it ended at our deadline or with its connection, and
-/// BUILD_MISMATCH if the server does not know the method: neither says anything of the input. An
-/// older build may lack a method that this one has, and so has no call whose build it could refuse.
+/// Returns `status` of a call. Returns LostCall if the call ended at its deadline or with its
+/// connection, and BUILD_MISMATCH if the server does not have the method. Neither error concerns
+/// the input. An older build may lack a method of this build; then no call can report the build.
 absl::Status OutcomeOf(std::string_view stage, std::chrono::milliseconds deadline,
                        absl::Status status);
 
+/// Method of a stub that prepares a call with a stream of requests and a stream of responses.
 template <typename Stub, typename Request, typename Response>
 using Prepare = std::unique_ptr<grpc::ClientAsyncReaderWriter<Request, Response>> (Stub::*)(
     grpc::ClientContext*, grpc::CompletionQueue*);
 
-/// Makes a call of a method with streams both ways on one of `replicas`: `write(stream)` sends the
-/// request, `read(stream)` takes the answer and drops what an earlier try left. `prepare` is the
-/// stub's PrepareAsync method, `deadline` that of a try. The result is the server's word where it
-/// gave one.
+/// Makes a call with streams in both directions on one of `replicas`. `write(stream)` sends the
+/// request. `read(stream)` takes the answer and first drops the results of an earlier try.
+/// `prepare`: the stub's PrepareAsync method. `deadline`: the deadline of one try. Returns the
+/// server's own status if the server sent one.
 template <typename Stub, typename Request, typename Response, typename Write, typename Read>
 absl::Status StreamOver(ReplicaSource& replicas, std::chrono::milliseconds deadline,
                         const StageCall& call, std::string_view stage,
@@ -64,14 +66,15 @@ absl::Status StreamOver(ReplicaSource& replicas, std::chrono::milliseconds deadl
     stream.WritesDone();
     const absl::Status answer = read(stream);
     if (!answer.ok() && stream.alive()) return stream.Abandon(BadAnswer(stage, answer));
-    // An answer that was cut off may not fit: then the call's end says why.
+    // If the answer was cut off, it may not fit. In this case the status of the call gives the
+    // reason.
     const absl::Status outcome = OutcomeOf(stage, deadline, stream.Finish());
     return answer.ok() || !outcome.ok() ? outcome : BadAnswer(stage, answer);
   });
 }
 
-/// The same, with answers that are taken while the request is written: `begin()` drops what an
-/// earlier try left, `take(response)` takes an answer.
+/// Makes a call as StreamOver does, but takes answers while it writes the request. `begin()` drops
+/// the results of an earlier try. `take(response)` takes one answer.
 template <typename Stub, typename Request, typename Response, typename Begin, typename Write,
           typename Take>
 absl::Status DuplexOver(ReplicaSource& replicas, std::chrono::milliseconds deadline,

@@ -12,7 +12,8 @@
 namespace slicefarm::coordinator::remote_call_test {
 namespace {
 
-/// A call whose server sends nothing and ends it with `end`, of a caller who needs more than that.
+/// Makes a call to a server that sends nothing and ends the call with `end`. The caller expects an
+/// answer.
 absl::Status CallThatEndsWith(const grpc::Status& end) {
   FakeReplica server;
   server.OnWork([end] { return end; });
@@ -32,7 +33,7 @@ TEST(RemoteCall, AnAnswerThatDoesNotFitIsTheServersFault) {
   EXPECT_EQ(DetailOf(status).metadata.at("stage"), "work");
 }
 
-// A stage that is killed while it answers has not answered what does not fit.
+// A stage that dies during its answer must not be reported as a stage with a wrong answer.
 TEST(RemoteCall, AnAnswerThatIsCutOffIsOfAServerThatWentAway) {
   const absl::Status status =
       CallThatEndsWith(grpc::Status(grpc::StatusCode::UNAVAILABLE, "Socket closed"));
@@ -40,7 +41,8 @@ TEST(RemoteCall, AnAnswerThatIsCutOffIsOfAServerThatWentAway) {
   EXPECT_TRUE(WasLost(status)) << status;
 }
 
-// A job that meets it, in an upgrade or behind a wrong address, waits for the right one.
+// A job that calls such a server, during an upgrade or at a wrong address, waits for the right
+// server.
 TEST(RemoteCall, AServerWithoutTheMethodIsOfAnotherBuild) {
   const absl::Status status = CallThatEndsWith(grpc::Status(grpc::StatusCode::UNIMPLEMENTED, ""));
   EXPECT_EQ(DetailOf(status).reason, Reason::kBuildMismatch) << status;
@@ -48,7 +50,7 @@ TEST(RemoteCall, AServerWithoutTheMethodIsOfAnotherBuild) {
   EXPECT_TRUE(IsReplicasFault(status)) << "another replica may be the right one";
 }
 
-// Else what kills stages is tried as often as a stage that is away.
+// Otherwise a call that kills stages would be tried as often as a call to an unreachable stage.
 TEST(RemoteCall, OnlyACallThatWasUnderWayIsLost) {
   const absl::Status stops = rpc::FromGrpc(rpc::ToGrpc(
       MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, "Socket closed")));

@@ -13,7 +13,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// How long a call takes does not follow from the mesh alone: steps may be many and fine.
+/// Returns the deadline of a call. The mesh alone does not determine the time, because the steps
+/// may be many and fine.
 std::chrono::milliseconds DeadlineOf(const RemoteOptions& options, const MillInput& input) {
   constexpr int64_t kPointsATriangle = 100;
   return 4 * options.DeadlineFor(kPointsATriangle * std::ssize(input.part.triangles));

@@ -12,7 +12,7 @@
 
 namespace slicefarm::coordinator {
 
-/// The milling stage as a client of its service (stage_client.h).
+/// Client of the milling service (stage_client.h).
 class RemoteMilling : public MillingStage {
  public:
   explicit RemoteMilling(ReplicaSource& replicas, const RemoteOptions& options = {})

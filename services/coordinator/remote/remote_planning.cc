@@ -18,7 +18,7 @@ namespace {
 struct PlanAnswer {
   JobPlan plan;
   bool ended = false;
-  int64_t bytes = 0;  ///< that the plan takes
+  int64_t bytes = 0;  ///< memory of the plan, in bytes
 
   absl::Status Hold(const StageCall& call, int64_t more) {
     bytes += more;

@@ -12,7 +12,7 @@ struct PlanningOptions;
 
 namespace slicefarm::coordinator {
 
-/// The planning stage as a client of its service (stage_client.h).
+/// Client of the planning service (stage_client.h).
 class RemotePlanning : public PlanningStage {
  public:
   explicit RemotePlanning(ReplicaSource& replicas, const RemoteOptions& options = {})

@@ -8,21 +8,21 @@
 
 namespace slicefarm::coordinator {
 
-/// Reads project files where strangers' files are read.
+/// Reader of project files. The files may come from untrusted clients.
 class ProjectReader {
  public:
   virtual ~ProjectReader() = default;
 
-  /// All plates that can be printed, each with its spec. Errors: REQUEST_MALFORMED for a file that
-  /// is no project; those of reading one; Unavailable; Cancelled.
+  /// Returns all printable plates of a project, each with its job spec. Errors: REQUEST_MALFORMED
+  /// if the file is no project; errors of reading a project; Unavailable; Cancelled.
   virtual absl::StatusOr<v1::ReadProjectResponse> Read(const StageCall& call,
                                                        MeshFile file) const = 0;
 };
 
-/// The slicing service reads them, which reads meshes as well.
+/// Client of the slicing service, which reads projects as well as meshes.
 class RemoteProjects : public ProjectReader {
  public:
-  /// `replicas` outlives it.
+  /// Sends the calls to `replicas`, which must outlive this object.
   explicit RemoteProjects(ReplicaSource& replicas, const RemoteOptions& options = {})
       : client_("slicing", replicas, options) {}
 

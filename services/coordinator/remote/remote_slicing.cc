@@ -15,8 +15,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Calls a method that is sent the files of `input`. A small file may have the most outlines, so
-/// the deadline is that of the largest job.
+/// Calls a method that gets the files of `input`. A small file can still have the most outlines, so
+/// the deadline is the deadline of the largest job.
 template <typename Result, typename Prepare, typename Take = TakeModel>
 absl::StatusOr<Result> AskWithFiles(const StageClient& client, const StageCall& call,
                                     const SliceInput& input, const SlicingOptions& options,
@@ -28,8 +28,8 @@ absl::StatusOr<Result> AskWithFiles(const StageClient& client, const StageCall& 
 
 struct SlicedAnswer {
   SlicedJob job;
-  std::optional<int32_t> layer_count;  ///< none before the summary
-  int64_t bytes = 0;                   ///< of the layers
+  std::optional<int32_t> layer_count;  ///< empty until the summary arrives
+  int64_t bytes = 0;                   ///< memory of the layers, in bytes
 };
 
 absl::Status TakeSliced(const StageCall& call, const v1::SliceResponse& response,
@@ -54,7 +54,7 @@ absl::Status CheckSliced(const SlicedAnswer& answer) {
 }
 
 struct PlacedAnswer {
-  std::optional<PlacedScene> scene;  ///< first without meshes
+  std::optional<PlacedScene> scene;  ///< first without its meshes
   std::optional<MeshReader> meshes;
 };
 

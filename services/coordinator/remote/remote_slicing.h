@@ -11,9 +11,10 @@
 
 namespace slicefarm::coordinator {
 
-/// The stages of the slicing service, as its clients (stage_client.h). They keep the bytes of the
-/// input until the answer is there: another replica may need them.
+/// Clients of the slicing service, one class per stage (stage_client.h). Each client keeps the
+/// bytes of the input until the answer arrives, because another replica may need them.
 
+/// Client that slices meshes.
 class RemoteSlicing : public SlicingStage {
  public:
   explicit RemoteSlicing(ReplicaSource& replicas, const RemoteOptions& options = {})
@@ -26,6 +27,7 @@ class RemoteSlicing : public SlicingStage {
   const StageClient client_;
 };
 
+/// Client that places copies on plates.
 class RemoteArranging : public ArrangingStage {
  public:
   explicit RemoteArranging(ReplicaSource& replicas, const RemoteOptions& options = {})
@@ -38,6 +40,7 @@ class RemoteArranging : public ArrangingStage {
   const StageClient client_;
 };
 
+/// Client that places meshes in the scene and reads their surfaces.
 class RemotePlacing : public PlacingStage {
  public:
   explicit RemotePlacing(ReplicaSource& replicas, const RemoteOptions& options = {})

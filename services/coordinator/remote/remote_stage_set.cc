@@ -9,7 +9,7 @@ void RemoteStageSet::Add(Stage stage, ReplicaSource& replicas) {
       placing_ = std::make_unique<RemotePlacing>(replicas);
       return;
     case Stage::kPlacing:
-      return;  // has no services of its own
+      return;  // has no service of its own
     case Stage::kPlanning:
       planning_ = std::make_unique<RemotePlanning>(replicas);
       return;
@@ -38,9 +38,8 @@ void RemoteStageSet::Add(Stage stage, ReplicaSource& replicas) {
 }
 
 Stages RemoteStageSet::all() const {
-  return {slicing_.get(), planning_.get(), beading_.get(), infill_.get(), ordering_.get(),
-          motion_.get(),  exposure_.get(), placing_.get(), milling_.get(),
-          texture_.get()};
+  return {slicing_.get(), planning_.get(), beading_.get(), infill_.get(),  ordering_.get(),
+          motion_.get(),  exposure_.get(), placing_.get(), milling_.get(), texture_.get()};
 }
 
 }  // namespace slicefarm::coordinator

@@ -11,14 +11,14 @@
 
 namespace slicefarm::coordinator {
 
-/// Stages as clients of services, of those that there are.
+/// Clients of the stages that have services.
 class RemoteStageSet {
  public:
-  /// Makes a stage's client; slicing services place as well. `replicas` must outlive the set.
-  /// REQUIRES: once a stage at most.
+  /// Creates the client of a stage. A slicing service is also the placing service. `replicas` must
+  /// outlive the set. REQUIRES: the stage was not added before.
   void Add(Stage stage, ReplicaSource& replicas);
 
-  /// Those that were added.
+  /// Returns the stages that were added.
   Stages all() const;
 
  private:

@@ -25,7 +25,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Writes a message for each layer.
+/// Writes one message per layer.
 template <typename Request, typename Layers, typename Stream>
 absl::Status WriteLayers(Stream& stream, const Layers& layers) {
   return WriteEach<Request>(stream, layers, [](const auto& layer, Request* request) {
@@ -85,7 +85,7 @@ absl::StatusOr<std::vector<OrderedLayer>> RemoteOrdering::Order(
     return WriteEach<v1::OrderRequest>(
         stream, layers, [&](const FilledLayer& layer, v1::OrderRequest* request) {
           absl::Status status = ToProto(*plan++, request->mutable_layer()->mutable_plan());
-          request->mutable_layer()->mutable_plan()->clear_infill();  // it is done
+          request->mutable_layer()->mutable_plan()->clear_infill();  // the infill is done
           status.Update(ToProto(layer, request->mutable_layer()->mutable_layer()));
           return status;
         });

@@ -30,8 +30,9 @@ struct OrderingJob;
 
 namespace slicefarm::coordinator {
 
-/// The stages that work on ranges of layers, as clients of their services (stage_client.h).
+/// Clients of the stages that work on ranges of layers (stage_client.h).
 
+/// Client that makes beads from outlines.
 class RemoteBeading : public BeadingStage {
  public:
   explicit RemoteBeading(ReplicaSource& replicas, const RemoteOptions& options = {})
@@ -45,6 +46,7 @@ class RemoteBeading : public BeadingStage {
   const StageClient client_;
 };
 
+/// Client that fills layers.
 class RemoteInfill : public InfillStage {
  public:
   explicit RemoteInfill(ReplicaSource& replicas, const RemoteOptions& options = {})
@@ -60,6 +62,7 @@ class RemoteInfill : public InfillStage {
   const StageClient client_;
 };
 
+/// Client that orders the paths of layers.
 class RemoteOrdering : public OrderingStage {
  public:
   explicit RemoteOrdering(ReplicaSource& replicas, const RemoteOptions& options = {})
@@ -74,6 +77,7 @@ class RemoteOrdering : public OrderingStage {
   const StageClient client_;
 };
 
+/// Client that makes G-code from ordered layers.
 class RemoteMotion : public MotionStage {
  public:
   explicit RemoteMotion(ReplicaSource& replicas, const RemoteOptions& options = {})
@@ -89,6 +93,7 @@ class RemoteMotion : public MotionStage {
   const StageClient client_;
 };
 
+/// Client that makes exposures of layers.
 class RemoteExposure : public ExposureStage {
  public:
   explicit RemoteExposure(ReplicaSource& replicas, const RemoteOptions& options = {})

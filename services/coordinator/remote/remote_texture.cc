@@ -10,7 +10,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// How long a call takes does not follow from the mesh alone: lines may be many and fine.
+/// Returns the deadline of a call. The mesh alone does not determine the time, because the lines
+/// may be many and fine.
 std::chrono::milliseconds TextureDeadline(const RemoteOptions& options, const SurfaceMesh& mesh) {
   constexpr int64_t kPointsATriangle = 400;
   return 4 * options.DeadlineFor(kPointsATriangle * std::ssize(mesh.triangles));

@@ -11,7 +11,7 @@
 
 namespace slicefarm::coordinator {
 
-/// The texture stage as a client of its service (stage_client.h).
+/// Client of the texture service (stage_client.h).
 class RemoteTexture : public TextureStage {
  public:
   explicit RemoteTexture(ReplicaSource& replicas, const RemoteOptions& options = {})

@@ -7,11 +7,11 @@
 
 namespace slicefarm::coordinator {
 
-/// slicefarm.v1.Worker as a runner of tasks, of the processes that it told of. Errors as in
-/// stage_client.h.
+/// Task runner that calls slicefarm.v1.Worker. Supports the processes that the worker reported.
+/// Errors as in stage_client.h.
 class RemoteWorker : public TaskRunner {
  public:
-  /// `replicas` must outlive the worker.
+  /// Sends the calls to `replicas`, which must outlive the worker.
   explicit RemoteWorker(ReplicaSource& replicas, const RemoteOptions& options = {},
                         ProcessSet processes = ProcessSet::All())
       : replicas_(replicas), options_(options), processes_(processes), sends_(options.deadline) {}
@@ -23,7 +23,7 @@ class RemoteWorker : public TaskRunner {
   ReplicaSource& replicas_;
   const RemoteOptions options_;
   const ProcessSet processes_;
-  mutable SharedSends sends_;  // what is under way
+  mutable SharedSends sends_;  // values that are being sent
 };
 
 }  // namespace slicefarm::coordinator

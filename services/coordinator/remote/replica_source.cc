@@ -14,7 +14,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// A server that does not say when to come again is not asked without a pause.
+/// Shortest pause before a retry. It applies also if the server names no time.
 constexpr milliseconds kLeastWait{20};
 constexpr milliseconds kMaxWait{2'000};
 

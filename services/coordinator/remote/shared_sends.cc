@@ -16,7 +16,8 @@ namespace {
 
 constexpr char kSharing[] = "sharing";
 
-/// Of one value during one call: what a server keeps is forgotten for newer values only.
+/// Largest number of sends of one value during one call. A server forgets a value only when it
+/// stores newer values.
 constexpr int kSends = 3;
 
 absl::Status Forgetful() {
@@ -36,7 +37,7 @@ absl::Status SharedSends::Call(const std::shared_ptr<grpc::Channel>& channel, co
         std::ranges::find(parts, missing, [](const auto& known) { return known->digest; });
     if (missing.empty() || part == parts.end()) return status;
     const Sending sending(channel.get(), missing);
-    if (!Begin(sending, call)) {  // another call has sent it meanwhile
+    if (!Begin(sending, call)) {  // another call has sent the value meanwhile
       if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
       continue;
     }
@@ -47,14 +48,14 @@ absl::Status SharedSends::Call(const std::shared_ptr<grpc::Channel>& channel, co
   }
 }
 
-/// Whether it is for the caller to send it. If not, waits until whoever does is done, or nobody
-/// wants the call any more.
+/// Returns true if the caller must send the value. Otherwise, waits until another call has sent it
+/// or until `call` is cancelled.
 bool SharedSends::Begin(const Sending& sending, const StageCall& call) {
   std::unique_lock lock(mutex_);
   if (sending_.insert(sending).second) return true;
   while (sending_.contains(sending)) {
     sent_.wait_for(lock, rpc::kPollCancel);
-    lock.unlock();  // the poll may take locks of its own
+    lock.unlock();  // the cancellation check may take locks of its own
     const bool wanted = call.cancel.Check().ok();
     lock.lock();
     if (!wanted) break;

@@ -19,21 +19,21 @@
 
 namespace slicefarm::coordinator {
 
-/// Sends servers what their calls name and they do not keep. Whoever answers SHARED_MISSING is sent
-/// that value, by one of the calls that want it, and called again: nobody needs to know what a
-/// server keeps, so that it may be started anew, or forget, at any time. Thread-safe.
+/// Sends shared values to servers that do not have them. If a server answers SHARED_MISSING, one of
+/// the calls that need the value sends it. Then the call is repeated. No client tracks the values
+/// of a server, so a server may restart or forget values at any time. Thread-safe.
 class SharedSends {
  public:
-  /// `deadline`: of the sending of a value.
+  /// Creates an object without sends in progress. `deadline`: time limit for sending one value.
   explicit SharedSends(std::chrono::milliseconds deadline) : deadline_(deadline) {}
 
-  /// `attempt` makes a call over `channel` that names `parts`. Errors: the attempt's; those of the
-  /// sending; OVERLOADED from a server that forgets what it is sent before it is used.
+  /// Makes a call over `channel` with `attempt`; the call refers to `parts`. Errors: errors of the
+  /// attempt; errors of the sending; OVERLOADED if the server forgets values before it uses them.
   absl::Status Call(const std::shared_ptr<grpc::Channel>& channel, const StageCall& call,
                     const SharedParts& parts, const std::function<absl::Status()>& attempt);
 
  private:
-  using Sending = std::pair<const grpc::Channel*, std::string>;  // and a digest
+  using Sending = std::pair<const grpc::Channel*, std::string>;  // channel and digest
 
   absl::Status Send(const std::shared_ptr<grpc::Channel>& channel, const StageCall& call,
                     const SharedBytes& part) const;
@@ -46,8 +46,8 @@ class SharedSends {
   std::set<Sending> sending_;
 };
 
-/// Replicas whose calls name `parts`: each is sent what it does not keep. What it is given must
-/// outlive it.
+/// Replicas for calls that refer to `parts`. Sends each replica the parts that it does not have.
+/// All arguments must outlive this object.
 class SharingReplicas : public ReplicaSource {
  public:
   SharingReplicas(ReplicaSource& replicas, SharedSends& sends, const StageCall& call,

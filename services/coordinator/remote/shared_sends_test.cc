@@ -37,7 +37,7 @@ std::shared_ptr<const SharedBytes> Part(const std::string& bytes) {
       SharedBytes{"text", SharedDigest("text", bytes), bytes});
 }
 
-/// A server that keeps values, as it can be started anew.
+/// Server that stores values and can be restarted.
 struct Host {
   rpc::SharedKeeper keeper{NoLog()};
   rpc::Metrics metrics;
@@ -50,7 +50,7 @@ struct Host {
 
 class SharedSendsTest : public testing::Test {
  protected:
-  /// A call that looks at all parts.
+  /// Makes a call that reads all parts.
   absl::Status Attempt(Host& host, const SharedParts& parts) {
     ++attempts_;
     for (const auto& part : parts) {
@@ -135,7 +135,7 @@ TEST_F(SharedSendsTest, ACallThatIsNotWantedEnds) {
   EXPECT_EQ(Call(host, {Part("a")}, call).code(), absl::StatusCode::kCancelled);
 }
 
-/// What a server says to these messages.
+/// Returns the server's status for these messages.
 absl::Status Keep(Host& host, const std::vector<v1::KeepRequest>& requests) {
   v1::SharedValues::Stub stub(host.channel);
   rpc::StreamCall<v1::KeepRequest, v1::KeepResponse> stream(

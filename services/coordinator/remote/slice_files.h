@@ -7,8 +7,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Begins a call of the slicing service and sends the bytes of its files; ends early when the other
-/// side has gone, which the call's end tells.
+/// Begins a call of the slicing service and sends the bytes of its files. Stops early if the server
+/// has ended the call; the status of the call then gives the reason.
 template <typename Stream>
 absl::Status WriteFiles(Stream& stream, const StageCall& call, const SliceInput& input,
                         const SlicingOptions& options) {

@@ -21,7 +21,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Takes an answer of a message for each model, or one for the only one.
+/// Converts an answer and stores it: in a vector with one model per message, or as the only model.
 struct TakeModel {
   template <typename Response, typename Model>
   absl::Status operator()(Response& response, std::vector<Model>& models) const {
@@ -35,7 +35,7 @@ struct TakeModel {
   }
 };
 
-/// Writes nothing after a call's start.
+/// Writes nothing after the start of a call.
 struct WriteNoMore {
   template <typename Stream>
   absl::Status operator()(Stream& /*stream*/) const {
@@ -43,20 +43,21 @@ struct WriteNoMore {
   }
 };
 
-/// Calls the services of one stage. Each call goes to one of `replicas`, which must outlive the
-/// client; it has a deadline, and its cancellation reaches the algorithm at the other end. Errors:
-/// the stage's own; Unavailable, DeadlineExceeded, Cancelled; Internal for an answer that does not
-/// fit the call. Thread-safe.
+/// Calls the services of one stage. Each call runs on one of `replicas`, which must outlive the
+/// client. A call has a deadline, and its cancellation reaches the algorithm on the server. Errors:
+/// errors of the stage; Unavailable, DeadlineExceeded, Cancelled; Internal for an answer that does
+/// not fit the call. Thread-safe.
 class StageClient {
  public:
-  /// `stage`: its name, for messages and spans.
+  /// Creates a client. `stage`: name of the stage in messages and spans.
   StageClient(std::string_view stage, ReplicaSource& replicas, const RemoteOptions& options)
       : stage_(stage), replicas_(replicas), options_(options), sends_(options.deadline) {}
 
+  /// Returns the time limits of the calls.
   const RemoteOptions& options() const { return options_; }
 
-  /// Calls a method with streams both ways: `write(stream)` sends the request, and
-  /// `take(response, result)` takes an answer into the result, which is made anew for each try.
+  /// Calls a method with streams in both directions. `write(stream)` sends the request.
+  /// `take(response, result)` adds an answer to the result. Each try begins with an empty result.
   template <typename Result, typename Stub, typename Request, typename Response, typename Write,
             typename Take = TakeModel>
   absl::StatusOr<Result> Ask(const StageCall& call, std::chrono::milliseconds deadline,
@@ -65,8 +66,8 @@ class StageClient {
     return AskOver<Result>(replicas_, call, deadline, prepare, write, take);
   }
 
-  /// Calls a method that begins with `start`, whose digest is that of `job`: each server is sent
-  /// the job once. `write(stream)` sends what follows the start.
+  /// Calls a method that begins with `start` and refers to `job` by its digest. Each server gets
+  /// the job only once. `write(stream)` sends the messages after the start.
   template <typename Result, typename Job, typename Start, typename Stub, typename Request,
             typename Response, typename Write = WriteNoMore, typename Take = TakeModel>
   absl::StatusOr<Result> AskAbout(const Shared<Job>& job, Start start,
@@ -84,7 +85,7 @@ class StageClient {
     return AskOver<Result>(replicas, start.call, deadline, prepare, write_all, take);
   }
 
-  /// Calls a method with one request and one response, which is converted to a Model.
+  /// Calls a method with one request and one response, and converts the response to a Model.
   template <typename Model, typename Stub, typename Request, typename Response>
   absl::StatusOr<Model> AskOnce(const StageCall& call, const Request& request,
                                 std::unique_ptr<grpc::ClientAsyncResponseReader<Response>> (
@@ -104,7 +105,7 @@ class StageClient {
     return model;
   }
 
-  /// The result if `check` finds that it fits the call.
+  /// Returns the result if `check` accepts it.
   template <typename Result, typename Check>
   absl::StatusOr<Result> Fitting(absl::StatusOr<Result> result, const Check& check) const {
     if (!result.ok()) return result;
@@ -112,14 +113,14 @@ class StageClient {
     return result;
   }
 
-  /// Results that must be one for each layer of the range.
+  /// Returns the results if there is exactly one for each layer of the range.
   template <typename Layers>
   absl::StatusOr<Layers> ForRange(LayerRange range, absl::StatusOr<Layers> layers) const {
     return Fitting(std::move(layers),
                    [range](const Layers& found) { return CheckLayersOfRange(found, range); });
   }
 
-  /// The one answer of a call.
+  /// Returns the only answer of a call.
   template <typename Model>
   absl::StatusOr<Model> OnlyOne(absl::StatusOr<std::optional<Model>> model) const {
     if (!model.ok()) return model.status();
@@ -154,7 +155,7 @@ class StageClient {
   const std::string_view stage_;
   ReplicaSource& replicas_;
   const RemoteOptions options_;
-  mutable SharedSends sends_;  // what is under way
+  mutable SharedSends sends_;  // values that are being sent
 };
 
 }  // namespace slicefarm::coordinator

@@ -16,8 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How soon a waiting call sees that a replica has become reachable, or that it is not wanted any
-/// more.
+/// Interval at which a waiting call checks for a reachable replica and for its own cancellation.
 constexpr std::chrono::milliseconds kPoll{20};
 constexpr std::chrono::milliseconds kGreetingPatience{1'000};
 
@@ -34,13 +33,13 @@ struct StagePool::Replica {
 
   const std::string address;
   const std::shared_ptr<grpc::Channel> channel;  // gRPC's own handle
-  // Under the pool's mutex:
+  // The pool's mutex protects the following members:
   int in_flight = 0;
   int64_t last_turn = 0;
   Clock::time_point rests_until;
 };
 
-/// A call in flight on a replica.
+/// Call in flight on a replica. Counts the call for the lifetime of this object.
 class StagePool::Use {
  public:
   Use(StagePool& pool, Replica& replica) : pool_(pool), replica_(replica) {
@@ -124,8 +123,9 @@ void StagePool::Failed(Replica& replica, const absl::Status& status) {
   watch_.Refresh();
 }
 
-/// Of the reachable ones: rather one that was not tried, does not rest, has least to do, was idle
-/// longest.
+/// Returns the best reachable replica; null if there is none. Prefers a replica that was not tried,
+/// then one that does not rest. After that, prefers the fewest calls in flight, then the longest
+/// idle time.
 std::shared_ptr<StagePool::Replica> StagePool::Pick(const std::set<std::string>& tried) {
   const auto now = Clock::now();
   const auto worth = [&](const std::shared_ptr<Replica>& replica) {
@@ -153,7 +153,7 @@ absl::StatusOr<std::shared_ptr<StagePool::Replica>> StagePool::AwaitPick(
   }
 }
 
-/// Until there is a replica and the first channel changes its state, or for kPoll.
+/// Waits until there is a replica and its channel changes its state, or for kPoll.
 void StagePool::AwaitChange() const {
   std::shared_ptr<grpc::Channel> channel;
   {

@@ -16,39 +16,43 @@
 
 namespace slicefarm::coordinator {
 
+/// Options of a StagePool.
 struct StagePoolOptions {
-  int tries = 3;  ///< of one call, on different replicas as far as there are
-  /// Of these, on replicas that began with it and were not heard of any more: they may have died of
-  /// it.
+  int tries = 3;  ///< tries of one call, on different replicas if there are several
+  /// Tries of one call that may be lost with their replica. Such replicas may have died of the
+  /// call.
   int lost_tries = 2;
-  /// How long a replica that failed is passed over while another one is there.
+  /// Time for which a failed replica is avoided while another replica is reachable.
   std::chrono::milliseconds rest{1'000};
-  /// How long a call waits for any replica to be reachable: longer than one takes to start again.
+  /// Longest wait of a call for a reachable replica. It is longer than the restart of a replica.
   std::chrono::milliseconds connect_patience{15'000};
   AddressWatchOptions watch = {};
   std::shared_ptr<grpc::ChannelCredentials> credentials = nullptr;  ///< null: no TLS
 };
 
-/// The replicas of one stage: one channel to each address behind the names, which may change at any
-/// time. A call goes to the reachable replica with the fewest calls in flight. Thread-safe.
+/// Pool of the replicas of one stage. It has one channel to each address of the names; the
+/// addresses may change at any time. A call goes to the reachable replica with the fewest calls in
+/// flight. Thread-safe.
 class StagePool : public ReplicaSource {
  public:
-  /// `stage`: what messages call it. `names`: host:port, each with any number of addresses.
+  /// Creates a pool. `stage`: name of the stage in messages. `names`: host:port; each name may have
+  /// any number of addresses.
   StagePool(std::string stage, std::vector<std::string> names, rpc::JsonLog log,
             const StagePoolOptions& options = {});
   ~StagePool() override;
 
-  /// Errors, besides the attempt's: Unavailable if no replica could be reached in time.
+  /// Makes a call on a replica. Errors: errors of the attempt; Unavailable if no replica was
+  /// reachable in time.
   absl::Status Call(const CancelToken& cancel, const Attempt& attempt) override;
 
-  /// Waits until a replica can be reached, at most for the given time; tells whether one can.
+  /// Waits until a replica is reachable, for at most the given time. Returns true if one is.
   bool AwaitReady(std::chrono::milliseconds patience);
 
-  /// Asks the replicas that can be reached who they are. False: those that answer are all of
-  /// another build, or about to stop. Takes a second if one does not answer.
+  /// Requests the build of each reachable replica. Returns false if all replicas that answer are of
+  /// another build or about to stop. Takes one second if a replica does not answer.
   bool OfThisBuild();
 
-  /// The addresses at the moment, reachable or not.
+  /// Returns the current addresses, reachable or not.
   std::vector<std::string> Addresses() const;
 
  private:
@@ -69,10 +73,10 @@ class StagePool : public ReplicaSource {
   const rpc::JsonLog log_;
   const StagePoolOptions options_;
   mutable std::mutex mutex_;
-  mutable std::condition_variable updated_;  ///< there are other replicas
+  mutable std::condition_variable updated_;  ///< notified when the replicas change
   Members replicas_;
   int64_t turn_ = 0;
-  AddressWatch watch_;  ///< the last member: its thread uses the others
+  AddressWatch watch_;  ///< last member, because its thread uses the other members
 };
 
 }  // namespace slicefarm::coordinator

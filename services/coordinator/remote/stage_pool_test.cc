@@ -27,7 +27,7 @@ rpc::JsonLog NoLog() {
                                   "test", std::make_shared<spdlog::sinks::null_sink_mt>()));
 }
 
-/// One try: asks a replica for its info, without the retries of the channel.
+/// Makes one try: requests a replica's info without the channel's own retries.
 absl::Status Ask(const std::shared_ptr<grpc::Channel>& channel) {
   const auto stub = v1::Worker::NewStub(channel);
   v1::WorkerInfo info;
@@ -58,7 +58,7 @@ class StagePoolTest : public testing::Test {
 TEST_F(StagePoolTest, UsesAllReplicasInTurn) {
   FakeReplica a, b, c;
   Pool({a.address(), b.address(), c.address()});
-  // Which are reachable at once depends on the connections' making; every one is in the end.
+  // The connections become ready at different times. In the end every replica gets a call.
   while (a.calls() == 0 || b.calls() == 0 || c.calls() == 0) ASSERT_TRUE(Call().ok());
   const int before = a.calls();
   for (int i = 0; i < 9; ++i) ASSERT_TRUE(Call().ok());
@@ -69,7 +69,7 @@ TEST_F(StagePoolTest, PrefersTheReplicaWithLeastToDo) {
   FakeReplica a, b;
   StagePool& pool = Pool({a.address(), b.address()});
   while (a.calls() == 0 || b.calls() == 0) ASSERT_TRUE(Call().ok());
-  // A call stays on one replica; the others all go to the other one meanwhile.
+  // One call occupies one replica. All further calls go to the other replica meanwhile.
   const int a_before = a.calls();
   const int b_before = b.calls();
   bool a_is_busy = false;
@@ -99,7 +99,7 @@ TEST_F(StagePoolTest, GoesOnWithAnotherReplicaWhenOneFails) {
                   .ok());
   ASSERT_EQ(tried.size(), 2);
   EXPECT_NE(tried[0], tried[1]);
-  // The one that failed rests.
+  // The replica that failed gets no calls for a while.
   for (int i = 0; i < 4; ++i) {
     EXPECT_TRUE(pool.Call({},
                           [&](const auto& channel) {
@@ -122,7 +122,7 @@ TEST_F(StagePoolTest, GivesUpAfterThreeTries) {
   EXPECT_EQ(tries, 3);
 }
 
-// It may be what they die of.
+// The replicas may have died of the call.
 TEST_F(StagePoolTest, ACallThatIsLostTwiceIsNotMadeAgain) {
   FakeReplica a, b;
   StagePool& pool = Pool({a.address(), b.address()});
@@ -237,7 +237,7 @@ TEST_F(StagePoolTest, ReplicasJoinAndLeave) {
   EXPECT_EQ(a.calls(), before);
 }
 
-// Calls from many threads while replicas die, come back, join and leave: each ends well.
+// Many threads make calls while replicas die, restart, join and leave. Each call must succeed.
 TEST_F(StagePoolTest, CarriesCallsThroughUnrest) {
   FakeReplica a, b, c;
   StagePoolOptions options;

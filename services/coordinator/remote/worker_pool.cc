@@ -22,7 +22,7 @@ using std::chrono::system_clock;
 
 constexpr milliseconds kRetryDelay{100};
 
-/// Those that this build knows.
+/// Returns the processes of the worker that this build supports.
 ProcessSet ProcessesOf(const v1::WorkerInfo& info) {
   ProcessSet processes;
   for (const int process : info.processes())
@@ -46,11 +46,11 @@ absl::Status CheckInfo(const v1::WorkerInfo& info) {
 
 }  // namespace
 
-/// Asking a worker who it is, after a while. Nothing owns it but itself: gRPC calls back with the
-/// bare pointer.
+/// Delayed request for a worker's info. It owns itself, because gRPC calls back with the bare
+/// pointer.
 struct WorkerPool::Greeting {
   MemberPtr member;
-  std::shared_ptr<Greeting> self;  ///< until it ends
+  std::shared_ptr<Greeting> self;  ///< owns this object until the greeting ends
   grpc::Alarm delay;
   grpc::ClientContext context;
   v1::GetWorkerInfoRequest request;
@@ -66,19 +66,19 @@ struct WorkerPool::Member {
   const std::string address;
   SingleReplica replica;
   const RemoteWorker worker;
-  std::mutex pool_mutex;       ///< held while the pool is used by a call in flight
-  WorkerPool* pool = nullptr;  ///< null: it may be gone
-  // Under the pool's mutex:
+  std::mutex pool_mutex;       ///< held while a call in flight uses the pool
+  WorkerPool* pool = nullptr;  ///< null if the pool may have been destroyed
+  // The pool's mutex protects the following members:
   std::weak_ptr<Greeting> greeting;
-  int greetings = 0;    ///< that have not ended
+  int greetings = 0;    ///< number of greetings that have not ended
   RunnerId runner = 0;  ///< 0: has not joined
-  int slots = 0;        ///< of that runner
+  int slots = 0;        ///< slots of that runner
   ProcessSet processes;
   bool dismissed = false;
 };
 
-/// The tasks of a worker for as long as it is the one that was greeted: when it turns out to be of
-/// another build, it leaves, once.
+/// Task runner of a worker that has joined. If the worker turns out to be of another build, the
+/// worker leaves, once.
 class WorkerPool::Tasks : public TaskRunner {
  public:
   Tasks(MemberPtr member, ProcessSet processes, rpc::JsonLog log)
@@ -144,9 +144,9 @@ void WorkerPool::Update(const std::vector<std::string>& addresses) {
   for (const MemberPtr& member : joining) Greet(member, milliseconds(0));
 }
 
-/// Ends the membership and waits for the end of the greetings: of a gRPC 1.51 channel that was
-/// called with callbacks, the last reference must not be dropped in one of them (the thread of the
-/// callbacks, which the last such channel ends, would have to join itself).
+/// Ends the membership and waits for the end of its greetings. In gRPC 1.51, a callback must not
+/// drop the last reference to a channel that makes callback calls. The last such channel ends the
+/// callback thread, and the thread would then have to join itself.
 void WorkerPool::Dismiss(const MemberPtr& member) {
   {
     const std::lock_guard lock(member->pool_mutex);
@@ -202,7 +202,8 @@ void WorkerPool::Hear(const MemberPtr& member, const absl::Status& status,
   Greet(member, absent ? kRetryDelay : options_.greet_every);
 }
 
-/// Has the member among the runners with so many slots; 0: not at all.
+/// Makes the member a runner with so many slots. If its slots or processes changed, it leaves and
+/// joins again; with 0 slots it only leaves.
 void WorkerPool::Seat(const MemberPtr& member, int slots, ProcessSet processes) {
   {
     const std::lock_guard lock(mutex_);
@@ -225,7 +226,7 @@ void WorkerPool::Seat(const MemberPtr& member, int slots, ProcessSet processes) 
   log_.Info("worker joined", {{"address", member->address}, {"slots", int64_t{slots}}});
 }
 
-/// If it has joined.
+/// Removes the member from the runners, if it has joined.
 void WorkerPool::Leave(const MemberPtr& member, std::string_view why) {
   RunnerId runner = 0;
   {
@@ -238,7 +239,7 @@ void WorkerPool::Leave(const MemberPtr& member, std::string_view why) {
 }
 
 void WorkerPool::End(Greeting& greeting) {
-  Member& member = *greeting.member;  // Dismiss holds it until the greeting is counted out
+  Member& member = *greeting.member;  // Dismiss keeps the member until all its greetings have ended
   std::exchange(greeting.self, nullptr).reset();
   const std::lock_guard lock(mutex_);
   --member.greetings;

@@ -19,31 +19,35 @@
 
 namespace slicefarm::coordinator {
 
+/// Options of a WorkerPool.
 struct WorkerPoolOptions {
   RemoteOptions remote = {};
   AddressWatchOptions watch = {};
   std::chrono::milliseconds greet_every{5'000};
-  /// How long one that does not answer is waited for.
+  /// Longest wait for the answer to a greeting.
   std::chrono::milliseconds greeting_patience{10'000};
   std::shared_ptr<grpc::ChannelCredentials> credentials = nullptr;  ///< null: no TLS
 };
 
-/// The workers behind some names. Each joins the runners once it has told its build and its slots,
-/// and leaves them when its address goes or nobody has answered there for a while; before that, it
-/// may be down for some seconds (Runner::await_ready). Workers of another build do not join. All
-/// are asked again and again who they are: one that was started anew may have other slots, or
-/// another build, of which a range that it refuses tells as well.
+/// Pool of the workers behind some names. A worker joins the runners when it has reported its build
+/// and its slots. It leaves when its address disappears or when it has not answered for a while. A
+/// shorter interruption of some seconds is allowed (Runner::await_ready). Workers of another build
+/// do not join.
+///
+/// The pool requests the info of all workers at regular intervals, because a restarted worker may
+/// have other slots or another build. A range that a worker refuses also reveals another build.
 class WorkerPool {
  public:
-  /// `runners` must outlive the pool. `names`: host:port, each with any number of addresses.
+  /// Adds the workers to `runners`, which must outlive the pool. `names`: host:port; each name may
+  /// have any number of addresses.
   WorkerPool(RunnerSet& runners, std::vector<std::string> names, rpc::JsonLog log,
              const WorkerPoolOptions& options = {});
-  /// The workers leave.
+  /// Removes all workers from the runners.
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
-  /// Addresses of the workers that have joined.
+  /// Returns the addresses of the workers that have joined.
   std::vector<std::string> Joined() const;
 
  private:
@@ -51,7 +55,7 @@ class WorkerPool {
   struct Member;
   class Tasks;
   using MemberPtr =
-      std::shared_ptr<Member>;  // shared with the calls in flight, which may outlive a membership
+      std::shared_ptr<Member>;  // shared with calls in flight, which may outlive a membership
 
   void Update(const std::vector<std::string>& addresses);
   void Greet(const MemberPtr& member, std::chrono::milliseconds delay);
@@ -68,7 +72,7 @@ class WorkerPool {
   mutable std::mutex mutex_;
   std::condition_variable greeted_;
   std::map<std::string, MemberPtr> members_;
-  std::unique_ptr<AddressWatch> watch_;  ///< the last member: its thread uses the others
+  std::unique_ptr<AddressWatch> watch_;  ///< last member, because its thread uses the other members
 };
 
 }  // namespace slicefarm::coordinator

@@ -27,7 +27,7 @@ rpc::JsonLog NoLog() {
                                   "test", std::make_shared<spdlog::sinks::null_sink_mt>()));
 }
 
-/// Notes who is there.
+/// Runner set that records its current members.
 class FakeRunnerSet : public RunnerSet {
  public:
   RunnerId Join(Runner runner) override {
@@ -131,7 +131,7 @@ TEST_F(WorkerPoolTest, AWorkerOfAnotherBuildDoesNotJoin) {
   Start({old.address(), fit.address()});
   runners_.Await(1);
   while (old.calls() == 0) std::this_thread::yield();
-  pool_.reset();  // all that was heard has been acted on
+  pool_.reset();  // the pool has processed all answers
   EXPECT_THAT(runners_.Current(), IsEmpty());
 }
 
@@ -151,7 +151,7 @@ TEST_F(WorkerPoolTest, AWorkerStartedAnewHasTheSlotsItTellsThen) {
   runners_.Await(0);
 }
 
-// Or nobody would hear that all workers are gone.
+// Otherwise the loss of all workers would stay unnoticed.
 TEST_F(WorkerPoolTest, AWorkerThatDoesNotAnswerLeavesUntilItDoes) {
   patience_ = milliseconds(50);
   FakeReplica a;
@@ -218,7 +218,7 @@ TEST_F(WorkerPoolTest, AWorkerIsARunnerOfTheProcessesThatItTells) {
   while (runners_.Await(1)[0].tasks->processes() != ProcessSet{Process::kLaser})
     std::this_thread::yield();
   a.Kill();
-  a.SetProcesses({});  // it is of no use
+  a.SetProcesses({});  // a worker without processes is of no use
   a.Restart();
   runners_.Await(0);
 }
