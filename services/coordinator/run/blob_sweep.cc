@@ -11,19 +11,21 @@ namespace {
 constexpr int32_t kJobsAtOnce = 100;
 constexpr size_t kBlobsAtOnce = 25'000;
 
-/// The first error is returned when all went that can go.
+/// Deletes jobs that ended before `ended_before_us`. Continues after the failure to delete one job,
+/// and returns the first error in the end.
 absl::Status SweepJobs(JobStore& jobs, int64_t ended_before_us, const CancelToken& cancel,
                        Swept& swept) {
   absl::Status first_error;
   for (bool more = true; more;) {
     const auto ended = jobs.EndedBefore(ended_before_us, kJobsAtOnce);
     if (!ended.ok()) return ended.status();
-    more = false;  // unless some go: those that cannot would come again and again
+    more = false;  // without a deletion, the same jobs would be listed again and again
     for (const std::string& id : *ended) {
       if (absl::Status go_on = cancel.Check(); !go_on.ok()) return go_on;
       const absl::Status deleted = jobs.Delete(id);
       if (absl::IsUnavailable(deleted)) return deleted;
-      const bool gone = deleted.ok() || absl::IsNotFound(deleted);  // by another coordinator
+      // deleted by another coordinator
+      const bool gone = deleted.ok() || absl::IsNotFound(deleted);
       if (!gone) first_error.Update(deleted);
       more = more || gone;
       swept.jobs += deleted.ok();
@@ -32,8 +34,8 @@ absl::Status SweepJobs(JobStore& jobs, int64_t ended_before_us, const CancelToke
   return first_error;
 }
 
-/// Those of `idle` that no job of the tenant refers to. What cannot be deleted stays, and keeps
-/// nothing of the others; the first error is returned in the end.
+/// Deletes the blobs of `idle` to which no job of the tenant refers. Continues after the failure to
+/// delete one blob, and returns the first error in the end.
 absl::Status SweepIdle(JobStore& jobs, const std::string& tenant, BlobStore& blobs,
                        const std::vector<BlobEntry>& idle, double idle_s, const CancelToken& cancel,
                        Swept& swept) {
@@ -73,7 +75,7 @@ absl::Status SweepTenant(JobStore& jobs, const std::string& tenant, BlobStore& b
   return status;
 }
 
-/// Longest break in the use of a store that counts as use.
+/// Longest interruption of a store's use that still counts as use.
 constexpr int64_t kMostGapUs = int64_t{24} * 3600 * 1'000'000;
 
 }  // namespace
@@ -87,7 +89,7 @@ absl::StatusOr<bool> IsSettled(JobStore& jobs, const SweepOptions& options, int6
 absl::StatusOr<Swept> Sweep(JobStore& jobs, BlobStores& blobs, const SweepOptions& options,
                             int64_t now_us, const CancelToken& cancel) {
   Swept swept;
-  absl::Status first_error;  // of a job or a tenant, which keeps nothing of the others
+  absl::Status first_error;  // error of one job or tenant; the sweep continues
   if (options.keep_jobs_s > 0) {
     const auto kept_us = static_cast<int64_t>(options.keep_jobs_s * 1e6);
     first_error.Update(SweepJobs(jobs, now_us - kept_us, cancel, swept));

@@ -27,7 +27,7 @@ class BlobSweepTest : public testing::Test {
     return id;
   }
 
-  /// Claims the next job and ends it.
+  /// Claims the next job and ends it as SUCCEEDED.
   void Succeed(const std::string& gcode, const std::string& report) {
     ++now_us_;
     const auto job = *jobs_->Claim("me", now_us_, now_us_ + 1000);
@@ -61,7 +61,8 @@ TEST_F(BlobSweepTest, AStoreSettlesInADayOfUseWithoutALongBreak) {
     int64_t hour;
     bool settled;
   };
-  // A restart within a day changes nothing; a break of two days may be an old backup.
+  // A restart within a day changes nothing. After a break of two days, the database may be an old
+  // backup.
   const Step steps[] = {{0, false}, {1, false},  {23, false},  {24, true},
                         {47, true}, {96, false}, {119, false}, {120, true}};
   for (const Step& step : steps) {
@@ -156,7 +157,7 @@ TEST_F(BlobSweepTest, DamagedBlobsStayForSomeTime) {
   EXPECT_EQ(Sweep({.keep_damaged_s = 0}).bytes, 0);
 }
 
-/// A store one of whose blobs cannot be deleted.
+/// Blob store with one blob that cannot be deleted.
 class StuckStore : public SweptBlobStore {
  public:
   StuckStore(std::shared_ptr<BlobStore> store, std::string stuck)

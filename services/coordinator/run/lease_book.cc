@@ -22,10 +22,11 @@ void LeaseBook::Renewed(const std::vector<Lease>& asked, const std::vector<HeldJ
   for (const HeldJob& job : held) by_lease[job.lease] = &job;
   for (const Lease& lease : asked) {
     const auto found = held_.find(lease);
-    if (found == held_.end()) continue;  // has ended meanwhile
+    if (found == held_.end()) continue;  // the run has ended meanwhile
     const auto still = by_lease.find(lease);
     if (still == by_lease.end()) {
-      // Claimed by another; or written to its end, and then this changes nothing.
+      // The job was claimed by another coordinator. If instead the run has written its end, the
+      // loss has no effect.
       found->second.wishes->Lose();
       continue;
     }

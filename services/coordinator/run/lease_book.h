@@ -11,45 +11,48 @@
 
 namespace slicefarm::coordinator {
 
-/// The claims that one coordinator works on, and what becomes of them when the store answers or
-/// does not: a pure state machine, whose outputs are the wishes of the runs. Times are microseconds
-/// on the coordinator's clock. Not thread-safe.
+/// Leases that one coordinator holds. Decides the effect of the store's answers, or of missing
+/// answers, on the runs. A pure state machine; its outputs are the RunWishes of the runs. Times are
+/// microseconds on the coordinator's clock. Not thread-safe.
 class LeaseBook {
  public:
   explicit LeaseBook(int64_t lease_us) : lease_us_(lease_us) {}
 
-  /// Until when a claim lasts that is made or renewed now.
+  /// Returns the end of a lease that is claimed or renewed now.
   int64_t UntilUs(int64_t now_us) const { return now_us + lease_us_; }
 
-  /// A run begins, under a claim that was made when the clock said `claimed_us`.
+  /// Adds a run with its lease. `claimed_us`: the time before the claim was sent.
   void Add(const Lease& lease, int64_t claimed_us, std::shared_ptr<RunWishes> wishes);
 
-  /// The run has ended.
+  /// Removes the lease of a run that has ended.
   void Remove(const Lease& lease) { held_.erase(lease); }
 
-  /// The leases of the runs that go on. One that was given up writes nothing any more, so its job
-  /// has to run out, to be claimed again.
+  /// Returns the leases of all runs that have not lost their job. A lost run writes nothing more.
+  /// Its lease must expire, so that the job can be claimed again.
   std::vector<Lease> ToRenew() const;
 
-  /// The store's answer to the renewal of `asked` until `until_us`. A run whose lease is not `held`
-  /// any more is lost; one whose end was requested is cancelled.
+  /// Applies the store's answer to the renewal of `asked` until `until_us`. A run loses its job if
+  /// its lease is not in `held`. A run is cancelled if its job's end was requested.
   void Renewed(const std::vector<Lease>& asked, const std::vector<HeldJob>& held, int64_t until_us);
 
-  /// Runs with less than a fifth of their lease left are lost: the store has not answered for long.
-  /// Rather stop too early than work beside another coordinator.
+  /// Ends all runs with less than a fifth of their lease left, because the store has not answered
+  /// for long. Two coordinators must not work on the same job, so the runs stop early.
   void GiveUpLate(int64_t now_us);
 
+  /// Cancels the run of the job, if there is one.
   void Cancel(const std::string& job_id);
+  /// Returns the jobs of all runs to the queue, because the coordinator stops.
   void HandBackAll();
 
  private:
   struct Held {
     std::shared_ptr<RunWishes> wishes;  // shared with the run
-    int64_t until_us = 0;               ///< as the store has it
+    int64_t until_us = 0;               ///< end of the lease in the store
   };
 
   int64_t lease_us_;
-  std::map<Lease, Held> held_;  ///< a job that was given up may be claimed again while it ends
+  /// Leases are the keys, because a job that was given up may be claimed again while its run ends
+  std::map<Lease, Held> held_;
 };
 
 }  // namespace slicefarm::coordinator

@@ -12,8 +12,10 @@ namespace {
 
 constexpr int64_t kFirstCalmUs = 4'000'000;
 
-/// How calm a coordinator has to be before the n-th time, from 0. Jobs that were lost beside each
-/// other begin at different times, so that the one that others die of is alone some day.
+/// Returns the time without losses that a coordinator needs before the job's next run. `n`: number
+/// of such waits before, from 0. `number` varies the time between jobs. Jobs that were lost
+/// together thus begin at different times, and the job that kills coordinators is alone at some
+/// time.
 int64_t CalmUs(int n, int64_t number) {
   const int64_t eighths = n % 2 == 0 ? number / 8 % 8 : number % 8;
   return (kFirstCalmUs << n) * (8 + eighths) / 8;
@@ -23,7 +25,7 @@ int64_t CalmAfterLostRunsUs(int32_t runs, int64_t number) {
   return runs < kSuspectRuns ? 0 : CalmUs(std::min(runs, kMaxLostRuns) - kSuspectRuns, number);
 }
 
-/// A deadly run has cost two or three lives already: 8 s, 64 s.
+/// A deadly run has already killed two or three services, so the waits are 8 s and 64 s.
 int64_t CalmAfterDeadlyRunsUs(int32_t runs, int64_t number) {
   return runs == 0 ? 0 : CalmUs(3 * std::min(runs, kMaxDeadlyRuns) - 2, number);
 }
@@ -34,7 +36,7 @@ LostRuns::LostRuns(const JobRecord& job, int64_t calm_us)
     : count_(job.lost_runs), deadly_(job.deadly_runs), number_(job.number) {
   const int64_t wanted_us =
       std::max(CalmAfterLostRunsUs(count_, number_), CalmAfterDeadlyRunsUs(deadly_, number_));
-  // Else it would take one calm coordinator after the other.
+  // Otherwise the job would kill one calm coordinator after another.
   const bool was_lost = job.state == JobState::kRunning;
   const int64_t before_us = was_lost ? 0 : std::max<int64_t>(0, calm_us);
   rest_us_ = std::max<int64_t>(0, wanted_us - before_us);

@@ -8,45 +8,52 @@
 
 namespace slicefarm::coordinator {
 
-/// A job that lost so many runs may be what its coordinators die of: it is a suspect.
+/// Number of lost runs after which a job is a suspect: its coordinators may die of it.
 inline constexpr int32_t kSuspectRuns = 3;
 
-/// A job that lost so many runs has killed its coordinators, as far as can be told.
+/// Number of lost runs after which a job is considered to kill its coordinators.
 inline constexpr int32_t kMaxLostRuns = 10;
 
-/// A job with so many deadly runs has killed its workers or stages, as far as can be told.
+/// Number of deadly runs after which a job is considered to kill its workers or stages.
 inline constexpr int32_t kMaxDeadlyRuns = 3;
 
-/// What the lost runs of a job, which began and came to no end, and its deadly ones, which ended
-/// because services died in the middle of them, mean for its next one. Pure.
+/// Decides when a job with failed runs may begin its next run. A lost run began but did not end. A
+/// deadly run ended because services died during the run. Pure.
 ///
-/// Runs are lost by what the job does to its coordinators, and by what else happens to those. The
-/// second happens whatever they run, so it is told by their calm: how long one has lived and lost
-/// no claim. A suspect begins on calm coordinators alone, after each loss on those that were calm
-/// twice as long. Where coordinators are killed all the time, none is, and suspects wait for better
-/// days, which costs them time and no run. Where coordinators live until the job runs, each of its
-/// runs counts, and the last one is soon reached.
-/// Services die of the same things, so the same holds after a deadly run: coordinators that are
-/// calm tell of a farm that is.
+/// Runs are lost because the job kills its coordinators, or because something else kills them. The
+/// second cause does not depend on the job. It shows in the coordinators' calm time: the time that
+/// a coordinator has lived without losing a lease. A suspect runs only on coordinators that have
+/// been calm for long enough. Each loss doubles the required time.
+///
+/// - If coordinators are killed all the time, none is calm. The suspects wait, which costs time but
+///   no run.
+/// - If coordinators live until the job runs, each of its runs counts. The last run is soon
+///   reached.
+///
+/// Services die of the same causes, so the same rule applies after a deadly run: a calm coordinator
+/// indicates a calm farm.
 class LostRuns {
  public:
   LostRuns() = default;
 
-  /// Of a job as it was claimed by a coordinator that has been calm for `calm_us`.
+  /// Creates the state of a claimed job. `calm_us`: time that its coordinator has been calm.
   LostRuns(const JobRecord& job, int64_t calm_us);
 
-  /// Whether a run may begin. Errors: JOB_POISONED.
+  /// Returns OK if a run may begin. Errors: JOB_POISONED.
   absl::Status MayBegin() const;
 
-  /// True: coordinators die of the job. False: it is to run again, after `rest_us`.
+  /// Returns true if the job is considered to kill coordinators. If false, the job may run again
+  /// after `rest_us`.
   bool condemned() const { return count_ >= kMaxLostRuns; }
+  /// Returns the time that the job must wait before its next run.
   int64_t rest_us() const { return rest_us_; }
 
-  /// What becomes of the job after one more run, which was deadly: how long it rests, or nullopt:
-  /// services die of it.
+  /// Returns the time that the job must wait after one more deadly run. Returns nullopt if the job
+  /// is then considered to kill services.
   std::optional<int64_t> RestAfterDeadlyRunUs() const;
 
-  /// What a run is to write with `state`: RUNNING may be the last that is heard of it.
+  /// Returns the number of lost runs that a run writes together with `state`. RUNNING counts as one
+  /// more, because the run may never write again.
   int32_t After(JobState state) const;
 
  private:

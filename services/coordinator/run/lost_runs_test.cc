@@ -94,8 +94,8 @@ TEST(LostRuns, ARunThatBeginsMayBeLost) {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// A coordinator that is killed from outside now and then, until the storm is over, and is there
-/// again at once.
+/// Simulated coordinator that is killed from outside now and then, until the kills stop. It
+/// restarts at once.
 class Coordinator {
  public:
   Coordinator(uint64_t seed, double mean_life_s, double storm_s)
@@ -111,7 +111,7 @@ class Coordinator {
     end_s_ = now_s_ - mean_life_s_ * std::log(part);
     if (end_s_ > storm_s_) end_s_ = kNever;
   }
-  /// True: it lived as long.
+  /// Returns true if the coordinator lived for `time_s`.
   bool Live(double time_s) {
     const bool lives = now_s_ + time_s < end_s_;
     now_s_ = lives ? now_s_ + time_s : end_s_;
@@ -131,8 +131,8 @@ struct Fate {
   double end_s = 0;
 };
 
-/// What becomes of a job of this number. `kills`: the coordinator, each time; else its run takes
-/// `run_s`.
+/// Returns the fate of a job with this number. `kills`: each run kills its coordinator. Otherwise a
+/// run takes `run_s`.
 Fate FateOf(int64_t number, Coordinator coordinator, bool kills, double run_s) {
   JobRecord job = JobOf(kQueued, 0, number);
   for (Fate fate;; fate.end_s = coordinator.now_s()) {

@@ -4,14 +4,14 @@
 
 namespace slicefarm::coordinator {
 
-/// Which progress of a run is worth telling: five times a second and a hundred times a job, at
-/// most.
+/// Limits the progress reports of a run to five per second and a hundred per job.
 class ProgressGate {
  public:
-  /// False: not now. `now_s` on any clock that does not run backwards.
+  /// Returns true if this progress is to be reported now. `now_s` may come from any clock that does
+  /// not run backwards.
   bool Passes(const PipelineProgress& progress, double now_s);
 
-  /// What passed last.
+  /// Returns the last progress that passed.
   const PipelineProgress& told() const { return told_; }
 
  private:

@@ -14,8 +14,8 @@ constexpr int64_t kUpgradePauseUs = 5'000'000;
 constexpr int64_t kDiskFullRetryUs = 10'000'000;
 constexpr int64_t kMaxRetryUs = 60'000'000;
 
-/// True if the services that are needed are not there; for some time there may be others in their
-/// places that do not know this coordinator.
+/// Returns true if the required services are away. For some time, other services may run at their
+/// addresses and refuse this coordinator.
 bool IsAway(const absl::Status& status) {
   return absl::IsUnavailable(status) || absl::IsPermissionDenied(status) ||
          absl::IsUnauthenticated(status);
@@ -25,7 +25,7 @@ int64_t PauseUs(int32_t times) {
   return std::min(kMaxRetryUs, kFirstRetryUs << std::min(times, 10));
 }
 
-/// True if no worker lived to tell what is wrong with a range.
+/// Returns true if every worker that ran the range died before it could report an error.
 bool WorkersDied(const absl::Status& status) {
   const ErrorDetail detail = DetailOf(status);
   if (detail.reason != Reason::kRangePoisoned) return false;
@@ -33,7 +33,7 @@ bool WorkersDied(const absl::Status& status) {
   return cause != detail.metadata.end() && cause->second == ReasonName(Reason::kUnavailable);
 }
 
-/// True if the stage that saw the whole job was not heard of any more: twice in this run already.
+/// Returns true if a stage that needs the whole job was lost. This has happened twice in this run.
 bool CallWasLost(const absl::Status& status) {
   return absl::IsUnavailable(status) && DetailOf(status).metadata.contains("lost");
 }
@@ -63,13 +63,15 @@ JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunW
   } else if (DetailOf(error).reason == Reason::kDiskFull) {
     update.claimable_from_us = now_us + kDiskFullRetryUs;
   } else if (DetailOf(error).reason == Reason::kStoreFailed) {
-    // Says nothing of the job, so however often it happens, it does not end it.
+    // The error does not concern the job, so no number of such errors ends the job.
     update.claimable_from_us = now_us + PauseUs(job.store_failures);
     update.store_failed = true;
   } else if (DetailOf(error).reason == Reason::kOverloaded) {
-    update.claimable_from_us = now_us + kNoRoomPauseUs;  // it waits again when it is claimed
+    // at its next claim, the job waits for memory again
+    update.claimable_from_us = now_us + kNoRoomPauseUs;
   } else if (DetailOf(error).reason == Reason::kBuildMismatch) {
-    update.claimable_from_us = now_us + kUpgradePauseUs;  // which takes its time, and ends
+    // an upgrade takes some time and then ends
+    update.claimable_from_us = now_us + kUpgradePauseUs;
   } else if (DetailOf(error).reason == Reason::kJobPoisoned && !lost_runs.condemned()) {
     update.claimable_from_us = now_us + lost_runs.rest_us();
   } else if (WorkersDied(error) || CallWasLost(error)) {

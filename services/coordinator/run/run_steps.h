@@ -8,37 +8,39 @@
 
 namespace slicefarm::coordinator {
 
-/// The way of one claimed job, as a pure state machine: it says what is to be done next, and is
-/// told what came of it.
+/// Sequence of the steps of one claimed job. A pure state machine: returns the next step and
+/// receives the outcome of each step.
 ///
-///   kFindCached -> kBegin -> kCompute -> kKeep -> kOver
-///        each of them, when it fails -> kConclude -> kOver
+///   kFindCached -> kBegin -> kCompute -> kKeep -> kOver;
+///        each of them, when it fails -> kConclude -> kOver.
 ///
-/// Whoever lost the job takes no further step: all but kCompute write. Who is to give it up does
-/// not begin with it: a job whose end was requested does not end with an earlier result. What
-/// LostRuns lets not begin does not either: it is for Conclusion to say when it runs again, if it
-/// does.
+/// A run that has lost its job takes no further step, because all steps except kCompute write to
+/// the store. A run with a requested end does not begin its job. So a cancelled job does not end
+/// with a cached result. A job that LostRuns does not allow does not begin either. In both cases
+/// Conclusion decides the job's next state.
 class RunSteps {
  public:
+  /// Steps of a run.
   enum class Step {
-    kFindCached,  ///< end it with the result that the same work came to before
+    kFindCached,  ///< end the job with the cached result of the same work, if there is one
     kBegin,       ///< write RUNNING
-    kCompute,     ///< meshes to G-code
-    kKeep,        ///< write artifacts, and SUCCEEDED
-    kConclude,    ///< write what the failure makes of it: run_conclusion.h
+    kCompute,     ///< make the program from the meshes
+    kKeep,        ///< write the artifacts, and SUCCEEDED
+    kConclude,    ///< write the effect of the failure (run_conclusion.h)
     kOver,
   };
 
   RunSteps() = default;
   explicit RunSteps(const LostRuns& lost_runs) : lost_runs_(lost_runs) {}
 
-  /// The step to take now.
+  /// Returns the next step.
   Step Next(const RunWishes& wishes, int64_t now_us);
 
-  /// The step was taken: the job has ended by it as SUCCEEDED, or goes on; or why it failed.
+  /// Records the outcome of a step: true if the job has ended as SUCCEEDED, false if the next step
+  /// follows, or an error.
   void Took(const absl::StatusOr<bool>& succeeded);
 
-  /// Why the job did not succeed; OK as long as nothing failed.
+  /// Returns the reason that the job did not succeed; OK as long as nothing has failed.
   const absl::Status& status() const { return status_; }
 
  private:

@@ -8,26 +8,32 @@
 
 namespace slicefarm::coordinator {
 
-/// What others want of a run. Set from any thread; but for the deadline, never taken back. Times
-/// are microseconds on the coordinator's clock.
+/// Requests to end a run, set from any thread. A request except the deadline is never withdrawn.
+/// Times are microseconds on the coordinator's clock.
 class RunWishes {
  public:
   explicit RunWishes(int64_t deadline_us = kNoDeadlineUs) : deadline_us_(deadline_us) {}
 
-  void Cancel() { cancelled_ = true; }      ///< its client wants it to end
+  void Cancel() { cancelled_ = true; }      ///< the client requested the end of the job
   void HandBack() { handed_back_ = true; }  ///< the coordinator stops
   void Lose() { lost_ = true; }             ///< the job may have been claimed again
+  /// Sets the deadline of the job.
   void EndBy(int64_t deadline_us) { deadline_us_ = deadline_us; }
 
-  /// The store's answer to a write of the run: Aborted says that the job was claimed again.
+  /// Takes the store's answer to a write of the run. Aborted means that the job was claimed again.
   void Heard(const absl::Status& written) {
     if (absl::IsAborted(written)) Lose();
   }
 
+  /// Returns true if the client requested the end of the job.
   bool cancelled() const { return cancelled_; }
+  /// Returns true if the coordinator stops.
   bool handed_back() const { return handed_back_; }
+  /// Returns true if the job may have been claimed again.
   bool lost() const { return lost_; }
+  /// Returns true if the deadline has passed.
   bool Overdue(int64_t now_us) const { return now_us >= deadline_us_; }
+  /// Returns true if the run must end for any of these reasons.
   bool GivenUp(int64_t now_us) const {
     return cancelled_ || handed_back_ || lost_ || Overdue(now_us);
   }
