@@ -16,7 +16,7 @@ inline constexpr size_t kMaxJobSpans = 4096;
 /// Spans of all finished runs of a job: each has a name, a begin and an end.
 struct JobTrace {
   std::vector<Span> spans;
-  /// Number of spans that were dropped, because a job may have at most kMaxJobSpans
+  /// Number of spans that were dropped, because a job may have at most kMaxJobSpans.
   int64_t dropped = 0;
 
   friend bool operator==(const JobTrace&, const JobTrace&) = default;

@@ -13,7 +13,7 @@ namespace slicefarm::coordinator {
 
 /// Position and size of a layer in a program.
 struct LayerPlace {
-  /// Byte offset of the layer's first byte; in binary G-code, of the block with that byte
+  /// Byte offset of the layer's first byte; in binary G-code, of the block with that byte.
   int64_t offset = 0;
   double z_mm = 0;
   double height_mm = 0;
@@ -40,7 +40,7 @@ class LayerScan {
   bool begun_ = false;
   std::optional<gcode::BinaryGcodeReader> binary_;
   absl::Status read_;  ///< first error of reading binary G-code
-  /// Offset of the binary block that is being read; -1 if the program is text
+  /// Offset of the binary block that is being read; -1 if the program is text.
   int64_t block_at_ = -1;
   int64_t offset_ = 0;  ///< offset of the next byte
   int64_t line_at_ = 0;

@@ -38,15 +38,15 @@ struct Token {
 struct Tenant {
   std::vector<Token>
       tokens;  ///< two at most, so that a new token can be distributed before the old one expires
-  /// Scopes of a client with a certificate and no token
+  /// Scopes of a client with a certificate and no token.
   Scopes certificate_scopes = {Scope::kSubmit, Scope::kRead};
   int64_t max_open_jobs = limits::kMaxOpenJobs;
   int64_t max_kept_jobs = INT64_MAX;   ///< limit of stored jobs, including jobs that ended
   int64_t max_kept_bytes = INT64_MAX;  ///< limit of stored bytes of meshes, results and uploads
   int64_t max_calls_per_second = 0;    ///< average limit of calls (rate_limits.h); 0: no limit
-  /// Average limit of created jobs (rate_limits.h); 0: no limit
+  /// Average limit of created jobs (rate_limits.h); 0: no limit.
   int64_t max_jobs_per_second = 0;
-  /// Profile of jobs that name no printer; if empty, jobs must name one
+  /// Profile of jobs that name no printer; if empty, jobs must name one.
   std::string default_profile = {};
 };
 

@@ -52,7 +52,7 @@ class AddressWatch {
   const std::vector<std::string> names_;
   const std::function<void(const std::vector<std::string>&)> changed_;
   const AddressWatchOptions options_;
-  /// Last addresses of each name; used only by the thread
+  /// Last addresses of each name; used only by the thread.
   std::map<std::string, std::vector<std::string>> known_;
   std::mutex mutex_;
   std::condition_variable_any wake_;

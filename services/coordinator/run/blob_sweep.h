@@ -15,7 +15,7 @@ struct SweepOptions {
   /// Idle time after which blobs without a referring job are removed. It must exceed the time from
   /// an upload to its job, and from a result to its record.
   double keep_blobs_s = 24 * 3600;
-  /// Time for which a store must be in use before anything is removed
+  /// Time for which a store must be in use before anything is removed.
   double settle_s = 24 * 3600;
   /// Time after which damaged blobs are removed. Until then a person can inspect them.
   double keep_damaged_s = 7 * 24 * 3600;

@@ -51,7 +51,7 @@ class LeaseBook {
   };
 
   int64_t lease_us_;
-  /// Leases are the keys, because a job that was given up may be claimed again while its run ends
+  /// Leases are the keys, because a job that was given up may be claimed again while its run ends.
   std::map<Lease, Held> held_;
 };
 

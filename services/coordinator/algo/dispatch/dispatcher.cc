@@ -48,9 +48,9 @@ struct Dispatcher::Job {
   const StageCall& call;
   const std::span<const Task> tasks;
   const TakeResult& take;
-  /// Prints of first results, by range; only of ranges that may get a second result
+  /// Prints of first results, by range; only of ranges that may get a second result.
   std::map<int32_t, size_t> prints = {};
-  /// Calls in flight, including calls of runners that left
+  /// Calls in flight, including calls of runners that left.
   std::map<FanOut::Ticket, Flag> calls = {};
   size_t taken = 0;  ///< number of results taken
   int32_t weight_done = 0;

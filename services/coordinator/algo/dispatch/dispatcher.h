@@ -79,10 +79,10 @@ class Dispatcher : public TaskExecutor, public RunnerSet {
   std::condition_variable work_;     ///< notified when a slot may have work or must end
   std::condition_variable changed_;  ///< notified when a job may have progressed or ended
   FanOut fan_out_;
-  /// Jobs that run; each one is on the stack of its Execute call
+  /// Jobs that run; each one is on the stack of its Execute call.
   std::map<FanOut::JobId, Job*> jobs_;
   std::map<RunnerId, std::unique_ptr<Member>> members_;
-  /// Members that left but may still have running threads
+  /// Members that left but may still have running threads.
   std::vector<std::unique_ptr<Member>> left_;
   RunnerId next_runner_ = 1;
   bool stopping_ = false;

@@ -437,7 +437,7 @@ class MortalRunner {
         slots);
   }
   int deaths() const { return deaths_; }
-  /// Number of tasks that died together with the poison task
+  /// Number of tasks that died together with the poison task.
   int bystanders() const { return bystanders_; }
 
  private:

@@ -121,12 +121,12 @@ class FanOut {
   SchedulerOptions options_;
   std::map<JobId, Job> jobs_;
   RunnerLoads loads_;
-  /// Runner that gets no new ranges until a suspect range can run on it
+  /// Runner that gets no new ranges until a suspect range can run on it.
   std::optional<RunnerId> kept_free_;
   JobId next_job_ = 1;
   int64_t next_turn_ = 1;
   double hedges_left_;
-  /// Counts of removed jobs; `done` and `poisoned` count the ranges of all jobs
+  /// Counts of removed jobs; `done` and `poisoned` count the ranges of all jobs.
   DispatchCounts counts_;
 };
 

@@ -13,17 +13,17 @@ namespace slicefarm::coordinator {
 
 /// Limits for failing and slow ranges.
 struct SchedulerOptions {
-  /// Failed tries of a range after which the job fails, together with `poison_runners`
+  /// Failed tries of a range after which the job fails, together with `poison_runners`.
   int poison_tries = 3;
-  /// Different runners that must have failed the range for `poison_tries` to apply
+  /// Different runners that must have failed the range for `poison_tries` to apply.
   int poison_runners = 2;
   int refused_tries = 3;  ///< refusals of a range after which the job fails
-  /// Failed tries of a range after which the job fails, on any number of runners
+  /// Failed tries of a range after which the job fails, on any number of runners.
   int max_tries = 10;
-  /// Time that a suspect range waits for the runner that died of it, in seconds
+  /// Time that a suspect range waits for the runner that died of it, in seconds.
   double elsewhere_after_s = 2;
   double hedge_after_s = 1;  ///< shortest running time of a slow range, in seconds
-  /// Shortest running time of a slow range, as a multiple of the slowest finished range
+  /// Shortest running time of a slow range, as a multiple of the slowest finished range.
   double hedge_after_ratio = 2;
   double hedge_share = 0.05;  ///< second copies per finished range
   double hedge_burst = 16;    ///< second copies beyond `hedge_share` that may be started at once
@@ -55,7 +55,7 @@ class RangeScheduler {
 
   /// Effect of a successful copy.
   struct Accepted {
-    /// True if this is the first result of the range; otherwise the result is dropped
+    /// True if this is the first result of the range; otherwise the result is dropped.
     bool first = false;
     std::vector<Ticket> superfluous = {};  ///< running copies of the same range, to be cancelled
   };
@@ -132,7 +132,7 @@ class RangeScheduler {
     int tries = 0;
     int refusals = 0;  ///< tries that ended with a refusal
     bool suspect = false;
-    /// Time at which a runner was first considered for the waiting suspect range
+    /// Time at which a runner was first considered for the waiting suspect range.
     std::optional<double> waits_since_s = {};
     std::set<RunnerId> failed_on = {};
     std::set<RunnerId> alone_on = {};  ///< runners that had the range alone, as a suspect

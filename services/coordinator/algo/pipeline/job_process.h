@@ -54,7 +54,7 @@ struct JobReport {
 struct JobEstimate {
   double print_time_s = 0;
   FilamentUse filament;
-  /// Number of layers, if it differs from the number of sliced layers
+  /// Number of layers, if it differs from the number of sliced layers.
   std::optional<int32_t> layers = {};
   std::vector<MeshReport> meshes = {};     ///< reports of the meshes, if nothing was sliced
   std::vector<std::string> warnings = {};  ///< warnings about the plan
@@ -62,7 +62,7 @@ struct JobEstimate {
 
 /// Result of a job.
 struct JobOutput {
-  /// Program for the machine: G-code, or a file of the settings' output_format
+  /// Program for the machine: G-code, or a file of the settings' output_format.
   SpooledText program;
   JobReport report;
 };

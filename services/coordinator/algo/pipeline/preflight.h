@@ -13,12 +13,12 @@ namespace slicefarm::coordinator {
 /// Facts and estimates about a job before it is made.
 struct Preflight {
   std::vector<MeshReport> meshes;
-  /// Number of layers over all copies, if the copies are printed one after the other
+  /// Number of layers over all copies, if the copies are printed one after the other.
   int32_t layers = 0;
   double first_layer_area_mm2 = 0;
   double print_time_s = 0;
   FilamentUse filament;
-  /// Advice on orientations, if the input requests it
+  /// Advice on orientations, if the input requests it.
   std::vector<OrientationAdvice> orientations;
   std::vector<std::string> warnings;  ///< warnings of the settings, then defects of the meshes
 };

@@ -11,13 +11,13 @@ namespace slicefarm::coordinator {
 
 /// Limits of the ranges of a job.
 struct RangeSplitOptions {
-  /// Fewest layers of a range; for fewer, the overhead of the call is too large
+  /// Fewest layers of a range; for fewer, the overhead of the call is too large.
   int32_t min_layers = 8;
-  /// Largest number of layers of a range; with more, too much work is lost when a worker dies
+  /// Largest number of layers of a range; with more, too much work is lost when a worker dies.
   int32_t max_layers = 128;
   int64_t max_points =
       100'000;  ///< largest number of outline points of a range; bounds the memory of a slot
-  /// Fixed cost of a layer, in outline points, in addition to its own points
+  /// Fixed cost of a layer, in outline points, in addition to its own points.
   int64_t layer_points = 100;
 };
 
