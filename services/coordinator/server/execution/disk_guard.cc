@@ -14,7 +14,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// The last answer of a database, and when it came.
+/// Last answer of a database, and the time until which it is valid.
 struct Asked {
   std::mutex mutex;
   std::chrono::steady_clock::time_point until;
@@ -34,7 +34,7 @@ FreeBytes FreeOnDisk(std::string directory) {
 
 FreeBytes FreeInDatabase(std::function<absl::StatusOr<DatabaseFill>()> fill, int64_t max_bytes,
                          std::chrono::seconds every) {
-  const auto asked = std::make_shared<Asked>();  // copies of the function have it in common
+  const auto asked = std::make_shared<Asked>();  // shared by all copies of the function
   return [=]() -> std::optional<int64_t> {
     const std::lock_guard lock(asked->mutex);
     const auto now = std::chrono::steady_clock::now();

@@ -11,27 +11,28 @@
 
 namespace slicefarm::coordinator {
 
-/// How many bytes more there is room for; none: it cannot be asked, which is left to the writes,
-/// which tell better.
+/// Function that returns the free bytes of a store. Returns nullopt if they are unknown; in this
+/// case the writes themselves report a full store.
 using FreeBytes = std::function<std::optional<int64_t>()>;
 
-/// Of the disk of a directory.
+/// Returns a function for the free bytes on the disk of a directory.
 FreeBytes FreeOnDisk(std::string directory);
 
-/// Of a database that is to have `max_bytes` at most. It is asked again when its last answer is
-/// older than `every`. Thread-safe.
+/// Returns a function for the free bytes of a database that may have at most `max_bytes`. It
+/// requests the size again when the last answer is older than `every`. Thread-safe.
 FreeBytes FreeInDatabase(std::function<absl::StatusOr<DatabaseFill>()> fill, int64_t max_bytes,
                          std::chrono::seconds every = std::chrono::seconds(10));
 
-/// Keeps where the state is from filling up with what is yet to come, so that the jobs which are
-/// there can be ended.
+/// Refuses new data when a store is nearly full, so that the existing jobs can end.
 class DiskGuard {
  public:
-  /// Without `free` there is always room. `min_free_bytes` 0: whatever fits.
+  /// Creates a guard. Without `free`, there is always enough space. If `min_free_bytes` is 0, the
+  /// guard accepts all data that fits.
   DiskGuard(FreeBytes free, int64_t min_free_bytes)
       : free_(std::move(free)), min_free_bytes_(min_free_bytes) {}
 
-  /// For so many bytes more. Errors: DISK_LOW, with the time after which to try again.
+  /// Checks that `bytes` more bytes may be stored. Errors: DISK_LOW, with the time after which to
+  /// retry.
   absl::Status CheckRoom(int64_t bytes = 0) const;
 
  private:

@@ -11,34 +11,38 @@
 
 namespace slicefarm::coordinator {
 
-/// For tests: a store some of whose calls fail, for as long as they are told to.
+/// Job store for tests. Selected calls fail or block until the test ends the failure.
 class FailingJobStore : public ForwardingJobStore {
  public:
+  /// Calls that can fail or block.
   enum class Call { kClaim, kRenew, kUpdate, kFindResult };
 
   using ForwardingJobStore::ForwardingJobStore;
 
+  /// Lets all calls of this kind fail with `error`.
   void Fail(Call call, absl::Status error) {
     const std::lock_guard lock(mutex_);
     errors_[call] = std::move(error);
   }
-  /// It gets no answer.
+  /// Lets all calls of this kind wait without an answer.
   void Block(Call call) {
     const std::lock_guard lock(mutex_);
     blocked_.insert(call);
   }
+  /// Ends all failures and blocks.
   void Recover() {
     const std::lock_guard lock(mutex_);
     errors_.clear();
     blocked_.clear();
     recovered_.notify_all();
   }
+  /// Ends the block of this kind of call.
   void Unblock(Call call) {
     const std::lock_guard lock(mutex_);
     blocked_.erase(call);
     recovered_.notify_all();
   }
-  /// Calls so far, failed or not.
+  /// Returns the number of calls so far, failed or not.
   int Calls(Call call) {
     const std::lock_guard lock(mutex_);
     return calls_[call];

@@ -27,10 +27,11 @@ struct PlanningOptions;
 
 namespace slicefarm::coordinator {
 
-/// Stages for tests of the coordinator: a mesh's bytes say what is to happen, one layer for each
-/// `x`.
-///   `x` a layer    `!` slicing fails (MESH_MALFORMED)    `~` slicing is not there (UNAVAILABLE)
-///   `?` slicing is of another build (BUILD_MISMATCH)
+/// Fake stages for tests of the coordinator. The bytes of a mesh control the stage:
+/// - `x`: a layer
+/// - `!`: slicing fails (MESH_MALFORMED)
+/// - `~`: slicing is unreachable (UNAVAILABLE)
+/// - `?`: slicing is of another build (BUILD_MISMATCH)
 class FakeSlicing : public SlicingStage {
  public:
   absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
@@ -69,17 +70,18 @@ class FakeSlicing : public SlicingStage {
     return job;
   }
 
+  /// Returns the number of calls.
   int runs() const { return runs_; }
-  /// Of the calls.
+  /// Returns the trace contexts of the calls.
   std::vector<TraceContext> traces() const {
     const std::lock_guard lock(mutex_);
     return traces_;
   }
-  mutable std::atomic<int> unavailable_ = 0;  ///< calls that `~` makes fail
-  mutable std::atomic<int> mismatches_ = 0;   ///< calls that `?` makes fail
+  mutable std::atomic<int> unavailable_ = 0;  ///< number of calls that fail because of `~`
+  mutable std::atomic<int> mismatches_ = 0;   ///< number of calls that fail because of `?`
 
  private:
-  /// The section of the layer's next object.
+  /// Returns the section of the layer's next object.
   static ObjectSection Square(const ObjectInput& object, const SlicedLayer& layer,
                               int64_t layer_count) {
     ObjectSection section;
@@ -97,8 +99,8 @@ class FakeSlicing : public SlicingStage {
   mutable std::vector<TraceContext> traces_;
 };
 
-/// Puts each copy without a place on a plate of its own. A mesh with a `!` is refused, as when it
-/// is sliced.
+/// Arranging stage that puts each unplaced copy on a plate of its own. Refuses a mesh with a `!`,
+/// as slicing does.
 class FakeArranging : public ArrangingStage {
  public:
   absl::StatusOr<std::vector<PlatePlace>> PutOnPlates(const StageCall& call, SliceInput input,
@@ -116,13 +118,14 @@ class FakeArranging : public ArrangingStage {
             {copy.place == CopyInput::Place::kAnywhere ? plates++ : 0, {FromMm(50), 0}});
     return places;
   }
+  /// Returns the number of calls.
   int runs() const { return runs_; }
 
  private:
   mutable std::atomic<int> runs_ = 0;
 };
 
-/// A project has as many plates as its file has `p`s. A file with a `!` is refused.
+/// Project reader that returns one plate for each `p` in a file. Refuses a file with a `!`.
 class FakeProjects : public ProjectReader {
  public:
   absl::StatusOr<v1::ReadProjectResponse> Read(const StageCall& call,
@@ -142,7 +145,7 @@ class FakeProjects : public ProjectReader {
   }
 };
 
-/// Plans nothing but the copies that there are.
+/// Planning stage that returns the given copies and empty layers.
 class FakePlanning : public PlanningStage {
  public:
   absl::StatusOr<JobPlan> Plan(const StageCall& call, const SlicedOutlines& job,
@@ -155,6 +158,7 @@ class FakePlanning : public PlanningStage {
   }
 };
 
+/// Motion stage that supports only the frame of a program.
 class FakeMotion : public MotionStage {
  public:
   absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall&, std::vector<OrderedLayer>,
@@ -171,7 +175,8 @@ class FakeMotion : public MotionStage {
   }
 };
 
-/// Programs of one line a layer. While it is held, calls wait until they are let go or cancelled.
+/// Runner that returns programs of one line per layer. While it is held, calls wait until they are
+/// released or cancelled.
 class FakeRanges : public FdmRunner {
  public:
   absl::StatusOr<FdmResult> Run(const StageCall& call, const FdmTask& task) const override {
@@ -202,23 +207,26 @@ class FakeRanges : public FdmRunner {
     return result;
   }
 
+  /// Makes later calls wait.
   void Hold() {
     std::lock_guard lock(mutex_);
     held_ = true;
     waiting_ = false;
   }
+  /// Releases all calls.
   void LetGo() {
     std::lock_guard lock(mutex_);
     held_ = false;
     changed_.notify_all();
   }
-  /// Waits until a call waits.
+  /// Waits until a call is waiting.
   void AwaitCall() const {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return waiting_; });
   }
+  /// Returns the number of calls that were cancelled.
   int cancelled() const { return cancelled_; }
-  std::atomic<size_t> bytes_a_layer_ = 0;  ///< at least
+  std::atomic<size_t> bytes_a_layer_ = 0;  ///< smallest size of a layer's program
 
  private:
   mutable std::mutex mutex_;

@@ -33,7 +33,7 @@ void JobFeed::Tell(const std::string& job_id, News news) {
 void JobFeed::Changed(const std::string& job_id) {
   std::lock_guard lock(mutex_);
   Tell(job_id, News::kEvents);
-  if (!job_id.empty()) Tell("", News::kEvents);  // to those who listen to all
+  if (!job_id.empty()) Tell("", News::kEvents);  // for listeners to all jobs
 }
 
 void JobFeed::Progressed(const std::string& job_id, const JobProgress& progress) {

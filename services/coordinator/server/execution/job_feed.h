@@ -13,42 +13,48 @@
 
 namespace slicefarm::coordinator {
 
-/// Tells those who watch a job that it has new events, which they then read from the store, and how
-/// far its run has come, which stands here alone.
+/// Notifies listeners of a job about new events and new progress. Listeners read the events from
+/// the store. The progress of a run is stored only here.
 class JobFeed {
  public:
+  /// Kind of a notification.
   enum class News { kEvents, kProgress };
   using Listener = std::function<void(News news)>;
 
-  /// `listener` is called from any thread, one call at a time; it must be quick, and call nothing
-  /// of the feed but closed().
+  /// Adds a listener for a job and returns its ticket. `listener` is called from any thread, one
+  /// call at a time. It must be quick, and may call only closed() of the feed.
   int64_t Listen(const std::string& job_id, Listener listener);
 
-  /// The same of any job's new events, without its progress.
+  /// Adds a listener for new events of all jobs, without their progress.
   int64_t ListenToAll(Listener listener) { return Listen("", std::move(listener)); }
 
-  /// Afterwards the listener is not called any more.
+  /// Removes a listener. After the return it is not called any more.
   void Forget(int64_t ticket);
 
+  /// Notifies the listeners of the job about new events.
   void Changed(const std::string& job_id);
 
-  /// A job that this coordinator runs has come so far; it runs no more.
+  /// Stores the progress of a job that this coordinator runs, and notifies its listeners.
   void Progressed(const std::string& job_id, const JobProgress& progress);
+  /// Forgets the progress of a run that has ended. `epoch`: the epoch of the run's lease.
   void Ended(const std::string& job_id, int64_t epoch);
-  /// Jobs of another coordinator have: what it told before is of no interest any more.
+  /// Stores the progress of another coordinator's jobs in place of its previous report. Notifies
+  /// the listeners of changed jobs.
   void Progressed(ProgressReport report);
 
-  /// Of this coordinator's jobs.
+  /// Returns the progress of this coordinator's jobs.
   std::map<std::string, JobProgress> Running() const;
-  /// None: nothing is known.
+  /// Returns the latest progress of a job; nullopt if it is unknown.
   std::optional<JobProgress> ProgressOf(const std::string& job_id) const;
-  /// Puts the progress of the run under the record's claim into it, if it is RUNNING.
+  /// Adds the current progress to a RUNNING record. Ignores the progress of a run under another
+  /// claim.
   void AddProgress(JobRecord& job) const;
-  /// Any of them may have.
+  /// Notifies all listeners, because any job may have new events.
   void AllChanged();
 
-  /// The coordinator ends: calls all listeners, for which closed() is true from now on.
+  /// Notifies all listeners that the coordinator stops. From now on, closed() returns true.
   void Close();
+  /// Returns true after Close.
   bool closed() const { return closed_; }
 
  private:
@@ -62,7 +68,8 @@ class JobFeed {
   std::atomic<bool> closed_ = false;
   mutable std::mutex mutex_;
   std::map<std::string, JobProgress> running_;
-  std::map<std::string, ProgressReport> elsewhere_;  ///< by owner
+  /// Progress of other coordinators, by their names.
+  std::map<std::string, ProgressReport> elsewhere_;
   std::map<int64_t, Entry> entries_;
   std::multimap<std::string, int64_t, std::less<>> by_job_;
   int64_t next_ticket_ = 1;

@@ -10,14 +10,14 @@
 
 namespace slicefarm::coordinator {
 
-/// Room for the files of a job beside what others have in memory. Errors: those of
+/// Reserves memory for the files of a job. Waits until enough memory is free. Errors: errors of
 /// BlobStore::Status and MemoryBudget::Take.
 absl::StatusOr<std::unique_ptr<MemoryBudget::Share>> RoomForMeshes(const StageCall& call,
                                                                    const ResolvedJob& job,
                                                                    BlobStore& blobs,
                                                                    MemoryBudget& memory);
 
-/// The files of a job and its objects. Errors: those of BlobStore::Get.
+/// Returns the files of a job and its objects. Errors: errors of BlobStore::Get.
 absl::StatusOr<SliceInput> LoadMeshes(const ResolvedJob& job, BlobStore& blobs);
 
 }  // namespace slicefarm::coordinator

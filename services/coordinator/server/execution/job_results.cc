@@ -55,7 +55,7 @@ absl::StatusOr<std::optional<JobRecord>> JobResults::SucceedFromCache(const Leas
   return *std::move(ended);
 }
 
-/// The first result that serves and whose blobs are there.
+/// Returns the first suitable result with all its blobs.
 absl::StatusOr<std::optional<JobResult>> JobResults::Find(const ResolvedJob& job) {
   for (const std::string& action : job.serving_actions) {
     auto found = jobs_.FindResult(action);
@@ -71,8 +71,8 @@ absl::StatusOr<std::optional<JobResult>> JobResults::Find(const ResolvedJob& job
   return std::nullopt;
 }
 
-/// True if all artifacts are there, unchanged. An unreadable one is to be made anew; only where the
-/// store is away there is nothing to be said.
+/// Returns true if all artifacts exist unchanged. An unreadable artifact counts as missing, so the
+/// work is done again. Errors: the store is unavailable.
 absl::StatusOr<bool> JobResults::Complete(const JobResult& result) {
   const auto blobs = blobs_.Of(result.tenant);
   if (!blobs.ok()) return blobs.status();

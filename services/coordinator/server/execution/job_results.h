@@ -12,36 +12,37 @@
 
 namespace slicefarm::coordinator {
 
-/// What a run came to, before it is kept.
+/// Result of a run before it is stored.
 struct RunOutput {
   SpooledText program;
   std::string report_json;
   JobResult result;  ///< without digests, size and cost
 };
 
-/// Whether tenants take each other's results for the same work. It shows: a result that is there at
-/// once tells that somebody has sliced this mesh before.
+/// Selects whether tenants reuse each other's results for the same work. Sharing is visible to
+/// tenants: an immediate result reveals that another tenant has sliced this mesh before.
 enum class ResultSharing { kOff, kOn };
 
-/// Whose results a tenant's jobs take and leave: its own, or everybody's, which go without a name.
+/// Returns the tenant under which a job's results are stored and searched. With sharing, this is
+/// the empty name for all tenants.
 inline std::string ResultTenant(ResultSharing sharing, const std::string& tenant) {
   return sharing == ResultSharing::kOn ? "" : tenant;
 }
 
-/// Results of jobs: record and blobs together, so that no job refers to a blob that is not there.
-/// Blobs that nothing refers to are left to BlobSweep, which spares those that were just written.
+/// Results of jobs. Stores the record and its blobs together, so that no job refers to a missing
+/// blob. Blobs without a referring job are removed by BlobSweep, which spares newly written blobs.
 class JobResults {
  public:
   JobResults(JobStore& jobs, BlobStores& blobs, Rates rates)
       : jobs_(jobs), blobs_(blobs), rates_(std::move(rates)) {}
 
-  /// Keeps the artifacts among the tenant's blobs; what is left is to write the update, which ends
-  /// the job as SUCCEEDED. Errors: those of the blob store.
+  /// Stores the artifacts as blobs of the tenant. Returns the update that ends the job as
+  /// SUCCEEDED; the caller must write it. Errors: errors of the blob store.
   absl::StatusOr<JobUpdate> Keep(const ResolvedJob& job, const RunOutput& output,
                                  const std::string& result_tenant);
 
-  /// Ends the job with the result that the same work came to before, at today's rates. nullopt:
-  /// there is none, or its blobs are gone.
+  /// Ends the job with the stored result of the same work, with the cost by the current rates.
+  /// Returns nullopt if there is no such result or its blobs are missing.
   absl::StatusOr<std::optional<JobRecord>> SucceedFromCache(const Lease& lease,
                                                             const ResolvedJob& job, int64_t now_us);
 

@@ -19,7 +19,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-// For as long as a database takes to start.
+// Number of tries to write the last update. Together they last as long as the start of a database.
 constexpr int kLastWrites = 50;
 constexpr std::chrono::milliseconds kLastWritePause{200};
 
@@ -147,7 +147,8 @@ CancelToken JobRun::GivenUp() const {
   return CancelToken([this] { return wishes_->GivenUp(environment_.now_us()); });
 }
 
-/// What was done so far; empty if it cannot be kept: no job is to fail for want of its trace.
+/// Stores the trace of the run so far and returns its digest. Returns an empty string if the trace
+/// cannot be stored, because a job must not fail for this reason.
 std::string JobRun::KeepTrace(std::string_view outcome) {
   const Span whole = {"run",
                       "",
@@ -194,8 +195,8 @@ absl::StatusOr<bool> JobRun::Conclude(const absl::Status& error) {
   return written;
 }
 
-/// A run of which nothing more is heard counts as lost, so a store that is away for a moment, as
-/// one that is started again, is asked again.
+/// Writes the last update of the run. A run without a last update counts as lost. So the write is
+/// repeated if the store is away for a moment, for example during its restart.
 absl::Status JobRun::WriteAtLast(const JobUpdate& update) {
   const CancelToken in_vain([this] { return wishes_->lost() || wishes_->handed_back(); });
   absl::Status written = Write(update);
@@ -210,7 +211,7 @@ absl::Status JobRun::Write(JobUpdate update) {
   if (wishes_->lost()) return absl::AbortedError("fenced");
   update.lost_runs = lost_runs_.After(update.state);
   const auto job = environment_.jobs.Update(lease_, update, environment_.now_us());
-  // A cancel, or another deadline, that came after the claim, and before this run could be told.
+  // A cancel or a new deadline may have arrived after the claim, before this run could be notified.
   if (update.state == JobState::kRunning && job.ok()) {
     wishes_->EndBy(job->deadline_us);
     if (job->cancel_requested) wishes_->Cancel();
@@ -218,7 +219,7 @@ absl::Status JobRun::Write(JobUpdate update) {
   return Written(job.status());
 }
 
-/// What follows a write to the record.
+/// Handles the outcome of a write to the record.
 absl::Status JobRun::Written(const absl::Status& status) {
   wishes_->Heard(status);
   if (status.ok()) environment_.feed.Changed(job_.id);

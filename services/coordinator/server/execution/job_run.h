@@ -23,7 +23,7 @@
 
 namespace slicefarm::coordinator {
 
-/// What all runs share. Everything outlives the runs.
+/// Objects that all runs share. All of them must outlive the runs.
 struct RunEnvironment {
   JobStore& jobs;
   BlobStores& blobs;
@@ -32,38 +32,41 @@ struct RunEnvironment {
   const JobPipeline& pipeline;
   MemoryBudget& memory;
   JobFeed& feed;
+  /// Clock of the coordinator, in us.
   std::function<int64_t()> now_us;
   std::string build_id;
   ResultSharing sharing = ResultSharing::kOff;
   rpc::JsonLog log;
-  /// Told what the stages took for each job that was computed.
+  /// Receives the stage times of each job that was computed.
   std::function<void(const StageTimes&)> computed = [](const StageTimes&) {};
-  /// Whether the stages that all jobs need are of this build: asked before a job is claimed, once a
-  /// run has met others.
+  /// Returns true if the stages that all jobs need are of this build. After a run has met another
+  /// build, it is called before each claim.
   std::function<bool()> stages_fit = [] { return true; };
-  /// Whether what a run makes can be kept: asked before a job is claimed.
+  /// Returns true if there is space for the result of a run. It is called before each claim.
   std::function<bool()> room = [] { return true; };
 };
 
-/// One claimed job, from the claim to what it came to: takes the steps of RunSteps.
-/// It ends as SUCCEEDED, FAILED or CANCELLED; or goes back to QUEUED, as Conclusion says. If that
-/// cannot be written, the lease runs out and the job is claimed again. After a fencing nothing is
-/// written any more.
+/// Run of one claimed job, from the claim to its end. Takes the steps of RunSteps. The job ends as
+/// SUCCEEDED, FAILED or CANCELLED, or returns to QUEUED, as Conclusion decides. If the end cannot
+/// be written, the lease expires and the job is claimed again. A run that has lost its lease writes
+/// nothing more.
 class JobRun {
  public:
-  /// `calm_us`: how long its coordinator has been calm, as LostRuns has it.
+  /// Creates the run of a claimed job. `calm_us`: calm time of its coordinator, as in LostRuns.
   JobRun(RunEnvironment& environment, JobRecord job, int64_t calm_us);
 
+  /// Takes all steps of the run. Returns when the run is over.
   void Run();
 
-  /// True of a run that is over and wrote no end.
+  /// Returns true if the run is over but has written no end.
   bool lost() const { return !ended_; }
 
-  /// True of a run that ended because stages are of another build.
+  /// Returns true if the run ended because stages are of another build.
   bool met_other_build() const { return met_other_build_; }
 
+  /// Returns the lease of the job.
   const Lease& lease() const { return lease_; }
-  /// Shared with those who give the run up.
+  /// Returns the requests to end the run, shared with the code that sets them.
   const std::shared_ptr<RunWishes>& wishes() const { return wishes_; }
 
  private:
@@ -87,8 +90,8 @@ class JobRun {
   const std::string result_tenant_;
   const Lease lease_;
   const std::shared_ptr<RunWishes> wishes_ = std::make_shared<RunWishes>(job_.deadline_us);
-  std::shared_ptr<const ResolvedJob> resolved_;  ///< from FindCached on
-  std::optional<RunOutput> output_;              ///< from Compute to Keep
+  std::shared_ptr<const ResolvedJob> resolved_;  ///< set by FindCached
+  std::optional<RunOutput> output_;              ///< set by Compute, removed by Keep
   ProgressGate progress_;
   bool ended_ = false;
   bool met_other_build_ = false;

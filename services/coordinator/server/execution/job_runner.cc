@@ -33,7 +33,7 @@ absl::Status JobRunner::Start() {
   for (int i = 0; i < options_.guests; ++i) {
     threads_.emplace_back([this] { Serve(Place::kGuest); });
   }
-  // So that somebody who waits for an answer does not wait for long jobs to end.
+  // With a thread of their own, interactive jobs do not wait for long jobs to end.
   threads_.emplace_back([this] { Serve(Place::kInteractive); });
   threads_.emplace_back([this] { Keep(); });
   threads_.emplace_back([this] { Judge(); });
@@ -70,8 +70,9 @@ void JobRunner::Stop() {
   threads_.clear();
 }
 
-/// A guest comes when all places for any are taken: else `jobs` would mean nothing. One guest asks
-/// the store for all.
+/// Returns true if a thread of this kind may claim a job now. Guests may claim only if all slots of
+/// kind kAny are taken; otherwise the limit `jobs` would have no effect. After each wake, only one
+/// guest queries the store.
 bool JobRunner::MayClaim(Place place) {
   if (place != Place::kGuest) return true;
   std::lock_guard lock(mutex_);
@@ -80,8 +81,8 @@ bool JobRunner::MayClaim(Place place) {
   return true;
 }
 
-/// A run has begun (1) or ended (-1). Guests may come when the last place for any is taken, and when
-/// another guest has come or gone.
+/// Counts a run that begins (1) or ends (-1). Wakes the guests when all slots of kind kAny are
+/// taken, and when another guest begins or ends.
 void JobRunner::Count(Place place, int more) {
   std::lock_guard lock(mutex_);
   if (place == Place::kAny) at_any_ += more;
@@ -90,7 +91,7 @@ void JobRunner::Count(Place place, int more) {
   wake_.notify_all();
 }
 
-/// The life of one of the threads that run jobs.
+/// Claims and runs jobs on one thread until the runner stops or drains.
 void JobRunner::Serve(Place place) {
   while (true) {
     int64_t seen = 0;
@@ -117,17 +118,18 @@ void JobRunner::Serve(Place place) {
     const bool woken = wake_.wait_for(lock, options_.poll, [&] {
       return stopping_ || draining_ || wakes_ != seen;
     });
-    if (!woken) ++wakes_;  // there may be what nobody tells of: jobs whose time has come
+    if (!woken) ++wakes_;  // some jobs become claimable without a notification
   }
 }
 
-/// A job that another build made is another action here: its result must be found and kept under
-/// the name that this build gives it. False: the same is being worked on, so the job is back in the
-/// queue; or the store failed, so it will be claimed again.
+/// Gives a job of another build the identity that it has in this build. Its result is then searched
+/// and stored under this identity. Returns false if another run works on the same action; then the
+/// job is back in the queue. Also returns false if the store failed; then the job will be claimed
+/// again.
 bool JobRunner::Adopt(JobRecord& job) {
   const auto resolved =
       environment_.resolved.Of(job.spec, ResultTenant(environment_.sharing, job.tenant));
-  if (!resolved.ok()) return true;  // the run will end with that error
+  if (!resolved.ok()) return true;  // the run will end with this error
   const JobIdentity identity = {(*resolved)->settings_digest, (*resolved)->action_digest,
                                 environment_.build_id};
   const Lease lease{job.id, job.owner_epoch};
@@ -136,18 +138,18 @@ bool JobRunner::Adopt(JobRecord& job) {
   if (!*alone) {
     environment_.jobs.Update(lease, {.state = JobState::kQueued}, NowUs()).IgnoreError();
     environment_.feed.Changed(job.id);
-    Wake();  // there may be others
+    Wake();  // other jobs may be claimable
     return false;
   }
   job.settings_digest = identity.settings_digest;
   job.action_digest = identity.action_digest;
   job.build_id = identity.build_id;
-  job.lost_runs = job.deadly_runs = 0;  // as the store has it
+  job.lost_runs = job.deadly_runs = 0;  // the store resets these counts as well
   return true;
 }
 
-/// A run that meets stages of another build has read its meshes and left a trace for nothing, so in
-/// an upgrade one for each thread is enough.
+/// Returns true if no stages of another build are known. A run that meets such stages has read its
+/// meshes and written a trace in vain. During an upgrade, one such run per thread is enough.
 bool JobRunner::StagesFit() {
   if (!met_other_build_) return true;
   if (!environment_.stages_fit()) return false;
@@ -155,7 +157,8 @@ bool JobRunner::StagesFit() {
   return true;
 }
 
-/// A run whose result cannot be kept would be made again, and again.
+/// Returns true if there is space for a result. Without this check, a run with a result that cannot
+/// be stored would be repeated endlessly.
 bool JobRunner::HasRoom() {
   const bool room = environment_.room();
   if (!room && !without_room_.exchange(true))
@@ -172,7 +175,7 @@ std::unique_ptr<JobRun> JobRunner::Claim(Place place) {
       options_.owner, now_us, leases_.UntilUs(now_us),
       {.at_least = place == Place::kInteractive ? Priority::kInteractive : Priority::kBulk,
        .of_idle_tenants = place == Place::kGuest});
-  if (!job.ok()) Warn("no job claimed", job.status());  // the store is asked again soon
+  if (!job.ok()) Warn("no job claimed", job.status());  // the next poll tries again
   if (!job.ok() || !*job) return nullptr;
   if ((*job)->build_id != environment_.build_id && !Adopt(**job)) return nullptr;
   std::lock_guard lock(mutex_);
@@ -182,7 +185,7 @@ std::unique_ptr<JobRun> JobRunner::Claim(Place place) {
   return run;
 }
 
-/// Holds the leases, and does nothing else.
+/// Renews the leases at regular intervals. This thread has no other work, so that no lease expires.
 void JobRunner::Keep() {
   std::unique_lock lock(mutex_);
   while (!stopping_) {
@@ -207,8 +210,9 @@ void JobRunner::RenewLeases() {
   leases_.Renewed(leases, *held, until_us);
 }
 
-/// What takes its time, on a thread that holds no lease up: ends overdue jobs, which at the end of
-/// a long queue would hear of their deadlines long after them, and forgets old request ids.
+/// Ends overdue jobs and removes old request ids, on a thread of its own, because both can take
+/// long and no lease may wait. Without it, a job at the end of a long queue would fail long after
+/// its deadline.
 void JobRunner::Tidy() {
   Stopwatch since_sweep;
   std::unique_lock lock(mutex_);
@@ -216,7 +220,8 @@ void JobRunner::Tidy() {
     lock.unlock();
     const bool more = EndOverdue() == kMaxOverdueAtOnce;
     if (since_sweep.Seconds() > kRequestIdSweepS) {
-      environment_.jobs.ExpireRequestIds(NowUs()).IgnoreError();  // the next sweep comes
+      // on an error, the next sweep tries again
+      environment_.jobs.ExpireRequestIds(NowUs()).IgnoreError();
       since_sweep = Stopwatch();
     }
     lock.lock();
@@ -224,7 +229,7 @@ void JobRunner::Tidy() {
   }
 }
 
-/// How many.
+/// Ends waiting jobs with a passed deadline. Returns the number of jobs.
 int32_t JobRunner::EndOverdue() {
   const auto ended = environment_.jobs.EndOverdue(DeadlinePassed(), NowUs(), kMaxOverdueAtOnce);
   if (!ended.ok()) {
@@ -242,8 +247,8 @@ void JobRunner::Warn(const std::string& what, const absl::Status& why) const {
   environment_.log.Warn(what, {{"error", std::string(why.message())}});
 }
 
-/// Gives up runs whose leases were not renewed, on a thread that a store without an answer does not
-/// hold up.
+/// Ends runs with leases that were not renewed in time. It has a thread of its own, because a store
+/// without an answer blocks the renewal.
 void JobRunner::Judge() {
   std::unique_lock lock(mutex_);
   while (!stopping_) {

@@ -14,41 +14,43 @@
 
 namespace slicefarm::coordinator {
 
+/// Options of a JobRunner.
 struct JobRunnerOptions {
-  std::string owner;  ///< names this coordinator; the same again after a restart
-  int jobs = 2;       ///< at the same time
-  /// At the same time beyond these, each of a tenant none of whose jobs runs.
+  std::string owner;  ///< name of this coordinator; the same name after a restart
+  int jobs = 2;       ///< jobs at the same time
+  /// Additional jobs at the same time, each of a tenant without a running job.
   int guests = 12;
-  std::chrono::milliseconds lease{
-      10'000};  ///< a coordinator that is silent this long loses its jobs
+  /// Time without a renewal after which a coordinator loses its jobs.
+  std::chrono::milliseconds lease{10'000};
   std::chrono::milliseconds renew{3'000};
-  std::chrono::milliseconds poll{
-      1'000};  ///< how often to look for jobs that other coordinators left
+  /// Interval of the search for jobs that other coordinators left.
+  std::chrono::milliseconds poll{1'000};
 };
 
-/// Claims jobs and runs them, a bounded number at a time, and holds their leases; a tenant none of
-/// whose jobs runs does not wait for the end of others' jobs: his are guests, and share the workers
-/// from then on; ends those that
-/// wait beyond their deadlines. A job that does the work of a running one stays QUEUED until that
-/// has ended, so that it keeps no thread from others.
+/// Claims and runs jobs, a limited number at a time, and renews their leases. A tenant without a
+/// running job does not wait for other tenants' jobs to end: its job runs as a guest and shares the
+/// workers. Ends jobs that wait beyond their deadlines. A job with the same work as a running job
+/// stays QUEUED until that job has ended, so that it occupies no thread.
 class JobRunner {
  public:
   JobRunner(RunEnvironment environment, JobRunnerOptions options);
   ~JobRunner();
 
-  /// Takes over what an earlier life of this coordinator left, and begins. Errors: the store's.
+  /// Releases the jobs that a previous process of this coordinator held, and starts the threads.
+  /// Errors: errors of the store.
   absl::Status Start();
 
-  /// There is a new job.
+  /// Notifies the threads that there is a new job.
   void Wake();
 
-  /// Ends the job's run, if it runs here. The request itself stands in the store.
+  /// Ends the run of the job if this coordinator runs it. The cancel request itself is in the
+  /// store.
   void Cancel(const std::string& job_id);
 
-  /// Claims no job any more, and waits until those that run have ended, `patience` at most.
+  /// Stops claiming jobs, and waits until the running jobs have ended, for at most `patience`.
   void Drain(std::chrono::milliseconds patience);
 
-  /// Hands the running jobs back to the queue, and returns when that is written.
+  /// Returns the running jobs to the queue. Returns when their states are written.
   void Stop();
 
  private:
@@ -70,20 +72,23 @@ class JobRunner {
 
   RunEnvironment environment_;
   const JobRunnerOptions options_;
-  std::atomic<bool> met_other_build_ = false;  ///< a run did, and stages were not seen to fit since
-  std::atomic<bool> without_room_ = false;     ///< and said so
-  std::mutex claim_mutex_;  ///< one claim at a time: more would wait for each other in the store
+  /// A run met another build, and no later check found the stages to fit.
+  std::atomic<bool> met_other_build_ = false;
+  /// The store is nearly full, and the log contains a warning.
+  std::atomic<bool> without_room_ = false;
+  /// Held during a claim, because concurrent claims would wait for each other in the store.
+  std::mutex claim_mutex_;
   std::mutex mutex_;
   std::condition_variable wake_;
-  LeaseBook leases_;           ///< of the jobs that run
-  int64_t calm_since_us_ = 0;  ///< this life began, or lost a claim
-  bool unanswered_ = false;    ///< the last renewal failed, or is still under way
+  LeaseBook leases_;           ///< leases of the running jobs
+  int64_t calm_since_us_ = 0;  ///< start of this process, or time of the last lost lease
+  bool unanswered_ = false;    ///< the last renewal failed or has no answer yet
   int at_work_ = 0;            ///< threads that claim or run a job
-  int at_any_ = 0;             ///< jobs that run at places for any
+  int at_any_ = 0;             ///< running jobs in slots of kind kAny
   bool draining_ = false;
   bool stopping_ = false;
   int64_t wakes_ = 0;
-  int64_t guests_asked_ = -1;  ///< the wake after which a guest asked the store last
+  int64_t guests_asked_ = -1;  ///< value of wakes_ at the last query of a guest
   std::vector<std::thread> threads_;
 };
 

@@ -23,7 +23,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Runs of jobs over real stores and fake stages, without a server between.
+/// Tests runs of jobs with real stores and fake stages, without a server.
 class JobRunnerTest : public testing::Test {
  protected:
   using Call = FailingJobStore::Call;
@@ -33,7 +33,7 @@ class JobRunnerTest : public testing::Test {
 
   ~JobRunnerTest() override { ranges_->LetGo(); }
 
-  /// On the test's clock, which goes on only when it is told to.
+  /// Returns the test's clock, which only Pass advances.
   int64_t NowUs() const { return now_us_; }
   void Pass(int64_t us) { now_us_ += us; }
 
@@ -77,7 +77,7 @@ class JobRunnerTest : public testing::Test {
     return created->job.id;
   }
 
-  /// A job that is being worked on until LetGo.
+  /// Submits a job and waits until it runs. It runs until LetGo.
   std::string SubmitHeld(JobRunner& runner, const std::string& mesh = "xx") {
     ranges_->Hold();
     std::string id = Submit(mesh);
@@ -107,7 +107,7 @@ class JobRunnerTest : public testing::Test {
     return job;
   }
 
-  /// Waits for so many further calls.
+  /// Waits for `count` further calls.
   void AwaitCalls(Call call, int count) {
     const int until = failing_.Calls(call) + count;
     while (failing_.Calls(call) < until) std::this_thread::yield();
@@ -133,7 +133,7 @@ class JobRunnerTest : public testing::Test {
   FullQueues full_queues_{Clock()};
   std::atomic<bool> stages_fit_ = true;
   std::atomic<bool> room_ = true;
-  std::atomic<int> asked_ = 0;  ///< whether they fit
+  std::atomic<int> asked_ = 0;  ///< number of stages_fit calls
   std::atomic<int> asked_for_room_ = 0;
   std::atomic<int64_t> now_us_ = 1'000 * kSecondUs;
 };

@@ -1,4 +1,4 @@
-// Jobs whose runs began and came to no end.
+// Tests of jobs with runs that began but did not end.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -13,7 +13,7 @@ namespace {
 
 class JobRunnerSuspectsTest : public JobRunnerTest {
  protected:
-  /// A job that coordinators died of so often, in the middle of its runs. REQUIRES: no runner; no
+  /// Submits a job with `lost_runs` runs during which its coordinator died. REQUIRES: no runner; no
   /// other job.
   std::string SubmitSuspect(const std::string& mesh, int lost_runs) {
     std::string id = Submit(mesh);
@@ -24,7 +24,7 @@ class JobRunnerSuspectsTest : public JobRunnerTest {
     return id;
   }
 
-  /// Until it is in the queue, and not to be claimed now.
+  /// Waits until the job is in the queue but may not be claimed yet.
   void AwaitRest(const std::string& id) {
     JobRecord job;
     do {
@@ -70,7 +70,7 @@ TEST_F(JobRunnerSuspectsTest, ASuspectBeginsOnACalmCoordinatorAlone) {
   EXPECT_EQ(AwaitEnd(suspect).state, JobState::kSucceeded);
 }
 
-// Something else than its jobs is wrong.
+// The loss of a lease shows that something other than its jobs is wrong.
 TEST_F(JobRunnerSuspectsTest, ACoordinatorThatLosesAClaimIsNotCalm) {
   const std::string suspect = SubmitSuspect("xx", kSuspectRuns);
   const auto job = *jobs_->Claim("dead", NowUs(), NowUs() + kSecondUs);

@@ -1,4 +1,4 @@
-// Runs of jobs over real stores and fake stages, without a server between.
+// Tests of job runs with real stores and fake stages, without a server.
 #include "services/coordinator/server/execution/job_runner.h"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@
 namespace slicefarm::coordinator::job_runner_test {
 namespace {
 
-// Its ranges share the workers with those of the job that runs.
+// The ranges of both jobs share the workers.
 TEST_F(JobRunnerTest, AJobOfAnIdleTenantDoesNotWaitForTheEndOfOthers) {
   const auto runner = Runner("me", /*jobs=*/1);
   ranges_->Hold();
@@ -89,11 +89,12 @@ TEST_F(JobRunnerTest, ProgressIsToldAndNotWritten) {
 TEST_F(JobRunnerTest, ARequestToCancelIsFoundInTheStore) {
   const auto runner = Runner();
   const std::string id = SubmitHeld(*runner);
-  ASSERT_TRUE(jobs_->RequestCancel(id, NowUs()).ok());  // as another coordinator's client would
+  // the client of another coordinator cancels the job
+  ASSERT_TRUE(jobs_->RequestCancel(id, NowUs()).ok());
   EXPECT_EQ(AwaitEnd(id).state, JobState::kCancelled);
 }
 
-// Nobody could have told the run of it.
+// At this time, no other thread can notify the run.
 TEST_F(JobRunnerTest, ACancelBetweenTheClaimAndTheRunIsHeeded) {
   const auto runner = Runner();
   failing_.Fail(Call::kRenew, absl::InternalError("away"));
@@ -123,7 +124,8 @@ TEST_F(JobRunnerTest, MeshesThatAreSlicedMakeRoomForOthers) {
   memory_ = std::make_unique<MemoryBudget>(3);
   const auto runner = Runner();
   const std::string held = SubmitHeld(*runner, "xx");
-  const std::string other = Submit("x!");  // which does not fit beside that, and cannot be sliced
+  // does not fit into memory beside the first job, and cannot be sliced
+  const std::string other = Submit("x!");
   runner->Wake();
   EXPECT_EQ(AwaitEnd(other).state, JobState::kFailed);
   ranges_->LetGo();
@@ -160,8 +162,8 @@ TEST_F(JobRunnerTest, NoJobBeginsWithoutRoomForItsResult) {
   EXPECT_EQ(AwaitEnd(job).state, JobState::kSucceeded);
 }
 
-/// Of this process, in bytes: what it has and the most that it had since the last call of
-/// ForgetMost.
+/// Returns a memory value of this process from /proc, in bytes. "VmRSS:" is the current memory,
+/// "VmHWM:" is the largest memory since the last call of ForgetMost.
 int64_t Memory(const std::string& what) {
   std::ifstream status("/proc/self/status");
   for (std::string key; status >> key;) {
@@ -186,7 +188,7 @@ TEST_F(JobRunnerTest, AProgramNeedNotFitIntoMemory) {
   const JobRecord job = AwaitEnd(id);
   ASSERT_EQ(job.state, JobState::kSucceeded);
   EXPECT_GT(job.result->gcode_size, kLayers * kBytesALayer);
-  // Two slots have a range each, of 128 layers at most, and what was there before.
+  // The memory holds one range of at most 128 layers for each of the two slots.
   EXPECT_LT(Memory("VmHWM:") - before, kLayers * kBytesALayer / 2);
 }
 
@@ -207,7 +209,8 @@ TEST_F(JobRunnerTest, AJobThatDoesNotFitIntoMemoryFails) {
 TEST_F(JobRunnerTest, AJobThatWaitsEndsAtItsDeadline) {
   const auto runner = Runner();
   const std::string held = SubmitHeld(*runner);
-  const std::string same = Submit("xx", "build", NowUs() + kSecondUs);  // waits for the other's end
+  // waits for the end of the same work
+  const std::string same = Submit("xx", "build", NowUs() + kSecondUs);
   Pass(kSecondUs);
   const JobRecord job = AwaitEnd(same);
   EXPECT_EQ(job.state, JobState::kFailed);
@@ -218,7 +221,7 @@ TEST_F(JobRunnerTest, AJobThatWaitsEndsAtItsDeadline) {
 TEST_F(JobRunnerTest, AFencedRunWritesNothing) {
   const auto runner = Runner("me");
   const std::string id = SubmitHeld(*runner);
-  // Another coordinator takes the job over, as if ours had been silent too long.
+  // Another coordinator claims the job, as if this one had been silent for too long.
   const int64_t later_us = NowUs() + 3600 * kSecondUs;
   const auto taken = jobs_->Claim("you", later_us, later_us + 60 * kSecondUs);
   ASSERT_NE(*taken, std::nullopt);
@@ -234,7 +237,7 @@ TEST_F(JobRunnerTest, AJobGivenUpWhileTheStoreWasAwayIsClaimedAgain) {
   const auto runner = Runner();
   const std::string id = SubmitHeld(*runner);
   failing_.Fail(Call::kRenew, absl::InternalError("away"));
-  AwaitCalls(Call::kRenew, 2);  // the one that may have been on its way has been answered
+  AwaitCalls(Call::kRenew, 2);  // a renewal that was in flight before has now been answered
   const int64_t until_us = jobs_->Get(id)->owner_until_us;
   now_us_ = until_us - kSecondUs;
   while (ranges_->cancelled() == 0) std::this_thread::yield();
@@ -369,8 +372,8 @@ TEST_F(JobRunnerTest, AStageOfAnotherBuildNeverEndsAJob) {
   const std::string id = Submit("x?");
   const auto runner = Runner();
   for (JobRecord job = *jobs_->Get(id); !IsTerminal(job.state); job = *jobs_->Get(id)) {
-    // No further than to its next claim, which may be under way already: its lease is not to run
-    // out.
+    // The clock advances only to the job's next claim, which may be in progress already. A larger
+    // step would let its lease expire.
     now_us_ = std::max(NowUs(), job.owner.empty() ? job.owner_until_us : 0);
     runner->Wake();
     std::this_thread::yield();
@@ -382,7 +385,7 @@ TEST_F(JobRunnerTest, AStageOfAnotherBuildNeverEndsAJob) {
 TEST_F(JobRunnerTest, AStageThatStaysAwayFailsTheJobInTheEnd) {
   slicing_.unavailable_ = 1000;
   const std::string id = Submit("x~");
-  // As if it had been tried before.
+  // These tries simulate earlier runs.
   for (int i = 0; i < 5; ++i) {
     const auto claimed = jobs_->Claim("past", NowUs(), NowUs() + 1'000'000);
     ASSERT_TRUE(

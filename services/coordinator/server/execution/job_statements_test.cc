@@ -1,4 +1,4 @@
-// What a job, and a sweep, cost a PostgreSQL database that coordinators share.
+// Tests of the number of statements that a job, and a sweep, send to a shared PostgreSQL database.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -93,7 +93,8 @@ TEST_F(JobStatementsTest, ASmallJobIsAtMostThirty) {
     JobRunner runner(RunEnvironment{jobs_, *blobs_, resolved_, results_, pipeline_, memory_, feed_,
                                     clock_, "build", ResultSharing::kOff, rpc::JsonLog("test")},
                      options);
-    // What it does once in its life, and what its threads look for in vain, is no job's.
+    // The statements of the start, and searches for work without a result, do not belong to the
+    // job.
     ASSERT_TRUE(runner.Start().ok());
     ended.get_future().wait();
     runner.Drain(std::chrono::minutes(1));
@@ -102,8 +103,8 @@ TEST_F(JobStatementsTest, ASmallJobIsAtMostThirty) {
   const auto job = SqlJobStore(database_).Get(id);
   ASSERT_EQ(job->state, JobState::kSucceeded) << (job->error ? job->error->message : "");
   const std::vector<std::string> of_run = counting_->Statements();
-  // From what finds its turn on, of the thread that claimed it, all belongs to the job. One look
-  // for work found it; other threads' looks were in vain.
+  // The job's statements begin with the search that found it. Only one search for work succeeded;
+  // the repeated search statements of other threads found nothing.
   std::set<std::string> looks;
   for (const std::string& statement : of_run) {
     const bool looks_for_work = statement.starts_with("WITH RECURSIVE open_tenants") ||
@@ -118,7 +119,8 @@ TEST_F(JobStatementsTest, ASmallJobIsAtMostThirty) {
 }
 
 TEST_F(JobStatementsTest, ASweepOfManyBlobsWithNothingToDoIsFew) {
-  constexpr int64_t kAtOnce = 50'000;  // a statement has so much time
+  // rows per statement, because the time of a statement is limited
+  constexpr int64_t kAtOnce = 50'000;
   const int64_t blobs = FromEnvironment("SLICEFARM_SWEEP_BLOBS", 100'000);
   for (int64_t first = 0; first < blobs; first += kAtOnce) {
     const std::string names = absl::StrCat(
@@ -145,7 +147,7 @@ TEST_F(JobStatementsTest, ASweepOfManyBlobsWithNothingToDoIsFew) {
   EXPECT_EQ(swept->blobs, 0);
   const std::vector<std::string> statements = counting_->Statements();
   RecordProperty("statements", static_cast<int>(statements.size()));
-  // A million: a hundred.
+  // A million blobs may take a hundred statements.
   EXPECT_LE(std::ssize(statements), 4 + blobs * 96 / 1'000'000) << absl::StrJoin(statements, "\n");
 }
 

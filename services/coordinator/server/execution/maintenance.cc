@@ -26,7 +26,8 @@ void Maintenance::Run(const std::stop_token& stop) {
 void Maintenance::SweepOnce(const std::stop_token& stop) {
   const CancelToken cancel([&] { return stop.stop_requested(); });
   const CancelScope scope(cancel);
-  // Less than from one to the next, so that the same one may go on.
+  // The turn is shorter than the sweep interval, so that the same coordinator may take the next
+  // turn.
   const auto turn_us = std::chrono::microseconds(options_.every).count() * 9 / 10;
   const auto mine = jobs_.TakeChore("sweep", now_us_(), now_us_() + turn_us);
   if (!mine.ok()) log_.Warn("sweep failed", {{"error", std::string(mine.status().message())}});

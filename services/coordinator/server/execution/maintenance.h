@@ -10,13 +10,15 @@
 
 namespace slicefarm::coordinator {
 
-/// Sweeps the stores from time to time, from a thread of its own; of the coordinators that share
-/// them, one does. Nothing is removed before the store IsSettled.
+/// Sweeps the stores at regular intervals, on a thread of its own. Of all coordinators that share
+/// the stores, only one sweeps. Removes nothing before the store IsSettled.
 class Maintenance {
  public:
+  /// Storage times and the interval of the sweeps.
   struct Options {
     SweepOptions sweep;
-    double keep_revisions_s = 90.0 * 24 * 3600;  ///< of profiles: ProfileStore::Expire
+    /// Storage time of profile revisions (ProfileStore::Expire).
+    double keep_revisions_s = 90.0 * 24 * 3600;
     std::chrono::seconds every{600};
   };
 
@@ -35,7 +37,7 @@ class Maintenance {
   const Options options_;
   const std::function<int64_t()> now_us_;
   const rpc::JsonLog log_;
-  std::jthread thread_;  ///< the last member: it uses the others
+  std::jthread thread_;  ///< last member, because the thread uses the other members
 };
 
 }  // namespace slicefarm::coordinator

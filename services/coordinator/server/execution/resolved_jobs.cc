@@ -9,7 +9,7 @@ namespace slicefarm::coordinator {
 namespace {
 
 constexpr size_t kMostKept = 32;
-/// Of a job's tables: larger ones may take megabytes each.
+/// Largest number of rows in the tables of a cached job. Larger tables may take megabytes each.
 constexpr int64_t kMostRows = 32;
 
 }  // namespace

@@ -15,30 +15,31 @@
 
 namespace slicefarm::coordinator {
 
-/// The jobs that were resolved last, so that a job that is claimed again, or the same work asked
-/// for a thousand times, is resolved once. Bounded in number; jobs with large tables of settings
-/// are not kept. Thread-safe.
+/// Cache of the last resolved jobs. So a job that is claimed again, or a thousand jobs with the
+/// same work, are resolved only once. The number of jobs is limited. Jobs with large tables of
+/// settings are not cached. Thread-safe.
 class ResolvedJobs {
  public:
   explicit ResolvedJobs(std::string build_id) : build_id_(std::move(build_id)) {}
 
-  /// ResolveJob of a spec as JobRecord has it. Errors: those of ReadSpec and ResolveJob.
+  /// Returns the resolved job (ResolveJob) for a spec in the form of JobRecord. Errors: errors of
+  /// ReadSpec and ResolveJob.
   absl::StatusOr<std::shared_ptr<const ResolvedJob>> Of(const std::string& spec,
                                                         std::string_view result_tenant,
                                                         const CancelToken& cancel = {});
 
-  /// The same where the spec was read already.
+  /// Returns the resolved job for a spec that was already read as `request`.
   absl::StatusOr<std::shared_ptr<const ResolvedJob>> Of(const std::string& spec,
                                                         const JobRequest& request,
                                                         std::string_view result_tenant,
                                                         const CancelToken& cancel = {});
 
-  int64_t resolved() const;  ///< that were not found
+  int64_t resolved() const;  ///< number of jobs that were not found in the cache
 
  private:
   struct Kept {
     std::string key;
-    std::shared_ptr<const ResolvedJob> job;  // shared with those who use it
+    std::shared_ptr<const ResolvedJob> job;  // shared with its users
   };
 
   using Request = std::function<absl::StatusOr<JobRequest>()>;
@@ -51,7 +52,7 @@ class ResolvedJobs {
 
   const std::string build_id_;
   mutable std::mutex mutex_;
-  std::list<Kept> kept_;  ///< the one that was used last first
+  std::list<Kept> kept_;  ///< the most recently used entry is first
   int64_t resolved_ = 0;
 };
 

@@ -13,28 +13,29 @@
 
 namespace slicefarm::coordinator {
 
-/// The stages that are services of their own: the replicas of each, and a client over them.
+/// Stages that run as separate services: a pool of replicas and a client for each stage.
 class StagePools {
  public:
-  /// `names`: addresses by stage; of a stage without, there is none. `options`: of the pool of a
-  /// stage, by its name.
+  /// Creates the pools. `names`: addresses by stage; a stage without addresses gets no pool.
+  /// `options`: pool options by the stage's name.
   StagePools(const std::map<Stage, std::vector<std::string>>& names,
              const std::function<StagePoolOptions(const std::string& stage)>& options,
              const rpc::JsonLog& log);
 
+  /// Returns the clients of the stages.
   Stages stages() const { return stages_.all(); }
-  /// REQUIRES: it is there.
+  /// Returns the replicas of a stage. REQUIRES: the stage has a pool.
   ReplicaSource& replicas(Stage stage) { return *pools_.at(stage); }
-  /// Whether the replicas of these stages, so far as they are there, are of this build.
+  /// Returns true if the replicas of these stages are of this build. Ignores stages without a pool.
   bool AreOfThisBuild(const std::vector<Stage>& stages);
 
-  /// The chain of each process whose task stages are there, as two runners of `slots` tasks at a
-  /// time together, at least one each: a task is doubled and given up by the rules of FanOut, which
-  /// speak of more than one. They can be reached when all their stages can. The object must outlive
-  /// the runners' calls.
+  /// Returns runners for each process with all its task stages. Each process gets two runners with
+  /// `slots` tasks in total, at least one each. There are two, because the rules of FanOut for
+  /// second copies and failures need more than one runner. A runner is reachable if all its stages
+  /// are. This object must outlive the runners' calls.
   std::vector<Runner> AsRunners(int slots);
 
-  /// By name.
+  /// Returns the pools by the names of their stages.
   std::map<std::string, const StagePool*> Pools() const;
 
  private:
