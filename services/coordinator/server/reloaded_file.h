@@ -17,16 +17,16 @@
 
 namespace slicefarm::coordinator {
 
-/// A file of settings, which is read again when it changes. A new content that cannot be used
-/// leaves the last one in force, with an error in the log and the gauge
-/// slicefarm_NAME_file_usable at 0. Thread-safe.
+/// File of settings that is read again when it changes. If the new content is invalid, the old
+/// content stays in use; the log gets an error and the gauge slicefarm_NAME_file_usable becomes 0.
+/// Thread-safe.
 template <typename Content>
 class ReloadedFile {
  public:
   using Parse = std::function<absl::StatusOr<Content>(const std::string& text)>;
 
-  /// `name`: what the file holds, for the log and the gauge. The registry must outlive the file.
-  /// Errors: those of rpc::ReadTextFile and `parse`.
+  /// Opens the file and reads its content. `name`: kind of content, for the log and the gauge. The
+  /// registry must outlive the file. Errors: errors of rpc::ReadTextFile and `parse`.
   static absl::StatusOr<std::unique_ptr<ReloadedFile>> Open(
       const std::string& path, const std::string& name, Parse parse, prometheus::Registry& registry,
       rpc::JsonLog log, std::chrono::milliseconds every = std::chrono::seconds(1)) {
@@ -42,6 +42,7 @@ class ReloadedFile {
     return file;
   }
 
+  /// Returns the current content.
   std::shared_ptr<const Content> Get() const {
     const std::lock_guard lock(mutex_);
     return content_;
@@ -79,8 +80,9 @@ class ReloadedFile {
   const rpc::JsonLog log_;
   prometheus::Gauge& usable_;
   mutable std::mutex mutex_;
-  std::shared_ptr<const Content> content_;  // shared: calls that go on have the old one
-  std::optional<rpc::FileWatch> watch_;     ///< the last member: its thread uses the others
+  // shared, because running calls continue with the old content
+  std::shared_ptr<const Content> content_;
+  std::optional<rpc::FileWatch> watch_;  ///< last member, because its thread uses the other members
 };
 
 }  // namespace slicefarm::coordinator

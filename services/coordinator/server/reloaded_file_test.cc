@@ -51,7 +51,7 @@ TEST_F(ReloadedFileTest, ANewContentReplacesTheOld) {
   Write(R"({"b": {}})");
   while (!(*file)->Get()->contains("b")) std::this_thread::yield();
   EXPECT_FALSE((*file)->Get()->contains("a"));
-  EXPECT_TRUE(before->contains("a"));  // who has it may go on with it
+  EXPECT_TRUE(before->contains("a"));  // a holder of the old content may continue to use it
 }
 
 TEST_F(ReloadedFileTest, ABadContentLeavesTheOldInForce) {

@@ -7,7 +7,7 @@ namespace slicefarm::coordinator {
 
 absl::StatusOr<int> HttpPost(const std::string& url, const std::string& body,
                              const HttpPostOptions& options) {
-  // A client of its own: no connection is kept that was made by other rules.
+  // Each post has a client of its own, so that no connection with other rules is reused.
   HttpClient client({.connect = options.timeout,
                      .total = options.timeout,
                      .may_reach = options.private_addresses ? nullptr : &IsPublicAddress});

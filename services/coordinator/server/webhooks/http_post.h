@@ -8,16 +8,17 @@
 
 namespace slicefarm::coordinator {
 
+/// Options of HttpPost.
 struct HttpPostOptions {
-  std::vector<std::string> headers = {};  ///< "Name: value"
+  std::vector<std::string> headers = {};  ///< headers as "Name: value"
   std::chrono::milliseconds timeout{10'000};
-  bool private_addresses = false;  ///< may the host be in a private network?
+  bool private_addresses = false;  ///< true if the host may be in a private network
 };
 
-/// Posts JSON over http or https and returns the status of the answer, of which the rest is thrown
-/// away. Follows no redirect, uses no proxy, and looks at the address that the name really led to.
-/// Blocks at most `timeout`. Errors: Unavailable with the cause; PermissionDenied for an address
-/// that is not public.
+/// Posts JSON over http or https and returns the status of the response. Ignores the body of the
+/// response. Follows no redirect and uses no proxy. Checks the address that the name was resolved
+/// to. Blocks for at most `timeout`. Errors: Unavailable with the cause; PermissionDenied if the
+/// address is not public.
 absl::StatusOr<int> HttpPost(const std::string& url, const std::string& body,
                              const HttpPostOptions& options);
 

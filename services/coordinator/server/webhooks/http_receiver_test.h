@@ -16,8 +16,8 @@
 
 namespace slicefarm::coordinator {
 
-/// For tests: takes HTTP requests on the loopback, one connection after the other, and answers as
-/// it was told.
+/// HTTP server for tests. Accepts one loopback connection after another and sends the answers that
+/// the test sets.
 class HttpReceiver {
  public:
   HttpReceiver() : listener_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
@@ -39,17 +39,18 @@ class HttpReceiver {
     close(listener_);
   }
 
+  /// Returns the URL of a path on this server.
   std::string Url(const std::string& path) const {
     return "http://127.0.0.1:" + std::to_string(port_) + path;
   }
 
-  /// The next answers; after them, 200 without a body.
+  /// Sets the next answers. After them, each request gets status 200 without a body.
   void Answer(std::deque<std::string> answers) {
     std::lock_guard lock(mutex_);
     answers_ = std::move(answers);
   }
 
-  /// Waits for so many requests in all; head and body as they came.
+  /// Waits for `count` requests in total. Returns the head and body of each request unchanged.
   std::vector<std::string> Await(size_t count) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return requests_.size() >= count; });

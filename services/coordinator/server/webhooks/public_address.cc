@@ -20,7 +20,7 @@ constexpr uint32_t Ip(uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
   return a << 24 | b << 16 | c << 8 | d;
 }
 
-/// RFC 6890, multicast (RFC 5771) and class E.
+/// Blocks of RFC 6890, multicast (RFC 5771) and class E.
 constexpr std::array kSpecial = {
     Block{Ip(0, 0, 0, 0), 8},      Block{Ip(10, 0, 0, 0), 8},     Block{Ip(100, 64, 0, 0), 10},
     Block{Ip(127, 0, 0, 0), 8},    Block{Ip(169, 254, 0, 0), 16}, Block{Ip(172, 16, 0, 0), 12},

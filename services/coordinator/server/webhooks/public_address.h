@@ -4,9 +4,10 @@ struct sockaddr;
 
 namespace slicefarm::coordinator {
 
-/// True for addresses that anybody on the Internet may have: not those of this machine, of private
-/// networks, of links, for documentation, multicast or reserved (RFC 6890), nor IPv6 addresses that
-/// stand for such IPv4 ones (RFC 4291, 6052, 3056). Other families than IPv4 and IPv6 are not.
+/// Returns true if any Internet host may have the address. Returns false for addresses of this
+/// machine, private networks and links, and for documentation, multicast and reserved addresses
+/// (RFC 6890). Also returns false for IPv6 addresses that represent such IPv4 addresses (RFC 4291,
+/// 6052, 3056), and for families other than IPv4 and IPv6.
 bool IsPublicAddress(const sockaddr& address);
 
 }  // namespace slicefarm::coordinator

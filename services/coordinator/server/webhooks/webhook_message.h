@@ -8,13 +8,14 @@
 
 namespace slicefarm::coordinator {
 
-/// What a receiver is told: `{"type": "job.ended", "job": {...}}`, the job as GetJob has it,
-/// without settings: not the job's, nor those of projects, objects, parts and height ranges.
+/// Returns the message to a receiver: `{"type": "job.ended", "job": {...}}`. The job is as in
+/// GetJob but without settings. The settings of its projects, objects, parts and height ranges are
+/// removed as well.
 std::string WebhookBody(const JobRecord& job);
 
-/// `t=SECONDS,v1=HEX`, with one `v1` for each secret: HMAC-SHA256 (RFC 2104) of `SECONDS.BODY`. A
-/// receiver computes it again with the secret that it knows, takes the message if one `v1` is
-/// equal, and refuses times that are not of the last minutes.
+/// Returns `t=SECONDS,v1=HEX`, with one `v1` per secret. HEX is the HMAC-SHA256 (RFC 2104) of
+/// `SECONDS.BODY`. A receiver computes the HMAC with its own secret and accepts the message if one
+/// `v1` is equal. It refuses times outside the last minutes.
 std::string WebhookSignature(const std::vector<std::string>& secrets, int64_t time_s,
                              const std::string& body);
 

@@ -8,13 +8,14 @@
 namespace slicefarm::coordinator::webhook_message_test {
 namespace {
 
-// printf '1700000000.{"a":1}' | openssl dgst -sha256 -hmac 0123456789abcdef
+// Expected value from: printf '1700000000.{"a":1}' | openssl dgst -sha256 -hmac 0123456789abcdef
 TEST(WebhookSignature, IsTheHmacThatOthersCompute) {
   EXPECT_EQ(WebhookSignature({"0123456789abcdef"}, 1'700'000'000, R"({"a":1})"),
             "t=1700000000,v1=9eb18f493f8ec135d9eb2dad817c369bb4e9cbfa818657897a7437c1cd8c3a23");
 }
 
-// While a secret is replaced, receivers with the old one and with the new one take the message.
+// While a secret is being replaced, receivers with the old secret and with the new one accept the
+// message.
 TEST(WebhookSignature, HasOneOfEachSecret) {
   const std::string first = WebhookSignature({"the first secret"}, 5, "body");
   const std::string second = WebhookSignature({"the second secret"}, 5, "body");
@@ -22,7 +23,7 @@ TEST(WebhookSignature, HasOneOfEachSecret) {
             first + second.substr(second.find(",v1=")));
 }
 
-/// A spec with settings in each place that has some.
+/// Returns a spec with settings at every level that can have settings.
 v1::JobSpec SpecWithSettings() {
   v1::JobSpec spec;
   const auto tell = [](v1::Setting& setting) {

@@ -18,11 +18,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr size_t kMinSecretBytes = 16;
-/// A new secret and the one that it replaces.
+/// Two secrets: the new one and the one that it replaces.
 constexpr size_t kMaxSecrets = 2;
 
 struct Url {
-  std::string origin;  ///< scheme, host and port, in their usual form
+  std::string origin;  ///< scheme, host and port, in normalized form
   std::string path;
 };
 
@@ -34,7 +34,7 @@ std::string Part(CURLU* url, CURLUPart part, unsigned int flags = 0) {
   return value;
 }
 
-/// nullopt: no URL of http or https, or one with a user's name.
+/// Parses a URL. Returns nullopt if it is not an http(s) URL or if it contains a user's name.
 std::optional<Url> ParseUrl(const std::string& text) {
   const std::unique_ptr<CURLU, decltype(&curl_url_cleanup)> url(curl_url(), &curl_url_cleanup);
   if (curl_url_set(url.get(), CURLUPART_URL, text.c_str(), CURLU_DISALLOW_USER) != CURLUE_OK) {
@@ -42,9 +42,9 @@ std::optional<Url> ParseUrl(const std::string& text) {
   }
   const std::string scheme = Part(url.get(), CURLUPART_SCHEME);
   if (scheme != "http" && scheme != "https") return std::nullopt;
-  // A receiver may decode it before it resolves it.
+  // The path is decoded for this check, because a receiver may decode it before it resolves it.
   const std::string decoded = Part(url.get(), CURLUPART_PATH, CURLU_URLDECODE);
-  if (decoded.empty()) return std::nullopt;  // control characters
+  if (decoded.empty()) return std::nullopt;  // the path contains control characters
   if ((decoded + "/").find("/../") != std::string::npos) return std::nullopt;
   std::string host = Part(url.get(), CURLUPART_HOST);
   std::ranges::transform(host, host.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -72,7 +72,7 @@ absl::Status TakeAllow(const std::string& tenant, const Json& value, WebhookRule
   return absl::OkStatus();
 }
 
-/// `value`: a secret, or a list of them.
+/// Reads the secrets of a tenant. `value`: a secret, or a list of secrets.
 absl::Status TakeSecrets(const std::string& tenant, const std::string& key, const Json& value,
                          WebhookRules& rules) {
   if (!rules.secrets.empty())

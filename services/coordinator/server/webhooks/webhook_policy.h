@@ -11,32 +11,36 @@
 
 namespace slicefarm::coordinator {
 
-/// Where a tenant's webhooks may go, and how they are signed.
+/// Allowed URLs of a tenant's webhooks, and the secrets that sign them.
 struct WebhookRules {
-  std::vector<std::string> allow;  ///< URLs: the same scheme, host and port, and paths below
+  /// URLs; a webhook may use the same scheme, host and port, and paths below.
+  std::vector<std::string> allow;
   std::vector<std::string>
-      secrets;  ///< of the HMACs: one, or while it is replaced the new and the old
-  bool private_addresses = false;  ///< may they lead into a private network?
+      /// Secrets of the HMACs: one, or the new and the old one during a replacement.
+      secrets;
+  bool private_addresses = false;  ///< true if the host may be in a private network
 };
 
-/// The webhooks that the farm sends, by tenant; "" stands for all where there are none.
+/// Rules for the webhooks of a farm, by tenant. The name "" is for a farm without tenants.
 class WebhookPolicy {
  public:
-  /// JSON: `{"TENANT": {"allow": ["https://host/path"], "secret": "...", "private": false}}`, or
-  /// `"secrets": ["NEW", "OLD"]` in place of `secret`. Errors: InvalidArgument naming the key.
+  /// Reads the JSON: `{"TENANT": {"allow": ["https://host/path"], "secret": "...", "private":
+  /// false}}`, or `"secrets": ["NEW", "OLD"]` instead of `secret`. Errors: InvalidArgument with the
+  /// key.
   static absl::StatusOr<WebhookPolicy> Parse(std::string_view json);
 
-  /// Errors: REQUEST_TOO_LARGE; WEBHOOK_REFUSED for what is no URL or on no list of the tenant.
+  /// Checks that the tenant's webhooks may use the URL. Errors: REQUEST_TOO_LARGE; WEBHOOK_REFUSED
+  /// if it is no URL or not in the tenant's list.
   absl::Status Check(const std::string& tenant, const std::string& url) const;
 
-  /// Null: the tenant has none.
+  /// Returns the rules of a tenant; null if it has none.
   const WebhookRules* RulesOf(const std::string& tenant) const;
 
  private:
   std::map<std::string, WebhookRules> rules_;
 };
 
-/// The policy that is in force: its file may change while the farm runs. Never null.
+/// Function that returns the current policy, which may change while the farm runs. Never null.
 using WebhooksNow = std::function<std::shared_ptr<const WebhookPolicy>()>;
 
 }  // namespace slicefarm::coordinator

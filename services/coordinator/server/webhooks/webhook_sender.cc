@@ -60,7 +60,7 @@ void WebhookSender::Serve() {
   }
 }
 
-/// False: nothing is due, or the store does not tell.
+/// Sends one due webhook. Returns false if none is due or if the store failed.
 bool WebhookSender::SendOne() {
   const auto due = Claim();
   if (!due.ok()) log_.Warn("outbox not read", {{"error", std::string(due.status().message())}});
@@ -71,15 +71,17 @@ bool WebhookSender::SendOne() {
 }
 
 absl::StatusOr<std::optional<DueWebhook>> WebhookSender::Claim() {
-  const std::lock_guard lock(claim_mutex_);  // or several would claim of one tenant at a time
+  // otherwise, several threads could claim webhooks of the same tenant at once
+  const std::lock_guard lock(claim_mutex_);
   const int64_t now_us = now_us_();
-  // Nobody else tries it while we may still do.
+  // The claim outlasts the try, so that no other coordinator sends the webhook meanwhile.
   auto due = webhooks_.Claim(now_us, now_us + 2 * Us(options_.timeout), Busy());
   if (due.ok() && *due) Count((*due)->tenant, 1);
   return due;
 }
 
-/// Tenants that have their share of the threads. With but one thread there is nothing to share.
+/// Returns the tenants that use at least half of the threads. With a single thread, there is
+/// nothing to share.
 std::set<std::string> WebhookSender::Busy() {
   std::lock_guard lock(mutex_);
   std::set<std::string> busy;
@@ -101,7 +103,7 @@ WebhookAttempt WebhookSender::Try(const DueWebhook& due) {
     attempt.error = std::string(job.status().message());
     return attempt;
   }
-  // The list may have become shorter since the job was made.
+  // The list of allowed URLs may have changed since the creation of the job.
   const std::shared_ptr<const WebhookPolicy> policy = policy_();
   if (absl::Status allowed = policy->Check(job->tenant, due.url); !allowed.ok()) {
     attempt.error = std::string(allowed.message());
@@ -142,7 +144,7 @@ void WebhookSender::Conclude(const DueWebhook& due, const WebhookAttempt& attemp
              {"attempt", int64_t{due.attempt}},
              {"http_status", int64_t{attempt.http_status}},
              {"error", attempt.error}});
-  // Unwritten, the claim runs out and the receiver hears of it again.
+  // If the outcome was not written, the claim expires and the webhook is sent again.
   if (written.ok()) (delivered ? delivered_ : given_up ? given_up_ : failed_).Increment();
   if (!written.ok()) log_.Warn("outbox not written", {{"error", std::string(written.message())}});
 }

@@ -20,23 +20,25 @@
 
 namespace slicefarm::coordinator {
 
-/// Sends what is due in the outbox: at least once, again and ever later while the receiver does not
-/// answer with 2xx, for about a day. Threads of its own, of which no tenant's receivers take more
-/// than half.
+/// Sends the due webhooks of the outbox, each at least once. If the receiver does not answer with
+/// 2xx, the sender retries for about a day, with increasing pauses. It has threads of its own, and
+/// the receivers of one tenant use at most half of them.
 class WebhookSender {
  public:
+  /// Options of a WebhookSender.
   struct Options {
     int threads = 4;
     std::chrono::milliseconds poll{1'000};
-    std::chrono::milliseconds timeout{10'000};      ///< of a try
-    std::chrono::milliseconds first_retry{10'000};  ///< twice as long each time, up to two hours
+    std::chrono::milliseconds timeout{10'000};  ///< time limit of a try
+    /// First pause; each further pause is twice as long, up to two hours.
+    std::chrono::milliseconds first_retry{10'000};
     int max_attempts = 20;
   };
 
-  /// Everything outlives it.
+  /// Starts the threads. All arguments must outlive the sender.
   WebhookSender(WebhookStore& webhooks, JobStore& jobs, WebhooksNow policy, Options options,
                 std::function<int64_t()> now_us, rpc::JsonLog log, prometheus::Registry& registry);
-  /// Waits for the tries that are on their way.
+  /// Waits for the tries in progress.
   ~WebhookSender();
 
  private:
@@ -61,7 +63,7 @@ class WebhookSender {
   std::mutex mutex_;
   std::condition_variable stop_;
   bool stopping_ = false;
-  std::map<std::string, int> in_flight_;  ///< tries, by tenant
+  std::map<std::string, int> in_flight_;  ///< number of tries in progress, by tenant
   std::vector<std::thread> threads_;
 };
 

@@ -1,4 +1,4 @@
-// Webhooks from a job's request to their receiver.
+// Tests of webhooks from a job's request to the receiver.
 #include "services/coordinator/server/webhooks/webhook_sender.h"
 
 #include <gmock/gmock.h>
@@ -54,7 +54,8 @@ class WebhookSenderTest : public CoordinatorTest {
     return webhook;
   }
 
-  /// The receiver hears of a try before the outbox does.
+  /// Waits until the webhook has this state, because the receiver gets a try before the outbox
+  /// records it.
   v1::Webhook AwaitState(const std::string& id, v1::Webhook::State state) {
     v1::Webhook webhook;
     while (webhook.state() != state) webhook = GetWebhook(id);
@@ -113,7 +114,7 @@ TEST_F(WebhookSenderTest, GivesUpInTheEnd) {
   const auto job = CreateWith(receiver_.Url("/farm"));
   EXPECT_EQ(AwaitState(job->id(), v1::Webhook::STATE_GIVEN_UP).attempts_size(), 3);
   EXPECT_THAT(receiver_.Await(3), SizeIs(3));
-  Close();  // the tries have been counted
+  Close();  // Close waits until the tries are counted
   EXPECT_EQ(Tries("failed"), 2);
   EXPECT_EQ(Tries("given_up"), 1);
   EXPECT_EQ(Tries("delivered"), 0);
