@@ -14,7 +14,8 @@ absl::Status IsAQuote(const std::string& id) {
                    {{"job", id}});
 }
 
-/// Who waits for a job to finish that was cancelled or has failed would wait for ever.
+/// Returns the error of a job without a result. A job that was cancelled or failed gets an error of
+/// its own, because a client would otherwise wait for it forever.
 absl::Status HasNoResult(const JobRecord& job) {
   Reason reason = Reason::kJobNotFinished;
   if (job.state == JobState::kCancelled) reason = Reason::kCancelled;

@@ -8,8 +8,8 @@
 
 namespace slicefarm::coordinator {
 
-/// The name of the blob that an artifact of the job is. Errors: JOB_NOT_FINISHED; BLOB_NOT_FOUND
-/// for the G-code of a quote; REQUEST_MALFORMED for what is no artifact that is kept.
+/// Returns the name of the blob that stores an artifact of the job. Errors: JOB_NOT_FINISHED;
+/// BLOB_NOT_FOUND for the G-code of a quote; REQUEST_MALFORMED for an artifact that is not stored.
 absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifact);
 
 }  // namespace slicefarm::coordinator

@@ -12,15 +12,16 @@
 
 namespace slicefarm::coordinator {
 
-/// Errors: REQUEST_MALFORMED for an `offset` that is not within the blob, or a negative `limit`.
+/// Checks the requested part of a blob. Errors: REQUEST_MALFORMED for an `offset` outside the blob,
+/// or a negative `limit`.
 absl::Status CheckPart(const BlobReader& blob, int64_t offset, int64_t limit);
 
-/// Sends bytes in chunks of 64 KiB. False: the client left.
+/// Sends bytes in chunks of 64 KiB. Returns false if the client left.
 bool SendBytes(std::string_view bytes, const Transfers::Moved& moved,
                grpc::ServerWriter<v1::DownloadResponse>& stream);
 
-/// Sends a blob from `offset` on, `limit` bytes at most (0: all), in chunks of 64 KiB, until the
-/// client leaves. REQUIRES: CheckPart. Errors: those of reading.
+/// Sends a blob from `offset` on, at most `limit` bytes (0: all), in chunks of 64 KiB. Stops when
+/// the client leaves. REQUIRES: CheckPart. Errors: errors of reading.
 absl::Status SendBlob(BlobReader& blob, int64_t offset, int64_t limit,
                       const Transfers::Moved& moved,
                       grpc::ServerWriter<v1::DownloadResponse>& stream);

@@ -24,7 +24,7 @@ absl::Status Denied(std::string_view message, std::map<std::string, std::string>
                    std::move(metadata));
 }
 
-/// `what`: "calls" or "jobs".
+/// Checks the rate of a tenant. `what`: "calls" or "jobs".
 absl::Status CheckRate(RateLimits& limits, const std::string& tenant, const char* what,
                        int64_t per_second, int64_t count, int64_t now_us) {
   if (per_second == 0 || count == 0) return absl::OkStatus();
@@ -79,7 +79,7 @@ absl::StatusOr<Caller> Callers::Known(const grpc::ServerContextBase& context) co
     return Denied(absl::StrCat("the certificate is ", peer->identity, "'s, and no tenant's"));
   }
   if (!tenants_) {
-    // The CA may be one that signs for others as well.
+    // The CA may also sign certificates for other purposes.
     if (peer->certified && !shown) return Denied("the certificate names no tenant");
     return Caller{.tenant = "", .scopes = {Scope::kSubmit, Scope::kRead}};
   }

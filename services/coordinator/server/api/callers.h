@@ -13,48 +13,50 @@
 
 namespace slicefarm::coordinator {
 
-/// The tenants at the moment. None: there is one only, without a name, and each caller is it.
+/// Function that returns the current tenants. If empty, there is a single tenant without a name,
+/// and every caller belongs to it.
 using TenantsNow = std::function<std::shared_ptr<const Tenants>()>;
 
-/// How many calls may be under way at once, uploads and downloads among them, shared as
-/// TenantPlaces says: each holds a thread of the server.
+/// Largest number of calls in progress, including uploads and downloads. Tenants share them by the
+/// rule of TenantPlaces. Each call occupies a thread of the server.
 struct CallLimits {
   int calls = 480;
 };
 
-/// Who calls, and his place among the calls that are under way, given back when this goes.
+/// Caller with its slot among the calls in progress. The destructor releases the slot.
 struct PlacedCaller : Caller {
   TenantPlaces::Place place;
 };
 
-/// By what a caller is known again in a log; what he did not show is empty.
+/// Marks that identify a caller in a log. A mark is empty if the caller did not send it.
 struct CallerMarks {
-  std::string tenant;       ///< of a caller who is known
-  std::string token;        ///< the first 12 digits of its SHA-256
-  std::string certificate;  ///< the same
+  std::string tenant;       ///< tenant, if the caller is known
+  std::string token;        ///< first 12 digits of the token's SHA-256
+  std::string certificate;  ///< first 12 digits of the certificate's SHA-256
   std::string address;
 };
 
-/// Finds out who calls: the first thing that each method of the public services does. Not gRPC's
-/// AuthMetadataProcessor, which there is with TLS only, and whose errors have no details.
-/// Thread-safe.
+/// Authenticates callers. Each method of the public services does this first. gRPC's
+/// AuthMetadataProcessor is not used, because it exists only with TLS and its errors have no
+/// details. Thread-safe.
 class Callers {
  public:
   Callers(TenantsNow tenants, const CallLimits& limits, std::function<int64_t()> now_us)
       : tenants_(std::move(tenants)), now_us_(std::move(now_us)), places_(limits.calls) {}
 
-  /// The caller, by his token, or else by his certificate (with both, they must be of one tenant).
-  /// He has at least one of the scopes. Errors: UNAUTHENTICATED; PERMISSION_DENIED, with metadata
-  /// `scope` if it is one that he lacks; OVERLOADED if too many calls of his tenant are under way,
-  /// or, with metadata `rate`, if his tenant makes more calls a second than it may.
+  /// Returns the caller with a slot for the call. Identifies it by its token, or else by its
+  /// certificate. If it sends both, they must belong to the same tenant. The caller has at least
+  /// one of the scopes. Errors: UNAUTHENTICATED; PERMISSION_DENIED, with metadata `scope` if a
+  /// scope is missing; OVERLOADED if too many calls of its tenant are in progress, or, with
+  /// metadata `rate`, if its tenant makes too many calls per second.
   absl::StatusOr<PlacedCaller> Find(const grpc::ServerContextBase& context,
                                     const Scopes& one_of) const;
 
-  /// Of any caller, also one who is refused.
+  /// Returns the marks of any caller, also of a refused one.
   CallerMarks MarksOf(const grpc::ServerContextBase& context) const;
 
-  /// Before the caller creates so many jobs. Errors: OVERLOADED, with metadata `rate`, if his
-  /// tenant creates more a second than it may.
+  /// Checks that the caller may create `jobs` jobs now. Errors: OVERLOADED, with metadata `rate`,
+  /// if its tenant creates too many jobs per second.
   absl::Status CheckJobs(const Caller& caller, int64_t jobs) const;
 
  private:

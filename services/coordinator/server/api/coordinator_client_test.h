@@ -19,21 +19,22 @@
 
 namespace slicefarm::coordinator {
 
-/// For tests: the calls of a client of the coordinator that sends meshes and makes jobs of them
-/// to their ends, one by one and without retries.
+/// Client of the coordinator for tests. Sends meshes and waits for the ends of their jobs. Makes
+/// one call at a time, without retries.
 class CoordinatorClient {
  public:
   void Connect(const std::string& address) {
     Use(grpc::CreateChannel(address, grpc::InsecureChannelCredentials()));
   }
 
-  /// As somebody: with a token, a certificate.
+  /// Connects with the given credentials: a token or a certificate.
   void Connect(const std::string& address, rpc::ChannelOptions options) {
     options.retries = false;
     options.own_connection = true;
     Use(rpc::MakeChannel(address, options));
   }
 
+  /// Sends all further calls over this channel.
   void Use(const std::shared_ptr<grpc::Channel>& channel) {
     channel_ = channel;
     jobs_ = v1::Jobs::NewStub(channel);
@@ -41,7 +42,8 @@ class CoordinatorClient {
     profiles_ = v1::Profiles::NewStub(channel);
   }
 
-  /// Sends the bytes of [from, to) of a mesh, -1 being its end, under its digest or another.
+  /// Sends the bytes [from, to) of a mesh; `to` -1 means its end. `digest`: name of the upload; by
+  /// default the mesh's own digest.
   absl::StatusOr<v1::Upload> Upload(const std::string& bytes, int64_t from = 0, int64_t to = -1,
                                     const std::string& digest = "") {
     grpc::ClientContext context;
@@ -65,6 +67,7 @@ class CoordinatorClient {
     return upload;
   }
 
+  /// Returns the state of an upload.
   v1::Upload GetUpload(const std::string& digest) {
     grpc::ClientContext context;
     v1::GetUploadRequest request;
@@ -74,6 +77,7 @@ class CoordinatorClient {
     return upload;
   }
 
+  /// Returns a job.
   absl::StatusOr<v1::Job> Get(const std::string& id) {
     v1::GetJobRequest request;
     request.set_id(id);
@@ -84,15 +88,18 @@ class CoordinatorClient {
     return job;
   }
 
+  /// Returns a request for a job with this mesh.
   static v1::CreateJobRequest RequestFor(const std::string& mesh) {
     v1::CreateJobRequest request;
     v1::Object* object = request.mutable_spec()->add_objects();
     object->set_mesh_sha256(Sha256Hex(mesh));
     object->set_name("part.stl");
-    request.mutable_spec()->set_generic(true);  // the services' own settings are as good as any
+    // the default settings of the services are sufficient
+    request.mutable_spec()->set_generic(true);
     return request;
   }
 
+  /// Creates a job.
   absl::StatusOr<v1::Job> Create(const v1::CreateJobRequest& request,
                                  const TraceContext& trace = {}) {
     grpc::ClientContext context;
@@ -103,7 +110,7 @@ class CoordinatorClient {
     return job;
   }
 
-  /// Uploads the mesh and makes a job of it.
+  /// Uploads the mesh and creates a job with it. Returns the id of the job.
   std::string Submit(const std::string& mesh) {
     EXPECT_TRUE(Upload(mesh).ok());
     const auto job = Create(RequestFor(mesh));
@@ -111,7 +118,7 @@ class CoordinatorClient {
     return job.ok() ? job->id() : "";
   }
 
-  /// Of the first page.
+  /// Returns the ids of the jobs on the first page.
   std::vector<std::string> List(const v1::ListJobsRequest& request = {}) {
     grpc::ClientContext context;
     v1::ListJobsResponse response;
@@ -121,7 +128,7 @@ class CoordinatorClient {
     return ids;
   }
 
-  /// The events after `after`, to the end of the stream.
+  /// Returns the events after `after`, up to the end of the stream.
   std::vector<v1::JobEvent> Watch(const std::string& id, int64_t after = 0,
                                   absl::Status* end = nullptr) {
     grpc::ClientContext context;
@@ -137,7 +144,7 @@ class CoordinatorClient {
     return events;
   }
 
-  /// The job as it ended, of which the last event tells the same.
+  /// Returns the ended job. Checks that the last event reports the same state.
   v1::Job AwaitEnd(const std::string& id) {
     absl::Status end;
     const std::vector<v1::JobEvent> events = Watch(id, 0, &end);
@@ -151,6 +158,7 @@ class CoordinatorClient {
     return *job;
   }
 
+  /// Returns the bytes of an artifact.
   absl::StatusOr<std::string> Download(const std::string& id, v1::Artifact artifact,
                                        int64_t offset = 0) {
     grpc::ClientContext context;

@@ -14,7 +14,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Thumbnails are at the beginning, each of some hundred KiB at most.
+/// Size of the beginning of a program that contains the thumbnails. Each has at most some hundred
+/// KiB.
 constexpr int64_t kBeginningBytes = 4 << 20;
 
 absl::Status HasNone(const JobRecord& job, std::string_view what) {
@@ -68,7 +69,7 @@ void Add(v1::Artifact artifact, const std::string& name, int64_t size, const std
   info.set_sha256(sha256);
 }
 
-/// What a program has none of is left out.
+/// Adds a derived artifact to the list. Adds nothing if the program does not have it.
 absl::Status AddDerived(v1::Artifact artifact, const std::string& name,
                         const absl::StatusOr<DerivedFacts::Fact>& fact,
                         v1::ListArtifactsResponse& list) {

@@ -12,16 +12,16 @@
 
 namespace slicefarm::coordinator {
 
-/// What is not kept, but read from a job's program when somebody asks for it.
+/// Returns true if the artifact is not stored but read from a job's program on request.
 bool IsDerived(v1::Artifact artifact);
 
-/// The bytes of ARTIFACT_LAYERS or ARTIFACT_THUMBNAIL. Errors: those of ArtifactOf; BLOB_NOT_FOUND
-/// if the program has none; the blob store's; CANCELLED in a CancelScope.
+/// Returns the bytes of ARTIFACT_LAYERS or ARTIFACT_THUMBNAIL. Errors: errors of ArtifactOf;
+/// BLOB_NOT_FOUND if the program has none; errors of the blob store; CANCELLED in a CancelScope.
 absl::StatusOr<std::string> Derive(const JobRecord& job, v1::Artifact artifact, BlobStores& blobs);
 
-/// Those of a job that has a result; without its trace. Cost: reads the program if `facts` does not
-/// know what is derived of it. Errors: JOB_NOT_FINISHED; the blob store's; CANCELLED in a
-/// CancelScope.
+/// Returns the artifacts of a job that has a result, without its trace. Cost: reads the program if
+/// `facts` does not have the sizes of its derived artifacts. Errors: JOB_NOT_FINISHED; errors of
+/// the blob store; CANCELLED in a CancelScope.
 absl::StatusOr<v1::ListArtifactsResponse> ListArtifacts(const JobRecord& job, BlobStores& blobs,
                                                         DerivedFacts& facts);
 

@@ -13,19 +13,21 @@
 
 namespace slicefarm::coordinator {
 
-/// Sizes and digests of texts that are derived from results, so that a large program is read for
-/// them once, however many ask. Thread-safe.
+/// Cache of the sizes and digests of texts that are derived from results. A large program is read
+/// for them only once, for any number of requests. Thread-safe.
 class DerivedFacts {
  public:
+  /// Size and digest of a text.
   struct Fact {
     int64_t size = 0;
     std::string sha256;
   };
   using Make = std::function<absl::StatusOr<std::string>()>;
 
-  /// Returns the fact of the text that `make` gives; `key` names that text. Who asks while another
-  /// one makes it waits for him, and makes it himself if that one gives up. Errors: those of
-  /// `make`, of which NotFound is kept like a fact; CANCELLED if `cancel` says so meanwhile.
+  /// Returns the fact of the text that `make` returns. `key` is the unique name of the text. If
+  /// another call makes the same text, waits for that call; if that call fails, makes the text
+  /// itself. Errors: errors of `make`, of which NotFound is cached like a fact; CANCELLED if
+  /// `cancel` is cancelled meanwhile.
   absl::StatusOr<Fact> Of(const std::string& key, const CancelToken& cancel, const Make& make);
 
  private:

@@ -12,18 +12,20 @@
 
 namespace slicefarm::coordinator {
 
-/// The tenant that a request names, if the caller may look at it; else his own. Errors:
-/// PERMISSION_DENIED.
+/// Returns the tenant that a request names, if the caller may access it. Returns the caller's own
+/// tenant if the request names none. Errors: PERMISSION_DENIED.
 absl::StatusOr<std::string> TenantAskedFor(const Caller& caller, bool asked,
                                            const std::string& tenant);
 
-/// What the farm keeps for a tenant. Cost: reads the lists of its jobs and blobs. Errors: the
-/// stores'.
+/// Returns the data that the farm stores for a tenant: numbers of jobs, and bytes. Cost: reads the
+/// lists of its jobs and blobs. Errors: errors of the stores.
 absl::StatusOr<v1::Usage> UsageOf(const std::string& tenant, JobStore& jobs, BlobStores& blobs);
 
-/// Says of a job that has not ended if no worker is there for it; its end cannot be expected then.
+/// Marks an open job as waiting if no connected worker supports its process. Its expected end is
+/// removed, because it is unknown in this case.
 void TellWaiting(const TaskExecutor& executor, v1::Job& job);
 
+/// Converts the description of a setting.
 v1::ListSettingsResponse::Info ToProto(const config::SettingSpec& spec);
 
 }  // namespace slicefarm::coordinator

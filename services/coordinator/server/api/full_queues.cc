@@ -9,7 +9,8 @@ namespace {
 
 constexpr int64_t kMinPauseUs = 50'000;
 constexpr int64_t kMaxPauseUs = 1'000'000;
-/// A farm that ends more than 200 jobs of one tenant a second would run out of them meanwhile.
+/// Pause per open job of a tenant. Only a farm that ends more than 200 jobs of a tenant per second
+/// could empty the queue during the pause.
 constexpr int64_t kPauseAJobUs = 5'000;
 
 }  // namespace

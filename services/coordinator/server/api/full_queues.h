@@ -11,18 +11,21 @@
 
 namespace slicefarm::coordinator {
 
-/// Tenants whose queue was full a moment ago, so that their meshes are not taken in for jobs that
-/// would be refused: at twice what a farm can do, half of its work was that. Thread-safe.
+/// Tenants with a queue that was full a moment ago. Their meshes are refused, because their jobs
+/// would be refused as well. Without it, at twice the load that a farm can handle, half of its work
+/// was to receive such meshes. Thread-safe.
 class FullQueues {
  public:
-  /// `now_us`: of a clock that never runs backwards.
+  /// Creates an empty set. `now_us`: a clock that never runs backwards.
   explicit FullQueues(std::function<int64_t()> now_us) : now_us_(std::move(now_us)) {}
 
-  /// What became of a job of the tenant, who may have `max_open` that have not ended.
+  /// Records the outcome of creating a job of the tenant. `max_open`: the largest number of open
+  /// jobs of the tenant.
   void Note(const std::string& tenant, const absl::Status& created, int64_t max_open);
 
-  /// Errors: the last refusal, until a job is taken again, and for no longer than it is likely to
-  /// hold: a second, or less where a queue is so short that it might be empty by then.
+  /// Returns the last refusal of the tenant; OK if its queue was not full. A refusal is valid for
+  /// at most one second, and ends when a job is accepted again. The time is shorter if the queue is
+  /// so short that it might be empty by then.
   absl::Status Check(const std::string& tenant);
 
  private:

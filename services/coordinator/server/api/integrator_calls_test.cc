@@ -1,5 +1,4 @@
-// Calls for who builds upon a farm: changing jobs, meshes that are kept, projects, what the farm
-// knows.
+// Tests of calls for integrators: changes of jobs, stored meshes, projects, facts about the farm.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,7 +39,7 @@ class IntegratorCallsTest : public CoordinatorTest {
     return Call(*jobs_, &v1::Jobs::Stub::UpdateJob, request);
   }
 
-  /// Of so many bytes from the offset on; 0: of all.
+  /// Downloads `limit` bytes of a mesh from the offset on; 0 means all.
   absl::StatusOr<std::string> DownloadMesh(const std::string& mesh, int64_t offset, int64_t limit) {
     v1::DownloadMeshRequest request;
     request.set_sha256(Sha256Hex(mesh));
@@ -161,7 +160,7 @@ TEST_F(IntegratorCallsTest, ACursorIsOneOfAnAnswer) {
   EXPECT_EQ(DetailOf(rpc::FromGrpc(stream->Finish())).reason, Reason::kRequestMalformed);
 }
 
-// Its coordinator hears of it when it renews its claim.
+// The coordinator of the job learns the deadline when it renews the lease.
 TEST_F(IntegratorCallsTest, ARunningJobEndsAtADeadlineThatItGetsLater) {
   ranges_->Hold();
   const std::string id = Submit("xx");

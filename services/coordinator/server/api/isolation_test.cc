@@ -1,5 +1,5 @@
-// Tenants of one coordinator, over a real server and real stores, with fake stages: what each may
-// do, and that none learns anything of another.
+// Tests of several tenants of one coordinator, with a real server, real stores and fake stages.
+// They check the permissions of each tenant, and that no tenant learns anything about another.
 #include <gmock/gmock.h>
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@
 namespace slicefarm::coordinator::isolation_test {
 namespace {
 
-/// All that a client can see of a call's end.
+/// Everything that a client can see of a call's end.
 struct Seen {
   int code = 0;
   std::string message;
@@ -56,7 +56,7 @@ void PrintTo(const Seen& seen, std::ostream* out) {
        << testing::PrintToString(seen.metadata);
 }
 
-/// A request for something by its id.
+/// Returns a request for an object with this id.
 template <typename Request>
 Request ById(const std::string& id) {
   Request request;
@@ -64,7 +64,7 @@ Request ById(const std::string& id) {
   return request;
 }
 
-/// A request for something by its name.
+/// Returns a request for an object with this name.
 template <typename Request>
 Request ByName(const std::string& name) {
   Request request;
@@ -72,7 +72,7 @@ Request ByName(const std::string& name) {
   return request;
 }
 
-/// What a tenant may try with a job that he knows the id of.
+/// Client that makes all calls that a tenant may try with a job if it has its id.
 class TenantClient : public CoordinatorClient {
  public:
   TenantClient(const std::string& address, const std::string& token) {
@@ -130,7 +130,7 @@ class TenantClient : public CoordinatorClient {
   Seen SeeCreate(const v1::CreateJobRequest& request) {
     return See(*jobs_, &v1::Jobs::Stub::CreateJob, request);
   }
-  /// Sends the bytes of [from, to) of a mesh in one message.
+  /// Sends the bytes [from, to) of a mesh in one message.
   Seen SeeUpload(const std::string& bytes, int64_t from, int64_t to) {
     grpc::ClientContext context;
     v1::Upload upload;
@@ -146,7 +146,7 @@ class TenantClient : public CoordinatorClient {
     return {context, status, upload.SerializeAsString()};
   }
 
-  /// A watch until it is dropped; `open`: it was let in.
+  /// Watch that is open until the object is destroyed. `open`: the server accepted the watch.
   struct OpenWatch {
     grpc::ClientContext context;
     std::unique_ptr<grpc::ClientReader<v1::JobEvent>> stream;
@@ -187,7 +187,7 @@ class TenantClient : public CoordinatorClient {
     return {context, status, response.SerializeAsString()};
   }
 
-  /// Of a stream only its end.
+  /// Makes a streaming call and returns only its end.
   template <typename Stub, typename Request, typename Response>
   static Seen See(Stub& stub,
                   std::unique_ptr<grpc::ClientReader<Response>> (Stub::*method)(
@@ -234,7 +234,7 @@ class IsolationTest : public ServedCoordinatorTest {
     Serve(options);
   }
 
-  /// A client with this token; empty: without.
+  /// Returns a client with this token; without a token if it is empty.
   std::unique_ptr<TenantClient> As(const std::string& token) {
     return std::make_unique<TenantClient>(address(), token);
   }
@@ -288,7 +288,7 @@ TEST_F(IsolationTest, AnothersMeshLooksLikeNoneAtAll) {
     return std::vector<Seen>{a_->SeeUploadStatus(Sha256Hex(mesh)),
                              a_->SeeCreate(TenantClient::RequestFor(mesh)),
                              a_->SeeBatch(TenantClient::RequestFor(mesh)), a_->SeeCreate(look),
-                             a_->SeeUpload(mesh, 500, 1006)};  // as if the first half were there
+                             a_->SeeUpload(mesh, 500, 1006)};  // as if the first half were stored
   };
   const std::vector<Seen> before = see();
   ASSERT_TRUE(b_->Upload(mesh, 0, 500).ok());
@@ -299,7 +299,7 @@ TEST_F(IsolationTest, AnothersMeshLooksLikeNoneAtAll) {
   EXPECT_EQ(before[3].reason(), Reason::kBlobNotFound);
   EXPECT_EQ(before[4].reason(), Reason::kUploadOffset);
 
-  // All of it has to be sent: what another has sent counts for nothing.
+  // The tenant must send the whole mesh, because bytes from another tenant do not count.
   v1::Upload upload;
   ASSERT_TRUE(upload.ParseFromString(a_->SeeUpload(mesh, 0, 500).body));
   EXPECT_EQ(upload.committed_size(), 500);
@@ -333,7 +333,7 @@ TEST_F(IsolationTest, AFullQueueTakesNoMeshes) {
   ranges_->Hold();
   a_->Submit("xa");
   std::optional<Seen> upload;
-  do {  // it does not hold for long
+  do {  // the refusal is valid only for a short time
     EXPECT_EQ(a_->SeeCreate(TenantClient::RequestFor("xa")).reason(), Reason::kQueueFull);
     upload = a_->SeeUpload("xxa", 0, 3);
   } while (upload->status().ok());
@@ -369,7 +369,7 @@ TEST_F(IsolationTest, ATenantsBudgetEndsWhatItKeeps) {
   EXPECT_TRUE(b_->Upload("xxxx").ok());
 }
 
-// What is wrong with it is nobody else's business, nor that it is there.
+// Another tenant must learn neither that the job exists nor that it is damaged.
 TEST_F(IsolationTest, AnothersDamagedJobIsAsOneThatNeverWas) {
   ranges_->Hold();
   const std::string of_a = a_->Submit("xa");
@@ -387,7 +387,7 @@ TEST_F(IsolationTest, AnothersDamagedJobIsAsOneThatNeverWas) {
     for (std::string* text : {&seen.message, &seen.details})
       for (size_t at = 0; (at = text->find(of_a)) != std::string::npos;)
         text->replace(at, of_a.size(), never);
-    seen.metadata.clear();  // the details again
+    seen.metadata.clear();  // the metadata repeats the details
     return seen;
   };
   const std::vector<Seen> damaged = b_->SeeAllOf(of_a);
@@ -425,7 +425,7 @@ TEST_F(IsolationTest, AnothersResultIsNotTaken) {
   EXPECT_EQ(slicing_.runs(), 2);
   EXPECT_TRUE(a_->AwaitEnd(a_->Submit("xx")).result().cached());
   EXPECT_EQ(slicing_.runs(), 2);
-  // Nor does it come back after one's own is gone: the index knows whose it is.
+  // The result stays hidden after the own job is deleted, because the index stores its tenant.
   EXPECT_TRUE(b_->SeeDelete(of_b).status().ok());
   EXPECT_FALSE(b_->AwaitEnd(b_->Submit("xx")).result().cached());
 }
@@ -455,7 +455,7 @@ TEST_F(IsolationTest, TenantsMayShareTheirResults) {
   EXPECT_TRUE(a_->SeeDownload(of_a).status().ok());
   EXPECT_EQ(a_->SeeUploadStatus(Sha256Hex("xy")).body, b_->SeeUploadStatus(Sha256Hex("xy")).body);
 
-  // What was shared stays with the jobs that have it, and is not found any more.
+  // A shared result stays with the jobs that have it, but new jobs do not find it any more.
   Close();
   Open(ResultSharing::kOff);
   a_ = As("a-1");
@@ -531,7 +531,7 @@ TEST_F(IsolationTest, ATokenMayDoWhatItsScopesSay) {
   EXPECT_TRUE(reader->SeeProfiles().status().ok());
   denied(reader->SeeDelete(of_a), "submit");
   EXPECT_EQ(DetailOf(reader->Upload("xa").status()).reason, Reason::kPermissionDenied);
-  // Whether the job is there makes no difference to what is said.
+  // The answer is the same whether or not the job exists.
   EXPECT_EQ(reader->SeeDelete("0123456789abcdef0123456789abcdef"), reader->SeeDelete(of_a));
 
   Change([](Tenants& tenants) { tenants["a"].tokens[1].scopes = {Scope::kSubmit}; });

@@ -50,9 +50,10 @@ absl::StatusOr<NewJob> JobIntake::NewJobOf(Submission submission, const CancelTo
     job.refusal = budgets_.CheckJobs(submission.tenant, submission.max_kept_jobs, 1);
   const auto resolved = Check(submission, cancel);
   job.refusal.Update(resolved.status());
-  // A store that is away is not asked a second time: the caller has waited for it once.
+  // If the store is unavailable, it is not called a second time, because the caller has already
+  // waited for it once.
   if (absl::IsUnavailable(job.refusal)) return job.refusal;
-  // A call that is made again gets its job, though there is no room any more, or no mesh.
+  // A repeated call gets its job, even if there is no space any more or a mesh is missing.
   if (!job.refusal.ok() && submission.request_id.empty()) return job.refusal;
   job.id = NewJobId();
   job.tenant = std::move(submission.tenant);
@@ -75,7 +76,7 @@ absl::StatusOr<NewJob> JobIntake::NewJobOf(Submission submission, const CancelTo
   return job;
 }
 
-/// The job that an earlier call made, or `refusal`: found without a turn among those who write.
+/// Returns the job that an earlier call created, or `refusal`. Does not wait for a turn to write.
 absl::StatusOr<Created> JobIntake::EarlierOr(const Submission& submission,
                                              const absl::Status& refusal) {
   if (submission.request_id.empty()) return refusal;
@@ -86,7 +87,7 @@ absl::StatusOr<Created> JobIntake::EarlierOr(const Submission& submission,
 }
 
 absl::StatusOr<Created> JobIntake::Create(Submission submission, const CancelToken& cancel) {
-  // One tenant's refused calls would hold up the writes of all others.
+  // Without this check, refused calls of one tenant would delay the writes of all others.
   if (absl::Status full = full_queues_.Check(submission.tenant); !full.ok())
     return EarlierOr(submission, full);
   const auto job = NewJobOf(std::move(submission), cancel);
@@ -94,7 +95,7 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission, const CancelTok
   const auto turn = turns_.Enter(job->tenant, cancel);
   if (!turn.ok()) return turn.status();
   if (absl::Status full = full_queues_.Check(job->tenant); !full.ok() && job->request_id.empty())
-    return full;  // meanwhile
+    return full;  // the queue became full meanwhile
   auto created = jobs_.Create(*job, now_us_());
   full_queues_.Note(job->tenant, created.status(), job->max_open);
   return created;

@@ -20,23 +20,24 @@
 
 namespace slicefarm::coordinator {
 
+/// Request for a job, with its tenant and the limits of the tenant.
 struct Submission {
   std::string tenant = {};
-  int64_t max_open_jobs = limits::kMaxOpenJobs;  ///< of the tenant, as are the next
+  int64_t max_open_jobs = limits::kMaxOpenJobs;  ///< limit of the tenant, like the next two
   int64_t max_kept_jobs = INT64_MAX;
   int64_t max_kept_bytes = INT64_MAX;
-  std::string request_id;   ///< was checked
-  std::string spec_digest;  ///< of the request as it came: equal for equal requests
-  std::string spec;         ///< the request as it will be kept
+  std::string request_id;   ///< already checked
+  std::string spec_digest;  ///< digest of the request as received; equal for equal requests
+  std::string spec;         ///< request in the form that is stored
   JobRequest request;
   std::map<std::string, std::string> labels;
   Priority priority = Priority::kNormal;
   int64_t deadline_us = kNoDeadlineUs;
   std::string webhook_url = {};
-  TraceContext trace = {};  ///< of the call that asks for it; empty: it gets its own
+  TraceContext trace = {};  ///< trace context of the call; if empty, the job gets its own
 };
 
-/// The edge where requests become jobs: what comes behind it has been checked.
+/// Entry point that creates jobs from requests. Everything behind it was checked here.
 class JobIntake {
  public:
   JobIntake(JobStore& jobs, BlobStores& blobs, const DiskGuard& disk, TenantBudgets& budgets,
@@ -54,33 +55,33 @@ class JobIntake {
         now_us_(std::move(now_us)),
         processes_(processes) {}
 
-  /// Returns once the job is on disk. Errors: those of ResolveJob, `cancel`'s among them,
-  /// DiskGuard, TenantBudgets and JobStore::Create; BLOB_NOT_FOUND (FailedPrecondition, metadata
-  /// `sha256`) for a mesh that the tenant has not uploaded; PROCESS_UNAVAILABLE
-  /// (FailedPrecondition) for a process whose jobs are not made here.
+  /// Creates a job. Returns when the job is on disk. Errors: errors of ResolveJob, including the
+  /// error of `cancel`; errors of DiskGuard, TenantBudgets and JobStore::Create; BLOB_NOT_FOUND
+  /// (FailedPrecondition, metadata `sha256`) for a mesh that the tenant has not uploaded;
+  /// PROCESS_UNAVAILABLE (FailedPrecondition) for a process that this farm does not support.
   absl::StatusOr<Created> Create(Submission submission, const CancelToken& cancel = {});
 
-  /// Makes all jobs or none. Errors: the first one of Create's.
+  /// Creates all jobs or none. Errors: the first error, as in Create.
   absl::StatusOr<std::vector<Created>> CreateAll(std::vector<Submission> submissions,
                                                  const CancelToken& cancel = {});
 
-  /// Those of the jobs that an earlier call with these request ids made and that were not deleted.
-  /// Errors: REQUEST_ID_REUSED.
+  /// Returns the jobs that an earlier call with these request ids created. Deleted jobs are
+  /// missing. Errors: REQUEST_ID_REUSED.
   absl::StatusOr<std::vector<JobRecord>> FindAll(const std::string& tenant,
                                                  const std::vector<std::string>& request_ids,
                                                  const std::string& spec_digest) {
     return jobs_.FindRequested(tenant, request_ids, spec_digest);
   }
 
-  /// All of that but the keeping: the job that would be made, without an id.
+  /// Makes all checks of Create, and returns the resolved job without storing it.
   absl::StatusOr<std::shared_ptr<const ResolvedJob>> Check(const Submission& submission,
                                                            const CancelToken& cancel);
 
-  /// The build that would make it.
+  /// Returns the build that would make the job.
   const std::string& build_id() const { return build_id_; }
 
  private:
-  static constexpr int kWritesAtOnce = 8;  ///< as a store has connections for callers
+  static constexpr int kWritesAtOnce = 8;  ///< number of connections that a store has for callers
 
   absl::StatusOr<Created> EarlierOr(const Submission& submission, const absl::Status& refusal);
   absl::StatusOr<NewJob> NewJobOf(Submission submission, const CancelToken& cancel);
@@ -96,11 +97,11 @@ class JobIntake {
   const ResultSharing sharing_;
   const std::function<int64_t()> now_us_;
   const ProcessSet processes_;
-  /// Of those who wait for the store, so that none of them waits for all that another tenant asks.
+  /// Turns of callers that write to the store. So no caller waits for all writes of another tenant.
   TenantTurns turns_{kWritesAtOnce};
 };
 
-/// 32 hex digits that nobody can guess. Dies without a source of randomness.
+/// Returns an unpredictable id of 32 hex digits. Aborts if there is no source of randomness.
 std::string NewJobId();
 
 }  // namespace slicefarm::coordinator

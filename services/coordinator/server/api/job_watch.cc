@@ -15,11 +15,11 @@ JobWatch::JobWatch(const JobWatches& watches) : watches_(watches) {
                                    &watches_.queue, &begun_tag_);
 }
 
-/// There is a call; or there will be none, because the server stops.
+/// Begins a call. If `ok` is false, no call has come, because the server stops.
 void JobWatch::Begin(bool ok) {
   if (!ok) return Release();
   Await(watches_);
-  ++tags_;  // left_tag_, which gRPC calls only of calls that began
+  ++tags_;  // counts left_tag_, which gRPC calls only for calls that began
   if (const absl::Status entered = Enter(); !entered.ok()) {
     End(entered);
     return Release();
@@ -40,7 +40,8 @@ absl::Status JobWatch::Enter() {
   return watcher.status();
 }
 
-/// A client cannot tell a quiet job from a server that is gone: this says that the watch stands.
+/// Reports that the watch is open. Otherwise a client could not distinguish a quiet job from a dead
+/// server.
 void JobWatch::Opened() {
   opened_ = true;
   context_.AddInitialMetadata("slicefarm-watch", "open");
@@ -49,7 +50,7 @@ void JobWatch::Opened() {
   writer_.SendInitialMetadata(&sent_tag_);
 }
 
-/// The feed has something new. On any thread.
+/// Notifies the watch about news of the feed. May be called on any thread.
 void JobWatch::Wake(JobFeed::News news) {
   if (news == JobFeed::News::kEvents) news_ = true;
   if (waking_.exchange(true)) return;
@@ -66,12 +67,12 @@ void JobWatch::Woken() {
 }
 
 void JobWatch::Sent(bool ok) {
-  busy_ = !ok;  // if it could not be sent, nothing more can, and the call is soon over
+  busy_ = !ok;  // after a failed send, nothing more can be sent, and the call ends soon
   Advance();
   Release();
 }
 
-/// The client has all it is to get, or wants no more.
+/// Ends the watch after the call has ended or the client has left.
 void JobWatch::Left() {
   left_ = true;
   watcher_.reset();
@@ -79,11 +80,12 @@ void JobWatch::Left() {
   Release();
 }
 
-/// Sends the next event, ends the call, asks the store, tells how far the run has come, or waits
-/// for the feed.
+/// Takes the next step: sends the next event, ends the call, reads from the store, sends the
+/// progress of the run, or waits for the feed.
 void JobWatch::Advance() {
   if (busy_ || left_ || reading_) return;
-  // Before the store is asked, which may be why the coordinator stops.
+  // This check comes before the read, because the store may be the reason that the coordinator
+  // stops.
   if (!steps_ && !terminal_ && watches_.feed.closed()) return End(CoordinatorStops());
   if (steps_) return Send();
   if (terminal_) return End(absl::OkStatus());
@@ -92,14 +94,14 @@ void JobWatch::Advance() {
 }
 
 void JobWatch::Read() {
-  wants_more_ = false;  // what comes from now on wakes
+  wants_more_ = false;  // later events wake the watch
   reading_ = true;
   ++tags_;
   watches_.reads.Read(watcher_->caller.tenant, request_.id(), read_to_,
                       [this](WatchReads::Result found) { Found(std::move(found)); });
 }
 
-/// The store has answered. On any thread.
+/// Takes the answer of the store. May be called on any thread.
 void JobWatch::Found(WatchReads::Result found) {
   found_ = std::move(found);
   found_alarm_.Set(&watches_.queue, gpr_now(GPR_CLOCK_MONOTONIC), &found_tag_);
@@ -118,14 +120,14 @@ void JobWatch::Take() {
   Release();
 }
 
-/// Takes what was found, if the caller may know of it.
+/// Takes the result of the read, if the caller may see the job.
 absl::Status JobWatch::Check() {
   if (!found_.ok()) return found_.status();
   const std::shared_ptr<const JobSteps> found = *std::exchange(found_, nullptr);
   const Caller& caller = watcher_->caller;
   if (found->job.tenant != caller.tenant && !caller.may(Scope::kAdmin))
     return JobNotFound(request_.id());
-  // A watcher that starts after the end has nothing to wait for.
+  // A watcher that starts after the job's end has nothing to wait for.
   if (!found->events.empty()) read_to_ = found->events.back().sequence;
   terminal_ = found->EndsAt(read_to_);
   if (std::ssize(found->events) == WatchReads::kEventsAtOnce) wants_more_ = true;
@@ -143,7 +145,8 @@ void JobWatch::Send() {
   Write(steps->events[next], steps->job);
 }
 
-/// Under the number of the last event: who watches from there on misses nothing.
+/// Sends the progress under the number of the last event. So a client that continues from this
+/// number misses no event.
 void JobWatch::SendProgress() {
   moved_ = false;
   const auto progress = watches_.feed.ProgressOf(request_.id());
@@ -167,13 +170,13 @@ void JobWatch::Write(const JobEventRecord& event, const JobRecord& job) {
 }
 
 void JobWatch::End(const absl::Status& status) {
-  busy_ = true;  // for good
+  busy_ = true;  // the call sends nothing more
   watcher_.reset();
   ++tags_;
   writer_.Finish(rpc::ToGrpc(status), &ended_tag_);
 }
 
-/// One of the tags was called. The last one takes the watch with it.
+/// Counts a finished tag. The last one deletes the watch.
 void JobWatch::Release() {
   if (--tags_ == 0) delete this;
 }

@@ -19,38 +19,37 @@
 
 namespace slicefarm::coordinator {
 
-/// How many watches there may be at once: each takes some memory, and threads only when something
-/// happens.
+/// Largest number of watches at once. Each uses some memory, but threads only when an event occurs.
 struct WatchOptions {
-  int calls = 10'000;  ///< shared as TenantPlaces says
+  int calls = 10'000;  ///< shared by the rule of TenantPlaces
 };
 
-/// Who watches, and his place among those who do.
+/// Caller that watches, with its slot among the watchers.
 struct Watcher {
   Caller caller;
   TenantPlaces::Place place;
 };
 
-/// What watches need; everything outlives them.
+/// Objects that watches use. All of them must outlive the watches.
 struct JobWatches {
-  /// Raw, so that a request that cannot be read gets its error from us, with a reason.
+  /// Raw method, so that an unreadable request gets an error of this service with a reason.
   using Service = v1::Jobs::WithRawMethod_WatchJob<v1::Jobs::Service>;
 
   Service& service;
   grpc::ServerCompletionQueue& queue;
   WatchReads& reads;
   JobFeed& feed;
-  /// Finds out who calls, and whether there is a place for him.
+  /// Authenticates the caller and takes a slot for it.
   std::function<absl::StatusOr<Watcher>(const grpc::ServerContext& context)> admit;
 };
 
-/// One WatchJob call: sends the job's events from the store, then those that the feed announces,
-/// and between them how far its run has come; ends after the terminal one. Holds no thread while
-/// nothing happens, so that a thousand may watch. All but Wake and Found happens on the queue's
-/// thread, where nothing is waited for. Deletes itself.
+/// One WatchJob call. Sends the job's events from the store, then the events that the feed
+/// announces, and between them the progress of the run. Ends after the terminal event. Occupies no
+/// thread while nothing happens, so that a thousand clients may watch. All functions except Wake
+/// and Found run on the queue's thread and never block. Deletes itself.
 class JobWatch {
  public:
-  /// Waits for the next call; when it comes, another one waits for the one after.
+  /// Waits for the next call. When the call comes, a new object waits for the call after it.
   static void Await(const JobWatches& watches) { new JobWatch(watches); }
 
  private:
@@ -88,26 +87,27 @@ class JobWatch {
   rpc::QueueTag found_tag_ = [this](bool) { Take(); };
   rpc::QueueTag ended_tag_ = [this](bool) { Release(); };
   rpc::QueueTag left_tag_ = [this](bool) { Left(); };
-  std::atomic<int> tags_ = 1;         ///< that the queue has still to call
-  std::atomic<bool> waking_ = false;  ///< woken_tag_ is one of them
-  std::atomic<bool> news_ = false;    ///< that are in the store
-  grpc::Alarm alarm_;                 ///< by which the feed gets onto the queue's thread
-  grpc::Alarm found_alarm_;           ///< by which what was read does
+  std::atomic<int> tags_ = 1;         ///< number of tags that the queue still has to call
+  std::atomic<bool> waking_ = false;  ///< true if woken_tag_ is one of them
+  std::atomic<bool> news_ = false;    ///< true if the store has new events
+  grpc::Alarm alarm_;                 ///< moves news of the feed to the queue's thread
+  grpc::Alarm found_alarm_;           ///< moves the result of a read to the queue's thread
 
-  int64_t ticket_ = 0;      ///< of the feed
+  int64_t ticket_ = 0;      ///< ticket of the feed
   int64_t read_to_ = 0;     ///< sequence of the last event that was read
-  bool opened_ = false;     ///< the client knows that the watch stands
-  bool terminal_ = false;   ///< the event at read_to_ was the job's last
-  bool wants_more_ = true;  ///< there may be events that were not there at the last read
-  bool moved_ = false;      ///< the run may have come further
-  bool reading_ = false;    ///< a read is under way
-  bool busy_ = false;       ///< something is being sent
-  bool left_ = false;       ///< the call is over
-  WatchReads::Result found_ = nullptr;     ///< by the last read, shared by all who watch the job
-  std::shared_ptr<const JobSteps> steps_;  ///< those that are being sent
-  size_t sent_ = 0;                        ///< of these
-  std::shared_ptr<const JobSteps> last_;   ///< what was read last
-  std::optional<JobProgress> told_;        ///< how far the run had come when that was sent last
+  bool opened_ = false;     ///< true if the client was notified that the watch is open
+  bool terminal_ = false;   ///< true if the event at read_to_ was the job's last
+  bool wants_more_ = true;  ///< true if there may be events that the last read did not contain
+  bool moved_ = false;      ///< true if the run may have progressed
+  bool reading_ = false;    ///< true while a read is in progress
+  bool busy_ = false;       ///< true while a message is being sent
+  bool left_ = false;       ///< true if the call is over
+  /// Result of the last read, shared by all watchers of the job.
+  WatchReads::Result found_ = nullptr;
+  std::shared_ptr<const JobSteps> steps_;  ///< events that are being sent
+  size_t sent_ = 0;                        ///< number of these events that were sent
+  std::shared_ptr<const JobSteps> last_;   ///< result of the last read
+  std::optional<JobProgress> told_;        ///< progress that was sent last
 };
 
 }  // namespace slicefarm::coordinator

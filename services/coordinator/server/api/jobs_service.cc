@@ -28,7 +28,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Of a batch's answer, whose jobs come without their settings: less than gRPC takes in a message.
+/// Largest size of a batch's answer. Its jobs have no settings. The size is less than gRPC's limit
+/// for a message.
 constexpr int64_t kMaxEchoedBytes = 2 << 20;
 
 int64_t EchoedBytes(const v1::BatchCreateJobsRequest& batch) {
@@ -49,7 +50,7 @@ absl::StatusOr<std::vector<v1::Job>> ToProtos(const absl::StatusOr<std::vector<J
   return protos;
 }
 
-/// What is made when it is asked for.
+/// Reader of a text that was made on request.
 class TextReader : public BlobReader {
  public:
   explicit TextReader(std::string text) : text_(std::move(text)) {}
@@ -69,7 +70,7 @@ Claimant ClaimantOf(const Submission& submission) {
 
 }  // namespace
 
-/// The job, if the caller may know of it.
+/// Returns the job, if the caller may see it.
 absl::StatusOr<JobRecord> JobsService::Find(const Caller& caller, const std::string& id, Of of) {
   auto job = backend_.jobs.Get(id);
   const bool all = of == Of::kAllForAdmins && caller.may(Scope::kAdmin);
@@ -130,7 +131,8 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
       TellWaiting(backend_.pipeline.executor(), *outcome.mutable_job());
       ClearSettings(*outcome.mutable_job()->mutable_spec());
     } else {
-      // As short as errors of calls are: there may be many in this answer.
+      // The error is shortened like the errors of calls, because one answer may contain many
+      // errors.
       const absl::Status cut = rpc::FromGrpc(rpc::ToGrpc(created.status()));
       *outcome.mutable_error() = ToProto(JobErrorOf(cut));
     }
@@ -148,14 +150,14 @@ grpc::Status JobsService::CreatePlates(grpc::ServerContext* context,
     if (!jobs.ok()) return jobs.status();
     for (v1::Job& job : *jobs) {
       KeepWhatIsOnThePlate(*job.mutable_spec());
-      job.clear_labels();  // the answer is one message
+      job.clear_labels();  // all jobs must fit into one message
       *response->add_jobs() = std::move(job);
     }
     return absl::OkStatus();
   });
 }
 
-/// Does what takes as long as slicing does, when it is the tenant's turn.
+/// Does work that takes as long as slicing, after a wait for the tenant's turn.
 grpc::Status JobsService::Preflight(
     const grpc::ServerContext& context, const Caller& caller, std::string_view method,
     const std::function<absl::Status(const rpc::Call& call)>& work) {
@@ -191,8 +193,8 @@ absl::StatusOr<std::vector<v1::Job>> JobsService::MakePlates(const Caller& calle
   return ToProtos(CreateAll(std::move(jobs), call.cancel));
 }
 
-/// A submission for each bed that each request takes. All beds are counted before a submission is
-/// copied for each.
+/// Returns a submission for each bed of each request. Counts all beds before it copies a submission
+/// for each bed.
 absl::StatusOr<std::vector<Plate>> JobsService::ReadPlates(const Caller& caller,
                                                            const v1::CreatePlatesRequest& request,
                                                            const rpc::Call& call) {
@@ -225,7 +227,7 @@ absl::StatusOr<std::vector<v1::Job>> JobsService::ValidateAll(
   return checked;
 }
 
-/// All, or none and why.
+/// Creates all jobs or none. Returns the error if none was created.
 absl::StatusOr<std::vector<JobRecord>> JobsService::CreateAll(std::vector<Submission> plates,
                                                               const CancelToken& cancel) {
   auto created = backend_.intake.CreateAll(std::move(plates), cancel);
@@ -269,7 +271,7 @@ absl::StatusOr<Submission> JobsService::Read(const Caller& caller,
   auto spec = WithMachine(request.spec(), caller.tenant,
                           own.empty() ? backend_.default_profile : own, backend_.profiles);
   if (!spec.ok()) return spec.status();
-  spec->clear_plate();  // which is told, not asked for
+  spec->clear_plate();  // the server sets this field, not the client
   auto job = FromProto(*spec);
   if (!job.ok()) return Within("spec", job.status());
   const auto priority = FromProto(request.priority());
@@ -334,7 +336,7 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
   return job;
 }
 
-/// The job as it is now, with its place in the queue.
+/// Converts the job with its current progress and its position in the queue.
 v1::Job JobsService::Tell(JobRecord job) {
   backend_.feed.AddProgress(job);
   v1::Job answer = ToProto(job);
@@ -387,7 +389,7 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJ
   if (!tenant.ok()) return rpc::ToGrpc(tenant.status());
   query->tenant = *tenant;
   query->all_tenants = caller->may(Scope::kAdmin) && !request->has_tenant();
-  // The store's connections are for all, and a list may hold one for long.
+  // All callers share the store's connections, and a list may occupy one for long.
   const auto place = lists_of_tenants_.Enter(caller->tenant);
   if (!place.ok()) return rpc::ToGrpc(place.status());
   auto jobs = backend_.jobs.List(*query);
@@ -439,7 +441,7 @@ absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenResult(const JobRec
   if (!digest.ok()) return digest.status();
   const auto blobs = backend_.blobs.Of(job.result->tenant);
   if (!blobs.ok()) return blobs.status();
-  // Also if its job is deleted meanwhile, what is read stays for as long as that takes.
+  // The blob stays during the download, even if its job is deleted meanwhile.
   if (const auto kept = (*blobs)->Keep(*digest); !kept.ok()) return kept.status();
   return offset == 0 ? OpenToStream(*blobs, *digest) : (*blobs)->Open(*digest);
 }

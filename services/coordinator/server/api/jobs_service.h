@@ -31,7 +31,7 @@
 
 namespace slicefarm::coordinator {
 
-/// What the service speaks for. Everything outlives it.
+/// Objects that the service uses. All of them must outlive it.
 struct JobsBackend {
   const Callers& callers;
   JobStore& jobs;
@@ -47,13 +47,14 @@ struct JobsBackend {
   const JobPipeline& pipeline;  ///< for preflights
   MemoryBudget& memory;
   Rates rates;
-  std::string default_profile;  ///< of jobs that name no printer; empty: they need one
+  /// Profile of jobs that name no printer; if empty, jobs must name one.
+  std::string default_profile;
+  /// Clock of the coordinator, in us.
   std::function<int64_t()> now_us;
   rpc::JsonLog log;
 };
 
-/// Translates slicefarm.v1.Jobs. A job of another tenant is, to its callers, one that does not
-/// exist.
+/// Implements slicefarm.v1.Jobs. To a caller, a job of another tenant does not exist.
 class JobsService final : public JobWatches::Service, public rpc::QueuedMethods {
  public:
   JobsService(JobsBackend backend, const TransferOptions& transfers, const WatchOptions& watches)
@@ -110,16 +111,18 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
                         grpc::ServerWriter<v1::DownloadResponse>* stream) override;
   void ServeFrom(grpc::ServerCompletionQueue& queue) override;  // WatchJob
 
-  /// Nothing is read for watches any more, which the feed has told to end. Before the server stops.
+  /// Ends all reads for watches. The feed must have ended the watches before. REQUIRES: called
+  /// before the server stops.
   void EndWatches() { watch_reads_.Stop(); }
 
  private:
-  static constexpr int kPreflightCalls = 24;  ///< at work and waiting
+  static constexpr int kPreflightCalls = 24;  ///< running and waiting preflights
   static constexpr int kPreflightSlots = 4;
-  /// What takes longer is a job's work, not that of a call.
+  /// Time limit of a preflight. Longer work must be submitted as a job.
   static constexpr std::chrono::minutes kLongestPreflight{10};
   static constexpr int kLists = 32;
-  static constexpr int kWatchReaders = 2;  ///< of the store's connections, which are 8 at most
+  /// Readers of watches; each uses one of the store's connections, of which there are 8 at most.
+  static constexpr int kWatchReaders = 2;
 
   enum class Of { kTenant, kAllForAdmins };
   absl::StatusOr<JobRecord> Find(const Caller& caller, const std::string& id, Of of);
@@ -147,7 +150,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
                                                    const rpc::Call& call);
   absl::StatusOr<std::vector<JobRecord>> CreateAll(std::vector<Submission> plates,
                                                    const CancelToken& cancel);
-  /// To be read from `offset` on.
+  /// Opens an artifact for reading from `offset` on.
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenResult(const JobRecord& job,
                                                          v1::Artifact artifact, int64_t offset);
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenTrace(const JobRecord& job);
@@ -161,7 +164,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
 
   JobsBackend backend_;
   Transfers downloads_;
-  rpc::CallGate preflights_;  ///< which take as long as slicing does
+  rpc::CallGate preflights_;  ///< limits preflights, which take as long as slicing
   TenantPlaces preflights_of_tenants_;
   TenantTurns preflight_turns_;
   TenantPlaces lists_of_tenants_;

@@ -1,4 +1,4 @@
-// How JobsService changes jobs.
+// Methods of JobsService that change jobs.
 #include "common/base/error.h"
 #include "common/model/limits.h"
 #include "common/rpc/status_mapping.h"
@@ -45,7 +45,7 @@ grpc::Status JobsService::BatchCancelJobs(grpc::ServerContext* context,
     if (job.ok()) {
       *outcome.mutable_job() = ToProto(*job);
       outcome.mutable_job()->clear_spec();
-      outcome.mutable_job()->clear_labels();  // the answer is one message
+      outcome.mutable_job()->clear_labels();  // all jobs must fit into one message
     } else {
       *outcome.mutable_error() = ToProto(JobErrorOf(job.status()));
     }
@@ -63,7 +63,7 @@ grpc::Status JobsService::UpdateJob(grpc::ServerContext* context,
   if (!job.ok()) return rpc::ToGrpc(job.status());
   backend_.feed.Changed(job->id);
   backend_.feed.AddProgress(*job);
-  backend_.runner.Wake();  // another one may come first now
+  backend_.runner.Wake();  // another job may now be the first in the queue
   job->spec = known->spec;
   *response = ToProto(*job);
   return grpc::Status::OK;

@@ -1,4 +1,4 @@
-// What JobsService tells of callers, tenants and settings.
+// Methods of JobsService that report facts about callers, tenants and settings.
 #include "common/base/cancel_scope.h"
 #include "common/config/table/settings_table.h"
 #include "common/rpc/status_mapping.h"
@@ -32,7 +32,7 @@ grpc::Status JobsService::GetUsage(grpc::ServerContext* context, const v1::GetUs
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
   const auto tenant = TenantAskedFor(*caller, request->has_tenant(), request->tenant());
   if (!tenant.ok()) return rpc::ToGrpc(tenant.status());
-  // It reads all that the tenant has.
+  // The method reads all data of the tenant, so the number of such calls is limited.
   const auto place = lists_of_tenants_.Enter(caller->tenant);
   if (!place.ok()) return rpc::ToGrpc(place.status());
   const auto usage = UsageOf(*tenant, backend_.jobs, backend_.blobs);
@@ -47,7 +47,7 @@ grpc::Status JobsService::ListArtifacts(grpc::ServerContext* context,
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
   const auto job = Find(*caller, request->id(), Of::kTenant);
   if (!job.ok()) return rpc::ToGrpc(job.status());
-  // It reads a program.
+  // The method reads a program, so the number of such calls is limited.
   const auto place = lists_of_tenants_.Enter(caller->tenant);
   if (!place.ok()) return rpc::ToGrpc(place.status());
   const CancelScope scope(CancelToken([&] { return context->IsCancelled(); }));
@@ -68,7 +68,8 @@ grpc::Status JobsService::WatchJobs(grpc::ServerContext* context,
   const auto place = watches_of_all_jobs_.Enter(caller->tenant);
   if (!place.ok()) return rpc::ToGrpc(place.status());
   TenantWatch watch(backend_.jobs, backend_.feed, backend_.now_us);
-  context->AddInitialMetadata("slicefarm-watch", "open");  // a client cannot tell it from silence
+  // otherwise a client could not distinguish an open watch from a dead server
+  context->AddInitialMetadata("slicefarm-watch", "open");
   stream->SendInitialMetadata();
   return rpc::ToGrpc(watch.Run({backend_.jobs, *tenant, *from_us}, *context, *stream));
 }

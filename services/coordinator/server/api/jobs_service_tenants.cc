@@ -1,4 +1,4 @@
-// Handing out and erasing all that is kept of a tenant.
+// Methods of JobsService that export and erase all data of a tenant.
 #include "common/base/cancel_scope.h"
 #include "common/rpc/status_mapping.h"
 #include "services/coordinator/server/api/blob_download.h"

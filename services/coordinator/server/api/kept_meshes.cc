@@ -13,7 +13,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Blobs by name, of which the first `most` are kept.
+/// Collects the first `most` blobs by name.
 class FirstBlobs {
  public:
   FirstBlobs(std::string after, size_t most) : after_(std::move(after)), most_(most) {}
@@ -66,7 +66,7 @@ absl::StatusOr<bool> DeleteUnlessUsed(BlobStore& blobs, JobStore& jobs, const st
   const auto used = jobs.Referenced(tenant, {digest});
   if (!used.ok()) return used.status();
   if (used->contains(digest)) return false;
-  // A job that is made of it at this moment has kept it before.
+  // A job that is created with this mesh at this moment has used the mesh within this time.
   constexpr double kJustUsedS = 2;
   return blobs.Delete(digest, kJustUsedS);
 }

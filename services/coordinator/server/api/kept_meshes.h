@@ -10,21 +10,21 @@
 
 namespace slicefarm::coordinator {
 
-/// The tenant's meshes and uploads with names after `after`, `size` at most, by their names. Left
-/// out is what jobs came to; of what jobs that were deleted came to, it is not known until it is
-/// swept. Cost: reads the list of the tenant's blobs. Errors: the stores'.
+/// Returns at most `size` meshes and uploads of the tenant, sorted by name, with names after
+/// `after`. Results of jobs are left out. Results of deleted jobs cannot be recognized until they
+/// are swept. Cost: reads the list of the tenant's blobs. Errors: errors of the stores.
 absl::StatusOr<v1::ListMeshesResponse> MeshesAfter(BlobStore& blobs, JobStore& jobs,
                                                    const std::string& tenant,
                                                    const std::string& after, int32_t size);
 
-/// False: a job refers to it, or there is none. Errors: REQUEST_MALFORMED for a name that is no
-/// digest; the stores'.
+/// Deletes a mesh. Returns false if a job refers to it or if it does not exist. Errors:
+/// REQUEST_MALFORMED for a name that is no digest; errors of the stores.
 absl::StatusOr<bool> DeleteUnlessUsed(BlobStore& blobs, JobStore& jobs, const std::string& tenant,
                                       const std::string& digest);
 
-/// A project whose plate of this number (0: the only one) has its spec, and the others none, which
-/// may be a MiB each. Errors: REQUEST_MALFORMED for a plate that it does not have;
-/// REQUEST_TOO_LARGE for a spec that no job may have.
+/// Returns the project with the spec of only one plate, because each spec may have a MiB. `plate`:
+/// its number; 0: the only plate. Errors: REQUEST_MALFORMED if the project has no such plate;
+/// REQUEST_TOO_LARGE if the spec is too large for a job.
 absl::StatusOr<v1::ReadProjectResponse> WithSpecOf(int32_t plate, v1::ReadProjectResponse project);
 
 }  // namespace slicefarm::coordinator

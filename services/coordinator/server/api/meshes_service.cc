@@ -44,7 +44,8 @@ absl::Status CheckChunk(const std::string& data, int64_t offset, int64_t size) {
 
 using Reader = grpc::ServerReader<v1::UploadMeshRequest>;
 
-/// Keeps what comes; a call that breaks leaves what it brought. REQUIRES: CheckFirst.
+/// Stores the bytes of an upload as they arrive. If the call breaks, the received bytes stay.
+/// REQUIRES: CheckFirst.
 absl::StatusOr<BlobStatus> Receive(BlobStore& blobs, const DiskGuard& disk, Reader& stream,
                                    const Transfers::Moved& moved,
                                    const v1::UploadMeshRequest& first) {
@@ -52,7 +53,7 @@ absl::StatusOr<BlobStatus> Receive(BlobStore& blobs, const DiskGuard& disk, Read
   const int64_t size = first.size();
   UploadPieces pieces(first.write_offset(),
                       [&](int64_t offset, std::string_view bytes) -> absl::StatusOr<BlobStatus> {
-                        // Each time, as others write as well.
+                        // The check is repeated for each piece, because other calls write as well.
                         absl::Status room = disk.CheckRoom(size - offset);
                         if (!room.ok()) return room;
                         return blobs.Append(digest, offset, bytes);
@@ -63,7 +64,8 @@ absl::StatusOr<BlobStatus> Receive(BlobStore& blobs, const DiskGuard& disk, Read
     absl::Status added = CheckChunk(chunk.data(), pieces.offset(), size);
     if (added.ok()) added = pieces.Add(chunk.data());
     if (!added.ok()) return added;
-    if (pieces.status().complete) return blobs.Keep(digest);  // until its job is made
+    // protects the mesh until its job is created
+    if (pieces.status().complete) return blobs.Keep(digest);
   } while (stream.Read(&chunk));
   if (absl::Status kept = pieces.KeepRest(); !kept.ok()) return kept;
   if (pieces.offset() < size) return blobs.Status(digest);
@@ -78,7 +80,8 @@ grpc::Status MeshesService::GetUpload(grpc::ServerContext* context,
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
   const auto blobs = backend_.blobs.Of(caller->tenant);
   if (!blobs.ok()) return rpc::ToGrpc(blobs.status());
-  const auto status = (*blobs)->Keep(request->sha256());  // who asks, may make a job of it next
+  // the caller may create a job with this mesh next
+  const auto status = (*blobs)->Keep(request->sha256());
   if (status.ok()) *response = ToProto(request->sha256(), *status);
   return rpc::ToGrpc(status.status());
 }
@@ -136,7 +139,7 @@ grpc::Status MeshesService::ListMeshes(grpc::ServerContext* context,
   const int32_t size = request->page_size() == 0
                            ? kDefaultPageSize
                            : std::min(request->page_size(), limits::kMaxPageSize);
-  // It looks at all that the tenant has.
+  // The method reads the list of all blobs of the tenant, so the number of such calls is limited.
   const auto place = lists_of_tenants_.Enter(caller->tenant);
   if (!place.ok()) return rpc::ToGrpc(place.status());
   const auto blobs = backend_.blobs.Of(caller->tenant);

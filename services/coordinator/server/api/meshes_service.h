@@ -17,7 +17,7 @@
 
 namespace slicefarm::coordinator {
 
-/// What the service speaks for. Everything outlives it.
+/// Objects that the service uses. All of them must outlive it.
 struct MeshesBackend {
   const Callers& callers;
   JobStore& jobs;
@@ -30,7 +30,7 @@ struct MeshesBackend {
   rpc::JsonLog log;
 };
 
-/// Translates slicefarm.v1.Meshes to the caller's BlobStore.
+/// Implements slicefarm.v1.Meshes with the caller's BlobStore.
 class MeshesService final : public v1::Meshes::Service {
  public:
   MeshesService(MeshesBackend backend, const TransferOptions& options)
@@ -56,7 +56,7 @@ class MeshesService final : public v1::Meshes::Service {
                            v1::ReadProjectResponse* response) override;
 
  private:
-  static constexpr int kProjects = 8;  ///< that are read at a time
+  static constexpr int kProjects = 8;  ///< projects that are read at a time
   static constexpr int kLists = 8;
 
   absl::StatusOr<v1::ReadProjectResponse> ReadStored(const Caller& caller,

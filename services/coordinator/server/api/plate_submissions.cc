@@ -16,13 +16,13 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Of a plate, from 0; empty: the call is not idempotent. None that a client gives has control
-/// characters.
+/// Returns the request id of a plate, counted from 0. Returns an empty id if the call has none. The
+/// id contains a control character, which no client's id may contain.
 std::string PlateRequestId(const std::string& request_id, size_t plate) {
   return request_id.empty() ? "" : fmt::format("{}\x1f{}", request_id, plate + 1);
 }
 
-/// The scene's objects on the beds that they take.
+/// Arranges the scene's objects on beds. Returns the objects of each bed.
 absl::StatusOr<std::vector<std::vector<SceneObject>>> OnBeds(const StageCall& call,
                                                              const std::string& tenant,
                                                              const ResolvedJob& job,
@@ -41,8 +41,8 @@ absl::StatusOr<std::vector<std::vector<SceneObject>>> OnBeds(const StageCall& ca
   return OnPlates(objects, *places);
 }
 
-/// The submission with these objects in place of its own. What a plate has no use for, such as
-/// other plates' meshes, does not belong to its job.
+/// Returns the submission with these objects instead of its own. Omits data that the plate does not
+/// need, such as meshes of other plates.
 absl::StatusOr<Submission> WithObjects(const Submission& submission,
                                        const std::vector<SceneObject>& objects, size_t of_request,
                                        size_t bed) {

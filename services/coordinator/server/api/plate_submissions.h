@@ -13,7 +13,7 @@
 
 namespace slicefarm::coordinator {
 
-/// What putting on plates takes. Everything outlives the call.
+/// Objects that are needed to arrange plates. All of them must outlive the call.
 struct PlatesBackend {
   JobIntake& intake;
   BlobStores& blobs;
@@ -21,39 +21,40 @@ struct PlatesBackend {
   MemoryBudget& memory;
 };
 
-/// Of a call that has a usable request_id, and requests without what all plates share.
+/// Checks a CreatePlates call: its request_id must be usable, and its requests must not set fields
+/// that are common to all plates.
 absl::Status CheckPlates(const v1::CreatePlatesRequest& request);
 
-/// Those of all plates that a call with this request_id may have made. None that a client gives is
-/// among them.
+/// Returns the request ids of all plates that a call with this request_id may have created. No
+/// client's own id can be among them.
 std::vector<std::string> PlateRequestIds(const std::string& request_id);
 
-/// Leaves of a plate's spec what tells it from the others: where it is from, and which objects, and
-/// how many copies of each, are on it.
+/// Keeps only the part of a plate's spec that differs between plates: its request and bed, and the
+/// names and numbers of copies of its objects.
 void KeepWhatIsOnThePlate(v1::JobSpec& spec);
 
-/// Equal for equal specs in the same order.
+/// Returns a digest of the specs. It is equal for equal specs in the same order.
 std::string SpecDigest(const v1::CreatePlatesRequest& request);
 
-/// A job of those that a call makes.
+/// One of the jobs that a call creates.
 struct Plate {
-  int request = 0;  ///< of which request it is
+  int request = 0;  ///< index of the request
   Submission submission;
 };
 
-/// The requests of a call, put on beds one after the other. What all of them take is bounded
+/// Requests of a call, arranged on beds one after another. Their total size is limited
 /// (limits::kMaxBatchJobs, limits::kMaxPlatesBytes) before a submission is copied for each bed.
 class PlateRequests {
  public:
   explicit PlateRequests(std::string request_id) : request_id_(std::move(request_id)) {}
 
-  /// Puts the copies of the next request on beds. Errors: those of JobIntake::Check, BlobStores and
-  /// ArrangingStage; REQUEST_TOO_LARGE for more plates, or more bytes of them, than a call may
-  /// make.
+  /// Arranges the copies of the next request on beds. Errors: errors of JobIntake::Check,
+  /// BlobStores and ArrangingStage; REQUEST_TOO_LARGE if a call would create too many plates or too
+  /// many bytes.
   absl::Status Add(const StageCall& call, Submission submission, const PlatesBackend& backend);
 
-  /// A submission for each bed, with places for all copies and a request_id of its own. Errors:
-  /// those of reading the specs.
+  /// Returns a submission for each bed. All its copies have positions, and it has a request_id of
+  /// its own. Errors: errors of reading the specs.
   absl::StatusOr<std::vector<Plate>> Plates() &&;
 
  private:
@@ -64,7 +65,7 @@ class PlateRequests {
 
   const std::string request_id_;
   int64_t plates_ = 0;
-  int64_t bytes_ = 0;  ///< of all plates' specs
+  int64_t bytes_ = 0;  ///< size of all plates' specs
   std::vector<Arranged> requests_;
 };
 

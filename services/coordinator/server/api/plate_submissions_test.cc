@@ -1,4 +1,5 @@
-// As many jobs as plates, over a real server and real stores, with fake stages.
+// Tests of CreatePlates, which creates one job per plate, with a real server, real stores and fake
+// stages.
 #include "services/coordinator/server/api/plate_submissions.h"
 
 #include <gmock/gmock.h>
@@ -28,7 +29,7 @@ class PlatesTest : public CoordinatorTest {
     return std::vector<v1::Job>(response.jobs().begin(), response.jobs().end());
   }
 
-  /// Of so many copies, each of which FakeArranging puts on a plate of its own.
+  /// Returns a request for `copies` copies. FakeArranging puts each copy on a plate of its own.
   static v1::CreatePlatesRequest PlatesFor(const std::string& mesh, int copies,
                                            const std::string& request_id = "") {
     v1::CreatePlatesRequest request;
@@ -160,7 +161,7 @@ TEST_F(PlatesTest, NoRequestIdOfAClientIsThatOfAPlate) {
   own.set_request_id("an id#1");
   ASSERT_TRUE(Create(own).ok());
   EXPECT_THAT(*CreatePlates(PlatesFor("xxx", 2, "an id")), SizeIs(2));
-  // As long as request ids may be: with a plate's number it is longer.
+  // The id has the maximum length. With a plate's number it is longer.
   const std::string long_id(limits::kMaxNameBytes, 'r');
   EXPECT_THAT(*CreatePlates(PlatesFor("xxx", 2, long_id)), SizeIs(2));
 }

@@ -20,7 +20,8 @@ bool IsNameCharacter(char c) {
   return absl::ascii_isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == '.';
 }
 
-/// A profile that a request only refers to is a state of things, not what was asked for.
+/// Converts NotFound to FailedPrecondition, because the request only refers to the profile and does
+/// not request it.
 absl::Status AsPrecondition(const absl::Status& status) {
   if (!absl::IsNotFound(status)) return status;
   return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kProfileNotFound,

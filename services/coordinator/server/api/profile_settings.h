@@ -10,7 +10,7 @@
 
 namespace slicefarm::coordinator {
 
-/// `NAME` or `NAME@REVISION`.
+/// Reference to a profile: `NAME` or `NAME@REVISION`.
 struct ProfileRef {
   std::string name;
   int64_t revision = 0;  ///< 0: the newest
@@ -18,26 +18,27 @@ struct ProfileRef {
   friend bool operator==(const ProfileRef&, const ProfileRef&) = default;
 };
 
-/// Errors: REQUEST_MALFORMED.
+/// Reads a reference. Errors: REQUEST_MALFORMED.
 absl::StatusOr<ProfileRef> ParseProfileRef(const std::string& text);
 
-/// Letters, digits, `-`, `_`, `.`; not empty; at most limits::kMaxNameBytes. Errors:
-/// REQUEST_MALFORMED.
+/// Checks a profile name: letters, digits, `-`, `_`, `.`; not empty; at most limits::kMaxNameBytes.
+/// Errors: REQUEST_MALFORMED, REQUEST_TOO_LARGE.
 absl::Status CheckProfileName(const std::string& name);
 
-/// The spec with the settings of its profiles before its own, and its profiles by revision: it does
-/// not change when they do. Errors: REQUEST_MALFORMED; PROFILE_NOT_FOUND (FailedPrecondition);
-/// those of the store.
+/// Returns the spec with the settings of its profiles before its own settings. Its profile
+/// references get revision numbers. So later changes of the profiles do not change the spec.
+/// Errors: REQUEST_MALFORMED; PROFILE_NOT_FOUND (FailedPrecondition); errors of the store.
 absl::StatusOr<v1::JobSpec> WithProfiles(v1::JobSpec spec, const std::string& tenant,
                                          ProfileStore& profiles);
 
-/// WithProfiles, and where the job then names no printer and does not say that it needs none
-/// (JobSpec.generic), with `default_profile` as its first profile; empty: there is none.
+/// Applies WithProfiles. If the job then names no printer and is not generic (JobSpec.generic),
+/// inserts `default_profile` as its first profile. An empty `default_profile` has no effect.
 absl::StatusOr<v1::JobSpec> WithMachine(const v1::JobSpec& spec, const std::string& tenant,
                                         const std::string& default_profile, ProfileStore& profiles);
 
-/// What ProfileRecord.settings holds, and back.
+/// Returns the bytes of ProfileRecord.settings.
 std::string ProfileBytes(const google::protobuf::RepeatedPtrField<v1::Setting>& settings);
+/// Returns the profile with the settings that the record's bytes contain. Errors: DATA_LOSS.
 absl::StatusOr<v1::Profile> ReadProfile(const ProfileRecord& record);
 
 }  // namespace slicefarm::coordinator

@@ -24,7 +24,7 @@ TEST(ParseProfileRef, RefusesTheRest) {
   EXPECT_TRUE(CheckProfileName(std::string(255, 'a')).ok());
 }
 
-/// Of which every name is there.
+/// Profile store in which every name exists.
 class AnyProfile : public ProfileStore {
  public:
   absl::StatusOr<ProfileRecord> Put(const NewProfile&, int64_t) override {

@@ -9,10 +9,10 @@
 
 namespace slicefarm::coordinator {
 
-/// Translates slicefarm.v1.Profiles to a ProfileStore. Each tenant has profiles of its own.
+/// Implements slicefarm.v1.Profiles with a ProfileStore. Each tenant has profiles of its own.
 class ProfilesService final : public v1::Profiles::Service {
  public:
-  /// `callers` and `profiles` must outlive it.
+  /// Creates the service. `callers` and `profiles` must outlive it.
   ProfilesService(const Callers& callers, ProfileStore& profiles, const DiskGuard& disk,
                   std::function<int64_t()> now_us)
       : callers_(callers), profiles_(profiles), disk_(disk), now_us_(std::move(now_us)) {}

@@ -11,7 +11,7 @@ namespace slicefarm::coordinator {
 namespace {
 
 constexpr std::chrono::milliseconds kPatience{500};
-constexpr double kKeptFor = 20;  ///< times of the look
+constexpr double kKeptFor = 20;  ///< validity of a snapshot, as a multiple of the time that it took
 
 void SetEnd(int64_t end_us, v1::Job& answer) {
   *answer.mutable_estimated_end_time() =
@@ -28,10 +28,10 @@ struct QueueView::Look {
 
   Stopwatch since;
   double took_s = 0;
-  bool runs = false;   ///< the farm works on a job
-  int64_t run_us = 0;  ///< that a run takes; 0: not known
+  bool runs = false;   ///< true if the farm works on a job
+  int64_t run_us = 0;  ///< mean time of a run; 0 if it is unknown
   std::set<std::string> held_work;
-  std::unordered_map<int64_t, Turn> turns;  ///< by the number of the job
+  std::unordered_map<int64_t, Turn> turns;  ///< expected turns, by the number of the job
 
   static std::shared_ptr<const Look> At(JobStore& jobs, int64_t now_us) {
     auto look = std::make_shared<Look>();
@@ -79,7 +79,8 @@ void QueueView::TellQueued(const JobRecord& job, v1::Job& answer) {
   if (look->runs && look->run_us > 0) SetEnd(turn->second.end_us, answer);
 }
 
-/// By the layers that are done, and before there are any by how long other jobs take.
+/// Estimates the end of a running job from its finished layers. Before the first finished layer,
+/// uses the mean time of other jobs.
 void QueueView::TellRunning(const JobRecord& job, v1::Job& answer) {
   const int64_t now_us = now_us_();
   if (job.start_us == 0 || job.start_us > now_us) return;

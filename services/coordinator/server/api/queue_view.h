@@ -12,18 +12,18 @@
 
 namespace slicefarm::coordinator {
 
-/// Where waiting jobs stand in the farm's queue, and when jobs will have ended. Thread-safe.
+/// Positions of waiting jobs in the farm's queue, and expected ends of jobs. Thread-safe.
 ///
-/// One look at the queue serves all calls for 20 times as long as it took, so that looks take a
-/// twentieth of a core at most, however many calls ask and however long the queue is.
+/// One snapshot of the queue serves all calls for 20 times as long as it took. So snapshots use at
+/// most a twentieth of a core, for any number of calls and any length of the queue.
 class QueueView {
  public:
-  /// `jobs` outlives it.
+  /// Creates a view of the queue in `jobs`, which must outlive it.
   QueueView(JobStore& jobs, std::function<int64_t()> now_us);
 
-  /// Adds place and expected end to an answer about this job. Adds nothing where they cannot be
-  /// known: to jobs that wait for their next attempt or for the same work, and while the store does
-  /// not answer within half a second.
+  /// Adds the position and the expected end to an answer about this job. Adds nothing if they are
+  /// unknown: for jobs that wait for their next attempt or for the same work. Also adds nothing
+  /// while the store does not answer within half a second.
   void Tell(const JobRecord& job, v1::Job& answer);
 
  private:

@@ -18,7 +18,7 @@ namespace {
 constexpr int64_t kSecond = 1'000'000;
 constexpr int64_t kLease = 3600 * kSecond;
 
-/// Counts looks at the queue; may fail them, or keep them waiting.
+/// Store that counts reads of the queue. It can fail or delay them.
 class LookedAtStore : public ForwardingJobStore {
  public:
   using ForwardingJobStore::ForwardingJobStore;
@@ -53,7 +53,7 @@ class QueueViewTest : public testing::Test {
     EXPECT_TRUE(memory_.Update(lease, {.state = state}, now_us_).ok());
   }
 
-  /// Three jobs that each took so long.
+  /// Makes three jobs with this run time.
   void MakeRuns(int64_t run_us) {
     for (int i = 0; i < 3; ++i) {
       Make(absl::StrCat("before ", i));
@@ -70,7 +70,7 @@ class QueueViewTest : public testing::Test {
     return answer;
   }
 
-  /// Seconds from now; -1: none is told.
+  /// Returns the expected end in seconds from now; -1 if the job has none.
   double EndOf(const v1::Job& job) const {
     if (!job.has_estimated_end_time()) return -1;
     const auto us =
@@ -150,7 +150,7 @@ TEST_F(QueueViewTest, AStoreThatFailsOrStandsStillTellsNothing) {
   store_.go_on = &go_on;
   EXPECT_EQ(Tell("a").queue_position(), 0);
   go_on.Happen();
-  while (Tell("a").queue_position() == 0) continue;  // the look that was under way ends first
+  while (Tell("a").queue_position() == 0) continue;  // the read that was in progress ends first
   EXPECT_EQ(Tell("a").queue_position(), 1);
 }
 

@@ -17,19 +17,19 @@
 
 namespace slicefarm::coordinator {
 
-/// For tests: a coordinator over a real server and real stores, with fake stages. It can be closed
-/// and served again, with the same state.
+/// Fixture with a coordinator that has a real server, real stores and fake stages. The test can
+/// close it and serve it again with the same state.
 class ServedCoordinatorTest : public testing::Test {
  protected:
   ServedCoordinatorTest() { fleet_.Join({.name = "fake", .tasks = ranges_, .slots = 2}); }
 
-  /// While what a derived test lends to the coordinator is still there.
+  /// Closes the coordinator while the members of a derived test still exist.
   void TearDown() override {
     ranges_->LetGo();
     Close();
   }
 
-  /// To change and serve with.
+  /// Returns options that a test may change before it serves.
   CoordinatorOptions Options() {
     CoordinatorOptions options;
     options.stores.state_dir = directory_.path();
@@ -55,7 +55,7 @@ class ServedCoordinatorTest : public testing::Test {
     ASSERT_TRUE(coordinator_->Start().ok());
   }
 
-  /// As SIGTERM does it.
+  /// Stops the coordinator as SIGTERM does.
   void Close() {
     if (!coordinator_) return;
     coordinator_->Stop();
@@ -64,7 +64,7 @@ class ServedCoordinatorTest : public testing::Test {
     coordinator_.reset();
   }
 
-  /// Where a blob of the tenant "" lies.
+  /// Returns the path of a blob of the tenant "".
   std::string BlobPath(const std::string& digest) const {
     return directory_.path() + "/blobs/" + digest.substr(0, 2) + "/" + digest;
   }

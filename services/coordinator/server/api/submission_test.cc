@@ -1,5 +1,5 @@
-// What a job may be asked for besides its objects: modes, priorities, deadlines, profiles, batches,
-// preflights, and how jobs are found again.
+// Tests of the options of a job besides its objects: modes, priorities, deadlines, profiles,
+// batches and preflights. They also test how jobs are found again.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -241,7 +241,7 @@ TEST_F(SubmissionTest, ACachedResultCostsWhatIsChargedToday) {
 
 TEST_F(SubmissionTest, AnInteractiveJobNeedNotWaitForLongOnes) {
   ranges_->Hold();
-  const std::string a = Submit("x"), b = Submit("xx");  // all places are taken
+  const std::string a = Submit("x"), b = Submit("xx");  // all slots are taken
   ASSERT_TRUE(Upload("x!").ok());
   v1::CreateJobRequest request = RequestFor("x!");
   request.set_priority(v1::JOB_PRIORITY_INTERACTIVE);
@@ -434,7 +434,7 @@ TEST_F(SubmissionTest, ABatchOfTooManyIsRefusedAsAWhole) {
   EXPECT_EQ(ReasonOf(CreateBatch(batch).status()), Reason::kRequestTooLarge);
 }
 
-// All of what is made is told of in one message.
+// All outcomes of a batch are in one message.
 TEST_F(SubmissionTest, ABatchTellsOfLongErrorsInShort) {
   ASSERT_TRUE(Upload("xxx").ok());
   v1::BatchCreateJobsRequest batch;

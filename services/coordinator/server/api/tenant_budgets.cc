@@ -9,7 +9,7 @@ namespace slicefarm::coordinator {
 namespace {
 
 constexpr int64_t kCountedForUs = 5'000'000;
-/// Sweeps, or the tenant himself, have to remove something before.
+/// Before a retry can succeed, the sweep or the tenant must remove data.
 constexpr const char* kRetryMs = "60000";
 
 }  // namespace

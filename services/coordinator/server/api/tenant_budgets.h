@@ -13,26 +13,27 @@
 
 namespace slicefarm::coordinator {
 
-/// What a tenant may keep: the number of its jobs, ended ones among them, and the bytes of its
-/// blobs. What is there is counted by the stores every few seconds, and by this process in between;
-/// so several coordinators may let a tenant have as much more as they take in meanwhile. Results
-/// count, and are never refused: a job that was taken ends. Thread-safe.
+/// Limits of a tenant's stored data: the number of its jobs, including ended ones, and the bytes of
+/// its blobs. The stores count the data every few seconds; in between, this process adds its own
+/// new data. So several coordinators may together exceed a limit by the data that they accept in
+/// between. Results count but are never refused, because an accepted job must end. Thread-safe.
 class TenantBudgets {
  public:
-  /// `now_us`: of a clock that never runs backwards. The stores outlive it.
+  /// Creates the limits. `now_us`: a clock that never runs backwards. The stores must outlive this
+  /// object.
   TenantBudgets(JobStore& jobs, BlobStores& blobs, std::function<int64_t()> now_us)
       : jobs_(jobs), blobs_(blobs), now_us_(std::move(now_us)) {}
 
-  /// For so many jobs more. Errors: DISK_LOW, with `budget`, `limit`, `got` and the time after
-  /// which to try again; those of the stores.
+  /// Checks that the tenant may store `more` more jobs. Errors: DISK_LOW, with `budget`, `limit`,
+  /// `got` and the time after which to retry; errors of the stores.
   absl::Status CheckJobs(const std::string& tenant, int64_t most, int64_t more);
-  /// For so many bytes more.
+  /// Checks that the tenant may store `more` more bytes. Errors: as in CheckJobs.
   absl::Status CheckBytes(const std::string& tenant, int64_t most, int64_t more);
 
  private:
   struct Kept {
     int64_t count = 0;
-    int64_t until_us = INT64_MIN;  ///< then it is counted again
+    int64_t until_us = INT64_MIN;  ///< time of the next count
   };
   using Count = std::function<absl::StatusOr<int64_t>()>;
 

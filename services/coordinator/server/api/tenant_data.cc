@@ -90,7 +90,7 @@ absl::StatusOr<std::vector<BlobEntry>> BlobsOf(BlobStore& store) {
   return entries;
 }
 
-/// `damaged` gets the names of what cannot be read.
+/// Adds all complete blobs. Adds the names of unreadable blobs to `damaged`.
 absl::Status AddBlobs(const std::shared_ptr<BlobStore>& store, Archive& archive,
                       std::string& damaged) {
   const auto entries = BlobsOf(*store);
@@ -98,7 +98,8 @@ absl::Status AddBlobs(const std::shared_ptr<BlobStore>& store, Archive& archive,
   for (const BlobEntry& entry : *entries) {
     if (!entry.complete) continue;
     const std::string name = absl::StrCat("blobs/", entry.digest);
-    const auto blob = store->Open(entry.digest);  // all of it is checked before its size is told
+    // Open checks the whole blob, before its size is written
+    const auto blob = store->Open(entry.digest);
     if (absl::IsNotFound(blob.status())) continue;
     if (absl::IsDataLoss(blob.status())) {
       absl::StrAppend(&damaged, name, "\n");
@@ -110,7 +111,7 @@ absl::Status AddBlobs(const std::shared_ptr<BlobStore>& store, Archive& archive,
   return absl::OkStatus();
 }
 
-/// Newest revisions of all profiles of a tenant.
+/// Returns the newest revisions of all profiles of a tenant.
 absl::StatusOr<std::vector<ProfileRecord>> ProfilesOf(const std::string& tenant,
                                                       ProfileStore& profiles) {
   std::vector<ProfileRecord> all;
@@ -125,12 +126,13 @@ absl::StatusOr<std::vector<ProfileRecord>> ProfilesOf(const std::string& tenant,
 absl::Status AddProfiles(const std::string& tenant, ProfileStore& profiles, Archive& archive) {
   const auto newest = ProfilesOf(tenant, profiles);
   if (!newest.ok()) return newest.status();
-  int64_t number = 0;  // names may be too long for an archive, or lead elsewhere: "..", for one
+  // used as file name, because a profile name may be too long or an unsafe path, such as ".."
+  int64_t number = 0;
   for (const ProfileRecord& last : *newest) {
     ++number;
     for (int64_t revision = 1; revision <= last.revision; ++revision) {
       const auto record = profiles.Get(tenant, last.name, revision);
-      if (absl::IsNotFound(record.status())) continue;  // it has gone
+      if (absl::IsNotFound(record.status())) continue;  // deleted meanwhile
       if (!record.ok()) return record.status();
       const auto profile = ReadProfile(*record);
       if (!profile.ok()) return profile.status();
@@ -142,7 +144,7 @@ absl::Status AddProfiles(const std::string& tenant, ProfileStore& profiles, Arch
   return absl::OkStatus();
 }
 
-/// Removes those of a page that have ended and asks the others to end. Returns how many are gone.
+/// Deletes the ended jobs of a page and cancels the rest. Returns the number of deleted jobs.
 absl::StatusOr<int64_t> ErasePage(const std::vector<JobRecord>& page, JobStore& jobs,
                                   int64_t now_us,
                                   const std::function<void(const std::string&)>& cancelled) {
@@ -173,7 +175,8 @@ absl::StatusOr<int64_t> EraseJobs(const std::string& tenant, JobStore& jobs,
     const auto gone = ErasePage(*page, jobs, now_us(), cancelled);
     if (!gone.ok()) return gone.status();
     erased += *gone;
-    const auto pause = std::chrono::milliseconds(*gone == 0 ? 100 : 0);  // those that run end soon
+    // running jobs end soon after the cancel
+    const auto pause = std::chrono::milliseconds(*gone == 0 ? 100 : 0);
     if (absl::Status wanted = SleepUnlessCancelled(cancel, pause); !wanted.ok()) return wanted;
   }
 }
@@ -189,7 +192,8 @@ absl::Status EraseBlobs(const std::string& tenant, const TenantData& data,
     const size_t end = std::min(next + kPage, entries->size());
     std::set<std::string> digests;
     for (size_t i = next; i < end; ++i) digests.insert((*entries)[i].digest);
-    const auto used = data.jobs.Referenced(tenant, digests);  // by others: its own are gone
+    // used by other tenants, because the tenant's own jobs are deleted
+    const auto used = data.jobs.Referenced(tenant, digests);
     if (!used.ok()) return used.status();
     for (; next < end; ++next) {
       const BlobEntry& entry = (*entries)[next];

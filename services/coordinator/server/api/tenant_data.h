@@ -14,26 +14,26 @@
 
 namespace slicefarm::coordinator {
 
-/// All that a farm keeps of a tenant. Everything outlives it.
+/// Stores with all data of a tenant. They must outlive this object.
 struct TenantData {
   JobStore& jobs;
   BlobStores& blobs;
   ProfileStore& profiles;
 };
 
-/// Takes bytes; false: nobody wants more.
+/// Function that takes bytes. Returns false if the receiver wants no more.
 using TakeBytes = std::function<bool(std::string_view)>;
 
-/// Writes a tar archive: `jobs/ID.json`, `blobs/SHA256` (the meshes and results that the jobs name,
-/// and complete uploads), `profiles/NUMBER-REVISION.json`, and `not-readable.txt` with what is
-/// damaged. What comes or goes meanwhile may be missing. Cost: reads all of it; holds a piece at a
-/// time. Errors: the stores'; CANCELLED.
+/// Writes a tar archive: `jobs/ID.json`, `blobs/SHA256` (meshes and results of the jobs, and
+/// complete uploads), `profiles/NUMBER-REVISION.json`, and `not-readable.txt` with the names of
+/// damaged blobs. Data that is added or deleted meanwhile may be missing. Cost: reads all data;
+/// holds one piece at a time. Errors: errors of the stores; CANCELLED.
 absl::Status ExportTenant(const std::string& tenant, const TenantData& data, int64_t now_us,
                           const CancelToken& cancel, const TakeBytes& take);
 
-/// Cancels the tenant's open jobs (`cancelled` is told of each), waits for their end, and removes
-/// all that is kept; blobs that jobs of others have as results stay. Errors: the stores';
-/// CANCELLED, after which a second call goes on.
+/// Erases a tenant. Cancels its open jobs (calls `cancelled` for each), waits for their ends, and
+/// removes all data. Blobs that are results of other tenants' jobs stay. Errors: errors of the
+/// stores; CANCELLED, after which a second call continues.
 absl::StatusOr<v1::EraseTenantResponse> EraseTenant(
     const std::string& tenant, const TenantData& data, const std::function<int64_t()>& now_us,
     const CancelToken& cancel, const std::function<void(const std::string& job)>& cancelled);

@@ -1,4 +1,4 @@
-// Export and erasure of a tenant, over a real server and real stores.
+// Tests of export and erasure of a tenant, with a real server and real stores.
 #include <gmock/gmock.h>
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ class TenantDataTest : public ServedCoordinatorTest {
 
   Client As(const std::string& token) { return {address(), token}; }
 
-  /// Unpacks an archive; relative paths of its files, and their content.
+  /// Unpacks an archive. Returns the relative paths of its files with their contents.
   std::map<std::string, std::string> Unpack(const std::string& archive) {
     const TempDirectory directory;
     std::ofstream(directory.path() + "/a.tar", std::ios::binary) << archive;

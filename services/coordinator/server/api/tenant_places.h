@@ -11,13 +11,13 @@
 
 namespace slicefarm::coordinator {
 
-/// Places that calls share, of which a tenant has at most as many as are free: one tenant can take
-/// half of them, two a third each, and however many take what they can get, one place is left for
-/// who comes with none (the dynamic thresholds of A. Choudhury and E. Hahne, 1998). None waits
-/// here. Thread-safe; must outlive its places.
+/// Slots that calls of all tenants share. A tenant may have at most as many slots as are free. So
+/// one tenant can take half of them, and two tenants a third each. One slot always remains for a
+/// tenant without any. This is the dynamic threshold method of A. Choudhury and E. Hahne, 1998.
+/// Calls never wait for a slot. Thread-safe; must outlive its slots.
 class TenantPlaces {
  public:
-  /// Gives the place back when destroyed.
+  /// Slot of one call. The destructor releases it.
   class Place {
    public:
     Place(TenantPlaces& places, std::string tenant)
@@ -32,11 +32,11 @@ class TenantPlaces {
     std::string tenant_;
   };
 
-  /// REQUIRES: all >= 1.
+  /// Creates `all` slots. REQUIRES: all >= 1.
   explicit TenantPlaces(int all) : all_(all) {}
 
-  /// The tenant "", whom a farm without tenants has, may have all. Errors: OVERLOADED, with the
-  /// time after which to try again.
+  /// Takes a slot. The tenant "" of a farm without tenants may take all. Errors: OVERLOADED, with
+  /// the time after which to retry.
   absl::StatusOr<Place> Enter(const std::string& tenant);
 
  private:
@@ -45,7 +45,7 @@ class TenantPlaces {
   const int all_;
   std::mutex mutex_;
   int used_ = 0;
-  std::map<std::string, int> by_tenant_;  ///< of those who have any
+  std::map<std::string, int> by_tenant_;  ///< number of slots by tenant, for tenants that have any
 };
 
 }  // namespace slicefarm::coordinator

@@ -13,7 +13,7 @@ namespace {
 
 using Places = std::vector<TenantPlaces::Place>;
 
-/// As many as there are for the tenant.
+/// Takes all slots that the tenant can get. Returns their number.
 int TakeAll(TenantPlaces& places, const std::string& tenant, Places& taken) {
   for (int count = 0;; ++count) {
     auto place = places.Enter(tenant);

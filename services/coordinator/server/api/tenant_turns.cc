@@ -15,7 +15,7 @@ absl::StatusOr<TenantTurns::Turn> TenantTurns::Enter(const std::string& tenant,
   absl::Status wanted;
   while (wanted.ok() && Next() != mine) {
     changed_.wait_for(lock, rpc::kPollCancel);
-    lock.unlock();  // the poll may take locks of its own
+    lock.unlock();  // the cancellation check may take locks of its own
     wanted = cancel.Check();
     lock.lock();
   }
@@ -24,7 +24,7 @@ absl::StatusOr<TenantTurns::Turn> TenantTurns::Enter(const std::string& tenant,
     --free_;
     ++at_work_[tenant];
   }
-  changed_.notify_all();  // it may be the turn of another one
+  changed_.notify_all();  // it may be another call's turn
   if (!wanted.ok()) return wanted;
   return Turn(*this, tenant);
 }
@@ -38,7 +38,7 @@ bool TenantTurns::MayWork(const std::string& tenant) const {
   return tenant.empty() ? free_ > 0 : AtWork(tenant) < free_;
 }
 
-/// Whose turn it is; the end: nobody's.
+/// Returns the waiting call that is next; end() if none may work now.
 TenantTurns::Waiting::const_iterator TenantTurns::Next() const {
   auto next = waiting_.end();
   for (auto i = waiting_.begin(); i != waiting_.end(); ++i) {

@@ -13,12 +13,13 @@
 
 namespace slicefarm::coordinator {
 
-/// Slots for work that takes long, for which calls wait. A tenant works in at most as many as are
-/// free, so that others find one; of those that wait, the one of the tenant with the least at work
-/// comes first, and of these the one that came first. Thread-safe; must outlive its turns.
+/// Slots for work that takes long; calls wait for a slot. A tenant may work in at most as many
+/// slots as are free, so that other tenants find one. Of the waiting calls, the tenant with the
+/// least work in progress comes first; among its calls, the earliest. Thread-safe; must outlive its
+/// turns.
 class TenantTurns {
  public:
-  /// Gives the slot back when destroyed.
+  /// Slot of one call. The destructor releases it.
   class Turn {
    public:
     Turn(TenantTurns& turns, std::string tenant) : turns_(&turns), tenant_(std::move(tenant)) {}
@@ -32,11 +33,11 @@ class TenantTurns {
     std::string tenant_;
   };
 
-  /// REQUIRES: slots >= 1.
+  /// Creates `slots` slots. REQUIRES: slots >= 1.
   explicit TenantTurns(int slots) : free_(slots) {}
 
-  /// Waits for a slot; the tenant "", whom a farm without tenants has, may have all. Errors:
-  /// `cancel`'s.
+  /// Waits for a slot. The tenant "" of a farm without tenants may use all. Errors: the error of
+  /// `cancel`.
   absl::StatusOr<Turn> Enter(const std::string& tenant, const CancelToken& cancel);
 
  private:
@@ -50,8 +51,8 @@ class TenantTurns {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   int free_;
-  std::map<std::string, int> at_work_;  ///< of tenants that have any
-  Waiting waiting_;                     ///< tenants, in the order of their calls
+  std::map<std::string, int> at_work_;  ///< number of calls at work, for tenants that have any
+  Waiting waiting_;                     ///< tenants of the waiting calls, in the order of the calls
 };
 
 }  // namespace slicefarm::coordinator

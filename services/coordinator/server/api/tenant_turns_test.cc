@@ -13,7 +13,7 @@
 namespace slicefarm::coordinator::tenant_turns_test {
 namespace {
 
-/// A call that waits for its turn, from a thread of its own.
+/// Call that waits for its turn on a thread of its own.
 class Call {
  public:
   Call(TenantTurns& turns, const std::string& tenant)

@@ -6,9 +6,10 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// However much happens, the store is not asked more often.
+/// Shortest interval between reads of the store, for any number of events.
 constexpr std::chrono::milliseconds kPause{100};
-/// Whether the client is still there is looked at as often, and the store is asked.
+/// Longest interval between reads of the store. The watch also checks at this interval whether the
+/// client has left.
 constexpr std::chrono::milliseconds kLookEvery{1'000};
 constexpr int64_t kSignOfLifeUs = 15'000'000;
 
@@ -32,7 +33,7 @@ void TenantWatch::AwaitNews() {
   news_ = false;
 }
 
-/// Of a job that was deleted meanwhile nothing is told.
+/// Sends the events. Skips the events of jobs that were deleted meanwhile.
 absl::Status TenantWatch::Send(const TenantEvents& events, const std::vector<TenantEvent>& found,
                                Writer& writer) {
   v1::WatchJobsResponse response;

@@ -16,22 +16,24 @@
 
 namespace slicefarm::coordinator {
 
-/// Each holds a thread, as those who watch all jobs are few.
+/// Largest number of watches of all jobs. Each watch occupies a thread, which is acceptable because
+/// few clients watch all jobs.
 inline constexpr int kTenantWatches = 32;
 
-/// One WatchJobs call: sends the events of a tenant's jobs, as the feed tells of them, until the
+/// One WatchJobs call. Sends the events of a tenant's jobs when the feed announces them, until the
 /// client leaves or the coordinator stops.
 class TenantWatch {
  public:
   using Writer = grpc::ServerWriter<v1::WatchJobsResponse>;
 
-  /// All outlive it.
+  /// Creates a watch. All arguments must outlive it.
   TenantWatch(JobStore& jobs, JobFeed& feed, const std::function<int64_t()>& now_us);
   ~TenantWatch() { feed_.Forget(ticket_); }
   TenantWatch(const TenantWatch&) = delete;
   TenantWatch& operator=(const TenantWatch&) = delete;
 
-  /// Errors: the store's; CoordinatorStops; Cancelled when the client has left.
+  /// Sends events until an error occurs. Errors: errors of the store; CoordinatorStops; Cancelled
+  /// when the client has left.
   absl::Status Run(TenantEvents events, const grpc::ServerContext& context, Writer& writer);
 
  private:

@@ -12,25 +12,25 @@
 
 namespace slicefarm::coordinator {
 
-/// How many uploads (and as many downloads) there may be at once, shared as TenantPlaces says, and
-/// how slow each may be.
+/// Largest number of uploads (and of downloads) at once, shared by the rule of TenantPlaces, and
+/// the slowest allowed transfer.
 struct TransferOptions {
   int slots = 64;
   rpc::StreamTimes times = {};
 };
 
-/// The way of calls that hold a server thread for as long as their client likes: only so many at
-/// once, and none without progress. Thread-safe.
+/// Limits calls that occupy a server thread for as long as their client wants. Limits their number
+/// and ends calls without progress. Thread-safe.
 class Transfers {
  public:
-  /// To be called for each message, with its bytes.
+  /// Function that must be called for each message, with its number of bytes.
   using Moved = std::function<void(int64_t bytes)>;
 
   explicit Transfers(const TransferOptions& options)
       : options_(options), places_(options.slots), watch_(options.times) {}
 
-  /// Does `work` if there is a place. `tenant`: empty where there is only one. Errors: OVERLOADED;
-  /// CANCELLED where the call was cut off; those of `work`.
+  /// Runs `work` if a slot is free. `tenant`: empty if there is only one. Errors: OVERLOADED;
+  /// CANCELLED if the call was cut off; errors of `work`.
   absl::Status Run(grpc::ServerContext& context, const std::string& tenant,
                    const std::function<absl::Status(const Moved&)>& work);
 

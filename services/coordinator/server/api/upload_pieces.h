@@ -12,27 +12,27 @@
 
 namespace slicefarm::coordinator {
 
-/// An upload as it comes, kept in pieces of kBlobPieceBytes, whatever the client's chunks are. What
-/// comes first is kept at once, so that the upload is there as soon as it has begun. Holds less
-/// than a piece and a chunk.
+/// Upload that is stored in pieces of kBlobPieceBytes, for any chunk size of the client. The first
+/// chunk is stored at once, so that the upload exists from its beginning. Holds less than a piece
+/// and a chunk in memory.
 class UploadPieces {
  public:
-  /// Keeps bytes that begin at `offset`.
+  /// Function that stores bytes that begin at `offset`.
   using Keep = std::function<absl::StatusOr<BlobStatus>(int64_t offset, std::string_view bytes)>;
 
-  /// From `offset` on.
+  /// Begins or continues an upload at `offset`.
   UploadPieces(int64_t offset, Keep keep) : keep_(std::move(keep)), kept_(offset) {}
 
-  /// Where the next chunk belongs.
+  /// Returns the offset of the next chunk.
   int64_t offset() const { return kept_ + std::ssize(held_); }
 
-  /// Of what was kept last.
+  /// Returns the status after the last store of bytes.
   const BlobStatus& status() const { return status_; }
 
-  /// Errors: those of Keep.
+  /// Adds the next chunk. Errors: errors of Keep.
   absl::Status Add(std::string_view chunk);
 
-  /// What is left: also of a call that breaks.
+  /// Stores the remaining bytes. Also used after a broken call.
   absl::Status KeepRest();
 
  private:
@@ -41,7 +41,7 @@ class UploadPieces {
   const Keep keep_;
   int64_t kept_;
   bool begun_ = false;
-  std::string held_;  ///< begins at kept_
+  std::string held_;  ///< bytes that begin at kept_ and are not stored yet
   BlobStatus status_;
 };
 

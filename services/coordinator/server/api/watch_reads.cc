@@ -37,7 +37,7 @@ void WatchReads::Read(const std::string& tenant, const std::string& job_id, int6
   done(CoordinatorStops());
 }
 
-/// The life of a thread.
+/// Reads for one tenant after another, on one thread, until Stop.
 void WatchReads::Run() {
   std::unique_lock lock(mutex_);
   while (true) {
@@ -48,7 +48,8 @@ void WatchReads::Run() {
     Tenant& tenant = tenants_.at(name);
     const Wanted wanted = std::move(tenant.queue.front());
     tenant.queue.pop_front();
-    // Who asks from now on may want what is written after the read.
+    // Requests that come from now on need a new read, because events may be written after this
+    // read.
     const std::vector<Done> waiting = std::move(tenant.waiting.extract(wanted).mapped());
     if (tenant.queue.empty()) {
       tenants_.erase(name);
@@ -63,8 +64,8 @@ void WatchReads::Run() {
   }
 }
 
-/// The job after its events, which it may have gone beyond then: so its end is reached with its
-/// last event.
+/// Reads the events first and then the job. So if the last event is among the events, the job is
+/// already terminal, and the watch ends with this event.
 WatchReads::Result WatchReads::ReadNow(const std::string& tenant, const Wanted& wanted) {
   auto events = jobs_.Events(wanted.job_id, wanted.sequence, kEventsAtOnce);
   auto job = events.ok() ? jobs_.GetWithoutSpec(wanted.job_id)

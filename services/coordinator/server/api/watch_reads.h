@@ -16,30 +16,30 @@
 
 namespace slicefarm::coordinator {
 
-/// Where a job stands.
+/// Job with some of its events.
 struct JobSteps {
   JobRecord job;                       ///< without its spec
-  std::vector<JobEventRecord> events;  ///< read before the job, which may have gone on since
+  std::vector<JobEventRecord> events;  ///< read before the job, which may be newer
 
-  /// Whether nothing comes after `sequence`.
+  /// Returns true if no event comes after `sequence`.
   bool EndsAt(int64_t sequence) const {
     return IsTerminal(job.state) && sequence >= job.last_sequence;
   }
 };
 
-/// UNAVAILABLE, with the time after which another coordinator, or the next life of this one, can be
-/// asked.
+/// Returns the error UNAVAILABLE, with the time after which another coordinator, or this one after
+/// its restart, can be called.
 absl::Status CoordinatorStops();
 
-/// Reads for those who watch jobs, on threads of its own. All who want the same of a job get it
-/// from one read; tenants take turns. Thread-safe.
+/// Reads events for watchers, on threads of its own. All watchers that need the same events of a
+/// job share one read. Tenants take turns. Thread-safe.
 class WatchReads {
  public:
   using Result = absl::StatusOr<std::shared_ptr<const JobSteps>>;
-  /// Is called once, from any thread; must be quick.
+  /// Function that receives the result. It is called once, from any thread, and must be quick.
   using Done = std::function<void(Result result)>;
 
-  /// `jobs` outlives it. REQUIRES: threads >= 1.
+  /// Starts the threads. `jobs` must outlive this object. REQUIRES: threads >= 1.
   WatchReads(JobStore& jobs, int threads);
   ~WatchReads() { Stop(); }
   WatchReads(const WatchReads&) = delete;
@@ -47,12 +47,13 @@ class WatchReads {
 
   static constexpr int32_t kEventsAtOnce = 100;
 
-  /// Events of the job after `sequence`, kEventsAtOnce at most, as they are when this is called or
-  /// later. Errors: those of JobStore::Events; JOB_NOT_FOUND also for another tenant's job that
-  /// cannot be read; CoordinatorStops.
+  /// Reads at most kEventsAtOnce events of the job after `sequence`. The result is not older than
+  /// this call. Errors: errors of JobStore::Events; JOB_NOT_FOUND also for another tenant's job
+  /// that cannot be read; CoordinatorStops.
   void Read(const std::string& tenant, const std::string& job_id, int64_t sequence, Done done);
 
-  /// Afterwards all who asked have their answers, and who asks hears CoordinatorStops at once.
+  /// Ends the reads. After the return, all earlier requests have their answers, and new requests
+  /// get CoordinatorStops at once.
   void Stop();
 
  private:
@@ -64,7 +65,7 @@ class WatchReads {
   };
   struct Tenant {
     std::deque<Wanted> queue;
-    std::map<Wanted, std::vector<Done>> waiting;  ///< those of the queue
+    std::map<Wanted, std::vector<Done>> waiting;  ///< callers that wait for the reads in `queue`
   };
 
   void Run();
@@ -74,8 +75,9 @@ class WatchReads {
   std::mutex mutex_;
   std::condition_variable changed_;
   bool stopping_ = false;
-  std::map<std::string, Tenant> tenants_;  ///< who want something
-  std::deque<std::string> turns_;          ///< the same, in the order of their turns
+  std::map<std::string, Tenant> tenants_;  ///< tenants with waiting reads
+  /// Tenants with waiting reads, in the order of their turns.
+  std::deque<std::string> turns_;
   std::vector<std::thread> threads_;
 };
 

@@ -17,7 +17,7 @@
 namespace slicefarm::coordinator::watch_reads_test {
 namespace {
 
-/// Notes what is read, and lets each read wait until it may go on.
+/// Store that records the reads and lets each read wait until the test releases it.
 class SlowStore : public ForwardingJobStore {
  public:
   using ForwardingJobStore::ForwardingJobStore;
@@ -116,7 +116,7 @@ TEST_F(WatchReadsTest, AStopLeavesNobodyWithoutAnAnswer) {
   store_.AwaitReads(1);
   reads.Read("a", "a2", 0, refuse);
   std::thread stop([&] { reads.Stop(); });
-  // Until Stop is heard of.
+  // Repeats the read until Stop takes effect.
   for (int before = refused; refused == before;) reads.Read("a", "a2", 0, refuse);
   store_.Open();
   stop.join();

@@ -26,7 +26,7 @@ absl::Status CheckName(const std::string& field, const std::string& name) {
     return LimitError(Reason::kRequestTooLarge, "bytes of an object's name", limits::kMaxNameBytes,
                       std::ssize(name));
   }
-  // Names end up in G-code comments, where a line end would begin a command.
+  // Names appear in G-code comments, where a line end would begin a command.
   return CheckText(field, name);
 }
 
@@ -41,7 +41,7 @@ absl::Status CheckNames(const SceneObject& object, size_t index) {
   return absl::OkStatus();
 }
 
-/// They become warnings, which events and lists of jobs have.
+/// Checks the notes of a project. They become warnings in events and lists of jobs.
 absl::Status CheckNotes(const JobRequest& request) {
   constexpr int64_t kMostBytes = 64 << 10;
   int64_t bytes = 0;
@@ -57,8 +57,8 @@ absl::Status CheckNotes(const JobRequest& request) {
   return LimitError(Reason::kRequestTooLarge, "bytes of a job's notes", kMostBytes, bytes);
 }
 
-/// Appends what decides the result. Texts that may hold anything come with their length, numbers
-/// with all their bits.
+/// Appends all data that determines the result. Arbitrary texts are written with their length,
+/// numbers with all their bits.
 class ActionWriter {
  public:
   explicit ActionWriter(std::string& text) : out_(text) {}
@@ -119,18 +119,18 @@ class ActionWriter {
   std::string& out_;
 };
 
-/// The text of all that decides the result.
+/// Returns the text of all data that determines the result.
 std::string ActionText(const JobRequest& request, const config::ResolvedPlate& settings,
                        std::string_view build_id, std::string_view result_tenant) {
   std::string text = fmt::format("build {}\n", build_id);
   if (!result_tenant.empty()) text += fmt::format("tenant {}\n", result_tenant);
   ActionWriter(text).Add(request.scene);
   text += settings.effective_text;
-  // The report names these, so they belong to the result as well.
+  // The report lists these settings, so they belong to the result as well.
   for (const std::string& line : settings.no_effect) {
     text += fmt::format("unused {}:{}\n", line.size(), line);
   }
-  // So are warnings that the settings alone do not lead to.
+  // The report also lists warnings that do not follow from the settings.
   for (const std::string& line : request.warnings)
     text += fmt::format("warning {}:{}\n", line.size(), line);
   for (const config::MissingFeature& each : settings.missing)
@@ -166,7 +166,7 @@ absl::Status CheckLabels(const std::map<std::string, std::string>& labels) {
       return LimitError(Reason::kRequestTooLarge, "bytes of a label", limits::kMaxLabelBytes,
                         bytes);
     }
-    // They are shown by others, and not every database keeps a NUL in a text.
+    // Other programs display labels, and some databases cannot store a NUL in a text.
     if (absl::Status ok = CheckText("labels", key + value); !ok.ok()) return ok;
   }
   return absl::OkStatus();

@@ -11,43 +11,55 @@
 
 namespace slicefarm::coordinator {
 
+/// Output of a job: a program, or only an estimate.
 enum class JobMode { kPrint, kQuote };
 
-/// What a client asks for: objects, and settings as text.
+/// Request of a client: objects, and settings as text.
 struct JobRequest {
   JobMode mode = JobMode::kPrint;
   Process process = kDefaultProcess;
   SubmittedScene scene;
   std::vector<config::Setting> settings;
-  std::vector<std::string> without_effect = {};  ///< as the client knows: the report names it
-  std::vector<std::string> warnings = {};        ///< of the project that the objects are from
-  std::vector<config::MissingFeature> missing = {};  ///< that the project asks for
+  /// Settings that have no effect according to the client; the report lists them.
+  std::vector<std::string> without_effect = {};
+  /// Warnings of the project that contains the objects.
+  std::vector<std::string> warnings = {};
+  std::vector<config::MissingFeature> missing = {};  ///< missing features that the project requests
   std::vector<std::string> allowed = {};             ///< features that may be missing
-  bool generic = false;                              ///< the job is for no particular printer
+  /// True if the job is for no particular printer.
+  bool generic = false;
 };
 
-/// A request that can be worked on.
+/// Request with resolved settings and its digests.
 struct ResolvedJob {
   JobRequest request;
   config::ResolvedPlate plate;
-  std::string settings_digest;  ///< of the effective settings
-  std::string action_digest;    ///< of all that the result depends on, build and tenant included
-  /// Actions whose results serve as this one's, its own last: a print is a quote, too.
+  std::string settings_digest;  ///< digest of the effective settings
+  /// Digest of all data that determines the result, including build and tenant.
+  std::string action_digest;
+  /// Actions with results that also serve this job; its own is the last. For example, the result of
+  /// a print also serves a quote.
   std::vector<std::string> serving_actions;
 };
 
-/// Objects, names and copies within their bounds. Errors: REQUEST_MALFORMED, REQUEST_TOO_LARGE.
+/// Checks the limits of objects, names and copies. Errors: REQUEST_MALFORMED, REQUEST_TOO_LARGE.
 absl::Status CheckRequest(const JobRequest& request);
+/// Checks the number, the length and the characters of labels. Errors: REQUEST_MALFORMED,
+/// REQUEST_TOO_LARGE.
 absl::Status CheckLabels(const std::map<std::string, std::string>& labels);
+/// Checks the length and the characters of a request id. Errors: REQUEST_MALFORMED,
+/// REQUEST_TOO_LARGE.
 absl::Status CheckRequestId(const std::string& request_id);
 
-/// Whether the request may become a job: REQUEST_MALFORMED for a name that may not be allowed;
-/// PRINTER_MISSING if the settings name no machine and the job does not say that it needs none;
-/// NOT_SUPPORTED for what is missing and not allowed. Jobs that are there are not asked again.
+/// Checks that the request may become a job. Errors: REQUEST_MALFORMED for a feature name in
+/// `allowed` that does not exist; PRINTER_MISSING if the settings name no machine and the job is
+/// not generic; NOT_SUPPORTED for a missing feature that is not allowed. Existing jobs are not
+/// checked again.
 absl::Status CheckAcceptable(const ResolvedJob& job);
 
-/// CheckRequest, and the plate resolved. `result_tenant`: whose results the job may take and
-/// leave (job_results.h). Errors also: those of config::ResolvePlate.
+/// Checks the request (CheckRequest) and resolves its plate. `result_tenant`: tenant under which
+/// the results are searched and stored (job_results.h). Errors: errors of CheckRequest and
+/// config::ResolvePlate.
 absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view build_id,
                                        std::string_view result_tenant,
                                        const CancelToken& cancel = {});

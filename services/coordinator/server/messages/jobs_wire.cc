@@ -16,10 +16,11 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// 9999-12-31T23:59:59Z, as google.protobuf.Timestamp has it.
+/// Largest time of google.protobuf.Timestamp: 9999-12-31T23:59:59Z.
 constexpr int64_t kMaxSeconds = 253'402'300'799;
 
-/// A page ends before it; one job is less than the rest of a message (limits::kMaxSpecBytes).
+/// Size after which a page ends. One more job is smaller than the rest of a message
+/// (limits::kMaxSpecBytes).
 constexpr size_t kMaxPageBytes = 1 << 20;
 
 absl::StatusOr<JobState> StateFromProto(v1::JobState proto) {
@@ -62,7 +63,7 @@ absl::Status TakeTimes(const v1::ListJobsRequest& request, ListQuery& query) {
   return absl::OkStatus();
 }
 
-/// All but the spec.
+/// Converts all fields except the spec.
 v1::Job SummaryToProto(const JobRecord& job) {
   v1::Job proto;
   proto.set_id(job.id);
@@ -100,8 +101,9 @@ static_assert(static_cast<int>(v1::JOB_PRIORITY_INTERACTIVE) ==
 
 namespace {
 
-/// A project has objects and places of its own, which ReadProject tells. One whose format is not
-/// given shows when it is read, and the job fails.
+/// Checks that no object is a 3MF project. A project has several objects with positions of their
+/// own, which ReadProject returns. If the format is not given, the project is found when it is
+/// read, and the job fails.
 absl::Status CheckNoProjects(const v1::JobSpec& spec) {
   for (int i = 0; i < spec.objects_size(); ++i) {
     const v1::Object& object = spec.objects(i);

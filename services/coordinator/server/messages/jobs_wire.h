@@ -12,22 +12,23 @@
 
 namespace slicefarm::coordinator {
 
-constexpr int32_t kDefaultPageSize = 50;  ///< of lists, for requests that say none
+constexpr int32_t kDefaultPageSize = 50;  ///< page size of lists, if a request gives none
 
-/// jobs.proto <-> what the coordinator keeps. Errors: REQUEST_MALFORMED naming the field; those of
-/// common/wire/support/mesh_wire.h.
+/// Conversions between jobs.proto and the coordinator's types. Errors: REQUEST_MALFORMED with the
+/// field; errors of common/wire/support/mesh_wire.h.
 
 absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec);
 
-/// Takes out all settings and what has no effect: lists of jobs would be too long with them.
+/// Removes all settings and all notes without effect. With them, lists of jobs would be too long.
 void ClearSettings(v1::JobSpec& spec);
 
 absl::StatusOr<Priority> FromProto(v1::JobPriority priority);
-/// Microseconds since 1970. Errors: also for times before that.
+/// Returns the time in microseconds since 1970. Errors: also for times before 1970.
 absl::StatusOr<int64_t> FromProto(const google::protobuf::Timestamp& time);
 
-/// What JobRecord.spec holds, and back. Equal specs give equal bytes.
+/// Returns the bytes of JobRecord.spec. Equal specs have equal bytes.
 std::string SpecBytes(const v1::JobSpec& spec);
+/// Reads the bytes of JobRecord.spec.
 absl::StatusOr<JobRequest> ReadSpec(const std::string& bytes);
 
 v1::JobState ToProto(JobState state);
@@ -35,19 +36,21 @@ v1::JobError ToProto(const JobError& error);
 v1::Cost ToProto(const Cost& cost);
 v1::Preflight ToProto(const Preflight& preflight, const Cost& cost);
 
-/// A page of a list: jobs without their settings, as many as fit into a message. The token holds
-/// the last job of the page before; it is opaque to clients.
+/// Converts a request for a page of a list. The page token contains the last job of the previous
+/// page and is opaque to clients.
 absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request);
+/// Converts a page of a list: as many jobs as fit into a message, without their settings.
 v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery& query);
 
-/// Errors: also for a mask that names nothing, or what cannot be changed.
+/// Converts the changes of a job. Errors: also for a mask without fields, or with a field that
+/// cannot be changed.
 absl::StatusOr<JobChanging> FromProto(const v1::UpdateJobRequest& request);
 
 v1::Job ToProto(const JobRecord& job);
-/// The job as of then, without its spec.
+/// Converts an event. The job has the state of the event, without its spec.
 v1::JobEvent ToProto(const JobEventRecord& event, const JobRecord& job);
 
-/// When what is watched begins. Errors: also for a cursor that is none.
+/// Returns the time from which events are watched. Errors: also for an invalid cursor.
 absl::StatusOr<int64_t> WatchedFrom(const v1::WatchJobsRequest& request, int64_t now_us);
 
 v1::Webhook ToProto(const WebhookRecord& webhook);

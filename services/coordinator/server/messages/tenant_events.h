@@ -11,41 +11,45 @@
 
 namespace slicefarm::coordinator {
 
-/// The events of a tenant's jobs one after the other, each once. One may be committed later than
-/// others of a later time, by another coordinator or after a wait for the store: so what is that
-/// young is looked at again and again. Not thread-safe.
+/// Events of a tenant's jobs in sequence, each exactly once. An event may be committed after events
+/// with later times, by another coordinator or after a wait for the store. So recent times are read
+/// again and again. Not thread-safe.
 class TenantEvents {
  public:
-  /// What is committed later than this after its time is missed: longer than any write may take,
-  /// together with what clocks may differ by.
+  /// Longest delay between the time of an event and its commit. Later commits are missed. It
+  /// exceeds the longest write plus the difference of the clocks.
   static constexpr int64_t kLateUs = 60'000'000;
-  /// The last moments are looked at by each call; all that may be late, once in a while.
+  /// Time before the last event that each call reads again. The full range of kLateUs is read again
+  /// every kLookBackEveryUs.
   static constexpr int64_t kSoonUs = 2'000'000;
   static constexpr int64_t kLookBackEveryUs = 5'000'000;
 
-  /// `jobs` outlives it.
+  /// Creates a sequence of events from `from_us` on. `jobs` must outlive it.
   TenantEvents(JobStore& jobs, std::string tenant, int64_t from_us)
       : jobs_(jobs), tenant_(std::move(tenant)), from_us_(from_us), last_us_(from_us) {}
 
-  /// Those that were not told yet; a page of them, more() says whether there are others. Errors:
-  /// the store's, after which it goes on where it was.
+  /// Returns a page of the events that were not returned yet. more() reports whether there is
+  /// another page. Errors: errors of the store, after which the next call continues at the same
+  /// position.
   absl::StatusOr<std::vector<TenantEvent>> Next(int64_t now_us);
+  /// Returns true if Next can return another page at once.
   bool more() const { return page_.has_value(); }
 
-  /// Where somebody can begin who has all that was told: a little before, as for what is late.
+  /// Returns the start position for a client that has received all events so far. It is a little
+  /// earlier than the last event, because of late events.
   std::string cursor() const;
 
  private:
   JobStore& jobs_;
   const std::string tenant_;
   const int64_t from_us_;
-  int64_t last_us_;                 ///< of what was told
-  int64_t looked_back_us_ = 0;      ///< when all was looked at that may be late
-  std::optional<EventPlace> page_;  ///< where the look goes on that is not at its end
-  std::set<EventPlace> told_;       ///< those that may be found again
+  int64_t last_us_;                 ///< time of the last event that was returned
+  int64_t looked_back_us_ = 0;      ///< time of the last full read of the range with late events
+  std::optional<EventPlace> page_;  ///< position where an incomplete read continues
+  std::set<EventPlace> told_;       ///< events that may be found again
 };
 
-/// Of a cursor; none: it is none.
+/// Returns the time of a cursor; nullopt if the cursor is invalid.
 std::optional<int64_t> TimeOfCursor(const std::string& cursor);
 
 }  // namespace slicefarm::coordinator

@@ -46,7 +46,7 @@ TEST_F(TenantEventsTest, EachIsToldOnceFromTheBeginningOn) {
   EXPECT_EQ(Told(events, 110 * kSecond), "") << "though it looks back";
 }
 
-// It was on its way to the store, by a clock that is behind.
+// The event has an early time because its coordinator's clock is behind. It was committed late.
 TEST_F(TenantEventsTest, OneThatIsLateIsToldLate) {
   TenantEvents events(store_, "t", 100 * kSecond);
   Make("a", 140 * kSecond);
