@@ -28,13 +28,14 @@ const std::set<std::string_view> kAudited = {
     "/slicefarm.v1.Jobs/EraseTenant",
 };
 
-/// What names an object in a request or an answer.
+/// Names of the fields that identify an object in a request or an answer.
 const std::set<std::string_view> kNames = {"id",     "ids",  "job_id", "name",     "sha256",
                                            "tenant", "jobs", "job",    "outcomes", "request_id"};
 
 constexpr size_t kObjectsALine = 50;
 
-/// Collects the texts of the fields that name objects, also of messages in fields of such a name.
+/// Collects the texts of the fields that identify objects. Also searches messages in fields with
+/// these names.
 void Collect(const Message& message, std::vector<std::string>& objects) {
   const auto& reflection = *message.GetReflection();
   std::vector<const FieldDescriptor*> fields;
@@ -114,7 +115,7 @@ class AuditLog : public grpc::experimental::Interceptor {
 grpc::experimental::Interceptor* AuditLogFactory::CreateServerInterceptor(
     grpc::experimental::ServerRpcInfo* info) {
   if (!kAudited.contains(info->method())) return nullptr;
-  return new AuditLog(callers_, log_, *info);  // gRPC owns it
+  return new AuditLog(callers_, log_, *info);  // gRPC owns the object
 }
 
 }  // namespace slicefarm::coordinator

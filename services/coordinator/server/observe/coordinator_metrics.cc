@@ -12,7 +12,7 @@ using prometheus::ClientMetric;
 using prometheus::MetricFamily;
 using prometheus::MetricType;
 
-/// One value of a family, with at most one label.
+/// Returns one value of a family, with at most one label.
 ClientMetric Value(MetricType type, double value, const std::string& label = "",
                    const std::string& label_value = "") {
   ClientMetric metric;
@@ -37,7 +37,7 @@ MetricFamily Jobs(const std::map<JobState, int64_t>& counts) {
   return family;
 }
 
-/// How many wait, and for how long the one that has waited longest.
+/// Adds the number of waiting jobs and the age of the oldest one, by priority.
 void AddQueue(const std::vector<OpenJobs>& open, std::vector<MetricFamily>& families) {
   MetricFamily depth{"slicefarm_queue_depth", "Jobs that wait", MetricType::Gauge, {}};
   MetricFamily age{"slicefarm_queue_age_seconds",
@@ -73,7 +73,7 @@ MetricFamily Ranges(const DispatchCounts& counts) {
   return family;
 }
 
-/// What autoscalers go by, beside the slots that are busy.
+/// Returns the number of waiting ranges. Autoscalers use it together with the number of busy slots.
 MetricFamily Waiting(const DispatchCounts& counts) {
   return Gauge("slicefarm_ranges_waiting", "Layer ranges that no worker has yet",
                static_cast<double>(counts.waiting));
@@ -136,8 +136,8 @@ int64_t UnixUs() {
   return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
 }
 
-/// Returns true if a job is still there a day after a sweep should have removed it; nullopt: jobs
-/// are kept for ever, or the store fails.
+/// Returns true if a job still exists a day after the sweep should have removed it. Returns nullopt
+/// if jobs are kept forever or if the store fails.
 std::optional<bool> RetentionOverdue(JobStore& jobs, double keep_jobs_s) {
   constexpr double kDayS = 24 * 3600;
   if (keep_jobs_s <= 0) return std::nullopt;

@@ -20,35 +20,40 @@
 
 namespace slicefarm::coordinator {
 
-/// What the coordinator shows beside its calls and what MeteredJobStore counts; looked up when
-/// Prometheus asks:
-///   slicefarm_jobs{state}                   in the store, as is the next; ended ones as they were
-///                                           at most a minute ago
-///   slicefarm_queue_depth{priority}, slicefarm_queue_age_seconds{priority}
-///   slicefarm_store_up                      0: it does not answer within the patience, and what is
-///                                           in it is missing
-///   slicefarm_ranges_total{outcome}
-///   slicefarm_workers, slicefarm_worker_slots{state}
-///   slicefarm_disk_free_bytes, slicefarm_disk_size_bytes   of a state directory
-///   slicefarm_database_bytes, slicefarm_database_max_bytes   of a database that is shared; max: if
-///   any slicefarm_database_connections, slicefarm_database_max_connections   of its server
-///   slicefarm_retention_overdue             1: a job is there a day after it should have gone
-/// Coordinators that share a store all show what is in it: take the maximum over them, not the sum.
+/// Metrics of the coordinator, in addition to its call metrics and to MeteredJobStore. They are
+/// computed when Prometheus requests them:
+///   slicefarm_jobs{state}                   jobs in the store; the count of ended jobs may be
+///                                           up to a minute old;
+///   slicefarm_queue_depth{priority}         waiting jobs in the store;
+///   slicefarm_queue_age_seconds{priority}   age of the oldest waiting job;
+///   slicefarm_store_up                      0: the store does not answer within the patience,
+///                                           and its metrics are missing;
+///   slicefarm_ranges_total{outcome}         layer ranges by outcome;
+///   slicefarm_ranges_waiting                layer ranges that no worker has yet;
+///   slicefarm_workers, slicefarm_worker_slots{state};
+///   slicefarm_disk_free_bytes, slicefarm_disk_size_bytes   disk of the state directory;
+///   slicefarm_database_bytes                size of the shared database;
+///   slicefarm_database_max_bytes            its limit, if there is one;
+///   slicefarm_database_connections, slicefarm_database_max_connections   of its server;
+///   slicefarm_retention_overdue             1: a job exists a day after it should have gone.
+/// Coordinators that share a store all report the values of the store: use the maximum over them,
+/// not the sum.
 class CoordinatorMetrics : public prometheus::Collectable {
  public:
+  /// Sources of the metrics.
   struct Sources {
     JobStore& jobs;
     const Dispatcher& dispatcher;
     const Fleet& fleet;
-    std::string state_dir;  ///< empty: there is none
+    std::string state_dir;  ///< empty if there is none
     std::function<absl::StatusOr<DatabaseFill>()> database_fill =
-        nullptr;                               ///< null: it is not shared
-    int64_t max_database_bytes = 0;            ///< 0: any number
-    double keep_jobs_s = 0;                    ///< 0: for ever
-    std::chrono::milliseconds patience{1000};  ///< with the store
+        nullptr;                               ///< null if there is no shared database
+    int64_t max_database_bytes = 0;            ///< 0: no limit
+    double keep_jobs_s = 0;                    ///< 0: forever
+    std::chrono::milliseconds patience{1000};  ///< longest wait for the store
   };
 
-  /// What the store has said.
+  /// Facts that were read from the store.
   struct StoreFacts {
     absl::Status status;
     std::vector<OpenJobs> open;
@@ -57,7 +62,7 @@ class CoordinatorMetrics : public prometheus::Collectable {
     std::optional<bool> retention_overdue;
   };
 
-  /// The sources must outlive it.
+  /// Reads the values from `sources`, which must outlive this object.
   explicit CoordinatorMetrics(Sources sources)
       : sources_(std::move(sources)),
         counts_(sources_.jobs),
@@ -70,16 +75,17 @@ class CoordinatorMetrics : public prometheus::Collectable {
 
   const Sources sources_;
   JobCounts counts_;
-  mutable PatientLook<StoreFacts> store_;  ///< locked within
+  mutable PatientLook<StoreFacts> store_;  ///< thread-safe in itself
 };
 
-/// "bulk", "normal", "interactive".
+/// Returns "bulk", "normal" or "interactive".
 std::string PriorityName(Priority priority);
 
-/// Of the disk that a directory lies on; none if it cannot be looked at, or `directory` is empty.
+/// Returns the size and the free space of the disk with the directory. Returns nullopt if they
+/// cannot be read or if `directory` is empty.
 std::optional<std::filesystem::space_info> DiskOf(const std::string& directory);
 
-/// Seconds since `us`, on the system's clock; not below 0.
+/// Returns the seconds since `us` by the system's clock; at least 0.
 double SecondsSince(int64_t us);
 
 }  // namespace slicefarm::coordinator

@@ -17,10 +17,10 @@
 namespace slicefarm::coordinator::coordinator_metrics_test {
 namespace {
 
-/// More than a store of a busy machine takes.
+/// Longer than a store on a busy machine takes.
 constexpr std::chrono::minutes kPatience(1);
 
-/// A store that stands still until it is told to go on.
+/// Store that blocks until the test releases it.
 class StuckJobStore : public ForwardingJobStore {
  public:
   using ForwardingJobStore::ForwardingJobStore;
@@ -105,7 +105,8 @@ TEST_F(CoordinatorMetricsTest, ShowsWhoIsBusy) {
   EXPECT_EQ(Value("slicefarm_worker_slots", {{"state", "busy"}}), 0);
 }
 
-// Autoscalers go by it: jobs alone do not tell whether more workers would have anything to do.
+// Autoscalers use this metric. The number of jobs alone does not show whether more workers would
+// have work.
 TEST_F(CoordinatorMetricsTest, ShowsHowManyRangesWait) {
   fleet_.Join({.name = "w:1", .tasks = ranges_, .slots = 1});
   ranges_->Hold();
@@ -131,7 +132,7 @@ TEST_F(CoordinatorMetricsTest, ShowsHowFullASharedDatabaseIs) {
   EXPECT_EQ(Value("slicefarm_database_bytes"), std::nullopt);
 }
 
-// Prometheus would get nothing at all, and tell of a coordinator that is gone.
+// Otherwise Prometheus would get no values at all, and report the coordinator as down.
 TEST_F(CoordinatorMetricsTest, AStoreThatStandsStillKeepsNoMetricWaiting) {
   StuckJobStore stuck(*jobs_);
   const CoordinatorMetrics metrics(

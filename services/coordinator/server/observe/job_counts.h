@@ -11,20 +11,21 @@
 
 namespace slicefarm::coordinator {
 
-/// How many jobs of each state a store has: those that are open as they are, and those that have
-/// ended as they were at most a minute ago, as they may be a million. Thread-safe.
+/// Number of jobs by state in a store. Open jobs are counted exactly. Ended jobs may be a million,
+/// so their count may be up to a minute old. Thread-safe.
 class JobCounts {
  public:
-  /// `jobs` outlives it.
+  /// Counts the jobs in `jobs`, which must outlive this object.
   explicit JobCounts(JobStore& jobs) : jobs_(jobs) {}
 
-  /// With the open ones as JobStore::CountOpen has them. Errors: the store's.
+  /// Returns the counts by state. `open`: the open jobs, from JobStore::CountOpen. Errors: errors
+  /// of the store.
   absl::StatusOr<std::map<JobState, int64_t>> With(const std::vector<OpenJobs>& open);
 
  private:
   JobStore& jobs_;
   std::mutex mutex_;
-  std::optional<Stopwatch> since_;  ///< they were counted
+  std::optional<Stopwatch> since_;  ///< time since the ended jobs were counted
   std::map<JobState, int64_t> ended_;
 };
 

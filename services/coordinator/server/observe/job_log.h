@@ -6,11 +6,11 @@
 
 namespace slicefarm::coordinator {
 
-/// The trace that a job belongs to: that of the call which made it, or one of its own. The same for
-/// every coordinator and every run.
+/// Returns the trace that a job belongs to: the trace of the call that created it, or its own
+/// trace. All coordinators and all runs use the same trace.
 TraceContext TraceOf(const JobRecord& job);
 
-/// What each log line about a job says of it: job, tenant, trace.
+/// Returns the fields of each log line about a job: job, tenant and trace.
 rpc::LogFields FieldsOf(const JobRecord& job);
 
 }  // namespace slicefarm::coordinator

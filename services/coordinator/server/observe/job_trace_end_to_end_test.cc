@@ -1,4 +1,5 @@
-// What is kept and told of the way of a job, over a real server and real stores, with fake stages.
+// Tests of the stored and downloaded traces of jobs, with a real server, real stores and fake
+// stages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +29,7 @@ class JobTraceTest : public CoordinatorTest {
     return text.ok() ? json::parse(*text) : json();
   }
 
-  /// The spans of one name; of all names if it is empty.
+  /// Returns the spans with one name; all spans if the name is empty.
   static std::vector<json> Spans(const json& trace, const std::string& name = "") {
     std::vector<json> spans;
     for (const json& event : trace["traceEvents"]) {
@@ -168,7 +169,7 @@ TEST_F(JobTraceTest, ALostTraceIsAnErrorOfItsOwn) {
 
 TEST_F(JobTraceTest, ALostTraceOfAnEarlierRunCostsNothingElse) {
   slicing_.unavailable_ = 1;
-  ranges_->Hold();  // the second run does not end before its time
+  ranges_->Hold();  // keeps the second run from ending too early
   EXPECT_TRUE(Upload("x~").ok());
   const std::string id = Create(RequestFor("x~"))->id();
   while (coordinator_->jobs().Get(id)->trace_sha256.empty()) std::this_thread::yield();
@@ -185,7 +186,7 @@ TEST_F(JobTraceTest, WhatTheStagesTookIsCounted) {
   };
   EXPECT_EQ(count("slicing"), 0);
   AwaitEnd(Submit("xxx"));
-  AwaitEnd(Submit("xxx"));  // cached
+  AwaitEnd(Submit("xxx"));  // a cached result
   for (const char* stage : {"slicing", "beading", "infill", "ordering", "motion"}) {
     EXPECT_EQ(count(stage), 1) << stage;
   }

@@ -11,7 +11,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// More than a job has that is not put back all the time.
+/// Largest number of events of a job that are read. A job has more only if it returns to the queue
+/// again and again.
 constexpr int32_t kMaxEvents = 2'000;
 
 absl::StatusOr<JobTrace> Read(const JobRecord& job, BlobStores& stores) {
@@ -46,7 +47,7 @@ std::map<std::string, std::string> About(const JobRecord& job) {
 }  // namespace
 
 absl::StatusOr<std::string> JobTraces::Keep(const JobRecord& job, const SpanLog& run, Span whole) {
-  // A trace that is lost is no reason to lose the next one too.
+  // If the earlier trace is lost, the new one is stored nevertheless.
   JobTrace trace = Joined(Read(job, blobs_).value_or(JobTrace()), run);
   trace.spans.push_back(std::move(whole));
   const auto blobs = blobs_.Of(job.tenant);

@@ -8,18 +8,19 @@
 
 namespace slicefarm::coordinator {
 
-/// What was done for jobs, and when: a blob of its tenant's for each job that was computed, which
-/// grows with each run that comes to an end. What a coordinator did that was killed is not in it.
+/// Stored traces of jobs. The trace of a computed job is a blob of its tenant, which grows with
+/// each run that ends. The runs of a coordinator that was killed are missing.
 class JobTraces {
  public:
   JobTraces(JobStore& jobs, BlobStores& blobs) : jobs_(jobs), blobs_(blobs) {}
 
-  /// Keeps what earlier runs of the job did, and this one: its spans and the run as a whole.
-  /// Returns the blob's name, for the job's record. Errors: the blob store's.
+  /// Stores the trace of earlier runs together with this run: its spans, and `whole` for the run as
+  /// a whole. Returns the blob's name for the job's record. Errors: errors of the blob store.
   absl::StatusOr<std::string> Keep(const JobRecord& job, const SpanLog& run, Span whole);
 
-  /// All of it, and when the job waited, as ChromeTrace writes it; of a job that was answered from
-  /// the cache, the waiting only. Errors: JOB_NOT_FINISHED; the stores'.
+  /// Returns the whole trace and the job's waiting times in the format of ChromeTrace. For a job
+  /// with a cached result, returns only the waiting times. Errors: JOB_NOT_FINISHED; errors of the
+  /// stores.
   absl::StatusOr<std::string> Chrome(const JobRecord& job);
 
  private:

@@ -19,7 +19,7 @@ prometheus::Counter& OneCounter(prometheus::Registry& registry, const std::strin
 
 }  // namespace
 
-/// The store of one tenant.
+/// Metered blob store of one tenant.
 class MeteredBlobStores::Metered : public BlobStore {
  public:
   Metered(MeteredBlobStores& all, std::string tenant, std::shared_ptr<BlobStore> store)
@@ -82,7 +82,7 @@ class MeteredBlobStores::Metered : public BlobStore {
 
   MeteredBlobStores& all_;
   const std::string tenant_;
-  const std::shared_ptr<BlobStore> store_;  // as BlobStores gave it
+  const std::shared_ptr<BlobStore> store_;  // wrapped store, from BlobStores
 };
 
 MeteredBlobStores::MeteredBlobStores(BlobStores& stores, prometheus::Registry& registry)

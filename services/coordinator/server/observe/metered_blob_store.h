@@ -14,14 +14,14 @@
 
 namespace slicefarm::coordinator {
 
-/// Stores that count what goes through them, over all tenants:
-///   slicefarm_blob_bytes, slicefarm_blobs       what was there when each store was last gone
-///                                               through
-///   slicefarm_blob_written_bytes_total          bytes of uploads and results
-///   slicefarm_blob_corrupt_total                blobs that were found damaged
+/// Blob stores that count their content and their writes, over all tenants:
+///   slicefarm_blob_bytes, slicefarm_blobs       content at the last complete listing of each
+///   store; slicefarm_blob_written_bytes_total          bytes of uploads and results;
+///   slicefarm_blob_corrupt_total                blobs that were found damaged.
 class MeteredBlobStores : public BlobStores {
  public:
-  /// Both must outlive it and the stores that it gives.
+  /// Wraps `stores`. `stores` and `registry` must outlive this object and the stores that it
+  /// returns.
   MeteredBlobStores(BlobStores& stores, prometheus::Registry& registry);
 
   absl::StatusOr<std::shared_ptr<BlobStore>> Of(const std::string& tenant) override;
@@ -42,7 +42,7 @@ class MeteredBlobStores : public BlobStores {
   prometheus::Counter& written_;
   prometheus::Counter& corrupt_;
   std::mutex mutex_;
-  std::map<std::string, Content> contents_;  ///< by tenant
+  std::map<std::string, Content> contents_;  ///< content by tenant
 };
 
 }  // namespace slicefarm::coordinator

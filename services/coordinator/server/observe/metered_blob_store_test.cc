@@ -18,7 +18,7 @@ class MeteredBlobStoreTest : public testing::Test {
     return MetricValue(registry_.Collect(), name);
   }
 
-  /// Spoils whatever blob there is.
+  /// Damages every blob of the store.
   void Spoil() {
     for (const auto& file :
          std::filesystem::recursive_directory_iterator(directory_.path() + "/blobs")) {

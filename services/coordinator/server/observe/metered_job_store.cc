@@ -14,7 +14,7 @@ using prometheus::Family;
 using prometheus::Histogram;
 using prometheus::Registry;
 
-/// From a cached result to the slowest print, and to a night in the queue.
+/// Bounds of the histogram: from a cached result to the slowest print, and to a night in the queue.
 const Histogram::BucketBoundaries kJobSeconds = {0.01, 0.05, 0.1, 0.5, 1,   2.5,  5,
                                                  10,   30,   60,  300, 900, 3600, 14400};
 const Histogram::BucketBoundaries kCommitSeconds = {0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025,
@@ -63,7 +63,7 @@ MeteredJobStore::MeteredJobStore(JobStore& store, Registry& registry)
                   .Add({})),
       commit_seconds_(HistogramFamily(registry, "slicefarm_store_commit_seconds",
                                       "Time of calls that write to the job store")) {
-  // A counter that appears with a 1 looks to Prometheus as if it had never risen.
+  // A counter that first appears with the value 1 looks to Prometheus as if it had never risen.
   for (const char* state : {"SUCCEEDED", "CANCELLED"})
     ended_.Add({{"state", state}, {"reason", ""}});
   for (int reason = 0; reason <= static_cast<int>(Reason::kInternal); ++reason) {
@@ -103,7 +103,7 @@ absl::StatusOr<std::optional<JobRecord>> MeteredJobStore::Claim(const std::strin
                                                                 const ClaimFilter& filter) {
   const Stopwatch watch;
   auto job = store().Claim(owner, now_us, until_us, filter);
-  if (!job.ok() || !*job) return job;  // nothing was written
+  if (!job.ok() || !*job) return job;  // no write
   commit_seconds_.Add({{"operation", "claim"}}, kCommitSeconds).Observe(watch.Seconds());
   if ((*job)->state == JobState::kRunning) expired_.Increment();
   return job;
@@ -113,7 +113,7 @@ absl::StatusOr<std::vector<JobRecord>> MeteredJobStore::EndOverdue(const JobErro
                                                                    int64_t now_us, int32_t limit) {
   const Stopwatch watch;
   auto ended = store().EndOverdue(error, now_us, limit);
-  if (!ended.ok() || ended->empty()) return ended;  // nothing was written
+  if (!ended.ok() || ended->empty()) return ended;  // no write
   commit_seconds_.Add({{"operation", "end_overdue"}}, kCommitSeconds).Observe(watch.Seconds());
   for (const JobRecord& job : *ended) Ended(job);
   return ended;
@@ -146,7 +146,7 @@ absl::StatusOr<JobRecord> MeteredJobStore::Update(const Lease& lease, const JobU
 
 absl::StatusOr<JobRecord> MeteredJobStore::RequestCancel(const std::string& id, int64_t now_us) {
   auto job = Timed("cancel", [&] { return store().RequestCancel(id, now_us); });
-  // Otherwise it had ended before, or its owner will end it.
+  // In all other cases the job had ended before, or its owner will end it.
   if (job.ok() && job->state == JobState::kCancelled && job->end_us == now_us) Ended(*job);
   return job;
 }

@@ -14,19 +14,19 @@
 
 namespace slicefarm::coordinator {
 
-/// A store that counts what is written through it, by this coordinator:
-///   slicefarm_jobs_submitted_total                  new jobs
-///   slicefarm_jobs_total{state,reason}              jobs that ended
-///   slicefarm_job_seconds{phase}                    of those: queue, run, total
-///   slicefarm_jobs_requeued_total{cause}            runs that ended with the job back in the queue
-///   slicefarm_cache_hits_total                      jobs that ended with an earlier result
-///   slicefarm_cache_misses_total                    runs that had to compute
-///   slicefarm_lease_expired_total                   claims of jobs that a coordinator left running
-///   slicefarm_fenced_writes_total                   writes to jobs that others had claimed since
-///   slicefarm_store_commit_seconds{operation}       time of calls that write
+/// Job store that counts the writes of this coordinator:
+///   slicefarm_jobs_submitted_total              new jobs;
+///   slicefarm_jobs_total{state,reason}          ended jobs;
+///   slicefarm_job_seconds{phase}                times of ended jobs: queue, run, total;
+///   slicefarm_jobs_requeued_total{cause}        runs that ended with the job back in the queue;
+///   slicefarm_cache_hits_total                  jobs that ended with a cached result;
+///   slicefarm_cache_misses_total                runs that had to compute;
+///   slicefarm_lease_expired_total               claims of jobs that a coordinator left running;
+///   slicefarm_fenced_writes_total               refused writes, because the job was claimed again;
+///   slicefarm_store_commit_seconds{operation}   time of calls that write.
 class MeteredJobStore : public ForwardingJobStore {
  public:
-  /// Both must outlive it.
+  /// Wraps `store`. `store` and `registry` must outlive this object.
   MeteredJobStore(JobStore& store, prometheus::Registry& registry);
 
   absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override;

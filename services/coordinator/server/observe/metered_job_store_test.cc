@@ -39,7 +39,7 @@ class MeteredJobStoreTest : public testing::Test {
     return {(*job)->id, (*job)->owner_epoch};
   }
 
-  /// A new job in the hands of this coordinator.
+  /// Makes a new job that this coordinator runs. Returns its lease.
   Lease Run(const std::string& id) {
     Make(id);
     const Lease lease = Claim();
@@ -79,7 +79,7 @@ TEST_F(MeteredJobStoreTest, CountersAreThereBeforeAnythingHappens) {
 
 TEST_F(MeteredJobStoreTest, CountsJobsThatWereMadeOnce) {
   Make("a", "request");
-  Make("b", "request");  // the same again
+  Make("b", "request");  // the same request again
   Make("c");
   EXPECT_EQ(Value("slicefarm_jobs_submitted_total"), 2);
   EXPECT_EQ(Commits("create"), 3);

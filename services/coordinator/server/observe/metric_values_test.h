@@ -9,8 +9,8 @@
 
 namespace slicefarm::coordinator {
 
-/// For tests: the value of a metric (of a histogram: how often it was observed); none if it is not
-/// there.
+/// Returns the value of a metric, for tests. For a histogram, returns its number of observations.
+/// Returns nullopt if the metric does not exist.
 inline std::optional<double> MetricValue(const std::vector<prometheus::MetricFamily>& families,
                                          const std::string& name,
                                          const std::map<std::string, std::string>& labels = {}) {

@@ -12,18 +12,18 @@
 
 namespace slicefarm::coordinator {
 
-/// Looks at something that may not answer for long, such as a database that stands still, for those
-/// who cannot wait for it. Thread-safe.
+/// Reads a value from a source that may block for long, such as a database without an answer, for
+/// callers that cannot wait. Thread-safe.
 template <typename T>
 class PatientLook {
  public:
-  /// `look` runs on a thread of its own, one at a time. The destructor waits for one that is under
-  /// way.
+  /// Starts a thread that calls `look`, one call at a time. The destructor waits for the end of a
+  /// running call.
   PatientLook(std::function<T()> look, std::chrono::milliseconds patience)
       : look_(std::move(look)), patience_(patience) {}
 
-  /// What a look that began after this call found; nullopt: none came to its end within the
-  /// patience.
+  /// Returns the result of a `look` that began after this call. Returns nullopt if none ended
+  /// within the patience.
   std::optional<T> Get() {
     std::unique_lock lock(mutex_);
     const int64_t wanted = begun_ + 1;
@@ -53,10 +53,11 @@ class PatientLook {
   std::mutex mutex_;
   std::condition_variable_any changed_;
   bool asked_ = false;
-  int64_t begun_ = 0;  ///< looks
-  int64_t ended_ = 0;  ///< the last one that did
+  int64_t begun_ = 0;  ///< number of looks that began
+  int64_t ended_ = 0;  ///< number of the last look that ended
   std::optional<T> found_;
-  std::jthread thread_{[this](const std::stop_token& stop) { Run(stop); }};  // the last member
+  // last member, because the thread uses the other members
+  std::jthread thread_{[this](const std::stop_token& stop) { Run(stop); }};
 };
 
 }  // namespace slicefarm::coordinator

@@ -10,15 +10,15 @@
 
 namespace slicefarm::coordinator {
 
-/// slicefarm_stage_seconds{stage}: what each stage took for a job, summed over its tasks, as its
-/// caller sees it.
+/// Metric slicefarm_stage_seconds{stage}: time of each stage for a job, summed over its tasks, as
+/// seen by the caller of the stage.
 class StageSeconds {
  public:
-  /// The registry must outlive it.
+  /// Registers the metric in `registry`, which must outlive this object.
   explicit StageSeconds(prometheus::Registry& registry);
 
-  /// The times of one computed job. Stages that its process does not have took no time, and are not
-  /// counted.
+  /// Adds the times of one computed job. Skips stages with the time zero, because the job's process
+  /// does not have them.
   void Observe(const StageTimes& times);
 
  private:

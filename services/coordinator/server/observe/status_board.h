@@ -15,23 +15,24 @@
 
 namespace slicefarm::coordinator {
 
-/// Looks around in a coordinator for its page /statusz. Thread-safe.
+/// Collects the status of a coordinator for its page /statusz. Thread-safe.
 class StatusBoard {
  public:
+  /// Sources of the status.
   struct Sources {
     std::string name;
-    std::string store;  ///< which one, without secrets
+    std::string store;  ///< kind and address of the store, without secrets
     std::string state_dir;
     JobStore& jobs;
     const Fleet& fleet;
     std::map<std::string, const StagePool*> stages;
     rpc::JsonLog log;
-    /// Puts into a running job's record how far it has come.
+    /// Adds the progress of a running job to its record.
     std::function<void(JobRecord&)> add_progress = [](JobRecord&) {};
-    std::chrono::milliseconds patience{1000};  ///< with the store
+    std::chrono::milliseconds patience{1000};  ///< longest wait for the store
   };
 
-  /// What the store has said.
+  /// Facts that were read from the store.
   struct StoreFacts {
     absl::Status status;
     std::map<JobState, int64_t> jobs;
@@ -39,13 +40,15 @@ class StatusBoard {
     std::vector<JobRecord> running;
   };
 
-  /// The sources must outlive it.
+  /// Reads the status from `sources`, which must outlive this object.
   explicit StatusBoard(Sources sources)
       : sources_(std::move(sources)),
         counts_(sources_.jobs),
         store_([this] { return LookIntoStore(); }, sources_.patience) {}
 
+  /// Returns the current status.
   CoordinatorStatus Look() const;
+  /// Returns the status as a page of HTML.
   std::string Page() const { return StatusPage(Look()); }
 
  private:
@@ -53,7 +56,7 @@ class StatusBoard {
 
   const Sources sources_;
   JobCounts counts_;
-  mutable PatientLook<StoreFacts> store_;  ///< locked within
+  mutable PatientLook<StoreFacts> store_;  ///< thread-safe in itself
   const Stopwatch uptime_;
 };
 

@@ -21,7 +21,7 @@ td.n{text-align:right;font-variant-numeric:tabular-nums}.bad{color:#a00}code{fon
 
 using Cells = std::vector<std::string>;
 
-/// A table of texts, which are escaped here.
+/// Returns a table of texts. Escapes the texts.
 std::string Table(const Cells& head, const std::vector<Cells>& rows) {
   if (rows.empty()) return "<p>none</p>\n";
   std::string html = "<table><tr>";
@@ -37,7 +37,7 @@ std::string Table(const Cells& head, const std::vector<Cells>& rows) {
 
 std::string Heading(const std::string& text) { return "<h2>" + EscapeHtml(text) + "</h2>\n"; }
 
-/// "3 d 4 h", "2 min 5 s": the two largest units.
+/// Returns a duration in its two largest units: "3 d 4 h", "2 min 5 s".
 std::string Duration(double seconds) {
   const auto all = static_cast<int64_t>(std::max(seconds, 0.0));
   if (all >= 86400) return fmt::format("{} d {} h", all / 86400, all % 86400 / 3600);

@@ -14,27 +14,27 @@
 
 namespace slicefarm::coordinator {
 
-/// What a coordinator tells of itself, at one moment.
+/// Status of a coordinator at one moment.
 struct CoordinatorStatus {
   std::string name;
   std::string build;  ///< version and build id
   double uptime_s = 0;
-  std::string store;                 ///< which one, without secrets
-  absl::Status store_status = {};    ///< of the looks into it
-  std::map<JobState, int64_t> jobs;  ///< by state
-  std::vector<OpenJobs> open;        ///< by state and priority
-  std::vector<JobRecord> running;    ///< the oldest ones, of any coordinator
+  std::string store;                 ///< kind and address of the store, without secrets
+  absl::Status store_status = {};    ///< error of reading from the store
+  std::map<JobState, int64_t> jobs;  ///< number of jobs by state
+  std::vector<OpenJobs> open;        ///< open jobs by state and priority
+  std::vector<JobRecord> running;    ///< oldest running jobs, of any coordinator
   std::vector<RunnerAtWork> runners;
   std::map<std::string, std::vector<std::string>> replicas;  ///< addresses by stage
-  std::optional<std::filesystem::space_info> disk;           ///< of the state
+  std::optional<std::filesystem::space_info> disk;           ///< disk of the state directory
   std::vector<rpc::Problem> problems;                        ///< newest first
-  int64_t now_us = 0;                                        ///< since 1970
+  int64_t now_us = 0;                                        ///< time of the status, since 1970
 };
 
-/// One page of HTML that needs nothing else; what comes from outside (names, errors) is escaped.
+/// Returns a self-contained page of HTML. Escapes texts from outside, such as names and errors.
 std::string StatusPage(const CoordinatorStatus& status);
 
-/// Text as part of HTML, also within quotes.
+/// Escapes a text for HTML, also for use within quotes.
 std::string EscapeHtml(std::string_view text);
 
 }  // namespace slicefarm::coordinator
