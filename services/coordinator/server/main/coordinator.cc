@@ -10,7 +10,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// For the results of runs: no run begins with less.
+/// Free space that results of runs need. No run begins with less.
 constexpr int64_t kRoomForResults = 256 << 20;
 
 constexpr std::chrono::seconds kTellEvery(1);
@@ -34,11 +34,12 @@ absl::StatusOr<std::unique_ptr<Coordinator>> Coordinator::Open(CoordinatorOption
                                                                TaskExecutor& executor,
                                                                const rpc::JsonLog& log) {
   auto stores = OpenStores(options.stores,
-                           options.runner.jobs + options.runner.guests + 1);  // INTERACTIVE
+                           // one for INTERACTIVE jobs
+                           options.runner.jobs + options.runner.guests + 1);
   if (!stores.ok()) return stores.status();
   if (options.spool_dir.empty() && !options.stores.state_dir.empty())
     options.spool_dir = options.stores.state_dir + "/tmp";
-  // Better now than with each job.
+  // An unusable spool directory is reported now, not for each job.
   if (const auto spool = SpoolFile::Make(options.spool_dir); !spool.ok()) return spool.status();
   return std::unique_ptr<Coordinator>(
       new Coordinator(std::move(options), *std::move(stores), stages, executor, log));
@@ -86,8 +87,8 @@ DiskGuard Coordinator::Guard() const {
   return {FreeOnDisk(options_.stores.state_dir), options_.min_free_bytes};
 }
 
-/// On the disks of the state and of the spool. Less is asked for than where something new is taken
-/// in, so that what was taken in can be ended.
+/// Returns true if the disks of the state and of the spool have space for the results of runs. The
+/// limit is lower than the limit for new data, so that accepted jobs can end.
 bool Coordinator::RunsHaveRoom() const {
   const int64_t least = std::min(options_.min_free_bytes, kRoomForResults);
   for (const std::string& directory : {options_.stores.state_dir, options_.spool_dir}) {
@@ -120,7 +121,7 @@ absl::Status Coordinator::Start() {
   return absl::OkStatus();
 }
 
-/// First what others wait for.
+/// Stops all parts. Begins with the watches, because clients wait for their ends.
 void Coordinator::Stop() {
   feed_.Close();
   jobs_service_.EndWatches();
@@ -131,7 +132,8 @@ void Coordinator::Stop() {
   webhook_sender_.reset();
 }
 
-/// Those who share the store know from it which jobs run, but not how far they have come.
+/// Sends the progress of running jobs to the other coordinators every second. The shared store
+/// contains the running jobs, but not their progress.
 void Coordinator::TellProgress(const std::stop_token& stop) {
   ProgressReport told = {options_.runner.owner, {}};
   while (SleepUnlessStopped(stop, kTellEvery)) {
@@ -142,7 +144,7 @@ void Coordinator::TellProgress(const std::stop_token& stop) {
   }
 }
 
-/// Another coordinator, or this one, wrote to a job.
+/// Handles a change of a job by any coordinator. Without a value, any job may have changed.
 void Coordinator::Changed(const std::optional<JobChange>& change) {
   if (!change) {
     feed_.AllChanged();

@@ -22,73 +22,83 @@
 
 namespace slicefarm::coordinator {
 
+/// Options of a Coordinator.
 struct CoordinatorOptions {
   StoreOptions stores;
-  /// Where the programs of running jobs wait to be put together; empty: with the state in a
-  /// directory, or where the system has temporary files.
+  /// Directory for the programs of running jobs until they are assembled. If empty, a directory
+  /// beside the state, or the system's directory for temporary files.
   std::string spool_dir = {};
   JobRunnerOptions runner;
   Rates rates = {};
-  std::string default_profile = {};  ///< of jobs that name no printer, of tenants without their own
+  /// Profile of jobs that name no printer, for tenants without a default of their own.
+  std::string default_profile = {};
   WebhooksNow webhooks = [none = std::make_shared<const WebhookPolicy>()] { return none; };
   WebhookSender::Options webhook_sender = {};
-  int64_t memory_bytes = DefaultMemoryBudget();  ///< that all jobs may hold together
-  int64_t min_free_bytes = 0;                    ///< of the disk of stores.state_dir
-  int64_t max_database_bytes = 0;                ///< of stores.postgres; 0: any number
+  int64_t memory_bytes = DefaultMemoryBudget();  ///< memory that all jobs together may use
+  int64_t min_free_bytes = 0;                    ///< limit of the disk with stores.state_dir
+  /// Limit of the database stores.postgres; 0: no limit.
+  int64_t max_database_bytes = 0;
   std::string build_id;
-  /// Whether the stages that all jobs need are of this build, asked after a run that met others.
+  /// Returns true if the stages that all jobs need are of this build. It is called after a run has
+  /// met another build.
   std::function<bool()> stages_fit = [] { return true; };
   TransferOptions transfers = {};
   WatchOptions watches = {};
   CallLimits calls = {};
   Maintenance::Options maintenance = {};
-  TenantsNow tenants = {};  ///< none: one tenant without a name
+  TenantsNow tenants = {};  ///< empty: one tenant without a name
   ResultSharing sharing = ResultSharing::kOff;
-  prometheus::Registry* metrics = nullptr;  ///< outlives the coordinator; null: nobody looks
+  /// Must outlive the coordinator; null: no metrics are exported.
+  prometheus::Registry* metrics = nullptr;
 };
 
-/// The stages that jobs go through, besides those of their tasks: slicing at least. They outlive
-/// the coordinator.
+/// Stages that the coordinator calls itself, at least slicing; the tasks of jobs use other stages.
+/// They must outlive the coordinator.
 struct JobStages {
-  Stages stages;  ///< jobs are made of processes whose stages are there
+  Stages stages;  ///< the coordinator supports the processes with all their stages
   const ArrangingStage& arranging;
   const ProjectReader& projects;
 };
 
-/// The coordinator put together: stores, intake, runner and services over given stages. Several may
-/// share one PostgreSQL database; all of them are active.
+/// Assembled coordinator: stores, intake, runner and services on the given stages. Several
+/// coordinators may share one PostgreSQL database; all of them are active.
 class Coordinator {
  public:
-  /// The stages and the executor must outlive it. Errors: those of the stores; Unavailable if
-  /// another process uses the directory.
+  /// Opens the stores and creates a coordinator. The stages and the executor must outlive it.
+  /// Errors: errors of the stores; Unavailable if another process uses the directory.
   static absl::StatusOr<std::unique_ptr<Coordinator>> Open(CoordinatorOptions options,
                                                            const JobStages& stages,
                                                            TaskExecutor& executor,
                                                            const rpc::JsonLog& log);
   ~Coordinator();
 
-  /// Begins to run jobs, those of an earlier life first.
+  /// Begins to run jobs, first the jobs of its previous process.
   absl::Status Start();
 
-  /// Takes up no job any more, and waits until those that run have ended, `patience` at most. Calls
-  /// are answered meanwhile.
+  /// Stops claiming jobs, and waits until the running jobs have ended, for at most `patience`.
+  /// Calls are answered meanwhile.
   void Drain(std::chrono::milliseconds patience) { runner_.Drain(patience); }
 
-  /// Hands running jobs back, and ends the calls that watch.
+  /// Returns the running jobs to the queue, and ends the calls that watch.
   void Stop();
 
+  /// Returns the gRPC services of the coordinator.
   std::vector<grpc::Service*> services() {
     return {&meshes_service_, &jobs_service_, &profiles_service_};
   }
+  /// Returns the methods that are served from a completion queue.
   rpc::QueuedMethods& queued_methods() { return jobs_service_; }
+  /// Returns the object that authenticates callers.
   const Callers& callers() const { return callers_; }
+  /// Returns the job store for callers.
   JobStore& jobs() { return jobs_; }
+  /// Returns the feed with the news of jobs.
   const JobFeed& feed() const { return feed_; }
-  /// Of the database that it shares with others; or null.
+  /// Returns the function that measures the shared database; an empty function if there is none.
   const std::function<absl::StatusOr<DatabaseFill>()>& database_fill() const {
     return stores_.fill;
   }
-  /// False: the database that it shares has been silent for seconds, so that calls fail.
+  /// Returns false if the shared database has not answered for seconds, so that calls fail.
   bool store_answers() const { return !stores_.answers || stores_.answers(); }
 
  private:
@@ -124,7 +134,7 @@ class Coordinator {
   JobsService jobs_service_;
   ProfilesService profiles_service_;
   std::unique_ptr<JobChanges> changes_;
-  std::jthread telling_;  ///< of progress, if others listen
+  std::jthread telling_;  ///< sends the progress to other coordinators, if there are any
   std::optional<WebhookSender> webhook_sender_;
   std::optional<Maintenance> maintenance_;
 };

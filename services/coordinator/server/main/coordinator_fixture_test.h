@@ -15,7 +15,7 @@
 
 namespace slicefarm::coordinator {
 
-/// For tests: a coordinator whose options the test sets, and a client of it.
+/// Fixture with a coordinator that has options of the test, and with a client of it.
 class CoordinatorTest : public ServedCoordinatorTest, protected CoordinatorClient {
  protected:
   CoordinatorTest() { Open(); }
@@ -52,12 +52,12 @@ class CoordinatorTest : public ServedCoordinatorTest, protected CoordinatorClien
     return rpc::FromGrpc(jobs_->DeleteJob(&context, request, &empty));
   }
 
-  /// A call that hangs is to fail the test, not to hang it.
+  /// Sets a deadline, so that a call without an answer fails the test instead of blocking it.
   static void Bound(grpc::ClientContext& context) {
     context.set_deadline(std::chrono::system_clock::now() + std::chrono::minutes(2));
   }
 
-  /// Opens an upload, and waits until its first bytes have arrived.
+  /// Upload that is open. Its first bytes have arrived.
   struct OpenUpload {
     grpc::ClientContext context;
     v1::Upload upload;
@@ -76,7 +76,7 @@ class CoordinatorTest : public ServedCoordinatorTest, protected CoordinatorClien
     return open;
   }
 
-  /// Calls of a method that have ended on the server, whatever they came to.
+  /// Returns the number of calls of a method that have ended on the server, with any status.
   double Handled(const std::string& method) {
     double count = 0;
     for (const auto& family : registry_.Collect()) {

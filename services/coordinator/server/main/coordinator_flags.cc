@@ -16,21 +16,23 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Each call holds a thread. Uploads and downloads do for long: TransferOptions bounds them, and
-/// leaves enough for the other calls; CallLimits leaves some for the other tenants.
+/// Number of server threads. Each call occupies one. Uploads and downloads do so for long:
+/// TransferOptions limits them and leaves enough threads for other calls. CallLimits leaves some
+/// threads for other tenants.
 constexpr int kThreads = 512;
 constexpr TransferOptions kTransfers;
 constexpr CallLimits kCalls;
 static_assert(2 * kTransfers.slots <= kCalls.calls / 3);
-/// The others are for calls that are being refused: gRPC's own refusal tells no time to try again.
+/// The remaining threads refuse calls, because gRPC's own refusal contains no time for a retry.
 static_assert(kCalls.calls + 32 <= kThreads);
 
-/// Whatever one connection has open, it does not take all threads.
+/// Limit for one connection, so that a single connection cannot occupy all threads.
 constexpr int kStreamsPerConnection = 128;
-/// Clients behind one name find new coordinators within this time.
+/// Age after which connections are closed. So clients of a name with several addresses find new
+/// coordinators within this time.
 constexpr std::chrono::minutes kConnectionAge{10};
 
-/// A container's host name is its own.
+/// Returns the host name, which is unique for a container.
 std::string DefaultName() {
   std::array<char, 256> host = {};
   gethostname(host.data(), host.size() - 1);
@@ -102,7 +104,7 @@ std::map<Stage, std::vector<std::string>> CoordinatorFlags::stage_names() const 
 
 namespace {
 
-/// How addresses of a stage's services are given.
+/// Option with the addresses of a stage's services.
 struct StageFlag {
   Stage stage;
   std::string_view doc;
@@ -133,7 +135,7 @@ void AddStageFlags(CLI::App& app, CoordinatorFlags* flags) {
 
 void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   flags->runner.owner = DefaultName();
-  flags->serve.policy = rpc::OpenPolicy();  // the services know what each tenant may
+  flags->serve.policy = rpc::OpenPolicy();  // the services check the permissions of each tenant
   flags->serve.server.max_message_bytes = limits::kMaxPublicMessageBytes;
   flags->serve.server.max_threads = kThreads;
   flags->serve.server.max_streams_per_connection = kStreamsPerConnection;

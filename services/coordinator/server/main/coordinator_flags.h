@@ -14,22 +14,23 @@
 
 namespace slicefarm::coordinator {
 
-/// What slicefarm-coordinator can be told. Addresses are host:port, with commas between several;
-/// each name may stand for any number of replicas.
+/// Options of slicefarm-coordinator. Addresses are host:port, separated by commas; each name may
+/// have any number of replicas.
 struct CoordinatorFlags {
   rpc::ServeFlags serve;
-  StoreOptions stores;  ///< but for the bucket, which `s3` says
+  StoreOptions stores;  ///< without the bucket, which is in `s3`
   S3Flags s3;
-  std::string spool_dir;  ///< empty: CoordinatorOptions::spool_dir says
-  std::map<Stage, std::string>
-      stages;           ///< those that are services; which there must be, Check says
-  std::string workers;  ///< fused; or the stages of layers
+  std::string spool_dir;  ///< if empty, the default of CoordinatorOptions::spool_dir applies
+  /// Addresses of stages that are services; Check verifies the required ones.
+  std::map<Stage, std::string> stages;
+  /// Workers that run all stages of layers; if empty, these stages are services.
+  std::string workers;
   int split_slots = 8;  ///< ranges in flight over the split stages
   JobRunnerOptions runner;
   std::string rates_file;
   std::string default_profile;
   std::string webhooks_file;
-  std::string tenants_file;  ///< empty: one tenant, who is anybody
+  std::string tenants_file;  ///< empty: one tenant, to which all callers belong
   bool share_cache = false;
   int64_t min_free_mib = 1024;
   int64_t max_database_gib = 0;
@@ -39,18 +40,23 @@ struct CoordinatorFlags {
   double keep_blobs_hours = 24;
   double sweep_after_hours = 24;
 
-  /// Whether the stages of layers are services, rather than in workers.
+  /// Returns true if the stages of layers are separate services, not parts of workers.
   bool split() const { return Has(Stage::kBeading); }
+  /// Returns true if the stage has addresses.
   bool Has(Stage stage) const { return stages.contains(stage) && !stages.at(stage).empty(); }
+  /// Returns the addresses of each stage as a list.
   std::map<Stage, std::vector<std::string>> stage_names() const;
+  /// Returns the options of the runner.
   JobRunnerOptions runner_options() const;
+  /// Returns the options of the maintenance.
   Maintenance::Options maintenance() const;
-  /// How long jobs that run may go on after SIGTERM: what they leave of --drain suffices to hand
-  /// them back, and to end calls.
+  /// Returns the time that running jobs may continue after SIGTERM. The rest of --drain is
+  /// sufficient to return them to the queue and to end calls.
   std::chrono::milliseconds drain_of_jobs() const;
 };
 
-/// Also checks that either workers or all split stages are given.
+/// Adds the options to `app`. Parsing also checks that either workers or all split stages are
+/// given.
 void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags);
 
 }  // namespace slicefarm::coordinator

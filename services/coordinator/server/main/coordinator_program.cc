@@ -31,8 +31,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Opens a file that is read again when it changes; without a path, none. False: it cannot be used,
-/// and the log says why.
+/// Opens a file that is read again when it changes. Does nothing without a path. Returns false if
+/// the file cannot be used; the log then has the reason.
 template <typename Content>
 bool OpenReloaded(const std::string& path, const std::string& name,
                   typename ReloadedFile<Content>::Parse parse, rpc::ServerProgram& program,
@@ -49,8 +49,8 @@ bool OpenReloaded(const std::string& path, const std::string& name,
   return false;
 }
 
-/// The credentials of the bucket, which outlive who asks for them: those of the file as it is now,
-/// or of the environment.
+/// Returns a function for the current credentials of the bucket. They come from the file, or else
+/// from the environment, and live as long as a caller holds them.
 absl::StatusOr<S3CredentialsNow> CredentialsNow(
     const std::unique_ptr<ReloadedFile<S3Credentials>>& file) {
   if (file != nullptr) return [&file = *file] { return file.Get(); };
@@ -59,7 +59,8 @@ absl::StatusOr<S3CredentialsNow> CredentialsNow(
   return [shared = std::make_shared<const S3Credentials>(*credentials)] { return shared; };
 }
 
-/// None: blobs are with the other state. False: it cannot be used, and the log says why.
+/// Opens the bucket. Without a bucket, blobs are stored with the other state. Returns false if it
+/// cannot be used; the log then has the reason.
 bool OpenBucket(const S3Flags& flags, rpc::ServerProgram& program,
                 std::unique_ptr<ReloadedFile<S3Credentials>>& file,
                 std::shared_ptr<S3Client>& bucket) {
@@ -82,8 +83,9 @@ std::string StoreName(const CoordinatorFlags& flags) {
 
 constexpr std::chrono::seconds kAskStoreEvery{1};
 
-/// A store that is away is waited for: it may start at the same time, or later. Errors: those of
-/// Coordinator::Open but Unavailable; Cancelled if a signal to end came first.
+/// Opens the coordinator, and waits for a store that is unavailable, because the store may start at
+/// the same time or later. Errors: errors of Coordinator::Open except Unavailable; Cancelled if a
+/// signal to end came first.
 absl::StatusOr<std::unique_ptr<Coordinator>> OpenPatiently(const CoordinatorOptions& options,
                                                            const JobStages& stages,
                                                            TaskExecutor& executor,
@@ -108,7 +110,7 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
     }
     tls = *std::move(opened);
   }
-  // Whoever listens on a stage's address must have that stage's certificate.
+  // A server at a stage's address must have the certificate of that stage.
   const auto credentials = [&](const std::string& identity) {
     return tls ? tls->ForIdentity(identity, program.log()) : nullptr;
   };
@@ -116,7 +118,7 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
     return StagePoolOptions{.credentials = credentials(rpc::StageIdentity(stage))};
   };
 
-  // Made in the order of use, and so ended in the reverse one.
+  // The objects are created in the order of use, and so destroyed in the reverse order.
   StagePools pools(flags.stage_names(), pool_options, program.log());
   const RemoteArranging arranging(pools.replicas(Stage::kSlicing));
   const RemoteProjects projects(pools.replicas(Stage::kSlicing));

@@ -1,4 +1,4 @@
-// The coordinator over a real server and real stores, with fake stages.
+// Tests of the coordinator with a real server, real stores and fake stages.
 #include "services/coordinator/server/main/coordinator.h"
 
 #include <gmock/gmock.h>
@@ -66,7 +66,8 @@ TEST_F(CoordinatorTest, UploadsAreChecked) {
             Reason::kRequestMalformed);
 }
 
-// Who is told that a mesh is there makes a job of it, and until then no sweep may take it.
+// A client that learns that a mesh exists may create a job with it. Until then no sweep may remove
+// the mesh.
 TEST_F(CoordinatorTest, AMeshThatIsAskedForOrSentAgainCountsAsUsed) {
   namespace fs = std::filesystem;
   ASSERT_TRUE(Upload("mesh").ok());
@@ -92,7 +93,7 @@ TEST_F(CoordinatorTest, AnUploadOnWhichNothingMovesIsCutOff) {
   EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::CANCELLED);
 }
 
-// A byte a minute is no upload, and holds no place of one.
+// An upload of one byte per minute is cut off, so that it occupies no slot.
 TEST_F(CoordinatorTest, AnUploadThatBringsNextToNothingIsCutOff) {
   Close();
   transfers_.times.idle = std::chrono::milliseconds(200);
@@ -114,7 +115,7 @@ TEST_F(CoordinatorTest, AStreamWithoutADeadlineGetsOne) {
   Close();
   transfers_.times.default_deadline = std::chrono::milliseconds(20);
   Open();
-  grpc::ClientContext context;  // without a deadline, as no client of ours
+  grpc::ClientContext context;  // without a deadline, unlike the farm's own clients
   v1::Upload upload;
   const auto stream = meshes_->UploadMesh(&context, &upload);
   EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::CANCELLED);
@@ -137,7 +138,7 @@ TEST_F(CoordinatorTest, ADownloadThatNobodyReadsIsCutOff) {
   request.set_id(id);
   request.set_artifact(v1::ARTIFACT_GCODE);
   const double before = Handled("Download");
-  // Without a small window all of it is under way before anybody reads.
+  // Without a small window, all bytes would be in flight before the client reads any.
   grpc::ChannelArguments arguments;
   arguments.SetInt(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, 1 << 14);
   arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);
@@ -177,7 +178,7 @@ TEST_F(CoordinatorTest, UploadsBeyondTheCapAreRefusedAndTheRestGoesOn) {
   open.back()->stream->Finish();
 }
 
-// Each holds a thread of the server, of which some are to be left for other tenants.
+// Each call occupies a thread of the server, and some threads must be left for other tenants.
 TEST_F(CoordinatorTest, CallsBeyondTheCapAreRefusedWhateverTheyAskFor) {
   Close();
   calls_.calls = 2;
@@ -195,7 +196,7 @@ TEST_F(CoordinatorTest, CallsBeyondTheCapAreRefusedWhateverTheyAskFor) {
   request.set_sha256(Sha256Hex("two"));
   request.set_size(1'000'000);
   request.set_data("t");
-  while (refusal.reason != Reason::kOverloaded) {  // the second upload may have been refused itself
+  while (refusal.reason != Reason::kOverloaded) {  // the second upload may itself have been refused
     grpc::ClientContext context;
     Bound(context);
     v1::Upload upload;
@@ -439,7 +440,7 @@ TEST_F(CoordinatorTest, WatchTellsTheWholeStoryFromAnyPoint) {
   ranges_->AwaitCall();
   ranges_->LetGo();
   watcher.join();
-  // Progress is told as it comes, under the number of the last event, and is not kept.
+  // Progress is sent under the number of the last event, and is not stored. The test removes it.
   std::erase_if(live, [last = int64_t{0}](const v1::JobEvent& event) mutable {
     return std::exchange(last, event.sequence()) == event.sequence();
   });
@@ -450,7 +451,7 @@ TEST_F(CoordinatorTest, WatchTellsTheWholeStoryFromAnyPoint) {
   EXPECT_TRUE(live.back().job().has_result());
   for (const v1::JobEvent& event : live) EXPECT_FALSE(event.job().has_spec());
 
-  // How far the run has come is told under the number of the step before, and told once.
+  // The progress of the run is sent under the number of the step before it, and only once.
   const auto [repeated, end] = std::ranges::unique(live, {}, &v1::JobEvent::sequence);
   live.erase(repeated, end);
   for (size_t after = 0; after <= live.size(); ++after) {
@@ -469,7 +470,8 @@ TEST_F(CoordinatorTest, WatchOfNoJobIsAnError) {
   EXPECT_EQ(DetailOf(end).reason, Reason::kJobNotFound);
 }
 
-// It is served by another way than the other methods, which does not tell that by itself.
+// gRPC serves this method from a completion queue, which does not report an unreadable request by
+// itself.
 TEST_F(CoordinatorTest, AWatchThatCannotBeReadHasAReason) {
   rpc::StreamCall<grpc::ByteBuffer, grpc::ByteBuffer> call({}, [&](auto* context, auto* queue) {
     return grpc::GenericStub(channel_).PrepareCall(context, "/slicefarm.v1.Jobs/WatchJob", queue);

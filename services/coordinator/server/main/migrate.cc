@@ -17,12 +17,12 @@ namespace {
 
 constexpr std::chrono::seconds kAskEvery{1};
 
-/// A server that starts at the same time is waited for.
+/// Connects to the database. Waits up to `patience` for a server that starts at the same time.
 absl::StatusOr<std::unique_ptr<PostgresConnection>> ConnectWithin(const std::string& conninfo,
                                                                   std::chrono::seconds patience) {
   const auto end = std::chrono::steady_clock::now() + patience;
   while (true) {
-    // An index of a farm's tables has no need to end in time.
+    // There is no time limit, because the creation of an index on a farm's tables may take long.
     auto connection = PostgresConnection::Open(conninfo, PostgresConnection::kNoLimit);
     if (connection.ok() || std::chrono::steady_clock::now() >= end) return connection;
     std::this_thread::sleep_for(kAskEvery);

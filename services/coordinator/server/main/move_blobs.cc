@@ -17,12 +17,12 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// So many blobs are moved between two lines.
+/// Number of moved blobs between two lines of output.
 constexpr int64_t kTellEach = 1'000;
 
-/// From where.
+/// Source of the blobs.
 struct Source {
-  std::unique_ptr<StateLock> lock;  ///< of a directory
+  std::unique_ptr<StateLock> lock;  ///< lock of a state directory
   std::shared_ptr<SqlDatabase> database;
   std::unique_ptr<BlobStores> blobs;
 };

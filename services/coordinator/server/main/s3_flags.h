@@ -9,29 +9,30 @@
 
 namespace slicefarm::coordinator {
 
-/// What a program can be told of the bucket for its blobs.
+/// Options of the bucket for blobs.
 struct S3Flags {
-  std::string url;  ///< empty: there is none
+  std::string url;  ///< empty: no bucket
   bool bucket_in_host = false;
   std::string region = "us-east-1";
   std::string ca_file;
-  std::string credentials_file;  ///< empty: the environment has them
+  std::string credentials_file;  ///< empty: the credentials are in the environment
 };
 
+/// Adds the options to `app`.
 void AddS3Flags(CLI::App& app, S3Flags* flags);
 
-/// Of a JSON file `{"access_key": "...", "secret_key": "..."}`, and `session_token` if there is
-/// one. Errors: InvalidArgument.
+/// Reads credentials from JSON: `{"access_key": "...", "secret_key": "..."}`, and optionally
+/// `session_token`. Errors: InvalidArgument.
 absl::StatusOr<S3Credentials> ParseS3Credentials(const std::string& text);
 
-/// Of the file with this path. Errors: InvalidArgument, also if it cannot be read.
+/// Reads credentials from the file. Errors: InvalidArgument, also if the file cannot be read.
 absl::StatusOr<S3Credentials> ReadS3Credentials(const std::string& path);
 
-/// AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY and, if it is set, AWS_SESSION_TOKEN. Errors:
-/// InvalidArgument.
+/// Returns the credentials AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY and, if it is set,
+/// AWS_SESSION_TOKEN. Errors: InvalidArgument.
 absl::StatusOr<S3Credentials> S3CredentialsOfEnvironment();
 
-/// Errors: InvalidArgument.
+/// Creates a client of the bucket. Errors: InvalidArgument.
 absl::StatusOr<std::shared_ptr<S3Client>> MakeS3Client(const S3Flags& flags,
                                                        S3CredentialsNow credentials);
 

@@ -7,11 +7,11 @@
 
 namespace slicefarm::coordinator {
 
-/// Keeps a second coordinator from using the same state directory. The lock goes with the process,
-/// however it ends.
+/// Lock that prevents a second coordinator from using the same state directory. It ends with the
+/// process, in any case.
 class StateLock {
  public:
-  /// Errors: Unavailable if another process has it; STORE_FAILED.
+  /// Takes the lock. Errors: Unavailable if another process has it; STORE_FAILED.
   static absl::StatusOr<std::unique_ptr<StateLock>> Take(const std::string& directory);
   ~StateLock();
   StateLock(const StateLock&) = delete;

@@ -18,7 +18,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// In the bucket, if there is one; `staged` has what is not.
+/// Returns stores with the blobs in the bucket. Uploads in progress stay in `staged`. Without a
+/// bucket, returns `staged`.
 std::unique_ptr<BlobStores> InBucket(const StoreOptions& options,
                                      std::shared_ptr<SqlDatabase> database,
                                      std::unique_ptr<BlobStores> staged) {
@@ -26,7 +27,7 @@ std::unique_ptr<BlobStores> InBucket(const StoreOptions& options,
   return std::make_unique<S3Blobs>(options.s3, std::move(database), std::move(staged));
 }
 
-/// Better now than with each job.
+/// Checks the bucket at the start, so that an error is reported once and not for each job.
 absl::Status CheckBucket(const StoreOptions& options) {
   if (options.s3 == nullptr) return absl::OkStatus();
   const absl::Status usable = options.s3->Probe();
@@ -36,8 +37,8 @@ absl::Status CheckBucket(const StoreOptions& options) {
   return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kStoreFailed, why);
 }
 
-/// Returns FailedPrecondition if the directory has blobs, but no database that knows them. A new
-/// database would take them for blobs that no job needs, and the sweep would delete them.
+/// Returns FailedPrecondition if the directory has blobs, but no database with their records. A new
+/// database would treat them as blobs without a job, and the sweep would delete them.
 absl::Status CheckDatabaseOfBlobs(const std::string& directory) {
   const std::string path = directory + "/jobs.db";
   std::error_code missing;
@@ -75,8 +76,9 @@ absl::StatusOr<Stores> OpenDirectory(const StoreOptions& options) {
                 .answers = nullptr};
 }
 
-/// Runs and blobs have connections of their own, so that neither callers nor transfers keep jobs
-/// waiting; each run has one for its blobs, which it may hold for as long as a large result takes.
+/// Opens the stores in PostgreSQL. Runs and blobs have connections of their own, so that neither
+/// callers nor transfers delay jobs. Each run has one connection for its blobs, because a large
+/// result may occupy it for long.
 absl::StatusOr<Stores> OpenPostgres(const StoreOptions& options, int runs) {
   auto opened = PostgresDatabase::Open(options.postgres);
   if (!opened.ok()) return opened.status();

@@ -15,37 +15,43 @@
 
 namespace slicefarm::coordinator {
 
-/// Where a coordinator keeps its state.
+/// Location of a coordinator's state.
 struct StoreOptions {
-  std::string state_dir;  ///< SQLite and files in this directory, of one coordinator
-  std::string
-      postgres;  ///< or a PostgreSQL database, which several may share: how to connect to it
-  std::shared_ptr<S3Client> s3 = nullptr;  ///< where blobs are; null: with the other state
-  std::string name = {};  ///< of a coordinator among those that share `postgres`; empty: any number
+  std::string state_dir;  ///< directory with SQLite and files, for a single coordinator
+  /// Connection string of a PostgreSQL database that several coordinators may share; alternative to
+  /// state_dir.
+  std::string postgres;
+  /// Bucket for the blobs; null: they are with the other state.
+  std::shared_ptr<S3Client> s3 = nullptr;
+  /// Name of the coordinator among all that share `postgres`; empty: no name is reserved.
+  std::string name = {};
 };
 
-/// What a coordinator keeps its state in.
+/// Open stores of a coordinator.
 struct Stores {
-  std::unique_ptr<StateLock> lock;  ///< of a directory
-  std::unique_ptr<JobStore> jobs;   ///< as callers see them
-  /// The same ones, as those who run them see them: whatever callers ask for, leases are renewed.
+  std::unique_ptr<StateLock> lock;  ///< lock of a state directory
+  std::unique_ptr<JobStore> jobs;   ///< job store for callers
+  /// The same job store for the runner, with connections of its own: leases are renewed even if
+  /// callers use all other connections.
   std::unique_ptr<JobStore> runs;
   std::unique_ptr<BlobStores> blobs;
-  /// The same ones, as those who run jobs see them: whatever is being uploaded and downloaded, a
-  /// result that was computed is kept. Null where transfers hold nothing that runs need.
+  /// The same blob stores for runs: results are stored even if transfers use all other connections.
+  /// Null if transfers cannot block runs.
   std::unique_ptr<BlobStores> run_blobs;
   std::unique_ptr<ProfileStore> profiles;
   std::unique_ptr<WebhookStore> webhooks;
-  std::function<absl::StatusOr<DatabaseFill>()> fill;  ///< of a database that is shared; or null
-  std::function<bool()> answers;  ///< false: such a database has been silent for seconds; or null
+  std::function<absl::StatusOr<DatabaseFill>()> fill;  ///< measures a shared database; or null
+  /// Returns false if the shared database has not answered for seconds; or null.
+  std::function<bool()> answers;
 };
 
-/// `runs`: how many jobs run at the same time. Errors: those of the stores; Unavailable if another
-/// process uses the directory; FailedPrecondition if another one has the name; STORE_FAILED if the
-/// bucket is away (Unavailable) or refuses us (FailedPrecondition).
+/// Opens the stores. `runs`: number of jobs that run at the same time. Errors: errors of the
+/// stores; Unavailable if another process uses the directory; FailedPrecondition if another
+/// coordinator has the name; STORE_FAILED if the bucket is unreachable (Unavailable) or refuses
+/// access (FailedPrecondition).
 absl::StatusOr<Stores> OpenStores(const StoreOptions& options, int runs);
 
-/// What other coordinators do to the jobs; null where there are none.
+/// Listens for changes of jobs by other coordinators. Returns null if the store is not shared.
 std::unique_ptr<JobChanges> ListenForChanges(const StoreOptions& options,
                                              JobChanges::Listener listener);
 

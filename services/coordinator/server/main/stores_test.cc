@@ -28,7 +28,7 @@ NewJob Job(const std::string& id) {
   return job;
 }
 
-/// Until so many wait for a lock that another holds.
+/// Waits until `calls` calls wait for a lock of another connection.
 void AwaitBlocked(SqlConnection& db, int64_t calls) {
   while (true) {
     SqlQuery query(db,
@@ -40,7 +40,7 @@ void AwaitBlocked(SqlConnection& db, int64_t calls) {
   }
 }
 
-// Or else a few slow calls of one tenant would cost everybody the runs of their jobs.
+// Otherwise, a few slow calls of one tenant could end the runs of all tenants' jobs.
 TEST(Stores, CallersWhoTakeAllConnectionsKeepNoLeaseWaiting) {
   const std::string database = SharedPostgres().NewDatabase();
   const auto stores = OpenStores({.state_dir = "", .postgres = database}, /*runs=*/3);
@@ -53,7 +53,7 @@ TEST(Stores, CallersWhoTakeAllConnectionsKeepNoLeaseWaiting) {
   const auto locker = PostgresConnection::Open(database);
   const auto watcher = PostgresConnection::Open(database);
   ASSERT_TRUE(locker.ok() && watcher.ok());
-  // The lock is to outlive the limit on idle transactions, however long the callers take to come.
+  // The lock must outlast the limit on idle transactions, even if the callers come late.
   ASSERT_TRUE((*locker)->Execute("SET idle_in_transaction_session_timeout = 0").ok());
   SqlTransaction lock(**locker);
   ASSERT_TRUE((*locker)->Execute("SELECT 1 FROM jobs WHERE id = 'wanted' FOR UPDATE").ok());
@@ -87,7 +87,7 @@ TEST(Stores, ABucketThatRefusesUsIsToldAtTheStart) {
   EXPECT_EQ(stores->blobs->Tenants()->size(), 2u);
 }
 
-// The sweep of a new database would delete all of them.
+// The sweep of a new database would delete all these blobs.
 TEST(Stores, BlobsWithoutTheirDatabaseAreRefused) {
   for (const char* tenant : {"", "acme"}) {
     const TempDirectory directory;
@@ -115,12 +115,12 @@ TEST(Stores, BlobsWithoutTheirDatabaseAreRefused) {
   }
 }
 
-// Or else what was computed would be thrown away, for want of a connection to keep it by.
+// Otherwise, a computed result would be lost because no connection is free to store it.
 TEST(Stores, TransfersThatTakeAllConnectionsKeepNoResultWaiting) {
   const std::string database = SharedPostgres().NewDatabase();
   const auto stores = OpenStores({.state_dir = "", .postgres = database}, /*runs=*/3);
   ASSERT_TRUE(stores.ok()) << stores.status();
-  const std::string mesh(64, 'a');  // a digest
+  const std::string mesh(64, 'a');  // used as a digest
   ASSERT_TRUE((*stores->blobs->Of(""))->Append(mesh, 0, "v").ok());
 
   const auto locker = PostgresConnection::Open(database);
