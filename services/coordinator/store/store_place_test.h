@@ -6,7 +6,7 @@
 
 namespace slicefarm::coordinator {
 
-/// A place for a store, which can be opened again and again.
+/// Location of a store. The store can be opened there several times.
 template <typename Store>
 class StorePlace {
  public:
@@ -14,7 +14,7 @@ class StorePlace {
   virtual std::unique_ptr<Store> Open() = 0;
 };
 
-/// An implementation that must keep the contract.
+/// Implementation that must fulfil the contract.
 template <typename Store>
 struct StoreKind {
   std::string name;

@@ -10,9 +10,10 @@
 
 namespace slicefarm::coordinator {
 
-/// Calls `visit` for each blob of a tenant that `sql` lists, a page of them a query; no connection
-/// is held meanwhile. `sql` begins with `SELECT digest, ... FROM ... WHERE`; what follows it, of
-/// the tenant, the last digest and the order, is added. `read` makes an entry of a row.
+/// Calls `visit` for each blob of a tenant that `sql` lists. Reads one page per query, and holds no
+/// connection during the visits. `sql` has the form `SELECT digest, ... FROM ... WHERE`. The
+/// function adds the conditions for the tenant and the last digest, and the order. `read` converts
+/// a row to an entry.
 absl::Status ForEachBlobOf(SqlDatabase& database, std::string_view sql, const std::string& tenant,
                            const std::function<BlobEntry(const SqlQuery&)>& read,
                            const std::function<void(const BlobEntry&)>& visit);

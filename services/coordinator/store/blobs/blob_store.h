@@ -13,96 +13,100 @@
 
 namespace slicefarm::coordinator {
 
-/// Blobs are best written and read in pieces of so many bytes that begin at multiples of it: each
-/// is then one row of a database, and one answer.
+/// Best size of the pieces in which blobs are written and read. A piece begins at a multiple of
+/// this size. It is one row of a database and one message of an answer.
 inline constexpr int64_t kBlobPieceBytes = 1 << 20;
 
+/// Size of a blob or an upload in a store.
 struct BlobStatus {
-  int64_t committed_size = 0;  ///< bytes that are here
-  bool complete = false;       ///< all are, and their digest is the blob's name
+  int64_t committed_size = 0;  ///< bytes that the store has
+  bool complete = false;       ///< true if all bytes are stored and their digest is the blob's name
 };
 
-/// A blob or an upload in a listing.
+/// Entry of a listing: a blob or an upload.
 struct BlobEntry {
   std::string digest;
   int64_t size = 0;
   bool complete = false;
-  double idle_s = 0;  ///< since it was last used: written, put or finished again, kept
+  double idle_s = 0;  ///< seconds since the last use: an Append, Put, Finish or Keep
 };
 
-/// A blob that was opened.
+/// Blob that is open for reading.
 class BlobReader {
  public:
   virtual ~BlobReader() = default;
+  /// Returns the size of the blob.
   virtual int64_t size() const = 0;
-  /// Up to `limit` bytes from `offset` on; fewer only at the end. Errors: STORE_FAILED; the same as
-  /// DATA_LOSS if bytes are gone that were there when it was opened.
+  /// Returns up to `limit` bytes from `offset` on; fewer only at the end. Errors: STORE_FAILED;
+  /// STORE_FAILED with the code DATA_LOSS if bytes have disappeared since the blob was opened.
   absl::StatusOr<std::string> Read(int64_t offset, int64_t limit);
 
  private:
-  /// `count` bytes from `offset` on, which lie within size(); fewer if the others are gone.
+  /// Returns `count` bytes from `offset` on, all within size(). Returns fewer if the rest has
+  /// disappeared.
   virtual absl::StatusOr<std::string> ReadWithin(int64_t offset, int64_t count) = 0;
 };
 
-/// Bytes by their SHA-256 (64 lower-case hex digits). A blob that is complete is on disk and never
-/// changes. Thread-safe.
+/// Store of byte sequences, named by their SHA-256 (64 lower-case hex digits). A complete blob is
+/// on disk and never changes. Thread-safe.
 ///
-/// Errors of all: STORE_FAILED, DISK_FULL; CANCELLED by the thread's CancelScope, of stores that
-/// wait for a network; REQUEST_MALFORMED for a name that is no digest.
+/// Errors of all functions: STORE_FAILED, DISK_FULL; CANCELLED by the thread's CancelScope in
+/// stores that wait for a network; REQUEST_MALFORMED for a name that is no digest.
 class BlobStore {
  public:
   virtual ~BlobStore() = default;
 
-  /// What is there of a blob; of an unknown one, nothing.
+  /// Returns the size of a blob or an upload; zero if it is unknown.
   virtual absl::StatusOr<BlobStatus> Status(const std::string& digest) = 0;
 
-  /// The same; a complete blob counts as used just now.
+  /// Returns the status as Status does. Marks a complete blob as used now.
   virtual absl::StatusOr<BlobStatus> Keep(const std::string& digest) = 0;
 
-  /// Adds bytes to an upload. What is there already may be sent again and is skipped. Survives a
-  /// restart. Errors: UPLOAD_OFFSET (metadata `committed_size`) if `offset` lies beyond what is
-  /// there.
+  /// Adds bytes to an upload. Bytes that are already stored may be sent again and are skipped. The
+  /// upload survives a restart. Errors: UPLOAD_OFFSET (metadata `committed_size`) if `offset` is
+  /// beyond the stored bytes.
   virtual absl::StatusOr<BlobStatus> Append(const std::string& digest, int64_t offset,
                                             std::string_view bytes) = 0;
 
-  /// Ends an upload of `size` bytes: afterwards the blob is complete. Does nothing to a complete
-  /// one. Errors: UPLOAD_OFFSET if fewer bytes are there; BLOB_DIGEST_MISMATCH if they are others,
-  /// and the upload is dropped.
+  /// Ends an upload of `size` bytes; afterwards the blob is complete. Does nothing if the blob is
+  /// already complete. Errors: UPLOAD_OFFSET if bytes are missing; BLOB_DIGEST_MISMATCH if the
+  /// bytes do not match the name, and the upload is dropped.
   virtual absl::StatusOr<BlobStatus> Finish(const std::string& digest, int64_t size) = 0;
 
-  /// Keeps the text, and gives its digest. In memory is a block at a time. Errors also: the
-  /// spool's.
+  /// Stores the text and returns its digest. Holds one block at a time in memory. Errors: also
+  /// errors of the spool.
   virtual absl::StatusOr<std::string> PutText(const SpooledText& text) = 0;
 
-  /// The same with what is in memory.
+  /// Stores bytes from memory and returns their digest.
   absl::StatusOr<std::string> Put(std::string bytes) {
     return PutText(SpooledText(std::move(bytes)));
   }
 
-  /// The content is checked against its name: once while the process lives, and again if the blob
-  /// was written since. Errors: BLOB_NOT_FOUND; BLOB_DIGEST_MISMATCH (DATA_LOSS) if the bytes have
-  /// changed: the blob is put aside.
+  /// Opens a blob for reading. Checks the content against its name once per process, and again if
+  /// the blob was written since. Errors: BLOB_NOT_FOUND; BLOB_DIGEST_MISMATCH (DATA_LOSS) if the
+  /// bytes have changed, and the blob is put aside.
   virtual absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string& digest) = 0;
 
-  /// Open, but nothing is read yet: for who checks the content, as OpenToStream does.
+  /// Opens a blob without reading it. The caller must check the content, as OpenToStream does.
   virtual absl::StatusOr<std::unique_ptr<BlobReader>> OpenUnchecked(const std::string& digest) = 0;
 
-  /// Open, and all of its bytes.
+  /// Returns all bytes of a blob. Checks them as Open does.
   virtual absl::StatusOr<std::string> Get(const std::string& digest) = 0;
 
-  /// Removes a blob or an upload, unless it was used in the last `idle_s` seconds. False: nothing
-  /// was removed.
+  /// Removes a blob or an upload, unless it was used in the last `idle_s` seconds. Returns false if
+  /// nothing was removed.
   virtual absl::StatusOr<bool> Delete(const std::string& digest, double idle_s) = 0;
 
-  /// Of all blobs and uploads, damaged ones apart. Cost: reads the list of blobs, or a directory's
-  /// the first time only.
+  /// Returns the total size of all blobs and uploads without damaged ones. Cost: reads the list of
+  /// blobs. For a directory, reads it only the first time.
   virtual absl::StatusOr<int64_t> KeptBytes() = 0;
 
-  /// Removes damaged blobs that were put aside so long ago. Returns their bytes.
+  /// Removes damaged blobs that were put aside at least `aside_s` seconds ago. Returns their total
+  /// size.
   virtual absl::StatusOr<int64_t> DropDamaged(double aside_s) = 0;
 
-  /// Calls visit for each blob and upload, in no particular order; those that come or go meanwhile
-  /// may be missing.
+  /// Calls `visit` for each blob and upload, in no particular order. Blobs that are added or
+  /// removed meanwhile may be missing.
   virtual absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit) = 0;
 };
 

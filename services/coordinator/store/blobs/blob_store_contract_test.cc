@@ -1,4 +1,4 @@
-// What every BlobStore does. An implementation joins by an entry in kStores.
+// Contract tests of all BlobStores. An entry in kStores adds an implementation.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,7 +50,8 @@ class PostgresPlace : public StorePlace<BlobStore> {
   const std::string database_ = SharedPostgres().NewDatabase();
 };
 
-/// Uploads beside the jobs, in a directory or in PostgreSQL.
+/// Location of an S3 store. Its uploads are stored beside the jobs, in a directory or in
+/// PostgreSQL.
 class S3Place : public StorePlace<BlobStore> {
  public:
   explicit S3Place(bool postgres) : postgres_(postgres) {}
@@ -103,7 +104,7 @@ TEST_P(BlobStoreTest, GivesBackWhatWasPut) {
   EXPECT_EQ(store_->Status(digest_)->committed_size, static_cast<int64_t>(bytes_.size()));
 }
 
-/// A text of several pieces of a database.
+/// Returns a text that needs several pieces in a database.
 SpooledText LongText() {
   auto spool = *SpoolFile::Make("");
   const SpoolFile::Place place = *spool->Add(std::string(1'500'000, 'y'));
@@ -128,7 +129,7 @@ TEST_P(BlobStoreTest, GivesBackTextsThatDoNotFitIntoMemory) {
 TEST_P(BlobStoreTest, ATextThatCannotBeReadIsNoBlob) {
   SpooledText text(*SpoolFile::Make(""));
   text.Add(std::string(100, 'x'));
-  text.Add(SpoolFile::Place{0, 100});  // the spool has nothing
+  text.Add(SpoolFile::Place{0, 100});  // the spool is empty
   EXPECT_EQ(DetailOf(store_->PutText(text).status()).reason, Reason::kStoreFailed);
   int blobs = 0;
   EXPECT_TRUE(store_->ForEach([&](const BlobEntry&) { ++blobs; }).ok());
@@ -181,7 +182,7 @@ TEST_P(BlobStoreTest, ABlobOfManyPiecesIsReadAsOne) {
   EXPECT_EQ(*(*reader)->Read(1'000'000, 1'400'000), bytes.substr(1'000'000, 1'400'000));
 }
 
-// A client that got fewer bytes would take them for all.
+// Without an error, a client that receives fewer bytes would accept them as the whole blob.
 TEST_P(BlobStoreTest, WhatGoesWhileItIsReadIsAnErrorOrStillThere) {
   ASSERT_TRUE(store_->Put(bytes_).ok());
   const auto reader = store_->Open(digest_);

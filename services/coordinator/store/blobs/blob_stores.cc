@@ -14,7 +14,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// A tenant's name becomes part of a path, so it is looked at here as well.
+/// Checks a tenant's name here as well, because it becomes part of a path.
 absl::Status CheckTenant(const std::string& tenant) {
   if (tenant.empty() || IsTenantName(tenant)) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
@@ -25,7 +25,7 @@ class DirectoryBlobs : public BlobStores {
  public:
   explicit DirectoryBlobs(std::string root) : root_(std::move(root)) {}
 
-  /// A directory has one store, whose locks its users share.
+  /// Returns the only store of the tenant's directory, because its users must share its locks.
   absl::StatusOr<std::shared_ptr<BlobStore>> Of(const std::string& tenant) override {
     if (absl::Status named = CheckTenant(tenant); !named.ok()) return named;
     const std::lock_guard lock(mutex_);

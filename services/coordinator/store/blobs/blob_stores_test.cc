@@ -1,4 +1,4 @@
-// What every BlobStores does. An implementation joins by an entry in kStores.
+// Contract tests of all BlobStores. An entry in kStores adds an implementation.
 #include "services/coordinator/store/blobs/blob_stores.h"
 
 #include <gmock/gmock.h>
@@ -67,7 +67,7 @@ TEST_P(BlobStoresTest, UploadsOfTheSameGoOnApart) {
   EXPECT_EQ(Of("b").Status(digest_)->committed_size, 0);
   EXPECT_EQ(DetailOf(Of("b").Append(digest_, 60'000, bytes_.substr(60'000)).status()).reason,
             Reason::kUploadOffset);
-  // What one sends does not spoil what the other has.
+  // The bytes that one tenant sends do not damage the other tenant's upload.
   ASSERT_TRUE(Of("b").Append(digest_, 0, std::string(100'000, '!')).ok());
   EXPECT_EQ(DetailOf(Of("b").Finish(digest_, 100'000).status()).reason,
             Reason::kBlobDigestMismatch);

@@ -3,7 +3,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Some 10 MB.
+/// Largest number of remembered blobs; some 10 MB.
 constexpr size_t kMostChecked = 65'536;
 
 }  // namespace

@@ -7,20 +7,23 @@
 
 namespace slicefarm::coordinator {
 
-/// Which blobs this process has checked against their names, so that each is hashed once and not
-/// whenever it is opened. Bounded: when it is full, it forgets all. Thread-safe.
+/// Set of the blobs that this process has checked against their names. So each blob is hashed only
+/// once, not at every Open. The size is limited: when the set is full, it is cleared. Thread-safe.
 class CheckedBlobs {
  public:
-  /// What must be the same for a blob to be the one that was checked.
+  /// Properties of a file that change if the blob is written again.
   struct Print {
     int64_t size = 0;
-    int64_t written_ns = 0;  ///< when the file was last written; 0 where nobody can tell
+    int64_t written_ns = 0;  ///< time of the last write of the file; 0 if it is unknown
 
     friend bool operator==(const Print&, const Print&) = default;
   };
 
+  /// Returns true if the blob was checked with this print.
   bool Holds(const std::string& digest, const Print& print) const;
+  /// Adds a blob that was checked.
   void Add(const std::string& digest, const Print& print);
+  /// Removes a blob.
   void Forget(const std::string& digest);
 
  private:

@@ -25,7 +25,7 @@ class CheckingReader : public BlobReader {
     if (hashed_ < size()) return bytes;
     const std::string got = sha_.Hex();
     if (got == digest_) return bytes;
-    // Reads it once more, and puts it aside.
+    // Open reads the blob once more and puts it aside if it is damaged.
     if (const auto opened = store_->Open(digest_); !opened.ok()) return opened.status();
     return BlobMismatch(absl::StatusCode::kDataLoss, digest_, got);
   }

@@ -8,11 +8,10 @@
 
 namespace slicefarm::coordinator {
 
-/// Opens a blob to be read once, from its beginning to its end: it is checked against its name
-/// while it is read, where BlobStore::Open would read all of it before. The read that reaches the
-/// end of a damaged blob is an error, BLOB_DIGEST_MISMATCH (DATA_LOSS), and puts the blob aside.
-/// Who reads in another order gets bytes that nobody checked. Errors: those of
-/// BlobStore::OpenUnchecked.
+/// Opens a blob that is read once from beginning to end. The content is checked against its name
+/// during the reads, whereas BlobStore::Open first reads the whole blob. If the blob is damaged,
+/// the read that reaches its end returns BLOB_DIGEST_MISMATCH (DATA_LOSS) and puts the blob aside.
+/// Reads in any other order return unchecked bytes. Errors: errors of BlobStore::OpenUnchecked.
 absl::StatusOr<std::unique_ptr<BlobReader>> OpenToStream(std::shared_ptr<BlobStore> store,
                                                          const std::string& digest);
 

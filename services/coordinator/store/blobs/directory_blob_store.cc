@@ -30,7 +30,7 @@ absl::StatusOr<std::string> DigestOf(const PosixFile& file) {
   }
 }
 
-/// Since the file was last written or touched; none if it is not there.
+/// Returns the seconds since the file was last written or touched; nullopt if it does not exist.
 std::optional<double> IdleSeconds(const std::filesystem::path& path) {
   std::error_code gone;
   const auto written = std::filesystem::last_write_time(path, gone);
@@ -39,7 +39,7 @@ std::optional<double> IdleSeconds(const std::filesystem::path& path) {
   return std::chrono::duration<double>(now - written).count();
 }
 
-/// None if the file is not there.
+/// Returns the print of a file; nullopt if it does not exist.
 std::optional<CheckedBlobs::Print> PrintOf(const std::filesystem::path& path) {
   std::error_code error;
   const auto written = std::filesystem::last_write_time(path, error);
@@ -51,7 +51,7 @@ std::optional<CheckedBlobs::Print> PrintOf(const std::filesystem::path& path) {
   return CheckedBlobs::Print{static_cast<int64_t>(size), since.count()};
 }
 
-/// Returns the digest.
+/// Writes the text to a file and to the disk. Returns its digest.
 absl::StatusOr<std::string> WriteDurably(const std::string& path, const SpooledText& text) {
   const auto file = PosixFile::OpenToWrite(path);
   if (!file.ok()) return file.status();
@@ -104,7 +104,7 @@ absl::StatusOr<std::unique_ptr<DirectoryBlobStore>> DirectoryBlobStore::OpenAt(
   return store;
 }
 
-/// What was being written when the last process ended, and uploads of blobs that are there.
+/// Removes unfinished files of the previous process, and uploads of blobs that are complete.
 absl::Status DirectoryBlobStore::RemoveLeftovers() const {
   namespace fs = std::filesystem;
   for (const auto& [part, all] : {std::pair("/tmp", true), std::pair("/uploads", false)}) {
@@ -135,9 +135,10 @@ std::mutex& DirectoryBlobStore::NameOf(const std::string& digest) {
   return names_[std::hash<std::string>()(digest) % names_.size()];
 }
 
-/// As it is now; of an upload, what is being written may be counted in.
+/// Returns the current status. The size of an upload may include bytes that are being written.
 absl::StatusOr<BlobStatus> DirectoryBlobStore::StatusNow(const std::string& digest) {
-  // In the end once more, as an upload may have become a blob between two looks.
+  // The blob is checked again at the end, because an upload may become a blob between the first two
+  // checks.
   for (const bool complete : {true, false, true}) {
     const auto file = PosixFile::OpenToRead(complete ? BlobPath(digest) : UploadPath(digest));
     if (absl::IsNotFound(file.status())) continue;
@@ -157,8 +158,8 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Status(const std::string& digest)
   return StatusNow(digest);
 }
 
-/// The blob counts as used just now. One that was checked stays so: only its date changes. False:
-/// it is gone.
+/// Marks the blob as used now. Returns false if it does not exist. A checked blob remains checked,
+/// because only its date changes.
 absl::StatusOr<bool> DirectoryBlobStore::Touch(const std::string& digest) {
   const std::string path = BlobPath(digest);
   Lock lock(NameOf(digest));
@@ -197,7 +198,8 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Append(const std::string& digest,
   return status;
 }
 
-/// Makes the folder if need be. Afterwards the names that it had before are on disk.
+/// Creates the folder if it does not exist. Afterwards, all names that the folder had before are on
+/// disk.
 absl::Status DirectoryBlobStore::Settle(const std::string& folder) {
   const auto settled = [&] {
     Lock lock(doubts_mutex_);
@@ -213,7 +215,7 @@ absl::Status DirectoryBlobStore::Settle(const std::string& folder) {
   return absl::OkStatus();
 }
 
-/// A file whose bytes are on disk becomes the blob.
+/// Makes the file the blob by renaming it. REQUIRES: the bytes of the file are on disk.
 absl::Status DirectoryBlobStore::Complete(const std::string& file, const std::string& digest) {
   const std::string folder = FolderOf(digest);
   if (absl::Status settled = Settle(folder); !settled.ok()) return settled;
@@ -223,7 +225,8 @@ absl::Status DirectoryBlobStore::Complete(const std::string& file, const std::st
   }
   absl::Status synced = SyncDirectory(folder);
   if (!synced.ok()) {
-    const auto settling = folders_.Take(folder);  // after whoever knows nothing of this name
+    // waits for threads that are settling the folder without this name
+    const auto settling = folders_.Take(folder);
     Lock lock(doubts_mutex_);
     settled_.erase(folder);
   }
@@ -250,7 +253,7 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Finish(const std::string& digest,
   }
   if (status->committed_size < size) return UploadOffset(digest, status->committed_size, size);
   const std::string path = UploadPath(digest);
-  const auto file = PosixFile::OpenToWrite(path);  // also makes the file of an empty blob
+  const auto file = PosixFile::OpenToWrite(path);  // also creates the file of an empty blob
   if (!file.ok()) return file.status();
   const auto got = DigestOf(*file);
   if (!got.ok()) return got.status();
@@ -266,7 +269,8 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Finish(const std::string& digest,
   return BlobStatus{status->committed_size, /*complete=*/true};
 }
 
-/// A good blob is there already, and counts as used. An unreadable one is to be mended.
+/// Returns true if the blob exists undamaged, and marks it as used. If false, an unreadable blob
+/// must be replaced.
 absl::StatusOr<bool> DirectoryBlobStore::HasGood(const std::string& digest) {
   const auto file = PosixFile::OpenToRead(BlobPath(digest));
   if (!file.ok()) return false;
@@ -276,7 +280,7 @@ absl::StatusOr<bool> DirectoryBlobStore::HasGood(const std::string& digest) {
   return Touch(digest);
 }
 
-/// A file whose bytes are on disk becomes the blob, unless that is there.
+/// Makes the file the blob, unless the blob exists. REQUIRES: the bytes of the file are on disk.
 absl::Status DirectoryBlobStore::Adopt(const std::string& file, const std::string& digest,
                                        int64_t size) {
   const auto writing = writers_.Take(digest);
@@ -297,7 +301,7 @@ absl::StatusOr<std::string> DirectoryBlobStore::PutText(const SpooledText& text)
   return kept;
 }
 
-/// Puts a damaged blob aside, unless a good one has taken its place since it was read.
+/// Puts a damaged blob aside, unless it was replaced by a good one after it was read.
 absl::Status DirectoryBlobStore::Corrupt(const std::string& digest, const std::string& got) {
   const auto writing = writers_.Take(digest);
   const auto file = OpenBlob(BlobPath(digest), digest);
@@ -308,11 +312,12 @@ absl::Status DirectoryBlobStore::Corrupt(const std::string& digest, const std::s
   if (!now.ok()) return now.status();
   if (*now != digest) {
     const std::string aside = absl::StrCat(root_, "/corrupt/", digest);
-    // If a power cut left half of a rename, this is the same file, and to rename it does nothing.
+    // After half of a rename and a power cut, both names may be the same file. A rename would then
+    // do nothing.
     if (absl::Status removed = RemoveFile(aside); !removed.ok()) return removed;
     Lock lock(NameOf(digest));
     if (absl::Status moved = RenameFile(BlobPath(digest), aside); !moved.ok()) return moved;
-    TouchFile(aside).IgnoreError();  // from now on it is kept for some time, however old it is
+    TouchFile(aside).IgnoreError();  // the damaged blob is kept for a time that begins now
   }
   return BlobMismatch(absl::StatusCode::kDataLoss, digest, got);
 }
@@ -368,7 +373,7 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Keep(const std::string& digest) {
 absl::StatusOr<bool> DirectoryBlobStore::Delete(const std::string& digest, double idle_s) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   const auto writing = writers_.TryTake(digest);
-  if (!writing) return false;  // it is in use
+  if (!writing) return false;  // the blob is in use
   Lock lock(NameOf(digest));
   bool deleted = false;
   for (const std::string& path : {BlobPath(digest), UploadPath(digest)}) {

@@ -14,16 +14,16 @@
 
 namespace slicefarm::coordinator {
 
-/// Blobs in a directory of this machine:
+/// Blob store in a local directory:
 ///
-///   blobs/ab/abcd...   complete ones: written elsewhere, fsynced, renamed, the folder fsynced
-///   uploads/abcd...    what came of an upload so far
-///   tmp/               what Put is writing; emptied at the start
-///   corrupt/abcd...    blobs whose bytes had changed when they were read: out of the way of a new
-///   upload
+///   blobs/ab/abcd...   complete blobs: written elsewhere, fsynced, renamed, folder fsynced;
+///   uploads/abcd...    uploads so far;
+///   tmp/               files that Put is writing; emptied at the start;
+///   corrupt/abcd...    blobs with changed bytes; they make space for a new upload.
 class DirectoryBlobStore : public BlobStore {
  public:
-  /// Makes the directory if need be. REQUIRES: no other process uses it.
+  /// Opens the store in a directory, which is created if it does not exist. REQUIRES: no other
+  /// process uses it.
   static absl::StatusOr<std::unique_ptr<DirectoryBlobStore>> OpenAt(const std::string& root);
 
   absl::StatusOr<BlobStatus> Status(const std::string& digest) override;
@@ -60,24 +60,27 @@ class DirectoryBlobStore : public BlobStore {
   absl::Status Adopt(const std::string& file, const std::string& digest, int64_t size);
 
   const std::string root_;
-  /// Of blobs: one write to each at a time, however long it takes to hash it and to put it on disk.
+  /// Locks of blobs. Only one thread at a time writes a blob, also during the hashing and the
+  /// fsync.
   NameLocks writers_;
-  /// Held for as long as it takes to look at a file and to rename, touch or remove it: what is kept
-  /// is not deleted. Taken after a writer's.
+  /// Locks that protect the steps between a check of a file and its rename, touch or removal. So a
+  /// blob that Keep marks as used is not deleted. Taken after a writer's lock.
   std::array<std::mutex, 16> names_;
   std::atomic<int64_t> next_tmp_ = 0;
   CheckedBlobs checked_;
-  /// What is kept, by what was written and removed since all files were looked at; below 0: they
-  /// were not yet. ForEach sets it right again, should two at a time have miscounted.
+  /// Total size of the store, from the writes and removals since the last listing of all files.
+  /// Below 0: there was no listing yet. ForEach corrects the value, in case two concurrent calls
+  /// have miscounted.
   std::atomic<int64_t> kept_bytes_ = kUncounted;
 
-  NameLocks folders_;  ///< who makes sure that a folder's names are on disk
+  NameLocks folders_;  ///< locks for putting a folder's names on disk
   std::mutex doubts_mutex_;
-  /// Folders of blobs whose names are on disk for certain. Not so at the start, as an earlier life
-  /// may have ended between a rename and its fsync; not so after an fsync that failed.
+  /// Folders of blobs with all their names on disk. At the start the set is empty, because the
+  /// previous process may have ended between a rename and its fsync. A failed fsync removes the
+  /// folder.
   std::set<std::string> settled_;
-  /// Uploads of which this process wrote all bytes and has not tried to fsync them; others need
-  /// PosixFile::SyncAnew.
+  /// Uploads that this process alone has written and has not yet tried to fsync. All other uploads
+  /// need PosixFile::SyncAnew.
   std::set<std::string> written_here_;
 };
 

@@ -53,7 +53,7 @@ TEST_F(DirectoryBlobStoreTest, ABlobThatWasCheckedIsNotReadAgainToOpenIt) {
   ASSERT_TRUE(store_->Keep(digest)->complete) << "which changes its date";
   const auto written = std::filesystem::last_write_time(PathOf(digest));
   Damage(digest);
-  std::filesystem::last_write_time(PathOf(digest), written);  // as a disk that forgets bits
+  std::filesystem::last_write_time(PathOf(digest), written);  // simulates a disk that changes bits
   EXPECT_TRUE(store_->Open(digest).ok()) << "was read";
   std::filesystem::last_write_time(PathOf(digest), written + std::chrono::seconds(1));
   EXPECT_TRUE(absl::IsDataLoss(store_->Open(digest).status())) << "was written since";

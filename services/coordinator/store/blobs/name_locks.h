@@ -9,11 +9,11 @@
 
 namespace slicefarm::coordinator {
 
-/// A lock for each name. Whoever holds one, for however long, keeps nobody from the others.
-/// Thread-safe; must outlive what is held.
+/// Locks by name. Holding a lock for long does not block other names. Thread-safe; must outlive its
+/// held locks.
 class NameLocks {
  public:
-  /// Lets go when destroyed.
+  /// Held lock. The destructor releases it.
   class Held {
    public:
     Held(Held&& other) noexcept
@@ -31,14 +31,14 @@ class NameLocks {
     std::string name_;
   };
 
-  /// Waits while another one holds it.
+  /// Takes the lock. Waits while another thread holds it.
   Held Take(const std::string& name) {
     std::unique_lock lock(mutex_);
     let_go_.wait(lock, [&] { return held_.insert(name).second; });
     return Held(this, name);
   }
 
-  /// None: another one holds it.
+  /// Takes the lock; returns nullopt if another thread holds it.
   std::optional<Held> TryTake(const std::string& name) {
     const std::lock_guard lock(mutex_);
     if (!held_.insert(name).second) return std::nullopt;

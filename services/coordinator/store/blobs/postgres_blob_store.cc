@@ -13,7 +13,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Of a row.
+/// Key of a row.
 struct Key {
   std::string tenant;
   std::string digest;
@@ -29,7 +29,8 @@ absl::StatusOr<BlobStatus> SelectStatus(SqlConnection& db, const Key& key, bool 
   return status;
 }
 
-/// Makes the blob's row if there is none, and holds it: one write to a blob at a time.
+/// Creates the blob's row if it does not exist, and locks it. So only one transaction at a time
+/// writes a blob.
 absl::StatusOr<BlobStatus> LockBlob(SqlConnection& db, const Key& key) {
   SqlQuery make(db,
                 "INSERT INTO blobs (tenant, digest, size, complete) VALUES (?, ?, 0, 0)"
@@ -43,9 +44,9 @@ absl::Status AddPiece(SqlConnection& db, const Key& key, int64_t at, std::string
   return add.Bind(key.tenant, key.digest, at, Blob{bytes}).Run();
 }
 
-/// Adds a piece to an upload that ends where the piece begins, in one statement, which is all that
-/// most pieces need; false: it is another case. An upload is acknowledged by Finish, which waits
-/// for the disk; a piece need not, so its own transaction does not.
+/// Adds a piece to the end of an upload in one statement, which is sufficient for most pieces.
+/// Returns false if the upload does not end at the offset of the piece. The statement does not wait
+/// for the disk, because the upload is acknowledged only by Finish, which does.
 absl::StatusOr<bool> Extend(SqlConnection& db, const Key& key, int64_t at, std::string_view bytes) {
   SqlQuery extend(
       db,
@@ -61,8 +62,8 @@ absl::StatusOr<bool> Extend(SqlConnection& db, const Key& key, int64_t at, std::
   return extended;
 }
 
-/// Makes a complete blob of one piece, in one statement, which is all that most results need;
-/// false: there is something of it already.
+/// Creates a complete blob of one piece in one statement, which is sufficient for most results.
+/// Returns false if a row of the blob exists already.
 absl::StatusOr<bool> MakeSmall(SqlConnection& db, const Key& key, std::string_view bytes) {
   SqlQuery make(db,
                 "WITH made AS (INSERT INTO blobs (tenant, digest, size, complete)"
@@ -88,12 +89,12 @@ absl::Status Remove(SqlConnection& db, const Key& key) {
   return remove.Bind(key.tenant, key.digest).Run();
 }
 
-/// Up to `limit` bytes from `offset` on.
+/// Returns up to `limit` bytes from `offset` on.
 absl::StatusOr<std::string> ReadBytes(SqlConnection& db, const Key& key, int64_t offset,
                                       int64_t limit) {
   SqlQuery query(db,
                  "SELECT at, bytes FROM blob_pieces WHERE tenant = ? AND digest = ? AND at < ?"
-                 // Not max(at), for which all pieces before it would be looked at.
+                 // max(at) is not used, because it would read all pieces before this one.
                  " AND at >= (SELECT at FROM blob_pieces WHERE tenant = ? AND digest = ?"
                  "  AND at <= ? ORDER BY at DESC LIMIT 1) ORDER BY at");
   query.Bind(key.tenant, key.digest, offset + limit, key.tenant, key.digest, offset);
@@ -109,8 +110,8 @@ absl::StatusOr<std::string> ReadBytes(SqlConnection& db, const Key& key, int64_t
   return bytes;
 }
 
-/// All bytes that are there, piece by piece: a mesh of 2 GB in one answer would need as much memory
-/// again, and more time than a statement has. Returns their digest.
+/// Reads all bytes of a blob piece by piece and returns their digest. A mesh of 2 GB in one answer
+/// would need as much memory again, and more time than the limit of a statement.
 absl::StatusOr<std::string> ReadPieces(SqlConnection& db, const Key& key,
                                        const std::function<void(const std::string&)>& visit) {
   Sha256 sha;
@@ -128,7 +129,7 @@ absl::StatusOr<std::string> DigestOf(SqlConnection& db, const Key& key) {
   return ReadPieces(db, key, [](const std::string&) {});
 }
 
-/// Of a blob that is complete. Errors: BLOB_NOT_FOUND.
+/// Returns the size of a complete blob. Errors: BLOB_NOT_FOUND.
 absl::StatusOr<int64_t> SizeOf(SqlConnection& db, const Key& key) {
   const auto status = SelectStatus(db, key, /*lock=*/false);
   if (!status.ok()) return status.status();
@@ -219,11 +220,11 @@ absl::StatusOr<BlobStatus> PostgresBlobStore::Finish(const std::string& digest, 
   return status;
 }
 
-/// The text is gone through twice: its digest is the key of its pieces.
+/// Reads the text twice, because its digest is the key of its pieces.
 absl::StatusOr<std::string> PostgresBlobStore::PutText(const SpooledText& text) {
   const bool small = text.size() > 0 && text.size() <= kBlobPieceBytes;
   Sha256 sha;
-  std::string all;  // of a small one
+  std::string all;  // bytes of a small text
   const auto add = [&](std::string_view bytes) {
     sha.Add(bytes);
     if (small) all += bytes;
@@ -246,7 +247,7 @@ absl::StatusOr<std::string> PostgresBlobStore::PutText(const SpooledText& text) 
   if (!old.ok()) return old.status();
   const auto got = old->complete ? DigestOf(db, key) : std::string();
   if (!got.ok()) return got.status();
-  if (*got != digest) {  // nothing, a part of it, or a damaged one
+  if (*got != digest) {  // the blob is missing, incomplete or damaged
     SqlQuery clear(db, "DELETE FROM blob_pieces WHERE tenant = ? AND digest = ?");
     if (absl::Status done = clear.Bind(tenant_, digest).Run(); !done.ok()) return done;
     int64_t at = 0;
@@ -261,7 +262,7 @@ absl::StatusOr<std::string> PostgresBlobStore::PutText(const SpooledText& text) 
   return digest;
 }
 
-/// Puts a damaged blob aside, unless a good one has taken its place since it was read.
+/// Puts a damaged blob aside, unless it was replaced by a good one after it was read.
 absl::Status PostgresBlobStore::Corrupt(const std::string& digest, const std::string& got) {
   const absl::Status damaged = BlobMismatch(absl::StatusCode::kDataLoss, digest, got);
   const auto session = database_->Write();
@@ -276,13 +277,13 @@ absl::Status PostgresBlobStore::Corrupt(const std::string& digest, const std::st
                 "UPDATE blobs SET digest = ?, complete = 0, touched = now()"
                 " WHERE tenant = ? AND digest = ?");
   if (Remove(db, aside).ok() && move.Bind(aside.digest, tenant_, digest).Run().ok()) {
-    transaction.Commit().IgnoreError();  // the damage is what counts
+    transaction.Commit().IgnoreError();  // the caller needs the error of the damage
   }
   return damaged;
 }
 
-/// Reads a blob and checks it against its name; its bytes go to `bytes`, if that is not null.
-/// Returns its size.
+/// Reads a blob and checks it against its name. Stores its bytes in `bytes`, unless it is null.
+/// Returns the size of the blob.
 absl::StatusOr<int64_t> PostgresBlobStore::Check(const std::string& digest, std::string* bytes) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   const Key key = {tenant_, digest};
@@ -371,7 +372,7 @@ absl::StatusOr<int64_t> PostgresBlobStore::KeptBytes() {
 absl::StatusOr<int64_t> PostgresBlobStore::DropDamaged(double aside_s) {
   const auto session = database_->Write();
   if (!session.ok()) return session.status();
-  // No digest is between the bounds, whatever the database's order of texts is.
+  // No digest is between these bounds, in any text order of a database.
   SqlQuery remove(**session,
                   "DELETE FROM blobs WHERE tenant = ? AND digest > 'cn' AND digest < 'd'"
                   " AND touched <= now() - ? * interval '1 microsecond' RETURNING size");

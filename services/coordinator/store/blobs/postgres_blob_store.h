@@ -9,10 +9,9 @@
 
 namespace slicefarm::coordinator {
 
-/// A tenant's blobs in the tables `blobs` and `blob_pieces` of `deploy/postgres`, for coordinators
-/// that share them.
-/// Damaged ones go under the name `corrupt/DIGEST`. Of an upload, what came in the last moments
-/// before the database was killed may be missing; a complete blob is on disk.
+/// Blobs of a tenant in the tables `blobs` and `blob_pieces` of `deploy/postgres`, which several
+/// coordinators share. Damaged blobs have the name `corrupt/DIGEST`. If the database is killed, the
+/// last bytes of an upload may be lost, but a complete blob is on disk.
 class PostgresBlobStore : public BlobStore {
  public:
   explicit PostgresBlobStore(std::shared_ptr<SqlDatabase> database, std::string tenant = "")
@@ -36,7 +35,7 @@ class PostgresBlobStore : public BlobStore {
   absl::StatusOr<int64_t> Check(const std::string& digest, std::string* bytes);
   absl::Status Corrupt(const std::string& digest, const std::string& got);
 
-  const std::shared_ptr<SqlDatabase> database_;  // shared with the readers that it gave
+  const std::shared_ptr<SqlDatabase> database_;  // shared with the readers that it returned
   const std::string tenant_;
   CheckedBlobs checked_;
 };

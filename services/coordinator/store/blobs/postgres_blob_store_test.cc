@@ -14,10 +14,10 @@
 namespace slicefarm::coordinator::postgres_blob_store_test {
 namespace {
 
-/// What a database was asked for.
+/// Work of a database: statements, and bytes of its answers.
 struct Work {
   int statements = 0;
-  int64_t bytes = 0;  ///< that came back as texts and blobs
+  int64_t bytes = 0;  ///< bytes of texts and blobs in the answers
 };
 
 class CountedStatement : public SqlStatement {

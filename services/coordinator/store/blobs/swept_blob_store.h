@@ -7,7 +7,8 @@
 
 namespace slicefarm::coordinator {
 
-/// What tests put in the place of a store that is swept: the calls that no sweep makes are errors.
+/// Base class of blob stores for tests of the sweep. Calls that a sweep does not make return
+/// errors.
 class SweptBlobStore : public BlobStore {
  public:
   absl::StatusOr<int64_t> KeptBytes() override { return Unused(); }

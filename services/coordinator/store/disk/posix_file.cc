@@ -124,16 +124,17 @@ std::string ParentOf(const std::string& path) {
 
 absl::Status MakeDirectory(const std::string& path) {
   const std::string parent = ParentOf(path);
-  std::error_code ignored;  // mkdir tells
+  std::error_code ignored;  // mkdir reports the error
   if (!std::filesystem::is_directory(path, ignored)) {
     if (parent != path) {
       if (absl::Status made = MakeDirectory(parent); !made.ok()) return made;
     }
     if (mkdir(path.c_str(), 0750) != 0 && errno != EEXIST) return ErrnoError("mkdir", path);
   } else if (access(parent.c_str(), R_OK) != 0) {
-    return absl::OkStatus();  // not of our making
+    return absl::OkStatus();  // this program cannot have created the directory
   }
-  // Also of one that was there: who made it may not have lived to do so.
+  // An existing directory needs the fsync as well, because the process that created it may have
+  // ended before its fsync.
   return SyncDirectory(parent);
 }
 

@@ -8,26 +8,31 @@
 
 namespace slicefarm::coordinator {
 
-/// A file descriptor, and the calls that durable files are made of. Short writes and EINTR are seen
-/// to; other errors are DISK_FULL (no space, quota) or STORE_FAILED, naming the path.
+/// File descriptor with the calls that durable files need. Handles short writes and EINTR. Errors:
+/// DISK_FULL (no space, quota) or STORE_FAILED, with the path.
 class PosixFile {
  public:
-  /// Errors also: NotFound.
+  /// Opens a file for reading. Errors: also NotFound.
   static absl::StatusOr<PosixFile> OpenToRead(const std::string& path);
-  /// To read and write; created if it does not exist.
+  /// Opens a file for reading and writing. Creates it if it does not exist.
   static absl::StatusOr<PosixFile> OpenToWrite(const std::string& path);
   PosixFile(PosixFile&& other) noexcept;
   PosixFile& operator=(PosixFile&& other) noexcept;
   ~PosixFile();
 
+  /// Returns the size of the file.
   absl::StatusOr<int64_t> Size() const;
+  /// Writes the bytes at `offset`.
   absl::Status WriteAt(int64_t offset, std::string_view bytes) const;
-  /// Up to `limit` bytes; fewer only at the end of the file.
+  /// Returns up to `limit` bytes; fewer only at the end of the file.
   absl::StatusOr<std::string> ReadAt(int64_t offset, int64_t limit) const;
+  /// Cuts the file to `size` bytes.
   absl::Status Truncate(int64_t size) const;
+  /// Writes the bytes of the file to disk (fsync).
   absl::Status Sync() const;
-  /// Writes every byte over itself, and syncs. A plain Sync says nothing of bytes that an earlier
-  /// fsync could not write: the kernel tells it once, and calls them written from then on.
+  /// Writes every byte of the file again, and syncs. Needed after a failed fsync: the kernel
+  /// reports the lost bytes only once and then treats them as written, so a plain Sync would not
+  /// notice them.
   absl::Status SyncAnew() const;
 
  private:
@@ -37,23 +42,24 @@ class PosixFile {
   std::string path_;
 };
 
-/// Makes a directory (with its parents) that survives a power cut; one that is there does so
-/// afterwards, too.
+/// Creates a directory and its parents, so that they survive a power cut. An existing directory
+/// survives it afterwards as well.
 absl::Status MakeDirectory(const std::string& path);
 
-/// The directory that a file is in: "." for a name alone.
+/// Returns the directory that contains a file; "." for a name without a directory.
 std::string ParentOf(const std::string& path);
 
-/// fsync of a directory: the names in it are on disk.
+/// Calls fsync for a directory; afterwards its names are on disk.
 absl::Status SyncDirectory(const std::string& path);
 
-/// A power cut may undo it, before SyncDirectory of where `to` is.
+/// Renames a file. A power cut may undo it, until SyncDirectory is called for the directory of
+/// `to`.
 absl::Status RenameFile(const std::string& from, const std::string& to);
 
-/// So that it was written just now; OK if there is none.
+/// Sets the file's time of writing to now. Returns OK if the file does not exist.
 absl::Status TouchFile(const std::string& path);
 
-/// Removes a file; OK if there is none.
+/// Removes a file. Returns OK if it does not exist.
 absl::Status RemoveFile(const std::string& path);
 
 }  // namespace slicefarm::coordinator

@@ -13,19 +13,20 @@
 namespace slicefarm::coordinator {
 namespace {
 
-constexpr int64_t kBlockBytes = 1 << 20;  ///< that are read of a body at a time
+constexpr int64_t kBlockBytes = 1 << 20;  ///< bytes of a body that are read at a time
 constexpr size_t kMostIdle = 64;
 constexpr long kLeastBytesPerSecond = 1024;
 
-/// What a request is sent from, block by block.
+/// Body of a request, read block by block.
 struct Sending {
   const BodySource& body;
-  int64_t next = 0;  ///< where the block that is not read yet begins
+  int64_t next = 0;  ///< offset of the next block
   std::string block = {};
-  size_t used = 0;  ///< of the block
+  size_t used = 0;  ///< bytes of the block that were sent
   absl::Status status = {};
 
-  /// False: there is no more, or it cannot be read.
+  /// Reads the next block if the current one is used up. Returns false at the end of the body or
+  /// after an error.
   bool Refill() {
     if (used < block.size()) return true;
     if (next == body.size) return false;
@@ -45,7 +46,7 @@ struct Receiving {
   bool is_cut = false;
 };
 
-/// Whether addresses may be reached, and whether one was that may not.
+/// Check of addresses, and whether an address was refused.
 struct Reach {
   bool (*may_reach)(const sockaddr& address);
   bool refused = false;
@@ -60,7 +61,7 @@ size_t Send(char* to, size_t size, size_t count, void* user) {
   return taken;
 }
 
-/// When libcurl sends a body again, over another connection than it began with.
+/// Sets the position of the body. libcurl calls it to send the body again over another connection.
 int Rewind(void* user, curl_off_t offset, int) {
   auto& sending = *static_cast<Sending*>(user);
   sending.next = offset;
@@ -86,7 +87,7 @@ curl_socket_t OpenSocket(void* user, curlsocktype, curl_sockaddr* address) {
   return socket(address->family, address->socktype | SOCK_CLOEXEC, address->protocol);
 }
 
-/// Not 0: the transfer is to end.
+/// Returns a value other than 0 if the transfer must end.
 int GoOn(void* user, curl_off_t, curl_off_t, curl_off_t, curl_off_t) {
   return static_cast<const CancelToken*>(user)->Cancelled() ? 1 : 0;
 }
@@ -142,7 +143,7 @@ void SetSignature(CURL* curl, const AwsSignature& signature) {
   curl_easy_setopt(curl, CURLOPT_PASSWORD, signature.secret_key.c_str());
 }
 
-/// `receiving` and `reach` are written to until the transfer ends.
+/// Sets the callbacks of a transfer. They write to `receiving` and `reach` until the transfer ends.
 void SetCallbacks(CURL* curl, const CancelToken& cancel, Receiving& receiving, Reach& reach) {
   curl_easy_setopt(curl, CURLOPT_WRITEFUNCTION, &Receive);
   curl_easy_setopt(curl, CURLOPT_WRITEDATA, &receiving);
@@ -181,7 +182,7 @@ void* HttpClient::Take() {
 }
 
 void HttpClient::GiveBack(void* handle) {
-  curl_easy_reset(static_cast<CURL*>(handle));  // its connections stay
+  curl_easy_reset(static_cast<CURL*>(handle));  // the connections remain open
   {
     const std::lock_guard lock(mutex_);
     if (idle_.size() < kMostIdle) {

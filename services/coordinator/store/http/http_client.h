@@ -15,49 +15,55 @@
 
 namespace slicefarm::coordinator {
 
-/// Bytes that are sent, read as they are needed, and again if they must be sent again.
+/// Body of a request. It is read in parts as needed, and again if it must be sent again.
 struct BodySource {
   using Read = std::function<absl::StatusOr<std::string>(int64_t offset, int64_t limit)>;
 
   int64_t size = 0;
-  Read read;  ///< up to `limit` bytes from `offset` on; fewer only at the end
+  Read read;  ///< returns up to `limit` bytes from `offset` on; fewer only at the end
 };
 
-/// Signs a request for Amazon's S3 API: AWS Signature Version 4, over all headers of the request,
-/// `x-amz-content-sha256` among them.
+/// Signature of a request for Amazon's S3 API: AWS Signature Version 4 over all headers of the
+/// request, including `x-amz-content-sha256`.
 struct AwsSignature {
   std::string region;
   std::string access_key;
   std::string secret_key;
 };
 
+/// Request with its limits.
 struct HttpRequest {
   std::string method;  ///< GET, HEAD, PUT, POST or DELETE
   std::string url;
-  std::vector<std::string> headers = {};  ///< "Name: value"
-  const BodySource* body = nullptr;       ///< of PUT and POST
-  int64_t most_bytes = 64 << 10;          ///< of the answer; the rest is cut off
-  CancelToken cancel = {};                ///< looked at once a second, and when bytes move
+  std::vector<std::string> headers = {};  ///< headers as "Name: value"
+  const BodySource* body = nullptr;       ///< body of PUT and POST
+  int64_t most_bytes = 64 << 10;          ///< largest body of the answer; a longer body is cut off
+  /// Checked once per second, and whenever bytes are transferred.
+  CancelToken cancel = {};
   std::optional<AwsSignature> signature = {};
 };
 
+/// Answer of a server.
 struct HttpAnswer {
   int status = 0;
   std::string body;
-  int64_t content_length = 0;  ///< as the header says, also of HEAD
-  bool is_cut = false;         ///< the body was longer than the request allows
+  int64_t content_length = 0;  ///< value of the header, also for HEAD
+  bool is_cut = false;         ///< true if the body exceeded the limit of the request
 };
 
+/// Options of an HttpClient.
 struct HttpClientOptions {
-  std::string ca_file = {};  ///< of those who sign the servers' certificates; empty: the system's
+  /// Certificates of the authorities that sign the servers' certificates; empty: the system's.
+  std::string ca_file = {};
   std::chrono::milliseconds connect{5'000};
-  std::chrono::seconds stall{30};      ///< without so much as a KiB a second in all that time
-  std::chrono::milliseconds total{0};  ///< for a whole request; 0: no limit
-  /// Tells if an address may be connected to that a host's name led to; null: all may.
+  std::chrono::seconds stall{30};      ///< a transfer ends after this time with less than 1 KiB/s
+  std::chrono::milliseconds total{0};  ///< time limit of a whole request; 0: no limit
+  /// Returns true if a connection to the address of a host is allowed. If null, all addresses are
+  /// allowed.
   bool (*may_reach)(const sockaddr& address) = nullptr;
 };
 
-/// Requests over connections that are kept, as many as there are requests at a time. Follows no
+/// HTTP client that reuses connections; it has as many as there are requests at a time. Follows no
 /// redirect and uses no proxy. Thread-safe.
 class HttpClient {
  public:
@@ -66,8 +72,9 @@ class HttpClient {
   HttpClient(const HttpClient&) = delete;
   HttpClient& operator=(const HttpClient&) = delete;
 
-  /// Errors: those of the body; CANCELLED; PermissionDenied for an address that may not be reached;
-  /// Unavailable with the cause if there was no whole answer.
+  /// Makes a request and returns its answer. Errors: errors of the body; CANCELLED;
+  /// PermissionDenied for an address that is not allowed; Unavailable with the cause if there was
+  /// no complete answer.
   absl::StatusOr<HttpAnswer> Do(const HttpRequest& request);
 
  private:
@@ -76,7 +83,7 @@ class HttpClient {
 
   const HttpClientOptions options_;
   std::mutex mutex_;
-  std::vector<void*> idle_;  ///< handles of libcurl, each with its connections
+  std::vector<void*> idle_;  ///< libcurl handles that are not in use, each with its connections
 };
 
 }  // namespace slicefarm::coordinator
