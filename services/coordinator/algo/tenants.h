@@ -36,8 +36,8 @@ struct Token {
 
 /// Tokens and limits of a tenant.
 struct Tenant {
-  std::vector<Token>
-      tokens;  ///< two at most, so that a new token can be distributed before the old one expires
+  /// Two at most, so that a new token can be distributed before the old one expires.
+  std::vector<Token> tokens;
   /// Scopes of a client with a certificate and no token.
   Scopes certificate_scopes = {Scope::kSubmit, Scope::kRead};
   int64_t max_open_jobs = limits::kMaxOpenJobs;

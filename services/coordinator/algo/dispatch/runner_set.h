@@ -14,8 +14,8 @@ namespace slicefarm::coordinator {
 /// that it supports and the number of tasks that it runs at once.
 struct Runner {
   std::string name = {};  ///< address, for logs and errors
-  std::shared_ptr<const TaskRunner>
-      tasks;      ///< shared, because a call may outlive the runner's membership
+  /// Shared, because a call may outlive the runner's membership.
+  std::shared_ptr<const TaskRunner> tasks;
   int slots = 1;  ///< number of calls that may be in flight at once
   /// Waits until the runner can be reached, for at most the given time. Returns true at once if it
   /// can be reached. The dispatcher calls it before each task, so that a dead runner does not use

@@ -15,9 +15,8 @@ namespace slicefarm::coordinator {
 struct WebhookRules {
   /// URLs; a webhook may use the same scheme, host and port, and paths below.
   std::vector<std::string> allow;
-  std::vector<std::string>
-      /// Secrets of the HMACs: one, or the new and the old one during a replacement.
-      secrets;
+  /// Secrets of the HMACs: one, or the new and the old one during a replacement.
+  std::vector<std::string> secrets;
   bool private_addresses = false;  ///< true if the host may be in a private network
 };
 

@@ -14,12 +14,12 @@
 
 namespace slicefarm::coordinator {
 
-/// For tests: tests/fake_s3.py as a process of its own, as long as it is in scope. Dies if it does
-/// not start.
+/// Process of tests/fake_s3.py for tests; it ends with this object. Aborts if the process does not
+/// start.
 class FakeS3 {
  public:
   FakeS3() {
-    // In a shell of its own, so that it can be ended by its id.
+    // The shell prints its process id, so that the process can be ended.
     const std::string line = "echo $$; exec python3 '" SLICEFARM_SOURCE
                              "/tests/fake_s3.py' --dir '" +
                              directory_.path() + "'";
@@ -33,9 +33,10 @@ class FakeS3 {
   FakeS3(const FakeS3&) = delete;
   FakeS3& operator=(const FakeS3&) = delete;
 
+  /// Returns the URL of the bucket with the prefix.
   std::string Url() const { return "http://127.0.0.1:" + std::to_string(port_) + "/farm/prefix"; }
 
-  /// Of a client that gives up soon.
+  /// Returns options of a client with short time limits.
   S3Options Options(const std::string& secret = "secret") const {
     const auto credentials =
         std::make_shared<const S3Credentials>(S3Credentials{"access", secret, ""});
@@ -47,11 +48,13 @@ class FakeS3 {
     return options;
   }
 
+  /// Returns a client with the options of Options.
   std::shared_ptr<S3Client> Client(const std::string& secret = "secret") const {
     return std::make_shared<S3Client>(Options(secret));
   }
 
-  /// From now on the next `times` requests of this method fail so; those before it do not any more.
+  /// Makes the next `times` requests of this method fail with this kind of fault. Ends earlier
+  /// faults.
   void Fail(const std::string& method, const std::string& kind, int times) const {
     const std::string rule = "[{\"method\": \"" + method + "\", \"kind\": \"" + kind +
                              "\", \"times\": " + std::to_string(times) + "}]";
@@ -60,6 +63,7 @@ class FakeS3 {
     std::filesystem::rename(path + ".new", path);
   }
 
+  /// Returns the directory with the objects.
   const std::string& directory() const { return directory_.path(); }
 
  private:

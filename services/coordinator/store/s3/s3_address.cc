@@ -15,9 +15,10 @@
 namespace slicefarm::coordinator {
 namespace {
 
-constexpr size_t kMostPrefix = 512;  // a key is 1024 bytes at most, and we add less than 200
+// a key has at most 1024 bytes, of which the store needs less than 200
+constexpr size_t kMostPrefix = 512;
 
-/// What needs no thought: neither in a URL, nor as a part of a path.
+/// Returns true if the text needs no escaping in a URL and is safe as a part of a path.
 bool IsPlain(std::string_view part) {
   return !part.empty() && part != "." && part != ".." && std::ranges::all_of(part, [](char c) {
     return absl::ascii_isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == '.';
@@ -31,7 +32,7 @@ bool IsHost(std::string_view host) {
   });
 }
 
-/// Of a path without its first and last slash; false: a part of it is not plain.
+/// Returns true if all parts of a path are plain. `path` has no slash at its beginning and end.
 bool IsPlainPath(std::string_view path) {
   while (!path.empty()) {
     const size_t end = std::min(path.find('/'), path.size());
@@ -41,9 +42,9 @@ bool IsPlainPath(std::string_view path) {
   return true;
 }
 
-/// Returns a part of a path as it stands in a URL.
+/// Returns a part of a path, escaped for a URL.
 std::string Escaped(absl::string_view part) {
-  if (part.empty()) return {};  // to libcurl, a length of 0 means that it is unknown
+  if (part.empty()) return {};  // libcurl treats the length 0 as unknown
   const std::unique_ptr<char, decltype(&curl_free)> escaped(
       curl_easy_escape(nullptr, part.data(), static_cast<int>(part.size())), &curl_free);
   return escaped.get();

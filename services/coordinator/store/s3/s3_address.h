@@ -6,18 +6,19 @@
 
 namespace slicefarm::coordinator {
 
-/// Where a bucket is, and what of it is ours.
+/// Address of a bucket, and the prefix of this farm's keys.
 struct S3Address {
-  std::string endpoint;     ///< `https://HOST` or `http://HOST:PORT`
-  std::string path_prefix;  ///< of a path: `/BUCKET`, or empty if the bucket is in the host's name
-  std::string key_prefix;   ///< of keys: empty, or `PREFIX/`
+  std::string endpoint;  ///< `https://HOST` or `http://HOST:PORT`
+  /// Prefix of paths: `/BUCKET`, or empty if the host's name contains the bucket.
+  std::string path_prefix;
+  std::string key_prefix;  ///< prefix of keys: empty, or `PREFIX/`
 
-  /// The URL of an object. Bytes of its path that a URL does not take become %XX.
+  /// Returns the URL of an object. Bytes that are not allowed in a URL become %XX.
   std::string UrlOf(const std::string& key) const;
 };
 
-/// Of `http[s]://HOST[:PORT]/BUCKET[/PREFIX]`; `bucket_in_host`: HOST is the bucket's own, and the
-/// path the prefix alone. Errors: InvalidArgument.
+/// Reads an address `http[s]://HOST[:PORT]/BUCKET[/PREFIX]`. `bucket_in_host`: HOST belongs to the
+/// bucket, and the path is only the prefix. Errors: InvalidArgument.
 absl::StatusOr<S3Address> ParseS3Address(const std::string& url, bool bucket_in_host = false);
 
 }  // namespace slicefarm::coordinator

@@ -56,7 +56,8 @@ S3BlobStore::S3BlobStore(std::shared_ptr<S3Client> bucket, std::shared_ptr<SqlDa
 
 absl::StatusOr<BlobStatus> S3BlobStore::Status(const std::string& digest) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
-  // In the end once more, as an upload may have become a blob between two looks.
+  // The blob is checked again at the end, because an upload may become a blob between the two
+  // checks.
   for (const bool again : {false, true}) {
     const auto found = index_->Find(digest);
     if (!found.ok()) return found.status();
@@ -85,7 +86,7 @@ absl::StatusOr<BlobStatus> S3BlobStore::Append(const std::string& digest, int64_
   if (!known.ok() || known->complete) return known;
   auto status = staged_->Append(digest, offset, bytes);
   if (!IsOffset(status.status())) return status;
-  const auto now = Status(digest);  // it may have become a blob
+  const auto now = Status(digest);  // the upload may have become a blob
   return now.ok() && now->complete ? now : status;
 }
 
@@ -97,18 +98,19 @@ absl::StatusOr<BlobStatus> S3BlobStore::Finish(const std::string& digest, int64_
   if (*found) return BlobStatus{(*found)->size, /*complete=*/true};
   auto status = staged_->Finish(digest, size);
   if (!status.ok()) {
-    const auto now = Status(digest);  // another process may have finished it
+    const auto now = Status(digest);  // another process may have finished the upload
     return IsOffset(status.status()) && now.ok() && now->complete ? now : status;
   }
   return Move(digest);
 }
 
-/// A complete blob of the other store becomes one of the bucket, unless it is that already.
+/// Moves a complete blob of the staging store into the bucket, unless the bucket has it already.
 absl::StatusOr<BlobStatus> S3BlobStore::Move(const std::string& digest) {
   const auto found = index_->Touch(digest, NowUs());
   if (!found.ok()) return found.status();
   const auto reader = staged_->OpenUnchecked(digest);
-  if (absl::IsNotFound(reader.status())) return Status(digest);  // another process has moved it
+  // another process has moved the blob
+  if (absl::IsNotFound(reader.status())) return Status(digest);
   if (!reader.ok()) return reader.status();
   const BodySource body{(*reader)->size(), [&](int64_t offset, int64_t limit) {
                           return (*reader)->Read(offset, limit);
@@ -120,7 +122,7 @@ absl::StatusOr<BlobStatus> S3BlobStore::Move(const std::string& digest) {
   return BlobStatus{body.size, /*complete=*/true};
 }
 
-/// What fails in between leaves an object that the sweep deletes.
+/// Puts an object and makes it the blob. After a failure in between, the sweep deletes the object.
 absl::Status S3BlobStore::PutObject(const std::string& digest, const BodySource& body) {
   const S3Index::Found object = {
       absl::StrCat(folder_, "/", digest.substr(0, 2), "/", digest, ".", Random()), body.size};
@@ -131,11 +133,12 @@ absl::Status S3BlobStore::PutObject(const std::string& digest, const BodySource&
   if (!made.ok()) return BucketAway(made.status());
   if (*made) return absl::OkStatus();
   if (absl::Status deleted = bucket_->Delete(object.object); !deleted.ok())
-    return absl::OkStatus();  // the sweep will
+    return absl::OkStatus();  // the sweep will delete the object
   return index_->Forget(object.object);
 }
 
-/// A blob whose object is there counts as used. One whose object is gone is to be put again.
+/// Returns true if the object of the blob exists, and marks the blob as used. If the object is
+/// missing, its row is removed and the blob must be put again.
 absl::StatusOr<bool> S3BlobStore::HasGood(const std::string& digest) {
   const auto found = index_->Touch(digest, NowUs());
   if (!found.ok()) return found.status();
@@ -164,7 +167,8 @@ absl::StatusOr<std::string> S3BlobStore::PutText(const SpooledText& text) {
   return digest;
 }
 
-/// Of an object; its bytes go to `bytes`, if that is not null. Errors: DataLoss if it is gone.
+/// Returns the digest of an object. Appends its bytes to `bytes`, unless it is null. Errors:
+/// DataLoss if the object is missing.
 absl::StatusOr<std::string> S3BlobStore::Digest(const S3Index::Found& found, std::string* bytes) {
   S3Reader reader(bucket_, found);
   Sha256 sha;
@@ -178,8 +182,9 @@ absl::StatusOr<std::string> S3BlobStore::Digest(const S3Index::Found& found, std
   return sha.Hex();
 }
 
-/// Twice before it counts as damaged, as bytes may have changed on the way. A damaged one is put
-/// aside, unless a good one has taken its place.
+/// Checks an object against the blob's name. Reads it twice before it counts as damaged, because
+/// bytes may change in transfer. Puts a damaged object aside, unless another object has become the
+/// blob.
 absl::Status S3BlobStore::Check(const std::string& digest, const S3Index::Found& found,
                                 std::string* bytes) {
   std::string got;
@@ -247,7 +252,8 @@ absl::StatusOr<std::string> S3BlobStore::Get(const std::string& digest) {
   return BlobNotFound(digest);
 }
 
-/// The blob is gone once its row is; an object that cannot be deleted now waits for the sweep.
+/// Removes the row of the blob, and then its object. If the object cannot be deleted now, the sweep
+/// deletes it later.
 absl::StatusOr<bool> S3BlobStore::Delete(const std::string& digest, double idle_s) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   const auto loosened = index_->Loosen(digest, idle_s, NowUs());
@@ -298,7 +304,7 @@ absl::Status S3BlobStore::Settle(const std::function<void(const BlobEntry&)>& mo
   if (!listed.ok()) return listed;
   for (const BlobEntry& blob : complete) {
     const auto moving = movers_.Take(blob.digest);
-    const auto opened = staged_->Open(blob.digest);  // a damaged one is put aside
+    const auto opened = staged_->Open(blob.digest);  // Open puts a damaged blob aside
     if (!opened.ok() && (absl::IsNotFound(opened.status()) || absl::IsDataLoss(opened.status())))
       continue;
     if (!opened.ok()) return opened.status();

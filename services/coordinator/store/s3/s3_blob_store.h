@@ -12,12 +12,13 @@
 
 namespace slicefarm::coordinator {
 
-/// A tenant's blobs as objects of a bucket, and which those are in the jobs' database. Uploads that
-/// are not complete are in another store, as no object can be appended to; so are blobs that were
-/// there before the bucket was, until Settle moves them. Each blob is one PUT, whose digest the
-/// server checks.
+/// Blobs of a tenant as objects of a bucket; the jobs' database contains the names of their
+/// objects. Incomplete uploads are in a staging store, because bytes cannot be appended to an
+/// object. Blobs from before the use of the bucket are in the staging store as well, until Settle
+/// moves them. Each blob is one PUT, and the server checks its digest.
 ///
-/// An object is `tenants/NAME/blobs/aa/DIGEST.RANDOM`, of no tenant `blobs/...`.
+/// The name of an object is `tenants/NAME/blobs/aa/DIGEST.RANDOM`. Without a tenant, it begins with
+/// `blobs/`.
 class S3BlobStore : public BlobStore {
  public:
   S3BlobStore(std::shared_ptr<S3Client> bucket, std::shared_ptr<SqlDatabase> database,
@@ -34,12 +35,12 @@ class S3BlobStore : public BlobStore {
   absl::StatusOr<std::string> Get(const std::string& digest) override;
   absl::StatusOr<bool> Delete(const std::string& digest, double idle_s) override;
   absl::StatusOr<int64_t> KeptBytes() override;
-  /// Also deletes objects that are no blob any more.
+  /// Removes damaged blobs, and deletes objects that no longer belong to a blob.
   absl::StatusOr<int64_t> DropDamaged(double aside_s) override;
   absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit) override;
 
-  /// Moves the complete blobs of the other store into the bucket; `moved` is told of each. One that
-  /// is damaged is put aside there. What was moved before an error stays so.
+  /// Moves the complete blobs of the staging store into the bucket, and calls `moved` for each.
+  /// Damaged blobs are put aside there. Blobs that were moved before an error stay in the bucket.
   absl::Status Settle(const std::function<void(const BlobEntry&)>& moved);
 
  private:
@@ -49,12 +50,12 @@ class S3BlobStore : public BlobStore {
   absl::StatusOr<std::string> Digest(const S3Index::Found& found, std::string* bytes);
   absl::Status Check(const std::string& digest, const S3Index::Found& found, std::string* bytes);
 
-  const std::shared_ptr<S3Client> bucket_;   // shared with the readers that it gave
+  const std::shared_ptr<S3Client> bucket_;   // shared with the readers that it returned
   const std::shared_ptr<BlobStore> staged_;  // may be shared with other stores
   const std::string folder_;
   const std::shared_ptr<S3Index> index_;
   CheckedBlobs checked_;
-  NameLocks movers_;  ///< one puts a blob at a time, whose bytes may be 2 GB
+  NameLocks movers_;  ///< locks by blob: one thread at a time puts a blob, which may have 2 GB
 };
 
 }  // namespace slicefarm::coordinator

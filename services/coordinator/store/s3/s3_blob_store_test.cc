@@ -1,5 +1,5 @@
-// The bucket's own: what fails between us and it. What every store of blobs does is in
-// blob_store_contract_test.cc, with this one in its list.
+// Tests of failures between the store and the bucket. The contract tests of all blob stores are in
+// blob_store_contract_test.cc, which includes this store.
 #include "services/coordinator/store/s3/s3_blob_store.h"
 
 #include <gmock/gmock.h>
@@ -31,7 +31,7 @@ class S3BlobStoreTest : public testing::Test {
     return std::make_unique<S3BlobStore>(bucket_.Client(), database_, staged_, tenant);
   }
 
-  /// Objects that are in the bucket.
+  /// Returns the objects in the bucket.
   std::vector<fs::path> Objects() const {
     std::vector<fs::path> objects;
     for (const auto& entry : fs::directory_iterator(bucket_.directory())) {
@@ -41,7 +41,7 @@ class S3BlobStoreTest : public testing::Test {
     return objects;
   }
 
-  /// Whether all objects in the bucket are known to the database.
+  /// Returns true if the database contains all objects in the bucket.
   bool KnowsAllObjects() const {
     const auto session = database_->Read();
     for (const fs::path& path : Objects()) {
@@ -62,7 +62,7 @@ class S3BlobStoreTest : public testing::Test {
     return query.Next() ? query.Int(0) : -1;
   }
 
-  /// All of a blob, as a download reads it.
+  /// Returns all bytes of a blob, read as a download does.
   absl::StatusOr<std::string> Streamed(const std::string& digest) {
     const auto reader =
         OpenToStream(std::shared_ptr<BlobStore>(store_.get(), [](BlobStore*) {}), digest);
@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(Calls, S3FaultsTest, testing::ValuesIn(AllFaults()), []
   return info.param.method + "_" + info.param.kind;
 });
 
-/// What a client of the store wants of it, each again until it is done, as its callers do.
+/// Makes a call and repeats it until it succeeds, as the callers of the store do.
 template <typename Call>
 void UntilDone(const Call& call) {
   absl::Status last;
@@ -123,14 +123,16 @@ void UntilDone(const Call& call) {
   ADD_FAILURE() << last;
 }
 
-/// In a row: more than there are tries. Of stalls one, as each is a second; bytes that are read
-/// otherwise three times in a row are damaged.
+/// Returns the largest number of faults in a row, which is more than the number of tries. For
+/// stalls it is one, because each takes a second. Three reads in a row with wrong bytes would count
+/// as damage.
 int MostTimes(const Fault& fault) {
   if (fault.kind == "stall") return 1;
   return fault.method == "GET" && fault.kind == "wrong" ? 2 : 5;
 }
 
-// Whatever the store acknowledges is so, and every object is known to somebody who may delete it.
+// Everything that the store acknowledges must be stored. The database must contain every object, so
+// that it can be deleted.
 TEST_P(S3FaultsTest, NothingAcknowledgedIsLost) {
   for (const int times : {1, MostTimes(GetParam())}) {
     const std::string bytes = bytes_ + std::to_string(times);
@@ -141,7 +143,7 @@ TEST_P(S3FaultsTest, NothingAcknowledgedIsLost) {
     UntilDone([&] { return store_->Put(bytes).status(); });
     UntilDone([&] { return store_->Append(mesh_digest, 0, mesh).status(); });
     UntilDone([&] { return store_->Finish(mesh_digest, std::ssize(mesh)).status(); });
-    UntilDone([&] { return store_->Put(bytes).status(); });  // looks whether it is there
+    UntilDone([&] { return store_->Put(bytes).status(); });  // checks that the blob exists
     EXPECT_TRUE(store_->Status(digest)->complete);
     EXPECT_TRUE(store_->Status(mesh_digest)->complete);
     UntilDone([&] {
@@ -158,17 +160,17 @@ TEST_P(S3FaultsTest, NothingAcknowledgedIsLost) {
     EXPECT_EQ(store_->Status(mesh_digest)->committed_size, 0);
   }
   EXPECT_TRUE(KnowsAllObjects());
-  // A day later.
+  // Simulates the next day.
   ASSERT_TRUE((*database_->Write())->Execute("UPDATE s3_loose SET since_us = 0").ok());
   UntilDone([&] { return store_->DropDamaged(0).status(); });
   EXPECT_EQ(std::ssize(Objects()), Rows("s3_blobs"));
   EXPECT_EQ(Rows("s3_loose"), 0);
 }
 
-// Whoever waits for a bucket that is away, or says nothing, can be called off. Without that, this
-// takes an hour.
+// A wait for a bucket that is unreachable or silent must end when it is cancelled. Otherwise this
+// test takes an hour.
 TEST_F(S3BlobStoreTest, AWaitForTheBucketEndsWhenItIsNotWantedAnyMore) {
-  // Looked at often between two tries, and once a second while nothing comes.
+  // Cancellation is checked often between two tries, and once per second while no bytes arrive.
   for (const auto& [kind, looks] : {std::pair("503", 30), std::pair("stall", 3)}) {
     S3Options options = bucket_.Options();
     options.http.stall = std::chrono::hours(1);
@@ -191,7 +193,8 @@ TEST_F(S3BlobStoreTest, AWrongSecretIsTold) {
   EXPECT_NE(refused.message().find("SignatureDoesNotMatch"), std::string::npos) << refused;
 }
 
-// Whoever was killed between an object and its row: the sweep finds it a day later, not before.
+// An object without a row remains if a process is killed between the two steps. The sweep deletes
+// it a day later, not before.
 TEST_F(S3BlobStoreTest, AnObjectOfAPutThatDidNotEndGoes) {
   S3Index index(database_, "");
   const int64_t day_ago = 1'000;
@@ -204,7 +207,8 @@ TEST_F(S3BlobStoreTest, AnObjectOfAPutThatDidNotEndGoes) {
   ASSERT_TRUE(store_->DropDamaged(0).ok());
   EXPECT_EQ(Objects().size(), 1u);
   EXPECT_EQ(Rows("s3_loose"), 1);
-  // Who put it after all, and late, learns that it is not his any more.
+  // A process that puts the object too late gets an error, because the object does not belong to it
+  // any more.
   EXPECT_TRUE(absl::IsAborted(index.Complete("x", {"blobs/aa/left", 3}, 5).status()));
 }
 
@@ -235,7 +239,8 @@ TEST_F(S3BlobStoreTest, ADamagedObjectIsPutAside) {
   EXPECT_FALSE(fs::exists(object));
 }
 
-// An old object is deleted late, when its blob was put again: they have other names.
+// The deletion of an old object may run after its blob was put again. It does no harm, because the
+// objects have different names.
 TEST_F(S3BlobStoreTest, ALateDeletionTakesNothingNew) {
   ASSERT_TRUE(store_->Put(bytes_).ok());
   bucket_.Fail("DELETE", "503", 4);
@@ -283,7 +288,7 @@ TEST_F(S3BlobStoreTest, AMoveGoesOnWhereItEnded) {
   for (const std::string& text : texts) EXPECT_EQ(*store_->Get(Sha256Hex(text)), text);
 }
 
-// PostgreSQL's reader finds its rows gone.
+// The rows of PostgreSQL's reader are gone.
 TEST_F(S3BlobStoreTest, AReaderWhoseBytesMoveGoesOnInTheBucket) {
   class Gone : public BlobReader {
    public:

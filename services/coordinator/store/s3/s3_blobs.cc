@@ -5,7 +5,7 @@
 namespace slicefarm::coordinator {
 
 absl::StatusOr<std::shared_ptr<S3BlobStore>> S3Blobs::StoreOf(const std::string& tenant) {
-  auto staged = staged_->Of(tenant);  // which looks at the name
+  auto staged = staged_->Of(tenant);  // also checks the name
   if (!staged.ok()) return staged.status();
   const std::lock_guard lock(mutex_);
   std::shared_ptr<S3BlobStore>& store = stores_[tenant];

@@ -12,7 +12,8 @@
 
 namespace slicefarm::coordinator {
 
-/// In a bucket: see S3BlobStore. `staged`: uploads, and blobs that were there before the bucket.
+/// Blob stores in a bucket (S3BlobStore). `staged`: stores of uploads, and of blobs from before the
+/// use of the bucket.
 class S3Blobs : public BlobStores {
  public:
   S3Blobs(std::shared_ptr<S3Client> bucket, std::shared_ptr<SqlDatabase> database,
@@ -22,14 +23,14 @@ class S3Blobs : public BlobStores {
   absl::StatusOr<std::shared_ptr<BlobStore>> Of(const std::string& tenant) override;
   absl::StatusOr<std::vector<std::string>> Tenants() override;
 
-  /// S3BlobStore::Settle of each tenant.
+  /// Calls S3BlobStore::Settle for each tenant.
   absl::Status Settle(const std::function<void(const BlobEntry&)>& moved);
 
  private:
   absl::StatusOr<std::shared_ptr<S3BlobStore>> StoreOf(const std::string& tenant);
 
   const std::shared_ptr<S3Client> bucket_;       // shared with the stores
-  const std::shared_ptr<SqlDatabase> database_;  // the same
+  const std::shared_ptr<SqlDatabase> database_;  // shared with the stores
   const std::unique_ptr<BlobStores> staged_;
   std::mutex mutex_;
   std::map<std::string, std::shared_ptr<S3BlobStore>> stores_;  // shared with calls in flight

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kProbeKey = "slicefarm-probe";
 
-/// What stands between <Code> and </Code>, which is all that an error's XML is read for.
+/// Returns the text between <Code> and </Code>. The rest of an error's XML is not needed.
 std::string_view CodeOf(std::string_view body) {
   const size_t begin = body.find("<Code>");
   if (begin == std::string_view::npos) return {};
@@ -24,9 +24,9 @@ std::string_view CodeOf(std::string_view body) {
   return body.substr(0, body.find('<'));
 }
 
-/// Whether a request that was answered so may be answered otherwise a moment later.
+/// Returns true if a repeated request may get a better answer after a moment.
 bool MayGoBetter(int status, std::string_view code) {
-  if (status == 400) {  // the bytes came as others, or not all of them
+  if (status == 400) {  // the bytes changed in transfer, or some are missing
     for (const char* each :
          {"XAmzContentSHA256Mismatch", "BadDigest", "IncompleteBody", "RequestTimeout"})
       if (code == each) return true;
@@ -55,8 +55,8 @@ const std::string& DigestOfNothing() {
 struct S3Client::Wanted {
   std::string method;
   std::string key;
-  std::string range = {};            ///< of GET
-  const BodySource* body = nullptr;  ///< of PUT
+  std::string range = {};            ///< range of GET
+  const BodySource* body = nullptr;  ///< body of PUT
   std::string sha256 = DigestOfNothing();
   int64_t most_bytes = 64 << 10;
 };
@@ -106,7 +106,8 @@ absl::StatusOr<std::string> S3Client::Get(const std::string& key, int64_t offset
                      .range = absl::StrCat("bytes=", offset, "-", offset + count - 1),
                      .most_bytes = std::max<int64_t>(count, 64 << 10)});
   if (!answer.ok()) return answer.status();
-  // Who knows no ranges sends all, which is the same only from the beginning on.
+  // A server without support for ranges sends the whole object, which is correct only if offset is
+  // 0.
   if ((answer->status != 206 && offset > 0) || std::ssize(answer->body) > count)
     return absl::UnavailableError("the bucket answers with other bytes than were asked for");
   return std::move(answer->body);

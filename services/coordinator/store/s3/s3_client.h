@@ -12,47 +12,50 @@
 
 namespace slicefarm::coordinator {
 
-/// Keys of a bucket.
+/// Keys for the access to a bucket.
 struct S3Credentials {
   std::string access_key;
   std::string secret_key;
-  std::string session_token = {};  ///< of keys that are for some time; empty: none
+  std::string session_token = {};  ///< token of temporary keys; empty: none
 };
 
-/// The credentials as they are now.
+/// Function that returns the current credentials.
 using S3CredentialsNow = std::function<std::shared_ptr<const S3Credentials>()>;
 
+/// Options of an S3Client.
 struct S3Options {
   S3Address address;
   std::string region = "us-east-1";
   S3CredentialsNow credentials;
   HttpClientOptions http = {};
-  int tries = 4;                               ///< of what may go better a moment later
-  std::chrono::milliseconds first_pause{200};  ///< twice as long each time
+  int tries = 4;  ///< tries of a request that may succeed after a moment
+  /// First pause between tries; each further pause is twice as long.
+  std::chrono::milliseconds first_pause{200};
 };
 
-/// Objects of a bucket, by Amazon's S3 API or another one that speaks it. Thread-safe.
+/// Client for the objects of a bucket, by Amazon's S3 API or a compatible API. Thread-safe.
 ///
-/// Errors of all: NotFound for an object that is not there; PermissionDenied if the bucket refuses
-/// us; CANCELLED by the thread's CancelScope, also between two tries; Unavailable for everything
-/// else, after as many tries as the options say.
+/// Errors of all functions: NotFound if the object does not exist; PermissionDenied if the bucket
+/// refuses access; CANCELLED by the thread's CancelScope, also between two tries; Unavailable for
+/// all other errors, after as many tries as the options allow.
 class S3Client {
  public:
   explicit S3Client(S3Options options) : options_(std::move(options)), http_(options_.http) {}
 
-  /// The server compares the digest with what came, so that nothing else becomes the object.
-  /// Errors also: those of the body.
+  /// Writes an object. The server compares the digest with the received bytes, so that no other
+  /// bytes become the object. Errors: also errors of the body.
   absl::Status Put(const std::string& key, const std::string& sha256, const BodySource& body);
 
-  /// `count` bytes from `offset` on; fewer if the object ends before. REQUIRES: count >= 1.
+  /// Returns `count` bytes from `offset` on; fewer if the object ends before. REQUIRES: count >= 1.
   absl::StatusOr<std::string> Get(const std::string& key, int64_t offset, int64_t count);
 
+  /// Returns the size of an object.
   absl::StatusOr<int64_t> Size(const std::string& key);
 
-  /// Nothing happens to one that is not there.
+  /// Deletes an object. Does nothing if it does not exist.
   absl::Status Delete(const std::string& key);
 
-  /// Writes a small object and reads it, so that a wrong address or secret shows.
+  /// Writes a small object and reads it, to detect a wrong address or secret.
   absl::Status Probe();
 
  private:

@@ -7,7 +7,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// By then an object was put, or never will be: a stalled one is given up within a minute.
+/// Time after which the put of an object has ended in any case. A stalled put is aborted within a
+/// minute.
 constexpr int64_t kPutWithinUs = int64_t{24} * 3600 * 1'000'000;
 
 // States of loose objects.
@@ -23,7 +24,7 @@ absl::Status AddLoose(SqlConnection& db, const std::string& object, const std::s
   return add.Bind(object, tenant, state, now_us).Run();
 }
 
-/// The only row of a statement, to its end.
+/// Returns the only row of a statement. Reads the statement to its end.
 absl::StatusOr<std::optional<S3Index::Found>> OneOf(SqlQuery& query) {
   std::optional<S3Index::Found> found;
   while (query.Next()) found = {query.Text(0), query.Int(1)};
@@ -85,7 +86,8 @@ absl::StatusOr<bool> S3Index::Complete(const std::string& digest, const Found& o
   return true;
 }
 
-/// `object`: this one alone; empty: whichever is the blob.
+/// Removes the row of a blob and makes its object loose. `object`: only if this is the blob's
+/// object; empty: for any object.
 absl::StatusOr<std::optional<S3Index::Found>> S3Index::Remove(const std::string& digest,
                                                               const std::string& object,
                                                               int64_t touched_before_us,

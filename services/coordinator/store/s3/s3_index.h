@@ -13,15 +13,16 @@
 
 namespace slicefarm::coordinator {
 
-/// Which object of a bucket a tenant's blobs are, in the tables `s3_blobs` and `s3_loose` of the
-/// jobs' database.
+/// Index of a tenant's blobs in a bucket: the object of each blob. It is in the tables `s3_blobs`
+/// and `s3_loose` of the jobs' database.
 ///
-/// The name of an object is never given twice, and stands in `s3_loose` from before it is put until
-/// a blob is made of it, and again from when that is none any more until the object is deleted. So
-/// each object is known to somebody, whoever is killed when; what is deleted is never what another
-/// one puts; and nobody needs a list of the bucket. Thread-safe.
+/// The name of an object is never used twice. The object is in `s3_loose` from before its put until
+/// a blob is made of it. It is there again from the removal of the blob until its deletion. So the
+/// database contains every object, no matter when a process is killed. A deletion never affects an
+/// object that another process puts. The bucket never has to be listed. Thread-safe.
 class S3Index {
  public:
+  /// Object of a blob, and its size.
   struct Found {
     std::string object;
     int64_t size = 0;
@@ -30,34 +31,38 @@ class S3Index {
   S3Index(std::shared_ptr<SqlDatabase> database, std::string tenant)
       : database_(std::move(database)), tenant_(std::move(tenant)) {}
 
+  /// Returns the object of a blob; nullopt if the blob is not in the bucket.
   absl::StatusOr<std::optional<Found>> Find(const std::string& digest);
-  /// The same; the blob counts as used.
+  /// Returns the object as Find does, and marks the blob as used.
   absl::StatusOr<std::optional<Found>> Touch(const std::string& digest, int64_t now_us);
 
-  /// An object is about to be put.
+  /// Records an object before it is put.
   absl::Status Begin(const std::string& object, int64_t now_us);
-  /// It was, and is the blob now. False: another object is the blob already, and this one stays
-  /// loose. Errors also: Aborted if the object was given up since Begin.
+  /// Makes an object the blob after it was put. Returns false if another object is the blob
+  /// already; then this object stays loose. Errors: also Aborted if the object was given up after
+  /// Begin.
   absl::StatusOr<bool> Complete(const std::string& digest, const Found& object, int64_t now_us);
 
-  /// The blob is none any more, if it was not used for so long; its object is loose. None: nothing
-  /// happened.
+  /// Removes a blob that was not used for `idle_s`, and makes its object loose. Returns nullopt if
+  /// nothing was removed.
   absl::StatusOr<std::optional<Found>> Loosen(const std::string& digest, double idle_s,
                                               int64_t now_us);
-  /// The same of this very object, which is damaged and stays for some time. Nothing happens if
-  /// another one is the blob.
+  /// Removes the blob of a damaged object. The object stays for some time. Does nothing if another
+  /// object is the blob.
   absl::Status PutAside(const std::string& digest, const std::string& object, int64_t now_us);
 
-  /// Objects that can be deleted, at most so many: those that are no blob any more; damaged ones
-  /// that were put aside so long ago; those that somebody began to put a day ago.
+  /// Returns at most `limit` objects that may be deleted: objects without a blob; damaged objects
+  /// that were put aside at least `aside_s` ago; and objects with a put that began a day ago.
   absl::StatusOr<std::vector<std::string>> Loose(double aside_s, int64_t now_us, int32_t limit);
-  /// The object was deleted.
+  /// Removes an object from the index after its deletion.
   absl::Status Forget(const std::string& object);
 
+  /// Returns the total size of the blobs.
   absl::StatusOr<int64_t> Bytes();
+  /// Calls `visit` for each blob.
   absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit, int64_t now_us);
 
-  /// Those who have blobs or loose objects.
+  /// Returns the tenants that have blobs or loose objects.
   static absl::StatusOr<std::vector<std::string>> Tenants(SqlDatabase& database);
 
  private:

@@ -9,7 +9,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// By one request at most, for who reads in order.
+/// Largest size of one request for a client that reads in order.
 constexpr int64_t kAheadBytes = 4 << 20;
 
 }  // namespace
@@ -20,7 +20,7 @@ absl::Status BucketAway(const absl::Status& status) {
   return of_bucket ? StoreAway(absl::StrCat("S3: ", status.message())) : status;
 }
 
-/// Fewer bytes if the object, or the rest of it, is gone.
+/// Returns fewer bytes if the object or its rest is missing.
 absl::StatusOr<std::string> S3Reader::Fetch(int64_t offset, int64_t count) {
   auto bytes = bucket_->Get(found_.object, offset, count);
   if (absl::IsNotFound(bytes.status())) return std::string();
@@ -34,7 +34,7 @@ absl::StatusOr<std::string> S3Reader::ReadWithin(int64_t offset, int64_t count) 
   if (!in_order) return Fetch(offset, count);
   const int64_t skip = offset - ahead_at_;
   if (skip < 0 || skip + count > std::ssize(ahead_)) {
-    // The first piece alone: most who read it want no other one.
+    // The first request reads only the first piece, because most readers need no more.
     const int64_t most = offset == 0 ? count : std::max(count, kAheadBytes);
     auto fetched = Fetch(offset, std::min(most, size() - offset));
     if (!fetched.ok()) return fetched;
