@@ -10,12 +10,12 @@
 
 namespace slicefarm::coordinator {
 
-/// A JobStore that makes every call by one function of `Derived`, which derives from it:
+/// JobStore that passes every call to one function of `Derived`, which derives from this class:
 ///
 ///   template <typename Method, typename... Args>
 ///   auto Dispatch(const char* name, Method method, const Args&... args);
 ///
-/// `method` is the one of JobStore that was called, with the arguments it was called with.
+/// `method` is the called method of JobStore, and `args` are its arguments.
 template <typename Derived>
 class JobStoreCalls : public JobStore {
  public:
@@ -136,13 +136,15 @@ class JobStoreCalls : public JobStore {
   }
 };
 
-/// A JobStore that hands each call on to another one: for those that change some of them.
+/// JobStore that passes each call to another store. Base class of stores that change some of the
+/// calls.
 class ForwardingJobStore : public JobStoreCalls<ForwardingJobStore> {
  public:
-  /// `store` outlives this.
+  /// Passes the calls to `store`, which must outlive this object.
   explicit ForwardingJobStore(JobStore& store) : store_(store) {}
 
   template <typename Method, typename... Args>
+  /// Calls the method of the other store.
   auto Dispatch(const char* /*name*/, Method method, const Args&... args) {
     return (store_.*method)(args...);
   }

@@ -7,7 +7,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// In the place of a state's name: builds that do not know it pass over it.
+/// Word in place of a state's name. Builds that do not support it ignore the notice.
 constexpr std::string_view kProgress = "PROGRESS";
 
 }  // namespace

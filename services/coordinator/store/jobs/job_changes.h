@@ -12,7 +12,7 @@
 
 namespace slicefarm::coordinator {
 
-/// A step in the life of a job, as coordinators that share a store tell each other of it.
+/// Step of a job, as a notice between coordinators that share a store.
 struct JobChange {
   std::string job_id;
   JobState state = JobState::kQueued;
@@ -21,48 +21,54 @@ struct JobChange {
   friend bool operator==(const JobChange&, const JobChange&) = default;
 };
 
+/// Returns the text of a notice.
 std::string ToText(const JobChange& change);
+/// Reads the text of a notice; nullopt if it is none.
 std::optional<JobChange> JobChangeFromText(std::string_view text);
 
-/// How far a run of a job has come.
+/// Progress of a run of a job.
 struct JobProgress {
-  int64_t epoch = 0;    ///< of the claim under which it runs
-  int64_t time_us = 0;  ///< when it was so
+  int64_t epoch = 0;    ///< epoch of the run's lease
+  int64_t time_us = 0;  ///< time of this progress
   int32_t layers_total = 0;
   int32_t layers_done = 0;
 
   friend bool operator==(const JobProgress&, const JobProgress&) = default;
 };
 
-/// Of all jobs that a coordinator runs, which no store keeps.
+/// Progress of all jobs that a coordinator runs. No store contains it.
 struct ProgressReport {
   std::string owner;
-  std::map<std::string, JobProgress> jobs;  ///< by id; at most kMostReported count
+  /// Progress by job id; only kMostReported of them are sent.
+  std::map<std::string, JobProgress> jobs;
 
   friend bool operator==(const ProgressReport&, const ProgressReport&) = default;
 };
 
-/// What PostgreSQL takes in a notice.
+/// Largest number of jobs that fit into a notice of PostgreSQL.
 inline constexpr size_t kMostReported = 80;
 
-/// REQUIRES: owner and ids have no white space.
+/// Returns the text of a notice. REQUIRES: the owner and the ids have no white space.
 std::string ToText(const ProgressReport& report);
+/// Reads the text of a notice; nullopt if it is none.
 std::optional<ProgressReport> ProgressReportFromText(std::string_view text);
 
-/// Tells of the changes that others, and this process too, write to a store, and of what others
-/// tell besides.
+/// Receives notices of changes that any coordinator, including this one, writes to a shared store.
+/// Also receives the progress reports of other coordinators.
 class JobChanges {
  public:
-  /// Called from one thread, which is none of those who write.
+  /// Functions that receive the notices. They are called on one thread, which never writes to the
+  /// store.
   struct Listener {
-    /// None: some may have been missed, so anything may have changed.
+    /// Receives a change. nullopt: some changes may have been missed, so any job may have changed.
     std::function<void(const std::optional<JobChange>& change)> changed;
     std::function<void(ProgressReport report)> progressed = [](const ProgressReport&) {};
   };
 
   virtual ~JobChanges() = default;
 
-  /// Tells the others, some time later; the last report of those that come meanwhile.
+  /// Sends a report to the other coordinators some time later. If several reports arrive before
+  /// that, only the last is sent.
   virtual void Tell(const ProgressReport& report) = 0;
 };
 

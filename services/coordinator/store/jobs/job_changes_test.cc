@@ -29,7 +29,7 @@ TEST(ProgressReport, IsNoChangeOfAJob) {
   EXPECT_EQ(JobChangeFromText(ToText(ProgressReport{"c1", {}})), std::nullopt);
 }
 
-// What PostgreSQL takes.
+// PostgreSQL limits the length of a notice.
 TEST(ProgressReport, OfManyJobsIsNoLongerThanANotice) {
   ProgressReport report = {std::string(64, 'c'), {}};
   for (int i = 0; i < 200; ++i)

@@ -6,11 +6,12 @@
 namespace slicefarm::coordinator {
 namespace {
 
-// Two rows of `chores` that are no chores: deploy/restore.sh deletes them.
+// Names of two rows in `chores` that contain the time of use instead of a chore. deploy/restore.sh
+// deletes them.
 constexpr char kUseBegin[] = "use_begin";
 constexpr char kUseLast[] = "use_last";
 
-/// Returns the times of both rows by their names. Errors: the database's.
+/// Returns the times of both rows by their names. Errors: errors of the database.
 absl::StatusOr<std::map<std::string, int64_t>> UseOf(SqlConnection& db) {
   std::map<std::string, int64_t> use;
   SqlQuery ask(db, "SELECT name, until_us FROM chores WHERE name IN (?, ?)");

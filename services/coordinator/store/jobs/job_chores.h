@@ -8,9 +8,10 @@
 
 namespace slicefarm::coordinator {
 
-/// JobStore::TakeChore and InUseSince in SQL: the table `chores`.
+/// Implements JobStore::TakeChore in SQL, with the table `chores`.
 absl::StatusOr<bool> TakeChore(SqlConnection& db, const std::string& chore, int64_t now_us,
                                int64_t until_us);
+/// Implements JobStore::InUseSince in SQL, with the table `chores`.
 absl::StatusOr<int64_t> InUseSince(SqlConnection& db, int64_t now_us, int64_t most_gap_us);
 
 }  // namespace slicefarm::coordinator

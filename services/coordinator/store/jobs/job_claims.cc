@@ -8,7 +8,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Tenants with open jobs, those whose turn it is first, as far as the request takes their jobs.
+/// Returns the tenants with open jobs that match the request; the tenant that is next in turn comes
+/// first.
 absl::StatusOr<std::vector<std::string>> TenantsInTurn(SqlConnection& db,
                                                        const ClaimRequest& request) {
   const std::string sql = TenantsSql(db.dialect());
@@ -23,8 +24,8 @@ absl::StatusOr<std::vector<std::string>> TenantsInTurn(SqlConnection& db,
   return tenants;
 }
 
-/// The action digests of jobs that somebody holds. Of one that is to be cancelled nothing comes
-/// that others could wait for.
+/// Returns the SQL for the action digests of held jobs. A held job that is to be cancelled is not
+/// included, because it will have no result to wait for.
 std::string HeldWorkSql(const SqlDialect& dialect) {
   return absl::StrCat("SELECT action_digest FROM jobs", dialect.Through("jobs_held_work"),
                       " WHERE " SLICEFARM_OPEN
@@ -43,7 +44,7 @@ absl::StatusOr<std::optional<Candidate>> FindClaimable(SqlConnection& db, const 
   return candidate;
 }
 
-/// Until the transaction ends, nobody else claims a job of this work.
+/// Locks the work: until the transaction ends, no other claim takes a job of this work.
 absl::Status LockWork(SqlConnection& db, const std::string& action_digest) {
   const std::string_view lock = db.dialect().lock_work;
   if (lock.empty()) return absl::OkStatus();
@@ -62,7 +63,7 @@ std::string TakeSql(const SqlDialect& dialect, std::string_view columns) {
       HeldWorkSql(dialect), ")) RETURNING ", std::string(columns));
 }
 
-/// The same, and its tenant has had its turn.
+/// Returns the SQL that claims a job as TakeSql does and also records the turn of its tenant.
 std::string TakeInTurnSql(const SqlDialect& dialect) {
   return absl::StrCat("WITH taken AS (", TakeSql(dialect, "*"),
                       "), turn AS (INSERT INTO tenants (tenant, claimed_us)"
@@ -76,8 +77,9 @@ absl::Status NoteTurn(SqlConnection& db, const std::string& tenant, int64_t now_
   return SqlQuery(db, sql).Bind(tenant, now_us).Run();
 }
 
-/// None: it, or a job of the same work, was claimed since it was found. The claim is a statement
-/// that begins when the work is locked, and so sees what others claimed before.
+/// Claims a candidate. Returns nullopt if this job, or a job of the same work, was claimed after
+/// the candidate was found. The statement begins after the work is locked, and so sees all earlier
+/// claims.
 absl::StatusOr<std::optional<Claimed>> Take(SqlConnection& db, const Candidate& candidate,
                                             const ClaimRequest& request) {
   if (absl::Status locked = LockWork(db, candidate.action_digest); !locked.ok()) return locked;
@@ -89,7 +91,7 @@ absl::StatusOr<std::optional<Claimed>> Take(SqlConnection& db, const Candidate& 
   if (dialect.writes_in_with) take.Bind(request.now_us);
   std::optional<Claimed> claimed;
   while (take.Next()) {
-    // A row that cannot be read is held as well, and keeps no others waiting.
+    // An unreadable row is held as well, so that it does not block other jobs.
     claimed.emplace();
     claimed->read = ReadJob(take, claimed->job);
   }
@@ -102,7 +104,8 @@ absl::StatusOr<std::optional<Claimed>> Take(SqlConnection& db, const Candidate& 
 
 }  // namespace
 
-/// Goes from tenant to tenant through the index of open jobs, whose jobs it need not read.
+/// Returns the SQL for the tenants in turn. It steps from tenant to tenant through the index of
+/// open jobs and does not read their jobs.
 std::string TenantsSql(const SqlDialect& dialect) {
   const std::string open = dialect.Through("jobs_open");
   return absl::StrCat(

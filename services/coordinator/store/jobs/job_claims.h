@@ -10,7 +10,7 @@
 
 namespace slicefarm::coordinator {
 
-/// JobStore::Claim in SQL.
+/// Arguments of JobStore::Claim. This file implements it in SQL.
 struct ClaimRequest {
   std::string owner;
   int64_t now_us = 0;
@@ -18,52 +18,57 @@ struct ClaimRequest {
   ClaimFilter filter;
 };
 
-/// A job that may be claimed.
+/// Job that may be claimed.
 struct Candidate {
   int64_t number = 0;
   std::string action_digest;
 };
 
-/// Whose turn it is.
+/// Next job to claim, and the tenants in turn.
 struct Queue {
   Candidate first;
-  std::vector<std::string> tenants;  ///< in the order of their turns, from the one of `first` on
+  /// Tenants in the order of their turns, beginning with the tenant of `first`.
+  std::vector<std::string> tenants;
 };
 
-/// None: nothing may be claimed. Cost: one look into an index a tenant.
+/// Returns the queue; nullopt if no job may be claimed. Cost: one search in an index per tenant.
 absl::StatusOr<std::optional<Queue>> FindQueue(SqlConnection& db, const ClaimRequest& request);
 
-/// A job that was claimed.
+/// Job that was claimed.
 struct Claimed {
   JobRecord job;
-  absl::Status read;  ///< DATA_LOSS if it is damaged; `job` has what could be read
+  absl::Status read;  ///< DATA_LOSS if the row is damaged; `job` then has the readable fields
 };
 
-/// What a try came to: neither, if others were faster and there may be more.
+/// Result of one try to claim a job. If both members are unset, another coordinator was faster and
+/// there may be more jobs.
 struct ClaimTry {
   std::optional<Claimed> claimed = {};
   bool nothing_left = false;
 };
 
-/// Claims the first job of a queue that was found; or else, in a further try, what its tenants have
-/// now, without those that somebody else is writing to. In a transaction of its own, each time: one
-/// that took locks of several works would wait for others who wait for it.
+/// Claims the first job of the queue. Runs in a transaction of its own: a transaction that locked
+/// several works could deadlock with others.
 absl::StatusOr<ClaimTry> TakeFirst(SqlConnection& db, const Queue& queue,
                                    const ClaimRequest& request);
+/// Claims the first job that the tenants of the queue have now. Skips jobs that another transaction
+/// is writing. Runs in a transaction of its own, as TakeFirst.
 absl::StatusOr<ClaimTry> TakeNext(SqlConnection& db, const Queue& queue,
                                   const ClaimRequest& request);
 
-/// Whether somebody holds another job of this work that is not to be cancelled. In a transaction,
-/// until whose end nobody else claims such a job.
+/// Returns true if another held job has the same work and is not to be cancelled. REQUIRES: a
+/// transaction; until its end, no other claim takes such a job.
 absl::StatusOr<bool> OthersHold(SqlConnection& db, const std::string& action_digest,
                                 const std::string& but_job, int64_t now_us);
 
+/// Implements JobStore::Renew in SQL.
 absl::StatusOr<std::vector<HeldJob>> RenewLeases(SqlConnection& db,
                                                  const std::vector<Lease>& leases,
                                                  int64_t until_us);
 
-/// The statements, for a test of how they are planned.
+/// Returns the SQL for the tenants in turn; public for a test of its query plan.
 std::string TenantsSql(const SqlDialect& dialect);
+/// Returns the SQL for the next job of a tenant; public for a test of its query plan.
 std::string ClaimableSql(const SqlDialect& dialect);
 
 }  // namespace slicefarm::coordinator

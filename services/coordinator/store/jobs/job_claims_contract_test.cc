@@ -1,4 +1,4 @@
-// What claims of every JobStore do, and renewals of them.
+// Contract tests of claims and renewals of all JobStores.
 #include "services/coordinator/store/jobs/job_store_kinds_test.h"
 
 namespace slicefarm::coordinator::job_claims_contract_test {
@@ -64,7 +64,8 @@ TEST_P(JobClaimsTest, ClaimsPassOverWorkThatSomebodyHolds) {
   EXPECT_EQ(*store_->Claim("me", 120, 200), std::nullopt);
 }
 
-// Its owner died before it could end it: it has not to wait for the other one's end.
+// The owner of the job died before it could end the job. The job need not wait for the end of the
+// other one.
 TEST_P(JobClaimsTest, AJobThatIsToBeCancelledWaitsForNoEqualWork) {
   for (const char* id : {"a", "a again", "a once more"}) {
     NewJob job = JobOf(id);
@@ -108,7 +109,7 @@ TEST_P(JobClaimsTest, EqualWorkRacedByManyIsHeldOnce) {
   }
   const auto other = place_->Open();
   std::mutex mutex;
-  std::map<std::string, int> holders;  // by work
+  std::map<std::string, int> holders;  // number of held jobs by work
   const auto count = [&](const std::string& work, int more) {
     const std::lock_guard lock(mutex);
     return holders[work] += more;
@@ -123,7 +124,7 @@ TEST_P(JobClaimsTest, EqualWorkRacedByManyIsHeldOnce) {
       EXPECT_EQ(count((*job)->action_digest, 1), 1);
       const Lease lease = {(*job)->id, (*job)->owner_epoch};
       ASSERT_TRUE(store.Update(lease, {.state = kRunning}, 10'000'000).ok());
-      count((*job)->action_digest, -1);  // before others can hold it
+      count((*job)->action_digest, -1);  // before another thread can claim the work
       ASSERT_TRUE(store.Update(lease, {.state = kFailed}, 10'000'000).ok());
       ++ended;
     }
@@ -179,7 +180,7 @@ TEST_P(JobClaimsTest, UseGoesOnOverShortBreaksAndForAllWhoShareTheStore) {
   EXPECT_EQ(*store_->InUseSince(251, kGap), 251);
 }
 
-// It may be a MiB, which nobody who writes to a job needs.
+// A spec may have a MiB, and no writer to a job needs it.
 TEST_P(JobClaimsTest, WritesComeWithoutTheSpec) {
   Make("a");
   const std::string spec = JobOf("a").spec;
@@ -214,7 +215,7 @@ TEST_P(JobClaimsTest, TwoStoresShareTheJobs) {
   EXPECT_EQ(claimed[0].size() + claimed[1].size(), static_cast<size_t>(kJobs)) << "none twice";
 }
 
-// The lease is over before its owner has read the job.
+// The lease expires before its owner has read the job.
 TEST_P(JobClaimsTest, EpochsAreOneClaimersHoweverShortTheLease) {
   for (const std::string_view id : {"a", "b", "c"}) Make(std::string(id));
   std::mutex mutex;
@@ -234,16 +235,16 @@ TEST_P(JobClaimsTest, EpochsAreOneClaimersHoweverShortTheLease) {
   EXPECT_FALSE(given.empty());
 }
 
-// 1000 jobs on demand: SLICEFARM_RACE_JOBS.
+// SLICEFARM_RACE_JOBS sets the number of jobs, for example 1000.
 TEST_P(JobClaimsTest, ClaimsRacedByManyAreOneAnEpoch) {
   constexpr int kThreads = 8;
   const int64_t jobs = FromEnvironment("SLICEFARM_RACE_JOBS", 60);
   for (int64_t i = 0; i < jobs; ++i) Make(absl::StrCat("job", i));
   std::mutex mutex;
-  std::map<Lease, std::string> owners;  // of each claim
+  std::map<Lease, std::string> owners;  // owner of each claim
   int64_t claims = 0;
   std::atomic<int64_t> clock = 1'000'000'000;
-  /// Claims until there is nothing to claim, or as often as `limit`.
+  /// Claims jobs until none is left, but at most `limit`.
   const auto claim = [&](int64_t lease_us, int64_t limit) {
     Race(kThreads, [&](int thread) {
       const std::string owner = absl::StrCat("owner", thread);
@@ -261,11 +262,12 @@ TEST_P(JobClaimsTest, ClaimsRacedByManyAreOneAnEpoch) {
   claim(/*lease_us=*/1'000'000, /*limit=*/INT64_MAX);
   EXPECT_EQ(claims, jobs);
   EXPECT_EQ(std::ssize(owners), jobs);
-  clock += 1'000'000;  // all leases run out
+  clock += 1'000'000;  // all leases expire
   claim(/*lease_us=*/1'000'000, /*limit=*/INT64_MAX);
   EXPECT_EQ(claims, 2 * jobs);
   clock += 1'000'000;
-  claim(/*lease_us=*/jobs / 2, /*limit=*/jobs / 4);  // they run out in the middle of the race
+  // these leases expire in the middle of the race
+  claim(/*lease_us=*/jobs / 2, /*limit=*/jobs / 4);
   EXPECT_EQ(std::ssize(owners), claims) << "each epoch of a job was given to one claimer";
   for (int64_t i = 0; i < jobs; ++i) {
     const auto job = store_->Get(absl::StrCat("job", i));
@@ -342,7 +344,7 @@ TEST_P(JobClaimsTest, WhatWaitsEndsAtItsDeadline) {
   };
   make("held", 50);
   ASSERT_EQ((*store_->Claim("me", 10, 100))->id, "held");
-  make("died", 50);  // its owner did, before it began
+  make("died", 50);  // its owner died before the job began
   ASSERT_EQ((*store_->Claim("gone", 10, 50))->id, "died");
   make("died running", 50);
   const auto ran = *store_->Claim("gone", 10, 40);

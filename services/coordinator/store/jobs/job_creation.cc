@@ -10,7 +10,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// False: another call with the same request id was faster.
+/// Records the request id. Returns false if another call with the same request id was faster.
 absl::StatusOr<bool> TakeRequestId(SqlConnection& db, const NewJob& job, int64_t now_us) {
   if (job.request_id.empty()) return true;
   SqlQuery take(db,
@@ -23,7 +23,7 @@ absl::StatusOr<bool> TakeRequestId(SqlConnection& db, const NewJob& job, int64_t
   return taken;
 }
 
-/// Whether the tenant has so many jobs that have not ended.
+/// Returns true if the tenant has at least `count` open jobs.
 absl::StatusOr<bool> HasOpen(SqlConnection& db, const std::string& tenant, int64_t count) {
   const std::string sql = absl::StrCat("SELECT 1 FROM jobs", db.dialect().Through("jobs_open"),
                                        " WHERE tenant = ? AND " SLICEFARM_OPEN " LIMIT 1 OFFSET ?");
@@ -33,12 +33,12 @@ absl::StatusOr<bool> HasOpen(SqlConnection& db, const std::string& tenant, int64
   return has;
 }
 
-/// More jobs than all coordinators are about to make at a time. Who has room for so many needs no
-/// lock to be counted.
+/// More jobs than all coordinators create at a time. If the limit of a tenant is further away, its
+/// jobs can be counted without a lock.
 constexpr int64_t kManyJobs = 2'500;
 
-/// Jobs of a tenant that is near its bound are made one after the other: calls that count at the
-/// same time do not see what the others make.
+/// Checks the limit of open jobs. Near the limit, the jobs of a tenant are created one after
+/// another, because concurrent transactions do not see each other's jobs.
 absl::Status CheckQueue(SqlConnection& db, const NewJob& job) {
   if (job.max_open == INT64_MAX) return absl::OkStatus();
   if (const std::string_view lock = db.dialect().lock_tenant; !lock.empty()) {
@@ -53,7 +53,7 @@ absl::Status CheckQueue(SqlConnection& db, const NewJob& job) {
   return *full ? QueueFull(job.max_open) : absl::OkStatus();
 }
 
-/// As it is before it has its row.
+/// Returns the record of a new job, without a number.
 JobRecord RecordOf(const NewJob& job, int64_t now_us) {
   JobRecord record;
   record.id = job.id;
@@ -71,7 +71,7 @@ JobRecord RecordOf(const NewJob& job, int64_t now_us) {
   return record;
 }
 
-/// Gives the record its number.
+/// Inserts the job's row and sets the number of the record.
 absl::Status InsertJob(SqlConnection& db, JobRecord& job) {
   const bool apart = db.dialect().spec != "spec";
   SqlQuery insert(
@@ -90,7 +90,7 @@ absl::Status InsertJob(SqlConnection& db, JobRecord& job) {
   return spec.Bind(job.number, Blob{job.spec}).Run();
 }
 
-/// What is looked up by its value.
+/// Inserts the lists of a job that are searched by value: labels and inputs.
 absl::Status InsertLists(SqlConnection& db, int64_t number, const NewJob& job) {
   if (absl::Status done = InsertLabels(db, number, job.labels); !done.ok()) return done;
   for (const std::string& digest : job.inputs) {
@@ -121,7 +121,7 @@ absl::StatusOr<std::optional<JobRecord>> FindEarlier(SqlConnection& db, const Re
   }
   if (query.Text(1) != request.spec_digest) return RequestIdReused(request.request_id);
   auto found = FindJob(db, query.Text(0));
-  if (absl::IsNotFound(found.status())) return std::nullopt;  // deleted since
+  if (absl::IsNotFound(found.status())) return std::nullopt;  // deleted since then
   if (!found.ok()) return found.status();
   return *std::move(found);
 }

@@ -8,8 +8,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// The statement of a list: conditions are there only if they are asked for, so that the index that
-/// suits them is used.
+/// Returns the SQL of a list. It contains only the requested conditions, so that a suitable index
+/// is used.
 std::string ListSql(const SqlDialect& dialect, const ListQuery& list) {
   std::string sql = absl::StrCat("SELECT ", JobColumns(dialect), " FROM jobs WHERE TRUE");
   if (!list.all_tenants) sql += " AND tenant = ?";
@@ -25,11 +25,11 @@ std::string ListSql(const SqlDialect& dialect, const ListQuery& list) {
   return sql;
 }
 
-/// Rows that are asked for at once: PostgreSQL sends all of them, and each has its spec.
+/// Rows per statement. PostgreSQL sends all rows of a statement at once, and each row has its spec.
 constexpr int32_t kRowsAtOnce = 16;
 
-/// One statement's part of a list, at the end of `jobs`, whose specs have so many `bytes`; false:
-/// it is the last.
+/// Appends the result of one statement to `jobs`, and the size of their specs to `bytes`. Returns
+/// false if it was the last part of the list.
 absl::StatusOr<bool> AppendJobs(SqlConnection& db, const ListQuery& list,
                                 std::vector<JobRecord>& jobs, int64_t& bytes) {
   const std::string sql = ListSql(db.dialect(), list);
@@ -45,7 +45,7 @@ absl::StatusOr<bool> AppendJobs(SqlConnection& db, const ListQuery& list,
   int32_t count = 0;
   for (; bytes < kListedSpecBytes && query.Next(); ++count) {
     JobRecord& job = jobs.emplace_back();
-    // A damaged one is told of where it stands, and keeps nobody from listing the others.
+    // A damaged job stays in the list with an error, so that the remaining jobs can be listed.
     if (absl::Status read = ReadJob(query, job); !read.ok()) job.error = JobErrorOf(read);
     bytes += std::ssize(job.spec);
   }

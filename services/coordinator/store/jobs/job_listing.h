@@ -9,10 +9,12 @@
 
 namespace slicefarm::coordinator {
 
-/// JobStore::List, Events and EventsOf in SQL.
+/// Implements JobStore::List in SQL.
 absl::StatusOr<std::vector<JobRecord>> ListJobs(SqlConnection& db, const ListQuery& list);
+/// Implements JobStore::Events in SQL.
 absl::StatusOr<std::vector<JobEventRecord>> ListEvents(SqlConnection& db, const std::string& id,
                                                        int64_t after, int32_t limit);
+/// Implements JobStore::EventsOf in SQL.
 absl::StatusOr<std::vector<TenantEvent>> ListEventsOf(SqlConnection& db, const std::string& tenant,
                                                       const EventPlace& after, int32_t limit);
 

@@ -10,7 +10,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Adds the held jobs. Returns their numbers.
+/// Adds the held jobs to the queue. Returns their numbers.
 absl::StatusOr<std::set<int64_t>> AddHeld(SqlConnection& db, int64_t now_us, QueueSnapshot& queue) {
   const std::string sql = HeldSql(db.dialect());
   SqlQuery query(db, sql);
@@ -67,7 +67,7 @@ absl::Status AddRuns(SqlConnection& db, QueueSnapshot& queue) {
 
 }  // namespace
 
-/// Reads nothing but the index.
+/// Returns the SQL for the waiting jobs, which reads only the index.
 std::string WaitingSql(const SqlDialect& dialect) {
   return absl::StrCat("SELECT tenant, priority, number FROM jobs", dialect.Through("jobs_open"),
                       " WHERE " SLICEFARM_OPEN

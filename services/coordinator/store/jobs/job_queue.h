@@ -6,12 +6,14 @@
 
 namespace slicefarm::coordinator {
 
-/// JobStore::ReadQueue in SQL.
+/// Implements JobStore::ReadQueue in SQL.
 absl::StatusOr<QueueSnapshot> ReadQueue(SqlConnection& db, int64_t now_us);
 
-/// The statements, for a test of how they are planned.
+/// Returns the SQL for the waiting jobs; public for a test of its query plan.
 std::string WaitingSql(const SqlDialect& dialect);
+/// Returns the SQL for the held jobs; public for a test of its query plan.
 std::string HeldSql(const SqlDialect& dialect);
+/// Returns the SQL for the latest runs; public for a test of its query plan.
 std::string LatestRunsSql(const SqlDialect& dialect);
 
 }  // namespace slicefarm::coordinator

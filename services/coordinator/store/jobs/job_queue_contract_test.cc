@@ -1,4 +1,4 @@
-// The queue of every JobStore, which is served as it says.
+// Contract tests of the queue of all JobStores: jobs are claimed in the order that the queue shows.
 #include "services/coordinator/store/jobs/job_store_kinds_test.h"
 
 namespace slicefarm::coordinator::job_queue_contract_test {
@@ -16,8 +16,8 @@ class JobQueueTest : public JobStoreTest {
     ASSERT_TRUE(store_->Create(job, ++now_).ok());
   }
 
-  /// Claims as one coordinator does, ending the job that has run longest before each claim. Returns
-  /// the numbers of the jobs.
+  /// Claims all jobs as one coordinator does. Before each claim, ends the job that has run longest.
+  /// Returns the numbers of the jobs.
   std::vector<int64_t> ServeAll(std::vector<Lease> held) {
     std::vector<int64_t> numbers;
     while (!held.empty()) {
@@ -92,7 +92,7 @@ TEST_P(JobQueueTest, TimesOfRunsAreThoseOfTheLatestThatBegan) {
   EXPECT_THAT(store_->ReadQueue(now_)->runs_us, ElementsAre(102, 101));
 }
 
-// Priorities, deadlines, tenants with many jobs and with few; several places.
+// The test has several priorities, deadlines and slots, and tenants with many jobs and with few.
 TEST_P(JobQueueTest, IsServedInTheOrderThatIsExpected) {
   for (const int places : {1, 2, 3, 5}) {
     for (int i = 0; i < 40; ++i) {

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Reads `key` if it is there and of the right type.
+/// Reads `key` if it exists and has the right type.
 template <typename T>
 void Take(const Json& json, const char* key, T& value) {
   const auto found = json.find(key);
@@ -18,7 +18,7 @@ void Take(const Json& json, const char* key, T& value) {
   try {
     value = found->get<T>();
   } catch (const Json::exception&) {
-    // A field of another type stays at its standard: as if it were missing.
+    // A field of another type keeps its default value, like a missing field.
   }
 }
 

@@ -12,7 +12,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Why a job failed, in a form that can be kept.
+/// Error of a failed job, in a form that can be stored.
 struct JobError {
   absl::StatusCode code = absl::StatusCode::kInternal;
   std::string reason;
@@ -22,76 +22,80 @@ struct JobError {
   friend bool operator==(const JobError&, const JobError&) = default;
 };
 
+/// Converts an error to its stored form.
 JobError JobErrorOf(const absl::Status& status);
 
-/// What a job came to: the names of its artifacts, and what lists show of them.
+/// Result of a job: the names of its artifacts, and the values that lists show.
 struct JobResult {
-  std::string tenant;        ///< whose blobs the artifacts are
-  std::string gcode_sha256;  ///< empty: of a quote
+  std::string tenant;        ///< tenant that stores the artifacts as blobs
+  std::string gcode_sha256;  ///< empty for a quote
   int64_t gcode_size = 0;
   std::string report_sha256;
   double print_time_s = 0;
   double filament_mm = 0;
   double filament_g = 0;
   int32_t layers = 0;
-  bool cached = false;  ///< found by content, not computed for this job
-  Cost cost;            ///< by the rates when the job ended
+  /// True if the result was found by its digest and not computed for this job.
+  bool cached = false;
+  Cost cost;  ///< cost by the rates at the end of the job
   std::vector<std::string> warnings;
 
   friend bool operator==(const JobResult&, const JobResult&) = default;
 };
 
-/// What a job is to a build.
+/// Digests of a job for one build.
 struct JobIdentity {
   std::string settings_digest;
-  std::string action_digest;  ///< equal digests: equal results
+  std::string action_digest;  ///< equal digests mean equal results
   std::string build_id;
 };
 
-/// Who is served first, among the jobs of a tenant.
+/// Order in which the jobs of a tenant are claimed.
 enum class Priority { kBulk = 0, kNormal = 1, kInteractive = 2 };
 
-/// A deadline of jobs that have none.
+/// Deadline of jobs without one.
 inline constexpr int64_t kNoDeadlineUs = INT64_MAX;
 
-/// A job as the store has it. Times are microseconds since 1970 on the clock of the caller; 0: not
-/// yet.
+/// Record of a job in the store. Times are microseconds since 1970 on the clock of the caller; 0:
+/// not yet.
 struct JobRecord {
-  int64_t number = 0;  ///< counts up in the order of creation
+  int64_t number = 0;  ///< increases in the order of creation
   std::string id;
   std::string tenant;
   JobState state = JobState::kQueued;
   Priority priority = Priority::kNormal;
-  int64_t deadline_us = kNoDeadlineUs;  ///< what has not ended by then is of no use
+  int64_t deadline_us = kNoDeadlineUs;  ///< time after which the result is of no use
   std::string spec;                     ///< opaque to the store
   std::map<std::string, std::string> labels;
   std::string settings_digest;
-  std::string action_digest;  ///< equal digests: equal results
+  std::string action_digest;  ///< equal digests mean equal results
   std::string build_id;
-  std::string traceparent;  ///< of the call that made it (W3C Trace Context); may be empty
+  /// Trace context of the call that created the job (W3C Trace Context); may be empty.
+  std::string traceparent;
   int64_t create_us = 0;
   int64_t start_us = 0;
   int64_t end_us = 0;
   int32_t layers_total = 0;
   int32_t layers_done = 0;
-  std::optional<JobError> error;    ///< of FAILED
-  std::optional<JobResult> result;  ///< of SUCCEEDED
+  std::optional<JobError> error;    ///< error of a FAILED job
+  std::optional<JobResult> result;  ///< result of a SUCCEEDED job
   bool cancel_requested = false;
-  int32_t retries = 0;         ///< how often a run failed and it was put back
-  int32_t store_failures = 0;  ///< how often a store failed and it was put back
-  int32_t lost_runs = 0;       ///< runs, by the present build, that began and came to no end
-  int32_t deadly_runs = 0;     ///< runs, by the present build, that services died of, as it seems
+  int32_t retries = 0;  ///< number of returns to the queue after a failed run
+  /// Number of returns to the queue after a failure of a store.
+  int32_t store_failures = 0;
+  int32_t lost_runs = 0;    ///< runs of the present build that began but did not end
+  int32_t deadly_runs = 0;  ///< runs of the present build that probably killed services
   int64_t last_sequence = 0;
-  std::string trace_sha256;  ///< what its runs did, and when (JobTrace); empty: not kept
+  std::string trace_sha256;  ///< blob with the trace of its runs (JobTrace); empty: not stored
 
-  std::string owner;        ///< the coordinator that works on it
-  int64_t owner_epoch = 0;  ///< counts claims: a write with an older one is refused
+  std::string owner;        ///< coordinator that holds the job
+  int64_t owner_epoch = 0;  ///< number of claims; a write with an older number is refused
   int64_t owner_until_us = 0;
 
   friend bool operator==(const JobRecord&, const JobRecord&) = default;
 };
 
-/// One step in the life of a job, numbered from 1.
+/// Event of a job. The events of a job are numbered from 1.
 struct JobEventRecord {
   int64_t sequence = 0;
   int64_t time_us = 0;
@@ -102,8 +106,8 @@ struct JobEventRecord {
   friend bool operator==(const JobEventRecord&, const JobEventRecord&) = default;
 };
 
-/// Errors, results, labels as JSON text, as the tables keep them. The readers take what the writers
-/// wrote; anything else is DATA_LOSS.
+/// Returns the JSON text of an error, as stored in the tables. The other overloads convert results
+/// and labels. FromJson reads only texts of ToJson; for any other text it returns DATA_LOSS.
 std::string ToJson(const JobError& error);
 std::string ToJson(const JobResult& result);
 std::string ToJson(const std::map<std::string, std::string>& labels);

@@ -14,7 +14,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Columns of a row, one after the other.
+/// Reads the columns of a row one after another.
 class Columns {
  public:
   explicit Columns(const SqlQuery& query) : query_(query) {}
@@ -97,7 +97,7 @@ std::string ChangeOf(const JobRecord& job) {
   return ToText(JobChange{job.id, job.state, job.cancel_requested});
 }
 
-/// Step, webhook and event in one statement, and so on one way to a server and back.
+/// Writes the job, its webhook and its event in one statement, with one round trip to the server.
 absl::Status WriteStepAtOnce(SqlConnection& db, const JobRecord& job, int64_t now_us) {
   SqlQuery step(db, absl::StrCat("WITH step AS (", std::string(kStep),
                                  " RETURNING number), due AS (UPDATE webhooks SET state = 'DUE',"

@@ -10,33 +10,36 @@
 
 namespace slicefarm::coordinator {
 
-/// The columns that ReadJob reads, in its order, with `spec` in the place of the spec.
+/// Returns the columns for ReadJob in its order. `spec`: SQL expression of the spec.
 std::string JobColumns(std::string_view spec);
+/// Returns the columns for ReadJob, with the spec as the dialect stores it.
 inline std::string JobColumns(const SqlDialect& dialect) { return JobColumns(dialect.spec); }
 
-/// States in which a job has not ended.
+/// SQL condition for the states of open jobs.
 #define SLICEFARM_OPEN "state IN ('QUEUED', 'RUNNING')"
 
-/// The job of the row that `query` stands on. Errors: DATA_LOSS if it is damaged; `job` has what
-/// could be read.
+/// Reads the job from the current row of `query`. Errors: DATA_LOSS if it is damaged; `job` then
+/// has the readable fields.
 absl::Status ReadJob(const SqlQuery& query, JobRecord& job);
 
-/// The job, or JOB_NOT_FOUND.
+/// Returns the job. Errors: JOB_NOT_FOUND.
 absl::StatusOr<JobRecord> FindJob(SqlConnection& db, const std::string& id);
 
-/// The same, with an empty spec.
+/// Returns the job as FindJob does, with an empty spec.
 absl::StatusOr<JobRecord> FindJobWithoutSpec(SqlConnection& db, const std::string& id);
 
-/// FindJobWithoutSpec in a transaction that will write to it: nobody else does before its end.
+/// Returns the job as FindJobWithoutSpec does, and locks it. REQUIRES: a transaction; until its
+/// end, no other transaction writes to the job.
 absl::StatusOr<JobRecord> LockJob(SqlConnection& db, const std::string& id);
 
-/// The same, if nobody else is writing to it.
+/// Locks the job as LockJob does, if no other transaction is writing to it.
 absl::StatusOr<JobRecord> LockFreeJob(SqlConnection& db, const std::string& id);
 
-/// Appends an event of the job's present state, of which others are told. In a transaction.
+/// Appends an event with the job's current state, and notifies other coordinators. REQUIRES: a
+/// transaction.
 absl::Status AppendEvent(SqlConnection& db, const JobRecord& job, int64_t now_us);
 
-/// Writes all columns of `job` that change in its life, with an event of its present state. In a
+/// Writes all changeable columns of `job`, and an event with its current state. REQUIRES: a
 /// transaction.
 absl::Status WriteStep(SqlConnection& db, JobRecord& job, int64_t now_us);
 

@@ -21,8 +21,9 @@ absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& up
   if (job.owner_epoch != lease.epoch || job.owner.empty() || IsTerminal(job.state)) {
     return NotHeld(lease);
   }
-  // Who was asked to end it and puts it back instead, or comes to its end, did not know yet: nobody
-  // is to wait for the rest, and who was told that it will be cancelled gets no print of it.
+  // The owner did not learn of the cancel request in time, and returns the job to the queue or ends
+  // it. The job is cancelled instead: no coordinator needs to finish it, and a client that was
+  // promised a cancellation gets no print.
   const bool ends = job.cancel_requested &&
                     (update.state == JobState::kQueued || update.state == JobState::kSucceeded);
   const JobState to = ends ? JobState::kCancelled : update.state;
@@ -52,7 +53,7 @@ absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& up
 bool ApplyCancel(JobRecord& job, int64_t now_us) {
   if (IsTerminal(job.state)) return false;
   const bool at_once = job.state == JobState::kQueued && job.owner.empty();
-  // Who was to end it may have let it go meanwhile, by its death.
+  // The owner that was to end the job may have died meanwhile and released the job.
   if (job.cancel_requested && !at_once) return false;
   job.cancel_requested = true;
   if (!at_once) return true;

@@ -7,27 +7,34 @@
 
 namespace slicefarm::coordinator {
 
-/// The rules of JobStore that do not depend on where jobs are kept: what a write does to a record.
-/// Pure.
+/// Rules of JobStore that all stores share: the effect of a write on a record. Pure.
 
-/// Errors: Aborted if the lease is not the job's present one, or the job has ended; Internal if the
-/// state may not follow.
+/// Applies an update of the owner. Errors: Aborted if the lease is not the job's current one, or if
+/// the job has ended; Internal if the new state may not follow.
 absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& update,
                          int64_t now_us);
 
-/// False: nothing is to be done.
+/// Applies a cancel request. Returns false if nothing changes.
 bool ApplyCancel(JobRecord& job, int64_t now_us);
 
+/// Applies the changes of a client.
 void ApplyChange(JobRecord& job, const JobChanging& changing);
 
-/// False: it is not one that JobStore::EndOverdue ends.
+/// Fails the job because of its deadline. Returns false if JobStore::EndOverdue does not end such a
+/// job.
 bool ApplyOverdue(JobRecord& job, const JobError& error, int64_t now_us);
 
+/// Returns the error Aborted: the lease is not the current one.
 absl::Status NotHeld(const Lease& lease);
+/// Returns the error JOB_NOT_FOUND.
 absl::Status JobNotFound(const std::string& id);
+/// Returns the error JOB_NOT_FINISHED.
 absl::Status JobNotFinished(const std::string& id);
+/// Returns the error BLOB_NOT_FOUND: the cached result was deleted meanwhile.
 absl::Status CachedResultGone(const std::string& id);
+/// Returns the error REQUEST_ID_REUSED.
 absl::Status RequestIdReused(const std::string& request_id);
+/// Returns the error QUEUE_FULL.
 absl::Status QueueFull(int64_t limit);
 
 }  // namespace slicefarm::coordinator

@@ -13,34 +13,37 @@
 
 namespace slicefarm::coordinator {
 
+/// Job to be created.
 struct NewJob {
   std::string id;
   std::string tenant;
-  std::string request_id;   ///< of the tenant's; empty: the call is not idempotent
+  std::string request_id;   ///< unique within the tenant; empty: the call is not idempotent
   std::string spec_digest;  ///< equal for equal requests
   std::string spec;
   std::map<std::string, std::string> labels;
   Priority priority = Priority::kNormal;
   int64_t deadline_us = kNoDeadlineUs;
-  std::vector<std::string> inputs;  ///< digests of the blobs that it needs
+  std::vector<std::string> inputs;  ///< digests of the blobs that the job needs
   std::string settings_digest;
   std::string action_digest;
   std::string build_id;
   std::string traceparent;
-  std::string webhook_url = {};  ///< to be told of its end (webhook_store.h); empty: none
-  int64_t max_open = INT64_MAX;  ///< jobs that the tenant may have waiting or running
-  /// Why no job is made; but one that an earlier call with the same request_id made is found.
+  std::string webhook_url = {};  ///< URL to notify at the job's end (webhook_store.h); empty: none
+  int64_t max_open = INT64_MAX;  ///< largest number of waiting and running jobs of the tenant
+  /// Error that prevents the creation of a new job. A job of an earlier call with the same
+  /// request_id is returned nevertheless.
   absl::Status refusal = absl::OkStatus();
 };
 
+/// Job that Create returns.
 struct Created {
   JobRecord job;
-  bool fresh = true;  ///< false: an earlier call with the same request_id made it
+  bool fresh = true;  ///< false if an earlier call with the same request_id created the job
 
   friend bool operator==(const Created&, const Created&) = default;
 };
 
-/// The right to write to a job: of the coordinator that claimed it last.
+/// Right to write to a job. It belongs to the coordinator that claimed the job last.
 struct Lease {
   std::string job_id;
   int64_t epoch = 0;
@@ -48,6 +51,7 @@ struct Lease {
   friend auto operator<=>(const Lease&, const Lease&) = default;
 };
 
+/// Job with a lease that was renewed.
 struct HeldJob {
   Lease lease;
   bool cancel_requested = false;
@@ -56,52 +60,56 @@ struct HeldJob {
   friend bool operator==(const HeldJob&, const HeldJob&) = default;
 };
 
-/// What the owner writes.
+/// Update of a job by its owner.
 struct JobUpdate {
   JobState state = JobState::kRunning;
   int32_t layers_total = 0;
   int32_t layers_done = 0;
   std::optional<JobError> error = {};
   std::optional<JobResult> result = {};
-  /// With QUEUED: nobody claims it before.
+  /// With QUEUED: time of the next possible claim.
   int64_t claimable_from_us = 0;
-  bool retry = false;             ///< with QUEUED: because a run failed
-  bool store_failed = false;      ///< with QUEUED: because a store failed
-  bool deadly = false;            ///< with QUEUED: because services died of the run, as it seems
-  int32_t lost_runs = 0;          ///< of the record, if this is the last that is heard of the run
-  std::string trace_sha256 = {};  ///< empty: what was there stays
+  bool retry = false;         ///< with QUEUED: the reason is a failed run
+  bool store_failed = false;  ///< with QUEUED: the reason is a failed store
+  bool deadly = false;        ///< with QUEUED: services probably died of the run
+  /// Number of lost runs of the record, in case the run never writes again.
+  int32_t lost_runs = 0;
+  std::string trace_sha256 = {};  ///< if empty, the stored value stays
 };
 
-/// What a client changes of a job; what is not there stays.
+/// Changes of a job by a client. Missing values stay unchanged.
 struct JobChanging {
   std::optional<Priority> priority = {};
   std::optional<int64_t> deadline_us = {};
   std::optional<std::map<std::string, std::string>> labels = {};
 };
 
-/// Which jobs, in what order. All conditions hold at once; those at their standard hold for all.
+/// Conditions and order of a list of jobs. A job must fulfil all conditions; default values match
+/// every job.
 struct ListQuery {
   std::string tenant = {};
-  bool all_tenants = false;  ///< whatever `tenant` says
+  bool all_tenants = false;  ///< if true, `tenant` is ignored
   std::vector<JobState> states = {};
   std::map<std::string, std::string> labels = {};
   std::optional<Priority> priority = {};
   int64_t created_from_us = 0;
   int64_t created_before_us = INT64_MAX;
   bool oldest_first = false;
-  int64_t after_number = 0;  ///< what comes after this job in that order; 0: from the beginning
+  /// The list begins after this job, in the order of the list; 0: at the beginning.
+  int64_t after_number = 0;
   int32_t limit = 50;
 };
 
-/// Where an event stands among those of all jobs.
+/// Position of an event among the events of all jobs.
 struct EventPlace {
   int64_t time_us = 0;
-  int64_t number = -1;  ///< of the job
+  int64_t number = -1;  ///< number of the job
   int64_t sequence = -1;
 
   friend auto operator<=>(const EventPlace&, const EventPlace&) = default;
 };
 
+/// Event of a job of a tenant.
 struct TenantEvent {
   std::string job_id;
   EventPlace place;
@@ -110,178 +118,189 @@ struct TenantEvent {
   friend bool operator==(const TenantEvent&, const TenantEvent&) = default;
 };
 
-/// A list ends with the job whose spec brings it to so many bytes of specs, whatever its limit.
+/// Size of specs at which a list ends, even below its limit. The job that reaches this size is
+/// included.
 inline constexpr int64_t kListedSpecBytes = 8 << 20;
 
-/// Which jobs a claim may take.
+/// Jobs that a claim may take.
 struct ClaimFilter {
   Priority at_least = Priority::kBulk;
-  bool of_idle_tenants = false;  ///< only of tenants none of whose jobs somebody holds
+  bool of_idle_tenants = false;  ///< only jobs of tenants without a held job
 };
 
-/// Jobs of one kind that have not ended.
+/// Number of open jobs with one state and priority.
 struct OpenJobs {
   JobState state = JobState::kQueued;
   Priority priority = Priority::kNormal;
   int64_t count = 0;
-  int64_t oldest_us = 0;  ///< when the one that has waited longest was created
+  int64_t oldest_us = 0;  ///< creation time of the job that has waited longest
 
   friend bool operator==(const OpenJobs&, const OpenJobs&) = default;
 };
 
-/// How many ended jobs tell how long a run takes.
+/// Number of the latest ended jobs that are used for the time of a run.
 inline constexpr int32_t kLatestRuns = 50;
 
-/// How long a request_id is remembered, at most: it goes with its job.
+/// Longest storage time of a request_id. It is deleted together with its job.
 inline constexpr int64_t kRequestIdKeptUs = int64_t{7} * 24 * 3600 * 1'000'000;
 
-/// Jobs, their events, idempotency keys and the index of results. Whatever a call acknowledged is
-/// on disk. The clock is the caller's: `now_us`. Thread-safe; several coordinators may share one
-/// store.
+/// Store of jobs, their events, idempotency keys and the index of results. Everything that a call
+/// acknowledged is on disk. The caller passes its clock as `now_us`. Thread-safe; several
+/// coordinators may share one store.
 ///
-/// Errors of all: STORE_FAILED; DISK_FULL; JOB_NOT_FOUND where a job is named; Aborted where a
-/// lease is, if the job was claimed by another since, or has ended: "you were fenced, drop it".
+/// Errors of all functions: STORE_FAILED; DISK_FULL; JOB_NOT_FOUND if a job id is given; Aborted if
+/// a lease is given and the job was claimed again or has ended. After Aborted, the caller must drop
+/// the job.
 class JobStore {
  public:
   virtual ~JobStore() = default;
 
-  /// Makes a QUEUED job and its first event. Errors: REQUEST_ID_REUSED if the request_id made
-  /// another job's spec; `job.refusal`; QUEUE_FULL if the tenant has `max_open` jobs that have not
-  /// ended.
+  /// Creates a QUEUED job and its first event. Errors: REQUEST_ID_REUSED if the request_id was used
+  /// for another spec; `job.refusal`; QUEUE_FULL if the tenant has `max_open` open jobs.
   virtual absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) = 0;
 
-  /// Makes all jobs or none, in order; those that earlier calls made are as Create has them.
-  /// Errors: the first one of Create's.
+  /// Creates all jobs or none, in order. Jobs of earlier calls are returned as in Create. Errors:
+  /// the first error, as in Create.
   virtual absl::StatusOr<std::vector<Created>> CreateAll(const std::vector<NewJob>& jobs,
                                                          int64_t now_us) = 0;
 
+  /// Returns a job.
   virtual absl::StatusOr<JobRecord> Get(const std::string& id) = 0;
 
-  /// Whose job it is, also if the rest of what is kept of it cannot be read.
+  /// Returns the tenant of a job, even if the rest of its record cannot be read.
   virtual absl::StatusOr<std::string> TenantOf(const std::string& id) = 0;
 
+  /// Returns a page of a list of jobs.
   virtual absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) = 0;
 
-  /// Gives a job that is QUEUED or RUNNING and that nobody holds to `owner` until `until_us`; none
-  /// if there is none. Passes over jobs whose action_digest is that of a job that somebody holds
-  /// and that is not to be cancelled, so that the same work is done once (but not over those that
-  /// are to be cancelled themselves: they end at once), and those that `filter` leaves out. Tenants
-  /// take turns, those with fewer held jobs first; of a tenant's jobs those of higher priority come
-  /// first, then those with the earlier deadline, then the older ones. Errors: DATA_LOSS if what is
-  /// kept of the job cannot be read; it is passed over until `until_us`.
+  /// Gives an open job that no coordinator holds to `owner` until `until_us`; nullopt if there is
+  /// none. Skips jobs that `filter` excludes. Also skips jobs with the same action_digest as a held
+  /// job that is not to be cancelled, so that the same work is done only once. Jobs that are
+  /// themselves to be cancelled are not skipped, because they end at once.
+  ///
+  /// Tenants take turns; tenants with fewer held jobs come first. Of a tenant's jobs, higher
+  /// priorities come first, then earlier deadlines, then older jobs. Errors: DATA_LOSS if the
+  /// record of the job cannot be read; the job is skipped until `until_us`.
   virtual absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                          int64_t until_us,
                                                          const ClaimFilter& filter = {}) = 0;
 
-  /// Ends jobs that have not ended, that nobody holds or wants to be cancelled, and whose deadline
-  /// has passed, as FAILED with `error`; at most `limit`, in the order of their deadlines. Returns
-  /// those that it ended, without their specs, also if it could not go on; an error says that it
-  /// ended none.
+  /// Ends overdue jobs as FAILED with `error`. A job is overdue if it is open and its deadline has
+  /// passed, if no coordinator holds it, and if it is not to be cancelled. Ends at most `limit`
+  /// jobs in the order of their deadlines. Returns the ended jobs without their specs, even if a
+  /// later job could not be ended. An error means that no job was ended.
   virtual absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                             int32_t limit) = 0;
 
-  /// Writes what a held job is to the build that works on it, which may be another one than made
-  /// it, and has lost no run of it. False: somebody holds another job of the same work that is not
-  /// to be cancelled, so this one is to be put back.
+  /// Writes the digests of a held job for the build that runs it, which may differ from the build
+  /// that created it. Resets its counts of lost and deadly runs. Returns false if another held job
+  /// that is not to be cancelled has the same work; the caller must then return this job to the
+  /// queue.
   virtual absl::StatusOr<bool> Adopt(const Lease& lease, const JobIdentity& identity,
                                      int64_t now_us) = 0;
 
-  /// Holds these claims at least until `until_us`, and tells which of them were still held. By
-  /// claim and not by owner, so that a job which its owner has given up runs out and is claimed
-  /// again. Never shortens a claim, so that a renewal that arrives after a later one does no harm.
+  /// Extends these leases at least to `until_us`, and returns the jobs that are still held. Leases
+  /// are renewed one by one and not by owner. So the lease of a job that its owner has given up
+  /// expires, and the job is claimed again. Never shortens a lease, so a late renewal does no harm.
   virtual absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                                      int64_t until_us) = 0;
 
-  /// Lets go of all jobs of `owner`: those of an earlier life, at the start.
+  /// Releases all jobs of `owner`. Called at the start for the jobs of the previous process.
   virtual absl::Status Release(const std::string& owner) = 0;
 
-  /// Writes state and progress and appends an event. A state that may not follow is Internal. An
-  /// ended job and one that is QUEUED again are let go; one whose end was requested becomes neither
-  /// QUEUED nor SUCCEEDED but CANCELLED, without a result. A result that is not `cached` enters the
-  /// index; one that is must still be in it (NotFound, reason BLOB_NOT_FOUND, otherwise). The
-  /// record comes without its spec.
+  /// Writes state and progress, and appends an event. Releases a job that ends or is QUEUED again.
+  /// If the end of the job was requested, it becomes CANCELLED without a result instead of QUEUED
+  /// or SUCCEEDED.
+  ///
+  /// A result that is not `cached` is added to the index. A `cached` result must still be in the
+  /// index (else NotFound, reason BLOB_NOT_FOUND). A state that may not follow is Internal. The
+  /// returned record has no spec.
   virtual absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
                                            int64_t now_us) = 0;
 
-  /// A QUEUED job that nobody holds ends as CANCELLED at once; a held one is marked for its owner;
-  /// to an ended one nothing happens. The record comes without its spec.
+  /// Requests the end of a job. A QUEUED job that no coordinator holds becomes CANCELLED at once; a
+  /// held job is marked for its owner; an ended job does not change. The returned record has no
+  /// spec.
   virtual absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) = 0;
 
-  /// Changes labels, and of a job that has not ended priority and deadline, of which its owner
-  /// hears when it renews its claim. Appends an event. The record comes without its spec.
+  /// Changes the labels of a job; if the job is open, also its priority and deadline. The owner
+  /// learns of the new deadline when it renews its lease. Appends an event. The returned record has
+  /// no spec.
   virtual absl::StatusOr<JobRecord> Change(const std::string& id, const JobChanging& changing,
                                            int64_t now_us) = 0;
 
-  /// Removes an ended job with its events and its request_id. Results of whose blobs no job is left
-  /// leave the index. Errors: JOB_NOT_FINISHED.
+  /// Removes an ended job with its events and its request_id. A result leaves the index if no job
+  /// refers to its blobs any more. Errors: JOB_NOT_FINISHED.
   virtual absl::Status Delete(const std::string& id) = 0;
 
-  /// The jobs that calls with these request ids made and that are still there, in that order.
-  /// Errors: REQUEST_ID_REUSED if one was for another spec.
+  /// Returns the existing jobs that calls with these request ids created, in the same order.
+  /// Errors: REQUEST_ID_REUSED if an id was used for another spec.
   virtual absl::StatusOr<std::vector<JobRecord>> FindRequested(
       const std::string& tenant, const std::vector<std::string>& request_ids,
       const std::string& spec_digest) = 0;
 
-  /// Get, but its spec is left out, which may be a MiB.
+  /// Returns a job as Get does, without its spec, which may have a MiB.
   virtual absl::StatusOr<JobRecord> GetWithoutSpec(const std::string& id) = 0;
 
-  /// Events with a sequence above `after`, at most `limit`.
+  /// Returns at most `limit` events with a sequence above `after`.
   virtual absl::StatusOr<std::vector<JobEventRecord>> Events(const std::string& id, int64_t after,
                                                              int32_t limit) = 0;
 
-  /// Events of the tenant's jobs, in the order of TenantEvent::place, that come after `after`; at
-  /// most `limit`. One may be there later than others of a later time: times are those of the
-  /// callers' clocks, and from before it was written. Cost: reads the events of all tenants from
-  /// that time on.
+  /// Returns at most `limit` events of the tenant's jobs after the position `after`, in the order
+  /// of TenantEvent::place. An event may appear later than events with later times: the caller's
+  /// clock sets the time, and the write follows later. Cost: reads the events of all tenants from
+  /// this time on.
   virtual absl::StatusOr<std::vector<TenantEvent>> EventsOf(const std::string& tenant,
                                                             const EventPlace& after,
                                                             int32_t limit) = 0;
 
-  /// What the same work came to before.
+  /// Returns the stored result of the same work; nullopt if there is none.
   virtual absl::StatusOr<std::optional<JobResult>> FindResult(const std::string& action_digest) = 0;
+  /// Removes the stored result of this work from the index.
   virtual absl::Status ForgetResult(const std::string& action_digest) = 0;
 
-  /// Forgets request ids that are older than kRequestIdKeptUs.
+  /// Removes request ids that are older than kRequestIdKeptUs.
   virtual absl::Status ExpireRequestIds(int64_t now_us) = 0;
 
-  /// Of those that have ended. Cost: reads the index of states.
+  /// Returns the number of ended jobs by state. Cost: reads the index of states.
   virtual absl::StatusOr<std::map<JobState, int64_t>> CountEnded() = 0;
 
-  /// Jobs of the tenant, ended ones among them. Cost: reads the index of its jobs.
+  /// Returns the number of the tenant's jobs, including ended ones. Cost: reads the index of its
+  /// jobs.
   virtual absl::StatusOr<int64_t> CountOf(const std::string& tenant) = 0;
 
-  /// Those of the tenant that have not ended.
+  /// Returns the number of the tenant's open jobs by state.
   virtual absl::StatusOr<std::map<JobState, int64_t>> CountOpenOf(const std::string& tenant) = 0;
 
-  /// Those that have not ended, by state and priority; kinds of which there are none are left out.
+  /// Returns the number of open jobs by state and priority. Combinations without jobs are left out.
   virtual absl::StatusOr<std::vector<OpenJobs>> CountOpen() = 0;
 
-  /// Returns the open jobs in the order in which Claim gives them. Of a tenant's waiting jobs those
-  /// are told too that cannot be claimed yet: because a run failed a moment ago, or the same work
-  /// is held. Cost: reads the index of open jobs, and the last kLatestRuns that ended.
+  /// Returns the open jobs in the order in which Claim gives them. Includes waiting jobs that
+  /// cannot be claimed yet, because a run failed a moment ago or because the same work is held.
+  /// Cost: reads the index of open jobs, and the last kLatestRuns ended jobs.
   virtual absl::StatusOr<QueueSnapshot> ReadQueue(int64_t now_us) = 0;
 
-  /// Of these digests, those of inputs, results and traces of jobs among the tenant's blobs.
-  /// Cost: a statement.
+  /// Returns these digests that are inputs, results or traces of jobs, among the tenant's blobs.
+  /// Cost: one statement.
   virtual absl::StatusOr<std::set<std::string>> Referenced(
       const std::string& tenant, const std::set<std::string>& digests) = 0;
 
-  /// Of these, those of results and traces alone.
+  /// Returns these digests that are results or traces of jobs.
   virtual absl::StatusOr<std::set<std::string>> Artifacts(const std::string& tenant,
                                                           const std::set<std::string>& digests) = 0;
 
-  /// Jobs that ended before and whose receiver was told, if they have one (webhook_store.h); the
-  /// oldest first, at most `limit`.
+  /// Returns at most `limit` jobs that ended before `time_us`, the oldest first. Skips jobs with a
+  /// receiver that has not been notified yet (webhook_store.h).
   virtual absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) = 0;
 
-  /// The right to do what one coordinator at a time does for all, until `until_us`; false: another
-  /// one has it.
+  /// Takes the right to a task that only one coordinator at a time does, until `until_us`. Returns
+  /// false if another coordinator has it.
   virtual absl::StatusOr<bool> TakeChore(const std::string& chore, int64_t now_us,
                                          int64_t until_us) = 0;
 
-  /// Notes that the store is in use at `now_us`. Returns since when it has been in use without a
-  /// break of more than `most_gap_us`; `now_us` for a new store, and for one restored from a
-  /// backup.
+  /// Records that the store is in use at `now_us`. Returns the begin of its use without an
+  /// interruption of more than `most_gap_us`. Returns `now_us` for a new store and for a store
+  /// restored from a backup.
   virtual absl::StatusOr<int64_t> InUseSince(int64_t now_us, int64_t most_gap_us) = 0;
 };
 

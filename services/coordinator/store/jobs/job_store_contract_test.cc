@@ -1,4 +1,4 @@
-// What every JobStore does. An implementation joins by an entry in kStores.
+// Contract tests of all JobStores. An entry in kStores adds an implementation.
 #include "services/coordinator/store/jobs/job_store_kinds_test.h"
 
 namespace slicefarm::coordinator::job_store_contract_test {
@@ -117,7 +117,7 @@ TEST_P(JobStoreTest, RequestIdIsForgottenAfterItsTime) {
   EXPECT_TRUE(store_->Create(other, 2).ok());
 }
 
-// 10,000 rounds on demand: SLICEFARM_RACE_ROUNDS.
+// SLICEFARM_RACE_ROUNDS sets the number of rounds, for example 10,000.
 TEST_P(JobStoreTest, RequestIdRacedByManyMakesOneJob) {
   constexpr int kThreads = 64;
   const int64_t rounds = FromEnvironment("SLICEFARM_RACE_ROUNDS", 10);
@@ -157,7 +157,7 @@ TEST_P(JobStoreTest, ListsNewestFirstAndByPages) {
     if (page->empty()) break;
     for (const JobRecord& job : *page) ids.push_back(job.id);
     query.after_number = page->back().number;
-    Make(absl::StrCat("new", ids.size()));  // does not disturb the pages that follow
+    Make(absl::StrCat("new", ids.size()));  // must not change the following pages
   }
   EXPECT_THAT(ids, ElementsAre("e", "d", "c", "b", "a"));
 }
@@ -344,7 +344,7 @@ TEST_P(JobStoreTest, AJobThatIsToEndIsNotPutBack) {
   EXPECT_EQ(*store_->Claim("me", 10'000'000, 20'000'000), std::nullopt);
 }
 
-// Who was told that it will be cancelled gets no print of it, and others no result.
+// A client that was promised a cancellation gets no print, and other jobs get no result.
 TEST_P(JobStoreTest, AJobThatIsToEndDoesNotSucceed) {
   Make("a");
   const Lease lease = Claim();

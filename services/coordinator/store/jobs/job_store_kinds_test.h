@@ -30,6 +30,7 @@ using testing::SizeIs;
 using testing::UnorderedElementsAre;
 using enum JobState;
 
+/// Location of a job store in SQLite.
 class SqlitePlace : public StorePlace<JobStore> {
  public:
   std::unique_ptr<JobStore> Open() override {
@@ -42,6 +43,7 @@ class SqlitePlace : public StorePlace<JobStore> {
   TempDirectory directory_;
 };
 
+/// Location of a job store in PostgreSQL.
 class PostgresPlace : public StorePlace<JobStore> {
  public:
   std::unique_ptr<JobStore> Open() override {
@@ -54,6 +56,7 @@ class PostgresPlace : public StorePlace<JobStore> {
   const std::string database_ = SharedPostgres().NewDatabase();
 };
 
+/// Location of a job store in memory.
 class MemoryPlace : public StorePlace<JobStore> {
  public:
   std::unique_ptr<JobStore> Open() override { return std::make_unique<MemoryJobStore>(jobs_); }
@@ -68,6 +71,7 @@ inline const std::vector<StoreKind<JobStore>> kStores = {
     {"Postgres", [] { return std::make_unique<PostgresPlace>(); }},
 };
 
+/// Returns a job to be created.
 inline NewJob JobOf(const std::string& id) {
   NewJob job;
   job.id = id;
@@ -82,6 +86,7 @@ inline NewJob JobOf(const std::string& id) {
   return job;
 }
 
+/// Returns a result with these blobs.
 inline JobResult ResultOf(const std::string& gcode, const std::string& report) {
   JobResult result;
   result.gcode_sha256 = gcode;
@@ -101,6 +106,7 @@ void Race(int threads, const Work& work) {
   for (std::thread& racer : racers) racer.join();
 }
 
+/// Fixture of the contract tests.
 class JobStoreTest : public testing::TestWithParam<StoreKind<JobStore>> {
  protected:
   void Make(const std::string& id) { ASSERT_TRUE(store_->Create(JobOf(id), ++now_).ok()); }
@@ -126,7 +132,7 @@ class JobStoreTest : public testing::TestWithParam<StoreKind<JobStore>> {
     return store_->Update(lease, update, ++now_);
   }
 
-  /// A job that succeeded.
+  /// Creates a job and ends it as SUCCEEDED.
   void MakeDone(const std::string& id, const JobResult& result) {
     Make(id);
     const Lease lease = Claim();

@@ -58,7 +58,7 @@ void PostgresJobChanges::Run() {
   }
 }
 
-/// Until the connection breaks.
+/// Receives and sends notices until the connection breaks.
 void PostgresJobChanges::Listen(PostgresConnection& connection) {
   PGconn* const raw = connection.raw();
   while (!stopping_ && PQconsumeInput(raw) == 1) {

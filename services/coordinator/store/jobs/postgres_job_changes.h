@@ -10,8 +10,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Changes by LISTEN, and reports by NOTIFY, over a connection of its own. While the server is away
-/// it tries again every second.
+/// Receives changes by LISTEN and sends reports by NOTIFY, over a connection of its own. While the
+/// server is unreachable, it retries every second.
 class PostgresJobChanges : public JobChanges {
  public:
   PostgresJobChanges(std::string conninfo, Listener listener);
@@ -22,14 +22,14 @@ class PostgresJobChanges : public JobChanges {
   void Run();
   void Listen(PostgresConnection& connection);
   absl::Status Notify(PostgresConnection& connection);
-  /// Until something comes, the time has passed, or it is to stop.
+  /// Waits until bytes arrive, the time has passed, or the object must stop.
   void Wait(int socket, int timeout_ms) const;
 
   const std::string conninfo_;
   const Listener listener_;
-  int wake_ = -1;  ///< an eventfd
+  int wake_ = -1;  ///< eventfd that ends a wait
   std::mutex mutex_;
-  std::string notice_;  ///< to be told; empty: nothing is
+  std::string notice_;  ///< notice to be sent; empty: none
   std::atomic<bool> stopping_ = false;
   std::thread thread_;
 };

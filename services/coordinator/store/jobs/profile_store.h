@@ -8,10 +8,10 @@
 
 namespace slicefarm::coordinator {
 
-/// One revision of a tenant's profile. It never changes.
+/// Revision of a tenant's profile. It never changes.
 struct ProfileRecord {
   std::string name;
-  int64_t revision = 0;       ///< counts from 1
+  int64_t revision = 0;       ///< counted from 1
   std::string settings = {};  ///< opaque to the store
   std::string settings_digest = {};
   int64_t create_us = 0;
@@ -19,6 +19,7 @@ struct ProfileRecord {
   friend bool operator==(const ProfileRecord&, const ProfileRecord&) = default;
 };
 
+/// Profile revision to be stored.
 struct NewProfile {
   std::string tenant;
   std::string name;
@@ -26,31 +27,32 @@ struct NewProfile {
   std::string settings_digest;  ///< equal for equal settings
 };
 
-/// Settings under a name. A revision that was deleted leaves its number behind, which is given to
-/// none that comes later. Whatever a call acknowledged is on disk. Thread-safe; several
-/// coordinators may share one store. Errors of all: STORE_FAILED; DISK_FULL.
+/// Store of settings by name. The number of a deleted revision is never used again. Everything that
+/// a call acknowledged is on disk. Thread-safe; several coordinators may share one store. Errors of
+/// all functions: STORE_FAILED; DISK_FULL.
 class ProfileStore {
  public:
   virtual ~ProfileStore() = default;
 
-  /// Adds a revision, unless the newest one has the same settings: then that is returned.
+  /// Adds a revision. If the newest revision has the same settings, returns that revision instead.
   virtual absl::StatusOr<ProfileRecord> Put(const NewProfile& profile, int64_t now_us) = 0;
 
-  /// `revision` 0: the newest. Errors: PROFILE_NOT_FOUND.
+  /// Returns a revision. `revision` 0: the newest. Errors: PROFILE_NOT_FOUND.
   virtual absl::StatusOr<ProfileRecord> Get(const std::string& tenant, const std::string& name,
                                             int64_t revision) = 0;
 
-  /// The newest revisions by name, those after `after`, at most `limit`; without settings.
+  /// Returns the newest revisions, sorted by name, with names after `after`; at most `limit`,
+  /// without settings.
   virtual absl::StatusOr<std::vector<ProfileRecord>> List(const std::string& tenant,
                                                           const std::string& after,
                                                           int32_t limit) = 0;
 
-  /// `revision` 0: all of them. Errors: PROFILE_NOT_FOUND.
+  /// Deletes a revision. `revision` 0: all of them. Errors: PROFILE_NOT_FOUND.
   virtual absl::Status Delete(const std::string& tenant, const std::string& name, int64_t revision,
                               int64_t now_us) = 0;
 
-  /// Removes revisions that kKeptRevisions newer ones followed before `before_us`, and what is left
-  /// of profiles that were deleted before. Returns how many.
+  /// Removes revisions that had kKeptRevisions newer ones before `before_us`, and the remains of
+  /// profiles that were deleted before. Returns their number.
   virtual absl::StatusOr<int64_t> Expire(int64_t before_us) = 0;
 
   static constexpr int64_t kKeptRevisions = 10;

@@ -1,4 +1,4 @@
-// What every ProfileStore does. An implementation joins by an entry in kStores.
+// Contract tests of all ProfileStores. An entry in kStores adds an implementation.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

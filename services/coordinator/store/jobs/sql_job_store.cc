@@ -18,11 +18,11 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// What a result has to do with the index of results.
+/// Adds the result of a job to the index of results, or checks that a cached result is in it.
 absl::Status IndexResult(SqlConnection& db, const JobRecord& job) {
   const JobResult& result = *job.result;
   if (result.cached) {
-    // A quote, which has no G-code, may have taken the report of a print.
+    // A quote has no G-code, and may share the report of a print.
     SqlQuery query(db,
                    "SELECT 1 FROM results WHERE report_sha256 = ? AND tenant = ?"
                    " AND (gcode_sha256 = ? OR '' = ?)");
@@ -40,7 +40,8 @@ absl::Status IndexResult(SqlConnection& db, const JobRecord& job) {
   return insert.Run();
 }
 
-/// Of a digest that is `value`, and a tenant, three times.
+/// SQL condition for artifacts of a tenant. `value` is the digest, and the tenant is bound three
+/// times.
 constexpr std::string_view kIsArtifact =
     "EXISTS (SELECT 1 FROM jobs WHERE gcode_sha256 = value AND gcode_sha256 <> ''"
     "  AND result_tenant = ?)"
@@ -49,7 +50,7 @@ constexpr std::string_view kIsArtifact =
     " OR EXISTS (SELECT 1 FROM jobs WHERE trace_sha256 = value AND trace_sha256 <> ''"
     "  AND tenant = ?)";
 
-/// Those of a JSON list for which a condition holds.
+/// Returns the SQL for the digests of a JSON list that fulfil a condition.
 std::string OfDigests(const SqlConnection& db, std::string_view condition) {
   return absl::StrCat("SELECT value FROM ", std::string(db.dialect().texts), " WHERE ",
                       std::string(condition));
@@ -62,7 +63,7 @@ absl::StatusOr<std::set<std::string>> ReadDigests(SqlQuery& query) {
   return digests;
 }
 
-/// Whether a job's result refers to this blob of the tenant.
+/// Returns true if a job's result refers to this blob of the tenant.
 absl::StatusOr<bool> IsArtifact(SqlConnection& db, const std::string& tenant,
                                 const std::string& digest) {
   SqlQuery query(db,
@@ -77,7 +78,7 @@ absl::StatusOr<bool> IsArtifact(SqlConnection& db, const std::string& tenant,
   return referenced;
 }
 
-/// Results made of what no job refers to any more leave the index.
+/// Removes results from the index if no job refers to one of their blobs any more.
 absl::Status ForgetUnreferenced(SqlConnection& db, const std::string& tenant,
                                 const std::string& digest) {
   if (digest.empty()) return absl::OkStatus();
@@ -88,7 +89,7 @@ absl::Status ForgetUnreferenced(SqlConnection& db, const std::string& tenant,
   return forget.Bind(tenant, digest, digest).Run();
 }
 
-/// Does `work(connection)` as a transaction.
+/// Runs `work(connection)` in a transaction.
 template <typename Result, typename Work>
 absl::StatusOr<Result> InTransaction(SqlDatabase& database, const Work& work) {
   const auto session = database.Write();
@@ -125,7 +126,8 @@ absl::Status DeleteIn(SqlConnection& db, const std::string& id) {
   return absl::OkStatus();
 }
 
-/// Ids of jobs that wait and whose deadline has passed. Cost: reads the index of open jobs.
+/// Returns the ids of waiting jobs that have passed their deadlines. Cost: reads the index of open
+/// jobs.
 absl::StatusOr<std::vector<std::string>> ListOverdue(SqlDatabase& database, int64_t now_us,
                                                      int32_t limit) {
   const auto session = database.Read();
@@ -145,10 +147,10 @@ absl::StatusOr<std::vector<std::string>> ListOverdue(SqlDatabase& database, int6
   return ids;
 }
 
-/// How often others may be faster than a claim.
+/// Largest number of tries of a claim if other coordinators are faster.
 constexpr int kClaimTries = 20;
 
-/// Of rows with a state and a number.
+/// Reads rows of a state and a count.
 absl::StatusOr<std::map<JobState, int64_t>> ReadCounts(SqlQuery& query) {
   std::map<JobState, int64_t> counts;
   while (query.Next()) {
@@ -158,8 +160,8 @@ absl::StatusOr<std::map<JobState, int64_t>> ReadCounts(SqlQuery& query) {
   return counts;
 }
 
-/// None: another one is about to write to it, or has claimed, ended or deleted it since it was
-/// listed.
+/// Ends an overdue job. Returns nullopt if another transaction is writing to it, or has claimed,
+/// ended or deleted it since it was listed.
 absl::StatusOr<std::optional<JobRecord>> EndOverdueIn(SqlConnection& db, const std::string& id,
                                                       const JobError& error, int64_t now_us) {
   auto job = LockFreeJob(db, id);
@@ -215,7 +217,7 @@ absl::StatusOr<std::optional<JobRecord>> SqlJobStore::Claim(const std::string& o
                                                             int64_t now_us, int64_t until_us,
                                                             const ClaimFilter& filter) {
   const ClaimRequest request = {owner, now_us, until_us, filter};
-  // Most calls find nothing, and need no write.
+  // The search is a read, because usually no job is found and no write transaction is needed.
   std::optional<Queue> queue;
   {
     const auto session = database_->Read();
@@ -246,7 +248,7 @@ absl::StatusOr<std::vector<JobRecord>> SqlJobStore::EndOverdue(const JobError& e
   for (const std::string& id : *overdue) {
     auto job = InTransaction<std::optional<JobRecord>>(
         *database_, [&](SqlConnection& db) { return EndOverdueIn(db, id, error, now_us); });
-    if (absl::IsDataLoss(job.status())) continue;  // whoever claims it tells of it
+    if (absl::IsDataLoss(job.status())) continue;  // the next claim of the job reports the damage
     if (!job.ok() && ended.empty()) return job.status();
     if (!job.ok()) break;
     if (*job) ended.push_back(**std::move(job));

@@ -8,7 +8,7 @@
 
 namespace slicefarm::coordinator {
 
-/// A JobStore in an SQL database that has the tables of `sqlite_schema` or `deploy/postgres`.
+/// JobStore in an SQL database with the tables of `sqlite_schema` or `deploy/postgres`.
 class SqlJobStore : public JobStore {
  public:
   explicit SqlJobStore(std::shared_ptr<SqlDatabase> database) : database_(std::move(database)) {}
@@ -65,7 +65,7 @@ class SqlJobStore : public JobStore {
   const std::shared_ptr<SqlDatabase> database_;
 };
 
-/// A database in a file of this machine; see SqliteDatabase.
+/// Opens a job store in a local SQLite file (SqliteDatabase).
 absl::StatusOr<std::unique_ptr<JobStore>> OpenSqliteJobStore(const std::string& path);
 
 }  // namespace slicefarm::coordinator

@@ -17,7 +17,7 @@ absl::Status NotFound(const std::string& name, int64_t revision) {
                    fmt::format("there is no profile {}", wanted), {{"profile", wanted}});
 }
 
-/// nullopt: there is none. `revision` 0: the newest.
+/// Returns a revision; nullopt if it does not exist. `revision` 0: the newest.
 absl::StatusOr<std::optional<ProfileRecord>> Find(SqlConnection& db, const std::string& tenant,
                                                   const std::string& name, int64_t revision) {
   SqlQuery query(db,
@@ -31,7 +31,7 @@ absl::StatusOr<std::optional<ProfileRecord>> Find(SqlConnection& db, const std::
   return ProfileRecord{name, query.Int(0), query.Text(1), query.Text(2), query.Int(3)};
 }
 
-/// The last number that was given; 0: none.
+/// Returns the number of the last revision, including deleted ones; 0 if there is none.
 absl::StatusOr<int64_t> LastRevision(SqlConnection& db, const std::string& tenant,
                                      const std::string& name) {
   SqlQuery query(db, "SELECT max(revision) FROM profiles WHERE tenant = ? AND name = ?");
@@ -40,7 +40,7 @@ absl::StatusOr<int64_t> LastRevision(SqlConnection& db, const std::string& tenan
   return last;
 }
 
-/// Revisions stay for long, so there is an end to them.
+/// Checks the limit of stored revisions. There is a limit because revisions are stored for long.
 absl::Status CheckRoom(SqlConnection& db, const std::string& tenant) {
   SqlQuery query(db, "SELECT count(*) FROM profiles WHERE tenant = ?");
   const int64_t count = query.Bind(tenant).Next() ? query.Int(0) : 0;
@@ -50,7 +50,7 @@ absl::Status CheckRoom(SqlConnection& db, const std::string& tenant) {
                     count + 1);
 }
 
-/// The revision as it came to be; nullopt: another call was faster.
+/// Inserts a revision and returns it; nullopt if another call was faster.
 absl::StatusOr<std::optional<ProfileRecord>> Insert(SqlConnection& db, const NewProfile& profile,
                                                     int64_t revision, int64_t now_us) {
   SqlQuery insert(db,

@@ -9,8 +9,8 @@
 
 namespace slicefarm::coordinator {
 
-/// A ProfileStore in an SQL database that has the tables of `sqlite_schema` or `deploy/postgres`.
-/// What is left of a deleted revision is a row without a digest, created when it was deleted.
+/// ProfileStore in an SQL database with the tables of `sqlite_schema` or `deploy/postgres`. A
+/// deleted revision leaves a row without a digest; its creation time is the time of the deletion.
 class SqlProfileStore : public ProfileStore {
  public:
   explicit SqlProfileStore(std::shared_ptr<SqlDatabase> database)

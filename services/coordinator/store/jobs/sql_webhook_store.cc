@@ -20,7 +20,7 @@ absl::StatusOr<WebhookState> StateOf(const std::string& name) {
                    absl::StrCat("a webhook has the state ", name));
 }
 
-/// Most looks find nothing, and need no write.
+/// Returns true if a webhook is due. Most checks find none and need no write transaction.
 absl::StatusOr<bool> AnyDue(SqlDatabase& database, int64_t now_us) {
   const auto session = database.Read();
   if (!session.ok()) return session.status();

@@ -8,7 +8,7 @@
 
 namespace slicefarm::coordinator {
 
-/// A WebhookStore in the database of a SqlJobStore.
+/// WebhookStore in the database of a SqlJobStore.
 class SqlWebhookStore : public WebhookStore {
  public:
   explicit SqlWebhookStore(std::shared_ptr<SqlDatabase> database)
@@ -24,8 +24,9 @@ class SqlWebhookStore : public WebhookStore {
   const std::shared_ptr<SqlDatabase> database_;
 };
 
-/// What SqlJobStore does with webhooks, in its transactions. `job`: JobRecord.number.
+/// Inserts the webhook of a new job, in a transaction of SqlJobStore. `job`: JobRecord.number.
 absl::Status InsertWebhook(SqlConnection& db, int64_t job, const std::string& url);
+/// Makes the webhook of an ended job due, in a transaction of SqlJobStore.
 absl::Status MakeWebhookDue(SqlConnection& db, int64_t job, int64_t now_us);
 
 }  // namespace slicefarm::coordinator

@@ -10,15 +10,15 @@
 
 namespace slicefarm::coordinator {
 
-/// A delivery that somebody has to try now.
+/// Delivery that is due and was claimed.
 struct DueWebhook {
   std::string job_id;
   std::string tenant;
   std::string url;
-  int32_t attempt = 1;  ///< counts from 1
+  int32_t attempt = 1;  ///< counted from 1
 };
 
-/// What a try came to.
+/// Result of one delivery attempt.
 struct WebhookAttempt {
   int32_t attempt = 1;
   int64_t time_us = 0;
@@ -28,41 +28,44 @@ struct WebhookAttempt {
   friend bool operator==(const WebhookAttempt&, const WebhookAttempt&) = default;
 };
 
+/// State of a webhook.
 enum class WebhookState {
   kWaiting,    ///< the job has not ended
-  kDue,        ///< to be tried, for the first time or again
-  kDelivered,  ///< the receiver answered 2xx
+  kDue,        ///< the next attempt is due or planned
+  kDelivered,  ///< the receiver answered with 2xx
   kGivenUp,
 };
 
-/// The webhook of a job, and what became of it.
+/// Webhook of a job, and the results of its attempts.
 struct WebhookRecord {
   std::string url;
   WebhookState state = WebhookState::kWaiting;
-  int64_t due_us = 0;  ///< of kDue
+  int64_t due_us = 0;  ///< time of the next attempt, with kDue
   std::vector<WebhookAttempt> attempts = {};
 
   friend bool operator==(const WebhookRecord&, const WebhookRecord&) = default;
 };
 
-/// The outbox: JobStore::Create writes a webhook with its job, and makes it due in the transaction
-/// that ends the job; so none is forgotten, and one may be sent twice. It goes with its job.
-/// Thread-safe; several coordinators may share one store. Errors of all: STORE_FAILED; DISK_FULL.
+/// Outbox of webhooks. JobStore::Create writes a webhook together with its job. The transaction
+/// that ends the job makes the webhook due. So no webhook is lost, but one may be sent twice. It is
+/// deleted together with its job. Thread-safe; several coordinators may share one store. Errors of
+/// all functions: STORE_FAILED; DISK_FULL.
 class WebhookStore {
  public:
   virtual ~WebhookStore() = default;
 
-  /// The one that has been due for longest, but for those of `busy` tenants; nobody else gets it
-  /// before `until_us`. nullopt: none is due.
+  /// Claims the webhook that has been due for longest, except webhooks of `busy` tenants. No other
+  /// coordinator gets it before `until_us`. Returns nullopt if none is due.
   virtual absl::StatusOr<std::optional<DueWebhook>> Claim(
       int64_t now_us, int64_t until_us, const std::set<std::string>& busy = {}) = 0;
 
-  /// Writes what a claimed one came to. `again_us`: when it is due again, with kDue. A claim that
-  /// ran out and was taken by another leaves its line in the log only.
+  /// Records the result of an attempt. `again_us`: time of the next attempt, with kDue. If the
+  /// claim has expired and another coordinator has claimed the webhook, only the attempt is added
+  /// to its log.
   virtual absl::Status Record(const std::string& job_id, const WebhookAttempt& attempt,
                               WebhookState state, int64_t again_us) = 0;
 
-  /// nullopt: the job has none.
+  /// Returns the webhook of a job; nullopt if it has none.
   virtual absl::StatusOr<std::optional<WebhookRecord>> Get(const std::string& job_id) = 0;
 };
 

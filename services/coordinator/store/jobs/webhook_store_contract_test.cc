@@ -1,4 +1,4 @@
-// What every WebhookStore does. An implementation joins by an entry in kStores.
+// Contract tests of all WebhookStores. An entry in kStores adds an implementation.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@
 namespace slicefarm::coordinator::webhook_store_contract_test {
 namespace {
 
-/// Webhooks come with jobs.
+/// Job store and webhook store of one database, because webhooks are created with jobs.
 struct JobsAndWebhooks {
   explicit JobsAndWebhooks(const std::shared_ptr<SqlDatabase>& database)
       : jobs(database), webhooks(database) {}
