@@ -35,23 +35,24 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// A part's sweep and what was found while it was cut.
+/// Sweep of one part, with the gaps found while it was cut.
 struct SweptPart {
   const PreparedPart* part = nullptr;
   Sweep sweep;
-  std::vector<GapCounts> gaps;  ///< by own layer
-  std::optional<SurfaceSlabs> slabs = {};  ///< of marks on a surface, by own layer
+  std::vector<GapCounts> gaps;  ///< gap counts per layer of the object
+  /// slabs of a surface with seam or support marks, per layer of the object
+  std::optional<SurfaceSlabs> slabs = {};
 };
 
-/// An object on its way to sections.
+/// Object that is being cut into sections.
 struct SweptObject {
   std::vector<LayerPlane> planes;
   std::vector<SweptPart> parts;
 };
 
-/// A triangle, its neighbours, and half a vertex.
+/// Bytes for a triangle, its neighbours and half a vertex.
 constexpr int64_t kMemoryPerTriangle = 64;
-/// A point in a section and what finds it.
+/// Bytes for a point in a section and the index entry that finds it.
 constexpr int64_t kMemoryPerPoint = 24;
 
 /// One run of the stage.
@@ -86,7 +87,8 @@ class SlicingRun {
       if (!swept.ok()) return swept.status();
       swept_.push_back(*std::move(swept));
     }
-    // Before they are cut: how many points there will be is known by now.
+    // The memory is reserved before the parts are cut, because the number of points is known
+    // already.
     absl::Status room = HoldMemory(call_, JobMemory::Kind::kOutlines, kMemoryPerPoint * points_);
     if (!room.ok()) return room;
     LayOutSections();
@@ -98,7 +100,7 @@ class SlicingRun {
     const Coord first_nm =
         slicing.on_bed ? options_.first_layer_height_nm : slicing.layer_height_nm;
     const AdaptiveHeights& adaptive = slicing.adaptive;
-    // Of an object lower than half the first layer nothing is printed, which is told below.
+    // An object lower than half the first layer has no layers; that is reported further below.
     if (!adaptive.on || !slicing.height_profile.empty() || first_nm / 2 >= object.top_nm)
       return LayerPlanes(object.top_nm, {first_nm, slicing.layer_height_nm, object.ranges,
                                          slicing.height_profile, adaptive.min_nm / 2});
@@ -131,8 +133,9 @@ class SlicingRun {
     return swept;
   }
 
-  /// Seams: level faces are marked on the layers that they are the bottom or the top of. Supports:
-  /// what hangs over in a layer is the surface from the cut of the layer below to its own.
+  /// Returns the slab of heights that each layer covers. Seam marks: a level face counts in the
+  /// layer that it is the bottom or the top of, so the slab is the layer itself. Support marks: the
+  /// overhang of a layer is the surface between the cut of the layer below and its own cut.
   static SurfaceSlabs SlabsOf(const PreparedPart& part, const std::vector<LayerPlane>& planes) {
     std::vector<Slab> slabs;
     Coord below = std::numeric_limits<int32_t>::min();
@@ -147,7 +150,7 @@ class SlicingRun {
                                           : SurfaceSlabs::Faces::kAll);
   }
 
-  /// Sections of equal height above the objects' own bottoms lie together.
+  /// Groups the sections of all objects by their height above the objects' own bottoms.
   void LayOutSections() {
     std::map<Coord, std::vector<ObjectSection>> by_top;
     for (size_t object = 0; object < swept_.size(); ++object) {
@@ -277,7 +280,8 @@ class SlicingRun {
     if (section.hollow) KeepLargestContour(section);
   }
 
-  /// The index of the range of heights that holds the section; that of all others is the last.
+  /// Returns the index of the height range that contains the section; the last index is for
+  /// sections outside all ranges.
   size_t RangeOf(const ObjectSection& section) const {
     const auto object = static_cast<size_t>(section.stack.object);
     const std::vector<RangeInput>& ranges = objects_[object].ranges;
@@ -297,7 +301,7 @@ class SlicingRun {
     if (!swept.part->IsMarkedSurface()) return Outlines(swept, section, scratch);
     const auto layer = static_cast<size_t>(section.layer);
     const Coord reach_nm = SupportReach(EditsFor(section.layer, true, SlicingOf(section)));
-    // An enforcer with a hole in its mesh is a body all the same.
+    // An enforcer with a hole in its mesh still counts as a body, so its outlines are added.
     return Union(Outlines(swept, section, scratch), swept.slabs->Shadow(layer, reach_nm, call_.cancel));
   }
 
@@ -342,7 +346,8 @@ class SlicingRun {
     for (size_t i = 0; i < objects_.size(); ++i) {
       PreparedObject& object = objects_[i];
       for (SweptPart& swept : swept_[i].parts) {
-        // What would be defects of a body are none of a surface.
+        // Open edges and other defects of a body are normal for a surface, so a surface has no
+        // report.
         if (swept.part->IsMarkedSurface()) continue;
         MeshReport report = ReportOf(swept, options_.objects[i]);
         if (&swept == &swept_[i].parts.front()) {
@@ -376,9 +381,10 @@ class SlicingRun {
   bool advise_orientations_ = false;
   SlicedJob job_;
   std::vector<PreparedObject> objects_;
-  std::vector<int64_t> overlapping_;  ///< by object: CountOverlapping
-  int64_t points_ = 0;                ///< of the parts that are swept
-  std::vector<SweptObject> swept_;    ///< by object
+  /// number of overlapping copies per object, see CountOverlapping
+  std::vector<int64_t> overlapping_;
+  int64_t points_ = 0;  ///< number of points in the sections of the swept parts
+  std::vector<SweptObject> swept_;  ///< sweeps per object
 };
 
 class LocalSlicing : public SlicingStage {

@@ -8,9 +8,11 @@
 
 namespace slicefarm::slicing {
 
-/// The slicing stage in this process, its meshes read by `source`; README.md lists its steps.
-/// Errors: those of PrepareObjects, LayerPlanes, Sweep and RenderThumbnail; NOTHING_TO_PRINT if no
-/// layer has an outline; Cancelled.
+/// Returns the slicing stage that runs in this process and reads its meshes by `source`. README.md
+/// lists its steps.
+///
+/// Errors: the errors of PrepareObjects, LayerPlanes, Sweep and RenderThumbnail; NOTHING_TO_PRINT
+/// if no layer has an outline; Cancelled.
 std::unique_ptr<SlicingStage> MakeLocalSlicing(
     std::unique_ptr<const MeshSource> source = MakeDirectMeshSource());
 

@@ -94,7 +94,7 @@ TEST(LocalSlicing, ACubeIsTheSameSquareInEveryLayer) {
 struct RuleCase {
   std::string name;
   RawMesh mesh;
-  double non_zero_mm2, even_odd_mm2, positive_mm2;  ///< in the layer at 5 mm
+  double non_zero_mm2, even_odd_mm2, positive_mm2;  ///< areas in the layer at 5 mm, per fill rule
 };
 
 TEST(LocalSlicing, FillRulesDecideWhatIsInside) {
@@ -214,7 +214,7 @@ TEST(LocalSlicing, WhatItWillStandOnCountsForTheHeightOfThePrint) {
             Reason::kOutOfBuildVolume);
 }
 
-/// A stripe painted on the side y = 0, from x = 2 to 4 and z = 1 to 9.
+/// The surface is a stripe painted on the side y = 0, from x = 2 to 4 and z = 1 to 9.
 TEST(LocalSlicing, AnOpenSurfaceForSeamsCountsAroundItself) {
   const RawMesh stripe = {{{2, 0, 1}, {4, 0, 1}, {4, 0, 9}, {2, 0, 9}}, {{0, 1, 2}, {0, 2, 3}}};
   SliceInput input = InputOf({File(Cube(0, 0, 0)), File(stripe)});
@@ -232,7 +232,8 @@ TEST(LocalSlicing, AnOpenSurfaceForSeamsCountsAroundItself) {
     const ObjectSection& section = layer.sections[0];
     const double z = ToMm(section.z_nm) - 0.1;
     ASSERT_THAT(MarkedIn(section, PartRole::kSeamEnforcer), SizeIs(z > 1 && z < 9 ? 1 : 0)) << z;
-    // The first layer's outline moves by its elephant's foot, and the reach with it.
+    // The first layer's outline shrinks by its elephant foot, and the reach of the mark grows by as
+    // much.
     const double reach = z < 0.2 ? 0.5 : 0.3;
     EXPECT_NEAR(Area(MarkedIn(section, PartRole::kSeamBlocker)) * 1e-12,
                 (10 + 2 * reach) * (10 + 2 * reach), 1e-3);
@@ -246,7 +247,8 @@ TEST(LocalSlicing, AnOpenSurfaceForSeamsCountsAroundItself) {
   EXPECT_EQ(again->layers, job->layers);
 }
 
-/// A square of 4 mm painted on the underside of the cube, and on its top.
+/// The surface is a square of 4 mm painted on the underside of the cube, and another one on its
+/// top.
 TEST(LocalSlicing, LevelPaintCountsOnTheLayersThatItIsTheEdgeOf) {
   const RawMesh low = {{{3, 3, 0}, {3, 7, 0}, {7, 7, 0}, {7, 3, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   const RawMesh high = {{{3, 3, 10}, {7, 3, 10}, {7, 7, 10}, {3, 7, 10}}, {{0, 1, 2}, {0, 2, 3}}};
@@ -280,8 +282,8 @@ TEST(LocalSlicing, LevelPaintCountsOnTheLayersThatItIsTheEdgeOf) {
   EXPECT_THAT(job->meshes, SizeIs(1));
 }
 
-/// A slope painted from x = 0 to 10, rising from z = 2 to 6: each layer has the strip that is
-/// between its cut and that of the layer below.
+/// The surface is a slope painted from x = 0 to 10 that rises from z = 2 to 6. Each layer gets the
+/// strip between its own cut and the cut of the layer below.
 TEST(LocalSlicing, ASlopePaintedForSupportsIsTheStripThatHangsOver) {
   const RawMesh slope = {{{0, 0, 2}, {0, 10, 2}, {10, 10, 6}, {10, 0, 6}}, {{0, 1, 2}, {0, 2, 3}}};
   SliceInput input = InputOf({File(Cube(0, 0, 0)), File(slope)});
@@ -351,8 +353,9 @@ TEST(LocalSlicing, DoesNotDependOnThreadsOrTheOrderOfTriangles) {
   }
 }
 
-/// Without a face and a level one beside it, which no section meets: an opening of four edges, as
-/// one of three is closed by the face that is missing.
+/// Returns the mesh without one face and without the level face beside it. No section cuts the
+/// level face, so the opening has four edges. An opening of three edges would be closed by adding
+/// the missing face.
 RawMesh WithOpening(const RawMesh& mesh, size_t face) {
   const auto& gone = mesh.triangles[face];
   for (size_t i = mesh.triangles.size(); i-- > 0;) {
@@ -375,7 +378,7 @@ TEST(LocalSlicing, OpenMeshesAreClosedAsFarAsAllowedAndReported) {
   ASSERT_TRUE(job.ok()) << job.status();
   const MeshReport& report = job->meshes[0];
   EXPECT_EQ(report.open_edges, 4);
-  // Half of the side x = 10 is missing: the gap grows from 0 to 10 mm over 50 layers.
+  // Half of the side x = 10 is missing, so the gap grows from 0 to 10 mm over 50 layers.
   EXPECT_EQ(report.open_loops_closed, 10);
   EXPECT_EQ(report.open_loops_dropped, 40);
   EXPECT_NEAR(report.largest_gap_closed_mm, 1.9, 1e-6);
@@ -391,7 +394,7 @@ TEST(LocalSlicing, ClosesCracksOfMeshesThatAreNotManifoldOnly) {
   ASSERT_TRUE(closed.ok());
   EXPECT_THAT(closed->layers[10].sections[0].regions[0].outlines, SizeIs(2));
   EXPECT_EQ(closed->meshes[0].cracks_closed_mm, 0);
-  // A third cube that shares an edge with the first.
+  // The third cube shares an edge with the first one.
   const auto touching = Slice(Input(Joined(near, Cube(-10, 10, 0))));
   ASSERT_TRUE(touching.ok());
   EXPECT_EQ(touching->meshes[0].non_manifold_edges, 1);
@@ -464,10 +467,11 @@ struct ModelCase {
   size_t layers;
   int64_t triangles, vertices, bodies, open_edges;
   double volume_mm3;
-  double printed_mm3;  ///< less where bodies overlap
+  double printed_mm3;  ///< printed volume; less than the mesh's volume where bodies overlap
 };
 
-/// Layers integrate to the volume to within what half a layer at the top and bottom may take.
+/// The summed layers must match the volume of the mesh, within the error that half a layer at the
+/// top and at the bottom may cause.
 TEST(LocalSlicing, ModelsOfTheCorpus) {
   const std::vector<ModelCase> cases = {
       {"benchy.stl", 240, 225'154, 112'565, 1, 0, 15'550.5, 15'550.5},

@@ -13,13 +13,14 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// What is done to a section.
+/// Changes to one section: the areas to cut out and the areas to fill.
 struct Edit {
   MultiPolygon cut;
   MultiPolygon filled;
 };
 
-/// Whether holes go through the outlines as well, but for what a draft takes of them.
+/// Returns true if the holes also go through `outlines`, except for the small part (2 %) that a
+/// draft angle may cover.
 bool GoThrough(const MultiPolygon& holes, const MultiPolygon& outlines) {
   constexpr double kDraft = 0.02;
   return Area(Intersection(holes, outlines)) <= kDraft * Area(holes);
@@ -31,7 +32,7 @@ void CutOut(const MultiPolygon& room, ObjectSection& section) {
   section.whole = section.regions.size() > 1 ? Difference(section.whole, room) : MultiPolygon{};
 }
 
-/// Each hole goes to the region that has the most of its edge.
+/// Fills each hole with the region that touches the largest part of the hole's edge.
 void FillUp(const MultiPolygon& holes, ObjectSection& section) {
   constexpr Coord kEdgeNm = 50'000;
   for (const PolygonWithHoles& hole : holes) {
@@ -45,8 +46,9 @@ void FillUp(const MultiPolygon& holes, ObjectSection& section) {
   if (section.regions.size() > 1) section.whole = Union(section.whole, holes);
 }
 
-/// By layer. The slit that is left of a round channel below its top is open for one layer alone, and
-/// is closed as well without help.
+/// Returns the counterbores of each layer. A hole that is open in one layer only is left out: for
+/// example the last slit below the top of a round horizontal channel, which the next layer closes
+/// anyway.
 std::vector<std::vector<Counterbore>> Found(std::span<ObjectSection* const> sections, int threads,
                                             const CancelToken& cancel) {
   std::vector<std::vector<Counterbore>> found(sections.size());

@@ -8,10 +8,13 @@
 
 namespace slicefarm::slicing {
 
-/// Changes the sections of one object, by layer, where holes begin over wider recesses: kPartial
-/// leaves open in them the rooms of Counterbore, as far up as the holes go; kSacrificial closes the
-/// holes for one layer. Holes of one layer alone stay, and so do sections that are hollow. Cost: see
-/// CounterboresOver, on `threads`. Changes nothing, or only some sections, once `cancel` says so.
+/// Changes the sections of one object (one per layer, bottom up) where holes begin over wider
+/// recesses. kPartial leaves the areas Counterbore::rooms open, in as many layers as the holes
+/// have; kSacrificial closes the holes for one layer. Holes that are only one layer high stay
+/// unchanged, and so do hollow sections.
+///
+/// If `cancel` is set, none or only some of the sections are changed. Cost: see CounterboresOver,
+/// on `threads` threads.
 void BridgeCounterbores(CounterboreBridging how, std::span<ObjectSection* const> sections,
                         int threads, const CancelToken& cancel = {});
 

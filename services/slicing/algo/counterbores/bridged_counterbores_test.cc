@@ -25,7 +25,8 @@ ObjectSection SectionOf(MultiPolygon outlines) {
   return section;
 }
 
-/// A recess of two layers, over which a hole goes up through `holed` layers, and then a lid.
+/// Returns sections with a recess of two layers, then a smaller hole through `holed` layers, then a
+/// lid.
 std::vector<ObjectSection> Bored(int holed) {
   const MultiPolygon recess = Difference(Plate(), {{Disc(0, 0, 3), {}}});
   const MultiPolygon hole = Difference(Plate(), {{Disc(0, 0, 1.7), {}}});
@@ -43,7 +44,7 @@ std::vector<ObjectSection> Bridged(CounterboreBridging how, std::vector<ObjectSe
   return sections;
 }
 
-/// What is open in each layer.
+/// Returns the open area of each layer.
 std::vector<double> OpenMm2(const std::vector<ObjectSection>& sections) {
   std::vector<double> open;
   for (const ObjectSection& section : sections)
@@ -106,7 +107,8 @@ TEST(BridgeCounterbores, ThreadsChangeNothing) {
   EXPECT_EQ(Bridged(kPartial, Bored(9), 4), Bridged(kPartial, Bored(9)));
 }
 
-/// A cube of 20 mm with a recess of 10 by 10 by 10 mm, and a hole of 4 by 4 by 2 mm above it.
+/// Returns a cube of 20 mm with a recess of 10 by 10 by 10 mm and a hole of 4 by 4 by 2 mm above
+/// it.
 SliceInput BoredCube() {
   SliceInput input;
   for (const RawMesh& mesh : {Cube(0, 0, 0, 20), Cube(5, 5, 0, 10), Cube(8, 8, 8, 4)})

@@ -17,18 +17,20 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// How far around a hole air lies, at least: a bead, most of which would lie on none.
+/// Width of the free space that a hole must have around it: about one bead. A bead there would lie
+/// mostly on air.
 constexpr Coord kRimNm = 400'000;
-/// How far beyond its end a bridge is looked for what it rests on.
+/// Distance beyond the end of a bridge at which the layer below must support it.
 constexpr double kBeyondNm = 20'000;
 constexpr int kDirections = 12;
 
 Point ToPoint(const Vector2& v) { return {std::llround(v.x()), std::llround(v.y())}; }
 
-/// The stripe that a ring fills out, seen along a direction.
+/// Stripe along a direction that is exactly as wide as a ring.
 struct Stripe {
   Vector2 along;
-  double right = std::numeric_limits<double>::max();  ///< of `along` turned left
+  /// limit towards the right, measured along `along` turned left
+  double right = std::numeric_limits<double>::max();
   double left = std::numeric_limits<double>::lowest();
 };
 
@@ -42,7 +44,7 @@ Stripe StripeOf(const Polygon& ring, const Vector2& along) {
   return stripe;
 }
 
-/// The part of a stripe that reaches `reach_nm` from `middle`.
+/// Returns the part of a stripe from `reach_nm` before `middle` to `reach_nm` behind it.
 MultiPolygon AreaOf(const Stripe& stripe, const Vector2& middle, double reach_nm) {
   const Vector2 across = TurnedLeft(stripe.along);
   const double at = Dot(middle, stripe.along);
@@ -54,7 +56,7 @@ MultiPolygon AreaOf(const Stripe& stripe, const Vector2& middle, double reach_nm
            {}}};
 }
 
-/// What of an island lies over air, with the holes in it.
+/// Unsupported part of an island, together with the holes in that part.
 class Recess {
  public:
   Recess(const PolygonWithHoles& air, const MultiPolygon& below) : air_(air), below_(below) {
@@ -81,7 +83,8 @@ class Recess {
   }
 
  private:
-  /// Where `area` is open to all the stripes of one of the holes, around it.
+  /// Returns the parts of `area` that lie inside the stripes of one hole in all of the directions
+  /// `ways`, and that contain this hole.
   MultiPolygon Crossed(const MultiPolygon& area, const std::vector<Vector2>& ways) const {
     MultiPolygon all;
     for (const Polygon& hole : holes_) {
@@ -96,8 +99,9 @@ class Recess {
     return Union(Rings(all), FillRule::kNonZero);
   }
 
-  /// The way whose crossed stripes lie closest around the holes, so that least is left to the
-  /// layers above; of those that lie about as close, that of the shortest bridges.
+  /// Returns the bridging direction whose crossed stripes enclose the holes most tightly, so that
+  /// the layers above have least left to bridge. Among directions within 1 %, the shortest bridges
+  /// win.
   std::optional<Vector2> BestWay() const {
     constexpr double kAlike = 1.01;
     std::optional<Vector2> best;
@@ -150,7 +154,8 @@ class Recess {
     return longest;
   }
 
-  /// How long a bridge is through a place `at` along and `aside`; none where an end has no hold.
+  /// Returns the length of the bridge through the point at distance `at` along `along` and `aside`
+  /// across it. Returns nothing if one end of the bridge is not supported.
   std::optional<double> SpanAt(const Vector2& along, double at, double aside) const {
     const Vector2 across = TurnedLeft(along);
     if (Locate(ToPoint(at * along + aside * across), air_) == Side::kOutside) return std::nullopt;
@@ -177,7 +182,7 @@ class Recess {
   std::vector<Polygon> holes_;
 };
 
-/// The holes of an island around which nothing lies below.
+/// Returns the holes of an island that have only air below their surroundings.
 std::vector<Polygon> HolesOverAir(const MultiPolygon& below, const PolygonWithHoles& island) {
   std::vector<Polygon> holes;
   for (const Polygon& ring : island.holes) {

@@ -6,21 +6,26 @@
 
 namespace slicefarm::slicing {
 
-/// Holes that begin over one wider recess, so that nothing below carries their edges.
+/// Holes that begin over one common wider recess, so that nothing below supports their edges.
 struct Counterbore {
-  MultiPolygon holes;  ///< as islands
-  /// What the layer of the holes, and each of those above it, leaves open, so that its edges lie on
-  /// what the layer below left: slots across the recess, crossed by slots; where these leave
-  /// corners wider than a bead, crossed by slots between both. Each lies within the one before, and
-  /// around the holes. At least two.
+  MultiPolygon holes;  ///< the holes, as islands
+  /// Areas to leave open, one for the first layer of the holes and one for each layer above it.
+  /// They are chosen so that the edges of each layer lie on the layer below: first slots across the
+  /// recess, then the same slots crossed by slots at right angles. If this leaves corners wider
+  /// than a bead, a third area is crossed by the two diagonal slots too. Each area lies within the
+  /// previous one and contains the holes. There are at least two areas.
   std::vector<MultiPolygon> rooms;
 };
 
-/// The counterbores in the outlines `here` of a layer, above the outlines `below`. A hole is part of
-/// one where air lies below all that is within 0.4 mm of it. Slots run where bridges beside the holes
-/// rest on `below` at both ends; where they do in no direction, as in a ledge, there is none. Of the
-/// directions, that whose crossed slots lie closest around the holes, and then the shortest way.
-/// Cost: a difference and an offset of both outlines; where that leaves no overhang, no more.
+/// Returns the counterbores in the outlines `here` of a layer, above the outlines `below`. A hole
+/// belongs to a counterbore if only air is below everything within 0.4 mm around it.
+///
+/// The slots run in a direction in which bridges beside the holes rest on `below` at both ends. If
+/// there is no such direction, as on a ledge, there is no counterbore. Among the possible
+/// directions, the one with the crossed slots closest around the holes is taken, and then the
+/// one with the shortest bridges.
+///
+/// Cost: one difference and one offset of both outlines; no more if they show no overhang.
 std::vector<Counterbore> CounterboresOver(const MultiPolygon& below, const MultiPolygon& here);
 
 }  // namespace slicefarm::slicing

@@ -15,15 +15,15 @@ namespace {
 
 using namespace counterbore_shapes_test;  // NOLINT(google-build-using-namespace)
 
-/// A plate of 30 by 30 mm with holes.
+/// Returns a plate of 30 by 30 mm with holes.
 MultiPolygon Plate(std::vector<Polygon> holes) {
   PolygonWithHoles plate{Box(-15, -15, 30, 30), {}};
   for (Polygon& hole : holes) plate.holes.push_back(AsHole(std::move(hole)));
   return {plate};
 }
 
-/// Everything that is printed rests: what a layer adds over air lies between two edges of the layer
-/// below, along one direction.
+/// Checks that all printed material is supported: the part that a layer adds over air must span
+/// between two edges of the layer below, along one direction.
 void ExpectEachRoomCrossesTheLast(const Counterbore& counterbore) {
   ASSERT_GE(counterbore.rooms.size(), 2U);
   for (size_t i = 0; i < counterbore.rooms.size(); ++i) {
@@ -39,7 +39,8 @@ TEST(CounterboresOver, ARoundHoleOverARoundRecess) {
   ASSERT_EQ(found.size(), 1U);
   ExpectEachRoomCrossesTheLast(found[0]);
   ASSERT_EQ(found[0].rooms.size(), 3U);
-  // The slot: a stripe as wide as the hole across a disc; then a square, then an octagon.
+  // The first area is a slot (a stripe as wide as the hole across a disc), then follow a square and
+  // an octagon.
   const double half = std::asin(1.7 / 3);
   EXPECT_NEAR(Mm2(found[0].rooms[0]), 3 * 3 * (2 * half + std::sin(2 * half)), 0.1);
   EXPECT_NEAR(Mm2(found[0].rooms[1]), 3.4 * 3.4, 0.05);
@@ -55,7 +56,7 @@ TEST(CounterboresOver, ANutTrapIsCrossedWhereBridgesAreShortest) {
                                         Plate({Disc(2, 1, 1.6)}));
     ASSERT_EQ(found.size(), 1U) << turn_rad;
     ExpectEachRoomCrossesTheLast(found[0]);
-    // From corner to corner: beside the hole, the way is shorter than from flat to flat.
+    // The bridge beside the hole is shorter from corner to corner than from flat to flat.
     EXPECT_NEAR(Mm2(found[0].rooms[0]), 3.2 * (2 * corner_mm - 1.6 / std::numbers::sqrt3), 0.05);
     EXPECT_NEAR(Mm2(found[0].rooms[1]), 3.2 * 3.2, 0.05);
   }
@@ -91,7 +92,7 @@ TEST(CounterboresOver, OthersAreNone) {
 }
 
 TEST(CounterboresOver, ARecessOpenAtASideIsCrossedBetweenItsWalls) {
-  // A nut is slid in from the front.
+  // The recess is a slot into which a nut is pushed from the front.
   const MultiPolygon below = Difference(Plate({}), {{Box(-3, -20, 6, 23), {}}});
   const auto found = CounterboresOver(below, Plate({Disc(0, 0, 1.7)}));
   ASSERT_EQ(found.size(), 1U);

@@ -9,7 +9,7 @@
 
 namespace slicefarm::slicing::counterbore_shapes_test {
 
-/// A regular polygon around (x, y), with a corner at `turn_rad`.
+/// Returns a regular polygon around (x, y) with a corner at `turn_rad`.
 inline Polygon Ngon(double x_mm, double y_mm, double radius_mm, int corners, double turn_rad = 0) {
   Polygon ring;
   for (int i = 0; i < corners; ++i) {

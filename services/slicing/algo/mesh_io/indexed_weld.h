@@ -9,15 +9,15 @@
 
 namespace slicefarm::slicing {
 
-/// The same triangles over the distinct positions that they use, in order of their first use.
-/// REQUIRES: valid indices.
+/// Returns the same triangles with equal positions merged and unused ones removed. Positions are in
+/// the order of their first use. REQUIRES: valid indices.
 inline RawMesh Welded(const RawMesh& mesh) {
   constexpr uint32_t kNew = UINT32_MAX;
   Welder<Vector3> welder(std::min(mesh.positions.size(), 3 * mesh.triangles.size()));
   std::vector<uint32_t> numbers(mesh.positions.size(), kNew);
   const auto number = [&](uint32_t corner) {
     const Vector3& p = mesh.positions[corner];
-    // Adding zero makes -0 and +0 the same bits.
+    // Adding zero gives -0 and +0 the same bits.
     if (numbers[corner] == kNew)
       numbers[corner] = welder.Add({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0});
     return numbers[corner];

@@ -11,10 +11,11 @@
 
 namespace slicefarm::slicing {
 
-/// What keeps a number from being a coordinate.
+/// Reason why a number is not a valid coordinate.
 enum class CoordinateFault { kNone, kNotFinite, kBeyondLimit };
 
-/// Both STL readers' way from corners to a RawMesh: checks, welds, collects.
+/// Builder of a RawMesh from triangle corners, used by both STL readers. It checks, welds and
+/// collects the corners.
 class MeshBuilder {
  public:
   MeshBuilder(size_t expected_triangles, double coordinate_limit)
@@ -22,6 +23,7 @@ class MeshBuilder {
     mesh_.triangles.reserve(expected_triangles);
   }
 
+  /// Returns the fault of the coordinates of `p`, or kNone.
   CoordinateFault Check(const Vector3& p) const {
     if (std::abs(p.x()) <= limit_ && std::abs(p.y()) <= limit_ && std::abs(p.z()) <= limit_)
       return CoordinateFault::kNone;
@@ -30,20 +32,21 @@ class MeshBuilder {
                : CoordinateFault::kNotFinite;
   }
 
-  /// REQUIRES: all three pass Check.
+  /// Adds a triangle. REQUIRES: all three corners pass Check.
   void Add(const std::array<Vector3, 3>& corners) {
     mesh_.triangles.push_back({Weld(corners[0]), Weld(corners[1]), Weld(corners[2])});
   }
 
   size_t triangles() const { return mesh_.triangles.size(); }
 
+  /// Returns the mesh. The builder must not be used afterwards.
   RawMesh Take() && {
     mesh_.positions = std::move(welder_).TakePoints();
     return std::move(mesh_);
   }
 
  private:
-  /// Adding zero makes -0 and +0 the same bits.
+  /// Returns the number of the welded point. Adding zero gives -0 and +0 the same bits.
   uint32_t Weld(const Vector3& p) { return welder_.Add({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}); }
 
   Welder<Vector3> welder_;

@@ -7,17 +7,18 @@
 
 namespace slicefarm::slicing {
 
-/// How much of a file is wanted.
+/// Amount of a file's contents to read.
 enum class ReadDepth : uint8_t {
-  kStructure,  ///< the project alone: no mesh is kept
-  kMeshes,     ///< and all meshes
-  kNumbered,   ///< and all meshes, with the vertices of OBJ files by their numbers: none are welded
+  kStructure,  ///< the project only; no mesh is kept
+  kMeshes,  ///< the project and all meshes
+  kNumbered,  ///< the project and all meshes; OBJ vertices keep their numbers and are not welded
 };
 
-/// What is in a mesh file. `meshes` are those that MeshRef::mesh of the project's parts counts:
-/// for STL, OBJ and PLY the only one; for 3MF those of all objects that have one, in mm, in the
-/// order of the file, and after them the surfaces that are painted on them as seams and supports. Empty if only
-/// the structure was read.
+/// Contents of a mesh file. MeshRef::mesh of the project's parts is an index into `meshes`.
+///
+/// STL, OBJ and PLY files have one mesh. For 3MF, `meshes` has one mesh per object that has a mesh,
+/// in mm and in the order of the file. After them it has the surfaces painted as seams and
+/// supports. It is empty if only the structure was read.
 struct MeshFileContents {
   std::vector<RawMesh> meshes;
   Project project;

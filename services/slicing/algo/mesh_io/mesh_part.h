@@ -6,9 +6,9 @@
 
 namespace slicefarm::slicing {
 
-/// The triangles of `mesh` that `ref` names, with the corners that they have, in the mesh's order.
-/// Errors: REQUEST_MALFORMED if the mesh has not so many triangles; MESH_EMPTY for no triangle.
-/// Cost: O(corners + triangles).
+/// Returns the triangles of `mesh` that `ref` names, with the corners that they use, in the order
+/// of the mesh. Errors: REQUEST_MALFORMED if the mesh has fewer triangles than `ref` needs;
+/// MESH_EMPTY if there is no triangle. Cost: O(corners + triangles).
 absl::StatusOr<RawMesh> MeshPart(const RawMesh& mesh, const MeshRef& ref);
 
 }  // namespace slicefarm::slicing

@@ -10,7 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Three triangles over six corners in a row.
+/// Returns a strip of three triangles over six corners.
 RawMesh Strip() {
   RawMesh mesh;
   for (int i = 0; i < 6; ++i) mesh.positions.push_back({1.0 * i, 0, 0});

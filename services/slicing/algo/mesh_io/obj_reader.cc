@@ -19,11 +19,12 @@
 namespace slicefarm::slicing {
 namespace {
 
+/// Number of lines between two checks for cancellation.
 constexpr int64_t kLinesPerPoll = 1 << 16;
-/// Three indices of ten digits for each corner of the largest face.
+/// Length limit of a line: three indices of ten digits for each corner of the largest face.
 constexpr int64_t kMaxLineBytes = limits::kMaxFaceVertices * 33 + 16;
-/// More vertices than any mesh within the limits needs.
 
+/// Keywords that the first statement of an OBJ file may begin with.
 constexpr std::array<std::string_view, 13> kFirstStatements = {
     "v", "vn", "vt", "vp", "f", "o", "g", "s", "l", "p", "mtllib", "usemtl", "maplib"};
 
@@ -33,7 +34,8 @@ bool IsWordOfLetters(std::string_view word) {
   });
 }
 
-/// `7/1/3` -> 7.
+/// Returns the vertex index of a face corner: `7/1/3` gives 7. Returns nothing if the index is
+/// invalid.
 std::optional<int64_t> LeadingIndex(std::string_view corner) {
   const std::string_view digits = corner.substr(0, corner.find('/'));
   int64_t index = 0;
@@ -48,7 +50,7 @@ class ObjParser {
   ObjParser(std::string_view bytes, double coordinate_limit)
       : lines_(bytes, kMaxLineBytes, true), limit_(coordinate_limit) {}
 
-  /// Reads one line; false at the end of the text.
+  /// Reads one line. Returns false at the end of the text.
   absl::StatusOr<bool> Step() {
     const auto line = lines_.Next();
     if (!line.ok()) return line.status();
@@ -119,7 +121,8 @@ class ObjParser {
     return absl::OkStatus();
   }
 
-  /// An index may be ahead of its vertex, so whether it is good shows at the end.
+  /// Stores the largest vertex index used so far, and its line. An index may precede its vertex, so
+  /// indices can be checked only at the end of the file.
   void Remember(size_t from_one) {
     if (from_one <= highest_) return;
     highest_ = from_one;

@@ -8,19 +8,22 @@
 
 namespace slicefarm::slicing {
 
-/// Whether the first statement of `bytes` is one of OBJ's.
+/// Returns true if the first statement of `bytes` is an OBJ statement.
 bool LooksLikeObj(std::string_view bytes);
 
-/// Wavefront OBJ: `v` and `f`; other statements are passed over, no file that they name is ever
-/// opened. A face of n corners becomes a fan of n - 2 triangles around its first corner. Indices
-/// count from 1, negative ones back from the last vertex so far; an index may refer to a vertex
-/// further down. Source: Wavefront, Advanced Visualizer manual, appendix B1. Arguments and errors:
-/// see ReadMesh.
+/// Reads a Wavefront OBJ file: the statements `v` and `f`. Other statements are skipped, and files
+/// that they name are never opened.
+///
+/// A face of n corners becomes a fan of n - 2 triangles around its first corner. Positive indices
+/// count from 1. Negative indices count back from the last vertex so far. An index may refer to a
+/// vertex that follows later in the file.
+///
+/// Source: Wavefront, Advanced Visualizer manual, appendix B1. Arguments and errors: see ReadMesh.
 absl::StatusOr<RawMesh> ReadObj(std::string_view bytes, double coordinate_limit,
                                 const CancelToken& cancel);
 
-/// The same with the file's own vertices, by their numbers: those at one place stay apart, those
-/// that no face uses stay.
+/// Reads an OBJ file like ReadObj, but keeps the vertices of the file with their numbers. Vertices
+/// at the same position are not merged, and unused vertices are kept.
 absl::StatusOr<RawMesh> ReadObjAsNumbered(std::string_view bytes, double coordinate_limit,
                                           const CancelToken& cancel);
 

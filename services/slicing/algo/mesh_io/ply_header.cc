@@ -14,7 +14,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Far more than any writer has; each costs time for every element.
+/// Limits of the header, far above the needs of any writer. Each property costs time per element.
 constexpr size_t kMaxElements = 64;
 constexpr size_t kMaxProperties = 256;
 
@@ -53,7 +53,8 @@ std::optional<PlyEncoding> EncodingOf(std::string_view name) {
   return std::nullopt;
 }
 
-/// Line by line; data in binary follow the last of them, so the line ends are found here.
+/// Parser of the header, line by line. Binary data may follow its last line directly, so the parser
+/// finds the line ends itself.
 class HeaderParser {
  public:
   explicit HeaderParser(std::string_view bytes) : bytes_(bytes) {}

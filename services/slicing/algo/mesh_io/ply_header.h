@@ -9,36 +9,40 @@
 
 namespace slicefarm::slicing {
 
+/// Encoding of the data behind a PLY header.
 enum class PlyEncoding { kAscii, kLittleEndian, kBigEndian };
+/// Number type of a PLY property.
 enum class PlyType : uint8_t { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat, kDouble };
 
-/// Bytes of a number of this type in a binary file.
+/// Returns the size in bytes of a number of this type in a binary file.
 size_t PlySize(PlyType type);
 
-/// A number of each element, or a list of them with its length in front.
+/// Property of an element: one number, or a list of numbers preceded by its length.
 struct PlyProperty {
   std::string name;
   bool is_list = false;
-  PlyType count_type = PlyType::kUint8;  ///< of a list's length
+  PlyType count_type = PlyType::kUint8;  ///< type of a list's length
   PlyType type = PlyType::kFloat;
 };
 
-/// What there are `count` of, one after the other.
+/// Kind of element, of which the file has `count` in sequence.
 struct PlyElement {
   std::string name;
   int64_t count = 0;
   std::vector<PlyProperty> properties;
 };
 
+/// Parsed PLY header.
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kAscii;
   std::vector<PlyElement> elements;
-  size_t bytes = 0;   ///< of the header, `end_header` and its line end included
-  int64_t lines = 0;  ///< of the header
+  size_t bytes = 0;  ///< size of the header, with `end_header` and its line end
+  int64_t lines = 0;  ///< number of lines of the header
 };
 
-/// The header of a PLY. The counts are what it claims: nothing is said about the data.
-/// Errors: MESH_MALFORMED naming the line; MESH_TRUNCATED without `end_header`.
+/// Reads the header of a PLY file. The counts are only the claims of the header: they are not
+/// checked against the data. Errors: MESH_MALFORMED with the line; MESH_TRUNCATED without
+/// `end_header`.
 absl::StatusOr<PlyHeader> ReadPlyHeader(std::string_view bytes);
 
 }  // namespace slicefarm::slicing

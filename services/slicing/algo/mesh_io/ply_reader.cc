@@ -19,10 +19,10 @@
 namespace slicefarm::slicing {
 namespace {
 
+/// Number of elements between two checks for cancellation.
 constexpr int64_t kElementsPerPoll = 1 << 16;
-/// More vertices than any mesh within the limits needs.
 
-/// What a property is to us.
+/// Purpose of a property for this reader.
 enum class Use : uint8_t { kX, kY, kZ, kCorners, kNone };
 
 Use UseOf(const PlyElement& element, const PlyProperty& property) {
@@ -41,7 +41,8 @@ std::vector<Use> UsesOf(const PlyElement& element) {
   return uses;
 }
 
-/// The data behind a header, number by number. Nothing is allocated by a count of the file's.
+/// Parser of the data behind a header, number by number. It never allocates memory according to a
+/// count in the file.
 template <typename Values>
 class PlyParser {
  public:
@@ -104,7 +105,7 @@ class PlyParser {
   }
 
   absl::Status List(PlyType type, double length, Use use) {
-    // The length of a list in ASCII may be any number.
+    // In an ASCII file, the length of a list may be any number.
     if (!(length >= 0 && length <= UINT32_MAX && length == std::floor(length)))
       return Malformed("the length of a list cannot be");
     const auto count = static_cast<int64_t>(length);
@@ -144,7 +145,8 @@ class PlyParser {
                                                      element_->count, element_->name));
   }
 
-  /// Faces may stand before the vertices, so whether an index is good shows at the end.
+  /// Returns the error for a vertex index that does not exist. Faces may precede the vertices, so
+  /// indices can be checked only at the end.
   absl::Status IndexError() const {
     const size_t count = mesh_.positions.size();
     return MakeError(

@@ -10,12 +10,13 @@
 
 namespace slicefarm::slicing {
 
-/// The numbers of an ASCII PLY, one word each; which line they stand on does not matter.
+/// Reader of the numbers of an ASCII PLY file. Each word is one number; line ends do not matter.
 class PlyText {
  public:
   explicit PlyText(std::string_view bytes) : words_(bytes) {}
 
-  /// The next number; nothing at the end, or for a word that is none (then malformed()).
+  /// Returns the next number. Returns nothing at the end, or if the word is not a number; in the
+  /// second case malformed() is true.
   std::optional<double> Next(PlyType) {
     const std::string_view word = words_.Next();
     const std::optional<double> number = word.empty() ? std::nullopt : ParseNumber(word);
@@ -23,6 +24,7 @@ class PlyText {
     return number;
   }
 
+  /// Returns true if the last word read was not a number.
   bool malformed() const { return malformed_; }
 
  private:
@@ -30,13 +32,13 @@ class PlyText {
   bool malformed_ = false;
 };
 
-/// The numbers of a binary PLY.
+/// Reader of the numbers of a binary PLY file.
 template <std::endian kOrder>
 class PlyBinary {
  public:
   explicit PlyBinary(std::string_view bytes) : bytes_(bytes) {}
 
-  /// The next number; nothing if less than one is left.
+  /// Returns the next number, or nothing if too few bytes are left.
   std::optional<double> Next(PlyType type) {
     const size_t size = PlySize(type);
     if (size > bytes_.size()) return std::nullopt;
@@ -63,6 +65,7 @@ class PlyBinary {
     return std::nullopt;
   }
 
+  /// Returns false: every bit pattern is a number.
   bool malformed() const { return false; }
 
  private:

@@ -6,20 +6,21 @@
 
 namespace slicefarm::slicing {
 
-/// A hash of three words whose collisions nobody can work out who does not know its keys, so that
-/// no file can be made to fill a hash table with them.
+/// Keyed hash of three words. Without its keys, collisions cannot be computed in advance, so no
+/// file can be crafted to overload a hash table.
 class PointHash {
  public:
   using Keys = std::array<uint64_t, 4>;
 
   explicit PointHash(const Keys& keys) : keys_(keys) {}
 
-  /// With random keys, the same ones throughout the process.
+  /// Returns the hash of this process; its keys are random and do not change while it runs.
   static const PointHash& OfProcess() {
     static const PointHash hash{RandomKeys()};
     return hash;
   }
 
+  /// Returns the hash of the three words.
   uint64_t operator()(const std::array<uint64_t, 3>& words) const {
     const uint64_t first = Fold(words[0] ^ keys_[0], words[1] ^ keys_[1]);
     return Fold(first ^ keys_[2], words[2] ^ keys_[3]);
@@ -33,7 +34,8 @@ class PointHash {
     return keys;
   }
 
-  /// Both halves of the product, so that every bit of it depends on high and low bits of both.
+  /// Combines both halves of the product. So every bit of the result depends on high and low bits
+  /// of `a` and `b`.
   static uint64_t Fold(uint64_t a, uint64_t b) {
     const auto product = static_cast<unsigned __int128>(a) * b;
     return static_cast<uint64_t>(product) ^ static_cast<uint64_t>(product >> 64);

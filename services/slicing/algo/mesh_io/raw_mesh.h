@@ -9,11 +9,11 @@
 
 namespace slicefarm::slicing {
 
-/// Of a file, used by its triangles or not.
+/// Largest number of vertices of a file, used by its triangles or not.
 constexpr int64_t kMaxVertices = 3 * limits::kMaxTriangles;
 
-/// Triangles as a file gives them: corners index `positions`, every index is valid, every
-/// coordinate finite and within the limit given to the reader.
+/// Triangles as read from a file. The corners are valid indices into `positions`. Every coordinate
+/// is finite and within the limit given to the reader.
 struct RawMesh {
   std::vector<Vector3> positions;
   std::vector<std::array<uint32_t, 3>> triangles;

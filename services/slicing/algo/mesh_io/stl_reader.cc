@@ -80,7 +80,7 @@ absl::Status TriangleError(CoordinateFault fault, size_t triangle) {
                    {{"triangle", std::to_string(triangle)}});
 }
 
-/// Editors of texts put a mark before them.
+/// Returns the text without the UTF-8 byte order mark that some text editors write.
 std::string_view WithoutMark(std::string_view text) {
   if (text.starts_with(kUtf8Mark)) text.remove_prefix(kUtf8Mark.size());
   return text;
@@ -91,15 +91,15 @@ bool EqualsIgnoringCase(std::string_view word, std::string_view lower) {
                     [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
 }
 
-/// The statements of an ASCII STL, and where in them the reader is.
+/// Parser of an ASCII STL file that tracks the expected next statement.
 class AsciiParser {
  public:
   AsciiParser(std::string_view bytes, double coordinate_limit)
       : lines_(bytes, limits::kMaxAsciiLineBytes, false),
-        // A facet takes 7 lines; less than 100 bytes for all of them is rare.
+        // A facet has 7 lines and nearly always 100 bytes or more.
         builder_(std::min<size_t>(bytes.size() / 100, limits::kMaxTriangles), coordinate_limit) {}
 
-  /// Reads one line; false at the end of the text.
+  /// Reads one line. Returns false at the end of the text.
   absl::StatusOr<bool> Step() {
     const auto line = lines_.Next();
     if (!line.ok()) return line.status();
@@ -189,7 +189,7 @@ bool LooksLikeAsciiStl(std::string_view bytes) {
   constexpr size_t kProbeBytes = 4096;
   const std::string_view probe = WithoutMark(bytes).substr(0, kProbeBytes);
   if (!EqualsIgnoringCase(Words(probe).Next(), "solid")) return false;
-  // Binary exporters write `solid` too, but then a zero byte or two follow soon.
+  // Binary exporters may also write `solid` at the start, but a zero byte follows soon after it.
   return probe.find('\0') == std::string_view::npos;
 }
 

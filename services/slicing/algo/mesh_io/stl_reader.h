@@ -8,20 +8,22 @@
 
 namespace slicefarm::slicing {
 
-/// STL in both flavours. Normals and attributes are not looked at: the order of the corners tells
-/// the outside. Source: 3D Systems, StereoLithography Interface Specification, 1989. Arguments and
-/// errors: see ReadMesh.
+/// Readers of binary and ASCII STL files. Normals and attributes are ignored: the order of the
+/// corners defines the outside. Source: 3D Systems, StereoLithography Interface Specification,
+/// 1989. Arguments and errors: see ReadMesh.
 
-/// Whether the length of `bytes` is 84 + 50 n, n being the count at offset 80.
+/// Returns true if the length of `bytes` is 84 + 50 n, where n is the count at offset 80.
 bool IsBinaryStl(std::string_view bytes);
 
-/// Whether `bytes` start like an ASCII STL.
+/// Returns true if `bytes` start like an ASCII STL file.
 bool LooksLikeAsciiStl(std::string_view bytes);
 
+/// Reads a binary STL file.
 absl::StatusOr<RawMesh> ReadBinaryStl(std::string_view bytes, double coordinate_limit,
                                       const CancelToken& cancel);
 
-/// Keywords in any case; text between the statements that is not a statement is an error.
+/// Reads an ASCII STL file. Keywords may be in upper or lower case. Text between the statements is
+/// an error.
 absl::StatusOr<RawMesh> ReadAsciiStl(std::string_view bytes, double coordinate_limit,
                                      const CancelToken& cancel);
 

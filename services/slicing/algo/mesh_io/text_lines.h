@@ -10,51 +10,52 @@
 
 namespace slicefarm::slicing {
 
-/// The words of a line, taken off its front one by one. Blanks are space, tab, CR, LF, VT, FF and
-/// the backslash of a continued line.
+/// Words of a line, removed from its front one by one. Separators are space, tab, CR, LF, VT, FF
+/// and the backslash of a continued line.
 class Words {
  public:
   explicit Words(std::string_view rest) : rest_(rest) {}
 
-  /// The next word; empty at the end of the line.
+  /// Returns the next word, or an empty view at the end of the line.
   std::string_view Next();
 
  private:
   std::string_view rest_;
 };
 
-/// A number as C writes it, whatever the locale; nothing if `word` is not one as a whole. Too big:
-/// infinity; too small: zero.
+/// Parses a number in C notation, independent of the locale. Returns nothing if `word` as a whole
+/// is not a number. A number too large for double gives infinity, one too small gives zero.
 std::optional<double> ParseNumber(std::string_view word);
 
-/// Goes through a text line by line. Each line ends in LF, CR LF or CR, whatever the others do.
+/// Reader of a text line by line. Each line may end in LF, CR LF or CR, also within one file.
 class LineReader {
  public:
-  /// `max_line_bytes`: longer lines are refused. `joins`: a line that ends in a backslash goes on
-  /// in the next.
+  /// `max_line_bytes`: longer lines are refused. `joins`: a line that ends in a backslash continues
+  /// in the next line.
   LineReader(std::string_view text, int64_t max_line_bytes, bool joins);
 
-  /// The next line; nothing at the end of the text.
-  /// Errors: MESH_MALFORMED with `limit`, `got`, `line` for a line that is too long.
+  /// Returns the next line, or nothing at the end of the text. Errors: MESH_MALFORMED with `limit`,
+  /// `got` and `line` if a line is too long.
   absl::StatusOr<std::optional<std::string_view>> Next();
 
-  /// Number of the line that Next gave, from 1.
+  /// Returns the number of the line that Next returned last, from 1.
   int64_t number() const { return number_; }
 
-  /// An InvalidArgument that ends in "(line N)" and has `line` in its metadata.
+  /// Returns an InvalidArgument error that ends in "(line N)" and has `line` in its metadata.
   absl::Status Error(Reason reason, std::string_view what) const;
 
  private:
-  /// End of the line that starts at `begin`, its terminator excluded.
+  /// Returns the end of the line that starts at `begin`, without the line terminator.
   size_t LineEnd(size_t begin);
-  /// Where the line after the one with that end begins.
+  /// Returns the begin of the line after the one that ends at `end`.
   size_t After(size_t end) const;
 
   std::string_view text_;
   size_t max_line_bytes_;
   bool joins_;
   size_t at_ = 0;
-  size_t next_lf_ = 0, next_cr_ = 0;  ///< the first at or after the line's begin, once looked for
+  /// first LF and CR at or after the line's begin, once searched
+  size_t next_lf_ = 0, next_cr_ = 0;
   int64_t number_ = 0;
   int64_t next_number_ = 1;
 };

@@ -12,23 +12,24 @@
 
 namespace slicefarm::slicing {
 
-/// Gives equal points the same number, in order of first appearance. `T` is three 8-byte
-/// coordinates whose bits tell equality (a double zero must be +0.0).
+/// Welder that gives equal points the same number, in order of first appearance. `T` has three
+/// 8-byte coordinates. Points are equal if their bits are equal (a double zero must be +0.0).
 ///
-/// Open addressing over indices: 4 bytes a slot at most half full, besides the points. Cost: O(1) a
-/// point, also for a file that was made to collide: the hash has random keys. No output depends on
-/// them, as the numbers follow first appearance and not the slots.
+/// It is an open-addressing hash table of indices: 4 bytes per slot, at most half full, besides the
+/// points. The cost is O(1) per point, even for a file crafted to cause collisions, because the
+/// hash has random keys. The output does not depend on the keys, as the numbers follow the first
+/// appearance.
 template <typename T>
 class Welder {
   static_assert(sizeof(T) == 24);
 
  public:
-  /// Room for `expected` distinct points without growing.
+  /// Reserves memory for `expected` distinct points.
   explicit Welder(size_t expected) : slots_(std::bit_ceil(2 * expected + 16), kEmpty) {
     points_.reserve(expected);
   }
 
-  /// The number of the point.
+  /// Returns the number of the point, and adds the point if it is new.
   uint32_t Add(const T& point) {
     if (2 * points_.size() >= slots_.size()) Grow();
     const size_t slot = FindSlot(point);
@@ -39,7 +40,7 @@ class Welder {
     return slots_[slot];
   }
 
-  /// The distinct points, by number. The welder is spent afterwards.
+  /// Returns the distinct points, by number. The welder must not be used afterwards.
   std::vector<T> TakePoints() && { return std::move(points_); }
 
  private:

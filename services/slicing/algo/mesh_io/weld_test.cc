@@ -28,8 +28,8 @@ TEST(Welder, GrowsAsNeeded) {
   EXPECT_EQ(std::move(welder).TakePoints().size(), 50'000u);
 }
 
-/// The one z that brings (x, y, z) to the same slot as all others of these, had the hash no keys
-/// but were as it was once: rounds of rotate, xor and multiply by known numbers.
+/// Returns a vertex with a z chosen so that all of these vertices would share a slot under the
+/// previous hash. That hash had no keys: it applied rotate, xor and multiply with known numbers.
 Vertex Crafted(uint64_t x, uint64_t y) {
   uint64_t hash = x * 0x9E3779B97F4A7C15u;
   hash = (std::rotl(hash, 29) ^ y) * 0xBF58476D1CE4E5B9u;
@@ -54,7 +54,7 @@ TEST(PointHash, FollowsItsKeys) {
 }
 
 TEST(PointHash, SpreadsCoordinatesOfAGrid) {
-  // Doubles of round numbers differ in their high bits only.
+  // Doubles of round numbers differ only in their high bits.
   std::set<uint64_t> slots;
   for (int x = 0; x < 32; ++x)
     for (int y = 0; y < 32; ++y)

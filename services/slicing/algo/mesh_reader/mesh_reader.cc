@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kStepMark = "ISO-10303-21";
 
-/// How files begin that people take for meshes we can read.
+/// First bytes of formats that users may mistake for supported meshes.
 constexpr std::array<std::string_view, 7> kForeignMarks = {"<?xml", "glTF",     "\x89PNG", "%PDF",
                                                            "OFF",   "\x1f\x8b", kStepMark};
 
@@ -25,7 +25,8 @@ bool IsForeign(std::string_view bytes) {
                      [&](std::string_view mark) { return bytes.starts_with(mark); });
 }
 
-/// What a repository holds in place of a large file that was not fetched.
+/// First bytes of a Git LFS pointer. A repository has it in place of a large file that was not
+/// fetched.
 constexpr std::string_view kLfsMark = "version https://git-lfs.github.com/";
 
 absl::Status UnknownFormat(std::string_view bytes) {
@@ -45,7 +46,7 @@ absl::StatusOr<RawMesh> ReadStl(std::string_view bytes, double coordinate_limit,
   return ReadBinaryStl(bytes, coordinate_limit, cancel);
 }
 
-/// The formats of one mesh.
+/// Reads a file of a format that has one mesh.
 absl::StatusOr<RawMesh> ReadOneMesh(std::string_view bytes, MeshFormat format,
                                     double coordinate_limit, const CancelToken& cancel) {
   switch (format) {
@@ -68,7 +69,7 @@ absl::StatusOr<RawMesh> NotEmpty(absl::StatusOr<RawMesh> mesh) {
                    "the file has no triangles");
 }
 
-/// One object with the file's only mesh, to be put anywhere.
+/// Returns a project of one object with the file's only mesh and without a position.
 Project ProjectOfOneMesh() {
   Instance instance;
   instance.placed = false;

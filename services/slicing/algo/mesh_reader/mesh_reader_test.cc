@@ -93,7 +93,7 @@ TEST(ReadMeshFile, MakesAProjectOfOneMesh) {
   }
 }
 
-/// A mesh that later steps can take: corners that exist, at places within the limit.
+/// Returns true if later steps can use the mesh: its corners exist, at positions within the limit.
 bool IsSound(const RawMesh& mesh) {
   const auto exists = [&](uint32_t corner) { return corner < mesh.positions.size(); };
   const auto is_near = [](double x) { return std::abs(x) <= 10'000; };  // false for NaN
@@ -105,7 +105,7 @@ bool IsSound(const RawMesh& mesh) {
          });
 }
 
-/// A sound mesh, or one of these errors.
+/// Expects a valid mesh or one of these errors.
 void ExpectAnswer(const absl::StatusOr<RawMesh>& mesh, const std::vector<Reason>& reasons) {
   if (mesh.ok()) {
     EXPECT_TRUE(IsSound(*mesh));
@@ -127,14 +127,14 @@ TEST(ReadMesh, TellsEveryCutOfAnStl) {
       ExpectAnswer(mesh, good == binary
                              ? std::vector{Reason::kMeshTruncated}
                              : std::vector{Reason::kMeshTruncated, Reason::kMeshMalformed});
-      // `s` alone could be an OBJ's smoothing group.
+      // `s` alone could be the smoothing group of an OBJ.
       ExpectAnswer(Read(cut), {Reason::kMeshTruncated, Reason::kMeshMalformed,
                                Reason::kMeshFormatUnknown, Reason::kMeshEmpty});
     }
   }
 }
 
-// An OBJ does not tell how long it is: it is whole as long as its last face is.
+// An OBJ does not state its length, so a cut file is valid if its last face is complete.
 TEST(ReadMesh, TakesOfACutObjTheFacesThatAreThere) {
   const std::string good = ToObj(Box());
   const size_t faces_at = good.find("f ");

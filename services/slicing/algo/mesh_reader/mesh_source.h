@@ -10,20 +10,22 @@
 
 namespace slicefarm::slicing {
 
-/// From the bytes of a stranger's file to triangles that the stage may rely on. Which process looks
-/// at the bytes is the source's own affair; the triangles are the same.
+/// Source that converts the bytes of an untrusted file to triangles that the stage may rely on. The
+/// implementation decides which process reads the bytes; the triangles are the same.
 class MeshSource {
  public:
   virtual ~MeshSource() = default;
 
-  /// Reads as ReadMeshFile does, whose errors it passes on; may add some of its own. Takes the
-  /// bytes by value and frees them as early as it can. Safe to call from many threads.
+  /// Reads as ReadMeshFile does and returns its errors; implementations may add errors of their
+  /// own. Takes the bytes by value and frees them as early as possible. Safe to call from several
+  /// threads.
   virtual absl::StatusOr<MeshFileContents> Read(std::string bytes, MeshFormat format,
                                                 double coordinate_limit, ReadDepth depth,
                                                 const CancelToken& cancel) const = 0;
 };
 
-/// ReadMeshFile in this process: for files that the user of the process trusts.
+/// Returns a source that calls ReadMeshFile in this process, for files that the user of the process
+/// trusts.
 std::unique_ptr<MeshSource> MakeDirectMeshSource();
 
 }  // namespace slicefarm::slicing

@@ -12,9 +12,10 @@
 namespace slicefarm::slicing::threemf {
 namespace {
 
-using Cell = std::array<int64_t, 2>;  ///< column and row
+using Cell = std::array<int64_t, 2>;  ///< column and row of a bed
 
-/// Of squares of n x n beds, each adds a column at the right, from its front, then a row behind.
+/// Returns the cell of a bed. The first n * n beds fill a square. The next beds form a column at
+/// its right, from the front, and then a row behind it.
 Cell CellOf(size_t index) {
   auto side = static_cast<int64_t>(std::sqrt(static_cast<double>(index)));
   const int64_t rest = static_cast<int64_t>(index) - side * side;
@@ -34,7 +35,7 @@ class BedLayout {
     for (int axis = 0; axis < 2; ++axis) {
       const double middle = bed_.min[axis] + bed_.size[axis] / 2;
       const double beds = std::round((instance.to_plate(axis, 3) - middle) / pitch_[axis]);
-      // No project has so many, and not every number is an integer.
+      // No project has that many beds, and the number may be too large for an integer.
       if (!(std::abs(beds) <= static_cast<double>(count_))) return std::nullopt;
       cell[axis] = static_cast<int64_t>(beds);
     }
@@ -43,7 +44,7 @@ class BedLayout {
     return std::nullopt;
   }
 
-  /// From the common space to that of the bed.
+  /// Moves an instance from the common space to the coordinates of bed `index`.
   void TakeOff(size_t index, Instance& instance) const {
     const Cell cell = CellOf(index);
     for (int axis = 0; axis < 2; ++axis)

@@ -10,11 +10,13 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Gives the project a plate for each of the beds that PrusaSlicer 2.9 has in one space. They fill
-/// growing squares from the first one to the right and to the back, and are 30% of a bed's diagonal
-/// apart, at most 100 mm: that is taken off their instances again. An instance is on the bed that
-/// its origin, which PrusaSlicer keeps in the middle of the object, is nearest to. What is on none
-/// is noted. With one bed, and where it is not known, all stays on one.
+/// Gives the project one plate for each bed that PrusaSlicer 2.9 arranges in its common space.
+///
+/// The beds fill growing squares from the first one, to the right and to the back. The distance
+/// between beds is 30 % of the bed's diagonal, at most 100 mm; this offset is subtracted from their
+/// instances. An instance belongs to the bed nearest to its origin, which PrusaSlicer keeps in the
+/// middle of the object. Instances on no bed are noted. With one bed, or if the bed is unknown, all
+/// instances stay on one plate.
 void AddBeds(const std::vector<PlateSettings>& beds, Project& project, Notes& notes);
 
 }  // namespace slicefarm::slicing::threemf

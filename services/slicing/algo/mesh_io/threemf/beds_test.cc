@@ -11,7 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// `count` beds, and an object with a copy at each of the places.
+/// Scene with `count` beds and one object that has a copy at each of the places.
 struct Scene {
   Project project;
   std::vector<PlateSettings> beds;
@@ -35,7 +35,7 @@ struct Scene {
     return notes.Lines();
   }
 
-  /// The plate of each copy, from 0; -1: none.
+  /// Returns the plate of each copy, from 0; -1: none.
   std::vector<int> PlatesOfCopies() const {
     std::vector<int> plates(project.objects[0].instances.size(), -1);
     for (size_t i = 0; i < project.plates.size(); ++i)
@@ -45,8 +45,8 @@ struct Scene {
   }
 };
 
-// 200 x 150 has a diagonal of 250: the beds are 75 apart. Their places are those of PrusaSlicer
-// 2.9.4 (BedsGrid).
+// A bed of 200 x 150 has a diagonal of 250, so the beds are 75 apart. The positions are the ones of
+// PrusaSlicer 2.9.4 (BedsGrid).
 TEST(AddBeds, FillGrowingSquares) {
   std::vector<std::array<double, 2>> places;
   constexpr int kColumns[] = {0, 1, 0, 1, 2, 2, 0, 1, 2};
@@ -69,7 +69,8 @@ TEST(AddBeds, LargeOnesAreAHundredMillimetresApart) {
   EXPECT_NEAR(scene.project.objects[0].instances[1].to_plate(0, 3), -100, 1e-9);
 }
 
-/// What is parked beside a bed stays there, and is told once its place on the bed is known.
+/// An object parked beside a bed stays there; it is reported when its position relative to the bed
+/// is known.
 TEST(AddBeds, NoteWhatIsBesideAll) {
   Scene scene(2, {{-20, 60}, {220, 60}, {-60, 60}, {80, 400}, {900, 60}, {NAN, 60}, {1e300, 0}});
   EXPECT_THAT(scene.Add(), ElementsAre("copies beside all beds of `thing`, `thing`, `thing`, "

@@ -9,39 +9,41 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// A mesh of an object that is made of components, and how it lies in it.
+/// Mesh of an object made of components, and its transform into that object.
 struct FlatPart {
   ObjectKey mesh_object;
   Transform to_object = Transform::Identity();
-  /// Of the object's components, the one that the mesh came by; the object's own id if the mesh is
-  /// its own.
+  /// Top-level component of the object that contains the mesh; the id of the object itself if the
+  /// mesh is its own.
   ResourceId component = 0;
 };
 
-/// Whose components are what: every use of an object in the package, resolved and checked once.
+/// Tree of the components of all objects in a package. Every use of an object is resolved and
+/// checked once.
 class ComponentTree {
  public:
-  /// Keeps the package. Errors, with a place: MESH_MALFORMED for an object that is not there, for
-  /// objects that contain themselves, and for more than limits::kMaxComponentsDepth levels.
+  /// Builds the tree, which keeps a reference to `package`. Errors, with a place: MESH_MALFORMED
+  /// for a missing object, for objects that contain themselves, and for more than
+  /// limits::kMaxComponentsDepth levels.
   static absl::StatusOr<ComponentTree> Make(const Package& package);
 
-  /// The meshes of an object, in the order of the file.
-  /// Errors: MESH_TOO_LARGE beyond limits::kMaxParts; those of CheckTransform for what transforms
-  /// come to together.
+  /// Returns the meshes of an object, in the order of the file. Errors: MESH_TOO_LARGE beyond
+  /// limits::kMaxParts; the errors of CheckTransform for the combined transforms.
   absl::StatusOr<std::vector<FlatPart>> Flatten(const ObjectKey& key) const;
 
-  /// The object that `key` is but another name of: one whose only component is not moved and lies
-  /// in the same file, over and over; else itself.
+  /// Returns the object that `key` is only an alias of. An alias has one single component, which is
+  /// not moved and is in the same file; aliases of aliases are followed. Returns `key` if it is no
+  /// alias.
   ObjectKey Original(ObjectKey key) const;
 
  private:
   struct Node {
     struct Use {
       ObjectKey object;
-      size_t index = 0;  ///< of ObjectResource::components
+      size_t index = 0;  ///< index into ObjectResource::components
     };
-    std::vector<Use> components;  ///< those that have meshes
-    int64_t meshes = 0;           ///< of all levels; no more than limits::kMaxParts + 1
+    std::vector<Use> components;  ///< components that contain meshes
+    int64_t meshes = 0;  ///< meshes on all levels, at most limits::kMaxParts + 1
     int64_t height = -1;
     bool entered = false;
   };
@@ -53,7 +55,7 @@ class ComponentTree {
                       std::vector<FlatPart>& parts) const;
 
   const Package* package_;
-  std::vector<std::vector<Node>> nodes_;  ///< as Package::files and their objects
+  std::vector<std::vector<Node>> nodes_;  ///< nodes per file and object, as in Package::files
 };
 
 }  // namespace slicefarm::slicing::threemf

@@ -8,7 +8,7 @@
 namespace slicefarm::slicing::threemf::components_test {
 namespace {
 
-/// A package of one file: object i + 1 has the components listed, or else a mesh.
+/// Package of one file: object i + 1 has the listed components, or else a mesh.
 struct Shape {
   std::vector<ObjectUse> components;
   bool empty = false;
@@ -95,7 +95,8 @@ TEST(ComponentTree, BoundsTheDepth) {
   }
 }
 
-/// 2^32 parts, with and without a mesh: told without visiting them.
+/// The objects nest to 2^32 parts, with and without a mesh. The result must come without visiting
+/// each part.
 TEST(ComponentTree, BoundsTheNumberOfParts) {
   const Package many = PackageOf(Chain(32, true, 2));
   const auto tree = ComponentTree::Make(many);

@@ -31,7 +31,8 @@ std::string_view WithoutPrefix(std::string_view name) {
   return name.substr(name.find(':') + 1);  // all of it if there is none
 }
 
-// By the names of PrusaSlicer (which have a prefix), then of Bambu Studio and OrcaSlicer.
+// The first name is the one of PrusaSlicer (which has a prefix), the second the one of Bambu Studio
+// and OrcaSlicer.
 
 bool IsSeamPaint(std::string_view name) {
   name = WithoutPrefix(name);

@@ -13,55 +13,58 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// What people paint on the triangles of a mesh besides seams and supports, as flags.
+/// Flags for paint on triangles other than seams and supports.
 enum Paint : uint8_t {
   kPaintedColours = 1,
   kPaintedFuzzySkin = 2,
 };
 
-/// How meshes are read, and how much there was of all of them so far.
+/// Options for reading meshes, and totals over all meshes read so far.
 struct MeshReading {
-  bool keep = true;  ///< else they are only checked and counted
+  bool keep = true;  ///< false: meshes are only checked and counted
   double coordinate_limit_mm = 0;
   int64_t vertices = 0;
-  int64_t triangles = 0;  ///< painted pieces included
+  int64_t triangles = 0;  ///< includes painted pieces
   int64_t resources = 0;  ///< objects, their uses as components, and painted areas
 };
 
-/// One mesh on its way from `vertex` and `triangle` elements, and what is painted on it. Errors
-/// (without a place): MESH_MALFORMED for missing numbers, indices of no vertex and paint that is
-/// none, MESH_NOT_FINITE, OUT_OF_RANGE, MESH_TOO_LARGE.
+/// Collector of one mesh and its paint from `vertex` and `triangle` elements.
+///
+/// Errors (without a place): MESH_MALFORMED for missing numbers, invalid vertex indices and invalid
+/// paint; MESH_NOT_FINITE, OUT_OF_RANGE, MESH_TOO_LARGE.
 class MeshCollector {
  public:
-  /// Keeps `reading`, and counts there.
+  /// Keeps a reference to `reading` and adds to its totals.
   MeshCollector(double unit_mm, MeshReading& reading)
       : unit_mm_(unit_mm),
         reading_(reading),
         seams_(reading.coordinate_limit_mm),
         supports_(reading.coordinate_limit_mm) {}
 
+  /// Adds a vertex from the attributes of its element.
   absl::Status Vertex(XmlAttributes attributes);
+  /// Adds a triangle and its paint from the attributes of its element.
   absl::Status Triangle(XmlAttributes attributes);
 
   int64_t triangles() const { return triangles_; }
-  uint8_t paint() const { return paint_; }  ///< Paint flags
-  /// Whether triangles name a material or colour.
+  uint8_t paint() const { return paint_; }  ///< flags of Paint
+  /// Returns true if triangles name a material or colour.
   bool coloured() const { return coloured_; }
 
-  /// The areas' meshes leave this.
+  /// Returns the painted seams and supports. Their meshes are moved out of the collector.
   MeshPaint TakeMarks();
-  /// Welded; without anything if meshes are not kept.
+  /// Returns the welded mesh; an empty one if meshes are not kept.
   RawMesh Take() &&;
 
  private:
-  /// Marks of one use on their way.
+  /// Seam marks or support marks that are being collected.
   struct Marks {
     explicit Marks(double limit_mm) : enforcers(0, limit_mm), blockers(0, limit_mm) {}
 
     MarkPaint Take();
 
     MeshBuilder enforcers, blockers;
-    MarkPaint paint;  ///< its meshes are those of the builders
+    MarkPaint paint;  ///< areas; their meshes are still in the builders
   };
 
   absl::Status CountTriangle();

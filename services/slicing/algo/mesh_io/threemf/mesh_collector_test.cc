@@ -110,7 +110,8 @@ TEST(MeshCollector, NotesPaint) {
   }
 }
 
-/// Half of the first triangle is enforced, half of it blocked; the second is enforced as a whole.
+/// In the first triangle, one half is enforced and the other one blocked. The second triangle is
+/// enforced as a whole.
 TEST(MeshCollector, TakesPaintedSeamsAndSupports) {
   for (const std::string_view name :
        {"slic3rpe:custom_seam", "paint_seam", "slic3rpe:custom_supports", "paint_supports"}) {
@@ -120,7 +121,7 @@ TEST(MeshCollector, TakesPaintedSeamsAndSupports) {
       for (const Attributes& at : {At("0", "0", "0"), At("8", "0", "0"), At("0", "8", "0")})
         ASSERT_TRUE(mesh.Vertex(at).ok());
       for (const std::string_view code : {"841", "4", "0", ""}) {
-        // What is painted stands before the corners as well as behind them.
+        // The paint attribute may precede or follow the corners.
         Attributes triangle = Corners("0", "1", "2");
         triangle.insert(code == "4" ? triangle.begin() : triangle.end(), {name, code});
         ASSERT_TRUE(mesh.Triangle(triangle).ok());

@@ -11,26 +11,27 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// An object of a model file, or of another one, and how it is moved.
+/// Use of an object of this or another model file, with its transform.
 struct ObjectUse {
-  std::string path;  ///< the model file; empty: the one that says so
+  std::string path;  ///< path of the model file; empty: the file that contains this use
   ResourceId object = 0;
-  Transform transform = Transform::Identity();  ///< in mm
+  Transform transform = Transform::Identity();  ///< transform, in mm
   int64_t line = 0;
 };
 
+/// Use of an object that is to be printed.
 struct BuildItem : ObjectUse {
   bool printable = true;
 };
 
-/// An object as a model file defines it: a mesh, or components, or nothing.
+/// Object as a model file defines it: with a mesh, with components, or empty.
 struct ObjectResource {
   ResourceId id = 0;
   std::string name;
   std::string type = "model";
-  int32_t mesh = -1;  ///< by the order of all meshes of all model files; -1: it has none
+  int32_t mesh = -1;  ///< index among all meshes of all model files; -1: no mesh
   int64_t triangles = 0;
-  uint8_t paint = 0;  ///< Paint flags
+  uint8_t paint = 0;  ///< flags of Paint
   MeshPaint marks;
   bool coloured = false;
   std::vector<ObjectUse> components;
@@ -43,7 +44,7 @@ struct ModelFile {
   double unit_mm = 1;
   std::string application;
   std::vector<ObjectResource> objects;
-  std::map<ResourceId, size_t> by_id;  ///< index into objects
+  std::map<ResourceId, size_t> by_id;  ///< object id -> index into `objects`
   std::vector<BuildItem> items;
 };
 

@@ -29,8 +29,8 @@ constexpr std::array<Unit, 6> kUnits = {{{"micron", 0.001},
                                          {"foot", 304.8},
                                          {"meter", 1000}}};
 
-/// Extensions without which the geometry is still what it is: production, materials, and the
-/// slicers' own.
+/// Extensions that may be ignored without changing the geometry: production, materials and the ones
+/// of the slicers.
 constexpr std::array<std::string_view, 5> kHarmless = {
     "http://schemas.microsoft.com/3dmanufacturing/production/2015/06",
     "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
@@ -205,7 +205,8 @@ absl::Status ModelHandler::Item(XmlAttributes attributes) {
   if (count > limits::kMaxObjects)
     return LimitError(Reason::kMeshTooLarge, "objects, copies included", limits::kMaxObjects,
                       count);
-  // The slicers write it without a prefix, and the specification has no such attribute.
+  // The slicers write this attribute without a prefix, although the core specification does not
+  // have it.
   const std::string_view printable = Find(attributes, "printable").value_or("1");
   file_.items.push_back({*std::move(use), printable != "0" && printable != "false"});
   return absl::OkStatus();

@@ -12,12 +12,14 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// A model file, element by element: the core specification, and of the production extension the
-/// paths to other model files. What else there is, is passed over, unless the file says that nobody
-/// may. Source: 3MF Consortium, Core Specification 1.3, Production Extension 1.1.
+/// Handler of the elements of a model file: the core specification, and the paths to other model
+/// files of the production extension. All other elements are skipped, unless the file requires an
+/// extension that is not known here.
+///
+/// Source: 3MF Consortium, Core Specification 1.3, Production Extension 1.1.
 class ModelHandler : public XmlHandler {
  public:
-  /// `meshes`: takes the meshes, one for each object that has one.
+  /// `meshes` receives the meshes, one for each object that has one.
   ModelHandler(MeshReading& reading, std::vector<RawMesh>& meshes)
       : reading_(reading), meshes_(meshes) {}
 
@@ -25,18 +27,20 @@ class ModelHandler : public XmlHandler {
   absl::Status End(std::string_view name) override;
   absl::Status Text(std::string_view text) override;
 
-  /// Whether nothing came yet after the tag that millions of equal elements may follow. Whoever
-  /// finds them may tell of them by Element, and not tell the parser.
+  /// Returns true directly after a start tag that millions of equal elements may follow. The caller
+  /// may then pass these elements to Element instead of to the XML parser.
   bool RunBegins() const { return run_begins_; }
-  /// The name of these elements, with its prefix: `vertex`, `triangle`.
+  /// Returns the name of these elements with its prefix: `vertex` or `triangle`.
   std::string_view Repeated() const;
+  /// Takes one of these elements.
   absl::Status Element(XmlAttributes attributes);
 
-  /// After the last element. Errors: MESH_MALFORMED if there was no `model`.
+  /// Returns the model file; call it after the last element. Errors: MESH_MALFORMED if there was no
+  /// `model`.
   absl::StatusOr<ModelFile> Take() &&;
 
  private:
-  /// Where in the document, as far as we know our way.
+  /// Kind of the enclosing element.
   enum class At : uint8_t {
     kDocument,
     kModel,
@@ -49,7 +53,7 @@ class ModelHandler : public XmlHandler {
     kComponents,
     kBuild,
     kLeaf,
-    kUnknown,  ///< and everything in it
+    kUnknown,  ///< unknown element; everything in it is skipped
   };
 
   absl::StatusOr<At> Enter(std::string_view name, XmlAttributes attributes);
@@ -64,7 +68,7 @@ class ModelHandler : public XmlHandler {
 
   MeshReading& reading_;
   std::vector<RawMesh>& meshes_;
-  std::string prefix_;  ///< of the core's elements, with the colon
+  std::string prefix_;  ///< prefix of the core elements, with the colon
   std::string vertex_, triangle_;
   std::vector<At> path_ = {At::kDocument};
   ModelFile file_;

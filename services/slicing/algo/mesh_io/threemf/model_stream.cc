@@ -12,11 +12,12 @@ namespace {
 
 constexpr size_t kPieceBytes = 256 << 10;
 
-/// Longer than what a run of equal elements may begin behind.
+/// Upper bound of the length of the tag end ("vertices>" or "triangles>") before a run of equal
+/// elements.
 constexpr size_t kLongestBegin = 10;
 
-/// The end of the first thing that a run may begin behind; npos if there is none. To miss one, or
-/// to find a false one, costs time only.
+/// Returns the end of the first tag that a run of elements may follow; npos if there is none. A
+/// missed or a false tag only costs time.
 size_t EndOfRunBegin(std::string_view text) {
   for (size_t at = text.find('>'); at != std::string_view::npos; at = text.find('>', at + 1)) {
     const std::string_view before = text.substr(0, at);
@@ -25,13 +26,14 @@ size_t EndOfRunBegin(std::string_view text) {
   return std::string_view::npos;
 }
 
-/// One model file, as its text comes in.
+/// Reader of one model file. Its text arrives in pieces.
 class ModelStream {
  public:
   ModelStream(const std::string& part, MeshReading& reading, std::vector<RawMesh>& meshes)
       : handler_(reading, meshes), parser_(part, handler_) {}
 
-  /// How much of the text was used; the rest is to come again, with more behind it unless `last`.
+  /// Returns the number of characters used. The caller passes the rest again, with more text behind
+  /// it unless `last` is true.
   absl::StatusOr<size_t> Feed(std::string_view text, bool last) {
     const size_t size = text.size();
     while (!text.empty()) {
@@ -74,14 +76,14 @@ class ModelStream {
       return parser_.Placed(status);
     }
     parser_.SkipLines(scan.lines());
-    // What the scanner does not know, the parser does.
+    // The parser handles everything that the scanner does not recognize.
     in_run_ = next == ScanEnd::kMore && !last && scan.rest().size() < kPieceBytes;
     return text.size() - scan.rest().size();
   }
 
   ModelHandler handler_;
   XmlParser parser_;
-  bool in_run_ = false;  ///< between two elements that the scanner may take
+  bool in_run_ = false;  ///< true between two elements that the scanner may read
 };
 
 }  // namespace

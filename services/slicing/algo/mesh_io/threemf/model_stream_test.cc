@@ -29,7 +29,7 @@ absl::StatusOr<Model> Read(const std::string& text, const CancelToken& cancel = 
 
 std::string ModelOf(const std::string& mesh) { return ModelXml(ObjectXml(1, mesh), Item(1)); }
 
-/// Much more than a piece of text.
+/// Returns a mesh of much more text than one piece.
 RawMesh Large() { return TorusMesh({.around = 200, .sides = 150}); }
 
 TEST(ReadModelFile, ReadsLargeMeshes) {
@@ -38,8 +38,8 @@ TEST(ReadModelFile, ReadsLargeMeshes) {
   EXPECT_EQ(model->meshes[0].triangles.size(), Large().triangles.size());
 }
 
-/// The scanner and the parser must agree, wherever the pieces of text end and whatever form the
-/// elements have.
+/// The scanner and the parser must give equal results for every position of the piece ends and
+/// every form of the elements.
 TEST(ReadModelFile, GivesTheSameForEveryForm) {
   const std::string usual = MeshXml(Large());
   const auto want = Read(ModelOf(usual));
@@ -66,7 +66,7 @@ TEST(ReadModelFile, GivesTheSameForEveryForm) {
   }
 }
 
-/// Elements in a comment or in CDATA are none.
+/// Elements in a comment or in CDATA do not count.
 TEST(ReadModelFile, TakesNoElementOutOfAComment) {
   const std::string box = MeshXml(Cube(0, 0, 0));
   const std::string more = "<vertex x=\"9\" y=\"9\" z=\"9\"/>";
@@ -88,7 +88,7 @@ TEST(ReadModelFile, NamesTheLine) {
   const auto model = Read(text);
   EXPECT_EQ(DetailOf(model.status()).reason, Reason::kMeshNotFinite) << model.status();
   EXPECT_EQ(DetailOf(model.status()).metadata["line"], std::to_string(lines)) << model.status();
-  // Behind a run, where the parser goes on.
+  // The error is behind a run, where the parser reads again.
   const auto late = Read(Replaced(text, "nan", "123") + "<");
   EXPECT_EQ(DetailOf(late.status()).metadata["line"],
             std::to_string(std::count(text.begin(), text.end(), '\n') + 1))

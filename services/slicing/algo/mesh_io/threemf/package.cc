@@ -13,7 +13,7 @@
 namespace slicefarm::slicing::threemf {
 namespace {
 
-/// The relationship of a package to its model.
+/// Handler that finds the relationship of a package to its model.
 class RelationshipHandler : public XmlHandler {
  public:
   absl::Status Start(std::string_view name, XmlAttributes attributes, int64_t) override {
@@ -31,7 +31,7 @@ class RelationshipHandler : public XmlHandler {
   std::string target_;
 };
 
-/// The model that the package says is its own; where it says nothing, the usual one.
+/// Returns the model that the package names as its own, or the usual one if it names none.
 absl::StatusOr<const ArchiveEntry*> FindModel(const Archive& archive) {
   const ArchiveEntry* model = archive.Find("3D/3dmodel.model");
   if (const ArchiveEntry* relations = archive.Find("_rels/.rels")) {
@@ -70,7 +70,8 @@ class PackageReader {
   }
 
  private:
-  /// Makes every path in the file the name of an entry, which is then read in its turn.
+  /// Replaces every path in the file by the name of an archive entry, and queues that entry to be
+  /// read.
   absl::Status Follow(ModelFile& file) {
     for (BuildItem& item : file.items)
       if (absl::Status status = Follow(item, file.part); !status.ok()) return status;
@@ -106,7 +107,7 @@ class PackageReader {
   const Archive& archive_;
   MeshReading reading_;
   const CancelToken& cancel_;
-  std::vector<const ArchiveEntry*> entries_;  ///< of the model files, in their order
+  std::vector<const ArchiveEntry*> entries_;  ///< entries of the model files, in their order
   Package package_;
 };
 

@@ -13,7 +13,7 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// An object of a package: the index of its model file, and its own there.
+/// Key of an object in a package: index of its model file, and index of the object in that file.
 struct ObjectKey {
   size_t file = 0;
   size_t object = 0;
@@ -21,26 +21,28 @@ struct ObjectKey {
   friend auto operator<=>(const ObjectKey&, const ObjectKey&) = default;
 };
 
-/// The model files of an archive: the first is the one that says what to build, the others come in
+/// Model files of an archive. The first file lists the objects to build. The remaining files are in
 /// the order in which they are first named.
 struct Package {
   std::vector<ModelFile> files;
-  std::vector<RawMesh> meshes;  ///< of the objects, then of the areas painted on them
+  std::vector<RawMesh> meshes;  ///< meshes of the objects, then meshes of the areas painted on them
 
+  /// Returns the object of a key.
   const ObjectResource& At(const ObjectKey& key) const {
     return files[key.file].objects[key.object];
   }
-  /// Whether settings that name an object by its number alone mean this one: one of the first file,
-  /// or, as Bambu Studio's first projects are, of another that is built without being in the first.
+  /// Returns true if settings that name an object by its number alone mean this object. It must be
+  /// in the first file, or its number must not be used in the first file. The second case covers
+  /// the first projects of Bambu Studio, which build objects of other files directly.
   bool IsNamedByNumber(const ObjectKey& key) const {
     return key.file == 0 || !files.front().by_id.contains(At(key).id);
   }
-  /// The object that `use` names in files[file]. Errors: MESH_MALFORMED with a place.
+  /// Returns the object that `use` in files[file] names. Errors: MESH_MALFORMED with a place.
   absl::StatusOr<ObjectKey> Resolve(const ObjectUse& use, size_t file) const;
 };
 
-/// Errors: those of ReadModelFile; MESH_FORMAT_UNKNOWN for an archive that is no 3MF;
-/// MESH_MALFORMED for a path to a file that is not there.
+/// Reads the model files of an archive. Errors: the errors of ReadModelFile; MESH_FORMAT_UNKNOWN
+/// for an archive that is no 3MF; MESH_MALFORMED for a path to a missing file.
 absl::StatusOr<Package> ReadPackage(const Archive& archive, MeshReading reading,
                                     const CancelToken& cancel);
 

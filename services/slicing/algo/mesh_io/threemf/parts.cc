@@ -16,7 +16,7 @@ void NotePaint(const ObjectResource& object, std::string_view name, Notes& notes
   if (object.coloured) notes.Add("materials and colours", name);
 }
 
-/// The ranges in the order of their triangles must not meet, nor end beyond the last of them.
+/// Checks that the triangle ranges do not overlap and do not end beyond the last triangle.
 absl::Status CheckRanges(const std::vector<PartSettings>& parts, int64_t triangles,
                          const std::string& file) {
   std::vector<const PartSettings*> sorted;
@@ -37,7 +37,7 @@ absl::Status CheckRanges(const std::vector<PartSettings>& parts, int64_t triangl
   return absl::OkStatus();
 }
 
-/// PrusaSlicer's volumes of an object with a mesh.
+/// Returns PrusaSlicer's volumes of an object with a mesh, as parts.
 absl::StatusOr<std::vector<Part>> Volumes(const PartsSource& source, const ObjectResource& object,
                                           const ObjectSettings& settings) {
   absl::Status status = CheckRanges(settings.parts, object.triangles, source.settings.part);
@@ -56,9 +56,9 @@ absl::StatusOr<std::vector<Part>> Volumes(const PartsSource& source, const Objec
   return parts;
 }
 
-/// Returns the settings of the object's mesh `index`, which came by `component`; null: it has none.
-/// A mesh that is used twice has two entries of one id, so the entry of the same index comes first,
-/// as in Bambu Studio.
+/// Returns the settings of the object's mesh `index`, which belongs to `component`; null if it has
+/// none. A mesh that is used twice has two entries with the same id. So the entry with the same
+/// index is tried first, as Bambu Studio does.
 const PartSettings* SettingsOf(const ObjectSettings* object, size_t index, ResourceId component) {
   if (object == nullptr) return nullptr;
   const std::vector<PartSettings>& parts = object->parts;
@@ -79,7 +79,7 @@ Part PartOf(const FlatPart& flat, const ObjectResource& mesh, const PartSettings
   return part;
 }
 
-/// What is painted on a mesh of the object, as parts.
+/// Adds the painted areas of a mesh of the object as parts.
 void AddMarks(const MeshPaint& marks, const Transform& to_object, std::vector<Part>& parts) {
   const auto add = [&](const PaintedArea& area, std::string_view name, PartRole role) {
     if (area.triangles == 0) return;

@@ -11,21 +11,22 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// What the parts of one object are made from.
+/// Sources from which the parts of one object are made.
 struct PartsSource {
   const Package& package;
   const ComponentTree& tree;
   const ModelSettings& settings;
 };
 
-/// The parts of an object: its meshes, or, if PrusaSlicer says so, ranges of its mesh's triangles;
-/// and the seams and supports that are painted on them, as enforcers and blockers.
-/// `name`: the object's, for notes on what has no effect. Errors: those of Flatten; MESH_MALFORMED
-/// for ranges beyond the mesh or over each other.
+/// Returns the parts of an object: its meshes, or ranges of its mesh's triangles if PrusaSlicer
+/// wrote volumes; and the painted seams and supports as enforcers and blockers.
+///
+/// `name`: the object's name, for notes on settings without effect. Errors: the errors of Flatten;
+/// MESH_MALFORMED for ranges that are beyond the mesh or overlap.
 absl::StatusOr<std::vector<Part>> PartsOf(const PartsSource& source, const ObjectKey& key,
                                           std::string_view name, Notes& notes);
 
-/// Returns true if filaments are painted on a mesh of the object. Errors: those of Flatten.
+/// Returns true if filaments are painted on a mesh of the object. Errors: the errors of Flatten.
 absl::StatusOr<bool> HasPaintedFilaments(const PartsSource& source, const ObjectKey& key);
 
 }  // namespace slicefarm::slicing::threemf

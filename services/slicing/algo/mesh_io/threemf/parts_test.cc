@@ -106,7 +106,8 @@ TEST(PartsOf, MovesPaintAsItsMesh) {
   }
 }
 
-/// A mesh that is used twice has two entries of one id: the second is of the second use.
+/// A mesh that is used twice has two entries with one id: the second entry belongs to the second
+/// use.
 TEST(PartsOf, EachUseOfAMeshHasItsOwnSettings) {
   Package package = MeshOf24();
   ModelFile& file = package.files[0];

@@ -12,10 +12,11 @@ namespace {
 
 using Member = ProjectPlate::Member;
 
-/// From one plate to the next, in beds.
+/// Distance from one plate to the next, as a multiple of the bed's size.
 constexpr double kPlatePitch = 1.2;
 
-/// The plates by their numbers, if these are 1, 2, 3, ... in some order; else as the file has them.
+/// Returns the plates sorted by their numbers if these are 1, 2, 3, ... in some order; otherwise in
+/// the order of the file.
 std::vector<const PlateSettings*> InOrder(const std::vector<PlateSettings>& plates) {
   std::vector<const PlateSettings*> order;
   for (const PlateSettings& plate : plates) order.push_back(&plate);
@@ -33,7 +34,7 @@ class PlateLayout {
       : columns_(static_cast<size_t>(std::ceil(std::sqrt(static_cast<double>(count))))),
         bed_(bed) {}
 
-  /// From the common space to that of plate `index`.
+  /// Moves an instance from the common space to the coordinates of plate `index`.
   void TakeOff(size_t index, Instance& instance) const {
     if (index == 0) return;
     if (!bed_) {

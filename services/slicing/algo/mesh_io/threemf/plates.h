@@ -9,13 +9,15 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Where in the project the build items of each object of the model went, in their order.
+/// Project instances of the build items of each model object, in the order of the items.
 using ItemsOfObject = std::map<ResourceId, std::vector<ProjectPlate::Member>>;
 
-/// Gives the project its plates. Bambu Studio and OrcaSlicer lay them side by side in one space, in
-/// rows of ceil(sqrt(count)), each 1.2 beds from the next, to the right and then towards the front:
-/// that is taken off their instances again. Where the bed is not known, instances of the second and
-/// later plates have no place. What is on no plate, or on two, is noted.
+/// Gives the project its plates. Bambu Studio and OrcaSlicer arrange them in one common space: in
+/// rows of ceil(sqrt(count)) plates, 1.2 beds apart, to the right and then towards the front. This
+/// offset is subtracted from the instances.
+///
+/// If the bed is unknown, instances of the second and later plates are not placed. Instances on no
+/// plate or on two plates are noted.
 void AddPlates(const std::vector<PlateSettings>& plates, const ItemsOfObject& items,
                Project& project, Notes& notes);
 

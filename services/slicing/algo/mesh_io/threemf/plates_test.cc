@@ -7,8 +7,8 @@ namespace {
 
 constexpr char kArea[] = R"(["0x0","250x0","250x210","0x210"])";
 
-/// `count` plates with a copy of object 7 each, all in the middle of the first plate but for what
-/// is between the plates.
+/// Scene with `count` plates that each have a copy of object 7. All copies are in the middle of the
+/// first plate, apart from the distance between the plates.
 struct Scene {
   Project project;
   std::vector<PlateSettings> plates;

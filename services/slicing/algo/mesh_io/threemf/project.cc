@@ -51,7 +51,7 @@ class ProjectBuilder {
   }
 
  private:
-  /// Whether several items stand where somebody has put them.
+  /// Returns true if there are several items and a user placed at least one of them.
   static bool HasPlaces(const std::vector<BuildItem>& items) {
     return items.size() > 1 && std::ranges::any_of(items, [](const BuildItem& item) {
              return item.transform(0, 3) != 0 || item.transform(1, 3) != 0;
@@ -77,7 +77,7 @@ class ProjectBuilder {
     return absl::OkStatus();
   }
 
-  /// nullptr: the object has none.
+  /// Returns the settings of an object, or nullptr if it has none.
   const ObjectSettings* SettingsOf(const ObjectKey& key) const {
     return package_.IsNamedByNumber(key) ? metadata_.model.Of(package_.At(key).id) : nullptr;
   }
@@ -89,7 +89,7 @@ class ProjectBuilder {
     return resource.name.empty() ? fmt::format("object {}", resource.id) : resource.name;
   }
 
-  /// Makes it when it is first asked for.
+  /// Returns the index of the object in the project. Creates the object on the first call.
   absl::StatusOr<size_t> IndexOf(const ObjectKey& key, int64_t line) {
     const auto [found, first] = index_.emplace(key, project_.objects.size());
     if (!first) return found->second;
@@ -161,7 +161,7 @@ class ProjectBuilder {
   Metadata metadata_;
   Project project_;
   Notes notes_;
-  std::map<ObjectKey, size_t> index_;  ///< into Project::objects
+  std::map<ObjectKey, size_t> index_;  ///< object key -> index into Project::objects
   ItemsOfObject items_;
   std::map<int32_t, int64_t> triangles_of_mesh_;
   int64_t parts_ = 0;

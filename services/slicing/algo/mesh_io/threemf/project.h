@@ -7,13 +7,14 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// The objects that a package builds, with what its slicer says of them.
+/// Makes a project of the objects that a package builds and of their slicer settings.
 ///
-/// Objects stand in the order in which the build first names them; an object whose only component
-/// is another one, unmoved, is that other one (PrusaSlicer's copies). Places count only in a
-/// project that was saved for a printer. Errors: MESH_MALFORMED with a place for what does not fit
-/// together; MESH_EMPTY for parts without a triangle, and if nothing is to be built;
-/// MESH_TOO_LARGE.
+/// Objects are in the order in which the build first names them. An object whose only component is
+/// another object, not moved, counts as a copy of that object (PrusaSlicer's copies). Positions are
+/// used only if the project was saved for a printer.
+///
+/// Errors: MESH_MALFORMED with a place for inconsistent contents; MESH_EMPTY for parts without a
+/// triangle and if nothing is to be built; MESH_TOO_LARGE.
 absl::StatusOr<Project> MakeProject(const Package& package, Metadata metadata);
 
 }  // namespace slicefarm::slicing::threemf

@@ -10,7 +10,7 @@
 namespace slicefarm::slicing::threemf::project_test {
 namespace {
 
-/// Objects 1 to n with a mesh of 12 triangles each; every one is built once.
+/// Returns objects 1 to n, each with a mesh of 12 triangles and built once.
 Package PackageOf(int32_t count) {
   Package package;
   ModelFile& file = package.files.emplace_back();
@@ -60,7 +60,8 @@ TEST(MakeProject, SaysThatPlacesAreNotKept) {
   EXPECT_TRUE(MakeProject(PackageOf(1), {})->without_effect.empty());
 }
 
-/// Bambu Studio's first projects: each object in a file of its own, and numbers over all of them.
+/// The first projects of Bambu Studio have each object in a separate file, with numbers that are
+/// unique over all files.
 TEST(MakeProject, ObjectsOfOtherFilesHaveSettingsAndPlates) {
   Package package = PackageOf(1);
   ModelFile& other = package.files.emplace_back();
@@ -83,7 +84,7 @@ TEST(MakeProject, ObjectsOfOtherFilesHaveSettingsAndPlates) {
   ASSERT_EQ(project->plates.size(), 1u);
   EXPECT_EQ(project->plates[0].members.size(), 1u);
 
-  // A number that the first file uses as well means the first file's.
+  // A number that the first file uses too means the object of the first file.
   package.files[0].by_id[1] = 0;
   package.files[0].objects.push_back(package.files[1].objects[0]);
   project = MakeProject(package, metadata);

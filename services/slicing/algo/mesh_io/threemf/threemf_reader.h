@@ -8,12 +8,12 @@
 
 namespace slicefarm::slicing {
 
-/// Whether `bytes` start like an archive.
+/// Returns true if `bytes` start like a ZIP archive.
 bool LooksLike3mf(std::string_view bytes);
 
-/// 3MF: the core specification and the production extension, with what PrusaSlicer, Bambu Studio
-/// and OrcaSlicer put beside them. Sources: 3MF Consortium, Core Specification 1.3, Production
-/// Extension 1.1; the slicers' files themselves. Arguments and errors: see ReadMeshFile.
+/// Reads a 3MF file: the core specification and the production extension, with the additional files
+/// of PrusaSlicer, Bambu Studio and OrcaSlicer. Sources: 3MF Consortium, Core Specification 1.3,
+/// Production Extension 1.1; files written by the slicers. Arguments and errors: see ReadMeshFile.
 absl::StatusOr<MeshFileContents> Read3mf(std::string_view bytes, double coordinate_limit,
                                          ReadDepth depth, const CancelToken& cancel);
 

@@ -127,7 +127,7 @@ TEST(Read3mf, ReadsAProjectOfBambuStudio) {
                           "G-code that was made before: the parts are sliced anew"));
 }
 
-/// OrcaSlicer's files differ from Bambu Studio's in what does not matter here.
+/// OrcaSlicer's files differ from Bambu Studio's only in details that do not matter here.
 TEST(Read3mf, ReadsAProjectOfOrcaSlicer) {
   Files files = BambuFiles();
   files[1].second = Replaced(files[1].second, "BambuStudio-02.00.01.50", "OrcaSlicer-2.3.1");
@@ -194,8 +194,8 @@ double SurfaceOf(const RawMesh& mesh) {
   return area;
 }
 
-/// The stripe is 2.4 mm wide, and the rear corners are blocked over 5 mm to each side; but for
-/// steps of pieces of 0.8 mm.
+/// The stripe is 2.4 mm wide, and the rear corners are blocked over 5 mm to each side. Both areas
+/// end in steps, because the pieces are 0.8 mm long.
 TEST(Read3mf, ReadsThePaintedBox) {
   const auto contents = Read(CorpusFile("models/painted_box.3mf"));
   ASSERT_TRUE(contents.ok()) << contents.status();
@@ -222,7 +222,7 @@ Files Model(const std::string& objects, const std::string& items = Item(1)) {
   return {{kModelName, ModelXml(objects, items)}};
 }
 
-/// What strangers send to break readers: each a typed error.
+/// Hostile files that try to break readers: each must give a typed error.
 TEST(Read3mf, RefusesHostileArchives) {
   struct Case {
     std::string name, bytes;
@@ -305,7 +305,7 @@ TEST(Read3mf, SurvivesEveryCutAndManyWrongBytes) {
 
 using Corner = std::array<float, 3>;
 
-/// The triangles of a mesh as floats, whatever its vertices' numbers.
+/// Returns the triangles of a mesh as floats, independent of the numbering of its vertices.
 std::multiset<std::array<Corner, 3>> Triangles(const RawMesh& mesh) {
   std::multiset<std::array<Corner, 3>> all;
   for (const auto& t : mesh.triangles) {
@@ -322,7 +322,7 @@ std::multiset<std::array<Corner, 3>> Triangles(const RawMesh& mesh) {
   return all;
 }
 
-/// Made by `prusa-slicer --export-3mf` of the STL.
+/// The file was made by `prusa-slicer --export-3mf` from the STL.
 TEST(Read3mf, AgreesWithTheStl) {
   const auto contents = Read(CorpusFile("models/textbox.3mf"));
   ASSERT_TRUE(contents.ok()) << contents.status();

@@ -12,7 +12,8 @@
 namespace slicefarm::slicing::threemf {
 
 absl::Status CheckTransform(const Transform& transform) {
-  // Of a box whose three edges have length 1; what is flatter is flat but for rounding.
+  // Least accepted volume of the box that three vectors of length 1 span; a smaller volume means
+  // flat, except for rounding.
   constexpr double kFlattest = 1e-9;
   if (!transform.array().isFinite().all())
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshNotFinite,

@@ -10,7 +10,7 @@ namespace slicefarm::slicing::threemf::transform_text_test {
 namespace {
 
 TEST(ParseTransform, IsARowVectorsMatrix) {
-  // A quarter turn about z to the left, then a shift.
+  // The transform is a quarter turn to the left about z, then a translation.
   const auto turn = ParseTransform("0 1 0 -1 0 0 0 0 1 10 20 30", 25.4);
   ASSERT_TRUE(turn.ok()) << turn.status();
   const Eigen::Vector3d moved = *turn * Eigen::Vector4d(1, 0, 0, 1);

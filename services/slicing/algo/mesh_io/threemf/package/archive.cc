@@ -14,7 +14,8 @@
 namespace slicefarm::slicing::threemf {
 namespace {
 
-/// C libraries say that memory is out where C++ would have asked the handler.
+/// Calls the new handler and then throws, as operator new does. C libraries report that memory is
+/// out without calling the handler.
 [[noreturn]] void OutOfMemory() {
   if (const std::new_handler handler = std::get_new_handler()) handler();
   throw std::bad_alloc();
@@ -25,7 +26,7 @@ std::string Printable(std::string_view part) {
   return ReplaceControls(part.substr(0, kMostBytes), '?');
 }
 
-/// Of what libzip says about data that it cannot use.
+/// Returns the error for a libzip code about unusable data.
 absl::Status ZipError(std::string_view part, int code) {
   switch (code) {
     case ZIP_ER_MEMORY:
@@ -70,7 +71,7 @@ absl::Status CheckName(std::string_view name) {
   return absl::OkStatus();
 }
 
-/// What is expanded of `packed` bytes.
+/// Checks the ratio of `expanded` to `packed` bytes against the limit.
 absl::Status CheckRatio(std::string_view part, int64_t expanded, int64_t packed) {
   const int64_t most = limits::kFreeExpandedBytes + limits::kMaxCompressionRatio * packed;
   if (expanded <= most) return absl::OkStatus();
@@ -171,7 +172,7 @@ absl::Status Archive::List(int64_t file_bytes) {
   if (expanded > limits::kMaxExpandedArchiveBytes)
     return LimitError(Reason::kMeshTooLarge, "bytes of the archive, expanded",
                       limits::kMaxExpandedArchiveBytes, expanded);
-  // Entries may lie over each other, and then each is small.
+  // Entries may overlap in the file. Then each entry has a small ratio, but their sum does not.
   return CheckRatio("the 3MF file", expanded, file_bytes);
 }
 

@@ -16,21 +16,21 @@ struct zip_file;
 
 namespace slicefarm::slicing::threemf {
 
-/// A file in an archive, as the archive's directory tells.
+/// File in an archive, as listed in the directory of the archive.
 struct ArchiveEntry {
-  std::string name;   ///< with `/` between folders
-  int64_t bytes = 0;  ///< expanded
+  std::string name;  ///< name, with `/` between folders
+  int64_t bytes = 0;  ///< expanded size
   uint64_t index = 0;
 };
 
-/// InvalidArgument with the part of the archive that is at fault, as text and as metadata `part`.
+/// Returns InvalidArgument with the faulty part of the archive, in the text and as metadata `part`.
 absl::Status PartError(std::string_view part, std::string_view reason_text, bool truncated = false);
 
-/// The bytes of one entry, as they are expanded.
+/// Stream of the expanded bytes of one entry.
 class EntryStream {
  public:
-  /// Fills `into` as far as there are bytes; 0: the end, and the checksum is right. Errors:
-  /// MESH_MALFORMED, MESH_TRUNCATED for data that is not what the directory says.
+  /// Fills `into` as far as bytes are available. Returns 0 at the end, if the checksum is right.
+  /// Errors: MESH_MALFORMED and MESH_TRUNCATED if the data do not match the directory.
   absl::StatusOr<size_t> Read(std::span<char> into);
 
  private:
@@ -46,23 +46,27 @@ class EntryStream {
   int64_t left_;
 };
 
-/// A ZIP archive in memory (libzip), of which nothing is believed: what is expanded is counted.
+/// ZIP archive in memory, read with libzip. The claims of the archive are not trusted: expanded
+/// bytes are counted.
 ///
-/// Names are looked up without regard to the case of ASCII letters, as OPC asks for. Source: PKWARE
+/// Names are looked up regardless of the case of ASCII letters, as OPC requires. Source: PKWARE
 /// APPNOTE 6.3; ECMA-376 part 2 (Open Packaging Conventions).
 class Archive {
  public:
-  /// Keeps a view of `bytes`. Errors: MESH_TRUNCATED without a directory at the end; MESH_MALFORMED
-  /// for damaged, encrypted and duplicate entries, unknown methods, and names that lead out of the
-  /// archive; MESH_TOO_LARGE beyond the limits on entries, expanded bytes and their ratio.
+  /// Opens an archive and keeps a view of `bytes`. Errors: MESH_TRUNCATED without a directory at
+  /// the end; MESH_MALFORMED for damaged, encrypted and duplicate entries, unknown methods, and
+  /// names that lead out of the archive; MESH_TOO_LARGE beyond the limits on entries, expanded
+  /// bytes and their ratio.
   static absl::StatusOr<Archive> Open(std::string_view bytes);
 
   const std::vector<ArchiveEntry>& entries() const { return entries_; }
-  /// nullptr if there is none. A slash in front means nothing.
+  /// Returns the entry of this name, or nullptr. A leading slash is ignored.
   const ArchiveEntry* Find(std::string_view name) const;
 
+  /// Opens the stream of an entry.
   absl::StatusOr<EntryStream> Stream(const ArchiveEntry& entry) const;
-  /// Errors: those of the stream; MESH_TOO_LARGE beyond limits::kMaxMetadataBytes.
+  /// Returns all bytes of an entry. Errors: the errors of the stream; MESH_TOO_LARGE beyond
+  /// limits::kMaxMetadataBytes.
   absl::StatusOr<std::string> ReadAll(const ArchiveEntry& entry) const;
 
  private:
@@ -74,7 +78,8 @@ class Archive {
 
   std::unique_ptr<zip, Discarder> zip_;
   std::vector<ArchiveEntry> entries_;
-  std::vector<std::pair<std::string, size_t>> by_key_;  ///< sorted; index into entries_
+  /// lower-case name and index into `entries_`, sorted
+  std::vector<std::pair<std::string, size_t>> by_key_;
 };
 
 }  // namespace slicefarm::slicing::threemf

@@ -15,7 +15,7 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Archives for tests: a name and a text for each file.
+/// Contents of a test archive: a name and a text for each file.
 using Files = std::vector<std::pair<std::string, std::string>>;
 
 struct ZipOptions {
@@ -23,7 +23,7 @@ struct ZipOptions {
   bool encrypted = false;
 };
 
-/// The archive as bytes.
+/// Returns the archive as bytes.
 inline std::string Zipped(const Files& files, const ZipOptions& options = {}) {
   zip_error_t error;
   zip_error_init(&error);
@@ -50,7 +50,7 @@ inline std::string Zipped(const Files& files, const ZipOptions& options = {}) {
   return all;
 }
 
-/// With `to` in all places where `from` stands.
+/// Returns the text with `from` replaced by `to` everywhere.
 inline std::string Replaced(std::string_view text, std::string_view from, std::string_view to) {
   std::string replaced;
   for (size_t at = text.find(from); at != std::string_view::npos; at = text.find(from)) {
@@ -99,12 +99,13 @@ inline std::string Item(int id, std::string_view more = "") {
   return fmt::format("<item objectid=\"{}\" {}/>\n", id, more);
 }
 
-/// One cube of 10 mm at the origin, as CAD programs write it.
+/// Returns a file with one cube of 10 mm at the origin, as CAD programs write it.
 inline Files CubeFiles() {
   return {{kModelName, ModelXml(ObjectXml(1, MeshXml(Cube(0, 0, 0))), Item(1))}};
 }
 
-/// Two parts, one of them a modifier, in one mesh; a second copy; a range of heights.
+/// Returns a project of PrusaSlicer: one mesh with two parts, one of them a modifier; a second
+/// copy; a range of heights.
 inline Files PrusaFiles() {
   const RawMesh both = Joined(Cube(0, 0, 0), Cube(2, 2, 2, 3));
   const std::string objects =
@@ -150,7 +151,8 @@ inline Files PrusaFiles() {
   };
 }
 
-/// Two plates with a copy each of an object whose parts lie in a file of their own.
+/// Returns a project of Bambu Studio: two plates, each with a copy of one object. The parts of this
+/// object are in a separate file.
 inline Files BambuFiles() {
   const std::string move = "transform=\"1 0 0 0 1 0 0 0 1 0 0 5\"";
   const std::string objects = ObjectXml(
@@ -222,7 +224,7 @@ inline Files BambuFiles() {
   };
 }
 
-/// The text of one file of them, changed.
+/// Returns the files with the text of one of them replaced.
 inline Files With(Files files, std::string_view name, const std::string& text) {
   for (auto& [each, old] : files)
     if (each == name) old = text;

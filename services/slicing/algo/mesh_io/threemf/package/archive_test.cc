@@ -10,7 +10,7 @@ namespace {
 
 Reason ReasonOf(const absl::Status& status) { return DetailOf(status).reason; }
 
-/// Opens it and reads all of it.
+/// Opens an archive and reads all of its entries.
 absl::Status ReadAll(const std::string& bytes) {
   const auto archive = Archive::Open(bytes);
   if (!archive.ok()) return archive.status();
@@ -73,7 +73,7 @@ TEST(Archive, RefusesEncryptedEntries) {
   EXPECT_EQ(ReasonOf(status), Reason::kMeshMalformed) << status;
 }
 
-/// The directory says another size than the data have.
+/// The directory states a size that differs from the size of the data.
 TEST(Archive, RefusesLyingSizes) {
   const std::string good = Zipped({{"a", std::string(1000, 'x')}}, {.method = ZIP_CM_STORE});
   const std::string size("\xe8\x03\x00\x00", 4);

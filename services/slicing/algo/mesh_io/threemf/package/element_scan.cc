@@ -8,7 +8,8 @@ namespace {
 
 bool IsSpace(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 
-/// Which bytes make up the name of an attribute, and which may stand in its value as they are.
+/// Tables of the bytes allowed in an attribute's name, and of the bytes allowed unescaped in its
+/// value.
 struct Bytes {
   std::array<bool, 256> name = {};
   std::array<bool, 256> value = {};

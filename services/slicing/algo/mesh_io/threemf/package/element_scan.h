@@ -7,29 +7,31 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// What the text is that comes next in a run of equal elements.
+/// Kind of the text that comes next in a run of equal elements.
 enum class ScanEnd {
-  kElement,  ///< one of them, as a whole
-  kMore,     ///< perhaps the beginning of one: more text is needed to tell
-  kOther,    ///< anything else
+  kElement,  ///< one complete element
+  kMore,  ///< perhaps the beginning of an element; more text is needed to decide
+  kOther,  ///< anything else
 };
 
-/// Takes elements like `<vertex x="1" y="2" z="3"/>` off the front of a text, one by one, which is
-/// many times faster than an XML parser. It knows only this one form, in ASCII and without
-/// references, and stops at whatever is not in it; so what it takes is what any parser would.
+/// Scanner that takes elements like `<vertex x="1" y="2" z="3"/>` off the front of a text, one by
+/// one. This is many times faster than an XML parser.
+///
+/// It supports only this one form, in ASCII and without references, and stops at anything else. So
+/// any XML parser would read the same elements.
 class ElementScan {
  public:
-  /// `name`: the element, with its prefix if it has one.
+  /// `name`: name of the element, with its prefix if it has one.
   ElementScan(std::string_view text, std::string_view name) : rest_(text), name_(name) {}
 
-  /// Goes past white space and, if there is one, the next element.
+  /// Skips white space and takes the next element, if there is one.
   ScanEnd Next();
 
-  /// Of the element that Next went past.
+  /// Returns the attributes of the element that Next took.
   XmlAttributes attributes() const { return attributes_; }
-  /// What is still to come. Before an element that is not there as a whole.
+  /// Returns the remaining text. It begins before an element that is not complete.
   std::string_view rest() const { return rest_; }
-  /// Line ends in what was passed.
+  /// Returns the number of line ends in the scanned text.
   int64_t lines() const { return lines_; }
 
  private:

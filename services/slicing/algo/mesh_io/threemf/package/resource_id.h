@@ -4,7 +4,8 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// The name of a resource; any positive number below 2^31, and nothing is ever allocated by it.
+/// Id of a resource: any positive number below 2^31. No memory is ever allocated according to its
+/// value.
 using ResourceId = uint32_t;
 
 }  // namespace slicefarm::slicing::threemf

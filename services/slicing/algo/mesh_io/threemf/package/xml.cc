@@ -13,12 +13,13 @@
 namespace slicefarm::slicing::threemf {
 namespace {
 
-/// Else expat asks the system for entropy, which a confined reader may not. Never 0.
+/// Returns a salt for expat's hash table, never 0. Without a salt expat requests entropy from the
+/// system, which a sandboxed reader may not do.
 unsigned long HashSalt() {
   return static_cast<unsigned long>(PointHash::OfProcess()({1, 2, 3})) | 1;
 }
 
-/// expat takes an int.
+/// Size of a piece of text passed to expat, which takes an int.
 constexpr size_t kMaxPieceBytes = 1 << 20;
 
 }  // namespace
@@ -101,7 +102,7 @@ absl::Status XmlParser::Feed(std::string_view text, bool last) {
                                         last && text.empty() ? 1 : 0);
     if (!failed_.ok()) return failed_;
     if (parsed == XML_STATUS_ERROR) return SyntaxError();
-    // What was not understood yet begins where the last event was.
+    // The text that is not parsed yet begins at the position of the last event.
     const int64_t pending = fed_ - XML_GetCurrentByteIndex(parser_.get());
     if (pending > limits::kMaxXmlTagBytes + static_cast<int64_t>(kMaxPieceBytes))
       return Placed(

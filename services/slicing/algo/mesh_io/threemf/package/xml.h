@@ -15,6 +15,7 @@ struct XML_ParserStruct;
 
 namespace slicefarm::slicing::threemf {
 
+/// Name and value of an attribute.
 struct XmlAttribute {
   std::string_view name;
   std::string_view value;
@@ -22,49 +23,54 @@ struct XmlAttribute {
 
 using XmlAttributes = std::span<const XmlAttribute>;
 
-/// The value of the attribute of this name.
+/// Returns the value of the attribute with this name.
 std::optional<std::string_view> Find(XmlAttributes attributes, std::string_view name);
-/// The same, whatever namespace prefix the file gives the name: `path` finds `p:path`.
+/// Returns the value of the attribute with this name, with or without a namespace prefix: `path`
+/// finds `p:path`.
 std::optional<std::string_view> FindPrefixed(XmlAttributes attributes, std::string_view name);
 
-/// What is told of a document as it is read. Errors need no place: the parser adds it.
+/// Receiver of the elements of a document. Its errors need no place, because the parser adds the
+/// place.
 class XmlHandler {
  public:
   virtual ~XmlHandler() = default;
-  /// `line`: where the element begins.
+  /// `line`: line where the element begins.
   virtual absl::Status Start(std::string_view name, XmlAttributes attributes, int64_t line) = 0;
   virtual absl::Status End(std::string_view name) = 0;
   virtual absl::Status Text(std::string_view text);
 };
 
-/// A bare error of what a document says: MESH_MALFORMED, without a place.
+/// Returns a MESH_MALFORMED error about the contents of a document, without a place.
 absl::Status Malformed(std::string_view what);
 
-/// An XML document, piece by piece (expat), to a handler. Makes no system calls but for memory.
+/// Parser that passes an XML document to a handler, piece by piece (expat). It makes no system
+/// calls except for memory.
 ///
-/// Errors: those of the handler, and MESH_MALFORMED for what is not well-formed, for any document
-/// type definition (there are no entities to expand then), for elements nested deeper than
-/// limits::kMaxXmlDepth and tags longer than limits::kMaxXmlTagBytes. All have metadata `part` and
-/// `line` and end in "(PART, line N)".
+/// Errors: the errors of the handler. MESH_MALFORMED for a document that is not well-formed; has a
+/// document type definition (so there are no entities to expand), is nested deeper than
+/// limits::kMaxXmlDepth, or has a tag longer than limits::kMaxXmlTagBytes. All errors have metadata
+/// `part` and `line` and end in "(PART, line N)".
 class XmlParser {
  public:
-  /// `part`: the name of the document in its archive. Keeps the handler.
+  /// `part`: name of the document in its archive. Keeps a reference to the handler.
   XmlParser(std::string part, XmlHandler& handler);
   ~XmlParser();
   XmlParser(const XmlParser&) = delete;
   XmlParser& operator=(const XmlParser&) = delete;
 
+  /// Parses the next piece of text. `last`: the document ends with it.
   absl::Status Feed(std::string_view text, bool last);
 
-  /// The next piece stands so many lines further down than what was fed before.
+  /// Adds lines that were not fed to the parser, so that the line numbers of the next pieces are
+  /// right.
   void SkipLines(int64_t lines) { skipped_lines_ += lines; }
 
-  /// Whether all that was fed is understood: no tag, comment or the like is begun and not ended.
+  /// Returns true if all text so far is parsed completely: no tag, comment or similar is open.
   bool AtBoundary() const;
 
-  /// The line that is being read.
+  /// Returns the number of the line being read.
   int64_t line() const;
-  /// `error`, with the place that is being read.
+  /// Returns `error` with the place being read.
   absl::Status Placed(const absl::Status& error) const;
 
  private:
@@ -85,7 +91,7 @@ class XmlParser {
   int64_t skipped_lines_ = 0;
 };
 
-/// All of a document. Errors: those of XmlParser.
+/// Parses a whole document. Errors: the errors of XmlParser.
 absl::Status ParseXml(std::string_view text, std::string part, XmlHandler& handler);
 
 }  // namespace slicefarm::slicing::threemf

@@ -5,7 +5,7 @@
 namespace slicefarm::slicing::threemf::xml_test {
 namespace {
 
-/// Writes down what it is told.
+/// Handler that records its calls.
 class Listener : public XmlHandler {
  public:
   absl::Status Start(std::string_view name, XmlAttributes attributes, int64_t line) override {

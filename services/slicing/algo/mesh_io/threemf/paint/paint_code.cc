@@ -10,8 +10,8 @@ namespace {
 
 Vector3 Middle(const Vector3& a, const Vector3& b) { return (a + b) / 2; }
 
-/// The parts of a triangle of which `halved` edges (1 to 3) are halved. One: that across from
-/// corner `first`; two: those that meet there.
+/// Returns the parts of a triangle with 1 to 3 halved edges. One halved edge: the edge opposite to
+/// corner `first`. Two: the edges that meet at this corner.
 std::vector<Facet> Divided(const Facet& triangle, int halved, size_t first) {
   const Vector3& a = triangle[first];
   const Vector3& b = triangle[(first + 1) % 3];
@@ -28,7 +28,7 @@ class Digits {
 
   bool empty() const { return left_.empty(); }
 
-  /// nullopt where there is none.
+  /// Returns the next digit from the end; nullopt if there is none.
   std::optional<int> Next() {
     if (left_.empty()) return std::nullopt;
     const char digit = left_.back();
@@ -57,7 +57,7 @@ absl::StatusOr<PaintState> StateOf(int bits, Digits& digits) {
   }
 }
 
-/// A part that is still to be told of.
+/// Part of the triangle that is not decoded yet.
 struct Pending {
   Facet corners;
   int64_t level = 0;

@@ -11,31 +11,36 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Each level halves edges: from 10 m down to nanometres are 34.
+/// Largest number of levels. Each level halves edges: 34 levels lead from 10 m down to nanometres.
 inline constexpr int64_t kMaxPaintLevels = 64;
 
-/// What a piece of a triangle is painted with. States beyond these are other paint's: kNone.
+/// Paint of a piece of a triangle. Other states of the code belong to other kinds of paint and give
+/// kNone.
 enum class PaintState : uint8_t { kNone, kEnforcer, kBlocker };
 
+/// Corners of a triangle, in mm.
 using Facet = std::array<Vector3, 3>;
 
-/// A piece of a painted triangle that is painted evenly; its corners run as the triangle's do.
+/// Evenly painted piece of a painted triangle. Its corners have the orientation of the triangle.
 struct PaintedPiece {
   Facet corners;
   PaintState state = PaintState::kNone;
 };
 
-/// The pieces that the paint of `triangle` divides it into, those without paint as well: together
-/// they are the triangle, and their number depends on `code` alone. Pieces of triangles that share
-/// an edge have the same points on it.
+/// Returns the pieces into which the paint divides `triangle`, unpainted ones included. Together
+/// they cover the triangle. Their number depends on `code` alone. Pieces of triangles that share an
+/// edge have the same points on it.
 ///
-/// `code`: as the slicers write it: hexadecimal digits, from the last to the first. The low two
-/// bits of a digit are the number of edges that are halved. If 0, it is a piece, and the high two
-/// are its state, where 3 says that the state less 3 follows (in digits, each 15 says that there is
-/// one more). Else they are the corner that the division begins at, and the parts of the division
-/// follow, from the last on.
-/// Errors: MESH_MALFORMED for what is no such code, and for more than kMaxPaintLevels levels.
-/// Cost: O(digits). Source: PrusaSlicer, TriangleSelector.cpp (the format).
+/// `code` has the slicers' format: hexadecimal digits, from the last to the first. The low two bits
+/// of a digit are the number of halved edges.
+///
+/// - Zero halved edges: the digit is a piece, and its high two bits are its state. The value 3
+///   means that the state minus 3 follows, where each digit 15 says that one more digit follows.
+/// - Otherwise the high two bits are the corner where the division begins. The parts of the
+///   division follow, from the last one on.
+///
+/// Errors: MESH_MALFORMED for an invalid code and for more than kMaxPaintLevels levels. Cost:
+/// O(digits). Source: PrusaSlicer, TriangleSelector.cpp (the format).
 absl::StatusOr<std::vector<PaintedPiece>> PaintedPieces(std::string_view code,
                                                         const Facet& triangle);
 

@@ -13,10 +13,10 @@
 namespace slicefarm::slicing::threemf::paint_code_test {
 namespace {
 
-/// Right-angled at the first corner, of area 32, in the plane z = 1.
+/// Triangle in the plane z = 1, of area 32, with its right angle at the first corner.
 const Facet kTriangle = {{{0, 0, 1}, {8, 0, 1}, {0, 8, 1}}};
 
-/// Positive if it runs as kTriangle does.
+/// Returns the signed area: positive if the orientation is the one of kTriangle.
 double AreaOf(const Facet& f) {
   return ((f[1].x() - f[0].x()) * (f[2].y() - f[0].y()) -
           (f[1].y() - f[0].y()) * (f[2].x() - f[0].x())) /
@@ -47,10 +47,10 @@ struct Code {
   std::string code;
   size_t pieces;
   double enforced, blocked;  ///< areas
-  double x, y;               ///< the middle of what is enforced
+  double x, y;  ///< centre of the enforced area
 };
 
-/// Digits from the last on: `41` divides one edge, and enforces the last part.
+/// The digits count from the last one: `41` divides one edge and enforces the last part.
 TEST(PaintedPieces, AreThoseThatTheCodeTells) {
   constexpr double kThird = 1.0 / 3;
   const std::vector<Code> cases = {
@@ -59,25 +59,25 @@ TEST(PaintedPieces, AreThoseThatTheCodeTells) {
       {"8", 1, 0, 32, 0, 0},
       {"0C", 1, 0, 0, 0, 0},
       {"0FC", 1, 0, 0, 0, 0},
-      // One edge, across from each corner: the first part, then the second.
+      // One edge is halved, opposite to each corner: the first part, then the second part.
       {"401", 2, 16, 0, 4, 4 * kThird},
       {"841", 2, 16, 16, 4 * kThird, 4},
       {"405", 2, 16, 0, 8 * kThird, 4},
       {"045", 2, 16, 0, 8 * kThird, 4 * kThird},
       {"409", 2, 16, 0, 4 * kThird, 8 * kThird},
       {"049", 2, 16, 0, 4, 8 * kThird},
-      // Two edges, those that meet at a corner.
+      // Two edges are halved, the ones that meet at a corner.
       {"4002", 3, 8, 0, 4 * kThird, 4 * kThird},
       {"0402", 3, 8, 0, 4, 4 * kThird},
       {"0042", 3, 16, 0, 8 * kThird, 4},
       {"4006", 3, 8, 0, 16 * kThird, 4 * kThird},
       {"400A", 3, 8, 0, 4 * kThird, 16 * kThird},
-      // All three.
+      // All three edges are halved.
       {"40003", 4, 8, 0, 4 * kThird, 4 * kThird},
       {"04003", 4, 8, 0, 16 * kThird, 4 * kThird},
       {"00403", 4, 8, 0, 4 * kThird, 16 * kThird},
       {"80043", 4, 8, 8, 8 * kThird, 8 * kThird},
-      // The part in the middle is divided as well.
+      // The part in the middle is divided too.
       {"800000433", 7, 2, 8, 8 * kThird, 8 * kThird},
   };
   for (const Code& c : cases) {
@@ -92,7 +92,7 @@ TEST(PaintedPieces, AreThoseThatTheCodeTells) {
   }
 }
 
-/// The digits of a random division, the last one first.
+/// Returns the digits of a random division, the last digit first.
 std::string RandomDigits(int levels, std::mt19937& random) {
   const int halved = levels == 0 ? 0 : static_cast<int>(random() % 4);
   const int high = static_cast<int>(random() % 3);
@@ -123,11 +123,11 @@ TEST(PaintedPieces, TileTheTriangle) {
   }
 }
 
-/// Halving rounds, but on both sides of an edge alike.
+/// Halving rounds the middle point, but equally for both triangles at an edge.
 TEST(PaintedPieces, OfNeighboursHaveTheSamePointsOnTheirEdge) {
   const Vector3 a = {0.1, 1.0 / 3, 7.7}, b = {2.0 / 3, -1.1, 0.3}, c = {1, 1, 1}, d = {-1, 0, 2};
   const auto points = [&](const Facet& facet) {
-    // Each quarter of the first edge is a corner of some piece.
+    // Each quarter point of the first edge is a corner of some piece.
     const std::string quarters = "000030000300003000033";
     std::set<std::tuple<double, double, double>> found;
     const auto pieces = PaintedPieces(quarters, facet);

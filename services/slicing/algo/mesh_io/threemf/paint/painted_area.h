@@ -7,24 +7,24 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Where a mesh is painted with one state: pieces of its triangles, a surface of their own.
+/// Area of a mesh painted with one state: pieces of its triangles, which form a separate surface.
 struct PaintedArea {
   int64_t triangles = 0;
-  RawMesh mesh;  ///< empty if meshes are not kept, and once a package has taken it
+  RawMesh mesh;  ///< empty if meshes are not kept, and after a package has taken the mesh
   int32_t number =
-      -1;  ///< of the mesh among its package's; -1: it has not yet been taken, or is none
+      -1;  ///< index of the mesh in its package; -1: not taken yet, or no mesh
 };
 
-/// Where something is wanted on a mesh, and where not.
+/// Areas where a feature is enforced, and areas where it is blocked.
 struct MarkPaint {
   PaintedArea enforcers, blockers;
 };
 
-/// What is planned by paint.
+/// Paint that affects planning.
 struct MeshPaint {
   MarkPaint seams, supports;
 
-  /// All of them, in the order in which a package has their meshes.
+  /// Returns all four areas, in the order of their meshes in a package.
   std::array<PaintedArea*, 4> Areas() {
     return {&seams.enforcers, &seams.blockers, &supports.enforcers, &supports.blockers};
   }

@@ -16,10 +16,10 @@
 namespace slicefarm::slicing::threemf {
 namespace {
 
-/// Both families' numbers of types.
+/// Numbers of the code types, equal in both families of slicers.
 enum CodeType { kColorChange = 0, kPausePrint = 1, kToolChange = 2, kTemplate = 3, kCustom = 4 };
 
-/// Files of PrusaSlicer 2.2 have no types, but the G-code that stands for them.
+/// Returns the type of a code by its G-code text. Files of PrusaSlicer 2.2 have no types.
 int TypeBefore23(std::string_view gcode) {
   if (gcode == "M600") return kColorChange;
   if (gcode == "M601") return kPausePrint;
@@ -30,7 +30,8 @@ std::string OneLineOf(std::string_view text) {
   return std::string(Trim(ReplaceControls(text, ' ')));
 }
 
-/// Lines of G-code without what else controls.
+/// Returns lines of G-code with all control characters except line ends and tabs replaced by
+/// spaces.
 std::string LinesOf(std::string_view text) {
   std::string lines(text);
   for (char& c : lines)
@@ -38,10 +39,11 @@ std::string LinesOf(std::string_view text) {
   return lines;
 }
 
-/// PrusaSlicer's element for all codes of a bed.
+/// Name of PrusaSlicer's element for all codes of a bed.
 constexpr std::string_view kOfBed = "custom_gcodes_per_print_z";
 
-/// With several beds PrusaSlicer writes several roots, which is no XML: gives them one.
+/// Adds a root element if needed. With several beds PrusaSlicer writes several roots, which is no
+/// valid XML.
 std::string WithOneRoot(std::string_view text) {
   const std::string element = fmt::format("<{}", kOfBed);
   const size_t first = text.find(element);
@@ -50,7 +52,8 @@ std::string WithOneRoot(std::string_view text) {
   return fmt::format("{}<beds>{}</beds>", text.substr(0, first), text.substr(first));
 }
 
-/// <code print_z type color extra>, or <layer top_z ...> in a <plate> with <plate_info id>.
+/// Handler of <code print_z type color extra>, or <layer top_z ...> in a <plate> with <plate_info
+/// id>.
 class HeightCodesHandler : public XmlHandler {
  public:
   absl::Status Start(std::string_view name, XmlAttributes attributes, int64_t) override {

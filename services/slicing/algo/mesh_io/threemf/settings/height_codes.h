@@ -11,12 +11,12 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// What a project does at heights of the print, by plate. PrusaSlicer's plates are its beds.
+/// Codes at heights of the print, by the number of the plate. PrusaSlicer's plates are its beds.
 using PlateHeightCodes = std::map<int64_t, std::vector<HeightCode>>;
 
-/// Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml or Metadata/custom_gcode_per_layer.xml: the
-/// same codes, in lists by bed or by plate. Changes of tool are left out. Errors: those
-/// of XmlParser; MESH_MALFORMED for heights and types that are no numbers; MESH_TOO_LARGE.
+/// Reads Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml or Metadata/custom_gcode_per_layer.xml.
+/// Both have the same codes, in lists per bed or per plate. Tool changes are left out. Errors: the
+/// errors of XmlParser; MESH_MALFORMED for heights and types that are not numbers; MESH_TOO_LARGE.
 absl::StatusOr<PlateHeightCodes> ReadHeightCodes(std::string_view text, const std::string& part);
 
 }  // namespace slicefarm::slicing::threemf

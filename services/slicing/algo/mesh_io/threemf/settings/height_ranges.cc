@@ -21,7 +21,7 @@ std::optional<double> HeightOf(XmlAttributes attributes, std::string_view name) 
   return height;
 }
 
-/// <objects><object id><range min_z max_z><option opt_key>text</option>
+/// Handler of <objects><object id><range min_z max_z><option opt_key>text</option>
 class HeightRangesHandler : public XmlHandler {
  public:
   absl::Status Start(std::string_view name, XmlAttributes attributes, int64_t) override {
@@ -80,7 +80,7 @@ class HeightRangesHandler : public XmlHandler {
   }
 
   HeightRanges all_;
-  std::vector<HeightRange>* ranges_ = nullptr;  ///< of the object that is being read
+  std::vector<HeightRange>* ranges_ = nullptr;  ///< ranges of the object being read
   bool of_range_ = false;
   bool in_option_ = false;
   std::string key_;

@@ -10,12 +10,13 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// The height ranges of each object, by its number among those that are built, from 1.
+/// Height ranges of each object. The key is the object's number among the objects that are built,
+/// from 1.
 using HeightRanges = std::map<int64_t, std::vector<HeightRange>>;
 
-/// Metadata/Prusa_Slicer_layer_config_ranges.xml or Metadata/layer_config_ranges.xml, which are the
-/// same. Errors: those of XmlParser; MESH_MALFORMED for heights that are no numbers or upside down,
-/// MESH_TOO_LARGE.
+/// Reads Metadata/Prusa_Slicer_layer_config_ranges.xml or Metadata/layer_config_ranges.xml, which
+/// have the same format. Errors: the errors of XmlParser; MESH_MALFORMED for heights that are not
+/// numbers or are in the wrong order; MESH_TOO_LARGE.
 absl::StatusOr<HeightRanges> ReadHeightRanges(std::string_view text, const std::string& part);
 
 }  // namespace slicefarm::slicing::threemf

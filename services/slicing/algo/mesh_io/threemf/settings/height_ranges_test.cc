@@ -40,7 +40,7 @@ TEST(ReadHeightRanges, SaysWhatIsWrong) {
             Reason::kMeshTooLarge);
 }
 
-/// What stands where nobody expects it changes nothing.
+/// Elements at unexpected positions change nothing.
 TEST(ReadHeightRanges, PassesOverTheRest) {
   for (const std::string text :
        {"<objects><x><range min_z='0' max_z='1'><option "

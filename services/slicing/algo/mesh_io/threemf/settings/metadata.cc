@@ -14,7 +14,7 @@
 namespace slicefarm::slicing::threemf {
 namespace {
 
-/// Where each slicer puts what.
+/// Paths of the files of one family of slicers.
 struct Names {
   std::string_view project, model, ranges, heights, profiles;
 };
@@ -28,7 +28,8 @@ constexpr Names kOrcaNames = {"Metadata/project_settings.config", "Metadata/mode
                               "Metadata/custom_gcode_per_layer.xml",
                               "Metadata/layer_heights_profile.txt"};
 
-/// A file that has no effect, and what it is. `mark`: what it holds if there is anything in it.
+/// File that has no effect on the print. `mark`: text that the file contains if it is in use.
+/// `words`: description for the user.
 struct Idle {
   std::string_view name;
   std::string_view mark;
@@ -57,8 +58,8 @@ absl::StatusOr<T> ReadIfThere(const Archive& archive, std::string_view name, con
   return read(*text, entry->name);
 }
 
-/// PrusaSlicer 2.9 says where the wipe tower stands on each of its beds: so one knows how many
-/// there are. The file has an element for each and is no whole XML.
+/// Returns the number of beds. PrusaSlicer 2.9 stores the position of the wipe tower for each bed.
+/// The file has one element per bed and no root, so it is no valid XML.
 size_t CountBeds(std::string_view wipe_towers) {
   constexpr int kMostBeds = 9;  // PrusaSlicer's
   for (int index = kMostBeds - 1; index > 0; --index)
@@ -79,7 +80,7 @@ absl::StatusOr<std::vector<PlateSettings>> ReadBeds(const Archive& archive) {
   return beds;
 }
 
-/// What is done at heights is a setting of the plate, or where there are none of the project.
+/// Adds the codes at heights as a setting of their plate, or of the project if there are no plates.
 absl::Status AddHeightCodes(const PlateHeightCodes& codes, Metadata& metadata) {
   constexpr std::string_view kKey = "custom_gcode_per_print_z";
   std::vector<PlateSettings>& plates =

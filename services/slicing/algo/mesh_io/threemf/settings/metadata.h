@@ -11,25 +11,26 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// What slicers put beside the model.
+/// Data that slicers store beside the model.
 struct Metadata {
   SettingsDialect dialect = SettingsDialect::kPrusa;
   ProjectSettings project;
   ModelSettings model;
-  std::vector<PlateSettings> beds;  ///< PrusaSlicer's, without members; none if there is but one
+  /// beds of PrusaSlicer, without members; empty if there is only one bed
+  std::vector<PlateSettings> beds;
   HeightRanges ranges;
   HeightProfiles profiles;
-  /// Whether the project was saved for some printer: only then its places mean anything.
+  /// True if the project was saved for a printer; only then its positions are meaningful.
   bool has_printer = false;
 };
 
-/// Reads PrusaSlicer's files, or those of Bambu Studio and OrcaSlicer if there are any.
-/// Errors: those of the readers of each.
+/// Reads the files of Bambu Studio and OrcaSlicer if there are any, otherwise the files of
+/// PrusaSlicer. Errors: the errors of the individual readers.
 absl::StatusOr<Metadata> ReadMetadata(const Archive& archive);
 
-/// What the archive has besides that would make another print and has no effect, in words of people
-/// who use slicers. Pictures of the parts and the place of a wipe tower are none of that.
-/// Errors: those of the archive.
+/// Returns the contents of the archive that have no effect here but would change the print, in
+/// terms familiar to users of slicers. Pictures of the parts and the position of a wipe tower are
+/// not listed. Errors: the errors of the archive.
 absl::StatusOr<std::vector<std::string>> FilesWithoutEffect(const Archive& archive);
 
 }  // namespace slicefarm::slicing::threemf

@@ -54,7 +54,7 @@ TEST(ReadMetadata, WhatIsDoneAtHeightsIsASetting) {
   }
 }
 
-/// PrusaSlicer writes an element for each bed, and none around them.
+/// PrusaSlicer writes an element for each bed and no root element around them.
 TEST(ReadMetadata, BedsArePlates) {
   Files files = PrusaFiles();
   files.emplace_back("Metadata/Prusa_Slicer_wipe_tower_information.xml",
@@ -120,7 +120,7 @@ TEST(FilesWithoutEffect, AreNamedInWords) {
   EXPECT_THAT(*idle, testing::ElementsAre("changes of tool at certain heights"));
 }
 
-// SuperSlicer writes them a second time for PrusaSlicer, without those that are its own.
+// SuperSlicer writes its settings a second time for PrusaSlicer, without its own special settings.
 TEST(FilesWithoutEffect, AreFlowsOfObjectsOfSuperSlicers) {
   Files files = PrusaFiles();
   files.emplace_back("Metadata/SuperSlicer_model.config",

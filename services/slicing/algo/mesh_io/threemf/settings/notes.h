@@ -7,18 +7,18 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// What has no effect, of which objects: "painted filaments of `a`, `b` and 3 more".
+/// Notes about ignored features and their objects: "painted filaments of `a`, `b` and 3 more".
 class Notes {
  public:
-  /// `object`: its name; empty: of the file.
+  /// Adds a note. `object`: name of the object; empty: the note is about the file.
   void Add(std::string_view what, std::string_view object);
-  /// One line for each `what`, in the order in which they were first added.
+  /// Returns one line for each `what`, in the order of their first Add.
   std::vector<std::string> Lines() const;
 
  private:
   struct Note {
     std::string what;
-    std::vector<std::string> objects;  ///< the first of them
+    std::vector<std::string> objects;  ///< names of the first objects
     size_t count = 0;
   };
   std::vector<Note> notes_;

@@ -11,51 +11,56 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// What a slicer says of a part: of a range of an object's triangles (PrusaSlicer), or of one of
+/// Slicer settings of a part. The part is a range of an object's triangles (PrusaSlicer) or one of
 /// its components (Bambu Studio, OrcaSlicer).
 struct PartSettings {
   std::string name;
   PartRole role = PartRole::kSolid;
-  int64_t first_triangle = 0;  ///< PrusaSlicer's, as is the next
+  int64_t first_triangle = 0;  ///< used by PrusaSlicer, like `last_triangle`
   int64_t last_triangle = -1;
-  ResourceId component = 0;  ///< the others'
+  ResourceId component = 0;  ///< used by Bambu Studio and OrcaSlicer
   std::vector<Setting> settings;
   int64_t line = 0;
 };
 
+/// Slicer settings of an object.
 struct ObjectSettings {
-  ResourceId object = 0;  ///< of the model that says what to build
+  ResourceId object = 0;  ///< id in the model file that lists the objects to build
   std::string name;
   std::vector<PartSettings> parts;
   std::vector<Setting> settings;
 };
 
+/// Slicer settings of a plate.
 struct PlateSettings {
   struct Member {
     ResourceId object = 0;
-    int64_t instance = 0;  ///< which of the object's build items
+    int64_t instance = 0;  ///< number among the build items of the object
   };
-  int64_t number = 0;  ///< from 1
+  int64_t number = 0;  ///< number, from 1
   std::string name;
   std::vector<Member> members;
   std::vector<Setting> settings;
   bool locked = false;
 };
 
-/// What slicers say of objects and plates besides the model.
+/// Slicer settings of objects and plates that are stored beside the model.
 struct ModelSettings {
-  std::string part;  ///< that says so
+  std::string part;  ///< name of the file with these settings
   std::vector<ObjectSettings> objects;
   std::vector<PlateSettings> plates;
-  bool has_scripts = false;  ///< post_process, which is never read
+  bool has_scripts = false;  ///< true if there was post_process, which is never read
 
+  /// Returns the settings of an object, or nullptr.
   const ObjectSettings* Of(ResourceId object) const;
 };
 
-/// Reads Metadata/Slic3r_PE_model.config or Metadata/model_settings.config: the same document but
-/// for the names of a few elements. Triangles in PrusaSlicer's files lie in the object as they are:
-/// the matrix of a volume only says how they came there.
-/// Errors: those of XmlParser, MESH_MALFORMED for numbers that are none, MESH_TOO_LARGE.
+/// Reads Metadata/Slic3r_PE_model.config or Metadata/model_settings.config. They have the same
+/// format except for the names of a few elements.
+///
+/// Triangles in PrusaSlicer's files are in object coordinates already; the matrix of a volume only
+/// describes their origin. Errors: the errors of XmlParser; MESH_MALFORMED for invalid numbers;
+/// MESH_TOO_LARGE.
 absl::StatusOr<ModelSettings> ReadModelSettings(std::string_view text, const std::string& part);
 
 }  // namespace slicefarm::slicing::threemf

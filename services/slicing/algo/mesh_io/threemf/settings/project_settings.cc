@@ -20,7 +20,7 @@ absl::Status Add(std::string_view key, std::string_view value, ProjectSettings& 
   return absl::OkStatus();
 }
 
-/// Of a value as JSON has it. Lists of nothing but texts; the slicers write no other things.
+/// Returns a JSON value as text. Lists stay JSON; the slicers write only lists of texts.
 std::string TextOf(const json& value) {
   return value.is_string() ? EscapedText(value.get_ref<const std::string&>()) : value.dump();
 }
@@ -45,7 +45,7 @@ absl::StatusOr<ProjectSettings> ReadPrusaSettings(std::string_view text, const s
 }
 
 absl::StatusOr<ProjectSettings> ReadOrcaSettings(std::string_view text, const std::string& part) {
-  // A list within a list is no setting, and may be nested a million times.
+  // A list within a list is no setting, and hostile files may nest a million of them.
   const auto is_flat = [](int depth, json::parse_event_t event, const json&) {
     const bool begins =
         event == json::parse_event_t::array_start || event == json::parse_event_t::object_start;

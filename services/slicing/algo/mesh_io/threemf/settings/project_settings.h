@@ -9,19 +9,19 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// The settings of a whole project as text of a config.ini, in the order of the file; of JSON, by
-/// key. Lists of Bambu Studio's and OrcaSlicer's stay JSON: `["220","230"]`.
+/// Settings of a whole project as config.ini texts, in the order of the file; settings from JSON
+/// are sorted by key. Lists of Bambu Studio and OrcaSlicer stay JSON: `["220","230"]`.
 struct ProjectSettings {
   std::vector<Setting> settings;
-  bool has_scripts = false;  ///< post_process, which is never read
+  bool has_scripts = false;  ///< true if there was post_process, which is never read
 };
 
-/// Metadata/Slic3r_PE.config: lines like `; layer_height = 0.2`.
-/// Errors: MESH_TOO_LARGE, MESH_MALFORMED for what is not UTF-8.
+/// Reads Metadata/Slic3r_PE.config: lines like `; layer_height = 0.2`. Errors: MESH_TOO_LARGE;
+/// MESH_MALFORMED if the text is not UTF-8.
 absl::StatusOr<ProjectSettings> ReadPrusaSettings(std::string_view text, const std::string& part);
 
-/// Metadata/project_settings.config: one JSON object of texts, and lists of texts.
-/// Errors: MESH_MALFORMED, MESH_TOO_LARGE.
+/// Reads Metadata/project_settings.config: one JSON object of texts and lists of texts. Errors:
+/// MESH_MALFORMED, MESH_TOO_LARGE.
 absl::StatusOr<ProjectSettings> ReadOrcaSettings(std::string_view text, const std::string& part);
 
 }  // namespace slicefarm::slicing::threemf
