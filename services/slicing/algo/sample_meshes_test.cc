@@ -13,7 +13,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Numerical Recipes' quick generator: the same numbers everywhere.
+/// Quick random generator of Numerical Recipes: gives the same numbers on all machines.
 class Numbers {
  public:
   explicit Numbers(uint32_t seed) : state_(seed) {}

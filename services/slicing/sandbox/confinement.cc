@@ -32,7 +32,8 @@ struct Limit {
   int64_t hard;
 };
 
-/// Never above what the process is held to already, which it could not raise.
+/// Sets a resource limit, but never above the present hard limit, which the process could not
+/// raise.
 absl::Status Set(const Limit& limit) {
   rlimit now = {};
   if (getrlimit(limit.resource, &now) != 0) return Refused(limit.name, errno);
@@ -43,12 +44,13 @@ absl::Status Set(const Limit& limit) {
 
 absl::Status SetLimits(const ReaderLimits& limits) {
   const Limit all[] = {
-      // The soft limit ends it by SIGXCPU, which tells why; the hard one by SIGKILL.
+      // The soft limit ends the process by SIGXCPU, which shows the reason; the hard limit by
+      // SIGKILL.
       {"RLIMIT_CPU", RLIMIT_CPU, limits.cpu_s, limits.cpu_s + 1},
       {"RLIMIT_FSIZE", RLIMIT_FSIZE, 0, 0},
       {"RLIMIT_CORE", RLIMIT_CORE, 0, 0},
       {"RLIMIT_NPROC", RLIMIT_NPROC, 0, 0},
-      // No number is left for another file or socket.
+      // With 0, no number is left for another file or socket.
       {"RLIMIT_NOFILE", RLIMIT_NOFILE, 0, 0},
       {"RLIMIT_AS", RLIMIT_AS, limits.memory_bytes, limits.memory_bytes},
   };
@@ -68,7 +70,7 @@ absl::Status SetTraits(int64_t parent) {
   return absl::OkStatus();
 }
 
-/// What the sanitizers' runtimes call besides.
+/// Additional system calls of the sanitizers' runtimes.
 constexpr int kSanitizerCalls[] = {
     SCMP_SYS(write),        SCMP_SYS(mmap),           SCMP_SYS(mprotect),     SCMP_SYS(futex),
     SCMP_SYS(sched_yield),  SCMP_SYS(clock_gettime),  SCMP_SYS(getpid),       SCMP_SYS(gettid),
@@ -78,13 +80,14 @@ constexpr int kSanitizerCalls[] = {
 
 using Filter = std::unique_ptr<void, decltype(&seccomp_release)>;
 
-/// Each returns 0 or a negative errno, as libseccomp does.
+/// Functions that add rules. Each returns 0 or a negative errno, as libseccomp does.
 int AllowWrites(scmp_filter_ctx filter) {
   return seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(write), 1,
                           SCMP_A0(SCMP_CMP_EQ, STDOUT_FILENO, 0));
 }
 
-/// Memory of no file, and none to run code from: nothing can be made executable any more.
+/// Allows memory that is neither mapped from a file nor executable. No memory can be made
+/// executable afterwards.
 int AllowMemory(scmp_filter_ctx filter) {
   const int mapped = seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(mmap), 2,
                                       SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0),
@@ -106,10 +109,10 @@ int AllowTheRest(scmp_filter_ctx filter) {
 
 absl::Status SetFilter() {
   const Filter filter(seccomp_init(SCMP_ACT_KILL_PROCESS), &seccomp_release);
-  // The library makes none where the system has no seccomp for us.
+  // libseccomp creates no filter if the system does not offer seccomp.
   if (filter == nullptr) return Refused("a seccomp filter", EOPNOTSUPP);
   int error = seccomp_attr_set(filter.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
-  // The system's own error, not the library's word for all of them.
+  // This attribute makes libseccomp return the system's own error code instead of one code for all.
   if (error == 0) error = seccomp_attr_set(filter.get(), SCMP_FLTATR_API_SYSRAWRC, 1);
   for (const auto add : {&AllowWrites, &AllowMemory, &AllowTheRest})
     if (error == 0) error = add(filter.get());

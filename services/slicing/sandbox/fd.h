@@ -6,7 +6,7 @@
 
 namespace slicefarm::slicing {
 
-/// A file descriptor that is closed with its owner.
+/// File descriptor that is closed with its owner.
 class Fd {
  public:
   Fd() = default;
@@ -20,6 +20,7 @@ class Fd {
     if (number_ >= 0) close(number_);
   }
 
+  /// Returns the descriptor; -1 if there is none.
   int number() const { return number_; }
 
  private:

@@ -1,7 +1,7 @@
 #include "services/slicing/algo/mesh_reader/mesh_reader.h"
 #include "services/slicing/sandbox/reader_side.h"
 
-// slicefarm-mesh-reader: reads one mesh for slicefarm-slicing, which starts it, and ends.
+// slicefarm-mesh-reader: reads one mesh and exits. slicefarm-slicing starts it.
 int main() {
   using namespace slicefarm::slicing;
   RunReader(

@@ -20,15 +20,15 @@
 #include "services/slicing/sandbox/reader_protocol.h"
 #include "services/slicing/sandbox/reader_side.h"
 
-// A program for tests in the place of slicefarm-mesh-reader: a reader that a mesh has taken over.
-// The file says what it does then; a file that says nothing of the kind is read.
+// Test program that replaces slicefarm-mesh-reader and acts like a reader taken over by a hostile
+// mesh. The file names the misbehaviour; a file without such a name is read normally.
 
 namespace slicefarm::slicing {
 namespace {
 
 using Answer = absl::StatusOr<MeshFileContents>;
 
-/// Comes back to the test as the error of a mesh.
+/// Returns a text to the test, as the error of a mesh.
 Answer Tell(const std::string& what) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshMalformed, what);
 }
@@ -49,7 +49,7 @@ Answer Spin() {
   for (;;) std::atomic_signal_fence(std::memory_order_seq_cst);
 }
 
-/// An unheard-of end: stdout is closed, the process lives on.
+/// Closes stdout while the process stays alive.
 Answer Hide() {
   close(STDOUT_FILENO);
   for (;;) pause();
@@ -78,7 +78,7 @@ MeshFileContents Alone(const RawMesh& mesh) {
   return {{mesh}, project};
 }
 
-/// Announces a mesh and says nothing of it.
+/// Announces a mesh and then does not send it.
 [[noreturn]] void SayMeshHead(const MeshHead& mesh) {
   const std::string project = EncodeProject(Alone({}).project);
   const AnswerHead head = {.build_id = ThisBuild(), .project_bytes = project.size(), .meshes = 1};
@@ -101,7 +101,7 @@ Answer BeAnother() {
   Say(&head, sizeof head);
 }
 
-/// An error that would have the job tried again and again.
+/// Returns an error that would make the job be retried again and again.
 Answer Excuse() {
   return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, "try again");
 }
@@ -114,7 +114,7 @@ Answer Overreach() {
   return Alone(mesh);
 }
 
-/// A project that refers to what is not there.
+/// Returns a project that refers to missing objects.
 Answer Misplace(void (*change)(Project&)) {
   MeshFileContents contents = Alone(Triangle());
   change(contents.project);
@@ -127,7 +127,8 @@ Answer WithCorner(double x) {
   return Alone(mesh);
 }
 
-/// SIGTERM and the like do not reach a reader whose service still waits for it.
+/// Returns the blocked signals: SIGTERM and similar signals must not reach a reader while its
+/// service still waits for it.
 std::string DeafTo() {
   std::string deaf = "deaf to";
   sigset_t blocked;
@@ -137,7 +138,7 @@ std::string DeafTo() {
   return deaf;
 }
 
-/// What a reader finds around it: "SECRET", descriptors above stderr, traits.
+/// Returns the environment of a reader: "SECRET", descriptors above stderr, process traits.
 Answer LookAround() {
   int open = 0;
   for (int fd = 3; fd < 1024; ++fd) open += fcntl(fd, F_GETFD) >= 0;
@@ -204,7 +205,7 @@ int main() {
   (void)Deeds();  // made while all is allowed
   RunReader([](std::string_view bytes, slicefarm::MeshFormat format, double limit,
                ReadDepth depth) {
-    // Padded with blanks, as the size of a file bounds what may be answered.
+    // The text is padded with blanks, because the size of a file limits the size of the answer.
     const std::string_view deed = bytes.substr(0, bytes.find_last_not_of(' ') + 1);
     const auto found = Deeds().find(deed);
     return found != Deeds().end() ? found->second() : ReadMeshFile(bytes, format, limit, depth, {});

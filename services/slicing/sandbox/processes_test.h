@@ -11,13 +11,13 @@
 
 namespace slicefarm::slicing {
 
-/// How many files a process has open.
+/// Returns the number of open files of a process.
 inline int OpenFiles(const std::string& pid = "self") {
   const std::filesystem::directory_iterator files("/proc/" + pid + "/fd");
   return static_cast<int>(std::distance(begin(files), end(files)));
 }
 
-/// The first line of /proc/PID/`name`; empty if there is none.
+/// Returns the first line of /proc/PID/`name`; empty if there is none.
 inline std::string ProcText(pid_t pid, const std::string& name) {
   std::ifstream file("/proc/" + std::to_string(pid) + "/" + name);
   std::string line;
@@ -25,14 +25,15 @@ inline std::string ProcText(pid_t pid, const std::string& name) {
   return line;
 }
 
-/// What stands behind the name in `PID (NAME) STATE PARENT ...`; empty if there is no such process.
+/// Returns the text after the name in `PID (NAME) STATE PARENT ...`; empty if there is no such
+/// process.
 inline std::string StateAndParent(pid_t pid) {
   const std::string stat = ProcText(pid, "stat");
   const size_t name_end = stat.rfind(") ");
   return name_end == std::string::npos ? "" : stat.substr(name_end + 2);
 }
 
-/// The children of a process, the dead that nobody reaped among them.
+/// Returns the children of a process, including zombies.
 inline std::vector<pid_t> ChildrenOf(pid_t parent) {
   std::vector<pid_t> children;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -44,7 +45,7 @@ inline std::vector<pid_t> ChildrenOf(pid_t parent) {
   return children;
 }
 
-/// Whether a process still runs: one that ended and was not reaped does not.
+/// Returns true if a process is running; a zombie is not.
 inline bool IsRunning(pid_t pid) {
   const std::string state = StateAndParent(pid);
   return !state.empty() && state[0] != 'Z' && state[0] != 'X';

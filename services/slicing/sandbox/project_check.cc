@@ -37,7 +37,8 @@ bool AreSettings(const std::vector<Setting>& settings) {
          });
 }
 
-/// Plates may be taken off, and components come together.
+/// Returns true if the entries are within their limits. The limit allows for the offset of plates
+/// and for combined components.
 bool IsTransform(const Transform& transform) {
   constexpr double kMost = 2 * limits::kMaxTransformEntry +
                            limits::kMaxMeshCoordinateMm * 1.2 * limits::kMaxProjectPlates;

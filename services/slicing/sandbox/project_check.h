@@ -9,10 +9,12 @@
 
 namespace slicefarm::slicing {
 
-/// What keeps a project from being one that reading a file can give; empty: nothing does. Checked
-/// are counts and texts against limits.h, numbers, enumerators, and indices into the project
-/// itself. `triangles`: of each mesh of the file, and then parts must lie within them; nothing if
-/// the meshes were not read.
+/// Returns the reason why a project cannot come from reading a file; empty if there is none. It
+/// checks counts and texts against limits.h, numbers, enumerators, and indices into the project
+/// itself.
+///
+/// `triangles`: number of triangles of each mesh of the file, used to check the parts' ranges;
+/// nullopt if the meshes were not read.
 std::string_view FaultOf(const Project& project,
                          const std::optional<std::span<const int64_t>>& triangles);
 

@@ -8,7 +8,8 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Writes or reads the same members in the same order; `Each` below is the only list of them.
+/// Writer of a project. Writer and reader handle the same members in the same order; `Each` below
+/// is the only list of them.
 class Writer {
  public:
   template <typename T>
@@ -48,7 +49,7 @@ class Reader {
     bytes_.remove_prefix(sizeof value);
   }
 
-  /// Any byte but 0 and 1 would not be a bool.
+  /// Reads a bool; bytes other than 0 and 1 are errors.
   void Number(bool& value) {
     uint8_t byte = 0;
     Number(byte);
@@ -74,7 +75,7 @@ class Reader {
   bool WentWell() const { return !failed_ && bytes_.empty(); }
 
  private:
-  /// What follows reads nothing but zeros.
+  /// Marks the input as faulty. All further reads return zeros.
   void Fail() {
     failed_ = true;
     bytes_ = {};

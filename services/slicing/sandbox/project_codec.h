@@ -9,12 +9,12 @@
 
 namespace slicefarm::slicing {
 
-/// A project as bytes between two programs of one build.
+/// Returns a project as bytes, for exchange between two programs of one build.
 std::string EncodeProject(const Project& project);
 
-/// The project of such bytes, which may be anything: nothing is allocated by a count that they do
-/// not bear out. Errors: InvalidArgument that says what is wrong; for what is too much or does not
-/// fit together, see CheckProject.
+/// Decodes untrusted bytes. No memory is allocated according to a count that the bytes do not
+/// justify. Errors: InvalidArgument with the fault. For excessive or inconsistent contents, see
+/// FaultOf.
 absl::StatusOr<Project> DecodeProject(std::string_view bytes);
 
 }  // namespace slicefarm::slicing

@@ -11,12 +11,12 @@ namespace {
 constexpr int64_t kMib = int64_t{1} << 20;
 constexpr int64_t kProgramBytes = 64 * kMib;  ///< code, libraries and stack
 constexpr int64_t kMemoryPerFileByte = 32;
-/// For the most triangles and vertices that limits.h lets a file have.
+/// Memory for the largest numbers of triangles and vertices that limits.h allows in a file.
 constexpr int64_t kMostMemory = 8192 * kMib;
 constexpr int64_t kBaseCpuS = 10;
 constexpr int64_t kFileBytesPerCpuS = 10 * kMib;
 
-// Of an archive's text, a vertex takes 27 bytes and a triangle 32; in memory each is there up to
+// In an archive's text, a vertex takes 27 bytes and a triangle 32. In memory, each exists up to
 // three times while its list grows.
 constexpr int64_t kBaseArchiveMemory = 256 * kMib;
 constexpr int64_t kMemoryPerArchiveByte = 80;

@@ -5,17 +5,18 @@
 
 namespace slicefarm::slicing {
 
-/// What one reader process may use.
+/// Resources that one reader process may use.
 struct ReaderLimits {
-  int64_t memory_bytes = 0;  ///< of address space, its program and the file included
+  int64_t memory_bytes = 0;  ///< address space, including its program and the file
   int64_t cpu_s = 0;
 
   friend bool operator==(const ReaderLimits&, const ReaderLimits&) = default;
 };
 
-/// Generous for any file within limits.h, whatever is in it: the most hostile OBJ takes 20 bytes of
-/// memory for each of its own while it is read, and the slowest format 10 ns. A 3MF's text may be
-/// limits::kMaxCompressionRatio times as long as the file, though few are beyond 20 times.
+/// Returns limits that are generous for any file within limits.h. The most hostile OBJ takes 20
+/// bytes of memory per byte of the file while it is read; the slowest format takes 10 ns per byte.
+/// The text of a 3MF may be limits::kMaxCompressionRatio times as long as the file, but it is
+/// rarely more than 20 times as long.
 ReaderLimits ReaderLimitsFor(std::string_view file);
 
 }  // namespace slicefarm::slicing

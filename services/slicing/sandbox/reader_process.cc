@@ -22,11 +22,12 @@ extern char** environ;
 namespace slicefarm::slicing {
 namespace {
 
-/// How long a cancelled call may go unnoticed.
+/// Longest time until a cancelled call is noticed.
 constexpr int kCancelPollMs = 5;
-/// An end follows the closing of stdout within a fraction of this.
+/// Poll interval for the end of the process. The process ends within a fraction of this after it
+/// closes stdout.
 constexpr int kEndPollMs = 1;
-/// Fewer turns between the two processes than with the usual 64 KiB.
+/// Size of the pipe; it needs fewer switches between the two processes than the usual 64 KiB.
 constexpr int kPipeBytes = 1 << 20;
 
 absl::Status CannotStart(std::string_view what, int error) {
@@ -34,14 +35,14 @@ absl::Status CannotStart(std::string_view what, int error) {
                    fmt::format("cannot start a mesh reader: {}: {}", what, strerrordesc_np(error)));
 }
 
-/// What posix_spawn is told; the structs of C have to be destroyed.
+/// Arguments of posix_spawn. Its C structs must be destroyed.
 class SpawnPlan {
  public:
   SpawnPlan(int request, int answer) {
     posix_spawn_file_actions_init(&files_);
     posix_spawn_file_actions_adddup2(&files_, request, STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&files_, answer, STDOUT_FILENO);
-    // What a reader that was taken over has to say does not belong in a log.
+    // Messages of a reader that was taken over do not belong in a log.
     if (!kSanitizedBuild)
       posix_spawn_file_actions_addopen(&files_, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addclosefrom_np(&files_, STDERR_FILENO + 1);
@@ -55,8 +56,8 @@ class SpawnPlan {
   SpawnPlan(const SpawnPlan&) = delete;
   SpawnPlan& operator=(const SpawnPlan&) = delete;
 
-  /// Returns an errno. Nothing of the service's environment is the reader's business; big pages
-  /// spare it thousands of faults, as all its memory is new.
+  /// Starts the program and returns an errno. The reader gets nothing of the service's environment.
+  /// Huge pages save it thousands of page faults, because all its memory is new.
   int Spawn(const std::string& program, pid_t* pid) const {
     char* const arguments[] = {const_cast<char*>(program.c_str()), nullptr};
     char big_pages[] = "GLIBC_TUNABLES=glibc.malloc.hugetlb=1";
@@ -84,7 +85,7 @@ double Seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;
 }
 
-/// Whether there is something to read, or nothing more to come.
+/// Returns true if there is something to read or the input has ended.
 bool AwaitReadable(int fd, int timeout_ms) {
   pollfd entry = {.fd = fd, .events = POLLIN, .revents = 0};
   return poll(&entry, 1, timeout_ms) > 0;

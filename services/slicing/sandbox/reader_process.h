@@ -11,36 +11,36 @@
 
 namespace slicefarm::slicing {
 
-/// How a process ended, and what it had used by then.
+/// Exit status of a process and its CPU time.
 struct ProcessEnd {
-  int wait_status = 0;  ///< as of wait(2)
+  int wait_status = 0;  ///< status from wait(2)
   double cpu_s = 0;
 };
 
-/// A reader program at work on one request. Killed, if need be, and reaped when it goes out of
-/// scope. To be used by the thread that started it, with which it dies.
+/// Reader program that works on one request. The destructor kills it if necessary and reaps it.
+/// Only the thread that started it may use it; the process dies with this thread.
 ///
-/// It has the request as stdin, a pipe as stdout, none of the environment and nothing else open,
-/// and is deaf to the signals that tell a service to end: whether its work is still wanted is the
-/// service's affair.
+/// It has the request as stdin and a pipe as stdout, an empty environment and no other open files.
+/// It ignores the signals that tell a service to end, because the service decides if its work is
+/// still needed.
 class ReaderProcess {
  public:
-  /// `program`: its path. Safe in a process with many threads. Errors: Unavailable if the system
-  /// cannot start it (now).
+  /// Starts `program` (a path). Safe in a process with many threads. Errors: Unavailable if the
+  /// system cannot start it now.
   static absl::StatusOr<ReaderProcess> Start(const std::string& program, const Fd& request);
   ReaderProcess(ReaderProcess&& other) noexcept;
   ~ReaderProcess();
 
-  /// Fills `bytes` with what comes from its stdout; false if less came. Errors: Cancelled.
+  /// Fills `bytes` from its stdout; returns false if there was less. Errors: Cancelled.
   absl::StatusOr<bool> Receive(std::span<char> bytes, const CancelToken& cancel);
 
-  /// Waits until it has ended by itself. Errors: Cancelled, and then it is killed.
+  /// Waits until the process has ended by itself. Errors: Cancelled; the process is then killed.
   absl::StatusOr<ProcessEnd> AwaitEnd(const CancelToken& cancel);
 
  private:
   ReaderProcess(pid_t pid, Fd answer) : pid_(pid), answer_(std::move(answer)) {}
 
-  pid_t pid_;  ///< 0: reaped
+  pid_t pid_;  ///< 0: already reaped
   Fd answer_;
 };
 

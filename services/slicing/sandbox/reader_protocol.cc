@@ -22,7 +22,7 @@ namespace {
 
 constexpr size_t kMaxErrorBytes = 16 << 10;
 
-/// Of ReadMesh.
+/// Reasons of ReadMesh errors.
 constexpr Reason kReadingReasons[] = {
     Reason::kMeshFormatUnknown, Reason::kMeshTruncated, Reason::kMeshMalformed,
     Reason::kMeshNotFinite,     Reason::kMeshEmpty,     Reason::kMeshTooLarge,
@@ -33,7 +33,8 @@ absl::Status Nonsense(std::string_view what) {
   return ReaderCrashed(fmt::format("answered nonsense: {}", what));
 }
 
-/// More than limits::kMaxProjectBytes of text: transforms, and lengths of the texts.
+/// Largest size of an encoded project: more than limits::kMaxProjectBytes of text, because of
+/// transforms and the lengths of texts.
 constexpr uint64_t kMostProjectBytes = 2 * limits::kMaxProjectBytes;
 
 bool IsSoundContentsHead(const AnswerHead& head, const Request& request) {
@@ -62,7 +63,8 @@ BuildIdBytes ThisBuild() {
   return bytes;
 }
 
-/// NUL-separated: reason, message, key, value, key, value, ... None of our texts has a NUL.
+/// Encodes an error as NUL-separated texts: reason, message, key, value, key, value, ... No text of
+/// this program has a NUL.
 std::string EncodeError(const absl::Status& error) {
   const ErrorDetail detail = DetailOf(error);
   std::string text(ReasonName(detail.reason));
@@ -97,14 +99,14 @@ absl::Status CheckHead(const AnswerHead& head, const Request& request) {
   return Nonsense("neither a mesh nor an error");
 }
 
-// No format says a triangle or a vertex in less than a byte, as paint does.
+// No format stores a triangle or a vertex in less than a byte; this holds for paint too.
 MeshHeads::MeshHeads(const Request& request)
     : triangles_left_(
           std::min<uint64_t>(static_cast<uint64_t>(request.text_bytes), limits::kMaxTriangles)),
       positions_left_(static_cast<uint64_t>(request.text_bytes)) {}
 
 absl::Status MeshHeads::Check(const MeshHead& head) {
-  // No position is there without a triangle that uses it.
+  // Every position is used by a triangle.
   const bool sound = head.triangles <= triangles_left_ &&
                      head.positions <= std::min(positions_left_, 3 * head.triangles) &&
                      (head.positions > 0) == (head.triangles > 0);

@@ -16,9 +16,9 @@
 
 namespace slicefarm::slicing {
 
-/// What the service and a reader process say to each other: a request file (this head, then the
-/// bytes of the mesh) is the reader's stdin, and its answer (a head, then what it announces) comes
-/// from its stdout. Both are programs of one build on one machine, so structs travel as they are.
+/// Protocol between the service and a reader process. The reader's stdin is a request file: this
+/// head, then the bytes of the mesh. Its answer on stdout is a head, then the contents that the
+/// head announces. Both are programs of one build on one machine, so structs are sent as they are.
 struct RequestHead {
   Confinement confinement = Confinement::kStrict;
   MeshFormat format = MeshFormat::kUnknown;
@@ -28,15 +28,19 @@ struct RequestHead {
   int64_t service_pid = 0;
 };
 
+/// Kind of an answer.
 enum class AnswerKind : uint32_t {
-  kContents,     ///< `project_bytes` of an encoded project, then `meshes` times a mesh
-  kError,        ///< of reading: `error_bytes` of an encoded error
-  kNotConfined,  ///< `error_bytes` of a text that says why; the mesh was not looked at
+  kContents,  ///< `project_bytes` of an encoded project, then `meshes` meshes
+  kError,  ///< error of reading: `error_bytes` of an encoded error
+  kNotConfined,  ///< `error_bytes` of a text with the reason; the mesh was not read
 };
 
+/// Id of a build.
 using BuildIdBytes = std::array<char, 16>;
+/// Returns the id of this build.
 BuildIdBytes ThisBuild();
 
+/// First part of an answer.
 struct AnswerHead {
   BuildIdBytes build_id = {};
   AnswerKind kind = AnswerKind::kContents;
@@ -45,36 +49,42 @@ struct AnswerHead {
   uint64_t meshes = 0;
 };
 
-/// Before each mesh: its positions and its triangles follow.
+/// Head of each mesh; its positions and its triangles follow.
 struct MeshHead {
   uint64_t positions = 0;
   uint64_t triangles = 0;
 };
 
-/// The exit code of a reader that got no more memory.
+/// Exit code of a reader that got no more memory.
 inline constexpr int kNoMemoryExit = 3;
 
+/// Returns an error as text for an answer.
 std::string EncodeError(const absl::Status& error);
 
-// The rest takes nothing for granted: a reader that a mesh has taken over may answer anything.
+// The following functions trust nothing: a reader that was taken over by a mesh may answer
+// anything.
 
-/// What a request was about, which bounds what may be answered: the numbers that are announced
-/// decide how much memory the service takes.
+/// Properties of a request that limit the answer, because the announced numbers decide how much
+/// memory the service allocates.
 struct Request {
-  /// The most bytes of text that the file can stand for: of an archive, what it may expand to.
+  /// Largest number of text bytes that the file can represent; for an archive, its largest expanded
+  /// size.
   int64_t text_bytes = 0;
   ReadDepth depth = ReadDepth::kMeshes;
 };
 
+/// Returns the properties of a request.
 Request RequestOf(std::string_view file, ReadDepth depth);
 
-/// Errors: BUILD_MISMATCH; MESH_READER_CRASHED for numbers that no reader would send.
+/// Checks the head of an answer. Errors: BUILD_MISMATCH; MESH_READER_CRASHED for numbers that no
+/// correct reader would send.
 absl::Status CheckHead(const AnswerHead& head, const Request& request);
 
-/// Bounds what all meshes of an answer have together. Errors: MESH_READER_CRASHED.
+/// Limits the total of all meshes of an answer. Errors: MESH_READER_CRASHED.
 class MeshHeads {
  public:
   explicit MeshHeads(const Request& request);
+  /// Checks the head of the next mesh and subtracts its counts from the rest.
   absl::Status Check(const MeshHead& head);
 
  private:
@@ -82,20 +92,20 @@ class MeshHeads {
   uint64_t positions_left_;
 };
 
-/// The error of an encoded one: always InvalidArgument, with one of the reasons of ReadMesh; what
-/// else it may say is MESH_READER_CRASHED.
+/// Decodes an error. The result is always InvalidArgument with one of the reasons of ReadMesh;
+/// anything else gives MESH_READER_CRASHED.
 absl::Status DecodeError(std::string_view encoded);
 
-/// Whether the mesh is what RawMesh promises: valid indices, finite coordinates within the limit.
+/// Checks that the mesh fulfils RawMesh: valid indices, finite coordinates within the limit.
 /// Errors: MESH_READER_CRASHED. Cost: one pass.
 absl::Status CheckMesh(const RawMesh& mesh, double coordinate_limit);
 
-/// The project of an answer, whose meshes (if they were asked for) are there already.
-/// Errors: MESH_READER_CRASHED.
+/// Returns the project of an answer after checking it against the meshes, which must be read before
+/// (if they were requested). Errors: MESH_READER_CRASHED.
 absl::StatusOr<Project> CheckedProject(std::string_view encoded, std::span<const RawMesh> meshes,
                                        ReadDepth depth);
 
-/// InvalidArgument, MESH_READER_CRASHED: the mesh is at fault, and trying again is of no use.
+/// Returns InvalidArgument with MESH_READER_CRASHED: the mesh is the cause, so a retry is useless.
 absl::Status ReaderCrashed(std::string_view how, std::map<std::string, std::string> metadata = {});
 
 }  // namespace slicefarm::slicing

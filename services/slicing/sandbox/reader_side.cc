@@ -21,11 +21,11 @@ namespace {
 
 constexpr int kNoRequestExit = 2;
 
-/// The service is gone, or hands out requests that are none: there is nobody to tell.
+/// Ends the process without an answer: the service is gone or sends invalid requests.
 [[noreturn]] void EndUnheard() { _exit(kNoRequestExit); }
 
-/// Where memory runs out, the system is to end this process rather than the service. Where it may
-/// not be asked, it chooses by itself.
+/// Makes the system end this process rather than the service when memory runs out. If the setting
+/// is not allowed, the system chooses by itself.
 void StepForwardWhenMemoryRunsOut() {
   const Fd file(open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC));
   constexpr std::string_view kFirst = "1000";
@@ -79,8 +79,8 @@ void Write(const void* data, size_t size) {
   _exit(0);
 }
 
-/// The times of an archive's entries are made from local ones; without a time zone that is set, the
-/// system's is looked up in a file each time, which cannot be opened later.
+/// Sets the time zone. The times of an archive's entries are computed from local time. Without a
+/// set time zone, the system's one is looked up in a file each time, which cannot be opened later.
 void SettleTimeZone() {
   setenv("TZ", "UTC0", 1);
   tzset();

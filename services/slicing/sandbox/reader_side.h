@@ -9,11 +9,12 @@
 
 namespace slicefarm::slicing {
 
+/// Function that reads a mesh.
 using ReadFunction = std::function<absl::StatusOr<MeshFileContents>(
     std::string_view bytes, MeshFormat format, double coordinate_limit, ReadDepth depth)>;
 
-/// The life of a reader process, from a request on stdin to an answer on stdout: confines itself,
-/// and only then lets `read` look at the bytes. Does not return.
+/// Runs a reader process, from a request on stdin to an answer on stdout. It confines itself first
+/// and only then lets `read` read the bytes. Does not return.
 [[noreturn]] void RunReader(const ReadFunction& read);
 
 }  // namespace slicefarm::slicing

@@ -15,7 +15,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Some milliseconds' worth.
+/// Number of bytes that take some milliseconds to copy.
 constexpr size_t kBytesPerPoll = 16 << 20;
 
 absl::Status NoMemory(int error) {

@@ -9,8 +9,8 @@
 
 namespace slicefarm::slicing {
 
-/// The request as a file in memory that nobody can change any more. Errors: Unavailable if the
-/// system gives no memory; Cancelled.
+/// Returns the request as a file in memory that cannot be changed any more. Errors: Unavailable if
+/// the system provides no memory; Cancelled.
 absl::StatusOr<Fd> MakeRequestFile(const RequestHead& head, std::string_view bytes,
                                    const CancelToken& cancel);
 

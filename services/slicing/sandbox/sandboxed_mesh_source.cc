@@ -33,7 +33,7 @@ absl::Status KilledFromOutside() {
                    "when its memory runs out");
 }
 
-/// Why a reader ended that gave no whole answer.
+/// Returns the reason why a reader ended without a complete answer.
 absl::Status ErrorOf(const ProcessEnd& end, const ReaderLimits& limits) {
   if (WIFEXITED(end.wait_status)) {
     const int code = WEXITSTATUS(end.wait_status);
@@ -60,7 +60,7 @@ std::span<char> BytesOf(std::vector<T>& values) {
   return {reinterpret_cast<char*>(values.data()), values.size() * sizeof(T)};
 }
 
-/// One mesh on its way through a reader.
+/// Reading of one mesh by a reader process.
 class Reading {
  public:
   Reading(ReaderProcess reader, const ReaderLimits& limits, const CancelToken& cancel)

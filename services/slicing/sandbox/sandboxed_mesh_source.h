@@ -10,33 +10,35 @@
 
 namespace slicefarm::slicing {
 
+/// Options of a SandboxedMeshSource.
 struct SandboxOptions {
   Confinement confinement = Confinement::kStrict;
   std::string program;  ///< path of slicefarm-mesh-reader
   std::function<ReaderLimits(std::string_view file)> limits = ReaderLimitsFor;
-  /// What all readers may take together: each waits until what it may take fits, and may take no
-  /// more than the whole. Null: as much as `limits` says, each.
+  /// Memory budget of all readers together. Each reader waits until its limit fits, and its limit
+  /// is never more than the whole budget. Null: no common budget; each reader has the memory of
+  /// `limits`.
   ByteBudget* memory = nullptr;
 };
 
-/// Reads each mesh in a process of its own that is shut in (confinement.h), ends with the call, and
-/// is killed as soon as it is cancelled. What it answers is checked before it is believed.
+/// Reads each mesh in a separate confined process (confinement.h), which ends with the call and is
+/// killed as soon as the call is cancelled. Its answer is checked before it is used.
 ///
-/// Errors of Read: those of ReadMeshFile, and
-///   MESH_READER_CRASHED  InvalidArgument: the reader ended by a signal, or answered nonsense;
+/// Errors of Read: the errors of ReadMeshFile, and
+///   MESH_READER_CRASHED  InvalidArgument: the reader ended by a signal or gave an invalid answer;
 ///                        metadata `signal` or `exit_code`
 ///   MESH_TOO_EXPENSIVE   InvalidArgument: it needed more than its limits; metadata `resource`
 ///                        (`memory_bytes` or `cpu_s`), `limit`
 ///   MESH_READER_KILLED   Unavailable: it was killed from outside
-///   UNAVAILABLE          the system cannot start one (now)
-///   BUILD_MISMATCH       FailedPrecondition: the program was replaced since
+///   UNAVAILABLE          the system cannot start one now
+///   BUILD_MISMATCH       FailedPrecondition: the program has been replaced
 /// Cost besides the reading: a process (some milliseconds), a copy of the file and one of the mesh.
 class SandboxedMeshSource : public MeshSource {
  public:
   explicit SandboxedMeshSource(SandboxOptions options) : options_(std::move(options)) {}
 
-  /// Whether a mesh can be read so on this machine: reads one. FailedPrecondition or what Read
-  /// gives.
+  /// Checks that this machine can read a mesh in this mode, by reading one. Errors:
+  /// FailedPrecondition or the errors of Read.
   absl::Status Probe() const;
 
   absl::StatusOr<MeshFileContents> Read(std::string bytes, MeshFormat format,

@@ -30,7 +30,7 @@ constexpr ReaderLimits kUsual = {.memory_bytes = 256 << 20, .cpu_s = 600};
 
 SandboxedMeshSource Product() { return SandboxedMeshSource({.program = MESH_READER}); }
 
-/// A reader that does what the file says.
+/// Returns a source with a reader that does the misbehaviour named in the file.
 SandboxedMeshSource TakenOver(Confinement confinement = Confinement::kStrict,
                               const ReaderLimits& limits = kUsual) {
   return SandboxedMeshSource({.confinement = confinement,
@@ -103,7 +103,7 @@ TEST(SandboxedMeshSource, GivesTheErrorsOfDirectReading) {
                 ReadMeshFile(box, MeshFormat::kStl, 25, kDepth, {}), "beyond the limit");
 }
 
-/// A million faces in the fewest bytes, and as many corners as there can be.
+/// The file has a million faces in the fewest bytes, and as many corners as possible.
 TEST(SandboxedMeshSource, HasMemoryEnoughForHostileFiles) {
   std::string fans = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   for (int face = 0; face < 1000; ++face) {
@@ -210,7 +210,8 @@ TEST(SandboxedMeshSource, NoAnswerIsBelievedUnchecked) {
   }
 }
 
-/// As the system does that has no memory left: it takes who offered itself.
+/// The test kills the reader like a system without memory: it chooses the process that offered
+/// itself.
 TEST(SandboxedMeshSource, AKillFromOutsideIsToldAsSuch) {
   const auto offers_itself = [](pid_t pid) { return ProcText(pid, "oom_score_adj") == "1000"; };
   std::thread killer([&] {

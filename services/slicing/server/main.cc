@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
   slicefarm::rpc::ServeFlags flags;
   int threads = 1;
   std::string sandbox_name = "strict";
-  // Of what there is, half for readers and three eighths for what they give.
+  // Half of the available memory is for readers, and three eighths are for their results.
   const int64_t half = slicefarm::DefaultMemoryBudget() >> 20;
   int reader_memory_mib = static_cast<int>(half);
   int memory_mib = static_cast<int>(half * 3 / 4);

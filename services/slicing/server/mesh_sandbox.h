@@ -11,22 +11,23 @@
 
 namespace slicefarm::slicing {
 
-/// Where the service lets meshes be read.
+/// Process in which the service reads meshes.
 enum class MeshSandbox {
-  kOff,     ///< in the service's own process
-  kLimits,  ///< in a process for each, with resource limits
-  kStrict,  ///< and with system calls denied
+  kOff,  ///< the service's own process
+  kLimits,  ///< a separate process per mesh, with resource limits
+  kStrict,  ///< like kLimits, with system calls denied too
 };
 
-/// What --mesh-sandbox takes: off, limits, strict.
+/// Returns the values of --mesh-sandbox: off, limits, strict.
 std::vector<std::string> MeshSandboxNames();
 
-/// `name`: one of MeshSandboxNames.
+/// Returns the sandbox with a name. `name`: one of MeshSandboxNames.
 MeshSandbox MeshSandboxOf(std::string_view name);
 
-/// The source of meshes for `sandbox`, tried out on this machine; slicefarm-mesh-reader must lie
-/// beside this program. `memory`, which all readers share, must outlive it. Errors:
-/// FailedPrecondition, Unavailable and the like, with what to do.
+/// Returns the source of meshes for `sandbox` after testing it on this machine.
+/// slicefarm-mesh-reader must be in the same folder as this program. `memory` is shared by all
+/// readers and must outlive the source. Errors: FailedPrecondition, Unavailable and similar, with
+/// advice.
 absl::StatusOr<std::unique_ptr<const MeshSource>> MakeMeshSource(MeshSandbox sandbox,
                                                                  ByteBudget& memory);
 

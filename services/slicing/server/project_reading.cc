@@ -13,7 +13,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// The plates that a job can be made of, from 1; 0: all objects lie on one.
+/// Returns the plates that can become a job, from 1; 0: all objects are on one plate.
 std::vector<int> PlatesToPrint(const Project& project) {
   std::vector<int> plates;
   for (size_t i = 0; i < project.plates.size(); ++i)

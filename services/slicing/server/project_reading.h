@@ -11,13 +11,13 @@
 
 namespace slicefarm::slicing {
 
-/// Reads what a 3MF file says besides its triangles, as jobs of its plates that have printable
-/// objects, which name the file by its SHA-256. Errors: REQUEST_MALFORMED for a file that is no
-/// 3MF; those of MeshSource::Read and config::JobOfProject.
+/// Reads all contents of a 3MF file except its triangles, as one job for each plate with printable
+/// objects. The jobs name the file by its SHA-256. Errors: REQUEST_MALFORMED for a file that is no
+/// 3MF; the errors of MeshSource::Read and config::JobOfProject.
 using ReadProjects = std::function<absl::StatusOr<v1::ReadProjectResponse>(
     const MeshFile& file, const CancelToken& cancel)>;
 
-/// With a source of its own.
+/// Returns a function that reads projects by `meshes`.
 ReadProjects MakeReadProjects(std::shared_ptr<const MeshSource> meshes);
 
 }  // namespace slicefarm::slicing

@@ -15,7 +15,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// A file's bytes, what they are read to, and what that is connected to.
+/// Memory per byte of a file: its bytes, the mesh read from it, and the connected mesh.
 constexpr int64_t kMemoryPerFileByte = 3;
 
 struct Request {
@@ -25,7 +25,7 @@ struct Request {
   SlicingOptions options;
 };
 
-/// What the methods are asked with, once there is room for it.
+/// Reads the request of a method as soon as there is memory for it.
 template <typename Stream>
 absl::StatusOr<Request> ReadRequest(rpc::Call& call, Stream& stream, MemoryBudget& memory) {
   absl::StatusOr<SliceStart> start = ReadStart<v1::SliceRequest>(stream, call.cancel);
@@ -92,7 +92,7 @@ absl::Status Answer(const v1::ReadProjectResponse& project, Stream& stream) {
   return absl::OkStatus();
 }
 
-/// Serves a method that is sent files: `make(request)` makes what is answered.
+/// Serves a method with files in its request: `make(request)` returns the answer.
 template <typename Make>
 auto FromFiles(MemoryBudget& memory, const Make& make) {
   return [&memory, make](rpc::Call& call, auto& stream) -> absl::Status {

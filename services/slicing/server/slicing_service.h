@@ -13,10 +13,10 @@
 
 namespace slicefarm::slicing {
 
-/// Translates slicefarm.v1.Slicing to a SlicingStage, an ArrangingStage, a PlacingStage and
-/// `projects`, and back.
-/// The stages, `gate` and `memory` must outlive the service. `threads`: what one call may use;
-/// `memory`: what all may hold.
+/// Returns the gRPC service slicefarm.v1.Slicing, which calls a SlicingStage, an ArrangingStage, a
+/// PlacingStage and `projects`. The stages, `gate` and `memory` must outlive the service.
+/// `threads`: number of threads that one call may use; `memory`: memory that all calls together may
+/// use.
 std::unique_ptr<grpc::Service> MakeSlicingService(const SlicingStage& slicing,
                                                   const ArrangingStage& arranging,
                                                   const PlacingStage& placing,

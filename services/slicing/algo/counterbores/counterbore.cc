@@ -99,9 +99,8 @@ class Recess {
     return Union(Rings(all), FillRule::kNonZero);
   }
 
-  /// Returns the bridging direction whose crossed stripes enclose the holes most tightly, so that
-  /// the layers above have least left to bridge. Among directions within 1 %, the shortest bridges
-  /// win.
+  /// Returns the bridging direction with the crossed stripes closest around the holes, so that the
+  /// layers above have least left to bridge. Among directions within 1 %, the shortest bridges win.
   std::optional<Vector2> BestWay() const {
     constexpr double kAlike = 1.01;
     std::optional<Vector2> best;

@@ -37,6 +37,7 @@ class MeshBuilder {
     mesh_.triangles.push_back({Weld(corners[0]), Weld(corners[1]), Weld(corners[2])});
   }
 
+  /// Returns the number of triangles added.
   size_t triangles() const { return mesh_.triangles.size(); }
 
   /// Returns the mesh. The builder must not be used afterwards.

@@ -25,7 +25,7 @@ std::string Quoted(std::string_view name) {
   return absl::StrCat("\"", absl::CEscape(absl::string_view(name.data(), name.size())), "\"");
 }
 
-/// What the object's outlines lie in.
+/// Returns the outline that contains the object's outlines after they grow.
 Polygon Grown(const Polygon& hull, Coord grow_nm) {
   if (grow_nm <= 0) return hull;
   const MultiPolygon grown = Offset({{hull, {}}}, grow_nm);
@@ -39,8 +39,8 @@ double DistanceToRing(Point p, const Polygon& ring) {
   return nearest;
 }
 
-/// How far the farthest of `points`, moved by `shift`, lies outside of the bed; 0 if all lie
-/// within.
+/// Returns the distance by which the farthest of `points`, moved by `shift`, is outside the bed; 0
+/// if all are within.
 double ExcessNm(const Polygon& points, Point shift, const Polygon& bed) {
   double excess = 0;
   for (const Point p : points)
@@ -126,7 +126,7 @@ absl::Status CheckBuildVolume(const Bulk& bulk, std::string_view name,
   const Polygon hull = Grown(bulk.footprint, bulk.xy_compensation_nm);
   const Box box = Bounds(hull);
   for (const Point center : centers) {
-    // Far centres would overflow the sums.
+    // Sums with coordinates of far centres would overflow.
     constexpr Coord kFar = 2 * limits::kMaxCoord;
     const bool near = std::abs(center.x) <= kFar && std::abs(center.y) <= kFar;
     if (!near || !InRange(box, center)) return CentersError(name);

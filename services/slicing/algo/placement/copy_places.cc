@@ -24,13 +24,14 @@ constexpr Coord kUm = 1'000;
 Coord ToWholeUm(Coord nm) { return (nm >= 0 ? nm + kUm / 2 : nm - kUm / 2) / kUm * kUm; }
 Point ToWholeUm(Point p) { return {ToWholeUm(p.x), ToWholeUm(p.y)}; }
 
-/// A copy that is to be arranged.
+/// Copy without a given position, which is to be arranged.
 struct Free {
   size_t object = 0;
   size_t copy = 0;
 };
 
-/// `copies`: of all objects, those with a place included. `excluded`: the bed has excluded areas.
+/// Returns the error for copies that do not fit. `copies`: number of all copies, including the ones
+/// with a given position. `excluded`: the bed has excluded areas.
 absl::Status NoRoom(std::span<const ObjectToPlace> objects, const std::vector<Free>& free,
                     const std::vector<size_t>& left_over, size_t copies, bool excluded) {
   std::map<size_t, int> counts;  // by object
@@ -47,7 +48,7 @@ absl::Status NoRoom(std::span<const ObjectToPlace> objects, const std::vector<Fr
        {"got", fmt::format("{}", copies)}});
 }
 
-/// Arranges the copies of `free` around those that stand.
+/// Arranges the copies of `free` around the copies with a given position.
 absl::Status ArrangeFree(std::span<const ObjectToPlace> objects, const std::vector<Free>& free,
                          const std::vector<FixedFootprint>& standing, const SlicingOptions& options,
                          const CancelToken& cancel, Places& places) {

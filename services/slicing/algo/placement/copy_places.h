@@ -15,27 +15,30 @@
 
 namespace slicefarm::slicing {
 
-/// An object whose copies want places.
+/// Object with copies that need positions.
 struct ObjectToPlace {
   std::string_view name;
-  const Polygon& footprint;  ///< around the middle of the object's box
-  Point middle;              ///< of that box, from the object's origin
+  const Polygon& footprint;  ///< outline relative to the middle of the object's box
+  Point middle;  ///< middle of the box, relative to the object's origin
   std::span<const CopyInput> copies;
 };
 
 /// Returns `"name"`, or `object N, which has no name`, counted from 1.
 std::string ObjectWords(std::string_view name, size_t object);
 
-/// How a job's copies are arranged on any number of beds: part_distance_nm and clearance_radius_nm
-/// apart, and with room on the bed for what the outlines grow by.
+/// Returns the options for arranging a job's copies on any number of beds. The copies are
+/// part_distance_nm and clearance_radius_nm apart, and the bed is reduced by the growth of the
+/// outlines.
 ArrangeOptions ArrangeOptionsOf(const SlicingOptions& options);
 
-/// Where the middle of each object's box stands, one point a copy, by object; whole micrometres.
-/// Copies with a place stand there, whatever else does. A copy that may stand anywhere is put into
-/// the middle of the bed if it is alone and no excluded area is there, else arranged around those
-/// with a place.
-/// Errors: OUT_OF_BUILD_VOLUME if not all fit on the bed, naming each object with copies left over
-/// and how many; those of Arrange. A copy alone is not checked.
+/// Returns the position of the middle of each copy's box, per object, in whole micrometres.
+///
+/// Copies with a given position get this position, regardless of other copies. A copy without one
+/// is placed in the middle of the bed if it is the only copy and no excluded area is there.
+/// Otherwise such copies are arranged around the copies with a given position.
+///
+/// Errors: OUT_OF_BUILD_VOLUME if not all copies fit on the bed, with the names of the objects left
+/// over and the numbers of their copies; the errors of Arrange. A single copy is not checked.
 absl::StatusOr<std::vector<std::vector<Point>>> PlaceCopies(std::span<const ObjectToPlace> objects,
                                                             const SlicingOptions& options,
                                                             const CancelToken& cancel);

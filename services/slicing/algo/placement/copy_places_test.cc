@@ -41,7 +41,7 @@ TEST(PlaceCopies, ACopyAloneStandsInTheMiddle) {
   EXPECT_THAT(places->at(0), ElementsAre(Point{125 * kMm, 105 * kMm}));
 }
 
-// What is too large for the bed gets a better error from the check that follows.
+// If a single copy is too large for the bed, the later check gives a better error.
 TEST(PlaceCopies, ACopyAloneIsNotChecked) {
   EXPECT_TRUE(PlaceOne(Rectangle(900, 900), {kAnywhere}).ok());
 }

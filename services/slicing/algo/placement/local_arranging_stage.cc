@@ -17,7 +17,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// What the objects cover of the bed, by object.
+/// Returns the shapes of the objects on the bed, per object.
 absl::StatusOr<std::vector<PlacedObject>> ShapesOf(SliceInput& input, const MeshSource& source,
                                                    const CancelToken& cancel) {
   PartMeshes meshes(std::move(input.files), input.objects, source, cancel);
@@ -31,7 +31,7 @@ absl::StatusOr<std::vector<PlacedObject>> ShapesOf(SliceInput& input, const Mesh
   return shapes;
 }
 
-/// Where the middle of the box of a copy with a place stands.
+/// Returns the middle of the box of a copy with a given position.
 Point MiddleOf(const CopyInput& copy, const PlacedObject& shape) {
   if (copy.place == CopyInput::Place::kMiddleAt) return copy.at;
   return copy.at + Point{-shape.to_origin.x, -shape.to_origin.y};
@@ -50,7 +50,7 @@ absl::Status TooLarge(const std::vector<ObjectInput>& objects, const std::vector
                    "too large for the bed: " + text, {{"object", text}});
 }
 
-/// How many plates there are at least, by area; 1 where the bed has no edge.
+/// Returns the smallest possible number of plates, by area; 1 if the bed is unlimited.
 int FewestPlates(const std::vector<ArrangeItem>& items, const ArrangeOptions& options) {
   const double bed = std::abs(SignedArea(options.bed));
   double area = 0;
@@ -58,8 +58,9 @@ int FewestPlates(const std::vector<ArrangeItem>& items, const ArrangeOptions& op
   return bed <= 0 ? 1 : std::max(1, static_cast<int>(std::ceil(area / bed)));
 }
 
-/// Arrange, and if that leaves something over or takes more plates than there must be, once more
-/// with each item as it is or turned: the one that has room for all on fewer plates counts.
+/// Arranges the items without rotation. If items are left over or the result needs more plates than
+/// the minimum, arranges them again with rotations. Returns the result that places all items on
+/// fewer plates.
 absl::StatusOr<Arrangement> ArrangeAll(std::vector<ArrangeItem> items,
                                        const std::vector<FixedFootprint>& fixed,
                                        const ArrangeOptions& options, const CancelToken& cancel) {

@@ -18,7 +18,7 @@ SlicingOptions SmallBed() {
   return options;
 }
 
-/// A file of one box each, with these sides.
+/// Returns files with one box each, with these side lengths.
 std::vector<MeshFile> Boxes(const std::vector<double>& sides) {
   std::vector<MeshFile> files;
   for (const double side : sides)
@@ -65,7 +65,7 @@ TEST(LocalArranging, OnePlateIsEnoughForFew) {
   EXPECT_EQ(plates->at(0)[0].instances.size(), 4u);
 }
 
-// Three of them lie side by side, and a fourth only across.
+// Three copies fit beside each other, and a fourth one only if it is turned.
 TEST(LocalArranging, TurnsCopiesWhereThatSavesAPlate) {
   SlicingOptions options;
   options.bed = {
@@ -80,7 +80,7 @@ TEST(LocalArranging, TurnsCopiesWhereThatSavesAPlate) {
     return OnPlates(objects, *places);
   };
   EXPECT_EQ(plates_of(12).size(), 3u);
-  // What fits as it is stays as it is.
+  // Copies that fit without rotation are not turned.
   const auto plates = plates_of(3);
   ASSERT_FALSE(plates.empty());
   ASSERT_EQ(plates[0].at(0).instances.size(), 3u);

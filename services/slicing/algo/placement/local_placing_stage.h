@@ -8,7 +8,8 @@
 
 namespace slicefarm::slicing {
 
-/// The placing stage in this process (prepared_object.h), its meshes read by `source`.
+/// Returns the placing stage that runs in this process (prepared_object.h) and reads its meshes by
+/// `source`.
 std::unique_ptr<PlacingStage> MakeLocalPlacing(
     std::unique_ptr<const MeshSource> source = MakeDirectMeshSource());
 

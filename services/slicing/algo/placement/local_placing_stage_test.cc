@@ -11,7 +11,8 @@
 namespace slicefarm::slicing::local_placing_stage_test {
 namespace {
 
-/// Two boxes, the second one with two copies: 10 mm wide and high each, off their files' origins.
+/// Returns two boxes, 10 mm wide and high each, away from the origins of their files. The second
+/// box has two copies.
 SliceInput TwoBoxes() {
   SliceInput input;
   for (const double x : {5.0, 40.0})

@@ -12,8 +12,8 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// A project says how its meshes are turned, scaled and combined: to print them as they lie in the
-/// file would be wrong.
+/// Refuses a 3MF project as a single mesh. A project defines how its meshes are turned, scaled and
+/// combined, so printing them as they are in the file would be wrong.
 absl::Status CheckNoProject(const MeshFile& file) {
   const MeshFormat format =
       file.format == MeshFormat::kUnknown ? DetectFormat(file.bytes) : file.format;
@@ -26,7 +26,8 @@ absl::StatusOr<PlacedPart> PlacedPartOf(const RawMesh& raw, const Transform& tra
   absl::StatusOr<IndexedMesh> mesh = TransformMesh(raw, transform);
   if (!mesh.ok()) return mesh.status();
   PlacedPart part{*std::move(mesh), {}, static_cast<int64_t>(raw.positions.size())};
-  // Points a fraction of a nanometre apart are two points in the file, which the report is about.
+  // Points a fraction of a nanometre apart are two points in the file, and the report is about the
+  // file.
   if (part.mesh.vertices.size() < raw.positions.size())
     part.edges_of_file = CountEdges(raw.triangles, raw.positions.size());
   return part;

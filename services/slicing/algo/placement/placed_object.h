@@ -14,20 +14,21 @@
 
 namespace slicefarm::slicing {
 
-/// REQUEST_MALFORMED with these words.
+/// Returns a REQUEST_MALFORMED error with this message.
 absl::Status Malformed(std::string_view message);
 
-/// The meshes of files, each file's freed after their last use.
+/// Meshes of files. Each file's meshes are freed after their last use.
 class PartMeshes {
  public:
-  /// `objects`: whose parts will be taken, each once. `source` and `cancel` must outlive this.
+  /// `objects`: the objects with the parts that will be taken, each part once. `source` and
+  /// `cancel` must outlive this object.
   PartMeshes(std::vector<MeshFile> files, const std::vector<ObjectInput>& objects,
              const MeshSource& source, const CancelToken& cancel,
              ReadDepth depth = ReadDepth::kMeshes);
 
-  /// Errors: those of the source; REQUEST_MALFORMED for a mesh that is not there, and for a project
-  /// that is taken for a single mesh; MESH_TOO_LARGE if all that was taken has more triangles than
-  /// a job may have.
+  /// Returns the mesh of a part. Errors: the errors of the source; REQUEST_MALFORMED for a missing
+  /// mesh and for a project that is used as a single mesh; MESH_TOO_LARGE if all meshes taken have
+  /// more triangles than a job may have.
   absl::StatusOr<RawMesh> Take(const MeshRef& ref);
 
  private:
@@ -35,29 +36,30 @@ class PartMeshes {
 
   std::vector<MeshFile> files_;
   std::vector<std::optional<std::vector<RawMesh>>> meshes_;
-  std::vector<int> uses_;  ///< to come, by file
-  int64_t taken_ = 0;      ///< triangles
+  std::vector<int> uses_;  ///< number of remaining uses of each file
+  int64_t taken_ = 0;  ///< number of triangles taken
   const MeshSource& source_;
   const CancelToken& cancel_;
   const ReadDepth depth_;
 };
 
-/// A part's triangles in nm, and the edges as the file has them where rounding welds corners.
+/// Triangles of a part in nm. If rounding welds corners, also the edge counts of the file.
 struct PlacedPart {
   IndexedMesh mesh;
   std::optional<EdgeCounts> edges_of_file;
   int64_t vertices_of_file = 0;
 };
 
-/// An object in nm around its own origin, before its copies have places.
+/// Object in nm around its own origin, before its copies have positions.
 struct PlacedObject {
   std::vector<PlacedPart> parts;
-  Vertex to_origin;   ///< what was added to all vertices
-  Coord top_nm = 0;   ///< of the solid ones
-  Polygon footprint;  ///< convex hull of the solid ones
+  Vertex to_origin;  ///< translation added to all vertices
+  Coord top_nm = 0;  ///< top of the solid parts
+  Polygon footprint;  ///< convex hull of the solid parts
 };
 
-/// Errors: those of PartMeshes::Take and TransformMesh; OUT_OF_RANGE.
+/// Places the parts of an object around the object's origin. Errors: the errors of PartMeshes::Take
+/// and TransformMesh; OUT_OF_RANGE.
 absl::StatusOr<PlacedObject> PlaceParts(const ObjectInput& input, PartMeshes& meshes);
 
 }  // namespace slicefarm::slicing

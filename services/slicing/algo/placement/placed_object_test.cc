@@ -12,7 +12,7 @@ namespace {
 constexpr Coord kMm = kNmPerMm;
 const CancelToken kNeverCancelled;
 
-/// A solid part and a modifier that reaches out of it, of the same file.
+/// Returns an object with a solid part and a modifier that extends beyond it, both of one file.
 ObjectInput WithModifier() {
   ObjectInput object;
   object.parts.resize(2);

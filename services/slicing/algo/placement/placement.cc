@@ -16,12 +16,12 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Beyond this, in nm, doubles are no longer exact integers.
+/// Size in nm above which doubles are no longer exact integers.
 constexpr double kRoundable = 9e15;
 
 using Row = std::array<double, 4>;
 
-/// A row of the transform, in nm.
+/// Returns a row of the transform, in nm.
 Row RowOf(const Transform& transform, int row) {
   return {transform(row, 0) * kNmPerMm, transform(row, 1) * kNmPerMm, transform(row, 2) * kNmPerMm,
           transform(row, 3) * kNmPerMm};
@@ -42,7 +42,7 @@ absl::Status RangeError(double got_mm) {
                     {"got", fmt::format("{:.3f}", got_mm)}});
 }
 
-/// Rounds down also below zero.
+/// Returns the middle, rounded down also for negative values.
 Coord Middle(Coord low, Coord high) { return low + (high - low) / 2; }
 
 }  // namespace

@@ -13,21 +13,22 @@
 
 namespace slicefarm::slicing {
 
-/// Brings a mesh to nanometres: transformed, rounded (half away from zero, so mirror images stay
-/// mirror images), welded by exact position. Errors: OUT_OF_RANGE for coordinates that cannot be
-/// rounded. Cost: O(n).
+/// Converts a mesh to nanometres: transforms it, rounds it and welds it by exact position. Rounding
+/// is half away from zero, so mirror images stay mirror images. Errors: OUT_OF_RANGE for
+/// coordinates that cannot be rounded. Cost: O(n).
 absl::StatusOr<IndexedMesh> TransformMesh(const RawMesh& raw, const Transform& transform);
 
+/// Adds `by` to all vertices.
 void MoveBy(IndexedMesh& mesh, const Vertex& by);
 
-/// What moves a box to where objects are cut: the middle over x = y = 0 (rounded down to nm), the
-/// bottom at z = -sunk_nm.
+/// Returns the translation that moves a box to its position for cutting: its middle to x = y = 0
+/// (rounded down to nm), its bottom to z = -sunk_nm.
 Vertex ToOrigin(const Extent& extent, Coord sunk_nm);
 
-/// OUT_OF_RANGE unless a box, so moved, fits 32-bit nanometres.
+/// Returns OUT_OF_RANGE unless a box moved by ToOrigin fits 32-bit nanometres.
 absl::Status CheckReach(const Extent& extent);
 
-/// Both at once, for a mesh that is an object by itself.
+/// Transforms a mesh and moves it to the origin, for a mesh that is a whole object.
 absl::StatusOr<IndexedMesh> PlaceMesh(const RawMesh& raw,
                                       const Transform& transform = Transform::Identity());
 

@@ -50,8 +50,8 @@ TEST(PlaceMesh, ScalesAndTurnsAndStandsOnTheBed) {
 }
 
 TEST(PlaceMesh, RoundsHalvesAwayFromZeroSoThatMirrorImagesStay) {
-  // Exercise of the book on robustness: floor(x + 0.5) takes -2.5 to -2 and 2.5 to 3, and
-  // 0.49999999999999994 to 1.
+  // floor(x + 0.5) would round -2.5 to -2 but 2.5 to 3, and 0.49999999999999994 to 1. The case is
+  // an exercise of the book on robustness.
   for (const double nm : {2.5, 0.49999999999999994, 1.5, 12345.5}) {
     const RawMesh raw = {{{nm * 1e-6, 0, 0}, {-nm * 1e-6, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
     const auto mesh = PlaceMesh(raw);
@@ -85,7 +85,8 @@ TEST(PlaceMesh, RefusesWhatDoesNotFitTheNumbers) {
   EXPECT_EQ(DetailOf(huge.status()).reason, Reason::kOutOfRange);
 }
 
-// A mirror turns each triangle over: its corners change their order, and the mesh is not inside out.
+// A mirror reverses each triangle, so the order of its corners must change. Otherwise the mesh
+// would be inside out.
 TEST(TransformMesh, KeepsTheOutsideOutOfMirrorImages) {
   const auto volume = [](const Transform& transform) {
     const IndexedMesh mesh = *TransformMesh(Box(), transform);

@@ -52,13 +52,13 @@ absl::StatusOr<PreparedObject> Prepared(const ObjectInput& input, PlacedObject p
   return object;
 }
 
-/// The error with its object in front, where there are several to look at.
+/// Returns the error with its object in front, if there are several objects.
 absl::Status OfObject(const std::vector<ObjectInput>& objects, size_t index,
                       const absl::Status& status) {
   if (status.ok() || objects.size() == 1 || absl::IsCancelled(status)) return status;
   ErrorDetail detail = DetailOf(status);
   detail.metadata["object"] = absl::StrCat(index);
-  // The name is the user's and may hold anything.
+  // The name comes from the user and may contain anything.
   const std::string name = absl::Utf8SafeCEscape(objects[index].name);
   return MakeError(status.code(), detail.reason,
                    absl::StrCat("object ", index, " (\"", name, "\"): ", status.message()),
@@ -71,7 +71,7 @@ bool IsFree(const ObjectInput& object) {
   });
 }
 
-/// Where the copies of all objects stand, by object.
+/// Positions of the copies, per object.
 using Shifts = std::vector<std::vector<Point>>;
 
 bool IsOffBed(const Polygon& footprint, Point shift, const Polygon& bed) {
@@ -79,8 +79,8 @@ bool IsOffBed(const Polygon& footprint, Point shift, const Polygon& bed) {
          Intersection({{Moved(footprint, shift), {}}}, {{bed, {}}}).empty();
 }
 
-/// Copies that somebody has parked beside the bed are no part of the print, unless there would be
-/// none. Takes them out of `shifts`, and counts them by object.
+/// Removes copies parked beside the bed from `shifts` and returns their number per object. They are
+/// not printed. If all copies are beside the bed, none is removed.
 std::vector<int64_t> TakeParked(const std::vector<ObjectInput>& inputs,
                                 const std::vector<PlacedObject>& placed, const Polygon& bed,
                                 Shifts& shifts) {
@@ -103,8 +103,8 @@ std::vector<int64_t> TakeParked(const std::vector<ObjectInput>& inputs,
   return parked;
 }
 
-/// Finds the copies' places, takes out those beside the bed, counted in `parked` by object, and
-/// checks that each other one fits where it stands.
+/// Finds the positions of the copies and removes the copies beside the bed; `parked` receives their
+/// number per object. Checks that each remaining copy fits at its position.
 absl::StatusOr<Shifts> ShiftsOf(const std::vector<ObjectInput>& inputs,
                                 const std::vector<PlacedObject>& placed,
                                 const SlicingOptions& options, const CancelToken& cancel,
@@ -120,7 +120,7 @@ absl::StatusOr<Shifts> ShiftsOf(const std::vector<ObjectInput>& inputs,
   whole_bed.excluded.clear();
   std::vector<ObjectToPlace> objects;
   for (size_t i = 0; i < inputs.size(); ++i) {
-    // What does not fit by itself is told with its size.
+    // An object that is too large even alone gets an error with its size.
     if (absl::Status ok = check(i, {BedCenter(options.bed)}, whole_bed);
         !ok.ok() && IsFree(inputs[i]))
       return ok;

@@ -13,45 +13,48 @@
 
 namespace slicefarm::slicing {
 
-/// A part of an object, ready to be cut.
+/// Part of an object, ready for cutting.
 struct PreparedPart {
   ConnectedMesh connected;
-  PartInput input;  ///< what it is for, and the rows of its settings
+  PartInput input;  ///< role of the part, and the rows of its settings
   MeshReport report;
 
-  /// Every edge has two faces: sections need no closing of cracks. Parts that touch along edges are
-  /// not manifold: what little keeps them apart is taken for the crack that it is.
+  /// Returns true if every edge has two faces: then sections need no closing of cracks. Parts that
+  /// touch along edges are not manifold, so a small gap between them is closed like a crack.
   bool IsManifold() const { return connected.closed && report.non_manifold_edges == 0; }
 
+  /// Returns true if the part enforces or blocks seams.
   bool IsForSeams() const {
     return input.role == PartRole::kSeamEnforcer || input.role == PartRole::kSeamBlocker;
   }
+  /// Returns true if the part enforces or blocks supports.
   bool IsForSupports() const {
     return input.role == PartRole::kSupportEnforcer || input.role == PartRole::kSupportBlocker;
   }
-  /// Marks may be painted on a surface that encloses nothing.
+  /// Returns true if the part is an open surface with painted marks; it encloses nothing.
   bool IsMarkedSurface() const { return (IsForSeams() || IsForSupports()) && !connected.closed; }
 };
 
-/// An object around its own origin: the middle of its solid parts' box lies over x = y = 0, and its
-/// bottom at z = 0, or below by as much as it is sunk.
+/// Object around its own origin. The middle of its solid parts' box is at x = y = 0. Its bottom is
+/// at z = 0, or below it by the depth to which the object is sunk.
 struct PreparedObject {
   std::string name;
   std::vector<PreparedPart> parts;
   std::vector<RangeInput> ranges;
-  Vertex to_origin;  ///< what was added to all places of its parts
+  Vertex to_origin;  ///< translation added to all positions of its parts
   Coord top_nm = 0;
-  Polygon footprint;                           ///< convex hull of the solid parts
-  Transform to_plate = Transform::Identity();  ///< as in the input
-  std::vector<Point> shifts;   ///< one a copy, in whole micrometres; of those on the bed
-  int64_t copies_off_bed = 0;  ///< that are left out
+  Polygon footprint;  ///< convex hull of the solid parts
+  Transform to_plate = Transform::Identity();  ///< transform as in the input
+  std::vector<Point> shifts;  ///< one per copy on the bed, in whole micrometres
+  int64_t copies_off_bed = 0;  ///< number of copies left out
 };
 
 /// Reads the files by `source`, then places, checks and connects the parts of each object. A file's
-/// bytes are freed as soon as they are read, its triangles after the last part that has them.
-/// Errors: those of the steps; with several objects, the object's number (from 0, also as `object`
-/// in the metadata) and its name in the message. REQUEST_MALFORMED for an object without solid
-/// parts, or that refers to a mesh that is not there.
+/// bytes are freed as soon as they are read, its triangles after the last part that uses them.
+///
+/// Errors: the errors of the steps. With several objects, they have the object's number (from 0,
+/// also as `object` in the metadata) and its name in the message. REQUEST_MALFORMED for an object
+/// without solid parts or with a reference to a missing mesh.
 absl::StatusOr<std::vector<PreparedObject>> PrepareObjects(SliceInput input,
                                                            const MeshSource& source,
                                                            const SlicingOptions& options,

@@ -55,7 +55,8 @@ TEST(PrepareObjects, PutsOneCopyInTheMiddleOfTheBed) {
   EXPECT_EQ(object.parts[0].report.max_mm, (std::array<double, 3>{130, 115, 30}));
 }
 
-/// Corners that differ by less than a nanometre: open in the file, closed once rounded.
+/// Some corners differ by less than a nanometre: the mesh is open in the file and closed after
+/// rounding.
 TEST(PrepareObjects, ReportsTheFileAndSlicesTheRounding) {
   RawMesh box = BoxMesh({0, 0, 0}, {10, 20, 30});
   box.positions.push_back({0, 0, 6.9e-15});
@@ -84,7 +85,7 @@ TEST(PrepareObjects, RefusesProjectsAsSingleMeshes) {
   const auto status = Prepare({std::string("PK\3\4 and more")}, {object}).status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
   EXPECT_THAT(std::string(status.message()), testing::HasSubstr("3MF project"));
-  // A mesh of it, by its number, is read.
+  // Given the number of one mesh, the project is read.
   EXPECT_EQ(DetailOf(Prepare(std::string("PK\3\4 and more"), {}).status()).reason,
             Reason::kMeshTruncated);
 }
@@ -105,7 +106,7 @@ TEST(PrepareObjects, PartsKeepTheirPlacesInTheObject) {
   const auto objects = Prepare({ToBinaryStl(BoxMesh({5, 5, 5}, {15, 15, 15}))}, {object});
   ASSERT_TRUE(objects.ok()) << objects.status();
   const PreparedObject& prepared = objects->at(0);
-  // The middle is that of the solid parts: from 5 to 35.
+  // The middle is the one of the solid parts: from 5 to 35.
   EXPECT_EQ(prepared.parts[0].report.min_mm[0] - 125, -15);
   EXPECT_EQ(prepared.parts[1].report.max_mm[0] - 125, 15);
   EXPECT_EQ(prepared.parts[2].report.min_mm[2], -50);
@@ -192,7 +193,7 @@ TEST(PrepareObjects, RefusesWhatIsNoObject) {
   EXPECT_EQ(reason(bad), Reason::kRequestMalformed) << "no copy";
 }
 
-/// Files of a million triangles, which take next to no time to read.
+/// Source of files with a million triangles that take almost no time to read.
 class MillionTriangles : public MeshSource {
  public:
   absl::StatusOr<MeshFileContents> Read(std::string, MeshFormat, double, ReadDepth,
@@ -205,7 +206,7 @@ class MillionTriangles : public MeshSource {
   }
 };
 
-// A thousand objects of one file would want a thousand times its memory.
+// A thousand objects that use one file would need a thousand times its memory.
 TEST(PrepareObjects, PartsOfOneFileCountEachForThemselves) {
   const MillionTriangles source;
   const CancelToken cancel;

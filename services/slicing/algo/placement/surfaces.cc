@@ -41,7 +41,7 @@ absl::Status CheckWithin(const SurfaceMesh& mesh, const std::string& object) {
   return absl::OkStatus();
 }
 
-/// The identity changes no bit of a coordinate.
+/// Returns the transformed mesh. The identity is skipped so that it changes no bit of a coordinate.
 SurfaceMesh Transformed(const RawMesh& raw, const Transform& transform) {
   SurfaceMesh mesh;
   mesh.points_mm.reserve(raw.positions.size());

@@ -11,8 +11,8 @@
 
 namespace slicefarm::slicing {
 
-/// The objects as doubles, as PlacingStage::ReadSurfaces says. Errors: those of PartMeshes::Take
-/// too.
+/// Returns the objects as surfaces with double coordinates, as PlacingStage::ReadSurfaces
+/// specifies. Errors: as there, and the errors of PartMeshes::Take.
 absl::StatusOr<std::vector<SurfaceMesh>> SurfacesOf(SliceInput input, const MeshSource& source,
                                                     const CancelToken& cancel);
 

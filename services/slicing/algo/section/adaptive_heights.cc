@@ -16,25 +16,27 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Heights go in steps of about this, or of a share of the highest layer.
+/// Smallest step between two heights, approximately. Thick layers have larger steps, so that there
+/// are at most kMostSteps.
 constexpr Coord kLeastStepNm = 10'000;
 constexpr Coord kMostSteps = 48;
-/// Level faces with less are no tops that anybody sees.
+/// Smallest area of a level face that counts. Smaller ones are not visible as a top surface.
 constexpr double kLeastLevelNm2 = 1e12;
-/// Level faces that are nearer to each other are one.
+/// Distance below which two level faces count as one.
 constexpr Coord kSameNm = 2'000;
 
-/// Costs: layers count most, then what is missed, then how much heights change.
+/// Costs of a solution: the number of layers counts most, then missed levels, then changes of
+/// height.
 constexpr int64_t kLayer = 1'000'000;
 constexpr int64_t kMissedLevel = 10 * kLayer;
-constexpr int64_t kJump = 5 * kLayer;  ///< neighbours that differ by more than the ratio
-constexpr Coord kChangeNm = 100;       ///< costs 1
+constexpr int64_t kJump = 5 * kLayer;  ///< cost of neighbours that differ by more than the ratio
+constexpr Coord kChangeNm = 100;  ///< change of height that costs 1
 constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
 
 struct Slope {
   Coord low = 0;
   Coord high = 0;
-  double level = 0;  ///< |normal z|
+  double level = 0;  ///< absolute z component of the unit normal
   double area2_nm2 = 0;
 };
 
@@ -53,7 +55,8 @@ Slope SteepnessOf(const IndexedMesh& mesh, const Triangle& t) {
   return {low, high, length > 0 ? std::abs(z) / length : 0, length};
 }
 
-/// The heights of level faces between `from` and `to`, upwards; those near each other are one.
+/// Returns the heights of level faces between `from` and `to`, upwards. Level faces close to each
+/// other count as one.
 std::vector<Coord> Levels(const std::vector<Slope>& faces, Coord from, Coord to) {
   std::map<Coord, double> areas;
   for (const Slope& face : faces)
@@ -66,12 +69,12 @@ std::vector<Coord> Levels(const std::vector<Slope>& faces, Coord from, Coord to)
   return levels;
 }
 
-/// The places at which layers may end: from one level to the next in equal steps, and beyond the
-/// top as far as the last layer may reach.
+/// Possible ends of layers. The heights from one level to the next are divided into equal steps.
+/// Beyond the top, they continue as far as the last layer may reach.
 struct LayerEnds {
   std::vector<Coord> z;
-  std::vector<uint8_t> level;  ///< whether it is one
-  size_t top = 0;              ///< index of the object's top
+  std::vector<uint8_t> level;  ///< 1 if the height is a level
+  size_t top = 0;  ///< index of the object's top
 };
 
 LayerEnds EndsFor(const std::vector<Coord>& levels, Coord first, Coord top, Coord step,
@@ -97,7 +100,8 @@ LayerEnds EndsFor(const std::vector<Coord>& levels, Coord first, Coord top, Coor
   return places;
 }
 
-/// By the stretch from a place to the next: how high a layer may be that has it.
+/// Returns for each interval between two possible ends the largest height of a layer that covers
+/// it.
 std::vector<Coord> Bounds(std::vector<Slope> faces, const LayerEnds& places,
                           const AdaptiveHeights& options) {
   const size_t count = places.z.size() - 1;
@@ -112,7 +116,7 @@ std::vector<Coord> Bounds(std::vector<Slope> faces, const LayerEnds& places,
   std::ranges::sort(faces, [&](const Slope& a, const Slope& b) {
     return std::tuple(allowed(a), a.low, a.high) < std::tuple(allowed(b), b.low, b.high);
   });
-  // The strictest faces first; what one has bounded, `next` leaps over.
+  // The strictest faces are first. `next` skips the intervals that already have a bound.
   std::vector<size_t> next(count + 1);
   std::iota(next.begin(), next.end(), size_t{0});
   const auto free_from = [&](size_t i) {
@@ -131,18 +135,18 @@ std::vector<Coord> Bounds(std::vector<Slope> faces, const LayerEnds& places,
   return bounds;
 }
 
-/// The height asked for of a layer whose bottom is here; none: any.
+/// Returns the height requested for a layer with this bottom, or nothing if any height is allowed.
 std::optional<Coord> AskedAt(Coord bottom_nm, const std::vector<RangeInput>& ranges) {
   for (const RangeInput& range : ranges)
     if (range.from_nm <= bottom_nm && bottom_nm < range.to_nm) return range.layer_height_nm;
   return std::nullopt;
 }
 
-/// The best way to each place, by the layer that ends there. From each place at least the lowest
-/// layer goes on, so there is always a way.
+/// Dynamic program over all possible layer ends. It stores the best sequence of layers for each
+/// end, by the last layer. The lowest layer is always allowed, so there is always a solution.
 class Fitting {
  public:
-  /// `most_nm`: the highest layer that there may be.
+  /// `most_nm`: the greatest allowed height of a layer.
   Fitting(const LayerEnds& places, std::vector<Coord> bounds, const HeightProblem& problem,
           const AdaptiveHeights& options, Coord step_nm, Coord most_nm)
       : places_(places),
@@ -170,13 +174,14 @@ class Fitting {
  private:
   struct State {
     int64_t cost = kNever;
-    uint32_t before = 0;  ///< how far back the layer before begins; 0: there is none
+    /// number of steps from the begin of the previous layer to its end; 0: there is none
+    uint32_t before = 0;
   };
   using Key = std::pair<size_t, size_t>;  // place, and how far back its layer begins
 
   State& At(size_t place, size_t back) { return states_[place * (reach_ + 1) + back]; }
 
-  /// All layers on top of one that ends at place `i`.
+  /// Tries all layers on top of a layer that ends at index `i`.
   void GoOn(size_t i, size_t back) {
     const State from = At(i, back);
     const Coord before = back == 0 ? 0 : places_.z[i] - places_.z[i - back];
@@ -217,7 +222,7 @@ class Fitting {
     return lowest ? Fit::kJump : Fit::kTooHigh;
   }
 
-  /// Where the last layer ends: at the top, or less than half a layer beside it.
+  /// Returns the best end of the last layer: at the top, or less than half a layer away from it.
   Key Best() {
     Key best{0, 0};
     int64_t least = kNever;
@@ -254,7 +259,7 @@ class Fitting {
   const AdaptiveHeights& options_;
   const Coord step_nm_;
   const Coord most_nm_;
-  size_t reach_ = 1;  ///< of the highest layer, in places
+  size_t reach_ = 1;  ///< largest height of a layer, in steps
   std::vector<State> states_;
 };
 

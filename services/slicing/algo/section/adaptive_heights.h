@@ -10,28 +10,34 @@
 
 namespace slicefarm::slicing {
 
-/// What an object's layers are fitted to.
+/// Object to which the layers are fitted.
 struct HeightProblem {
-  std::vector<const IndexedMesh*> solids;  ///< the object stands on 0
+  std::vector<const IndexedMesh*> solids;  ///< solid meshes; the object stands on z = 0
   Coord top_nm = 0;
-  Coord first_nm = 0;  ///< of the first layer, which is as high whatever is asked for
-  std::vector<RangeInput> ranges;  ///< heights that are asked for; the first one that holds counts
+  Coord first_nm = 0;  ///< height of the first layer, which is always used
+  std::vector<RangeInput> ranges;  ///< requested heights; the first matching range counts
 };
 
-/// The tops of the layers, upwards, the first one's included: the fewest layers of which
+/// Returns the tops of the layers, upwards, with the first layer. It finds the fewest layers that
+/// satisfy:
 ///
-/// - none leaves a step (cusp) of more than `options.cusp_nm`, measured along the surface's normal:
-///   a layer beside a face is at most cusp / |normal z| high, but never less than `options.min_nm`;
-/// - all lie between `options.min_nm` and `options.max_nm`, in ranges at their height;
-/// - none is more than `options.max_ratio` times as high as its neighbour (but for the first, and where
-///   steps are coarser than that);
-/// - each level face of at least 1 mm2 is the top of a layer. Of those nearer than the lowest layer
-///   some are not; so is the object's top where nothing else fits.
+/// - No layer leaves a step (cusp) higher than `options.cusp_nm`, measured along the surface
+///   normal. A layer beside a face is at most cusp / |normal z| high, but never lower than
+///   `options.min_nm`.
+/// - All heights are between `options.min_nm` and `options.max_nm`. Ranges use their own height.
+/// - No layer is more than `options.max_ratio` times as high as its neighbour. Exceptions are the
+///   first layer, and heights where one step is already more than the ratio.
+/// - Each level face of at least 1 mm2 is the top of a layer. If level faces are closer together
+///   than the lowest layer, some of them are missed. The object's top is also missed if nothing
+///   else fits.
 ///
-/// Of equally many the ones that change least. Heights go in steps of about 10 um between level
-/// faces. REQUIRES: 0 < min_nm <= max_nm, max_ratio >= 1. Cost: O(faces + top / 10 um * (max / 10 um)^2).
+/// Among solutions with equally many layers, it takes the one with the smallest changes of height.
+/// Heights go in steps of about 10 um between level faces. REQUIRES: 0 < min_nm <= max_nm,
+/// max_ratio >= 1. Cost: O(faces + top / 10 um * (max / 10 um)^2).
+///
 /// Source: Dolenc and Makela, Slicing procedures for layered manufacturing techniques (1994), for
-/// the cusp; dynamic programming over all heights instead of one layer after the other.
+/// the cusp. Dynamic programming over all heights replaces their choice of one layer after the
+/// other.
 std::vector<Coord> AdaptiveTops(const HeightProblem& problem, const AdaptiveHeights& options);
 
 }  // namespace slicefarm::slicing

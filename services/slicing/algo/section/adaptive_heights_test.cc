@@ -19,7 +19,7 @@ using testing::Contains;
 constexpr Coord kUm = 1'000;
 constexpr Coord kMm = kNmPerMm;
 
-/// A body of revolution: rings of a radius at each height, closed by level discs.
+/// Returns a body of revolution: rings of a radius at each height, closed by level discs.
 IndexedMesh Turned(const std::vector<std::array<double, 2>>& radius_z_mm, int corners = 64) {
   IndexedMesh mesh;
   const auto ring = [&](size_t i, int k) {
@@ -45,7 +45,8 @@ IndexedMesh Turned(const std::vector<std::array<double, 2>>& radius_z_mm, int co
   return mesh;
 }
 
-/// A ball of 20 mm, cut off where it is flatter than 10 degrees; on a cylinder of 6 mm.
+/// Returns a ball of 20 mm on a cylinder of 6 mm. The ball is cut off where its surface is flatter
+/// than 10 degrees.
 IndexedMesh BallOnColumn() {
   std::vector<std::array<double, 2>> shape = {{5, 0}, {5, 6}};
   for (int i = 10; i <= 170; i += 2) {
@@ -61,7 +62,7 @@ HeightProblem ProblemOf(const IndexedMesh& mesh, std::vector<RangeInput> ranges 
   return {{&mesh}, top, 200 * kUm, std::move(ranges)};
 }
 
-/// The step of a layer at a face: height * |normal z|.
+/// Returns the largest step of a layer at a face: height * |normal z|.
 double WorstCusp(const IndexedMesh& mesh, const std::vector<Coord>& tops, Coord lowest) {
   double worst = 0;
   for (const Triangle& t : mesh.triangles) {
@@ -93,7 +94,7 @@ TEST(AdaptiveTops, HoldTheCuspAtEachFace) {
   }
 }
 
-/// What equal layers of the same worst cusp would take.
+/// The test compares with equal layers of the same worst cusp.
 TEST(AdaptiveTops, AreATenthFewerThanEqualLayersOfTheSameCusp) {
   const IndexedMesh mesh = BallOnColumn();
   const AdaptiveHeights options = {.on = true, .cusp_nm = 100 * kUm};
@@ -118,7 +119,7 @@ TEST(AdaptiveTops, MeetLevelFacesExactly) {
     EXPECT_THAT(tops, Contains(1'234'567));
     EXPECT_THAT(tops, Contains(3'300'000));
     EXPECT_EQ(tops.back(), 7'000'010);
-    // Upright walls ask for nothing: the fewest layers that there can be.
+    // Vertical walls do not limit the heights, so this is the smallest possible number of layers.
     EXPECT_EQ(tops.size(), 1u + 4 + 7 + 13);
   }
 }
@@ -136,7 +137,8 @@ TEST(AdaptiveTops, NeighboursDifferByNoMoreThanTheRatio) {
   }
 }
 
-/// Without a limit to the ratio it is a shortest way: breadth first search finds as few layers.
+/// Without a limit of the ratio the problem is a shortest path: a breadth-first search finds
+/// equally few layers.
 TEST(AdaptiveTops, AreAsFewAsASearchFinds) {
   const IndexedMesh cone = Turned({{10, 0}, {9, 0.5}, {5, 1.2}, {4, 3}});
   const AdaptiveHeights options = {.on = true, .cusp_nm = 80 * kUm, .max_ratio = 100};
@@ -176,7 +178,8 @@ TEST(AdaptiveTops, RangesHaveTheirHeight) {
   EXPECT_GE(inside, 19);
 }
 
-/// Steps, slivers, heights below a layer: there are always layers, and they end beside the top.
+/// Steps, slivers and objects lower than a layer: there are always layers, and they end near the
+/// top.
 TEST(AdaptiveTops, AlwaysFindAWay) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> rise(0.0001, 0.4), radius(1, 20);
@@ -196,7 +199,7 @@ TEST(AdaptiveTops, AlwaysFindAWay) {
     ASSERT_FALSE(tops.empty());
     EXPECT_TRUE(std::is_sorted(tops.begin(), tops.end()));
     EXPECT_LE(std::abs(tops.back() - problem.top_nm), 170 * kUm) << run;
-    // The order of faces changes nothing.
+    // The order of faces must not change the result.
     IndexedMesh shuffled = mesh;
     std::ranges::shuffle(shuffled.triangles, random);
     EXPECT_EQ(

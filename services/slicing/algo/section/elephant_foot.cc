@@ -26,13 +26,13 @@ constexpr Coord kCrumbNm = 50'000;         // tips that come off may be twice as
 constexpr double kArcToleranceNm = 2'500;
 constexpr Coord kSearchNm = 100;  // of the largest shrinkage
 
-/// How far the outline moves at a place of an edge.
+/// Shrinkage of the outline at a point of an edge.
 struct Sample {
-  double at_nm = 0;  ///< from the edge's start
+  double at_nm = 0;  ///< distance from the edge's start
   double depth_nm = 0;
 };
 
-/// What moves the outlines of an island.
+/// Shrinkage of the outlines of one island.
 class Shrinkage {
  public:
   Shrinkage(const PolygonWithHoles& island, Coord compensation_nm, Coord min_width_nm,
@@ -44,7 +44,7 @@ class Shrinkage {
     Ramp();
   }
 
-  /// Whether all outlines move by the whole compensation.
+  /// Returns true if all outlines move by the whole compensation.
   bool IsEven() const {
     return std::all_of(samples_.begin(), samples_.end(), [&](const std::vector<Sample>& samples) {
       return std::all_of(samples.begin(), samples.end(),
@@ -52,7 +52,7 @@ class Shrinkage {
     });
   }
 
-  /// What is taken off, as rings that may overlap.
+  /// Returns the areas to remove, as rings that may overlap.
   std::vector<Polygon> Strips() const {
     std::vector<Polygon> strips;
     for (size_t i = 0; i < samples_.size(); ++i) {
@@ -74,7 +74,8 @@ class Shrinkage {
     return {at_nm, std::clamp((width - min_width_nm_) / 2, 0.0, compensation_nm_)};
   }
 
-  /// Appends samples after `begin` up to `end`, so close that straight lines between them will do.
+  /// Appends samples after `begin` up to `end`, so close that linear interpolation between them is
+  /// sufficient.
   void Refine(const OutlineEdge& edge, Sample begin, Sample end,
               const std::vector<int32_t>& opposite, std::vector<Sample>& samples) const {
     const double middle = (begin.at_nm + end.at_nm) / 2;
@@ -92,7 +93,7 @@ class Shrinkage {
     }
   }
 
-  /// Appends samples of a piece of an edge that has the same opposite edges all along.
+  /// Appends samples of a piece of an edge that has the same opposite edges over its whole length.
   void AppendPiece(const OutlineEdge& edge, double end_nm, Point to,
                    const std::vector<int32_t>& opposite, std::vector<Sample>& samples) const {
     const double begin_nm = samples.back().at_nm;
@@ -123,13 +124,14 @@ class Shrinkage {
     return samples;
   }
 
-  /// Whether the shrinkage must not step at an edge's end: it may at convex corners only.
+  /// Returns true if the shrinkage must be continuous at the edge's end. It may have a step at
+  /// convex corners only.
   static bool GoesOn(const OutlineEdge& edge) {
     const Vector2 a = edge.inward, b = edge.inward_after;
     return edge.reflex_to || a.x() * b.x() + a.y() * b.y() > kCosOfCorner;
   }
 
-  /// Lowers depths so that they rise by no more than kSlope, from `start_nm` on.
+  /// Limits the depths so that they rise by no more than kSlope, beginning with `start_nm`.
   static std::vector<Sample> RampedUp(const std::vector<Sample>& samples, double start_nm) {
     std::vector<Sample> ramped = {{samples[0].at_nm, start_nm}};
     for (size_t i = 1; i < samples.size(); ++i) {
@@ -145,7 +147,7 @@ class Shrinkage {
     return ramped;
   }
 
-  /// Seen from the edge's other end.
+  /// Returns the samples in reverse order, measured from the edge's other end.
   static std::vector<Sample> Reversed(const std::vector<Sample>& samples) {
     std::vector<Sample> reversed;
     reversed.reserve(samples.size());
@@ -154,8 +156,8 @@ class Shrinkage {
     return reversed;
   }
 
-  /// Limits the slope along each ring. Twice in each direction: once around is not enough where the
-  /// lowest place is not at the ring's start.
+  /// Limits the slope along each ring, twice in each direction. One turn is not enough if the
+  /// smallest depth is not at the ring's start.
   void Ramp() {
     const std::vector<OutlineEdge>& edges = width_.edges();
     std::vector<double> start(edges.size());
@@ -184,7 +186,7 @@ class Shrinkage {
     strips.push_back(std::move(strip));
   }
 
-  /// One strip for each run of samples that are not all zero.
+  /// Appends one strip for each run of samples that are not all zero.
   static void AppendStrips(const OutlineEdge& edge, const std::vector<Sample>& samples,
                            std::vector<Polygon>& strips) {
     const auto zero = [](Sample s) { return s.depth_nm == 0; };
@@ -201,7 +203,7 @@ class Shrinkage {
     }
   }
 
-  /// The sector that a reflex corner at the edge's end sweeps.
+  /// Appends the sector that a reflex corner at the edge's end sweeps.
   static void AppendFan(const OutlineEdge& edge, double depth_nm, std::vector<Polygon>& strips) {
     if (!edge.reflex_to || depth_nm == 0) return;
     const Vector2 a = edge.inward, b = edge.inward_after;
@@ -214,7 +216,7 @@ class Shrinkage {
       return Point{edge.to.x + std::llround(x), edge.to.y + std::llround(y)};
     };
     Polygon fan = {at(-(a.x() + b.x()) * kOverlapNm, -(a.y() + b.y()) * kOverlapNm)};
-    // Beyond both ends, into the strips.
+    // The sector extends into the strips at both ends.
     fan.push_back(at(b.x() * depth_nm + along_after.x() * kOverlapNm,
                      b.y() * depth_nm + along_after.y() * kOverlapNm));
     for (int i = steps; i >= 0; --i) {
@@ -230,10 +232,11 @@ class Shrinkage {
   LocalWidth width_;
   double compensation_nm_;
   double min_width_nm_;
-  std::vector<std::vector<Sample>> samples_;  ///< by edge; two at least
+  std::vector<std::vector<Sample>> samples_;  ///< samples per edge; at least two
 };
 
-/// The largest part of the compensation that leaves the island's widest place min_width wide.
+/// Returns the largest part of the compensation for which the island's widest point keeps
+/// min_width.
 Coord LargestShrinkage(const MultiPolygon& island, Coord compensation_nm, Coord min_width_nm) {
   const auto leaves = [&](Coord shrinkage_nm) {
     return !Offset(island, -(shrinkage_nm + min_width_nm / 2), {.join = Join::kRound}).empty();
@@ -248,7 +251,8 @@ Coord LargestShrinkage(const MultiPolygon& island, Coord compensation_nm, Coord 
   return least;
 }
 
-/// The island less what the shrinkage takes, if it is still one, with as many holes.
+/// Returns the island without the removed strips. Returns nothing if the rest is not one island
+/// with the original number of holes.
 std::optional<PolygonWithHoles> Shrunk(const PolygonWithHoles& island, Coord compensation_nm,
                                        Coord min_width_nm, OppositeAngles angles) {
   const Shrinkage shrinkage(island, compensation_nm, min_width_nm, angles);

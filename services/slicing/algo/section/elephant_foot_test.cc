@@ -24,7 +24,7 @@ MultiPolygon Foot(const MultiPolygon& outlines) {
   return ElephantFootCompensated(outlines, kFoot, kMin);
 }
 
-/// A blade of this width that stands on a block.
+/// Returns a blade of this width that stands on a block.
 MultiPolygon Blade(double width_mm) {
   const Coord half = FromMm(width_mm / 2), mm = kNmPerMm;
   return {{{{-10 * mm, -10 * mm},
@@ -38,7 +38,7 @@ MultiPolygon Blade(double width_mm) {
            {}}};
 }
 
-/// What is left along a line across the blade, in mm.
+/// Returns the remaining width along a line across the blade, in mm.
 double WidthAcross(const MultiPolygon& region, double y_mm) {
   const Coord y = FromMm(y_mm), reach = 9'000'000;
   const MultiPolygon strip = {
@@ -109,7 +109,7 @@ TEST(ElephantFoot, ADoorStaysOpen) {
       P("(0 0, 10 0, 15 4.7, 20 0, 30 0, 30 10, 20 10, 15 5.3, 10 10, 0 10)");
   const MultiPolygon foot = Foot(rooms);
   ASSERT_EQ(foot.size(), 1u);
-  // A disc of the door's width still goes through, to 10 um.
+  // A disc of the door's width still fits through, to 10 um.
   const OffsetOptions round{.join = Join::kRound};
   EXPECT_EQ(Offset(foot, -295'000, round).size(), 1u);
   EXPECT_EQ(Offset(foot, -305'000, round).size(), 2u);
@@ -129,7 +129,7 @@ TEST(ElephantFoot, SurvivesHostileInput) {
   EXPECT_EQ(Foot(crumb), crumb);
   const MultiPolygon thread = P("(0 0, 50 0, 50 0.00001, 0 0.00001)");
   EXPECT_EQ(Foot(thread).size(), 1u);
-  // Islands that touch at a corner, and a hole that touches its outline.
+  // One case has islands that touch at a corner, the other a hole that touches its outline.
   EXPECT_EQ(Foot(P("(0 0, 5 0, 5 5, 0 5) ; (5 5, 9 5, 9 9, 5 9)")).size(), 2u);
   const MultiPolygon touching = P("(0 0, 10 0, 10 10, 0 10) (5 0, 7 4, 3 4)");
   const MultiPolygon foot = Foot(touching);
@@ -137,7 +137,8 @@ TEST(ElephantFoot, SurvivesHostileInput) {
   EXPECT_LT(Mm2(Difference(foot, touching)), 1e-6);
 }
 
-/// Whether a disc of the width at which all shrinks touches the outline at p from within.
+/// Returns true if a disc touches the outline at p from the inside. Its diameter is the width from
+/// which the full compensation applies.
 bool IsWide(Point p, Vector2 inward, const MultiPolygon& island) {
   const double radius = (kMin + 2 * kFoot) / 2 + 5e3;
   const Point center{p.x + std::llround(inward.x() * radius),
@@ -145,8 +146,8 @@ bool IsWide(Point p, Vector2 inward, const MultiPolygon& island) {
   return Inside(center, island) && DistanceToBoundary(center, island) > radius - 100;
 }
 
-/// Whether no place up to 0.5 mm from the middle of an edge is thin. The shrinkage ramps up over
-/// 0.4 mm.
+/// Returns true if no point up to 0.5 mm from the middle of an edge is thin. The shrinkage ramps up
+/// over 0.4 mm.
 bool IsWideAround(Point middle, Vector2 along, double length, const MultiPolygon& island) {
   if (length < 1.1e6) return false;
   for (double at = -5e5; at <= 5e5; at += 1e5) {
@@ -156,7 +157,7 @@ bool IsWideAround(Point middle, Vector2 along, double length, const MultiPolygon
   return true;
 }
 
-/// Returns how many places it has looked at.
+/// Checks wide places and returns the number of places checked.
 int ExpectWidePlacesShrink(const MultiPolygon& island, const MultiPolygon& foot, int trial) {
   int wide = 0;
   ForEachRing(island, [&](const Polygon& ring) {
@@ -203,7 +204,7 @@ TEST(ElephantFoot, KeepsItsPromisesOnRandomIslands) {
   EXPECT_GT(wide, 1000);
 }
 
-/// How much of what is min_width wide is that no longer.
+/// The test measures the share of the material with min_width that loses this width.
 TEST(ElephantFoot, LeavesTheMinimumWidth) {
   std::mt19937 random(32);
   double lost_mm2 = 0, all_mm2 = 0;
@@ -211,7 +212,8 @@ TEST(ElephantFoot, LeavesTheMinimumWidth) {
     const MultiPolygon outlines = RandomIsland(random, {}, Uniform(random, 2, 12));
     const MultiPolygon kernel = Offset(outlines, -kMin / 2, {.join = Join::kRound});
     const MultiPolygon left = Offset(Foot(outlines), -kMin / 2 + 10'000, {.join = Join::kRound});
-    // The middle lines of what was wide enough are still so: only corners give way.
+    // The middle lines of areas that were wide enough must keep their width; only corners may lose
+    // it.
     all_mm2 += Mm2(kernel);
     lost_mm2 += Mm2(Difference(Offset(kernel, -kFoot - 10'000, {.join = Join::kRound}), left));
   }

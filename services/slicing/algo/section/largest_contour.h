@@ -4,9 +4,9 @@
 
 namespace slicefarm::slicing {
 
-/// Leaves of a section what its largest outer ring encloses: the one loop that a spiral follows.
-/// Regions are cut to it; what they leave in holes of the section belongs to the first of them.
-/// Cost: O(n) where the section is one island without holes, of one region.
+/// Reduces a section to the area inside its largest outer ring: the single loop that a spiral
+/// follows. Regions are clipped to this area. The holes of the section are filled and given to the
+/// first region. Cost: O(n) if the section is one island of one region without holes.
 void KeepLargestContour(ObjectSection& section);
 
 }  // namespace slicefarm::slicing

@@ -35,7 +35,7 @@ TEST(KeepLargestContour, HolesAndSmallerIslandsGo) {
 }
 
 TEST(KeepLargestContour, RegionsTileTheContour) {
-  // A ring whose right half is another region, and an island of a third.
+  // The section is a ring with another region in its right half, and an island of a third region.
   const MultiPolygon whole = {{Square(0, 0, 10), {Hole(2, 2, 4)}}, {Square(20, 0, 5), {}}};
   ObjectSection section;
   const Polygon right = {{FromMm(7), 0}, {FromMm(10), 0}, {FromMm(10), FromMm(10)}, {FromMm(7), FromMm(10)}};

@@ -20,10 +20,11 @@ absl::Status HeightError(std::string_view setting, Coord got_nm) {
                    {{"setting", std::string(setting)}, {"got", std::to_string(got_nm)}});
 }
 
-/// A range whose start lies no more than this above a layer's bottom holds the layer.
+/// Tolerance: a range also contains a layer if the range starts at most this much above its bottom.
 constexpr Coord kReachNm = 35'000;
 
-/// In proportion between two heights that are told; before the first and after the last, theirs.
+/// Returns the layer height at `z_nm`, by linear interpolation between the given heights. Before
+/// the first and after the last one, the nearest height counts.
 Coord HeightIn(const std::vector<LayerHeightAt>& profile, Coord z_nm) {
   const auto above = std::ranges::upper_bound(profile, z_nm, {}, &LayerHeightAt::z_nm);
   if (above == profile.begin()) return above->height_nm;
@@ -44,7 +45,7 @@ Coord HeightAt(Coord bottom_nm, const LayerHeights& heights) {
   return heights.others_nm;
 }
 
-/// Meshes of other programs are off their round numbers by so much.
+/// Deviation from round numbers in the meshes of other programs.
 constexpr Coord kRoundingNm = 100;
 
 /// Returns true if the middle of a layer lies above the top.

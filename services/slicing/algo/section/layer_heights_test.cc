@@ -68,7 +68,7 @@ TEST(LayerPlanes, RangesHaveHeightsOfTheirOwn) {
   ASSERT_TRUE(planes.ok());
   std::vector<Coord> got;
   for (const LayerPlane& plane : *planes) got.push_back(plane.frame.height_nm / 1'000);
-  // The first range that holds counts; the last layer's middle lies below the top.
+  // The first matching range counts; the last layer's middle is below the top.
   EXPECT_EQ(got, (std::vector<Coord>{200, 200, 100, 100, 100, 100, 100, 100, 300, 300, 300}));
   EXPECT_EQ(planes->back().frame.print_z_nm, 1'900'000);
 }

@@ -30,7 +30,7 @@ void SetNormals(OutlineEdge& edge) {
   if (edge.reflex_to) widen(edge.inward_after);
 }
 
-/// Whether two edges may touch a disc on sides that count as opposite.
+/// Returns true if two edges may touch a disc on sides that count as opposite.
 bool MayBeOpposite(const OutlineEdge& a, const OutlineEdge& b, OppositeAngles angles) {
   const double off =
       std::remainder(a.middle_rad - b.middle_rad - std::numbers::pi, 2 * std::numbers::pi);
@@ -57,8 +57,8 @@ void AppendEdges(const Polygon& ring, std::vector<OutlineEdge>& edges) {
   for (size_t i = first; i < edges.size(); ++i) SetNormals(edges[i]);
 }
 
-/// Calls visit(diameter, cosine) for discs that touch the outline at p with normal n, and an edge
-/// or its reflex ends, with the cosine of the angle between the sides that it touches.
+/// Calls visit(diameter, cosine) for discs that touch the outline at p with normal n and also touch
+/// an edge or its reflex ends. `cosine` is the one of the angle between the two touched sides.
 template <typename Visit>
 void ForEachDisc(Point p, Vector2 n, const OutlineEdge& edge, Visit visit) {
   if (p == edge.from || p == edge.to) {  // no disc fits into a corner, any into a reflex one
@@ -66,7 +66,7 @@ void ForEachDisc(Point p, Vector2 n, const OutlineEdge& edge, Visit visit) {
     return;
   }
   const Vector2 to_from = ToVector(edge.from - p);
-  // The disc that touches the edge's line: its centre is as far from p as from the line.
+  // This disc touches the edge's line: its centre has the same distance from p and from the line.
   const double height = -Dot(to_from, edge.inward);
   const double turned = 1 - Dot(n, edge.inward);
   if (height > 0 && turned > 1e-9) {
@@ -86,7 +86,7 @@ void ForEachDisc(Point p, Vector2 n, const OutlineEdge& edge, Visit visit) {
   }
 }
 
-/// From one normal to the other at a reflex corner, clockwise: whether a direction lies between.
+/// Returns true if a direction is between the two normals of a reflex corner, clockwise.
 bool IsBetween(Vector2 first, Vector2 d, Vector2 last) {
   return Cross(first, d) <= 0 && Cross(d, last) <= 0 && Dot(first + last, d) > 0;
 }
@@ -100,8 +100,8 @@ Point Nearest(Point p, const OutlineEdge& edge) {
           edge.from.y + std::llround(edge.along.y() * t)};
 }
 
-/// Calls visit(normal) for the normals at a point of an edge that matter for another edge: one, or
-/// at a reflex corner three of many.
+/// Calls visit(normal) for the normals at a point of an edge that matter for another edge: one
+/// normal, or three representative ones at a reflex corner.
 template <typename Visit>
 void ForEachNormal(const OutlineEdge& edge, Point p, const OutlineEdge& other, Visit visit) {
   visit(edge.inward);
@@ -135,8 +135,8 @@ LocalWidth::Cell LocalWidth::CellOf(double x, double y) const {
   return {static_cast<int64_t>(std::floor(x / size)), static_cast<int64_t>(std::floor(y / size))};
 }
 
-/// Cells of points on the segment, a cell's size apart at most: no point of it is farther than half
-/// of that from one of them.
+/// Visits the cells of points along the segment. The points are at most a cell's size apart, so
+/// each point of the segment is within half a cell's size of one of them.
 template <typename Visit>
 void LocalWidth::ForEachCell(Point from, Point to, Visit visit) const {
   const Vector2 d = ToVector(to - from);

@@ -10,46 +10,50 @@
 
 namespace slicefarm::slicing {
 
-/// A directed edge of an island: the material is on its left.
+/// Directed edge of an island, with the material on its left.
 struct OutlineEdge {
   Point from, to;
   Vector2 along = Vector2::Zero();
   Vector2 inward = Vector2::Zero();
-  Vector2 inward_before = Vector2::Zero();  ///< of the edges before and after it in the ring
+  Vector2 inward_before = Vector2::Zero();  ///< inward normal of the previous edge in the ring
   Vector2 inward_after = Vector2::Zero();
-  bool reflex_from = false;  ///< the material's angle at that end is above 180 degrees
+  bool reflex_from = false;  ///< true if the material's angle at this end is above 180 degrees
   bool reflex_to = false;
-  int32_t next = 0;       ///< index of the edge after it in the ring
-  double middle_rad = 0;  ///< of all its normals, those of its reflex ends included
-  double half_rad = 0;    ///< no normal is farther than this from the middle
+  int32_t next = 0;  ///< index of the next edge in the ring
+  double middle_rad = 0;  ///< middle direction of all its normals, with its reflex ends
+  double half_rad = 0;  ///< largest angle between a normal and the middle direction
 };
 
-/// Cosines of the angle between two sides of the material from which on they count as opposite a
-/// little, and wholly.
+/// Cosines of the angles between two sides of the material at which they begin to count as
+/// opposite, and at which they count fully.
 struct OppositeAngles {
   double begin_cos = 0;
   double full_cos = 0;
 };
-inline constexpr OppositeAngles kBelow60Degrees{0.5, 0.7071067811865476};  ///< wholly below 45
-inline constexpr OppositeAngles kBelow90Degrees{0, 0.25881904510252074};   ///< wholly below 75
+/// counts fully below 45 degrees
+inline constexpr OppositeAngles kBelow60Degrees{0.5, 0.7071067811865476};
+/// counts fully below 75 degrees
+inline constexpr OppositeAngles kBelow90Degrees{0, 0.25881904510252074};
 
-/// How wide an island is at points of its outlines, up to a limit.
+/// Width of an island at points of its outlines, up to a limit.
 class LocalWidth {
  public:
   /// REQUIRES: limit_nm > 0.
   LocalWidth(const PolygonWithHoles& island, Coord limit_nm, OppositeAngles angles);
 
-  /// Ring by ring, in the rings' order; edges of no length are left out.
+  /// Returns the edges ring by ring, in the order of the rings, without edges of zero length.
   const std::vector<OutlineEdge>& edges() const { return edges_; }
 
+  /// Returns the largest width that is measured.
   Coord limit_nm() const { return limit_nm_; }
 
-  /// Indices of the edges that may limit the width somewhere between two points of an edge, not
-  /// farther apart than the limit. In ascending order. Cost: O(log n + those found).
+  /// Returns the indices of the edges that may limit the width somewhere between two points of an
+  /// edge. The points are at most the limit apart. The indices ascend. Cost: O(log n + number of
+  /// edges found).
   std::vector<int32_t> Opposite(const OutlineEdge& edge, Point from, Point to) const;
 
-  /// The width at a point of `edge`, of the limit at most, where only the `opposite` edges matter:
-  /// the diameter of the largest disc that touches the outline at p and one of them.
+  /// Returns the width at a point of `edge`, at most the limit: the diameter of the largest disc
+  /// that touches the outline at p and one of the `opposite` edges. Other edges are ignored.
   double At(const OutlineEdge& edge, Point p, std::span<const int32_t> opposite) const;
 
  private:
@@ -61,7 +65,7 @@ class LocalWidth {
   Coord limit_nm_;
   OppositeAngles angles_;
   std::vector<OutlineEdge> edges_;
-  std::vector<std::pair<Cell, int32_t>> cells_;  ///< sorted
+  std::vector<std::pair<Cell, int32_t>> cells_;  ///< cell and index of an edge in it, sorted
 };
 
 }  // namespace slicefarm::slicing

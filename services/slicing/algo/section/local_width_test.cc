@@ -30,7 +30,7 @@ double WidthAt(const LocalWidth& width, Point p) {
 TEST(LocalWidth, OfKnownShapes) {
   const char bar[] = "(0 0, 20 0, 20 1, 0 1)";
   const char frame[] = "(0 0, 20 0, 20 20, 0 20) (1 2, 18.5 2, 18.5 19, 1 19)";
-  // Two rooms and a door 0.6 mm wide between two corners.
+  // The outline has two rooms with a door 0.6 mm wide between two corners.
   const char door[] = "(0 0, 10 0, 15 4.7, 20 0, 30 0, 30 10, 20 10, 15 5.3, 10 10, 0 10)";
   const char wedge[] = "(0 0, 20 -2, 20 2)";
   const std::vector<Case> cases = {
@@ -44,7 +44,7 @@ TEST(LocalWidth, OfKnownShapes) {
       {"DoorPost", door, "(15 4.7, 0 0)", 0.6},
       {"DoorOtherPost", door, "(15 5.3, 0 0)", 0.6},
       {"Room", door, "(5 0, 0 0)", 3},
-      // 2 t tan(half angle), t along the side.
+      // The width is 2 t tan(half angle), where t is the distance along the side.
       {"Wedge", wedge, "(10 1, 0 0)", 2 * std::sqrt(101) * 0.1},
       {"WedgeTip", wedge, "(0 0, 1 1)", 0},
       {"ReflexCorner", "(0 0, 4 0, 4 -9, 30 -9, 30 9, 0 9)", "(4 0, 1 1)", 3},

@@ -28,17 +28,17 @@ struct Edge {
   Point left;  ///< the lesser end
   Point right;
   uint32_t loop = 0;
-  uint32_t index = 0;  ///< of its first corner in the loop
+  uint32_t index = 0;  ///< index of its first corner in the loop
   bool to_right = false;
 
   Coord Bottom() const { return std::min(left.y, right.y); }
   Coord Top() const { return std::max(left.y, right.y); }
 };
 
-/// What the sweep finds out about a loop at its least corner.
+/// Results of the sweep for a loop, found at its least corner.
 struct Nest {
-  uint32_t parent = kNoLoop;  ///< the loop immediately around
-  int outside = 0;          ///< winding numbers
+  uint32_t parent = kNoLoop;  ///< loop immediately around this one
+  int outside = 0;  ///< winding number outside the loop
   int inside = 0;
   bool counter_clockwise = false;
 };
@@ -56,7 +56,7 @@ class LoopNester {
     budget_ = kTestsPerEdge * static_cast<int64_t>(count);
   }
 
-  /// False if two edges meet or the budget is spent.
+  /// Returns false if two edges meet or the budget is spent.
   bool Sweep() {
     nests_.resize(loops_.size());
     std::vector<bool> seen(loops_.size(), false);
@@ -122,7 +122,8 @@ class LoopNester {
            Orientation(b.left, b.right, a.left) * Orientation(b.left, b.right, a.right) <= 0;
   }
 
-  /// Edges that do not cross and of which some vertical line meets both: is a above b?
+  /// Returns true if a is above b. The edges do not cross, and some vertical line meets both of
+  /// them.
   static bool IsAbove(const Edge& a, const Edge& b) {
     if (b.left <= a.left) {
       const int side = Orientation(b.left, b.right, a.left);
@@ -132,8 +133,9 @@ class LoopNester {
     return (side != 0 ? side : Orientation(a.left, a.right, b.right)) < 0;
   }
 
-  /// Looks down from the least corner of a loop: `edge` is its first edge. Edges that end at this x
-  /// are passed, those that begin at it count, as if the line of sight ran a little to the right.
+  /// Sets the nest of the loop with first edge `edge` by looking down from its least corner. Edges
+  /// that end at this x are ignored and edges that begin at it count, as if the line of sight were
+  /// slightly to the right.
   void Nestle(const Edge& edge) {
     const Point corner = edge.left;
     Nest& nest = nests_[edge.loop];
@@ -147,12 +149,12 @@ class LoopNester {
     nest.counter_clockwise = IsCounterClockwise(edge);
     nest.inside = nest.outside + (nest.counter_clockwise ? 1 : -1);
     if (nearest == nullptr) return;
-    // Left of an edge is the inside of a counter-clockwise loop.
+    // The left of an edge is the inside of a counter-clockwise loop.
     const Nest& below = nests_[nearest->loop];
     nest.parent = nearest->to_right == below.counter_clockwise ? nearest->loop : below.parent;
   }
 
-  /// From the true corner at the left end of the loop's first edge.
+  /// Returns the loop's direction, from the true corner at the left end of its first edge.
   bool IsCounterClockwise(const Edge& edge) const {
     const Polygon& ring = loops_[edge.loop];
     const size_t size = ring.size();

@@ -8,14 +8,15 @@
 
 namespace slicefarm::slicing {
 
-/// Union(loops, rule) for loops that do not touch each other or themselves, which is what a sound
-/// mesh gives: they need no clipping, only to be nested. Nothing if any two edges meet elsewhere
-/// than at their common corner, or if finding out would take too long; Union is the way then.
+/// Returns Union(loops, rule) for loops that do not touch each other or themselves, as a sound mesh
+/// gives them. Such loops need no clipping, only nesting. Returns nothing if two edges meet
+/// anywhere but at their common corner, or if the check would take too long. The caller then uses
+/// Union.
 ///
-/// A sweep over the edges by x tests each against those that its x-range overlaps and, at the first
-/// corner of each loop, sums the winding number of the edges below it. All tests are exact.
-/// REQUIRES: each loop is a CleanedRing, coordinates within 32 bits. The result is in canonical
-/// form. Cost: O(n a) for n edges of which a overlap a vertical line, at most 400 n.
+/// A sweep by x tests each edge against the edges that overlap its x-range. At the first corner of
+/// each loop, it sums the winding number of the edges below. All tests are exact. REQUIRES: each
+/// loop is a CleanedRing, coordinates within 32 bits. The result is in canonical form. Cost: O(n a)
+/// for n edges of which a overlap a vertical line, at most 400 n.
 std::optional<MultiPolygon> NestSimpleLoops(const std::vector<Polygon>& loops, FillRule rule);
 
 }  // namespace slicefarm::slicing

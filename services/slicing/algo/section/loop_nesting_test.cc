@@ -98,7 +98,7 @@ TEST(NestSimpleLoops, IsExactAtTheLimits) {
   EXPECT_FALSE(NestSimpleLoops({upper, touching}, FillRule::kNonZero).has_value());
 }
 
-/// A comb of many long teeth is nested or given back, but not pondered over for long.
+/// A comb of many long teeth must be nested or refused, but within a short time.
 TEST(NestSimpleLoops, GivesUpOnWhatIsTooDense) {
   std::vector<Polygon> teeth;
   for (Coord i = 0; i < 2'000; ++i)

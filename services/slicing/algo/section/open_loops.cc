@@ -16,12 +16,12 @@ constexpr double kMaxGapOfLength = 0.3;
 constexpr Coord kFirstRadiusNm = 4;
 constexpr Coord kRadiusGrowth = 4;
 
-/// End 2 c is where chain c begins, 2 c + 1 where it stops.
+/// Chain c begins at end 2 c and stops at end 2 c + 1.
 uint32_t ChainOf(uint32_t end) { return end / 2; }
 bool Begins(uint32_t end) { return end % 2 == 0; }
 uint32_t Across(uint32_t end) { return end ^ 1; }
 
-/// Joining two ends of the same kind turns one of the chains around.
+/// Returns true if joining the two ends reverses one of the chains; they are then of the same kind.
 bool Turns(uint32_t a, uint32_t b) { return Begins(a) == Begins(b); }
 
 Coord Manhattan(const Polyline& line) {
@@ -43,7 +43,7 @@ struct Candidate {
 class ChainJoiner {
  public:
   explicit ChainJoiner(std::vector<Polyline> chains) : chains_(std::move(chains)) {
-    // From here on numbers stand for places, so that ties are broken by place.
+    // After sorting, the numbers of chains follow their positions, so ties are broken by position.
     std::sort(chains_.begin(), chains_.end());
     partner_.assign(2 * chains_.size(), kNoEnd);
     for (uint32_t end = 0; end < partner_.size(); ++end) far_end_.push_back(Across(end));
@@ -84,7 +84,8 @@ class ChainJoiner {
     length_of_end_[far_a] = length_of_end_[far_b] = length;
   }
 
-  /// At each place, ends that stop with ends that begin, then whatever is left two by two.
+  /// Joins ends at the same point: first ends where chains stop with ends where chains begin, then
+  /// the remaining ends in pairs.
   void JoinTouching() {
     std::vector<uint32_t> ends = FreeEnds();
     const auto key = [&](uint32_t end) { return std::tuple(At(end), Begins(end), end); };
@@ -118,7 +119,7 @@ class ChainJoiner {
     }
   }
 
-  /// Pairs of free ends at most `radius_nm` apart, by a grid of cells of that size.
+  /// Returns pairs of free ends at most `radius_nm` apart, by a grid with cells of this size.
   std::vector<Candidate> CandidatesWithin(Coord radius_nm) const {
     using Cell = std::pair<Coord, Coord>;
     std::vector<std::pair<Cell, uint32_t>> grid;
@@ -165,7 +166,7 @@ class ChainJoiner {
     return result;
   }
 
-  /// Calls visit(chain, forward) for each chain from the end `enter` on.
+  /// Calls visit(chain, forward) for each chain of the line that begins at the end `enter`.
   template <typename Visit>
   void Follow(uint32_t enter, std::vector<bool>& taken, Visit visit) const {
     while (enter != kNoEnd && !taken[ChainOf(enter)]) {
@@ -194,9 +195,9 @@ class ChainJoiner {
   }
 
   std::vector<Polyline> chains_;
-  std::vector<uint32_t> partner_;      ///< by end: the end it is joined to
-  std::vector<uint32_t> far_end_;      ///< by free end of a joined line: its other free end
-  std::vector<double> length_of_end_;  ///< by free end: length of its line, gaps included
+  std::vector<uint32_t> partner_;  ///< per end: the end it is joined to
+  std::vector<uint32_t> far_end_;  ///< per free end of a joined line: its other free end
+  std::vector<double> length_of_end_;  ///< per free end: length of its line with gaps
   double largest_gap_nm_ = 0;
 };
 

@@ -20,7 +20,7 @@ double TotalArea(const ClosedChains& closed) {
   return area;
 }
 
-/// A square of side 1000 in two or four pieces.
+/// Square of side 1000 in two or four pieces.
 const Polyline kBottom = {{0, 0}, {1000, 0}}, kRight = {{1000, 0}, {1000, 1000}},
                kTop = {{1000, 1000}, {0, 1000}}, kLeft = {{0, 1000}, {0, 0}};
 
@@ -111,8 +111,8 @@ TEST(CloseChains, DoesNotDependOnTheOrder) {
   }
 }
 
-/// Every segment of a fine circle by itself, as in a file whose corners do not match to the
-/// nanometre.
+/// Every segment of a fine circle is a separate chain, as in a file with corners that do not match
+/// to the nanometre.
 TEST(CloseChains, JoinsTenThousandPieces) {
   std::vector<Polyline> pieces;
   constexpr int kPieces = 10'000;
@@ -131,7 +131,7 @@ TEST(CloseChains, JoinsTenThousandPieces) {
   EXPECT_NEAR(TotalArea(closed) * 1e-12, 1256.637, 0.01);
 }
 
-/// Very many ends in one place and in one small spot must not take the square of their number.
+/// Very many ends at one point and in one small area must not cost the square of their number.
 TEST(CloseChains, StandsCrowds) {
   std::vector<Polyline> star;
   for (Coord i = 0; i < 20'000; ++i) star.push_back({{0, 0}, {1'000'000 + 3'000 * i, i}});

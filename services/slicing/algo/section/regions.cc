@@ -34,7 +34,8 @@ MultiPolygon Cleaned(const MultiPolygon& region) {
   return clean;
 }
 
-/// Each island by itself: what is in a hole of one does not belong to it.
+/// Moves the edges of holes. Each island is treated separately, because an island in a hole does
+/// not belong to the outer island.
 MultiPolygon WithWiderHoles(const MultiPolygon& region, Coord by_nm) {
   MultiPolygon parts;
   for (const PolygonWithHoles& island : region) {
@@ -44,7 +45,7 @@ MultiPolygon WithWiderHoles(const MultiPolygon& region, Coord by_nm) {
     const MultiPolygon part = Difference({{island.outer, {}}}, Offset(holes, by_nm));
     parts.insert(parts.end(), part.begin(), part.end());
   }
-  // A hole that shrinks may close over the island in it.
+  // A shrinking hole may close over the island in it, so the parts are united.
   return by_nm < 0 ? Union(Rings(parts), FillRule::kNonZero) : parts;
 }
 

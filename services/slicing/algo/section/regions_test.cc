@@ -59,7 +59,7 @@ TEST(WithoutHoles, KeepsOuterRings) {
   EXPECT_EQ(WithoutHoles(plain), plain);
 }
 
-/// A circle of n points with a ripple that the resolution swallows.
+/// Returns a circle of n points with a ripple below the resolution.
 Polygon Ripple(double radius_mm, int n, Coord ripple_nm) {
   Polygon ring;
   for (int i = 0; i < n; ++i) {
@@ -148,7 +148,7 @@ TEST(Edited, AnIslandInAHoleIsKeptWhenTheHoleClosesOverIt) {
 }
 
 TEST(Edited, ClosesNarrowCracksOnly) {
-  // Two squares 0.09 mm apart, and two 0.2 mm apart.
+  // Two squares are 0.09 mm apart, and two are 0.2 mm apart.
   const MultiPolygon region =
       RegionOf({Square(0, 0, 10), Square(10.09, 0, 10), Square(0, 20, 10), Square(10.2, 20, 10)},
                FillRule::kNonZero, 0);

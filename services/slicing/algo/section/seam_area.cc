@@ -15,7 +15,7 @@ namespace {
 constexpr Coord kBeyondAreaNm = 300'000;
 constexpr Coord kBeyondSupportNm = 100'000;
 
-/// A rectangle around the segment, which goes beyond both ends.
+/// Returns a rectangle around the segment that extends beyond both ends.
 Polygon Around(Point a, Point b, Coord reach_nm) {
   const double scale = static_cast<double>(reach_nm) / Distance(a, b);
   const Point along = {std::llround(scale * static_cast<double>(b.x - a.x)),
@@ -24,7 +24,7 @@ Polygon Around(Point a, Point b, Coord reach_nm) {
   return {a - along - left, b + along - left, b + along + left, a - along + left};
 }
 
-/// How far outlines may move.
+/// Returns the largest distance by which outlines may move.
 Coord Moved(const RegionEdits& edits) {
   return std::abs(edits.grow_nm) + std::abs(edits.foot_nm) + std::abs(edits.widen_holes_nm);
 }

@@ -7,22 +7,24 @@
 
 namespace slicefarm::slicing {
 
-/// How far around itself a part that is for seams counts: so far that the outline it lies on is in
-/// it whatever `edits` did to that, and that a place for a seam is found in the least of paint.
-/// PrusaSlicer has 0.35 mm.
+/// Returns the distance by which a part for seams counts beyond itself. It is large enough to
+/// include the outline under the part even after `edits` moved that outline. So a seam point is
+/// found even in a very small painted area. PrusaSlicer uses 0.35 mm.
 Coord SeamReach(const RegionEdits& edits);
 
-/// How far around itself a painted surface counts for supports: neighbouring faces leave no crack,
-/// and it reaches outlines that `edits` moved.
+/// Returns the distance by which a painted surface counts beyond itself for supports. It leaves no
+/// crack between neighbouring faces and reaches outlines that `edits` moved.
 Coord SupportReach(const RegionEdits& edits);
 
-/// Of a body: its region, grown. Cost: that of FastOffset.
+/// Returns the region of a body, grown by `reach_nm`. Cost: the cost of FastOffset.
 MultiPolygon AroundBody(const MultiPolygon& region, Coord reach_nm);
 
-/// Of a surface that is not closed, such as a painted one: what lies within reach of the lines that
-/// it is cut in, by rectangles around their segments that go beyond the ends. Horizontal faces are
-/// never cut. `resolution_nm`: lines are simplified to this. Empty once `cancel` says so. Cost: a union of as many
-/// rectangles (UnionOfMany).
+/// Returns the area within reach of the lines in which an open surface (such as a painted one) is
+/// cut. It consists of rectangles around the segments that extend beyond the ends. Horizontal faces
+/// are never cut.
+///
+/// `resolution_nm`: tolerance for simplifying the lines. The result is empty if `cancel` is set.
+/// Cost: a union of as many rectangles (UnionOfMany).
 MultiPolygon AroundSurface(const Section& cut, Coord reach_nm, Coord resolution_nm,
                            const CancelToken& cancel = {});
 

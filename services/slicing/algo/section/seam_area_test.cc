@@ -36,7 +36,7 @@ TEST(AroundSurface, IsWhereItsLinesAreNear) {
   EXPECT_NEAR(Area(area) * 1e-12, 12 * 2 + 6 * 2, 1e-6);
 }
 
-/// What a painted band encloses is not painted.
+/// The area inside a closed painted band is not painted.
 TEST(AroundSurface, EnclosesNothing) {
   const Polygon ring = {{0, 0}, {10 * kMm, 0}, {10 * kMm, 10 * kMm}, {0, 10 * kMm}};
   const MultiPolygon area = AroundSurface({{ring}, {}}, kMm, 1'000);

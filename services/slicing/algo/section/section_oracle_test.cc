@@ -19,8 +19,9 @@
 namespace slicefarm::slicing::section_oracle_test {
 namespace {
 
-/// Whether points of a layer are inside of the part, asked of the triangles themselves: how often a
-/// ray straight up passes out of the part, less how often into it. Shares nothing with the sweep.
+/// Test oracle for points of a layer: decides from the triangles themselves whether a point is
+/// inside the part. A ray straight up counts how often it leaves the part minus how often it enters
+/// it. The oracle shares no code with the sweep.
 class SolidOracle {
  public:
   explicit SolidOracle(IndexedMesh mesh) : mesh_(std::move(mesh)) {}

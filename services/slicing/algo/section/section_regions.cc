@@ -19,7 +19,8 @@ MultiPolygon United(const MultiPolygon& areas) {
   return Union(Rings(areas), FillRule::kNonZero);
 }
 
-/// Where solid parts are, by row; a later part takes its area from those before.
+/// Returns the areas of solid parts per row of settings. A later part takes its area away from
+/// earlier ones.
 Areas SolidAreas(const std::vector<PartSection>& parts) {
   Areas areas;
   for (const PartSection& part : parts) {
@@ -41,7 +42,7 @@ void CutOut(const MultiPolygon& hole, Areas& areas) {
   for (auto& [row, area] : areas) area = Difference(area, hole);
 }
 
-/// Gives what lies inside of the modifier the rows that it says.
+/// Gives the areas inside the modifier the rows of settings that the modifier defines.
 void Modify(const PartSection& modifier, Areas& areas) {
   Areas changed;
   for (auto& [row, area] : areas) {
@@ -57,8 +58,8 @@ void Modify(const PartSection& modifier, Areas& areas) {
   areas = std::move(changed);
 }
 
-/// Fits the areas to a whole whose outlines have moved: they grow or shrink along with it, and what
-/// none of them covers goes to the first.
+/// Fits the areas to the whole after its outlines have moved: they grow or shrink with it.
+/// Remaining parts that no area covers go to the first area.
 void FitInto(const MultiPolygon& whole, Coord reach_nm, Areas& areas) {
   MultiPolygon left = whole;
   for (auto& [row, area] : areas) {
@@ -71,7 +72,7 @@ void FitInto(const MultiPolygon& whole, Coord reach_nm, Areas& areas) {
   first = United(first);
 }
 
-/// The sections of all parts of a role.
+/// Returns the united sections of all parts with a role.
 MultiPolygon AllOf(PartRole role, const std::vector<PartSection>& parts) {
   MultiPolygon all;
   for (const PartSection& part : parts)
@@ -105,7 +106,8 @@ PartitionedSection Partition(std::vector<PartSection> parts, const RegionEdits& 
     if (part.role == PartRole::kNegative && !part.outlines.empty()) CutOut(part.outlines, areas);
   MultiPolygon whole;
   for (const auto& [row, area] : areas) Append(area, whole);
-  // One region's outlines are those of the whole: the same points, not only the same area.
+  // With a single region, its outlines are the ones of the whole: the same points, not only the
+  // same area.
   if (areas.size() > 1) whole = United(whole);
   whole = Edited(std::move(whole), edits, resolution_nm);
   for (const PartSection& part : parts)

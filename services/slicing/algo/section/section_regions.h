@@ -9,27 +9,28 @@
 
 namespace slicefarm::slicing {
 
-/// The section of one part of an object.
+/// Section of one part of an object.
 struct PartSection {
   PartRole role = PartRole::kSolid;
-  int32_t settings = 0;                             ///< of solid parts: their row
-  const std::map<int32_t, int32_t>* changes = nullptr;  ///< of modifiers: row inside by row outside
+  int32_t settings = 0;  ///< row of settings, for solid parts
+  const std::map<int32_t, int32_t>* changes = nullptr;  ///< for modifiers: new row by old row
   MultiPolygon outlines;
 };
 
-/// An object's section, and its partition by settings.
+/// Section of an object, and its partition by settings.
 struct PartitionedSection {
-  MultiPolygon whole;           ///< empty where there is one region at most
-  std::vector<Region> regions;  ///< disjoint, by ascending row; none empty
-  std::vector<Mark> marks;      ///< by ascending role, those of a role together; none empty
+  MultiPolygon whole;  ///< empty if there is at most one region
+  std::vector<Region> regions;  ///< disjoint, by ascending row; none is empty
+  std::vector<Mark> marks;  ///< sorted by ascending role; none is empty
 };
 
-/// Puts the sections of an object's parts together. Of solid parts that overlap, the later one's
-/// settings count; negative parts are cut out of all of them; modifiers then change the rows inside
-/// of them, one after the other. What marks seams and supports goes along. `edits` move the
-/// outlines of the whole, and regions with them.
+/// Combines the sections of an object's parts. If solid parts overlap, the settings of the later
+/// part count. Negative parts are subtracted from all of them. Modifiers then change the rows of
+/// settings inside of them, one after the other. Marks for seams and supports are kept separately.
+/// `edits` move the outlines of the whole, and the regions with them.
 ///
-/// Invariant: the regions tile the edited whole, to rounding. Free of cost for a single solid part.
+/// Invariant: the regions tile the edited whole, except for rounding. Costs nothing for a single
+/// solid part.
 PartitionedSection Partition(std::vector<PartSection> parts, const RegionEdits& edits,
                              Coord resolution_nm);
 

@@ -28,7 +28,7 @@ std::map<int32_t, double> Areas(const PartitionedSection& section) {
   return areas;
 }
 
-/// Regions are disjoint and tile the whole.
+/// Checks that the regions are disjoint and tile the whole.
 void ExpectTiles(const PartitionedSection& section) {
   MultiPolygon all;
   double sum = 0;

@@ -13,7 +13,8 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Where the edge between two vertices is at a height; the same whichever comes first.
+/// Returns the point of an edge at a height; the result does not depend on the order of the
+/// vertices.
 Vertex At(Vertex a, Vertex b, Coord z_nm) {
   if (a.z > b.z) std::swap(a, b);
   const double share = static_cast<double>(z_nm - a.z) / static_cast<double>(b.z - a.z);
@@ -21,7 +22,8 @@ Vertex At(Vertex a, Vertex b, Coord z_nm) {
           a.y + std::llround(share * static_cast<double>(b.y - a.y)), z_nm};
 }
 
-/// What of a polygon in space lies on one side of a height: above it if `sign` is 1, below if -1.
+/// Returns the part of a polygon in space on one side of a height: above it if `sign` is 1, below
+/// it if -1.
 std::vector<Vertex> Beyond(const std::vector<Vertex>& polygon, Coord z_nm, int sign) {
   std::vector<Vertex> kept;
   for (size_t i = 0; i < polygon.size(); ++i) {
@@ -34,8 +36,9 @@ std::vector<Vertex> Beyond(const std::vector<Vertex>& polygon, Coord z_nm, int s
   return kept;
 }
 
-/// Returns the region with what its growth by `reach_nm` hides left out: holes that this closes,
-/// and steps of less than a twentieth of it. The edge of paint is a stair of tiny triangles.
+/// Returns the region without details that its growth by `reach_nm` hides: holes that close, and
+/// steps of less than a twentieth of `reach_nm`. The edge of painted areas is a stair of tiny
+/// triangles.
 MultiPolygon WithoutDetails(MultiPolygon region, Coord reach_nm) {
   const auto simplify = [&](Polygon& ring) {
     Polygon simple = SimplifyRing(ring, reach_nm / 20);

@@ -15,7 +15,7 @@ namespace {
 constexpr Coord kMm = kNmPerMm;
 using Faces = SurfaceSlabs::Faces;
 
-/// 10 mm x 10 mm that rise by 5 mm along x.
+/// Returns a slope of 10 mm x 10 mm that rises by 5 mm along x.
 IndexedMesh Slope() {
   IndexedMesh mesh;
   mesh.vertices = {
@@ -35,7 +35,7 @@ TEST(SurfaceSlabs, EachHasItsStrip) {
   EXPECT_EQ(Bounds(slabs.Shadow(1, 0)).min, (Point{2 * kMm, 0}));
 }
 
-/// The sense of a face and the order of faces change nothing.
+/// The orientation of a face and the order of faces change nothing.
 TEST(SurfaceSlabs, DoesNotAskWhichSideIsUp) {
   IndexedMesh mesh = Slope();
   const MultiPolygon want = SurfaceSlabs(mesh, {{kMm, 2 * kMm}}, Faces::kAll).Shadow(0, kMm / 10);
@@ -55,7 +55,7 @@ TEST(SurfaceSlabs, LevelFacesAloneAreWhatPlanesDoNotCut) {
   EXPECT_TRUE(slabs.Shadow(2, 0).empty());
 }
 
-/// Adds a level rectangle of two faces, mm.
+/// Adds a level rectangle of two faces, in mm.
 void AddLevel(double x0, double y0, double x1, double y1, IndexedMesh& mesh) {
   const auto first = static_cast<uint32_t>(mesh.vertices.size());
   for (const auto& [x, y] : {std::pair{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}})
@@ -64,7 +64,7 @@ void AddLevel(double x0, double y0, double x1, double y1, IndexedMesh& mesh) {
   mesh.triangles.push_back({first, first + 2, first + 3});
 }
 
-/// Paint as a brush leaves it: a disc of cells of 0.04 mm, with small holes in it.
+/// The painted area is like one from a brush: a disc of cells of 0.04 mm, with small holes in it.
 TEST(SurfaceSlabs, StairsOfPaintAreAsIfUnitedAtOnce) {
   IndexedMesh mesh;
   std::vector<Polygon> cells;

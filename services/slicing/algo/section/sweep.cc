@@ -9,20 +9,21 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// The faces of a layer lie all over the mesh: to ask for their memory this many faces early halves
-/// the time.
+/// Number of faces by which memory is prefetched. The faces of a layer are scattered over the mesh,
+/// so prefetching halves the time.
 constexpr uint32_t kAhead = 8;
 
-/// Marks of a segment.
+/// States of a segment.
 enum : uint8_t { kFree, kHead, kTaken };
 
-/// By which corners of a face are above (bit i for corner i): the half-edge that rises through the
-/// plane and the one that falls. Matter lies left of the way from the falling to the rising one.
+/// Tables by the corners of a face that are above (bit i for corner i): the half-edge that rises
+/// through the plane, and the one that falls. Material is to the left of the line from the falling
+/// to the rising one.
 constexpr std::array<uint8_t, 8> kRising = {0, 2, 0, 2, 1, 1, 0, 0};
 constexpr std::array<uint8_t, 8> kFalling = {0, 0, 1, 1, 2, 0, 2, 0};
 
-/// a * b / c to the nearest, halves away from zero. REQUIRES: |a| < 2^32, 0 < b <= c < 2^32; then
-/// |a| b + c / 2 fits 64 bits without a sign.
+/// Returns a * b / c rounded to the nearest integer, halves away from zero. REQUIRES: |a| < 2^32, 0
+/// < b <= c < 2^32; then |a| b + c / 2 fits 64 bits without a sign.
 Coord ScaledRounded(Coord a, uint64_t b, uint64_t c) {
   const uint64_t size = static_cast<uint64_t>(a < 0 ? -a : a);
   const Coord result = static_cast<Coord>((size * b + c / 2) / c);

@@ -45,7 +45,7 @@ double AreaOf(const Section& section) {
   return area;
 }
 
-/// Loops as a set, so that neither their order nor their starts matter.
+/// Returns the loops as a set that depends neither on their order nor on their start points.
 std::multiset<Polygon> Canonical(const Section& section) {
   std::multiset<Polygon> loops;
   for (Polygon loop : section.loops) {
@@ -56,7 +56,7 @@ std::multiset<Polygon> Canonical(const Section& section) {
 }
 
 TEST(Sweep, OneRuleAtTheHeightsOfVertices) {
-  // Above iff z_vertex >= z_plane: at the bottom nothing is cut, at the top everything.
+  // Above means z_vertex >= z_plane: at the bottom nothing is cut, at the top everything.
   const std::vector<Section> sections =
       CutAll(Connected(Cube(0, 0, 0)), {-1, 0, 1, 5 * kMm, 10 * kMm, 10 * kMm + 1});
   const std::vector<double> want_mm2 = {0, 0, 100, 100, 100, 0};
@@ -94,7 +94,7 @@ std::vector<TorusCase> TorusCases() {
 
 ConnectedMesh ConnectedTorus(const TorusCase& c) {
   IndexedMesh placed = *PlaceMesh(TorusMesh(c.shape));
-  // Placing drops the lowest ring to 0; it belongs on the first plane.
+  // Placement moves the lowest ring to z = 0, but it should be on the first plane.
   if (c.shape.snap_to_layer > 0)
     for (Vertex& v : placed.vertices) v.z += c.layer / 2;
   return *Connect(std::move(placed), {});
@@ -125,8 +125,8 @@ TEST(Sweep, TorusHasTheAreaOfItsFormula) {
   }
 }
 
-/// Between two heights with vertices the area is a polynomial of degree 2, which two points of
-/// Gauss integrate exactly.
+/// Returns the integral of the area. Between two heights with vertices the area is a polynomial of
+/// degree 2, which two Gauss points integrate exactly.
 double IntegralOfAreaMm3(const ConnectedMesh& mesh) {
   std::set<Coord> heights;
   for (const Vertex& v : mesh.mesh.vertices) heights.insert(v.z);
@@ -216,7 +216,7 @@ TEST(Sweep, AFlippedFaceMakesNoDifference) {
 }
 
 TEST(Sweep, OpenMeshesGiveChainsThatEndWhereTheSurfaceDoes) {
-  // Without both triangles of the side x = 10.
+  // The box has lost both triangles of the side x = 10.
   const RawMesh box = WithoutTriangle(WithoutTriangle(Cube(0, 0, 0), 11), 10);
   const std::vector<Section> sections = CutAll(Connected(box), {4 * kMm});
   EXPECT_TRUE(sections[0].loops.empty());
@@ -227,7 +227,7 @@ TEST(Sweep, OpenMeshesGiveChainsThatEndWhereTheSurfaceDoes) {
   EXPECT_DOUBLE_EQ(Length(chain), 30e6);
 }
 
-/// Every closed mesh within the limits: products of two differences of 32 bits.
+/// The sweep must handle every closed mesh within the limits: products of two 32-bit differences.
 TEST(Sweep, StaysExactAtTheLimits) {
   constexpr Coord kFar = limits::kMaxCoord;
   IndexedMesh mesh;
@@ -235,13 +235,13 @@ TEST(Sweep, StaysExactAtTheLimits) {
   mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
   const ConnectedMesh connected = *Connect(mesh, {});
   const std::vector<Section> sections = CutAll(connected, {1, kFar / 3, kFar - 1, kFar});
-  // The edge from (-kFar, -kFar, 0) to (kFar, kFar, kFar): x = -kFar + 2 z.
+  // The edge from (-kFar, -kFar, 0) to (kFar, kFar, kFar) has x = -kFar + 2 z.
   EXPECT_EQ(Canonical(sections[1]).begin()->front(),
             (Point{-kFar + 2 * (kFar / 3), -kFar + 2 * (kFar / 3)}));
   for (const Section& section : sections) EXPECT_TRUE(section.chains.empty());
 }
 
-/// One tall needle, repeated: every face is in every layer.
+/// Returns the status for repeated tall needles: every face is in every layer.
 absl::Status StatusOfNeedles(size_t faces, size_t layers, int64_t other_points = 0) {
   ConnectedMesh connected;
   connected.mesh.vertices = {{0, 0, 0}, {1'000, 0, 0}, {0, 0, 100'000}};

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kJpgQuality = 85;  // PrusaSlicer's
 
-/// libjpeg tells errors by a function that must not return.
+/// Error state. libjpeg reports errors by a function that must not return.
 struct JpgErrors {
   jpeg_error_mgr manager;
   std::jmp_buf back;
@@ -27,7 +27,7 @@ struct JpgErrors {
   std::longjmp(errors->back, 1);
 }
 
-/// Three bytes a pixel, on black.
+/// Returns three bytes per pixel, over a black background.
 std::vector<uint8_t> OnBlack(const std::vector<Rgba>& pixels) {
   std::vector<uint8_t> bytes;
   bytes.reserve(pixels.size() * 3);
@@ -42,7 +42,8 @@ struct JpgBuffer {
   unsigned long size = 0;  // NOLINT: libjpeg's type
 };
 
-/// Nothing that has a destructor lives here: errors jump out of it.
+/// Compresses the pixels. Has no local objects with a destructor, because errors leave it by
+/// longjmp.
 bool Compress(uint8_t* pixels, int32_t width, int32_t height, JpgErrors* errors,
               JpgBuffer* buffer) {
   jpeg_compress_struct jpeg = {};

@@ -9,9 +9,9 @@
 
 namespace slicefarm::slicing {
 
-/// The bytes of a JPEG file, on black where the picture lets the ground through: JPEG knows no
-/// opacity. REQUIRES: pixels.size() == width * height, row after row from the top. The same bytes
-/// for the same pixels. Errors: INTERNAL if libjpeg refuses. Cost: O(pixels).
+/// Returns the bytes of a JPEG file. Transparent pixels become black, because JPEG has no opacity.
+/// REQUIRES: pixels.size() == width * height, row by row from the top. The same pixels give the
+/// same bytes. Errors: INTERNAL if libjpeg refuses. Cost: O(pixels).
 absl::StatusOr<std::string> EncodeJpg(const std::vector<Rgba>& pixels, int32_t width,
                                       int32_t height);
 

@@ -10,7 +10,7 @@
 namespace slicefarm::slicing::jpg_image_test {
 namespace {
 
-/// Three bytes a pixel. libjpeg ends the test where it cannot read the file.
+/// Returns three bytes per pixel. libjpeg ends the test if it cannot read the file.
 std::vector<uint8_t> Decode(const std::string& file, uint32_t* width, uint32_t* height) {
   jpeg_decompress_struct jpeg = {};
   jpeg_error_mgr errors = {};
@@ -32,7 +32,7 @@ std::vector<uint8_t> Decode(const std::string& file, uint32_t* width, uint32_t* 
 }
 
 TEST(EncodeJpg, IsReadAsTheSamePictureOnBlack) {
-  // Half red, half see-through white.
+  // One half is red, the other half is semi-transparent white.
   std::vector<Rgba> pixels;
   for (int y = 0; y < 24; ++y)
     for (int x = 0; x < 32; ++x)

@@ -9,11 +9,11 @@
 
 namespace slicefarm::slicing {
 
-/// Red, green, blue, opacity.
+/// Pixel: red, green, blue, opacity.
 using Rgba = std::array<uint8_t, 4>;
 
-/// The bytes of a PNG file. REQUIRES: pixels.size() == width * height, row after row from the top.
-/// Errors: INTERNAL if libpng refuses.
+/// Returns the bytes of a PNG file. REQUIRES: pixels.size() == width * height, row by row from the
+/// top. Errors: INTERNAL if libpng refuses.
 absl::StatusOr<std::string> EncodePng(const std::vector<Rgba>& pixels, int32_t width,
                                       int32_t height);
 

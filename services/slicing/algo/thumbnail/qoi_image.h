@@ -9,8 +9,8 @@
 namespace slicefarm::slicing {
 
 /// Returns the picture as QOI with opacity, a format for printers with little memory. `pixels`: row
-/// by row from the top, width * height of them. REQUIRES: width >= 1, height >= 1. The same bytes
-/// for the same pixels. Cost: O(pixels).
+/// by row from the top, width * height of them. REQUIRES: width >= 1, height >= 1. The same pixels
+/// give the same bytes. Cost: O(pixels).
 std::string EncodeQoi(std::span<const Rgba> pixels, int32_t width, int32_t height);
 
 }  // namespace slicefarm::slicing

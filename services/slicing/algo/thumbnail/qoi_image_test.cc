@@ -9,7 +9,7 @@
 namespace slicefarm::slicing::qoi_image_test {
 namespace {
 
-/// A reader of its own, chunk by chunk as the specification has them.
+/// Decodes a QOI file chunk by chunk, as the specification defines them.
 std::vector<Rgba> Decode(const std::string& file, size_t count) {
   std::vector<Rgba> pixels;
   std::array<Rgba, 64> seen = {};

@@ -25,15 +25,14 @@ constexpr double kInverseRoot2 = 0.70710678118654752;
 constexpr double kInverseRoot6 = 0.40824829046386302;
 constexpr double kInverseRoot3 = 0.57735026918962576;
 
-/// Right, up and towards the viewer, in the picture's axes.
+/// Returns the coordinates in the picture's axes: right, up and towards the viewer.
 Vector3 ToView(const Vertex& v, Point center) {
   const double x = static_cast<double>(v.x + center.x), y = static_cast<double>(v.y + center.y),
                z = static_cast<double>(v.z);
   return {(x + y) * kInverseRoot2, (y - x + 2 * z) * kInverseRoot6, (x - y + z) * kInverseRoot3};
 }
 
-/// Where in the buffer a view position falls, in samples: x to the right, y down, z towards the
-/// viewer.
+/// Mapping from a view position to buffer samples: x to the right, y down, z towards the viewer.
 struct Viewport {
   double scale = 0;
   double left = 0;
@@ -44,17 +43,18 @@ struct Viewport {
   }
 };
 
-/// A linear function of the picture's plane, relative to a corner.
+/// Linear function in the picture's plane, relative to a corner.
 struct Slope {
   double x = 0;
   double y = 0;
   double at_corner = 0;
 };
 
-/// A triangle as seen: what lies in it, how near, how bright.
+/// Triangle in the view, for its samples, depth and brightness.
 struct Facet {
   Vector3 a, ab, ac;
-  double area;  ///< twice; the screen's y runs down, so what faces the viewer is below zero
+  /// twice the signed area; below zero if it faces the viewer, because the screen's y points down
+  double area;
 
   Facet(const Vector3& a, const Vector3& b, const Vector3& c)
       : a(a),
@@ -62,13 +62,14 @@ struct Facet {
         ac(c - a),
         area(ab.x() * ac.y() - ab.y() * ac.x()) {}
 
-  /// Of the corners a, b, c; all three are above zero inside.
+  /// Returns the weights of the corners a, b, c; all three are positive inside.
   std::array<Slope, 3> Weights() const {
     const Slope b{ac.y() / area, -ac.x() / area, 0}, c{-ab.y() / area, ab.x() / area, 0};
     return {Slope{-b.x - c.x, -b.y - c.y, 1}, b, c};
   }
 
-  /// Some light from everywhere, more from above the viewer's left shoulder. Both sides shine.
+  /// Returns the brightness: some ambient light, and more light from above the viewer's left
+  /// shoulder. Both sides are lit.
   uint8_t Shade() const {
     const double nx = ab.y() * ac.z() - ab.z() * ac.y(), ny = ab.z() * ac.x() - ab.x() * ac.z(),
                  nz = area;
@@ -79,11 +80,11 @@ struct Facet {
   }
 };
 
-/// Samples have their centres at halves. For values from 0 on, this is the first sample at or after
-/// `low`, and one past the last sample before `high`.
+/// Returns the first sample at or after `low`, for values from 0 on. Sample centres are at halves.
+/// For the upper limit of a range, the result is one past the last sample of the range.
 int32_t SampleFrom(double low) { return static_cast<int32_t>(low + kHalfSample); }
 
-/// A picture with `fine` times more samples on either axis.
+/// Depth buffer with several samples per pixel on each axis.
 class DepthBuffer {
  public:
   DepthBuffer(int32_t width, int32_t height)
@@ -92,8 +93,8 @@ class DepthBuffer {
         depth_(static_cast<size_t>(width) * height, kNothing),
         shade_(depth_.size(), 0) {}
 
-  /// Fills the samples whose centres lie in the facet and nearer than what is there. REQUIRES: the
-  /// facet lies within the buffer.
+  /// Fills the samples with centres inside the facet that are nearer than the stored ones.
+  /// REQUIRES: the facet is within the buffer.
   void Draw(const Vector3& a, const Vector3& b, const Vector3& c, bool from_behind) {
     const double left = std::min({a.x(), b.x(), c.x()}), right = std::max({a.x(), b.x(), c.x()});
     const int32_t top = SampleFrom(std::min({a.y(), b.y(), c.y()}));
@@ -119,7 +120,8 @@ class DepthBuffer {
     }
   }
 
-  /// Puts another buffer's samples here, its first one at `left`, `top`, and nearer by `depth`.
+  /// Copies another buffer's samples to this one, with the first one at `left`, `top` and nearer by
+  /// `depth`.
   void Stamp(const DepthBuffer& other, int32_t left, int32_t top, float depth) {
     const int32_t from = std::max(-left, 0), to = std::min(width_ - left, other.width_);
     for (int32_t y = std::max(-top, 0); y < std::min(height_ - top, other.height_); ++y) {
@@ -132,7 +134,7 @@ class DepthBuffer {
     }
   }
 
-  /// The mean of fine x fine samples; what no face covers is transparent.
+  /// Returns the mean of fine x fine samples; parts that no face covers are transparent.
   Rgba Pixel(int32_t x, int32_t y, int32_t fine) const {
     int32_t covered = 0, shade = 0;
     for (int32_t j = 0; j < fine; ++j) {
@@ -154,7 +156,7 @@ class DepthBuffer {
  private:
   static constexpr float kNothing = -HUGE_VALF;
 
-  /// Samples [from, to) of row y; `depth` at x = 0.
+  /// Draws the samples [from, to) of row y; `depth` is relative to x = 0.
   void DrawRow(int32_t y, int32_t from, int32_t to, const Slope& depth, uint8_t shade) {
     size_t at = static_cast<size_t>(y) * width_ + from;
     for (int32_t x = from; x < std::min(to, width_); ++x, ++at)
@@ -199,7 +201,7 @@ Viewport FitViewport(std::span<const SceneMesh> scene, int32_t width, int32_t he
           (low.y() + high.y() + height / scale) / 2};
 }
 
-/// The vertices in the buffer, with the object at a place.
+/// Returns the vertices in buffer coordinates, with the object at a position.
 std::vector<Vector3> CornersOf(const IndexedMesh& mesh, Point center, const Viewport& viewport) {
   std::vector<Vector3> corners;
   corners.reserve(mesh.vertices.size());
@@ -218,7 +220,8 @@ absl::Status DrawFacets(const SceneMesh& object, const std::vector<Vector3>& cor
   return absl::OkStatus();
 }
 
-/// Draws the copies of an object: the first one into a buffer of its own, which is stamped.
+/// Draws the copies of an object. The first copy is drawn into a separate buffer, which is stamped
+/// at all positions.
 absl::Status StampCopies(const SceneMesh& object, const Viewport& viewport, DepthBuffer& buffer,
                          const CancelToken& cancel) {
   std::vector<Vector3> corners = CornersOf(*object.mesh, object.centers.front(), viewport);

@@ -43,7 +43,8 @@ double CoveredShare(const std::vector<Rgba>& pixels) {
 TEST(RenderThumbnail, ShowsACubeAsAHexagonOfThreeShades) {
   const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}));
   const std::vector<Rgba> pixels = Pixels(Render({{&cube, kHere, true}}, {100, 100}));
-  // A regular hexagon as high as the picture less its margin: 3 sqrt(3) / 8 of the square.
+  // The view is a regular hexagon as high as the picture without its margin: 3 sqrt(3) / 8 of the
+  // square.
   EXPECT_NEAR(CoveredShare(pixels), 0.6495 / (1.08 * 1.08), 0.01);
   EXPECT_EQ(pixels[0], (Rgba{0, 0, 0, 0}));
   const Rgba top = pixels[25 * 100 + 50], left = pixels[65 * 100 + 30],
@@ -94,11 +95,11 @@ TEST(RenderThumbnail, ShowsTheSameAsQoi) {
   EXPECT_EQ(qoi.data, EncodeQoi(Pixels(png), 40, 30));
 }
 
-// A stamp lies up to half a sample beside its place: seen at the edges alone.
+// A stamp is up to half a sample beside its exact position; this is visible at the edges only.
 TEST(RenderThumbnail, CopiesLookLikeObjectsOfTheirOwn) {
   const IndexedMesh torus = *PlaceMesh(TorusMesh({.around = 90, .sides = 60}));
   const auto mm = [](double x, double y) { return Point{FromMm(x), FromMm(y)}; };
-  // Two apart, and one that hides some of another.
+  // Two copies are separate, and one hides a part of another.
   const std::vector<Point> places = {mm(0, 0), mm(70.3, 11.1), mm(14.7, -9.2)};
   std::vector<SceneMesh> alone;
   for (const Point& place : places) alone.push_back({&torus, {&place, 1}, true});

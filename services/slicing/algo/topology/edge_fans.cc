@@ -20,7 +20,7 @@ __int128 Minor(const EdgeVector& a, const EdgeVector& b, int i, int j) {
 
 int Sign(__int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-/// Of three differences within 2^32 the determinant stays below 2^100.
+/// Returns the sign of the determinant. For three differences within 2^32, its size is below 2^100.
 int DeterminantSign(const EdgeVector& a, const EdgeVector& b, const EdgeVector& c) {
   return Sign(Minor(a, b, 1, 2) * c[0] + Minor(a, b, 2, 0) * c[1] + Minor(a, b, 0, 1) * c[2]);
 }
@@ -32,15 +32,15 @@ bool IsAlong(const EdgeVector& a, const EdgeVector& b) {
                      [&](const auto& plane) { return Minor(a, b, plane[0], plane[1]) == 0; });
 }
 
-/// Instead of a half turn: a face without area has no angle; it comes before all others.
+/// Value of half_turn for a face without area. It has no angle and is sorted before all others.
 constexpr int kFlat = -1;
 
-/// One face at the edge.
+/// Face at the edge.
 struct Leaf {
   uint32_t half_edge = 0;
-  bool closes = false;  ///< the wedge of matter that came before it, counter-clockwise
-  Vertex apex;          ///< the corner off the edge
-  int half_turn = 0;    ///< 0 for angles of [0, pi) from the first leaf, 1 for the rest; see kFlat
+  bool closes = false;  ///< true if it ends the wedge of material before it, counter-clockwise
+  Vertex apex;  ///< corner that is not on the edge
+  int half_turn = 0;  ///< 0 for angles of [0, pi) from the first leaf, 1 for the rest; see kFlat
 };
 
 class Fan {
@@ -53,7 +53,8 @@ class Fan {
     axis_ = Difference(std::max(one, other), low_);
     for (const uint32_t h : half_edges) {
       const Vertex& apex = mesh.vertices[triangles[FaceOf(h)][(h % 3 + 2) % 3]];
-      // Seen against the axis, matter lies clockwise of a face whose half-edge runs up the axis.
+      // Seen against the axis, material is clockwise of a face with its half-edge up along the
+      // axis.
       leaves_.push_back({h, mesh.vertices[OriginOf(triangles, h)] == low_, apex});
     }
     SortByAngle();
@@ -72,7 +73,7 @@ class Fan {
         open.pop_back();
       }
     }
-    // What is still open goes on past the angle where the count began.
+    // Wedges that are still open continue past the angle where the count began.
     for (size_t i = 0; i < early.size() && !open.empty(); ++i, open.pop_back())
       link(open.back(), early[i]);
   }
@@ -96,7 +97,7 @@ class Fan {
   int HalfTurn(const EdgeVector& reference, const EdgeVector& arm) const {
     const int side = DeterminantSign(axis_, reference, arm);
     if (side != 0) return side > 0 ? 0 : 1;
-    // In one plane with the axis: on the same side of it or on the other?
+    // The arm is in one plane with the axis; decide if it is on the same side of the axis.
     for (const auto& [i, j] : kPlanes) {
       const int sense = Sign(Minor(axis_, reference, i, j)) * Sign(Minor(axis_, arm, i, j));
       if (sense != 0) return sense > 0 ? 0 : 1;

@@ -13,7 +13,7 @@
 namespace slicefarm::slicing::edge_fans_test {
 namespace {
 
-/// Leaves around the z axis: at each angle one face, which runs up the axis (+) or down (-).
+/// Leaf around the z axis: a face at an angle that runs up the axis (+) or down (-).
 struct Leaf {
   double degrees;
   bool up;
@@ -29,7 +29,7 @@ Paired PairLeaves(const std::vector<Leaf>& leaves, const std::array<double, 3>& 
   for (const Leaf& leaf : leaves) {
     const auto [sine, cosine] = SineCosineDegrees(leaf.degrees);
     const uint32_t apex = static_cast<uint32_t>(raw.positions.size());
-    // Distances and heights differ: only the angle may matter.
+    // Distances and heights differ, because only the angle may matter.
     raw.positions.push_back({(3 + apex) * cosine, (3 + apex) * sine, 1.0 * apex});
     raw.triangles.push_back(leaf.up ? std::array<uint32_t, 3>{0, 1, apex}
                                     : std::array<uint32_t, 3>{1, 0, apex});
@@ -40,7 +40,8 @@ Paired PairLeaves(const std::vector<Leaf>& leaves, const std::array<double, 3>& 
   return result;
 }
 
-/// By leaf: the leaf it is paired with, or -1. The half-edge on the axis is the first of each face.
+/// Returns for each leaf the leaf it is paired with, or -1. The half-edge on the axis is the first
+/// of each face.
 std::vector<int> Partners(const Paired& paired) {
   std::vector<int> partners;
   for (size_t leaf = 0; leaf < paired.mesh.triangles.size(); ++leaf) {
@@ -56,8 +57,8 @@ struct Case {
   std::vector<int> want;
 };
 
-// Matter lies clockwise of a face that runs up: from "down" at the lesser angle to "up" at the
-// greater.
+// Material is clockwise of a face that runs up: from "down" at the smaller angle to "up" at the
+// larger one.
 const std::vector<Case>& Cases() {
   static const auto* cases = new std::vector<Case>{
       {"TwoWedges", {{10, false}, {80, true}, {190, false}, {260, true}}, {1, 0, 3, 2}},
@@ -102,7 +103,7 @@ TEST(PairFans, DoesNotDependOnTheOrderOfTheFaces) {
   }
 }
 
-/// Faces without area have no angle, but their half-edges still go somewhere.
+/// Faces without area have no angle, but their half-edges are still used.
 TEST(PairFans, TakesFlatFaces) {
   RawMesh raw{{{0, 0, 0}, {0, 0, 10}, {0, 0, 5}, {4, 0, 0}, {0, 4, 0}},
               {{0, 1, 2}, {1, 0, 2}, {1, 0, 3}, {0, 1, 4}}};

@@ -5,16 +5,16 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// A half-edge in the bucket of its lower vertex.
+/// Half-edge in the bucket of its lower vertex.
 struct Entry {
-  uint32_t far = 0;   ///< the upper vertex
-  uint32_t code = 0;  ///< 2 * half-edge + (1 if it runs down, from upper to lower)
+  uint32_t far = 0;  ///< upper vertex
+  uint32_t code = 0;  ///< 2 * half-edge, plus 1 if it runs down, from upper to lower
 
   uint32_t half_edge() const { return code / 2; }
   friend auto operator<=>(const Entry&, const Entry&) = default;
 };
 
-/// Entries in order of their lower vertex; `ends[v]` is where the bucket of v ends.
+/// Entries in the order of their lower vertex; `ends[v]` is the end of the bucket of v.
 struct Buckets {
   std::vector<Entry> entries;
   std::vector<uint32_t> ends;
@@ -23,8 +23,8 @@ struct Buckets {
 Buckets SortByLowerVertex(std::span<const Triangle> triangles, size_t vertex_count) {
   Buckets buckets;
   buckets.ends.assign(vertex_count + 1, 0);
-  // Counts go one place up, so that after the sums each place is its bucket's start, and after
-  // filling its end.
+  // Counts are stored one index higher. So after summing, each element is its bucket's start, and
+  // after filling, its end.
   for (const Triangle& t : triangles)
     for (int i = 0; i < 3; ++i) ++buckets.ends[std::min(t[i], t[(i + 1) % 3]) + 1];
   for (size_t v = 1; v <= vertex_count; ++v) buckets.ends[v] += buckets.ends[v - 1];
@@ -54,7 +54,7 @@ void SortBucket(std::span<Entry> bucket) {
   }
 }
 
-/// Takes in the half-edges of one edge.
+/// Adds the half-edges of one edge to the table.
 void AddEdge(std::span<const Entry> edge, EdgeTable& table) {
   if (edge.size() == 2) {
     table.twins[edge[0].half_edge()] = edge[1].half_edge();

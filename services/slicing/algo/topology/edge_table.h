@@ -11,34 +11,41 @@ namespace slicefarm::slicing {
 /// from its corner i to its corner (i + 1) % 3.
 using Triangle = std::array<uint32_t, 3>;
 
+/// Value for a half-edge without a twin.
 inline constexpr uint32_t kNoTwin = UINT32_MAX;
 
+/// Returns the face of a half-edge.
 inline uint32_t FaceOf(uint32_t half_edge) { return half_edge / 3; }
+/// Returns the vertex where a half-edge starts.
 inline uint32_t OriginOf(std::span<const Triangle> triangles, uint32_t half_edge) {
   return triangles[half_edge / 3][half_edge % 3];
 }
+/// Returns the vertex where a half-edge ends.
 inline uint32_t TargetOf(std::span<const Triangle> triangles, uint32_t half_edge) {
   return triangles[half_edge / 3][(half_edge % 3 + 1) % 3];
 }
 
-/// Which half-edges lie on the same edge.
+/// Table of the half-edges on the same edge.
 struct EdgeTable {
-  /// The other half-edge of an edge with exactly two faces; kNoTwin at open edges and fans.
+  /// Other half-edge of an edge with exactly two faces; kNoTwin at open edges and fans.
   std::vector<uint32_t> twins;
-  /// Half-edges of edges with more than two faces, edge after edge; fan i is [fan_starts[i],
+  /// Half-edges of edges with more than two faces, edge after edge. Fan i is [fan_starts[i],
   /// fan_starts[i + 1]).
   std::vector<uint32_t> fans;
   std::vector<uint32_t> fan_starts = {0};
   int64_t open_edges = 0;
-  /// Edges whose two faces run along it in the same direction: one of them is flipped.
+  /// Edges with two faces that both run along it in the same direction, so one of the faces is
+  /// flipped.
   int64_t conflicts = 0;
 
+  /// Returns the number of fans.
   int64_t fan_count() const { return static_cast<int64_t>(fan_starts.size()) - 1; }
 };
 
-/// Finds them by one counting sort of the half-edges by their lower vertex and a small sort by the
-/// upper one within. REQUIRES: no face has two equal corners; all corners < vertex_count. Cost:
-/// O(n) for bounded vertex degrees; 24 bytes a triangle while it works, 12 for the result.
+/// Builds the table by one counting sort of the half-edges by their lower vertex and a small sort
+/// by the upper vertex in each bucket. REQUIRES: no face has two equal corners; all corners <
+/// vertex_count. Cost: O(n) for bounded vertex degrees; 24 bytes per triangle of temporary memory,
+/// 12 for the result.
 EdgeTable BuildEdgeTable(std::span<const Triangle> triangles, size_t vertex_count);
 
 }  // namespace slicefarm::slicing

@@ -50,7 +50,7 @@ TEST(EdgeTable, CountsConflictsAndFans) {
   EXPECT_EQ(table.open_edges, 6);
 }
 
-/// A vertex with very many faces takes the other sort.
+/// A vertex with very many faces uses the other sort.
 TEST(EdgeTable, PairsAroundACrowdedVertex) {
   std::vector<Triangle> cone;
   constexpr uint32_t kRim = 5'000;

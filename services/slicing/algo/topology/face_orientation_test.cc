@@ -67,7 +67,7 @@ TEST(OrientFaces, OfEqualHalvesTheOneWithVolumeStays) {
   }
 }
 
-/// A strip of `n` squares with a half twist.
+/// Returns a strip of `n` squares with a half twist.
 RawMesh MoebiusStrip(int n) {
   RawMesh mesh;
   for (int i = 0; i < n; ++i)

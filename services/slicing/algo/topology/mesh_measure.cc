@@ -6,7 +6,8 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Differences below 2^32 give products below 2^64, of which a double may miss by 2^11.
+/// Value above which a difference of products is surely not zero. Differences below 2^32 give
+/// products below 2^64, in which a double has errors up to 2^11.
 constexpr double kSurelyNotZero = 16'384;
 
 bool IsZeroCross(Coord ax, Coord ay, Coord bx, Coord by) {

@@ -14,17 +14,17 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Returns how many were dropped.
+/// Drops faces with two equal corners and returns their number.
 int64_t DropCollapsedFaces(std::vector<Triangle>& triangles) {
   return static_cast<int64_t>(std::erase_if(
       triangles, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }));
 }
 
-/// Keeps the first of faces with the same corners in the same sense; returns how many were dropped.
-/// A sheet of two faces back to back stays. Cost: O(n log n).
+/// Keeps the first of several faces with the same corners and orientation, and returns the number
+/// of dropped faces. A sheet of two faces back to back stays. Cost: O(n log n).
 int64_t DropRepeatedFaces(std::vector<Triangle>& triangles) {
   struct Key {
-    Triangle corners;  ///< the least one first
+    Triangle corners;  ///< the smallest index first
     uint32_t face = 0;
     auto operator<=>(const Key&) const = default;
   };
@@ -43,8 +43,9 @@ int64_t DropRepeatedFaces(std::vector<Triangle>& triangles) {
       std::erase_if(triangles, [&](const Triangle&) { return repeated[face++]; }));
 }
 
-/// The edges, without repeated faces; their number is added to `repeated`. Such a face makes edges
-/// with more than two faces, or with two that run the same way.
+/// Returns the edges after dropping repeated faces, and adds the number of these faces to
+/// `repeated`. A repeated face gives edges with more than two faces, or with two faces in the same
+/// direction.
 EdgeTable EdgesOfDistinct(IndexedMesh& mesh, int64_t& repeated) {
   EdgeTable table = BuildEdgeTable(mesh.triangles, mesh.vertices.size());
   if (table.fan_count() == 0 && table.conflicts == 0) return table;
@@ -54,15 +55,16 @@ EdgeTable EdgesOfDistinct(IndexedMesh& mesh, int64_t& repeated) {
   return BuildEdgeTable(mesh.triangles, mesh.vertices.size());
 }
 
-/// The faces that are missing where three open half-edges run round a triangle, the other way. Not
-/// beside a face that stands for itself: all three are its own. Cost: O(open edges log).
+/// Returns the missing faces. Three open half-edges that form a triangle give a face in the
+/// opposite direction, unless all three belong to one single face. Cost: O(open edges log).
 std::vector<Triangle> MissingFaces(const IndexedMesh& mesh, const EdgeTable& table) {
   std::vector<bool> in_fan(table.twins.size());
   for (const uint32_t h : table.fans) in_fan[h] = true;
   std::map<uint32_t, std::vector<uint32_t>> from;  // open half-edges by their origin
   for (uint32_t h = 0; h < table.twins.size(); ++h)
     if (table.twins[h] == kNoTwin && !in_fan[h]) from[OriginOf(mesh.triangles, h)].push_back(h);
-  // The open half-edge that goes on from this one; more than one, or none: kNoTwin.
+  // Returns the only open half-edge that starts at the end of this one; kNoTwin if there is none or
+  // more than one.
   const auto next = [&](uint32_t h) {
     const auto found = from.find(TargetOf(mesh.triangles, h));
     return found == from.end() || found->second.size() != 1 ? kNoTwin : found->second.front();
@@ -79,8 +81,8 @@ std::vector<Triangle> MissingFaces(const IndexedMesh& mesh, const EdgeTable& tab
   return missing;
 }
 
-/// Sets of faces. Source: Galler and Fischer 1964, with paths halved; a root is the least face of
-/// its set.
+/// Disjoint sets of faces. Source: Galler and Fischer 1964, with path halving; a root is the face
+/// with the smallest index in its set.
 class FaceSets {
  public:
   explicit FaceSets(size_t faces) : parent_(faces), count_(static_cast<int64_t>(faces)) {

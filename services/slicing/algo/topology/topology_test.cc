@@ -23,7 +23,7 @@ RawMesh WithFace(RawMesh mesh, const Triangle& face) {
   return mesh;
 }
 
-/// The same face from another corner on.
+/// Returns the same face, beginning at another corner.
 Triangle Turned(const Triangle& face) { return {face[1], face[2], face[0]}; }
 
 struct Case {
@@ -94,7 +94,7 @@ TEST(Connect, LeavesOtherOpeningsAsTheyAre) {
   }
 }
 
-/// A face in whose edge a vertex of the neighbours lies, mended by a face without area.
+/// A vertex of the neighbours is on an edge of the face; a face without area closes the gap.
 TEST(Connect, KeepsFacesWithoutAreaThatJoinTheirNeighbours) {
   RawMesh mesh = TetrahedronMesh(10);
   mesh.positions.push_back({5, 0, 0});

@@ -95,7 +95,7 @@ absl::Status Check(std::span<const ArrangeItem> items, std::span<const FixedFoot
   return absl::OkStatus();
 }
 
-/// The bed less its margin; empty if nothing remains.
+/// Returns the bed shrunk by its margin; empty if nothing remains.
 Polygon UsableBed(const ArrangeOptions& options) {
   constexpr Coord kFar = 1'000 * kNmPerMm;
   Polygon bed = options.bed.size() < 3
@@ -107,8 +107,8 @@ Polygon UsableBed(const ArrangeOptions& options) {
   return inner.empty() ? Polygon{} : ConvexHull(inner[0].outer);
 }
 
-/// The excluded areas in convex pieces, grown by the margin: cut at the height of each corner, they
-/// come to trapezoids.
+/// Returns the excluded areas as convex pieces, grown by the margin. The areas are cut at the
+/// height of each corner, which gives trapezoids.
 std::vector<Polygon> ExcludedPieces(const ArrangeOptions& options) {
   const MultiPolygon areas = Union(options.excluded, FillRule::kNonZero);
   std::set<Coord> heights;
@@ -128,7 +128,7 @@ std::vector<Polygon> ExcludedPieces(const ArrangeOptions& options) {
   return pieces;
 }
 
-/// The task, and which item each of its sequence is.
+/// Packing task, with the index of the item that each element of its sequence is.
 struct PreparedItems {
   PackingTask task;
   std::vector<size_t> item_of;
@@ -136,7 +136,8 @@ struct PreparedItems {
 
 PreparedItems Prepare(std::span<const ArrangeItem> items, std::span<const FixedFootprint> fixed,
                       const ArrangeOptions& options) {
-  // Equal items are one shape; the largest come first, whatever the order of the input.
+  // Equal items share one shape. The largest items come first, independent of the order of the
+  // input.
   using Key = std::tuple<double, const Polygon&, const std::vector<double>&>;
   std::vector<std::pair<double, size_t>> by_area;
   const auto key = [&](const std::pair<double, size_t>& entry) {
@@ -172,7 +173,8 @@ size_t LeftOver(const Packing& packing) {
   return std::count(packing.items.begin(), packing.items.end(), std::nullopt);
 }
 
-/// Fewer left over, fewer plates, a last plate with fewer items.
+/// Returns true if `a` is better than `b`: it leaves fewer items over, then needs fewer plates,
+/// then has fewer items on the last plate.
 bool Better(const Packing& a, const Packing& b) {
   const auto rank = [](const Packing& packing) {
     const auto on_last = [&](const auto& item) {
@@ -186,7 +188,7 @@ bool Better(const Packing& a, const Packing& b) {
 
 bool OnePlate(const Packing& packing) { return packing.plates <= 1 && LeftOver(packing) == 0; }
 
-/// Equal items in one grid after the other.
+/// Returns a packing of equal items in one grid per plate.
 Packing InGrids(const PackingTask& task, size_t variant, Coord distance_nm) {
   const ShapeVariant& shape = task.shapes[0][variant];
   Packing packing;
@@ -224,14 +226,14 @@ absl::StatusOr<Packing> BestPacking(const PackingTask& task, Coord distance_nm,
   return *std::move(best);
 }
 
-/// All that stands on a plate.
+/// Everything on one plate.
 struct Group {
   std::vector<Point> corners;
-  std::vector<Polygon> kept_off;  ///< as ShapeVariant's
+  std::vector<Polygon> kept_off;  ///< forbidden translations, as in ShapeVariant
 };
 
-/// Returns how far the group is to be moved to bring the middle of its box as near to the bed's
-/// middle as the bed's outline, its excluded areas and the line between them allow.
+/// Returns the translation that moves the middle of the group's box towards the bed's middle, along
+/// a straight line, as far as the bed's outline and its excluded areas allow.
 Point TowardsMiddle(const Polygon& bed, Group group) {
   const auto twice_middle = [](const Box& box) { return box.min + box.max; };
   const Point way = twice_middle(Bounds(bed)) - twice_middle(Bounds(group.corners));
@@ -263,7 +265,7 @@ void CenterPlates(const PackingTask& task, Packing& packing) {
     const ShapeVariant& shape = task.shapes[task.sequence[i]][variant];
     Group& group = groups[plate];
     for (const Point corner : shape.hull) group.corners.push_back(corner + at);
-    // What the piece must be moved by, from where it is.
+    // The areas are relative to the item's present position.
     for (const Polygon& area : shape.kept_off) group.kept_off.push_back(Moved(area, Point{} - at));
   }
   std::vector<Point> moves(packing.plates);

@@ -10,60 +10,71 @@
 
 namespace slicefarm::slicing {
 
-/// A part that wants a place on a bed. Copies are items of their own.
+/// Part that needs a position on a bed. Each copy is a separate item.
 struct ArrangeItem {
-  Polygon footprint;  ///< hull or outline, the object's origin at 0, 0; holes count as filled
-  std::vector<double> rotations_deg = {0};  ///< ways round that it may lie, the best liked first
+  Polygon footprint;  ///< hull or outline, with the object's origin at 0, 0; holes count as filled
+  std::vector<double> rotations_deg = {0};  ///< allowed rotations about z, the preferred one first
 };
 
-/// A part that has its place already.
+/// Part with a fixed position.
 struct FixedFootprint {
-  Polygon footprint;  ///< where it stands
-  int plate = 0;      ///< >= 0
+  Polygon footprint;  ///< outline at its position
+  int plate = 0;  ///< plate index, >= 0
 };
 
+/// Options for arranging parts.
 struct ArrangeOptions {
-  Polygon bed;                       ///< convex; below three points: a square of 2 m
-  Coord distance_nm = 6 * kNmPerMm;  ///< between parts, >= 0; PrusaSlicer's min_object_distance
+  Polygon bed;  ///< convex; fewer than three points: a square of 2 m
+  /// distance between parts, >= 0; PrusaSlicer's min_object_distance
+  Coord distance_nm = 6 * kNmPerMm;
   std::vector<Polygon> excluded = {};  ///< areas of the bed where no part may be; may overlap
-  Coord bed_margin_nm = 0;  ///< from the bed's edge and the excluded areas, >= 0
-  int max_plates = 0;                ///< 0: as many as it takes
+  Coord bed_margin_nm = 0;  ///< distance from the bed's edge and the excluded areas, >= 0
+  int max_plates = 0;  ///< largest number of plates; 0: no limit
 };
 
+/// Position of an item on a plate.
 struct ItemPlace {
   int plate = 0;
-  Point translation;  ///< after the rotation about 0, 0; whole micrometres
+  Point translation;  ///< applied after the rotation about 0, 0; whole micrometres
   double rotation_deg = 0;
 
   friend bool operator==(const ItemPlace&, const ItemPlace&) = default;
 };
 
+/// Result of arranging.
 struct Arrangement {
-  std::vector<std::optional<ItemPlace>> places;  ///< one for each item
-  int plates = 0;                                ///< 0..n-1 are in use
-  std::vector<size_t> left_over;                 ///< indices of the items without a place
+  /// position of each item; none for items left over
+  std::vector<std::optional<ItemPlace>> places;
+  int plates = 0;  ///< plates 0..n-1 are in use
+  std::vector<size_t> left_over;  ///< indices of the items without a position
 };
 
-/// Puts parts on beds: in few plates, each plate's parts close together around the bed's middle.
-///
-/// Largest first, each item goes to the best place of the first plate that has one; places are the
-/// corners of the no-fit region, made of exact Minkowski sums of convex pieces (free_places.h).
-/// Packed once outwards from the middle and, if that takes more than one plate, once more from the
-/// front; the one of fewer plates counts. Equal items come as a grid instead where that takes no
-/// more plates. At the end each plate without fixed parts is moved as a whole towards the bed's
+/// Arranges parts on beds: on few plates, with each plate's parts close together around the bed's
 /// middle.
 ///
-/// Guarantees: no two parts on a plate nearer than distance_nm, none nearer to the bed's edge or to
-/// an excluded area than bed_margin_nm (to 1 nm), whatever the input. Deterministic; the set of places does not depend on
-/// the order of the items.
-/// Errors:  INVALID_ARGUMENT: SETTING_OUT_OF_RANGE for a bed that is not convex, negative lengths
-///          or plates; REQUEST_MALFORMED for an item without points or ways round; OUT_OF_RANGE for
-///          coordinates beyond kMaxCoord; REQUEST_TOO_LARGE for more than kMaxObjects; each names
-///          the `item` or `setting`. CANCELLED. What does not fit is left over.
-/// Cost:    see the figures; footprints of many corners are packed as at most 12 convex pieces.
+/// The largest item comes first. Each item goes to the best position on the first plate that has
+/// one. Candidate positions are the corners of the no-fit region, which is computed by exact
+/// Minkowski sums of convex pieces (free_places.h). Items are packed outwards from the middle. If
+/// this takes more than one plate, they are also packed from the front, and the packing with fewer
+/// plates is used. Equal items form a grid instead if the grid does not need more plates. Finally
+/// each plate without fixed parts is moved as a whole towards the bed's middle.
 ///
-/// Why not libnest2d 5.0, with which PrusaSlicer arranged before 2.6: its concave parts overlap.
-/// Bed 250 x 210 mm, distance 6 mm, no rotations, one core (CPU time):
+/// Guarantees: no two parts on a plate are closer than distance_nm. No part is closer to the bed's
+/// edge or to an excluded area than bed_margin_nm (to 1 nm), for any input. The result is
+/// deterministic; the set of positions does not depend on the order of the items.
+///
+/// Errors: INVALID_ARGUMENT, which names the `item` or `setting`, with reason
+///   SETTING_OUT_OF_RANGE  a bed that is not convex; negative lengths or plates
+///   REQUEST_MALFORMED     an item without points or rotations
+///   OUT_OF_RANGE          coordinates beyond kMaxCoord
+///   REQUEST_TOO_LARGE     more than kMaxObjects
+/// and CANCELLED. Items that do not fit are left over.
+///
+/// Cost: see the figures. Footprints with many corners are packed as at most 12 convex pieces.
+///
+/// Comparison with libnest2d 5.0, with which PrusaSlicer arranged before 2.6. It is not used
+/// because its concave parts overlap. Bed 250 x 210 mm, distance 6 mm, no rotations, one core (CPU
+/// time):
 ///
 ///                                        libnest2d                 this
 ///   100 parts 30 x 20                    3 plates, 0.8 s           2 plates, 0.02 s

@@ -53,7 +53,7 @@ Polygon Turned(Polygon ring, double deg) {
   return ring;
 }
 
-/// Distance of two outlines, each edge against each; 0 if they overlap.
+/// Returns the distance of two outlines by testing each edge against each; 0 if they overlap.
 double OutlineDistance(const Polygon& a, const Polygon& b) {
   double least = 1e300;
   for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)})
@@ -73,7 +73,7 @@ struct Standing {
   int plate;
 };
 
-/// All that a packing promises, checked by other means than it is made by.
+/// Checks all guarantees of a packing, by other methods than the packing uses.
 void ExpectSound(const std::vector<ArrangeItem>& items, const ArrangeOptions& options,
                  const Arrangement& result, const std::vector<FixedFootprint>& fixed = {}) {
   ASSERT_EQ(result.places.size(), items.size());
@@ -107,7 +107,7 @@ void ExpectSound(const std::vector<ArrangeItem>& items, const ArrangeOptions& op
   EXPECT_EQ(result.left_over, left_over);
 }
 
-/// Where things lie, whichever of equal items it is.
+/// Returns the positions of the footprints, regardless of the numbering of equal items.
 std::vector<std::tuple<int, Point, double, Polygon>> PlacesOf(const std::vector<ArrangeItem>& items,
                                                               const Arrangement& result) {
   std::vector<std::tuple<int, Point, double, Polygon>> places;
@@ -131,7 +131,7 @@ TEST(Arrange, PutsOnePartInTheMiddle) {
   EXPECT_THAT(one.places, ElementsAre(ItemPlace{0, {FromMm(110), FromMm(95)}, 0}));
 }
 
-/// Excluded areas of real printers' profiles.
+/// Returns the excluded areas of real printer profiles.
 std::vector<std::vector<Polygon>> ExcludedAreas() {
   const Polygon cutter = MakeLineOrDie("(0 0, 18 0, 18 28, 0 28)");
   const Polygon frame =

@@ -32,7 +32,7 @@ bool IsEar(const Polygon& ring, size_t i) {
   });
 }
 
-/// Triangles of a simple counter-clockwise ring; empty if it turns out not to be simple.
+/// Returns the triangles of a simple counter-clockwise ring; empty if the ring is not simple.
 std::vector<Polygon> EarClipped(Polygon ring) {
   std::vector<Polygon> triangles;
   while (ring.size() > 3) {
@@ -54,8 +54,8 @@ bool IsConvex(const Polygon& ring) {
   return true;
 }
 
-/// Two pieces joined along an edge that they share, empty if they share none or the result is not
-/// convex.
+/// Returns two pieces joined along a common edge. The result is empty if there is no common edge or
+/// if the joined piece would not be convex.
 Polygon JoinedConvex(const Polygon& a, const Polygon& b) {
   for (size_t i = 0; i < a.size(); ++i) {
     const auto match = std::find(b.begin(), b.end(), a[i]);
@@ -88,8 +88,8 @@ std::vector<Polygon> Merged(std::vector<Polygon> pieces) {
   return pieces;
 }
 
-/// The outline as one simple ring, simplified outwards if it has many corners; empty if that
-/// cannot be.
+/// Returns the outline as one simple ring, simplified outwards if it has many corners; empty if
+/// this is impossible.
 Polygon SimpleOutline(const Polygon& footprint) {
   const auto outer_of = [](const MultiPolygon& islands) {
     return islands.size() == 1 ? islands[0].outer : Polygon{};
@@ -98,7 +98,8 @@ Polygon SimpleOutline(const Polygon& footprint) {
   const MultiPolygon islands = Union(rings, FillRule::kNonZero);
   Polygon outer = outer_of(islands);
   if (outer.size() <= kExactCorners) {
-    // Union rounds crossings; without any the ring is the footprint's own.
+    // Union rounds the crossings of edges. A ring without crossings keeps the area of the
+    // footprint.
     return std::abs(SignedArea(outer)) == std::abs(SignedArea(footprint)) ? outer : Polygon{};
   }
   const Polygon grown = outer_of(Offset({{std::move(outer), {}}}, 2 * kOutwards));

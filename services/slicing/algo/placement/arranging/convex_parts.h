@@ -6,15 +6,15 @@
 
 namespace slicefarm::slicing {
 
-/// A footprint as convex pieces whose union contains it, for packing.
+/// Returns convex pieces that together contain a footprint, for packing.
 ///
-/// A simple outline (in either direction) of few corners is cut exactly, by ear clipping and then
-/// dropping cuts while the pieces stay convex (Hertel and Mehlhorn: at most four times the least
-/// number). One of more corners is simplified outwards first, by up to 0.2 mm. What crosses itself,
-/// has no area, or would need more than 12 pieces, comes as its convex hull.
+/// A simple outline (in either direction) with few corners is cut exactly: by ear clipping, then by
+/// removing cuts while the pieces stay convex (Hertel and Mehlhorn: at most four times the smallest
+/// number). An outline with more corners is first simplified outwards by up to 0.2 mm. An outline
+/// that crosses itself, has no area, or would need more than 12 pieces gives its convex hull.
 ///
-/// Errors: none; no points give no pieces. Cost: O(n log n) and O(c^2) for the at most 200 corners
-/// c that are cut.
+/// Errors: none; an outline without points gives no pieces. Cost: O(n log n) for n corners, plus
+/// O(c^2) for the c corners that are cut, at most 200.
 std::vector<Polygon> ConvexParts(const Polygon& footprint);
 
 }  // namespace slicefarm::slicing

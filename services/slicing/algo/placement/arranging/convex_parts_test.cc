@@ -23,7 +23,7 @@ double UnionArea(const std::vector<Polygon>& parts) {
   return Area(Union(parts, FillRule::kNonZero));
 }
 
-/// A star, mostly concave, of `corners`.
+/// Returns a star with this number of corners, mostly concave.
 Polygon Star(std::mt19937& random, int corners) {
   Polygon ring;
   for (int i = 0; i < corners; ++i) {
@@ -63,7 +63,7 @@ TEST(ConvexParts, CoverWhatTheyAreMadeOf) {
     ASSERT_FALSE(parts.empty());
     ASSERT_LE(parts.size(), 12u);
     for (const Polygon& part : parts) ASSERT_EQ(part, ConvexHull(part));
-    // Clipper rounds crossings of the parts with the shape.
+    // Clipper rounds the points where parts and shape cross.
     EXPECT_LT(Area(Difference({{shape, {}}}, Union(parts, FillRule::kNonZero))), 1e9);
     if (shape.size() <= 12) {
       EXPECT_NEAR(UnionArea(parts), SignedArea(shape), 1e9);

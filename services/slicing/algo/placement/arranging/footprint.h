@@ -10,17 +10,18 @@
 
 namespace slicefarm::slicing {
 
-/// The convex hull of meshes as seen from above, counter-clockwise. Fewer than three points if it
-/// has no area. Cost: O(n), and O(h log h) for the h vertices that are not well inside.
+/// Returns the convex hull of meshes seen from above, counter-clockwise. A hull without area has
+/// fewer than three points. Cost: O(n), plus O(h log h) for the h vertices that are not well
+/// inside.
 Polygon Footprint(std::span<const IndexedMesh* const> meshes);
 
-/// A footprint, and where the copies of what it belongs to stand.
+/// Footprint of a part, and the positions of the part's copies.
 struct Copies {
   const Polygon* footprint = nullptr;
   std::span<const Point> centers;
 };
 
-/// A copy: which of the parts it belongs to, and which of that part's copies it is.
+/// Reference to a copy: index of its part, and index among the copies of that part.
 struct CopyOf {
   size_t part = 0;
   size_t copy = 0;
@@ -28,10 +29,10 @@ struct CopyOf {
   friend auto operator<=>(const CopyOf&, const CopyOf&) = default;
 };
 
-/// Every two copies whose footprints have area in common, each two in ascending order, all of them
-/// sorted. Hulls may overlap where parts do not, such as two brackets one in the corner of the
-/// other. Cost: O(c log c) for c copies in a row whose boxes are apart; a boolean operation for
-/// each two whose boxes overlap.
+/// Returns all pairs of copies with footprints that overlap in an area. Each pair is in ascending
+/// order, and the list is sorted. Hulls may overlap even if the parts do not, for example two
+/// brackets of which one is in the corner of the other. Cost: O(c log c) for c copies in a row with
+/// separate boxes; a boolean operation for each pair with overlapping boxes.
 std::vector<std::pair<CopyOf, CopyOf>> OverlappingFootprints(std::span<const Copies> parts);
 
 }  // namespace slicefarm::slicing

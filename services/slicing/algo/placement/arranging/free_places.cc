@@ -11,14 +11,15 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// How far outside a double may lie and still be tried, in nm.
+/// Distance by which a double may lie outside and is still tried, in nm.
 constexpr double kSlack = 0.5;
 
-/// A wedge of about this many radians needs more than the last step to be a grid step wide.
+/// Angle limit, in radians: in a sharper wedge, even the largest step would not reach a width of
+/// one grid step.
 constexpr double kSharpest = 4e-3;
 
 Point ExtremeAgainst(const Polygon& hull, Point along) {
-  // The hull's point farthest to the right of a direction.
+  // Search the hull's point farthest to the right of a direction.
   Point worst = hull[0];
   for (const Point p : hull)
     if (Orientation({0, 0}, along, p - worst) < 0) worst = p;
@@ -55,7 +56,7 @@ FreePlaces::FreePlaces(const Polygon& bed, const Polygon& hull, Point target) : 
 bool FreePlaces::InBed(Point t) const {
   return std::all_of(limits_.begin(), limits_.end(), [t](const Limit& limit) {
     const Point at = limit.corner + t - limit.from;
-    // Within 2^33 nm a double is wrong by less than this many nm^2.
+    // For coordinates up to 2^33 nm, the double result is wrong by less than this many nm^2.
     constexpr double kDoubt = 1 << 14;
     const double cross = Cross(limit.along, at);
     return cross > kDoubt || (cross > -kDoubt && Orientation({0, 0}, limit.along, at) >= 0);
@@ -94,7 +95,7 @@ void FreePlaces::Register(Polygon ring) {
 }
 
 std::vector<Vector2> FreePlaces::BedRing(const Polygon& bed) const {
-  // Sutherland and Hodgman: the bed's box around one corner of the hull, cut by each limit.
+  // Sutherland-Hodgman clipping: the bed's box around one corner of the hull is cut by each limit.
   Box box = Bounds(bed);
   const Point corner = limits_[0].corner;
   box = {box.min - corner, box.max - corner};
@@ -165,7 +166,7 @@ void FreePlaces::OfferCrossing(const Segment& a, const Segment& b) {
   if (t < 0 || t > 1 || u < 0 || u > 1) return;
   const Vector2 spot = {a.a.x() + t * ax, a.a.y() + t * ay};
   if (Offer(spot)) return;
-  // Both obstacles lie to the left of their edges: outwards is to the right of both.
+  // The two obstacles are to the left of their edges, so outwards is to the right of both edges.
   const double la = Hypot(ax, ay), lb = Hypot(bx, by);
   const double nx = ay / la + by / lb, ny = -ax / la - bx / lb, n = Hypot(nx, ny);
   if (n < kSharpest) return;

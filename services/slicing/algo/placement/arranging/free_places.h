@@ -9,48 +9,51 @@
 
 namespace slicefarm::slicing {
 
-/// Places on a grid of 1 um where a part can stand, as translations of its footprint.
+/// Grid step of the positions where a part can be placed (translations of its footprint), 1 um.
 inline constexpr Coord kPlaceStep = 1'000;
 
-/// Where on one plate a part can stand: the places that matter to a packing, kept while other parts
-/// come.
+/// Free positions for a part on one plate: the candidates that matter for packing, updated while
+/// other parts are added.
 ///
-/// A part with hull H may be moved by t if H + t lies in the bed, and t lies strictly inside none
-/// of the obstacles: no-fit polygons, Minkowski sums of what stands there with the part mirrored
-/// and the clearance. The least of any convex cost over the free translations lies at a corner of
-/// the free region or where its boundary is nearest to a target, so only these are kept: corners
-/// and crossings of the outlines of obstacles and of the bed's, and the feet of the target on
-/// their edges. Each is rounded to kPlaceStep in all four ways and tested exactly, so a slot that
-/// fits exactly is found, and rounding never lets parts come too near. In a wedge so sharp that its
-/// end holds no place of the grid, places up to 0.25 mm farther out are tried.
+/// A part with hull H may be moved by t if H + t lies in the bed and t is strictly inside no
+/// obstacle. Obstacles are no-fit polygons: Minkowski sums of the placed parts with the mirrored
+/// part and the clearance. The minimum of any convex cost over the free translations lies at a
+/// corner of the free region, or at the boundary point nearest to a target. So only these points
+/// are kept: corners and crossings of the outlines of obstacles and bed, and the feet of the target
+/// on their edges.
 ///
-/// Cost: of each obstacle O(k m) for the k obstacles that meet it, of m corners each, and O(c k)
-/// for the c places that it offers.
+/// Each point is rounded to kPlaceStep in all four directions and tested exactly. So a gap that
+/// fits exactly is found, and rounding never brings parts too close together. If the end of a wedge
+/// is so sharp that it contains no grid point, points up to 0.25 mm farther out are tried.
+///
+/// Cost: O(k m) per obstacle for the k obstacles that meet it, with m corners each, and O(c k) for
+/// the c points that it offers.
 class FreePlaces {
  public:
-  /// REQUIRES: bed and hull convex (common/geometry/convex.h), bed of at least three points.
-  /// `target`: the translation that the packing would like best.
+  /// REQUIRES: bed and hull are convex (common/geometry/convex.h), the bed has at least three
+  /// points. `target`: the translation that the packing prefers.
   FreePlaces(const Polygon& bed, const Polygon& hull, Point target);
 
-  /// From now on no translation strictly inside one of these convex polygons. Many at once cost
-  /// less than one by one.
+  /// Forbids all translations strictly inside one of these convex polygons. One call with many
+  /// polygons is cheaper than many calls.
   void AddObstacles(std::vector<Polygon> obstacles);
 
-  /// All places found, without order.
+  /// Returns all positions found, in no particular order.
   const std::vector<Point>& Places() const { return places_; }
 
-  /// Whether the part may be moved by t. Exact. Cost: O(bed's corners + obstacles around t).
+  /// Returns true if the part may be moved by `t`. Exact. Cost: O(bed's corners + obstacles around
+  /// t).
   bool Allowed(Point t) const;
 
  private:
   struct Limit {
-    Point from, along;  ///< an edge of the bed
-    Point corner;       ///< of the hull, the first to leave it
+    Point from, along;  ///< edge of the bed
+    Point corner;  ///< corner of the hull that leaves the bed first over this edge
   };
   struct Obstacle {
     Polygon ring;
     Box box;
-    std::vector<Vector2> spots;  ///< the ring's
+    std::vector<Vector2> spots;  ///< corners of the ring
   };
   struct Segment {
     Vector2 a, b;
@@ -67,14 +70,14 @@ class FreePlaces {
   bool Offer(Vector2 spot);
   static std::vector<Segment> Within(const std::vector<Vector2>& ring, const Box& box);
 
-  static constexpr Coord kCells = 16;  ///< in each direction
+  static constexpr Coord kCells = 16;  ///< number of cells in each direction
 
   Point target_;
   std::vector<Limit> limits_;
-  std::vector<Vector2> bed_ring_;  ///< outline, clockwise, of the translations that stay in the bed
-  Box bed_box_;                    ///< around it
+  std::vector<Vector2> bed_ring_;  ///< outline of the translations that stay in the bed, clockwise
+  Box bed_box_;  ///< box around `bed_ring_`
   std::vector<Obstacle> obstacles_;
-  std::vector<std::vector<uint32_t>> cells_;  ///< the obstacles over each cell of bed_box_
+  std::vector<std::vector<uint32_t>> cells_;  ///< obstacles over each cell of bed_box_
   std::vector<Point> places_;
 };
 

@@ -47,7 +47,7 @@ TEST(FreePlaces, OfATooLargePartAreNone) {
 
 TEST(FreePlaces, FindsASlotThatFitsExactly) {
   FreePlaces free(Rectangle(100, 80), Rectangle(20, 80), At(0, 0));
-  // Parts of 40 x 80 stand at both ends of the bed: translations in between are free.
+  // Parts of 40 x 80 are at both ends of the bed; the translations in between are free.
   const Polygon beside = Moved(Rectangle(60, 160), At(-20, -80));
   free.AddObstacles({beside, Moved(beside, At(60, 0))});
   EXPECT_THAT(free.Places(), Contains(At(40, 0)));
@@ -78,7 +78,7 @@ TEST(FreePlaces, AreAllowedAndHoldTheNearestToTheTarget) {
     };
     const double best = nearest(together);
     EXPECT_EQ(best, nearest(single));
-    // No allowed place of a coarse grid is nearer.
+    // No allowed point of a coarse grid is nearer.
     for (Coord x = 0; x <= 99; ++x)
       for (Coord y = 0; y <= 99; ++y)
         if (together.Allowed(At(x, y))) {

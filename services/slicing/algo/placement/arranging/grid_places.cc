@@ -16,11 +16,12 @@ Coord RoundedUp(Coord value) { return (value + kPlaceStep - 1) / kPlaceStep * kP
 Coord Rounded(Coord value) { return std::llround(1.0 * value / kPlaceStep) * kPlaceStep; }
 
 struct Grid {
-  Point middle;  ///< translation that puts one part on the middle of the bed
+  Point middle;  ///< translation that moves one part to the middle of the bed
   Coord dx = 0, dy = 0;
-  Coord columns = 0, rows = 0;  ///< that the bed's box holds
+  Coord columns = 0, rows = 0;  ///< size of the largest grid in the bed's box
 
-  /// The i-th of `of` places in a row, a half pitch from the middle where `of` is even.
+  /// Returns the offset of the i-th of `of` positions in a row. The row is centred, so for an even
+  /// `of` the positions nearest to the middle are half a pitch away from it.
   static Coord Offset(Coord pitch, Coord i, Coord of) {
     return i * pitch - Rounded((of - 1) * pitch / 2);
   }
@@ -46,7 +47,8 @@ Grid GridOn(const Polygon& bed, const Box& part, Coord distance_nm) {
   return grid;
 }
 
-/// All places of columns x rows, row by row from the front; empty if one lies beside the bed.
+/// Returns all positions of columns x rows, row by row from the front; empty if one of them is not
+/// free.
 std::vector<Point> Block(const Grid& grid, Coord columns, Coord rows, const FreePlaces& free) {
   std::vector<Point> block;
   for (Coord row = 0; row < rows; ++row)
@@ -57,7 +59,7 @@ std::vector<Point> Block(const Grid& grid, Coord columns, Coord rows, const Free
   return fits ? block : std::vector<Point>{};
 }
 
-/// The most nearly square block of at least `count` places.
+/// Returns the most nearly square block of at least `count` positions.
 std::vector<Point> SquarestBlock(const Grid& grid, Coord count, const FreePlaces& free) {
   std::vector<Point> best;
   Coord best_side = INT64_MAX;
@@ -74,7 +76,8 @@ std::vector<Point> SquarestBlock(const Grid& grid, Coord count, const FreePlaces
   return best;
 }
 
-/// The places on the bed of a grid that has a part, or the middle between two, at its middle.
+/// Returns the free positions of a grid that is centred on the bed. With an odd number of columns
+/// or rows, a part is in the middle; with an even number, the middle between two parts.
 std::vector<Point> OnBed(const Grid& grid, Coord columns, Coord rows, const FreePlaces& free) {
   std::vector<Point> places;
   for (Coord row = 0; row < rows; ++row)

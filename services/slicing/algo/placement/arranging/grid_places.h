@@ -7,15 +7,18 @@
 
 namespace slicefarm::slicing {
 
-/// Up to `count` translations that put equal parts in rows and columns around the bed's middle,
-/// `distance_nm` between their boxes: the most nearly square block that holds all of them, its last
-/// row perhaps not full; where no such block fits, as on a full or round bed, the places of the
-/// grid that lie nearest to the middle. Fewer than `count`: this bed's grid holds no more.
+/// Returns up to `count` translations that put equal parts in rows and columns around the bed's
+/// middle, with `distance_nm` between their boxes.
 ///
-/// Units:    nm; translations are multiples of kPlaceStep (free_places.h).
-/// REQUIRES: bed and hull convex (common/geometry/convex.h), bed of at least three points.
-/// Cost:     O(g b) for the g places of the grid over the bed's box and b corners of the bed.
-/// `kept_off`: convex polygons, strictly inside of which no translation may lie.
+/// The result is the most nearly square block for all parts; its last row may be incomplete. If no
+/// such block fits, as on a full or round bed, it is the positions of the grid nearest to the
+/// middle. The result has fewer than `count` translations if this bed's grid has no more.
+///
+/// Units:    nm; translations are multiples of kPlaceStep (free_places.h). REQUIRES: bed and hull
+/// convex (common/geometry/convex.h), bed of at least three points.
+///
+/// Cost: O(g b) for the g positions of the grid over the bed's box and b corners of the bed.
+/// `kept_off`: convex polygons; no translation may be strictly inside of them.
 std::vector<Point> GridPlaces(const Polygon& bed, const Polygon& hull, Coord distance_nm,
                               size_t count, const std::vector<Polygon>& kept_off = {});
 

@@ -31,7 +31,7 @@ TEST(GridPlaces, PutsOneInTheMiddleAndFourAroundIt) {
 }
 
 TEST(GridPlaces, FillsABedExactly) {
-  // 6 x 36 - 6 = 210, 8 x 26 - 6 = 202
+  // 8 columns and 6 rows: 6 x 36 - 6 = 210, 8 x 26 - 6 = 202.
   EXPECT_THAT(GridPlaces(Rectangle(210, 202), Rectangle(30, 20), kDistance, 1000), SizeIs(48));
   EXPECT_THAT(GridPlaces(Rectangle(209.9, 202), Rectangle(30, 20), kDistance, 1000), SizeIs(40));
   EXPECT_THAT(GridPlaces(Rectangle(250, 210), Rectangle(30, 20), kDistance, 1000), SizeIs(56));

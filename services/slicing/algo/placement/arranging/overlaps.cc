@@ -14,13 +14,13 @@ namespace {
 
 constexpr double kLeastAreaNm2 = 1e9;  // 0.001 mm2: where copies only touch, roundings have less
 
-/// An object's outline at some height.
+/// Outline of an object at a height.
 struct Slice {
   const ObjectSection* section = nullptr;
   Coord bottom_nm = 0;
 };
 
-/// `b`: as it stands beside `a`.
+/// Returns true if the areas overlap after `b` is moved by `shift`.
 bool ShareArea(const MultiPolygon& a, const MultiPolygon& b, Point shift) {
   const Box left = Bounds(a);
   Box right = Bounds(b);
@@ -30,12 +30,13 @@ bool ShareArea(const MultiPolygon& a, const MultiPolygon& b, Point shift) {
   return Area(Intersection(a, Moved(b, shift))) > kLeastAreaNm2;
 }
 
-/// Two objects as they stand beside one another, from the top of the job downwards.
+/// Pair of neighbouring objects, followed from the top of the job downwards.
 class Neighbours {
  public:
   Neighbours(int32_t a, int32_t b, Point shift) : objects_{a, b}, shift_(shift) {}
 
-  /// Whether the outlines in `layer`, which is the next one below, have area in common.
+  /// Returns true if the outlines of both objects overlap in `layer`. Call it for all layers, from
+  /// the top down.
   bool ShareRoom(const SlicedLayer& layer) {
     for (const ObjectSection& section : layer.sections)
       for (size_t i = 0; i < 2; ++i)
@@ -56,10 +57,10 @@ class Neighbours {
   int32_t objects_[2];
   Point shift_;
   Slice slices_[2] = {};
-  const MultiPolygon* seen_[2] = {};  ///< the outlines looked at last
+  const MultiPolygon* seen_[2] = {};  ///< outlines compared last
 };
 
-/// Two objects, and how far the second one's copy stands from the first one's.
+/// Two objects, and the position of the second one's copy relative to the first one's.
 using Standing = std::tuple<size_t, size_t, Point>;
 
 absl::StatusOr<bool> ShareRoom(std::span<const SlicedLayer> layers, const Standing& standing,

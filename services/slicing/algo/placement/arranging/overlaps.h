@@ -11,12 +11,13 @@
 
 namespace slicefarm::slicing {
 
-/// For each of `objects`, how many of its copies share room with a copy of another or of the same
-/// object: there is a height at which the outlines of both have more than 0.001 mm2 in common.
+/// Returns for each of `objects` how many of its copies overlap with a copy of the same or another
+/// object. Two copies overlap if their outlines have more than 0.001 mm2 in common at some height.
 ///
-/// `layers`: of the whole job, bottom up, where the parts' stacks count `objects`. Errors:
-/// CANCELLED. Cost: for each two copies whose footprints overlap, a boolean operation a layer;
-/// layers like the one above and copies that stand as two others do cost none.
+/// `layers`: all layers of the job, bottom up; their stacks are indices into `objects`. Errors:
+/// CANCELLED. Cost: one boolean operation per layer for each pair of copies with overlapping
+/// footprints. Layers equal to the layer above, and pairs with an already tested relative position,
+/// cost nothing.
 absl::StatusOr<std::vector<int64_t>> CountOverlapping(std::span<const SlicedLayer> layers,
                                                       std::span<const Copies> objects,
                                                       const CancelToken& cancel);

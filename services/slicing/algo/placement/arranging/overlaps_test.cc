@@ -21,10 +21,10 @@ Point At(double x_mm, double y_mm) { return {FromMm(x_mm), FromMm(y_mm)}; }
 struct Tower {
   std::vector<const char*> outlines;
   Coord height_nm = kMm;
-  Coord lift_nm = 0;  ///< of a raft
+  Coord lift_nm = 0;  ///< height of a raft below the object
 };
 
-/// Layers of a job that end where some tower's layer ends.
+/// Returns the layers of a job. A layer ends at each height where a layer of some tower ends.
 std::vector<SlicedLayer> LayersOf(const std::vector<Tower>& towers) {
   std::map<Coord, std::vector<ObjectSection>> by_top;
   for (size_t object = 0; object < towers.size(); ++object) {
@@ -49,7 +49,8 @@ std::vector<SlicedLayer> LayersOf(const std::vector<Tower>& towers) {
   return layers;
 }
 
-/// Copies of each tower at its places; the footprint is that of all outlines.
+/// Counts overlapping copies of the towers at the given positions. The footprint of a tower covers
+/// all of its outlines.
 std::vector<int64_t> Count(const std::vector<Tower>& towers,
                            const std::vector<std::vector<Point>>& places) {
   std::vector<Polygon> hulls;
@@ -101,7 +102,7 @@ TEST(CountOverlapping, OfTwoObjects) {
 }
 
 TEST(CountOverlapping, OfLayersOfDifferentHeights) {
-  // The second object's layer is thinner, and no layer of the job ends where both end.
+  // The second object's layer is thinner. No layer of the job ends at the top of both.
   const Tower thick = {{"(0 0, 2 0, 2 10, 0 10)", kSquare}, 3 * kMm};
   const Tower low = {{"(3 3, 7 3, 7 7, 3 7)"}, 2 * kMm};
   const Tower high = {{low.outlines[0], low.outlines[0]}, 2 * kMm};

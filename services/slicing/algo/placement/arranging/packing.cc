@@ -24,7 +24,7 @@ Polygon Rotated(Polygon ring, double rotation_deg) {
   return ring;
 }
 
-/// What must be small about a shape that is to fit in.
+/// Smallest extents and area of a shape over its rotations.
 struct Size {
   Coord x = INT64_MAX, y = INT64_MAX;
   double area = std::numeric_limits<double>::infinity();
@@ -47,16 +47,16 @@ Size SizeOf(const Shape& shape) {
   return size;
 }
 
-/// Among more items than this, one is not tried where a hardly smaller one found no place.
+/// Number of items above which an item is also skipped if a slightly smaller one was refused.
 constexpr size_t kMany = 200;
 constexpr double kHardlySmaller = 0.85;
 
-/// What stands on one plate, and the free places there of the shape that is being placed.
+/// Parts on one plate, and the free positions there for the shape being placed.
 struct Plate {
   std::vector<std::pair<const std::vector<Polygon>*, Point>> standing;
-  std::vector<FreePlaces> free;  ///< one for each variant; empty: not yet made
-  size_t seen = 0;               ///< of `standing`, in `free`
-  std::vector<Size> refused;     ///< of shapes that found no place
+  std::vector<FreePlaces> free;  ///< one for each variant; empty: not computed yet
+  size_t seen = 0;  ///< number of parts of `standing` that are already obstacles in `free`
+  std::vector<Size> refused;  ///< sizes of shapes that found no position
 };
 
 class Packer {
@@ -121,8 +121,8 @@ class Packer {
     return best;
   }
 
-  /// Whether a plate refused what is no larger. A shape that fits where a smaller box did not is
-  /// rare: it must be of other form.
+  /// Returns true if the plate has refused a shape that is not larger. A shape rarely fits where a
+  /// smaller box did not: it would need a different form.
   bool Hopeless(const Plate& plate) const {
     const double share = task_.sequence.size() > kMany ? kHardlySmaller : 1;
     return std::any_of(plate.refused.begin(), plate.refused.end(),
@@ -150,7 +150,7 @@ class Packer {
     plate.seen = plate.standing.size();
   }
 
-  /// Least is best; all ties are broken.
+  /// Returns the cost of a position, the smallest is best; the last elements break all ties.
   std::tuple<double, Coord, Coord, size_t> Cost(const Shape& shape, const PackedItem& item) const {
     const Box& box = shape[item.variant].box;
     const Point t = item.translation;
@@ -165,7 +165,7 @@ class Packer {
   std::vector<Plate> plates_;
   size_t shape_ = SIZE_MAX;
   Size size_;
-  bool too_large_ = false;  ///< for an empty plate, the present shape
+  bool too_large_ = false;  ///< true if the current shape is too large even for an empty plate
 };
 
 }  // namespace

@@ -11,60 +11,68 @@
 
 namespace slicefarm::slicing {
 
-/// A footprint in one of the ways round that it may lie.
+/// Footprint in one of its allowed rotations.
 struct ShapeVariant {
   double rotation_deg = 0;
   Polygon hull;
   Box box;
-  std::vector<Polygon> parts;     ///< convex pieces
-  std::vector<Polygon> mirrored;  ///< the pieces mirrored in the origin and grown by the distance
+  std::vector<Polygon> parts;  ///< convex pieces
+  std::vector<Polygon> mirrored;  ///< pieces mirrored at the origin and grown by the distance
   std::vector<Polygon> kept_off;  ///< translations that put a piece into an excluded area; convex
 };
-/// `excluded`: convex pieces of the bed's excluded areas. REQUIRES: footprint not empty.
+/// Makes a variant of a footprint. `excluded`: convex pieces of the bed's excluded areas. REQUIRES:
+/// the footprint is not empty.
 ShapeVariant MakeVariant(const Polygon& footprint, double rotation_deg, Coord distance_nm,
                          std::span<const Polygon> excluded = {});
 
 /// Returns the translations that put one of the convex `parts` into an area: one polygon for each
-/// part and area.
+/// pair of part and area.
 std::vector<Polygon> KeptOff(std::span<const Polygon> parts, std::span<const Polygon> excluded);
 
+/// Variants of one footprint, the preferred rotation first.
 using Shape = std::vector<ShapeVariant>;
 
+/// Part with a fixed position on a plate.
 struct StandingPart {
   std::vector<Polygon> parts;
   int plate = 0;
 };
 
+/// Input of Pack.
 struct PackingTask {
   Polygon bed;  ///< convex, counter-clockwise
-  std::vector<Polygon> excluded = {};  ///< convex areas of the bed where nothing may be
+  std::vector<Polygon> excluded = {};  ///< convex areas of the bed where nothing may be placed
   std::vector<Shape> shapes;
-  std::vector<size_t> sequence;        ///< index of the shape of each item, in order of placing
-  std::vector<StandingPart> standing;  ///< on plates 0, 1, ...
-  int max_plates = 0;                  ///< 0: any number
+  std::vector<size_t> sequence;  ///< index of the shape of each item, in order of placing
+  std::vector<StandingPart> standing;  ///< fixed parts on plates 0, 1, ...
+  int max_plates = 0;  ///< largest number of plates; 0: no limit
 };
 
+/// Position of an item in a packing.
 struct PackedItem {
   int plate = 0;
   size_t variant = 0;
   Point translation;
 };
+/// Result of Pack.
 struct Packing {
-  std::vector<std::optional<PackedItem>> items;  ///< one for each of the sequence
-  int plates = 0;                                ///< that have an item or a standing part
+  std::vector<std::optional<PackedItem>> items;  ///< position of each item of the sequence
+  int plates = 0;  ///< number of plates with an item or a fixed part
 };
 
+/// Preferred position of an item on a plate.
 enum class PackingOrder {
-  kFromMiddle,  ///< each item as near to the bed's middle as can be
-  kFromFront,   ///< each item as far to the front, then to the left
+  kFromMiddle,  ///< nearest to the bed's middle
+  kFromFront,  ///< farthest to the front, then farthest to the left
 };
 
-/// Greedy packing: each item goes to the first plate that has a place for it, and there to the best
-/// one of FreePlaces under `order`. Items that fit on no plate stay without a place.
+/// Packs greedily: each item goes to the first plate that has a free position for it. On that plate
+/// it goes to the best position of FreePlaces under `order`. Items that fit on no plate stay
+/// without a position.
 ///
-/// Errors: CANCELLED. Cost: for each item O(k m) on the plate where it lands, for the k parts there
-/// of m corners; and each time the sequence changes to another shape, O(k^2 m^2) at worst for each
-/// plate that is tried.
+/// Errors: CANCELLED. Cost: O(k m) per item on its plate, for the k parts there with m corners
+/// each. Each change of the sequence to another shape costs at worst O(k^2 m^2) for each plate that
+/// is tried.
 absl::StatusOr<Packing> Pack(const PackingTask& task, PackingOrder order,
                              const CancelToken& cancel);
 

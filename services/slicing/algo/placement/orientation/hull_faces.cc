@@ -18,19 +18,21 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 constexpr size_t kExact = 20'000;
-constexpr size_t kMostPoints = 12'000;  ///< beside the selection
-constexpr int kBins = 32;               ///< along each edge of the cube of directions
-constexpr double kReach = 20'000;       ///< nm
+constexpr size_t kMostPoints = 12'000;  ///< largest number of points besides the selection
+constexpr int kBins = 32;  ///< bins along each edge of the cube of directions
+/// distance in nm from which a point outside the first hull is kept
+constexpr double kReach = 20'000;
 
 Vector3d AsVector(const Vertex& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-/// A triangulated hull in nm.
+/// Triangulated hull, in nm.
 struct Triangulation {
   std::vector<Vector3d> corners;
   std::vector<std::array<uint32_t, 3>> triangles;
-  std::vector<std::array<uint32_t, 3>> beyond;  ///< the triangle over the edge i, i + 1
+  /// index of the triangle beyond the edge from i to i + 1
+  std::vector<std::array<uint32_t, 3>> beyond;
 };
 
 Triangulation HullOfPoints(const std::vector<Vertex>& points) {
@@ -61,7 +63,7 @@ Triangulation HullOfPoints(const std::vector<Vertex>& points) {
   return hull;
 }
 
-/// The part of a cube of directions that a vector points to.
+/// Returns the bin of the cube of directions that a vector points to.
 size_t BinOf(const Vector3d& d) {
   int axis = 0;
   const double size = d.cwiseAbs().maxCoeff(&axis);
@@ -84,7 +86,7 @@ Vector3d MiddleOf(std::span<const Vertex> vertices) {
   return (min + max) / 2;
 }
 
-/// For each direction the vertex farthest from the middle.
+/// Returns for each direction the vertex farthest from the middle.
 std::vector<Vertex> Selection(std::span<const Vertex> vertices, const Vector3d& middle) {
   std::vector<double> farthest(kBinCount, -1);
   std::vector<Vertex> chosen(kBinCount);
@@ -101,7 +103,8 @@ std::vector<Vertex> Selection(std::span<const Vertex> vertices, const Vector3d& 
   return selection;
 }
 
-/// How far points reach out of a hull, by walking over its triangles as seen from within.
+/// Finds by how much points are outside of a hull. It walks over the hull's triangles as seen from
+/// the inside.
 class Reach {
  public:
   explicit Reach(const Triangulation& hull) : hull_(hull), hints_(kBinCount, 0) {
@@ -136,10 +139,10 @@ class Reach {
 
   const Triangulation& hull_;
   Vector3d inside_ = Vector3d::Zero();
-  std::vector<uint32_t> hints_;  ///< a triangle near each direction
+  std::vector<uint32_t> hints_;  ///< start triangle near each direction
 };
 
-/// Few vertices with nearly the same hull.
+/// Returns few vertices that have nearly the same hull.
 std::vector<Vertex> Thinned(std::span<const Vertex> vertices) {
   std::vector<Vertex> points = Selection(vertices, MiddleOf(vertices));
   const Triangulation inner = HullOfPoints(points);

@@ -55,7 +55,7 @@ TEST(HullOf, ManyPointsOnABallIsNearlyTheBall) {
   }
   const SpaceHull hull = HullOf(points);
   EXPECT_NEAR(AreaOf(hull), 4 * M_PI * 2500, 0.002 * 4 * M_PI * 2500);
-  // More points than are kept reach out by 0.02 mm, but none by much more.
+  // More points than the limit are 0.02 mm outside, but no point is much farther out.
   for (size_t i = 0; i < points.size(); i += 2'000) {
     const Eigen::Vector3d p(ToMm(points[i].x), ToMm(points[i].y), ToMm(points[i].z));
     double farthest = 0;

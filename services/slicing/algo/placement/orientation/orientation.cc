@@ -24,21 +24,23 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kContactMm = 0.05;
-constexpr double kDoubtDeg = 0.1;  ///< faces just at the angle differ by rounding
+/// tolerance in degrees: faces exactly at the angle differ by rounding
+constexpr double kDoubtDeg = 0.1;
 constexpr size_t kMostCandidates = 40;
 constexpr double kSame = 1e-6;  ///< square of an angle of 0.06 degrees
 constexpr double kHeightWeight = 0.25;
 constexpr double kContactWeight = 0.25;
 
-/// The mesh in mm, and what all candidates need of it.
+/// Mesh in mm, with the values that all candidates need.
 struct Body {
   std::vector<Vector3d> vertices;
-  std::vector<Vector3d> across;  ///< of each triangle: its normal, as long as its area
+  /// normal of each triangle, with the triangle's area as its length
+  std::vector<Vector3d> across;
   std::vector<double> area;
   SpaceHull hull;
-  Vector3d mass = Vector3d::Zero();  ///< centre of
+  Vector3d mass = Vector3d::Zero();  ///< centre of mass
   double hull_mm2 = 0;
-  double size_mm = 0;  ///< the root of the hull's area
+  double size_mm = 0;  ///< square root of the hull's area
 };
 
 Vector3d CenterOfMass(const IndexedMesh& mesh, const Body& body) {
@@ -72,7 +74,8 @@ Body MakeBody(const IndexedMesh& mesh) {
   return body;
 }
 
-/// The mesh without vertices that no triangle uses: they are no part of the object.
+/// Returns the mesh without the vertices that no triangle uses, because they are no part of the
+/// object.
 IndexedMesh Compacted(const IndexedMesh& mesh) {
   std::vector<uint32_t> index(mesh.vertices.size(), UINT32_MAX);
   for (const auto& triangle : mesh.triangles)
@@ -96,10 +99,10 @@ void Measure(const IndexedMesh& mesh, Body& body) {
   body.mass = CenterOfMass(mesh, body);
 }
 
-/// Directions that may look down, by the area that looks there.
+/// Directions that may be turned down, with the area of the faces that point there.
 class Directions {
  public:
-  /// `across`: normal, as long as the area.
+  /// Adds a face. `across`: its normal, with the area as its length.
   void Add(const Vector3d& across, double area) {
     if (area <= 0) return;
     const Vector3d normal = across / area;
@@ -123,7 +126,7 @@ class Directions {
  private:
   struct Bin {
     double area = 0, largest = 0;
-    Vector3d normal;  ///< of the largest face
+    Vector3d normal;  ///< normal of the largest face
   };
   static std::array<int, 3> Key(const Vector3d& normal) {
     const auto part = [](double v) { return static_cast<int>(std::lround(v * 50)); };
@@ -132,7 +135,7 @@ class Directions {
   std::map<std::array<int, 3>, Bin> bins_;
 };
 
-/// The least rotation that turns `normal` down; + - * / only.
+/// Returns the smallest rotation that turns `normal` down, computed with + - * / only.
 Matrix3d TurnedDown(const Vector3d& normal) {
   if (normal.z() < -1 + 1e-12) return Matrix3d::Identity();
   if (normal.z() > 1 - 1e-12) return Vector3d(1, -1, -1).asDiagonal();
@@ -163,7 +166,7 @@ std::vector<Matrix3d> Candidates(const Body& body) {
 
 Point OnBed(const Vector3d& v) { return {FromMm(v.x()), FromMm(v.y())}; }
 
-/// Heights of all vertices over the bed, and the hull of those that touch it.
+/// Heights of all vertices above the bed, and the hull of the vertices that touch the bed.
 struct Stand {
   std::vector<double> height;
   Polygon base;
@@ -204,7 +207,7 @@ void AddFaces(const IndexedMesh& mesh, const Body& body, const Stand& stand,
   }
 }
 
-/// All but what faces say, which costs most.
+/// Returns all measures of an orientation except the ones from faces, which cost most.
 PrintOrientation Measured(const Body& body, const Stand& stand, const Matrix3d& rotation) {
   PrintOrientation result;
   result.rotation = rotation;
@@ -231,7 +234,8 @@ absl::Status CheckOptions(const OrientationOptions& options) {
                    {{"setting", "overhang_deg"}});
 }
 
-/// Best first, each once: the present orientation comes twice if it lies on a face.
+/// Returns the best orientations first, each one once. The current orientation occurs twice if it
+/// lies on a face.
 std::vector<PrintOrientation> Ranked(std::vector<PrintOrientation> all, size_t count) {
   std::stable_sort(all.begin(), all.end(),
                    [](const auto& a, const auto& b) { return a.score < b.score; });
@@ -274,7 +278,7 @@ absl::StatusOr<OrientationSuggestion> SuggestOrientation(const IndexedMesh& give
 }
 
 std::array<double, 3> AnglesXyzDegrees(const Matrix3d& rotation) {
-  // Rz Ry Rx: the last row is (-sin y, cos y sin x, cos y cos x).
+  // The rotation is Rz Ry Rx; its last row is (-sin y, cos y sin x, cos y cos x).
   const auto degrees = [](double sine, double cosine) {
     return std::round(Atan2(sine, cosine) * 180e6 / std::numbers::pi) / 1e6 + 0.0;
   };

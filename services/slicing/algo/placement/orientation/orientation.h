@@ -10,53 +10,60 @@
 
 namespace slicefarm::slicing {
 
+/// Options for suggesting orientations.
 struct OrientationOptions {
-  /// Faces that look down and slope less than this (by 0.1 or more) from the horizontal need
-  /// support; [0, 90].
+  /// Overhang angle in [0, 90]. Faces that point down and slope less than this from the horizontal
+  /// (by 0.1 or more) need support.
   double overhang_deg = 45;
-  size_t suggestions = 3;  ///< at most this many besides the present orientation
+  size_t suggestions = 3;  ///< largest number of suggestions besides the current orientation
 };
 
-/// A way round to print an object, and what speaks for and against it.
+/// Orientation for printing an object, with its measures and score.
 struct PrintOrientation {
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< applied to the mesh as given
-  double footprint_mm2 = 0;                                ///< of the convex hull seen from above
-  double contact_mm2 = 0;   ///< faces that lie on the bed (within 0.05 mm)
-  double overhang_mm2 = 0;  ///< faces that need support, seen from above
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< rotation of the mesh as given
+  double footprint_mm2 = 0;  ///< area of the convex hull seen from above
+  double contact_mm2 = 0;  ///< area of the faces on the bed (within 0.05 mm)
+  double overhang_mm2 = 0;  ///< area of the faces that need support, seen from above
   double height_mm = 0;
-  bool stable = false;  ///< the centre of mass is over the hull of what touches the bed
-  double score = 0;     ///< least is best
+  bool stable = false;  ///< true if the centre of mass is above the hull of the faces on the bed
+  double score = 0;  ///< smallest is best
 };
 
+/// Result of SuggestOrientation.
 struct OrientationSuggestion {
   PrintOrientation current;
-  std::vector<PrintOrientation> best;  ///< stable ones, best first; empty if there are none
+  std::vector<PrintOrientation> best;  ///< stable orientations, best first; may be empty
 };
 
-/// Ways to lay an object down so that a large face holds it and little needs support.
+/// Suggests orientations in which the object lies on a large face and needs little support.
 ///
-/// Candidates are the planes of the convex hull's faces and of the mesh's largest faces, those
-/// within 1 degree of each other taken together, at most 40 by area, and the present orientation;
-/// each is turned down the shortest way. With S the area of the hull,
+/// Candidates are the planes of the convex hull's faces and of the mesh's largest faces. Planes
+/// within 1 degree of each other count as one, and at most 40 are taken, by area. The current
+/// orientation is a candidate too. Each plane is turned down by the smallest rotation. With S the
+/// area of the hull,
 ///   score = (overhang - contact / 4) / S + height / (4 sqrt(S)),  plus 1 if not stable.
-/// So 1 mm2 less overhang is worth 4 mm2 more on the bed, and of two ways without overhang the
-/// lower wins unless it stands on much less. `best` may begin with the present orientation.
 ///
-/// A mesh that encloses no volume has its centre of mass in its surface. Deterministic; does not
-/// move the object: the caller drops the result onto z = 0.
+/// So 1 mm2 less overhang is worth 4 mm2 more contact. Of two orientations without overhang, the
+/// lower one wins unless its contact area is much smaller. `best` may begin with the current
+/// orientation.
 ///
-/// Errors: MESH_EMPTY if no triangle has an area. SETTING_OUT_OF_RANGE for angles that are not.
-///         CANCELLED. REQUIRES: triangles name existing vertices, within 10 m.
-/// Cost:   O(n) for each of the at most 40 candidates. On one core: 0.9 s for a
-///         million triangles, 0.25 s for benchy's 225,154.
+/// The centre of mass of a mesh that encloses no volume is the one of its surface. The result is
+/// deterministic. The object is not moved; the caller drops the result onto z = 0.
+///
+/// Errors: MESH_EMPTY if no triangle has an area; SETTING_OUT_OF_RANGE for invalid angles;
+/// CANCELLED. REQUIRES: triangles name existing vertices, within 10 m.
+///
+/// Cost: O(n) for each of the at most 40 candidates. On one core: 0.9 s for a million triangles,
+/// 0.25 s for benchy's 225,154.
+///
 /// Source: candidates and the three measures as in C. Schranz, "Tweaker - Auto Rotation Module for
-///         FDM 3D Printing" (2016); the weights are ours.
+/// FDM 3D Printing" (2016); the weights were chosen for this project.
 absl::StatusOr<OrientationSuggestion> SuggestOrientation(const IndexedMesh& mesh,
                                                          const OrientationOptions& options,
                                                          const CancelToken& cancel);
 
-/// Angles for Placement::rotate_deg (about x, then y, then z), in 1e-6 degrees, that give this
-/// rotation.
+/// Returns the angles for Placement::rotate_deg (about x, then y, then z) that give this rotation,
+/// rounded to 1e-6 degrees.
 std::array<double, 3> AnglesXyzDegrees(const Eigen::Matrix3d& rotation);
 
 }  // namespace slicefarm::slicing

@@ -8,7 +8,8 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Less is no reason to turn an object: a fortieth of its footprint with less overhang.
+/// Smallest gain in score that justifies turning an object: an overhang area smaller by a fortieth
+/// of its footprint.
 constexpr double kLeastGain = 0.025;
 
 IndexedMesh Together(std::span<const IndexedMesh* const> parts) {
@@ -22,7 +23,8 @@ IndexedMesh Together(std::span<const IndexedMesh* const> parts) {
   return all;
 }
 
-/// Of what is scaled first and turned then; nothing for what is mirrored or sheared.
+/// Returns the rotation of a transform that scales first and rotates then. Returns nothing for a
+/// transform that mirrors or shears.
 std::optional<Eigen::Matrix3d> RotationIn(const Transform& transform) {
   Eigen::Matrix3d rotation = transform.leftCols<3>();
   for (int i = 0; i < 3; ++i) rotation.col(i).normalize();

@@ -11,12 +11,13 @@
 
 namespace slicefarm::slicing {
 
-/// Whether an object would print better another way round (orientation.h), and how. Nothing if it
-/// lies well, no way is stable, or to_plate mirrors or shears it: no angles say that.
+/// Returns the advice to turn an object if it would print better in another orientation
+/// (orientation.h). Returns nothing if the current orientation is good, no orientation is stable,
+/// or to_plate mirrors or shears the object, which angles cannot express.
 ///
-/// `parts`: its solid parts as they lie. `to_plate`: how the object was scaled and turned for that;
-/// the advice is the rotation to give instead of the one in it. Errors: those of
-/// SuggestOrientation.
+/// `parts`: the object's solid parts in their current orientation. `to_plate`: scale and rotation
+/// of the object that gave this orientation; the advised rotation replaces the one in it. Errors:
+/// the errors of SuggestOrientation.
 absl::StatusOr<std::optional<OrientationAdvice>> AdviseOrientation(
     std::span<const IndexedMesh* const> parts, const Transform& to_plate,
     const CancelToken& cancel);

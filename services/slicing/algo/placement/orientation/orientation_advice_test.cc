@@ -38,7 +38,7 @@ TEST(AdviseOrientation, LaysAPlankDown) {
   EXPECT_TRUE(advice->advised.stable);
 }
 
-// The angles are those to be given in place of the present ones, scale or not.
+// The advised angles replace the current ones, with or without scaling.
 TEST(AdviseOrientation, ItsAnglesLayTheObjectSo) {
   for (const std::array<double, 3> scale : {std::array<double, 3>{1, 1, 1}, {2, 1, 0.5}}) {
     for (const std::array<double, 3> turned :

@@ -31,7 +31,7 @@ OrientationSuggestion SuggestOrDie(const IndexedMesh& mesh) {
   return *suggestion;
 }
 
-/// A cone on its base, or on its tip.
+/// Returns a cone that stands on its base or on its tip.
 RawMesh Cone(double radius, double height, int sides, bool on_tip = false) {
   RawMesh mesh;
   for (int i = 0; i < sides; ++i) {
@@ -49,7 +49,7 @@ RawMesh Cone(double radius, double height, int sides, bool on_tip = false) {
   return on_tip ? TurnedInsideOut(mesh) : mesh;
 }
 
-/// A post of 10 x 60 x 30 under a bar of 50 x 60 x 10.
+/// Returns a post of 10 x 60 x 30 under a bar of 50 x 60 x 10.
 RawMesh Tee() {
   return Joined(BoxMesh({-5, -30, 0}, {5, 30, 30}), BoxMesh({-25, -30, 30}, {25, 30, 40}));
 }
@@ -76,7 +76,8 @@ TEST(SuggestOrientation, LeavesABoxThatLiesWell) {
 
 TEST(SuggestOrientation, TurnsATeeOver) {
   const OrientationSuggestion suggestion = SuggestOrDie(Placed(Tee()));
-  // Both wings, and the post's hidden top and the bar's underside above it, which face each other.
+  // The overhang is both wings, and the bar's underside above the post: it and the post's hidden
+  // top face each other.
   EXPECT_NEAR(suggestion.current.overhang_mm2, 50 * 60, 1);
   EXPECT_TRUE(suggestion.current.stable);
   const PrintOrientation& best = suggestion.best[0];
@@ -94,7 +95,8 @@ TEST(SuggestOrientation, PutsAConeOnItsBase) {
 }
 
 TEST(SuggestOrientation, MeasuresOverhangsBySlope) {
-  // A cone on its tip, 45 degrees steep: supported from 46 degrees on.
+  // The cone stands on its tip and is 45 degrees steep; it needs support for angles from 46
+  // degrees.
   const IndexedMesh mesh = Placed(Cone(20, 20, 360, true));
   const auto overhang = [&](double deg) {
     return SuggestOrientation(mesh, {.overhang_deg = deg}, {})->current.overhang_mm2;

@@ -59,6 +59,7 @@ class Archive {
   /// bytes and their ratio.
   static absl::StatusOr<Archive> Open(std::string_view bytes);
 
+  /// Returns the entries in the order of the directory.
   const std::vector<ArchiveEntry>& entries() const { return entries_; }
   /// Returns the entry of this name, or nullptr. A leading slash is ignored.
   const ArchiveEntry* Find(std::string_view name) const;

@@ -21,6 +21,7 @@ struct XmlAttribute {
   std::string_view value;
 };
 
+/// Attributes of an element.
 using XmlAttributes = std::span<const XmlAttribute>;
 
 /// Returns the value of the attribute with this name.
@@ -36,7 +37,9 @@ class XmlHandler {
   virtual ~XmlHandler() = default;
   /// `line`: line where the element begins.
   virtual absl::Status Start(std::string_view name, XmlAttributes attributes, int64_t line) = 0;
+  /// Takes the end of an element.
   virtual absl::Status End(std::string_view name) = 0;
+  /// Takes a piece of text between tags.
   virtual absl::Status Text(std::string_view text);
 };
 
@@ -46,10 +49,10 @@ absl::Status Malformed(std::string_view what);
 /// Parser that passes an XML document to a handler, piece by piece (expat). It makes no system
 /// calls except for memory.
 ///
-/// Errors: the errors of the handler. MESH_MALFORMED for a document that is not well-formed; has a
-/// document type definition (so there are no entities to expand), is nested deeper than
-/// limits::kMaxXmlDepth, or has a tag longer than limits::kMaxXmlTagBytes. All errors have metadata
-/// `part` and `line` and end in "(PART, line N)".
+/// Errors: the errors of the handler. MESH_MALFORMED for a document that is not well-formed, is
+/// nested deeper than limits::kMaxXmlDepth, or has a tag longer than limits::kMaxXmlTagBytes. A
+/// document type definition is an error too, so there are no entities to expand. All errors have
+/// metadata `part` and `line` and end in "(PART, line N)".
 class XmlParser {
  public:
   /// `part`: name of the document in its archive. Keeps a reference to the handler.
