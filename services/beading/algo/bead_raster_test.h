@@ -11,13 +11,13 @@ namespace slicefarm::beading {
 
 /// Shares of an island's area.
 struct Coverage {
-  double underfill = 0;  ///< covered by nothing
-  double overfill = 0;   ///< by each bead beyond the first
-  double outside = 0;    ///< covered, but not the island's
+  double underfill = 0;  ///< not covered
+  double overfill = 0;  ///< covered by each bead beyond the first
+  double outside = 0;  ///< covered, but not part of the island
 };
 
-/// Covers an island with beads pixel by pixel, by the area model of Kuipers et al. 2020, section
-/// 6.1: a segment is a trapezoid and the half disc at its start without the disc at its end; open
+/// Raster that covers an island with beads, by the area model of Kuipers et al. 2020, section 6.1.
+/// A segment is a trapezoid with the half disc at its start, without the disc at its end. Open
 /// lines add the disc at their end.
 class BeadRaster {
  public:
@@ -38,7 +38,7 @@ class BeadRaster {
       AddSegment(line, i, (i + 1) % count, !line.closed && i + 1 == edges);
   }
 
-  /// Once where `area` covers; bead by bead it is the infill's.
+  /// Counts once where `area` covers, for the infill's area.
   void Add(const MultiPolygon& area) {
     const std::vector<char> mask = Mask(area);
     for (size_t i = 0; i < mask.size(); ++i) count_[i] += mask[i];

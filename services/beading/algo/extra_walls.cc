@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kLeastShare = 0.3;
 constexpr double kDepthInWalls = 1.5;
-/// Outlines are measured as ribbons of this half width: a length inside a region is an area.
+/// Half width of ribbons that represent outlines: the length of an outline inside a region is
+/// measured as an area.
 constexpr Coord kRibbonNm = 1'000;
 
 MultiPolygon RibbonsOf(const MultiPolygon& outlines) {

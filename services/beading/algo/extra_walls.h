@@ -5,11 +5,12 @@
 
 namespace slicefarm::beading {
 
-/// How many more walls than `plan` says an island gets so that the walls above it rest on something:
-/// one more for as long as more than 30 % of the outlines above lie over the 1.5 walls inside of
-/// its innermost one. In slopes that are nearly flat this fills the shell where the outlines step
-/// inwards.
-/// Cost: O(n log n) where outlines above lie inside of the walls; O(n) where they are the island's.
+/// Returns the number of walls that an island needs in addition to `plan` to support the walls
+/// above it. One wall is added as long as more than 30 % of the outlines above are over the 1.5
+/// walls inside of the innermost wall. In nearly flat slopes this fills the shell where the
+/// outlines step inwards.
+///
+/// Cost: O(n log n) if outlines above are inside of the walls; O(n) if they are the island's own.
 /// Source: measured, PrusaSlicer 2.5 (its help says 70 % of the loop above).
 int32_t ExtraWalls(const PolygonWithHoles& island, const MultiPolygon& above, const WallPlan& plan);
 

@@ -7,7 +7,7 @@
 namespace slicefarm::beading::extra_walls_test {
 namespace {
 
-/// Two walls, each about 0.41 mm apart.
+/// Returns a plan of walls that are about 0.41 mm apart.
 WallPlan Plan(int perimeters) { return WallPlan::Make(perimeters, 450'000, 450'000, 200'000); }
 
 PolygonWithHoles Island() { return MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)")[0]; }
@@ -24,7 +24,8 @@ TEST(ExtraWalls, NoneInUprightAndOverhangingWalls) {
 }
 
 TEST(ExtraWalls, AsManyAsTheWallsAboveNeed) {
-  // Two walls are 0.84 mm thick: what lies over these needs none, nor does what lies far inside.
+  // Two walls are 0.84 mm thick. Outlines over these walls need no extra wall; outlines far inside
+  // need none either.
   EXPECT_EQ(ExtraWalls(Island(), Square(0.5), Plan(2)), 0);
   EXPECT_GE(ExtraWalls(Island(), Square(1.0), Plan(2)), 1);
   EXPECT_EQ(ExtraWalls(Island(), Square(1.0), Plan(3)), 0);
@@ -33,7 +34,7 @@ TEST(ExtraWalls, AsManyAsTheWallsAboveNeed) {
 }
 
 TEST(ExtraWalls, NoneForALittleOfTheOutline) {
-  // A notch of 2 mm in a side of 20 mm.
+  // A side of 20 mm has a notch of 2 mm.
   const MultiPolygon notched = MakePolygonsOrDie("(0 0, 9 0, 9 1, 11 1, 11 0, 20 0, 20 20, 0 20)");
   EXPECT_EQ(ExtraWalls(Island(), notched, Plan(2)), 0);
 }

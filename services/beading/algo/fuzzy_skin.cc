@@ -8,15 +8,16 @@
 namespace slicefarm::beading {
 namespace {
 
-constexpr double kLeastStep = 0.75;  ///< of the mean distance
+constexpr double kLeastStep = 0.75;  ///< smallest step, as a fraction of the mean distance
 constexpr double kStepRange = 0.5;
 
-/// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, 2014): a few lines, and the same everywhere.
+/// SplitMix64 random generator (G. L. Steele, D. Lea, C. H. Flood, 2014): short, and equal on all
+/// machines.
 class Random {
  public:
   explicit Random(uint64_t seed) : state_(seed) {}
 
-  /// In [0, 1).
+  /// Returns a number in [0, 1).
   double Next() {
     uint64_t bits = state_ += 0x9E3779B97F4A7C15;
     bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9;
@@ -35,7 +36,7 @@ bool WantsSkin(FuzzySkin skin, const Path& wall) {
   return skin == FuzzySkin::kAllWalls || SignedArea(wall.points) > 0;
 }
 
-/// The place `along` an edge, `beside` it to its left.
+/// Returns the point at distance `along_nm` on an edge and `beside_nm` to its left.
 Point PlaceBeside(Point from, Point to, double along_nm, double beside_nm) {
   const double length = Distance(from, to);
   const double x = static_cast<double>(to.x - from.x) / length;
@@ -73,7 +74,7 @@ void Roughen(const BeadingOptions& options, SkinSeed seed, std::vector<Path>& wa
   if (options.fuzzy == FuzzySkin::kNone) return;
   for (Path& wall : walls) {
     if (!WantsSkin(options.fuzzy, wall)) continue;
-    // The wall's own place, so that skins do not depend on what else is in the section.
+    // The seed contains the wall's own position, so skins do not depend on the rest of the section.
     uint64_t bits = static_cast<uint32_t>(seed.object);
     for (const int64_t part : {int64_t{seed.layer}, wall.points[0].x, wall.points[0].y})
       bits = (bits ^ static_cast<uint64_t>(part)) * 0x100000001B3;

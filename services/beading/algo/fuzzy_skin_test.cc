@@ -20,7 +20,7 @@ Path Loop(std::string_view points, int32_t inset = 0) {
   return path;
 }
 
-/// An outer wall, a hole's wall, an inner wall.
+/// Returns an outer wall, a hole's wall and an inner wall.
 std::vector<Path> Walls() {
   return {Loop("(0 0, 40 0, 40 40, 0 40)"), Loop("(10 10, 10 20, 20 20, 20 10)"),
           Loop("(1 1, 39 1, 39 39, 1 39)", 1)};
@@ -54,7 +54,7 @@ TEST(Roughen, ChangesTheWallsThatAreAskedFor) {
 TEST(Roughen, PointsLieWithinTheThicknessAtRandomDistances) {
   const Path plain = Walls()[0], rough = Rough(FuzzySkin::kContours)[0];
   EXPECT_TRUE(WellFormed(rough));
-  // 160 mm, a point each 0.8 mm on average.
+  // The wall is 160 mm long, with a point each 0.8 mm on average.
   EXPECT_NEAR(static_cast<double>(rough.points.size()), 200, 15);
   double most = 0;
   for (const Point p : rough.points) {

@@ -22,23 +22,24 @@
 #include "services/beading/algo/sample_outlines_test.h"
 #include "services/beading/algo/strategy/strategy_factory.h"
 
-// Outlines by seed; a failure tells the seed, and so does a crash. What the environment sets:
-//   SLICEFARM_HOSTILE_OUTLINES   how many (300)
-//   SLICEFARM_HOSTILE_SEED       the first one (1); a failure again: its seed, and 1 outline
+// Tests of outlines made from seeds. A failure or a crash reports the seed. Environment variables:
+//   SLICEFARM_HOSTILE_OUTLINES   number of outlines (300)
+//   SLICEFARM_HOSTILE_SEED       first seed (1); to repeat a failure: its seed, and 1 outline
 
 namespace slicefarm::beading::hostile_outlines_test {
 namespace {
 
 constexpr Coord kWidthNm = 500'000;
 constexpr Coord kMaxWidthNm = 2 * kWidthNm;
-/// Beads overlap where their number changes and at the tips of acute corners. Of 380,000 islands
-/// all but 4 with saw teeth keep to this; of 1 mm2 and more, those of other kinds reach 1.23 times
-/// their area.
+/// Largest ratio of covered area to island area. Beads overlap where their number changes and at
+/// the tips of acute corners. Of 380,000 islands, all except 4 with saw teeth are below this value.
+/// Islands of other kinds with at least 1 mm2 reach 1.23.
 constexpr double kMaxCover = 1.25;
 constexpr double kSlackNm2 = 0.3e12;
-/// What has room for a disc of this radius is thick enough for two beads, and no filter's matter:
-/// of 80,000 islands at least 0.985 of it is covered, and no disc's middle is farther from a bead
-/// than 354,000 nm. (Of what has room for 250,000, pieces shorter than a bead is wide stay free.)
+/// Radius of a disc. An area that can contain such a disc is thick enough for two beads, and no
+/// filter applies to it. In 80,000 islands, at least 0.985 of this area is covered, and no disc's
+/// centre is farther from a bead than 354,000 nm. (For discs of 250,000, pieces shorter than a
+/// bead's width stay free.)
 constexpr Coord kDiscNm = 400'000;
 constexpr double kMinCover = 0.97;
 constexpr double kMaxGapNm = kDiscNm;
@@ -48,7 +49,7 @@ uint64_t FromEnvironment(const char* name, uint64_t otherwise) {
   return value == nullptr ? otherwise : std::strtoull(value, nullptr, 10);
 }
 
-/// As `slicefarm-lab beads` lays beads out.
+/// Returns the strategy that `slicefarm-lab beads` uses.
 std::unique_ptr<const BeadingStrategy> Strategy(int max_walls) {
   StrategyOptions options;
   options.outer_width_nm = options.inner_width_nm = kWidthNm;
@@ -89,7 +90,7 @@ double Covered(const VariableWalls& walls) {
   return covered;
 }
 
-/// With the half discs at the ends of lines: of a dot, these are all there is.
+/// Returns the covered area with the half discs at the ends of lines; a dot consists only of them.
 double CoveredWithEnds(const VariableWalls& walls) {
   double covered = Covered(walls);
   for (const WallLine& wall : walls.lines) {
@@ -109,15 +110,15 @@ double DistanceTo(Point p, const ThickLine& line) {
   return nearest;
 }
 
-/// How well the walls cover what has room for a disc of kDiscNm.
+/// Coverage of the area that has space for a disc of kDiscNm.
 struct RoomCover {
   double room_nm2 = 0;
-  double share = 1;   ///< of the room's area
-  double gap_nm = 0;  ///< largest distance of a disc's middle from a bead's or the fill
+  double share = 1;  ///< share of this area
+  double gap_nm = 0;  ///< largest distance of a disc's centre from a bead or the fill area
 };
 
 RoomCover CoverOfRoom(const VariableWalls& walls, const PolygonWithHoles& island) {
-  // Clipper's, as the walls themselves are made by FastOffset.
+  // Clipper's Offset is used, because the walls themselves are made by FastOffset.
   const MultiPolygon middles = Offset({island}, -kDiscNm);
   RoomCover cover;
   cover.room_nm2 = Area(Offset(middles, kDiscNm, {.join = Join::kRound}));
@@ -143,7 +144,7 @@ std::string WrongWithRoom(const RoomCover& room) {
   return room.gap_nm > kMaxGapNm ? fmt::format("no bead within {:.0f} nm", room.gap_nm) : "";
 }
 
-/// What does not hold for walls of an island; empty if all does.
+/// Returns the violated condition for the walls of an island; empty if there is none.
 std::string WrongWith(const VariableWalls& walls, const PolygonWithHoles& island) {
   const Box box = Bounds(island.outer).Grown(kMaxWidthNm / 2);
   for (const WallLine& wall : walls.lines) {
@@ -168,7 +169,7 @@ bool AreSame(const std::optional<VariableWalls>& a, const std::optional<Variable
                     });
 }
 
-/// On a crash, tells the seed.
+/// Prints the seed on a crash.
 class SeedWatch {
  public:
   SeedWatch() {
@@ -197,7 +198,7 @@ struct KindTotals {
   int islands = 0;
   int fallbacks = 0;
   int failures = 0;
-  double worst_cover = 0;  ///< of islands of 1 mm2 and more
+  double worst_cover = 0;  ///< for islands of 1 mm2 and more
   double worst_excess_mm2 = 0;
   int with_room = 0;
   double least_room_share = 1;
@@ -258,8 +259,8 @@ TEST(HostileOutlines, KeepTheInvariants) {
   EXPECT_GT(with_room, count < 100 ? -1 : islands / 20);
 }
 
-// Teeth whose nodes coincide, and a blend that went past a branch: beads lay there twice and more.
-// A level edge (31837), which was split from both ends.
+// These seeds failed once: teeth with coinciding nodes, and a blend that continued past a branch,
+// gave beads on top of each other. A level edge (31837) was split from both ends.
 TEST(HostileOutlines, ThoseThatFailedOnce) {
   const auto filled = Strategy(0), three_walls = Strategy(3);
   KindTotals totals;

@@ -12,13 +12,13 @@
 namespace slicefarm::beading {
 namespace {
 
-/// The outlines of one stack in a stretch of layers.
+/// Outlines of one stack in consecutive layers.
 struct StackOutlines {
   std::vector<const MultiPolygon*> layers;
   std::optional<NeighbourOutlines> neighbours;
 };
 
-/// The layers around each section, by stack.
+/// Layers around each section, per stack.
 class Surroundings {
  public:
   explicit Surroundings(std::span<const SlicedLayer> layers) {
@@ -38,8 +38,8 @@ class Surroundings {
   }
 
  private:
-  std::map<int32_t, StackOutlines> stacks_;  ///< by id
-  std::map<const ObjectSection*, size_t> index_;  ///< of a section among its stack's
+  std::map<int32_t, StackOutlines> stacks_;  ///< stack id -> outlines
+  std::map<const ObjectSection*, size_t> index_;  ///< index of a section in its stack
 };
 
 class LocalBeading : public BeadingStage {

@@ -7,12 +7,13 @@
 
 namespace slicefarm::beading {
 
-/// Walls for each island of each region, see README.md. Walls of kArachne depend on the object's
-/// outlines in kBeadingHaloLayers layers above and below; those of kClassic on their own layer only.
-/// Stateless.
-/// Errors: Cancelled, polled once a section and a gap; InvalidArgument with SETTING_OUT_OF_RANGE for
-/// widths that are not above their layer's height times 1 - pi/4 (no spacing is left);
-/// REQUEST_MALFORMED for a region whose settings are in no table, or with a tool other than 0.
+/// Returns the stage that makes the walls of each island of each region, see README.md. Walls of
+/// kArachne depend on the object's outlines in kBeadingHaloLayers layers above and below. Walls of
+/// kClassic depend on their own layer only. Stateless.
+///
+/// Errors: Cancelled, polled once per section and gap. InvalidArgument with SETTING_OUT_OF_RANGE
+/// for widths not above their layer's height times 1 - pi/4 (no spacing is left). REQUEST_MALFORMED
+/// for a region with settings in no table, or with a tool other than 0.
 std::unique_ptr<BeadingStage> MakeLocalBeading();
 
 }  // namespace slicefarm::beading

@@ -9,7 +9,7 @@
 namespace slicefarm::beading::local_beading_stage_test {
 namespace {
 
-/// Layers of one object of one region.
+/// Returns the layers of one object with one region.
 std::vector<SlicedLayer> Layers(const std::vector<MultiPolygon>& outlines) {
   std::vector<SlicedLayer> layers(outlines.size());
   for (size_t i = 0; i < outlines.size(); ++i) {
@@ -85,8 +85,8 @@ TEST(LocalBeading, FirstLayerHasItsOwnWidth) {
   EXPECT_EQ((*walled)[1].sections[0].islands[0].walls[0].widths_nm[0], 450'000);
 }
 
-/// Strips whose width wavers from layer to layer around one at which a bead more begins to fit:
-/// what adjacent layers decide together.
+/// Returns strips with a width that varies from layer to layer around the limit for one more bead.
+/// Adjacent layers must decide it together.
 std::vector<SlicedLayer> Strips(int count) {
   std::vector<MultiPolygon> outlines;
   for (int i = 0; i < count; ++i) {
@@ -102,7 +102,7 @@ std::vector<SlicedLayer> Strips(int count) {
   return Layers(outlines);
 }
 
-// Each range is cut out with its halo, as a job's ranges are, and nothing else is there.
+// Each range is cut out with its halo, like the ranges of a job, and contains nothing else.
 TEST(LocalBeading, RangesDoNotMatter) {
   const auto layers = Strips(12);
   const auto all = Bead(layers, {0, 12});
@@ -121,7 +121,7 @@ TEST(LocalBeading, RangesDoNotMatter) {
   }
 }
 
-// What the test above would not see if the neighbours made no difference.
+// The previous test could not detect that the neighbours make no difference; this one does.
 TEST(LocalBeading, WallsLookAtTheLayersAround) {
   const auto layers = Strips(12);
   const auto all = Bead(layers, {0, 12});

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-/// Numbers that are the same with any standard library, which its distributions' are not.
+/// Random numbers that are equal with any standard library; the results of its distributions are
+/// not.
 class Random {
  public:
   explicit Random(uint64_t seed) : engine_(seed) {}
@@ -26,7 +27,8 @@ class Random {
   int Count(int least, int most) {
     return least + static_cast<int>(engine_() % static_cast<uint64_t>(most - least + 1));
   }
-  /// As likely between 1 and 10 as between 10 and 100.
+  /// Returns a number with logarithmic distribution: equally likely between 1 and 10 and between 10
+  /// and 100.
   double Magnitude(double least, double most) {
     return std::exp(Between(std::log(least), std::log(most)));
   }
@@ -36,7 +38,7 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/// All lengths in mm.
+/// Position; all lengths are in mm.
 struct Spot {
   double x = 0;
   double y = 0;
@@ -55,7 +57,7 @@ Ring Rectangle(double x0, double y0, double x1, double y1) {
   return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
 }
 
-/// A side of points almost on a line.
+/// Returns a shape with one side of points almost on a line.
 Rings NearlyStraight(Random& random) {
   const double noise = random.Magnitude(kNm, 20 * kUm), step = random.Magnitude(2 * kUm, 0.5);
   const double depth = random.Magnitude(10 * kUm, 20);
@@ -66,7 +68,7 @@ Rings NearlyStraight(Random& random) {
   return {ring};
 }
 
-/// Blades from about one point, at almost the same angle.
+/// Returns blades from about one point, at almost the same angle.
 Rings Fan(Random& random) {
   if (random.Coin()) return NearlyStraight(random);
   const int blades = random.Count(5, 60);
@@ -109,8 +111,8 @@ Rings Spiral(Random& random) {
   return {ring};
 }
 
-/// A checkerboard whose corners touch, or miss or cover each other by a little; in half of the
-/// cases it is what is left of a plate.
+/// Returns a checkerboard with corners that touch, miss or overlap each other slightly. In half of
+/// the cases it is subtracted from a plate.
 Rings TouchingCorners(Random& random) {
   const double size = random.Magnitude(50 * kUm, 5);
   const double distance = random.Magnitude(kNm, 10 * kUm);
@@ -128,7 +130,7 @@ Rings TouchingCorners(Random& random) {
   return rings;
 }
 
-/// Slots of 1 nm to 1 um into a plate or within it; by the even-odd rule those that go beyond its
+/// Returns slots of 1 nm to 1 um into a plate or within it. By the even-odd rule, slots beyond its
 /// edge stick out as slivers.
 Rings Slots(Random& random) {
   const int count = random.Count(1, 30);
@@ -153,8 +155,8 @@ Rings StarNoise(Random& random) {
   return {ring};
 }
 
-/// A way that crosses itself, on a coarse grid in half of the cases, so that corners and edges
-/// coincide.
+/// Returns a line that crosses itself. In half of the cases it is on a coarse grid, so that corners
+/// and edges coincide.
 Rings CrossingNoise(Random& random) {
   const double size = random.Magnitude(0.1, 50);
   const double grid = random.Coin() ? size / random.Count(3, 30) : 0;
@@ -168,7 +170,7 @@ Rings CrossingNoise(Random& random) {
   return {ring};
 }
 
-/// A bar whose long sides have teeth or stairs of tiny steps.
+/// Returns a bar with teeth or stairs of tiny steps on its long sides.
 Rings SawTeeth(Random& random) {
   const double step = random.Magnitude(kUm, 0.5), rise = random.Magnitude(kNm, 50 * kUm);
   const double height = random.Magnitude(20 * kUm, 10);
@@ -187,7 +189,7 @@ Rings SawTeeth(Random& random) {
   return {ring};
 }
 
-/// Thin triangles and bars, on their own or across each other.
+/// Returns thin triangles and bars, separate or across each other.
 Rings Slivers(Random& random) {
   const int count = random.Count(1, 12);
   const double spread = random.Magnitude(kUm, 20);

@@ -7,17 +7,17 @@
 
 namespace slicefarm::beading {
 
-/// Outlines that geometry fails on: what is almost collinear, almost touching or almost nothing.
+/// Outline that is difficult for geometry: almost collinear, almost touching or almost empty.
 struct HostileOutline {
   std::string_view kind;
   MultiPolygon islands;
 };
 
-/// The same for the same seed, on any machine; seeds in a row go through all kinds. Some hundred
-/// points within 200 mm.
+/// Returns an outline that depends only on the seed, on any machine. Consecutive seeds cover all
+/// kinds. It has some hundred points within 200 mm.
 HostileOutline MakeHostileOutline(uint64_t seed);
 
-/// A ring with waves on both sides, 100 mm wide: smooth, `points` points in all.
+/// Returns a ring with waves on both sides, 100 mm wide and smooth, with `points` points in total.
 PolygonWithHoles WavyRing(int points);
 
 }  // namespace slicefarm::beading

@@ -32,7 +32,7 @@ absl::Status CheckWidths(bool on_bed, Coord external_nm, Coord inner_nm, Coord h
   return status;
 }
 
-/// Walls of islands by one plan.
+/// Maker of walls for islands by one plan.
 class PlanWaller {
  public:
   /// `deciding_radius`: see VariableWallOptions; may be empty.
@@ -63,7 +63,7 @@ class PlanWaller {
   std::optional<ArachneIslands> arachne_;
 };
 
-/// How many walls an island has room for at most.
+/// Returns the largest number of walls of an island.
 int32_t PerimetersOf(const SectionPlace& place, const BeadingOptions& options) {
   const bool topmost = place.section.layer + 1 >= place.section.layer_count;
   const bool only_one = (place.on_bed && options.one_on_bed) ||
@@ -71,7 +71,7 @@ int32_t PerimetersOf(const SectionPlace& place, const BeadingOptions& options) {
   return only_one ? std::min(options.perimeters, 1) : options.perimeters;
 }
 
-/// Walls of islands by one set of options.
+/// Maker of walls for islands by one set of options.
 class IslandWaller {
  public:
   static absl::StatusOr<IslandWaller> Make(const SectionPlace& place,
@@ -110,7 +110,7 @@ class IslandWaller {
     return PlanWaller(plan, options_, place_.section.height_nm, DecidingRadius());
   }
 
-  /// nullptr: air.
+  /// Returns the outline of the layer above; nullptr if there is only air.
   const MultiPolygon* Above() const { return place_.neighbours.At(place_.index, 1); }
 
   int32_t ExtraOf(const PolygonWithHoles& outline) const {
@@ -126,8 +126,8 @@ class IslandWaller {
     return PartByTop(inside, Above() == nullptr ? kAir : *Above(), below, usual_->plan());
   }
 
-  /// Whether inner walls have to go round what is seen from above. What the outermost wall leaves
-  /// is about the outline less its width.
+  /// Returns true if there is a top surface that inner walls must go around. The area inside the
+  /// outermost wall is approximated by the outline minus the wall's width.
   bool HasTop(const PolygonWithHoles& outline) const {
     return options_.one_on_top == OneWallOnTop::kSurfaces && perimeters_ > 1 &&
            !Parts(FastOffset({outline}, -external_)).top.empty();
@@ -136,7 +136,7 @@ class IslandWaller {
   absl::StatusOr<IslandBeads> WallAroundTop(const PolygonWithHoles& outline, int32_t perimeters,
                                             const CancelToken& cancel,
                                             int32_t& plain_islands) const {
-    // What one wall leaves is parted before gaps are looked for.
+    // The area inside the single wall is divided before gaps are searched.
     absl::StatusOr<IslandBeads> island =
         Waller(1, external_, /*gap_fill=*/false).Wall(outline, cancel, plain_islands);
     if (!island.ok()) return island;
@@ -148,7 +148,7 @@ class IslandWaller {
       if (!narrow.ok()) return narrow.status();
       std::ranges::move(*narrow, std::back_inserter(island->walls));
     }
-    // Beads tile from here on: no round side of an outermost one needs room.
+    // The following beads tile: no space is needed for the round side of an outermost bead.
     const WallPlan& plan = inner_waller.plan();
     const Coord round = (plan.external_width_nm - plan.external_spacing_nm) / 2;
     for (const PolygonWithHoles& rest : FastOffset(parts.covered, round)) {
@@ -177,7 +177,7 @@ class IslandWaller {
   std::optional<PlanWaller> usual_;
 };
 
-/// Regions that are walled as one.
+/// Regions that share their walls.
 using Group = std::vector<const Region*>;
 
 std::vector<Group> GroupsOf(const ObjectSection& section, std::span<const BeadingOptions> regions) {
@@ -220,7 +220,8 @@ std::vector<FillArea> PartByRegion(MultiPolygon area, const Group& group) {
   return areas;
 }
 
-/// The walls of an island; of a hollow section one, along its outline, and nothing inside.
+/// Returns the walls of an island. An island of a hollow section has one wall along its outline and
+/// nothing inside.
 absl::StatusOr<IslandBeads> WallsOf(const PolygonWithHoles& outline, const SectionPlace& place,
                                     const IslandWaller& waller, const BeadingOptions& options,
                                     const CancelToken& cancel, int32_t& plain_islands) {
@@ -238,7 +239,7 @@ absl::StatusOr<IslandBeads> WallsOf(const PolygonWithHoles& outline, const Secti
   return island;
 }
 
-/// Says of each wall whose it is.
+/// Sets the settings, tool and feature of a region on its walls.
 void Sign(const Region& region, std::vector<Path>& walls) {
   for (Path& wall : walls) {
     wall.settings = region.settings;

@@ -13,22 +13,25 @@ struct BeadingOptions;
 
 namespace slicefarm::beading {
 
-/// A section and the layers of its object around it.
+/// Section and the layers of its object around it.
 struct SectionPlace {
   const ObjectSection& section;
-  bool on_bed = false;                  ///< beads are as wide as the first layer's settings say
-  const NeighbourOutlines& neighbours;  ///< of its object
-  size_t index = 0;                     ///< its own layer among them
+  bool on_bed = false;  ///< true: beads have the first layer's widths
+  const NeighbourOutlines& neighbours;  ///< outlines of its object
+  size_t index = 0;  ///< index of its own layer in `neighbours`
 };
 
+/// Result of WallSection.
 struct SectionResult {
   WalledSection walled;
-  int32_t plain_islands = 0;  ///< that fell back to walls of constant width
+  int32_t plain_islands = 0;  ///< number of islands with constant-width walls as a fallback
 };
 
-/// The walls of one section. Regions of the same role, tool and wall class are walled as one, so
-/// walls run on where only the infill's settings change; what is left for the infill is then parted
-/// by region. `regions`: by row of the job's tables. Errors: see local_beading_stage.h.
+/// Makes the walls of one section. Regions with the same role, tool and wall class share their
+/// walls, so walls continue where only the infill's settings change. The area left for the infill
+/// is then divided by region.
+///
+/// `regions`: options by row of the job's tables. Errors: see local_beading_stage.h.
 absl::StatusOr<SectionResult> WallSection(const SectionPlace& place,
                                           std::span<const BeadingOptions> regions,
                                           const CancelToken& cancel);

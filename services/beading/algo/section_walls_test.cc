@@ -15,7 +15,7 @@ namespace {
 
 double Mm2(const MultiPolygon& area) { return Area(area) * 1e-12; }
 
-/// A square of 20 mm, its right half of row 1.
+/// Returns a square of 20 mm with row 1 of the settings in its right half.
 ObjectSection Halves() {
   ObjectSection section{0, 3,  9, 200'000, {}, MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)"),
                         0, {}};
@@ -85,7 +85,8 @@ TEST(WallSection, OneWallOnTheBed) {
 }
 
 TEST(WallSection, LoopsHaveTheOutlineToTheirRight) {
-  // A frame with a thin side, so that some loops are offsets and others beads of varying width.
+  // The section is a frame with a thin side. So some loops are offsets and others are beads of
+  // variable width.
   const MultiPolygon frame =
       MakePolygonsOrDie("(0 0, 30 0, 30 30, 0 30) (1.7 8, 1.7 22, 22 22, 22 8)");
   const ObjectSection section{0, 3, 9, 200'000, {{Role::kPart, 0, 0, frame}}, {}, 0, {}};
@@ -106,7 +107,7 @@ TEST(WallSection, LoopsHaveTheOutlineToTheirRight) {
   }
 }
 
-/// A step: a square of 20 mm, of which the layer above covers the left half.
+/// Returns the walls of a step: a square of 20 mm with the left half covered by the layer above.
 WalledSection WalledStep(const BeadingOptions& options, int32_t layer, int32_t layer_count) {
   ObjectSection section = Halves();
   section.layer = layer;
@@ -142,7 +143,7 @@ TEST(WallSection, OneWallWhereNothingLiesAbove) {
     EXPECT_EQ(insets, (std::multiset<int32_t>{0, 1, 2}));
     EXPECT_LT(inner_to, 10'000'000) << "inner walls stay under the layer above";
     EXPECT_GT(inner_to, 9'000'000);
-    // Three sides of the right half lose two walls, the step gets two: 20 + 2 * 10 - 20 mm.
+    // Three sides of the right half lose two walls, and the step gets two: 20 + 2 * 10 - 20 mm.
     EXPECT_NEAR(FilledMm2(step) - all, 20 * 2 * 0.407, 1.5);
     EXPECT_EQ(WalledStep(options, 8, 9).islands[0].walls.size(), 1u) << "the last layer";
 
@@ -196,7 +197,7 @@ TEST(WallSection, AHollowSectionHasOneWallAndNothingInside) {
   const Path& wall = walled.islands[0].walls[0];
   EXPECT_EQ(wall.feature, Feature::kExternalPerimeter);
   EXPECT_NEAR(PathLength(wall) / 1e6, 4 * (20 - .45), 1e-6);
-  // Where no single loop runs, as many walls as others have, and nothing inside all the same.
+  // If no single loop fits, the region has as many walls as usual, but still nothing inside.
   section.regions[0].outlines = MakePolygonsOrDie("(0 0, 20 0, 20 .6, 0 .6)");
   for (const WalledIsland& island : Walled(section, {{}}).islands)
     EXPECT_TRUE(island.fill_areas.empty());

@@ -16,7 +16,7 @@ TopParts PartByTop(const MultiPolygon& inside, const MultiPolygon& above, const 
   if (!parts.top.empty() && below != nullptr)
     if (const MultiPolygon bridges = Difference(parts.top, *below); !bridges.empty())
       parts.top = Difference(parts.top, FastOffset(bridges, reach));
-  // Narrow ends of a top go with it, as far as an inner wall is wide.
+  // The narrow ends of a top surface belong to it, up to the width of an inner wall.
   const MultiPolygon wide = OffsetTwice(parts.top, -least, least + plan.inner_width_nm);
   parts.top = wide.empty() ? wide : Intersection(parts.top, wide);
   parts.covered = parts.top.empty() ? inside : Difference(inside, parts.top);

@@ -9,20 +9,22 @@
 
 namespace slicefarm::beading {
 
-/// What lies inside of an island's outermost wall.
+/// Areas inside of an island's outermost wall.
 struct TopParts {
-  MultiPolygon top;      ///< seen from above: for the top infill, without inner walls
-  MultiPolygon covered;  ///< all else, around which inner walls go
+  MultiPolygon top;  ///< visible from above: for the top infill, without inner walls
+  MultiPolygon covered;  ///< the rest, with inner walls around it
 };
 
-/// Parts `inside` by what the layer above covers. Places over air stay covered: their inner walls
-/// bear them. The wall beside a top lies under the outermost wall of the layer above, which hides
-/// it. Tops narrower than half of an inner wall stay covered. `below` may be null: the bed.
-/// Cost: O(n log n), and no more than one difference where nothing is seen from above.
+/// Divides `inside` by the coverage of the layer above. Areas over air stay covered, because their
+/// inner walls support them. The wall beside a top surface is under the outermost wall of the layer
+/// above, which hides it. Top surfaces narrower than half an inner wall stay covered. `below` may
+/// be null: the bed.
+///
+/// Cost: O(n log n); only one difference if nothing is visible from above.
 TopParts PartByTop(const MultiPolygon& inside, const MultiPolygon& above, const MultiPolygon* below,
                    const WallPlan& plan);
 
-/// Turns walls that were made of what an outermost wall leaves into its inner walls.
+/// Changes walls made inside an outermost wall into inner walls of this wall.
 void MakeInner(std::vector<Path>& walls);
 
 }  // namespace slicefarm::beading

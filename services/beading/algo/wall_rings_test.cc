@@ -14,7 +14,7 @@ Path Wall(std::string_view points, int32_t inset = 0) {
   return wall;
 }
 
-// Two islands, the first with a hole.
+// The outline has two islands, the first one with a hole.
 constexpr std::string_view kOutline =
     "(0 0, 20 0, 20 20, 0 20) (5 5, 5 15, 15 15, 15 5) ; (30 0, 40 0, 40 9, 30 9)";
 

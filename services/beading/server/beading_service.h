@@ -11,8 +11,8 @@
 
 namespace slicefarm::beading {
 
-/// Translates slicefarm.v1.Beading to a BeadingStage and back.
-/// `stage`, `gate` and `shared` must outlive the service.
+/// Returns the gRPC service slicefarm.v1.Beading, which calls a BeadingStage. `stage`, `gate` and
+/// `shared` must outlive the service.
 std::unique_ptr<grpc::Service> MakeBeadingService(const BeadingStage& stage, rpc::CallGate& gate,
                                                   SharedCache& shared);
 

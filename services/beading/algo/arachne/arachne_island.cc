@@ -12,8 +12,9 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Beads are laid out as rectangles (common/model/bead_section.h): widths become spacings, and
-/// along the outline a stripe is left for the outer bead's round side.
+/// Returns the options of the strategy. Beads are laid out as rectangles
+/// (common/model/bead_section.h), so widths become spacings, and a stripe along the outline is left
+/// for the outer bead's round side.
 StrategyOptions ForStrategy(const BeadingOptions& options, const WallPlan& plan,
                             Coord layer_height_nm) {
   const auto spacing = [&](Coord width_nm) {

@@ -18,17 +18,17 @@ struct BeadingOptions;
 
 namespace slicefarm::beading {
 
-/// Makes the walls of a layer's islands, of variable width where they need it.
+/// Makes the walls of a layer's islands, with variable width where needed.
 class ArachneIslands {
  public:
-  /// `plan` is that of the layer's walls where nothing makes them vary; `deciding_radius`: see
-  /// CountOptions. REQUIRES: perimeters > 0.
+  /// `plan`: the layer's walls for constant width. `deciding_radius`: see CountOptions. REQUIRES:
+  /// perimeters > 0.
   ArachneIslands(const BeadingOptions& options, const WallPlan& plan,
                  const GapFillOptions& gap_options,
                  std::function<double(double x, double y, double radius_nm)> deciding_radius);
 
-  /// Nothing if walls of variable width cannot be made
-  /// (see MakeVariableWalls).
+  /// Returns the walls of an island. Returns nothing if walls of variable width are impossible (see
+  /// MakeVariableWalls).
   absl::StatusOr<std::optional<IslandBeads>> Make(const PolygonWithHoles& outline,
                                                    const CancelToken& cancel) const;
 

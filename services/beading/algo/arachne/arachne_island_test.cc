@@ -19,7 +19,7 @@ namespace slicefarm::beading::arachne_island_test {
 namespace {
 
 constexpr Coord kHeight = 200'000;
-/// By how much beads that lie side by side are wider than their distance.
+/// Difference between the width of beads side by side and their distance.
 constexpr double kOverlapMm = 0.2 * (1 - 3.14159265358979 / 4);
 
 using DecidingRadius = std::function<double(double, double, double)>;
@@ -46,12 +46,12 @@ double Mm2(const MultiPolygon& polygons) { return Area(polygons) / 1e12; }
 struct StripCase {
   std::string name;
   double thickness_mm;
-  std::vector<double> rings_mm;  ///< widths
+  std::vector<double> rings_mm;  ///< bead widths of rings
   std::vector<double> lines_mm;
 };
 class ThinStrip : public testing::TestWithParam<StripCase> {};
 
-// Beads of width w side by side cover w each, but for the overlap of neighbours.
+// Beads of width w side by side cover w each, minus the overlap of neighbours.
 TEST_P(ThinStrip, HasBeadsThatFillIt) {
   const StripCase& strip = GetParam();
   const IslandBeads island = IslandOf(Strip(strip.thickness_mm), Islands(3));
@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
     ArachneIslands, ThinStrip,
     testing::Values(StripCase{"TooThin", 0.095, {}, {}}, StripCase{"Widened", 0.105, {}, {0.34}},
                     StripCase{"OneBead", 0.4, {}, {0.4}},
-                    // Two of at least 0.34 mm need 0.68 mm less an overlap.
+                    // Two beads of at least 0.34 mm need 0.68 mm minus an overlap.
                     StripCase{"OneWideBead", 0.63, {}, {0.63}},
                     StripCase{"TwoNarrowBeads", 0.64, {(0.64 + kOverlapMm) / 2}, {}},
                     StripCase{"TwoBeads", 0.8, {(0.8 + kOverlapMm) / 2}, {}},
@@ -118,7 +118,7 @@ TEST(ArachneIslands, WidthsVaryAlongAWedge) {
     EXPECT_NEAR(ToMm(wall.widths_nm[i]), 0.4 + 0.01 * ToMm(wall.points[i].x), 0.005);
 }
 
-// 1.4 mm less the walls: too little for the infill.
+// The remaining width is 1.4 mm minus the walls: too little for infill.
 TEST(ArachneIslands, ANarrowFillAreaIsAGap) {
   const double gap_mm = 1.4 - 2 * 0.45 + kOverlapMm;
   const IslandBeads filled = IslandOf(Strip(1.4), Islands(1));
@@ -133,7 +133,7 @@ TEST(ArachneIslands, ANarrowFillAreaIsAGap) {
   EXPECT_NEAR(Mm2(open.fill_area), gap_mm * (20 - 1.4 + gap_mm), 1e-3);
 }
 
-// 0.63 mm are one bead by a hair (see TwoNarrowBeads).
+// At 0.63 mm, the decision for one bead is very close (see TwoNarrowBeads).
 TEST(ArachneIslands, CloseCallsAreTheCallers) {
   constexpr std::string_view kStrip = "(100 50, 120 50, 120 50.63, 100 50.63)";
   int asked = 0;
@@ -152,7 +152,7 @@ TEST(ArachneIslands, CloseCallsAreTheCallers) {
   EXPECT_NEAR(ToMm(island.walls[0].WidthAt(0)), (0.63 + kOverlapMm) / 2, 1e-5);
 }
 
-// Wider than 32 bits of the coarsest grid.
+// The outline is wider than 32 bits of the coarsest grid.
 TEST(ArachneIslands, AnIslandWithoutATrustedDiagramIsLeftToOthers) {
   constexpr Coord kLength = 2'200'000 * kNmPerMm;
   const PolygonWithHoles strip = {{{0, 0}, {kLength, 0}, {kLength, 400'000}, {0, 400'000}}, {}};
@@ -178,8 +178,9 @@ double VolumeMm3(const Path& path) {
   return volume;
 }
 
-// Beads and infill have the island's volume, but for the stripe that the outer beads' round sides
-// leave along the outline. Around reflex corners beads are arcs; lines end short of an end.
+// Beads and infill have the island's volume, except for the stripe along the outline that the round
+// sides of the outer beads leave. Around reflex corners beads are arcs; lines end before the end of
+// a strip.
 TEST(ArachneIslands, VolumeIsConserved) {
   for (const std::string_view text :
        {"(0 0, 20 0, 20 20, 0 20)", "(0 0, 20 0, 20 0.8, 0 0.8)", "(0 0, 20 0, 20 1.6, 0 1.6)",
@@ -196,7 +197,7 @@ TEST(ArachneIslands, VolumeIsConserved) {
   }
 }
 
-// Five beads would be a dot within two rings, which has a quarter of the hole's volume.
+// Five beads would be a dot within two rings, and the dot has a quarter of the hole's volume.
 TEST(ArachneIslands, ARoundPinIsRingsOfItsVolume) {
   constexpr int kCorners = 48;
   PolygonWithHoles pin;

@@ -14,12 +14,12 @@ namespace {
 
 Coord Thickness(double radius) { return std::llround(2 * radius); }
 
-/// What is left of a transition at a node: it falls from its full height at the transition's place
-/// by 1 a transition length.
+/// Height of a transition at a node. It falls from its full height at the position of the
+/// transition, by 1 per transition length.
 struct Ramp {
   double height = 0;
-  double full = 0;   ///< at the transition's place
-  double slope = 0;  ///< per nm
+  double full = 0;  ///< height at the position of the transition
+  double slope = 0;  ///< fall per nm
 };
 
 class CountPlanner {
@@ -51,9 +51,10 @@ class CountPlanner {
     return graph_.Split(half, node);
   }
 
-  /// In a bend the axis rises to a top in the middle of it, too steeply to be central. Where the
-  /// number of beads is the same up there, or one more and that nearby, beads go on through it.
-  /// Source: CuraEngine's filterNoncentralRegions, for what it is good for.
+  /// Joins central edges across the top of a bend. In a bend the axis rises to a top in the middle,
+  /// too steeply to be central. Beads continue through the bend if the top has the same number of
+  /// beads, or one more bead and is near. Source: CuraEngine's filterNoncentralRegions, limited to
+  /// this use.
   void JoinAcrossTops() {
     const std::vector<char> before = central_;
     for (size_t node = 0; node < graph_.nodes.size(); ++node) {
@@ -84,7 +85,8 @@ class CountPlanner {
     for (const int step : way) central_[step / 2] = true;
   }
 
-  /// The edge on which a way up goes on; -1 at a top, and where it meets a central edge.
+  /// Returns the next edge of the steepest path upwards; -1 at a top and at a node with a central
+  /// edge.
   int SteepestUp(int node, const std::vector<char>& before) const {
     int best = -1;
     bool is_central = false;
@@ -151,7 +153,8 @@ class CountPlanner {
     }
   }
 
-  /// On the way up to a top the walls are as wide at each node as its own thickness asks for.
+  /// Makes the edges up to a top central, with the largest number of walls. So the walls at each of
+  /// their nodes are as wide as its own thickness requires.
   void LeaveWayUpToWalls(int half, const std::vector<char>& before) {
     for (; half >= 0; half = SteepestUp(graph_.To(half), before)) {
       if (graph_.ToNode(half).radius <= graph_.FromNode(half).radius) return;
@@ -206,7 +209,8 @@ class CountPlanner {
       around_[node] = CountsAround(static_cast<int>(node));
   }
 
-  /// The ramp that begins at a transition's node for the edges with its lower or its higher count.
+  /// Returns the ramp that begins at a transition's node, for the edges with its lower or its
+  /// higher count.
   Ramp RampAt(int node, int count) const {
     const Range& range = around_[node];
     if (!range.IsTransition() || (count != range.low && count != range.high)) return {};
@@ -215,7 +219,8 @@ class CountPlanner {
     return {full, full, 1 / std::max<double>(1, strategy_.TransitionLength(range.low))};
   }
 
-  /// From each transition outwards, along the edges of its lower (`up`) or its higher count.
+  /// Spreads the ramps outwards from each transition, along the edges of its lower count (`up`) or
+  /// of its higher count.
   void Spread(std::vector<Ramp>& ramps, bool up) {
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry> queue;
@@ -246,7 +251,7 @@ class CountPlanner {
     }
   }
 
-  /// The ramp at the start of `half`, as the edge sees it.
+  /// Returns the ramp at the start of `half` that is valid for this edge.
   Ramp RampOn(int half, bool up) const {
     const int node = graph_.half_edges[half].from;
     const int count = edge_count_[half / 2];
@@ -254,7 +259,7 @@ class CountPlanner {
     return count == (up ? around_[node].low : around_[node].high) ? RampAt(node, count) : Ramp{};
   }
 
-  /// Where on the edge the ramps of its two ends reach 0 or meet.
+  /// Adds the positions on an edge where the ramps of its two ends reach 0 or meet.
   static void AddKinks(const Ramp& a, const Ramp& b, double length, std::vector<double>& kinks) {
     const double slope = std::max(a.slope, b.slope);
     if (slope == 0) return;
@@ -298,7 +303,8 @@ class CountPlanner {
     }
   }
 
-  /// With transitions on both sides nearby each ends where the other one lies.
+  /// Returns the reduced height of a ramp. Of two nearby transitions on both sides, each ramp ends
+  /// at the position of the other transition.
   static double Share(const Ramp& ramp, const Ramp& other) {
     return ramp.height * (other.full > 0 ? 1 - other.height / other.full : 1);
   }
@@ -309,8 +315,9 @@ class CountPlanner {
     return {static_cast<int>(whole), count - whole < kNothing ? 0 : count - whole};
   }
 
-  /// A middle bead would be a dot there. Instead the beads beside it are widened until they meet:
-  /// of exactly the right volume, as a ring halfway to the middle is half as long as the outline.
+  /// Returns the number of beads at an isolated top. A middle bead would be a dot there. Instead
+  /// the beads beside it are widened until they meet. This gives exactly the right volume, because
+  /// a ring halfway to the middle is half as long as the outline.
   int CountAtTop(size_t node) const {
     const int count = strategy_.OptimalCount(Thickness(graph_.nodes[node].radius));
     if (count > MostWalls(strategy_)) return IsInSmallFill(node) ? MostWalls(strategy_) : count;
@@ -318,7 +325,8 @@ class CountPlanner {
     return has_middle && count >= kLeastInnerMiddle ? count - 1 : count;
   }
 
-  /// Nodes that were made since lie on central edges.
+  /// Returns true if the node is in a small fill. Nodes added later are on central edges and never
+  /// are.
   bool IsInSmallFill(size_t node) const {
     return node < in_small_fill_.size() && in_small_fill_[node];
   }
@@ -351,10 +359,10 @@ class CountPlanner {
   SkeletalGraph& graph_;
   std::vector<char>& central_;
   std::vector<int> edge_count_;
-  std::vector<char> in_small_fill_;  ///< by node
+  std::vector<char> in_small_fill_;  ///< per node
   std::vector<int> leaving_;
-  std::vector<Range> around_;    ///< counts of the edges around each node
-  std::vector<Ramp> up_, down_;  ///< by node: towards more beads, towards fewer
+  std::vector<Range> around_;  ///< range of the counts of the edges around each node
+  std::vector<Ramp> up_, down_;  ///< ramps per node: towards more beads, towards fewer beads
 };
 
 }  // namespace

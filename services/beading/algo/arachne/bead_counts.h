@@ -9,31 +9,39 @@
 
 namespace slicefarm::beading {
 
-/// Nodes nearer than this to another one are not made.
+/// Smallest distance of a new node from an existing one.
 inline constexpr double kLeastPieceNm = 10'000;
 
+/// Options for PlanBeadCounts.
 struct CountOptions {
-  double filter_deviation_nm = 100'000;     ///< how much wider or narrower beads may get ...
-  double filter_distance_nm = 100'000'000;  ///< ... along a stretch this long, to save a transition
-  /// The radius by which counts are decided where the own one, `radius_nm` at a place, is nearer to
-  /// a transition's than `filter_deviation_nm`; none: always the own one.
+  double filter_deviation_nm = 100'000;  ///< largest change of a bead's width ...
+  /// ... along this length, accepted to save a transition
+  double filter_distance_nm = 100'000'000;
+  /// Function that returns the radius for close decisions, from a position and its own radius
+  /// `radius_nm`. It is used if the thickness is within `filter_deviation_nm` of a transition.
+  /// None: the own radius always decides.
   std::function<double(Vector2 place, double radius_nm)> deciding_radius = nullptr;
 };
 
-/// How many beads lie across a node: `count`, or in a transition more than that by `ratio` of one.
+/// Number of beads across a node: `count`, plus the fraction `ratio` of one bead in a transition.
 struct BeadCount {
-  int count = -1;  ///< -1: not decided here, but by the places around
+  int count = -1;  ///< -1: not decided here, but by the nodes around
   double ratio = 0;
 
+  /// Returns true if the number is decided at this node.
   bool decided() const { return count >= 0; }
   friend bool operator==(const BeadCount&, const BeadCount&) = default;
 };
 
-/// Decides the number of beads along the central edges and at the tops that stand alone. Edges are
-/// split where transitions begin, lie and end, and where the strategy has kinks; `central` grows
-/// with them. By node. Stretches that differ from the one beside them by less than the filter are
-/// taken into it, the shortest first. Cost: O(n log n).
-/// Source: Kuipers et al. 2020, section 3.3; ramps as a field of distances from all transitions.
+/// Decides the number of beads along the central edges and at isolated tops. The result is per
+/// node.
+///
+/// Edges are split at the begin, middle and end of transitions and at the kinks of the strategy;
+/// `central` grows with them. Stretches that differ from a neighbour by less than the filter are
+/// merged into it, the shortest first. Cost: O(n log n).
+///
+/// Source: Kuipers et al. 2020, section 3.3; here the ramps are a field of distances from all
+/// transitions.
 std::vector<BeadCount> PlanBeadCounts(const BeadingStrategy& strategy, const CountOptions& options,
                                       SkeletalGraph& graph, std::vector<char>& central);
 

@@ -39,7 +39,7 @@ struct Plan {
     for (const BeadCount& count : counts) highest = std::max(highest, count.count);
     return highest;
   }
-  /// Nodes at which the number of beads is no whole one.
+  /// Returns the nodes where the number of beads is not an integer.
   std::vector<size_t> InTransition() const {
     std::vector<size_t> nodes;
     for (size_t i = 0; i < counts.size(); ++i)
@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(BeadCounts, StripCounts,
                            return name;
                          });
 
-/// 0.3 mm thick up to x = 4, 1 mm from x = 9.
+/// Region that is 0.3 mm thick up to x = 4 and 1 mm from x = 9.
 constexpr std::string_view kStepped =
     "(0 0, 4 0, 9 -0.35, 13 -0.35, 13 0.65, 9 0.65, 4 0.3, 0 0.3)";
 
@@ -128,7 +128,7 @@ TEST(BeadCounts, ATransitionIsAsLongAsTheStrategySays) {
     const Plan plan = PlanOf(kStepped, *strategy);
     const auto nodes = plan.InTransition();
     ASSERT_FALSE(nodes.empty());
-    // The last node with one bead and the first one with two.
+    // The transition is between the last node with one bead and the first one with two.
     double from = -1e9, to = 1e9;
     for (size_t i = 0; i < plan.counts.size(); ++i) {
       if (plan.counts[i] == BeadCount{1, 0}) from = std::max(from, plan.XMm(i));
@@ -142,7 +142,8 @@ TEST(BeadCounts, ATransitionIsAsLongAsTheStrategySays) {
   }
 }
 
-/// 0.64 mm thick, and a little more than 0.68 around x = 5: two beads 0.02 mm wider than split.
+/// Strip 0.64 mm thick, slightly more than 0.68 mm around x = 5: two beads there are 0.02 mm wider
+/// than when they split.
 constexpr std::string_view kBump = "(0 0, 10 0, 10 0.64, 7 0.64, 5 0.7, 3 0.64, 0 0.64)";
 
 TEST(BeadCounts, ASmallBumpMakesNoTransition) {
@@ -162,7 +163,7 @@ TEST(BeadCounts, ALongBumpIsNotFiltered) {
   EXPECT_EQ(PlanOf(kBump, *strategy, {.filter_distance_nm = 1'400'000}).HighestCount(), 1);
 }
 
-/// A strip of 0.4 mm that gets wider up to `thickness_mm`, which it is for half a mm.
+/// Returns a strip of 0.4 mm that widens to `thickness_mm` and has this thickness over half a mm.
 std::string Club(double thickness_mm) {
   const double by = (thickness_mm - 0.4) / 2;
   const double taper = by / 0.08;
@@ -171,8 +172,8 @@ std::string Club(double thickness_mm) {
          point(9.5 + taper, 0.4 + by) + ", " + point(9 + taper, 0.4 + by) + ", 9 0.4, 0 0.4)";
 }
 
-// A transition of 9 mm finds no room in the club's head: for want of that beads may deviate three
-// times as much as the filter allows, and no more.
+// A transition of 9 mm does not fit in the club's head. For this reason beads may deviate up to
+// three times as much as the filter allows.
 TEST(BeadCounts, AWidePartIsNotDissolvedForWantOfRoom) {
   const auto strategy = Strategy(0, 9'000'000);
   const Plan slight = PlanOf(Club(0.90), *strategy);
@@ -210,7 +211,8 @@ TEST_P(LoneTop, HasItsCountWithoutADot) {
   EXPECT_EQ(plan.counts[top].count, optimal - optimal % 2);
 }
 
-// The second one's is on a central line of 30 um; the last one's tail is central as well.
+// In the second case the top is on a central line of 30 um; in the last case the tail is central
+// too.
 INSTANTIATE_TEST_SUITE_P(
     BeadCounts, LoneTop,
     testing::Values(TopCase{"Square", "(0 0, 5 0, 5 5, 0 5)"},
@@ -234,7 +236,7 @@ TEST_P(SquareTop, HasThisCount) {
   EXPECT_EQ(plan.counts[plan.Widest()].count, GetParam().count);
 }
 
-// Beads are 0.4 mm wide. With at most four, five stand for what is the infill's in the middle.
+// Beads are 0.4 mm wide. With at most four beads, five means that the middle belongs to the infill.
 INSTANTIATE_TEST_SUITE_P(BeadCounts, SquareTop,
                          testing::Values(SquareCase{"OneIsAllThereIs", 0, 400'000, 1},
                                          SquareCase{"TheOutermostKeepTheirWidth", 0, 1'200'000, 3},
@@ -246,7 +248,7 @@ INSTANTIATE_TEST_SUITE_P(BeadCounts, SquareTop,
                                          SquareCase{"InfillInTheMiddle", 2, 2'700'000, 5}),
                          [](const auto& info) { return info.param.name; });
 
-/// Two squares with a neck 2 mm thick between them: five beads.
+/// Returns two squares connected by a neck 2 mm thick, which is five beads wide.
 std::string Dumbbell(double neck_mm) {
   const auto point = [&](double x, int y) {
     return std::to_string(x) + " " + std::to_string(y) + ", ";

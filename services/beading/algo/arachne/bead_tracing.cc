@@ -9,24 +9,24 @@
 namespace slicefarm::beading {
 namespace {
 
-/// A line along the axis ends in a half disc. It and the end of what it meets there cover what is
-/// free between them if it ends before the node by these parts of its width: before another line
-/// along the axis (Kuipers et al. 2020, section 3.5), and before two halves that begin side by
-/// side.
+/// Retreat of a line along the axis before a node, as a fraction of its width. The line ends in a
+/// half disc. With this retreat, the half disc and the end of the next bead cover the free area
+/// between them. The next bead is another line along the axis (Kuipers et al. 2020, section 3.5),
+/// or two halves that begin side by side.
 constexpr double kRetreatFromMiddle = 0.75;
 constexpr double kRetreatFromHalves = 0.62;
-/// Where a lone bead ends before a flat end of its place, the half disc lacks the corners; it has
-/// their area if it goes on by this: 1/2 - pi/8.
+/// Extension of a single bead into a flat end, as a fraction of its width. The half disc lacks the
+/// corners of the end; this extension has their area: 1/2 - pi/8.
 constexpr double kReachIntoEnd = 0.107;
 constexpr double kLeastLengthNm = 50'000;
-/// Of a bead's width: how long a line is that covers a dot of that width.
+/// Length of the line for a dot, as a fraction of the bead's width.
 constexpr double kDotLength = 0.2;
 
 Vector2 Lerp(Vector2 a, Vector2 b, double t) {
   return {std::lerp(a.x(), b.x(), t), std::lerp(a.y(), b.y(), t)};
 }
 
-/// Beads of one inset on the sides of the axis.
+/// Tracer of the beads of one inset beside the axis.
 class SideTracer {
  public:
   SideTracer(const SkeletalGraph& graph, const std::vector<NodeBeading>& beadings, int inset)
@@ -53,7 +53,8 @@ class SideTracer {
     return bead != nullptr && bead->location <= graph_.nodes[node].radius;
   }
 
-  /// The half-edges of a line: on along the ring, or back on the other side of the axis.
+  /// Returns the next half-edge of a line: the next one along the ring, or the one back on the
+  /// other side of the axis.
   int After(int half) const { return HasBead(To(half)) ? graph_.half_edges[half].next : half ^ 1; }
 
   BeadLine TraceFrom(int start) {
@@ -86,8 +87,8 @@ class SideTracer {
     points.push_back(point);
   }
 
-  /// Whether a straight line of evenly changing width from `a` to `b` passes through `p`: of most
-  /// nodes along straight sides.
+  /// Returns true if a straight line from `a` to `b`, with linearly changing width, passes through
+  /// `p`. This holds for most nodes along straight sides.
   static bool IsBetween(const BeadPoint& p, const BeadPoint& a, const BeadPoint& b) {
     constexpr double kNothingNm = 50;
     const double bx = b.place.x() - a.place.x(), by = b.place.y() - a.place.y();
@@ -107,7 +108,8 @@ class SideTracer {
     return {Lerp(foot, node.place, t), bead.width};
   }
 
-  /// Where the bead, which one end of the edge has and the other has not, turns to the other side.
+  /// Returns the turning point on an edge where only one end has the bead. The bead turns there to
+  /// the other side of the axis.
   BeadPoint Tip(int half) const {
     const int with = HasBead(From(half)) ? From(half) : To(half);
     const int without = with == From(half) ? To(half) : From(half);
@@ -117,7 +119,7 @@ class SideTracer {
                : AxisPoint(with, without);
   }
 
-  /// The bead comes out of one along the axis, as a half of it.
+  /// Returns the begin of a bead that starts as one half of a bead along the axis.
   BeadPoint HalfOfMiddle(int half, int node) const {
     const SkeletalNode& at = graph_.nodes[node];
     const double width = beadings_[node].middle_width / 2;
@@ -125,7 +127,7 @@ class SideTracer {
     return {Lerp(graph_.Foot(half, at), at.place, t), width};
   }
 
-  /// On the axis, where the bead's distance from the boundary is the radius.
+  /// Returns the point on the axis where the bead's distance from the boundary equals the radius.
   BeadPoint AxisPoint(int with, int without) const {
     const double room_with = graph_.nodes[with].radius - BeadAt(with)->location;
     const SideBead* other = BeadAt(without);
@@ -145,7 +147,7 @@ class SideTracer {
   std::vector<char> visited_;
 };
 
-/// Beads along the axis.
+/// Tracer of the beads along the axis.
 class MiddleTracer {
  public:
   MiddleTracer(const SkeletalGraph& graph, const std::vector<char>& central,
@@ -173,14 +175,15 @@ class MiddleTracer {
   double Width(int node) const {
     return beadings_[node].has_middle ? beadings_[node].middle_width : 0;
   }
-  /// A middle bead may be nothing at one end of the edge, but not two halves.
+  /// Returns true if the edge has a middle bead. At one end, this bead may have width 0, but may
+  /// not be split into two halves.
   bool HasMiddle(int half) const {
     const int a = graph_.half_edges[half].from, b = graph_.To(half);
     return beadings_[a].sides.size() == beadings_[b].sides.size() &&
            std::max(Width(a), Width(b)) > options_.min_middle_width_nm;
   }
 
-  /// The middle bead of a top from which no line goes on.
+  /// Adds the middle bead of a top from which no line continues.
   void AddDot(int node, std::vector<BeadLine>& lines) const {
     const double width = Width(node);
     if (width < options_.min_middle_width_nm) return;
@@ -205,7 +208,7 @@ class MiddleTracer {
     lines.push_back(std::move(dot));
   }
 
-  /// At a node those two lines go on into each other that bend least, then the next two.
+  /// Connects lines at a node: first the two lines with the smallest bend, then the next two.
   void Pair(int node) {
     std::vector<int> around;
     graph_.ForEachLeaving(leaving_[node], [&](int half) {
@@ -224,7 +227,7 @@ class MiddleTracer {
           b = j;
         }
       }
-      // mate_[x]: the half-edge that goes on from where x arrives.
+      // mate_[x] is the half-edge that continues from the end of x.
       mate_[around[a] ^ 1] = around[b];
       mate_[around[b] ^ 1] = around[a];
       around.erase(around.begin() + static_cast<std::ptrdiff_t>(b));
@@ -270,8 +273,8 @@ class MiddleTracer {
     Cut(std::move(line), lines);
   }
 
-  /// How far a line is to end before its last node, so that it covers as much as is free there;
-  /// negative if it is to go on.
+  /// Returns the distance before its last node at which a line must end to cover exactly the free
+  /// area; negative if the line must be extended.
   double RetreatAt(int node) const {
     bool meets_middle = false, meets_halves = false;
     int ends = 0;
@@ -307,7 +310,7 @@ class MiddleTracer {
     return Hypot(b.place.x() - a.place.x(), b.place.y() - a.place.y());
   }
 
-  /// A line that is shorter than a dot covers less than one.
+  /// Extends a line that is shorter than a dot, because it would cover less than a dot.
   static void LengthenToDot(std::vector<BeadPoint>& points) {
     double length = 0;
     for (size_t i = 1; i < points.size(); ++i) length += Distance(points[i - 1], points[i]);
@@ -341,7 +344,7 @@ class MiddleTracer {
   BeadPoint PointAt(int node) const { return {graph_.nodes[node].place, Width(node)}; }
   int InsetAt(int node) const { return static_cast<int>(beadings_[node].sides.size()); }
 
-  /// Without what is narrower than the least width.
+  /// Adds the line without the parts narrower than the smallest width.
   void Cut(BeadLine line, std::vector<BeadLine>& lines) const {
     const double least = options_.min_middle_width_nm;
     if (std::ranges::all_of(line.points, [&](const BeadPoint& p) { return p.width >= least; })) {
@@ -377,9 +380,9 @@ class MiddleTracer {
   const std::vector<NodeBeading>& beadings_;
   const TracingOptions& options_;
   const std::vector<int> leaving_;
-  std::vector<char> open_;        ///< by edge: has a bead that no line has yet
-  std::vector<char> has_middle_;  ///< by edge
-  std::vector<int> mate_;         ///< by half-edge: the one that its line goes on with
+  std::vector<char> open_;  ///< per edge: 1 if its bead is not part of a line yet
+  std::vector<char> has_middle_;  ///< per edge
+  std::vector<int> mate_;  ///< per half-edge: the half-edge that continues its line
 };
 
 }  // namespace

@@ -8,29 +8,35 @@
 
 namespace slicefarm::beading {
 
+/// Point on the middle of a bead, with the bead's width.
 struct BeadPoint {
   Vector2 place = Vector2::Zero();
-  double width = 0;  ///< nm
+  double width = 0;  ///< in nm
 };
 
-/// The middle of a bead with its width at each point.
+/// Middle line of a bead, with the bead's width at each point.
 struct BeadLine {
-  int inset = 0;  ///< 0 for the outermost
+  int inset = 0;  ///< 0 for the outermost bead
   bool closed = false;
-  bool is_middle = false;  ///< along the axis
-  bool is_marker = false;  ///< width 0: the border of what the infill gets
+  bool is_middle = false;  ///< true for a bead along the axis
+  bool is_marker = false;  ///< true for width 0: the border of the infill's area
   std::vector<BeadPoint> points;
 };
 
+/// Options for TraceBeads.
 struct TracingOptions {
-  double min_middle_width_nm = 100'000;  ///< a middle bead that grows or ends is cut off here
+  /// Smallest width of a middle bead; it is cut off where it becomes narrower
+  double min_middle_width_nm = 100'000;
 };
 
-/// Beads beside the medial axis are closed lines around its rings: each follows the boundary at its
-/// distance from it, and where there is no room for it crosses the axis and comes back on the other
-/// side. Beads along the axis are open, or rings. In the order of rings and half-edges. Cost: O(n)
-/// and the points that come out.
-/// Source: Kuipers et al. 2020, section 3.5; as a walk around rings, so that lines always close.
+/// Returns the lines of all beads, in the order of rings and half-edges.
+///
+/// Beads beside the medial axis are closed lines around its rings. Each line follows the boundary
+/// at its distance. Where there is too little space for it, it crosses the axis and returns on the
+/// other side. Beads along the axis are open lines or rings. Cost: O(n) plus the number of
+/// resulting points.
+///
+/// Source: Kuipers et al. 2020, section 3.5; here lines follow the rings, so they always close.
 std::vector<BeadLine> TraceBeads(const SkeletalGraph& graph, const std::vector<char>& central,
                                  const std::vector<NodeBeading>& beadings,
                                  const TracingOptions& options);

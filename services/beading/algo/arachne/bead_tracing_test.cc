@@ -22,7 +22,7 @@ constexpr Coord kTransitionNm = 400'000;
 
 PolygonWithHoles Region(std::string_view text) { return MakePolygonsOrDie(text)[0]; }
 
-/// The beads of a region, in nm of its own.
+/// Returns the beads of a region, in nm relative to the region's own origin.
 std::vector<BeadLine> BeadsOf(const PolygonWithHoles& region, int max_walls = 0) {
   StrategyOptions options;
   options.max_walls = max_walls;
@@ -79,8 +79,7 @@ PolygonWithHoles RegularPolygon(int corners, double inner_radius_mm) {
   return polygon;
 }
 
-// --- strips
-// ----------------------------------------------------------------------------------------
+// Tests of strips.
 
 struct StripCase {
   int beads;
@@ -100,10 +99,10 @@ TEST_P(StripBeads, AreClosedOnTheSidesAndOpenInTheMiddle) {
     EXPECT_EQ(line.is_middle, inset == sides);
     EXPECT_EQ(line.closed, inset < sides);
     EXPECT_FALSE(line.is_marker);
-    // One after the other, however wide.
+    // Beads lie side by side, regardless of their widths.
     double location = DistanceToBoundary(line.points[0].place, region);
     if (beads == 1) {
-      // A lone bead's ends reach into the strip's.
+      // The ends of a single bead extend into the ends of the strip.
       location = line.points[0].width / 2;
       for (const BeadPoint& end : {line.points.front(), line.points.back()})
         EXPECT_NEAR(DistanceToBoundary(end.place, region), (1 - 2 * 0.107) * location, 2);
@@ -163,8 +162,7 @@ TEST(BeadTracing, WithAHoleThereIsALineAroundEachRing) {
   for (const BeadLine& line : lines) EXPECT_TRUE(line.closed);
 }
 
-// --- where the number changes
-// ----------------------------------------------------------------------
+// Tests of transitions between numbers of beads.
 
 TEST(BeadTracing, AMiddleBeadRetreatsBeforeItsTwoHalves) {
   const auto lines =
@@ -183,13 +181,13 @@ TEST(BeadTracing, AMiddleBeadRetreatsBeforeItsTwoHalves) {
   const double gap = (first.place.x() - last.place.x()) / last.width;
   EXPECT_GT(gap, 0.5);
   EXPECT_LT(gap, 0.75);
-  // At the other end it reaches into the flat end's corners.
+  // At the other end, the bead extends into the corners of the flat end.
   EXPECT_NEAR(std::ranges::min_element(middle.points, by_x)->place.x(), 150'000 - 0.107 * 340'000,
               1'000);
 }
 
 TEST(BeadTracing, AMiddleBeadThatGrowsBeginsAtTheLeastWidth) {
-  // From two beads to three.
+  // The number changes from two beads to three.
   const auto lines =
       BeadsOf(Region("(0 0, 4 0, 9 -0.25, 13 -0.25, 13 1.15, 9 1.15, 4 0.9, 0 0.9)"));
   const auto middles = Middles(lines);
@@ -200,8 +198,7 @@ TEST(BeadTracing, AMiddleBeadThatGrowsBeginsAtTheLeastWidth) {
   EXPECT_NEAR(least, TracingOptions{}.min_middle_width_nm, 1);
 }
 
-// --- tops and rings
-// --------------------------------------------------------------------------------
+// Tests of tops and rings.
 
 struct DotCase {
   int corners;
@@ -236,7 +233,7 @@ INSTANTIATE_TEST_SUITE_P(BeadTracing, RegularDot,
                                   std::to_string(info.param.sides);
                          });
 
-// Where the top is a very short line along the axis instead, that covers no less than a dot.
+// The top is a very short line along the axis here, which must cover no less than a dot.
 TEST(BeadTracing, AShortTopIsCoveredAsADotIs) {
   for (const std::string_view longer : {"1.2", "1.201", "1.21", "1.25"}) {
     const std::string x(longer);
@@ -247,7 +244,7 @@ TEST(BeadTracing, AShortTopIsCoveredAsADotIs) {
 }
 
 TEST(BeadTracing, ATopOfEvenCountHasNoDot) {
-  // The second one's thickness is that of five beads; see CountAtTop.
+  // The second region is thick enough for five beads; see CountAtTop.
   for (const PolygonWithHoles& region : {RegularPolygon(6, 0.8), RegularPolygon(12, 1)}) {
     const auto lines = BeadsOf(region);
     ASSERT_EQ(lines.size(), 2u);
@@ -277,7 +274,8 @@ TEST(BeadTracing, TheMiddleOfARingIsClosed) {
   EXPECT_EQ(Middles(thick)[0].inset, 1);
 }
 
-// Off the straight parts the axis is steeper than central, but the bead's neighbours are the same.
+// Near the corner the axis is steeper than central, but the numbers of beads on both sides are
+// equal.
 TEST(BeadTracing, ALoneBeadGoesOnAroundACorner) {
   const auto bent = BeadsOf(Region("(0 0, 9 0, 9 0.4, 0.4 0.4, 0.4 5, 0 5)"));
   ASSERT_EQ(bent.size(), 1u);

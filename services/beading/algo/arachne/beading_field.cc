@@ -15,11 +15,11 @@ NodeBeading LaidOut(const BeadingStrategy& strategy, double radius, const BeadCo
                  radius);
 }
 
-/// Whose beads a node takes over, and how far away that is along the graph.
+/// Node from which another node takes its beads, and the distance to it along the graph.
 struct Origin {
   int node = -1;
   double distance = 0;
-  int next = -1;  ///< the next node on the way there
+  int next = -1;  ///< next node on the path to the origin
 };
 
 class Field {
@@ -31,10 +31,10 @@ class Field {
                      [&](int a, int b) { return graph_.nodes[a].radius < graph_.nodes[b].radius; });
   }
 
-  /// Nodes from the greatest radius to the least.
+  /// Returns the nodes from the largest radius to the smallest.
   std::vector<int> Falling() const { return {order_.rbegin(), order_.rend()}; }
 
-  /// By node: the decided one that the steepest way leads up to.
+  /// Returns for each node the decided node at the end of its steepest path upwards.
   std::vector<Origin> Tops() const {
     std::vector<Origin> tops = Decided();
     for (auto node = order_.rbegin(); node != order_.rend(); ++node) {
@@ -53,7 +53,7 @@ class Field {
     return tops;
   }
 
-  /// By node: the nearest decided one from which a way leads up to it, if there is one.
+  /// Returns for each node the nearest decided node with a path upwards to it, if there is one.
   std::vector<Origin> Bottoms() const {
     std::vector<Origin> bottoms = Decided();
     for (const int node : order_) {
@@ -83,7 +83,8 @@ class Field {
   std::vector<int> order_;  ///< nodes by radius
 };
 
-/// Widths go evenly from node to node: without these nodes a blend would be as long as its edge.
+/// Splits edges where blends end. Widths are linear from node to node, so without these nodes a
+/// blend would be as long as its edge.
 void SplitWhereBlendsEnd(double transition_length, SkeletalGraph& graph,
                          std::vector<BeadCount>& counts, std::vector<char>& central) {
   const std::vector<Origin> bottoms = Field(graph, counts).Bottoms();

@@ -7,12 +7,15 @@
 
 namespace slicefarm::beading {
 
-/// The beads at each node of the graph: where their number is decided, what the strategy lays out;
-/// elsewhere those of the place that the node leads up to, so that beads keep their distance from
-/// the boundary, going over within `transition_length_nm` from those of the place below it, if
-/// there is one. Edges are split where that ends; `counts` and `central` grow with them.
-/// Cost: O(n log n).
-/// Source: Kuipers et al. 2020, section 3.4.
+/// Returns the beads at each node of the graph.
+///
+/// At nodes with a decided number, the strategy lays them out. Other nodes take the beads of the
+/// decided node to which their path upwards leads, so that beads keep their distance from the
+/// boundary. If there is also a decided node below, the beads change from the lower node's to the
+/// upper node's layout within `transition_length_nm`. Edges are split at the end of this
+/// transition; `counts` and `central` grow with them.
+///
+/// Cost: O(n log n). Source: Kuipers et al. 2020, section 3.4.
 std::vector<NodeBeading> BeadingField(const BeadingStrategy& strategy, double transition_length_nm,
                                       SkeletalGraph& graph, std::vector<BeadCount>& counts,
                                       std::vector<char>& central);

@@ -31,7 +31,7 @@ struct Field {
   std::vector<NodeBeading> beadings;
 };
 
-/// A tree with these edges; around each node in this order.
+/// Returns a tree with these edges, in this order around each node.
 SkeletalGraph Tree(const std::vector<Node>& nodes, const std::vector<std::pair<int, int>>& edges) {
   SkeletalGraph graph;
   std::vector<std::vector<int>> leaving(nodes.size());
@@ -67,7 +67,7 @@ Field FieldOf(const std::vector<Node>& nodes, const std::vector<std::pair<int, i
   return field;
 }
 
-/// Each node joined to the next one.
+/// Returns the field of a chain that connects each node to the next one.
 Field ChainOf(const std::vector<Node>& nodes, double transition_length_nm = 400'000) {
   std::vector<std::pair<int, int>> edges;
   for (int i = 0; i + 1 < static_cast<int>(nodes.size()); ++i) edges.emplace_back(i, i + 1);
@@ -89,7 +89,7 @@ TEST(BeadingField, DecidedNodesHaveWhatIsLaidOut) {
   ASSERT_EQ(field.beadings.size(), 3u);
   EXPECT_EQ(field.beadings[0], (NodeBeading{{}, true, 400'000}));
   EXPECT_EQ(field.beadings[1], kTwoOf400);
-  // Half way from two of 0.6 mm to three of 0.4 mm.
+  // The node is halfway from two beads of 0.6 mm to three of 0.4 mm.
   EXPECT_EQ(field.beadings[2], (NodeBeading{{{500'000, 250'000}}, true, 200'000}));
 }
 
@@ -110,14 +110,15 @@ TEST(BeadingField, OfTwoWaysUpTheSteeperOneCounts) {
   EXPECT_EQ(field.beadings[0], kTwoOf400);
 }
 
-// What lies above all decided places has no bead to take over.
+// Nodes above all decided nodes have no bead to take over.
 TEST(BeadingField, NodesWithNoWayUpStayEmpty) {
   const Field field = ChainOf({{{0, 0}, 200'000, kOne}, {{100'000, 0}, 300'000, kOpen}});
   ASSERT_EQ(field.beadings.size(), 2u);
   EXPECT_EQ(field.beadings[1], NodeBeading{});
 }
 
-// One bead of 0.4 mm are two of 0.2 mm beside each other; a quarter of the way to two of 0.4 mm.
+// One bead of 0.4 mm counts as two of 0.2 mm side by side; a quarter of the change to two of 0.4 mm
+// follows.
 TEST(BeadingField, NodesAboveADecidedOneBlend) {
   const Field field = ChainOf({{{0, 0}, 200'000, kOne},
                                {{100'000, 0}, 300'000, kOpen},
@@ -150,7 +151,7 @@ struct LengthCase {
 };
 class BlendEnd : public testing::TestWithParam<LengthCase> {};
 
-// Up an edge of 1 mm, and 0.2 mm more to the top.
+// The path rises along an edge of 1 mm, and 0.2 mm more to the top.
 TEST_P(BlendEnd, IsWhereTheTransitionLengthEnds) {
   const double length = GetParam().transition_length_nm;
   const Field field = ChainOf(
@@ -183,7 +184,8 @@ TEST(BeadingField, ABlendEndsBeforeATopThatIsFarAway) {
   EXPECT_EQ(field.beadings[3], kTwoOf400);
 }
 
-// Both of its ends have a place below them, and each is the other's higher end.
+// The edge is level: each end has a decided node below, and counts as the higher end seen from the
+// other end.
 TEST(BeadingField, ALevelEdgeIsSplitOnlyOnce) {
   const Field field = ChainOf({{{0, 0}, 100'000, kOne},
                                {{100'000, 0}, 200'000, kOpen},
@@ -213,7 +215,7 @@ TEST(BeadingField, CoversTheGraphsOfOutlines) {
     for (size_t i = 0; i < beadings.size(); ++i) {
       EXPECT_NE(beadings[i], NodeBeading{}) << i;
       EXPECT_TRUE(i < before || !counts[i].decided()) << i;
-      // Side by side from the outline on.
+      // The beads lie side by side, beginning at the outline.
       double edge = 0;
       for (const SideBead& bead : beadings[i].sides) {
         EXPECT_NEAR(bead.location - bead.width / 2, edge, 2) << i;

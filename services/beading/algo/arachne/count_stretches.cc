@@ -10,16 +10,18 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Where a stretch has no room for its half of a transition, or too little for a middle bead, its
-/// beads may deviate by this many times what they may otherwise.
+/// Factor on the allowed deviation of beads, for a stretch that is too short for its half of a
+/// transition or for a middle bead.
 constexpr double kShortDeviation = 3;
-/// Shorter stretches get no bead along the middle: one of 1 mm at most, as it ends before others
-/// begin.
+/// Shorter stretches get no middle bead. Such a bead would be at most 1 mm long, because it ends
+/// before other beads begin.
 constexpr double kLeastMiddleNm = 1'500'000;
-/// Necks that are shorter get none between the outermost beads: one of about 0.4 mm at most.
+/// Shorter necks get no bead between the outermost beads. Such a bead would be at most about 0.4 mm
+/// long.
 constexpr double kLeastNeckNm = 1'000'000;
 
-/// Stretches of central edges with the same count, and how they lie beside each other.
+/// Stretches and their neighbours. A stretch is a set of connected central edges with the same bead
+/// count.
 class Stretches {
  public:
   Stretches(const SkeletalGraph& graph, const std::vector<int>& counts)
@@ -47,7 +49,7 @@ class Stretches {
 
   int CountOf(int edge) { return data_[Find(edge)].count; }
 
-  /// Takes stretches into those beside them, the shortest first.
+  /// Merges stretches into neighbouring ones, the shortest first.
   void Merge(const BeadingStrategy& strategy, const CountOptions& options) {
     std::set<std::pair<double, int>> queue;
     for (int edge = 0; edge < static_cast<int>(parent_.size()); ++edge)
@@ -72,8 +74,9 @@ class Stretches {
     int count = -1;
     double length = 0;
     double min_radius = 0, max_radius = 0;
-    int steep_ends = 0;    ///< places where the part gets thicker too steeply to be central
-    std::set<int> beside;  ///< stretches with another count; may be out of date: Find them
+    int steep_ends = 0;  ///< number of ends where the part thickens too steeply to be central
+    /// Neighbouring stretches with other counts; may be outdated, so use Find
+    std::set<int> beside;
   };
 
   int Find(int i) {
@@ -113,14 +116,14 @@ class Stretches {
     return neighbours;
   }
 
-  /// Joins the stretch with all beside it that have its count by now.
+  /// Unites the stretch with all neighbours that now have the same count.
   int Absorb(int stretch) {
     for (const int other : Neighbours(stretch))
       if (data_[other].count == data_[stretch].count) stretch = Unite(stretch, Find(other));
     return stretch;
   }
 
-  /// Where the stretch may go; -1 if it is to stay.
+  /// Returns the best neighbour to merge the stretch into; -1 if it must stay.
   int BestNeighbour(int stretch, const BeadingStrategy& strategy, const CountOptions& options) {
     const std::vector<int> neighbours = Neighbours(stretch);
     const bool short_middle = HasShortMiddle(data_[stretch], strategy) && HaveOneCount(neighbours);
@@ -141,7 +144,8 @@ class Stretches {
     return best;
   }
 
-  /// How far beads are stretched or squeezed if the stretch gets `count` of them.
+  /// Returns the distance by which beads are stretched or squeezed if the stretch gets `count`
+  /// beads.
   static double Deviation(const Data& data, int count, const BeadingStrategy& strategy) {
     const int lower = std::min(data.count, count);
     const auto limit = static_cast<double>(strategy.TransitionThickness(lower)) / 2;
@@ -155,13 +159,13 @@ class Stretches {
     });
   }
 
-  /// Whether the stretch has a bead along the middle that would hardly be worth a travel.
+  /// Returns true if the stretch has a middle bead that is hardly worth a travel.
   static bool HasShortMiddle(const Data& data, const BeadingStrategy& strategy) {
     return data.count % 2 == 1 && data.count >= kLeastInnerMiddle &&
            data.count <= MostWalls(strategy) && data.length < kLeastMiddleNm;
   }
 
-  /// In a neck that lies between steep sides alone.
+  /// Removes a short middle bead from a stretch without neighbours: a neck between steep sides.
   static void TakeOutShortMiddle(Data& data, const BeadingStrategy& strategy,
                                  const CountOptions& options) {
     if (IsShortNeck(data)) return SplitMiddle(data, strategy, options);
@@ -172,20 +176,20 @@ class Stretches {
     data.count += fewer < more ? -1 : 1;
   }
 
-  /// Returns true for a neck where taking out the middle bead would widen the outermost ones.
+  /// Returns true for a neck where removing the middle bead would widen the outermost beads.
   static bool IsShortNeck(const Data& data) {
     return data.count % 2 == 1 && data.count < kLeastInnerMiddle && data.steep_ends >= 2 &&
            data.length < kLeastNeckNm;
   }
 
-  /// The middle bead of a neck ends before the two beads at either end of it, and is a dot between
-  /// them. Its halves go on into them.
+  /// Splits the middle bead of a neck. It would end before the two beads at either end of the neck
+  /// and be a dot between them. Its halves instead continue into these two beads.
   static void SplitMiddle(Data& data, const BeadingStrategy& strategy,
                           const CountOptions& options) {
     if (Deviation(data, data.count + 1, strategy) <= options.filter_deviation_nm) ++data.count;
   }
 
-  /// Whether the half of the transition that lies in the stretch ends within it.
+  /// Returns true if the stretch is long enough for its half of the transition.
   static bool HasRoom(const Data& data, const Data& other, const BeadingStrategy& strategy) {
     const int lower = std::min(data.count, other.count);
     const double anchor = strategy.TransitionAnchor(lower);

@@ -16,9 +16,9 @@ struct Stretch {
   double thickness_mm = 0;
 };
 
-/// The counts of stretches that follow each other on a line, two edges each. Beads are 0.4 mm wide;
-/// the filter lets them deviate by 0.1 mm, 0.3 mm where a stretch is too short. `in_neck`: at
-/// either end the part gets thick too steeply for edges to have a count.
+/// Returns the merged counts of stretches along a line, two edges each. Beads are 0.4 mm wide. The
+/// filter allows a deviation of 0.1 mm, and 0.3 mm if a stretch is too short. `in_neck`: at both
+/// ends the part thickens so steeply that the edges have no count.
 std::vector<int> Merged(const std::vector<Stretch>& stretches, bool in_neck) {
   SkeletalGraph graph;
   std::vector<int> counts;
@@ -43,7 +43,7 @@ std::vector<int> Merged(const std::vector<Stretch>& stretches, bool in_neck) {
     add_node(kThickNm);
     counts.push_back(-1);
   }
-  // Around the line: there on the half-edges with even index, back on the others.
+  // The half-edges with even index lead along the line, the ones with odd index lead back.
   const int last = static_cast<int>(2 * counts.size()) - 2;
   for (int half = 0; half <= last + 1; ++half) {
     HalfEdge edge;
@@ -74,8 +74,8 @@ TEST_P(Merging, TakesStretchesIntoThoseBesideThem) {
   EXPECT_EQ(Merged(GetParam().stretches, GetParam().in_neck), GetParam().counts);
 }
 
-// Two beads take the place of one from 0.68 mm on, four that of three from 1.48 mm on, five that of
-// four from 1.94 mm on, six that of five from 2.28 mm on.
+// Two beads replace one from 0.68 mm on, four replace three from 1.48 mm, five replace four from
+// 1.94 mm, and six replace five from 2.28 mm.
 INSTANTIATE_TEST_SUITE_P(
     CountStretches, Merging,
     testing::Values(

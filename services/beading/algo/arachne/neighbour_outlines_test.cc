@@ -10,8 +10,8 @@ namespace {
 constexpr Coord kUm = 1'000;
 constexpr double kBandNm = 100'000;
 
-/// A strip along the x axis in each layer, its middle so many um away from its outline; no outline
-/// for 0.
+/// Returns a strip along the x axis for each layer; its middle is this many um from its outline. A
+/// layer with 0 has no outline.
 std::vector<MultiPolygon> Strips(const std::vector<Coord>& radii_um) {
   std::vector<MultiPolygon> layers;
   for (const Coord radius_um : radii_um) {
@@ -28,7 +28,7 @@ NeighbourOutlines Neighbours(const std::vector<MultiPolygon>& layers) {
   return NeighbourOutlines(std::move(outlines));
 }
 
-/// At the strips' middle.
+/// Returns the mean radius at the middle of the strips.
 double MeanUm(const std::vector<Coord>& radii_um, size_t i, size_t reach, double band_nm) {
   const auto layers = Strips(radii_um);
   const auto radius_nm = static_cast<double>(radii_um[i] * kUm);
@@ -61,7 +61,8 @@ TEST(NeighbourOutlines, LayersWithoutOutlinesDoNotCount) {
   EXPECT_DOUBLE_EQ(MeanUm({0, 300, 310, 0}, 1, 2, kBandNm), 305);
 }
 
-// Not by how far away the index says that it is: an island's graph may lie on a coarser grid.
+// The own layer counts with the given radius, not with the one from the index: an island's graph
+// may be on a coarser grid.
 TEST(NeighbourOutlines, TheOwnLayerCountsByTheRadiusGiven) {
   const auto layers = Strips({300, 310});
   EXPECT_DOUBLE_EQ(Neighbours(layers).MeanRadius(0, 2, 0, 0, 302'000, kBandNm), 306'000);
@@ -71,12 +72,13 @@ TEST(NeighbourOutlines, PlacesAreThoseOfThePlane) {
   const auto layers = Strips({300, 310});
   // The end of the strips is 0.1 mm away.
   EXPECT_DOUBLE_EQ(Neighbours(layers).MeanRadius(0, 2, 9.9e6, 0, 90'000, kBandNm), 95'000);
-  // In the second layer the place is 0.26 mm off the outline.
+  // In the second layer the position is 0.26 mm from the outline.
   EXPECT_DOUBLE_EQ(Neighbours(layers).MeanRadius(0, 2, 0, 50'000, 250'000, kBandNm),
                    255'000);
 }
 
-// What it is for: a place that is a close call comes out alike in all layers, whatever their order.
+// This is the purpose of the class: a close decision has the same result in all layers, in any
+// order.
 TEST(NeighbourOutlines, LayersInReachOfEachOtherAgree) {
   const std::vector<Coord> radii_um = {319, 322, 317};
   const auto layers = Strips(radii_um);

@@ -6,7 +6,7 @@
 namespace slicefarm::beading {
 namespace {
 
-/// The middle bead as two halves beside each other.
+/// Replaces the middle bead by two halves side by side.
 void SplitMiddle(NodeBeading& beading, double radius) {
   beading.sides.push_back({beading.middle_width / 2, radius - beading.middle_width / 4});
   beading.has_middle = false;

@@ -6,34 +6,34 @@
 
 namespace slicefarm::beading {
 
-/// A bead on one side of the medial axis.
+/// Bead on one side of the medial axis.
 struct SideBead {
-  double width = 0;     ///< nm; 0: a marker, the border of what the infill gets
-  double location = 0;  ///< nm from the boundary to its middle
+  double width = 0;  ///< in nm; 0: a marker, the border of the infill's area
+  double location = 0;  ///< distance from the boundary to the bead's middle, in nm
 
   friend bool operator==(const SideBead&, const SideBead&) = default;
 };
 
-/// The beads at a node of the medial axis: the same ones on every side of it, and one that runs
-/// along it.
+/// Beads at a node of the medial axis: the same beads on each side of it, and one bead along it.
 struct NodeBeading {
   std::vector<SideBead> sides;  ///< outermost first
   bool has_middle = false;
-  double middle_width = 0;  ///< nm; 0 for a marker, which along the axis borders on nothing
+  double middle_width = 0;  ///< in nm; 0 for a marker, which has no area on the axis
 
   friend bool operator==(const NodeBeading&, const NodeBeading&) = default;
 };
 
+/// Converts a layout across the whole thickness to the beads of a node.
 NodeBeading FromBeading(const Beading& beading);
 
-/// Goes over from `a` (ratio 0) to `b` (ratio 1), two layouts for a node of `radius` of which `b`
-/// has as many beads or one more. A middle bead grows from nothing, or splits into two halves, so
-/// that what tiles the thickness in `a` and in `b` tiles it all the way between. (Upstream lets the
-/// bead end, and leaves a hole.)
+/// Returns a mix of `a` (ratio 0) and `b` (ratio 1), two layouts for a node of `radius`. `b` has
+/// the same number of beads or one more. A middle bead grows from nothing, or splits into two
+/// halves. So layouts that tile the thickness in `a` and in `b` also tile it at each ratio between.
+/// (Upstream ends the bead and leaves a hole.)
 NodeBeading Between(const NodeBeading& a, const NodeBeading& b, double ratio, double radius);
 
-/// Goes over from `a`, laid out for a node of `radius`, to `b` in the beads that both have; those
-/// that only `b` has lie beside them.
+/// Returns a mix of `a`, laid out for a node of `radius`, and `b`, for the beads of both. Beads
+/// that only `b` has are placed beside them.
 NodeBeading Blend(const NodeBeading& a, const NodeBeading& b, double ratio, double radius);
 
 }  // namespace slicefarm::beading

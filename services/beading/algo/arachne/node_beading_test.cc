@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kRatios[] = {0, 0.25, 0.5, 1};
 
-/// Sides side by side from the boundary on, a middle bead between them, and nothing left over.
+/// Checks that the side beads touch each other from the boundary on, with the middle bead between
+/// them and nothing left over.
 void ExpectTiles(const NodeBeading& beading, double radius, double error_nm) {
   double edge = 0, sum = beading.has_middle ? beading.middle_width : 0;
   for (const SideBead& bead : beading.sides) {
@@ -57,7 +58,7 @@ TEST(NodeBeading, BetweenEvenAndOddTheMiddleGrows) {
   EXPECT_EQ(Between(even, odd, 1, 700), odd);
 }
 
-// At thicknesses where both layouts fill the place.
+// The thicknesses are ones at which both layouts fill the node.
 class BetweenCounts : public testing::TestWithParam<int> {};
 
 TEST_P(BetweenCounts, BeadsTileTheThickness) {
@@ -89,7 +90,8 @@ TEST(NodeBeading, ABlendEndsInTheSecond) {
   EXPECT_EQ(Blend({}, b, 0.3, 0), b);
 }
 
-// Beads that only the second has end where they do there, or make way for what is wider before.
+// Beads that only the second layout has keep their inner edge there, unless a bead that was wider
+// before needs the space.
 TEST(NodeBeading, ABlendKeepsBeadsTouching) {
   const NodeBeading wide = {{{500, 250}}, false, 0}, narrow = {{{200, 100}}, false, 0};
   const NodeBeading huge = {{{1'000, 500}}, false, 0}, odd = {{{400, 200}}, true, 500};
@@ -110,7 +112,7 @@ TEST(NodeBeading, ABlendKeepsBeadsTouching) {
   }
 }
 
-// A marker that was stretched up to where it lies in the second one became a bead.
+// A marker stretched to its position in the second layout had become a bead.
 TEST(NodeBeading, ABlendKeepsMarkersMarkers) {
   const NodeBeading narrow = {{{300, 150}}, false, 0}, wide = {{{600, 300}}, false, 0};
   const NodeBeading one = {{{400, 200}, {0, 400}}, false, 0};

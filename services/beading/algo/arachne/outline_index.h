@@ -6,16 +6,17 @@
 
 namespace slicefarm::beading {
 
-/// Outlines, for questions of distance.
+/// Index of outlines for distance queries.
 class OutlineIndex {
  public:
-  /// Cost: O(n log n), n edges.
+  /// Cost: O(n log n) for n edges.
   explicit OutlineIndex(const MultiPolygon& outlines);
   ~OutlineIndex();
   OutlineIndex(OutlineIndex&&) noexcept;
   OutlineIndex& operator=(OutlineIndex&&) noexcept;
 
-  /// How far the nearest outline is, in nm; infinity if there is none. Cost: O(log n) as a rule.
+  /// Returns the distance of the nearest outline in nm; infinity if there is none. Cost: usually
+  /// O(log n).
   double DistanceFrom(double x, double y) const;
 
  private:

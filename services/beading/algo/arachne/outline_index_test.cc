@@ -26,7 +26,7 @@ struct PlaceCase {
 };
 class PlaceNearOutlines : public testing::TestWithParam<PlaceCase> {};
 
-// A square with a hole, and a triangle beside it.
+// The outlines are a square with a hole, and a triangle beside it.
 TEST_P(PlaceNearOutlines, IsAsFarAsTheNearestEdge) {
   const OutlineIndex index(
       LayerOf("(0 0, 10 0, 10 10, 0 10) (4 4, 6 4, 6 6, 4 6) ; (20 0, 24 0, 20 3)"));
@@ -70,7 +70,7 @@ TEST(OutlineIndex, CanBeMoved) {
   EXPECT_EQ(index.DistanceFrom(-1e6, 5e5), kInfinity);
 }
 
-// Rings need not be simple for that, nor of any orientation.
+// The index accepts rings that are not simple, and both orientations.
 TEST(OutlineIndex, AgreesWithAllEdgesOneByOne) {
   std::mt19937 random(1);
   const auto point = [&] {

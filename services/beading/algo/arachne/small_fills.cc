@@ -6,10 +6,11 @@
 namespace slicefarm::beading {
 namespace {
 
-/// With fewer walls on both sides together the innermost ones are the outermost, too.
+/// Smallest number of walls, both sides together. With fewer walls the innermost ones are the
+/// outermost ones too.
 constexpr int kLeastWalls = 4;
 
-/// The places of the infill, as parts of the graph that hang together.
+/// Connected parts of the graph that belong to the infill.
 class FillPlaces {
  public:
   FillPlaces(const BeadingStrategy& strategy, const SkeletalGraph& graph,
@@ -40,7 +41,7 @@ class FillPlaces {
   struct FillPlace {
     std::vector<int> nodes;
     double area = 0;
-    double radius = 0;  ///< the greatest
+    double radius = 0;  ///< largest radius
   };
 
   double Excess(int node) const { return graph_.nodes[node].radius - depth_; }
@@ -49,7 +50,7 @@ class FillPlaces {
     return edge_counts_[half / 2] < 0 || edge_counts_[half / 2] > walls_;
   }
 
-  /// Of what lies deeper than the walls along an edge, on both sides.
+  /// Returns the area deeper than the walls along an edge, on both sides.
   double AreaAlong(double from, double to, int half) const {
     const double length = graph_.Length(half), rise = to - from;
     const double along_outline = std::sqrt(std::max(0.0, length * length - rise * rise));
@@ -79,7 +80,7 @@ class FillPlaces {
     return place;
   }
 
-  /// Whether walls alone, as wide as they may be, fill a place of that radius.
+  /// Returns true if walls of the greatest allowed width fill a part with this radius.
   bool WallsReach(double radius) const {
     const Beading widest = strategy_.Compute(std::llround(2 * radius), walls_);
     const Beading usual = strategy_.Compute(strategy_.OptimalThickness(walls_), walls_);
@@ -91,9 +92,9 @@ class FillPlaces {
   const SkeletalGraph& graph_;
   const std::vector<int>& edge_counts_;
   const std::vector<int> leaving_;
-  const int walls_;     ///< at most, on both sides together
-  const Coord least_;   ///< thickness with a fill area
-  const double depth_;  ///< of the fill area's border below the outline
+  const int walls_;  ///< largest number, both sides together
+  const Coord least_;  ///< smallest thickness with a fill area
+  const double depth_;  ///< distance of the fill area's border from the outline
 };
 
 }  // namespace

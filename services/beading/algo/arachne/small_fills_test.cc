@@ -14,8 +14,8 @@
 namespace slicefarm::beading::small_fills_test {
 namespace {
 
-/// Whether the places of the infill in a region are too small for it. Beads are 0.4 mm wide, the
-/// inner ones up to 0.8 mm, or `max_width_nm`.
+/// Returns true if the infill's parts of a region are too small. Beads are 0.4 mm wide, the inner
+/// ones up to 0.8 mm or `max_width_nm`.
 bool IsSmall(const std::string& region, int max_walls, Coord max_width_nm = 800'000) {
   StrategyOptions options;
   options.max_walls = max_walls;
@@ -51,7 +51,7 @@ TEST_P(Boxes, AreLeftToTheWallsBelowTheLeastArea) {
             GetParam().small);
 }
 
-// Within three walls on each side 2.4 mm less are left: 0.5 mm times 0.9 or 1.1 mm.
+// Three walls on each side reduce the size by 2.4 mm: 0.5 mm times 0.9 or 1.1 mm remain.
 INSTANTIATE_TEST_SUITE_P(SmallFills, Boxes,
                          testing::Values(BoxCase{"Square", 3, 3, 3, true},
                                          BoxCase{"BelowTheLeastArea", 3, 3.3, 2.9, true},
@@ -69,7 +69,7 @@ TEST(SmallFills, WallsReachAsFarAsTheyMayBeWide) {
   EXPECT_FALSE(IsSmall(square, 3, 540'000));
 }
 
-// Places in one region that are large enough together are still too small one by one.
+// The parts in one region would be large enough together, but each one alone is too small.
 TEST(SmallFills, PlacesCountOneByOne) {
   EXPECT_TRUE(
       IsSmall("(0 0, 2.9 0, 2.9 1.25, 6 1.25, 6 0, 8.9 0, 8.9 2.9, 6 2.9, 6 1.65, 2.9 1.65, "

@@ -16,10 +16,10 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Parts of an outline that are nearer to each other than twice this are opened if the outline
-/// cannot be taken as it is.
+/// Half of the distance below which parts of an outline are opened. This is done only if the
+/// outline cannot be used unchanged.
 constexpr Coord kOpenNm = 1'500;
-/// Longer chords let a bead's width change where it should not.
+/// Length limit of chords. With longer chords, a bead's width changes at wrong positions.
 constexpr double kMaxChordNm = 200'000;
 
 SkeletalOptions ForGraph(const VariableWallOptions& options) {
@@ -30,8 +30,8 @@ SkeletalOptions ForGraph(const VariableWallOptions& options) {
 
 std::optional<SkeletalGraph> MakeGraph(const PolygonWithHoles& island,
                                        const SkeletalOptions& options) {
-  // On the coarser grid fewer edges are almost but not quite parallel, and these are what costs a
-  // diagram its precision; on the finer one small details keep their shape.
+  // The coarser grid has fewer edges that are almost but not exactly parallel; these edges make a
+  // diagram imprecise. The finer grid preserves the shape of small details.
   for (const Coord unit_nm : {Coord{1'000}, Coord{1}}) {
     const std::optional<Boundary> boundary = MakeBoundary(island, unit_nm);
     if (!boundary) continue;
@@ -92,8 +92,7 @@ void AddBeads(SkeletalGraph graph, const BeadingStrategy& strategy,
     if (line.is_marker) {
       if (bead.points.size() >= 3) markers.push_back(std::move(bead.points));
     } else if (bead.points.size() >= 2) {
-      // Beads are traced with the ring that they follow to their left; walls have it to their
-      // right.
+      // Traced beads have their ring on the left, but walls need it on the right.
       if (bead.closed && !line.is_middle) Reverse(bead);
       walls.lines.push_back({line.inset, line.is_middle, std::move(bead)});
     }

@@ -11,45 +11,47 @@
 
 namespace slicefarm::beading {
 
+/// Options for walls of variable width.
 struct VariableWallOptions {
-  double transition_angle = 0.1745;      ///< radians: wall_transition_angle
+  double transition_angle = 0.1745;  ///< in radians: wall_transition_angle
   Coord transition_length_nm = 400'000;  ///< wall_transition_length
-  Coord filter_deviation_nm = 100'000;   ///< wall_transition_filter_deviation
-  Coord min_middle_width_nm = 100'000;   ///< beads along the middle end where they get narrower
-  Coord chord_tolerance_nm = 5'000;      ///< of curves, in all beads beside each other alike
-  Coord tolerance_nm = 5'000;            ///< of a bead's places and widths, on its own
-  /// See CountOptions; by place in the plane.
+  Coord filter_deviation_nm = 100'000;  ///< wall_transition_filter_deviation
+  Coord min_middle_width_nm = 100'000;  ///< beads along the middle end where they become narrower
+  Coord chord_tolerance_nm = 5'000;  ///< tolerance of curves, equal for all beads side by side
+  Coord tolerance_nm = 5'000;  ///< tolerance of the positions and widths of each single bead
+  /// See CountOptions; here by a position in the plane.
   std::function<double(double x, double y, double radius_nm)> deciding_radius = nullptr;
 };
 
-/// A bead, `line.thickness_nm` wide as its strategy laid it out.
+/// Bead with the widths `line.thickness_nm` of its strategy's layout.
 struct WallLine {
   int inset = 0;
-  bool is_middle = false;  ///< runs along the middle of a place, with no bead opposite
+  bool is_middle = false;  ///< true if it runs along the middle of a part, with no bead opposite
   ThickLine line;
 };
 
+/// Walls of an island.
 struct VariableWalls {
   std::vector<WallLine> lines;
-  MultiPolygon fill_area;  ///< what lies within the markers
+  MultiPolygon fill_area;  ///< area inside the markers
 };
 
-/// The skeletal graphs of an island, of as many parts as it falls into. nullopt where no Voronoi
-/// diagram of the outline could be trusted, although it was tried as it is, and with what is nearer
-/// to itself than 3 um opened.
-/// Cost: O(n log n), about two thirds of MakeVariableWalls.
+/// Returns the skeletal graphs of an island, one for each part into which it falls. Returns nullopt
+/// if no Voronoi diagram of the outline can be trusted. The outline is tried unchanged and after
+/// opening parts that are closer to each other than 3 um. Cost: O(n log n), about two thirds of
+/// MakeVariableWalls.
 std::optional<std::vector<SkeletalGraph>> MakeSkeletons(const PolygonWithHoles& island,
                                                         const VariableWallOptions& options);
 
-/// The beads along these skeletons.
+/// Returns the beads along these skeletons.
 VariableWalls WallsAlong(std::vector<SkeletalGraph> skeletons, const BeadingStrategy& strategy,
                          const VariableWallOptions& options);
 
-/// Beads along the outline of an island, as many and as wide as `strategy` says for each place's
-/// thickness. What comes out covers the island but for the markers' insides.
+/// Returns beads along the outline of an island. Their number and widths are the ones that
+/// `strategy` returns for each thickness. They cover the island except for the areas inside the
+/// markers.
 ///
-/// nullopt where there are no skeletons.
-/// Source: Kuipers et al. 2020.
+/// Returns nullopt if there are no skeletons. Source: Kuipers et al. 2020.
 std::optional<VariableWalls> MakeVariableWalls(const PolygonWithHoles& island,
                                                const BeadingStrategy& strategy,
                                                const VariableWallOptions& options);

@@ -20,10 +20,11 @@ namespace slicefarm::beading::variable_walls_test {
 namespace {
 
 constexpr Coord kWidth = 500'000;
-/// Not a divisor of any width: edges that meet along a column of pixels would count twice.
+/// Pixel size that is not a divisor of any width; otherwise edges that meet along a column of
+/// pixels would count twice.
 constexpr double kPixelNm = 19'937;
 
-/// The settings of Kuipers et al. 2020, section 6.
+/// Returns the settings of Kuipers et al. 2020, section 6.
 StrategyOptions Paper(int walls = 0) {
   StrategyOptions options;
   options.outer_width_nm = options.inner_width_nm = kWidth;
@@ -57,12 +58,12 @@ Coverage CoverageOf(const PolygonWithHoles& island, const VariableWalls& walls) 
   return raster.Measure();
 }
 
-// --- shapes --------------------------------------------------------------------------------------
+// Tests of shapes.
 
 struct ShapeCase {
   std::string name;
   std::string outline;
-  double underfill;  ///< at most, with as many walls as fit
+  double underfill;  ///< upper limit, with as many walls as fit
   double overfill;
 };
 
@@ -71,7 +72,7 @@ class Shape : public testing::TestWithParam<ShapeCase> {
   PolygonWithHoles Island() const { return MakePolygonsOrDie(GetParam().outline).front(); }
 };
 
-// What is left in convex corners: beads turn with round outer sides there.
+// The uncovered area is in convex corners, because beads turn with round outer sides there.
 TEST_P(Shape, IsFilled) {
   const Coverage coverage = CoverageOf(Island(), WallsOrDie(Island()));
   EXPECT_LE(coverage.underfill, GetParam().underfill);
@@ -137,8 +138,8 @@ TEST(VariableWalls, AStripHasTheBeadsOfItsThickness) {
   }
 }
 
-// A fill area vanished with its markers when beads of a wide place were blended with those of a
-// narrow one.
+// A fill area had vanished with its markers when beads of a wide part were blended with ones of a
+// narrow part.
 TEST(VariableWalls, ARoomBehindANarrowDoorKeepsItsFillArea) {
   const PolygonWithHoles island =
       MakePolygonsOrDie(
@@ -148,10 +149,10 @@ TEST(VariableWalls, ARoomBehindANarrowDoorKeepsItsFillArea) {
   EXPECT_NEAR(Area(walls.fill_area) / 1e12, 18 * 18 + 11 * 18, 6);
 }
 
-// --- slices of real parts ------------------------------------------------------------------------
+// Tests of slices of real parts.
 
 struct Totals {
-  double underfill = 0, overfill = 0, outside = 0;  ///< mm2
+  double underfill = 0, overfill = 0, outside = 0;  ///< areas in mm2
   double area = 0;
   double lines = 0;
 };
@@ -210,7 +211,8 @@ Polygon Turned(const Polygon& ring, double degrees) {
   return turned;
 }
 
-// Small parts are mostly corners; over all 300 slices it is 0.0018 and 0.0023 (tests/bench).
+// Small parts are mostly corners; over all 300 slices the shares are 0.0018 and 0.0023
+// (tests/bench).
 TEST_P(OnSlices, NearlyAllIsCoveredOnce) {
   const Totals totals = Measure(Read());
   EXPECT_LE(totals.underfill, 0.006 * totals.area);

@@ -14,9 +14,9 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Miters that go beyond their arc by less stay.
+/// Miters that extend less than this beyond their arc stay.
 constexpr double kLeastExcessNm = 1'000;
-/// Offsets cut miters square from here on; a little less, for what rounding does to angles.
+/// Angle from which offsets cut miters square; slightly reduced because rounding changes angles.
 constexpr double kMaxTurn = 1.9;
 
 Vector2 Along(Point a, Point b) {
@@ -24,10 +24,10 @@ Vector2 Along(Point a, Point b) {
   return ToVector(b - a) / length;
 }
 
-/// What the inset's edges at a corner lose to the arc there.
+/// Lengths that the inset's edges lose to the arc at a corner.
 struct Rounding {
-  double turn = 0;    ///< radians, of a reflex corner; 0: the corner stays
-  double cut_nm = 0;  ///< off both edges
+  double turn = 0;  ///< in radians, for a reflex corner; 0: the corner stays
+  double cut_nm = 0;  ///< length cut off both edges
 };
 
 std::optional<Rounding> RoundingAt(Point before, Point at, Point after, double distance_nm) {
@@ -39,7 +39,8 @@ std::optional<Rounding> RoundingAt(Point before, Point at, Point after, double d
   return Rounding{turn, distance_nm * Tan(turn / 2)};
 }
 
-/// Points of the arc to the right of the way in, from one tangent point to the other.
+/// Appends the points of the arc, from one tangent point to the other. The arc is on the right of
+/// the incoming edge.
 void AppendArc(Point at, Vector2 in, const Rounding& rounding, double distance_nm, double step,
                Polygon& ring) {
   const double start_x = static_cast<double>(at.x) - in.x() * rounding.cut_nm;
@@ -49,13 +50,13 @@ void AppendArc(Point at, Vector2 in, const Rounding& rounding, double distance_n
   for (int i = 0; i <= pieces; ++i) {
     const double angle = rounding.turn * i / pieces;
     const double c = Cos(angle), s = Sin(angle);
-    // The radius to the start, (-in.y, in.x), turned clockwise.
+    // This is the radius to the start, (-in.y, in.x), turned clockwise.
     ring.push_back({std::llround(centre_x + distance_nm * (-in.y() * c + in.x() * s)),
                     std::llround(centre_y + distance_nm * (in.x() * c + in.y() * s))});
   }
 }
 
-/// The island's inset with round reflex corners.
+/// Returns the island's inset with round reflex corners.
 std::optional<MultiPolygon> RoundInset(const PolygonWithHoles& island, Coord distance_nm,
                                        Coord tolerance_nm) {
   std::optional<CleanOffset> inset = TryOffset({island}, -distance_nm);
@@ -105,7 +106,7 @@ std::optional<VariableWalls> TryWideWalls(const PolygonWithHoles& island,
                                           const BeadingStrategy& strategy, int max_walls,
                                           const VariableWallOptions& options) {
   const Coord thickness = strategy.TransitionThickness(2 * max_walls);
-  // Close calls are not decided here, but by the layers around.
+  // Close decisions depend on the neighbouring layers, so such islands are not handled here.
   const auto widest = TryOffset({island}, -(thickness + options.filter_deviation_nm) / 2 - 1);
   if (!widest || widest->has_tips) return std::nullopt;
   const Beading beading = strategy.Compute(thickness, 2 * max_walls + 1);

@@ -41,8 +41,7 @@ std::optional<VariableWalls> Variable(const PolygonWithHoles& region) {
   return MakeVariableWalls(region, *Strategy(), options);
 }
 
-// --- arcs
-// ------------------------------------------------------------------------------------------
+// Tests of arcs.
 
 struct RoundingCase {
   std::string name;
@@ -65,8 +64,8 @@ Polygon Circle(int corners, double radius_mm) {
   return ring;
 }
 
-// Around a reflex corner of 90 degrees the inset by 0.4 mm loses what a square has more than its
-// quarter of a disc.
+// Around a reflex corner of 90 degrees, the inset by 0.4 mm loses the difference between a square
+// and its quarter of a disc.
 TEST_P(RoundedRing, LosesTheCornersOfItsArcs) {
   const RoundingCase& rounding = GetParam();
   constexpr Coord kDistance = 400'000, kTolerance = 100;
@@ -116,7 +115,7 @@ TEST(WideWalls, ArcsAreWithinTheTolerance) {
   for (const Coord tolerance : {100, 1'000, 10'000}) {
     const auto rounded = RoundReflexCorners(ring, kDistance, tolerance);
     ASSERT_TRUE(rounded.has_value());
-    // The reflex corner is that of an outline 1 mm from the ring, on the ring's right.
+    // The reflex corner belongs to an outline 1 mm from the ring, on the ring's right.
     const Point centre = {FromMm(4), FromMm(4)};
     double least = 1e18;
     for (size_t i = 0; i < rounded->size(); ++i) {
@@ -132,8 +131,7 @@ TEST(WideWalls, ArcsAreWithinTheTolerance) {
   }
 }
 
-// --- walls
-// -----------------------------------------------------------------------------------------
+// Tests of walls.
 
 struct NarrowCase {
   std::string name;
@@ -206,7 +204,7 @@ double DistanceTo(const std::vector<ThickLine>& lines, Point p) {
   return distance;
 }
 
-/// Of points along all lines of `from`.
+/// Returns the largest distance of points along the lines `from` to `lines`.
 double FarthestFrom(const std::vector<ThickLine>& lines, const std::vector<ThickLine>& from) {
   double farthest = 0;
   for (const ThickLine& line : from) {

@@ -7,7 +7,7 @@
 
 namespace slicefarm::beading {
 
-/// One island's walls, and what they leave for the infill.
+/// Walls of one island, and the area left for the infill.
 struct IslandBeads {
   std::vector<Path> walls;  ///< walls and gap fill, in no particular order
   MultiPolygon fill_area;

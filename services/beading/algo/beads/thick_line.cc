@@ -10,8 +10,7 @@ namespace {
 Coord Mix(Coord a, Coord b, double t) { return a + std::llround(t * static_cast<double>(b - a)); }
 Point Mix(Point a, Point b, double t) { return {Mix(a.x, b.x, t), Mix(a.y, b.y, t)}; }
 
-/// The straight line between two points of a line, its thickness going evenly from one's to the
-/// other's.
+/// Straight line between two points of a line, with linearly changing thickness.
 class Chord {
  public:
   Chord(const ThickLine& line, size_t a, size_t b)
@@ -24,7 +23,7 @@ class Chord {
     inverse_ = squared > 0 ? 1 / squared : 0;
   }
 
-  /// The square of how far a point lies from it, in place or in thickness.
+  /// Returns the square of a point's deviation from the chord, in position or in thickness.
   double SquaredDeviation(size_t i) const {
     const auto x = static_cast<double>(line_.points[i].x - line_.points[a_].x);
     const auto y = static_cast<double>(line_.points[i].y - line_.points[a_].y);

@@ -26,7 +26,7 @@ void AppendWalls(const std::vector<MultiPolygon>& centre_lines, const WallPlan& 
   }
 }
 
-/// Leaves out what is not worth a travel to a tip of an island that has walls.
+/// Removes beads in tips that are not worth a travel, if the island has walls.
 void DropTips(const WallPlan& plan, size_t walls, std::vector<Path>& beads) {
   if (walls == 0 || plan.least_tip_nm == 0) return;
   std::erase_if(beads, [&](const Path& bead) {

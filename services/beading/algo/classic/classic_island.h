@@ -8,7 +8,8 @@
 
 namespace slicefarm::beading {
 
-/// An island with walls of constant width, and beads of varying width in the gaps that they leave.
+/// Makes the walls of an island, with constant width, and beads of variable width in the gaps
+/// between them.
 absl::StatusOr<IslandBeads> MakeClassicIsland(const PolygonWithHoles& outline,
                                                const WallPlan& plan,
                                                const GapFillOptions& gap_options,

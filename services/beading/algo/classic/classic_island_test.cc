@@ -14,7 +14,7 @@ namespace slicefarm::beading::classic_island_test {
 namespace {
 
 constexpr Coord kHeight = 200'000;
-/// By how much beads that lie side by side are wider than their distance.
+/// Difference between the width of beads side by side and their distance.
 constexpr double kOverlapMm = 0.2 * (1 - 3.14159265358979 / 4);
 
 WallPlan Plan(int perimeters, Coord external_width_nm = 450'000, Coord inner_width_nm = 450'000) {
@@ -44,7 +44,7 @@ TEST(ClassicIsland, WallsHaveTheWidthsAndTheFillAreaWhatTheyLeave) {
     EXPECT_EQ(wall.widths_nm, std::vector<Coord>{inset == 0 ? 600'000 : 400'000});
     EXPECT_EQ(wall.points.size(), 4u);
   }
-  // Full width of the outer bead, and what the inner two lie apart.
+  // The outer bead counts with its full width, the inner two with their distance.
   const double side = 20 - 2 * (0.6 + 2 * 0.4 - 2.5 * kOverlapMm);
   EXPECT_NEAR(Mm2(island.fill_area), side * side, 1e-4);
 }
@@ -78,7 +78,7 @@ TEST(ClassicIsland, WhatIsTooThinForWallsIsAGap) {
 
 constexpr std::string_view kWallAndGap = "(0 0, 20 0, 20 1.2, 0 1.2)";
 
-// 1.2 mm less twice 0.45 are the bead's, and what it overlaps the walls by on either side.
+// The bead gets 1.2 mm minus two walls of 0.45 mm, plus its overlap with the wall on either side.
 TEST(ClassicIsland, AGapBetweenWallsIsFilled) {
   const IslandBeads island = IslandOf(kWallAndGap, Plan(3));
   ASSERT_EQ(island.walls.size(), 2u);
@@ -96,7 +96,7 @@ TEST(ClassicIsland, GapsStayEmptyIfTheyAreTo) {
   EXPECT_TRUE(IslandOf("(0 0, 20 0, 20 0.4, 0 0.4)", plan).walls.empty());
 }
 
-// A tooth of 55 degrees, cut off where it is 0.3 mm wide.
+// The outline has a tooth of 55 degrees, cut off where it is 0.3 mm wide.
 TEST(ClassicIsland, TheWallGoesRoundATooth) {
   const IslandBeads island =
       IslandOf("(0 0, 20 0, 20 10, 11.35 10, 10.15 12.305, 9.85 12.305, 8.65 10, 0 10)", Plan(1));
@@ -107,7 +107,7 @@ TEST(ClassicIsland, TheWallGoesRoundATooth) {
   EXPECT_GT(top, FromMm(12.05));
 }
 
-// A square, with a spike 0.3 mm wide and a longer one.
+// The outline is a square with a spike 0.3 mm wide and a longer spike.
 TEST(ClassicIsland, ShortTipsOfAWallMayStayOut) {
   constexpr std::string_view kSpikes =
       "(0 0, 20 0, 20 5, 20.8 5, 20.8 5.3, 20 5.3, 20 10, 24 10, 24 10.3, 20 10.3, 20 20, 0 20)";
@@ -123,7 +123,7 @@ TEST(ClassicIsland, ShortTipsOfAWallMayStayOut) {
   EXPECT_EQ(beads_beside_walls("(0 0, 1 0, 1 0.3, 0 0.3)", 1'500'000), 1) << "all there is";
 }
 
-// 0.6 mm is room for one wall of 0.45 mm, not for two.
+// A width of 0.6 mm is enough for one wall of 0.45 mm, not for two.
 TEST(ClassicIsland, WithoutThinWallsALoopOverlapsItself) {
   WallPlan plan = Plan(3);
   plan.thin_walls = false;

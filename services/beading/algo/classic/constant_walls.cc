@@ -12,11 +12,11 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Opposite walls may come this part of a spacing closer than side by side before they make way for
-/// gap fill.
+/// Share of a spacing by which opposite walls may be too close. If they are closer, gap fill
+/// replaces them.
 constexpr double kFitTolerance = 0.15;
-/// Beads are grown by this much before they are taken away from a region, so that edges that should
-/// coincide but for rounding leave no slivers.
+/// Amount by which beads are grown before they are subtracted from a region. It prevents slivers at
+/// edges that should coincide but differ by rounding.
 constexpr Coord kSafetyNm = 5'000;
 constexpr Coord kRoundingNm = 10;
 
@@ -24,8 +24,8 @@ void AppendGaps(const MultiPolygon& regions, bool along_outline, std::vector<Gap
   for (const PolygonWithHoles& region : regions) gaps.push_back({region, along_outline});
 }
 
-/// True if the region is nowhere narrower than twice the distance and has no tips: opening it by
-/// that changes nothing.
+/// Returns true if the region has no tips and is nowhere narrower than twice the distance. Opening
+/// it by this distance changes nothing.
 bool IsWideThroughout(const MultiPolygon& region, Coord distance_nm) {
   return std::all_of(region.begin(), region.end(), [&](const PolygonWithHoles& island) {
     const auto inset = TryOffset({island}, -distance_nm);
@@ -33,21 +33,22 @@ bool IsWideThroughout(const MultiPolygon& region, Coord distance_nm) {
   });
 }
 
-/// Corners of more than 39 degrees are kept when what was shrunk grows again: a wall that kept off
-/// the tip of a tooth would leave a gap there, and its bead would lie outside of the wall.
+/// Returns a shrunk region grown again. Corners of more than 39 degrees are kept: a wall that
+/// avoided the tip of a tooth would leave a gap there, and the bead in it would be outside of the
+/// wall.
 MultiPolygon Regrown(const MultiPolygon& core, Coord distance_nm) {
   constexpr double kMiterLimit = 3;
   return Offset(core, distance_nm, {.miter_limit = kMiterLimit});
 }
 
-/// Where `region` is wide enough that discs of `radius_nm` fit, with sharp corners kept; `core` is
-/// where their middles are.
+/// Returns the part of `region` where discs of `radius_nm` fit, with sharp corners kept. `core`
+/// contains the centres of these discs.
 MultiPolygon Opened(const MultiPolygon& region, const MultiPolygon& core, Coord radius_nm) {
   if (core.empty()) return {};
   return Intersection(region, Regrown(core, radius_nm + kRoundingNm));
 }
 
-/// What discs of `radius_nm` around `core` leave of `region`.
+/// Returns the part of `region` that discs of `radius_nm` around `core` do not cover.
 MultiPolygon Residue(const MultiPolygon& region, const MultiPolygon& core, Coord radius_nm) {
   if (core.empty()) return region;
   return Difference(region, Regrown(core, radius_nm + kSafetyNm));

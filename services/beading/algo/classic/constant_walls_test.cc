@@ -79,11 +79,12 @@ INSTANTIATE_TEST_SUITE_P(ConstantWalls, Blade,
                                          SlotCase{"SixBeadsAndMoreInfill", 5.0, 3, 0, true}),
                          [](const auto& info) { return info.param.name; });
 
-// Rectangles of walls, gaps and fill area tile the island, but for the stripe along the outline and
-// corners.
+// Rectangles of walls, gaps and fill area tile the island, except for the stripe along the outline
+// and the corners.
 TEST(ConstantWalls, VolumeIsConserved) {
   const std::pair<const char*, double> cases[] = {
-      // Right angles: a square of the stripe's width for each convex corner more than reflex ones.
+      // With right angles, the error is a square of the stripe's width, times the number of convex
+      // corners minus reflex corners.
       {"(0 0, 20 0, 20 20, 0 20)", 0.002},
       {"(0 0, 20 0, 20 20, 0 20) (3 3, 17 3, 17 17, 3 17)", 0.002},
       {"(0 0, 20 0, 20 3, 3 3, 3 20, 0 20)", 0.002},

@@ -30,22 +30,22 @@ Path MakePath(ThickLine line, bool along_outline, const GapFillOptions& options)
   return path;
 }
 
-/// A region whose mean width is far below what is filled has no part that is wide enough, as
-/// rounding slivers do.
+/// Returns true if the region's mean width is far below the smallest width that is filled. Such a
+/// region has no part that is wide enough; typical examples are rounding slivers.
 bool IsSliver(const PolygonWithHoles& region, Coord min_width_nm) {
   double perimeter = Perimeter(region.outer);
   for (const Polygon& hole : region.holes) perimeter += Perimeter(hole);
   return 2 * Area(region) < perimeter * static_cast<double>(min_width_nm) / 8;
 }
 
-/// The beads of a gap that cover as much as is asked for.
+/// Returns the beads of a gap that cover at least `least_area_nm2` each.
 std::vector<Path> FillGap(const Gap& gap, double least_area_nm2, const GapFillOptions& options) {
   if (Area(gap.region) < least_area_nm2 || IsSliver(gap.region, options.min_width_nm)) return {};
   const MedialAxisOptions axis{options.min_width_nm, kToleranceNm};
   const MultiPolygon simple = Simplify({gap.region}, kToleranceNm);
   std::vector<ThickLine> lines;
   if (!simple.empty()) lines = MedialAxis(simple.front(), axis);
-  // Simplifying can make rings cross; then the gap as it came may do.
+  // Simplifying can make rings cross; then the original gap may still work.
   if (lines.empty()) lines = MedialAxis(gap.region, axis);
   std::vector<Path> paths;
   for (ThickLine& line : lines)
@@ -54,7 +54,7 @@ std::vector<Path> FillGap(const Gap& gap, double least_area_nm2, const GapFillOp
   return paths;
 }
 
-/// What is left of an area for the infill; its narrow parts' beads are added to `paths`.
+/// Returns the rest of an area for the infill, and adds the beads of its narrow parts to `paths`.
 MultiPolygon TakeNarrowParts(const PolygonWithHoles& area, const GapFillOptions& options,
                              std::vector<Path>& paths) {
   const NarrowParts narrow = FindNarrowParts(area, options.max_width_nm);

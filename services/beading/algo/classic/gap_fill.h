@@ -9,31 +9,35 @@
 
 namespace slicefarm::beading {
 
+/// Options for filling gaps.
 struct GapFillOptions {
-  Coord min_width_nm = 80'000;   ///< narrower gaps stay empty
-  Coord max_width_nm = 800'000;  ///< beads are not made wider, and what is wider is no gap
+  Coord min_width_nm = 80'000;  ///< narrower gaps stay empty
+  Coord max_width_nm = 800'000;  ///< largest width of a bead; wider regions are no gaps
   Coord layer_height_nm = 200'000;
 };
 
-/// A bead that nothing else can take the place of: one that covers less, a dot 0.16 mm wide, fills
-/// nothing that shows.
+/// Smallest area of a bead in a gap that nothing else fills. A smaller bead, a dot 0.16 mm wide,
+/// fills nothing visible.
 inline constexpr double kLeastDotNm2 = 0.02 * kNmPerMm * kNmPerMm;
-/// A bead where the infill reaches too: 0.4 mm3 in a layer of 0.2 mm, 4.9 mm of a bead 0.45 mm
-/// wide. What is below it, and how much that is: services/beading/README.md.
+/// Smallest area of a bead in a gap that the infill reaches too: 0.4 mm3 in a layer of 0.2 mm, or
+/// 4.9 mm of a bead 0.45 mm wide. services/beading/README.md describes the smaller gaps and their
+/// total.
 inline constexpr double kLeastNeckNm2 = 2 * kNmPerMm * kNmPerMm;
 
-/// Beads of varying width along the middle of each gap (see MedialAxis). Beside walls a bead is as
-/// wide as makes its rectangle fill the gap; along an outline it stays inside. A bead that covers
-/// less than kLeastDotNm2 is not worth its travel, and left out. Paths have Feature::kGapFill, one
-/// width a point (one in all where they are equal), and are in no particular order.
+/// Returns beads of variable width along the middle of each gap (see MedialAxis). Between walls,
+/// the bead's rectangle fills the gap. Along an outline, the bead stays inside. A bead that covers
+/// less than kLeastDotNm2 is not worth its travel and is left out.
+///
+/// Paths have Feature::kGapFill and one width per point (a single width if all are equal), in no
+/// particular order.
 absl::StatusOr<std::vector<Path>> FillGaps(const std::vector<Gap>& gaps,
                                            const GapFillOptions& options,
                                            const CancelToken& cancel);
 
-/// The same in the parts of a fill area that are narrower than `max_width_nm`, which are taken out
-/// of it: necks between wider parts, ends, and areas that are narrow everywhere. A neck or an end
-/// is the infill's, and stays, unless its bead is worth a travel beyond what the infill does there
-/// (kLeastNeckNm2): the infill's own lines go on into it.
+/// Fills the parts of a fill area that are narrower than `max_width_nm` and removes them from it.
+/// These are necks between wider parts, ends, and areas that are narrow everywhere. A neck or an
+/// end stays with the infill unless its bead covers kLeastNeckNm2, because the infill's own lines
+/// continue into it.
 absl::StatusOr<std::vector<Path>> FillNarrowParts(const GapFillOptions& options,
                                                   const CancelToken& cancel,
                                                   MultiPolygon& fill_area);

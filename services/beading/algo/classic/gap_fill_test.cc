@@ -91,7 +91,7 @@ TEST_P(NarrowFillArea, HasTheBeadsThatAreWorthTheirTravel) {
   }
 }
 
-// What hangs on a wider part is left to the infill below 2 mm2, what stands alone is left empty
+// Parts connected to a wider part are left to the infill below 2 mm2. Isolated parts are left empty
 // below 0.02 mm2.
 INSTANTIATE_TEST_SUITE_P(
     GapFill, NarrowFillArea,

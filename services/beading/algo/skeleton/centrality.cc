@@ -19,8 +19,8 @@ class EndTrimmer {
   }
 
  private:
-  /// The one central half-edge that leaves the node besides that of edge `but`; -1 if there is none
-  /// or more than one.
+  /// Returns the only central half-edge that leaves the node, not counting edge `but`; -1 if there
+  /// is none or more than one.
   int OnlyCentral(int node, int but) const {
     int only = -1, count = 0;
     graph_.ForEachLeaving(leaving_[node], [&](int half) {
@@ -44,7 +44,8 @@ class EndTrimmer {
     for (const int edge : chain) central_[edge] = false;
   }
 
-  /// A short line that hangs on no other is all there is of its place.
+  /// Returns true if the short line is not connected to another one: then it is the only line of
+  /// its part.
   bool EndsAlone(const std::vector<int>& chain, int start) const {
     int at = start;
     for (const int edge : chain) {

@@ -6,15 +6,17 @@
 
 namespace slicefarm::beading {
 
+/// Options for CentralEdges.
 struct CentralityOptions {
-  double transition_angle = 0.1745;  ///< radians: sides that meet at less are central
-  double min_radius_nm = 50'000;     ///< thinner places are not
-  double min_length_nm = 20'000;     ///< ends of central lines that are shorter are not
+  /// In radians: edges are central if their sides meet at a smaller angle
+  double transition_angle = 0.1745;
+  double min_radius_nm = 50'000;  ///< edges in thinner places are not central
+  double min_length_nm = 20'000;  ///< shorter ends of central lines are not central
 };
 
-/// For each edge (half-edge / 2), whether the beads on its two sides face each other there: the
-/// sides meet at less than the transition angle. Cost: O(n).
-/// Source: Kuipers et al. 2020, section 3.2.
+/// Returns for each edge (half-edge / 2) if it is central: the beads on its two sides face each
+/// other, because the sides meet at less than the transition angle. Cost: O(n). Source: Kuipers et
+/// al. 2020, section 3.2.
 std::vector<char> CentralEdges(const SkeletalGraph& graph, const CentralityOptions& options);
 
 }  // namespace slicefarm::beading

@@ -15,7 +15,7 @@ namespace {
 struct Central {
   double length_mm = 0;
   int edges = 0;
-  /// From the left end of the leftmost one to the right end of the rightmost one.
+  /// X range from the left end of the leftmost edge to the right end of the rightmost edge
   double from_x_mm = 1e9, to_x_mm = -1e9;
 };
 
@@ -56,7 +56,7 @@ TEST(Centrality, PlacesThinnerThanTheLeastAreNotCentral) {
 struct AngleCase {
   std::string name;
   std::string text;
-  double degrees;  ///< at which the sides meet
+  double degrees;  ///< angle between the sides
   double length_mm;
 };
 class MeetingSides : public testing::TestWithParam<AngleCase> {};
@@ -68,7 +68,7 @@ TEST_P(MeetingSides, AreCentralBelowTheTransitionAngle) {
   EXPECT_NEAR(Of(sides.text, sides.degrees + 1).length_mm, sides.length_mm, 0.001);
 }
 
-// Of the wedge 45 degrees are enough, and too little for the two corners at its wide end.
+// An angle of 45 degrees makes the wedge central, but not the two corners at its wide end.
 INSTANTIATE_TEST_SUITE_P(
     Centrality, MeetingSides,
     testing::Values(AngleCase{"Square", "(0 0, 2 0, 2 2, 0 2)", 90, 4 * std::numbers::sqrt2},
@@ -81,7 +81,7 @@ TEST(Centrality, AWedgeOf30DegreesIsCentralAt45) {
   EXPECT_NEAR(central.to_x_mm, 7.944, 0.001);
 }
 
-// The stem stands on the bar's middle at a slope of 0.6, and is 0.45 mm long from there.
+// The stem is at the middle of the bar, with a slope of 0.6, and is 0.45 mm long from there.
 TEST(Centrality, ShortEndsAreTrimmed) {
   constexpr std::string_view kTee =
       "(0 0, 10 0, 10 0.4, 5.2 0.4, 5.2 0.9, 4.8 0.9, 4.8 0.4, 0 0.4)";
@@ -93,7 +93,7 @@ TEST(Centrality, ShortEndsAreTrimmed) {
 
 TEST(Centrality, ALoneShortLineIsKept) {
   EXPECT_NEAR(Of("(0 0, 1 0, 1 0.4, 0 0.4)", 10, 5).length_mm, 0.6, 0.001);
-  // With three short ends one is left of two of them.
+  // With three short ends, a line of two of them remains.
   EXPECT_GT(Of("(0 0, 2 0, 2 0.4, 1.2 0.4, 1.2 0.9, 0.8 0.9, 0.8 0.4, 0 0.4)", 80, 5).length_mm,
             0.8);
 }

@@ -14,27 +14,27 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Nodes nearer than this are one: far below what a printer resolves.
+/// Nodes closer than this are merged: far below the resolution of a printer.
 constexpr double kMergeNm = 1'000;
-/// Sides that meet at less face each other: 80 degrees, so that a square corner is a corner and not
-/// a tip.
+/// Sides that meet at a smaller angle face each other. It is 80 degrees, so that a square corner is
+/// a corner and not a tip.
 constexpr double kFacingAngle = 1.389;
-/// sin of half of it: by how much per length the radius changes there.
+/// Sine of half of this angle: the change of the radius per length.
 constexpr double kFacing = 0.64;
-/// A branch shorter than this many radii of the node it leaves prints nothing that the others do
-/// not.
+/// Length of a short branch, in radii of the node where it starts. It prints nothing that other
+/// lines do not print.
 constexpr double kShortBranch = 1.0;
-/// A line stops this many radii short of the middle of a line that it meets.
+/// Distance between the end of a line and the middle of the line that it meets, in radii.
 constexpr double kRetreat = 0.8;
-/// A line goes on past the last point of its axis by this many radii: the circle there touches the
+/// Extension of a line beyond the last point of its axis, in radii: the circle there touches the
 /// end.
 constexpr double kExtend = 0.25;
-/// The least length of a line, in radii of its widest point: rounder regions give a dot of this
+/// Smallest length of a line, in radii of its widest point. Rounder regions give a dot of this
 /// length.
 constexpr double kLeastLength = 0.8;
 
 struct AxisEdge {
-  int a = 0;  ///< nodes
+  int a = 0;  ///< node
   int b = 0;
 };
 
@@ -43,7 +43,7 @@ int Root(std::vector<int>& parent, int i) {
   return i;
 }
 
-/// The edges of a graph between nodes that are apart.
+/// Returns the edges of a graph between nodes that are not merged.
 std::vector<AxisEdge> MergedEdges(const SkeletalGraph& graph) {
   std::vector<int> parent(graph.nodes.size());
   std::iota(parent.begin(), parent.end(), 0);
@@ -61,7 +61,7 @@ std::vector<AxisEdge> MergedEdges(const SkeletalGraph& graph) {
   return edges;
 }
 
-/// The kept edges of a medial axis and how they hang together.
+/// Remaining edges of a medial axis and their connections.
 class AxisGraph {
  public:
   AxisGraph(const SkeletalGraph& graph, double min_radius)
@@ -78,7 +78,7 @@ class AxisGraph {
   int NodeCount() const { return static_cast<int>(nodes_.size()); }
   int Degree(int node) const { return degree_[node]; }
 
-  /// The node with the largest radius among those with an edge, -1 if there is none.
+  /// Returns the node with the largest radius among the nodes with an edge; -1 if there is none.
   int Widest() const {
     int widest = -1;
     for (int i = 0; i < NodeCount(); ++i)
@@ -86,7 +86,7 @@ class AxisGraph {
     return widest;
   }
 
-  /// Removes, from the leaves inwards, what leads into blunt corners.
+  /// Removes edges that lead into blunt corners, beginning at the leaves.
   void TrimCorners() {
     std::vector<int> leaves = Leaves();
     while (!leaves.empty()) {
@@ -101,9 +101,9 @@ class AxisGraph {
     }
   }
 
-  /// Removes branches that end within the circle of the fork they start from, the shortest first
-  /// (of equals, that of the first leaf). Each branch is walked once and goes on from where it
-  /// stood when its fork is gone: O(n log n).
+  /// Removes branches that end within the circle of the fork where they start, the shortest first
+  /// (for equal lengths, the first leaf). Each branch is followed once. If its fork disappears, it
+  /// continues from its last position. Cost: O(n log n).
   void PruneShortBranches() {
     branches_.assign(nodes_.size(), {});
     branch_at_edge_.assign(edges_.size(), -1);
@@ -114,7 +114,7 @@ class AxisGraph {
     while (!short_branches_.empty()) {
       const auto [reach, leaf] = short_branches_.top();
       short_branches_.pop();
-      // Else it was removed, or has gone on since it was queued.
+      // Otherwise the branch was removed or extended since it was queued.
       if (degree_[leaf] != 1 || branches_[leaf].reach != reach || !IsShort(leaf)) continue;
       const int fork = branches_[leaf].at;
       RemoveBranch(leaf);
@@ -122,8 +122,8 @@ class AxisGraph {
     }
   }
 
-  /// Lines of nodes: at a fork the two edges that bend least go on as one line. A closed line
-  /// repeats its first node.
+  /// Returns lines of nodes. At a fork, the two edges with the smallest bend form one line. A
+  /// closed line repeats its first node.
   std::vector<std::vector<int>> Lines() {
     PairAtForks();
     std::vector<std::vector<int>> lines;
@@ -154,7 +154,7 @@ class AxisGraph {
   }
   int OtherEnd(int e, int node) const { return edges_[e].a == node ? edges_[e].b : edges_[e].a; }
 
-  /// Drops what is thinner than `min_radius`; edges that cross it end there.
+  /// Removes the parts thinner than `min_radius`. Edges that cross this radius end there.
   void CutAt(double min_radius) {
     std::vector<AxisEdge> kept;
     kept.reserve(edges_.size());
@@ -194,7 +194,7 @@ class AxisGraph {
     return leaves;
   }
 
-  /// The first edge of a node, its only one if it is a leaf.
+  /// Returns the first edge of a node; for a leaf, it is the only one.
   int FirstEdge(int node) const {
     for (int i = first_[node]; i < first_[node + 1]; ++i)
       if (alive_[incident_[i]]) return incident_[i];
@@ -211,8 +211,7 @@ class AxisGraph {
     --degree_[edges_[e].b];
   }
 
-  /// Lets the branch of `leaf` go on over `edge` to the next fork, and queues it there if it is
-  /// short.
+  /// Extends the branch of `leaf` over `edge` to the next fork, and queues it there if it is short.
   void WalkOn(int leaf, int edge) {
     Branch& branch = branches_[leaf];
     for (; edge >= 0; edge = NextEdge(branch.at, edge)) {
@@ -231,7 +230,8 @@ class AxisGraph {
     return degree_[branch.at] > 2 && branch.reach <= kShortBranch * Node(branch.at).radius;
   }
 
-  /// The branches that ended at this node, which is no fork any more, go on over its other edge.
+  /// Extends the branches that ended at this node over its other edge, because the node is no fork
+  /// any more.
   void JoinBranchesAt(int node) {
     const int one = FirstEdge(node), other = NextEdge(node, one);
     const int leaf = branch_at_edge_[one], other_leaf = branch_at_edge_[other];
@@ -249,7 +249,8 @@ class AxisGraph {
     }
   }
 
-  /// For each node, which edge goes on as which: at forks the pair that bends least.
+  /// Pairs the edges at each node: at forks, the two edges with the smallest bend continue each
+  /// other.
   void PairAtForks() {
     pair_.assign(nodes_.size(), {-1, -1});
     for (int node = 0; node < NodeCount(); ++node) {
@@ -289,27 +290,28 @@ class AxisGraph {
     return nodes;
   }
 
-  /// From a leaf to the next fork, by the leaf.
+  /// Path from a leaf to the next fork.
   struct Branch {
-    int at = 0;  ///< its fork, or another leaf
+    int at = 0;  ///< fork at its end, or another leaf
     double reach = 0;
   };
-  using Queued = std::pair<double, int>;  ///< reach, leaf
+  using Queued = std::pair<double, int>;  ///< reach and leaf
 
   Point origin_;
   std::vector<SkeletalNode> nodes_;
   std::vector<AxisEdge> edges_;
   std::vector<bool> alive_;
   std::vector<int> degree_;
-  std::vector<int> first_;     ///< of each node in incident_
-  std::vector<int> incident_;  ///< edges by node
+  std::vector<int> first_;  ///< first index of each node in incident_
+  std::vector<int> incident_;  ///< edges per node
   std::vector<std::pair<int, int>> pair_;
   std::vector<Branch> branches_;
-  std::vector<int> branch_at_edge_;  ///< whose last edge, on the way to its fork, this is
+  /// Leaf of the branch that has this edge as its last one before its fork
+  std::vector<int> branch_at_edge_;
   std::priority_queue<Queued, std::vector<Queued>, std::greater<>> short_branches_;
 };
 
-/// Where an end of a line lies, as the graph knows it.
+/// Kind of the end of a line in the graph.
 enum class End { kTip, kBlunt, kFork };
 
 End EndAt(const AxisGraph& graph, int node, double min_radius) {
@@ -322,7 +324,7 @@ void FinishEnd(ThickLine& line, End end, double radius) {
   if (end == End::kBlunt) ExtendEnd(line, kExtend * radius);
 }
 
-/// Lengthens a line that is shorter than a dot of its thickness.
+/// Extends a line that is shorter than a dot of its thickness.
 void MakeDot(ThickLine& line) {
   const Coord widest = *std::max_element(line.thickness_nm.begin(), line.thickness_nm.end());
   const double missing = kLeastLength * static_cast<double>(widest) / 2 - Length(line);
@@ -353,8 +355,8 @@ ThickLine MakeLine(const AxisGraph& graph, const std::vector<int>& nodes, double
   return line;
 }
 
-/// A region with no two sides that face each other, such as a square: a dot in its middle, along
-/// its longest branch.
+/// Returns a dot in the middle of a region without facing sides, such as a square. It is along the
+/// longest branch.
 std::vector<ThickLine> LoneDot(const AxisGraph& graph, int widest) {
   int farthest = widest;
   double reach = 0;

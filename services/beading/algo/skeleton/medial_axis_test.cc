@@ -29,7 +29,7 @@ TEST(MedialAxis, OfAStripIsItsMiddle) {
   EXPECT_FALSE(lines[0].closed);
   for (const Point p : lines[0].points) EXPECT_NEAR(p.y, 200'000, 1);
   for (const Coord t : lines[0].thickness_nm) EXPECT_NEAR(t, 400'000, 1);
-  // The ends come nearer to the short sides than half the width, and not out of them.
+  // The ends are closer to the short sides than half the width, but not beyond them.
   EXPECT_GT(TotalLengthMm(lines), 9.6);
   EXPECT_LE(TotalLengthMm(lines), 10);
 }
@@ -88,7 +88,8 @@ TEST(MedialAxis, AWidthStepDoesNotBreakTheLine) {
   EXPECT_EQ(Of("(0 0, 5 0, 5 -0.15, 10 -0.15, 10 0.45, 5 0.45, 5 0.3, 0 0.3)").size(), 1u);
 }
 
-/// A ring 0.4 mm wide with a tooth every tenth of a mm, just wide enough for a branch of the axis.
+/// Returns a ring 0.4 mm wide with a tooth every tenth of a mm, each just wide enough for a branch
+/// of the axis.
 PolygonWithHoles Gear(int teeth) {
   const double radius = teeth * 100'000 / (2 * std::numbers::pi);
   const auto at = [teeth](double tooth, double r) {
@@ -106,7 +107,7 @@ PolygonWithHoles Gear(int teeth) {
   return region;
 }
 
-// The last one took 10 s when each branch that was pruned cost a walk along all others.
+// The last case took 10 s when each pruned branch required a search along all others.
 TEST(MedialAxis, ShortBranchesDoNotBreakALine) {
   for (const int teeth : {50, 1'000, 20'000}) {
     const auto lines = MedialAxis(Gear(teeth), {});

@@ -6,10 +6,12 @@
 
 namespace slicefarm::beading {
 
-/// Beads side by side from either side of `thickness_nm` towards the middle, with what is left over
-/// between the two halves: `half_widths_nm` are those of one half, outermost first; of an odd count
-/// the last one is the middle bead, whole. Exactly symmetric; a left-over of one nm is what an odd
-/// thickness leaves of two equal halves.
+/// Returns beads side by side from both sides of `thickness_nm` towards the middle. The rest is
+/// left over between the two halves.
+///
+/// `half_widths_nm`: widths of one half, outermost first. If the count is odd, the last one is the
+/// whole middle bead. The result is exactly symmetric. A left-over of one nm is the remainder of an
+/// odd thickness with two equal halves.
 Beading LayOut(Coord thickness_nm, int count, const std::vector<Coord>& half_widths_nm);
 
 }  // namespace slicefarm::beading

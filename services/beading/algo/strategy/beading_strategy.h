@@ -6,64 +6,69 @@
 
 namespace slicefarm::beading {
 
-/// How beads lie side by side across a place of some thickness, from one side of it to the other.
-/// A bead of width 0 is a marker: the border between the walls and what the infill gets.
+/// Layout of beads side by side across some thickness, from one side to the other. A bead of width
+/// 0 is a marker: the border between the walls and the infill's area.
 struct Beading {
   Coord thickness_nm = 0;
   std::vector<Coord> widths_nm;
-  std::vector<Coord> locations_nm;  ///< of the beads' middles, from the first side
-  /// Thickness less the sum of the widths; negative where a bead is widened beyond the outline.
+  std::vector<Coord> locations_nm;  ///< positions of the beads' middles, from the first side
+  /// Thickness minus the sum of the widths; negative if a bead is widened beyond the outline.
   Coord left_over_nm = 0;
 
+  /// Returns the number of beads.
   int count() const { return static_cast<int>(widths_nm.size()); }
   friend bool operator==(const Beading&, const Beading&) = default;
 };
 
-/// Decides for each thickness how many beads lie side by side, and how wide and where they are.
+/// Decides for each thickness how many beads lie side by side, and their widths and positions.
 ///
-/// What every strategy keeps (strategy_checks_test.h):
-///   - Compute: widths and left-over sum up to the thickness exactly; widths and locations are
-///     symmetric; for one count each width is continuous and non-decreasing in the thickness
-///   - OptimalCount is non-decreasing, and TransitionThickness(n) is the least thickness at which
-///     it exceeds n
+/// Properties of every strategy (strategy_checks_test.h):
+/// - Compute: widths and left-over sum up exactly to the thickness. Widths and positions are
+///   symmetric. For a fixed count, each width is continuous and non-decreasing in the thickness.
+/// - OptimalCount is non-decreasing. TransitionThickness(n) is the smallest thickness at which it
+///   exceeds n.
 ///
-/// Strategies are decorators: each changes what its parent says (strategy_factory.h).
+/// Strategies are decorators: each one changes the results of its parent (strategy_factory.h).
+///
 /// Source: T. Kuipers et al., "A Framework for Adaptive Width Control of Dense Contour-Parallel
-/// Toolpaths in FDM", Computer-Aided Design 128 (2020), section 4; CuraEngine's and PrusaSlicer's
-/// strategies for the names and the meaning of the parameters.
+/// Toolpaths in FDM", Computer-Aided Design 128 (2020), section 4. Names and meaning of the
+/// parameters are from the strategies of CuraEngine and PrusaSlicer.
 class BeadingStrategy {
  public:
   virtual ~BeadingStrategy() = default;
 
-  /// Beads for a place `thickness_nm` thick. Any count is answered, also one that is not optimal
-  /// there: between two counts beads go over from one beading to the other. REQUIRES:
-  /// thickness_nm >= 0, count >= 0. Cost: O(count).
+  /// Returns the beads for a thickness. Every count is allowed, also one that is not optimal there:
+  /// between two counts, beads change from one layout to the next. REQUIRES: thickness_nm >= 0,
+  /// count >= 0. Cost: O(count).
   virtual Beading Compute(Coord thickness_nm, int count) const = 0;
 
+  /// Returns the best number of beads for a thickness.
   virtual int OptimalCount(Coord thickness_nm) const = 0;
 
-  /// The thickness at which `count` beads have the width they should have.
+  /// Returns the thickness at which `count` beads have their optimal width.
   virtual Coord OptimalThickness(int count) const = 0;
 
-  /// The least thickness with more than `lower_count` beads; kUnreachableNm if there is none.
+  /// Returns the smallest thickness with more than `lower_count` beads; kUnreachableNm if there is
+  /// none.
   virtual Coord TransitionThickness(int lower_count) const = 0;
 
-  /// Along the skeleton, over what length beads go over from `lower_count` to one more.
+  /// Returns the length along the skeleton over which beads change from `lower_count` to one more.
   virtual Coord TransitionLength(int lower_count) const = 0;
 
-  /// Where in that length the transition thickness lies: 0 at the side of the lower count, 1 at the
-  /// other one.
+  /// Returns the relative position of the transition thickness in this length: 0 at the side of the
+  /// lower count, 1 at the side of the higher count.
   virtual double TransitionAnchor(int lower_count) const = 0;
 
-  /// Thicknesses, in ascending order, at which Compute has a kink or a step although the count
-  /// stays: the skeleton gets a node there.
+  /// Returns the thicknesses, in ascending order, at which Compute has a kink or a step for a fixed
+  /// count. The skeleton gets a node there.
   virtual std::vector<Coord> Kinks() const = 0;
 };
 
+/// Thickness that no part reaches; it means that there is no transition.
 inline constexpr Coord kUnreachableNm = Coord{9'000} * kNmPerMm;
 
-/// The most walls of a place, on both sides of it together: what has room for more beads is left to
-/// the infill.
+/// Returns the largest number of walls, both sides together. If there is space for more beads, the
+/// infill gets it.
 inline int MostWalls(const BeadingStrategy& strategy) {
   return strategy.OptimalCount(kUnreachableNm - 1) - 1;
 }

@@ -9,12 +9,13 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Between no bead and the first one: beads simply end, there is nothing to go over to.
+/// Transition length between no bead and the first one. It is short, because a first bead simply
+/// ends.
 constexpr Coord kFirstTransitionNm = 10'000;
 
 int HalfCount(int count) { return (count + 1) / 2; }
 
-/// Share of the excess that each bead of a half gets; over all beads they sum up to 1.
+/// Returns the share of the excess for each bead of a half; the shares of all beads sum up to 1.
 std::vector<double> Shares(int count, int distribution_count) {
   std::vector<double> shares(HalfCount(count));
   const double middle = (count - 1) / 2.0;
@@ -29,7 +30,7 @@ std::vector<double> Shares(int count, int distribution_count) {
   return shares;
 }
 
-/// The widths of a half at one of the thicknesses between which they are linear.
+/// Widths of a half at one thickness. They are linear between two such stops.
 struct Stop {
   double thickness = 0;
   std::vector<double> widths;
@@ -39,7 +40,8 @@ Stop AllOf(double width, int count) {
   return {width * count, std::vector(HalfCount(count), width)};
 }
 
-/// Where the middle bead has `middle_width` and the others what their shares give them.
+/// Returns the stop at which the middle bead has `middle_width` and the other beads follow by their
+/// shares.
 Stop MiddleOf(double middle_width, int count, double optimal, const std::vector<double>& shares) {
   const double excess = (middle_width - optimal) / shares.back();
   Stop stop{optimal * count + excess, {}};
@@ -69,7 +71,7 @@ Beading DistributedStrategy::Compute(Coord thickness_nm, int count) const {
   for (int i = 0; i < HalfCount(count); ++i) {
     const bool middle = 2 * i + 1 == count;
     const auto exact = std::llround(low.widths[i] + t * (high.widths[i] - low.widths[i]));
-    // The innermost takes what rounding leaves, unless it is as wide as it may be.
+    // The innermost bead takes the rounding remainder, unless it has the largest width already.
     const bool innermost = i + 1 == HalfCount(count);
     const Coord to_fill = middle ? rest : rest / 2;
     widths.push_back(innermost ? std::clamp<Coord>(to_fill, 0, options_.max_width_nm) : exact);

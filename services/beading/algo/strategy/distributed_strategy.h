@@ -4,25 +4,34 @@
 
 namespace slicefarm::beading {
 
+/// Options of DistributedStrategy.
 struct DistributedOptions {
   Coord optimal_width_nm = 400'000;
-  Coord min_width_nm = 340'000;  ///< of a bead, as long as the count is the optimal one
-  Coord max_width_nm = 800'000;  ///< no bead is ever wider
-  double split_threshold = 0.7;  ///< of a width, that the middle bead grows by before it is split
-  double add_threshold = 0.85;   ///< of a width, that is free in the middle before a bead is added
-  /// Beads on either side of the middle that share what is too much or too little: weights
-  /// 1 - (i / N)^2, with i counted from the middle.
+  /// Smallest width of a bead, as long as the count is the optimal one
+  Coord min_width_nm = 340'000;
+  Coord max_width_nm = 800'000;  ///< largest width of a bead in all cases
+  /// Growth of the middle bead before it is split, as a fraction of a width
+  double split_threshold = 0.7;
+  /// Free space in the middle before a bead is added, as a fraction of a width
+  double add_threshold = 0.85;
+  /// Number of beads on either side of the middle that share the excess or deficit. Their weights
+  /// are 1 - (i / N)^2, with i counted from the middle.
   int distribution_count = 1;
   Coord transition_length_nm = 400'000;
 };
 
-/// Gives what is too much or too little for n beads of the optimal width to those in the middle.
+/// Distributes the excess or deficit of n beads of optimal width to the beads in the middle.
 ///
-/// For one count each width is linear between five thicknesses: nothing; all beads of least width;
-/// the middle one of least width and the others as their weights say; the middle one of greatest
-/// width likewise; all of greatest width. Beyond, the rest is left over in the middle. So no bead
-/// becomes negative or wider than allowed (upstream: a negative middle bead for few and thick ones,
-/// and no bound above).
+/// For a fixed count, each width is linear between five thicknesses:
+///
+/// - nothing;
+/// - all beads have the smallest width;
+/// - the middle bead has the smallest width, the remaining beads follow by their weights;
+/// - the middle bead has the largest width, the remaining beads follow by their weights;
+/// - all beads have the largest width.
+///
+/// Beyond the last one, the rest is left over in the middle. So no bead becomes negative or wider
+/// than allowed. (Upstream has a negative middle bead for a few thick beads, and no upper limit.)
 class DistributedStrategy : public BeadingStrategy {
  public:
   explicit DistributedStrategy(const DistributedOptions& options) : options_(options) {}

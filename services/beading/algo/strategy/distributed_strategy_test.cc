@@ -79,7 +79,7 @@ TEST(Distributed, Transitions) {
   EXPECT_EQ(strategy.TransitionLength(0), 10 * kUm);  // the first bead simply ends
   EXPECT_EQ(strategy.TransitionLength(1), 300 * kUm);
   EXPECT_EQ(strategy.TransitionLength(8), 300 * kUm);
-  // The later one more bead comes, the nearer to the lower count's side.
+  // The later one more bead is added, the closer the transition is to the side of the lower count.
   EXPECT_NEAR(strategy.TransitionAnchor(0), 0.15, 1e-6);
   EXPECT_NEAR(strategy.TransitionAnchor(1), 0.3, 1e-6);
   EXPECT_NEAR(strategy.TransitionAnchor(2), 0.15, 1e-6);

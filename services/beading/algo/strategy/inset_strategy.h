@@ -6,7 +6,7 @@
 
 namespace slicefarm::beading {
 
-/// Moves beads towards the middle without changing their widths. Base of the two below.
+/// Moves beads towards the middle without changing their widths. Base of the two classes below.
 class InsetStrategy : public BeadingStrategy {
  public:
   InsetStrategy(Coord inset_nm, std::unique_ptr<const BeadingStrategy> parent)
@@ -28,8 +28,8 @@ class InsetStrategy : public BeadingStrategy {
   std::vector<Coord> Kinks() const override { return parent_->Kinks(); }
 
  protected:
-  /// The parent's beads, those from `first` to the one before `last` of the first half and their
-  /// mirror images moved, at most to the middle.
+  /// Returns the parent's beads with some of them moved, at most to the middle: the beads from
+  /// `first` to before `last` of the first half, and their mirror images.
   Beading Moved(Coord thickness_nm, int count, int first, int last) const;
 
  private:
@@ -37,7 +37,7 @@ class InsetStrategy : public BeadingStrategy {
   std::unique_ptr<const BeadingStrategy> parent_;
 };
 
-/// Moves the outermost two beads, as long as there are two: against bulging of the outer wall.
+/// Moves the outermost two beads, if there are at least two, to prevent bulging of the outer wall.
 /// (Upstream moves only the first one.)
 class OuterWallInsetStrategy : public InsetStrategy {
  public:
@@ -47,7 +47,8 @@ class OuterWallInsetStrategy : public InsetStrategy {
   }
 };
 
-/// Moves all beads but the outermost two: lets inner walls keep away from the outer one.
+/// Moves all beads except the outermost two, so that inner walls keep a distance from the outer
+/// wall.
 class InnerWallInsetStrategy : public InsetStrategy {
  public:
   using InsetStrategy::InsetStrategy;

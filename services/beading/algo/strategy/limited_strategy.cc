@@ -5,12 +5,12 @@
 namespace slicefarm::beading {
 namespace {
 
-/// The last stretch before one more bead would have its optimal width: there the infill gets a
-/// place that it can fill.
+/// Margin below the thickness at which one more bead would have its optimal width. From there on,
+/// the infill gets an area that it can fill.
 constexpr Coord kShyNm = 10'000;
 
-/// Adds a bead of no width at the inner edge of the first half's last bead, and its mirror image
-/// unless that is the same place.
+/// Adds a bead of width 0 at the inner edge of the first half's last bead. If `both`, also adds its
+/// mirror image.
 void AddMarkers(int per_half, bool both, Beading* beading) {
   const Coord border = beading->locations_nm[per_half - 1] + beading->widths_nm[per_half - 1] / 2;
   std::vector<Coord> places = {border};
@@ -30,7 +30,7 @@ Beading LimitedStrategy::Compute(Coord thickness_nm, int count) const {
     return beading;
   }
   const Coord optimal = parent_->OptimalThickness(max_count_);
-  // Thinner than that only on the way to fewer beads.
+  // The thickness is smaller than this only in a transition to fewer beads.
   Beading beading = parent_->Compute(std::min(thickness_nm, optimal), max_count_);
   const Coord added = thickness_nm - beading.thickness_nm;
   for (int i = half; i < max_count_; ++i) beading.locations_nm[i] += added;

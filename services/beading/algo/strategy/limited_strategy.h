@@ -6,9 +6,9 @@
 
 namespace slicefarm::beading {
 
-/// At most `max_count` beads, half of them on either side; what is between is the infill's, and
-/// markers (beads of width 0) tell its border. A count of max_count + 1 stands for places so thick
-/// that beads have their optimal widths and something is left over between them.
+/// Limits the number of beads to `max_count`, half of them on either side. The area between them is
+/// the infill's, and markers (beads of width 0) are its border. A count of max_count + 1 means a
+/// thickness at which beads have their optimal widths and something is left over between them.
 ///
 /// REQUIRES: max_count is even.
 class LimitedStrategy : public BeadingStrategy {

@@ -8,7 +8,8 @@ Beading MarginStrategy::Compute(Coord thickness_nm, int count) const {
   const Coord added = thickness_nm - inner;
   for (int i = 0; i < beading.count(); ++i) {
     Coord& location = beading.locations_nm[i];
-    // Mirror images stay that: locations of the second half are rounded the other way.
+    // Positions of the second half are rounded in the other direction, so that mirror images stay
+    // exact.
     location += 2 * i < beading.count() ? added / 2 : added - added / 2;
   }
   beading.thickness_nm = thickness_nm;

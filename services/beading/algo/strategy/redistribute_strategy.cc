@@ -8,7 +8,7 @@
 namespace slicefarm::beading {
 namespace {
 
-/// The widths of the first half of `beading`, the middle one whole.
+/// Returns the widths of the first half of `beading`, with the whole middle bead.
 std::vector<Coord> Half(const Beading& beading) {
   return {beading.widths_nm.begin(), beading.widths_nm.begin() + (beading.count() + 1) / 2};
 }

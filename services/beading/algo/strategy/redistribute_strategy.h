@@ -6,20 +6,23 @@
 
 namespace slicefarm::beading {
 
+/// Options of RedistributeStrategy.
 struct RedistributeOptions {
   Coord outer_width_nm = 400'000;
-  Coord min_width_nm = 340'000;  ///< of an inner bead, as long as the outer ones keep their width
-  Coord max_width_nm = 800'000;  ///< no bead is ever wider
-  double min_outer_share = 0.5;  ///< of the outer width: thinner places get no bead
+  /// Smallest width of an inner bead, as long as the outer ones keep their width
+  Coord min_width_nm = 340'000;
+  Coord max_width_nm = 800'000;  ///< largest width of a bead in all cases
+  /// Smallest thickness with a bead, as a fraction of the outer width
+  double min_outer_share = 0.5;
   double split_threshold =
-      0.7;  ///< of the outer width, that a lone bead grows by before it is split
-  /// Two beads that are in transition to three do not get wider than the outer width.
+      0.7;  ///< growth of a single bead before its split, as a fraction of the outer width
+  /// True: two beads in transition to three do not become wider than the outer width
   bool lock_outer_width = false;
 };
 
-/// Keeps the outermost two beads at their width; the parent lays out what is between them. One bead
-/// or two share the thickness evenly. Where not even least beads fit between the outer ones, all
-/// shrink together (upstream: beads of no width).
+/// Keeps the width of the outermost two beads; the parent lays out the thickness between them. One
+/// or two beads share the thickness evenly. If not even beads of smallest width fit between the
+/// outer beads, all beads shrink together (upstream: beads of no width).
 class RedistributeStrategy : public BeadingStrategy {
  public:
   RedistributeStrategy(const RedistributeOptions& options,

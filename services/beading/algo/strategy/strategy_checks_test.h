@@ -13,7 +13,7 @@ namespace slicefarm::beading {
 
 inline constexpr Coord kUm = 1'000;
 
-/// Rounded down.
+/// Converts to um, rounded down.
 inline std::vector<Coord> InUm(std::vector<Coord> nm) {
   for (Coord& value : nm) value /= kUm;
   return nm;
@@ -48,7 +48,7 @@ inline std::vector<Coord> OptimalThicknessesUm(const BeadingStrategy& strategy, 
   return thicknesses;
 }
 
-// What beading_strategy.h promises of every strategy, tried up to these:
+// Limits up to which the properties from beading_strategy.h are tested for every strategy:
 inline constexpr int kMostBeads = 9;
 inline constexpr Coord kThickest = 6'000 * kUm;
 inline constexpr Coord kStep = 3'331;  // no divisor of any width: odd thicknesses come along
@@ -72,7 +72,8 @@ inline void ExpectSymmetric(const BeadingStrategy& strategy) {
       for (int i = 0; i < b.count(); ++i) {
         const int j = b.count() - 1 - i;
         ASSERT_EQ(b.widths_nm[i], b.widths_nm[j]) << d << " in " << n;
-        // A marker in the middle stands for both sides; its place is that of the first one.
+        // A marker in the middle represents both sides; its position is the one of the first
+        // marker.
         if (b.widths_nm[i] == 0) continue;
         // The middle of an odd thickness is rounded down.
         ASSERT_NEAR(b.locations_nm[i] + b.locations_nm[j], d, i == j ? 1 : 0) << d << " in " << n;
@@ -81,7 +82,7 @@ inline void ExpectSymmetric(const BeadingStrategy& strategy) {
   }
 }
 
-/// Beads lie in order and do not overlap: what inset strategies do not keep.
+/// Checks that beads are in order and do not overlap. Inset strategies do not fulfil this.
 inline void ExpectSideBySide(const BeadingStrategy& strategy) {
   for (int n = 0; n <= kMostBeads; ++n) {
     for (Coord d = 0; d < kThickest; d += kStep) {
@@ -94,7 +95,8 @@ inline void ExpectSideBySide(const BeadingStrategy& strategy) {
   }
 }
 
-/// But for a nm a bead, which is what rounding moves between them.
+/// Checks that widths are continuous, except for one nm per bead, which rounding moves between
+/// beads.
 inline void ExpectContinuous(const BeadingStrategy& strategy, Coord from = 0) {
   for (int n = 1; n <= kMostBeads; ++n) {
     Beading before = strategy.Compute(from, n);

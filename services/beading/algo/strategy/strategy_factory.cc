@@ -13,7 +13,8 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Of a width: how much more a bead gets before both its halves are wide enough.
+/// Returns the growth of a bead, as a fraction of a width, after which both of its halves are wide
+/// enough.
 double SplitThreshold(Coord width_nm, Coord min_width_nm) {
   const auto width = static_cast<double>(width_nm), least = static_cast<double>(min_width_nm);
   return std::clamp((2 * least - width) / width, 0.01, 0.99);
@@ -27,7 +28,7 @@ double AddThreshold(Coord width_nm, Coord min_width_nm) {
 
 std::unique_ptr<const BeadingStrategy> MakeStrategy(const StrategyOptions& options) {
   const Coord outer = options.outer_width_nm;
-  // With one wall all beads are outer ones.
+  // With one wall, all beads are outer ones.
   const Coord inner = options.max_walls == 1 ? outer : options.inner_width_nm;
   const Coord added = options.min_width_nm, halves = options.min_split_width_nm;
   const Coord least = std::min(added, halves);

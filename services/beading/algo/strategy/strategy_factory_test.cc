@@ -29,9 +29,10 @@ struct GoldenCase {
 
 class Golden : public testing::TestWithParam<GoldenCase> {};
 
-/// Two walls of 0.4 mm, least width 0.34, as CuraEngine's strategies give them. Different here: at
-/// a transition thickness there is one bead more at once, as T(n) says (upstream 680 gives one
-/// bead, because Redistribute compares with > where the others compare with >=).
+/// The values are two walls of 0.4 mm with smallest width 0.34, from CuraEngine's strategies. One
+/// value differs: exactly at a transition thickness there is one bead more, as T(n) is defined.
+/// (Upstream gives one bead at 680, because Redistribute compares with > where other strategies
+/// compare with >=.)
 TEST_P(Golden, TwoWalls) {
   const GoldenCase& golden = GetParam();
   const auto strategy = MakeStrategy(Walls(2));
@@ -70,7 +71,7 @@ TEST_P(Transitions, AreAt) {
               ElementsAreArray(expected));
 }
 
-/// Widths of 0.4 mm and least widths of 0.34, where not said otherwise.
+/// Widths are 0.4 mm and smallest widths 0.34 mm, unless stated otherwise.
 INSTANTIATE_TEST_SUITE_P(
     Strategy, Transitions,
     testing::Values(
@@ -80,10 +81,11 @@ INSTANTIATE_TEST_SUITE_P(
         TransitionsCase{"ThinPlacesLeftOut", {.widen_thin_places = false}, {200, 680, 1140}},
         TransitionsCase{"LeastFeature", {.min_feature_nm = 250 * kUm}, {250, 680, 1140}},
         TransitionsCase{"Margin", {.margin_nm = 50 * kUm}, {200, 780, 1240, 1580}},
-        // A bead is added when there is place for it, split when both halves are wide enough.
+        // A bead is added when there is space for it, and split when both halves are wide enough.
         TransitionsCase{"LeastWidth", {.min_width_nm = 300 * kUm}, {100, 680, 1100, 1480}},
         TransitionsCase{"LeastHalves", {.min_split_width_nm = 300 * kUm}, {100, 600, 1140, 1400}},
-        // Always after the optimal thickness of the one count and before that of the other.
+        // A transition is always after the optimal thickness of the lower count and before the one
+        // of the higher count.
         TransitionsCase{"GreatLeastWidth", {.min_width_nm = 500 * kUm}, {100, 680, 1196, 1480}},
         TransitionsCase{
             "GreatLeastHalves", {.min_split_width_nm = 500 * kUm}, {100, 796, 1140, 1596}},

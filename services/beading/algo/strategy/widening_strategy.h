@@ -6,12 +6,14 @@
 
 namespace slicefarm::beading {
 
+/// Options of WideningStrategy.
 struct WideningOptions {
   Coord min_feature_nm = 100'000;  ///< thinner places get no bead
-  Coord min_width_nm = 340'000;    ///< of a lone bead: it leaves thinner places on both sides
+  /// Smallest width of a single bead; it extends beyond both sides of thinner places
+  Coord min_width_nm = 340'000;
 };
 
-/// Prints places that are thinner than a bead may be, with a bead of least width.
+/// Prints places that are thinner than the smallest bead, with a bead of the smallest width.
 class WideningStrategy : public BeadingStrategy {
  public:
   WideningStrategy(const WideningOptions& options, std::unique_ptr<const BeadingStrategy> parent)

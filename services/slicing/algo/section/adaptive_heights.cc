@@ -174,7 +174,7 @@ class Fitting {
  private:
   struct State {
     int64_t cost = kNever;
-    /// number of steps from the begin of the previous layer to its end; 0: there is none
+    /// Number of steps from the begin of the previous layer to its end; 0: there is none
     uint32_t before = 0;
   };
   using Key = std::pair<size_t, size_t>;  // place, and how far back its layer begins

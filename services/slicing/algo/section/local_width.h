@@ -30,9 +30,9 @@ struct OppositeAngles {
   double begin_cos = 0;
   double full_cos = 0;
 };
-/// counts fully below 45 degrees
+/// Counts fully below 45 degrees
 inline constexpr OppositeAngles kBelow60Degrees{0.5, 0.7071067811865476};
-/// counts fully below 75 degrees
+/// Counts fully below 75 degrees
 inline constexpr OppositeAngles kBelow90Degrees{0, 0.25881904510252074};
 
 /// Width of an island at points of its outlines, up to a limit.

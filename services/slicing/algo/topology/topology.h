@@ -29,7 +29,7 @@ struct ConnectedMesh {
   // Counts after these faces are removed, and before missing faces are inserted:
   int64_t open_edges = 0;
   int64_t non_manifold_edges = 0;
-  /// bodies connected over edges; parts that only share a vertex count separately
+  /// Bodies connected over edges; parts that only share a vertex count separately
   int64_t bodies = 0;
 };
 

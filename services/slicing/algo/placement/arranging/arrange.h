@@ -25,7 +25,7 @@ struct FixedFootprint {
 /// Options for arranging parts.
 struct ArrangeOptions {
   Polygon bed;  ///< convex; fewer than three points: a square of 2 m
-  /// distance between parts, >= 0; PrusaSlicer's min_object_distance
+  /// Distance between parts, >= 0; PrusaSlicer's min_object_distance
   Coord distance_nm = 6 * kNmPerMm;
   std::vector<Polygon> excluded = {};  ///< areas of the bed where no part may be; may overlap
   Coord bed_margin_nm = 0;  ///< distance from the bed's edge and the excluded areas, >= 0
@@ -43,7 +43,7 @@ struct ItemPlace {
 
 /// Result of arranging.
 struct Arrangement {
-  /// position of each item; none for items left over
+  /// Position of each item; none for items left over
   std::vector<std::optional<ItemPlace>> places;
   int plates = 0;  ///< plates 0..n-1 are in use
   std::vector<size_t> left_over;  ///< indices of the items without a position
