@@ -10,13 +10,13 @@
 
 namespace slicefarm::milling {
 
-/// What a height map of 0.05 mm says of a program: the cutter is put down every 0.04 mm of each
-/// move. It shares nothing with the product but the cutter's outline.
+/// Height map with pixels of 0.05 mm that checks a program. The cutter is placed every 0.04 mm of
+/// each move. It shares only the cutter's outline with the product code.
 class HeightMapOracle {
  public:
   static constexpr double kPixel = 0.05;
   static constexpr double kStep = 0.04;
-  static constexpr double kTolerance = 0.03;  ///< of pixels and steps beside walls
+  static constexpr double kTolerance = 0.03;  ///< error of pixels and steps beside walls
 
   HeightMapOracle(const MillingJob& job, std::function<double(double, double)> part)
       : job_(job), part_(std::move(part)), low_(job.stock_box.min().head<2>()) {
@@ -38,7 +38,7 @@ class HeightMapOracle {
     }
   }
 
-  /// Deepest cut below the part, beyond what a wall may be aside.
+  /// Returns the deepest cut below the part, with a sideways tolerance at walls.
   double Gouge() const {
     double deepest = 0;
     ForEach([&](double x, double y, double height) {
@@ -51,7 +51,8 @@ class HeightMapOracle {
     return deepest;
   }
 
-  /// Highest stock above what the cutter reaches: the closing of the part by the cutter.
+  /// Returns the highest stock above the surface that the cutter can reach: the closing of the part
+  /// by the cutter.
   double LeftReachable() {
     const int margin = static_cast<int>(job_.options.cutter.radius_mm() / kPixel) + 2;
     const int wx = nx_ + 2 * margin, wy = ny_ + 2 * margin;
@@ -114,7 +115,7 @@ class HeightMapOracle {
     }
   }
 
-  /// Greatest of all values under the cutter less its height there.
+  /// Returns for each pixel the maximum of all values under the cutter minus its height there.
   std::vector<double> Spread(const std::vector<double>& in, int wx, int wy) const {
     const Cutter& cutter = job_.options.cutter;
     const int m = static_cast<int>(cutter.radius_mm() / kPixel + 1e-9);

@@ -31,7 +31,8 @@ absl::Status CheckPicture(const MillingJob& job, const MillSettings& settings) {
                     {"max", fmt::format("{}", job.steps.size() - 1)}});
 }
 
-/// A program needs all steps, a picture the one that it shows.
+/// Checks that the steps are complete: a program needs all steps, a picture only the step that it
+/// shows.
 absl::Status CheckSteps(const MillingJob& job, const MillSettings& settings,
                         const std::vector<MilledStep>& steps) {
   const bool picture = settings.format == MillFormat::kSvg;
@@ -59,8 +60,8 @@ absl::StatusOr<MillingJob> Prepare(const MillInput& input) {
   return PrepareMilling(InMm(input.part), std::move(stock), input.settings.how);
 }
 
-/// The job, prepared once for all calls about it: a call that ends early would spoil it for the
-/// others, so preparing is not cancelled.
+/// Returns the job, prepared once for all calls. Preparation cannot be cancelled: a call that ends
+/// early would spoil it for other calls.
 absl::StatusOr<const MillingJob*> JobOf(const StageCall& call, const Shared<MillInput>& input) {
   if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
   const absl::StatusOr<MillingJob>& job = input.Once(Prepare);

@@ -7,9 +7,9 @@
 
 namespace slicefarm::milling {
 
-/// The milling stage in this process; README.md lists its steps. Errors: those of PrepareMilling,
-/// MillSteps, AssembleProgram and ReportOf; SETTING_OUT_OF_RANGE for a picture of a step that the
-/// job has not.
+/// Returns the milling stage that runs in this process; README.md lists its steps. Errors: the
+/// errors of PrepareMilling, MillSteps, AssembleProgram and ReportOf; SETTING_OUT_OF_RANGE for a
+/// picture of a step that the job does not have.
 std::unique_ptr<MillingStage> MakeLocalMilling();
 
 }  // namespace slicefarm::milling

@@ -18,8 +18,8 @@
 
 namespace slicefarm::milling {
 
-/// A closed part of square pillars that stand side by side: heights[row][column], in mm, all above
-/// 0, where its bottom lies; (0, 0) is a corner of it.
+/// Closed part of square pillars side by side: heights[row][column], in mm. All heights are above
+/// 0, the height of its bottom. (0, 0) is a corner of the part.
 struct Pillars {
   std::vector<std::vector<double>> heights;
   double side = 1;
@@ -67,7 +67,8 @@ struct Pillars {
   }
 };
 
-/// A plate of 9 x 8 mm with a pocket, an island in the pocket and a step: what a program meets.
+/// Returns a plate of 9 x 8 mm with a pocket, an island in the pocket and a step: the main cases of
+/// a program.
 inline Pillars PocketPart() {
   return {.heights = {{3, 3, 3, 3, 3, 3, 3, 3, 3},
                       {3, 1, 1, 1, 1, 1, 1, 3, 2},

@@ -30,7 +30,7 @@ inline void Append(TriangleMesh& mesh, const TriangleMesh& other) {
     mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
 
-/// A box without a bottom: four walls and a top.
+/// Returns a box without a bottom: four walls and a top.
 inline TriangleMesh Box(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   TriangleMesh mesh;
   mesh.points_mm = {{a.x(), a.y(), a.z()}, {b.x(), a.y(), a.z()}, {b.x(), b.y(), a.z()},
@@ -46,7 +46,7 @@ inline TriangleMesh Box(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return mesh;
 }
 
-/// A sphere about the origin, its corners on it.
+/// Returns a sphere around the origin, with its corners on the exact sphere.
 inline TriangleMesh Sphere(double radius, uint32_t around = 48) {
   TriangleMesh mesh;
   const uint32_t rows = around / 2;
@@ -67,7 +67,7 @@ inline TriangleMesh Sphere(double radius, uint32_t around = 48) {
   return mesh;
 }
 
-/// Waves over a square of side `size`, with heights from -1 to 1.
+/// Returns waves over a square of side `size`, with heights from -1 to 1.
 inline TriangleMesh Waves(double size, uint32_t cells) {
   TriangleMesh mesh;
   for (uint32_t row = 0; row <= cells; ++row) {
@@ -94,9 +94,9 @@ inline TriangleMesh RandomTriangle(std::mt19937& random, double size) {
   return mesh;
 }
 
-/// How far the cutter with its tip there is from the mesh, horizontally, by a dense sample of the
-/// mesh; below 0: it gouges. The mesh itself may be nearer than its sample. Infinite: nothing is
-/// above.
+/// Returns the horizontal distance between the cutter with this tip position and a dense sample of
+/// the mesh; a negative value means a gouge. The mesh itself may be closer than its sample.
+/// Infinite if nothing is above the tip's height.
 inline double SampledClearance(const TriangleMesh& mesh, const Cutter& cutter,
                                const Eigen::Vector3d& tip, int samples = 100) {
   double least = std::numeric_limits<double>::infinity();

@@ -14,10 +14,10 @@
 namespace slicefarm::milling {
 namespace {
 
-/// What a message of text holds at most.
+/// Largest size of a text message.
 constexpr size_t kTextBytes = 1 << 20;
 
-/// The steps that follow a start.
+/// Reads the steps that follow a start.
 template <typename Stream>
 absl::StatusOr<std::vector<MilledStep>> ReadSteps(Stream& stream, const MillStart& start) {
   std::vector<MilledStep> steps;

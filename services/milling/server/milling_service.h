@@ -11,8 +11,8 @@
 
 namespace slicefarm::milling {
 
-/// Translates slicefarm.v1.Milling to a MillingStage and back.
-/// `stage`, `gate` and `shared` must outlive the service.
+/// Returns the gRPC service slicefarm.v1.Milling, which calls a MillingStage. `stage`, `gate` and
+/// `shared` must outlive the service.
 std::unique_ptr<grpc::Service> MakeMillingService(const MillingStage& stage, rpc::CallGate& gate,
                                                   SharedCache& shared);
 

@@ -12,23 +12,23 @@ constexpr int kMostSteps = 100;
 constexpr double kRootShare = 1e-10;
 constexpr double kOnSideMm = 1e-9;
 
-/// The highest rest so far of a cutter whose axis is at the origin.
+/// Highest rest position so far of a cutter with its axis at the origin.
 struct Rest {
   double z = -std::numeric_limits<double>::infinity();
   Eigen::Vector3d contact{0, 0, 0};
 };
 
-/// `distance`: of p from the axis. A place on the rim is computed as one, as p's own rounding would
-/// put it beside the cutter.
+/// Tests one contact point. `distance`: distance of p from the axis. A point on the rim is tested
+/// exactly at the rim, because rounding of p would put it beside the cutter.
 void Touch(const Cutter& cutter, const Eigen::Vector3d& p, double distance, Rest& rest) {
   if (distance > cutter.radius_mm() * (1 + 1e-15)) return;
   const double z = p.z() - cutter.HeightAt(std::min(distance, cutter.radius_mm()));
   if (z > rest.z) rest = {z, p};
 }
 
-/// Where a falling function is 0 between 0 and `high`, within kRootShare of it: false position by
-/// the rule of Illinois, and halving where that is slow. The height of a contact is off by the
-/// square of it.
+/// Returns the root of a falling function between 0 and `high`, to within kRootShare of `high`. It
+/// uses false position with the Illinois rule, and bisection where that is slow. The height of a
+/// contact is wrong by only the square of this error.
 template <typename Falling>
 double RootOfFalling(const Falling& value_at, double high) {
   double low = 0, at_low = value_at(low), at_high = value_at(high), x = high;
@@ -46,9 +46,10 @@ double RootOfFalling(const Falling& value_at, double high) {
   return x;
 }
 
-/// How far from the foot of the axis on an edge the edge touches a piece of the outline, on the
-/// side to which it rises: both in mm along its flat image, `off` from the axis, rising by `rise`.
-/// Not finite or out of the piece: nowhere.
+/// Returns the position where an edge touches a piece of the outline, on the side to which the edge
+/// rises. The position is measured in mm along the edge seen from above, from the foot of the
+/// cutter's axis. The edge is `off` from the axis and rises by `rise`. The result is not finite, or
+/// outside of the piece, if there is no contact.
 double TouchAlong(const ProfilePiece& piece, double off, double rise) {
   if (piece.corner_mm <= 0) {  // the outline rises by 1 / slope
     const double cosine = rise * piece.slope;
@@ -57,8 +58,8 @@ double TouchAlong(const ProfilePiece& piece, double off, double rise) {
   const double reach = piece.corner_mm + piece.flat_mm;
   const double most = std::sqrt(std::max(0.0, reach * reach - off * off));
   if (piece.flat_mm == 0) return most * rise / std::sqrt(1 + rise * rise);
-  // How much steeper the edge is than the outline, but for a factor: falls from 0 to `most`. The
-  // outline's slope along the edge is out / up * x / distance.
+  // Returns the difference between the slopes of the edge and the outline, up to a factor; it falls
+  // from 0 to `most`. The outline's slope along the edge is out / up * x / distance.
   const auto steeper = [&](double x) {
     const double distance = std::sqrt(off * off + x * x);
     const double out = std::max(0.0, distance - piece.flat_mm);
@@ -68,8 +69,8 @@ double TouchAlong(const ProfilePiece& piece, double off, double rise) {
   return RootOfFalling(steeper, most);
 }
 
-/// A side of a triangle: all places where the outline's kinks, its pieces and its rim may rest on
-/// it.
+/// Tests a side of a triangle: all points where the kinks, pieces and rim of the outline may rest
+/// on it.
 void TouchEdge(const Cutter& cutter, Eigen::Vector3d a, Eigen::Vector3d b, Rest& rest) {
   Touch(cutter, a, a.head<2>().norm(), rest);
   Touch(cutter, b, b.head<2>().norm(), rest);
@@ -80,8 +81,8 @@ void TouchEdge(const Cutter& cutter, Eigen::Vector3d a, Eigen::Vector3d b, Rest&
   const double foot = -a.head<2>().dot(way), rise = (b.z() - a.z()) / length;
   const double off = std::abs(a.x() * way.y() - a.y() * way.x());
   if (!(off < cutter.radius_mm())) return;
-  // The highest place of the side under the cutter, at the lowest place of the outline over the
-  // side: no contact rests higher.
+  // Upper limit of all contacts: the highest point of the side under the cutter, combined with the
+  // lowest point of the outline above the side.
   const double half = std::sqrt((cutter.radius_mm() - off) * (cutter.radius_mm() + off));
   const double most = a.z() + rise * std::min(length, std::max(0.0, foot + half));
   if (most - cutter.HeightAt(off) <= rest.z) return;
@@ -98,7 +99,8 @@ void TouchEdge(const Cutter& cutter, Eigen::Vector3d a, Eigen::Vector3d b, Rest&
   }
 }
 
-/// The inside of a triangle: where its slope rests on the outline, up the slope from the axis.
+/// Tests the inside of a triangle: the point where its slope touches the outline, up the slope from
+/// the axis.
 void TouchFacet(const Cutter& cutter, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                 const Eigen::Vector3d& c, Rest& rest) {
   Eigen::Vector3d normal = (b - a).cross(c - a);
@@ -112,8 +114,8 @@ void TouchFacet(const Cutter& cutter, const Eigen::Vector3d& a, const Eigen::Vec
     width = cutter.Width(cutter.TouchHeight(flat, normal.z()));
     at = -width / flat * normal.head<2>();
   }
-  // Above 0: inside of a side of a triangle that turns left. A place on a side counts: a slope that
-  // ends on the rim is under the cutter up to there.
+  // The value is positive inside a side of a counter-clockwise triangle. Points on a side count: a
+  // slope that ends on the rim is under the cutter up to its end.
   const double turn = (b - a).head<2>().dot(Eigen::Vector2d(c.y() - a.y(), a.x() - c.x()));
   const auto outside = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
     const double x = q.x() - p.x(), y = q.y() - p.y();

@@ -9,26 +9,27 @@
 
 namespace slicefarm::milling {
 
-/// Where a cutter that is let down comes to rest.
+/// Rest position of a lowered cutter.
 struct Drop {
-  double z_mm = 0;  ///< of its tip: the least at which it does not gouge
+  double z_mm = 0;  ///< height of its tip: the smallest one at which it does not gouge
   Eigen::Vector3d contact_mm{0, 0, 0};
 };
 
-/// Lets a cutter down on a mesh: the dual of the push cutter. A place is gouged with the tip at z
-/// if and only if the cutter let down there rests higher.
+/// Lowers a cutter onto a mesh: the dual of the push cutter. A position is gouged with the tip at z
+/// if and only if the cutter lowered there rests higher.
 ///
-/// Over a triangle, z less the height of the cutter's outline over the distance from its axis is
-/// concave: largest where the slope of the triangle touches the outline, or on a side, at one of
-/// few places in closed form (on a bull nose, by a bracketed root). Mesh and cutter must outlive
-/// it.
+/// Over a triangle, z minus the height of the cutter's outline at the distance from its axis is a
+/// concave function. Its maximum is where the triangle's slope touches the outline, or at one of a
+/// few points on a side. These points are known in closed form, or by a bracketed root for a bull
+/// nose. The mesh and the cutter must outlive this object.
 class DropCutter {
  public:
   DropCutter(const TriangleMesh& mesh, const Cutter& cutter)
       : mesh_(mesh), cutter_(cutter), triangles_(mesh) {}
 
-  /// Empty: no part of the mesh is under the cutter; touching with the side of its shaft is not.
-  /// Cost: 0.3 us for each triangle under it that is not below the result.
+  /// Returns the rest position at `place_mm`. Returns nothing if no part of the mesh is under the
+  /// cutter; contact with the side of its shaft does not count. Cost: 0.3 us for each triangle
+  /// under it that is not below the result.
   std::optional<Drop> At(const Eigen::Vector2d& place_mm) const;
 
  private:

@@ -36,8 +36,8 @@ TEST(DropCutter, RestsWhereGeometrySays) {
   EXPECT_FALSE(DropCutter(box, CutterOf("ball:4")).At({-2.1, 5}).has_value());
 }
 
-/// On a ridge that runs up a slope, far from the origin: the places of contact are on the edge
-/// alone, on the cutter's rim, and rounding must not put them beside the cutter.
+/// The ridge runs up a slope, far from the origin. All contacts are on the edge, at the cutter's
+/// rim, and rounding must not put them beside the cutter.
 TEST(DropCutter, RestsOnRidges) {
   for (const std::string_view text : kAllCutters) {
     for (const double turn : {0.0, 0.3, 1.1}) {
@@ -61,8 +61,8 @@ TEST(DropCutter, RestsOnRidges) {
   }
 }
 
-/// A slope whose upper end is exactly on the rim: it is under the cutter up to there, also where
-/// the end is put a little beside it by rounding.
+/// The upper end of the slope is exactly on the rim. It is under the cutter up to there, even if
+/// rounding puts the end slightly beside it.
 TEST(DropCutter, RestsOnSlopesThatEndOnTheRim) {
   TriangleMesh mesh;
   mesh.points_mm = {{-20, 132, 14}, {20, 132, 14}, {20, 134, 13}, {-20, 134, 13}};
@@ -74,7 +74,7 @@ TEST(DropCutter, RestsOnSlopesThatEndOnTheRim) {
   EXPECT_GT(dropper.At({0, 135 + 1e-6})->z_mm, 14 - 1e-5);
 }
 
-/// A place is gouged with the tip at z if and only if the cutter rests higher there.
+/// A position is gouged with the tip at z if and only if the cutter rests higher there.
 TEST(DropCutter, IsTheDualOfThePushCutter) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> any(-3, 3);

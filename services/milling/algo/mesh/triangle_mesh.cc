@@ -7,7 +7,7 @@
 namespace slicefarm::milling {
 namespace {
 
-/// A side of a triangle by its ends, lower index first.
+/// Side of a triangle with its ends, the lower index first.
 struct MeshSide {
   uint64_t ends = 0;
   uint32_t triangle = 0;

@@ -17,7 +17,8 @@ bool Overlap(const PolygonWithHoles& a, const PolygonWithHoles& b) {
   return HasPointOf(a, b.outer) || HasPointOf(b, a.outer);
 }
 
-/// The areas of all levels, and which lie below which.
+/// Graph of the areas of all levels: an edge connects an area with each overlapping area of the
+/// next level.
 class AreaGraph {
  public:
   explicit AreaGraph(std::span<const MilledStep> levels) {
@@ -43,7 +44,7 @@ class AreaGraph {
 
  private:
   struct Node {
-    std::vector<uint32_t> below;  ///< areas of the next level
+    std::vector<uint32_t> below;  ///< indices of areas of the next level
     uint32_t waits_for = 0;
     bool done = false;
   };

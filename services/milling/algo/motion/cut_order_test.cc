@@ -18,7 +18,7 @@ MilledStep Level(double z, std::vector<CutArea> areas) {
   return {.step = {MillPhase::kRoughing, z}, .areas = std::move(areas), .runs = {}};
 }
 
-/// Two pockets under one face: one is cut to its bottom before the other.
+/// Two pockets are under one face: one is cut to its bottom before the other.
 TEST(CutOrder, GoesDownPocketByPocket) {
   const std::vector<MilledStep> levels = {Level(3, {Square(0, 10)}),
                                           Level(2, {Square(1, 4), Square(6, 9)}),
@@ -27,7 +27,7 @@ TEST(CutOrder, GoesDownPocketByPocket) {
   EXPECT_EQ(CutOrder(levels), wanted);
 }
 
-/// Two bosses of a casting that are one below: after both of them.
+/// Two bosses of a casting become one area below, which is cut after both of them.
 TEST(CutOrder, WaitsForAllThatLiesAbove) {
   const std::vector<MilledStep> levels = {Level(3, {Square(0, 2), Square(5, 7)}),
                                           Level(2, {Square(0, 7), Square(20, 22)}),

@@ -12,19 +12,20 @@ namespace slicefarm::milling {
 namespace {
 
 constexpr int kCircleChords = 24;
-/// A helix may leave no core in its middle that the cutter does not take.
+/// Largest radius of a helix, as a fraction of the cutter's radius. A larger helix would leave a
+/// core in its middle.
 constexpr double kMostHelixShare = 0.9;
 
 Eigen::Vector2d LeftOf(const Eigen::Vector2d& direction) { return {-direction.y(), direction.x()}; }
 
-/// The unit direction in which a way leaves its first point.
+/// Returns the unit direction in which a pass leaves its first point.
 Eigen::Vector2d StartDirection(const ClosedWay& way) {
   for (size_t i = 1; i < way.size(); ++i)
     if (const Eigen::Vector2d d = way[i] - way[0]; d.norm() > 1e-6) return d.normalized();
   return {1, 0};
 }
 
-/// `turn` of a circle from a point on.
+/// Returns an arc of `turn` radians of a circle, beginning at a point.
 std::vector<Eigen::Vector2d> ArcLine(const Eigen::Vector2d& centre, const Eigen::Vector2d& from,
                                      double turn) {
   std::vector<Eigen::Vector2d> line;

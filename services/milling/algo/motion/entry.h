@@ -9,11 +9,11 @@
 
 namespace slicefarm::milling {
 
-/// A closed way in mm, without repeating its first point.
+/// Closed pass in mm, without repeating its first point.
 using ClosedWay = std::vector<Eigen::Vector2d>;
 
-/// A quarter of a circle that meets a way tangentially where it starts, and one that leaves it
-/// there.
+/// Two quarter circles at the start of a pass: one leads tangentially into the pass, the other
+/// leads out of it.
 struct LeadArcs {
   Eigen::Vector2d from{0, 0};
   Eigen::Vector2d start{0, 0};
@@ -22,17 +22,17 @@ struct LeadArcs {
   bool clockwise = false;
 };
 
-/// Lead arcs on the free side of a finishing way; empty if they would leave the area.
+/// Returns lead arcs on the free side of a finishing pass; nothing if they would leave the area.
 std::optional<LeadArcs> LeadArcsOf(const ClosedWay& way, const PolygonWithHoles& area,
                                    double radius_mm, CutDirection direction);
 
-/// Takes the tip, which is above a way's first point, down to z in whole and half turns beside it,
-/// or tells that the area has no place for a circle there.
+/// Lowers the tip from above a pass's first point to z, in whole and half turns of a helix beside
+/// it. Returns false if the area has no space for the circle.
 bool HelixDown(const ClosedWay& way, const PolygonWithHoles& area, double z_mm,
                const MillingOptions& options, MoveBuilder& moves);
 
-/// Takes the tip, which is at a way's first point, down to z along the way, as often round as it
-/// takes. The result is the same way, from where the tip is then.
+/// Lowers the tip from a pass's first point to z along the pass, with as many turns as necessary.
+/// Returns the same pass, beginning at the tip's final position.
 ClosedWay RampDown(const ClosedWay& way, double z_mm, const MillingOptions& options,
                    MoveBuilder& moves);
 

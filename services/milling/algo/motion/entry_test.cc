@@ -20,7 +20,7 @@ PolygonWithHoles SquareArea(double low, double high) {
   return area;
 }
 
-/// Greatest slope of moves that go down.
+/// Returns the greatest slope of moves that go down.
 double SteepestOf(const std::vector<MillMove>& moves) {
   double steepest = 0;
   for (size_t i = 1; i < moves.size(); ++i) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kEndNm = 5'000;
 
-/// Whether two segments cross, each from one side of the other to its other side.
+/// Returns true if two segments cross, each one from one side of the other to its other side.
 bool ProperlyCross(Point a, Point b, Point c, Point d) {
   const double c_side = Cross(b - a, c - a), d_side = Cross(b - a, d - a);
   const double a_side = Cross(d - c, a - c), b_side = Cross(d - c, b - c);

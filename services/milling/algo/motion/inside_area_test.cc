@@ -17,7 +17,7 @@ struct LineCase {
   bool inside;
 };
 
-/// An L of 10 x 10 mm with a hole.
+/// The area is an L of 10 x 10 mm with a hole.
 TEST(InsideArea, TellsLinesThatLeave) {
   const PolygonWithHoles area{{P(0, 0), P(10, 0), P(10, 4), P(4, 4), P(4, 10), P(0, 10)},
                               {{P(1, 1), P(1, 2), P(2, 2), P(2, 1)}}};

@@ -9,9 +9,9 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Chords of arcs are as far off the arc as this share of the tolerance.
+/// Deviation of chords from an arc, as a fraction of the tolerance.
 constexpr double kArcChordShare = 0.25;
-/// Lower feeds are so many parts of what was asked for: a feed is told where it changes.
+/// Number of steps of reduced feeds. A program contains a feed only where it changes.
 constexpr double kFeedSteps = 20;
 
 MachineLimits LimitsOf(const MillingOptions& options) {
@@ -25,7 +25,7 @@ MachineLimits LimitsOf(const MillingOptions& options) {
   return limits;
 }
 
-/// Runs a program's moves through the look-ahead, from rest to rest.
+/// Runs a program's moves through the look-ahead, from standstill to standstill.
 class MillClock {
  public:
   MillClock(const MillingOptions& options, size_t moves)
@@ -65,7 +65,7 @@ class MillClock {
   const MillingOptions& options_;
   JerkPlanner planner_;
   double acceleration_mm_s2_ = 0;
-  std::vector<size_t> move_of_chord_;  ///< by chord since the machine was at rest
+  std::vector<size_t> move_of_chord_;  ///< move of each chord since the last standstill
   std::vector<MoveTime> times_;
 };
 

@@ -8,20 +8,20 @@
 
 namespace slicefarm::milling {
 
-/// How a machine runs a move.
+/// Time and speed of a machine's move.
 struct MoveTime {
   double seconds = 0;
-  double fastest_mm_s = 0;  ///< what it reaches anywhere on its way
+  double fastest_mm_s = 0;  ///< largest speed during the move
 };
 
-/// Times of a program's moves, by the jerk-limited look-ahead of common/kinematics: a corner is cut
-/// by the tolerance, as LinuxCNC does it, and the machine comes to rest where it goes over from
-/// rapid moves to feed moves and back. The first move comes from an unknown place: 0. Once
-/// cancelled, those of later moves are 0: ask the token. Cost: O(chords).
+/// Returns the times of a program's moves, by the jerk-limited look-ahead of common/kinematics.
+/// Corners are cut by the tolerance, as LinuxCNC does it. The machine stops between rapid moves and
+/// feed moves. The first move starts at an unknown position, so its time is 0. After cancellation,
+/// the times of later moves are 0, so callers must check the token. Cost: O(chords).
 std::vector<MoveTime> TimesOf(std::span<const MillMove> moves, const MillingOptions& options,
                               const CancelToken& cancel = {});
 
-/// Lowers the feeds of moves to what the machine reaches on them, in steps of a twentieth.
+/// Lowers the feeds of moves to the speeds that the machine reaches, in steps of a twentieth.
 void LowerFeeds(const MillingOptions& options, std::span<MillMove> moves,
                 const CancelToken& cancel = {});
 

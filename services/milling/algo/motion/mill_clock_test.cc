@@ -22,7 +22,8 @@ MillingOptions Machine() {
   return options;
 }
 
-/// From rest to rest: the way at its speed, and once the time of a ramp (jerk_ramp.h).
+/// The time from standstill to standstill is the length divided by the speed, plus the time of one
+/// ramp (jerk_ramp.h).
 TEST(TimesOf, AMoveSpeedsUpAndSlowsDown) {
   const MillMove moves[] = {LineTo(0, 0, 0, 600), LineTo(10, 0, 0, 600)};
   const auto times = TimesOf(moves, Machine());
@@ -31,7 +32,7 @@ TEST(TimesOf, AMoveSpeedsUpAndSlowsDown) {
   EXPECT_NEAR(times[1].fastest_mm_s, 10, 1e-9);
 }
 
-/// z is the slowest axis; a feed faster than the machine is the machine's.
+/// Z is the slowest axis. A feed faster than the machine is limited to the machine's speed.
 TEST(TimesOf, FollowTheAxesAndTheFastestSpeed) {
   const MillMove up[] = {LineTo(0, 0, 0, 600), {.to_mm = {0, 0, 100}}};
   EXPECT_NEAR(TimesOf(up, Machine())[1].seconds, 2 + 50.0 / 100 + 100.0 / 20'000, 1e-9);
@@ -45,7 +46,7 @@ TEST(TimesOf, RestBetweenRapidMovesAndCuts) {
   EXPECT_NEAR(times[2].seconds, 1 + 2 * std::sqrt(10 / 20'000.0), 1e-9);
 }
 
-/// sqrt(a r) and cbrt(j r^2) bound the speed on a circle: here the latter.
+/// sqrt(a r) and cbrt(j r^2) limit the speed on a circle; here the second one does.
 TEST(TimesOf, CurvesAreAsSlowAsTheyMustBe) {
   MillingOptions options = Machine();
   options.machining.jerk_mm_s3 = 1000;
@@ -59,8 +60,8 @@ TEST(TimesOf, CurvesAreAsSlowAsTheyMustBe) {
   EXPECT_GT(times[1].seconds, 2 * std::numbers::pi / 10);
 }
 
-/// What the machine reaches stays; what it does not reach goes down to the next twentieth, and
-/// takes no longer for it.
+/// Feeds that the machine reaches stay. Other feeds go down to the next twentieth, which takes no
+/// extra time.
 TEST(LowerFeeds, GoDownOnlyWhereTheMachineCannotFollow) {
   std::vector<MillMove> moves = {LineTo(0, 0, 0, 2400), LineTo(100, 0, 0, 2400),
                                  LineTo(100, 0.5, 0, 2400), LineTo(0, 0.5, 0, 2400)};

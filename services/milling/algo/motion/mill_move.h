@@ -8,28 +8,29 @@
 
 namespace slicefarm::milling {
 
+/// Kind of a move.
 enum class MoveKind : uint8_t {
   kRapid,
   kLine,
-  kClockwise,         ///< an arc about a vertical axis; its z goes evenly: a helix
-  kCounterClockwise,  ///< likewise
+  kClockwise,  ///< arc about a vertical axis; z changes evenly, so it may be a helix
+  kCounterClockwise,  ///< like kClockwise, in the other direction
 };
 
-/// A move of the tip from where the move before ended. All numbers are whole micrometres, as a
-/// program's text has them.
+/// Move of the tip from the end of the previous move. All numbers are whole micrometres, as in a
+/// program's text.
 struct MillMove {
   MoveKind kind = MoveKind::kRapid;
   MillPhase phase = MillPhase::kRoughing;
   Eigen::Vector3d to_mm{0, 0, 0};
-  Eigen::Vector2d centre_mm{0, 0};  ///< of an arc
-  double feed_mm_min = 0;           ///< of a rapid move: 0
+  Eigen::Vector2d centre_mm{0, 0};  ///< centre of an arc
+  double feed_mm_min = 0;  ///< 0 for a rapid move
 };
 
-/// Length of a move's way.
+/// Returns the length of a move.
 double LengthOf(const MillMove& move, const Eigen::Vector3d& from_mm);
 
-/// Points of a move's way from its start on, its end last, no chord farther from it than the
-/// tolerance.
+/// Returns points of a move, from behind its start to its end. No chord is farther from the move
+/// than the tolerance.
 std::vector<Eigen::Vector3d> PointsOf(const MillMove& move, const Eigen::Vector3d& from_mm,
                                       double tolerance_mm);
 

@@ -10,17 +10,17 @@
 
 namespace slicefarm::milling {
 
-/// What the machine does, from the safe height back to it.
+/// Complete machine program, from the safe height back to it.
 struct MillProgram {
   std::vector<MillMove> moves;
   double safe_z_mm = 0;
-  int ways = 0;  ///< loops and runs that were cut
+  int ways = 0;  ///< number of loops and runs that were cut
   double removed_mm3 = 0;
 };
 
-/// Puts the ways of all steps together: roughing, then finishing, each from the top down and pocket
-/// by pocket, then rest areas. REQUIRES: `steps` are those of the job, in its order. Errors:
-/// Cancelled. Cost: see StockMap::Cut.
+/// Combines the passes of all steps: first roughing, then finishing, then rest areas. Roughing and
+/// finishing go from the top down, pocket by pocket. REQUIRES: `steps` are the steps of the job, in
+/// its order. Errors: Cancelled. Cost: see StockMap::Cut.
 absl::StatusOr<MillProgram> AssembleProgram(const MillingJob& job,
                                             std::span<const MilledStep> steps,
                                             const CancelToken& cancel = {});

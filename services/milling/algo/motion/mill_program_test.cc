@@ -25,10 +25,10 @@ struct ProgramCase {
   const char* cutter;
   EntryKind entry = EntryKind::kHelix;
   CutDirection direction = CutDirection::kClimb;
-  double left = 0.05;  ///< scallops
+  double left = 0.05;  ///< height of scallops
 };
 
-/// No gouge, no rapid move through stock, nothing left that the cutter reaches.
+/// There must be no gouge, no rapid move through stock, and no reachable stock left.
 TEST(MillProgram, LeavesThePart) {
   const Pillars part = PocketPart();
   const auto height = [&](double x, double y) { return part.HeightAt(x, y); };
@@ -56,7 +56,7 @@ TEST(MillProgram, LeavesThePart) {
   }
 }
 
-/// A ball on a plate: slopes of all angles.
+/// The part is a ball on a plate, so slopes of all angles occur.
 TEST(MillProgram, LeavesRoundParts) {
   MillingOptions options = FineOptions("ball:1.5");
   options.open_mesh = true;
@@ -77,7 +77,7 @@ TEST(MillProgram, LeavesRoundParts) {
   EXPECT_LT(oracle.LeftReachable(), 0.06);
 }
 
-/// Roughing alone leaves the allowance, and no more than that and a step.
+/// Roughing alone leaves the allowance, and at most one step more.
 TEST(MillProgram, RoughingLeavesTheAllowance) {
   MillingOptions options = FineOptions("cyl:1.5");
   options.finishing = false;
@@ -97,7 +97,7 @@ TEST(MillProgram, RoughingLeavesTheAllowance) {
   EXPECT_EQ(oracle.rapid_in_stock(), 0);
 }
 
-/// Holes 0.2 mm wider than the cutter, as of screws, are milled without finer sampling.
+/// Holes 0.2 mm wider than the cutter, such as screw holes, are milled without finer sampling.
 TEST(MillProgram, ReachesHolesALittleWiderThanTheCutter) {
   for (const double side : {3.2, 3.37}) {
     const Pillars plate{.heights = {{3, 3, 3}, {3, 1, 3}, {3, 3, 3}}, .side = side};
@@ -125,7 +125,7 @@ TEST(MillProgram, TakesStockOfItsOwn) {
   EXPECT_EQ(report->gouges, 0u);
 }
 
-/// Any cut into ranges, any number of threads and any order of triangles give the same bytes.
+/// All divisions into ranges, numbers of threads and orders of triangles give the same bytes.
 TEST(MillProgram, DoesNotDependOnRangesThreadsOrTriangles) {
   const TriangleMesh part = PocketPart().Mesh();
   MillingOptions options = OptionsFor("bull:1.5:0.3");
@@ -149,8 +149,8 @@ TEST(MillProgram, DoesNotDependOnRangesThreadsOrTriangles) {
   EXPECT_EQ(TextOf(JobOf(shuffled, options)), whole);
 }
 
-/// Turned by 90 degrees and mirrored, the same is cut away, on ways as long but for rest areas,
-/// whose rows stay along x.
+/// A part turned by 90 degrees and mirrored has the same volume cut away. The passes have the same
+/// length, except in rest areas, because their rows stay along x.
 TEST(MillProgram, TurnsWithThePart) {
   MillingOptions options = OptionsFor("cyl:1.5");
   const TriangleMesh part = PocketPart().Mesh();

@@ -10,11 +10,12 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Shares of the tolerance: of arcs for points, of lines for points, of chords of arcs in the map.
+/// Shares of the tolerance: for fitting arcs to points, for fitting lines to points, and for chords
+/// of arcs in the map.
 constexpr double kArcShare = 0.75;
 constexpr double kLineShare = 0.1;
 constexpr double kMapShare = 0.5;
-/// An arc must be allowed more than what rounding of its centre takes.
+/// Smallest tolerance of an arc. It must be larger than the rounding error of its centre.
 constexpr double kLeastArcToleranceUm = 1.6;
 
 double WholeMicrometres(double mm) { return static_cast<double>(std::llround(mm * 1000)) / 1000; }

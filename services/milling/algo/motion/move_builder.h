@@ -9,33 +9,38 @@
 
 namespace slicefarm::milling {
 
-/// Moves of one tool, one after the other, and the stock that they leave. The tool begins somewhere
-/// at the safe height.
+/// Builder of the moves of one tool, with the remaining stock. The tool begins somewhere at the
+/// safe height.
 class MoveBuilder {
  public:
-  /// Once cancelled, a stock of its own is not read to its end: ask the token.
+  /// After cancellation, a stock mesh is not read completely, so callers must check the token.
   explicit MoveBuilder(const MillingJob& job, const CancelToken& cancel = {});
 
+  /// Sets the phase of the following moves.
   void SetPhase(MillPhase phase) { phase_ = phase; }
 
-  /// By rapid moves: up over all stock on the way, there, and down to the clearance above z, or
-  /// above what stands there if that is higher.
+  /// Adds rapid moves to a position: up over all stock on the path, horizontally, and down to the
+  /// clearance above z. If stock there is higher, the tool stops above the stock.
   void RapidTo(const Eigen::Vector2d& place_mm, double z_mm);
-  /// Up to the safe height.
+  /// Adds a move up to the safe height.
   void Retract();
-  /// Straight, at a feed; nothing if the tip is there.
+  /// Adds a straight move at a feed; nothing if the tip is there already.
   void LineTo(const Eigen::Vector3d& to_mm, double feed_mm_min);
-  /// An arc, or a helix.
+  /// Adds an arc or a helix.
   void ArcTo(const Eigen::Vector3d& to_mm, const Eigen::Vector2d& centre_mm, bool clockwise,
              double feed_mm_min);
-  /// Along a line at the height of the tip, by arcs where they fit and by as few lines as the
-  /// tolerance allows.
+  /// Follows a line at the height of the tip, with arcs where they fit and as few straight moves as
+  /// the tolerance allows.
   void FeedAlong(std::span<const Eigen::Vector2d> line_mm, double feed_mm_min);
 
+  /// Returns the position of the tip.
   const Eigen::Vector3d& at() const { return at_; }
-  bool placed() const { return placed_; }  ///< whether `at` means a place in x and y
+  bool placed() const { return placed_; }  ///< true if x and y of `at` are known
+  /// Returns the remaining stock.
   const StockMap& stock() const { return stock_; }
+  /// Returns the height at which rapid moves are safe everywhere.
   double safe_z_mm() const { return safe_z_mm_; }
+  /// Returns all moves and leaves none.
   std::vector<MillMove> TakeMoves() { return std::move(moves_); }
 
  private:

@@ -9,7 +9,7 @@
 namespace slicefarm::milling::move_builder_test {
 namespace {
 
-/// Stock of 11 x 10 mm, 4 mm high; safe at 9.
+/// Returns a job with stock of 11 x 10 mm, 4 mm high; the safe height is 9.
 MillingJob PocketJob() { return JobOf(PocketPart().Mesh(), OptionsFor("cyl:2")); }
 
 TEST(MoveBuilder, RapidMovesGoOverWhatStands) {
@@ -46,7 +46,7 @@ TEST(MoveBuilder, RapidMovesStayDownWhereAllIsCut) {
   EXPECT_NEAR(moves.at().z(), 2.5, 1e-9);
 }
 
-/// A slot has a straight side, half a circle, and a corner.
+/// The slot has a straight side, half a circle and a corner.
 TEST(MoveBuilder, FitsArcsWithinTheTolerance) {
   const MillingJob job = PocketJob();
   MoveBuilder moves(job);

@@ -12,15 +12,15 @@
 namespace slicefarm::milling {
 namespace {
 
-/// A run is asked at places as far apart as this share of the radius whether it meets stock; so
-/// much is no stock but what single precision and chords leave.
+/// Distance of the positions at which a run is tested for stock, as a fraction of the radius. Below
+/// kRunTouchMm, contact is only an error of single precision and chords.
 constexpr double kRunAskShare = 0.25;
 constexpr double kRunTouchMm = 2e-3;
-/// Ends nearer than so many rows are joined along the surface.
+/// Largest distance, in rows, at which ends are connected along the surface.
 constexpr double kMostLinkRows = 2.5;
 constexpr double kLinkStepShare = 0.2;
 
-/// A place of a run: one of its points, or one between them.
+/// Position on a run: one of its points, or a point between two of them.
 struct RunPlace {
   Eigen::Vector3d tip{0, 0, 0};
   bool corner = false;
@@ -36,14 +36,15 @@ std::vector<RunPlace> PlacesOfRun(const RestRun& run, const MillingJob& job,
     for (double k = 1; k <= steps; ++k)
       places.push_back({.tip = run[i] + (run[i + 1] - run[i]) * (k / steps), .corner = k == steps});
   }
-  // Not wider, as elsewhere: along a wall that has been finished each run would meet it.
+  // The cutter is not widened here as in other tests: along a finished wall, every run would then
+  // meet the wall.
   const Eigen::Vector3d touch(0, 0, kRunTouchMm);
   for (RunPlace& place : places) place.in_stock = stock.Meets(place.tip + touch, 0);
   return places;
 }
 
-/// The parts of a run that meet stock, a place longer at both ends; parts nearer to each other than
-/// the cutter is wide are one.
+/// Returns the parts of a run that meet stock, extended by one position at both ends. Parts closer
+/// to each other than the cutter's diameter are merged.
 std::vector<RestRun> PartsInStock(const RestRun& run, const MillingJob& job,
                                   const StockMap& stock) {
   const std::vector<RunPlace> places = PlacesOfRun(run, job, stock);
@@ -63,7 +64,7 @@ std::vector<RestRun> PartsInStock(const RestRun& run, const MillingJob& job,
   return parts;
 }
 
-/// Runs not cut yet, and which of their ends is nearest.
+/// Runs not cut yet, with a search for the nearest end.
 class OpenRuns {
  public:
   OpenRuns(std::span<const MilledStep> rows, const MillingJob& job, const StockMap& stock,
@@ -106,8 +107,8 @@ class OpenRuns {
   std::vector<RestRun> runs_;
 };
 
-/// From the tip along the surface to a place, or empty where that is too far or a wall stands
-/// there.
+/// Returns a path along the surface from the tip to a position. Returns nothing if the position is
+/// too far or a wall is between them.
 std::optional<RestRun> SurfaceLink(const MillingJob& job, const DropCutter& dropper,
                                    const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const double row = job.options.finish_stepover_mm;

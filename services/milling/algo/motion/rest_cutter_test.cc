@@ -13,7 +13,8 @@ std::vector<MilledStep> RestSteps(const MillingJob& job) {
   return steps;
 }
 
-/// The top of a plate: rows joined along it, each cut once; nothing the second time.
+/// On the top of a plate, the rows are connected along the surface and each one is cut once. A
+/// second call cuts nothing.
 TEST(CutRest, JoinsRowsAndLeavesOutWhatIsCut) {
   const MillingJob job = JobOf(Pillars{.heights = {{3}}, .side = 8}.Mesh(), OptionsFor("cyl:2"));
   const std::vector<MilledStep> rows = RestSteps(job);

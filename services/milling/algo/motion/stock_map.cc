@@ -15,7 +15,7 @@ constexpr double kLeastPixelMm = 0.05;
 constexpr double kMostPixels = 4e6;
 constexpr double kSlopeStepMm = 0.02;
 constexpr double kNeedleMm = 1e-3;
-/// Heights are single precision.
+/// Tolerance for contact with stock, because heights are single precision.
 constexpr double kInStockMm = 1e-4;
 
 }  // namespace
@@ -110,7 +110,8 @@ void StockMap::Cut(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm)
   }
 }
 
-/// Looks above `least` only, and no further once it is above `enough`.
+/// Returns the rest height, at least `least`. Only pixels above `least` count, and the search stops
+/// when the result is above `enough`.
 double StockMap::Rest(const Eigen::Vector2d& place, double wider, double least,
                       double enough) const {
   const double radius = cutter_.radius_mm() + wider, reach2 = radius * radius;

@@ -10,30 +10,33 @@
 
 namespace slicefarm::milling {
 
-/// The stock that is left, as a map of heights at the middles of square pixels.
+/// Remaining stock, as a map of heights at the centres of square pixels.
 class StockMap {
  public:
-  /// Cost: a drop of a needle for each pixel, of a stock that is no box; once cancelled, the rest
-  /// is left as high as the box: ask the token.
+  /// Cost: a drop of a needle for each pixel, if the stock is not a box. After cancellation, the
+  /// rest of the map has the height of the box, so callers must check the token.
   StockMap(const MillingJob& job, double pixel_mm, const CancelToken& cancel = {});
 
-  /// Takes away what the cutter meets on a straight way of its tip. A way that slopes is taken in
-  /// steps of 0.02 mm at their higher ends: rather too little goes.
-  /// Cost: 1 ns for each pixel under the way that is lower, 10 ns for each other.
+  /// Removes the stock that the cutter meets on a straight move of its tip. A sloping move is
+  /// divided into steps of 0.02 mm at their higher ends, so slightly too little is removed. Cost: 1
+  /// ns for each lower pixel under the move, 10 ns for each other pixel.
   void Cut(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm);
 
-  /// The least height of the tip at a place at which the cutter, wider by `wider_mm` on all sides,
-  /// meets nothing; the floor where there is nothing.
+  /// Returns the lowest height of the tip at which the cutter, widened by `wider_mm` on all sides,
+  /// meets nothing. Returns the floor if there is nothing.
   double RestHeight(const Eigen::Vector2d& place_mm, double wider_mm) const;
 
-  /// Whether the cutter with its tip there, wider by `wider_mm`, is in stock by more than 0.1 um.
+  /// Returns true if the cutter with this tip position, widened by `wider_mm`, is in stock by more
+  /// than 0.1 um.
   bool Meets(const Eigen::Vector3d& tip_mm, double wider_mm) const;
 
-  /// RestHeight over a straight way: no place of it is missed that is wider than the pixels.
+  /// Returns the greatest RestHeight over a straight move. No obstacle wider than the pixels is
+  /// missed.
   double RestHeightOver(const Eigen::Vector2d& from_mm, const Eigen::Vector2d& to_mm) const;
 
-  /// Of all that Cut took away since the beginning.
+  /// Returns the total volume removed by Cut.
   double removed_mm3() const { return removed_mm3_; }
+  /// Returns the side length of a pixel.
   double pixel_mm() const { return pixel_mm_; }
 
  private:
@@ -56,7 +59,8 @@ class StockMap {
   double removed_mm3_ = 0;
 };
 
-/// Pixels fine enough for a cutter, and no more than four million.
+/// Returns a pixel size that is fine enough for the job's cutter and gives at most four million
+/// pixels.
 double StockPixelMm(const MillingJob& job);
 
 }  // namespace slicefarm::milling

@@ -9,7 +9,7 @@
 namespace slicefarm::milling::stock_map_test {
 namespace {
 
-/// Stock of 20 x 20 mm, 10 mm high, around a low plate.
+/// Returns a job with stock of 20 x 20 mm, 10 mm high, around a low plate.
 MillingJob WideJob(std::string_view cutter) {
   MillingOptions options = OptionsFor(cutter);
   options.stock_margin_mm = 1;
@@ -18,7 +18,7 @@ MillingJob WideJob(std::string_view cutter) {
   return job;
 }
 
-/// A groove as deep as 2 mm, its cross section times its length and the ends.
+/// A groove 2 mm deep has the volume of its cross section times its length, plus the ends.
 TEST(StockMap, TakesTheVolumeOfAWay) {
   const double length = 10;
   struct Case {
@@ -39,8 +39,8 @@ TEST(StockMap, TakesTheVolumeOfAWay) {
   }
 }
 
-/// Turned by 90 degrees and mirrored, a sloping way takes the same volume; never more than the
-/// way of its lower end, never less than that of its higher one.
+/// A sloping move removes the same volume after turning by 90 degrees and mirroring. The volume is
+/// at most the one of a level move at its lower end, and at least the one at its higher end.
 TEST(StockMap, TakesSlopes) {
   for (const std::string_view text : {"cyl:4", "ball:4", "bull:4:1"}) {
     const MillingJob job = WideJob(text);

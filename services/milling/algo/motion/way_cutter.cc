@@ -10,9 +10,9 @@
 namespace slicefarm::milling {
 namespace {
 
-/// A shorter way has no room for a ramp.
+/// Shortest pass for a ramp.
 constexpr double kLeastRampWayMm = 0.5;
-/// Distance of the places at which a way is asked whether it meets stock, as a share of the radius.
+/// Distance of the positions at which a pass is tested for stock, as a fraction of the radius.
 constexpr double kAskShare = 0.25;
 
 ClosedWay ClosedWayOf(const Polygon& ring) {
@@ -61,7 +61,8 @@ void WayCutter::RapidTo(const Eigen::Vector2d& place, double z_mm) {
   moves_.RapidTo(place, z_mm);
 }
 
-/// Straight to the start, where that stays in the area in which the tip is.
+/// Moves straight to the start if this line stays in the tip's present area. Returns false
+/// otherwise.
 bool WayCutter::LinkTo(const Eigen::Vector2d& start, double z_mm) {
   if (last_ == nullptr || moves_.at().z() < z_mm - 1e-3) return false;
   const Eigen::Vector2d at = moves_.at().head<2>();
@@ -73,7 +74,8 @@ bool WayCutter::LinkTo(const Eigen::Vector2d& start, double z_mm) {
   return true;
 }
 
-/// From a way that meets no stock, down beside the stock and in.
+/// Enters from a pass that meets no stock: down beside the stock, then horizontally to the start.
+/// Returns false if this is impossible.
 bool WayCutter::EnterFromAir(const Eigen::Vector2d& start, const ClosedWay& air, double z_mm) {
   const Eigen::Vector2d outside = air[NearestOf(air, start)];
   if (moves_.stock().Meets({outside.x(), outside.y(), z_mm}, moves_.stock().pixel_mm()))
@@ -99,7 +101,7 @@ bool WayCutter::LeadIn(const ClosedWay& way, double z_mm) {
   return true;
 }
 
-/// From above a way's start down to it, through what stands there.
+/// Lowers the tip from above a pass's start to the pass, through the stock there.
 ClosedWay WayCutter::GoDown(const ClosedWay& way, double z_mm, MillPhase phase) {
   const double plunge = options_.machining.plunge_feed_mm_min;
   const EntryKind entry = options_.machining.entry;

@@ -8,20 +8,20 @@
 
 namespace slicefarm::milling {
 
-/// Cuts the ways of levels' areas, one area after the other. REQUIRES: an area is cut after all
-/// that lie above it.
+/// Cuts the passes of levels' areas, one area after the other. REQUIRES: an area is cut after all
+/// areas above it.
 ///
-/// A way that meets no stock is left out. A way begins nearest to where the tip is; the tip goes
-/// straight to it where that stays in the area, else by rapid moves above the stock. Down into
-/// stock it goes by a helix or along the way; outside the stock, straight. Finishing ways are met
-/// and left by arcs where these are free.
+/// A pass that meets no stock is left out. A pass begins at its nearest point to the tip. The tip
+/// moves straight to this point if the line stays in the area, otherwise by rapid moves above the
+/// stock. It enters stock by a helix or along the pass; outside the stock it goes straight down.
+/// Finishing passes begin and end with arcs if these are free.
 class WayCutter {
  public:
   WayCutter(const MillingOptions& options, MoveBuilder& moves, const CancelToken& cancel)
       : options_(options), moves_(moves), cancel_(cancel) {}
 
-  /// `area` must outlive the next call. The result: how many ways were cut. Once cancelled, none
-  /// is: ask the token.
+  /// Cuts the passes of an area and returns their number. `area` must outlive the next call. After
+  /// cancellation nothing is cut, so callers must check the token.
   int Cut(const CutArea& area, double z_mm, MillPhase phase);
 
  private:
@@ -36,9 +36,9 @@ class WayCutter {
   const MillingOptions& options_;
   MoveBuilder& moves_;
   const CancelToken& cancel_;
-  const PolygonWithHoles* area_ = nullptr;  ///< of now
-  const PolygonWithHoles* last_ = nullptr;  ///< the one in which the tip is
-  std::optional<LeadArcs> leave_;           ///< by which the tip may leave the way that it cut
+  const PolygonWithHoles* area_ = nullptr;  ///< area being cut
+  const PolygonWithHoles* last_ = nullptr;  ///< area of the tip's present position
+  std::optional<LeadArcs> leave_;  ///< arcs by which the tip may leave the last pass
 };
 
 }  // namespace slicefarm::milling

@@ -14,7 +14,7 @@ Polygon SquareRing(double low, double high) {
 
 const CancelToken kNever;
 
-/// Stock from -1 to 19 mm, 10 mm high, around a low plate.
+/// Returns a job with stock from -1 to 19 mm, 10 mm high, around a low plate.
 MillingJob PlateJob() {
   return JobOf(Pillars{.heights = {{9}}, .side = 18}.Mesh(), OptionsFor("cyl:4"));
 }

@@ -7,19 +7,21 @@
 
 namespace slicefarm::milling {
 
-/// What controllers want differently before and after the moves; moves are the same for all.
+/// Differences between controllers before and after the moves. The moves do not depend on the
+/// controller.
 class GcodeDialect {
  public:
   virtual ~GcodeDialect() = default;
 
-  /// Units, plane, modes, tool and its length, up to the safe height, spindle and coolant: lines
-  /// with ends.
+  /// Returns the lines before the moves, with line ends: units, plane, modes, tool and its length,
+  /// move to the safe height, spindle and coolant.
   virtual std::string Start(const MachiningOptions& machining, double tolerance_mm,
                             double safe_z_mm) const = 0;
-  /// The tool is at the safe height.
+  /// Returns the lines after the moves. The tool is at the safe height.
   virtual std::string End() const = 0;
 };
 
+/// Returns the dialect of a controller.
 std::unique_ptr<GcodeDialect> DialectOf(MillDialect dialect);
 
 }  // namespace slicefarm::milling

@@ -15,7 +15,7 @@ TEST(GcodeDialect, StartsAsTheControllerWants) {
             "G21 G17 G90 G91.1 G94 G40 G49\nT3\nG0 Z15.000\nS9000 M3\nG4 P3\nM8\n");
 }
 
-/// Neither leaves the spindle or the coolant on.
+/// Neither dialect leaves the spindle or the coolant on.
 TEST(GcodeDialect, EndsWithAllOff) {
   for (const MillDialect dialect : {MillDialect::kLinuxCnc, MillDialect::kGrbl}) {
     const std::string end = DialectOf(dialect)->End();

@@ -22,7 +22,7 @@ void Count(const MillMove& move, const Eigen::Vector3d& from, double seconds, Ph
   if (move.kind == MoveKind::kClockwise || move.kind == MoveKind::kCounterClockwise) ++phase.arcs;
 }
 
-/// All places of the tip to look at.
+/// Returns all tip positions to check.
 std::vector<Eigen::Vector3d> PlacesOfTip(const MillProgram& program, double tolerance_mm) {
   std::vector<Eigen::Vector3d> places;
   for (size_t i = 1; i < program.moves.size(); ++i) {
@@ -36,7 +36,7 @@ std::vector<Eigen::Vector3d> PlacesOfTip(const MillProgram& program, double tole
   return places;
 }
 
-/// Whether a program's tip gouges at a place.
+/// Checks if a program's tip gouges at a position.
 class GougeCheck {
  public:
   explicit GougeCheck(const MillingJob& job)

@@ -39,8 +39,8 @@ TEST(ReportOf, SumsByPhase) {
   EXPECT_EQ(report->gouges, 0u);
 }
 
-/// A way 0.02 mm too deep over the rim is a gouge, one 0.005 mm too deep is within the tolerance;
-/// the same into its wall.
+/// A move 0.02 mm too deep over the rim is a gouge; one 0.005 mm too deep is within the tolerance.
+/// The same distances apply to moves into its wall.
 TEST(ReportOf, FindsGouges) {
   const MillingJob job = ReportJob();
   const auto gouges = [&](Eigen::Vector3d from, Eigen::Vector3d to) {

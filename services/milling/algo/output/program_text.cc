@@ -42,7 +42,7 @@ std::string_view NameOf(MillPhase phase) {
   return "";
 }
 
-/// Writes moves, and of each what has changed.
+/// Writes moves, each with only its changed values.
 class MoveText {
  public:
   explicit MoveText(double safe_z_mm) : at_{kUnknown, kUnknown, safe_z_mm} {}

@@ -8,13 +8,13 @@
 
 namespace slicefarm::milling {
 
-/// A program as G-code: mm with three decimals, modal words once, arcs by their centres. A comment
-/// begins each phase.
+/// Returns a program as G-code: mm with three decimals, modal words only on change, arcs by their
+/// centres. Each phase begins with a comment.
 std::string ProgramText(const MillProgram& program, const MillingOptions& options,
                         const GcodeDialect& dialect);
 
-/// The same between lines of comment: tool and stock before it, the lines of `settings_text` after
-/// its end.
+/// Returns the program between comment lines: tool and stock before it, and the lines of
+/// `settings_text` after its end.
 std::string WholeProgram(const MillingJob& job, const MillProgram& program,
                          const GcodeDialect& dialect, std::string_view settings_text);
 

@@ -39,7 +39,7 @@ TEST(ProgramText, WritesWhatChanges) {
       << text;
 }
 
-/// LinuxCNC's own interpreter reads it, arcs and all.
+/// LinuxCNC's own interpreter must accept the program, with arcs.
 TEST(ProgramText, PassesTheInterpreterOfLinuxCnc) {
   if (std::system("command -v rs274 > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "rs274 (package linuxcnc-uspace) is not installed";

@@ -8,8 +8,8 @@ namespace {
 
 constexpr int kMaxSteps = 80;
 
-/// Whether the end grows with s: its sign tells; `smooth` if it is the derivative times a positive
-/// factor, not that of the way back to where the cutter reaches the fiber.
+/// Sign of the growth of the interval's end with s. If `smooth`, the value is the derivative times
+/// a positive factor. Otherwise it points back to the range where the cutter reaches the fiber.
 struct Slant {
   double value = 0;
   bool smooth = false;
@@ -26,7 +26,8 @@ class BullEdge {
     const double root = std::sqrt(std::max(0.0, height * (2 * piece_.corner_mm - height)));
     const double width = piece_.flat_mm + root;
     const double square = (width - across) * (width + across);
-    // Both slants times root, which is 0 at the tip only, where the width grows without bound.
+    // Each slant is multiplied by `root`. It is 0 only at the tip, where the width grows without
+    // bound.
     const double growth = step_.height * (piece_.corner_mm - height);
     const double factor = step_.height == 0 ? 1 : root;
     if (!(square > 0)) return {growth - (across > 0 ? 1 : -1) * step_.across * factor, false};
@@ -41,8 +42,8 @@ class BullEdge {
   double side_;
 };
 
-/// The root of the slant between two places where its signs differ. Near the tip the width grows
-/// without bound, so the place is needed to the last digits.
+/// Returns the root of the slant between two positions with different signs. Near the tip the width
+/// grows without bound, so the position must be exact to the last digits.
 double RootOf(const BullEdge& edge, double low, Slant at_low, double high, Slant at_high) {
   const double precision = 1e-14 * (high - low);
   double weight_low = at_low.value, weight_high = at_high.value;

@@ -20,8 +20,8 @@ double EndAt(const ProfilePiece& arc, const FiberPoint& from, const FiberPoint& 
   return square > 0 ? side * (from.along + s * step.along) + std::sqrt(square) : -1e9;
 }
 
-/// No place on the edge reaches farther than the one that is found; also where that is next to the
-/// tip, where the width grows without bound.
+/// No point of the edge reaches farther than the result, even if the result is next to the tip,
+/// where the width grows without bound.
 TEST(BullContact, ReachesFarthest) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> share(0, 1), any(-3, 3);

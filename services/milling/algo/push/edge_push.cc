@@ -10,14 +10,14 @@ namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-/// Square of the cutter's half chord on the fiber where it touches at s: c + b s + a s^2, and
-/// which way it grows where a >= 0.
+/// Square of the cutter's half chord on the fiber when it touches at s: c + b s + a s^2. `growth`
+/// is its direction of growth if a >= 0.
 struct HalfChord {
   double a = 0;
   double b = 0;
   double c = 0;
   double growth = 0;
-  double discriminant = 0;  ///< b^2 - 4 a c, without its cancellation
+  double discriminant = 0;  ///< b^2 - 4 a c, computed without cancellation
 };
 
 HalfChord HalfChordOf(const ProfilePiece& piece, const FiberPoint& from, const FiberPoint& step) {
@@ -39,7 +39,7 @@ HalfChord HalfChordOf(const ProfilePiece& piece, const FiberPoint& from, const F
           .discriminant = 4 * root * root};
 }
 
-/// Where `along` s + sqrt(Q(s)) is largest, for all s; not finite where it never stops growing.
+/// Returns the s for which `along` s + sqrt(Q(s)) is largest; not finite if it grows without end.
 double LargestAt(const HalfChord& q, double along) {
   const double m = along * along - q.a;
   const double rate = m > 0 ? std::sqrt(std::max(0.0, q.discriminant) / m) : 0;
@@ -52,7 +52,7 @@ double LargestAt(const HalfChord& q, double along) {
   return (t - q.b) / (2 * q.a);
 }
 
-/// 0 or less: the cutter does not reach the fiber.
+/// Returns the square of the half chord; 0 or less if the cutter does not reach the fiber.
 double HalfChordAt(const ProfilePiece& piece, const FiberPoint& p) {
   if (piece.corner_mm > 0) return p.height * (2 * piece.corner_mm - p.height) - p.across * p.across;
   const double width = piece.base_mm + piece.slope * p.height;
@@ -64,22 +64,23 @@ FiberPoint On(const FiberPoint& from, const FiberPoint& step, double s) {
           from.height + s * step.height};
 }
 
-/// A part of an edge over a range of heights with one piece of the outline: s in [0, length].
+/// Part of an edge in the height range of one piece of the outline: s in [0, length].
 struct EdgePart {
   FiberPoint from;
   FiberPoint step;
-  double start = 0;  ///< s on the whole edge
+  double start = 0;  ///< s of the begin on the whole edge
   double length = 0;
 };
 
-/// Where on a part the end on a side is, and the square of the half chord there.
+/// Position of the interval's end on a part, with the square of the half chord there.
 struct SideContact {
   double s = 0;
   double along = 0;
   double square = 0;
 };
 
-/// Where one side's half chord is 0 and the other's is not, the cutter touches with its tip.
+/// Adds a part to the reach. If only one side's half chord is 0, the cutter touches with its tip
+/// there.
 void Unite(const EdgePart& part, const SideContact& high, const SideContact& low, Reach& reach) {
   if (!(std::max(high.square, low.square) > 0)) return;
   const double high_end = high.along + std::sqrt(std::max(0.0, high.square)),
@@ -111,7 +112,8 @@ void PushBull(const ProfilePiece& piece, const EdgePart& part, Reach& reach) {
   Unite(part, contact(1), contact(-1), reach);
 }
 
-/// The part of the edge at the heights of the piece. False: none.
+/// Sets `part` to the part of the edge in the height range of the piece. Returns false if there is
+/// none.
 bool PartOf(const ProfilePiece& piece, const FiberPoint& a, const FiberPoint& step, double top,
             EdgePart& part) {
   double s0 = 0, s1 = 1;
@@ -124,7 +126,7 @@ bool PartOf(const ProfilePiece& piece, const FiberPoint& a, const FiberPoint& st
   }
   if (!(s0 <= s1)) return false;
   part = {.from = On(a, step, s0), .step = step, .start = s0, .length = s1 - s0};
-  // Rounding must not leave the arc or the cone.
+  // The clamp prevents rounding from leaving the arc or the cone.
   part.from.height = std::clamp(part.from.height, piece.from_mm, piece.to_mm);
   return true;
 }

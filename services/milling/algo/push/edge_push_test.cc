@@ -80,7 +80,8 @@ TEST(PushEdge, TouchingIsNoHit) {
   EXPECT_FALSE(PushEdge(CutterOf("cyl:2"), {0, 0, -1}, {5, 0, -0.5}).Hit());
 }
 
-/// The ends against a dense sample of the edge: nothing of it reaches farther, and it comes close.
+/// The test compares the ends with a dense sample of the edge: no sample reaches farther, and one
+/// comes close.
 TEST(PushEdge, IsWhatADenseSampleReaches) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(-4, 4);

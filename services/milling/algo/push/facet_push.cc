@@ -7,8 +7,8 @@
 namespace slicefarm::milling {
 namespace {
 
-/// The line in which a triangle is cut at a height or a trifle above: also along its lowest side.
-/// False: none.
+/// Computes the line in which a triangle is cut at a height or slightly above it, so also along its
+/// lowest side. Returns false if there is none.
 bool CutAt(double height, const std::array<FiberPoint, 3>& corners,
            std::array<FiberPoint, 2>& cut) {
   size_t found = 0;

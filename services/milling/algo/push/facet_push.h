@@ -8,27 +8,30 @@
 
 namespace slicefarm::milling {
 
-/// Where the cutter touches the inside of a triangle: it does so on one side only, on that to which
+/// Contact of the cutter with the inside of a triangle. There is at most one, on the side to which
 /// the triangle falls.
 struct FacetContact {
-  int8_t side = 0;  ///< 1: the end is a high one; -1: a low one; 0: there is none
+  int8_t side = 0;  ///< 1: the end is a high one; -1: a low one; 0: no contact
   double end = 0;
   FiberPoint at;
 };
 
-/// What does not change along the fibers of an axis: a normal of length 1, turned upwards.
+/// Normal of a triangle, with length 1 and turned upwards. It is constant along the fibers of an
+/// axis.
 struct FacetNormal {
   double along = 0;
   double across = 0;
   double up = 0;
-  double flat = 0;  ///< length of its horizontal part; 0: level, or no area
+  double flat = 0;  ///< length of its horizontal part; 0: a level triangle, or one without area
 };
 
+/// Returns the normal of a triangle.
 FacetNormal NormalOf(const std::array<FiberPoint, 3>& corners);
 
-/// A plane of a slope is touched at one height above the tip (Cutter::TouchHeight): on the line in
-/// which the triangle is cut there, with the cutter's axis down the slope from it. Level and
-/// upright triangles are touched by their edges alone. Cost: 15 ns.
+/// Returns the contact with the inside of a triangle. A sloping plane is touched at one height
+/// above the tip (Cutter::TouchHeight). The contact is on the line in which the triangle is cut at
+/// this height, and the cutter's axis is down the slope from it. Level and vertical triangles are
+/// touched only by their edges. Cost: 15 ns.
 FacetContact PushFacet(const Cutter& cutter, const std::array<FiberPoint, 3>& corners,
                        const FacetNormal& normal);
 

@@ -15,7 +15,7 @@ struct FacetCase {
   double end;
 };
 
-/// The plane height = along, of which a large triangle is cut out.
+/// The triangle is a large part of the plane height = along.
 TEST(PushFacet, TouchesASlope) {
   const std::array<FiberPoint, 3> corners = {FiberPoint{-50, -50, -50}, {50, -40, 50}, {0, 80, 0}};
   for (const FacetCase& c :
@@ -30,7 +30,7 @@ TEST(PushFacet, TouchesASlope) {
   }
 }
 
-/// A cone touches a gentle slope with its tip, on the slope's lowest side too.
+/// A cone touches a gentle slope with its tip, also on the slope's lowest side.
 TEST(PushFacet, TouchesTheLowestSideWithItsTip) {
   const std::array<FiberPoint, 3> corners = {FiberPoint{2, -5, 0}, {2, 5, 0}, {6, 0, 1}};
   const FacetContact contact = PushFacet(CutterOf("cone:2:45"), corners, NormalOf(corners));

@@ -14,17 +14,18 @@
 
 namespace slicefarm::milling {
 
-/// A fiber: a horizontal line that the cutter is pushed along.
+/// Fiber: a horizontal line along which the cutter is pushed.
 struct Fiber {
   double across_mm = 0;
-  double z_mm = 0;  ///< of the cutter's tip
+  double z_mm = 0;  ///< height of the cutter's tip
 };
 
-/// What lies this little above the tip's height is level with it: touching is not a hit, and a flat
-/// at the tip's height leaves the cutter free, however its corners are rounded. In mm.
+/// Height tolerance in mm: parts up to this much above the tip's height count as level with it.
+/// Touching is not a hit. So a flat at the tip's height leaves the cutter free, regardless of the
+/// rounding of its corners.
 inline constexpr double kTouchMm = 1e-9;
 
-/// A mesh seen along the fibers of one axis. The mesh and its edges must outlive it.
+/// View of a mesh along the fibers of one axis. The mesh and its edges must outlive this object.
 class FiberFrame {
  public:
   FiberFrame(const TriangleMesh& mesh, const MeshEdges& edges, FiberAxis axis);
@@ -33,23 +34,27 @@ class FiberFrame {
   const MeshEdges& edges() const { return edges_; }
   FiberAxis axis() const { return axis_; }
 
+  /// Returns a point of the mesh relative to a fiber.
   FiberPoint At(uint32_t point, const Fiber& fiber) const {
     const FiberPoint& p = points_[point];
     return {p.along, p.across - fiber.across_mm, p.height - fiber.z_mm};
   }
 
+  /// Returns the reach of an edge on a fiber.
   Reach PushSide(const Cutter& cutter, uint32_t edge, const Fiber& fiber) const {
     const auto& ends = edges_.ends[edge];
     return PushEdge(cutter, At(ends[0], fiber), At(ends[1], fiber));
   }
 
-  /// The whole triangle's interval, given what its sides have. Low >= high: none. As the cutter and
-  /// the triangle are convex it is one: from the lowest to the highest contact.
+  /// Returns the interval of a whole triangle from the reaches of its sides. Low >= high means
+  /// none. The cutter and the triangle are convex, so there is one interval, from the lowest to the
+  /// highest contact.
   Interval Hull(const Cutter& cutter, uint32_t triangle, const Fiber& fiber,
                 const std::array<Reach, 3>& sides) const;
+  /// Returns the interval of a whole triangle.
   Interval PushTriangle(const Cutter& cutter, uint32_t triangle, const Fiber& fiber) const;
 
-  /// The point of the mesh that the cutter touches at an end of an interval, in x, y, z.
+  /// Returns the point of the mesh that the cutter touches at an end of an interval, in x, y, z.
   Eigen::Vector3d ContactOf(const Cutter& cutter, const Source& source, const Fiber& fiber,
                             bool high) const;
 
@@ -60,10 +65,11 @@ class FiberFrame {
   const TriangleMesh& mesh_;
   const MeshEdges& edges_;
   FiberAxis axis_;
-  /// By triangle, in the order of their coordinates: results do not depend on the file's order.
+  /// Corners per triangle, sorted by their coordinates, so that results do not depend on the file's
+  /// order.
   std::vector<std::array<uint32_t, 3>> corners_;
-  std::vector<FiberPoint> points_;    ///< height: z
-  std::vector<FacetNormal> normals_;  ///< by triangle
+  std::vector<FiberPoint> points_;  ///< height is z
+  std::vector<FacetNormal> normals_;  ///< per triangle
 };
 
 }  // namespace slicefarm::milling

@@ -9,8 +9,8 @@
 namespace slicefarm::milling::fiber_frame_test {
 namespace {
 
-/// A triangle's interval on random fibers, against a dense sample of the triangle: at its ends the
-/// cutter is free of all of it and near to some; contacts lie on the cutter.
+/// The test compares a triangle's interval on random fibers with a dense sample of the triangle. At
+/// its ends the cutter does not gouge any sample and is near to some; contacts are on the cutter.
 TEST(FiberFrame, PushesAgainstTrianglesAsASampleTells) {
   std::mt19937 random(11);
   int hits = 0;

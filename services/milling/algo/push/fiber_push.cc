@@ -12,8 +12,8 @@ namespace slicefarm::milling {
 namespace {
 
 constexpr int32_t kFibersOfBlock = 16;
-/// What is known from the level above is less by this, which is more than any rounding: ends then
-/// always come from this level's contacts.
+/// Margin by which intervals of the level above are shortened. It is larger than any rounding, so
+/// the ends always come from contacts on the current level.
 constexpr double kKnownMarginMm = 1e-6;
 
 struct TriangleBox {
@@ -38,7 +38,8 @@ TriangleBox BoxOf(const FiberFrame& frame, uint32_t triangle) {
   return box;
 }
 
-/// Triangles by the blocks of fibers that they may reach, in each from the highest top down.
+/// Triangles per block of fibers that they may reach; in each block in descending order of their
+/// tops.
 class TriangleBlocks {
  public:
   TriangleBlocks(const std::vector<TriangleBox>& boxes, const FiberGrid& grid, double reach_mm)
@@ -81,7 +82,7 @@ class TriangleBlocks {
   std::vector<uint32_t> triangles_;
 };
 
-/// What the edges of the mesh have on the fiber that was looked at last.
+/// Reaches of the mesh's edges on the current fiber.
 class EdgeMemory {
  public:
   explicit EdgeMemory(size_t edges) : known_(edges), reaches_(edges) {}
@@ -97,12 +98,12 @@ class EdgeMemory {
   }
 
  private:
-  std::vector<uint64_t> known_;  ///< the fiber's number
+  std::vector<uint64_t> known_;  ///< number of the fiber for which the edge was computed
   std::vector<Reach> reaches_;
   uint64_t fiber_ = 0;
 };
 
-/// What is in both of two unions of intervals.
+/// Returns the intersection of two unions of intervals.
 std::vector<Interval> Intersection(const std::vector<Interval>& a, const std::vector<Interval>& b) {
   std::vector<Interval> both;
   for (size_t i = 0, k = 0; i < a.size() && k < b.size();) {
@@ -113,12 +114,12 @@ std::vector<Interval> Intersection(const std::vector<Interval>& a, const std::ve
   return both;
 }
 
-/// A triangle on one level: where it may be touched.
+/// Triangle on one level, with the box in which it may be touched.
 struct Candidate {
   double along_low = 0, along_high = 0;
   double across_low = 0, across_high = 0;
   uint32_t triangle = 0;
-  bool settled = false;  ///< beside the shaft alone
+  bool settled = false;  ///< true if only the shaft can touch it
 };
 
 struct PushJob {
@@ -128,16 +129,16 @@ struct PushJob {
   std::span<const double> levels_mm;
   const std::vector<TriangleBox>& boxes;
   const CancelToken& cancel;
-  std::vector<FiberIntervals>& result;  ///< by level
+  std::vector<FiberIntervals>& result;  ///< result per level
 };
 
-/// One block of fibers, level by level.
+/// Pushes along one block of fibers, level by level.
 class BlockPush {
  public:
   BlockPush(const PushJob& job, std::span<const uint32_t> triangles, EdgeMemory& memory)
       : job_(job), triangles_(triangles), memory_(memory) {}
 
-  /// False: cancelled.
+  /// Returns false if cancelled.
   bool Run(int32_t first, int32_t last) {
     settled_.resize(static_cast<size_t>(last - first));
     for (size_t level = 0; level < job_.levels_mm.size(); ++level) {
@@ -157,7 +158,7 @@ class BlockPush {
     return job_.boxes[triangle].bottom - z_mm >= job_.cutter.full_height_mm();
   }
 
-  /// What is gouged on all fibers of the block on the level above.
+  /// Stores the intervals that are gouged on all fibers of the block on the level above.
   void KnowOfAll(const FiberIntervals& above, int32_t first, int32_t last) {
     std::vector<Interval> all = above[static_cast<size_t>(first)];
     for (int32_t fiber = first + 1; fiber < last && !all.empty(); ++fiber)
@@ -173,7 +174,8 @@ class BlockPush {
     const double radius = job_.cutter.radius_mm();
     std::erase_if(active_, [&](uint32_t t) {
       const TriangleBox& box = job_.boxes[t];
-      // The shaft is the widest: what it finds nothing beside, nothing finds on any level below.
+      // The shaft is the widest part: if the triangle adds nothing to the shaft's known interval,
+      // it adds nothing on any lower level.
       if (known_.Covers(box.along_low - radius, box.along_high + radius)) return true;
       const double reach = job_.cutter.Width(box.top - z_mm);
       if (known_.Covers(box.along_low - reach, box.along_high + reach)) return false;
@@ -220,8 +222,8 @@ class BlockPush {
   size_t next_ = 0;
   std::vector<uint32_t> active_;
   std::vector<Candidate> candidates_;
-  std::vector<IntervalSet> settled_;  ///< by fiber of the block
-  IntervalSet known_;                 ///< on all fibers
+  std::vector<IntervalSet> settled_;  ///< per fiber of the block
+  IntervalSet known_;  ///< gouged on all fibers
   IntervalSet gouged_;
 };
 

@@ -20,7 +20,7 @@ void ExpectSame(const FiberIntervals& a, const FiberIntervals& b) {
   }
 }
 
-/// What a level has depends neither on those above it nor on the threads: to the last bit.
+/// A level's result depends neither on the levels above it nor on the threads, exactly.
 TEST(PushFibers, LevelsStandForThemselves) {
   TriangleMesh mesh = Sphere(5);
   Append(mesh, Box({3, 3, -4}, {9, 8, 6}));
@@ -41,7 +41,7 @@ TEST(PushFibers, LevelsStandForThemselves) {
   }
 }
 
-/// The union over all triangles without any of what makes it fast.
+/// The expected result is the union over all triangles, computed without any optimization.
 TEST(PushFibers, IsTheUnionOverAllTriangles) {
   const TriangleMesh mesh = Waves(8, 12);
   const MeshEdges edges = EdgesOf(mesh);

@@ -6,8 +6,8 @@
 
 namespace slicefarm::milling {
 
-/// Which element of the mesh the cutter touches: part 0 to 2 is a side of the triangle, part 3 its
-/// inside.
+/// Element of the mesh that the cutter touches: parts 0 to 2 are the sides of the triangle, part 3
+/// is its inside.
 struct Source {
   uint32_t triangle = 0;
   uint32_t part = 0;
@@ -15,7 +15,7 @@ struct Source {
   friend bool operator==(const Source&, const Source&) = default;
 };
 
-/// A piece of a fiber on which the cutter gouges, open: at its ends it touches. In mm along it.
+/// Open interval of a fiber, in mm along it, in which the cutter gouges. At its ends it touches.
 struct Interval {
   double low = 0;
   double high = 0;
@@ -23,23 +23,26 @@ struct Interval {
   Source high_source;
 };
 
-/// A union of intervals, disjoint and ascending.
+/// Union of intervals, disjoint and ascending.
 class IntervalSet {
  public:
+  /// Removes all intervals.
   void Clear() { items_.clear(); }
-  /// Unites with what overlaps it or is not farther away than kMerged. Of equal ends the first
-  /// one's source stays. Cost: O(log n) to find, O(n) to move what is behind. REQUIRES: low < high.
+  /// Adds an interval and unites it with intervals that overlap it or are at most kMerged away. For
+  /// equal ends, the first interval's source stays. Cost: O(log n) to find, O(n) to move the
+  /// intervals behind. REQUIRES: low < high.
   void Add(const Interval& interval);
-  /// Whether one of the intervals holds [low, high]. Cost: O(log n).
+  /// Returns true if one of the intervals contains [low, high]. Cost: O(log n).
   bool Covers(double low, double high) const {
     const auto after = std::partition_point(items_.begin(), items_.end(),
                                             [&](const Interval& item) { return item.low <= low; });
     return after != items_.begin() && (after - 1)->high >= high;
   }
 
+  /// Returns the intervals, ascending.
   const std::vector<Interval>& items() const { return items_; }
 
-  /// Gaps up to this are rounding, in mm.
+  /// Largest gap that counts as rounding, in mm.
   static constexpr double kMerged = 1e-9;
 
  private:

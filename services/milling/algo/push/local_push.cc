@@ -21,7 +21,8 @@ FlatBox FlatBoxOf(const TriangleMesh& mesh, uint32_t triangle) {
   return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
 }
 
-/// Whether the triangle's box comes as near to the fiber as the cutter is wide at its top.
+/// Returns true if the triangle's box is closer to the fiber than the cutter's width at the top of
+/// the box.
 bool MayReach(const FiberFrame& frame, const Cutter& cutter, uint32_t triangle,
               const Fiber& fiber) {
   const auto& t = frame.mesh().triangles[triangle];

@@ -7,12 +7,13 @@
 
 namespace slicefarm::milling {
 
-/// Triangles by where they are, seen from above.
+/// Grid of triangles by their position seen from above.
 class TriangleGrid {
  public:
   explicit TriangleGrid(const TriangleMesh& mesh);
 
-  /// Calls visit(triangle) for those that may have a point in the box, for some more than once.
+  /// Calls visit(triangle) for all triangles that may have a point in the box; some are visited
+  /// more than once.
   template <typename Visit>
   void ForEachIn(const Eigen::Vector2d& low, const Eigen::Vector2d& high, Visit visit) const {
     const Cell a = CellOf(low), b = CellOf(high);
@@ -29,7 +30,7 @@ class TriangleGrid {
     int32_t column = 0;
     int32_t row = 0;
   };
-  Cell CellOf(const Eigen::Vector2d& p) const;  ///< the nearest one
+  Cell CellOf(const Eigen::Vector2d& p) const;  ///< nearest cell
 
   Eigen::Vector2d low_{0, 0};
   double cell_mm_ = 1;
@@ -39,8 +40,8 @@ class TriangleGrid {
   std::vector<uint32_t> triangles_;
 };
 
-/// A piece of a fiber on which to look: what is gouged there.
-/// Cost: 0.2 us for each triangle that the cutter on it may reach.
+/// Returns the gouged intervals on a piece of a fiber. Cost: 0.2 us for each triangle that the
+/// cutter on it may reach.
 IntervalSet PushLocally(const FiberFrame& frame, const Cutter& cutter,
                         const TriangleGrid& triangles, const Fiber& fiber, double from_mm,
                         double to_mm);

@@ -10,8 +10,8 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Of the tolerance, what waterlines may take, and leaving out points of straight walls; the rest
-/// is for arcs.
+/// Shares of the tolerance for waterlines and for removing points of straight walls; the rest is
+/// for arcs.
 constexpr double kWaterlineShare = 0.15;
 constexpr double kStraightShare = 0.1;
 

@@ -10,18 +10,18 @@
 
 namespace slicefarm::milling {
 
-/// Where the tip may be on a level, in nm.
+/// Free area of the tip on a level, in nm.
 struct FreeArea {
-  /// Where the cutter may meet stock or is no farther from it than the clearance.
+  /// Area where the cutter may meet stock or is at most the clearance away from it.
   MultiPolygon reach;
-  /// Of it, where the cutter does not come nearer to the part than the allowance.
+  /// Part of `reach` where the cutter keeps the allowance to the part.
   MultiPolygon free;
 };
 
-/// The free areas of levels, in their order: waterlines of the stock, for a cylinder wider by the
-/// clearance, less those of the part, for the cutter grown by the allowance. What is free on a
-/// level is free on all above it. An area depends on its own level only. Errors: those of
-/// Waterlines.
+/// Returns the free areas of levels, in their order. They are waterlines of the stock for a
+/// cylinder widened by the clearance, minus waterlines of the part for the cutter grown by the
+/// allowance. An area that is free on a level is free on all levels above. Each result depends only
+/// on its own level. Errors: the errors of Waterlines.
 absl::StatusOr<std::vector<FreeArea>> FreeAreas(const MillingJob& job, double allowance_mm,
                                                 std::span<const double> levels_mm,
                                                 const CancelToken& cancel, int threads = 1);

@@ -17,8 +17,8 @@ std::vector<FreeArea> AreasOf(const MillingJob& job, double allowance,
   return *std::move(areas);
 }
 
-/// A cylinder of 1 mm around a block of 9 x 8 mm in stock 1 mm wider: rounded boxes, whose area is
-/// known.
+/// The cutter is a cylinder of 1 mm around a block of 9 x 8 mm in stock 1 mm wider. The results are
+/// rounded boxes with known areas.
 TEST(FreeAreas, AreThoseOfGeometry) {
   const Pillars block{.heights = {{2}}, .side = 8};
   MillingOptions options = OptionsFor("cyl:1");
@@ -39,7 +39,8 @@ TEST(FreeAreas, AreThoseOfGeometry) {
   }
 }
 
-/// A flat is free on its own level, and the part stays as far away as the allowance on its.
+/// A flat is free on its own level. On its allowance level, the cutter keeps the allowance to the
+/// part.
 TEST(FreeAreas, PassOverFlats) {
   const MillingJob job = JobOf(PocketPart().Mesh(), OptionsFor("cyl:1"));
   for (const double allowance : {0.0, 0.2}) {

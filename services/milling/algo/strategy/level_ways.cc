@@ -11,12 +11,13 @@
 namespace slicefarm::milling {
 namespace {
 
-/// A ring shorter than this is a point.
+/// Length below which a ring counts as a point.
 constexpr double kLeastRingNm = 10'000;
-/// Rings inside lose points on straight stretches, which each inset would multiply.
+/// Tolerance for removing points on straight parts of inner rings. Each further inset would
+/// multiply these points.
 constexpr Coord kRingChordNm = 2'000;
 
-/// Whether an outline runs along the outside of the stock somewhere, not along the part only.
+/// Returns true if a part of an outline is along the outside of the stock, not only along the part.
 bool ReachesOutside(const Polygon& outer, const MultiPolygon& reach) {
   const MultiPolygon inside = Offset(reach, -1'000);
   return std::any_of(outer.begin(), outer.end(), [&](Point p) {
@@ -26,8 +27,9 @@ bool ReachesOutside(const Polygon& outer, const MultiPolygon& reach) {
   });
 }
 
-/// Rings of an area by insets of insets. The free side of an outline is on its left, so what is cut
-/// last has its stock on the right; what is cut from the outside inwards has it on the left.
+/// Makes the rings of an area by repeated insets. The free side of an outline is on its left. So
+/// passes that end at the outline have the stock on the right; passes from the outside inwards have
+/// it on the left.
 class RingMaker {
  public:
   RingMaker(Coord stepover_nm, bool from_outside, const CancelToken& cancel)

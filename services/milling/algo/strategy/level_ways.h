@@ -9,21 +9,22 @@
 
 namespace slicefarm::milling {
 
-/// Rings inside each other, at most: PrepareMilling refuses stock so wide.
+/// Largest number of nested rings; PrepareMilling refuses wider stock.
 inline constexpr int kMostRings = 4'000;
 
-/// Roughing of a level: rings a stepover apart, from the outline of the area inwards. Every place
-/// of the area is a stepover away from a ring at most.
+/// Returns the passes for roughing a level: rings a stepover apart, from the outline of the area
+/// inwards. Every point of the area is at most a stepover away from a ring.
 ///
-/// In an area that reaches the outside of the stock, rings go from there inwards and then outwards
-/// to the islands' walls; in a pocket, from its middle outwards. So each ring has at most a
-/// stepover of stock on one side, but for the first. Parts of the area narrower than the minimum
-/// width are left out. Cost: an offset for each ring. Once cancelled, no more rings are made: ask
-/// the token.
+/// In an area that reaches the outside of the stock, rings go from there inwards, then outwards to
+/// the walls of islands. In a pocket, they go from its middle outwards. So each ring except the
+/// first has at most a stepover of stock on one side. Parts of the area narrower than the minimum
+/// width are left out. Cost: an offset for each ring. After cancellation, no more rings are made,
+/// so callers must check the token.
 std::vector<CutArea> RoughingWays(const FreeArea& level, const MillingOptions& options,
                                   const CancelToken& cancel = {});
 
-/// Finishing of a level: the outlines of the area, along the part and along the outside.
+/// Returns the passes for finishing a level: the outlines of the area, along the part and along the
+/// outside.
 std::vector<CutArea> FinishingWays(const FreeArea& level, const MillingOptions& options);
 
 }  // namespace slicefarm::milling

@@ -26,7 +26,7 @@ double LeastDistance(const std::vector<Polygon>& ways, Point p) {
   return least;
 }
 
-/// Every place of an area is a stepover from a way at most.
+/// Checks that every point of an area is at most a stepover from a pass.
 void ExpectCovered(const std::vector<CutArea>& areas, double stepover, const char* what) {
   for (const CutArea& area : areas) {
     for (double x = -2; x < 22; x += 0.37) {
@@ -62,7 +62,8 @@ TEST(RoughingWays, CoverTheAreaInTheOrderOfCutting) {
                  last = std::abs(SignedArea(ways.back()));
     EXPECT_EQ(first > last, c.from_outside) << c.name;
     if (!c.from_outside && !c.level.free[0].holes.empty()) continue;  // begins around the island
-    // Climb: stock on the right. Inwards it is on the way's inner side, outwards on its outer side.
+    // Climb milling has the stock on the right. Going inwards, the stock is inside of the pass;
+    // going outwards, it is outside.
     EXPECT_EQ(SignedArea(ways.front()) < 0, c.from_outside) << c.name;
     MillingOptions turned = options;
     turned.machining.direction = CutDirection::kConventional;

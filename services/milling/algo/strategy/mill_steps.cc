@@ -9,7 +9,7 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Steps of one phase, next to each other.
+/// Consecutive steps of one phase.
 using PhaseSteps = std::span<MilledStep>;
 
 std::vector<double> PlacesOf(PhaseSteps steps) {

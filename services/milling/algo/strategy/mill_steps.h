@@ -10,9 +10,9 @@
 
 namespace slicefarm::milling {
 
-/// The ways of the steps [first, last) of a job. A step's ways depend neither on the other steps of
-/// the range nor on the number of threads. REQUIRES: first <= last <= job.steps.size().
-/// Errors: those of Waterlines; Cancelled.
+/// Returns the passes of the steps [first, last) of a job. A step's passes depend neither on the
+/// other steps of the range nor on the number of threads. REQUIRES: first <= last <=
+/// job.steps.size(). Errors: the errors of Waterlines; Cancelled.
 absl::StatusOr<std::vector<MilledStep>> MillSteps(const MillingJob& job, size_t first, size_t last,
                                                   const CancelToken& cancel = {}, int threads = 1);
 

@@ -17,7 +17,7 @@ void ExpectSame(const MilledStep& a, const MilledStep& b) {
   EXPECT_EQ(a.runs, b.runs);
 }
 
-/// What a step makes depends neither on the cuts of ranges nor on the threads.
+/// A step's result depends neither on the division into ranges nor on the threads.
 TEST(MillSteps, DoNotDependOnRanges) {
   for (const std::string_view text : {"ball:1", "cyl:1", "bullcone:0.6:0.2:20:1"}) {
     const MillingJob job = JobOf(PocketPart().Mesh(), OptionsFor(text));

@@ -18,9 +18,10 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Regions of levels are in 32 bits of nm, and the cutter's ways lie around the stock.
+/// Largest coordinate. Regions of levels use 32 bits of nm, and the cutter's passes extend beyond
+/// the stock.
 constexpr double kMostCoordinateMm = 1'500;
-/// Two levels nearer than this are one.
+/// Height difference below which two levels count as one.
 constexpr double kSameLevelMm = 1e-6;
 
 absl::Status MillingError(Reason reason, std::string_view setting, std::string message) {
@@ -36,7 +37,8 @@ Eigen::AlignedBox3d BoxOf(const TriangleMesh& mesh) {
   return box;
 }
 
-/// Points at one place are one corner, as in files that repeat them for each triangle.
+/// Returns one corner index for points at the same position, because some files repeat points for
+/// each triangle.
 std::vector<uint32_t> CornersOf(const TriangleMesh& mesh) {
   std::vector<uint32_t> order(mesh.points_mm.size()), corner(mesh.points_mm.size());
   for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -51,7 +53,7 @@ std::vector<uint32_t> CornersOf(const TriangleMesh& mesh) {
   return corner;
 }
 
-/// Every edge must have as many triangles on one side as on the other.
+/// Checks that every edge has equally many triangles on both sides.
 absl::Status CheckClosed(const TriangleMesh& mesh, std::string_view what) {
   const std::vector<uint32_t> corner = CornersOf(mesh);
   std::vector<std::pair<uint64_t, int>> sides;
@@ -146,7 +148,7 @@ absl::Status CheckReach(const MillingJob& job) {
   return absl::OkStatus();
 }
 
-/// Heights of the part's horizontal facets that face upwards, where they are large enough.
+/// Returns the heights of the part's horizontal facets that face upwards and are large enough.
 std::vector<double> FlatsOf(const MillingJob& job) {
   std::map<double, double> areas;
   for (const auto& t : job.part.triangles) {
@@ -163,7 +165,8 @@ std::vector<double> FlatsOf(const MillingJob& job) {
   return flats;
 }
 
-/// From below `top` down to `bottom`: all of `wanted` between them, and evenly between these.
+/// Returns levels from below `top` down to `bottom`: all of `wanted` in this range, and evenly
+/// spaced levels between them.
 std::vector<double> LevelsOver(double top, double bottom, std::vector<double> wanted,
                                double stepdown) {
   std::sort(wanted.begin(), wanted.end(), std::greater<>());
@@ -180,7 +183,7 @@ std::vector<double> LevelsOver(double top, double bottom, std::vector<double> wa
   return levels;
 }
 
-/// More steps than a job may have are counted before they are laid out.
+/// Checks the number of steps before they are laid out.
 absl::Status CheckStepCount(const MillingJob& job) {
   const MillingOptions& options = job.options;
   const Eigen::Vector3d size = job.stock_box.sizes();
@@ -219,8 +222,9 @@ void LayOut(MillingJob& job) {
     job.steps.push_back({MillPhase::kRest, from + (to - from) * k / rows});
 }
 
-/// Levels of roughing have rings beside their waterlines, those of finishing have waterlines alone,
-/// rows have drops: about 4 to 2 to 1, by what they do, not by measured times.
+/// Returns the relative cost of a step. Levels of roughing have waterlines and rings, levels of
+/// finishing have only waterlines, and rows have drops: about 4 to 2 to 1, estimated and not
+/// measured.
 int32_t WeightOf(MillPhase phase) {
   switch (phase) {
     case MillPhase::kRoughing:

@@ -13,7 +13,7 @@
 
 namespace slicefarm::milling {
 
-/// A part, the stock that it is milled from, and how.
+/// Part to mill, its stock, and the options.
 struct MillingJob {
   MillingOptions options;
   TriangleMesh part;
@@ -21,27 +21,32 @@ struct MillingJob {
   bool stock_is_box = true;
   Eigen::AlignedBox3d part_box;
   Eigen::AlignedBox3d stock_box;
-  double floor_mm = 0;          ///< the tip's lowest height
-  std::vector<MillStep> steps;  ///< in this order: levels from the top down, rows by y
+  double floor_mm = 0;  ///< lowest height of the tip
+  std::vector<MillStep> steps;  ///< sorted: levels from the top down, rows by y
 };
 
-/// The sides of what rest areas are looked for in: all places at which the cutter may rest.
+/// Returns the box in which rest areas are searched: all positions at which the cutter may rest.
 Eigen::AlignedBox2d RestBox(const MillingJob& job);
 
 /// Checks a part, its stock and the options, and lays out the levels and rows.
 ///
-/// Levels lie on the stock's bottom, on every horizontal facet of the part (as high above it as the
-/// allowance) whose area at its height is a cutter's at least, and evenly between these, a stepdown
-/// apart at most. `stock` empty: a box around the part. Errors: those of CheckMillingOptions;
-/// MESH_EMPTY; MESH_MALFORMED for a part or a stock that is not closed, with a place; OUT_OF_RANGE
-/// for a part that reaches out of the stock, or a stock farther than 1.5 m from the origin;
-/// SETTING_OUT_OF_RANGE for a cutter wider than the stock, for a tool shorter than the stock is to
-/// be cut deep, for a bottom above the part or below the stock; REQUEST_TOO_LARGE for too many
-/// steps, or rings of a level. Cost: O(n log n) for n triangles.
+/// Levels are on the stock's bottom, and on every horizontal facet of the part that is at least as
+/// large as the cutter (above it by the allowance). More levels are evenly spaced between these, at
+/// most a stepdown apart. An empty `stock` means a box around the part.
+///
+/// Errors: the errors of CheckMillingOptions, and
+///   MESH_EMPTY
+///   MESH_MALFORMED        a part or a stock that is not closed, with a place
+///   OUT_OF_RANGE          a part that extends beyond the stock; a stock farther than 1.5 m from the origin
+///   SETTING_OUT_OF_RANGE  a cutter wider than the stock; a tool shorter than the depth of cut in the stock;
+///                         a bottom above the part or below the stock
+///   REQUEST_TOO_LARGE     too many steps, or rings of a level
+///
+/// Cost: O(n log n) for n triangles.
 absl::StatusOr<MillingJob> PrepareMilling(TriangleMesh part, std::optional<TriangleMesh> stock,
                                           const MillingOptions& options);
 
-/// By step: about what each takes beside the others; above 0.
+/// Returns the approximate relative cost of each step; above 0.
 std::vector<int32_t> StepWeights(const MillingJob& job);
 
 }  // namespace slicefarm::milling

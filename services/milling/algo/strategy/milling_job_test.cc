@@ -16,8 +16,8 @@ std::vector<double> PlacesOf(const MillingJob& job, MillPhase phase) {
   return places;
 }
 
-/// Flats at 1, 2 and 3 mm, stock from 0 to 4: levels on each flat and its allowance, and between
-/// them.
+/// The flats are at 1, 2 and 3 mm and the stock is from 0 to 4 mm. There are levels on each flat,
+/// at its allowance, and between them.
 TEST(PrepareMilling, PutsLevelsOnFlatsAndEvenlyBetween) {
   MillingOptions options = OptionsFor("cyl:1");
   options.stepdown_mm = 0.5;

@@ -16,11 +16,11 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Of the tolerance: what leaving out points of a run may take.
+/// Share of the tolerance for removing points of a run.
 constexpr double kChordShare = 0.1;
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
 
-/// The samples of all rows, evenly spaced along x.
+/// Samples of all rows, evenly spaced along x.
 struct RestColumns {
   double first_mm = 0;
   double pitch_mm = 0;
@@ -76,7 +76,8 @@ class RestRow {
 
   double HeightAt(int i) const { return i < 0 || i >= columns_.count ? kNowhere : z_[i]; }
 
-  /// Beside a wall the other side counts.
+  /// Returns true if the surface is flat at a sample. In each direction, the flatter side counts,
+  /// because a wall may be on the other side.
   bool Flat(int i) const {
     if (z_[i] == kNowhere) return false;
     const double dx =
@@ -86,7 +87,7 @@ class RestRow {
     return dx * dx + dy * dy <= most * most;
   }
 
-  /// Whether no wall stands between a sample and the next one.
+  /// Returns true if there is no wall between a sample and the next one.
   bool Joined(int i) const {
     return std::abs(z_[i + 1] - z_[i]) <= 2 * std::max(rise_, 0.1) * columns_.pitch_mm;
   }
@@ -110,7 +111,7 @@ class RestRow {
 
   const DropCutter& dropper_;
   double floor_mm_;
-  double beside_mm_;  ///< height where nothing of the part is under the cutter
+  double beside_mm_;  ///< height where no part is under the cutter
   double tolerance_mm_;
   RestColumns columns_;
   double rise_;

@@ -10,10 +10,10 @@
 
 namespace slicefarm::milling {
 
-/// Parallel finishing of rest areas: by row, the runs where the surface on which the cutter rests
-/// is flatter than the angle, with one sample more at each end. Between two samples points are put
-/// in until the tip is within a tenth of the tolerance of where it rests. A row depends on its own
-/// y only. Errors: Cancelled. Cost: three drops a sample.
+/// Returns the runs for parallel finishing of rest areas, per row. A run covers samples where the
+/// surface on which the cutter rests is flatter than the angle, and one more sample at each end.
+/// Points are inserted between two samples until the tip is within a tenth of the tolerance of its
+/// rest position. A row depends only on its own y. Errors: Cancelled. Cost: three drops per sample.
 absl::StatusOr<std::vector<std::vector<RestRun>>> RestRows(const MillingJob& job,
                                                            std::span<const double> rows_mm,
                                                            const CancelToken& cancel,

@@ -14,7 +14,8 @@ std::vector<std::vector<RestRun>> RowsOf(const MillingJob& job, const std::vecto
   return *std::move(rows);
 }
 
-/// Over the pocket's middle: the rim, the floor, the island, the floor, the rim, the step.
+/// The row crosses the pocket's middle: the rim, the floor, the island, the floor, the rim, the
+/// step.
 TEST(RestRows, LieOnFlatsAndNotOnWalls) {
   const MillingJob job = JobOf(PocketPart().Mesh(), OptionsFor("cyl:1"));
   const std::vector<RestRun> runs = RowsOf(job, {4})[0];
@@ -28,7 +29,7 @@ TEST(RestRows, LieOnFlatsAndNotOnWalls) {
   for (size_t i = 0; i < heights.size(); ++i) EXPECT_NEAR(heights[i], wanted[i], 1e-6);
 }
 
-/// On waves the tip is where it rests, within a tenth of the tolerance, also between points.
+/// On waves the tip is within a tenth of the tolerance of its rest position, also between points.
 TEST(RestRows, FollowTheSurface) {
   for (const std::string_view text : {"ball:1", "bull:1:0.2", "cyl:1", "cone:1:60"}) {
     MillingOptions options = OptionsFor(text);
@@ -54,8 +55,8 @@ TEST(RestRows, FollowTheSurface) {
   }
 }
 
-/// Over a low step, wherever it lies between the samples and however far apart these are, the
-/// cutter less the tolerance meets nothing on its way.
+/// The row crosses a low step, at any position between the samples and for any distance of the
+/// samples. The cutter reduced by the tolerance must meet nothing.
 TEST(RestRows, DoNotCutTheFootOfAStep) {
   for (const std::string_view text : {"bull:2:0.5", "ball:2", "cyl:2"}) {
     for (const double stepover : {0.25, 0.7}) {

@@ -5,7 +5,7 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Of the tolerance: how far off chords are, and how long they are at a step.
+/// Shares of the tolerance: the deviation of chords, and their length at a step of the surface.
 constexpr double kOffShare = 0.1;
 constexpr double kStepShare = 0.25;
 
@@ -19,7 +19,8 @@ class SurfaceWalk {
     return {place.x(), place.y(), height_(place)};
   }
 
-  /// At the foot of a step the middle alone may happen to lie on the chord.
+  /// Adds the points between `a` and `b`. It tests three points, because at the foot of a step the
+  /// middle alone may happen to be on the chord.
   void Add(const Eigen::Vector3d& a, const Eigen::Vector3d& middle, const Eigen::Vector3d& b) {
     const Eigen::Vector3d before = Halfway(a, middle), after = Halfway(middle, b);
     const bool known =

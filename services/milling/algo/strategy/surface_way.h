@@ -7,13 +7,16 @@
 
 namespace slicefarm::milling {
 
-/// Height of the tip where it rests, by place; minus infinity where nothing is under it.
+/// Function that returns the rest height of the tip at a position; minus infinity if nothing is
+/// under it.
 using SurfaceHeight = absl::FunctionRef<double(const Eigen::Vector2d&)>;
 
-/// The tip's way over the surface between two places on it, from above a straight line: its points
-/// behind `from`, `to` last. Chords are off by a tenth of the tolerance at most, as far as three
-/// places within each tell; at steps of the surface, where none can follow, they are a quarter of
-/// the tolerance long. Where nothing is under the tip it goes straight. Units: mm.
+/// Returns the path of the tip over the surface between two points on it; seen from above, it is a
+/// straight line. The result has the points behind `from`, with `to` as the last one.
+///
+/// Chords deviate by at most a tenth of the tolerance, tested at three points of each. At steps of
+/// the surface, where no chord can follow, chords are a quarter of the tolerance long. Where
+/// nothing is under the tip, the path is straight. Units: mm.
 std::vector<Eigen::Vector3d> SurfaceWay(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                         double tolerance_mm, SurfaceHeight height);
 

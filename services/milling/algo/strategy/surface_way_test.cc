@@ -16,7 +16,7 @@ TEST(SurfaceWay, IsStraightOnAPlane) {
   EXPECT_EQ(way[0], Eigen::Vector3d(3, 4, 2));
 }
 
-/// A bull nose that begins to climb a step, wherever the step lies.
+/// A bull nose begins to climb a step, for any position of the step.
 TEST(SurfaceWay, FindsTheFootOfAStep) {
   for (double foot = 0.05; foot < 0.95; foot += 0.0173) {
     const auto height = [foot](const Eigen::Vector2d& p) {
@@ -27,7 +27,7 @@ TEST(SurfaceWay, FindsTheFootOfAStep) {
     for (const Eigen::Vector3d& p : SurfaceWay(last, {1, 0, 0.3}, 0.01, height)) {
       for (double share = 0; share < 1; share += 0.1) {
         const Eigen::Vector3d q = last + share * (p - last);
-        // As far below as a way 0.005 mm to the side.
+        // The path may be as low as one 0.005 mm to the side.
         EXPECT_GE(q.z(), height({q.x() - 0.005, 0}) - 0.005) << foot << " " << q.transpose();
       }
       last = p;

@@ -11,8 +11,8 @@
 namespace slicefarm::milling::refine_test {
 namespace {
 
-/// The corner of a box under a cylinder is a quarter of a circle: chords of the refined loop keep
-/// to it, straight walls get no points.
+/// The corner of a box under a cylinder is a quarter of a circle. The refined loop follows it, and
+/// straight walls get no points.
 TEST(Refined, FollowsBendsOnly) {
   const TriangleMesh box = Box({0, 0, 0}, {20, 10, 5});
   const Cutter cutter = CutterOf("cyl:4");

@@ -18,7 +18,7 @@
 namespace slicefarm::milling {
 namespace {
 
-constexpr int64_t kMaxFibers = 50'000;  ///< of one way
+constexpr int64_t kMaxFibers = 50'000;  ///< fibers of one direction
 constexpr int64_t kMaxFiberLevels = 20'000'000;
 
 absl::Status RangeError(std::string_view setting, std::string_view what, double got) {
@@ -44,7 +44,7 @@ absl::Status CheckWaterline(const TriangleMesh& mesh, std::span<const double> le
   return absl::OkStatus();
 }
 
-/// Where columns stand, and rows lie.
+/// Grids of columns (x) and rows (y).
 struct WaterlineGrids {
   FiberGrid x;
   FiberGrid y;
@@ -76,7 +76,7 @@ absl::StatusOr<WaterlineGrids> GridsOver(const TriangleMesh& mesh, const Cutter&
   return WaterlineGrids{*x, *y};
 }
 
-/// Twice the signed area.
+/// Returns twice the signed area.
 double TurnOf(const std::vector<Eigen::Vector2d>& points) {
   double sum = 0;
   const Eigen::Vector2d o = points[0];
@@ -87,7 +87,7 @@ double TurnOf(const std::vector<Eigen::Vector2d>& points) {
   return sum;
 }
 
-/// What all levels share.
+/// Data that all levels share.
 class WaterlineMaker {
  public:
   WaterlineMaker(const TriangleMesh& mesh, const Cutter& cutter, const WaterlineOptions& options)

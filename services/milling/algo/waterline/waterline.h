@@ -11,33 +11,35 @@
 
 namespace slicefarm::milling {
 
+/// Options for Waterlines.
 struct WaterlineOptions {
-  double sampling_mm = 0.2;  ///< distance of fibers
-  /// Fibers are put between those of the grid where a loop leaves the chord of two points by more;
-  /// 0: nowhere.
+  double sampling_mm = 0.2;  ///< distance between fibers
+  /// Largest deviation of a loop from the chord of two points; beyond it, fibers are added between
+  /// the ones of the grid. 0: none are added.
   double tolerance_mm = 0;
-  double least_sampling_mm = 0.01;  ///< but no points nearer than this
-  bool contacts = false;            ///< wanted
+  double least_sampling_mm = 0.01;  ///< smallest distance of added points
+  bool contacts = false;  ///< true to compute contacts
   int threads = 1;
 };
 
-/// A way of the cutter's tip around what it must not gouge: at every point it touches the mesh. The
-/// part is on its left: outer loops run counter-clockwise, inner ones clockwise.
+/// Closed path of the cutter's tip around the gouged area: at every point the cutter touches the
+/// mesh. The part is on its left: outer loops run counter-clockwise, inner ones clockwise.
 struct WaterlineLoop {
   double z_mm = 0;
   bool outer = true;
-  std::vector<Eigen::Vector2d> points_mm;    ///< closed without repeating the first
-  std::vector<Eigen::Vector3d> contacts_mm;  ///< by point, on the mesh; empty: not asked for
+  std::vector<Eigen::Vector2d> points_mm;  ///< closed without repeating the first point
+  /// Contact on the mesh for each point; empty if not requested
+  std::vector<Eigen::Vector3d> contacts_mm;
 };
 
-/// The waterlines of a mesh on many levels, by level, in the order given: contours of where the tip
-/// may not be, on a grid of fibers in x and y over the mesh and two radii around it. What is
-/// thinner than the grid, and free places narrower than it, are not seen.
+/// Returns the waterlines of a mesh on many levels, per level, in the given order. They are
+/// contours of the area forbidden to the tip, on a grid of fibers in x and y over the mesh and two
+/// radii around it. Details thinner than the grid and free areas narrower than it are not detected.
 ///
-/// The pitch is that of OpenCAMlib: the least that is at or above sampling_mm and divides the
-/// width. Errors: MESH_EMPTY; SETTING_OUT_OF_RANGE for a sampling or a level that is no sound
-/// number; REQUEST_TOO_LARGE for too many fibers or levels; Cancelled. Cost: see PushFibers.
-/// Source: OpenCAMlib's push cutter, "Weave" by A. Wallin.
+/// The pitch is the one of OpenCAMlib: the smallest pitch that is at least sampling_mm and divides
+/// the width. Errors: MESH_EMPTY; SETTING_OUT_OF_RANGE for an invalid sampling or level;
+/// REQUEST_TOO_LARGE for too many fibers or levels; Cancelled. Cost: see PushFibers. Source:
+/// OpenCAMlib's push cutter, "Weave" by A. Wallin.
 absl::StatusOr<std::vector<std::vector<WaterlineLoop>>> Waterlines(
     const TriangleMesh& mesh, const Cutter& cutter, std::span<const double> levels_mm,
     const WaterlineOptions& options, const CancelToken& cancel = {});

@@ -55,7 +55,8 @@ TEST(Waterlines, TellOuterFromInner) {
   }
 }
 
-/// No point gouges, each touches: by a dense sample of the mesh; contacts lie on the cutter.
+/// No point gouges and each one touches, tested by a dense sample of the mesh; contacts are on the
+/// cutter.
 TEST(Waterlines, TouchEverywhereAndGougeNowhere) {
   const TriangleMesh mesh = Waves(6, 8);
   for (const std::string_view text : kAllCutters) {
@@ -94,7 +95,7 @@ TEST(Waterlines, TouchingAFlatIsNoHit) {
   }
 }
 
-/// A fiber that runs exactly beside a wall touches it, whatever the grid.
+/// A fiber exactly beside a wall touches it, for any grid.
 TEST(Waterlines, FibersOnTheOffsetOfWallsAreFree) {
   const TriangleMesh box = Box({0, 0, 0}, {10, 10, 5});
   for (const double sampling : {0.5, 0.25, 0.3, 1.0}) {
@@ -107,7 +108,7 @@ TEST(Waterlines, FibersOnTheOffsetOfWallsAreFree) {
   }
 }
 
-/// Points of all loops, sorted.
+/// Returns the points of all loops, sorted.
 std::vector<std::pair<double, double>> PointsOf(const Levels& levels) {
   std::vector<std::pair<double, double>> all;
   for (const auto& level : levels)
@@ -132,7 +133,7 @@ TEST(Waterlines, DoNotDependOnTheOrderOfTrianglesOrThreads) {
   }
 }
 
-/// Turned by 90 degrees and mirrored the part gets the same loops, turned and mirrored.
+/// A part turned by 90 degrees and mirrored gets the same loops, turned and mirrored.
 TEST(Waterlines, TurnWithThePart) {
   const TriangleMesh mesh = Waves(7, 14);
   TriangleMesh turned = mesh, mirrored = mesh;
@@ -203,7 +204,7 @@ TEST(Waterlines, RefusesWhatIsNoWork) {
   EXPECT_EQ(cancelled.status().code(), absl::StatusCode::kCancelled);
 }
 
-/// To put points into one level's loop may take seconds: the token is looked at for each of its points.
+/// Adding points to one level's loop may take seconds, so the token is checked for each point.
 TEST(Waterlines, AreCancelledWithinALevel) {
   const TriangleMesh mesh = Sphere(4, 16);
   const Cutter cutter = CutterOf("ball:4");

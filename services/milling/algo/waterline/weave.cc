@@ -11,13 +11,13 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Nodes of a row that are gouged.
+/// Consecutive nodes of a row that are gouged.
 struct Run {
   int32_t first = 0;
   int32_t last = 0;
 };
 
-/// An end of a column's interval, by the row below it.
+/// End of a column's interval, with the row below it.
 struct ColumnEnd {
   int32_t row = 0;
   int32_t column = 0;
@@ -26,16 +26,16 @@ struct ColumnEnd {
   bool high = false;
 };
 
-/// A crossing on the boundary of a cell.
+/// Crossing on the boundary of a cell.
 struct CellCrossing {
   int32_t cell = 0;
   int32_t side = 0;  ///< 0 to 3: bottom, right, top, left
-  double order = 0;  ///< ascends counter-clockwise on the side
+  double order = 0;  ///< ascends counter-clockwise along the side
   uint32_t crossing = 0;
-  bool leaves = false;  ///< counter-clockwise around the cell, what is gouged ends here
+  bool leaves = false;  ///< true if the gouged part ends here, counter-clockwise around the cell
 };
 
-/// The first node above a place.
+/// Returns the first node above a coordinate.
 int32_t NodeAbove(const FiberGrid& grid, double place) {
   auto node = static_cast<int32_t>(
       std::clamp(std::floor((place - grid.first_mm) / grid.pitch_mm), 0.0, grid.count - 1.0));
@@ -44,7 +44,7 @@ int32_t NodeAbove(const FiberGrid& grid, double place) {
   return node;
 }
 
-/// The last node below a place.
+/// Returns the last node below a coordinate.
 int32_t NodeBelow(const FiberGrid& grid, double place) {
   int32_t node = NodeAbove(grid, place) - 1;
   while (node >= 0 && grid.At(node) >= place) --node;
@@ -57,7 +57,7 @@ bool HasNode(const std::vector<Run>& runs, int32_t node) {
   return run != runs.end() && run->first <= node;
 }
 
-/// The ends of all columns' intervals, by row, then column, then y.
+/// Returns the ends of all columns' intervals, by row, then column, then y.
 std::vector<ColumnEnd> ColumnEndsOf(const Weave& weave) {
   std::vector<ColumnEnd> ends;
   for (int32_t column = 0; column < weave.x.count; ++column) {
@@ -90,7 +90,7 @@ class Weaver {
   struct Row {
     std::vector<Run> runs;
     uint32_t first_crossing = 0;
-    std::vector<int32_t> cells;  ///< of its crossings, low and high ends by turns
+    std::vector<int32_t> cells;  ///< cells of its crossings, low and high ends alternately
   };
 
   uint32_t AddCrossing(const Crossing& crossing) {
@@ -129,7 +129,8 @@ class Weaver {
     strip_.push_back({column, 3, -y, crossing, !high});
   }
 
-  /// A column's ends between two rows, if they lead from the lower node's state to the upper one's.
+  /// Adds a column's ends between two rows, if they lead from the lower node's state to the upper
+  /// node's state. Returns false otherwise.
   bool AddEnds(std::span<const ColumnEnd> ends, bool lower, bool upper) {
     bool state = lower;
     for (const ColumnEnd& end : ends) {
@@ -141,7 +142,7 @@ class Weaver {
     return true;
   }
 
-  /// One crossing where rows say that there is one and the column has another opinion of its nodes.
+  /// Adds one crossing where the rows require one but the column has other states of its nodes.
   void AddRounded(int32_t column, int32_t row, bool high) {
     const auto& intervals = weave_.columns[static_cast<size_t>(column)];
     const double from = weave_.y.At(row), to = weave_.y.At(row + 1), free = high ? to : from;
@@ -173,7 +174,7 @@ class Weaver {
     }
   }
 
-  /// Columns whose nodes in two rows differ, ascending.
+  /// Finds the columns with different node states in two rows, ascending.
   void Differences(const std::vector<Run>& below, const std::vector<Run>& above) {
     differences_.clear();
     for (const auto& [runs, others] : {std::pair(&below, &above), std::pair(&above, &below)})
@@ -183,7 +184,7 @@ class Weaver {
     std::sort(differences_.begin(), differences_.end());
   }
 
-  /// Notes a node that is not in `others`; gives the one to look at after it.
+  /// Adds nodes from `node` on that are not in `others`, and returns the next node to check.
   int32_t Next(const std::vector<Run>& others, int32_t node, int32_t last) {
     const auto other = std::partition_point(others.begin(), others.end(),
                                             [&](const Run& r) { return r.last < node; });
@@ -208,8 +209,8 @@ class Weaver {
   }
 
   void LinkCell(std::span<const CellCrossing> cell) {
-    // Of two the one after is the other one. Of more: the next one around the cell cuts off what is
-    // free, the one before what is gouged.
+    // With two crossings, the next one is the other one. With more, linking to the next one
+    // separates the free parts; linking to the previous one separates the gouged parts.
     const bool joined = cell.size() < 4 || MiddleGouged(cell);
     for (size_t k = 0; k < cell.size(); ++k) {
       if (!cell[k].leaves) continue;
@@ -218,7 +219,8 @@ class Weaver {
     }
   }
 
-  /// The middle of a cell's free stretches is that of all its crossings, as each ends one.
+  /// Returns true if the middle of the cell's crossings is gouged. It equals the middle of the
+  /// cell's free parts, as each crossing ends one of them.
   bool MiddleGouged(std::span<const CellCrossing> cell) const {
     double x = 0, y = 0;
     for (const CellCrossing& c : cell) x += crossings_[c.crossing].x, y += crossings_[c.crossing].y;
@@ -247,7 +249,7 @@ class Weaver {
   const Weave& weave_;
   const GougedAt& gouged_at_;
   std::vector<Crossing> crossings_;
-  std::vector<uint32_t> next_;  ///< by crossing
+  std::vector<uint32_t> next_;  ///< per crossing
   std::vector<ColumnEnd> column_ends_;
   size_t next_end_ = 0;
   std::vector<CellCrossing> strip_;

@@ -8,7 +8,7 @@
 
 namespace slicefarm::milling {
 
-/// The fibers of one level, woven: rows along x, one for each y; columns along y, one for each x.
+/// Fibers of one level: rows along x, one for each y; columns along y, one for each x.
 struct Weave {
   const FiberGrid& x;
   const FiberGrid& y;
@@ -16,32 +16,33 @@ struct Weave {
   const FiberIntervals& columns;
 };
 
-/// Where a contour crosses a fiber: the end of an interval.
+/// Crossing of a contour with a fiber: the end of an interval.
 struct Crossing {
   double x = 0;
   double y = 0;
   Source source;
-  FiberAxis axis = FiberAxis::kX;  ///< of the fiber
-  int32_t fiber = 0;               ///< row or column
-  bool high = false;               ///< the interval's high end
+  FiberAxis axis = FiberAxis::kX;  ///< axis of the fiber
+  int32_t fiber = 0;  ///< index of the row or column
+  bool high = false;  ///< true for the interval's high end
 };
 
-/// A closed contour, what is gouged on its left: outer ones run counter-clockwise, inner ones
+/// Closed contour with the gouged area on its left: outer ones run counter-clockwise, inner ones
 /// clockwise.
 using WovenLoop = std::vector<Crossing>;
 
-/// Tells whether a place is gouged.
+/// Function that returns true if a position is gouged.
 using GougedAt = std::function<bool(double x, double y)>;
 
-/// The contours of what is gouged.
+/// Returns the contours of the gouged area.
 ///
-/// Rows alone tell which nodes of the grid are gouged; every end of an interval is a crossing, also
-/// where two of them lie between the same two nodes. Each cell links the crossings around it in
-/// pairs; where it has four or more, the middle of its free stretches tells which belong together.
-/// So every crossing has one before it and one after it, and loops always close. Where rows and
-/// columns differ about a node, by rounding, the crossing is put on the node. What lies between two
-/// fibers as a whole is not seen, nor what only one fiber sees. REQUIRES: no node on the rim of the
-/// grid is gouged. Cost: O(n log n) for n crossings.
+/// The rows alone decide which nodes of the grid are gouged. Every end of an interval is a
+/// crossing, even if two of them are between the same two nodes. Each cell links the crossings
+/// around it in pairs. If it has four or more, the middle of its free parts decides which belong
+/// together. So every crossing has one predecessor and one successor, and loops always close.
+///
+/// If rows and columns differ about a node because of rounding, the crossing is put on the node.
+/// Details completely between two fibers, or on only one fiber, are not detected. REQUIRES: no node
+/// on the rim of the grid is gouged. Cost: O(n log n) for n crossings.
 std::vector<WovenLoop> WeaveLoops(const Weave& weave, const GougedAt& gouged_at);
 
 }  // namespace slicefarm::milling

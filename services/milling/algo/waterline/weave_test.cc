@@ -13,7 +13,7 @@ namespace {
 
 using Gouged = std::function<bool(double, double)>;
 
-/// Intervals of a set on a line, found by steps and halving.
+/// Returns the intervals of a set on a line, found by steps and bisection.
 std::vector<Interval> OnLine(const std::function<bool(double)>& in, double from, double to) {
   std::vector<Interval> found;
   const double step = 0.01;
@@ -90,8 +90,8 @@ TEST(WeaveLoops, FindsOuterAndInnerLoops) {
   }
 }
 
-/// Blobs of random nodes, with all that a grid can see of saddles: every loop is closed by short
-/// steps, no crossing is in two loops.
+/// The set consists of random nodes, with all saddles that a grid can have. Every loop must close
+/// with short steps, and no crossing may be in two loops.
 TEST(WeaveLoops, ClosesWhateverTheCells) {
   std::mt19937 random(17);
   for (int round = 0; round < 200; ++round) {
@@ -125,7 +125,7 @@ TEST(WeaveLoops, ClosesWhateverTheCells) {
   }
 }
 
-/// Columns that think otherwise of nodes on the contour, as rounding makes them.
+/// The columns have other states of nodes on the contour, as rounding causes.
 TEST(WeaveLoops, TakesTheRowsWordAboutNodes) {
   const FiberGrid grid{0, 1, 6};
   FiberIntervals rows(6), columns(6);
