@@ -15,7 +15,7 @@
 namespace slicefarm::texture {
 namespace {
 
-/// None for an empty text.
+/// Returns the vector in a setting's text; nothing for an empty text.
 absl::StatusOr<std::optional<Eigen::Vector3d>> VectorIn(std::string_view setting,
                                                         std::string_view text) {
   const auto xyz = NumbersOf(setting, text, 3);
@@ -101,7 +101,7 @@ absl::StatusOr<ProgramOptions> ProgramIn(const EngraveMachineSettings& settings)
   return program;
 }
 
-/// Whoever sends a map may send any: walks over it rely on a disk without flips.
+/// Checks the map: walks over it require a disk without flips, and a client may send any map.
 absl::Status CheckMap(const MappedSurface& surface) {
   if (absl::Status disk = BoundaryOfDisk(surface.mesh).status(); !disk.ok()) return disk;
   const auto& map = surface.map_mm;

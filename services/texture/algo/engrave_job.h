@@ -7,7 +7,7 @@
 
 namespace slicefarm::texture {
 
-/// All that the layers of a job share: steps 8 to 10 of the README.
+/// Data that all layers of a job share: steps 8 to 10 of the README.
 struct EngraveJob {
   EngravePlan plan;
   ProgramOptions program;
@@ -15,8 +15,8 @@ struct EngraveJob {
   double displaced_edge_mm = 0.2;
 };
 
-/// Errors: those of reading the texture, of NumbersOf, of BoundaryOfDisk and of PlanEngraving;
-/// REQUEST_MALFORMED for a map with flips.
+/// Prepares a job. Errors: the errors of reading the texture, of NumbersOf, of BoundaryOfDisk and
+/// of PlanEngraving; REQUEST_MALFORMED for a map with flips.
 absl::StatusOr<EngraveJob> PrepareEngraving(const EngraveInput& input);
 
 }  // namespace slicefarm::texture

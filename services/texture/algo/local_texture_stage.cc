@@ -17,16 +17,16 @@
 namespace slicefarm::texture {
 namespace {
 
-/// The map of a surface, made by the first call that asks. A call that is cancelled leaves none.
+/// Map of a surface, made by the first call that needs it. A cancelled call leaves no map.
 struct MapSlot {
   std::timed_mutex mutex;
   std::optional<MappedSurface> map;
 };
 
-/// How long a call that waits for another one's map does not look whether it is wanted.
+/// Interval at which a call that waits for another call's map checks for cancellation.
 constexpr std::chrono::milliseconds kLookEvery(20);
 
-/// Errors: Cancelled.
+/// Locks the slot. Errors: Cancelled.
 absl::StatusOr<std::unique_lock<std::timed_mutex>> Locked(MapSlot& slot,
                                                           const CancelToken& cancel) {
   std::unique_lock lock(slot.mutex, std::defer_lock);
@@ -35,8 +35,8 @@ absl::StatusOr<std::unique_lock<std::timed_mutex>> Locked(MapSlot& slot,
   return lock;
 }
 
-/// The job, prepared once for all calls about it: a call that ends early would spoil it for the
-/// others, so preparing is not cancelled.
+/// Returns the job, prepared once for all calls. Preparation cannot be cancelled: a call that ends
+/// early would spoil it for other calls.
 absl::StatusOr<const EngraveJob*> JobOf(const StageCall& call, const Shared<EngraveInput>& input) {
   if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
   const absl::StatusOr<EngraveJob>& job = input.Once(PrepareEngraving);
@@ -58,7 +58,7 @@ absl::StatusOr<EngravedLayer> LayerOf(const EngraveJob& job, const LayerPath& pa
   return layer;
 }
 
-/// Returns how many pieces the job's file is made of.
+/// Returns the number of pieces of the job's file.
 int32_t PieceCountOf(const EngraveJob& job) {
   return IsWhole(job.format) ? 1 : job.plan.layer_count();
 }

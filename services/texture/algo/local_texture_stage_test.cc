@@ -11,7 +11,7 @@
 namespace slicefarm::texture::local_texture_stage_test {
 namespace {
 
-/// A bent strip.
+/// Returns a bent strip.
 SurfaceMesh Strip() {
   SurfaceMesh mesh;
   constexpr int kColumns = 12, kRows = 8;
@@ -101,7 +101,7 @@ TEST_F(LocalTextureTest, AMapThatIsCancelledIsMadeByTheNextCall) {
   EXPECT_EQ(*map, *stage_->Map({}, surface));
 }
 
-/// Two jobs of one surface: the second one may end while the first one's map is made.
+/// Two jobs use one surface. The second one may end while the first one's map is being made.
 TEST_F(LocalTextureTest, WaitingForAMapCanBeCancelled) {
   const Shared<SurfaceInput> surface(SurfaceInput{Strip()});
   std::promise<void> begun, second_ended;

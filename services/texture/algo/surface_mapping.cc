@@ -13,7 +13,8 @@
 namespace slicefarm::texture {
 namespace {
 
-/// A map travels in one message (limits::kMaxStageMessageBytes): 43 bytes a point, 9 a triangle.
+/// Largest number of points of a map, so that it fits in one message
+/// (limits::kMaxStageMessageBytes): 43 bytes per point, 9 per triangle.
 constexpr int64_t kMostMapPoints = 1'200'000;
 static_assert(43 * kMostMapPoints + 9 * limits::kMaxSurfaceTriangles <
               limits::kMaxStageMessageBytes);

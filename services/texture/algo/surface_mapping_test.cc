@@ -25,7 +25,7 @@ TEST(MapSurface, RefusesItIfItMayNotBeCut) {
   EXPECT_EQ(DetailOf(MapSurface({Tetrahedron(), false}).status()).reason, Reason::kMeshMalformed);
 }
 
-/// Points of no triangle count as well: they travel with the map.
+/// Points that belong to no triangle count too, because they are sent with the map.
 TEST(MapSurface, RefusesWhatNoMessageHolds) {
   SurfaceInput surface{HalfCylinder(4, 5, 3)};
   surface.mesh.points_mm.resize(1'200'001, Eigen::Vector3d::Zero());

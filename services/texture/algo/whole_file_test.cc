@@ -12,7 +12,8 @@
 namespace slicefarm::texture::whole_file_test {
 namespace {
 
-/// A flat square of 8 mm: the map has no distortion, the picture looks at it from above.
+/// Returns a job on a flat square of 8 mm: the map has no distortion, and the picture shows it from
+/// above.
 EngraveJob JobOn(EngraveFormat format) {
   SurfaceMesh square;
   square.points_mm = {{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}};
@@ -46,7 +47,7 @@ TEST(WholeFile, ShowsLinesInColour) {
   EXPECT_GT(coloured, picture.width() * picture.height() / 10);
 }
 
-/// Without distortion all of the map has the dark end of the scale.
+/// Without distortion, the whole map has the colour of the dark end of the scale.
 TEST(WholeFile, ShowsTheMapsDistortion) {
   const auto png = WholeFile(JobOn(EngraveFormat::kMapPng));
   ASSERT_TRUE(png.ok()) << png.status();

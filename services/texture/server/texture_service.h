@@ -11,8 +11,8 @@
 
 namespace slicefarm::texture {
 
-/// Translates slicefarm.v1.Texture to a TextureStage and back.
-/// `stage`, `gate` and `shared` must outlive the service.
+/// Returns the gRPC service slicefarm.v1.Texture, which calls a TextureStage. `stage`, `gate` and
+/// `shared` must outlive the service.
 std::unique_ptr<grpc::Service> MakeTextureService(const TextureStage& stage, rpc::CallGate& gate,
                                                   SharedCache& shared);
 

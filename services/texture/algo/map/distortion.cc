@@ -6,12 +6,12 @@
 namespace slicefarm::texture {
 namespace {
 
-/// Singular values and their directions: J = a rotation and a reflection, weighted.
+/// Singular values of J and their directions: J is a weighted sum of a rotation and a reflection.
 struct Stretch {
-  double first = 0;  ///< the greater one
+  double first = 0;  ///< the larger one
   double second = 0;
-  Eigen::Matrix2d rotation;    ///< U V^T
-  Eigen::Matrix2d reflection;  ///< U diag(1, -1) V^T
+  Eigen::Matrix2d rotation;  ///< rotation U V^T
+  Eigen::Matrix2d reflection;  ///< reflection U diag(1, -1) V^T
 };
 
 Stretch StretchOf(const Eigen::Matrix2d& j) {
@@ -21,7 +21,7 @@ Stretch StretchOf(const Eigen::Matrix2d& j) {
   const double r = std::sqrt(f * f + g * g);
   Stretch stretch;
   stretch.first = q + r;
-  // q - r cancels where the triangle is thin.
+  // q - r would lose precision for a thin triangle.
   stretch.second = j.determinant() / stretch.first;
   stretch.rotation << e / q, -h / q, h / q, e / q;
   if (r > 0) {
@@ -39,7 +39,7 @@ RestTriangle RestOfEdges(const Eigen::Matrix2d& edges) {
   return {edges.inverse(), edges.determinant() / 2};
 }
 
-/// Gradients of the corners' hat functions on the triangle at rest, by column.
+/// Returns the gradients of the corners' hat functions on the triangle at rest, one per column.
 Eigen::Matrix<double, 2, 3> HatGradients(const RestTriangle& rest) {
   Eigen::Matrix<double, 2, 3> hats;
   hats.col(1) = rest.inverse_edges.row(0);
@@ -48,7 +48,7 @@ Eigen::Matrix<double, 2, 3> HatGradients(const RestTriangle& rest) {
   return hats;
 }
 
-/// What a change of J costs by the corners: the derivative of <D, J>.
+/// Returns the derivative of <D, J> by the corners' coordinates.
 Eigen::Matrix<double, 6, 1> ByCorners(const Eigen::Matrix2d& d,
                                       const Eigen::Matrix<double, 2, 3>& hats) {
   const Eigen::Matrix<double, 2, 3> by_corner = d * hats;
@@ -138,12 +138,12 @@ LocalModel ProxyOf(const Eigen::Matrix2d& jacobian, const RestTriangle& rest) {
 
 RestTriangle NearerRest(const RestTriangle& rest, const Eigen::Matrix2d& jacobian, double bound) {
   const Stretch s = StretchOf(jacobian);
-  // x^2 + 1 / x^2 is half of the bound at the greatest stretch and at its inverse.
+  // At the largest stretch and at its inverse, x^2 + 1 / x^2 is half of the bound.
   const double half = bound / 2;
   const double most = std::sqrt((half + std::sqrt(half * half - 4)) / 2);
   const double change1 = std::clamp(s.first, 1 / most, most) / s.first;
   const double change2 = std::clamp(s.second, 1 / most, most) / s.second;
-  // V diag(1, -1) V^T
+  // This is V diag(1, -1) V^T.
   const Eigen::Matrix2d reflection = s.rotation.transpose() * s.reflection;
   const Eigen::Matrix2d change =
       (change1 + change2) / 2 * Eigen::Matrix2d::Identity() + (change1 - change2) / 2 * reflection;

@@ -7,22 +7,23 @@
 
 namespace slicefarm::texture {
 
-/// A triangle at rest, for maps of it into the plane.
+/// Triangle at rest, for computing maps of it into the plane.
 struct RestTriangle {
-  Eigen::Matrix2d inverse_edges = Eigen::Matrix2d::Identity();  ///< of the columns p1-p0, p2-p0
+  /// Inverse of the matrix with columns p1-p0 and p2-p0
+  Eigen::Matrix2d inverse_edges = Eigen::Matrix2d::Identity();
   double area = 0;
 };
 
-/// Laid flat with its first edge along x. REQUIRES: it has an area.
+/// Returns the triangle at rest, laid flat with its first edge along x. REQUIRES: it has an area.
 RestTriangle RestOf(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1,
                     const Eigen::Vector3d& p2);
-/// REQUIRES: counter-clockwise.
+/// Returns the triangle at rest. REQUIRES: counter-clockwise.
 RestTriangle RestOf(const Eigen::Vector2d& p0, const Eigen::Vector2d& p1,
                     const Eigen::Vector2d& p2);
-/// Equilateral.
+/// Returns an equilateral triangle of this area.
 RestTriangle EquilateralRest(double area);
 
-/// The Jacobian of the linear map that takes the triangle at rest to these corners.
+/// Returns the Jacobian of the linear map from the triangle at rest to these corners.
 inline Eigen::Matrix2d JacobianOf(const RestTriangle& rest, const Eigen::Vector2d& u0,
                                   const Eigen::Vector2d& u1, const Eigen::Vector2d& u2) {
   Eigen::Matrix2d edges;
@@ -30,33 +31,37 @@ inline Eigen::Matrix2d JacobianOf(const RestTriangle& rest, const Eigen::Vector2
   return edges * rest.inverse_edges;
 }
 
-/// Symmetric Dirichlet energy: |J|^2 + |J^-1|^2, 4 of an isometry; infinite of a flat or flipped
-/// triangle.
+/// Returns the symmetric Dirichlet energy |J|^2 + |J^-1|^2. It is 4 for an isometry and infinite
+/// for a flat or flipped triangle.
 inline double SymmetricDirichlet(const Eigen::Matrix2d& jacobian) {
   const double det = jacobian.determinant();
   if (!(det > 0)) return std::numeric_limits<double>::infinity();
   return jacobian.squaredNorm() * (1 + 1 / (det * det));
 }
 
-/// Its gradient and a positive semi-definite Hessian by the corners' coordinates (x0 y0 x1 y1 x2
-/// y2).
+/// Gradient of a triangle's energy and a positive semi-definite Hessian, by the corners'
+/// coordinates (x0 y0 x1 y1 x2 y2).
 struct LocalModel {
   Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
   Eigen::Matrix<double, 6, 6> hessian = Eigen::Matrix<double, 6, 6>::Zero();
 };
 
-/// The Hessian's one eigenvalue that can be negative, that of twisting, is cut at 0. Exact for
-/// conformal maps too. REQUIRES: det J > 0. Source: Smith, de Goes, Kim, "Analytic Eigensystems for
-/// Isotropic Distortion Energies", ACM TOG 38 (2019).
+/// Returns the model of the energy. Only one eigenvalue of the Hessian can be negative, the one of
+/// twisting; it is cut at 0. Exact for conformal maps too. REQUIRES: det J > 0.
+///
+/// Source: Smith, de Goes, Kim, "Analytic Eigensystems for Isotropic Distortion Energies", ACM TOG
+/// 38 (2019).
 LocalModel ModelOf(const Eigen::Matrix2d& jacobian, const RestTriangle& rest);
 
-/// The same gradient, with the Hessian of the squared distance to the nearest rotation, weighted so
-/// that it has this gradient: longer steps where a triangle is far from its shape. Source:
-/// Rabinovich et al., "Scalable Locally Injective Mappings", ACM TOG 36 (2017).
+/// Returns a model with the same gradient and another Hessian: the one of the squared distance to
+/// the nearest rotation, weighted to match the gradient. It gives longer steps if a triangle is far
+/// from its shape.
+///
+/// Source: Rabinovich et al., "Scalable Locally Injective Mappings", ACM TOG 36 (2017).
 LocalModel ProxyOf(const Eigen::Matrix2d& jacobian, const RestTriangle& rest);
 
-/// The triangle at rest, bent towards its present shape until each of its stretches costs at most
-/// half of `bound`. REQUIRES: det J > 0, bound >= 4.
+/// Returns the triangle at rest, changed towards its present shape until each of its stretches
+/// costs at most half of `bound`. REQUIRES: det J > 0, bound >= 4.
 RestTriangle NearerRest(const RestTriangle& rest, const Eigen::Matrix2d& jacobian, double bound);
 
 }  // namespace slicefarm::texture

@@ -19,7 +19,7 @@ Eigen::Matrix2d JacobianAt(const RestTriangle& rest, const Vector6& u) {
   return JacobianOf(rest, u.segment<2>(0), u.segment<2>(2), u.segment<2>(4));
 }
 
-/// Triangles that are not flipped, in many shapes.
+/// Returns triangles of many shapes that are not flipped.
 Vector6 RandomTriangle(std::mt19937& random) {
   std::uniform_real_distribution<double> number(-1, 1);
   for (;;) {
@@ -71,7 +71,8 @@ TEST(ModelOf, GradientIsTheEnergysByDifferences) {
   }
 }
 
-/// The Hessian by differences of the gradient, its negative eigenvalues cut.
+/// The expected Hessian is computed by differences of the gradient, with its negative eigenvalues
+/// cut.
 TEST(ModelOf, HessianIsTheEnergysWithoutItsNegativePart) {
   std::mt19937 random(2);
   int cut = 0;

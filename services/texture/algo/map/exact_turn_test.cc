@@ -13,7 +13,7 @@ TEST(ExactTurn, TellsLeftFromRight) {
   EXPECT_EQ(ExactTurn({0, 0}, {1, 1}, {3, 3}), 0);
 }
 
-/// Products of doubles cancel here: 0.1 + 0.2 is not quite 0.3.
+/// Products of doubles cancel here: 0.1 + 0.2 is not exactly 0.3.
 TEST(ExactTurn, IsExactWhereDoublesAreNot) {
   const double step = std::nextafter(0.5, 1) - 0.5;
   for (int i = -4; i <= 4; ++i) {

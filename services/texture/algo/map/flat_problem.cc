@@ -21,7 +21,7 @@ MapPoints PointsAt(const MapPoints& points, const std::vector<int32_t>& which) {
   return result;
 }
 
-/// The least area that a triangle of the shell has at rest.
+/// Returns the smallest area of a triangle of the shell at rest.
 double LeastShellArea(const MapPoints& points, const BoundaryLoop& outer) {
   double shortest = kInfinity;
   for (size_t i = 0; i < outer.size(); ++i)
@@ -30,7 +30,7 @@ double LeastShellArea(const MapPoints& points, const BoundaryLoop& outer) {
   return shortest * shortest / 4;
 }
 
-/// The least positive root of a + b t + c t^2, a > 0.
+/// Returns the smallest positive root of a + b t + c t^2 for a > 0; infinity if there is none.
 double FirstRoot(double a, double b, double c) {
   const double under = b * b - 4 * a * c;
   if (under < 0) return kInfinity;

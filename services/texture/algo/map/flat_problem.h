@@ -12,63 +12,76 @@
 
 namespace slicefarm::texture {
 
+/// Points of a map, in mm.
 using MapPoints = std::vector<Eigen::Vector2d>;
+/// Point numbers of a triangle's corners.
 using Corners = std::array<int32_t, 3>;
 
-/// What is minimised: symmetric Dirichlet energies of a surface's triangles and of the shell around
-/// their map, and the barrier of its frame. Points are those of the map, then those of the shell.
+/// Function to minimize: symmetric Dirichlet energies of the surface's triangles and of the shell
+/// around their map, plus the barrier of the shell's frame. The points of the map come first, then
+/// the points of the shell.
 class FlatProblem {
  public:
   FlatProblem(const SurfaceMesh& mesh, const BoundaryLoop& outer, const Shell& shell,
               const MapPoints& points);
 
+  /// Returns the triangles of the surface, then of the shell.
   const std::vector<Corners>& triangles() const { return triangles_; }
+  /// Returns the shapes from which the energies are measured.
   const std::vector<RestTriangle>& references() const { return references_; }
   const std::vector<int32_t>& frame() const { return frame_; }
+  /// Returns the barrier of the frame.
   const FrameBarrier& barrier() const { return barrier_; }
   int32_t point_count() const { return point_count_; }
-  double area() const { return area_; }  ///< of the surface
+  double area() const { return area_; }  ///< area of the surface
 
-  /// What a triangle's energy counts, and a pair of the frame's.
+  /// Returns the weight of a triangle's energy.
   double WeightOf(size_t triangle) const {
     return triangle < surface_count_ ? rests_[triangle].area : shell_weight_;
   }
+  /// Returns the weight of a pair of the frame's barrier.
   double BarrierWeight() const;
-  /// The weight of the whole shell as a share of the surface's area.
+  /// Sets the weight of the whole shell as a share of the surface's area.
   void WeighShell(double share);
 
-  /// Of the surface, by area, over 4, from its true shape.
+  /// Returns the mean energy of the surface, weighted by area and divided by 4, relative to its
+  /// true shape.
   double MeanEnergy(const MapPoints& points) const;
-  /// Of all, from the references; infinite if a triangle flips or the frame crosses itself.
+  /// Returns the energy of all triangles and the barrier, relative to the references; infinite if a
+  /// triangle flips or the frame crosses itself.
   double TotalEnergy(const MapPoints& points) const;
 
-  /// Takes references from which no triangle of the map is far. True: they are the true shapes.
-  /// Source: Liu, Ye, Ni, Fu, "Progressive Parameterizations", ACM TOG 37 (2018), but triangle
-  /// by triangle, and with stretches cut where the paper takes a power of them.
+  /// Sets references that no triangle of the map is far from. Returns true if they are the true
+  /// shapes. Source: Liu, Ye, Ni, Fu, "Progressive Parameterizations", ACM TOG 37 (2018). In
+  /// contrast to the paper, each triangle is treated separately, and stretches are cut instead of
+  /// raised to a power.
   bool ApproachReferences(const MapPoints& points);
+  /// Sets the true shapes as references.
   void TakeTrueReferences() { references_ = rests_; }
 
-  /// How far the points may go until the first triangle is flat.
+  /// Returns the step along `direction` at which the first triangle becomes flat.
   double StepBound(const MapPoints& points, const MapPoints& direction) const;
 
-  /// Whether no triangle flips and the frame does not cross itself, in exact arithmetic: then the
-  /// map is one-to-one.
+  /// Returns true if no triangle flips and the frame does not cross itself, in exact arithmetic.
+  /// Then the map is one-to-one.
   bool IsOneToOne(const MapPoints& points) const;
 
+  /// Returns the points of the frame.
   MapPoints FrameOf(const MapPoints& points) const;
+  /// Returns the Jacobian of a triangle's map from `rest`.
   Eigen::Matrix2d JacobianAt(const MapPoints& points, size_t triangle,
                              const RestTriangle& rest) const;
 
  private:
-  std::vector<Corners> triangles_;   ///< the surface's, then the shell's
-  std::vector<RestTriangle> rests_;  ///< their true shapes
+  std::vector<Corners> triangles_;  ///< triangles of the surface, then of the shell
+  std::vector<RestTriangle> rests_;  ///< true shapes of the triangles
   std::vector<RestTriangle> references_;
   std::vector<int32_t> frame_;
   FrameBarrier barrier_;
   size_t surface_count_ = 0;
   int32_t point_count_ = 0;
   double area_ = 0;
-  double shell_weight_ = 0;  ///< of a triangle
+  double shell_weight_ = 0;  ///< weight of one triangle
 };
 
 }  // namespace slicefarm::texture

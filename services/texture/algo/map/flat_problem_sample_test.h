@@ -6,7 +6,7 @@
 
 namespace slicefarm::texture {
 
-/// A problem at its first map.
+/// Problem with its first map.
 struct FlatProblemSample {
   MapPoints points;
   FlatProblem problem;

@@ -21,10 +21,11 @@ constexpr double kStalledGain = 1e-3;
 constexpr int kPatience = 8;  // iterations with less gain in a row, after which references are true
 constexpr double kLeastStep = 1e-14;
 
-/// The shell resists less and less; at last it only keeps order. Source: EBP.
+/// Phases of the shell's weight. The shell resists less in each phase; finally it only prevents
+/// overlaps. Source: EBP (Su, Ye, Liu, Fu 2020).
 struct ShellPhase {
-  double share = 0;  ///< of the surface's area, for the whole shell
-  double until = 0;  ///< drop at which the next one begins
+  double share = 0;  ///< weight of the whole shell, as a share of the surface's area
+  double until = 0;  ///< relative drop of the energy at which the next phase begins
 };
 constexpr ShellPhase kPhases[] = {{1e-3, 1e-3}, {4e-5, 1e-4}, {4e-8, 0}};
 
@@ -32,8 +33,8 @@ void MoveTo(const MapPoints& from, const MapPoints& direction, double step, MapP
   for (size_t i = 0; i < from.size(); ++i) (*to)[i] = from[i] + step * direction[i];
 }
 
-/// Goes downhill, and on as long as twice as far is lower still: the cut Hessian makes short steps.
-/// False: nothing is gained that way.
+/// Goes downhill along a direction, and doubles the step as long as the energy falls, because the
+/// cut Hessian gives short steps. Returns false if nothing is gained in this direction.
 bool Descend(const FlatProblem& problem, const NewtonDirection::Way& way, MapPoints* points) {
   const MapPoints from = *points;
   const double start = problem.TotalEnergy(from);
@@ -58,7 +59,7 @@ bool Descend(const FlatProblem& problem, const NewtonDirection::Way& way, MapPoi
   return true;
 }
 
-/// Minimises from the given points on; the number of iterations.
+/// Minimizes from the given points on and returns the number of iterations.
 absl::StatusOr<int> Minimize(FlatProblem& problem, const FlattenOptions& options,
                              const CancelToken& cancel, MapPoints* points) {
   NewtonDirection newton(problem);
@@ -82,7 +83,7 @@ absl::StatusOr<int> Minimize(FlatProblem& problem, const FlattenOptions& options
     const double gain = (total - problem.TotalEnergy(*points)) / total;
     drop = (before - problem.MeanEnergy(*points)) / before;
     stalled = gain < kStalledGain ? stalled + 1 : 0;
-    // References that the map no longer comes nearer to hold it back.
+    // If the map does not come closer to the references any more, they hold it back.
     if (exact ? drop < kNearDrop : stalled == kPatience) progressive = false;
     if (!exact) continue;
     const bool last = phase + 1 == std::end(kPhases);

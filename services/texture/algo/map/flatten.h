@@ -9,23 +9,29 @@
 
 namespace slicefarm::texture {
 
+/// Options for Flatten.
 struct FlattenOptions {
   int max_iterations = 500;
-  double least_drop = 1e-5;  ///< of the energy in an iteration, relative; below: done
+  /// Relative drop of the energy per iteration; the iteration ends below it
+  double least_drop = 1e-5;
 };
 
+/// Flat map of a surface.
 struct FlatMap {
-  std::vector<Eigen::Vector2d> points_mm;  ///< by vertex; unused ones at the origin
-  double mean_energy = 0;  ///< symmetric Dirichlet by area, over 4: 1 of an isometry
+  /// Position of each vertex; unused ones are at the origin
+  std::vector<Eigen::Vector2d> points_mm;
+  /// Symmetric Dirichlet energy, weighted by area, divided by 4: 1 for an isometry
+  double mean_energy = 0;
   int iterations = 0;
 };
 
-/// A one-to-one map of a disk with holes into the plane, at its own scale: no triangle flips, no
-/// part lies upon another, and the symmetric Dirichlet energy is as small as Newton's way from
-/// Tutte's embedding makes it. The boundary is free.
+/// Computes a one-to-one map of a disk with holes into the plane, at its own scale. No triangle
+/// flips and no parts overlap. The symmetric Dirichlet energy is minimized by Newton's method,
+/// beginning with Tutte's embedding. The boundary is free.
 ///
-/// Same bytes on each run. Errors: BoundaryOfDisk's; INTERNAL; Cancelled. Cost: some 20 sparse
-/// factorizations of two unknowns a vertex.
+/// The result is the same in each run, bit by bit. Errors: the errors of BoundaryOfDisk; INTERNAL;
+/// Cancelled. Cost: about 20 sparse factorizations with two unknowns per vertex.
+///
 /// Source: Su, Ye, Liu, Fu, "Efficient Bijective Parameterizations", ACM TOG 39 (2020); Liu, Ye,
 /// Ni, Fu, "Progressive Parameterizations", ACM TOG 37 (2018).
 absl::StatusOr<FlatMap> Flatten(const SurfaceMesh& mesh, const FlattenOptions& options = {},

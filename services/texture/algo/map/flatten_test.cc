@@ -13,8 +13,8 @@
 namespace slicefarm::texture::flatten_test {
 namespace {
 
-/// The area of the map's triangles that lies on others, by brute force over pairs of boundary
-/// edges: a map without flips whose boundary does not cross itself is one-to-one.
+/// Checks that no parts of the map overlap, by brute force over pairs of boundary edges. A map
+/// without flips is one-to-one if its boundary does not cross itself.
 void ExpectOneToOne(const SurfaceMesh& mesh, const FlatMap& map) {
   for (const auto& [a, b, c] : mesh.triangles)
     EXPECT_EQ(ExactTurn(map.points_mm[a], map.points_mm[b], map.points_mm[c]), 1);
@@ -95,7 +95,7 @@ TEST(Flatten, TheEnergyDependsOnTheShapeOnly) {
   SurfaceMesh shuffled = mesh;
   std::reverse(shuffled.triangles.begin(), shuffled.triangles.end());
   const double energy = Flatten(mesh)->mean_energy;
-  // A map keeps its scale: a sphere of another size has another map, of the same energy.
+  // A map keeps its scale: a sphere of another size has another map with the same energy.
   EXPECT_NEAR(Flatten(moved)->mean_energy, energy, 1e-4);
   EXPECT_NEAR(Flatten(shuffled)->mean_energy, energy, 1e-4);
 }

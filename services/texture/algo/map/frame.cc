@@ -18,7 +18,7 @@ double Gap(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vect
   return (p - a).norm() + (p - b).norm() - (b - a).norm();
 }
 
-/// Calls `take(pair, gap)` for each edge and point nearer than `reach`.
+/// Calls `take(pair, gap)` for each pair of an edge and a point closer than `reach`.
 template <class Take>
 void ForNearPairs(std::span<const Eigen::Vector2d> frame, double reach, const Take& take) {
   const auto n = static_cast<int32_t>(frame.size());
@@ -36,7 +36,7 @@ void ForNearPairs(std::span<const Eigen::Vector2d> frame, double reach, const Ta
   }
 }
 
-/// The gap's gradient by a, b, point.
+/// Returns the gradient of the gap by the coordinates of a, b and the point.
 Eigen::Matrix<double, 6, 1> GapGradient(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                                         const Eigen::Vector2d& p) {
   const Eigen::Vector2d from_a = (p - a).normalized(), from_b = (p - b).normalized();
@@ -76,7 +76,8 @@ std::vector<FrameBarrier::Term> FrameBarrier::Terms(std::span<const Eigen::Vecto
     term.pair = pair;
     term.model.gradient = slope * by_corner;
     term.model.hessian = curve * by_corner * by_corner.transpose();
-    // Of the gap's own curvature, times a slope below 0, only the edge's length counts upwards.
+    // The gap's curvature is multiplied by a negative slope, so only the part from the edge's
+    // length is positive.
     const Eigen::Vector2d edge = b - a;
     const Eigen::Vector2d across = Eigen::Vector2d(-edge.y(), edge.x()) / edge.norm();
     const Eigen::Matrix2d bend = -slope / edge.norm() * across * across.transpose();
@@ -99,7 +100,7 @@ bool CrossesItself(std::span<const Eigen::Vector2d> frame) {
           ExactTurn(c, d, a) * ExactTurn(c, d, b) <= 0)
         return true;
     }
-    // Neighbours must not fold back on each other.
+    // Adjacent edges must not fold back on each other.
     const Eigen::Vector2d& next = frame[(i + 2) % n];
     if (ExactTurn(a, b, next) == 0 && (b - a).dot(next - b) <= 0) return true;
   }

@@ -9,35 +9,38 @@
 
 namespace slicefarm::texture {
 
-/// What keeps a frame from crossing itself: a point that comes near an edge pushes back. A closed
-/// ring of points, of which the places change.
+/// Barrier that prevents a frame from crossing itself: a point close to an edge is pushed away. A
+/// frame is a closed ring of points that move.
 ///
-/// For an edge ab and a point p the measure is d = |pa| + |pb| - |ab|: above 0 off the edge,
-/// smooth. A pair costs (1 - s/d)^2 where d < s, a quarter of the edges' mean length. Source: Su,
-/// Ye, Liu, Fu 2020, section 4.2.
+/// For an edge ab and a point p the measure is d = |pa| + |pb| - |ab|, which is smooth, and
+/// positive off the edge. A pair costs (1 - s/d)^2 if d < s, where s is a quarter of the mean edge
+/// length. Source: Su, Ye, Liu, Fu 2020, section 4.2.
 class FrameBarrier {
  public:
-  /// An edge from `a` to `b` and a point off it, by place in the frame.
+  /// Edge from `a` to `b` and a point that is not on it, as indices in the frame.
   struct Pair {
     int32_t a = 0;
     int32_t b = 0;
     int32_t point = 0;
   };
+  /// Model of the energy of one pair.
   struct Term {
     Pair pair;
-    LocalModel model;  ///< by a, b, point
+    LocalModel model;  ///< model by the coordinates of a, b and the point
   };
 
   explicit FrameBarrier(std::span<const Eigen::Vector2d> frame);
 
+  /// Returns the energy of all pairs.
   double Energy(std::span<const Eigen::Vector2d> frame) const;
+  /// Returns the models of all pairs with an energy.
   std::vector<Term> Terms(std::span<const Eigen::Vector2d> frame) const;
 
  private:
   double reach_ = 0;
 };
 
-/// Whether edges of the ring meet other than at a common end. Cost: O(n^2) for n points.
+/// Returns true if edges of the ring meet anywhere but at a common end. Cost: O(n^2) for n points.
 bool CrossesItself(std::span<const Eigen::Vector2d> frame);
 
 }  // namespace slicefarm::texture

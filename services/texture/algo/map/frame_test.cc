@@ -18,7 +18,7 @@ TEST(CrossesItself, TellsSimpleRings) {
   EXPECT_FALSE(CrossesItself(Ring{{0, 0}, {2, 0}, {4, 0}, {2, 3}})) << "a straight corner";
 }
 
-/// A square with a corner pushed in towards the opposite edge.
+/// Returns a square with an additional point pushed in towards the opposite edge.
 Ring Dented(double depth) { return {{0, 0}, {4, 0}, {4, 4}, {2, 4 - depth}, {0, 4}}; }
 
 TEST(FrameBarrier, RisesOnlyNearAnEdge) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kHold = 1e-9;  // of the mean diagonal: nothing else holds the map's place
 
-/// Pairs of points that have a part in a term of the energy together.
+/// Returns the pairs of points that occur together in a term of the energy.
 std::vector<SparseCholesky::Place> PlacesOf(const FlatProblem& problem) {
   std::vector<SparseCholesky::Place> places;
   places.reserve(3 * problem.triangles().size());
@@ -22,7 +22,7 @@ std::vector<SparseCholesky::Place> PlacesOf(const FlatProblem& problem) {
   return places;
 }
 
-/// Rows of the 6 x 6 block of three corners.
+/// Returns the row of the i-th coordinate of three corners' 6 x 6 block.
 int32_t RowOf(const Corners& corners, int i) { return 2 * corners[i / 2] + i % 2; }
 
 std::array<int32_t, 21> EntriesOf(const SparseCholesky& system, const Corners& corners) {
@@ -76,7 +76,8 @@ void NewtonDirection::Assemble(const FlatProblem& problem, const MapPoints& poin
   for (const int32_t entry : diagonal_) values[entry] += hold;
 }
 
-/// Polak and Ribiere's part of the way before, with the factored Hessian as the metric.
+/// Adds a part of the previous direction by the Polak-Ribiere rule, with the factored Hessian as
+/// the metric.
 Eigen::VectorXd NewtonDirection::Conjugate(const Eigen::VectorXd& newton, Model model) {
   Eigen::VectorXd way = newton;
   if (model == Model::kConjugate && last_decrement_ > 0) {

@@ -10,23 +10,26 @@
 
 namespace slicefarm::texture {
 
-/// Ways downhill for a FlatProblem: one sparse system, analysed once.
+/// Computes descent directions for a FlatProblem, with one sparse system that is analysed once.
 class NewtonDirection {
  public:
+  /// Model of the energy.
   enum class Model {
-    kProxy,      ///< far from the shapes: ProxyOf
-    kNewton,     ///< ModelOf
-    kConjugate,  ///< and a part of the way before: near the end the cut Hessian alone is slow
+    kProxy,  ///< ProxyOf, for maps far from the true shapes
+    kNewton,  ///< ModelOf
+    /// ModelOf and a part of the previous direction: near the end, the cut Hessian alone is slow
+    kConjugate,
   };
 
   explicit NewtonDirection(const FlatProblem& problem);
 
+  /// Descent direction.
   struct Way {
     MapPoints direction;
-    double slope = 0;  ///< of the energy along it, below 0
+    double slope = 0;  ///< slope of the energy along it, below 0
   };
 
-  /// Errors: INTERNAL. Cost: a factorization.
+  /// Returns a descent direction at `points`. Errors: INTERNAL. Cost: a factorization.
   absl::StatusOr<Way> At(const FlatProblem& problem, const MapPoints& points, Model model);
 
  private:
@@ -36,11 +39,12 @@ class NewtonDirection {
   Eigen::VectorXd Conjugate(const Eigen::VectorXd& newton, Model model);
 
   SparseCholesky system_;
-  std::vector<std::array<int32_t, 21>> entries_;  ///< of each triangle's lower block, in values()
+  /// Indices of each triangle's lower block in values()
+  std::vector<std::array<int32_t, 21>> entries_;
   std::vector<int32_t> diagonal_;
   Eigen::VectorXd gradient_;
   Eigen::VectorXd last_newton_, last_way_;
-  double last_decrement_ = 0;  ///< 0: no way before
+  double last_decrement_ = 0;  ///< 0: there is no previous direction
 };
 
 }  // namespace slicefarm::texture

@@ -8,21 +8,22 @@
 
 namespace slicefarm::texture {
 
-/// A dense block within a matrix that is kept column by column.
+/// Dense block in a matrix that is stored column by column.
 struct Panel {
   const double* numbers = nullptr;
-  ptrdiff_t stride = 0;  ///< from a column to the next
+  ptrdiff_t stride = 0;  ///< distance from one column to the next
   int32_t rows = 0;
   int32_t columns = 0;
 };
 
-/// Products of panels with their own first rows, transposed: what a Cholesky factorization is made
-/// of. Each sum is taken in the order of the columns, so its last bit depends on nothing else.
+/// Computes products of panels with their own first rows, transposed: the main operation of a
+/// Cholesky factorization. Each sum is computed in the order of the columns, so its last bit
+/// depends on nothing else.
 class PanelProduct {
  public:
-  /// Calls store(i, k, sum) for the rows i and k of the panel, k < tops and k <= i (for some
-  /// k > i, too), with the sum of their products.
-  /// Cost: about 3 sums of a product a cycle where the panel is large.
+  /// Calls store(i, k, sum) for the rows i and k of the panel with k < tops and k <= i, where sum
+  /// is the sum of their products. It may also be called for some k > i. Cost: about 3
+  /// multiply-adds per cycle for a large panel.
   template <typename Store>
   void Multiply(const Panel& panel, int32_t tops, const Store& store) {
     Pack(panel, tops, &tops_);
@@ -45,17 +46,18 @@ class PanelProduct {
 
  private:
   static constexpr int32_t kStrip = 4;
-  /// Numbers that every x86-64 computes with at once.
+  /// Pair of numbers that every x86-64 processor handles in one instruction.
   using Two = double __attribute__((vector_size(16)));
-  using Block = std::array<double, kStrip * kStrip>;  ///< column by column
+  using Block = std::array<double, kStrip * kStrip>;  ///< stored column by column
 
-  /// Strips of four rows, each column by column.
+  /// Copies strips of four rows, each one column by column.
   void Pack(const Panel& panel, int32_t rows, std::vector<double>* packed) {
     const int32_t strips = (rows + kStrip - 1) / kStrip;
     strip_.resize(static_cast<size_t>(kStrip) * panel.columns);
     packed->resize(static_cast<size_t>(strips) * kStrip * panel.columns);
     for (int32_t i = 0; i < rows; i += kStrip) {
-      // The last strip has the rows below, too: a strip of all rows that it is part of is the same.
+      // The last strip also contains the rows below, like any strip of the whole panel at this
+      // position.
       PackStrip(panel, i, std::min(i + kStrip, panel.rows),
                 packed->data() + ptrdiff_t{i} * panel.columns);
     }

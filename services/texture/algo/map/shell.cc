@@ -15,7 +15,7 @@ constexpr double kFrameRadius = 1.05;  // of the map's circle
 constexpr int kLeastFrame = 24, kMostFrame = 200;
 constexpr int kLoopPerFrame = 5;  // points of the loop for one of the frame
 
-/// Points of a ring, counter-clockwise, by number.
+/// Numbers of the points of a ring, counter-clockwise.
 using Ring = std::vector<int32_t>;
 
 class ShellMaker {
@@ -44,7 +44,8 @@ class ShellMaker {
   Shell shell_;
 };
 
-/// Every second point of a ring further out, and more in gaps: no chord passes the ring inside.
+/// Returns a ring farther out with every second point, and with additional points in gaps, so that
+/// no chord crosses the inner ring.
 Ring ShellMaker::Coarser(const Ring& ring, double radius, double most_gap) {
   std::vector<double> angles;
   for (const int32_t point : ring) angles.push_back(Atan2(At(point).y(), At(point).x()));
@@ -77,7 +78,7 @@ Ring ShellMaker::EvenRing(size_t count, double radius, const Eigen::Vector2d& to
   return ring;
 }
 
-/// Triangles between two rings that begin in one direction, by the shorter diagonal.
+/// Adds triangles between two rings that begin in the same direction, using the shorter diagonals.
 void ShellMaker::Join(const Ring& inner, const Ring& outer) {
   size_t i = 0, o = 0;
   while (i < inner.size() || o < outer.size()) {
@@ -118,7 +119,7 @@ void ShellMaker::AddRings(const BoundaryLoop& loop) {
 
 void ShellMaker::FillHole(const BoundaryLoop& hole, const Eigen::Vector2d& middle) {
   const int32_t centre = Add(middle);
-  // The loop has the surface on its left, so the hole lies on its right.
+  // The loop has the surface on its left, so the hole is on its right.
   for (size_t i = 0; i < hole.size(); ++i)
     shell_.triangles.push_back({hole[(i + 1) % hole.size()], hole[i], centre});
 }

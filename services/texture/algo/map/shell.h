@@ -12,18 +12,19 @@
 
 namespace slicefarm::texture {
 
-/// Triangles around a flat map, between its boundary and a frame, and in its holes: as long as none
-/// of them flips and the frame does not cross itself, neither does the map. Built once; it bends
-/// with the map.
+/// Triangles around a flat map: between its boundary and a frame, and in its holes. The map does
+/// not cross itself as long as no shell triangle flips and the frame does not cross itself. The
+/// shell is built once and deforms with the map.
 struct Shell {
-  std::vector<Eigen::Vector2d> points;            ///< numbered on from the map's
+  std::vector<Eigen::Vector2d> points;  ///< numbered after the points of the map
   std::vector<std::array<int32_t, 3>> triangles;  ///< counter-clockwise
-  std::vector<int32_t> frame;                     ///< the outermost points, counter-clockwise
+  std::vector<int32_t> frame;  ///< outermost points, counter-clockwise
 };
 
-/// The shell of a map whose outer loop lies on a circle around the origin: rings of ever
-/// fewer points; holes are fans. Errors: INTERNAL if a loop is not what Tutte's embedding
-/// makes. Source: Su, Ye, Liu, Fu, "Efficient Bijective Parameterizations", ACM TOG 39 (2020).
+/// Returns the shell of a map with its outer loop on a circle around the origin. It consists of
+/// rings with fewer and fewer points; holes are filled with fans. Errors: INTERNAL if a loop is not
+/// as Tutte's embedding makes it. Source: Su, Ye, Liu, Fu, "Efficient Bijective Parameterizations",
+/// ACM TOG 39 (2020).
 absl::StatusOr<Shell> ShellAround(const FirstMap& map, std::span<const BoundaryLoop> loops);
 
 }  // namespace slicefarm::texture

@@ -12,7 +12,7 @@
 namespace slicefarm::texture::shell_test {
 namespace {
 
-/// A loop on a circle of radius 2 at these angles, in parts of a turn.
+/// Returns a loop on a circle of radius 2 at these angles, in turns.
 FirstMap LoopAt(const std::vector<double>& turns) {
   FirstMap map;
   for (const double turn : turns)
@@ -27,8 +27,9 @@ BoundaryLoop Numbered(size_t count) {
   return loop;
 }
 
-/// All triangles turn left, and each edge but the loop's and the frame's has one on either side:
-/// with the frame outside, they fill the ring once.
+/// Checks that all triangles turn left, and that each edge except the ones of the loop and the
+/// frame has a triangle on both sides. With the frame outside, the triangles then fill the ring
+/// once.
 void ExpectFillsTheRing(const std::vector<double>& turns) {
   const FirstMap map = LoopAt(turns);
   const std::vector<BoundaryLoop> loops = {Numbered(turns.size())};
@@ -63,7 +64,7 @@ TEST(ShellAround, FillsTheRingAroundLoopsOfAnySize) {
 TEST(ShellAround, FillsTheRingAroundUnevenLoops) {
   std::mt19937 random(4);
   for (int round = 0; round < 200; ++round) {
-    // Lengths of edges over five powers of ten.
+    // The lengths of edges differ by up to five powers of ten.
     std::vector<double> lengths(3 + random() % 300);
     double sum = 0;
     for (double& length : lengths)

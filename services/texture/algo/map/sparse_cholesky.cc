@@ -12,10 +12,10 @@ namespace {
 
 using Place = SparseCholesky::Place;
 
-/// A pattern's lower triangle, as CHOLMOD has it.
+/// Lower triangle of a sparsity pattern, in CHOLMOD's format.
 struct Pattern {
-  std::vector<int32_t> columns;  ///< where each begins in rows
-  std::vector<int32_t> rows;     ///< ascending in each column
+  std::vector<int32_t> columns;  ///< begin of each column in `rows`
+  std::vector<int32_t> rows;  ///< ascending in each column
 };
 
 Pattern BlocksAt(int32_t count, std::span<const Place> places) {
@@ -37,7 +37,7 @@ Pattern BlocksAt(int32_t count, std::span<const Place> places) {
   return pattern;
 }
 
-/// Each entry becomes a block, those on the diagonal its lower triangle.
+/// Expands each entry to a block; blocks on the diagonal keep only their lower triangle.
 Pattern Expanded(const Pattern& blocks, int32_t block) {
   Pattern pattern;
   pattern.columns.push_back(0);
@@ -68,7 +68,7 @@ class Cholmod {
   Cholmod(const Cholmod&) = delete;
   Cholmod& operator=(const Cholmod&) = delete;
 
-  /// An order of the blocks that leaves few entries in the factor.
+  /// Returns an order of the blocks that gives few entries in the factor.
   std::vector<int32_t> OrderOf(const Pattern& blocks) {
     cholmod_sparse view = ViewOf(blocks);
     std::vector<int32_t> order(view.nrow);
@@ -78,7 +78,7 @@ class Cholmod {
     return order;
   }
 
-  /// The factor's shape; `order` becomes that of its rows.
+  /// Returns the shape of the factor; `order` becomes the order of its rows.
   SupernodalShape Analyse(const Pattern& pattern, std::vector<int32_t>* order) {
     cholmod_sparse view = ViewOf(pattern);
     cholmod_factor* factor = cholmod_analyze_p(&view, order->data(), nullptr, 0, &common_);

@@ -12,37 +12,40 @@
 
 namespace slicefarm::texture {
 
-/// A symmetric positive definite system whose pattern stays while its numbers change: ordered and
-/// analysed once, factored as often as asked. The same bytes each time.
-/// Source: the order is METIS's nested dissection of blocks, the analysis CHOLMOD's, supernodal
-/// (Chen, Davis, Hager, Rajamanickam 2008); the numbers are SupernodalFactor's.
+/// Symmetric positive definite system with a fixed pattern and changing numbers. It is ordered and
+/// analysed once and may be factored often. The results are always the same, bit by bit.
+///
+/// Source: METIS's nested dissection of blocks gives the order, CHOLMOD the supernodal analysis
+/// (Chen, Davis, Hager, Rajamanickam 2008), and SupernodalFactor the numbers.
 class SparseCholesky {
  public:
   /// Row and column of a block.
   using Place = std::pair<int32_t, int32_t>;
 
-  /// `count` blocks of `block` rows and columns. `places`: all blocks in which a number may ever be
-  /// other than 0, of either triangle, in any order, repeated as one likes. The diagonal is added.
+  /// Builds a system of `count` blocks of `block` rows and columns. `places`: all blocks that may
+  /// ever contain a number other than 0, of either triangle, in any order; repetitions are allowed.
+  /// The diagonal is added.
   SparseCholesky(int32_t count, std::span<const Place> places, int32_t block = 1);
 
-  /// Where an entry's number is in values(). REQUIRES: its block is one of the places. O(log n).
+  /// Returns the index of an entry in values(). REQUIRES: its block is one of the places. Cost:
+  /// O(log n).
   int32_t IndexOf(int32_t row, int32_t column) const;
 
-  /// The numbers of the lower triangle.
+  /// Returns the numbers of the lower triangle.
   std::span<double> values() { return values_; }
 
-  /// Errors: INTERNAL if the numbers are not positive definite.
+  /// Factors the system. Errors: INTERNAL if the numbers are not positive definite.
   absl::Status Factor();
-  /// REQUIRES: Factor succeeded.
+  /// Solves the system for a right-hand side. REQUIRES: Factor succeeded.
   Eigen::VectorXd Solve(const Eigen::VectorXd& right) const;
 
  private:
-  // The lower triangle, column by column, rows ascending.
-  std::vector<int32_t> columns_;  ///< where each begins in rows_
+  // Lower triangle, column by column, with ascending rows.
+  std::vector<int32_t> columns_;  ///< begin of each column in rows_
   std::vector<int32_t> rows_;
   std::vector<double> values_;
-  std::vector<int32_t> order_;   ///< by row of the factor: the row of the system
-  std::vector<int64_t> places_;  ///< of the values in the factor
+  std::vector<int32_t> order_;  ///< row of the system, per row of the factor
+  std::vector<int64_t> places_;  ///< indices of the values in the factor
   std::optional<SupernodalFactor> factor_;
 };
 

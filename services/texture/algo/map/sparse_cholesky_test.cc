@@ -11,7 +11,7 @@
 namespace slicefarm::texture::sparse_cholesky_test {
 namespace {
 
-/// A random sparse matrix with a heavy diagonal, in both forms.
+/// The system is a random sparse matrix with a heavy diagonal, in both forms.
 TEST(SparseCholesky, SolvesAsADenseSolverDoes) {
   std::mt19937 random(1);
   constexpr int kSize = 60;

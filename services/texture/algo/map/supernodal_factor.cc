@@ -15,7 +15,8 @@ constexpr int32_t kSumsAtOnce = 4;     // that do not wait for each other
 using Numbers = Eigen::Map<Eigen::VectorXd>;
 using ConstNumbers = Eigen::Map<const Eigen::VectorXd>;
 
-/// Factors columns [from, to) of a panel that have all that comes from the columns before them.
+/// Factors columns [from, to) of a panel. All contributions of earlier columns must have been
+/// subtracted.
 bool FactorColumns(double* panel, int32_t rows, int32_t from, int32_t to) {
   for (int32_t k = from; k < to; ++k) {
     double* column = panel + ptrdiff_t{k} * rows;
@@ -121,7 +122,7 @@ bool SupernodalFactor::Factor(std::vector<double> numbers) {
   return true;
 }
 
-/// L y = b, for the columns of one supernode and what they take from the rows below.
+/// Solves L y = b for the columns of one supernode, and updates the sums for the rows below.
 void SupernodalFactor::SolveDown(int32_t node, double* x, std::vector<double>* sums) const {
   const auto rows = RowsOf(node);
   const auto height = static_cast<int32_t>(rows.size()), columns = ColumnsOf(node);
@@ -136,7 +137,7 @@ void SupernodalFactor::SolveDown(int32_t node, double* x, std::vector<double>* s
   for (int32_t i = columns; i < height; ++i) x[rows[i]] -= (*sums)[i];
 }
 
-/// L^T x = y, for the columns of one supernode.
+/// Solves L^T x = y for the columns of one supernode.
 void SupernodalFactor::SolveUp(int32_t node, double* x, std::vector<double>* known) const {
   const auto rows = RowsOf(node);
   const auto height = static_cast<int32_t>(rows.size()), columns = ColumnsOf(node);

@@ -10,36 +10,37 @@
 
 namespace slicefarm::texture {
 
-/// What a factor looks like, whatever its numbers: supernodes are runs of columns that have entries
+/// Structure of a factor, independent of its numbers. Supernodes are runs of columns with entries
 /// in the same rows.
 struct SupernodalShape {
-  std::vector<int32_t> first_column;  ///< by supernode, and the number of columns
-  std::vector<int32_t> first_row;     ///< where its rows begin in `rows`, and their number
-  std::vector<int32_t> rows;          ///< ascending in each supernode; its columns come first
+  std::vector<int32_t> first_column;  ///< first column of each supernode, and the number of columns
+  std::vector<int32_t> first_row;  ///< begin of each supernode's rows in `rows`, and their number
+  std::vector<int32_t> rows;  ///< ascending in each supernode, beginning with its own columns
 };
 
-/// A sparse Cholesky factor: dense panels, one for each supernode, each made of those before it
-/// that have entries in its columns.
+/// Sparse Cholesky factor: one dense panel per supernode. Each panel is computed from the earlier
+/// ones with entries in its columns.
 ///
-/// One thread and one order of sums: the same bytes on every machine, whatever BLAS it has.
-/// Source: Ng and Peyton, "Block sparse Cholesky algorithms on advanced uniprocessor computers",
-/// SIAM J. Sci. Comput. 14 (1993), the supernodal left-looking one.
+/// One thread and a fixed order of sums give the same bits on every machine, independent of its
+/// BLAS. Source: Ng and Peyton, "Block sparse Cholesky algorithms on advanced uniprocessor
+/// computers", SIAM J. Sci. Comput. 14 (1993), supernodal left-looking algorithm.
 class SupernodalFactor {
  public:
   explicit SupernodalFactor(SupernodalShape shape);
 
-  /// Where an entry's number is in Factor's `numbers`. REQUIRES: row >= column, and the shape has
-  /// it. O(log n).
+  /// Returns the index of an entry in Factor's `numbers`. REQUIRES: row >= column, and the shape
+  /// contains the entry. Cost: O(log n).
   int64_t PlaceOf(int32_t row, int32_t column) const;
+  /// Returns the number of entries of the factor.
   int64_t place_count() const { return first_number_.back(); }
 
-  /// Makes the factor of the matrix whose numbers are at their places, and 0 at all others.
-  /// False: it is not positive definite, and there is no factor.
+  /// Computes the factor of the matrix that has `numbers` at their indices and 0 elsewhere. Returns
+  /// false if it is not positive definite; then there is no factor.
   bool Factor(std::vector<double> numbers);
-  /// The numbers of the factor before, to be used again.
+  /// Returns the memory of the previous factor's numbers, for reuse.
   std::vector<double> TakeNumbers() { return std::move(numbers_); }
 
-  /// REQUIRES: Factor succeeded.
+  /// Solves the system for `right`, in place. REQUIRES: Factor succeeded.
   void Solve(Eigen::VectorXd* right) const;
 
  private:
@@ -51,7 +52,8 @@ class SupernodalFactor {
     return std::span(shape_.rows)
         .subspan(shape_.first_row[node], shape_.first_row[node + 1] - shape_.first_row[node]);
   }
-  /// Puts a finished supernode, whose rows before `row` were used, where it is needed next.
+  /// Puts a finished supernode into the queue of the next panel that needs it. Its rows before
+  /// `row` were used already.
   void Queue(int32_t node, int32_t row);
   void SubtractFrom(int32_t node, int32_t earlier);
   bool FactorPanel(int32_t node);
@@ -59,16 +61,18 @@ class SupernodalFactor {
   void SolveUp(int32_t node, double* x, std::vector<double>* known) const;
 
   SupernodalShape shape_;
-  std::vector<int64_t> first_number_;  ///< by supernode, and their number
-  std::vector<int32_t> node_of_;       ///< by column
+  /// First number of each supernode, and the number of all numbers
+  std::vector<int64_t> first_number_;
+  std::vector<int32_t> node_of_;  ///< supernode of each column
   std::vector<double> numbers_;
   PanelProduct product_;
-  // Of the factorization that is going on:
-  std::vector<int32_t> waiting_;   ///< by supernode: the first of those that have a part in it
-  std::vector<int32_t> next_;      ///< by supernode: the next one that waits with it
-  std::vector<int32_t> used_;      ///< by supernode: rows that were used
-  std::vector<int32_t> place_of_;  ///< by row of the matrix: in the panel that is made
-  std::vector<int32_t> places_;    ///< by row of the earlier panel
+  // State of the current factorization:
+  /// Per supernode: the first of the supernodes that contribute to it
+  std::vector<int32_t> waiting_;
+  std::vector<int32_t> next_;  ///< per supernode: the next one in the same queue
+  std::vector<int32_t> used_;  ///< per supernode: number of rows used
+  std::vector<int32_t> place_of_;  ///< per row of the matrix: its index in the current panel
+  std::vector<int32_t> places_;  ///< per row of the earlier panel
 };
 
 }  // namespace slicefarm::texture

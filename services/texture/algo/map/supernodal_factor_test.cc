@@ -8,14 +8,15 @@
 namespace slicefarm::texture::supernodal_factor_test {
 namespace {
 
-/// Three supernodes of 2, 1 and 6 columns; the first one has rows in both others, not in all.
+/// Returns three supernodes of 2, 1 and 6 columns. The first one has rows in both of the next ones,
+/// but not in all of their rows.
 SupernodalShape ThreeNodes() {
   return {.first_column = {0, 2, 3, 9},
           .first_row = {0, 5, 8, 14},
           .rows = {0, 1, 2, 4, 7, 2, 4, 7, 3, 4, 5, 6, 7, 8}};
 }
 
-/// A positive definite matrix with entries only where the shape has them.
+/// Returns a positive definite matrix with entries only where the shape has them.
 Eigen::MatrixXd MatrixOf(const SupernodalShape& shape, uint32_t seed) {
   std::mt19937 random(seed);
   const int32_t size = shape.first_column.back();
@@ -44,7 +45,8 @@ std::vector<double> NumbersOf(const Eigen::MatrixXd& matrix, const SupernodalFac
   return numbers;
 }
 
-/// One supernode of so many columns, with so many rows below that belong to another one.
+/// Returns one supernode of this many columns, with this many rows below that belong to another
+/// supernode.
 SupernodalShape TwoNodes(int32_t columns, int32_t below) {
   SupernodalShape shape{.first_column = {0, columns, columns + below},
                         .first_row = {0, columns + below, columns + 2 * below},
@@ -67,7 +69,7 @@ TEST(SupernodalFactor, SolvesAsADenseSolverDoes) {
     const Eigen::VectorXd right = solved;
     factor.Solve(&solved);
     EXPECT_LE((solved - matrix.ldlt().solve(right)).norm(), 1e-13) << seed;
-    // The factor's numbers are used again.
+    // The memory of the factor's numbers is reused.
     std::vector<double> numbers = factor.TakeNumbers();
     const Eigen::MatrixXd other = MatrixOf(shape, seed + 1000);
     numbers = NumbersOf(other, factor, shape);

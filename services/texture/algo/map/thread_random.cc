@@ -7,7 +7,7 @@
 namespace slicefarm::texture {
 namespace {
 
-/// As the C library's own: degree 31.
+/// Random sequence like the one of the C library: degree 31.
 struct Sequence {
   std::array<char, 128> numbers = {};
   random_data data = {};
@@ -28,7 +28,7 @@ Sequence& OfThread() {
 
 void SeedThreadRandom(unsigned int seed) { OfThread().Start(seed); }
 
-/// Under these names the C library's callers find them.
+/// Functions with the names that the C library's callers use.
 extern "C" {
 __attribute__((visibility("default"))) void SlicefarmThreadSrand(unsigned int seed) __asm__("srand");
 __attribute__((visibility("default"))) int SlicefarmThreadRand() __asm__("rand");

@@ -2,14 +2,14 @@
 
 namespace slicefarm::texture {
 
-/// METIS orders the unknowns of a system by `rand`, which it seeds each time. The C library has one
-/// sequence for all threads, and gRPC's threads take numbers of it as well: now and then one of
-/// these came in between, and the map's last digits were others. So each thread of a program with
-/// this library has a sequence of its own, the same as the C library's: thread_random.cc takes the
-/// place of `rand` and `srand`.
+/// METIS orders the unknowns of a system with numbers from `rand`, which it seeds each time. The C
+/// library has one sequence for all threads, and gRPC's threads also take numbers from it. Such a
+/// number in between changed the last digits of the map. So each thread of a program with this
+/// library has a separate sequence, equal to the C library's one: thread_random.cc replaces `rand`
+/// and `srand`.
 ///
-/// Starts the calling thread's sequence. Who orders calls it, so that a program with this library
-/// has those.
+/// This function starts the calling thread's sequence. The ordering code calls it, so programs with
+/// this library always contain the replacements.
 void SeedThreadRandom(unsigned int seed);
 
 }  // namespace slicefarm::texture

@@ -25,7 +25,7 @@ TEST(ThreadRandom, IsTheCLibrarysSequence) {
   }
 }
 
-// As gRPC's threads do.
+// The other thread takes random numbers, as gRPC's threads do.
 TEST(ThreadRandom, WhoeverElseTakesNumbersTheMapIsTheSame) {
   const SurfaceMesh mesh = HalfCylinder(40, 20, 40);
   const auto alone = Flatten(mesh, {}, CancelToken());

@@ -16,11 +16,11 @@ constexpr int kRounds = 2;  // more shrink other places again
 struct Spring {
   int32_t a = 0;
   int32_t b = 0;
-  double length_mm = 0;  ///< on the surface
+  double length_mm = 0;  ///< length on the surface
   double weight = 1;
 };
 
-/// Edges of the surface, and spokes from a vertex of its own for each hole.
+/// Returns the edges of the surface, and for each hole the spokes from an additional vertex.
 std::vector<Spring> SpringsOf(const SurfaceMesh& mesh, std::span<const BoundaryLoop> loops) {
   std::vector<std::pair<int32_t, int32_t>> edges;
   for (const auto& triangle : mesh.triangles) {
@@ -62,7 +62,7 @@ void PinLoop(const SurfaceMesh& mesh, const BoundaryLoop& loop,
   }
 }
 
-/// The places of vertices that springs hold between pinned ones.
+/// Net of springs that determines the positions of vertices between pinned ones.
 class SpringNet {
  public:
   SpringNet(std::vector<Spring> springs, const BoundaryLoop& pinned, size_t vertices)
@@ -80,7 +80,8 @@ class SpringNet {
     system_ = std::make_unique<SparseCholesky>(rows_, places);
   }
 
-  /// Weaker where an edge is shorter than its share of the surface, stronger where it is longer.
+  /// Makes a spring weaker if its edge is shorter than its share of the surface, and stronger if it
+  /// is longer.
   void Balance(const std::vector<Eigen::Vector2d>& points) {
     for (Spring& spring : springs_) {
       const double ratio = (points[spring.a] - points[spring.b]).norm() / spring.length_mm;
@@ -108,7 +109,7 @@ class SpringNet {
  private:
   static constexpr int32_t kPinned = -1, kUnused = -2;
 
-  /// The pull of `other` on `vertex`.
+  /// Adds the pull of `other` on `vertex`.
   void Add(int32_t vertex, int32_t other, double weight, const std::vector<Eigen::Vector2d>& points,
            Eigen::VectorXd* x, Eigen::VectorXd* y) {
     const int32_t row = row_[vertex];

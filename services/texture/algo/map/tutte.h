@@ -10,21 +10,24 @@
 
 namespace slicefarm::texture {
 
+/// First map of a surface.
 struct FirstMap {
-  std::vector<Eigen::Vector2d> points;        ///< by vertex, in mm; unused ones at the origin
-  std::vector<Eigen::Vector2d> hole_middles;  ///< by hole: every edge of its loop is seen from here
+  /// Position of each vertex, in mm; unused ones are at the origin
+  std::vector<Eigen::Vector2d> points;
+  /// Centre of each hole; every edge of the hole's loop is visible from it
+  std::vector<Eigen::Vector2d> hole_middles;
 };
 
-/// A first map without flips: the outer loop on a circle of the surface's area, spaced by its
-/// edges' lengths, each other vertex at a weighted mean of its neighbours; a hole is held open by a
-/// vertex in its middle.
+/// Returns a first map without flips. The outer loop is on a circle with the surface's area, spaced
+/// by its edges' lengths. Each other vertex is at a weighted mean of its neighbours. A hole is held
+/// open by a vertex in its centre.
 ///
-/// The weights are those of springs that hold each edge at its share of its length on the surface,
-/// found in a few rounds: plain means shrink what is far from the boundary (a head on a neck) to
-/// nothing that doubles could tell apart. Any positive symmetric weights give an embedding.
+/// The weights are spring constants, found in a few rounds, so that each edge gets its share of its
+/// length on the surface. Plain means would shrink parts far from the boundary (a head on a neck)
+/// below the precision of doubles. Any positive symmetric weights give an embedding.
 ///
-/// Errors: INTERNAL. Cost: a few sparse factorizations of n vertices.
-/// Source: W. T. Tutte 1963; M. Floater 1997, theorem 4.1.
+/// Errors: INTERNAL. Cost: a few sparse factorizations of n vertices. Source: W. T. Tutte 1963; M.
+/// Floater 1997, theorem 4.1.
 absl::StatusOr<FirstMap> TutteEmbedding(const SurfaceMesh& mesh,
                                         std::span<const BoundaryLoop> loops);
 

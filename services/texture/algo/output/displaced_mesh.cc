@@ -25,7 +25,7 @@ struct FinePoint {
   Eigen::Vector3d place_mm;
   Eigen::Vector2d map_mm;
   Eigen::Vector3d normal;
-  bool border = false;  ///< of a boundary or a seam
+  bool border = false;  ///< true on a boundary or a seam
 };
 
 using FineFace = std::array<int32_t, 3>;
@@ -33,8 +33,8 @@ using FineEdge = std::pair<int32_t, int32_t>;  // the lower number first
 
 FineEdge EdgeOf(int32_t a, int32_t b) { return std::minmax(a, b); }
 
-/// A surface whose edges are halved until none is longer than asked; both faces of an edge see the
-/// same middle, so no gap opens.
+/// Surface with edges halved until none is longer than requested. Both faces of an edge use the
+/// same middle point, so no gap opens.
 class Refinement {
  public:
   explicit Refinement(const SurfaceMap& map) : faces_(map.mesh().triangles) {
@@ -97,7 +97,7 @@ class Refinement {
     return found == middles_.end() ? -1 : found->second;
   }
 
-  /// Into two, three or four faces, by how many of its edges were halved.
+  /// Divides a face into two, three or four faces, by the number of its halved edges.
   void Divide(const FineFace& face, std::vector<FineFace>* next) const {
     std::array<int32_t, 3> middle;
     for (int k = 0; k < 3; ++k) middle[k] = MiddleOf(face[k], face[(k + 1) % 3]);
@@ -133,7 +133,8 @@ class Refinement {
   std::map<FineEdge, int32_t> middles_;
 };
 
-/// No triangle is larger than the equilateral one of the longest edge: so many there are at least.
+/// Checks the number of triangles. No triangle is larger than the equilateral one with the longest
+/// edge, which gives a lower limit of their number.
 absl::Status CheckSize(const SurfaceMesh& mesh, double edge_mm) {
   double area = 0;
   for (size_t t = 0; t < mesh.triangles.size(); ++t) area += DoubleAreaVector(mesh, t).norm() / 2;

@@ -7,20 +7,22 @@
 
 namespace slicefarm::texture {
 
+/// Options for DisplacedMesh.
 struct DisplacedOptions {
-  double edge_mm = 0.2;  ///< longest edge; triangles are divided until theirs are no longer
+  double edge_mm = 0.2;  ///< longest edge; triangles are divided until no edge is longer
 };
 
-/// The surface itself with the texture in it, to be printed by other means: triangles divided,
-/// their points moved along the normals between those of vertices by what the texture is high
-/// there. Within the margin and outside of the mask it stays as it was, and so does a boundary. A
-/// surface that was closed is closed again: the texture breaks off at its seam.
+/// Returns the surface with the texture on it, for manufacturing by other methods. Triangles are
+/// divided, and their points are moved by the texture's height along interpolated vertex normals.
+/// Within the margin, outside of the mask and at a boundary, the surface stays unchanged. A surface
+/// that was closed is closed again: the texture is interrupted at its seam.
 ///
-/// Errors: REQUEST_TOO_LARGE past limits::kMaxTriangles. Cost: O(triangles that come out).
+/// Errors: REQUEST_TOO_LARGE above limits::kMaxTriangles. Cost: O(number of resulting triangles).
 absl::StatusOr<SurfaceMesh> DisplacedMesh(const EngravePlan& plan, const DisplacedOptions& options);
 
-/// As binary STL, or as Wavefront OBJ.
+/// Returns a mesh as binary STL.
 std::string StlBytes(const SurfaceMesh& mesh);
+/// Returns a mesh as Wavefront OBJ.
 std::string ObjText(const SurfaceMesh& mesh);
 
 }  // namespace slicefarm::texture

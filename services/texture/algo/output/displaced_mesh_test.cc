@@ -24,7 +24,8 @@ double VolumeOf(const SurfaceMesh& mesh) {
   return volume;
 }
 
-/// Sides that have no other one between the same places in the other direction.
+/// Returns the number of sides without a matching side in the other direction between the same
+/// positions.
 int64_t OpenSides(const SurfaceMesh& mesh) {
   using Place = std::array<double, 3>;
   std::map<std::pair<Place, Place>, int> sides;

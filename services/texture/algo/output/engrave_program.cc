@@ -22,7 +22,8 @@ absl::Status OutOfReach(const Eigen::Vector3d& place, std::string_view why) {
                                place.y(), place.z(), why));
 }
 
-/// As the program has it: what is not written cannot be missed by the next move.
+/// Returns a value as written in the program, so that the next move accounts for digits that are
+/// not written.
 double Rounded(double value, double digits) { return std::round(value * digits) / digits; }
 
 }  // namespace
@@ -84,7 +85,7 @@ void EngraveProgram::Switch(bool on, std::string* text) {
   *text += on ? fmt::format("M3 S{:g}\n", options_.power) : "M5\n";
 }
 
-/// From the safe height: axes turn, then the tool comes down.
+/// Moves from the safe height to a stop: first the axes turn, then the tool comes down.
 void EngraveProgram::Approach(const Stop& stop, std::string* text) {
   const Eigen::Vector3d& p = stop.axes.xyz_mm;
   const auto out = std::back_inserter(*text);

@@ -13,46 +13,51 @@ namespace slicefarm::texture {
 using slicefarm::ProgramFacts;
 using slicefarm::ToolKind;
 
-/// What a machine's program needs to know.
+/// Options for a machine's program.
 struct ProgramOptions {
   AxisOptions axes = {};
   ToolKind tool = ToolKind::kBeam;
-  double power = 1000;          ///< S: of a beam, or turns a minute
-  double feed_mm_min = 1200;    ///< of the tip over the part
-  double link_mm_min = 6000;    ///< of the tip, between lines
-  double turn_deg_min = 7200;   ///< most of a rotary axis
-  double tolerance_mm = 0.005;  ///< how far the tip may leave its way while axes turn
-  double steepest_deg = 60;     ///< of the surface, for a machine without rotary axes
-  double safe_mm = 20;          ///< above the highest point, before the first and after the last
-  double filament_mm = 1.75;    ///< its diameter
-  double layer_mm = 0.05;       ///< height of what an extruder lays down
+  double power = 1000;  ///< S word: power of a beam, or turns per minute
+  double feed_mm_min = 1200;  ///< feed of the tip over the part
+  double link_mm_min = 6000;  ///< feed of the tip between lines
+  double turn_deg_min = 7200;  ///< largest speed of a rotary axis
+  double tolerance_mm = 0.005;  ///< largest deviation of the tip from its path while axes turn
+  double steepest_deg = 60;  ///< steepest surface for a machine without rotary axes
+  /// Height above the highest point, before the first and after the last move
+  double safe_mm = 20;
+  double filament_mm = 1.75;  ///< diameter of the filament
+  double layer_mm = 0.05;  ///< height of a layer from an extruder
 };
 
-/// A height of the machine's Z from which the tool sees the part below it, however it is turned.
+/// Returns a Z height from which the tool is above the part in each of the part's rotations.
 double SafeHeight(const EngravePlan& plan, const ProgramOptions& options);
 
-/// Writes a program of RS-274 (LinuxCNC, and most controllers of five axes) layer by layer. With
-/// rotary axes each move has its own time (G93): the tip keeps its speed over the part whatever the
-/// axes do for it, and moves are divided until the tip stays on its way. Angles go on from those
-/// before; where C does not matter it stays. A layer begins and ends at the safe height, with the
-/// angles that are next to 0: its text depends on no other layer.
+/// Writes a program in RS-274 (LinuxCNC and most controllers with five axes), layer by layer. With
+/// rotary axes, each move has its own time (G93), so the tip keeps its speed over the part for all
+/// movements of the axes. Moves are divided until the tip stays on its path.
+///
+/// Angles continue from the previous ones; where C is arbitrary, it does not turn. A layer begins
+/// and ends at the safe height, with the angles closest to 0, so its text depends on no other
+/// layer.
 class EngraveProgram {
  public:
   EngraveProgram(const ProgramOptions& options, double safe_z_mm)
       : options_(options), axes_(options.axes), safe_z_mm_(safe_z_mm) {}
 
-  /// Units, modes, and the tool at the safe height.
+  /// Returns the begin of the program: units, modes, and the tool at the safe height.
   std::string Start();
-  /// A layer's moves. Errors: OUT_OF_RANGE where an axis would have to go beyond its limit, or the
-  /// surface is too steep for a machine without rotary axes; with the place.
+  /// Returns a layer's moves. Errors, with the position: OUT_OF_RANGE if an axis would exceed its
+  /// limit, or the surface is too steep for a machine without rotary axes.
   absl::StatusOr<std::string> Layer(const LayerPath& path);
+  /// Returns the end of the program.
   std::string End();
 
+  /// Returns the facts about the moves written so far.
   const ProgramFacts& facts() const { return facts_; }
 
  private:
   struct Stop {
-    Eigen::Vector3d place_mm = Eigen::Vector3d::Zero();  ///< of the tip, on the part
+    Eigen::Vector3d place_mm = Eigen::Vector3d::Zero();  ///< position of the tip on the part
     AxisPlace axes = {};
   };
 

@@ -21,10 +21,10 @@ std::vector<LayerPath> PathsOver(const SurfaceMesh& mesh) {
   return *LayerPaths(*plan, 0, 2);
 }
 
-/// Half a cylinder that lies on its side, with its axis along y: normals from -x over z to x.
+/// Returns a half cylinder on its side, with its axis along y: normals from -x over z to x.
 SurfaceMesh Barrel() { return HalfCylinder(12, 10, 12); }
 
-/// A reader of programs of its own: words to values, each line a step.
+/// Reader of programs for this test: converts words to values, with one step per line.
 struct Step {
   std::map<char, double> at;  ///< all axes after the move
   double inverse_minutes = 0;
@@ -61,7 +61,7 @@ Eigen::Matrix3d About(const Eigen::Vector3d& axis, double degrees) {
   return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis).toRotationMatrix();
 }
 
-/// Where the tip is on the part, by the axes' meaning.
+/// Returns the position of the tip on the part, computed from the meaning of the axes.
 Eigen::Vector3d TipOf(const AxisOptions& axes, Step step) {
   const Eigen::Vector3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   const Eigen::Vector3d xyz(step.at['X'], step.at['Y'], step.at['Z']);
@@ -84,7 +84,8 @@ Eigen::Vector3d TipOf(const AxisOptions& axes, Step step) {
 
 class EveryLayout : public testing::TestWithParam<AxisLayout> {};
 
-/// Each point is met within 1 um, in order, and the ways in between within the tolerance.
+/// Each point must be reached within 1 um, in order, and the path between points must stay within
+/// the tolerance.
 TEST_P(EveryLayout, TheProgramReplaysThePaths) {
   const auto paths = PathsOver(Barrel());
   const ProgramOptions options{

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kEvenShare = 0.1;
 
-/// Singular values of a map's Jacobian, the greater one first. Source: closed form of 2 x 2.
+/// Returns the singular values of a map's Jacobian, the larger one first. Source: closed form for 2
+/// x 2 matrices.
 std::array<double, 2> StretchesOf(const Eigen::Matrix2d& j) {
   const Eigen::Vector2d turned(j(0, 0) + j(1, 1), j(1, 0) - j(0, 1));
   const Eigen::Vector2d mirrored(j(0, 0) - j(1, 1), j(1, 0) + j(0, 1));

@@ -13,11 +13,14 @@ using slicefarm::LayerNumbers;
 using slicefarm::MapReport;
 using slicefarm::Spread;
 
-/// REQUIRES: as many values as weights, at least one. Cost: O(n log n).
+/// Returns the spread of weighted values. REQUIRES: equally many values and weights, at least one.
+/// Cost: O(n log n).
 Spread SpreadOf(const std::vector<double>& values, const std::vector<double>& weights);
 
+/// Returns the report of a map: its distortion and the distances of lines.
 absl::StatusOr<MapReport> MapReportOf(const EngravePlan& plan, const CancelToken& cancel = {});
 
+/// Returns the numbers of a layer for the report.
 LayerNumbers NumbersOf(const LayerPath& path);
 
 }  // namespace slicefarm::texture

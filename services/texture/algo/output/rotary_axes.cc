@@ -26,7 +26,8 @@ bool IsTable(AxisLayout layout) {
   return layout == AxisLayout::kTableAb || layout == AxisLayout::kTableBc;
 }
 
-/// From the part to the table's bed, or from the head's to the part.
+/// Returns the rotation from the part's coordinates to the table's, or from the head's to the
+/// part's.
 Eigen::Matrix3d TurnOf(AxisLayout layout, const Eigen::Vector2d& angles) {
   switch (layout) {
     case AxisLayout::kNone:
@@ -43,7 +44,7 @@ Eigen::Matrix3d TurnOf(AxisLayout layout, const Eigen::Vector2d& angles) {
   return Eigen::Matrix3d::Identity();
 }
 
-/// The two pairs of angles, for normals that are not upright.
+/// Returns the two pairs of angles for a normal that is not vertical.
 std::array<Eigen::Vector2d, 2> AnglePairs(AxisLayout layout, const Eigen::Vector3d& n) {
   const double flat = Hypot(n.x(), n.y());
   const double tilt = Atan2(flat, n.z()) / kDegree, turn = Atan2(n.y(), n.x()) / kDegree;

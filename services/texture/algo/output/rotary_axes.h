@@ -11,39 +11,40 @@ namespace slicefarm::texture {
 
 using slicefarm::AxisLayout;
 
-/// A machine's axes. Angles in degrees; positive ones turn counter-clockwise as seen from the end
-/// of the axis they turn about.
+/// Axes of a machine. Angles are in degrees. Positive ones are counter-clockwise as seen from the
+/// end of the rotation axis.
 struct AxisOptions {
   AxisLayout layout = AxisLayout::kTableBc;
-  /// Where a table's axes meet, in the part's coordinates.
+  /// Intersection of a table's rotary axes, in the part's coordinates.
   Eigen::Vector3d centre_mm = Eigen::Vector3d::Zero();
-  double pivot_mm = 100;  ///< from where a head's axes meet to the tip
-  double tilt_deg = 110;  ///< most, either way: of B with C; of A and of B
+  double pivot_mm = 100;  ///< distance from the intersection of a head's axes to the tip
+  double tilt_deg = 110;  ///< largest angle in both directions: of B with C; of A and of B
 };
 
-/// What the machine is told: X, Y, Z and two angles (A and B, or B and C).
+/// Axis values of the machine: X, Y, Z and two angles (A and B, or B and C).
 struct AxisPlace {
   Eigen::Vector3d xyz_mm = Eigen::Vector3d::Zero();
   Eigen::Vector2d angles_deg = Eigen::Vector2d::Zero();
 };
 
-/// Between the tool on the part and a machine's axes.
+/// Converts between the tool on the part and a machine's axes.
 class RotaryAxes {
  public:
   explicit RotaryAxes(const AxisOptions& options) : options_(options) {}
 
-  /// The letters of the angles; blanks: none.
+  /// Returns the letters of the two angles; blanks if there are none.
   const char* Letters() const;
 
-  /// Angles at which the tool points against `normal`: of the two solutions within the limits, each
-  /// with whole turns of C to choose from, the one next to `before`. Where C does not matter it
-  /// stays. None: the limits keep it off.
+  /// Returns the angles at which the tool points against `normal`. Two solutions are possible, and
+  /// whole turns may be added to C. The solution within the limits that is closest to `before` is
+  /// taken. If C is arbitrary, it does not turn. Returns nothing if the limits prevent all
+  /// solutions.
   std::optional<Eigen::Vector2d> AnglesFor(const Eigen::Vector3d& normal,
                                            const Eigen::Vector2d& before) const;
 
-  /// X, Y and Z with which the tip is at a place of the part at these angles.
+  /// Returns the X, Y and Z that put the tip at a position of the part, at these angles.
   Eigen::Vector3d XyzFor(const Eigen::Vector3d& place_mm, const Eigen::Vector2d& angles_deg) const;
-  /// The place of the part at which the tip is.
+  /// Returns the position of the tip on the part.
   Eigen::Vector3d TipAt(const AxisPlace& at) const;
 
  private:

@@ -13,7 +13,7 @@ Eigen::Matrix3d About(const Eigen::Vector3d& axis, double degrees) {
   return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis).toRotationMatrix();
 }
 
-/// The tool's direction in the part, written anew from the axes' meaning.
+/// Returns the tool's direction in the part, computed independently from the meaning of the axes.
 Eigen::Vector3d ToolIn(AxisLayout layout, const Eigen::Vector2d& angles) {
   const Eigen::Vector3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   switch (layout) {
@@ -54,7 +54,7 @@ TEST(RotaryAxes, PointTheToolAgainstTheNormal) {
 TEST(RotaryAxes, GoOnFromTheAnglesBefore) {
   const RotaryAxes axes({.layout = AxisLayout::kTableBc});
   Eigen::Vector2d before(0, 0);
-  // Three turns around a cone: C goes on turning, B stays.
+  // During three turns around a cone, C continues to turn and B stays.
   for (int i = 0; i <= 1080; ++i) {
     const double turn = i * std::numbers::pi / 180;
     const auto angles = axes.AnglesFor({0.6 * std::cos(turn), 0.6 * std::sin(turn), 0.8}, before);

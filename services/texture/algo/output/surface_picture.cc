@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMarginPx = 20;
 
-/// From mm of the picture's plane to pixels.
+/// Canvas that converts mm of the picture's plane to pixels.
 class Canvas {
  public:
   Canvas(const Eigen::Vector2d& low, const Eigen::Vector2d& high, int size_px)
@@ -65,7 +65,7 @@ class Canvas {
   CairoContext context_;
 };
 
-/// Rows: right, up and towards the viewer.
+/// Returns the view matrix, with the rows right, up and towards the viewer.
 Eigen::Matrix3d ViewOf(const Eigen::Vector3d& towards_viewer) {
   const Eigen::Vector3d back = towards_viewer.normalized();
   Eigen::Vector3d right = Eigen::Vector3d(0, 0, 1).cross(back);

@@ -10,21 +10,22 @@
 
 namespace slicefarm::texture {
 
-/// A line over a surface, as a picture shows it.
+/// Line over a surface in a picture.
 struct PictureLine {
   Eigen::Vector3d from_mm;
   Eigen::Vector3d to_mm;
-  Eigen::Vector3d normal;  ///< of the surface: lines on its far side are left out
-  double shade = 0;        ///< 0 to 1 on the scale of colours
+  Eigen::Vector3d normal;  ///< normal of the surface: lines on its far side are left out
+  double shade = 0;  ///< 0 to 1 on the colour scale
 };
 
+/// Options for DrawSurface.
 struct SurfacePictureOptions {
-  int size_px = 1200;  ///< of the longer side
+  int size_px = 1200;  ///< size of the longer side
   Eigen::Vector3d towards_viewer = {0.45, -0.65, 0.61};
 };
 
-/// Draws a surface seen from far away, shaded, with lines on it; far triangles first. Returns a
-/// PNG. Errors: Internal if the picture cannot be made. Cost: O(n log n).
+/// Draws a shaded surface from a distant viewpoint, with lines on it; far triangles are drawn
+/// first. Returns a PNG. Errors: Internal if the picture cannot be made. Cost: O(n log n).
 absl::StatusOr<std::string> DrawSurface(const SurfaceMesh& mesh, std::span<const PictureLine> lines,
                                         const SurfacePictureOptions& options);
 

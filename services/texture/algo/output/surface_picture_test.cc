@@ -22,7 +22,7 @@ TEST(DrawSurface, ShowsLinesOnTheNearSideOnly) {
   ASSERT_TRUE(png.ok()) << png.status();
   const Picture picture(*png);
   EXPECT_EQ(picture.width(), 240);
-  // 20 px a mm, y upwards.
+  // The scale is 20 px per mm, with y upwards.
   const Colour line = picture.At(120, 120), hidden = picture.At(120, 180);
   EXPECT_NE(line.red, line.blue) << "in colour";
   EXPECT_EQ(hidden.red, hidden.blue) << "grey";

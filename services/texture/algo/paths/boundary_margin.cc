@@ -20,7 +20,7 @@ void AddShare(double share, std::vector<double>* shares) {
   if (share > 0 && share < 1) shares->push_back(share);
 }
 
-/// Where the way from `a` by `way` meets the circle around `centre`.
+/// Adds the positions where the line from `a` along `way` meets the circle around `centre`.
 void AddCircle(const Eigen::Vector2d& a, const Eigen::Vector2d& way, const Eigen::Vector2d& centre,
                double radius, std::vector<double>* shares) {
   const Eigen::Vector2d to = a - centre;
@@ -31,7 +31,7 @@ void AddCircle(const Eigen::Vector2d& a, const Eigen::Vector2d& way, const Eigen
   AddShare((-half + std::sqrt(root)) / square, shares);
 }
 
-/// Where it meets the two lines beside a side, `radius` away.
+/// Adds the positions where the line meets the two parallels of a side at distance `radius`.
 void AddBeside(const Eigen::Vector2d& a, const Eigen::Vector2d& way, const Eigen::Vector2d& from,
                const Eigen::Vector2d& to, double radius, std::vector<double>* shares) {
   const Eigen::Vector2d along = (to - from).normalized();

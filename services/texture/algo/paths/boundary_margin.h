@@ -10,14 +10,15 @@
 
 namespace slicefarm::texture {
 
-/// What lies so far from the map's boundary and holes, in mm of the map.
+/// Area at a distance from the map's boundary and holes, in mm of the map.
 class BoundaryMargin {
  public:
   /// REQUIRES: margin_mm > 0.
   BoundaryMargin(const SurfaceMap& map, double margin_mm);
 
+  /// Returns true if a point is at least the margin away from the boundary.
   bool Contains(const Eigen::Vector2d& map_mm) const;
-  /// Adds the shares of a way at which it may come nearer or leave, in any order.
+  /// Adds the relative positions on a line where it may enter or leave the area, in any order.
   void Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b, std::vector<double>* shares) const;
 
  private:
@@ -34,7 +35,8 @@ class BoundaryMargin {
   double cell_mm_ = 1;
   std::array<int32_t, 2> counts_ = {1, 1};
   std::vector<Side> sides_;
-  std::vector<int32_t> starts_;  ///< by cell, into listed_: sides within the margin of it
+  /// Per cell: begin of its sides in listed_, the sides within the margin of the cell
+  std::vector<int32_t> starts_;
   std::vector<int32_t> listed_;
 };
 

@@ -8,35 +8,37 @@
 
 namespace slicefarm::texture {
 
-/// Lines of a layer.
+/// Style of a layer's lines.
 struct LineStyle {
   double spacing_mm = 0.1;
-  double angle_deg = 0;  ///< counter-clockwise from the texture's x
+  double angle_deg = 0;  ///< counter-clockwise from the texture's x axis
 
   friend bool operator==(const LineStyle&, const LineStyle&) = default;
 };
 
-/// How a texture is made on a surface.
+/// Options for making a texture on a surface.
 struct EngraveOptions {
   PlacementOptions placement = {};
   double layer_height_mm = 0.05;
-  std::vector<LineStyle> lines = {{}};  ///< of the first layer, the next one, ...; over again
-  bool equidistant = false;  ///< lines bend so that they lie as far apart on the surface as asked
-  bool engraved = false;     ///< into the surface; else onto it
-  bool outside = false;      ///< what is not the texture is worked, from its top down
-  double margin_mm = 0;      ///< to the boundary
+  /// Styles of the first layer, the next layer, ...; repeated
+  std::vector<LineStyle> lines = {{}};
+  bool equidistant = false;  ///< true: lines bend so that their distance on the surface is even
+  bool engraved = false;  ///< true: into the surface; false: onto it
+  bool outside = false;  ///< true: the area outside of the texture is worked, from its top down
+  double margin_mm = 0;  ///< distance to the boundary
   NormalKind normals = NormalKind::kFaces;
-  bool connect = true;  ///< neighbouring lines, where the way between them lies in the area
+  bool connect = true;  ///< connects neighbouring lines if the path between them is in the area
   double clearance_mm =
-      0;  ///< of links, above the surface and what stands on it; 0: they stay at the layer's height
+      0;  ///< height of links above surface and texture; 0: at the layer's height
   double least_run_mm = 0;  ///< shorter parts of lines are left out
 };
 
-/// Heights at which a texture is cut, ascending: the middles of equal layers, as few as are no
-/// higher than asked.
+/// Returns the heights at which a texture is cut, ascending. They are the middles of equal layers.
+/// There are as few layers as possible without exceeding the requested height.
 std::vector<double> LayerHeights(double texture_mm, double layer_height_mm);
 
-/// How far above the surface a layer of that height is worked; negative: below.
+/// Returns the offset from the surface at which a layer of this height is worked; negative: below
+/// the surface.
 double OffsetOf(const EngraveOptions& options, double texture_mm, double height_mm);
 
 }  // namespace slicefarm::texture

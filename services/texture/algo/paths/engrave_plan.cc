@@ -66,7 +66,8 @@ absl::StatusOr<EngravePlan> PlanEngraving(SurfaceMap map, Texture texture,
                       static_cast<int64_t>(layers));
   std::optional<Texture> mask_texture;
   if (mask) {
-    // The first and the last pixel lie on the box's sides: heights repeat after it.
+    // The first and the last pixel are on the sides of the box, so the period is one pixel larger
+    // than the box.
     const Eigen::Vector2d box = map.high_mm() - map.low_mm();
     mask->size_mm = {box.x() * mask->columns / std::max(mask->columns - 1, 1),
                      box.y() * mask->rows / std::max(mask->rows - 1, 1)};

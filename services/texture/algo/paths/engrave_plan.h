@@ -16,22 +16,24 @@
 
 namespace slicefarm::texture {
 
-/// All that the layers of a job share. Layers are numbered from the texture's base.
+/// Data that all layers of a job share. Layers are numbered from the texture's base.
 struct EngravePlan {
   SurfaceMap map;
   Texture texture;
-  std::optional<Texture> mask;  ///< laid over the map's box; works where it is higher than half
+  /// Laid over the map's box; areas where it is higher than half are worked
+  std::optional<Texture> mask;
   EngraveOptions options;
   Placement placement;
-  std::vector<double> heights_mm;  ///< by layer, above the texture's base
+  std::vector<double> heights_mm;  ///< height of each layer above the texture's base
 
+  /// Returns the number of layers.
   int32_t layer_count() const { return static_cast<int32_t>(heights_mm.size()); }
-  /// The layer that is worked as the i-th.
+  /// Returns the i-th layer in the order of work.
   int32_t LayerAt(int32_t i) const { return options.outside ? layer_count() - 1 - i : i; }
 };
 
-/// Errors: SETTING_OUT_OF_RANGE, naming the option; REQUEST_TOO_LARGE for more layers than
-/// limits::kMaxLayers.
+/// Makes the plan of a job. Errors: SETTING_OUT_OF_RANGE with the name of the option;
+/// REQUEST_TOO_LARGE for more layers than limits::kMaxLayers.
 absl::StatusOr<EngravePlan> PlanEngraving(SurfaceMap map, Texture texture,
                                           std::optional<HeightGrid> mask,
                                           const EngraveOptions& options);

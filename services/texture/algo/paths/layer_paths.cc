@@ -35,7 +35,8 @@ absl::StatusOr<std::vector<double>> FieldOf(const EngravePlan& plan, const LineS
   return StraightField(plan.map, direction);
 }
 
-/// The lines of a style, and along which way of the map each level's are ordered.
+/// Returns the lines of a style, with the direction of the map in which the lines of each level are
+/// ordered.
 absl::StatusOr<std::vector<LevelSet>> LinesOf(const EngravePlan& plan, const LineStyle& style,
                                               const CancelToken& cancel) {
   const auto field = FieldOf(plan, style, cancel);
@@ -65,13 +66,13 @@ absl::StatusOr<std::vector<LevelSet>> LinesOf(const EngravePlan& plan, const Lin
   return sets;
 }
 
-/// The highest that stands on the surface while a layer is worked.
+/// Returns the height of the highest material on the surface while a layer is worked.
 double TopOf(const EngravePlan& plan, const LayerPath& path) {
   if (plan.options.engraved) return 0;
   return plan.options.outside ? plan.texture.height_mm : path.offset_mm;
 }
 
-/// Puts a layer's points together.
+/// Assembles a layer's points.
 class PathMaker {
  public:
   PathMaker(const EngravePlan& plan, const WorkArea& area, LayerPath* path)
@@ -112,7 +113,8 @@ class PathMaker {
            kConnectSpacings * path_->spacing_mm;
   }
 
-  /// Step by step: a way along an outline may lie on either side of it by a trifle.
+  /// Returns true if the path is in the area. It is checked step by step, because a path along an
+  /// outline may be on either side of it by rounding.
   bool IsInArea(const SurfacePoint& from, const std::vector<SurfacePoint>& between,
                 const SurfacePoint& to) const {
     Eigen::Vector2d last = plan_.map.MapPlace(from);
@@ -182,7 +184,7 @@ absl::Status FillLayer(const EngravePlan& plan, const std::vector<LevelSet>& lin
   return absl::OkStatus();
 }
 
-/// Where masks let work, as sections that areas refer to.
+/// Returns the areas where masks allow work, as sections to which areas refer.
 std::vector<Section> MaskSections(const EngravePlan& plan) {
   if (!plan.mask) return {};
   const double half[] = {plan.mask->height_mm / 2};

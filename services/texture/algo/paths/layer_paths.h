@@ -10,39 +10,41 @@
 
 namespace slicefarm::texture {
 
-/// A place of the tool's tip.
+/// Position of the tool's tip.
 struct ToolPoint {
   Eigen::Vector3d place_mm;
-  Eigen::Vector3d normal;  ///< of the surface below: the tool's direction, backwards
-  bool on = false;         ///< whether the way to this point is worked
+  Eigen::Vector3d normal;  ///< normal of the surface below: the tool's direction, reversed
+  bool on = false;  ///< true if the path to this point is worked
 };
 
+/// Path of the tool in one layer.
 struct LayerPath {
-  int32_t layer = 0;     ///< from the texture's base
-  double height_mm = 0;  ///< in the texture
-  double offset_mm = 0;  ///< above the surface
+  int32_t layer = 0;  ///< index from the texture's base
+  double height_mm = 0;  ///< height in the texture
+  double offset_mm = 0;  ///< offset from the surface
   double spacing_mm = 0;
-  std::vector<ToolPoint> points = {};  ///< in order of travel; the first one is reached by a link
-  int64_t runs = 0;                    ///< of lines
+  std::vector<ToolPoint> points = {};  ///< in order of travel; a link leads to the first one
+  int64_t runs = 0;  ///< number of worked parts of lines
   double on_mm = 0;
   double off_mm = 0;
-  double section_mm2 = 0;  ///< of a tile
-  /// Ways whose lift turns them back: the surface bends more there than the offset allows.
+  double section_mm2 = 0;  ///< area of the section of one tile
+  /// Number of places where lifting reverses a path, because the surface bends more than the offset
+  /// allows.
   int64_t folds = 0;
-  double folds_mm = 0;  ///< on the surface
+  double folds_mm = 0;  ///< length of these places on the surface
   Eigen::Vector3d first_fold_mm = Eigen::Vector3d::Zero();
 };
 
-/// The layers that are worked as the first-th to the one before end, in order of work: lines to and
-/// fro over the surface, lifted along its normals. No layer depends on the others of the call.
+/// Returns the layers [first, end) in the order of work. Their lines run to and fro over the
+/// surface, lifted along its normals. Each layer is independent of the other layers of the call.
 /// Errors: REQUEST_TOO_LARGE for more lines than limits::kMaxLinesPerFill or more points in a layer
-/// than limits::kMaxPointsPerLayer; Cancelled. Cost: O(triangles each line passes + sides of the
-/// section near it).
+/// than limits::kMaxPointsPerLayer; Cancelled. Cost: O(triangles that each line passes + sides of
+/// the section near it).
 absl::StatusOr<std::vector<LayerPath>> LayerPaths(const EngravePlan& plan, int32_t first,
                                                   int32_t end, const CancelToken& cancel = {});
 
-/// Distances between neighbouring lines on the surface, by triangle, as the first layer's lines
-/// have them; by the surface's area they tell how even the lines lie.
+/// Returns the distances between neighbouring lines on the surface, per triangle, for the first
+/// layer. Weighted by the surface's area, they show how even the lines are.
 absl::StatusOr<std::vector<double>> LineDistances(const EngravePlan& plan,
                                                   const CancelToken& cancel = {});
 

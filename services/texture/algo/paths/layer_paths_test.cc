@@ -32,7 +32,7 @@ TEST(LayerPaths, LiesAtItsHeightWhereTheTextureIsSolid) {
       const Eigen::Vector2d place = plan.placement.ToTexture(middle.head<2>());
       EXPECT_GT(plan.texture.heights.At(place), path.height_mm - 1e-9) << middle.transpose();
     }
-    // Lines cover the section.
+    // The lines cover the section.
     const double area = 25 * path.section_mm2;
     EXPECT_NEAR(path.on_mm * path.spacing_mm, area, 0.12 * area) << path.layer;
   }
@@ -103,7 +103,7 @@ TEST(LayerPaths, KeepToMasks) {
 }
 
 TEST(LayerPaths, TellWhereALiftTurnsBack) {
-  // A valley of 90 degrees: offsets of its sides meet.
+  // The surface is a valley of 90 degrees, where the offsets of its sides meet.
   const SurfaceMesh valley = GridSurface(
       40, [](double x, double y) { return Eigen::Vector3d(8 * x, 8 * y, std::abs(8 * x - 4)); });
   const auto folds = [&](const std::string& texture) {

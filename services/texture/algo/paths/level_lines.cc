@@ -6,14 +6,14 @@
 namespace slicefarm::texture {
 namespace {
 
-/// One level being walked. A triangle with vertices on both sides has one way in, across the side
-/// where the field rises, and one out.
+/// Walk along one level. A triangle with vertices on both sides is entered across the side where
+/// the field falls and left across the side where it rises.
 class LevelWalk {
  public:
   LevelWalk(const SurfaceMap& map, std::span<const double> field, double level)
       : map_(map), field_(field), level_(level) {}
 
-  /// The corner of the side by which the line leaves the triangle (falling along it) or enters it.
+  /// Returns the corner of the side by which the line leaves the triangle.
   int SideOut(int32_t triangle) const { return SideWhere(triangle, true); }
   int SideIn(int32_t triangle) const { return SideWhere(triangle, false); }
 
@@ -27,8 +27,8 @@ class LevelWalk {
  private:
   bool IsAbove(int32_t vertex) const { return field_[vertex] >= level_; }
 
-  /// Counter-clockwise around a triangle, a line with the greater values on its left leaves where
-  /// the field rises and enters where it falls.
+  /// Returns the side where the field rises or falls, counter-clockwise around a triangle. A line
+  /// with the larger values on its left leaves where the field rises and enters where it falls.
   int SideWhere(int32_t triangle, bool rises) const {
     const auto& corners = map_.mesh().triangles[triangle];
     for (int k = 0; k < 3; ++k) {
@@ -43,7 +43,7 @@ class LevelWalk {
   double level_;
 };
 
-/// The triangles that each level passes, ascending.
+/// Returns the triangles that each level passes, ascending.
 std::vector<std::vector<int32_t>> TrianglesByLevel(const SurfaceMap& map,
                                                    std::span<const double> field,
                                                    std::span<const double> levels) {
@@ -59,7 +59,7 @@ std::vector<std::vector<int32_t>> TrianglesByLevel(const SurfaceMap& map,
   return by_level;
 }
 
-/// Walks from a triangle to the boundary, or around; marks triangles as walked.
+/// Walks from a triangle to the boundary, or once around, and marks triangles as used.
 LevelLine LineFrom(const SurfaceMap& map, const LevelWalk& walk, int32_t start,
                    std::vector<bool>* open) {
   LevelLine line;

@@ -56,7 +56,7 @@ TEST(LevelLines, MayBeClosed) {
   EXPECT_NEAR(LengthOf(map, (*sets)[0].lines[0]), 2 * std::numbers::pi * 3, 0.2);
 }
 
-/// Each step lies in one triangle, and the next one in its neighbour.
+/// Each step is in one triangle, and the next step is in its neighbour.
 TEST(LevelLines, StayInNeighbouringTriangles) {
   const SurfaceMap map = FlatMapOf(Cap(14, -0.5));
   const auto field = StraightField(map, {0.6, 0.8});

@@ -15,11 +15,12 @@ constexpr int kRoundsOfSquares = 10;  // then the sum of what gradients are off,
 constexpr int kMostRounds = 400;
 constexpr double kSlack = 0.05;  // lengths of gradients that are this near to 1 will do
 constexpr double kShrink = 0.3;  // how much of what a gradient is off is forgiven in a round
-// Done when so much of the lines' length lies within so much of the distance asked for.
+// Condition to finish: the share kEnough of the lines' length is within the fraction kEven of the
+// requested distance.
 constexpr double kEven = 0.1;
 constexpr double kEnough = 0.96;
 
-/// A triangle's part in fields: the gradients of its corners' hat functions, laid flat.
+/// Gradients of a triangle's hat functions, laid flat, and its area.
 struct FlatHats {
   std::array<Eigen::Vector2d, 3> gradients;
   double area = 0;
@@ -38,8 +39,8 @@ Eigen::Vector2d GradientOf(const FlatHats& hats, const std::array<int32_t, 3>& c
          field[corners[2]] * hats.gradients[2];
 }
 
-/// The vector whose length is as far from a length that will do as the given one's less `forgiven`,
-/// or that length.
+/// Returns the vector with its length moved towards an acceptable length. The remaining error is
+/// the given one minus `forgiven`, at least 0.
 Eigen::Vector2d NearestFair(const Eigen::Vector2d& v, double forgiven) {
   const double length = v.norm();
   if (length == 0) return v;
@@ -48,7 +49,7 @@ Eigen::Vector2d NearestFair(const Eigen::Vector2d& v, double forgiven) {
   return v / length * (fair + std::copysign(kept, off));
 }
 
-/// Finds fields by their gradients, in the least squares over the surface.
+/// Finds fields from their gradients, by least squares over the surface.
 class GradientFit {
  public:
   explicit GradientFit(const SurfaceMesh& mesh) : mesh_(mesh), system_(SystemOf(mesh)) {
@@ -72,7 +73,7 @@ class GradientFit {
         }
       }
     }
-    // A constant may be added to a field: one of its values is held.
+    // A constant may be added to a field, so one of its values is fixed.
     values[system_.IndexOf(mesh_.triangles[0][0], mesh_.triangles[0][0])] += 1;
     for (size_t v = 0; v < used.size(); ++v) {
       const auto vertex = static_cast<int32_t>(v);

@@ -9,31 +9,34 @@
 
 namespace slicefarm::texture {
 
-/// A number by vertex whose levels are lines along `direction` in the map: straight ones, which lie
-/// as far apart on the surface as the map's stretch makes them. Unit: mm of the map.
+/// Returns a value per vertex with levels that are straight lines along `direction` in the map.
+/// Their distance on the surface depends on the map's stretch. Unit: mm of the map.
 std::vector<double> StraightField(const SurfaceMap& map, const Eigen::Vector2d& direction);
 
-/// One whose levels lie as far apart on the surface as they differ, wherever the surface lets them:
-/// a field next to the straight one whose gradients are within 5 % of length 1, but for few places.
-/// Lines bend for it, and where a surface shrinks or bulges some end or begin in ridges of the
-/// field. A ridge is a strip of triangles, so fine meshes are more even.
+/// Returns a field with levels that have a distance on the surface equal to their difference, as
+/// far as the surface allows. It is the field closest to the straight one with gradients within 5 %
+/// of length 1, except in a few places. The lines bend, and where a surface shrinks or bulges, some
+/// lines end or begin in ridges of the field. A ridge is a strip of triangles, so fine meshes are
+/// more even.
 ///
-/// Steps: each gradient is scaled towards length 1, and the field whose gradients are next to those
-/// (a sparse system, factored once) is the next one; first by least squares, then by the least sum
-/// of what gradients are off, which gathers what cannot be even in few places. Errors: INTERNAL;
-/// Cancelled. Cost: one factorization and 10 to 400 solutions.
-/// Source: the eikonal equation |grad f| = 1 by local/global steps as of Sorkine and Alexa,
+/// Each step scales all gradients towards length 1. Then it finds the field with gradients closest
+/// to these (a sparse system, factored once). The first steps use least squares. The later ones
+/// minimize the sum of the gradients' errors, which concentrates unavoidable errors in few places.
+/// Errors: INTERNAL; Cancelled. Cost: one factorization and 10 to 400 solutions.
+///
+/// Source: the eikonal equation |grad f| = 1 by local/global steps as in Sorkine and Alexa,
 /// "As-Rigid-As-Possible Surface Modeling", SGP 2007, then by ADMM (Boyd et al. 2011, section 6.1).
 absl::StatusOr<std::vector<double>> EquidistantField(const SurfaceMap& map,
                                                      const Eigen::Vector2d& direction,
                                                      const CancelToken& cancel = {});
 
-/// The length of the field's gradient on a triangle of the surface: levels that differ by 1 lie 1 /
-/// that apart.
+/// Returns the length of the field's gradient on a triangle of the surface. Levels that differ by 1
+/// have the inverse of it as their distance.
 double GradientLength(const SurfaceMap& map, const std::vector<double>& field, int32_t triangle);
 
-/// Levels `spacing` apart that leave equal margins: at low + (l - (n - 1) spacing) / 2 + i spacing,
-/// n = floor(l / spacing) of the length l = high - low, or the middle alone. REQUIRES: spacing > 0.
+/// Returns levels with distance `spacing` and equal margins: low + (l - (n - 1) spacing) / 2 + i
+/// spacing. Here l = high - low and n = floor(l / spacing). If n is 0, it returns only the middle.
+/// REQUIRES: spacing > 0.
 std::vector<double> CentredLevels(double low, double high, double spacing);
 
 }  // namespace slicefarm::texture

@@ -20,7 +20,8 @@ TEST(CentredLevels, LeaveEqualMargins) {
   expect(-4, 6, 3, {-2, 1, 4});
 }
 
-/// By area, how much of the surface has lines within 10 % of the distance asked for.
+/// Returns the share of the surface's area where the distance of lines is within 10 % of the
+/// requested one.
 double EvenShare(const SurfaceMap& map, const std::vector<double>& field) {
   double even = 0, all = 0;
   for (size_t t = 0; t < map.mesh().triangles.size(); ++t) {

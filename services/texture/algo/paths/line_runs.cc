@@ -7,7 +7,7 @@
 namespace slicefarm::texture {
 namespace {
 
-/// A place along a line: in a step from edge to edge, and how far.
+/// Position on a line: the index of a step from edge to edge, and the share of this step.
 struct LinePlace {
   size_t step = 0;
   double share = 0;
@@ -18,7 +18,7 @@ struct LinePart {
   LinePlace to;
 };
 
-/// A line with its places in the map.
+/// Line with its positions in the map.
 class MappedLine {
  public:
   MappedLine(const SurfaceMap& map, const LevelLine& line) : map_(map), line_(line) {
@@ -34,8 +34,9 @@ class MappedLine {
     return places_[place.step] + place.share * (places_[place.step + 1] - places_[place.step]);
   }
 
-  /// The parts in the area. Each piece of a step between two cuts is judged by itself: where an
-  /// outline passes through the place between two steps, rounding may give the crossing to neither.
+  /// Returns the parts of the line in the area. Each piece of a step between two cuts is tested
+  /// separately. If an outline passes through the point between two steps, rounding may assign the
+  /// crossing to neither of them.
   std::vector<LinePart> PartsIn(const WorkArea& area) const {
     std::vector<LinePart> parts;
     std::vector<double> shares;

@@ -11,7 +11,7 @@ namespace {
 
 TEST(RunsOf, ALineCrossesRidges) {
   const SurfaceMap map = MapFromAbove(FlatSquare(7, 20));
-  // Solid from 1 to 3 of each 4 mm at half height.
+  // The texture is solid from 1 to 3 of each 4 mm at half height.
   const Texture ridges = *TextureOf(
       *ComputedHeights(*ParseTextureSpec("grooves:height=1,pitch=4,size=0.6,slope=0.1,detail=80")));
   const auto sections = SectionsOf(ridges, std::array{0.5});

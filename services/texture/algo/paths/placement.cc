@@ -9,12 +9,13 @@
 namespace slicefarm::texture {
 namespace {
 
-/// A direction at a triangle of the surface as one of the map; none if it is upright there.
+/// Returns a direction at a triangle of the surface as a direction in the map; nothing if it is
+/// perpendicular to the triangle.
 std::optional<Eigen::Vector2d> IntoMap(const SurfaceMap& map, int32_t triangle,
                                        const Eigen::Vector3d& direction) {
   const auto& [a, b, c] = map.mesh().triangles[triangle];
   const auto& points = map.mesh().points_mm;
-  // Along the triangle's frame of RestOf: x along its first edge.
+  // The frame is the triangle's one in RestOf: x along its first edge.
   const Eigen::Vector3d x = (points[b] - points[a]).normalized();
   const Eigen::Vector3d y = map.FaceNormal(triangle).cross(x);
   const Eigen::Vector2d flat(x.dot(direction), y.dot(direction));

@@ -8,25 +8,27 @@
 
 namespace slicefarm::texture {
 
-/// How a texture lies on a surface.
+/// Options for placing a texture on a surface.
 struct PlacementOptions {
-  std::optional<Eigen::Vector3d> anchor_mm = {};  ///< where its origin lies; none: the map's middle
+  /// Position of its origin; none: the map's middle
+  std::optional<Eigen::Vector3d> anchor_mm = {};
   std::optional<Eigen::Vector3d> direction =
-      {};               ///< along which its x runs there; none: the map's x
-  double turn_deg = 0;  ///< further, counter-clockwise
-  double scale = 1;     ///< of its width and length, not of its height
-  bool repeat = true;   ///< over the whole surface; else one tile
-  bool middle = false;  ///< its middle lies at the anchor, not its corner
+      {};  ///< direction of its x axis there; none: the map's x
+  double turn_deg = 0;  ///< additional rotation, counter-clockwise
+  double scale = 1;  ///< scale of its width and length, not of its height
+  bool repeat = true;  ///< true: over the whole surface; false: one tile
+  bool middle = false;  ///< true: its middle is at the anchor instead of its corner
 };
 
-/// From the map to the texture's plane and back.
+/// Conversion from the map to the texture's plane.
 struct Placement {
-  Eigen::Vector2d anchor_mm = Eigen::Vector2d::Zero();  ///< in the map
-  Eigen::Vector2d origin_mm = Eigen::Vector2d::Zero();  ///< in the texture, what lies there
-  Eigen::Vector2d x_axis = Eigen::Vector2d(1, 0);       ///< the texture's x, in the map
+  Eigen::Vector2d anchor_mm = Eigen::Vector2d::Zero();  ///< position in the map
+  Eigen::Vector2d origin_mm = Eigen::Vector2d::Zero();  ///< position in the texture at the anchor
+  Eigen::Vector2d x_axis = Eigen::Vector2d(1, 0);  ///< direction of the texture's x axis in the map
   double scale = 1;
   bool repeat = true;
 
+  /// Converts a position of the map to the texture's plane.
   Eigen::Vector2d ToTexture(const Eigen::Vector2d& map_mm) const {
     const Eigen::Vector2d way = map_mm - anchor_mm;
     return origin_mm +
@@ -34,8 +36,9 @@ struct Placement {
   }
 };
 
-/// An anchor is taken to the surface's point next to it, a direction into the surface there; one
-/// that stands upright on it falls back to the map's x.
+/// Returns the placement on a map. An anchor is projected to the nearest point of the surface, and
+/// a direction to the surface's tangent there. A direction perpendicular to the surface is replaced
+/// by the map's x.
 Placement PlacementOn(const SurfaceMap& map, const PlacementOptions& options,
                       const Eigen::Vector2d& tile_mm);
 

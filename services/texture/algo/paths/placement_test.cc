@@ -35,7 +35,7 @@ TEST(Placement, AnUprightDirectionFallsBack) {
             Eigen::Vector2d(1, 0));
 }
 
-/// On a cylinder, a direction around it stays one wherever the map has turned it.
+/// On a cylinder, a direction around it stays such a direction for each rotation of the map.
 TEST(Placement, FollowsTheSurface) {
   const SurfaceMap map = FlatMapOf(HalfCylinder(16, 5, 12));
   const Eigen::Vector3d top(0, 6, 5);

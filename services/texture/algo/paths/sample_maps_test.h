@@ -11,7 +11,7 @@
 
 namespace slicefarm::texture {
 
-/// Cut open if it must be, and laid flat.
+/// Returns the map of a mesh, which is cut open if necessary.
 inline SurfaceMap FlatMapOf(const SurfaceMesh& mesh) {
   const auto topology = TopologyOf(mesh);
   if (!topology.ok()) std::abort();
@@ -21,7 +21,7 @@ inline SurfaceMap FlatMapOf(const SurfaceMesh& mesh) {
   return {std::move(opened), std::move(flat->points_mm)};
 }
 
-/// With x and y of each vertex as its map: of a surface that is one over the plane.
+/// Returns a map with x and y of each vertex, for a surface that is a function over the plane.
 inline SurfaceMap MapFromAbove(const SurfaceMesh& mesh) {
   OpenedSurface opened{mesh, std::vector<int32_t>(mesh.points_mm.size())};
   std::iota(opened.vertex_of.begin(), opened.vertex_of.end(), 0);
@@ -30,7 +30,7 @@ inline SurfaceMap MapFromAbove(const SurfaceMesh& mesh) {
   return {std::move(opened), std::move(points)};
 }
 
-/// A square with a square hole in its middle, from 0 to side.
+/// Returns a square with a square hole in its middle, from 0 to side.
 inline SurfaceMesh SquareWithHole(int n, double side_mm) {
   return Without(FlatSquare(n, side_mm), [=](const Eigen::Vector3d& p) {
     return (p.head<2>() / side_mm - Eigen::Vector2d(0.5, 0.5)).cwiseAbs().maxCoeff() < 0.2;

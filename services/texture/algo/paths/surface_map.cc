@@ -9,7 +9,7 @@
 namespace slicefarm::texture {
 namespace {
 
-/// A side of a triangle under its edge's vertices, the lower number first.
+/// Side of a triangle with its edge's vertices, the lower number first.
 struct SideOfEdge {
   int32_t low = 0;
   int32_t high = 0;
@@ -19,7 +19,8 @@ struct SideOfEdge {
   friend auto operator<=>(const SideOfEdge&, const SideOfEdge&) = default;
 };
 
-/// For each side, the triangle on its other side. `name`: a vertex's number, by which sides meet.
+/// Returns for each side the triangle on its other side. `name` returns a vertex's number; sides
+/// with equal numbers match.
 template <typename Name>
 std::vector<std::array<int32_t, 3>> NeighboursBy(const SurfaceMesh& mesh, Name name) {
   std::vector<SideOfEdge> sides;
@@ -55,7 +56,8 @@ double AngleAt(const Eigen::Vector3d& at, const Eigen::Vector3d& a, const Eigen:
   return Atan2(u.cross(v).norm(), u.dot(v));
 }
 
-/// Means of the faces around each vertex by their angles, over the surface before it was cut.
+/// Returns the mean of the faces' normals around each vertex, weighted by their angles, on the
+/// surface before it was cut.
 std::vector<Eigen::Vector3d> VertexNormals(const SurfaceMesh& mesh,
                                            const std::vector<Eigen::Vector3d>& faces,
                                            const std::vector<int32_t>& vertex_of) {
@@ -73,7 +75,7 @@ std::vector<Eigen::Vector3d> VertexNormals(const SurfaceMesh& mesh,
   return normals;
 }
 
-/// The boundary's loops; `next`: by vertex, -1 inside.
+/// Returns the boundary's loops. `next`: next vertex on the boundary, per vertex; -1 inside.
 std::vector<std::vector<int32_t>> LoopsAlong(std::vector<int32_t> next) {
   std::vector<std::vector<int32_t>> loops;
   for (size_t start = 0; start < next.size(); ++start) {
@@ -97,7 +99,7 @@ double DoubledArea(const std::vector<int32_t>& loop, const std::vector<Eigen::Ve
   return area;
 }
 
-/// Shares of a triangle's corners at its point next to `p`. Source: C. Ericson, "Real-Time
+/// Returns the corner weights of a triangle's point closest to `p`. Source: C. Ericson, "Real-Time
 /// Collision Detection", 5.1.5.
 Eigen::Vector3d NearestWeights(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                                const Eigen::Vector3d& b, const Eigen::Vector3d& c) {

@@ -13,8 +13,8 @@
 
 namespace slicefarm::texture {
 
-/// A place on a surface: shares of a triangle's corners that add up to 1. On an edge, the share of
-/// the corner opposite of it is exactly 0.
+/// Point on a surface: weights of a triangle's corners that add up to 1. On an edge, the weight of
+/// the opposite corner is exactly 0.
 struct SurfacePoint {
   int32_t triangle = 0;
   Eigen::Vector3d weights = Eigen::Vector3d::Zero();
@@ -22,44 +22,51 @@ struct SurfacePoint {
 
 using slicefarm::NormalKind;
 
-/// A surface of disk topology, with holes or without, and its one-to-one map into the plane.
-///
-/// Where a closed surface was cut open, its normals are those of the closed one.
+/// Surface with disk topology, possibly with holes, and its one-to-one map into the plane. If a
+/// closed surface was cut open, its normals are the ones of the closed surface.
 class SurfaceMap {
  public:
-  /// `points_mm`: the map, by the opened mesh's vertices (Flatten).
+  /// `points_mm`: the map, per vertex of the opened mesh (Flatten).
   SurfaceMap(OpenedSurface opened, std::vector<Eigen::Vector2d> points_mm);
 
   const SurfaceMesh& mesh() const { return mesh_; }
   std::span<const Eigen::Vector2d> map_mm() const { return map_mm_; }
   std::span<const int32_t> vertex_of() const { return vertex_of_; }
-  /// The triangle across the side from corner k to the next one; -1: none.
+  /// Returns the triangle across the side from corner k to the next corner; -1 if there is none.
   int32_t Neighbour(int32_t triangle, int k) const { return neighbours_[triangle][k]; }
-  /// Vertices around the map and its holes, the map on the left; the outer one first.
+  /// Returns the vertices around the map and its holes, with the map on the left; the outer loop is
+  /// first.
   std::span<const std::vector<int32_t>> loops() const { return loops_; }
-  /// The triangle whose side leaves a vertex of the boundary along it, and the side's corner.
+  /// Side of a triangle on the boundary, beginning at its corner.
   struct BoundarySide {
     int32_t triangle = -1;
     int corner = 0;
   };
+  /// Returns the boundary side that begins at a vertex.
   BoundarySide SideFrom(int32_t vertex) const { return side_from_[vertex]; }
-  /// Where a vertex of the boundary stands in its loop.
+  /// Position of a boundary vertex in its loop.
   struct LoopPlace {
     int32_t loop = -1;
     int32_t index = 0;
   };
+  /// Returns the position of a vertex in its loop; loop -1 inside.
   LoopPlace InLoop(int32_t vertex) const { return in_loop_[vertex]; }
 
+  /// Returns a point's position in the map.
   Eigen::Vector2d MapPlace(const SurfacePoint& point) const;
+  /// Returns a point's position in space.
   Eigen::Vector3d Place(const SurfacePoint& point) const;
+  /// Returns the normal at a point.
   Eigen::Vector3d Normal(const SurfacePoint& point, NormalKind kind) const;
+  /// Returns the normal of a triangle.
   const Eigen::Vector3d& FaceNormal(int32_t triangle) const { return face_normals_[triangle]; }
+  /// Returns the normal at a vertex.
   const Eigen::Vector3d& VertexNormal(int32_t vertex) const { return vertex_normals_[vertex]; }
 
-  Eigen::Vector2d low_mm() const { return low_mm_; }  ///< the map's box
+  Eigen::Vector2d low_mm() const { return low_mm_; }  ///< corner of the map's box
   Eigen::Vector2d high_mm() const { return high_mm_; }
 
-  /// The point of the surface next to a place in space. Cost: O(n).
+  /// Returns the point of the surface closest to a position in space. Cost: O(n).
   SurfacePoint NearestTo(const Eigen::Vector3d& place_mm) const;
 
  private:
@@ -68,11 +75,11 @@ class SurfaceMap {
   std::vector<Eigen::Vector2d> map_mm_;
   std::vector<std::array<int32_t, 3>> neighbours_;
   std::vector<std::vector<int32_t>> loops_;
-  std::vector<BoundarySide> side_from_;  ///< by vertex
-  std::vector<LoopPlace> in_loop_;       ///< by vertex
+  std::vector<BoundarySide> side_from_;  ///< per vertex
+  std::vector<LoopPlace> in_loop_;  ///< per vertex
   std::vector<Eigen::Vector3d> face_normals_;
-  std::vector<Eigen::Vector3d> vertex_normals_;               ///< by the opened mesh's vertices
-  std::vector<std::array<Eigen::Vector3d, 3>> edge_normals_;  ///< of the side from corner k
+  std::vector<Eigen::Vector3d> vertex_normals_;  ///< per vertex of the opened mesh
+  std::vector<std::array<Eigen::Vector3d, 3>> edge_normals_;  ///< normal of the side from corner k
   Eigen::Vector2d low_mm_;
   Eigen::Vector2d high_mm_;
 };

@@ -34,7 +34,7 @@ TEST(SurfaceMap, KnowsNeighboursAndLoops) {
   }
 }
 
-/// Faces of a roof of 90 degrees: on its ridge, half way between.
+/// The faces are a roof of 90 degrees; on its ridge the normal is halfway between.
 TEST(SurfaceMap, NormalsAreOfFacesEdgesAndVertices) {
   const SurfaceMesh roof = GridSurface(2, [](double x, double y) {
     return Eigen::Vector3d(2 * x, 2 * y, x < 0.6 ? 2 * x : 2 - 2 * x);
@@ -70,7 +70,7 @@ TEST(SurfaceMap, NormalsDoNotBreakAtASeam) {
     for (int k = 0; k < 3; ++k) {
       SurfacePoint on_edge{static_cast<int32_t>(t), Eigen::Vector3d::Zero()};
       on_edge.weights[k] = on_edge.weights[(k + 1) % 3] = 0.5;
-      // The mean of two faces of a sphere points to the edge's middle; one face's does not.
+      // The mean of two faces of a sphere points to the edge's middle; one face's normal does not.
       const Eigen::Vector3d outwards = map.Place(on_edge).normalized();
       EXPECT_GT(map.Normal(on_edge, NormalKind::kFaces).dot(outwards), 1 - 2e-3);
     }

@@ -9,13 +9,14 @@ namespace {
 
 constexpr double kInwards = 1e-7;  // ends are moved off edges by this share of their triangle
 
-/// The straight line of a walk. Vertices on it count as on its left.
+/// Straight line of a walk. Vertices on it count as left of it.
 class Course {
  public:
   Course(const SurfaceMap& map, const Eigen::Vector2d& from, const Eigen::Vector2d& to)
       : map_(map), from_(from), way_(to - from) {}
 
-  /// The corner of the side by which the line leaves a triangle; -1: it does not pass it.
+  /// Returns the corner of the side by which the line leaves a triangle; -1 if the line does not
+  /// pass it.
   int SideOut(int32_t triangle) const {
     const auto& corners = map_.mesh().triangles[triangle];
     for (int k = 0; k < 3; ++k)
@@ -33,12 +34,12 @@ class Course {
     return point;
   }
 
-  /// Share of the way at a point of the line.
+  /// Returns the relative position of a point on the line.
   double ShareAt(const SurfacePoint& point) const {
     return (map_.MapPlace(point) - from_).dot(way_) / way_.squaredNorm();
   }
 
-  /// Whether the line comes in across the boundary's side from a vertex to the next one.
+  /// Returns true if the line enters across the boundary side between two vertices.
   bool EntersAt(int32_t vertex, int32_t next) const { return Left(vertex) >= 0 && Left(next) < 0; }
 
  private:
@@ -66,7 +67,7 @@ double LengthAlong(const SurfaceMap& map, const std::vector<int32_t>& vertices) 
   return length;
 }
 
-/// Vertices of a loop from side `from` to side `to`, the shorter way.
+/// Returns the vertices of a loop from side `from` to side `to`, in the shorter direction.
 std::vector<int32_t> AlongLoop(const SurfaceMap& map, const std::vector<int32_t>& loop,
                                int32_t from, int32_t to) {
   const auto count = static_cast<int32_t>(loop.size());
@@ -82,8 +83,8 @@ std::vector<int32_t> AlongLoop(const SurfaceMap& map, const std::vector<int32_t>
   return LengthAlong(map, forth) <= LengthAlong(map, back) ? forth : back;
 }
 
-/// Goes from a boundary side, where the line leaves, to the next one where it comes back; the
-/// triangle there, or -1.
+/// Follows the boundary from the side where the line leaves to the next side where it enters again.
+/// Returns the triangle there, or -1.
 int32_t GoAround(const SurfaceMap& map, const Course& course, const SurfacePoint& left_at,
                  int32_t vertex, SurfaceWalk* walk) {
   const auto place = map.InLoop(vertex);

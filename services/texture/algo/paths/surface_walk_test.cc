@@ -10,7 +10,7 @@ namespace slicefarm::texture::surface_walk_test {
 namespace {
 
 bool ShareATriangle(const SurfaceMap& map, const SurfacePoint& a, const SurfacePoint& b) {
-  // Vertices with a share of each; all of them must belong to one triangle.
+  // These are the vertices with a weight in either point; all of them must belong to one triangle.
   std::vector<int32_t> vertices;
   for (const SurfacePoint& p : {a, b})
     for (int k = 0; k < 3; ++k)

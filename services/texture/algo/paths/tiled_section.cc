@@ -10,15 +10,15 @@ Eigen::Vector2d TileAt(const Eigen::Vector2d& place, const Eigen::Vector2d& tile
   return {std::floor(place.x() / tile_mm.x()), std::floor(place.y() / tile_mm.y())};
 }
 
-/// In the tile's own coordinates, off its border by a trifle: along a border itself the outlines of
-/// neither tile would be met.
+/// Returns a position in the tile's own coordinates, slightly inside its border. Exactly on a
+/// border, the outlines of neither tile would be met.
 Eigen::Vector2d WithinTile(const Eigen::Vector2d& place, const Eigen::Vector2d& tile,
                            const Eigen::Vector2d& tile_mm) {
   const Eigen::Vector2d trifle = 1e-11 * tile_mm;
   return (place - tile.cwiseProduct(tile_mm)).cwiseMax(trifle).cwiseMin(tile_mm - trifle);
 }
 
-/// Shares of the way from `a` to `b` at which it passes multiples of `step`.
+/// Adds the relative positions from `a` to `b` that are multiples of `step`.
 void AddBorders(double a, double b, double step, std::vector<double>* shares) {
   if (a == b) return;
   const auto first = static_cast<int64_t>(std::ceil(std::min(a, b) / step));

@@ -9,18 +9,18 @@
 
 namespace slicefarm::texture {
 
-/// A section of a texture over the map: repeated, turned and scaled as it is placed.
+/// Section of a texture over the map: repeated, turned and scaled by its placement.
 class TiledSection {
  public:
-  /// Refers to `section`.
+  /// Keeps a reference to `section`.
   TiledSection(const Section& section, const Eigen::Vector2d& tile_mm, const Placement& placement)
       : section_(&section), tile_mm_(tile_mm), placement_(placement) {}
 
-  /// Whether a place of the map is solid.
+  /// Returns true if a position of the map is solid.
   bool Contains(const Eigen::Vector2d& map_mm) const;
 
-  /// Adds the shares of a way in the map at which it may change, in any order: where it crosses
-  /// outlines and borders of tiles.
+  /// Adds the relative positions on a line in the map where it may enter or leave the solid, in any
+  /// order: crossings with outlines and with borders of tiles.
   void Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b, std::vector<double>* shares) const;
 
  private:

@@ -9,18 +9,19 @@
 
 namespace slicefarm::texture {
 
-/// Where a layer is worked, in the map: inside or outside of the texture's section, inside of
-/// masks, and off the boundary.
+/// Area of the map where a layer is worked: inside or outside of the texture's section, inside of
+/// masks, and away from the boundary.
 struct WorkArea {
   TiledSection section;
   bool outside = false;
   std::vector<TiledSection> masks;
-  const BoundaryMargin* margin = nullptr;  ///< null: up to the boundary
+  const BoundaryMargin* margin = nullptr;  ///< null: the area extends to the boundary
 
+  /// Returns true if a position is in the area.
   bool Contains(const Eigen::Vector2d& map_mm) const;
-  /// Adds the shares of a way at which that may change, in any order.
+  /// Adds the relative positions on a line where it may enter or leave the area, in any order.
   void Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b, std::vector<double>* shares) const;
-  /// Whether all of a straight way lies in the area.
+  /// Returns true if a whole straight line is in the area.
   bool ContainsAll(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
 };
 

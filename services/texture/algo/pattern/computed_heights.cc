@@ -18,7 +18,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 const double kRoot3 = std::sqrt(3.0);
 
-/// A texture in units of its pitch, and of its height. It repeats after `size`.
+/// Texture in units of its pitch and its height. It repeats after `size`.
 struct UnitTexture {
   Eigen::Vector2d size = {1, 1};
   std::function<double(const Eigen::Vector2d&)> height;
@@ -26,10 +26,11 @@ struct UnitTexture {
 
 double Clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
 
-/// 1 where the border is `slope` away or more, 0 outside of it.
+/// Returns 1 if the border is `slope` or more away, 0 outside of it, and values in between on the
+/// flank.
 double Flank(double inside, double slope) { return Clamp01(inside / slope); }
 
-/// Distance from the nearest whole number, 0 to 1/2.
+/// Returns the distance from the nearest integer, 0 to 1/2.
 double FromWhole(double x) { return std::abs(x - std::round(x)); }
 
 Eigen::Vector2d FromCentre(const Eigen::Vector2d& p) { return p - Eigen::Vector2d(0.5, 0.5); }
@@ -79,7 +80,8 @@ UnitTexture Hexagons(const TextureSpec& spec) {
           }};
 }
 
-/// A strand around a line, highest where `along` is even and lowest where it is odd.
+/// Returns the height of a strand around a line, highest at even values of `along` and lowest at
+/// odd ones.
 double StrandHeight(double across, double along, double width) {
   const double share = across / (width / 2);
   return std::sqrt(std::max(0.0, 1 - share * share)) * (0.6 + 0.4 * Cos(kPi * along));
@@ -106,7 +108,7 @@ UnitTexture Letters(const TextureSpec& spec) {
   std::vector<std::vector<Stroke>> glyphs;
   for (const char c : spec.text) glyphs.push_back(GlyphOf(c));
   const auto count = static_cast<int>(glyphs.size());
-  // In units of the font: a blank of 1 on each side, of 1.5 above and below.
+  // The units are the ones of the font: a margin of 1 on each side, of 1.5 above and below.
   const auto distance = [glyphs, count](const Eigen::Vector2d& at) {
     double nearest = 2 * kGlyphHeight;
     const int here = static_cast<int>(std::floor(at.x() / kGlyphAdvance));
@@ -124,7 +126,7 @@ UnitTexture Letters(const TextureSpec& spec) {
           }};
 }
 
-/// A number of [0, 1) for a node of a lattice. Source: S. Vigna, SplitMix64.
+/// Returns a random number in [0, 1) for a node of a lattice. Source: S. Vigna, SplitMix64.
 double RandomAt(int64_t column, int64_t row, int64_t which, double seed) {
   uint64_t x = static_cast<uint64_t>(seed) * 0x9e3779b97f4a7c15ULL;
   for (const int64_t part : {column, row, which}) {
@@ -166,8 +168,8 @@ UnitTexture Cells(const TextureSpec& spec) {
           }};
 }
 
-/// Gradient noise on a lattice that repeats after `count`. Source: K. Perlin, "Improving Noise",
-/// SIGGRAPH 2002.
+/// Returns gradient noise on a lattice that repeats after `count`. Source: K. Perlin, "Improving
+/// Noise", SIGGRAPH 2002.
 double GradientNoise(const Eigen::Vector2d& p, int64_t count, double seed) {
   const double column = std::floor(p.x()), row = std::floor(p.y());
   const auto corner = [&](int dx, int dy) {
@@ -199,7 +201,8 @@ UnitTexture Noise(const TextureSpec& spec) {
 }
 
 UnitTexture Scales(const TextureSpec& /*spec*/) {
-  // Two rows of discs, half a pitch apart; each disc rises from its upper end to its lower one.
+  // The texture has two rows of discs, half a pitch apart. Each disc rises from its upper end to
+  // its lower end.
   return {{1, 1}, [](const Eigen::Vector2d& p) {
             constexpr double kRadius = 0.56, kLowest = 0.29;  // seen between discs
             double height = 0;
@@ -256,7 +259,7 @@ UnitTexture UnitOf(const TextureSpec& spec) {
 
 absl::StatusOr<HeightGrid> ComputedHeights(const TextureSpec& spec) {
   const UnitTexture unit = UnitOf(spec);
-  // Even numbers: what has its middle in the middle of the pitch has a node there.
+  // The numbers of nodes are even, so that there is a node at the middle of the pitch.
   const auto nodes = [&](double size) {
     return 2 * std::max<int64_t>(2, std::llround(size * spec.detail / 2));
   };

@@ -6,13 +6,14 @@
 
 namespace slicefarm::texture {
 
+/// Largest number of nodes of a texture.
 inline constexpr int64_t kMaxHeightNodes = 4'000'000;
 
-/// A computed texture as heights from 0 to its height, which repeat without seams. A steep flank
-/// takes a cell of the grid at least.
+/// Returns a computed texture as heights from 0 to its height that repeat without seams. A steep
+/// flank is at least one cell of the grid wide.
 ///
-/// Same bits on each machine. Errors: REQUEST_TOO_LARGE past kMaxHeightNodes. Cost: O(1) a node, of
-/// letters O(strokes).
+/// The result has the same bits on each machine. Errors: REQUEST_TOO_LARGE above kMaxHeightNodes.
+/// Cost: O(1) per node; for letters O(strokes) per node.
 absl::StatusOr<HeightGrid> ComputedHeights(const TextureSpec& spec);
 
 }  // namespace slicefarm::texture

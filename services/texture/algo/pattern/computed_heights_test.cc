@@ -26,7 +26,7 @@ TEST_P(HeightsOfKind, GoesFromTheBaseToItsHeight) {
   EXPECT_GE(*high, 0.8 * 0.7);
 }
 
-/// A tile has no seam: steps between neighbours across its border are no greater than inside.
+/// A tile has no seam: steps between neighbours across its border are no larger than inside.
 TEST_P(HeightsOfKind, TilesWithoutSeams) {
   const HeightGrid grid = HeightsOf(std::string(GetParam().name));
   double inside = 0, across = 0;
@@ -44,7 +44,7 @@ TEST_P(HeightsOfKind, TilesWithoutSeams) {
   EXPECT_LE(across, inside + 1e-12);
 }
 
-/// A texture twice as wide is the same one, drawn larger.
+/// A texture with twice the pitch is the same texture, enlarged.
 TEST_P(HeightsOfKind, ScalesWithItsPitch) {
   const std::string name(GetParam().name);
   const HeightGrid one = HeightsOf(name + ":pitch=2"), two = HeightsOf(name + ":pitch=4");

@@ -6,7 +6,8 @@
 namespace slicefarm::texture {
 namespace {
 
-/// The cell of `count` in which a share of the period lies, and how far in.
+/// Cell that contains a position of the period, and the relative position in it. There are `count`
+/// cells.
 struct CellShare {
   int32_t cell = 0;
   double share = 0;

@@ -6,25 +6,29 @@
 
 namespace slicefarm::texture {
 
-/// Heights over a rectangle that repeats in both directions, linear on two triangles for each cell.
+/// Heights over a rectangle that repeats in both directions. They are linear on two triangles for
+/// each cell.
 struct HeightGrid {
-  int32_t columns = 0;  ///< nodes in a period: the next one is the first again
+  int32_t columns = 0;  ///< nodes in a period: after the last one follows the first one
   int32_t rows = 0;
   Eigen::Vector2d size_mm = Eigen::Vector2d::Zero();
   std::vector<double> heights_mm;  ///< rows * columns, row by row from the lower left corner
 
+  /// Returns the height of a node; indices are periodic.
   double NodeMm(int32_t column, int32_t row) const {
     const auto wrap = [](int32_t i, int32_t n) { return (i % n + n) % n; };
     return heights_mm[static_cast<size_t>(wrap(row, rows)) * columns + wrap(column, columns)];
   }
+  /// Returns the position of a node.
   Eigen::Vector2d NodePlace(int32_t column, int32_t row) const {
     return {size_mm.x() * column / columns, size_mm.y() * row / rows};
   }
-  /// Whether the cell right above a node is cut from there to the opposite corner, or between the
-  /// other two: the diagonal of less difference, so that ridges stay ridges.
+  /// Returns true if the cell at the upper right of a node is cut from this node to the opposite
+  /// corner. Otherwise it is cut between the two other corners. The diagonal with the smaller
+  /// height difference is used, so that ridges stay ridges.
   bool CutFromNode(int32_t column, int32_t row) const;
 
-  /// The height over any place. Cost: O(1).
+  /// Returns the height at any position. Cost: O(1).
   double At(const Eigen::Vector2d& place_mm) const;
 };
 

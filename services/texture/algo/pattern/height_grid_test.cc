@@ -25,7 +25,8 @@ TEST(HeightGrid, IsLinearBetweenNodes) {
   const HeightGrid grid = Sample();
   EXPECT_NEAR(grid.At({1, 0}), 0.5, 1e-12);
   EXPECT_NEAR(grid.At({0, 1}), 1.5, 1e-12);
-  // Cell (0, 0) has 0 1 / 3 4: its falling diagonal, from 1 to 3, differs less than 0 to 4.
+  // Cell (0, 0) has the heights 0 1 / 3 4. Its falling diagonal, from 1 to 3, has a smaller
+  // difference than the one from 0 to 4.
   EXPECT_FALSE(grid.CutFromNode(0, 0));
   EXPECT_NEAR(grid.At({1, 1}), 2, 1e-12);
 }

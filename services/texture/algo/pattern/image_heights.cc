@@ -14,7 +14,7 @@
 namespace slicefarm::texture {
 namespace {
 
-/// libpng's reading of bytes in memory. Its errors jump to where they are caught.
+/// Reader of PNG bytes in memory by libpng. Its errors leave by longjmp.
 class PngReading {
  public:
   explicit PngReading(std::string_view bytes)
@@ -38,7 +38,8 @@ class PngReading {
     return true;
   }
 
-  /// Red, green, blue and alpha of 16 bits each, as the file has them: no gamma bends heights.
+  /// Reads red, green, blue and alpha with 16 bits each, unchanged from the file, because gamma
+  /// correction would distort heights.
   bool ReadPixels(std::vector<png_bytep>& rows) {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
     png_set_expand_16(png_);
@@ -76,7 +77,7 @@ absl::Status MalformedImage(std::string_view words) {
                    fmt::format("the texture is no PNG image that can be read: {}", words));
 }
 
-/// Of a pixel of four big-endian numbers, 0 to 1.
+/// Returns the height, 0 to 1, of a pixel of four big-endian numbers.
 double HeightShare(const png_byte* pixel) {
   const auto value = [&](int channel) { return pixel[2 * channel] * 256 + pixel[2 * channel + 1]; };
   const double luminance = (0.2126 * value(0) + 0.7152 * value(1) + 0.0722 * value(2)) / 65535;

@@ -7,15 +7,16 @@
 
 namespace slicefarm::texture {
 
+/// Options for ImageHeights.
 struct ImageHeightOptions {
-  double width_mm = 20;    ///< of the image; its height keeps the image's shape
-  double height_mm = 0.5;  ///< of white; black is 0
+  double width_mm = 20;  ///< width of the image; its length keeps the image's proportions
+  double height_mm = 0.5;  ///< height of white; black is 0
 };
 
-/// A PNG image as heights: a node a pixel, at its middle; the last column is followed by the first,
-/// so that an image that tiles has no seam. Grey of 8 or 16 bits or colour (its luminance); what is
-/// transparent is low. Errors: REQUEST_MALFORMED for what is no PNG; REQUEST_TOO_LARGE past
-/// kMaxHeightNodes pixels.
+/// Returns a PNG image as heights, with one node at the middle of each pixel. The first column
+/// follows the last one, so an image that tiles has no seam. The image may be grey with 8 or 16
+/// bits, or in colour (its luminance counts); transparent pixels are low. Errors: REQUEST_MALFORMED
+/// for data that are no PNG; REQUEST_TOO_LARGE above kMaxHeightNodes pixels.
 absl::StatusOr<HeightGrid> ImageHeights(std::string_view png, const ImageHeightOptions& options);
 
 }  // namespace slicefarm::texture

@@ -11,7 +11,7 @@
 namespace slicefarm::texture::image_heights_test {
 namespace {
 
-/// A PNG of `format` with these bytes.
+/// Returns a PNG of `format` with these bytes.
 std::string PngOf(uint32_t width, uint32_t height, uint32_t format,
                   const std::vector<uint8_t>& bytes) {
   png_image image = {};

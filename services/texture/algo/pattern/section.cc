@@ -13,7 +13,8 @@ double Turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
   return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
 }
 
-/// Adds the share of the way from `a` to `b` that is next to `p`, if it lies on the way.
+/// Adds the relative position on the line from `a` to `b` that is closest to `p`, if it is on the
+/// line.
 void AddShareOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p,
                 std::vector<double>* shares) {
   const Eigen::Vector2d way = b - a;
@@ -21,7 +22,7 @@ void AddShareOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
   if (share > 0 && share < 1) shares->push_back(share);
 }
 
-/// Where an edge meets a height; the same bits from both of its triangles.
+/// Returns the point of an edge at a height, with the same bits for both of its triangles.
 Eigen::Vector2d MeetingPlace(const SurfaceMesh& mesh, int32_t i, int32_t k, double height) {
   const Eigen::Vector3d& a = mesh.points_mm[std::min(i, k)];
   const Eigen::Vector3d& b = mesh.points_mm[std::max(i, k)];
@@ -29,7 +30,7 @@ Eigen::Vector2d MeetingPlace(const SurfaceMesh& mesh, int32_t i, int32_t k, doub
   return a.head<2>() + share * (b - a).head<2>();
 }
 
-/// The side that a triangle gives a section. REQUIRES: it has vertices above and below.
+/// Returns the side that a triangle adds to a section. REQUIRES: it has vertices above and below.
 OutlineSide SideAt(const SurfaceMesh& mesh, const std::array<int32_t, 3>& triangle, double height) {
   OutlineSide side;
   for (int k = 0; k < 3; ++k) {
@@ -94,7 +95,7 @@ bool Section::Contains(const Eigen::Vector2d& place_mm) const {
       const double share = (place_mm.y() - from.y()) / (to.y() - from.y());
       const auto [least, most] = std::minmax(from.x(), to.x());
       const double x = std::clamp(from.x() + share * (to.x() - from.x()), least, most);
-      // A side stands in several cells and counts in the one where it meets the ray.
+      // A side is in several cells and counts only in the one where it meets the ray.
       if (x > place_mm.x() && CellOf(x, 0) == column) winding += to_above ? 1 : -1;
     }
   }
@@ -103,13 +104,13 @@ bool Section::Contains(const Eigen::Vector2d& place_mm) const {
 
 void Section::Crossings(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                         std::vector<double>* shares) const {
-  // Cells that the way only touches are looked at, too: where it passes a corner, rounding may give
-  // the crossing to either of the corner's sides.
+  // Cells that the line only touches are tested too. At a corner, rounding may assign the crossing
+  // to either of the corner's sides.
   const Eigen::Vector2d slack = 1e-9 * cell_mm_;
   const double on_way = slack.minCoeff() * (b - a).norm();
   const Eigen::Vector2d low = a.cwiseMin(b) - slack, high = a.cwiseMax(b) + slack;
   for (int32_t row = CellOf(low.y(), 1); row <= CellOf(high.y(), 1); ++row) {
-    // The part of the way within this row of cells.
+    // Range of the line within this row of cells.
     double left = low.x(), right = high.x();
     if (a.y() != b.y()) {
       const auto at = [&](double y) {
@@ -124,7 +125,8 @@ void Section::Crossings(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
       for (const int32_t i : SidesIn(column, row)) {
         const auto& [from, to] = sides_[i];
         const double turn_from = Turn(a, b, from), turn_to = Turn(a, b, to);
-        // Along a side, where the way crosses it is any place of it: its ends are cuts as well.
+        // If the line runs along a side, any point of the side is a crossing. So the ends of the
+        // side are cuts too.
         if (std::abs(turn_from) <= on_way) AddShareOf(a, b, from, shares);
         if (std::abs(turn_to) <= on_way) AddShareOf(a, b, to, shares);
         if ((turn_from >= 0) == (turn_to >= 0)) continue;

@@ -10,26 +10,29 @@
 
 namespace slicefarm::texture {
 
-/// A side of a section's outline, the solid on its left.
+/// Side of a section's outline, with the solid on its left.
 struct OutlineSide {
   Eigen::Vector2d from;
   Eigen::Vector2d to;
 };
 
-/// Where a texture's tile is solid, at one height: outlines as sides in any order, found by place.
+/// Solid area of a texture's tile at one height. Its outlines are sides in any order, with an index
+/// by position.
 class Section {
  public:
   Section(std::vector<OutlineSide> sides, const Eigen::Vector2d& tile_mm);
 
+  /// Returns the sides of the outlines.
   std::span<const OutlineSide> sides() const { return sides_; }
+  /// Returns the area of the section in one tile.
   double AreaMm2() const;
 
-  /// Whether a place of the tile is solid: the outlines wind around it.
+  /// Returns true if a position of the tile is solid: the outlines wind around it.
   bool Contains(const Eigen::Vector2d& place_mm) const;
 
-  /// Adds the shares of the way from `a` to `b`, both in the tile, at which it crosses outlines, or
-  /// runs along one that ends, in any order; some may be there twice. Cost: O(1 + sides near the
-  /// way).
+  /// Adds the relative positions on the line from `a` to `b`, both in the tile, where it crosses
+  /// outlines or runs along a side that ends. The positions are in any order and may occur twice.
+  /// Cost: O(1 + sides near the line).
   void Crossings(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                  std::vector<double>* shares) const;
 
@@ -40,12 +43,12 @@ class Section {
   std::vector<OutlineSide> sides_;
   Eigen::Vector2d cell_mm_;
   std::array<int32_t, 2> counts_ = {1, 1};
-  std::vector<int32_t> starts_;  ///< by cell, into listed_
+  std::vector<int32_t> starts_;  ///< per cell: begin of its sides in listed_
   std::vector<int32_t> listed_;
 };
 
-/// Sections at heights, in order, all above 0. What lies at a height belongs above it. Cost: O(t +
-/// sides) for t triangles.
+/// Returns the sections at heights, in their order; all heights must be above 0. Points exactly at
+/// a height belong above it. Cost: O(t + sides) for t triangles.
 std::vector<Section> SectionsOf(const Texture& texture, std::span<const double> heights_mm);
 
 }  // namespace slicefarm::texture

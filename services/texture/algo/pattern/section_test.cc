@@ -17,7 +17,7 @@ Texture Made(const std::string& text) {
 
 class SectionOfKind : public testing::TestWithParam<TextureKindInfo> {};
 
-/// Places of the tile, on no line of nodes.
+/// Returns positions in the tile that are on no line of nodes.
 std::vector<Eigen::Vector2d> Places(const Texture& texture) {
   std::vector<Eigen::Vector2d> places;
   for (int i = 0; i < 400; ++i)
@@ -38,7 +38,8 @@ TEST_P(SectionOfKind, IsSolidWhereTheTextureIsHigher) {
     }
 }
 
-/// Its area is that of the heights above, by sampling; it shrinks with height.
+/// The area equals the area where the heights are above the section, by sampling; it shrinks with
+/// the height.
 TEST_P(SectionOfKind, HasItsArea) {
   const Texture texture = Made(std::string(GetParam().name) + ":height=1,detail=20");
   const double heights[] = {0.2, 0.5, 0.8};
@@ -68,7 +69,7 @@ TEST_P(SectionOfKind, CrossingsLieBetweenInsideAndOutside) {
     sections[0].Crossings(places[i], places[i + 1], &shares);
     std::sort(shares.begin(), shares.end());
     for (size_t k = 0; k + 1 < shares.size(); ++k) {
-      // Nothing changes between two crossings.
+      // The state does not change between two crossings.
       const auto at = [&](double t) {
         const double share = shares[k] + t * (shares[k + 1] - shares[k]);
         return sections[0].Contains(places[i] + share * (places[i + 1] - places[i]));

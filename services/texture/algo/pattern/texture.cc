@@ -36,7 +36,7 @@ absl::Status CheckSolid(const SurfaceMesh& solid) {
   return absl::OkStatus();
 }
 
-/// The upper faces, two for each cell, on (columns + 1) * (rows + 1) points.
+/// Adds the upper faces, two for each cell, on (columns + 1) * (rows + 1) points.
 void AddUpperFaces(const HeightGrid& heights, SurfaceMesh* solid) {
   const int32_t across = heights.columns + 1;
   for (int32_t row = 0; row <= heights.rows; ++row) {
@@ -60,7 +60,7 @@ void AddUpperFaces(const HeightGrid& heights, SurfaceMesh* solid) {
   }
 }
 
-/// Walls from the border of the upper faces down.
+/// Adds walls from the border of the upper faces downwards.
 void AddWalls(const HeightGrid& heights, double foot_mm, SurfaceMesh* solid) {
   const int32_t across = heights.columns + 1;
   std::vector<int32_t> border;  // counter-clockwise
@@ -81,7 +81,7 @@ void AddWalls(const HeightGrid& heights, double foot_mm, SurfaceMesh* solid) {
   }
 }
 
-/// Raises the nodes below a triangle to it.
+/// Raises the nodes below a triangle to the triangle's height.
 void Rasterize(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                HeightGrid* grid) {
   const Eigen::Vector2d cell(grid->size_mm.x() / grid->columns, grid->size_mm.y() / grid->rows);

@@ -43,7 +43,7 @@ const std::vector<ParameterRow>& ParameterRows() {
   return rows;
 }
 
-/// What a kind begins with where TextureSpec's defaults do not suit.
+/// Returns the default parameters of a kind, where they differ from the defaults of TextureSpec.
 TextureSpec StandardOf(TextureKind kind) {
   TextureSpec spec{.kind = kind};
   if (kind == TextureKind::kGrooves) spec.size = 0.5;

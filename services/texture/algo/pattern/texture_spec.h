@@ -10,7 +10,7 @@
 
 namespace slicefarm::texture {
 
-/// Textures that are computed.
+/// Kind of a computed texture.
 enum class TextureKind : uint8_t {
   kBumps,
   kCones,
@@ -26,6 +26,7 @@ enum class TextureKind : uint8_t {
   kKnurl,
 };
 
+/// Name and description of a kind.
 struct TextureKindInfo {
   TextureKind kind;
   std::string_view name;
@@ -48,43 +49,48 @@ inline constexpr TextureKindInfo kTextureKinds[] = {
 };
 inline constexpr size_t kTextureKindCount = std::size(kTextureKinds);
 
+/// Returns the name of a kind.
 std::string_view NameOf(TextureKind kind);
 
-/// A computed texture and its parameters; each kind heeds some of them (ParametersOf).
+/// Computed texture and its parameters; each kind uses some of them (ParametersOf).
 struct TextureSpec {
   TextureKind kind = TextureKind::kBumps;
   double height_mm = 0.5;
   double pitch_mm = 4;
-  double size = 0.8;      ///< share of the pitch that is raised, or a stroke's share of the letter
-  double slope = 0.1;     ///< share of the pitch over which a flank rises
-  double cross = 0;       ///< the second sine's share of the height
-  double angle_deg = 30;  ///< of crossing grooves, to the y axis
-  double count = 4;       ///< cells or hills along a side of the tile
-  double octaves = 3;     ///< of noise, each half as wide and half as high
+  /// Raised share of the pitch, or the width of a stroke as a share of the letter
+  double size = 0.8;
+  double slope = 0.1;  ///< share of the pitch over which a flank rises
+  double cross = 0;  ///< share of the height that the second sine has
+  double angle_deg = 30;  ///< angle of crossing grooves to the y axis
+  double count = 4;  ///< number of cells or hills along a side of the tile
+  /// Number of octaves of noise, each half as wide and half as high as the previous one
+  double octaves = 3;
   double seed = 1;
-  double detail = 40;  ///< nodes a pitch
+  double detail = 40;  ///< nodes per pitch
   std::string text = "SLICEFARM";
 
   friend bool operator==(const TextureSpec&, const TextureSpec&) = default;
 };
 
+/// Parameter of a texture, with its range.
 struct TextureParameter {
   std::string_view key;
   double TextureSpec::*value;
   double least;
   double most;
-  bool whole;  ///< a whole number
+  bool whole;  ///< true for an integer
   std::string_view doc;
 };
 
-/// What a kind can be told, besides the text of letters.
+/// Returns the parameters of a kind, without the text of letters.
 std::vector<TextureParameter> ParametersOf(TextureKind kind);
 
-/// `bumps`, `bumps:pitch=3,height=0.4`: a kind, and parameters in any order. Errors:
-/// SETTING_MALFORMED for what is no kind, no parameter of it or no number; SETTING_OUT_OF_RANGE.
+/// Parses a kind and parameters in any order: `bumps`, `bumps:pitch=3,height=0.4`. Errors:
+/// SETTING_MALFORMED for an unknown kind, an unknown parameter of it or an invalid number;
+/// SETTING_OUT_OF_RANGE.
 absl::StatusOr<TextureSpec> ParseTextureSpec(std::string_view text);
 
-/// With all parameters; ParseTextureSpec takes it back.
+/// Returns the text with all parameters, which ParseTextureSpec accepts.
 std::string TextureSpecText(const TextureSpec& spec);
 
 }  // namespace slicefarm::texture

@@ -13,7 +13,7 @@
 
 namespace slicefarm::texture {
 
-/// A row of a table of points.
+/// Row of a table of points.
 struct CsvPoint {
   int path = 0;
   int layer = 0;
@@ -22,8 +22,8 @@ struct CsvPoint {
   bool on = false;
 };
 
-/// Judges a table of points by the surface's mesh alone. It shares no code with what made it: it
-/// finds for each point the triangles on which its foot lies, by brute force over a grid.
+/// Judges a table of points by the surface's mesh alone. It shares no code with the producer of the
+/// table: it finds the triangles under each point by brute force over a grid.
 class CsvOracle {
  public:
   explicit CsvOracle(const SurfaceMesh& mesh) : mesh_(mesh) {
@@ -48,7 +48,7 @@ class CsvOracle {
     }
   }
 
-  /// The rows of a table; none if it is no such table.
+  /// Returns the rows of a table; nothing if the text is no such table.
   static std::vector<CsvPoint> Read(const std::string& text) {
     std::istringstream lines(text);
     std::string line;
@@ -69,7 +69,7 @@ class CsvOracle {
     return points;
   }
 
-  /// The triangles on which a place lies.
+  /// Returns the triangles that contain a position.
   std::vector<int32_t> TrianglesAt(const Eigen::Vector3d& place) const {
     std::vector<int32_t> there;
     const auto cell = cells_.find(CellOf(place));
@@ -79,8 +79,8 @@ class CsvOracle {
     return there;
   }
 
-  /// What is wrong with the points of a job whose layers lie `offsets` above the surface; empty:
-  /// nothing.
+  /// Returns the fault of a job's points, for layers at `offsets` from the surface; empty if there
+  /// is none.
   std::string Judge(const std::vector<CsvPoint>& points, const std::vector<double>& offsets) const {
     std::vector<int32_t> before;
     int layer = -1, path = -1;
@@ -144,8 +144,8 @@ class CsvOracle {
     return inside ? std::abs(normal.dot(p - mesh_.points_mm[corners[0]])) : to_side;
   }
 
-  /// A face's own; on an edge the mean of its two faces; at a vertex the mean of its faces by their
-  /// angles.
+  /// Returns true if the normal is right. It is the normal of a face; on an edge the mean of its
+  /// two faces; at a vertex the mean of its faces weighted by their angles.
   bool NormalFits(const std::vector<int32_t>& there, const Eigen::Vector3d& normal,
                   const Eigen::Vector3d& foot) const {
     for (const int32_t t : there)
@@ -162,14 +162,15 @@ class CsvOracle {
       }
     }
     if ((normal - mean.normalized()).norm() < 1e-9) return true;
-    // On an edge, be it so near to a vertex that the foot lies on all of its faces.
+    // On an edge, the foot may be so close to a vertex that it counts as on all faces of the
+    // vertex.
     for (const int32_t a : there)
       for (const int32_t b : there)
         if ((normal - (NormalOf(a) + NormalOf(b)).normalized()).norm() < 1e-9) return true;
     return false;
   }
 
-  /// Whether two places lie on one triangle, or on two that share an edge.
+  /// Returns true if two positions are on one triangle, or on two triangles with a common edge.
   bool Touch(const std::vector<int32_t>& a, const std::vector<int32_t>& b) const {
     for (const int32_t t : a) {
       for (const int32_t u : b) {

@@ -13,13 +13,14 @@
 #include "services/texture/algo/suite/csv_oracle_test.h"
 #include "services/texture/algo/suite/suite_surfaces_test.h"
 
-// 48 textures on 20 surfaces: 960 runs, each judged by its table of points and the mesh. Each
-// surface and each texture is in some of the 60 that are made unless SLICEFARM_ENGRAVE_RUNS is 960.
+// The suite has 48 textures on 20 surfaces: 960 runs, each judged by its table of points and the
+// mesh. By default 60 of them are made, which include each surface and each texture.
+// SLICEFARM_ENGRAVE_RUNS=960 makes all.
 
 namespace slicefarm::texture::engrave_suite_test {
 namespace {
 
-/// Of so many runs one is made.
+/// Returns n if every n-th run is made.
 size_t Every() {
   const char* const runs = std::getenv("SLICEFARM_ENGRAVE_RUNS");
   return runs != nullptr && std::string(runs) == "960" ? 1 : 16;
@@ -27,7 +28,7 @@ size_t Every() {
 
 constexpr double kSpacingMm = 0.33;
 
-/// Twelve kinds, each in four pairs of height and pitch.
+/// Returns twelve kinds, each with four pairs of height and pitch.
 std::vector<std::string> SuiteTextures() {
   std::vector<std::string> textures;
   for (const TextureKindInfo& info : kTextureKinds) {
@@ -41,7 +42,8 @@ std::vector<std::string> SuiteTextures() {
   return textures;
 }
 
-/// Check 1: the map is one-to-one: no flips, and the areas of its triangles are that of its loops.
+/// Check 1: the map is one-to-one. It has no flips, and the total area of its triangles equals the
+/// area of its loops.
 void ExpectOneToOne(const SurfaceMap& map) {
   double triangles = 0, loops = 0;
   for (const auto& [a, b, c] : map.mesh().triangles) {
@@ -58,7 +60,7 @@ void ExpectOneToOne(const SurfaceMap& map) {
   EXPECT_NEAR(triangles, loops, 1e-9 * triangles);
 }
 
-/// Where a point's foot lies in the map.
+/// Returns the position of a point's foot in the map.
 Eigen::Vector2d MapPlaceOf(const EngravePlan& plan, int32_t triangle, const Eigen::Vector3d& foot) {
   const auto& [a, b, c] = plan.map.mesh().triangles[triangle];
   const auto& p = plan.map.mesh().points_mm;
@@ -70,8 +72,8 @@ Eigen::Vector2d MapPlaceOf(const EngravePlan& plan, int32_t triangle, const Eige
   return m[a] + w[0] * (m[b] - m[a]) + w[1] * (m[c] - m[a]);
 }
 
-/// What the rows say of the texture: the greatest height by which a worked place misses it, and the
-/// length of lines in the map, by layer.
+/// Results from the rows: the largest height error of a worked position, and the length of lines in
+/// the map per layer.
 struct Worked {
   double worst_mm = 0;
   std::vector<double> map_mm;
@@ -100,7 +102,7 @@ Worked MeasureWorked(const EngravePlan& plan, const CsvOracle& oracle,
   return worked;
 }
 
-/// The area of the map where the texture is as high, by sampling.
+/// Returns the area of the map where the texture is at least this high, by sampling.
 double AreaAbove(const EngravePlan& plan, double height_mm) {
   constexpr int kSide = 12;
   double area = 0;
@@ -153,7 +155,8 @@ TEST_P(EngraveSuite, PathsLieWhereTheyShould) {
     ASSERT_EQ(oracle.Judge(points, plan->heights_mm), "");
     const Worked worked = MeasureWorked(*plan, oracle, points);
     EXPECT_LT(worked.worst_mm, 1e-6);
-    // Lines as far apart as asked cover the texture: over all layers, as one may lie between them.
+    // Lines with the requested distance cover the texture. The sum is over all layers, because the
+    // area of one layer may be between its lines.
     double covered = 0, area = 0;
     for (int32_t layer = 0; layer < plan->layer_count(); ++layer) {
       covered += worked.map_mm[layer] * kSpacingMm;
@@ -168,7 +171,7 @@ TEST_P(EngraveSuite, PathsLieWhereTheyShould) {
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, EngraveSuite, testing::Range(size_t{0}, size_t{20}));
 
-/// The oracle sees what is wrong with a table.
+/// The oracle must find faults in a table.
 TEST(CsvOracle, FindsFaults) {
   const SurfaceMesh mesh = Scaled(Cap(8, 0.3), 20);
   const auto plan = PlanEngraving(

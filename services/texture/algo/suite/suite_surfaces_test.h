@@ -14,14 +14,16 @@ struct NamedSurface {
   SurfaceMesh mesh;
 };
 
-/// A surface of n x n squares over x and y of 0 to 30 mm, as high as `height` says there.
+/// Returns a surface of n x n squares over x and y of 0 to 30 mm, with the height that `height`
+/// returns.
 inline SurfaceMesh HeightField(int n, const std::function<double(double, double)>& height) {
   return GridSurface(n, [=](double x, double y) {
     return Eigen::Vector3d(30 * x, 30 * y, height(30 * x, 30 * y));
   });
 }
 
-/// A strip of a torus' outside or inside: `from` and `to` are the tube's angles over pi.
+/// Returns a strip of a torus' outside or inside. `from` and `to` are the tube's angles divided by
+/// pi.
 inline SurfaceMesh TubePart(int n, double from, double to, double turn) {
   return GridSurface(n, [=](double x, double y) {
     const double b = std::numbers::pi * (from + (to - from) * y), a = std::numbers::pi * turn * x;
@@ -30,7 +32,7 @@ inline SurfaceMesh TubePart(int n, double from, double to, double turn) {
   });
 }
 
-/// Part of a cone or a cylinder around z.
+/// Returns a part of a cone or a cylinder around z.
 inline SurfaceMesh TurnedPart(int n, double low_mm, double high_mm, double turn) {
   return GridSurface(n, [=](double x, double y) {
     const double a = std::numbers::pi * turn * x, r = low_mm + (high_mm - low_mm) * y;
@@ -38,7 +40,7 @@ inline SurfaceMesh TurnedPart(int n, double low_mm, double high_mm, double turn)
   });
 }
 
-/// A shell swept along a helix, like the guard of a hand.
+/// Returns a shell swept along a helix, like the guard of a hand.
 inline SurfaceMesh SweptShell(int n, double bend, double rise) {
   return GridSurface(n, [=](double x, double y) {
     const double a = std::numbers::pi * bend * x, b = std::numbers::pi * (0.1 + 0.8 * y);
@@ -52,8 +54,8 @@ inline SurfaceMesh Scaled(SurfaceMesh mesh, double factor) {
   return mesh;
 }
 
-/// Twenty surfaces of disk topology, some with holes: height fields, parts of tori, cylinders and
-/// cones, caps, swept shells.
+/// Returns twenty surfaces of disk topology, some with holes: height fields, parts of tori,
+/// cylinders and cones, caps, swept shells.
 inline std::vector<NamedSurface> SuiteSurfaces() {
   const auto round_hole = [](const Eigen::Vector3d& p) {
     return std::hypot(p.x() - 14, p.y() - 16) < 5;

@@ -7,7 +7,7 @@
 namespace slicefarm::texture {
 namespace {
 
-/// A corner at the vertex `from` and an edge of its triangle there.
+/// Corner at the vertex `from`, with an edge of its triangle there.
 struct Spoke {
   int32_t from = 0;
   int32_t to = 0;

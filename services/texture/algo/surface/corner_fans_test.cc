@@ -14,7 +14,8 @@ TEST(CornerFans, AreOneAVertexWithoutASeam) {
   EXPECT_EQ(CornerFans(mesh, {}).sets(), 9);
 }
 
-/// The middle, vertex 4, falls into two where the way goes on, its end into one.
+/// The middle is vertex 4. It has two fans if the seam passes through it, and still one if the seam
+/// ends there.
 TEST(CornerFans, FallApartAlongASeam) {
   const SurfaceMesh mesh = FlatSquare(2, 1);
   const std::vector<SeamEdge> to_middle = {{1, 4}}, across = {{1, 4}, {4, 7}};

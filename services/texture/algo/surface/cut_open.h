@@ -9,13 +9,15 @@
 
 namespace slicefarm::texture {
 
+/// Surface after cutting.
 struct OpenedSurface {
-  SurfaceMesh mesh;                ///< triangles in the order they had
-  std::vector<int32_t> vertex_of;  ///< the vertex that each vertex was
+  SurfaceMesh mesh;  ///< triangles in their original order
+  std::vector<int32_t> vertex_of;  ///< original vertex of each vertex
 };
 
-/// The surface cut along edges: a vertex becomes one for each sector that they leave around it. The
-/// first sector keeps the vertex's number. `seam` is sorted. Cost: O(n log n) for n triangles.
+/// Cuts a surface along edges. A vertex becomes one vertex for each sector that the cuts leave
+/// around it; the first sector keeps the vertex's number. `seam` is sorted. Cost: O(n log n) for n
+/// triangles.
 OpenedSurface CutOpen(const SurfaceMesh& mesh, std::span<const SeamEdge> seam);
 
 }  // namespace slicefarm::texture

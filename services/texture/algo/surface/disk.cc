@@ -14,7 +14,7 @@
 namespace slicefarm::texture {
 namespace {
 
-/// A side of a triangle, from its first vertex to its second.
+/// Side of a triangle, from its first vertex to its second.
 struct Side {
   int32_t from = 0;
   int32_t to = 0;
@@ -54,7 +54,7 @@ absl::Status CheckNumbers(const SurfaceMesh& mesh) {
   return absl::OkStatus();
 }
 
-/// All sides in order. Errors: a side that two triangles run along in the same direction.
+/// Returns all sides, sorted. Errors: a side that two triangles have in the same direction.
 absl::StatusOr<std::vector<Side>> SidesOf(const SurfaceMesh& mesh) {
   std::vector<Side> sides;
   sides.reserve(3 * mesh.triangles.size());
@@ -71,8 +71,8 @@ absl::StatusOr<std::vector<Side>> SidesOf(const SurfaceMesh& mesh) {
   return sides;
 }
 
-/// Where the boundary goes on from each vertex; -1: the vertex is inside. Each vertex has one fan
-/// of triangles.
+/// Returns the next boundary vertex after each vertex; -1 for a vertex inside. Each vertex must
+/// have one fan of triangles.
 std::vector<int32_t> NextOnBoundary(size_t vertices, const std::vector<Side>& sides) {
   std::vector<int32_t> next(vertices, -1);
   for (const Side& side : sides) {
@@ -103,7 +103,7 @@ std::vector<BoundaryLoop> LoopsOf(const SurfaceMesh& mesh, std::vector<int32_t> 
   return loops;
 }
 
-/// A vertex whose triangles do not hang together around it.
+/// Returns a vertex with triangles that are not connected around it, if there is one.
 std::optional<int32_t> VertexOfSeveralFans(const SurfaceMesh& mesh) {
   DisjointSets fans = CornerFans(mesh, {});
   std::vector<int32_t> first_corner(mesh.points_mm.size(), -1);
@@ -117,7 +117,7 @@ std::optional<int32_t> VertexOfSeveralFans(const SurfaceMesh& mesh) {
 
 struct Counts {
   int64_t components = 0;
-  int64_t vertices = 0;  ///< used by triangles
+  int64_t vertices = 0;  ///< number of vertices that triangles use
 };
 
 Counts CountsOf(const SurfaceMesh& mesh) {

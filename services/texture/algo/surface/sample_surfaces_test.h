@@ -9,7 +9,8 @@
 
 namespace slicefarm::texture {
 
-/// A grid of n x n squares over [0, 1]^2, each point moved to where `place` says.
+/// Returns a grid of n x n squares over [0, 1]^2, with each point moved to the position that
+/// `place` returns.
 inline SurfaceMesh GridSurface(int n, const std::function<Eigen::Vector3d(double, double)>& place) {
   SurfaceMesh mesh;
   for (int y = 0; y <= n; ++y) {
@@ -31,7 +32,7 @@ inline SurfaceMesh FlatSquare(int n, double side_mm) {
       n, [=](double x, double y) { return Eigen::Vector3d(side_mm * x, side_mm * y, 0); });
 }
 
-/// Half a cylinder: can be laid flat without distortion.
+/// Returns a half cylinder, which can be laid flat without distortion.
 inline SurfaceMesh HalfCylinder(int n, double radius_mm, double height_mm) {
   return GridSurface(n, [=](double x, double y) {
     const double angle = std::numbers::pi * x;
@@ -40,7 +41,8 @@ inline SurfaceMesh HalfCylinder(int n, double radius_mm, double height_mm) {
   });
 }
 
-/// A sphere of radius 1 without what lies below `lowest`: the nearer to -1, the longer its neck.
+/// Returns a sphere of radius 1 without the part below `lowest`. The closer this is to -1, the
+/// longer is its neck.
 inline SurfaceMesh Cap(int n, double lowest) {
   return GridSurface(n, [=](double x, double y) {
     const double u = 2 * x - 1, v = 2 * y - 1;
@@ -52,7 +54,7 @@ inline SurfaceMesh Cap(int n, double lowest) {
   });
 }
 
-/// Without the triangles that `drop` wants gone.
+/// Returns a mesh without the triangles for which `drop` returns true.
 inline SurfaceMesh Without(SurfaceMesh mesh,
                            const std::function<bool(const Eigen::Vector3d&)>& drop) {
   std::erase_if(mesh.triangles, [&](const auto& t) {
@@ -61,7 +63,7 @@ inline SurfaceMesh Without(SurfaceMesh mesh,
   return mesh;
 }
 
-/// A cube's faces of n x n squares, blown up to a sphere: closed.
+/// Returns a cube with faces of n x n squares, projected to a sphere. It is closed.
 inline SurfaceMesh Sphere(int n, double radius_mm) {
   SurfaceMesh mesh;
   std::map<std::array<int, 3>, int32_t> numbers;
@@ -97,7 +99,7 @@ inline SurfaceMesh Sphere(int n, double radius_mm) {
   return mesh;
 }
 
-/// A ring of radius `ring_mm` and a tube of radius `tube_mm`.
+/// Returns a torus with a ring of radius `ring_mm` and a tube of radius `tube_mm`.
 inline SurfaceMesh Torus(int around, int across, double ring_mm, double tube_mm) {
   SurfaceMesh mesh;
   for (int i = 0; i < around; ++i) {
@@ -117,7 +119,7 @@ inline SurfaceMesh Torus(int around, int across, double ring_mm, double tube_mm)
   return mesh;
 }
 
-/// The surface of a plate of unit cubes, 5 x 3, with two of them missing: genus 2.
+/// Returns the surface of a plate of 5 x 3 unit cubes, with two of them missing: genus 2.
 inline SurfaceMesh DoubleTorus() {
   const auto solid = [](int x, int y, int z) {
     return x >= 0 && x < 5 && y >= 0 && y < 3 && z == 0 && !(y == 1 && (x == 1 || x == 3));

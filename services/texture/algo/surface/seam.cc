@@ -21,10 +21,10 @@ struct Edge {
   std::array<int32_t, 2> triangles = {-1, -1};
 };
 
-/// Edges of the surface, and which leave each vertex.
+/// Edges of the surface, and the edges at each vertex.
 struct EdgeGraph {
   std::vector<Edge> edges;
-  std::vector<std::vector<int32_t>> at;  ///< by vertex
+  std::vector<std::vector<int32_t>> at;  ///< edges at each vertex
 };
 
 EdgeGraph GraphOf(const SurfaceMesh& mesh) {
@@ -59,12 +59,13 @@ EdgeGraph GraphOf(const SurfaceMesh& mesh) {
   return graph;
 }
 
-/// Shortest ways along edges to the nearest of some vertices.
+/// Shortest paths along edges to the nearest of several source vertices.
 struct ShortestWays {
   std::vector<double> distance;
-  std::vector<int32_t> edge;  ///< towards the source; -1: it is one, or out of reach
+  /// Next edge towards the source; -1 for a source, or if no source is reachable
+  std::vector<int32_t> edge;
 
-  /// Edges from a vertex to its source.
+  /// Returns the edges from a vertex to its source.
   std::vector<int32_t> WayFrom(const EdgeGraph& graph, int32_t vertex) const {
     std::vector<int32_t> way;
     while (edge[vertex] >= 0) {
@@ -76,7 +77,7 @@ struct ShortestWays {
   }
 };
 
-/// Dijkstra's. Of two ways of one length, the one by the lower vertex.
+/// Runs Dijkstra's algorithm. Of two paths with equal length, the one by the lower vertex is taken.
 ShortestWays WaysTo(const EdgeGraph& graph, const std::vector<int32_t>& sources) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   ShortestWays ways{.distance = std::vector<double>(graph.at.size(), kFar),
@@ -116,7 +117,7 @@ int32_t Farthest(const ShortestWays& ways) {
   return farthest;
 }
 
-/// Shortest ways between places that are far from each other.
+/// Returns shortest paths between points that are far from each other.
 std::vector<int32_t> SeamBetweenExtremities(const SurfaceMesh& mesh, const EdgeGraph& graph) {
   const int32_t first = Farthest(WaysTo(graph, {mesh.triangles[0][0]}));
   std::vector<int32_t> seam, reached = {first};
@@ -134,15 +135,15 @@ std::vector<int32_t> SeamBetweenExtremities(const SurfaceMesh& mesh, const EdgeG
   return seam;
 }
 
-/// The edges that neither a tree of shortest ways holds nor a dual tree crosses that takes the
-/// longest loops first: two for each handle.
+/// Returns the edges that are neither in the tree of shortest paths nor crossed by a dual tree: two
+/// for each handle. The dual tree takes the edges of the longest loops first.
 std::vector<int32_t> LoopEdges(const SurfaceMesh& mesh, const EdgeGraph& graph,
                                const SurfaceTopology& topology, const ShortestWays& ways) {
   std::vector<bool> in_tree(graph.edges.size(), false);
   for (const int32_t e : ways.edge) {
     if (e >= 0) in_tree[e] = true;
   }
-  // A hole is a face of its own, reached last: the surface must hang together without it.
+  // A hole is a separate face, reached last: the surface must be connected without it.
   const auto faces = static_cast<int32_t>(mesh.triangles.size());
   std::vector<int32_t> hole_of(mesh.points_mm.size(), -1);
   for (size_t i = 0; i < topology.loops.size(); ++i) {
@@ -151,7 +152,7 @@ std::vector<int32_t> LoopEdges(const SurfaceMesh& mesh, const EdgeGraph& graph,
   }
   struct Crossing {
     bool of_hole = false;
-    double loop = 0;  ///< through the root
+    double loop = 0;  ///< length of the loop through the root
     int32_t edge = 0;
   };
   std::vector<Crossing> crossings;
@@ -175,7 +176,7 @@ std::vector<int32_t> LoopEdges(const SurfaceMesh& mesh, const EdgeGraph& graph,
   return left;
 }
 
-/// Takes away what ends blindly.
+/// Removes parts of the seam with a free end.
 void Prune(const EdgeGraph& graph, std::vector<int32_t>* seam) {
   std::sort(seam->begin(), seam->end());
   seam->erase(std::unique(seam->begin(), seam->end()), seam->end());

@@ -9,18 +9,18 @@
 
 namespace slicefarm::texture {
 
-/// An edge by its vertices, the lower number first.
+/// Edge given by its vertices, the lower number first.
 using SeamEdge = std::array<int32_t, 2>;
 
-/// Along which edges to cut a surface so that it becomes a disk, with its holes as they are;
-/// sorted. Of a disk: none.
+/// Returns the edges along which to cut a surface so that it becomes a disk; its holes stay. The
+/// edges are sorted. A disk needs no cut.
 ///
-/// Each handle is cut along the two shortest loops through one vertex, the best of a few. A closed
-/// surface without handles is cut along shortest paths between its extremities: places far from
-/// each other, where a map would be stretched most.
+/// Each handle is cut along the two shortest loops through one vertex, the best of a few
+/// candidates. A closed surface without handles is cut along shortest paths between its
+/// extremities: points far from each other, where a map would be stretched most.
 ///
-/// REQUIRES: `topology` is the mesh's. Cost: O(n log n) for n edges, a few times.
-/// Source: Erickson and Whittlesey, "Greedy Optimal Homotopy and Homology Generators", SODA 2005.
+/// REQUIRES: `topology` is the mesh's. Cost: O(n log n) for n edges, a few times. Source: Erickson
+/// and Whittlesey, "Greedy Optimal Homotopy and Homology Generators", SODA 2005.
 std::vector<SeamEdge> SeamOf(const SurfaceMesh& mesh, const SurfaceTopology& topology);
 
 }  // namespace slicefarm::texture

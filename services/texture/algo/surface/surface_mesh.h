@@ -9,7 +9,7 @@ namespace slicefarm::texture {
 
 using slicefarm::SurfaceMesh;
 
-/// Twice the area, along the normal.
+/// Returns the normal of a triangle with twice its area as length.
 inline Eigen::Vector3d DoubleAreaVector(const SurfaceMesh& mesh, size_t triangle) {
   const auto& [a, b, c] = mesh.triangles[triangle];
   const Eigen::Vector3d& origin = mesh.points_mm[a];
