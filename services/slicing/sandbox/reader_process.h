@@ -40,7 +40,7 @@ class ReaderProcess {
  private:
   ReaderProcess(pid_t pid, Fd answer) : pid_(pid), answer_(std::move(answer)) {}
 
-  pid_t pid_;  ///< 0: already reaped
+  pid_t pid_;  ///< process id; 0: already reaped
   Fd answer_;
 };
 

@@ -359,7 +359,7 @@ class CountPlanner {
   SkeletalGraph& graph_;
   std::vector<char>& central_;
   std::vector<int> edge_count_;
-  std::vector<char> in_small_fill_;  ///< per node
+  std::vector<char> in_small_fill_;  ///< 1 for each node in a small fill
   std::vector<int> leaving_;
   std::vector<Range> around_;  ///< range of the counts of the edges around each node
   std::vector<Ramp> up_, down_;  ///< ramps per node: towards more beads, towards fewer beads

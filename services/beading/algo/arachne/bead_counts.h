@@ -36,7 +36,7 @@ struct BeadCount {
 /// Decides the number of beads along the central edges and at isolated tops. The result is per
 /// node.
 ///
-/// Edges are split at the begin, middle and end of transitions and at the kinks of the strategy;
+/// Edges are split at the start, middle and end of transitions and at the kinks of the strategy;
 /// `central` grows with them. Stretches that differ from a neighbour by less than the filter are
 /// merged into it, the shortest first. Cost: O(n log n).
 ///

@@ -119,7 +119,7 @@ class SideTracer {
                : AxisPoint(with, without);
   }
 
-  /// Returns the begin of a bead that starts as one half of a bead along the axis.
+  /// Returns the first point of a bead that starts as one half of a bead along the axis.
   BeadPoint HalfOfMiddle(int half, int node) const {
     const SkeletalNode& at = graph_.nodes[node];
     const double width = beadings_[node].middle_width / 2;
@@ -380,9 +380,9 @@ class MiddleTracer {
   const std::vector<NodeBeading>& beadings_;
   const TracingOptions& options_;
   const std::vector<int> leaving_;
-  std::vector<char> open_;  ///< per edge: 1 if its bead is not part of a line yet
-  std::vector<char> has_middle_;  ///< per edge
-  std::vector<int> mate_;  ///< per half-edge: the half-edge that continues its line
+  std::vector<char> open_;  ///< 1 for each edge with a bead that is not part of a line yet
+  std::vector<char> has_middle_;  ///< 1 for each edge with a middle bead
+  std::vector<int> mate_;  ///< half-edge that continues the line of each half-edge
 };
 
 }  // namespace

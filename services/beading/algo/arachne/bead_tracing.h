@@ -11,7 +11,7 @@ namespace slicefarm::beading {
 /// Point on the middle of a bead, with the bead's width.
 struct BeadPoint {
   Vector2 place = Vector2::Zero();
-  double width = 0;  ///< in nm
+  double width = 0;  ///< width of the bead, in nm
 };
 
 /// Middle line of a bead, with the bead's width at each point.
@@ -19,7 +19,7 @@ struct BeadLine {
   int inset = 0;  ///< 0 for the outermost bead
   bool closed = false;
   bool is_middle = false;  ///< true for a bead along the axis
-  bool is_marker = false;  ///< true for width 0: the border of the infill's area
+  bool is_marker = false;  ///< true for a marker of width 0: the border of the infill's area
   std::vector<BeadPoint> points;
 };
 

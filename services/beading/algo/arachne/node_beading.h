@@ -8,7 +8,7 @@ namespace slicefarm::beading {
 
 /// Bead on one side of the medial axis.
 struct SideBead {
-  double width = 0;  ///< in nm; 0: a marker, the border of the infill's area
+  double width = 0;  ///< width in nm; 0: a marker, the border of the infill's area
   double location = 0;  ///< distance from the boundary to the bead's middle, in nm
 
   friend bool operator==(const SideBead&, const SideBead&) = default;
@@ -18,7 +18,7 @@ struct SideBead {
 struct NodeBeading {
   std::vector<SideBead> sides;  ///< outermost first
   bool has_middle = false;
-  double middle_width = 0;  ///< in nm; 0 for a marker, which has no area on the axis
+  double middle_width = 0;  ///< width in nm; 0 for a marker, which has no area on the axis
 
   friend bool operator==(const NodeBeading&, const NodeBeading&) = default;
 };

@@ -13,7 +13,7 @@ namespace slicefarm::beading {
 
 /// Options for walls of variable width.
 struct VariableWallOptions {
-  double transition_angle = 0.1745;  ///< in radians: wall_transition_angle
+  double transition_angle = 0.1745;  ///< wall_transition_angle, in radians
   Coord transition_length_nm = 400'000;  ///< wall_transition_length
   Coord filter_deviation_nm = 100'000;  ///< wall_transition_filter_deviation
   Coord min_middle_width_nm = 100'000;  ///< beads along the middle end where they become narrower
@@ -47,9 +47,8 @@ std::optional<std::vector<SkeletalGraph>> MakeSkeletons(const PolygonWithHoles& 
 VariableWalls WallsAlong(std::vector<SkeletalGraph> skeletons, const BeadingStrategy& strategy,
                          const VariableWallOptions& options);
 
-/// Returns beads along the outline of an island. Their number and widths are the ones that
-/// `strategy` returns for each thickness. They cover the island except for the areas inside the
-/// markers.
+/// Returns beads along the outline of an island. `strategy` determines their number and widths for
+/// each thickness. They cover the island except for the areas inside the markers.
 ///
 /// Returns nullopt if there are no skeletons. Source: Kuipers et al. 2020.
 std::optional<VariableWalls> MakeVariableWalls(const PolygonWithHoles& island,

@@ -26,7 +26,7 @@ double Area(const ThickLine& line);
 void CutEnd(ThickLine& line, double length_nm);
 
 /// Extends the end of an open line by `length_nm`, straight and with the thickness of the end. The
-/// direction is the one of about the last `length_nm` of the line, not of a tiny last edge.
+/// direction is taken from about the last `length_nm` of the line, not from a tiny last edge.
 void ExtendEnd(ThickLine& line, double length_nm);
 
 /// Reverses the direction of the line.

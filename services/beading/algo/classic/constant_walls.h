@@ -16,9 +16,9 @@ struct WallPlan {
   Coord external_spacing_nm = 0;
   Coord inner_spacing_nm = 0;
   bool gap_fill = false;  ///< true to search for gaps between walls
-  /// True: places too thin for two of the outermost walls get one bead. false: they get a loop that
-  /// overlaps itself, as in PrusaSlicer, if one wall fits; otherwise they would not be printed at
-  /// all.
+  /// If true, places too thin for two of the outermost walls get one bead. If false, they get a
+  /// loop that overlaps itself, as in PrusaSlicer, if one wall fits. Otherwise they would not be
+  /// printed at all.
   bool thin_walls = false;
   /// Smallest length of beads for thin walls beside a wall; shorter ones are omitted
   Coord least_tip_nm = 0;

@@ -34,7 +34,7 @@ constexpr double kExtend = 0.25;
 constexpr double kLeastLength = 0.8;
 
 struct AxisEdge {
-  int a = 0;  ///< node
+  int a = 0;  ///< node at one end
   int b = 0;
 };
 
@@ -303,7 +303,7 @@ class AxisGraph {
   std::vector<bool> alive_;
   std::vector<int> degree_;
   std::vector<int> first_;  ///< first index of each node in incident_
-  std::vector<int> incident_;  ///< edges per node
+  std::vector<int> incident_;  ///< edges of the nodes, node after node
   std::vector<std::pair<int, int>> pair_;
   std::vector<Branch> branches_;
   /// Leaf of the branch that has this edge as its last one before its fork

@@ -9,7 +9,7 @@ namespace slicefarm::beading {
 
 /// Options for MedialAxis.
 struct MedialAxisOptions {
-  Coord min_thickness_nm = 80'000;  ///< there is no line where the region is narrower
+  Coord min_thickness_nm = 80'000;  ///< smallest width of the region along a line
   Coord tolerance_nm = 5'000;  ///< tolerance of the lines' points and thicknesses
 };
 

@@ -16,7 +16,7 @@ struct RedistributeOptions {
   double min_outer_share = 0.5;
   double split_threshold =
       0.7;  ///< growth of a single bead before its split, as a fraction of the outer width
-  /// True: two beads in transition to three do not become wider than the outer width
+  /// If true, two beads in transition to three do not become wider than the outer width.
   bool lock_outer_width = false;
 };
 

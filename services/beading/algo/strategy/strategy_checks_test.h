@@ -72,8 +72,7 @@ inline void ExpectSymmetric(const BeadingStrategy& strategy) {
       for (int i = 0; i < b.count(); ++i) {
         const int j = b.count() - 1 - i;
         ASSERT_EQ(b.widths_nm[i], b.widths_nm[j]) << d << " in " << n;
-        // A marker in the middle represents both sides; its position is the one of the first
-        // marker.
+        // A marker in the middle represents both sides; it has the position of the first marker.
         if (b.widths_nm[i] == 0) continue;
         // The middle of an odd thickness is rounded down.
         ASSERT_NEAR(b.locations_nm[i] + b.locations_nm[j], d, i == j ? 1 : 0) << d << " in " << n;

@@ -84,8 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
         // A bead is added when there is space for it, and split when both halves are wide enough.
         TransitionsCase{"LeastWidth", {.min_width_nm = 300 * kUm}, {100, 680, 1100, 1480}},
         TransitionsCase{"LeastHalves", {.min_split_width_nm = 300 * kUm}, {100, 600, 1140, 1400}},
-        // A transition is always after the optimal thickness of the lower count and before the one
-        // of the higher count.
+        // A transition is always between the optimal thicknesses of the lower and the higher count.
         TransitionsCase{"GreatLeastWidth", {.min_width_nm = 500 * kUm}, {100, 680, 1196, 1480}},
         TransitionsCase{
             "GreatLeastHalves", {.min_split_width_nm = 500 * kUm}, {100, 796, 1140, 1596}},

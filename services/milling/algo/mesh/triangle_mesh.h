@@ -18,7 +18,8 @@ struct TriangleMesh {
 /// from them do not depend on the order of triangles and corners.
 struct MeshEdges {
   std::vector<std::array<uint32_t, 2>> ends;
-  std::vector<std::array<uint32_t, 3>> of_triangle;  ///< edges from corner 0 to 1, 1 to 2, 2 to 0
+  /// three edges per triangle: from corner 0 to 1, 1 to 2, 2 to 0
+  std::vector<std::array<uint32_t, 3>> of_triangle;
 };
 
 /// Returns the edges of a mesh. Cost: O(n log n) for n triangles.

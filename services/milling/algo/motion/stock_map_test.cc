@@ -40,7 +40,7 @@ TEST(StockMap, TakesTheVolumeOfAWay) {
 }
 
 /// A sloping move removes the same volume after turning by 90 degrees and mirroring. The volume is
-/// at most the one of a level move at its lower end, and at least the one at its higher end.
+/// between the volumes of a level move at its higher end and of a level move at its lower end.
 TEST(StockMap, TakesSlopes) {
   for (const std::string_view text : {"cyl:4", "ball:4", "bull:4:1"}) {
     const MillingJob job = WideJob(text);

@@ -68,7 +68,7 @@ FiberPoint On(const FiberPoint& from, const FiberPoint& step, double s) {
 struct EdgePart {
   FiberPoint from;
   FiberPoint step;
-  double start = 0;  ///< s of the begin on the whole edge
+  double start = 0;  ///< s of the part's start on the whole edge
   double length = 0;
 };
 

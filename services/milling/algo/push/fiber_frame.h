@@ -69,7 +69,7 @@ class FiberFrame {
   /// order.
   std::vector<std::array<uint32_t, 3>> corners_;
   std::vector<FiberPoint> points_;  ///< height is z
-  std::vector<FacetNormal> normals_;  ///< per triangle
+  std::vector<FacetNormal> normals_;  ///< normals of the triangles
 };
 
 }  // namespace slicefarm::milling

@@ -222,7 +222,7 @@ class BlockPush {
   size_t next_ = 0;
   std::vector<uint32_t> active_;
   std::vector<Candidate> candidates_;
-  std::vector<IntervalSet> settled_;  ///< per fiber of the block
+  std::vector<IntervalSet> settled_;  ///< intervals of settled triangles, per fiber of the block
   IntervalSet known_;  ///< gouged on all fibers
   IntervalSet gouged_;
 };

@@ -15,7 +15,7 @@ namespace slicefarm::milling {
 struct WaterlineOptions {
   double sampling_mm = 0.2;  ///< distance between fibers
   /// Largest deviation of a loop from the chord of two points; beyond it, fibers are added between
-  /// the ones of the grid. 0: none are added.
+  /// the fibers of the grid. 0: none are added.
   double tolerance_mm = 0;
   double least_sampling_mm = 0.01;  ///< smallest distance of added points
   bool contacts = false;  ///< true to compute contacts
@@ -36,8 +36,8 @@ struct WaterlineLoop {
 /// contours of the area forbidden to the tip, on a grid of fibers in x and y over the mesh and two
 /// radii around it. Details thinner than the grid and free areas narrower than it are not detected.
 ///
-/// The pitch is the one of OpenCAMlib: the smallest pitch that is at least sampling_mm and divides
-/// the width. Errors: MESH_EMPTY; SETTING_OUT_OF_RANGE for an invalid sampling or level;
+/// As in OpenCAMlib, the pitch is the smallest one that is at least sampling_mm and divides the
+/// width. Errors: MESH_EMPTY; SETTING_OUT_OF_RANGE for an invalid sampling or level;
 /// REQUEST_TOO_LARGE for too many fibers or levels; Cancelled. Cost: see PushFibers. Source:
 /// OpenCAMlib's push cutter, "Weave" by A. Wallin.
 absl::StatusOr<std::vector<std::vector<WaterlineLoop>>> Waterlines(

@@ -249,7 +249,7 @@ class Weaver {
   const Weave& weave_;
   const GougedAt& gouged_at_;
   std::vector<Crossing> crossings_;
-  std::vector<uint32_t> next_;  ///< per crossing
+  std::vector<uint32_t> next_;  ///< next crossing of each crossing
   std::vector<ColumnEnd> column_ends_;
   size_t next_end_ = 0;
   std::vector<CellCrossing> strip_;

@@ -22,8 +22,8 @@ struct Counterbore {
 ///
 /// The slots run in a direction in which bridges beside the holes rest on `below` at both ends. If
 /// there is no such direction, as on a ledge, there is no counterbore. Among the possible
-/// directions, the one with the crossed slots closest around the holes is taken, and then the
-/// one with the shortest bridges.
+/// directions, it takes the direction with the crossed slots closest around the holes. Among equal
+/// ones, it takes the direction with the shortest bridges.
 ///
 /// Cost: one difference and one offset of both outlines; no more if they show no overhang.
 std::vector<Counterbore> CounterboresOver(const MultiPolygon& below, const MultiPolygon& here);

@@ -47,14 +47,14 @@ class LineReader {
  private:
   /// Returns the end of the line that starts at `begin`, without the line terminator.
   size_t LineEnd(size_t begin);
-  /// Returns the begin of the line after the one that ends at `end`.
+  /// Returns the start of the next line after a line that ends at `end`.
   size_t After(size_t end) const;
 
   std::string_view text_;
   size_t max_line_bytes_;
   bool joins_;
   size_t at_ = 0;
-  /// First LF and CR at or after the line's begin, once searched
+  /// Positions of the first LF and CR at or after the line's start, once searched
   size_t next_lf_ = 0, next_cr_ = 0;
   int64_t number_ = 0;
   int64_t next_number_ = 1;

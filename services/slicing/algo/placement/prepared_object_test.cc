@@ -106,7 +106,7 @@ TEST(PrepareObjects, PartsKeepTheirPlacesInTheObject) {
   const auto objects = Prepare({ToBinaryStl(BoxMesh({5, 5, 5}, {15, 15, 15}))}, {object});
   ASSERT_TRUE(objects.ok()) << objects.status();
   const PreparedObject& prepared = objects->at(0);
-  // The middle is the one of the solid parts: from 5 to 35.
+  // The middle is computed from the solid parts: from 5 to 35.
   EXPECT_EQ(prepared.parts[0].report.min_mm[0] - 125, -15);
   EXPECT_EQ(prepared.parts[1].report.max_mm[0] - 125, 15);
   EXPECT_EQ(prepared.parts[2].report.min_mm[2], -50);

@@ -58,7 +58,7 @@ void AppendEdges(const Polygon& ring, std::vector<OutlineEdge>& edges) {
 }
 
 /// Calls visit(diameter, cosine) for discs that touch the outline at p with normal n and also touch
-/// an edge or its reflex ends. `cosine` is the one of the angle between the two touched sides.
+/// an edge or its reflex ends. `cosine` belongs to the angle between the two touched sides.
 template <typename Visit>
 void ForEachDisc(Point p, Vector2 n, const OutlineEdge& edge, Visit visit) {
   if (p == edge.from || p == edge.to) {  // no disc fits into a corner, any into a reflex one

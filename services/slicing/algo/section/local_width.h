@@ -17,7 +17,7 @@ struct OutlineEdge {
   Vector2 inward = Vector2::Zero();
   Vector2 inward_before = Vector2::Zero();  ///< inward normal of the previous edge in the ring
   Vector2 inward_after = Vector2::Zero();
-  bool reflex_from = false;  ///< true if the material's angle at this end is above 180 degrees
+  bool reflex_from = false;  ///< true if the material's angle at `from` is above 180 degrees
   bool reflex_to = false;
   int32_t next = 0;  ///< index of the next edge in the ring
   double middle_rad = 0;  ///< middle direction of all its normals, with its reflex ends

@@ -106,8 +106,7 @@ PartitionedSection Partition(std::vector<PartSection> parts, const RegionEdits& 
     if (part.role == PartRole::kNegative && !part.outlines.empty()) CutOut(part.outlines, areas);
   MultiPolygon whole;
   for (const auto& [row, area] : areas) Append(area, whole);
-  // With a single region, its outlines are the ones of the whole: the same points, not only the
-  // same area.
+  // A single region gets the outlines of the whole: the same points, not only the same area.
   if (areas.size() > 1) whole = United(whole);
   whole = Edited(std::move(whole), edits, resolution_nm);
   for (const PartSection& part : parts)

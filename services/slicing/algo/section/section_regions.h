@@ -12,7 +12,7 @@ namespace slicefarm::slicing {
 /// Section of one part of an object.
 struct PartSection {
   PartRole role = PartRole::kSolid;
-  int32_t settings = 0;  ///< row of settings, for solid parts
+  int32_t settings = 0;  ///< row of the part's settings, for solid parts
   const std::map<int32_t, int32_t>* changes = nullptr;  ///< for modifiers: new row by old row
   MultiPolygon outlines;
 };

@@ -21,7 +21,7 @@ struct SweepScratch {
   std::vector<uint32_t>
       segment_of_face;  ///< valid for the faces of the current layer only, so never cleared
   std::vector<Point> ends;  ///< end point of each segment
-  std::vector<uint32_t> exits;  ///< per segment: the half-edge on the other side of the rising edge
+  std::vector<uint32_t> exits;  ///< half-edge on the other side of the rising edge, per segment
   std::vector<uint8_t> marks;  ///< state of each segment
   std::vector<Point> line;
 };

@@ -46,16 +46,16 @@ struct LocalModel {
   Eigen::Matrix<double, 6, 6> hessian = Eigen::Matrix<double, 6, 6>::Zero();
 };
 
-/// Returns the model of the energy. Only one eigenvalue of the Hessian can be negative, the one of
-/// twisting; it is cut at 0. Exact for conformal maps too. REQUIRES: det J > 0.
+/// Returns the model of the energy. Only the eigenvalue of twisting can be negative in the Hessian;
+/// it is cut at 0. Exact for conformal maps too. REQUIRES: det J > 0.
 ///
 /// Source: Smith, de Goes, Kim, "Analytic Eigensystems for Isotropic Distortion Energies", ACM TOG
 /// 38 (2019).
 LocalModel ModelOf(const Eigen::Matrix2d& jacobian, const RestTriangle& rest);
 
-/// Returns a model with the same gradient and another Hessian: the one of the squared distance to
-/// the nearest rotation, weighted to match the gradient. It gives longer steps if a triangle is far
-/// from its shape.
+/// Returns a model with the same gradient and another Hessian. It is the Hessian of the squared
+/// distance to the nearest rotation, weighted to match the gradient. It gives longer steps if a
+/// triangle is far from its shape.
 ///
 /// Source: Rabinovich et al., "Scalable Locally Injective Mappings", ACM TOG 36 (2017).
 LocalModel ProxyOf(const Eigen::Matrix2d& jacobian, const RestTriangle& rest);

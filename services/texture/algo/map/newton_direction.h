@@ -44,7 +44,7 @@ class NewtonDirection {
   std::vector<int32_t> diagonal_;
   Eigen::VectorXd gradient_;
   Eigen::VectorXd last_newton_, last_way_;
-  double last_decrement_ = 0;  ///< 0: there is no previous direction
+  double last_decrement_ = 0;  ///< decrement of the previous step; 0: there was none
 };
 
 }  // namespace slicefarm::texture

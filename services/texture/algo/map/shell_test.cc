@@ -27,9 +27,8 @@ BoundaryLoop Numbered(size_t count) {
   return loop;
 }
 
-/// Checks that all triangles turn left, and that each edge except the ones of the loop and the
-/// frame has a triangle on both sides. With the frame outside, the triangles then fill the ring
-/// once.
+/// Checks that all triangles turn left, and that each edge has a triangle on both sides, except
+/// edges of the loop and the frame. With the frame outside, the triangles then fill the ring once.
 void ExpectFillsTheRing(const std::vector<double>& turns) {
   const FirstMap map = LoopAt(turns);
   const std::vector<BoundaryLoop> loops = {Numbered(turns.size())};

@@ -14,7 +14,7 @@ namespace slicefarm::texture {
 /// in the same rows.
 struct SupernodalShape {
   std::vector<int32_t> first_column;  ///< first column of each supernode, and the number of columns
-  std::vector<int32_t> first_row;  ///< begin of each supernode's rows in `rows`, and their number
+  std::vector<int32_t> first_row;  ///< start of each supernode's rows in `rows`, and their number
   std::vector<int32_t> rows;  ///< ascending in each supernode, beginning with its own columns
 };
 
@@ -67,12 +67,12 @@ class SupernodalFactor {
   std::vector<double> numbers_;
   PanelProduct product_;
   // State of the current factorization:
-  /// Per supernode: the first of the supernodes that contribute to it
+  /// First of the supernodes that contribute to each supernode
   std::vector<int32_t> waiting_;
-  std::vector<int32_t> next_;  ///< per supernode: the next one in the same queue
-  std::vector<int32_t> used_;  ///< per supernode: number of rows used
-  std::vector<int32_t> place_of_;  ///< per row of the matrix: its index in the current panel
-  std::vector<int32_t> places_;  ///< per row of the earlier panel
+  std::vector<int32_t> next_;  ///< next supernode in the same queue, per supernode
+  std::vector<int32_t> used_;  ///< number of rows used, per supernode
+  std::vector<int32_t> place_of_;  ///< index in the current panel of each row of the matrix
+  std::vector<int32_t> places_;  ///< index in the current panel of each row of the earlier panel
 };
 
 }  // namespace slicefarm::texture

@@ -7,7 +7,7 @@
 namespace slicefarm::texture {
 namespace {
 
-/// Random sequence like the one of the C library: degree 31.
+/// Random sequence with the parameters of the C library: degree 31.
 struct Sequence {
   std::array<char, 128> numbers = {};
   random_data data = {};

@@ -44,7 +44,7 @@ class EngraveProgram {
   EngraveProgram(const ProgramOptions& options, double safe_z_mm)
       : options_(options), axes_(options.axes), safe_z_mm_(safe_z_mm) {}
 
-  /// Returns the begin of the program: units, modes, and the tool at the safe height.
+  /// Returns the first lines of the program: units, modes, and the tool at the safe height.
   std::string Start();
   /// Returns a layer's moves. Errors, with the position: OUT_OF_RANGE if an axis would exceed its
   /// limit, or the surface is too steep for a machine without rotary axes.

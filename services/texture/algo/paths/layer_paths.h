@@ -23,7 +23,7 @@ struct LayerPath {
   double height_mm = 0;  ///< height in the texture
   double offset_mm = 0;  ///< offset from the surface
   double spacing_mm = 0;
-  std::vector<ToolPoint> points = {};  ///< in order of travel; a link leads to the first one
+  std::vector<ToolPoint> points = {};  ///< points in order of travel; a link leads to the first one
   int64_t runs = 0;  ///< number of worked parts of lines
   double on_mm = 0;
   double off_mm = 0;

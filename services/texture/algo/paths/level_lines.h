@@ -19,7 +19,7 @@ struct EdgePlace {
 };
 
 /// Line through triangles, from edge to edge: places.size() == triangles.size() + 1. A closed line
-/// ends at its begin.
+/// ends at its first point.
 struct LevelLine {
   std::vector<EdgePlace> places;
   std::vector<int32_t> triangles;

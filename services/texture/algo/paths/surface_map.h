@@ -23,7 +23,7 @@ struct SurfacePoint {
 using slicefarm::NormalKind;
 
 /// Surface with disk topology, possibly with holes, and its one-to-one map into the plane. If a
-/// closed surface was cut open, its normals are the ones of the closed surface.
+/// closed surface was cut open, it keeps the normals of the closed surface.
 class SurfaceMap {
  public:
   /// `points_mm`: the map, per vertex of the opened mesh (Flatten).
@@ -75,10 +75,10 @@ class SurfaceMap {
   std::vector<Eigen::Vector2d> map_mm_;
   std::vector<std::array<int32_t, 3>> neighbours_;
   std::vector<std::vector<int32_t>> loops_;
-  std::vector<BoundarySide> side_from_;  ///< per vertex
-  std::vector<LoopPlace> in_loop_;  ///< per vertex
+  std::vector<BoundarySide> side_from_;  ///< boundary side that begins at each vertex
+  std::vector<LoopPlace> in_loop_;  ///< position of each vertex in its loop
   std::vector<Eigen::Vector3d> face_normals_;
-  std::vector<Eigen::Vector3d> vertex_normals_;  ///< per vertex of the opened mesh
+  std::vector<Eigen::Vector3d> vertex_normals_;  ///< normals of the opened mesh's vertices
   std::vector<std::array<Eigen::Vector3d, 3>> edge_normals_;  ///< normal of the side from corner k
   Eigen::Vector2d low_mm_;
   Eigen::Vector2d high_mm_;

@@ -108,7 +108,7 @@ UnitTexture Letters(const TextureSpec& spec) {
   std::vector<std::vector<Stroke>> glyphs;
   for (const char c : spec.text) glyphs.push_back(GlyphOf(c));
   const auto count = static_cast<int>(glyphs.size());
-  // The units are the ones of the font: a margin of 1 on each side, of 1.5 above and below.
+  // Lengths are in units of the font: a margin of 1 on each side, of 1.5 above and below.
   const auto distance = [glyphs, count](const Eigen::Vector2d& at) {
     double nearest = 2 * kGlyphHeight;
     const int here = static_cast<int>(std::floor(at.x() / kGlyphAdvance));

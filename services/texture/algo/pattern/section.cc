@@ -95,7 +95,7 @@ bool Section::Contains(const Eigen::Vector2d& place_mm) const {
       const double share = (place_mm.y() - from.y()) / (to.y() - from.y());
       const auto [least, most] = std::minmax(from.x(), to.x());
       const double x = std::clamp(from.x() + share * (to.x() - from.x()), least, most);
-      // A side is in several cells and counts only in the one where it meets the ray.
+      // A side may be in several cells. It counts only in the cell where it meets the ray.
       if (x > place_mm.x() && CellOf(x, 0) == column) winding += to_above ? 1 : -1;
     }
   }

@@ -43,7 +43,7 @@ class Section {
   std::vector<OutlineSide> sides_;
   Eigen::Vector2d cell_mm_;
   std::array<int32_t, 2> counts_ = {1, 1};
-  std::vector<int32_t> starts_;  ///< per cell: begin of its sides in listed_
+  std::vector<int32_t> starts_;  ///< start of each cell's sides in listed_
   std::vector<int32_t> listed_;
 };
 

@@ -66,7 +66,7 @@ struct TextureSpec {
   /// Number of octaves of noise, each half as wide and half as high as the previous one
   double octaves = 3;
   double seed = 1;
-  double detail = 40;  ///< nodes per pitch
+  double detail = 40;  ///< number of nodes per pitch
   std::string text = "SLICEFARM";
 
   friend bool operator==(const TextureSpec&, const TextureSpec&) = default;

@@ -77,7 +77,8 @@ struct ShortestWays {
   }
 };
 
-/// Runs Dijkstra's algorithm. Of two paths with equal length, the one by the lower vertex is taken.
+/// Runs Dijkstra's algorithm. Of two paths with equal length, it takes the path by the lower
+/// vertex.
 ShortestWays WaysTo(const EdgeGraph& graph, const std::vector<int32_t>& sources) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   ShortestWays ways{.distance = std::vector<double>(graph.at.size(), kFar),

@@ -45,7 +45,7 @@ struct Scene {
   }
 };
 
-// A bed of 200 x 150 has a diagonal of 250, so the beds are 75 apart. The positions are the ones of
+// A bed of 200 x 150 has a diagonal of 250, so the beds are 75 apart. The positions are from
 // PrusaSlicer 2.9.4 (BedsGrid).
 TEST(AddBeds, FillGrowingSquares) {
   std::vector<std::array<double, 2>> places;

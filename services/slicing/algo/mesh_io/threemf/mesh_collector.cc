@@ -31,8 +31,7 @@ std::string_view WithoutPrefix(std::string_view name) {
   return name.substr(name.find(':') + 1);  // all of it if there is none
 }
 
-// The first name is the one of PrusaSlicer (which has a prefix), the second the one of Bambu Studio
-// and OrcaSlicer.
+// PrusaSlicer uses the first name (with a prefix), Bambu Studio and OrcaSlicer use the second name.
 
 bool IsSeamPaint(std::string_view name) {
   name = WithoutPrefix(name);

@@ -29,7 +29,7 @@ struct ObjectResource {
   ResourceId id = 0;
   std::string name;
   std::string type = "model";
-  int32_t mesh = -1;  ///< index among all meshes of all model files; -1: no mesh
+  int32_t mesh = -1;  ///< index of its mesh among all meshes of all model files; -1: no mesh
   int64_t triangles = 0;
   uint8_t paint = 0;  ///< flags of Paint
   MeshPaint marks;

@@ -72,9 +72,9 @@ struct Arrangement {
 ///
 /// Cost: see the figures. Footprints with many corners are packed as at most 12 convex pieces.
 ///
-/// Comparison with libnest2d 5.0, with which PrusaSlicer arranged before 2.6. It is not used
-/// because its concave parts overlap. Bed 250 x 210 mm, distance 6 mm, no rotations, one core (CPU
-/// time):
+/// PrusaSlicer used libnest2d 5.0 for arranging before version 2.6. It is not used here because its
+/// concave parts overlap. The table compares both. Bed 250 x 210 mm, distance 6 mm, no rotations,
+/// one core (CPU time):
 ///
 ///                                        libnest2d                 this
 ///   100 parts 30 x 20                    3 plates, 0.8 s           2 plates, 0.02 s

@@ -207,7 +207,7 @@ void AddFaces(const IndexedMesh& mesh, const Body& body, const Stand& stand,
   }
 }
 
-/// Returns all measures of an orientation except the ones from faces, which cost most.
+/// Returns all measures of an orientation except the areas of faces, which cost most.
 PrintOrientation Measured(const Body& body, const Stand& stand, const Matrix3d& rotation) {
   PrintOrientation result;
   result.rotation = rotation;

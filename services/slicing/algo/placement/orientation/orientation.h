@@ -47,7 +47,7 @@ struct OrientationSuggestion {
 /// lower one wins unless its contact area is much smaller. `best` may begin with the current
 /// orientation.
 ///
-/// The centre of mass of a mesh that encloses no volume is the one of its surface. The result is
+/// For a mesh that encloses no volume, the centre of mass of its surface is used. The result is
 /// deterministic. The object is not moved; the caller drops the result onto z = 0.
 ///
 /// Errors: MESH_EMPTY if no triangle has an area; SETTING_OUT_OF_RANGE for invalid angles;

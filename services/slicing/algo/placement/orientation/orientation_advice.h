@@ -16,7 +16,7 @@ namespace slicefarm::slicing {
 /// or to_plate mirrors or shears the object, which angles cannot express.
 ///
 /// `parts`: the object's solid parts in their current orientation. `to_plate`: scale and rotation
-/// of the object that gave this orientation; the advised rotation replaces the one in it. Errors:
+/// of the object that gave this orientation; the advised rotation replaces this rotation. Errors:
 /// the errors of SuggestOrientation.
 absl::StatusOr<std::optional<OrientationAdvice>> AdviseOrientation(
     std::span<const IndexedMesh* const> parts, const Transform& to_plate,

@@ -16,7 +16,7 @@ namespace {
 /// Triangle in the plane z = 1, of area 32, with its right angle at the first corner.
 const Facet kTriangle = {{{0, 0, 1}, {8, 0, 1}, {0, 8, 1}}};
 
-/// Returns the signed area: positive if the orientation is the one of kTriangle.
+/// Returns the signed area: positive if the facet has the orientation of kTriangle.
 double AreaOf(const Facet& f) {
   return ((f[1].x() - f[0].x()) * (f[2].y() - f[0].y()) -
           (f[1].y() - f[0].y()) * (f[2].x() - f[0].x())) /
