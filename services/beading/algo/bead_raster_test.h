@@ -12,8 +12,8 @@ namespace slicefarm::beading {
 /// Shares of an island's area.
 struct Coverage {
   double underfill = 0;  ///< not covered
-  double overfill = 0;  ///< covered by each bead beyond the first
-  double outside = 0;  ///< covered, but not part of the island
+  double overfill = 0;   ///< covered by each bead beyond the first
+  double outside = 0;    ///< covered, but not part of the island
 };
 
 /// Raster that covers an island with beads, by the area model of Kuipers et al. 2020, section 6.1.

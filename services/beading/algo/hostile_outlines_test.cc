@@ -39,7 +39,7 @@ constexpr double kSlackNm2 = 0.3e12;
 /// Radius of a disc. An area that can contain such a disc is thick enough for two beads, and no
 /// filter applies to it. In 80,000 islands, at least 0.985 of this area is covered, and no disc's
 /// centre is farther from a bead than 354,000 nm. (For discs of 250,000, pieces shorter than a
-/// bead's width stay free.)
+/// bead's width stay free.).
 constexpr Coord kDiscNm = 400'000;
 constexpr double kMinCover = 0.97;
 constexpr double kMaxGapNm = kDiscNm;
@@ -113,7 +113,7 @@ double DistanceTo(Point p, const ThickLine& line) {
 /// Coverage of the area that has space for a disc of kDiscNm.
 struct RoomCover {
   double room_nm2 = 0;
-  double share = 1;  ///< share of this area
+  double share = 1;   ///< share of this area
   double gap_nm = 0;  ///< largest distance of a disc's centre from a bead or the fill area
 };
 

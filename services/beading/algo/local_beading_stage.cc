@@ -38,7 +38,7 @@ class Surroundings {
   }
 
  private:
-  std::map<int32_t, StackOutlines> stacks_;  ///< stack id -> outlines
+  std::map<int32_t, StackOutlines> stacks_;       ///< stack id -> outlines
   std::map<const ObjectSection*, size_t> index_;  ///< index of a section in its stack
 };
 

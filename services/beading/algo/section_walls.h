@@ -16,9 +16,9 @@ namespace slicefarm::beading {
 /// Section and the layers of its object around it.
 struct SectionPlace {
   const ObjectSection& section;
-  bool on_bed = false;  ///< true: beads have the first layer's widths
+  bool on_bed = false;                  ///< true: beads have the first layer's widths
   const NeighbourOutlines& neighbours;  ///< outlines of its object
-  size_t index = 0;  ///< index of its own layer in `neighbours`
+  size_t index = 0;                     ///< index of its own layer in `neighbours`
 };
 
 /// Result of WallSection.

@@ -11,7 +11,7 @@ namespace slicefarm::beading {
 
 /// Areas inside of an island's outermost wall.
 struct TopParts {
-  MultiPolygon top;  ///< visible from above: for the top infill, without inner walls
+  MultiPolygon top;      ///< visible from above: for the top infill, without inner walls
   MultiPolygon covered;  ///< the rest, with inner walls around it
 };
 

@@ -40,7 +40,7 @@ struct SweptPart {
   const PreparedPart* part = nullptr;
   Sweep sweep;
   std::vector<GapCounts> gaps;  ///< gap counts per layer of the object
-  /// Slabs of a surface with seam or support marks, per layer of the object
+  /// Slabs of a surface with seam or support marks, per layer of the object.
   std::optional<SurfaceSlabs> slabs = {};
 };
 
@@ -381,9 +381,9 @@ class SlicingRun {
   bool advise_orientations_ = false;
   SlicedJob job_;
   std::vector<PreparedObject> objects_;
-  /// Number of overlapping copies per object, see CountOverlapping
+  /// Number of overlapping copies per object, see CountOverlapping.
   std::vector<int64_t> overlapping_;
-  int64_t points_ = 0;  ///< number of points in the sections of the swept parts
+  int64_t points_ = 0;              ///< number of points in the sections of the swept parts
   std::vector<SweptObject> swept_;  ///< sweeps per object
 };
 

@@ -23,7 +23,7 @@ struct TorusShape {
   double ring_radius = 30;  ///< radius of the circle in the middle of the tube, around the z axis
   double tube_radius = 10;
   int around = 64;  ///< segments around the z axis
-  int sides = 32;  ///< segments around the tube
+  int sides = 32;   ///< segments around the tube
   /// Layer height to snap to; 0: none. Heights above the lowest point are rounded to odd multiples
   /// of half of it, so all vertices are exactly on the planes that cut layers of this height.
   double snap_to_layer = 0;

@@ -8,7 +8,7 @@ namespace slicefarm::slicing {
 /// Degree of confinement of a process.
 enum class Confinement {
   kLimits,  ///< resource limits: no new file, socket or process, bounded memory and time
-  /// Like kLimits; in addition the kernel kills the process at any system call except a few
+  /// Like kLimits; in addition the kernel kills the process at any system call except a few.
   kStrict,
 };
 

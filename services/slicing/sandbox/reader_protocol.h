@@ -30,8 +30,8 @@ struct RequestHead {
 
 /// Kind of an answer.
 enum class AnswerKind : uint32_t {
-  kContents,  ///< `project_bytes` of an encoded project, then `meshes` meshes
-  kError,  ///< error of reading: `error_bytes` of an encoded error
+  kContents,     ///< `project_bytes` of an encoded project, then `meshes` meshes
+  kError,        ///< error of reading: `error_bytes` of an encoded error
   kNotConfined,  ///< `error_bytes` of a text with the reason; the mesh was not read
 };
 

@@ -13,7 +13,7 @@ namespace slicefarm::slicing {
 
 /// Process in which the service reads meshes.
 enum class MeshSandbox {
-  kOff,  ///< the service's own process
+  kOff,     ///< the service's own process
   kLimits,  ///< a separate process per mesh, with resource limits
   kStrict,  ///< like kLimits, with system calls denied too
 };

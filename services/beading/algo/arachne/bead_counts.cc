@@ -18,7 +18,7 @@ Coord Thickness(double radius) { return std::llround(2 * radius); }
 /// transition, by 1 per transition length.
 struct Ramp {
   double height = 0;
-  double full = 0;  ///< height at the position of the transition
+  double full = 0;   ///< height at the position of the transition
   double slope = 0;  ///< fall per nm
 };
 
@@ -315,9 +315,9 @@ class CountPlanner {
     return {static_cast<int>(whole), count - whole < kNothing ? 0 : count - whole};
   }
 
-  /// Returns the number of beads at an isolated top. A middle bead would be a dot there. Instead
-  /// the beads beside it are widened until they meet. This gives exactly the right volume, because
-  /// a ring halfway to the middle is half as long as the outline.
+  /// Returns the number of beads at an isolated top. A middle bead would be a dot there, so the
+  /// number is made even: the beads beside the middle are widened until they meet. This gives
+  /// exactly the right volume, because a ring halfway to the middle is half as long as the outline.
   int CountAtTop(size_t node) const {
     const int count = strategy_.OptimalCount(Thickness(graph_.nodes[node].radius));
     if (count > MostWalls(strategy_)) return IsInSmallFill(node) ? MostWalls(strategy_) : count;
@@ -361,7 +361,7 @@ class CountPlanner {
   std::vector<int> edge_count_;
   std::vector<char> in_small_fill_;  ///< 1 for each node in a small fill
   std::vector<int> leaving_;
-  std::vector<Range> around_;  ///< range of the counts of the edges around each node
+  std::vector<Range> around_;    ///< range of the counts of the edges around each node
   std::vector<Ramp> up_, down_;  ///< ramps per node: towards more beads, towards fewer beads
 };
 

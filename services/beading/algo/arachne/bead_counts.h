@@ -15,7 +15,7 @@ inline constexpr double kLeastPieceNm = 10'000;
 /// Options for PlanBeadCounts.
 struct CountOptions {
   double filter_deviation_nm = 100'000;  ///< largest change of a bead's width ...
-  /// ... along this length, accepted to save a transition
+  /// ... along this length, accepted to save a transition.
   double filter_distance_nm = 100'000'000;
   /// Function that returns the radius for close decisions, from a position and its own radius
   /// `radius_nm`. It is used if the thickness is within `filter_deviation_nm` of a transition.
@@ -33,12 +33,13 @@ struct BeadCount {
   friend bool operator==(const BeadCount&, const BeadCount&) = default;
 };
 
-/// Decides the number of beads along the central edges and at isolated tops. The result is per
-/// node.
+/// Decides the number of beads along the central edges and at isolated tops, which are nodes with a
+/// locally largest radius. The result is per node.
 ///
 /// Edges are split at the start, middle and end of transitions and at the kinks of the strategy;
-/// `central` grows with them. Stretches that differ from a neighbour by less than the filter are
-/// merged into it, the shortest first. Cost: O(n log n).
+/// `central` grows with them. A stretch is a connected part with one count. Stretches that differ
+/// from a neighbour by less than the filter are merged into it, the shortest first. Cost: O(n log
+/// n).
 ///
 /// Source: Kuipers et al. 2020, section 3.3; here the ramps are a field of distances from all
 /// transitions.

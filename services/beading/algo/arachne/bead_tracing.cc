@@ -380,9 +380,9 @@ class MiddleTracer {
   const std::vector<NodeBeading>& beadings_;
   const TracingOptions& options_;
   const std::vector<int> leaving_;
-  std::vector<char> open_;  ///< 1 for each edge with a bead that is not part of a line yet
+  std::vector<char> open_;        ///< 1 for each edge with a bead that is not part of a line yet
   std::vector<char> has_middle_;  ///< 1 for each edge with a middle bead
-  std::vector<int> mate_;  ///< half-edge that continues the line of each half-edge
+  std::vector<int> mate_;         ///< half-edge that continues the line of each half-edge
 };
 
 }  // namespace

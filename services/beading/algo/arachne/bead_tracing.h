@@ -25,7 +25,7 @@ struct BeadLine {
 
 /// Options for TraceBeads.
 struct TracingOptions {
-  /// Smallest width of a middle bead; it is cut off where it becomes narrower
+  /// Smallest width of a middle bead; it is cut off where it becomes narrower.
   double min_middle_width_nm = 100'000;
 };
 

@@ -75,7 +75,7 @@ class Stretches {
     double length = 0;
     double min_radius = 0, max_radius = 0;
     int steep_ends = 0;  ///< number of ends where the part thickens too steeply to be central
-    /// Neighbouring stretches with other counts; may be outdated, so use Find
+    /// Neighbouring stretches with other counts; may be outdated, so use Find.
     std::set<int> beside;
   };
 

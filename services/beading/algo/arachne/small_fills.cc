@@ -92,8 +92,8 @@ class FillPlaces {
   const SkeletalGraph& graph_;
   const std::vector<int>& edge_counts_;
   const std::vector<int> leaving_;
-  const int walls_;  ///< largest number, both sides together
-  const Coord least_;  ///< smallest thickness with a fill area
+  const int walls_;     ///< largest number, both sides together
+  const Coord least_;   ///< smallest thickness with a fill area
   const double depth_;  ///< distance of the fill area's border from the outline
 };
 

@@ -13,11 +13,11 @@ namespace slicefarm::beading {
 
 /// Options for walls of variable width.
 struct VariableWallOptions {
-  double transition_angle = 0.1745;  ///< wall_transition_angle, in radians
+  double transition_angle = 0.1745;      ///< wall_transition_angle, in radians
   Coord transition_length_nm = 400'000;  ///< wall_transition_length
-  Coord filter_deviation_nm = 100'000;  ///< wall_transition_filter_deviation
-  Coord min_middle_width_nm = 100'000;  ///< beads along the middle end where they become narrower
-  Coord chord_tolerance_nm = 5'000;  ///< tolerance of curves, equal for all beads side by side
+  Coord filter_deviation_nm = 100'000;   ///< wall_transition_filter_deviation
+  Coord min_middle_width_nm = 100'000;   ///< beads along the middle end where they become narrower
+  Coord chord_tolerance_nm = 5'000;      ///< tolerance of curves, equal for all beads side by side
   Coord tolerance_nm = 5'000;  ///< tolerance of the positions and widths of each single bead
   /// See CountOptions; here by a position in the plane.
   std::function<double(double x, double y, double radius_nm)> deciding_radius = nullptr;

@@ -26,7 +26,7 @@ Vector2 Along(Point a, Point b) {
 
 /// Lengths that the inset's edges lose to the arc at a corner.
 struct Rounding {
-  double turn = 0;  ///< turn in radians, for a reflex corner; 0: the corner stays
+  double turn = 0;    ///< turn in radians, for a reflex corner; 0: the corner stays
   double cut_nm = 0;  ///< length cut off both edges
 };
 

@@ -20,7 +20,7 @@ struct WallPlan {
   /// loop that overlaps itself, as in PrusaSlicer, if one wall fits. Otherwise they would not be
   /// printed at all.
   bool thin_walls = false;
-  /// Smallest length of beads for thin walls beside a wall; shorter ones are omitted
+  /// Smallest length of beads for thin walls beside a wall; shorter ones are omitted.
   Coord least_tip_nm = 0;
 
   /// Returns the plan of walls with these widths.

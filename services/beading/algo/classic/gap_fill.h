@@ -11,7 +11,7 @@ namespace slicefarm::beading {
 
 /// Options for filling gaps.
 struct GapFillOptions {
-  Coord min_width_nm = 80'000;  ///< smallest width of a gap that is filled
+  Coord min_width_nm = 80'000;   ///< smallest width of a gap that is filled
   Coord max_width_nm = 800'000;  ///< largest width of a bead; wider regions are no gaps
   Coord layer_height_nm = 200'000;
 };

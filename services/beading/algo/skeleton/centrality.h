@@ -8,7 +8,7 @@ namespace slicefarm::beading {
 
 /// Options for CentralEdges.
 struct CentralityOptions {
-  /// Angle in radians; edges are central if their sides meet at a smaller angle
+  /// Angle in radians; edges are central if their sides meet at a smaller angle.
   double transition_angle = 0.1745;
   double min_radius_nm = 50'000;  ///< smallest radius of a central edge
   double min_length_nm = 20'000;  ///< shorter ends of central lines are not central

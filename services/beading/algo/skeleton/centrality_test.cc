@@ -15,7 +15,7 @@ namespace {
 struct Central {
   double length_mm = 0;
   int edges = 0;
-  /// X range from the left end of the leftmost edge to the right end of the rightmost edge
+  /// X range from the left end of the leftmost edge to the right end of the rightmost edge.
   double from_x_mm = 1e9, to_x_mm = -1e9;
 };
 

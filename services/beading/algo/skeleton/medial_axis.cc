@@ -302,11 +302,11 @@ class AxisGraph {
   std::vector<AxisEdge> edges_;
   std::vector<bool> alive_;
   std::vector<int> degree_;
-  std::vector<int> first_;  ///< first index of each node in incident_
+  std::vector<int> first_;     ///< first index of each node in incident_
   std::vector<int> incident_;  ///< edges of the nodes, node after node
   std::vector<std::pair<int, int>> pair_;
   std::vector<Branch> branches_;
-  /// Leaf of the branch that has this edge as its last one before its fork
+  /// Leaf of the branch that has this edge as its last one before its fork.
   std::vector<int> branch_at_edge_;
   std::priority_queue<Queued, std::vector<Queued>, std::greater<>> short_branches_;
 };

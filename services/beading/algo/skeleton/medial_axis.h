@@ -10,7 +10,7 @@ namespace slicefarm::beading {
 /// Options for MedialAxis.
 struct MedialAxisOptions {
   Coord min_thickness_nm = 80'000;  ///< smallest width of the region along a line
-  Coord tolerance_nm = 5'000;  ///< tolerance of the lines' points and thicknesses
+  Coord tolerance_nm = 5'000;       ///< tolerance of the lines' points and thicknesses
 };
 
 /// Returns the middle lines of a narrow region: the part of its medial axis along which two sides

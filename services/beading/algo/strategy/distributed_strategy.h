@@ -7,12 +7,12 @@ namespace slicefarm::beading {
 /// Options of DistributedStrategy.
 struct DistributedOptions {
   Coord optimal_width_nm = 400'000;
-  /// Smallest width of a bead, as long as the count is the optimal one
+  /// Smallest width of a bead, as long as the count is the optimal one.
   Coord min_width_nm = 340'000;
   Coord max_width_nm = 800'000;  ///< largest width of a bead in all cases
-  /// Growth of the middle bead before it is split, as a fraction of a width
+  /// Growth of the middle bead before it is split, as a fraction of a width.
   double split_threshold = 0.7;
-  /// Free space in the middle before a bead is added, as a fraction of a width
+  /// Free space in the middle before a bead is added, as a fraction of a width.
   double add_threshold = 0.85;
   /// Number of beads on either side of the middle that share the excess or deficit. Their weights
   /// are 1 - (i / N)^2, with i counted from the middle.

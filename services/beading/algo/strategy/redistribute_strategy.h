@@ -9,10 +9,10 @@ namespace slicefarm::beading {
 /// Options of RedistributeStrategy.
 struct RedistributeOptions {
   Coord outer_width_nm = 400'000;
-  /// Smallest width of an inner bead, as long as the outer ones keep their width
+  /// Smallest width of an inner bead, as long as the outer ones keep their width.
   Coord min_width_nm = 340'000;
   Coord max_width_nm = 800'000;  ///< largest width of a bead in all cases
-  /// Smallest thickness with a bead, as a fraction of the outer width
+  /// Smallest thickness with a bead, as a fraction of the outer width.
   double min_outer_share = 0.5;
   double split_threshold =
       0.7;  ///< growth of a single bead before its split, as a fraction of the outer width

@@ -10,20 +10,20 @@ namespace slicefarm::beading {
 struct StrategyOptions {
   Coord outer_width_nm = 400'000;
   Coord inner_width_nm = 400'000;
-  /// min_bead_width: smallest width of a bead that is added in the middle
+  /// min_bead_width: smallest width of a bead that is added in the middle.
   Coord min_width_nm = 340'000;
-  /// Smallest width of the two halves into which a middle bead is split
+  /// Smallest width of the two halves into which a middle bead is split.
   Coord min_split_width_nm = 340'000;
-  Coord max_width_nm = 800'000;  ///< largest width of a bead in all cases
+  Coord max_width_nm = 800'000;    ///< largest width of a bead in all cases
   Coord min_feature_nm = 100'000;  ///< min_feature_size, if thin places are widened
-  bool widen_thin_places = true;  ///< thin_walls
-  int distribution_count = 1;  ///< wall_distribution_count
+  bool widen_thin_places = true;   ///< thin_walls
+  int distribution_count = 1;      ///< wall_distribution_count
   Coord transition_length_nm = 400'000;
   bool lock_outer_width = false;
   Coord outer_inset_nm = 0;
   Coord inner_inset_nm = 0;
   Coord margin_nm = 0;  ///< width of the stripe along the outline where no bead is laid out
-  int max_walls = 0;  ///< walls on either side; 0: as many as fill the part
+  int max_walls = 0;    ///< walls on either side; 0: as many as fill the part
 };
 
 /// Returns the strategies on top of each other, innermost first:

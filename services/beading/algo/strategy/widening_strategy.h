@@ -9,7 +9,7 @@ namespace slicefarm::beading {
 /// Options of WideningStrategy.
 struct WideningOptions {
   Coord min_feature_nm = 100'000;  ///< smallest thickness that gets a bead
-  /// Smallest width of a single bead; it extends beyond both sides of thinner places
+  /// Smallest width of a single bead; it extends beyond both sides of thinner places.
   Coord min_width_nm = 340'000;
 };
 

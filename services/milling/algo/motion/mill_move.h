@@ -12,7 +12,7 @@ namespace slicefarm::milling {
 enum class MoveKind : uint8_t {
   kRapid,
   kLine,
-  kClockwise,  ///< arc about a vertical axis; z changes evenly, so it may be a helix
+  kClockwise,         ///< arc about a vertical axis; z changes evenly, so it may be a helix
   kCounterClockwise,  ///< like kClockwise, in the other direction
 };
 
@@ -23,7 +23,7 @@ struct MillMove {
   MillPhase phase = MillPhase::kRoughing;
   Eigen::Vector3d to_mm{0, 0, 0};
   Eigen::Vector2d centre_mm{0, 0};  ///< centre of an arc
-  double feed_mm_min = 0;  ///< 0 for a rapid move
+  double feed_mm_min = 0;           ///< 0 for a rapid move
 };
 
 /// Returns the length of a move.

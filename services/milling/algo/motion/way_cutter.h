@@ -38,7 +38,7 @@ class WayCutter {
   const CancelToken& cancel_;
   const PolygonWithHoles* area_ = nullptr;  ///< area being cut
   const PolygonWithHoles* last_ = nullptr;  ///< area of the tip's present position
-  std::optional<LeadArcs> leave_;  ///< arcs by which the tip may leave the last pass
+  std::optional<LeadArcs> leave_;           ///< arcs by which the tip may leave the last pass
 };
 
 }  // namespace slicefarm::milling

@@ -68,7 +68,7 @@ class FiberFrame {
   /// Corners per triangle, sorted by their coordinates, so that results do not depend on the file's
   /// order.
   std::vector<std::array<uint32_t, 3>> corners_;
-  std::vector<FiberPoint> points_;  ///< height is z
+  std::vector<FiberPoint> points_;    ///< height is z
   std::vector<FacetNormal> normals_;  ///< normals of the triangles
 };
 

@@ -223,7 +223,7 @@ class BlockPush {
   std::vector<uint32_t> active_;
   std::vector<Candidate> candidates_;
   std::vector<IntervalSet> settled_;  ///< intervals of settled triangles, per fiber of the block
-  IntervalSet known_;  ///< gouged on all fibers
+  IntervalSet known_;                 ///< gouged on all fibers
   IntervalSet gouged_;
 };
 

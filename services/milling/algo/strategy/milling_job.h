@@ -21,7 +21,7 @@ struct MillingJob {
   bool stock_is_box = true;
   Eigen::AlignedBox3d part_box;
   Eigen::AlignedBox3d stock_box;
-  double floor_mm = 0;  ///< lowest height of the tip
+  double floor_mm = 0;          ///< lowest height of the tip
   std::vector<MillStep> steps;  ///< sorted: levels from the top down, rows by y
 };
 

@@ -18,7 +18,7 @@ struct WaterlineOptions {
   /// the fibers of the grid. 0: none are added.
   double tolerance_mm = 0;
   double least_sampling_mm = 0.01;  ///< smallest distance of added points
-  bool contacts = false;  ///< true to compute contacts
+  bool contacts = false;            ///< true to compute contacts
   int threads = 1;
 };
 
@@ -28,7 +28,7 @@ struct WaterlineLoop {
   double z_mm = 0;
   bool outer = true;
   std::vector<Eigen::Vector2d> points_mm;  ///< closed without repeating the first point
-  /// Contact on the mesh for each point; empty if not requested
+  /// Contact on the mesh for each point; empty if not requested.
   std::vector<Eigen::Vector3d> contacts_mm;
 };
 

@@ -22,8 +22,8 @@ struct Crossing {
   double y = 0;
   Source source;
   FiberAxis axis = FiberAxis::kX;  ///< axis of the fiber
-  int32_t fiber = 0;  ///< index of the row or column
-  bool high = false;  ///< true for the interval's high end
+  int32_t fiber = 0;               ///< index of the row or column
+  bool high = false;               ///< true for the interval's high end
 };
 
 /// Closed contour with the gouged area on its left: outer ones run counter-clockwise, inner ones

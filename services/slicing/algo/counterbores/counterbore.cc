@@ -29,7 +29,7 @@ Point ToPoint(const Vector2& v) { return {std::llround(v.x()), std::llround(v.y(
 /// Stripe along a direction that is exactly as wide as a ring.
 struct Stripe {
   Vector2 along;
-  /// Limit towards the right, measured along `along` turned left
+  /// Limit towards the right, measured along `along` turned left.
   double right = std::numeric_limits<double>::max();
   double left = std::numeric_limits<double>::lowest();
 };

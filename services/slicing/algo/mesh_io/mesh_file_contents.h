@@ -10,8 +10,8 @@ namespace slicefarm::slicing {
 /// Amount of a file's contents to read.
 enum class ReadDepth : uint8_t {
   kStructure,  ///< the project only; no mesh is kept
-  kMeshes,  ///< the project and all meshes
-  kNumbered,  ///< the project and all meshes; OBJ vertices keep their numbers and are not welded
+  kMeshes,     ///< the project and all meshes
+  kNumbered,   ///< the project and all meshes; OBJ vertices keep their numbers and are not welded
 };
 
 /// Contents of a mesh file. MeshRef::mesh of the project's parts is an index into `meshes`.

@@ -36,7 +36,7 @@ struct PlyElement {
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kAscii;
   std::vector<PlyElement> elements;
-  size_t bytes = 0;  ///< size of the header, with `end_header` and its line end
+  size_t bytes = 0;   ///< size of the header, with `end_header` and its line end
   int64_t lines = 0;  ///< number of lines of the header
 };
 

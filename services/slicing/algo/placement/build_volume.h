@@ -14,8 +14,8 @@ Point BedCenter(const Polygon& bed);
 
 /// Space that an object needs.
 struct Bulk {
-  const Polygon& footprint;     ///< convex
-  Coord top_nm = 0;  ///< top, above the bed
+  const Polygon& footprint;      ///< convex
+  Coord top_nm = 0;              ///< top, above the bed
   Coord xy_compensation_nm = 0;  ///< distance by which its outlines grow
 };
 

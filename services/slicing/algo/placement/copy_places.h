@@ -19,7 +19,7 @@ namespace slicefarm::slicing {
 struct ObjectToPlace {
   std::string_view name;
   const Polygon& footprint;  ///< outline relative to the middle of the object's box
-  Point middle;  ///< middle of the box, relative to the object's origin
+  Point middle;              ///< middle of the box, relative to the object's origin
   std::span<const CopyInput> copies;
 };
 

@@ -37,7 +37,7 @@ class PartMeshes {
   std::vector<MeshFile> files_;
   std::vector<std::optional<std::vector<RawMesh>>> meshes_;
   std::vector<int> uses_;  ///< number of remaining uses of each file
-  int64_t taken_ = 0;  ///< number of triangles taken
+  int64_t taken_ = 0;      ///< number of triangles taken
   const MeshSource& source_;
   const CancelToken& cancel_;
   const ReadDepth depth_;
@@ -53,8 +53,8 @@ struct PlacedPart {
 /// Object in nm around its own origin, before its copies have positions.
 struct PlacedObject {
   std::vector<PlacedPart> parts;
-  Vertex to_origin;  ///< translation added to all vertices
-  Coord top_nm = 0;  ///< top of the solid parts
+  Vertex to_origin;   ///< translation added to all vertices
+  Coord top_nm = 0;   ///< top of the solid parts
   Polygon footprint;  ///< convex hull of the solid parts
 };
 

@@ -43,10 +43,10 @@ struct PreparedObject {
   std::vector<RangeInput> ranges;
   Vertex to_origin;  ///< translation added to all positions of its parts
   Coord top_nm = 0;
-  Polygon footprint;  ///< convex hull of the solid parts
+  Polygon footprint;                           ///< convex hull of the solid parts
   Transform to_plate = Transform::Identity();  ///< transform as in the input
-  std::vector<Point> shifts;  ///< one per copy on the bed, in whole micrometres
-  int64_t copies_off_bed = 0;  ///< number of copies left out
+  std::vector<Point> shifts;                   ///< one per copy on the bed, in whole micrometres
+  int64_t copies_off_bed = 0;                  ///< number of copies left out
 };
 
 /// Reads the files by `source`, then places, checks and connects the parts of each object. A file's

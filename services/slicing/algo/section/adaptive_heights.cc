@@ -30,7 +30,7 @@ constexpr Coord kSameNm = 2'000;
 constexpr int64_t kLayer = 1'000'000;
 constexpr int64_t kMissedLevel = 10 * kLayer;
 constexpr int64_t kJump = 5 * kLayer;  ///< cost of neighbours that differ by more than the ratio
-constexpr Coord kChangeNm = 100;  ///< change of height that costs 1
+constexpr Coord kChangeNm = 100;       ///< change of height that costs 1
 constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
 
 struct Slope {
@@ -74,7 +74,7 @@ std::vector<Coord> Levels(const std::vector<Slope>& faces, Coord from, Coord to)
 struct LayerEnds {
   std::vector<Coord> z;
   std::vector<uint8_t> level;  ///< 1 if the height is a level
-  size_t top = 0;  ///< index of the object's top
+  size_t top = 0;              ///< index of the object's top
 };
 
 LayerEnds EndsFor(const std::vector<Coord>& levels, Coord first, Coord top, Coord step,
@@ -174,7 +174,7 @@ class Fitting {
  private:
   struct State {
     int64_t cost = kNever;
-    /// Number of steps from the begin of the previous layer to its end; 0: there is none
+    /// Height of the previous layer, in steps; 0: there is none.
     uint32_t before = 0;
   };
   using Key = std::pair<size_t, size_t>;  // place, and how far back its layer begins

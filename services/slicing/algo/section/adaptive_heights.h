@@ -14,7 +14,7 @@ namespace slicefarm::slicing {
 struct HeightProblem {
   std::vector<const IndexedMesh*> solids;  ///< solid meshes; the object stands on z = 0
   Coord top_nm = 0;
-  Coord first_nm = 0;  ///< height of the first layer, which is always used
+  Coord first_nm = 0;              ///< height of the first layer, which is always used
   std::vector<RangeInput> ranges;  ///< requested heights; the first matching range counts
 };
 

@@ -9,10 +9,10 @@ namespace slicefarm::slicing {
 /// keeps w if w is already below min_width.
 ///
 /// The width at a point of an outline is the diameter of the largest disc inside the material that
-/// touches the outline at this point and again on the opposite side. A side is opposite if the two
-/// tangents make an angle below 45 degrees. Between 45 and 60 degrees it counts less and less. The
-/// sides of a corner above 60 degrees are not a thin place: they shrink even if the corner is
-/// small. The shrinkage is round at reflex corners.
+/// touches this point and the opposite side. A side is opposite if the two tangents make an angle
+/// below 45 degrees. Between 45 and 60 degrees it counts less and less. The sides of a corner above
+/// 60 degrees are not a thin place: they shrink even if the corner is small. The shrinkage is round
+/// at reflex corners.
 ///
 /// The shrinkage rises by at most half of the distance along an outline. So it is complete again 2
 /// compensations beyond a thin place. It may have a step at convex corners above 60 degrees.

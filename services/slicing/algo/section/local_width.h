@@ -19,9 +19,9 @@ struct OutlineEdge {
   Vector2 inward_after = Vector2::Zero();
   bool reflex_from = false;  ///< true if the material's angle at `from` is above 180 degrees
   bool reflex_to = false;
-  int32_t next = 0;  ///< index of the next edge in the ring
+  int32_t next = 0;       ///< index of the next edge in the ring
   double middle_rad = 0;  ///< middle direction of all its normals, with its reflex ends
-  double half_rad = 0;  ///< largest angle between a normal and the middle direction
+  double half_rad = 0;    ///< largest angle between a normal and the middle direction
 };
 
 /// Cosines of the angles between two sides of the material at which they begin to count as
@@ -30,9 +30,9 @@ struct OppositeAngles {
   double begin_cos = 0;
   double full_cos = 0;
 };
-/// Counts fully below 45 degrees
+/// Counts fully below 45 degrees.
 inline constexpr OppositeAngles kBelow60Degrees{0.5, 0.7071067811865476};
-/// Counts fully below 75 degrees
+/// Counts fully below 75 degrees.
 inline constexpr OppositeAngles kBelow90Degrees{0, 0.25881904510252074};
 
 /// Width of an island at points of its outlines, up to a limit.

@@ -38,7 +38,7 @@ struct Edge {
 /// Results of the sweep for a loop, found at its least corner.
 struct Nest {
   uint32_t parent = kNoLoop;  ///< loop immediately around this one
-  int outside = 0;  ///< winding number outside the loop
+  int outside = 0;            ///< winding number outside the loop
   int inside = 0;
   bool counter_clockwise = false;
 };

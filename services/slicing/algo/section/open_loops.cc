@@ -195,8 +195,8 @@ class ChainJoiner {
   }
 
   std::vector<Polyline> chains_;
-  std::vector<uint32_t> partner_;  ///< end to which each end is joined
-  std::vector<uint32_t> far_end_;  ///< other free end of the joined line, per free end
+  std::vector<uint32_t> partner_;      ///< end to which each end is joined
+  std::vector<uint32_t> far_end_;      ///< other free end of the joined line, per free end
   std::vector<double> length_of_end_;  ///< length of the line with its gaps, per free end
   double largest_gap_nm_ = 0;
 };

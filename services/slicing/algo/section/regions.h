@@ -24,7 +24,7 @@ MultiPolygon WithoutHoles(const MultiPolygon& region);
 /// Changes of a region, in the order of application.
 struct RegionEdits {
   Coord closing_radius_nm = 0;  ///< cracks up to twice this wide are closed
-  /// Distance by which all outlines move outwards, also into holes; may be negative
+  /// Distance by which all outlines move outwards, also into holes; may be negative.
   Coord grow_nm = 0;
   Coord foot_nm = 0;  ///< distance by which the region then shrinks, limited by `foot_min_width_nm`
   Coord foot_min_width_nm = 0;

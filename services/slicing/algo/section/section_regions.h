@@ -19,9 +19,9 @@ struct PartSection {
 
 /// Section of an object, and its partition by settings.
 struct PartitionedSection {
-  MultiPolygon whole;  ///< empty if there is at most one region
+  MultiPolygon whole;           ///< empty if there is at most one region
   std::vector<Region> regions;  ///< disjoint, by ascending row; none is empty
-  std::vector<Mark> marks;  ///< sorted by ascending role; none is empty
+  std::vector<Mark> marks;      ///< sorted by ascending role; none is empty
 };
 
 /// Combines the sections of an object's parts. If solid parts overlap, the settings of the later

@@ -12,17 +12,17 @@ namespace slicefarm::slicing {
 
 /// Section of a mesh in one plane, with the material on the left of the lines.
 struct Section {
-  std::vector<Polygon> loops;  ///< closed lines
+  std::vector<Polygon> loops;    ///< closed lines
   std::vector<Polyline> chains;  ///< open lines; they begin and end at the edges of the surface
 };
 
 /// Memory that a thread reuses from layer to layer.
 struct SweepScratch {
   std::vector<uint32_t>
-      segment_of_face;  ///< valid for the faces of the current layer only, so never cleared
-  std::vector<Point> ends;  ///< end point of each segment
+      segment_of_face;          ///< valid for the faces of the current layer only, so never cleared
+  std::vector<Point> ends;      ///< end point of each segment
   std::vector<uint32_t> exits;  ///< half-edge on the other side of the rising edge, per segment
-  std::vector<uint8_t> marks;  ///< state of each segment
+  std::vector<uint8_t> marks;   ///< state of each segment
   std::vector<Point> line;
 };
 

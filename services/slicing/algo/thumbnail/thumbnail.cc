@@ -53,7 +53,7 @@ struct Slope {
 /// Triangle in the view, for its samples, depth and brightness.
 struct Facet {
   Vector3 a, ab, ac;
-  /// Twice the signed area; below zero if it faces the viewer, because the screen's y points down
+  /// Twice the signed area; below zero if it faces the viewer, because the screen's y points down.
   double area;
 
   Facet(const Vector3& a, const Vector3& b, const Vector3& c)

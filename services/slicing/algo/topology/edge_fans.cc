@@ -39,8 +39,8 @@ constexpr int kFlat = -1;
 struct Leaf {
   uint32_t half_edge = 0;
   bool closes = false;  ///< true if it ends the wedge of material before it, counter-clockwise
-  Vertex apex;  ///< corner that is not on the edge
-  int half_turn = 0;  ///< 0 for angles of [0, pi) from the first leaf, 1 for the rest; see kFlat
+  Vertex apex;          ///< corner that is not on the edge
+  int half_turn = 0;    ///< 0 for angles of [0, pi) from the first leaf, 1 for the rest; see kFlat
 };
 
 class Fan {

@@ -7,7 +7,7 @@ namespace {
 
 /// Half-edge in the bucket of its lower vertex.
 struct Entry {
-  uint32_t far = 0;  ///< upper vertex
+  uint32_t far = 0;   ///< upper vertex
   uint32_t code = 0;  ///< 2 * half-edge, plus 1 if it runs down, from upper to lower
 
   uint32_t half_edge() const { return code / 2; }

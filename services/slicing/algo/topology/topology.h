@@ -29,7 +29,7 @@ struct ConnectedMesh {
   // Counts after these faces are removed, and before missing faces are inserted:
   int64_t open_edges = 0;
   int64_t non_manifold_edges = 0;
-  /// Bodies connected over edges; parts that only share a vertex count separately
+  /// Bodies connected over edges; parts that only share a vertex count separately.
   int64_t bodies = 0;
 };
 
@@ -39,7 +39,7 @@ absl::StatusOr<ConnectedMesh> Connect(IndexedMesh mesh, const CancelToken& cance
 
 /// Numbers of open and non-manifold edges.
 struct EdgeCounts {
-  int64_t open = 0;  ///< edges with one face
+  int64_t open = 0;          ///< edges with one face
   int64_t non_manifold = 0;  ///< edges with more than two faces
 };
 

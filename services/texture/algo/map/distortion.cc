@@ -10,7 +10,7 @@ namespace {
 struct Stretch {
   double first = 0;  ///< the larger one
   double second = 0;
-  Eigen::Matrix2d rotation;  ///< rotation U V^T
+  Eigen::Matrix2d rotation;    ///< rotation U V^T
   Eigen::Matrix2d reflection;  ///< reflection U diag(1, -1) V^T
 };
 

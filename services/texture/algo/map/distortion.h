@@ -9,7 +9,7 @@ namespace slicefarm::texture {
 
 /// Triangle at rest, for computing maps of it into the plane.
 struct RestTriangle {
-  /// Inverse of the matrix with columns p1-p0 and p2-p0
+  /// Inverse of the matrix with columns p1-p0 and p2-p0.
   Eigen::Matrix2d inverse_edges = Eigen::Matrix2d::Identity();
   double area = 0;
 };

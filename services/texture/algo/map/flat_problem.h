@@ -73,7 +73,7 @@ class FlatProblem {
                              const RestTriangle& rest) const;
 
  private:
-  std::vector<Corners> triangles_;  ///< triangles of the surface, then of the shell
+  std::vector<Corners> triangles_;   ///< triangles of the surface, then of the shell
   std::vector<RestTriangle> rests_;  ///< true shapes of the triangles
   std::vector<RestTriangle> references_;
   std::vector<int32_t> frame_;

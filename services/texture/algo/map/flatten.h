@@ -12,15 +12,15 @@ namespace slicefarm::texture {
 /// Options for Flatten.
 struct FlattenOptions {
   int max_iterations = 500;
-  /// Relative drop of the energy per iteration; the iteration ends below it
+  /// Relative drop of the energy per iteration; the iteration ends below it.
   double least_drop = 1e-5;
 };
 
 /// Flat map of a surface.
 struct FlatMap {
-  /// Position of each vertex; unused ones are at the origin
+  /// Position of each vertex; unused ones are at the origin.
   std::vector<Eigen::Vector2d> points_mm;
-  /// Symmetric Dirichlet energy, weighted by area, divided by 4: 1 for an isometry
+  /// Symmetric Dirichlet energy, weighted by area, divided by 4: 1 for an isometry.
   double mean_energy = 0;
   int iterations = 0;
 };

@@ -15,9 +15,9 @@ class NewtonDirection {
  public:
   /// Model of the energy.
   enum class Model {
-    kProxy,  ///< ProxyOf, for maps far from the true shapes
+    kProxy,   ///< ProxyOf, for maps far from the true shapes
     kNewton,  ///< ModelOf
-    /// ModelOf and a part of the previous direction: near the end, the cut Hessian alone is slow
+    /// ModelOf and a part of the previous direction: near the end, the cut Hessian alone is slow.
     kConjugate,
   };
 
@@ -39,7 +39,7 @@ class NewtonDirection {
   Eigen::VectorXd Conjugate(const Eigen::VectorXd& newton, Model model);
 
   SparseCholesky system_;
-  /// Indices of each triangle's lower block in values()
+  /// Indices of each triangle's lower block in values().
   std::vector<std::array<int32_t, 21>> entries_;
   std::vector<int32_t> diagonal_;
   Eigen::VectorXd gradient_;

@@ -16,9 +16,9 @@ namespace slicefarm::texture {
 /// not cross itself as long as no shell triangle flips and the frame does not cross itself. The
 /// shell is built once and deforms with the map.
 struct Shell {
-  std::vector<Eigen::Vector2d> points;  ///< numbered after the points of the map
+  std::vector<Eigen::Vector2d> points;            ///< numbered after the points of the map
   std::vector<std::array<int32_t, 3>> triangles;  ///< counter-clockwise
-  std::vector<int32_t> frame;  ///< outermost points, counter-clockwise
+  std::vector<int32_t> frame;                     ///< outermost points, counter-clockwise
 };
 
 /// Returns the shell of a map with its outer loop on a circle around the origin. It consists of

@@ -15,7 +15,7 @@ using Place = SparseCholesky::Place;
 /// Lower triangle of a sparsity pattern, in CHOLMOD's format.
 struct Pattern {
   std::vector<int32_t> columns;  ///< start of each column in `rows`
-  std::vector<int32_t> rows;  ///< ascending in each column
+  std::vector<int32_t> rows;     ///< ascending in each column
 };
 
 Pattern BlocksAt(int32_t count, std::span<const Place> places) {

@@ -44,7 +44,7 @@ class SparseCholesky {
   std::vector<int32_t> columns_;  ///< start of each column in rows_
   std::vector<int32_t> rows_;
   std::vector<double> values_;
-  std::vector<int32_t> order_;  ///< row of the system for each row of the factor
+  std::vector<int32_t> order_;   ///< row of the system for each row of the factor
   std::vector<int64_t> places_;  ///< indices of the values in the factor
   std::optional<SupernodalFactor> factor_;
 };

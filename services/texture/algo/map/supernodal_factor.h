@@ -15,7 +15,7 @@ namespace slicefarm::texture {
 struct SupernodalShape {
   std::vector<int32_t> first_column;  ///< first column of each supernode, and the number of columns
   std::vector<int32_t> first_row;  ///< start of each supernode's rows in `rows`, and their number
-  std::vector<int32_t> rows;  ///< ascending in each supernode, beginning with its own columns
+  std::vector<int32_t> rows;       ///< ascending in each supernode, beginning with its own columns
 };
 
 /// Sparse Cholesky factor: one dense panel per supernode. Each panel is computed from the earlier
@@ -61,18 +61,18 @@ class SupernodalFactor {
   void SolveUp(int32_t node, double* x, std::vector<double>* known) const;
 
   SupernodalShape shape_;
-  /// First number of each supernode, and the number of all numbers
+  /// First number of each supernode, and the number of all numbers.
   std::vector<int64_t> first_number_;
   std::vector<int32_t> node_of_;  ///< supernode of each column
   std::vector<double> numbers_;
   PanelProduct product_;
   // State of the current factorization:
-  /// First of the supernodes that contribute to each supernode
+  /// First of the supernodes that contribute to each supernode.
   std::vector<int32_t> waiting_;
-  std::vector<int32_t> next_;  ///< next supernode in the same queue, per supernode
-  std::vector<int32_t> used_;  ///< number of rows used, per supernode
+  std::vector<int32_t> next_;      ///< next supernode in the same queue, per supernode
+  std::vector<int32_t> used_;      ///< number of rows used, per supernode
   std::vector<int32_t> place_of_;  ///< index in the current panel of each row of the matrix
-  std::vector<int32_t> places_;  ///< index in the current panel of each row of the earlier panel
+  std::vector<int32_t> places_;    ///< index in the current panel of each row of the earlier panel
 };
 
 }  // namespace slicefarm::texture

@@ -12,9 +12,9 @@ namespace slicefarm::texture {
 
 /// First map of a surface.
 struct FirstMap {
-  /// Position of each vertex, in mm; unused ones are at the origin
+  /// Position of each vertex, in mm; unused ones are at the origin.
   std::vector<Eigen::Vector2d> points;
-  /// Centre of each hole; every edge of the hole's loop is visible from it
+  /// Centre of each hole; every edge of the hole's loop is visible from it.
   std::vector<Eigen::Vector2d> hole_middles;
 };
 

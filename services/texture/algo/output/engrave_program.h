@@ -17,16 +17,16 @@ using slicefarm::ToolKind;
 struct ProgramOptions {
   AxisOptions axes = {};
   ToolKind tool = ToolKind::kBeam;
-  double power = 1000;  ///< S word: power of a beam, or turns per minute
-  double feed_mm_min = 1200;  ///< feed of the tip over the part
-  double link_mm_min = 6000;  ///< feed of the tip between lines
-  double turn_deg_min = 7200;  ///< largest speed of a rotary axis
+  double power = 1000;          ///< S word: power of a beam, or turns per minute
+  double feed_mm_min = 1200;    ///< feed of the tip over the part
+  double link_mm_min = 6000;    ///< feed of the tip between lines
+  double turn_deg_min = 7200;   ///< largest speed of a rotary axis
   double tolerance_mm = 0.005;  ///< largest deviation of the tip from its path while axes turn
-  double steepest_deg = 60;  ///< steepest surface for a machine without rotary axes
-  /// Height above the highest point, before the first and after the last move
+  double steepest_deg = 60;     ///< steepest surface for a machine without rotary axes
+  /// Height above the highest point, before the first and after the last move.
   double safe_mm = 20;
   double filament_mm = 1.75;  ///< diameter of the filament
-  double layer_mm = 0.05;  ///< height of a layer from an extruder
+  double layer_mm = 0.05;     ///< height of a layer from an extruder
 };
 
 /// Returns a Z height from which the tool is above the part in each of the part's rotations.

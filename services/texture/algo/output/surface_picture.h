@@ -15,7 +15,7 @@ struct PictureLine {
   Eigen::Vector3d from_mm;
   Eigen::Vector3d to_mm;
   Eigen::Vector3d normal;  ///< normal of the surface: lines on its far side are left out
-  double shade = 0;  ///< 0 to 1 on the colour scale
+  double shade = 0;        ///< 0 to 1 on the colour scale
 };
 
 /// Options for DrawSurface.

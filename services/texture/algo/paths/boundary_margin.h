@@ -35,7 +35,7 @@ class BoundaryMargin {
   double cell_mm_ = 1;
   std::array<int32_t, 2> counts_ = {1, 1};
   std::vector<Side> sides_;
-  /// Start of each cell's sides in listed_: the sides within the margin of the cell
+  /// Start of each cell's sides in listed_: the sides within the margin of the cell.
   std::vector<int32_t> starts_;
   std::vector<int32_t> listed_;
 };

@@ -20,16 +20,16 @@ struct LineStyle {
 struct EngraveOptions {
   PlacementOptions placement = {};
   double layer_height_mm = 0.05;
-  /// Styles of the first layer, the next layer, ...; repeated
+  /// Styles of the first layer, the next layer, ...; repeated.
   std::vector<LineStyle> lines = {{}};
   bool equidistant = false;  ///< true: lines bend so that their distance on the surface is even
-  bool engraved = false;  ///< true: into the surface; false: onto it
-  bool outside = false;  ///< true: the area outside of the texture is worked, from its top down
-  double margin_mm = 0;  ///< distance to the boundary
+  bool engraved = false;     ///< true: into the surface; false: onto it
+  bool outside = false;      ///< true: the area outside of the texture is worked, from its top down
+  double margin_mm = 0;      ///< distance to the boundary
   NormalKind normals = NormalKind::kFaces;
   bool connect = true;  ///< connects neighbouring lines if the path between them is in the area
   double clearance_mm =
-      0;  ///< height of links above surface and texture; 0: at the layer's height
+      0;                    ///< height of links above surface and texture; 0: at the layer's height
   double least_run_mm = 0;  ///< shorter parts of lines are left out
 };
 

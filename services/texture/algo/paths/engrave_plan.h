@@ -20,7 +20,7 @@ namespace slicefarm::texture {
 struct EngravePlan {
   SurfaceMap map;
   Texture texture;
-  /// Laid over the map's box; areas where it is higher than half are worked
+  /// Laid over the map's box; areas where it is higher than half are worked.
   std::optional<Texture> mask;
   EngraveOptions options;
   Placement placement;

@@ -14,17 +14,17 @@ namespace slicefarm::texture {
 struct ToolPoint {
   Eigen::Vector3d place_mm;
   Eigen::Vector3d normal;  ///< normal of the surface below: the tool's direction, reversed
-  bool on = false;  ///< true if the path to this point is worked
+  bool on = false;         ///< true if the path to this point is worked
 };
 
 /// Path of the tool in one layer.
 struct LayerPath {
-  int32_t layer = 0;  ///< index from the texture's base
+  int32_t layer = 0;     ///< index from the texture's base
   double height_mm = 0;  ///< height in the texture
   double offset_mm = 0;  ///< offset from the surface
   double spacing_mm = 0;
   std::vector<ToolPoint> points = {};  ///< points in order of travel; a link leads to the first one
-  int64_t runs = 0;  ///< number of worked parts of lines
+  int64_t runs = 0;                    ///< number of worked parts of lines
   double on_mm = 0;
   double off_mm = 0;
   double section_mm2 = 0;  ///< area of the section of one tile

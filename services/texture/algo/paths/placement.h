@@ -10,13 +10,13 @@ namespace slicefarm::texture {
 
 /// Options for placing a texture on a surface.
 struct PlacementOptions {
-  /// Position of its origin; none: the map's middle
+  /// Position of its origin; none: the map's middle.
   std::optional<Eigen::Vector3d> anchor_mm = {};
   std::optional<Eigen::Vector3d> direction =
-      {};  ///< direction of its x axis there; none: the map's x
+      {};               ///< direction of its x axis there; none: the map's x
   double turn_deg = 0;  ///< additional rotation, counter-clockwise
-  double scale = 1;  ///< scale of its width and length, not of its height
-  bool repeat = true;  ///< true: over the whole surface; false: one tile
+  double scale = 1;     ///< scale of its width and length, not of its height
+  bool repeat = true;   ///< true: over the whole surface; false: one tile
   bool middle = false;  ///< true: its middle is at the anchor instead of its corner
 };
 

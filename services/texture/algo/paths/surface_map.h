@@ -76,7 +76,7 @@ class SurfaceMap {
   std::vector<std::array<int32_t, 3>> neighbours_;
   std::vector<std::vector<int32_t>> loops_;
   std::vector<BoundarySide> side_from_;  ///< boundary side that begins at each vertex
-  std::vector<LoopPlace> in_loop_;  ///< position of each vertex in its loop
+  std::vector<LoopPlace> in_loop_;       ///< position of each vertex in its loop
   std::vector<Eigen::Vector3d> face_normals_;
   std::vector<Eigen::Vector3d> vertex_normals_;  ///< normals of the opened mesh's vertices
   std::vector<std::array<Eigen::Vector3d, 3>> edge_normals_;  ///< normal of the side from corner k

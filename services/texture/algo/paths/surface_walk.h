@@ -10,7 +10,7 @@ namespace slicefarm::texture {
 /// Path between two points over a surface.
 struct SurfaceWalk {
   std::vector<SurfacePoint> between;  ///< points on edges and, along the boundary, at vertices
-  bool straight = true;  ///< true if the path is straight in the map, without a detour
+  bool straight = true;               ///< true if the path is straight in the map, without a detour
 };
 
 /// Returns the path between two points over the surface that is straight in the map. Where it

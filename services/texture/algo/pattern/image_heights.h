@@ -9,7 +9,7 @@ namespace slicefarm::texture {
 
 /// Options for ImageHeights.
 struct ImageHeightOptions {
-  double width_mm = 20;  ///< width of the image; its length keeps the image's proportions
+  double width_mm = 20;    ///< width of the image; its length keeps the image's proportions
   double height_mm = 0.5;  ///< height of white; black is 0
 };
 

@@ -12,7 +12,7 @@ namespace slicefarm::texture {
 struct Texture {
   Eigen::Vector2d tile_mm = Eigen::Vector2d::Zero();
   double height_mm = 0;
-  SurfaceMesh solid;  ///< closed, but may lack its lower face, which no layer meets
+  SurfaceMesh solid;   ///< closed, but may lack its lower face, which no layer meets
   HeightGrid heights;  ///< heights of its upper side
 };
 

@@ -57,13 +57,13 @@ struct TextureSpec {
   TextureKind kind = TextureKind::kBumps;
   double height_mm = 0.5;
   double pitch_mm = 4;
-  /// Raised share of the pitch, or the width of a stroke as a share of the letter
+  /// Raised share of the pitch, or the width of a stroke as a share of the letter.
   double size = 0.8;
-  double slope = 0.1;  ///< share of the pitch over which a flank rises
-  double cross = 0;  ///< share of the height that the second sine has
+  double slope = 0.1;     ///< share of the pitch over which a flank rises
+  double cross = 0;       ///< share of the height that the second sine has
   double angle_deg = 30;  ///< angle of crossing grooves to the y axis
-  double count = 4;  ///< number of cells or hills along a side of the tile
-  /// Number of octaves of noise, each half as wide and half as high as the previous one
+  double count = 4;       ///< number of cells or hills along a side of the tile
+  /// Number of octaves of noise, each half as wide and half as high as the previous one.
   double octaves = 3;
   double seed = 1;
   double detail = 40;  ///< number of nodes per pitch

@@ -11,7 +11,7 @@ namespace slicefarm::texture {
 
 /// Surface after cutting.
 struct OpenedSurface {
-  SurfaceMesh mesh;  ///< triangles in their original order
+  SurfaceMesh mesh;                ///< triangles in their original order
   std::vector<int32_t> vertex_of;  ///< original vertex of each vertex
 };
 

@@ -14,7 +14,7 @@ namespace {
 struct Case {
   std::string name;
   SurfaceMesh mesh;
-  size_t loops = 1;  ///< number after the cut
+  size_t loops = 1;      ///< number after the cut
   double most_seam = 0;  ///< upper limit of the seam's length in mm
 };
 

@@ -14,7 +14,7 @@ using BoundaryLoop = std::vector<int32_t>;
 /// Topology of a surface.
 struct SurfaceTopology {
   std::vector<BoundaryLoop> loops;  ///< boundary loops, the longest one first
-  int64_t handles = 0;  ///< genus: 0 for a sphere, 1 for a torus
+  int64_t handles = 0;              ///< genus: 0 for a sphere, 1 for a torus
 };
 
 /// Returns the topology of a surface.

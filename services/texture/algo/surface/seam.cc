@@ -62,7 +62,7 @@ EdgeGraph GraphOf(const SurfaceMesh& mesh) {
 /// Shortest paths along edges to the nearest of several source vertices.
 struct ShortestWays {
   std::vector<double> distance;
-  /// Next edge towards the source; -1 for a source, or if no source is reachable
+  /// Next edge towards the source; -1 for a source, or if no source is reachable.
   std::vector<int32_t> edge;
 
   /// Returns the edges from a vertex to its source.

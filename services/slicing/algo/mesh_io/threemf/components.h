@@ -43,7 +43,7 @@ class ComponentTree {
       size_t index = 0;  ///< index into ObjectResource::components
     };
     std::vector<Use> components;  ///< components that contain meshes
-    int64_t meshes = 0;  ///< meshes on all levels, at most limits::kMaxParts + 1
+    int64_t meshes = 0;           ///< meshes on all levels, at most limits::kMaxParts + 1
     int64_t height = -1;
     bool entered = false;
   };

@@ -19,17 +19,17 @@ struct ArrangeItem {
 /// Part with a fixed position.
 struct FixedFootprint {
   Polygon footprint;  ///< outline at its position
-  int plate = 0;  ///< plate index, >= 0
+  int plate = 0;      ///< plate index, >= 0
 };
 
 /// Options for arranging parts.
 struct ArrangeOptions {
   Polygon bed;  ///< convex; fewer than three points: a square of 2 m
-  /// Distance between parts, >= 0; PrusaSlicer's min_object_distance
+  /// Distance between parts, >= 0; PrusaSlicer's min_object_distance.
   Coord distance_nm = 6 * kNmPerMm;
   std::vector<Polygon> excluded = {};  ///< areas of the bed where no part may be; may overlap
   Coord bed_margin_nm = 0;  ///< distance from the bed's edge and the excluded areas, >= 0
-  int max_plates = 0;  ///< largest number of plates; 0: no limit
+  int max_plates = 0;       ///< largest number of plates; 0: no limit
 };
 
 /// Position of an item on a plate.
@@ -43,9 +43,9 @@ struct ItemPlace {
 
 /// Result of arranging.
 struct Arrangement {
-  /// Position of each item; none for items left over
+  /// Position of each item; none for items left over.
   std::vector<std::optional<ItemPlace>> places;
-  int plates = 0;  ///< plates 0..n-1 are in use
+  int plates = 0;                 ///< plates 0..n-1 are in use
   std::vector<size_t> left_over;  ///< indices of the items without a position
 };
 
@@ -77,14 +77,14 @@ struct Arrangement {
 /// one core (CPU time):
 ///
 ///                                        libnest2d                 this
-///   100 parts 30 x 20                    3 plates, 0.8 s           2 plates, 0.02 s
-///   12 parts 60 x 31 (benchies)          1 plate, 0.05 s           1 plate, a grid, < 1 ms
-///   40 parts 60 x 31                     3 plates, 0.2 s           3 plates, 3 ms
-///   60 boxes from 10 x 10 to 69 x 59     3 plates (15 on the last) 3 plates (9), 0.1 s
-///   20 brackets 60 x 60, 15 wide         31 pairs overlap          2 plates (13 + 7), 10 ms
-///   1,000 boxes from 10 x 10 to 29 x 29  15 plates, 53 s           14 plates, 1.5 to 2.5 s
-///   1,000 hulls, all different           -                         13 plates, 5 s
-///   1,000 discs of 20                    -                         13 plates, 0.3 s (a grid: 14)
+///   100 parts 30 x 20:                   3 plates, 0.8 s           2 plates, 0.02 s
+///   12 parts 60 x 31 (benchies):         1 plate, 0.05 s           1 plate, a grid, < 1 ms
+///   40 parts 60 x 31:                    3 plates, 0.2 s           3 plates, 3 ms
+///   60 boxes from 10 x 10 to 69 x 59:    3 plates (15 on the last) 3 plates (9), 0.1 s
+///   20 brackets 60 x 60, 15 wide:        31 pairs overlap          2 plates (13 + 7), 10 ms
+///   1,000 boxes from 10 x 10 to 29 x 29: 15 plates, 53 s           14 plates, 1.5 to 2.5 s
+///   1,000 hulls, all different:          -                         13 plates, 5 s
+///   1,000 discs of 20:                   -                         13 plates, 0.3 s (a grid: 14)
 absl::StatusOr<Arrangement> Arrange(std::span<const ArrangeItem> items,
                                     std::span<const FixedFootprint> fixed,
                                     const ArrangeOptions& options, const CancelToken& cancel);

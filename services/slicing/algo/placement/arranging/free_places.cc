@@ -19,7 +19,7 @@ constexpr double kSlack = 0.5;
 constexpr double kSharpest = 4e-3;
 
 Point ExtremeAgainst(const Polygon& hull, Point along) {
-  // Search the hull's point farthest to the right of a direction.
+  // The loop finds the hull's point farthest to the right of the direction.
   Point worst = hull[0];
   for (const Point p : hull)
     if (Orientation({0, 0}, along, p - worst) < 0) worst = p;

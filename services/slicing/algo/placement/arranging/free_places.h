@@ -48,7 +48,7 @@ class FreePlaces {
  private:
   struct Limit {
     Point from, along;  ///< edge of the bed
-    Point corner;  ///< corner of the hull that leaves the bed first over this edge
+    Point corner;       ///< corner of the hull that leaves the bed first over this edge
   };
   struct Obstacle {
     Polygon ring;
@@ -75,7 +75,7 @@ class FreePlaces {
   Point target_;
   std::vector<Limit> limits_;
   std::vector<Vector2> bed_ring_;  ///< outline of the translations that stay in the bed, clockwise
-  Box bed_box_;  ///< box around `bed_ring_`
+  Box bed_box_;                    ///< box around `bed_ring_`
   std::vector<Obstacle> obstacles_;
   std::vector<std::vector<uint32_t>> cells_;  ///< obstacles over each cell of bed_box_
   std::vector<Point> places_;

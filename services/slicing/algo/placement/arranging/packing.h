@@ -16,7 +16,7 @@ struct ShapeVariant {
   double rotation_deg = 0;
   Polygon hull;
   Box box;
-  std::vector<Polygon> parts;  ///< convex pieces
+  std::vector<Polygon> parts;     ///< convex pieces
   std::vector<Polygon> mirrored;  ///< pieces mirrored at the origin and grown by the distance
   std::vector<Polygon> kept_off;  ///< translations that put a piece into an excluded area; convex
 };
@@ -40,12 +40,12 @@ struct StandingPart {
 
 /// Input of Pack.
 struct PackingTask {
-  Polygon bed;  ///< convex, counter-clockwise
+  Polygon bed;                         ///< convex, counter-clockwise
   std::vector<Polygon> excluded = {};  ///< convex areas of the bed where nothing may be placed
   std::vector<Shape> shapes;
-  std::vector<size_t> sequence;  ///< index of the shape of each item, in order of placing
+  std::vector<size_t> sequence;        ///< index of the shape of each item, in order of placing
   std::vector<StandingPart> standing;  ///< fixed parts on plates 0, 1, ...
-  int max_plates = 0;  ///< largest number of plates; 0: no limit
+  int max_plates = 0;                  ///< largest number of plates; 0: no limit
 };
 
 /// Position of an item in a packing.
@@ -57,13 +57,13 @@ struct PackedItem {
 /// Result of Pack.
 struct Packing {
   std::vector<std::optional<PackedItem>> items;  ///< position of each item of the sequence
-  int plates = 0;  ///< number of plates with an item or a fixed part
+  int plates = 0;                                ///< number of plates with an item or a fixed part
 };
 
 /// Preferred position of an item on a plate.
 enum class PackingOrder {
   kFromMiddle,  ///< nearest to the bed's middle
-  kFromFront,  ///< farthest to the front, then farthest to the left
+  kFromFront,   ///< farthest to the front, then farthest to the left
 };
 
 /// Packs greedily: each item goes to the first plate that has a free position for it. On that plate

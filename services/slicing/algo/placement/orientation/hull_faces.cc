@@ -19,8 +19,8 @@ using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 constexpr size_t kExact = 20'000;
 constexpr size_t kMostPoints = 12'000;  ///< largest number of points besides the selection
-constexpr int kBins = 32;  ///< bins along each edge of the cube of directions
-/// Distance in nm from which a point outside the first hull is kept
+constexpr int kBins = 32;               ///< bins along each edge of the cube of directions
+/// Distance in nm from which a point outside the first hull is kept.
 constexpr double kReach = 20'000;
 
 Vector3d AsVector(const Vertex& v) {
@@ -31,7 +31,7 @@ Vector3d AsVector(const Vertex& v) {
 struct Triangulation {
   std::vector<Vector3d> corners;
   std::vector<std::array<uint32_t, 3>> triangles;
-  /// Index of the triangle beyond the edge from i to i + 1
+  /// Index of the triangle beyond the edge from i to i + 1.
   std::vector<std::array<uint32_t, 3>> beyond;
 };
 

@@ -24,7 +24,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kContactMm = 0.05;
-/// Tolerance in degrees: faces exactly at the angle differ by rounding
+/// Tolerance in degrees: faces exactly at the angle differ by rounding.
 constexpr double kDoubtDeg = 0.1;
 constexpr size_t kMostCandidates = 40;
 constexpr double kSame = 1e-6;  ///< square of an angle of 0.06 degrees
@@ -34,7 +34,7 @@ constexpr double kContactWeight = 0.25;
 /// Mesh in mm, with the values that all candidates need.
 struct Body {
   std::vector<Vector3d> vertices;
-  /// Normal of each triangle, with the triangle's area as its length
+  /// Normal of each triangle, with the triangle's area as its length.
   std::vector<Vector3d> across;
   std::vector<double> area;
   SpaceHull hull;

@@ -22,11 +22,11 @@ struct OrientationOptions {
 struct PrintOrientation {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< rotation of the mesh as given
   double footprint_mm2 = 0;  ///< area of the convex hull seen from above
-  double contact_mm2 = 0;  ///< area of the faces on the bed (within 0.05 mm)
-  double overhang_mm2 = 0;  ///< area of the faces that need support, seen from above
+  double contact_mm2 = 0;    ///< area of the faces on the bed (within 0.05 mm)
+  double overhang_mm2 = 0;   ///< area of the faces that need support, seen from above
   double height_mm = 0;
   bool stable = false;  ///< true if the centre of mass is above the hull of the faces on the bed
-  double score = 0;  ///< smallest is best
+  double score = 0;     ///< smallest is best
 };
 
 /// Result of SuggestOrientation.

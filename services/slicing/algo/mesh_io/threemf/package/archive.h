@@ -18,7 +18,7 @@ namespace slicefarm::slicing::threemf {
 
 /// File in an archive, as listed in the directory of the archive.
 struct ArchiveEntry {
-  std::string name;  ///< name, with `/` between folders
+  std::string name;   ///< name, with `/` between folders
   int64_t bytes = 0;  ///< expanded size
   uint64_t index = 0;
 };
@@ -79,7 +79,7 @@ class Archive {
 
   std::unique_ptr<zip, Discarder> zip_;
   std::vector<ArchiveEntry> entries_;
-  /// lower-case name and index into `entries_`, sorted
+  /// lower-case name and index into `entries_`, sorted.
   std::vector<std::pair<std::string, size_t>> by_key_;
 };
 

@@ -10,8 +10,8 @@ namespace slicefarm::slicing::threemf {
 /// Kind of the text that comes next in a run of equal elements.
 enum class ScanEnd {
   kElement,  ///< one complete element
-  kMore,  ///< perhaps the beginning of an element; more text is needed to decide
-  kOther,  ///< anything else
+  kMore,     ///< perhaps the beginning of an element; more text is needed to decide
+  kOther,    ///< anything else
 };
 
 /// Scanner that takes elements like `<vertex x="1" y="2" z="3"/>` off the front of a text, one by

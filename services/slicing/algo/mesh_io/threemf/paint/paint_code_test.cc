@@ -47,7 +47,7 @@ struct Code {
   std::string code;
   size_t pieces;
   double enforced, blocked;  ///< areas
-  double x, y;  ///< centre of the enforced area
+  double x, y;               ///< centre of the enforced area
 };
 
 /// The digits count from the last one: `41` divides one edge and enforces the last part.

@@ -16,7 +16,7 @@ struct Metadata {
   SettingsDialect dialect = SettingsDialect::kPrusa;
   ProjectSettings project;
   ModelSettings model;
-  /// Beds of PrusaSlicer, without members; empty if there is only one bed
+  /// Beds of PrusaSlicer, without members; empty if there is only one bed.
   std::vector<PlateSettings> beds;
   HeightRanges ranges;
   HeightProfiles profiles;
