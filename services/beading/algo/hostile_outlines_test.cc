@@ -39,7 +39,7 @@ constexpr double kSlackNm2 = 0.3e12;
 /// Radius of a disc. An area that can contain such a disc is thick enough for two beads, and no
 /// filter applies to it. In 80,000 islands, at least 0.985 of this area is covered, and no disc's
 /// centre is farther from a bead than 354,000 nm. (For discs of 250,000, pieces shorter than a
-/// bead's width stay free.).
+/// bead's width stay free.)
 constexpr Coord kDiscNm = 400'000;
 constexpr double kMinCover = 0.97;
 constexpr double kMaxGapNm = kDiscNm;

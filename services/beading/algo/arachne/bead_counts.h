@@ -14,8 +14,9 @@ inline constexpr double kLeastPieceNm = 10'000;
 
 /// Options for PlanBeadCounts.
 struct CountOptions {
-  double filter_deviation_nm = 100'000;  ///< largest change of a bead's width ...
-  /// ... along this length, accepted to save a transition.
+  /// Largest change of a bead's width that saves a transition.
+  double filter_deviation_nm = 100'000;
+  /// Largest length of a stretch that is changed to save a transition.
   double filter_distance_nm = 100'000'000;
   /// Function that returns the radius for close decisions, from a position and its own radius
   /// `radius_nm`. It is used if the thickness is within `filter_deviation_nm` of a transition.

@@ -29,7 +29,7 @@ NodeBeading FromBeading(const Beading& beading);
 /// Returns a mix of `a` (ratio 0) and `b` (ratio 1), two layouts for a node of `radius`. `b` has
 /// the same number of beads or one more. A middle bead grows from nothing, or splits into two
 /// halves. So layouts that tile the thickness in `a` and in `b` also tile it at each ratio between.
-/// (Upstream ends the bead and leaves a hole.).
+/// (Upstream ends the bead and leaves a hole.)
 NodeBeading Between(const NodeBeading& a, const NodeBeading& b, double ratio, double radius);
 
 /// Returns a mix of `a`, laid out for a node of `radius`, and `b`, for the beads of both. Beads

@@ -38,7 +38,7 @@ class InsetStrategy : public BeadingStrategy {
 };
 
 /// Moves the outermost two beads, if there are at least two, to prevent bulging of the outer wall.
-/// (Upstream moves only the first one.).
+/// (Upstream moves only the first one.)
 class OuterWallInsetStrategy : public InsetStrategy {
  public:
   using InsetStrategy::InsetStrategy;

@@ -32,7 +32,7 @@ class Golden : public testing::TestWithParam<GoldenCase> {};
 /// The values are two walls of 0.4 mm with smallest width 0.34, from CuraEngine's strategies. One
 /// value differs: exactly at a transition thickness there is one bead more, as T(n) is defined.
 /// (Upstream gives one bead at 680, because Redistribute compares with > where other strategies
-/// compare with >=.).
+/// compare with >=.)
 TEST_P(Golden, TwoWalls) {
   const GoldenCase& golden = GetParam();
   const auto strategy = MakeStrategy(Walls(2));

@@ -18,7 +18,7 @@ struct TriangleMesh {
 /// from them do not depend on the order of triangles and corners.
 struct MeshEdges {
   std::vector<std::array<uint32_t, 2>> ends;
-  /// three edges per triangle: from corner 0 to 1, 1 to 2, 2 to 0.
+  /// Three edges per triangle: from corner 0 to 1, 1 to 2, 2 to 0.
   std::vector<std::array<uint32_t, 3>> of_triangle;
 };
 

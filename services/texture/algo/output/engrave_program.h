@@ -29,7 +29,7 @@ struct ProgramOptions {
   double layer_mm = 0.05;     ///< height of a layer from an extruder
 };
 
-/// Returns a Z height from which the tool is above the part in each of the part's rotations.
+/// Returns a Z height at which the tool is above the part for all angles of the rotary axes.
 double SafeHeight(const EngravePlan& plan, const ProgramOptions& options);
 
 /// Writes a program in RS-274 (LinuxCNC and most controllers with five axes), layer by layer. With

@@ -79,7 +79,7 @@ class Archive {
 
   std::unique_ptr<zip, Discarder> zip_;
   std::vector<ArchiveEntry> entries_;
-  /// lower-case name and index into `entries_`, sorted.
+  /// Lower-case names with indices into `entries_`, sorted.
   std::vector<std::pair<std::string, size_t>> by_key_;
 };
 

@@ -21,7 +21,7 @@ std::optional<double> HeightOf(XmlAttributes attributes, std::string_view name) 
   return height;
 }
 
-/// Handler of <objects><object id><range min_z max_z><option opt_key>text</option>.
+/// Handler of <objects><object id><range min_z max_z><option opt_key>text</option>
 class HeightRangesHandler : public XmlHandler {
  public:
   absl::Status Start(std::string_view name, XmlAttributes attributes, int64_t) override {
