@@ -63,7 +63,7 @@ void RoughenWall(const BeadingOptions& options, Random& random, Path& wall) {
     }
     along -= length;
   }
-  if (rough.points.size() < 3) return;  // a dot stays one
+  if (rough.points.size() < 3) return;  // a dot is not roughened
   if (wall.widths_nm.size() == 1) rough.widths_nm = wall.widths_nm;
   wall = std::move(rough);
 }

@@ -23,7 +23,7 @@ TEST(NameRings, EachOutermostWallFollowsTheRingBesideIt) {
       Wall("(0.2 0.2, 19.8 0.2, 19.8 19.8, 0.2 19.8)"),
       Wall("(4.8 4.8, 4.8 15.2, 15.2 15.2, 15.2 4.8)"),
       Wall("(30.2 0.2, 39.8 0.2, 39.8 8.8, 30.2 8.8)"),
-      Wall("(10 0.5, 10 4, 12 4)"),  // along no ring
+      Wall("(10 0.5, 10 4, 12 4)"),  // follows no ring
       Wall("(0.6 0.6, 19.4 0.6, 19.4 19.4, 0.6 19.4)", 1),
   };
   NameRings(MakePolygonsOrDie(kOutline), walls);

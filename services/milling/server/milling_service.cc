@@ -44,7 +44,7 @@ template <typename Stream>
 absl::Status Answer(const MilledProgram& program, Stream& stream) {
   v1::MillProgramPart part;
   if (absl::Status put = ToProto(program.report, part.mutable_summary()); !put.ok()) return put;
-  bool there = stream.Write(part);  // that the client is gone says its call
+  bool there = stream.Write(part);  // a gone client is reported by its call
   for (size_t at = 0; there && at < program.text.size(); at += kTextBytes) {
     part.set_text(program.text.substr(at, kTextBytes));
     there = stream.Write(part);

@@ -333,7 +333,7 @@ class SlicingRun {
     std::vector<Coord> lifts;
     for (const ObjectSlicingOptions& object : options_.objects) lifts.push_back(object.lift_nm);
     const bool alike = std::ranges::adjacent_find(lifts, std::ranges::not_equal_to{}) == lifts.end();
-    std::vector<SlicedLayer> lifted;  // as they will stand: some on rafts, some not
+    std::vector<SlicedLayer> lifted;  // in final positions: some on rafts, some not
     if (!alike) lifted = PrintLayers(job_.layers, lifts, {});
     absl::StatusOr<std::vector<int64_t>> counts =
         CountOverlapping(alike ? job_.layers : lifted, all, call_.cancel);

@@ -295,7 +295,7 @@ TEST(LocalSlicing, ASlopePaintedForSupportsIsTheStripThatHangsOver) {
   const auto job = Slice(input);
   ASSERT_TRUE(job.ok()) << job.status();
   for (const SlicedLayer& layer : job->layers) {
-    const double z = ToMm(layer.sections[0].z_nm) - 0.1;  // of the cut
+    const double z = ToMm(layer.sections[0].z_nm) - 0.1;  // height of the cut
     const Box box = Bounds(MarkedIn(layer.sections[0], PartRole::kSupportEnforcer));
     if (z < 2 || z > 6.2) {
       EXPECT_TRUE(box.Empty()) << z;

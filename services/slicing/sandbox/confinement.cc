@@ -64,7 +64,7 @@ absl::Status SetLimits(const ReaderLimits& limits) {
 
 absl::Status SetTraits(int64_t parent) {
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return Refused("PR_SET_PDEATHSIG", errno);
-  if (getppid() != parent) return Refused("PR_SET_PDEATHSIG", ESRCH);  // too late
+  if (getppid() != parent) return Refused("PR_SET_PDEATHSIG", ESRCH);  // the parent is already gone
   if (prctl(PR_SET_DUMPABLE, 0) != 0) return Refused("PR_SET_DUMPABLE", errno);
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return Refused("PR_SET_NO_NEW_PRIVS", errno);
   return absl::OkStatus();

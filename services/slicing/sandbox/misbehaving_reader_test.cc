@@ -202,7 +202,7 @@ const std::map<std::string_view, std::function<Answer()>, std::less<>>& Deeds() 
 
 int main() {
   using namespace slicefarm::slicing;
-  (void)Deeds();  // made while all is allowed
+  (void)Deeds();  // created while everything is still allowed
   RunReader([](std::string_view bytes, slicefarm::MeshFormat format, double limit,
                ReadDepth depth) {
     // The text is padded with blanks, because the size of a file limits the size of the answer.

@@ -169,7 +169,7 @@ struct Members {
 
 std::string EncodeProject(const Project& project) {
   Writer writer;
-  Project copy = project;  // the list of members takes what it may change
+  Project copy = project;  // the list of members requires a mutable object
   Members<Writer>{writer}.Each(copy);
   return std::move(writer).Take();
 }

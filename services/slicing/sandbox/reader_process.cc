@@ -98,7 +98,7 @@ absl::StatusOr<ReaderProcess> ReaderProcess::Start(const std::string& program, c
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return CannotStart("a pipe", errno);
   Fd answer(ends[0]);
   const Fd its_end(ends[1]);
-  (void)fcntl(its_end.number(), F_SETPIPE_SZ, kPipeBytes);  // a smaller one will do
+  (void)fcntl(its_end.number(), F_SETPIPE_SZ, kPipeBytes);  // a smaller pipe also works
   pid_t pid = 0;
   const int error = SpawnPlan(request.number(), its_end.number()).Spawn(program, &pid);
   if (error != 0) return CannotStart(program, error);
@@ -138,7 +138,7 @@ absl::StatusOr<ProcessEnd> ReaderProcess::AwaitEnd(const CancelToken& cancel) {
       return end;
     }
     if (ended < 0 && errno != EINTR) {
-      pid_ = 0;  // the number may be another process's by now
+      pid_ = 0;  // the id may belong to another process now
       return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
                        "a mesh reader's end was taken by somebody else");
     }

@@ -92,7 +92,7 @@ void RunReader(const ReadFunction& read) {
   std::set_new_handler([] { _exit(kNoMemoryExit); });
   StepForwardWhenMemoryRunsOut();
   SettleTimeZone();
-  PointHash::OfProcess();  // its keys may come from a file, which cannot be opened later
+  PointHash::OfProcess();  // creates its keys now: a file for them cannot be opened later
   const std::string_view request = MapRequest();
   const RequestHead& head = *reinterpret_cast<const RequestHead*>(request.data());
   const absl::Status confined = Confine(head.confinement, head.limits, head.service_pid);

@@ -158,7 +158,7 @@ absl::StatusOr<MeshFileContents> SandboxedMeshSource::Read(std::string bytes, Me
   bytes = std::string();
   absl::StatusOr<ReaderProcess> reader = ReaderProcess::Start(options_.program, *request);
   if (!reader.ok()) return reader.status();
-  *request = Fd();  // the reader has it, and it is gone with the reader
+  *request = Fd();  // the reader holds it; it ends with the reader
   return Reading(*std::move(reader), limits, cancel).Answer(asked, coordinate_limit);
 }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kNames = {"off", "limits", "strict"};
 
 std::string ReaderProgram() {
-  std::error_code none;  // an empty path names no program, which the trial will tell
+  std::error_code none;  // an empty path names no program; the test run reports this
   return std::filesystem::read_symlink("/proc/self/exe", none).parent_path() /
          "slicefarm-mesh-reader";
 }

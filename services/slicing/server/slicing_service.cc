@@ -48,7 +48,7 @@ template <typename Stream>
 absl::Status Answer(const SlicedJob& job, Stream& stream) {
   v1::SliceResponse summary;
   if (absl::Status status = ToProto(job, summary.mutable_summary()); !status.ok()) return status;
-  stream.Write(summary);  // that the client is gone shows at the first layer
+  stream.Write(summary);  // a gone client is detected at the first layer
   return WriteEach<v1::SliceResponse>(stream, job.layers,
                                       [](const SlicedLayer& layer, v1::SliceResponse* proto) {
                                         return ToProto(layer, proto->mutable_layer());
@@ -59,7 +59,7 @@ template <typename Stream>
 absl::Status Answer(const PlacedScene& scene, Stream& stream) {
   v1::PlaceResponse response;
   if (absl::Status status = ToProto(scene, response.mutable_scene()); !status.ok()) return status;
-  stream.Write(response);  // that the client is gone shows at the first piece
+  stream.Write(response);  // a gone client is detected at the first piece
   for (const PlacedSceneObject& object : scene.objects) {
     for (const PlacedScenePart& part : object.parts) {
       absl::Status sent = ForEachPiece(part.mesh, [&](const v1::MeshPiece& piece) {
@@ -88,7 +88,7 @@ absl::Status Answer(const std::vector<SurfaceMesh>& surfaces, Stream& stream) {
 
 template <typename Stream>
 absl::Status Answer(const v1::ReadProjectResponse& project, Stream& stream) {
-  stream.Write(project);  // that the client is gone is no error
+  stream.Write(project);  // a gone client is no error
   return absl::OkStatus();
 }
 

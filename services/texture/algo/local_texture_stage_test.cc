@@ -108,7 +108,7 @@ TEST_F(LocalTextureTest, WaitingForAMapCanBeCancelled) {
   const std::shared_future<void> ended = second_ended.get_future();
   bool is_first_look = true;
   StageCall first;
-  first.cancel = CancelToken([&] {  // asked while the map is made
+  first.cancel = CancelToken([&] {  // called while the map is made
     if (std::exchange(is_first_look, false)) begun.set_value();
     return ended.wait_for(std::chrono::seconds(60)) != std::future_status::ready;
   });

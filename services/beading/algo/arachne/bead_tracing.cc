@@ -165,7 +165,7 @@ class MiddleTracer {
 
   void Trace(std::vector<BeadLine>& lines) {
     for (int node = 0; node < static_cast<int>(graph_.nodes.size()); ++node) Pair(node);
-    for (int pass = 0; pass < 2; ++pass)  // open lines from their ends; then rings
+    for (int pass = 0; pass < 2; ++pass)  // open lines from their ends first, then rings
       for (int half = 0; half < static_cast<int>(graph_.half_edges.size()); ++half)
         if (open_[half / 2] && (pass == 1 || mate_[half ^ 1] < 0)) Follow(half, lines);
     for (int node = 0; node < static_cast<int>(graph_.nodes.size()); ++node) AddDot(node, lines);

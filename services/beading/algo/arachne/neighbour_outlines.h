@@ -20,7 +20,7 @@ class NeighbourOutlines {
   /// Returns the outline of the layer `by` layers above layers[i], or below if negative. Returns
   /// nullptr if this layer is not available.
   const MultiPolygon* At(size_t i, int by) const {
-    const size_t at = i + static_cast<size_t>(by);  // below 0 wraps to far above
+    const size_t at = i + static_cast<size_t>(by);  // a negative sum wraps to a huge index
     return at < layers_.size() ? layers_[at] : nullptr;
   }
 

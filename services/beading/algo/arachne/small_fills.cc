@@ -62,7 +62,7 @@ class FillPlaces {
     FillPlace place;
     place.nodes = {start};
     seen[start] = true;
-    double twice = 0;  // the area of edges that are met from both ends
+    double twice = 0;  // area of edges that are visited from both ends
     for (size_t i = 0; i < place.nodes.size(); ++i) {
       const int node = place.nodes[i];
       place.radius = std::max(place.radius, graph_.nodes[node].radius);

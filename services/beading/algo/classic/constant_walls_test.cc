@@ -47,7 +47,7 @@ TEST(ConstantWalls, WithoutPerimetersAllIsFillArea) {
 struct SlotCase {
   std::string name;
   double thickness_mm;
-  size_t walls;  // insets with a ring
+  size_t walls;  // number of insets with a ring
   size_t gaps;
   bool fill;
 };

@@ -128,7 +128,7 @@ class AxisGraph {
     PairAtForks();
     std::vector<std::vector<int>> lines;
     std::vector<bool> used(edges_.size(), false);
-    for (int pass = 0; pass < 2; ++pass) {  // open lines from their ends, then what is left: rings
+    for (int pass = 0; pass < 2; ++pass) {  // open lines from their ends first, then rings
       for (size_t e = 0; e < edges_.size(); ++e) {
         if (!alive_[e] || used[e]) continue;
         const AxisEdge& edge = edges_[e];

@@ -43,7 +43,7 @@ TEST(Limited, AMarkerAtEitherSideOfTheInfill) {
 TEST(Limited, Counts) {
   const auto strategy = AtMost(6);
   EXPECT_EQ(strategy.OptimalCount(2'789 * kUm), 6);
-  EXPECT_EQ(strategy.OptimalCount(2'790 * kUm), 7);  // a little less than seven beads' 2800
+  EXPECT_EQ(strategy.OptimalCount(2'790 * kUm), 7);  // slightly less than the 2800 of seven beads
   EXPECT_EQ(strategy.OptimalCount(100'000 * kUm), 7);
   EXPECT_EQ(strategy.OptimalCount(400 * kUm), 1);
   EXPECT_EQ(strategy.TransitionThickness(7), kUnreachableNm);

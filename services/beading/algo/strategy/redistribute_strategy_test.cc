@@ -71,8 +71,8 @@ TEST(Redistribute, TransitionsOfOuterBeadsAreItsOwn) {
   const auto strategy = Over(450, {.outer_width_nm = 350 * kUm, .split_threshold = 0.6});
   EXPECT_NEAR(strategy.TransitionAnchor(0), 0.5, 1e-6);
   EXPECT_NEAR(strategy.TransitionAnchor(1), 0.4, 1e-6);
-  EXPECT_NEAR(strategy.TransitionAnchor(2), 0.15, 1e-6);  // the parent's from 0 to 1
-  EXPECT_NEAR(strategy.TransitionAnchor(3), 0.3, 1e-6);   // the parent's from 1 to 2
+  EXPECT_NEAR(strategy.TransitionAnchor(2), 0.15, 1e-6);  // parent's value from 0 to 1
+  EXPECT_NEAR(strategy.TransitionAnchor(3), 0.3, 1e-6);   // parent's value from 1 to 2
   EXPECT_EQ(strategy.TransitionLength(0), 10 * kUm);
   for (const int n : {1, 2, 3, 4}) EXPECT_EQ(strategy.TransitionLength(n), 400 * kUm) << n;
 }

@@ -51,7 +51,7 @@ inline std::vector<Coord> OptimalThicknessesUm(const BeadingStrategy& strategy, 
 // Limits up to which the properties from beading_strategy.h are tested for every strategy:
 inline constexpr int kMostBeads = 9;
 inline constexpr Coord kThickest = 6'000 * kUm;
-inline constexpr Coord kStep = 3'331;  // no divisor of any width: odd thicknesses come along
+inline constexpr Coord kStep = 3'331;  // divides no width, so odd thicknesses occur
 
 inline void ExpectSums(const BeadingStrategy& strategy) {
   for (int n = 0; n <= kMostBeads; ++n) {

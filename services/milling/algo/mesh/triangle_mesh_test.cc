@@ -11,7 +11,7 @@ TEST(EdgesOf, HasEachEdgeOnce) {
   const TriangleMesh box = Box({0, 0, 0}, {1, 2, 3});
   const MeshEdges edges = EdgesOf(box);
   EXPECT_EQ(edges.ends.size(),
-            17u);  // of a box of 12 triangles 18; the bottom's diagonal is not there
+            17u);  // a box of 12 triangles has 18 edges; the bottom's diagonal is missing
   for (size_t t = 0; t < box.triangles.size(); ++t) {
     for (size_t k = 0; k < 3; ++k) {
       const auto& ends = edges.ends[edges.of_triangle[t][k]];

@@ -45,7 +45,7 @@ TEST(RampDown, GoesRoundAtTheAngle) {
     double length = 0;
     for (size_t i = 0; i < rest.size(); ++i)
       length += (rest[(i + 1) % rest.size()] - rest[i]).norm();
-    EXPECT_NEAR(length, 8, 1e-9);  // the whole way is left to cut
+    EXPECT_NEAR(length, 8, 1e-9);  // the whole pass remains to be cut
     const auto made = moves.TakeMoves();
     EXPECT_NEAR(SteepestOf(made), slope, 0.02 * slope + 1e-3) << from - z;
   }

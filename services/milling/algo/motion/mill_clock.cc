@@ -18,7 +18,7 @@ MachineLimits LimitsOf(const MillingOptions& options) {
   const MachiningOptions& machining = options.machining;
   const auto& a = machining.max_acceleration_mm_s2;
   MachineLimits limits;
-  limits.max_feedrate_mm_s = {};  // none: speeds are those along the way
+  limits.max_feedrate_mm_s = {};  // no limits per axis: speeds are along the path
   limits.max_acceleration_mm_s2 = {a[0], a[1], a[2], 0};
   limits.junction_deviation_mm = options.tolerance_mm;
   limits.jerk_mm_s3 = machining.jerk_mm_s3;

@@ -85,7 +85,7 @@ TEST(MillProgram, RoughingLeavesTheAllowance) {
   const Pillars part = PocketPart();
   const MillingJob job = JobOf(part.Mesh(), options);
   HeightMapOracle oracle(job, [&](double x, double y) {
-    double height = 0;  // the part grown by a little less than the allowance
+    double height = 0;  // the part grown by slightly less than the allowance
     for (const double dx : {-0.25, 0.0, 0.25})
       for (const double dy : {-0.25, 0.0, 0.25})
         height = std::max(height, part.HeightAt(x + dx / 1.5, y + dy / 1.5) +
@@ -179,7 +179,7 @@ TEST(MillProgram, TakesHostileMeshes) {
   const MillingJob plain_job = JobOf(part, OptionsFor("ball:1.5"));
   const MillProgram plain = ProgramOf(plain_job);
   const size_t count = part.triangles.size();
-  for (size_t i = 0; i < count; i += 3) {  // both sides once more, and needles
+  for (size_t i = 0; i < count; i += 3) {  // repeated triangles with both orientations, and needles
     const auto t = part.triangles[i];
     part.triangles.push_back(t);
     part.triangles.push_back({t[1], t[0], t[2]});

@@ -59,7 +59,7 @@ TEST(MoveBuilder, FitsArcsWithinTheTolerance) {
   line.push_back({0, 10});
   moves.FeedAlong(line, 500);
   std::vector<MillMove> made = moves.TakeMoves();
-  made.erase(made.begin(), made.begin() + 2);  // to the start
+  made.erase(made.begin(), made.begin() + 2);  // removes the moves to the start
   ASSERT_LE(made.size(), 5u);
   size_t arcs = 0;
   Eigen::Vector3d from(0, 0, 6.5);

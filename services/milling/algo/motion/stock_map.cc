@@ -70,7 +70,7 @@ void StockMap::CutLevel(const Eigen::Vector2d& from, const Eigen::Vector2d& to, 
       RowsIn(std::min(from.y(), to.y()) - radius, std::max(from.y(), to.y()) + radius);
   for (int row = rows.from; row <= rows.to; ++row) {
     const double y = low_.y() + (row + 0.5) * pixel_mm_;
-    double t0 = 0, t1 = 1;  // the piece of the way that may be a radius from the row
+    double t0 = 0, t1 = 1;  // part of the move that may be within a radius of the row
     if (std::abs(way.y()) > 1e-12) {
       const double p = (y - radius - from.y()) / way.y(), q = (y + radius - from.y()) / way.y();
       t0 = std::clamp(std::min(p, q), 0.0, 1.0), t1 = std::clamp(std::max(p, q), 0.0, 1.0);

@@ -30,9 +30,9 @@ TEST(WayCutter, EntersFromOutsideAndStaysDown) {
   WayCutter cutter(job.options, moves, kNever);
   const CutArea area{.area = {SquareRing(-3.5, 21.5), {}},
                      .ways = {SquareRing(-3.5, 21.5), SquareRing(-1.9, 19.9), SquareRing(0, 18)}};
-  EXPECT_EQ(cutter.Cut(area, 9.5, MillPhase::kRoughing), 2);  // the first is in air
+  EXPECT_EQ(cutter.Cut(area, 9.5, MillPhase::kRoughing), 2);  // the first pass is in air
   const std::vector<MillMove> made = moves.TakeMoves();
-  EXPECT_EQ(CountOf(made, MoveKind::kRapid), 2u);  // there, and down beside the stock
+  EXPECT_EQ(CountOf(made, MoveKind::kRapid), 2u);  // horizontally, and down beside the stock
   EXPECT_EQ(CountOf(made, MoveKind::kCounterClockwise), 0u);
 }
 
@@ -82,7 +82,7 @@ TEST(WayCutter, MeetsFinishingWaysByArcs) {
   moves.RapidTo({9, 6}, 9.2);
   const CutArea fine{.area = {SquareRing(4, 14), {}}, .ways = {ring}};
   EXPECT_EQ(cutter.Cut(fine, 9.2, MillPhase::kFinishing), 1);
-  EXPECT_EQ(CountOf(moves.TakeMoves(), MoveKind::kCounterClockwise), 0u);  // it is near: straight
+  EXPECT_EQ(CountOf(moves.TakeMoves(), MoveKind::kCounterClockwise), 0u);  // near, so straight
   moves.Retract();
   WayCutter other(job.options, moves, kNever);
   Polygon deeper = ring;

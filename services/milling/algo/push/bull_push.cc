@@ -50,7 +50,7 @@ double RootOf(const BullEdge& edge, double low, Slant at_low, double high, Slant
   int side = 0;
   for (int i = 0; i < kMaxSteps && high - low > 4 * precision; ++i) {
     double middle = (low + high) / 2;
-    if (at_low.smooth && at_high.smooth && i % 4 != 3) {  // Illinois, never onto an end
+    if (at_low.smooth && at_high.smooth && i % 4 != 3) {  // Illinois rule, never exactly at an end
       middle = (low * weight_high - high * weight_low) / (weight_high - weight_low);
       middle = std::clamp(middle, low + precision, high - precision);
     }

@@ -43,7 +43,7 @@ HalfChord HalfChordOf(const ProfilePiece& piece, const FiberPoint& from, const F
 double LargestAt(const HalfChord& q, double along) {
   const double m = along * along - q.a;
   const double rate = m > 0 ? std::sqrt(std::max(0.0, q.discriminant) / m) : 0;
-  const double t = -along * rate;  // dQ/ds there
+  const double t = -along * rate;  // dQ/ds at the maximum
   if (q.a >= 0) {
     const double way = q.growth != 0 ? q.growth : along;
     if (m <= 0 || along * q.growth >= 0) return way > 0 ? kEndless : -kEndless;
@@ -94,7 +94,7 @@ void PushQuadratic(const ProfilePiece& piece, const EdgePart& part, Reach& reach
   if (q.a < 0 && q.discriminant <= 0) return;
   const auto contact = [&](double side) {
     const double best = LargestAt(q, side * part.step.along);
-    const double s = best > 0 ? std::min(best, part.length) : 0;  // of NaN too
+    const double s = best > 0 ? std::min(best, part.length) : 0;  // 0 for NaN too
     const FiberPoint p = On(part.from, part.step, s);
     return SideContact{s, p.along, HalfChordAt(piece, p)};
   };

@@ -61,7 +61,7 @@ TEST(RoughingWays, CoverTheAreaInTheOrderOfCutting) {
     const double first = std::abs(SignedArea(ways.front())),
                  last = std::abs(SignedArea(ways.back()));
     EXPECT_EQ(first > last, c.from_outside) << c.name;
-    if (!c.from_outside && !c.level.free[0].holes.empty()) continue;  // begins around the island
+    if (!c.from_outside && !c.level.free[0].holes.empty()) continue;  // begins at the island
     // Climb milling has the stock on the right. Going inwards, the stock is inside of the pass;
     // going outwards, it is outside.
     EXPECT_EQ(SignedArea(ways.front()) < 0, c.from_outside) << c.name;

@@ -37,9 +37,10 @@ Eigen::AlignedBox2d RestBox(const MillingJob& job);
 /// Errors: the errors of CheckMillingOptions, and
 ///   MESH_EMPTY
 ///   MESH_MALFORMED        a part or a stock that is not closed, with a place
-///   OUT_OF_RANGE          a part that extends beyond the stock; a stock farther than 1.5 m from the origin
-///   SETTING_OUT_OF_RANGE  a cutter wider than the stock; a tool shorter than the depth of cut in the stock;
-///                         a bottom above the part or below the stock
+///   OUT_OF_RANGE          a part that extends beyond the stock; a stock farther than 1.5 m from
+///                         the origin
+///   SETTING_OUT_OF_RANGE  a cutter wider than the stock; a tool shorter than the depth of cut in
+///                         the stock; a bottom above the part or below the stock
 ///   REQUEST_TOO_LARGE     too many steps, or rings of a level
 ///
 /// Cost: O(n log n) for n triangles.

@@ -31,7 +31,7 @@ TEST(PrepareMilling, PutsLevelsOnFlatsAndEvenlyBetween) {
   const std::vector<double> finishing = PlacesOf(job, MillPhase::kFinishing);
   for (const double flat : {1.0, 2.0, 0.0})
     EXPECT_NE(std::find(finishing.begin(), finishing.end(), flat), finishing.end()) << flat;
-  EXPECT_LT(finishing.front(), 3);  // nothing of the part lies above its top
+  EXPECT_LT(finishing.front(), 3);  // no part is above its top
   EXPECT_FALSE(PlacesOf(job, MillPhase::kRest).empty());
 }
 

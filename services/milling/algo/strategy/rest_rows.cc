@@ -94,7 +94,7 @@ class RestRow {
 
   RestRun RunOver(int first, int last) const {
     const auto height = [this](const Eigen::Vector2d& p) { return Height(p.x(), p.y()); };
-    Polyline line = {PointOf({columns_.At(first), z_[first]})};  // x and z as a plane
+    Polyline line = {PointOf({columns_.At(first), z_[first]})};  // a line in the plane of x and z
     for (int i = first; i < last; ++i) {
       const Eigen::Vector3d a(columns_.At(i), y_mm_, z_[i]);
       const Eigen::Vector3d b(columns_.At(i + 1), y_mm_, z_[i + 1]);

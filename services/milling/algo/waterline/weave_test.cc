@@ -130,7 +130,7 @@ TEST(WeaveLoops, TakesTheRowsWordAboutNodes) {
   const FiberGrid grid{0, 1, 6};
   FiberIntervals rows(6), columns(6);
   rows[2] = rows[3] = {{2 - 1e-13, 3 + 1e-13, {}, {}}};
-  columns[2] = {};  // touches
+  columns[2] = {};  // the column only touches
   columns[3] = {{2 + 1e-13, 3.5, {}, {}}};
   const auto loops = WeaveLoops({grid, grid, rows, columns}, [](double, double) { return false; });
   ASSERT_EQ(loops.size(), 1u);

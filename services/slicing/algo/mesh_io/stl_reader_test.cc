@@ -115,7 +115,7 @@ TEST(AsciiStl, AcceptsWhatExportersWrite) {
   for (char& c : upper) c = static_cast<char>(std::toupper(c));
   std::string mac = Facet(kCorners);
   for (char& c : mac) c = c == '\n' ? '\r' : c;
-  std::string mixed = Facet(kCorners);  // CR, LF, CR LF by turns
+  std::string mixed = Facet(kCorners);  // CR, LF, CR LF alternately
   for (size_t at = 0, line = 0; (at = mixed.find('\n', at)) != std::string::npos; ++line) {
     const std::string end = line % 3 == 0 ? "\r" : line % 3 == 1 ? "\n" : "\r\n";
     mixed.replace(at, 1, end);

@@ -34,7 +34,7 @@ struct Free {
 /// with a given position. `excluded`: the bed has excluded areas.
 absl::Status NoRoom(std::span<const ObjectToPlace> objects, const std::vector<Free>& free,
                     const std::vector<size_t>& left_over, size_t copies, bool excluded) {
-  std::map<size_t, int> counts;  // by object
+  std::map<size_t, int> counts;  // number of copies per object
   for (const size_t item : left_over) ++counts[free[item].object];
   std::vector<std::string> which;
   for (const auto& [object, count] : counts) {

@@ -86,7 +86,7 @@ class LocalArranging : public ArrangingStage {
     std::vector<PlatePlace> places;
     std::vector<ArrangeItem> items;
     std::vector<FixedFootprint> fixed;
-    std::vector<size_t> object_of, place_of;  // by item
+    std::vector<size_t> object_of, place_of;  // indices per item
     for (size_t object = 0; object < shapes->size(); ++object) {
       const PlacedObject& shape = (*shapes)[object];
       for (const CopyInput& copy : input.objects[object].copies) {

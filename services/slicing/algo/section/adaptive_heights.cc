@@ -177,7 +177,7 @@ class Fitting {
     /// Height of the previous layer, in steps; 0: there is none.
     uint32_t before = 0;
   };
-  using Key = std::pair<size_t, size_t>;  // place, and how far back its layer begins
+  using Key = std::pair<size_t, size_t>;  // end of a layer, and its height, both in steps
 
   State& At(size_t place, size_t back) { return states_[place * (reach_ + 1) + back]; }
 
@@ -207,7 +207,7 @@ class Fitting {
   enum class Fit : uint8_t { kTooLow, kGood, kJump, kTooHigh };
 
   Fit FitOf(Coord height, Coord before, Coord bound, std::optional<Coord> asked) const {
-    if (asked) {  // steps are at most half as long again: one of them is so near
+    if (asked) {  // one step is always this near: steps are at most 1.5 step_nm_
       const Coord off = step_nm_ * 3 / 4 + 1;
       if (height < *asked - off) return Fit::kTooLow;
       return height <= *asked + off ? Fit::kGood : Fit::kTooHigh;

@@ -16,15 +16,15 @@
 namespace slicefarm::slicing {
 namespace {
 
-constexpr Coord kSampleNm = 100'000;       // along thin places, to begin with
-constexpr Coord kFinestSampleNm = 10'000;  // where the shrinkage changes at once
-constexpr double kToleranceNm = 500;       // of the shrinkage between samples
-constexpr double kSlope = 0.5;             // of the shrinkage along an outline
+constexpr Coord kSampleNm = 100'000;       // initial distance of samples along thin places
+constexpr Coord kFinestSampleNm = 10'000;  // smallest distance, for discontinuous shrinkage
+constexpr double kToleranceNm = 500;       // error of the shrinkage between samples
+constexpr double kSlope = 0.5;             // largest slope of the shrinkage along an outline
 constexpr double kCosOfCorner = 0.5;       // an outline that turns by 60 degrees has a corner
-constexpr double kOverlapNm = 50;          // of strips with what they must not leave a crack to
-constexpr Coord kCrumbNm = 50'000;         // tips that come off may be twice as wide
+constexpr double kOverlapNm = 50;          // overlap of strips, so that no crack remains
+constexpr Coord kCrumbNm = 50'000;         // half of the largest width of tips that break off
 constexpr double kArcToleranceNm = 2'500;
-constexpr Coord kSearchNm = 100;  // of the largest shrinkage
+constexpr Coord kSearchNm = 100;  // accuracy of the search for the largest shrinkage
 
 /// Shrinkage of the outline at a point of an edge.
 struct Sample {
@@ -86,7 +86,7 @@ class Shrinkage {
     } else if (end.at_nm - begin.at_nm > kFinestSampleNm) {
       Refine(edge, begin, found, opposite, samples);
       Refine(edge, found, end, opposite, samples);
-    } else {  // a step: somewhere here
+    } else {  // there is a step in this interval
       const double low = std::min({begin.depth_nm, found.depth_nm, end.depth_nm});
       samples.back().depth_nm = std::min(samples.back().depth_nm, low);
       samples.push_back({end.at_nm, low});
@@ -208,7 +208,7 @@ class Shrinkage {
     if (!edge.reflex_to || depth_nm == 0) return;
     const Vector2 a = edge.inward, b = edge.inward_after;
     const double turn =
-        Atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y());  // below 0
+        Atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y());  // always negative
     const double step = 2 * Acos(1 - std::min(1.0, kArcToleranceNm / depth_nm));
     const int steps = std::max(1, static_cast<int>(std::ceil(-turn / step)));
     const Vector2 along_after = {b.y(), -b.x()};

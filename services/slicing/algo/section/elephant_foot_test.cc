@@ -66,7 +66,7 @@ struct Case {
 };
 
 TEST(ElephantFoot, OfKnownShapes) {
-  const double corner = (1 - 3.14159265 / 4) * 0.04;  // that a square hole's round corner leaves
+  const double corner = (1 - 3.14159265 / 4) * 0.04;  // area left by a square hole's round corner
   const std::vector<Case> cases = {
       {"Nothing", "", 0},
       {"Square", "(0 0, 10 0, 10 10, 0 10)", 9.6 * 9.6},

@@ -61,7 +61,7 @@ void AppendEdges(const Polygon& ring, std::vector<OutlineEdge>& edges) {
 /// an edge or its reflex ends. `cosine` belongs to the angle between the two touched sides.
 template <typename Visit>
 void ForEachDisc(Point p, Vector2 n, const OutlineEdge& edge, Visit visit) {
-  if (p == edge.from || p == edge.to) {  // no disc fits into a corner, any into a reflex one
+  if (p == edge.from || p == edge.to) {  // a convex corner has no disc, a reflex one any disc
     if (!(p == edge.from ? edge.reflex_from : edge.reflex_to)) visit(0.0, -Dot(n, edge.inward));
     return;
   }

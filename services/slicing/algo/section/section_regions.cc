@@ -9,7 +9,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-using Areas = std::map<int32_t, MultiPolygon>;  // by row of the settings
+using Areas = std::map<int32_t, MultiPolygon>;  // areas per row of the settings
 
 void Append(const MultiPolygon& from, MultiPolygon& to) {
   to.insert(to.end(), from.begin(), from.end());

@@ -59,7 +59,7 @@ absl::Status Sweep::SortFacesIntoLayers(int64_t other_points) {
   const auto span_of = [this](const Triangle& t) {
     return std::minmax({vertices_[t[0]].level, vertices_[t[1]].level, vertices_[t[2]].level});
   };
-  std::vector<int64_t> counts(planes_nm_.size() + 1, 0);  // first as changes from layer to layer
+  std::vector<int64_t> counts(planes_nm_.size() + 1, 0);  // differences between layers first
   for (const Triangle& t : triangles) {
     const auto [low, high] = span_of(t);
     ++counts[low], --counts[high];

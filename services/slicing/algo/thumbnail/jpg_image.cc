@@ -12,7 +12,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-constexpr int kJpgQuality = 85;  // PrusaSlicer's
+constexpr int kJpgQuality = 85;  // quality of PrusaSlicer
 
 /// Error state. libjpeg reports errors by a function that must not return.
 struct JpgErrors {
@@ -60,7 +60,7 @@ bool Compress(uint8_t* pixels, int32_t width, int32_t height, JpgErrors* errors,
   jpeg.input_components = 3;
   jpeg.in_color_space = JCS_RGB;
   jpeg_set_defaults(&jpeg);
-  jpeg.dct_method = JDCT_ISLOW;  // the same on every processor
+  jpeg.dct_method = JDCT_ISLOW;  // gives equal results on all processors
   jpeg_set_quality(&jpeg, kJpgQuality, TRUE);
   jpeg_start_compress(&jpeg, TRUE);
   while (jpeg.next_scanline < jpeg.image_height) {

@@ -180,7 +180,7 @@ Viewport FitViewport(std::span<const SceneMesh> scene, int32_t width, int32_t he
   for (const SceneMesh& object : scene) {
     if (object.centers.empty()) continue;
     const Vector3 first = ToView({}, object.centers.front());
-    Vector3 least{HUGE_VAL, HUGE_VAL, 0}, most{-HUGE_VAL, -HUGE_VAL, 0};  // at the first center
+    Vector3 least{HUGE_VAL, HUGE_VAL, 0}, most{-HUGE_VAL, -HUGE_VAL, 0};  // box at the first centre
     for (const Vertex& vertex : object.mesh->vertices) {
       const Vector3 view = ToView(vertex, object.centers.front());
       least.x() = std::min(least.x(), view.x()), least.y() = std::min(least.y(), view.y());

@@ -60,7 +60,7 @@ EdgeTable EdgesOfDistinct(IndexedMesh& mesh, int64_t& repeated) {
 std::vector<Triangle> MissingFaces(const IndexedMesh& mesh, const EdgeTable& table) {
   std::vector<bool> in_fan(table.twins.size());
   for (const uint32_t h : table.fans) in_fan[h] = true;
-  std::map<uint32_t, std::vector<uint32_t>> from;  // open half-edges by their origin
+  std::map<uint32_t, std::vector<uint32_t>> from;  // open half-edges per origin
   for (uint32_t h = 0; h < table.twins.size(); ++h)
     if (table.twins[h] == kNoTwin && !in_fan[h]) from[OriginOf(mesh.triangles, h)].push_back(h);
   // Returns the only open half-edge that starts at the end of this one; kNoTwin if there is none or

@@ -10,8 +10,8 @@
 namespace slicefarm::texture {
 namespace {
 
-constexpr double kFar = 250;            // energy of a triangle beyond which its reference moves
-constexpr double kBarrierShare = 1e-8;  // of the surface's area
+constexpr double kFar = 250;            // energy of a triangle above which its reference moves
+constexpr double kBarrierShare = 1e-8;  // weight as a share of the surface's area
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 MapPoints PointsAt(const MapPoints& points, const std::vector<int32_t>& which) {

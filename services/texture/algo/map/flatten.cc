@@ -14,11 +14,11 @@
 namespace slicefarm::texture {
 namespace {
 
-constexpr double kSufficientDecrease = 1e-4;  // Armijo
-constexpr double kFarDrop = 0.1;    // drops of the surface's energy in an iteration, relative:
-constexpr double kNearDrop = 0.01;  // above: far from the shapes; below: near the end
+constexpr double kSufficientDecrease = 1e-4;  // Armijo condition
+constexpr double kFarDrop = 0.1;    // relative drop of the surface's energy per iteration:
+constexpr double kNearDrop = 0.01;  // energy drop per iteration below which the map is near the end
 constexpr double kStalledGain = 1e-3;
-constexpr int kPatience = 8;  // iterations with less gain in a row, after which references are true
+constexpr int kPatience = 8;  // iterations in a row with less gain before true references are used
 constexpr double kLeastStep = 1e-14;
 
 /// Phases of the shell's weight. The shell resists less in each phase; finally it only prevents

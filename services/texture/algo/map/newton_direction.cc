@@ -6,7 +6,7 @@
 namespace slicefarm::texture {
 namespace {
 
-constexpr double kHold = 1e-9;  // of the mean diagonal: nothing else holds the map's place
+constexpr double kHold = 1e-9;  // share of the mean diagonal; fixes the map's position
 
 /// Returns the pairs of points that occur together in a term of the energy.
 std::vector<SparseCholesky::Place> PlacesOf(const FlatProblem& problem) {

@@ -11,9 +11,9 @@
 namespace slicefarm::texture {
 namespace {
 
-constexpr double kFrameRadius = 1.05;  // of the map's circle
+constexpr double kFrameRadius = 1.05;  // multiple of the map's circle
 constexpr int kLeastFrame = 24, kMostFrame = 200;
-constexpr int kLoopPerFrame = 5;  // points of the loop for one of the frame
+constexpr int kLoopPerFrame = 5;  // points of the loop per point of the frame
 
 /// Numbers of the points of a ring, counter-clockwise.
 using Ring = std::vector<int32_t>;

@@ -72,7 +72,7 @@ class Cholmod {
   std::vector<int32_t> OrderOf(const Pattern& blocks) {
     cholmod_sparse view = ViewOf(blocks);
     std::vector<int32_t> order(view.nrow);
-    SeedThreadRandom(1);  // as METIS seeds it again
+    SeedThreadRandom(1);  // METIS sets the same seed
     if (cholmod_metis(&view, nullptr, 0, 1, order.data(), &common_) == 0)
       for (size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int32_t>(i);
     return order;
@@ -126,7 +126,7 @@ SparseCholesky::SparseCholesky(int32_t count, std::span<const Place> places, int
   columns_ = std::move(pattern.columns);
   rows_ = std::move(pattern.rows);
   values_.assign(rows_.size(), 0);
-  if (shape.first_column.empty()) return;  // no memory: Factor says so
+  if (shape.first_column.empty()) return;  // out of memory; Factor reports it
   factor_.emplace(std::move(shape));
   std::vector<int32_t> row_of(order_.size());
   for (size_t i = 0; i < order_.size(); ++i) row_of[order_[i]] = static_cast<int32_t>(i);

@@ -9,8 +9,8 @@ namespace slicefarm::texture {
 namespace {
 
 constexpr int32_t kNone = -1;
-constexpr int32_t kColumnsAtOnce = 8;  // of a panel, factored one by one
-constexpr int32_t kSumsAtOnce = 4;     // that do not wait for each other
+constexpr int32_t kColumnsAtOnce = 8;  // columns of a panel that are factored one by one
+constexpr int32_t kSumsAtOnce = 4;     // independent sums at the same time
 
 using Numbers = Eigen::Map<Eigen::VectorXd>;
 using ConstNumbers = Eigen::Map<const Eigen::VectorXd>;

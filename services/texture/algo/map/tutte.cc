@@ -11,7 +11,7 @@
 namespace slicefarm::texture {
 namespace {
 
-constexpr int kRounds = 2;  // more shrink other places again
+constexpr int kRounds = 2;  // more rounds shrink other places again
 
 struct Spring {
   int32_t a = 0;

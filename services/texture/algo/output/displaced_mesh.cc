@@ -113,7 +113,7 @@ class Refinement {
       next->push_back({face[k], middle[k], opposite});
       next->push_back({middle[k], face[(k + 1) % 3], opposite});
     } else {
-      const int k = middle[0] < 0 ? 1 : middle[1] < 0 ? 2 : 0;  // halved: sides k and k + 1
+      const int k = middle[0] < 0 ? 1 : middle[1] < 0 ? 2 : 0;  // sides k and k + 1 are halved
       const int32_t p = face[k], q = face[(k + 1) % 3], r = face[(k + 2) % 3];
       const int32_t pq = middle[k], qr = middle[(k + 1) % 3];
       next->push_back({pq, q, qr});

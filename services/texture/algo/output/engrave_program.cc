@@ -128,7 +128,7 @@ void EngraveProgram::WriteMove(const Stop& stop, bool on, double spacing_mm, std
   for (const int i : {0, 1})
     if (Rounded(stop.axes.angles_deg[i], 1e6) != Rounded(at_.axes.angles_deg[i], 1e6))
       fmt::format_to(out, " {}{:.6f}", axes_.Letters()[i], stop.axes.angles_deg[i] + 0.0);
-  if (text->size() == start + 2) {  // what is not written is made up by the next move
+  if (text->size() == start + 2) {  // the next move adds the unwritten difference
     text->resize(start);
     return;
   }

@@ -109,7 +109,7 @@ TEST_P(EveryLayout, TheProgramReplaysThePaths) {
       for (; at < steps.size() && !met; ++at) {
         const Eigen::Vector3d tip = TipOf(options.axes, steps[at]);
         met = (tip - point.place_mm).norm() < 1e-3;
-        if (before && steps[at].feed) {  // half way, as the controller goes
+        if (before && steps[at].feed) {  // halfway, as the controller moves
           Step half = steps[at];
           for (auto& [axis, value] : half.at) value = (value + before->at[axis]) / 2;
           const Eigen::Vector3d middle = (TipOf(options.axes, *before) + tip) / 2;

@@ -10,7 +10,7 @@ namespace slicefarm::texture {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kUpright = 1e-9;  // sine of the tilt below which C does not matter
+constexpr double kUpright = 1e-9;  // sine of the tilt below which C is arbitrary
 
 Eigen::Matrix3d TurnAbout(int axis, double angle_deg) {
   const double c = Cos(angle_deg * kDegree), s = Sin(angle_deg * kDegree);

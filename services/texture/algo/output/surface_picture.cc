@@ -37,7 +37,7 @@ class Canvas {
     Go(cairo_line_to, c);
     cairo_close_path(context);
     cairo_fill_preserve(context);
-    cairo_set_line_width(context, 0.6);  // or the background shows between triangles
+    cairo_set_line_width(context, 0.6);  // otherwise the background shows between triangles
     cairo_stroke(context);
   }
 

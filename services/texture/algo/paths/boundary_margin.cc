@@ -7,7 +7,7 @@
 namespace slicefarm::texture {
 namespace {
 
-constexpr double kMostMarginCells = 512;  // along a side
+constexpr double kMostMarginCells = 512;  // cells along a side
 
 double SquaredDistance(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
                        const Eigen::Vector2d& b) {
@@ -53,7 +53,7 @@ BoundaryMargin::BoundaryMargin(const SurfaceMap& map, double margin_mm)
   for (const auto& loop : map.loops())
     for (size_t i = 0; i < loop.size(); ++i)
       sides_.push_back({map.map_mm()[loop[i]], map.map_mm()[loop[(i + 1) % loop.size()]]});
-  std::vector<std::pair<int32_t, int32_t>> places;  // cell, side
+  std::vector<std::pair<int32_t, int32_t>> places;  // cell and side
   const Eigen::Vector2d reach(margin_mm, margin_mm);
   for (size_t i = 0; i < sides_.size(); ++i) {
     const auto [from, to] = sides_[i];

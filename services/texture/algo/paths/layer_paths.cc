@@ -20,7 +20,7 @@
 namespace slicefarm::texture {
 namespace {
 
-constexpr double kConnectSpacings = 3;  // longer ways between lines are links
+constexpr double kConnectSpacings = 3;  // longer connections between lines are links
 
 const LineStyle& StyleOf(const EngravePlan& plan, int32_t layer) {
   return plan.options.lines[layer % plan.options.lines.size()];
@@ -198,7 +198,7 @@ absl::StatusOr<std::vector<LayerPath>> LayerPaths(const EngravePlan& plan, int32
   const std::vector<Section> masks = MaskSections(plan);
   std::optional<BoundaryMargin> margin;
   if (plan.options.margin_mm > 0) margin.emplace(plan.map, plan.options.margin_mm);
-  std::map<size_t, std::vector<LevelSet>> lines;  // by style
+  std::map<size_t, std::vector<LevelSet>> lines;  // lines per style
   std::vector<LayerPath> paths;
   for (int32_t i = first; i < end; ++i) {
     LayerPath path;

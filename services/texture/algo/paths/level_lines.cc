@@ -90,7 +90,7 @@ absl::StatusOr<std::vector<LevelSet>> LevelLines(const SurfaceMap& map,
     for (const int32_t t : by_level[i])
       if (open[t] && map.Neighbour(t, walk.SideIn(t)) < 0)
         sets[i].lines.push_back(LineFrom(map, walk, t, &open));
-    for (const int32_t t : by_level[i])  // what is left goes around
+    for (const int32_t t : by_level[i])  // the remaining lines are closed
       if (open[t]) sets[i].lines.push_back(LineFrom(map, walk, t, &open));
   }
   return sets;

@@ -11,10 +11,10 @@
 namespace slicefarm::texture {
 namespace {
 
-constexpr int kRoundsOfSquares = 10;  // then the sum of what gradients are off, not of its squares
+constexpr int kRoundsOfSquares = 10;  // then the sum of errors instead of squares
 constexpr int kMostRounds = 400;
-constexpr double kSlack = 0.05;  // lengths of gradients that are this near to 1 will do
-constexpr double kShrink = 0.3;  // how much of what a gradient is off is forgiven in a round
+constexpr double kSlack = 0.05;  // accepted deviation of gradient lengths from 1
+constexpr double kShrink = 0.3;  // share of a gradient's error forgiven per round
 // Condition to finish: the share kEnough of the lines' length is within the fraction kEven of the
 // requested distance.
 constexpr double kEven = 0.1;
@@ -126,7 +126,7 @@ absl::StatusOr<std::vector<double>> EquidistantField(const SurfaceMap& map,
   double best_share = -1;
   for (int round = 0; round < kMostRounds; ++round) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;
-    double length = 0, even_length = 0;  // of the levels
+    double length = 0, even_length = 0;  // length of the levels
     for (size_t t = 0; t < wanted.size(); ++t) {
       const Eigen::Vector2d gradient = GradientOf(fit.hats()[t], map.mesh().triangles[t], field);
       const double levels = fit.hats()[t].area * gradient.norm();

@@ -7,7 +7,7 @@
 namespace slicefarm::texture {
 namespace {
 
-constexpr double kInwards = 1e-7;  // ends are moved off edges by this share of their triangle
+constexpr double kInwards = 1e-7;  // share of their triangle by which ends are moved off edges
 
 /// Straight line of a walk. Vertices on it count as left of it.
 class Course {

@@ -204,7 +204,7 @@ UnitTexture Scales(const TextureSpec& /*spec*/) {
   // The texture has two rows of discs, half a pitch apart. Each disc rises from its upper end to
   // its lower end.
   return {{1, 1}, [](const Eigen::Vector2d& p) {
-            constexpr double kRadius = 0.56, kLowest = 0.29;  // seen between discs
+            constexpr double kRadius = 0.56, kLowest = 0.29;  // height visible between discs
             double height = 0;
             for (int row = -2; row <= 4; ++row) {
               const double y = p.y() - row * 0.5;

@@ -103,7 +103,7 @@ absl::StatusOr<HeightGrid> ImageHeights(std::string_view png, const ImageHeightO
                                                         static_cast<double>(columns)),
                   {}};
   grid.heights_mm.reserve(columns * rows);
-  for (int64_t row = rows - 1; row >= 0; --row)  // an image's first row is its uppermost
+  for (int64_t row = rows - 1; row >= 0; --row)  // an image's first row is at its top
     for (int64_t column = 0; column < columns; ++column)
       grid.heights_mm.push_back(options.height_mm * HeightShare(lines[row] + 8 * column));
   return grid;

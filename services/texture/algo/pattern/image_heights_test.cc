@@ -49,7 +49,7 @@ TEST(ImageHeights, TakesColourAndTransparency) {
 
 TEST(ImageHeights, RefusesWhatIsNoImage) {
   const std::string good = PngOf(4, 4, PNG_FORMAT_GRAY, std::vector<uint8_t>(16, 7));
-  for (size_t length = 0; length + 12 < good.size(); ++length) {  // up to the end's mark
+  for (size_t length = 0; length + 12 < good.size(); ++length) {  // up to the end marker
     const auto grid = ImageHeights(std::string_view(good).substr(0, length), {});
     ASSERT_FALSE(grid.ok()) << length;
     EXPECT_EQ(DetailOf(grid.status()).reason, Reason::kRequestMalformed);

@@ -7,7 +7,7 @@
 namespace slicefarm::texture {
 namespace {
 
-constexpr int32_t kMostCells = 2048;  // along a side
+constexpr int32_t kMostCells = 2048;  // cells along a side
 
 double Turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p) {
   return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
@@ -51,7 +51,7 @@ Section::Section(std::vector<OutlineSide> sides, const Eigen::Vector2d& tile_mm)
       static_cast<int32_t>(std::sqrt(static_cast<double>(sides_.size()))), 1, kMostCells);
   counts_ = {side_cells, side_cells};
   cell_mm_ = tile_mm / side_cells;
-  std::vector<std::pair<int32_t, int32_t>> places;  // cell, side
+  std::vector<std::pair<int32_t, int32_t>> places;  // cell and side
   for (size_t i = 0; i < sides_.size(); ++i) {
     const Eigen::Vector2d low = sides_[i].from.cwiseMin(sides_[i].to);
     const Eigen::Vector2d high = sides_[i].from.cwiseMax(sides_[i].to);
@@ -85,7 +85,7 @@ double Section::AreaMm2() const {
 }
 
 bool Section::Contains(const Eigen::Vector2d& place_mm) const {
-  int winding = 0;  // of the ray along x
+  int winding = 0;  // winding number along the ray in x
   const int32_t row = CellOf(place_mm.y(), 1);
   for (int32_t column = CellOf(place_mm.x(), 0); column < counts_[0]; ++column) {
     for (const int32_t i : SidesIn(column, row)) {

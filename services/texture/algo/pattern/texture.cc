@@ -11,8 +11,8 @@
 namespace slicefarm::texture {
 namespace {
 
-constexpr double kFoot = -1;      // how far walls go below the base, in units of the height
-constexpr int32_t kRaster = 256;  // nodes along a side of a solid's upper side
+constexpr double kFoot = -1;      // depth of walls below the base, in units of the height
+constexpr int32_t kRaster = 256;  // nodes along a side of a solid's height grid
 
 absl::Status NoHeight() {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,

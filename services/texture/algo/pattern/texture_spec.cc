@@ -20,7 +20,7 @@ using Kinds = std::initializer_list<TextureKind>;
 
 struct ParameterRow {
   TextureParameter parameter;
-  std::vector<TextureKind> kinds;  // none: all
+  std::vector<TextureKind> kinds;  // empty: all kinds
 };
 
 const std::vector<ParameterRow>& ParameterRows() {

@@ -11,7 +11,7 @@
 namespace slicefarm::texture {
 namespace {
 
-constexpr int kRootsTried = 8;  // of the loops around handles
+constexpr int kRootsTried = 8;  // roots tried for the loops around handles
 constexpr size_t kMostExtremities = 8;
 constexpr double kExtremityShare = 0.5;  // of the first two's distance, from the seam so far
 

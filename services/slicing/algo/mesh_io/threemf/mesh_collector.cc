@@ -28,7 +28,7 @@ std::optional<uint32_t> ParseIndex(std::string_view text) {
 }
 
 std::string_view WithoutPrefix(std::string_view name) {
-  return name.substr(name.find(':') + 1);  // all of it if there is none
+  return name.substr(name.find(':') + 1);  // the whole name if there is no colon
 }
 
 // PrusaSlicer uses the first name (with a prefix), Bambu Studio and OrcaSlicer use the second name.

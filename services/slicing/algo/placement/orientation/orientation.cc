@@ -139,7 +139,7 @@ class Directions {
 Matrix3d TurnedDown(const Vector3d& normal) {
   if (normal.z() < -1 + 1e-12) return Matrix3d::Identity();
   if (normal.z() > 1 - 1e-12) return Vector3d(1, -1, -1).asDiagonal();
-  const Vector3d axis = normal.cross(-Vector3d::UnitZ());  // as long as the angle's sine
+  const Vector3d axis = normal.cross(-Vector3d::UnitZ());  // its length is the sine of the angle
   Matrix3d k;
   k << 0, -axis.z(), axis.y(), axis.z(), 0, -axis.x(), -axis.y(), axis.x(), 0;
   return Matrix3d::Identity() + k + k * k / (1 - normal.z());

@@ -194,7 +194,7 @@ absl::StatusOr<std::string> Archive::ReadAll(const ArchiveEntry& entry) const {
                       limits::kMaxMetadataBytes, entry.bytes);
   absl::StatusOr<EntryStream> stream = Stream(entry);
   if (!stream.ok()) return stream.status();
-  std::string text(static_cast<size_t>(entry.bytes) + 1, '\0');  // a byte more shows the end
+  std::string text(static_cast<size_t>(entry.bytes) + 1, '\0');  // one more byte to detect the end
   size_t size = 0;
   for (;;) {
     const absl::StatusOr<size_t> got = stream->Read(std::span(text).subspan(size));

@@ -54,7 +54,7 @@ ScanEnd ElementScan::Attributes(const char* at, const char* const end) {
   for (;;) {
     const char* const before = at;
     while (at != end && IsSpace(*at)) {
-      if (*at == '\n') return ScanEnd::kOther;  // would have to be counted once only
+      if (*at == '\n') return ScanEnd::kOther;  // a line end here must not be counted twice
       ++at;
     }
     if (end - at < 2) return ScanEnd::kMore;

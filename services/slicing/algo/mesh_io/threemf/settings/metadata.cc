@@ -61,7 +61,7 @@ absl::StatusOr<T> ReadIfThere(const Archive& archive, std::string_view name, con
 /// Returns the number of beds. PrusaSlicer 2.9 stores the position of the wipe tower for each bed.
 /// The file has one element per bed and no root, so it is no valid XML.
 size_t CountBeds(std::string_view wipe_towers) {
-  constexpr int kMostBeds = 9;  // PrusaSlicer's
+  constexpr int kMostBeds = 9;  // limit of PrusaSlicer
   for (int index = kMostBeds - 1; index > 0; --index)
     if (wipe_towers.find(fmt::format("bed_idx=\"{}\"", index)) != std::string_view::npos)
       return static_cast<size_t>(index) + 1;

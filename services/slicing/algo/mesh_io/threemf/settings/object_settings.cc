@@ -149,7 +149,7 @@ class ModelSettingsHandler : public XmlHandler {
 
   absl::Status Metadata(XmlAttributes attributes) {
     const std::optional<std::string_view> key = Find(attributes, "key");
-    if (!key || key->empty()) return absl::OkStatus();  // counts of faces
+    if (!key || key->empty()) return absl::OkStatus();  // face counts have no key
     const std::string_view value = Find(attributes, "value").value_or("");
     if (In("object", 2)) return OfObject(*key, value);
     if (In("volume", 3) || In("part", 3)) return OfPart(*key, value);
@@ -170,7 +170,7 @@ class ModelSettingsHandler : public XmlHandler {
       return absl::OkStatus();
     PartSettings& part = settings_.objects.back().parts.back();
     if (key == "volume_type") return Role(value, part);
-    if (key == "modifier") {  // of PrusaSlicer's first years
+    if (key == "modifier") {  // from early versions of PrusaSlicer
       if (IsYes(value)) part.role = PartRole::kModifier;
       return absl::OkStatus();
     }
