@@ -15,7 +15,7 @@ namespace slicefarm::texture {
 namespace {
 
 constexpr double kSufficientDecrease = 1e-4;  // Armijo condition
-constexpr double kFarDrop = 0.1;    // relative drop of the surface's energy per iteration:
+constexpr double kFarDrop = 0.1;    // energy drop per iteration above which the map is far
 constexpr double kNearDrop = 0.01;  // energy drop per iteration below which the map is near the end
 constexpr double kStalledGain = 1e-3;
 constexpr int kPatience = 8;  // iterations in a row with less gain before true references are used

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kRootsTried = 8;  // roots tried for the loops around handles
 constexpr size_t kMostExtremities = 8;
-constexpr double kExtremityShare = 0.5;  // of the first two's distance, from the seam so far
+constexpr double kExtremityShare = 0.5;  // least distance from the seam, relative to the first one
 
 struct Edge {
   SeamEdge ends;
