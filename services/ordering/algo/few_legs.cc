@@ -8,12 +8,13 @@ namespace slicefarm::ordering {
 namespace {
 
 constexpr int64_t kNoWay = std::numeric_limits<int64_t>::max();
-constexpr size_t kWays = 2 * kFewLegs;  ///< 2k: leg k as it is, 2k + 1: reversed
+/// number of directed legs: 2k is leg k as it is, 2k + 1 is leg k reversed
+constexpr size_t kWays = 2 * kFewLegs;
 
-/// The least cost of having printed a set of legs, the last of them in that way.
+/// Least cost of having printed a set of legs that ends with a given directed leg.
 struct State {
   int64_t cost = kNoWay;
-  size_t before = kWays;  ///< the way before; kWays: none
+  size_t before = kWays;  ///< previous directed leg; kWays if there is none
 };
 
 Point EntryOf(std::span<const Leg> legs, size_t way) {
@@ -23,7 +24,7 @@ Point EntryOf(std::span<const Leg> legs, size_t way) {
 
 Point ExitOf(std::span<const Leg> legs, size_t way) { return EntryOf(legs, way ^ 1U); }
 
-/// By leg: those that must come before, as a set.
+/// Returns for each leg the set of legs that must be printed before it, as bits.
 std::array<size_t, kFewLegs> Predecessors(std::span<const Precedence> precedence) {
   std::array<size_t, kFewLegs> before{};
   for (const Precedence& pair : precedence) before[pair.next] |= size_t{1} << pair.leg;

@@ -16,7 +16,7 @@ using ::testing::IsEmpty;
 
 int64_t Rounded(Point a, Point b) { return static_cast<int64_t>(Distance(a, b) + 0.5); }
 
-/// Crossing x = 0 costs extra.
+/// Returns the distance from a to b, plus 400 if the line crosses x = 0.
 int64_t WithFence(Point a, Point b) { return Rounded(a, b) + ((a.x < 0) != (b.x < 0) ? 400 : 0); }
 
 bool Kept(const Journey& journey, std::span<const Leg> legs, std::span<const Visit> visits) {
@@ -41,7 +41,7 @@ int64_t CostOf(const Journey& journey, std::span<const Leg> legs, std::span<cons
   return journey.to ? sum + cost(at, *journey.to) : sum;
 }
 
-/// Over all orders and directions.
+/// Returns the least cost over all orders and directions.
 int64_t Least(const Journey& journey, std::span<const Leg> legs, const TravelCost& cost) {
   std::vector<uint32_t> order(legs.size());
   std::iota(order.begin(), order.end(), 0);
@@ -79,7 +79,7 @@ TEST(FewLegs, IsTheBestOfAllOrders) {
     return Point{static_cast<Coord>(random() % 2000) - 1000, static_cast<Coord>(random() % 2000)};
   };
   for (int set = 0; set < 150; ++set) {
-    // Two of six legs: 46080 orders and directions.
+    // Two of the sets have six legs, which means 46080 orders and directions.
     const size_t count = set % 40 == 39 ? 6 : 1 + static_cast<size_t>(set) % 5;
     std::vector<Leg> legs;
     for (size_t i = 0; i < count; ++i) legs.push_back({point(), point(), random() % 4 != 0});

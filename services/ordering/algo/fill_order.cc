@@ -7,7 +7,7 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// By what the blocks' first paths are.
+/// Returns the blocks sorted by the geometry of their first paths.
 std::vector<FillBlock> Sorted(std::vector<FillBlock> blocks) {
   std::vector<Path*> firsts;
   firsts.reserve(blocks.size());

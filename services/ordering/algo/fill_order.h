@@ -8,13 +8,13 @@
 
 namespace slicefarm::ordering {
 
-/// A path, or several that are printed in this order and direction.
+/// A path, or several paths that are printed in this order and direction.
 struct FillBlock {
-  std::vector<Path*> paths;  ///< not empty
+  std::vector<Path*> paths;  ///< paths of the block, at least one
 };
 
-/// Prints the blocks in an order of little travel, towards `next` if there is such a place. The
-/// paths are moved from. Deterministic; does not depend on the order of the blocks.
+/// Prints the blocks in an order with little travel, ending near `next` if it is given. The paths
+/// are moved from. Deterministic: the result does not depend on the order of `blocks`.
 void PrintFills(std::vector<FillBlock> blocks, std::optional<Point> next, Route& route,
                 WorkBudget& budget);
 

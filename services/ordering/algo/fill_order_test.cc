@@ -19,7 +19,8 @@ Path Line(std::string_view points, bool reversible = true) {
   return path;
 }
 
-/// The starts of the paths as printed from `from`; the paths of each inner vector are one block.
+/// Returns the starts of the paths as printed from `from`. The paths of each inner vector are one
+/// block.
 std::vector<Point> Starts(std::vector<std::vector<Path>> groups, Point from,
                           std::optional<Point> next = {}) {
   std::vector<FillBlock> blocks;

@@ -19,7 +19,8 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Lines of sight that may be looked at between copies, to find ways round what has curled up.
+/// Number of lines of sight that may be computed between copies, to find detours around curled
+/// areas.
 constexpr int64_t kSightsOfCopies = 50'000;
 
 template <typename Visitor>
@@ -48,7 +49,7 @@ absl::Status CheckPaths(const FilledLayer& layer, const LayerPlan& plan, size_t 
                    {{"layer", std::to_string(layer.frame.index)}});
 }
 
-/// Of the stack, or of its object's part.
+/// Returns the plan of the stack, or a plan with values of its object's part.
 SectionPlan PlanOf(const Stack& stack, const LayerPlan& plan) {
   if (const SectionPlan* own = FindPlan(stack.id, plan.sections); own != nullptr) return *own;
   const SectionPlan* part = FindPlan(stack.object, plan.sections);
@@ -60,12 +61,13 @@ SectionPlan PlanOf(const Stack& stack, const LayerPlan& plan) {
   return none;
 }
 
-/// The order of printing, but for that of copies: the plate first, then by object.
+/// Returns the sort key of the printing order: first the plate, then by object. The order of copies
+/// is not part of it.
 std::tuple<int32_t, StackKind, int32_t> OrderOf(const Stack& stack) {
   return {stack.object, stack.kind, stack.id};
 }
 
-/// The blocks of one object, in the order of printing.
+/// Indices of the blocks of one object, in the order of printing.
 using ObjectBlocks = std::vector<int32_t>;
 
 std::map<int32_t, ObjectBlocks> BlocksByObject(const std::vector<PathBlock>& blocks) {
@@ -75,7 +77,7 @@ std::map<int32_t, ObjectBlocks> BlocksByObject(const std::vector<PathBlock>& blo
   return by_object;
 }
 
-/// A copy, and what it has in a layer.
+/// A copy and its blocks in one layer.
 struct CopyVisit {
   const ObjectBlocks* blocks = nullptr;
   int32_t copy = 0;
@@ -83,7 +85,7 @@ struct CopyVisit {
   Point shift;
 };
 
-/// Orders what a layer prints.
+/// Orders the visits of one layer.
 class LayerVisits {
  public:
   LayerVisits(OrderedLayer& layer, std::span<const Copy> copies)
@@ -112,7 +114,7 @@ class LayerVisits {
       layer_.visits.push_back({block, visit.copy, visit.pass, visit.shift});
   }
 
-  /// The copies that have something in this layer.
+  /// Returns the copies that have blocks in this layer, by pass.
   std::map<int32_t, std::vector<CopyVisit>> VisitsByPass() const {
     std::map<int32_t, std::vector<CopyVisit>> visits;
     for (size_t i = 0; i < copies_.size(); ++i) {
@@ -124,7 +126,7 @@ class LayerVisits {
     return visits;
   }
 
-  /// By travel from `from`.
+  /// Returns the visits in an order with little travel, beginning at `from`.
   std::vector<CopyVisit> Ordered(const std::vector<CopyVisit>& visits, Point from,
                                  WorkBudget& budget) const {
     std::vector<Leg> legs;
@@ -142,14 +144,15 @@ class LayerVisits {
   const std::map<int32_t, ObjectBlocks> by_object_;
 };
 
-/// Whether the layer is a turn of a spiral, which goes on whatever layers do elsewhere.
+/// Returns true if the layer is a turn of a spiral. A spiral continues without a break at layer
+/// changes.
 bool IsTurn(const LayerPlan& plan) {
   return std::ranges::any_of(plan.sections,
                              [](const SectionPlan& section) { return section.spiral.has_value(); });
 }
 
-/// Where a section starts: an object's stacks go on from each other, and so do those of the plate.
-/// What a single copy begins with starts where the nozzle comes from.
+/// Returns the point where a section starts. The stacks of one object continue from each other, and
+/// so do the stacks of the plate. The first stack of a single copy starts at the nozzle's position.
 Point EntryOf(const Stack& stack, const OrderedLayer& layer, const LayerPlan& plan,
               std::span<const Copy> copies) {
   const Point from = layer.blocks.empty() ? plan.entry : EndOf(layer.blocks.back().paths.back());

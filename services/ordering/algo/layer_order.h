@@ -12,15 +12,15 @@ struct OrderingOptions;
 
 namespace slicefarm::ordering {
 
-/// A layer in the order of printing:
+/// Returns a layer in the order of printing:
 ///   1 each section's paths, once for all its copies (section_order.h)
-///   2 what stands round several objects comes first: the plan's finished paths, as high as the
-///     layer, then the plate's stacks
-///   3 the copies, pass by pass, by travel from plan.entry; of each copy all stacks one after the
-///     other, by their kinds
-/// `copies`: of the whole job. Does not depend on the order of sections, islands and paths.
-/// Errors: REQUEST_MALFORMED for a path of fewer than two points, with a wrong number of widths, a
-/// tool other than 0 or settings that are in no table.
+///   2 stacks around several objects are first: the plan's finished paths, as high as the layer,
+///     then the plate's stacks
+///   3 the copies, pass by pass, by travel from plan.entry; all stacks of a copy follow each other,
+///     sorted by kind
+/// `copies`: the copies of the whole job. The result does not depend on the order of sections,
+/// islands and paths. Errors: REQUEST_MALFORMED for a path with fewer than two points, a wrong
+/// number of widths, a tool other than 0, or settings that are in no table.
 absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan,
                                         std::span<const Copy> copies,
                                         const OrderingOptions& options);

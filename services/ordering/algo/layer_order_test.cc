@@ -62,7 +62,7 @@ TEST(OrderLayer, CopiesAreOneBlockAndAreVisitedAlongTheWay) {
               ElementsAre(2, 0, 3, 1));
 }
 
-// The same wherever it stands and whatever stands around it.
+// A block is the same at every position and with any neighbours.
 TEST(OrderLayer, ABlockDoesNotDependOnThePlate) {
   const OrderedLayer alone = Order(LayerOf({SectionOf(1, kSquare)}), {{1, Mm(7, 9), 0}});
   const OrderedLayer among =

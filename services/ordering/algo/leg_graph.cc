@@ -7,7 +7,7 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Of the legs' ends, then of the journey's.
+/// Returns the ends of the legs, then the ends of the journey.
 std::vector<Vector2> PlacesOf(const Journey& journey, std::span<const Leg> legs) {
   std::vector<Vector2> places;
   places.reserve(2 * legs.size() + 3);

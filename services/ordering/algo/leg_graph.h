@@ -10,18 +10,23 @@
 
 namespace slicefarm::ordering {
 
-/// A journey along legs as a closed tour: the ends of a leg are two nodes (of a leg without length,
-/// one) with a fixed edge between them; the journey's end, or nowhere, has a fixed edge to its
-/// start. What may not be reversed has its start before its end.
+/// Graph that turns a journey along legs into a closed tour. The two ends of a leg are two nodes
+/// with a fixed edge between them. A leg without length is one node. The journey's end, or a node
+/// at no distance from all others, has a fixed edge to the journey's start. A leg that may not be
+/// reversed has its start before its end.
 class LegGraph {
  public:
+  /// Builds the nodes, costs and rules.
   LegGraph(const Journey& journey, std::span<const Leg> legs);
 
   const Costs& costs() const { return costs_; }
   const TourRules& rules() const { return rules_; }
+  /// Returns the position of a node.
   Point At(int32_t node) const;
 
+  /// Returns the tour over the legs in this order and direction.
   Tour TourOf(std::span<const Visit> visits) const;
+  /// Returns the order and direction of the legs in a tour.
   std::vector<Visit> VisitsOf(const Tour& tour) const;
 
  private:
@@ -32,8 +37,9 @@ class LegGraph {
 
   void AddRules(const Journey& journey, std::span<const Leg> legs);
 
-  std::vector<Ends> ends_;      ///< by leg
-  std::vector<Visit> entered_;  ///< by node: the leg, and whether it is the end
+  std::vector<Ends> ends_;      ///< end nodes of each leg, indexed by leg
+  /// leg of each node, and whether the node is the leg's end; indexed by node
+  std::vector<Visit> entered_;
   Costs costs_;
   TourRules rules_;
 };

@@ -9,7 +9,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::ElementsAreArray;
 
-// A line, a dot and a line that may not be turned round.
+// A line, a point, and a line that may not be reversed.
 const std::vector<Leg> kLegs = {
     {{0, 0}, {10, 0}, true}, {{5, 5}, {5, 5}, false}, {{20, 0}, {30, 0}, false}};
 

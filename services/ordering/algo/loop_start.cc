@@ -9,21 +9,24 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Around a corner of an outline that points inwards, the corner of a loop inside lies sqrt(2)
-/// times as far away as its edges; it still is the place to start.
+/// Factor by which a corner may be further away than the nearest point and still be preferred. At
+/// an outline corner that points inwards, the corner of an inner loop is sqrt(2) times as far away
+/// as the loop's edges, and it is still the best start.
 constexpr double kCornerPreference = 1.5;
-/// A corner this near to a seam always will do.
+/// Distance from the seam, in nm, within which a corner is always accepted.
 constexpr double kNearEnoughNm = 100'000;
-/// Any vertex this near: shorter moves are not worth it.
+/// Distance from the seam, in nm, within which any vertex is accepted, because a shorter move is
+/// not useful.
 constexpr double kSameNm = 50'000;
-/// Corners whose distances differ by less are as near: those of the arc in which a loop goes around
-/// the corner of an outline, which is the seam.
+/// Largest difference in nm between distances that count as equal. Example: the corners of the arc
+/// in which a loop passes an outline corner with the seam.
 constexpr double kAsNearNm = 20'000;
-/// What makes a corner: so much of a turn, between the points so far before and after.
+/// Length in nm of the arms before and after a corner, between which the turn is measured.
 constexpr double kArmNm = 300'000;
 constexpr double kCornerCosine = 0.906;  // of 25 degrees
 
-/// The first point of the loop from `vertex` on that is an arm away, in steps of 1 or size - 1.
+/// Returns the first point of the loop that is at least an arm away from `vertex`. `step`: 1
+/// (forward) or size - 1 (backward).
 Point ArmEnd(std::span<const Point> loop, size_t vertex, size_t step) {
   double length = 0;
   size_t i = vertex;
@@ -35,7 +38,7 @@ Point ArmEnd(std::span<const Point> loop, size_t vertex, size_t step) {
   return loop[i];
 }
 
-/// Of the turn; where the arms have no length, 0.
+/// Returns the cosine of the turn at `vertex`, or 0 if an arm has no length.
 double TurnCosine(std::span<const Point> loop, size_t vertex) {
   const Point in = loop[vertex] - ArmEnd(loop, vertex, loop.size() - 1);
   const Point out = ArmEnd(loop, vertex, 1) - loop[vertex];
@@ -43,8 +46,8 @@ double TurnCosine(std::span<const Point> loop, size_t vertex) {
   return lengths > 0 ? Dot(in, out) / lengths : 0;
 }
 
-/// The corner nearest to `to` and no further than `reach_nm`, the sharpest of those as near; or the
-/// loop's size.
+/// Returns the corner nearest to `to` within `reach_nm`, the sharpest one if several are equally
+/// near. Returns the loop's size if there is no such corner.
 size_t NearestCorner(std::span<const Point> loop, Point to, double reach_nm) {
   double nearest = reach_nm;
   for (size_t i = 0; i < loop.size(); ++i) {
@@ -63,7 +66,7 @@ size_t NearestCorner(std::span<const Point> loop, Point to, double reach_nm) {
   return best;
 }
 
-/// Width at `at` between the points of an edge.
+/// Returns the width at the point `at` of an edge, interpolated between the edge's ends.
 Coord WidthBetween(const Path& path, size_t edge, Point at) {
   const size_t next = (edge + 1) % path.points.size();
   const double length = Distance(path.points[edge], path.points[next]);

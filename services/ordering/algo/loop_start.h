@@ -7,20 +7,22 @@
 
 namespace slicefarm::ordering {
 
-/// The vertex nearest to `to`; of several, the least. REQUIRES: loop not empty.
+/// Returns the vertex nearest to `to`; of several, the one with the lowest index. REQUIRES: loop is
+/// not empty.
 LoopPlace NearestVertex(std::span<const Point> loop, Point to);
 
-/// Where a loop with this seam starts: at a corner near to it, as corners hide seams best; else at
-/// the nearest place, be it inside an edge: vertices of round walls turn from layer to layer, and
-/// the seam would turn along. REQUIRES: loop not empty.
+/// Returns the start of a loop with this seam: a corner near the seam, because corners hide seams
+/// best. Without such a corner, returns the nearest point, which may be inside an edge. A vertex
+/// would not do: the vertices of round walls move from layer to layer, and the seam would move with
+/// them. REQUIRES: loop is not empty.
 LoopPlace NearestToSeam(std::span<const Point> loop, Point seam);
 
-/// The place so far along the loop, the way it is printed; round and round if the loop is shorter.
-/// REQUIRES: a place of the loop; by_nm >= 0.
+/// Returns the point `by_nm` further along the loop in the direction of printing. The distance may
+/// be longer than the loop. REQUIRES: `from` is on the loop; by_nm >= 0.
 LoopPlace Further(std::span<const Point> loop, LoopPlace from, double by_nm);
 
-/// Turns a closed path so that it starts (and ends) at `place`. A place inside an edge becomes a
-/// point, of a width in between. Length, direction and beads stay.
+/// Rotates a closed path so that it starts and ends at `place`. A place inside an edge becomes a
+/// new point with an interpolated width. Length, direction and beads do not change.
 void StartAt(LoopPlace place, Path& loop);
 
 }  // namespace slicefarm::ordering

@@ -25,8 +25,8 @@ TEST(NearestVertex, IsTheLeastOfEquals) {
 }
 
 TEST(NearestToSeam, IsACornerThatIsNear) {
-  // The loop inside an outline with an inner corner at (5 5), 0.2 mm off its edges: its corner lies
-  // sqrt(2) times as far away.
+  // The loop is inside an outline with an inner corner at (5 5), 0.2 mm from the outline's edges.
+  // The loop's corner is sqrt(2) times as far away.
   const Path ell = Loop("(0.2 0.2, 9.8 0.2, 9.8 4.8, 4.8 4.8, 4.8 9.8, 0.2 9.8)");
   EXPECT_EQ(NearestToSeam(ell.points, Mm(5, 5)).at, Mm(4.8, 4.8));
   EXPECT_EQ(NearestToSeam(ell.points, Mm(10, 0)).at, Mm(9.8, 0.2));
@@ -35,7 +35,8 @@ TEST(NearestToSeam, IsACornerThatIsNear) {
 }
 
 TEST(NearestToSeam, IsTheMiddleOfAnArcAroundIt) {
-  // Around the corner (5 5) of a hole; whichever of the arc's points is a hair nearer.
+  // The loop passes the corner (5 5) of a hole in an arc. In each case another point of the arc is
+  // slightly nearer.
   const Path around =
       Loop("(0 5.2, 5 5.2, 5.077 5.185, 5.141 5.141, 5.185 5.077, 5.2 5, 5.2 0, 0 0)");
   for (size_t nearer = 1; nearer <= 5; ++nearer) {
@@ -47,7 +48,7 @@ TEST(NearestToSeam, IsTheMiddleOfAnArcAroundIt) {
 }
 
 TEST(NearestToSeam, DoesNotCareForVerticesThatAreNoCorners) {
-  // A wall of short facets that hardly turn.
+  // A wall of short edges that hardly turn.
   const Path wall = Loop("(0 0, 5 0, 5.3 0.01, 5.6 0.03, 20 0, 20 9, 0 9)");
   const LoopPlace start = NearestToSeam(wall.points, Mm(5.15, -0.2));
   EXPECT_EQ(start.edge, 1u);

@@ -10,7 +10,7 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Loops shorter than this many times what a link takes from them stay whole.
+/// Shortest loop that a link may shorten, in multiples of the length that the link takes from it.
 constexpr double kLeastLoop = 10;
 
 bool IsLinked(Feature feature) {
@@ -19,21 +19,23 @@ bool IsLinked(Feature feature) {
          feature == Feature::kSolidInfill || feature == Feature::kSolidOverBridge;
 }
 
-/// A link is part of what it joins. Between different features it fills a gap; so it does between
-/// outer walls, which stay loops of their own.
+/// Returns the feature of a link: the feature of the two paths that it joins. A link between
+/// different features is gap fill. So is a link between outer walls, because each outer wall stays
+/// a separate loop.
 Feature FeatureOfLink(const Path& last, const Path& next) {
   return last.feature == next.feature && last.feature != Feature::kExternalPerimeter
              ? last.feature
              : Feature::kGapFill;
 }
 
-/// True for two loops of support, such as the walls of a thick branch.
+/// Returns true for two loops of support, such as the walls of a thick branch.
 bool AreSupportLoops(const PrintedEnd& last, const Path& next) {
   return last.is_loop && next.closed && last.path.feature == next.feature &&
          (next.feature == Feature::kSupport || next.feature == Feature::kSupportInterface);
 }
 
-/// True if the link is a bead as wide as what it joins: the flow does not change.
+/// Returns true if the link is a bead as wide as the paths that it joins, so that the flow does not
+/// change.
 bool IsEven(const PrintedEnd& last, const Path& next) {
   return AreSupportLoops(last, next) || (last.path.feature == Feature::kInternalInfill &&
                                          next.feature == Feature::kInternalInfill);
@@ -48,7 +50,8 @@ bool CanLoseEnd(const Path& path, double length_nm) {
   return path.feature != Feature::kExternalPerimeter && PathLength(path) >= kLeastLoop * length_nm;
 }
 
-/// Takes the last `length_nm` of a path; a closed one becomes open. REQUIRES: the path is longer.
+/// Removes the last `length_nm` of a path. A closed path becomes open. REQUIRES: the path is
+/// longer.
 void CutEnd(double length_nm, Path& path) {
   const bool varies = path.widths_nm.size() > 1;
   if (path.closed) {

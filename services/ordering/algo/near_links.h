@@ -7,30 +7,31 @@
 
 namespace slicefarm::ordering {
 
-/// Links between paths that are printed one after the other and lie side by side or end to end: the
-/// step from wall to wall, and from one piece of a wall to the next.
+/// Links between consecutive paths that are side by side or end to end: the step from wall to wall,
+/// and from one piece of a wall to the next.
 ///
-/// Where the nozzle steps over by less than kMostLinkWidths widths of the narrower bead, and meets
-/// neither the outline nor an outer wall, it keeps printing: the flow need not stop, and a step
-/// without pressure would only ooze. A link has kLinkFlow of a bead's flow. A loop beside it ends
-/// earlier by as much plastic, so that no more is laid down than without the link; where no loop is
-/// beside it (pieces of walls that end where others begin), the link is what fills the gap. Between
-/// lines of sparse infill and between loops of support, whose flow is even, a link is a bead as
-/// wide as they are.
+/// The nozzle continues to print if a step is shorter than kMostLinkWidths widths of the narrower
+/// bead and crosses neither the outline nor an outer wall. The flow then need not stop, and a step
+/// without pressure would only ooze. A link has kLinkFlow of a bead's flow. A loop beside the link
+/// ends earlier by as much plastic, so that the total amount does not change. If no loop is beside
+/// it (pieces of walls that end where other pieces begin), the link fills the gap. Between lines of
+/// sparse infill and between loops of support, which have an even flow, a link is a bead of their
+/// width.
 ///
-/// Only walls, gap fill, infill that is not seen and loops of support are linked, of one tool.
+/// Only walls, gap fill, hidden infill and loops of support are linked, and only with the same
+/// tool.
 inline constexpr double kMostLinkWidths = 2;
 inline constexpr double kLinkFlow = 0.3;
 
-/// The end of the path printed last, which a link may have to cut off.
+/// End of the path that was printed last. A link may have to shorten the path.
 struct PrintedEnd {
   Path& path;
-  bool is_loop = false;  ///< it is closed, or was before it lost its end
+  bool is_loop = false;  ///< the path is closed, or was closed before a link shortened it
 };
 
-/// The link from the end of `last` to the start of `next`, which is closed where `next` is printed
-/// as a loop; nothing where there is none. Opens the loop that it shortens. `edges`: the island's.
-/// `height_nm`: of the layer.
+/// Returns the link from the end of `last` to the start of `next`, or nothing if they are not
+/// linked. `next` is closed if it is printed as a loop. Opens the loop that the link shortens.
+/// `edges`: the island's edges. `height_nm`: the layer's height.
 std::optional<Path> LinkBetween(PrintedEnd last, Path& next, Coord height_nm, const Barrier& edges);
 
 }  // namespace slicefarm::ordering

@@ -15,7 +15,7 @@ namespace {
 constexpr Coord kHeight = 200'000;
 constexpr Coord kWidth = 450'000;
 
-/// Walls: the horizontal line y = 0.1 mm, if there is one.
+/// Walls: the horizontal line y = 0.1 mm, or nothing.
 class Line : public Barrier {
  public:
   explicit Line(bool is_there) : is_there_(is_there) {}
@@ -27,7 +27,7 @@ class Line : public Barrier {
   bool is_there_;
 };
 
-/// A square loop, which starts at its lower left corner.
+/// Returns a square loop that starts at its lower left corner.
 Path Loop(Feature feature, Coord low, Coord high) {
   Path path;
   path.feature = feature;

@@ -7,14 +7,14 @@
 
 namespace slicefarm::ordering {
 
-/// The least point of a path: where a loop starts does not matter to it.
+/// Returns the least point of a path. It does not depend on the start of a loop.
 Point LeastPoint(const Path& path);
 
-/// The order of the paths by what they are and not by how they came, so that what follows does not
-/// depend on the order of its input: indices into `paths`. Cost: O(points + n log n).
+/// Returns indices into `paths`, sorted by the properties of the paths. Later steps therefore do
+/// not depend on the order of their input. Cost: O(points + n log n).
 std::vector<size_t> OrderByGeometry(std::span<Path* const> paths);
 
-/// The paths in that order.
+/// Returns the paths in the order of OrderByGeometry.
 std::vector<Path*> SortedByGeometry(std::span<Path* const> paths);
 
 }  // namespace slicefarm::ordering

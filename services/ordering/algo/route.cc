@@ -20,7 +20,7 @@ void Route::Enter(const RouteEdges& edges) {
   is_linkable_ = false;
 }
 
-/// Whether a link could only come from the plastic of an inner loop that is to stay whole.
+/// Returns true if the plastic of a link could only come from an inner loop that must stay whole.
 bool Route::IsKeptWhole(const Path& next) const {
   const auto is_inner = [](const Path& path) { return path.feature == Feature::kPerimeter; };
   return edges_.whole_loops &&

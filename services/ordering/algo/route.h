@@ -10,34 +10,36 @@
 
 namespace slicefarm::ordering {
 
-/// Turns a path round; a closed one keeps its start.
+/// Reverses a path. A closed path keeps its start.
 void Reverse(Path& path);
 
-/// What lies between places of an island, for the two that ask: the search for an order, and links
-/// (near_links.h). Null: the asker looks at nothing, and there are no links.
+/// Obstacles of an island for two uses: the search for an order, and links (near_links.h). If
+/// for_order is null, the search ignores obstacles. If for_links is null, there are no links.
 struct RouteEdges {
   const Barrier* for_order = nullptr;
   const Barrier* for_links = nullptr;
-  bool whole_loops = false;  ///< no link takes from an inner loop
+  bool whole_loops = false;  ///< links take no plastic from inner loops
 };
 
-/// The paths printed so far, and where they leave the nozzle.
+/// Paths printed so far, and the position of the nozzle after them.
 class Route {
  public:
-  /// `height_nm`: of the layer.
+  /// Starts a route at `entry`. `height_nm`: the layer's height.
   explicit Route(Point entry, Coord height_nm = 0) : at_(entry), height_nm_(height_nm) {}
 
   Point at() const { return at_; }
-  /// From here on.
+  /// Returns the journey from the nozzle's position to `next`.
   Journey To(std::optional<Point> next = {}) const { return {at_, next, edges_.for_order}; }
-  /// An island begins, whose edges must outlive its paths' printing: what is printed next is not
-  /// linked to what was printed before.
+  /// Begins an island. The next path is not linked to earlier paths. `edges` must outlive the
+  /// printing of the island's paths.
   void Enter(const RouteEdges& edges);
   const std::vector<Path>& paths() const { return paths_; }
+  /// Returns the printed paths and leaves the route empty.
   std::vector<Path> TakePaths() { return std::move(paths_); }
 
-  /// Prints a path, and before it the link to it from the last one where there is one.
+  /// Prints a path, preceded by the link from the last path if there is one.
   void Print(Path path, bool reversed = false);
+  /// Prints a closed path that starts at `start`.
   void PrintLoop(Path loop, LoopPlace start);
 
  private:
@@ -46,7 +48,7 @@ class Route {
   Point at_;
   Coord height_nm_;
   RouteEdges edges_;
-  bool is_linkable_ = false;  ///< the last path is of this island
+  bool is_linkable_ = false;  ///< the last path belongs to this island
   bool last_is_loop_ = false;
   std::vector<Path> paths_;
 };

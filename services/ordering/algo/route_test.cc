@@ -97,7 +97,7 @@ TEST(Route, LoopsThatStayWholeAreNotLinked) {
     route.Print(loop(Feature::kExternalPerimeter, 0));
     EXPECT_EQ(route.paths().size(), whole ? 3U : 5U);
     EXPECT_EQ(route.paths()[0].closed, whole);
-    // Lines are linked as ever.
+    // Lines are still linked.
     const auto line = [](Coord from) {
       Path path;
       path.points = {{from, 0}, {from + 5'000'000, 0}};

@@ -20,7 +20,7 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Lines of sight that may be looked at in a section, to find ways round its walls.
+/// Number of lines of sight that may be computed in a section, to find detours around its walls.
 constexpr int64_t kSights = 50'000;
 
 template <typename Visitor>
@@ -31,14 +31,14 @@ void ForEachPath(FilledIsland& island, const Visitor& visit) {
   }
 }
 
-/// An island on the way through the section.
+/// An island in the route through the section.
 struct Stop {
   FilledIsland* island;
-  Point place;  ///< where the way is taken to lead
+  Point place;  ///< point that represents the island in the search for an order
   Point least;
 };
 
-/// Layers meet at a seam that lies so near to one of either's.
+/// Largest distance in nm between the seams of two layers at which the layers can meet.
 constexpr double kSeamStepNm = 1.0 * kNmPerMm;
 
 bool HasSeamAt(Point place, const FilledIsland& island, std::span<const Point> seams) {
@@ -48,7 +48,8 @@ bool HasSeamAt(Point place, const FilledIsland& island, std::span<const Point> s
   });
 }
 
-/// The middle, but for islands where the section is entered and left.
+/// Returns the point that represents an island: the plan's entry or exit if the island has a seam
+/// there, otherwise the middle of its box.
 Point PlaceOf(const FilledIsland& island, const Box& box, const SectionPlan& plan) {
   if (plan.exit && HasSeamAt(*plan.exit, island, plan.seams)) return *plan.exit;
   if (HasSeamAt(plan.entry, island, plan.seams)) return plan.entry;
@@ -91,13 +92,15 @@ InsetOrder OrderOf(const WallOrder& walls) {
   return walls.external_perimeters_first ? InsetOrder::kOuterFirst : InsetOrder::kInnerFirst;
 }
 
-/// An island's walls have the settings of one region, or of regions whose walls are alike.
+/// Returns the order of an island's walls. All walls of an island have the settings of one region,
+/// or of regions with the same wall settings.
 WallOrder OrderOf(const FilledIsland& island, const OrderingOptions& options) {
   if (island.walls.empty()) return {};
   return options.walls[static_cast<size_t>(island.walls.front().settings)];
 }
 
-/// Ironing goes over what is printed, so it comes after all else.
+/// Moves the ironing out of `blocks`. Ironing passes over printed beads, so that it is printed
+/// last.
 std::vector<FillBlock> TakeIroning(std::vector<FillBlock>& blocks) {
   std::vector<FillBlock> ironing;
   const auto is_rest = [](const FillBlock& block) {
@@ -134,7 +137,7 @@ void PrintIsland(FilledIsland& island, std::optional<Point> next, const Ordering
   }
   const bool walls_last = fills.empty() && gaps.empty() && ironing.empty();
   PrintWalls(walls, rules, walls_last ? next : std::nullopt, route, budget);
-  // Gap fill lies among the fills: in one order with them it costs less travel than on its own.
+  // Gap fill is between the fills: one order for both needs less travel than two separate orders.
   std::move(gaps.begin(), gaps.end(), std::back_inserter(fills));
   PrintFills(std::move(fills), next, route, budget);
   PrintFills(std::move(ironing), next, route, budget);
@@ -144,7 +147,8 @@ void PrintIsland(FilledIsland& island, std::optional<Point> next, const Ordering
 
 namespace {
 
-/// The only path of a turn of a spiral, from where it starts; none if the section is not that.
+/// Returns the only path of a turn of a spiral, beginning at the spiral's start. Returns nothing if
+/// the section is not such a turn.
 std::optional<PathBlock> TurnOf(FilledSection& section, const SectionPlan& plan, bool clockwise) {
   if (!plan.spiral || section.islands.size() != 1) return std::nullopt;
   FilledIsland& island = section.islands.front();
@@ -160,7 +164,8 @@ std::optional<PathBlock> TurnOf(FilledSection& section, const SectionPlan& plan,
   return block;
 }
 
-/// Where ways lead that keep off what has curled up: the bed is no smaller.
+/// Returns the box in which travels may avoid curled areas: the bounding box of the islands. The
+/// bed is at least as large.
 Box RoomOf(const FilledSection& section) {
   Box room;
   for (const FilledIsland& island : section.islands) room.Add(Bounds(island.outline.outer));

@@ -40,8 +40,8 @@ Path Line(Feature feature, Point from, Point to) {
   return path;
 }
 
-/// A square island with two walls, four infill lines, a monotonic group of three lines and a gap
-/// fill.
+/// Returns a square island with two walls, four infill lines, a monotonic group of three lines and
+/// one gap fill.
 FilledIsland Island(Coord x, Coord y) {
   FilledIsland island;
   island.walls = {Wall(x, y, 20, 0), Wall(x, y, 20, 1)};

@@ -16,12 +16,12 @@ namespace {
 Point EntryOf(const Leg& leg, bool reversed) { return reversed ? leg.end : leg.start; }
 Point ExitOf(const Leg& leg, bool reversed) { return reversed ? leg.start : leg.end; }
 
-/// Gain is slow from here on: more exchanges take more time than they save on the printer.
+/// Number of exchanges per leg. More exchanges take more time than they save on the printer.
 constexpr int64_t kExchangesPerLeg = 2;
 constexpr size_t kNeighbours = 8;
 constexpr uint32_t kSeed = 20;
 
-/// The legs whose predecessors have all been visited.
+/// Legs with all predecessors visited.
 class Readiness {
  public:
   Readiness(std::span<const Precedence> precedence, size_t legs)
@@ -31,7 +31,7 @@ class Readiness {
 
   bool IsReady(uint32_t leg) const { return waits_for_[leg] == 0; }
 
-  /// The legs that become ready when `leg` is done.
+  /// Returns the legs that become ready when `leg` is done.
   std::vector<uint32_t> Release(uint32_t leg) {
     std::vector<uint32_t> ready;
     for (const Precedence& pair : precedence_) {
@@ -42,10 +42,10 @@ class Readiness {
 
  private:
   std::span<const Precedence> precedence_;
-  std::vector<uint32_t> waits_for_;  ///< by leg
+  std::vector<uint32_t> waits_for_;  ///< number of predecessors not yet visited, indexed by leg
 };
 
-/// Always on to the nearest end of a leg that is ready.
+/// Returns the order that always continues with the nearest end of a ready leg.
 std::vector<Visit> NearestFirst(const Journey& journey, std::span<const Leg> legs) {
   std::vector<Vector2> ends;
   ends.reserve(2 * legs.size());
@@ -77,7 +77,7 @@ std::vector<Visit> NearestFirst(const Journey& journey, std::span<const Leg> leg
   return visits;
 }
 
-/// What crossings of a barrier cost. Answers are kept.
+/// Surcharge for crossings of a barrier. Results are cached.
 class CrossingCharge : public Surcharge {
  public:
   CrossingCharge(const LegGraph& graph, const Barrier& barrier)
@@ -131,7 +131,7 @@ std::vector<Visit> OrderFew(const Journey& journey, std::span<const Leg> legs) {
     return length(a, b) + (journey.barrier->Parts(a, b) ? kCrossingNm : 0);
   };
   std::vector<Visit> best = BestOrder(journey, legs, length);
-  // What crosses nothing is also the best of what pays for crossings.
+  // An order without crossings is also the best one when crossings cost extra.
   return journey.barrier == nullptr || !Crosses(journey, legs, best)
              ? best
              : BestOrder(journey, legs, charged);

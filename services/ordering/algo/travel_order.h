@@ -11,33 +11,34 @@
 
 namespace slicefarm::ordering {
 
-/// A stretch that is printed in one go, from `start` to `end` or, if reversible, the other way
-/// round. What lies between does not matter for the travel. A loop is a leg that ends where it
-/// starts.
+/// Path that is printed without interruption, from `start` to `end` or, if reversible, from `end`
+/// to `start`. Its course between the ends does not affect the travel. A loop is a leg that ends at
+/// its start.
 struct Leg {
   Point start;
   Point end;
   bool reversible = true;
 };
 
-/// `leg` comes before `next`.
+/// Rule that `leg` is printed before `next`.
 struct Precedence {
   uint32_t leg = 0;
   uint32_t next = 0;
 };
 
-/// Where the nozzle comes from, and where it goes when all legs are done (nowhere in particular if
-/// absent).
+/// Start of the nozzle, and its target after all legs. Without `to`, the journey may end anywhere.
 struct Journey {
   Point from;
   std::optional<Point> to;
-  const Barrier* barrier = nullptr;             ///< what had better not be crossed on the way
-  std::span<const Precedence> precedence = {};  ///< without circles
+  const Barrier* barrier = nullptr;             ///< obstacle that travels should not cross
+  std::span<const Precedence> precedence = {};  ///< rules without cycles
 };
 
-/// What a crossing costs, in travel: a retraction takes about as long as 7 mm, and leaves a mark.
+/// Cost of a crossing, in nm of travel. A retraction takes about as long as 7 mm of travel, and
+/// leaves a mark.
 inline constexpr int64_t kCrossingNm = 10 * kNmPerMm;
 
+/// A leg in an order, and its direction.
 struct Visit {
   uint32_t leg = 0;
   bool reversed = false;
@@ -45,19 +46,20 @@ struct Visit {
   friend bool operator==(const Visit&, const Visit&) = default;
 };
 
-/// An order and direction of all `legs` with little travel: the best of up to kFewLegs (few_legs.h),
-/// of more the nearest neighbour's and then TourSearch's, with a number of exchanges in proportion to
-/// the legs, or until `budget` is spent; without budget the nearest neighbour's. Then, around each
-/// travel that crosses the barrier, the same moves with crossings counted as travel of kCrossingNm.
+/// Returns an order and direction of all `legs` with little travel. Up to kFewLegs legs, the order
+/// is the best one (few_legs.h). For more legs the nearest-neighbour order is improved by
+/// TourSearch, with a number of exchanges in proportion to the legs, or until `budget` is spent.
+/// Without budget, the result is the nearest-neighbour order. Finally the same moves are tried
+/// around each travel that crosses the barrier, and each crossing counts as kCrossingNm of travel.
 ///
-/// The journey is a path with a fixed start and, if asked for, a fixed end. Shapes: each leg once.
-/// A leg that is not reversible is never reversed; the precedence is kept. Deterministic. Cost:
+/// The journey is a path with a fixed start and, if requested, a fixed end. Shapes: each leg once.
+/// A leg that is not reversible is never reversed, and the precedence is kept. Deterministic. Cost:
 /// O(n log n) and the moves tried, each O(1) to judge and O(n) to make.
 std::vector<Visit> OrderByTravel(const Journey& journey, std::span<const Leg> legs,
                                  WorkBudget& budget);
 
-/// Length in nm of the travel in between, from `journey.from` to the first leg and from the last to
-/// `journey.to`.
+/// Returns the length in nm of the travel between legs, from `journey.from` to the first leg and
+/// from the last leg to `journey.to`.
 double TravelLength(const Journey& journey, std::span<const Leg> legs,
                     std::span<const Visit> visits);
 

@@ -49,7 +49,7 @@ void ExpectEachLegOnce(const std::vector<Visit>& visits, std::span<const Leg> le
   EXPECT_THAT(seen, testing::Each(1));
 }
 
-/// The least travel over all orders and directions.
+/// Returns the least travel over all orders and directions.
 double Optimum(const Journey& journey, std::span<const Leg> legs) {
   std::vector<uint32_t> order(legs.size());
   std::iota(order.begin(), order.end(), 0);
@@ -81,7 +81,7 @@ TEST(TravelOrder, OneLegIsEnteredAtItsNearEnd) {
 }
 
 TEST(TravelOrder, TheWayOnDecidesToo) {
-  // Entered at its near end, the leg would be left far from where the journey goes on.
+  // If the leg begins at its near end, it ends far from the target of the journey.
   const Leg leg{{10'000, 0}, {100'000, 0}};
   EXPECT_THAT(Order({{0, 0}, {}}, {{leg}}), ElementsAre(Visit{0, false}));
   EXPECT_THAT(Order({{0, 0}, Point{0, 5}}, {{leg}}), testing::SizeIs(1));
@@ -130,7 +130,7 @@ struct TsplibCase {
 
 class TsplibTest : public testing::TestWithParam<TsplibCase> {};
 
-// Cities are legs without length; a tour is a journey from the first city back to it.
+// Cities are legs without length. A tour is a journey from the first city back to the first city.
 TEST_P(TsplibTest, TourIsWithinSevenPercent) {
   const std::vector<Point> cities = ReadTsplib(GetParam().name);
   ASSERT_FALSE(cities.empty()) << "no corpus";
@@ -207,7 +207,7 @@ TEST(TravelOrder, WithoutBudgetTheNearestIsNext) {
   EXPECT_THAT(LegsOf(Order({{0, 0}, {}}, legs, 0)), ElementsAre(2, 0, 1));
 }
 
-/// Between negative and other x.
+/// Barrier between negative and other x.
 class Fence : public Barrier {
  public:
   bool Parts(Point a, Point b) const override { return (a.x < 0) != (b.x < 0); }
@@ -225,7 +225,8 @@ int Crossings(const Journey& journey, const std::vector<Leg>& legs,
   return crossings;
 }
 
-// Pairs of dots, nearer to each other than to the next pair: the shortest way goes to and fro.
+// The dots of a pair are nearer to each other than to the next pair, so that the shortest path
+// crosses the barrier at each pair.
 TEST(TravelOrder, CrossesABarrierOnlyWhereItMust) {
   std::vector<Leg> legs;
   for (Coord y = 0; y < 12; ++y) {
@@ -241,7 +242,7 @@ TEST(TravelOrder, CrossesABarrierOnlyWhereItMust) {
   EXPECT_EQ(Crossings(journey, legs, OrderByTravel(journey, legs, budget)), 1);
 }
 
-// A way round that costs more than a crossing is not taken.
+// A detour that costs more than a crossing is not used.
 TEST(TravelOrder, CrossesABarrierWhereItPays) {
   const std::vector<Leg> legs = {Dot(-1, 0), Dot(1, 0), Dot(-1, 20), Dot(1, 20)};
   const Fence fence;
@@ -260,7 +261,8 @@ TEST(TravelOrder, ABarrierThatIsNotMetChangesNothing) {
   EXPECT_EQ(OrderByTravel(journey, legs, budget), plain);
 }
 
-/// The shortest way along dots in an order that keeps the precedence, over all sets of dots.
+/// Returns the length of the shortest path along dots in an order that keeps the precedence, over
+/// all sets of dots.
 double BestOfDots(const Journey& journey, std::span<const Leg> dots) {
   std::vector<size_t> before(dots.size(), 0);
   for (const Precedence& pair : journey.precedence) before[pair.next] |= size_t{1} << pair.leg;

@@ -14,7 +14,7 @@ struct Member {
   Path* path;
   Box box;
   size_t group;
-  uint32_t index;  ///< in its group
+  uint32_t index;  ///< index of the wall in its group
 };
 
 double DistanceToBox(Point p, const Box& box) {
@@ -22,7 +22,8 @@ double DistanceToBox(Point p, const Box& box) {
                   {std::clamp(p.x, box.min.x, box.max.x), std::clamp(p.y, box.min.y, box.max.y)});
 }
 
-/// Distance from p to the line of `path`, or at least `enough` if it is not below.
+/// Returns the distance from p to the line of `path` if it is less than `enough`, otherwise
+/// `enough`.
 double DistanceToPath(Point p, const Path& path, double enough) {
   const std::vector<Point>& points = path.points;
   double best = enough;

@@ -7,7 +7,7 @@
 
 namespace slicefarm::ordering {
 
-/// Two walls side by side, of successive insets.
+/// Two walls side by side with consecutive insets.
 struct WallPair {
   uint32_t outer = 0;
   uint32_t inner = 0;
@@ -15,18 +15,20 @@ struct WallPair {
   friend bool operator==(const WallPair&, const WallPair&) = default;
 };
 
-/// The walls along one contour of an island.
+/// Walls along one contour of an island.
 struct WallGroup {
-  std::vector<Path*> walls;     ///< by inset, the outermost first; not empty
-  std::vector<WallPair> pairs;  ///< indices into `walls`: each but the outermost is inner in one
+  std::vector<Path*> walls;     ///< walls sorted by inset, the outermost first; at least one
+  /// indices into `walls`; each wall except the outermost is `inner` in one pair
+  std::vector<WallPair> pairs;
 
+  /// Returns the wall nearest to the outline.
   const Path& Outermost() const { return *walls.front(); }
 };
 
-/// Groups the walls of an island: those of inset 0 begin a group each; a wall of inset k belongs
-/// with the wall of inset k - 1 that is nearest to its least point, and begins a group of its own
-/// where there is none. A loop that runs along two contours goes with one of them. Shapes: each
-/// wall in one group. Walls keep their order. Cost: O(walls * points of the walls near by).
+/// Groups the walls of an island by contour. Each wall of inset 0 begins a group. A wall of inset k
+/// joins the group of the wall of inset k - 1 that is nearest to its least point. If there is no
+/// such wall, it begins a group. A loop along two contours belongs to one of them. Shapes: each
+/// wall is in one group. Walls keep their order. Cost: O(walls * points of the walls near by).
 std::vector<WallGroup> GroupWalls(const std::vector<Path*>& walls);
 
 }  // namespace slicefarm::ordering

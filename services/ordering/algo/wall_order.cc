@@ -11,7 +11,7 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Where loops of a contour start.
+/// Rule for the start of a contour's loops.
 struct StartRule {
   std::optional<Point> seam;
   bool stagger = false;
@@ -30,7 +30,7 @@ Leg LegOf(const Path& wall, const StartRule& rule, Point nozzle) {
   return {at, at, true};
 }
 
-/// The group along the island's outer contour: that of the widest box.
+/// Returns the group along the island's outer contour: the group with the widest box.
 size_t OuterGroup(const std::vector<WallGroup>& groups) {
   const auto width = [](const WallGroup& group) {
     const Box box = Bounds(group.Outermost().points);
@@ -39,7 +39,7 @@ size_t OuterGroup(const std::vector<WallGroup>& groups) {
   return static_cast<size_t>(std::ranges::max_element(groups, {}, width) - groups.begin());
 }
 
-/// Which walls of a contour come before which.
+/// Returns the rules for the order of a contour's walls.
 std::vector<Precedence> PrecedenceOf(const WallGroup& group, InsetOrder order) {
   std::vector<Precedence> rules;
   for (const auto [outer, inner] : group.pairs) {
@@ -49,14 +49,14 @@ std::vector<Precedence> PrecedenceOf(const WallGroup& group, InsetOrder order) {
     rules.push_back(outer_first ? Precedence{outer, inner} : Precedence{inner, outer});
   }
   if (order != InsetOrder::kInnerOuterInner) return rules;
-  // The outermost but one comes last: what lies inside of it comes before what lies outside.
+  // The second wall is the last one: the walls inside of it are printed before the outermost wall.
   for (const auto [outer, second] : group.pairs)
     for (const auto [middle, third] : group.pairs)
       if (middle == second && group.walls[outer]->inset == 0) rules.push_back({third, outer});
   return rules;
 }
 
-/// The contours of an island, each with where its loops start.
+/// Contours of an island, each with the start of its loops.
 class Contours {
  public:
   Contours(std::span<Path* const> walls, const WallRules& rules, Point nozzle)
@@ -73,7 +73,7 @@ class Contours {
 
   bool empty() const { return groups_.empty(); }
 
-  /// Prints the outer contour, the outermost wall first, and takes it out.
+  /// Prints the outer contour, the outermost wall first, and removes it from the list.
   void TakeOuter(Route& route, WorkBudget& budget) {
     const size_t outer = OuterGroup(groups_);
     Print(outer, InsetOrder::kOuterFirst, {}, route, budget);
@@ -112,8 +112,8 @@ class Contours {
   }
 
   std::vector<WallGroup> groups_;
-  std::vector<StartRule> starts_;  ///< by group
-  std::vector<Leg> legs_;          ///< by group
+  std::vector<StartRule> starts_;  ///< start rule of each group
+  std::vector<Leg> legs_;          ///< leg of each group
 };
 
 }  // namespace

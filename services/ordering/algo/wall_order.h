@@ -9,28 +9,31 @@
 
 namespace slicefarm::ordering {
 
+/// Order of the walls of a contour.
 enum class InsetOrder {
   kInnerFirst,
   kOuterFirst,
-  kInnerOuterInner,  ///< all from the innermost to the third, then the outermost, then the second
-  /// The island's outer contour from outside, then its holes' from inside: the outermost line of a
-  /// brim comes first, those that touch the part come last.
+  kInnerOuterInner,  ///< first the innermost to the third, then the outermost, then the second
+  /// The island's outer contour from outside inwards, then the contours of its holes from inside
+  /// the material towards the hole. So the outermost line of a brim is printed first, and the lines
+  /// that touch the part are printed last.
   kTowardsHoles,
 };
 
+/// Rules for printing the walls of an island.
 struct WallRules {
   InsetOrder order = InsetOrder::kInnerFirst;
-  /// Where the loops of a contour start, by the ring that its outermost wall follows; a contour
-  /// along no ring, or all if this is empty, start near the nozzle.
+  /// Starts of a contour's loops, indexed by the ring that its outermost wall follows. The loops of
+  /// a contour without a ring start near the nozzle, and so do all loops if this is empty.
   std::span<const Point> seams;
-  /// Inner loops of a contour with a seam start further along, each by as much as it lies inside of
-  /// the seam.
+  /// True to start each inner loop of a contour with a seam further along, by the distance between
+  /// the loop and the seam.
   bool stagger = false;
 };
 
-/// Prints the walls of an island, contour by contour, each in the order of the rules, towards
-/// `next` if there is such a place. The paths are moved from. Deterministic; does not depend on the
-/// order of the walls.
+/// Prints the walls of an island contour by contour, each in the order of the rules, ending near
+/// `next` if it is given. The paths are moved from. Deterministic: the result does not depend on
+/// the order of `walls`.
 void PrintWalls(std::span<Path* const> walls, const WallRules& rules, std::optional<Point> next,
                 Route& route, WorkBudget& budget);
 

@@ -19,7 +19,7 @@ Path Wall(int32_t inset, std::string_view points) {
   return path;
 }
 
-/// Two contours of two walls each.
+/// Returns two contours of two walls each.
 std::vector<Path> TwoContours() {
   return {Wall(0, "(0 0, 40 0, 40 40, 0 40)"), Wall(1, "(1 1, 39 1, 39 39, 1 39)"),
           Wall(0, "(15 15, 15 25, 25 25, 25 15)"), Wall(1, "(14 14, 14 26, 26 26, 26 14)")};
@@ -48,8 +48,8 @@ TEST(PrintWalls, InsideOutContourByContour) {
   EXPECT_EQ(printed[1].points[0], Mm(0, 0));
 }
 
-// A middle bead between the long sides of a thin wall ends where the outer wall starts, not at the
-// other end of the wall.
+// A middle bead between the long sides of a thin wall ends at the start of the outer wall, not at
+// the other end of the wall.
 TEST(PrintWalls, APieceOfAWallEndsAtTheSeamOfTheOneOutside) {
   Path middle = MakePathOrDie("(1 0.5, 39 0.5)", false);
   middle.inset = 1;
@@ -83,7 +83,7 @@ TEST(PrintWalls, TheOuterWallLastButOne) {
               ElementsAre(2, 0, 1, 0, 1));
 }
 
-// A brim: the line farthest from the part first, the one that touches it last.
+// The brim's line farthest from the part is printed first, the line that touches the part last.
 TEST(PrintWalls, FromTheOuterContourToTheHoles) {
   for (const Point from : {Mm(0, 0), Mm(20, 20)}) {
     const auto printed = Printed(TwoContours(), {InsetOrder::kTowardsHoles, {}}, from);

@@ -11,8 +11,8 @@
 
 namespace slicefarm::ordering {
 
-/// Translates slicefarm.v1.Ordering to an OrderingStage and back.
-/// `stage`, `gate` and `shared` must outlive the service.
+/// Returns the gRPC service slicefarm.v1.Ordering on top of an OrderingStage. `stage`, `gate` and
+/// `shared` must outlive the service.
 std::unique_ptr<grpc::Service> MakeOrderingService(const OrderingStage& stage, rpc::CallGate& gate,
                                                    SharedCache& shared);
 

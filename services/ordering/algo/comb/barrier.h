@@ -4,11 +4,11 @@
 
 namespace slicefarm::ordering {
 
-/// What lies between places.
+/// Obstacle between points that a travel should not cross.
 class Barrier {
  public:
   virtual ~Barrier() = default;
-  /// Returns true if the straight way from a to b crosses it. REQUIRES: symmetric.
+  /// Returns true if the straight line from a to b crosses the obstacle. REQUIRES: symmetric.
   virtual bool Parts(Point a, Point b) const = 0;
 };
 

@@ -15,24 +15,26 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Lanes keep this many clearances, and being made of fewer points takes no more than the tolerance
-/// from that: outer walls lie further inside than elsewhere, by up to a third, where a part gets
-/// too thin for one bead more.
+/// Distance of the lanes from the edge, in clearances. Simplifying the lanes reduces this distance
+/// by at most the tolerance. The distance exceeds 1 because an outer wall is up to a third further
+/// inside where a part becomes too thin for one more bead.
 constexpr double kLane = 1.5;
 constexpr double kLaneTolerance = 0.15;
-/// What the border lies beyond the lanes, so that a way along them does not touch it.
+/// Distance from the lanes out to the border, in nm. A travel along a lane therefore does not touch
+/// the border.
 constexpr Coord kHair = 5'000;
-/// A place without its own clearance comes indoors within this many.
+/// Longest step, in clearances, from a point that is too close to the edge to the nearest lane.
 constexpr double kWayIndoors = 4;
-/// How far a straight way may need, in clearances, to come off the edge.
+/// Length at either end of a straight travel, in clearances, within which the travel may be close
+/// to the edge.
 constexpr double kStart = 3;
 
 Coord Times(double factor, Coord length) {
   return std::llround(factor * static_cast<double>(length));
 }
 
-/// Whether a tight string through `corner` can come from or go on to `other`: the ring lies on one
-/// side of the line.
+/// Returns true if a tight string can bend at `corner` on its path from or to `other`: both ring
+/// neighbours of the corner are on one side of the line.
 bool IsTangent(Point other, Point corner, Point before, Point after) {
   return Orientation(other, corner, before) * Orientation(other, corner, after) >= 0;
 }
@@ -42,7 +44,8 @@ Point Along(Point a, Point b, double length_nm) {
   return whole <= length_nm ? b : PointBetween(a, b, length_nm / whole);
 }
 
-/// The place on the line from a through b that lies so far behind b.
+/// Returns the point on the line from a through b that is `length_nm` beyond b, or |ab| if this is
+/// less. Returns b if a and b are equal.
 Point Beyond(Point a, Point b, double length_nm) {
   const double whole = Distance(a, b);
   return whole > 0 ? Along(b, b + (b - a), std::min(length_nm, whole)) : b;
@@ -72,7 +75,7 @@ void ClearWays::AddNodes(const Polygon& ring) {
   for (size_t i = 0; i < ring.size(); ++i) {
     const Point before = ring[i == 0 ? ring.size() - 1 : i - 1];
     const Point after = ring[i + 1 == ring.size() ? 0 : i + 1];
-    // The region lies to the left: a way bends where the ring turns to the right.
+    // The region is to the left of the ring: a travel bends where the ring turns to the right.
     if (Orientation(before, ring[i], after) < 0) nodes_.push_back({ring[i], before, after});
   }
 }
@@ -129,14 +132,14 @@ const std::vector<ClearWays::Link>& ClearWays::LinksOf(uint32_t node, WorkBudget
   return *links_[node];
 }
 
-/// A*: the straight distance to the goal is what is left at least.
+/// A* search. The straight distance to the goal is the lower bound of the remaining length.
 class ClearWays::Search {
  public:
   Search(ClearWays& ways, Point from, Point to, double longest_nm, WorkBudget& budget)
       : ways_(ways), from_(from), to_(to), longest_(longest_nm), budget_(budget),
         goal_(static_cast<uint32_t>(ways.nodes_.size())), came_(goal_ + 1, kOpen) {}
 
-  /// The corners between, if there is a way.
+  /// Returns the corners between start and goal, or nothing if no path exists.
   std::optional<std::vector<Point>> Run() {
     Push(kStartPlace, goal_, 0);
     const auto& nodes = ways_.nodes_;
@@ -158,8 +161,8 @@ class ClearWays::Search {
   static constexpr uint32_t kStartPlace = kOpen - 1;
 
   struct Step {
-    double bound;   ///< of a way over here
-    double length;  ///< to `to`
+    double bound;   ///< lower bound of the length of a path through this step
+    double length;  ///< length of the path up to `to`
     uint32_t from, to;
 
     bool operator<(const Step& other) const {  // the queue's top is the greatest
@@ -177,7 +180,8 @@ class ClearWays::Search {
     if (bound <= longest_) steps_.push({bound, length, from, to});
   }
 
-  /// Links between nodes have been looked at.
+  /// Returns true if the step's line of sight is free. `LinksOf` has already checked links between
+  /// nodes.
   bool IsOpen(const Step& step) {
     if (step.from != kStartPlace && step.to != goal_) return true;
     --budget_.moves;
@@ -203,7 +207,7 @@ class ClearWays::Search {
   double longest_;
   WorkBudget& budget_;
   uint32_t goal_;
-  std::vector<uint32_t> came_;  ///< by place: from where
+  std::vector<uint32_t> came_;  ///< predecessor of each place, indexed by place
   std::priority_queue<Step> steps_;
 };
 
@@ -220,7 +224,8 @@ std::optional<std::vector<Point>> ClearWays::Find(Point a, Point b, double longe
   way.insert(way.end(), corners->begin(), corners->end());
   if (*to != b) way.push_back(*to);
   way.push_back(b);
-  // Most places come indoors as well on the way to the next corner.
+  // The step inside to a lane is usually unnecessary: the straight line to the next corner is
+  // clear.
   if (*from != a && IsClear(way[0], way[2])) way.erase(way.begin() + 1);
   if (*to != b && way.size() > 2 && IsClear(way[way.size() - 3], b)) way.erase(way.end() - 2);
   return std::vector<Point>(way.begin() + 1, way.end() - 1);

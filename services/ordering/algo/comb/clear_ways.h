@@ -9,36 +9,39 @@
 
 namespace slicefarm::ordering {
 
-/// A region that is a box.
+/// Returns the box as a region.
 MultiPolygon RegionOf(const Box& box);
 
-/// Short ways inside a region that keep off its edge, by a graph of visibility.
+/// Search for short travel paths inside a region that keep away from the region's edge. It uses a
+/// visibility graph.
 ///
-/// The nozzle keeps off the edge by more than the clearance: it stays between lanes, which are
-/// insets of the edge of few points. Only places that lie closer to the edge are left, and come to,
-/// straight. The graph's nodes are the lanes' corners that the way can bend around; two are joined
-/// if they see each other and a string pulled tight could run along the line between them. Lines of
-/// sight are looked at when they are first asked for, and kept.
+/// The nozzle keeps away from the edge by more than the clearance: it stays between lanes, which
+/// are insets of the edge with few points. Only a start or end point that is closer to the edge is
+/// left or reached in a straight line. The nodes of the graph are the corners of the lanes at which
+/// a path can bend. Two nodes are linked if they see each other and a tight string could run along
+/// the line between them. A line of sight is computed when it is first needed, and is then cached.
 /// Source: T. Lozano-Perez, M. A. Wesley, "An Algorithm for Planning Collision-Free Paths among
 /// Polyhedral Obstacles", CACM 22 (1979).
 class ClearWays {
  public:
-  /// REQUIRES: clearance_nm > 0.
+  /// Builds the lanes of the region. REQUIRES: clearance_nm > 0.
   ClearWays(const MultiPolygon& region, Coord clearance_nm);
 
-  /// Whether ab stays in the region and keeps the clearance, but near its ends.
+  /// Returns true if the line ab stays in the region and keeps the clearance except near its ends.
   bool IsClear(Point a, Point b) const;
 
-  /// The corners of a short way from a to b, or nothing if there is none of at most `longest_nm` or
-  /// the budget, in lines of sight, is spent. It is the shortest between the lanes, to some
-  /// micrometres, if a and b lie between them. REQUIRES: a and b lie in the region or beside it.
+  /// Returns the corners of a short path from a to b. Returns nothing if no path is as short as
+  /// `longest_nm`, or if the budget (in lines of sight) is spent. If a and b are between the lanes,
+  /// the path is the shortest one between the lanes, to within some micrometres. REQUIRES: a and b
+  /// are in the region or beside it.
   std::optional<std::vector<Point>> Find(Point a, Point b, double longest_nm, WorkBudget& budget);
 
-  /// The place between the lanes nearest to p, which lies on the edge; nothing if it is far.
+  /// Returns the point between the lanes that is nearest to p, a point on the edge. Returns nothing
+  /// if this point is far away.
   std::optional<Point> FromEdge(Point p) const;
 
  private:
-  /// A corner, and those before and after it on its ring.
+  /// Corner of a lane, with its neighbours on the ring.
   struct Node {
     Point at, before, after;
   };
@@ -49,22 +52,23 @@ class ClearWays {
   class Search;
 
   void AddNodes(const Polygon& ring);
-  /// The place nearest to p between the lanes; nothing if it is far away.
+  /// Returns the point nearest to p between the lanes, or nothing if this point is far away.
   std::optional<Point> Indoors(Point p) const;
-  /// A hair inside the nearest place on a lane of those that will do: a string can run from there
-  /// along the lane. Nothing if it is far away.
+  /// Returns a point slightly inside the nearest point on a lane for which `will_do` is true, so
+  /// that a string can run from there along the lane. Returns nothing if the point is far away.
   template <typename WillDo>
   std::optional<Point> OnLane(Point p, WillDo will_do) const;
   bool Sees(Point a, Point b) const { return !border_.Meets(a, b); }
   const std::vector<Link>& LinksOf(uint32_t node, WorkBudget& budget);
 
   Coord clearance_;
-  EdgeStrips edge_;             ///< of the region
-  EdgeStrips border_;           ///< a hair beyond the lanes
+  EdgeStrips edge_;             ///< edges of the region
+  EdgeStrips border_;           ///< edges slightly outside the lanes
   EdgeStrips lane_;
   std::vector<Polygon> lanes_;
   std::vector<Node> nodes_;
-  std::vector<std::optional<std::vector<Link>>> links_;  ///< by node, once asked for
+  /// links of each node, indexed by node; computed on first use
+  std::vector<std::optional<std::vector<Link>>> links_;
 };
 
 }  // namespace slicefarm::ordering

@@ -19,7 +19,7 @@ namespace {
 constexpr Coord kClearance = 225'000;
 constexpr double kAnyLength = std::numeric_limits<double>::infinity();
 
-/// What a way may gain by cutting corners of the lanes by less than the hair that they keep off.
+/// Largest saving in nm when a path cuts lane corners by less than the border's distance.
 constexpr double kHairs = 20'000;
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
@@ -30,7 +30,7 @@ std::optional<std::vector<Point>> Find(ClearWays& ways, Point a, Point b,
   return ways.Find(a, b, longest_nm, budget);
 }
 
-/// a, the corners, b.
+/// Returns the path a, corners, b.
 std::vector<Point> Whole(Point a, std::vector<Point> corners, Point b) {
   corners.insert(corners.begin(), a);
   corners.push_back(b);
@@ -54,8 +54,8 @@ MultiPolygon LanesOf(const PolygonWithHoles& island) {
   return Simplify(Offset({island}, -kClearance * 3 / 2), std::llround(0.15 * kClearance));
 }
 
-/// The shortest way over any corners of the lanes, by Bellman and Ford over all pairs that see each
-/// other.
+/// Returns the length of the shortest path over any corners of the lanes: Bellman-Ford over all
+/// pairs of corners that see each other.
 double ShortestByAllPairs(const PolygonWithHoles& island, Point a, Point b) {
   const MultiPolygon lanes = LanesOf(island);
   const MultiPolygon clear = Offset(lanes, 5'000);
@@ -88,7 +88,7 @@ class RandomWays : public testing::TestWithParam<int> {
  protected:
   RandomWays() : island_(RandomIsland(random_, {}, 20).front()), inner_(LanesOf(island_)) {}
 
-  /// A place between the lanes; false if the island has no such.
+  /// Chooses a random point between the lanes. Returns false if it finds no such point.
   bool Place(Point& p) {
     for (int i = 0; i < 1'000; ++i) {
       p = {FromMm(Uniform(random_, -20, 20)), FromMm(Uniform(random_, -20, 20))};
@@ -147,7 +147,7 @@ TEST_P(RandomWays, DoNotDependOnWhatWasAskedBefore) {
 
 TEST_P(RandomWays, FromTheOuterWallStayInside) {
   ClearWays ways({island_}, kClearance);
-  // The middle of the outer wall.
+  // Centre line of the outer wall.
   const MultiPolygon wall = Offset({island_}, -kClearance);
   const std::vector<Polygon> rings = Rings(wall);
   for (int i = 0; i < 12; ++i) {
@@ -163,7 +163,7 @@ TEST_P(RandomWays, FromTheOuterWallStayInside) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomWays, testing::Range(0, 30));
 
-/// Two arms of 10 mm that a slot of 4 mm parts, joined at the bottom.
+/// Returns a fork: two arms 10 mm wide, joined at the bottom, with a slot of 4 mm between them.
 PolygonWithHoles Fork() {
   return MakePolygonsOrDie("(0 0, 24 0, 24 20, 14 20, 14 10, 10 10, 10 20, 0 20)").front();
 }
@@ -188,7 +188,7 @@ TEST(ClearWays, FromWallToWallGoesRoundASlot) {
   for (size_t k = 1; k < way.size(); ++k) EXPECT_FALSE(MeetsAnEdge(way[k - 1], way[k], {Fork()}));
 }
 
-// From beside a seam on one side of a hole to the other side: a string along the lane.
+// The string from a point beside a seam on one side of a hole to the other side follows the lane.
 TEST(ClearWays, FromBesideTheWallOfAHoleGoesRoundIt) {
   const PolygonWithHoles island =
       MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (8 8, 8 12, 12 12, 12 8)").front();
@@ -226,7 +226,7 @@ TEST(ClearWays, AWayAlongTheWallIsClearOnlyIfItKeepsOff) {
   EXPECT_FALSE(ways.IsClear(Mm(9.775, 15), Mm(14.225, 15))) << "over the slot";
 }
 
-// No way through a neck that is narrower than two clearances.
+// A neck narrower than two clearances cannot be passed.
 TEST(ClearWays, DoesNotSqueezeThrough) {
   ClearWays ways(
       MakePolygonsOrDie("(0 0, 10 0, 10 4.8, 20 4.8, 20 0, 30 0, 30 10, 20 10, 20 5.2, 10 5.2,"

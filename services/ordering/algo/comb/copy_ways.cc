@@ -12,11 +12,11 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Ways leave the box of their ends by no more.
+/// Distance in nm by which a detour may leave the bounding box of its two ends.
 constexpr Coord kRoomNm = 20 * kNmPerMm;
 
 struct Obstacle {
-  PolygonWithHoles area;  ///< on the plate
+  PolygonWithHoles area;  ///< curled area, in plate coordinates
   Box box;
   int32_t pass = 0;
 };
@@ -43,7 +43,7 @@ std::vector<Obstacle> ObstaclesOf(const LayerPlan& plan, const OrderedLayer& lay
   return obstacles;
 }
 
-/// What beads of the pass enclose: the bed is no smaller.
+/// Returns the bounding box of the beads of the pass. The bed is at least as large.
 Box RoomOf(const OrderedLayer& layer, int32_t pass) {
   Box room;
   for (const BlockVisit& visit : layer.visits) {

@@ -6,8 +6,9 @@
 
 namespace slicefarm::ordering {
 
-/// Leads the ways between a layer's visits off what has curled up, on the copies that they come
-/// from, go to, and pass. `sights`: lines of sight that may be looked at. Cost: O(visits^2) boxes.
+/// Leads the travels between a layer's visits around curled areas on the copies that they leave,
+/// reach and pass. `sights`: number of lines of sight that may be computed. Cost: O(visits^2)
+/// boxes.
 void KeepOffCurled(const LayerPlan& plan, WorkBudget& sights, OrderedLayer& layer);
 
 }  // namespace slicefarm::ordering

@@ -11,7 +11,8 @@ namespace {
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 
-/// The right edge of a square of 10 mm, but for its ends.
+/// Returns a plan with one curled area: the right edge of a 10 mm square, without the ends of the
+/// edge.
 LayerPlan CurledOnTheRight(int32_t stack = 0) {
   LayerPlan plan;
   plan.sections.push_back({});
@@ -20,7 +21,7 @@ LayerPlan CurledOnTheRight(int32_t stack = 0) {
   return plan;
 }
 
-/// Copies of that square: a loop, and last a line that ends in its middle.
+/// Returns copies of that square: a loop and then a line that ends in the square's middle.
 OrderedLayer Copies(std::vector<BlockVisit> visits) {
   PathBlock block;
   block.paths = {MakePathOrDie("(0 0, 10 0, 10 10, 0 10)", true), MakePathOrDie("(2 5, 5 5)")};
@@ -49,7 +50,7 @@ TEST(KeepOffCurled, TheWayToTheNextCopyGoesRound) {
     EXPECT_TRUE(room.Intersects({corner, corner})) << "no bed is smaller than what is printed";
 }
 
-// The second copy's edge lies on the way to a third one.
+// The travel to the third copy crosses the second copy's curled edge.
 TEST(KeepOffCurled, CopiesOnTheWayAreInTheWay) {
   const OrderedLayer layer = Led(
       Copies({{0, 1, 0, Mm(30, 0)}, {0, 0, 0, {}}, {0, 2, 0, Mm(60, 5)}}), CurledOnTheRight());

@@ -11,10 +11,10 @@ namespace slicefarm::ordering {
 namespace {
 
 constexpr Coord kClearanceNm = 250'000;
-/// From the ends of a way.
+/// Length in nm at either end of a travel that may cross a curled area.
 constexpr double kAtEndsNm = 1.5 * kNmPerMm;
 
-/// Cuts so much off the beginning of a way. Nothing is left of a shorter one.
+/// Cuts `length_nm` off the beginning of a path. A shorter path becomes a single point.
 void CutBeginning(double length_nm, std::vector<Point>& way) {
   size_t first = 0;
   for (; first + 1 < way.size(); ++first) {

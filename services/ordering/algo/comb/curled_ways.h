@@ -11,36 +11,39 @@
 
 namespace slicefarm::ordering {
 
-/// Ways that keep off what has curled up, so that the nozzle does not run into it.
+/// Search for travel paths that avoid curled edges, so that the nozzle does not hit them.
 ///
-/// Within 1.5 mm of its ends a way may meet it: a bead that begins there has to be reached. Nothing
-/// is known of the bed: ways keep within the room they are given, which beads enclose.
+/// Within 1.5 mm of its ends a travel may cross a curled area, because the nozzle has to reach a
+/// bead that begins there. The bed's size is unknown here: travel paths stay in the given `room`,
+/// which is the bounding box of beads.
 class CurledWays {
  public:
+  /// Takes the curled areas and the box that contains all travel paths.
   CurledWays(MultiPolygon curled, const Box& room);
 
-  /// Whether a way from place to place over the corners meets what has curled up.
+  /// Returns true if the path `from`, corners, `to` crosses a curled area.
   bool Meets(Point from, std::span<const Point> corners, Point to) const;
 
-  /// The corners of a short way that does not; none if there is no such way, or the budget, in lines
-  /// of sight, is spent. Cost: ClearWays::Find's.
+  /// Returns the corners of a short path that crosses no curled area. Returns nothing if no such
+  /// path exists or the budget (in lines of sight) is spent. Cost: the cost of ClearWays::Find.
   std::optional<std::vector<Point>> Around(Point from, Point to, WorkBudget& budget);
 
-  /// Gives a way that meets it the corners of one Around, if there is one.
+  /// Replaces the corners of a path that crosses a curled area by the result of Around, if there is
+  /// one.
   void KeepOff(Point from, Point to, WorkBudget& budget, std::vector<Point>& corners);
 
-  /// As Around, within a region.
+  /// Returns the corners of a path like Around does, but within `region`.
   std::optional<std::vector<Point>> Within(ClearWays& region, Point from, Point to,
                                            double longest_nm, WorkBudget& budget) const;
 
-  /// Ways through what is left of the region.
+  /// Returns the path search for the region without the curled areas.
   ClearWays WaysThrough(const MultiPolygon& region) const;
 
  private:
   const MultiPolygon curled_;
   const Box room_;
   EdgeStrips edges_;
-  std::optional<ClearWays> ways_;  ///< once asked for
+  std::optional<ClearWays> ways_;  ///< built on first use
 };
 
 }  // namespace slicefarm::ordering

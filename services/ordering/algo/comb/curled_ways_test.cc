@@ -12,7 +12,7 @@ namespace {
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 
-/// A bar across a room of 40 mm, with 10 mm free above and below it.
+/// Bar across a square of 40 mm, with 10 mm free above and below the bar.
 constexpr const char* kBar = "(19.5 10, 20.5 10, 20.5 30, 19.5 30)";
 constexpr const char* kWholeBar = "(19.5 -5, 20.5 -5, 20.5 45, 19.5 45)";
 const Box kRoom{{0, 0}, {40 * kNmPerMm, 40 * kNmPerMm}};

@@ -9,7 +9,7 @@
 
 namespace slicefarm::ordering {
 
-/// How long in nm a way from a to b that crosses no wall may be.
+/// Returns the largest permitted length in nm of a travel from a to b that crosses no wall.
 inline double LongestWay(Point a, Point b, const TravelOptions& options) {
   const double straight = Distance(a, b);
   double longest = std::numeric_limits<double>::infinity();

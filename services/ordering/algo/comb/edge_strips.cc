@@ -8,7 +8,7 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// What rounding may do to the place where a segment enters a strip.
+/// Largest rounding error of the point where a segment enters a strip, in nm.
 constexpr Coord kSlack = 4;
 
 bool SegmentsMeet(Point a, Point b, Point c, Point d) {
@@ -17,7 +17,7 @@ bool SegmentsMeet(Point a, Point b, Point c, Point d) {
   const int a_side = Orientation(c, d, a), b_side = Orientation(c, d, b);
   if (a_side * b_side > 0) return false;
   if (c_side != 0 || d_side != 0 || a_side != 0 || b_side != 0) return true;
-  // All on one line.
+  // All four points are on one line.
   return OnSegment(a, c, d) || OnSegment(b, c, d) || OnSegment(c, a, b);
 }
 
@@ -26,7 +26,7 @@ bool SegmentsCross(Point a, Point b, Point c, Point d) {
          Orientation(c, d, a) * Orientation(c, d, b) < 0;
 }
 
-/// Where the line ab is at height y, near enough.
+/// Returns the x of the line ab at height y, rounded.
 Coord XAt(Point a, Point b, Coord y) {
   if (y <= a.y) return a.x;
   if (y >= b.y) return b.x;
@@ -65,7 +65,7 @@ void EdgeStrips::Build() {
   if (edges_.empty()) return;
   Coord heights = 0;
   for (const Edge& edge : edges_) heights += edge.high.y - edge.low.y;
-  // No more strips than edges: level edges have no height.
+  // Limits the number of strips to the number of edges, because level edges have no height.
   height_ =
       std::max(heights, box_.max.y - box_.min.y) / static_cast<Coord>(edges_.size()) + 1;
   begins_.assign(StripOf(box_.max.y) + 2, 0);

@@ -10,34 +10,37 @@
 
 namespace slicefarm::ordering {
 
-/// Edges of rings and lines, found by horizontal strips: what does a segment meet of them, and is a
-/// point inside the rings? Answers are exact.
+/// Edges of rings and lines, indexed by horizontal strips. Finds the edges that a segment crosses,
+/// and whether a point is inside the rings. Results are exact.
 ///
-/// Each strip holds the edges that reach into it, by their left ends; strips are as high as an edge
-/// on average, so that all strips together hold at most about three times the edges.
-/// Cost: O(n log n) to build; a segment costs the strips that it goes through, and in each the edges
-/// to the left of its right end there.
+/// Each strip lists the edges that reach into it, sorted by their left ends. A strip is as high as
+/// an average edge, so that all strips together have at most about three entries per edge. Cost:
+/// O(n log n) to build. A query visits the strips of the segment, and in each strip the edges left
+/// of the segment's right end there.
 class EdgeStrips {
  public:
   static constexpr uint32_t kAll = std::numeric_limits<uint32_t>::max();
 
-  /// Add all, then Build, then ask.
+  /// Adds the edges of a ring. Add all rings and lines, then call Build, then query.
   void AddRing(std::span<const Point> ring, uint32_t order = 0);
+  /// Adds the edges of an open line.
   void AddLine(std::span<const Point> line, uint32_t order = 0);
+  /// Sorts the added edges into strips.
   void Build();
 
   bool empty() const { return edges_.empty(); }
 
-  /// Whether the segment ab shares a point with an edge.
+  /// Returns true if the segment ab shares a point with an edge.
   bool Meets(Point a, Point b) const;
-  /// Whether ab and an edge of an order below `before` cross each other, in the inside of both.
+  /// Returns true if ab and an edge with an order below `before` cross each other at a point inside
+  /// both.
   bool Crosses(Point a, Point b, uint32_t before = kAll) const;
-  /// Whether p is inside an odd number of the rings. REQUIRES: it lies on none of them.
+  /// Returns true if p is inside an odd number of the rings. REQUIRES: p is not on a ring.
   bool Surrounds(Point p) const;
 
  private:
   struct Edge {
-    Point low, high;  ///< by y
+    Point low, high;  ///< ends of the edge, sorted by y
     uint32_t order;
 
     Coord left() const { return low.x < high.x ? low.x : high.x; }
@@ -47,14 +50,14 @@ class EdgeStrips {
   void Add(Point a, Point b, uint32_t order);
   size_t StripOf(Coord y) const;
   std::span<const Edge> EdgesOf(size_t strip) const;
-  /// Whether hit(edge) for one of the edges near the segment.
+  /// Returns true if hit(edge) is true for an edge near the segment.
   template <typename Hit>
   bool AnyNear(Point a, Point b, Hit hit) const;
 
-  std::vector<Edge> edges_;  ///< as added; by strip once built
-  std::vector<size_t> begins_;  ///< of strips, and one more
+  std::vector<Edge> edges_;  ///< edges in the order of adding; after Build, grouped by strip
+  std::vector<size_t> begins_;  ///< index of each strip's first edge, and the end of the last strip
   Box box_;
-  Coord height_ = 1;  ///< of a strip
+  Coord height_ = 1;  ///< height of a strip, in nm
 };
 
 }  // namespace slicefarm::ordering

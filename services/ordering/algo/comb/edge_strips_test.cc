@@ -28,7 +28,7 @@ EdgeStrips StripsOf(const MultiPolygon& region) {
   return edges;
 }
 
-/// Where two lines meet, solved in whole numbers, for small coordinates.
+/// Intersection of two lines with small coordinates, solved in whole numbers.
 struct Meeting {
   bool touch = false;
   bool inside_both = false;
@@ -92,7 +92,7 @@ TEST(EdgeStrips, SurroundsWhatIsInside) {
       const Point p{FromMm(Uniform(random, -22, 22)), FromMm(Uniform(random, -22, 22))};
       EXPECT_EQ(edges.Surrounds(p), Inside(p, island));
     }
-    // At the heights of corners as well.
+    // Points at the heights of corners are tested too.
     for (const Point corner : island.front().outer) {
       const Point p{corner.x + 1'234'567, corner.y};
       EXPECT_EQ(edges.Surrounds(p), Inside(p, island));
@@ -128,7 +128,7 @@ TEST(EdgeStrips, OfLevelEdges) {
   EXPECT_FALSE(edges.Meets({15, -5}, {15, 5}));
 }
 
-// As many strips as edges, and not one for each nanometre between them.
+// The number of strips equals the number of edges, not the number of nanometres between them.
 TEST(EdgeStrips, OfLevelEdgesFarApart) {
   const EdgeStrips edges =
       StripsOf(std::vector<Segment>{{{0, 0}, {10, 0}}, {{0, 4'000'000'000}, {10, 4'000'000'000}}});

@@ -30,7 +30,7 @@ std::vector<Point> PlacesOf(Point from, std::span<const Point> corners, Point to
 
 namespace {
 
-/// At its ends a travel comes from a wall and goes to one.
+/// Length in nm at either end of a travel that is not tested: a travel starts and ends at a wall.
 constexpr double kEndsNm = 300'000;
 
 Point At(Point from, double dx, double dy) {

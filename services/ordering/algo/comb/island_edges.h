@@ -10,33 +10,34 @@
 
 namespace slicefarm::ordering {
 
+/// Returns true if the path is part of an outer wall.
 bool IsOuterWall(const Path& path);
 
-/// The places of a way, its ends included.
+/// Returns the points of a travel, including its ends.
 std::vector<Point> PlacesOf(Point from, std::span<const Point> corners, Point to);
 
-/// Half the mean width of the closed outer walls: how far inside the outline their middle lies. 0 if
-/// there is none.
+/// Returns half the mean width of the closed outer walls: the distance from the outline to their
+/// centre line. Returns 0 if there is no closed outer wall.
 Coord OuterWallRadius(std::span<const Path> paths);
 
-/// What a travel within an island had better not cross: the outline, and the middles of the outer
-/// walls.
+/// Obstacles for travels within an island: the outline and the centre lines of the outer walls.
 class IslandEdges : public Barrier {
  public:
   explicit IslandEdges(const FilledIsland& island);
 
-  /// Whether ab leaves the island or crosses an outer wall. REQUIRES: a lies in the island.
+  /// Returns true if ab leaves the island or crosses an outer wall. REQUIRES: a is in the island.
   bool Parts(Point a, Point b) const override {
     return outline_.Meets(a, b) || walls_.Crosses(a, b);
   }
-  /// Returns true if a way over these places, its ends apart, comes nearer than that to the middle
-  /// of an outer wall. By default, so near that it might cross the wall as it is printed: motion
-  /// simplifies paths by some micrometres. Cost: O(log walls) per place.
+  /// Returns true if a travel over these points, except near its ends, is closer than `near_nm` to
+  /// the centre line of an outer wall. The default is a distance at which the travel might cross
+  /// the printed wall: motion moves simplified paths by some micrometres. Cost: O(log walls) per
+  /// point.
   bool Grazes(std::span<const Point> way, Coord near_nm = 30'000) const;
   bool Grazes(Point a, Point b) const { return Grazes(std::array{a, b}); }
-  /// Whether p is inside the outline. REQUIRES: not on it.
+  /// Returns true if p is inside the outline. REQUIRES: p is not on the outline.
   bool Surrounds(Point p) const { return outline_.Surrounds(p); }
-  /// Whether there is an outline: nothing is known without.
+  /// Returns true if there is no outline. Without an outline the other results mean nothing.
   bool empty() const { return outline_.empty(); }
 
  private:

@@ -10,7 +10,8 @@ namespace {
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 
-/// A plate of 20 mm with a hole of 8 mm in the middle, whose walls are half a millimetre inside.
+/// Returns a plate of 20 mm with a hole of 8 mm in the middle. The walls are 0.5 mm inside the
+/// edges.
 FilledIsland Plate() {
   FilledIsland island;
   island.outline =
@@ -56,7 +57,7 @@ TEST(IslandEdges, OfAnOpenOuterWall) {
   EXPECT_FALSE(edges.Parts(Mm(1, 0.2), Mm(9, 0.2)));
 }
 
-// Beads are moved by some micrometres where paths are simplified.
+// Path simplification moves beads by some micrometres.
 TEST(IslandEdges, GrazesWhatPassesAnOuterWallTooNear) {
   const IslandEdges edges(Plate());
   for (const auto& [what, from, to, near] : {
@@ -72,7 +73,7 @@ TEST(IslandEdges, GrazesWhatPassesAnOuterWallTooNear) {
   }
 }
 
-// Only the ends of a whole way lie at walls.
+// Only the two ends of a whole travel may be close to walls.
 TEST(IslandEdges, GrazesNearTheCornersOfAWay) {
   const IslandEdges edges(Plate());
   const std::vector<Point> past = {Mm(3, 3), Mm(5.48, 10), Mm(3, 17)};

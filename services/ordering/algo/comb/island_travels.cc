@@ -12,7 +12,7 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// The beads of top surfaces, in the order of printing.
+/// Returns the beads of top surfaces, numbered in the order of printing.
 EdgeStrips TopsOf(std::span<const Path> paths) {
   EdgeStrips edges;
   for (size_t i = 0; i < paths.size(); ++i)
@@ -27,22 +27,24 @@ bool IsSeen(Feature feature) {
          feature == Feature::kTopSolidInfill;
 }
 
-/// How much longer than straight a way round may be where none is asked for. A retraction and its
-/// end take as long as 15 mm of travel, and leave a mark.
+/// Largest extra length in nm of a detour when the options request no detours. A retraction with
+/// its end takes as much time as 15 mm of travel, and leaves a mark.
 constexpr double kWorthOfRetractionNm = 20.0 * kNmPerMm;
 
-/// Longer hidden ways to a bead that is seen would make it begin with a gap.
+/// Longest hidden travel to a visible bead, in nm. After a longer one the bead would begin with a
+/// gap.
 constexpr double kLongestToSeenNm = 5.0 * kNmPerMm;
 
-/// The seam of a wall and the starts of its loops lie no further from each other.
+/// Largest distance in nm between the seam of a wall and the starts of the wall's loops.
 constexpr double kAtSeamNm = 1.5 * kNmPerMm;
 
-/// A longer way to the layer above may cross a wall of that layer, which this one does not know.
+/// Longest travel to the layer above that needs no retraction, in nm. A longer travel may cross a
+/// wall of that layer, which is unknown here.
 constexpr double kSurelyWithinNm = 0.8 * kNmPerMm;
 
 class IslandTravels {
  public:
-  /// All must outlive this.
+  /// Keeps references to all arguments, which must outlive this object.
   IslandTravels(const PolygonWithHoles& outline, const IslandEdges& edges,
                 std::span<const Path> paths, const TravelOptions& options, CurledWays* curled)
       : outline_(outline),
@@ -53,15 +55,16 @@ class IslandTravels {
         clearance_(OuterWallRadius(paths)),
         tops_(TopsOf(paths)) {}
 
-  /// To paths[i] from the one before.
+  /// Returns the travel to paths[i] from the previous path.
   Travel To(size_t i, WorkBudget& budget) {
     const Point from = EndOf(paths_[i - 1]), to = StartOf(paths_[i]);
     return from == to ? Travel{} : Between(from, to, i, budget);
   }
 
-  /// To the first path from where the layer below has left the nozzle: over the place where this
-  /// layer would have left it, so that the way does not depend on the layer below. Neither layer
-  /// knows the other one's walls, so a way is hidden at the seam alone.
+  /// Returns the travel to the first path from the point where the layer below has left the nozzle.
+  /// The travel passes the point where this layer itself would have left the nozzle, so that it
+  /// does not depend on the layer below. Because the walls of the layer below are unknown, the
+  /// travel is hidden only at the seam.
   Travel From(Point seam, WorkBudget& budget) {
     const Point to = StartOf(paths_.front());
     const std::optional<Point> inner = InnerStartAt(seam);
@@ -73,7 +76,7 @@ class IslandTravels {
     return {false, std::move(corners)};
   }
 
-  /// From the last path to where the layer above goes on.
+  /// Returns the travel from the last path to the point where the layer above continues.
   Leave To(Point seam, WorkBudget& budget) {
     const Point from = EndOf(paths_.back());
     const std::optional<Point> inner = InnerStartAt(seam);
@@ -88,7 +91,7 @@ class IslandTravels {
   }
 
  private:
-  /// After the first `printed` paths, to the next one.
+  /// Returns the travel to the next path after the first `printed` paths.
   Travel Between(Point from, Point to, size_t printed, WorkBudget& budget) {
     Travel travel{false, WayBetween(from, to, budget)};
     const std::vector<Point> way = PlacesOf(from, travel.corners, to);
@@ -129,9 +132,9 @@ class IslandTravels {
 
   static bool IsAt(Point seam, Point start) { return Distance(start, seam) <= kAtSeamNm; }
 
-  /// Where the first inner wall starts that starts at this seam: there layers meet. The other
-  /// layer's starts nearly at the same place, and no outer wall is on the way, be it further in or
-  /// out than this one's.
+  /// Returns the start of the first inner wall that starts at this seam, where layers meet. The
+  /// other layer's inner wall starts nearly at the same point. Therefore no outer wall is between
+  /// the two, whether the other layer's outer wall is further inside or outside.
   std::optional<Point> InnerStartAt(Point seam) const {
     const auto first = std::ranges::find_if(paths_, [&](const Path& path) {
       return path.feature == Feature::kPerimeter && IsAt(seam, StartOf(path));
@@ -153,7 +156,7 @@ class IslandTravels {
     return corners ? corners : curled_->Around(from, to, budget);
   }
 
-  /// Of a way after the first `printed` paths.
+  /// Returns true if a travel after the first `printed` paths is hidden.
   bool IsHidden(std::span<const Point> way, size_t printed, double longest_nm) const {
     double length = 0;
     for (size_t i = 1; i < way.size(); ++i) {
@@ -162,7 +165,7 @@ class IslandTravels {
       length += Distance(way[i - 1], way[i]);
     }
     if (length > longest_nm || edges_.Grazes(way)) return false;
-    // It meets no edge: if one of its places is inside, all of it is.
+    // The travel crosses no edge: if one of its points is inside, all points are.
     return edges_.Surrounds(way.back());
   }
 
@@ -170,11 +173,11 @@ class IslandTravels {
   const IslandEdges& edges_;
   std::span<const Path> paths_;
   const TravelOptions& options_;
-  CurledWays* const curled_;  ///< null: nothing has curled up
+  CurledWays* const curled_;  ///< null if there is no curled area
   const Coord clearance_;
   EdgeStrips tops_;
-  std::optional<ClearWays> ways_;  ///< once asked for
-  std::optional<ClearWays> uncurled_;  ///< the same, off what has curled up
+  std::optional<ClearWays> ways_;  ///< built on first use
+  std::optional<ClearWays> uncurled_;  ///< like `ways_`, but around curled areas
 };
 
 }  // namespace

@@ -14,34 +14,34 @@ struct TravelOptions;
 
 namespace slicefarm::ordering {
 
-/// The seams at which an island's paths go on from the layer below, and at which the layer above
-/// goes on from them, where layers meet with the filament ready.
+/// Seams where layers meet without a retraction: the one where an island's paths continue from the
+/// layer below, and the one where the layer above continues from these paths.
 struct Meetings {
   std::optional<Point> below;
   std::optional<Point> above;
 };
 
-/// One travel to each path; the first one is straight and in sight but where it comes from the
+/// One travel to each path. The first travel is straight and not hidden unless it comes from the
 /// layer below.
 struct IslandWays {
   std::vector<Travel> travels;
-  std::optional<Leave> leave;  ///< to the layer above
+  std::optional<Leave> leave;  ///< travel to the layer above
 };
 
-/// The ways between the paths of one island, which are printed in this order.
+/// Returns the travels between the paths of one island, which are printed in the given order.
 ///
-/// A way is hidden if it crosses no outline, no outer wall and no printed bead of a top surface,
-/// and is not too long: 5 mm to a visible bead, which would begin with a gap, else as the options
-/// say.
-/// A way that crosses a wall goes round inside the island where that is no longer than 20 mm more:
-/// a retraction takes about as much time. With avoid_crossing each way that is not clear of the
-/// walls goes round if a detour that is allowed leads there.
-/// Layers meet where the first inner wall starts that starts at the seam: the outer wall above may
-/// lie on either side of the one below. Where none does, they meet at the place nearest to the seam
-/// that keeps off the walls. Neither layer knows the other one's walls: no way to the layer above
-/// is hidden, and one from the layer below only where it leads on at the seam. `budget`: for lines
-/// of sight. `curled`: a way that meets it goes round, within the island if it can; null: nothing
-/// has curled up.
+/// A travel is hidden if it crosses no outline, no outer wall and no printed bead of a top surface,
+/// and is not too long. The limit is 5 mm to a visible bead, which would otherwise begin with a
+/// gap. To other beads the options set the limit. A travel that crosses a wall makes a detour
+/// inside the island if this adds at most 20 mm: a retraction takes about as much time. With
+/// avoid_crossing, each travel that is too close to the walls makes a detour if a permitted one
+/// exists. Layers meet at the start of the first inner wall that starts at the seam, because the
+/// outer wall above may be on either side of the one below. Without such a wall they meet at the
+/// point nearest to the seam that keeps away from the walls. Neither layer has the other layer's
+/// walls. So no travel to the layer above is hidden, and a travel from the layer below is hidden
+/// only if it continues at the seam. `budget`: number of lines of sight. `curled`: a travel that
+/// crosses a curled area makes a detour, within the island if possible; null means that there is no
+/// curled area.
 IslandWays WaysInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
                         std::span<const Path> paths, const Meetings& meetings,
                         const TravelOptions& options, WorkBudget& budget,

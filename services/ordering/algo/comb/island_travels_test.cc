@@ -22,7 +22,7 @@ Path PathOf(Feature feature, const char* points, bool closed = false) {
 Path Sparse(const char* points) { return PathOf(Feature::kInternalInfill, points); }
 Path Top(const char* points) { return PathOf(Feature::kTopSolidInfill, points); }
 
-/// Two arms of 10 mm that a slot of 4 mm parts, joined at the bottom.
+/// Two arms 10 mm wide, joined at the bottom, with a slot of 4 mm between them.
 constexpr const char* kFork = "(0 0, 24 0, 24 20, 14 20, 14 10, 10 10, 10 20, 0 20)";
 
 Path OuterWall() {
@@ -32,7 +32,7 @@ Path OuterWall() {
                 true);
 }
 
-/// Starts nearest to the corner at the origin.
+/// Returns an inner wall that starts nearest to the corner at the origin.
 Path InnerWall() { return PathOf(Feature::kPerimeter, "(0.675 0.675, 5 0.675, 5 5)", true); }
 
 IslandWays Ways(const std::vector<Path>& paths, const Meetings& meetings,
@@ -46,7 +46,7 @@ IslandWays Ways(const std::vector<Path>& paths, const Meetings& meetings,
   return WaysInIsland(island.outline, IslandEdges(island), paths, meetings, options, budget);
 }
 
-/// The last path's travel, where the curled area lies in the way.
+/// Returns the last path's travel when the curled area blocks it.
 Travel OffCurled(const std::vector<Path>& paths, const char* curled,
                  const TravelOptions& options = {}) {
   WorkBudget budget{100'000};
@@ -70,14 +70,14 @@ TEST(WaysInIsland, KeepOffWhatHasCurledUp) {
   EXPECT_TRUE(OffCurled(paths, "(11 6, 12 6, 12 9, 11 9)").corners.empty()) << "not in the way";
 }
 
-// All of the joint between the arms: the only way leads outside.
+// The whole joint between the arms is curled, so that the only free path leads outside.
 TEST(WaysInIsland, LeaveTheIslandForWhatHasCurledUp) {
   const std::vector<Path> paths = {Sparse("(1 2, 5 2)"), Sparse("(19 2, 23 2)")};
   const Travel outside = OffCurled(paths, "(11 -1, 12 -1, 12 11, 11 11)");
   EXPECT_FALSE(outside.hidden);
   ASSERT_FALSE(outside.corners.empty());
   for (const Point corner : outside.corners) EXPECT_GT(corner.y, FromMm(11));
-  // Nothing leads round: straight on.
+  // No detour exists, so that the travel is straight.
   EXPECT_TRUE(OffCurled(paths, "(11 -1, 12 -1, 12 21, 11 21)").corners.empty());
 }
 
@@ -88,7 +88,7 @@ std::vector<Travel> Travels(const std::vector<Path>& paths, const TravelOptions&
 
 struct Case {
   std::string name;
-  std::vector<Path> paths;  ///< the last one's travel counts
+  std::vector<Path> paths;  ///< the test checks the last path's travel
   bool hidden = false;
   std::function<void(TravelOptions&)> set = [](TravelOptions&) {};
 };
@@ -145,7 +145,7 @@ TEST(IslandTravels, SomeCrossAnOuterWall) {
     return Travels({OuterWall(), Sparse(last), Sparse(next)}, {}, /*sights=*/0).back().over_wall;
   };
   EXPECT_FALSE(over_wall("(1 2, 5 2)", "(19 2, 23 2)")) << "inside";
-  // No way round is looked for.
+  // No detour is searched.
   EXPECT_TRUE(over_wall("(5 15, 9.2 19)", "(14.8 19, 20 15)"));
   EXPECT_FALSE(over_wall("(5 15, 9.6 15)", "(9.9 15, 5 14)")) << "at the end alone";
 }
@@ -157,7 +157,7 @@ TEST(IslandTravels, OneForEachPathAndNoneToTheFirst) {
   EXPECT_TRUE(travels[1].hidden);
 }
 
-// The arms of this fork are so long that a way round takes longer than a retraction.
+// The arms of this fork are so long that a detour takes longer than a retraction.
 TEST(IslandTravels, RoundALongSlotIsInSight) {
   const char* long_fork = "(0 0, 24 0, 24 30, 14 30, 14 10, 10 10, 10 30, 0 30)";
   const Path wall = PathOf(Feature::kExternalPerimeter,
@@ -198,14 +198,14 @@ TEST(IslandTravels, WithoutAnOutlineAllAreInSight) {
   EXPECT_EQ(ways.leave, Leave{});
 }
 
-/// Ways of up to 100 mm are hidden.
+/// Returns options that hide travels of up to 100 mm.
 TravelOptions Far() {
   TravelOptions options;
   options.longest_hidden_mm = 100;
   return options;
 }
 
-// A part whose layers meet at the seam in the corner at the origin.
+// The layers of this part meet at the seam in the corner at the origin.
 TEST(IslandTravels, GoesOnFromTheLayerBelow) {
   const auto from = [](const std::vector<Path>& paths, Point seam) {
     return Ways(paths, {seam, {}}, Far()).travels.front().hidden;

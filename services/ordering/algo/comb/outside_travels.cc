@@ -12,9 +12,9 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Room around all islands for ways to lead through.
+/// Width in nm of the free space around all islands that detours may use.
 constexpr Coord kMargin = 5 * kNmPerMm;
-/// What ways keep from the islands' outlines, in radii of the outer walls.
+/// Clearance between travels and the islands' outlines, in radii of the outer walls.
 constexpr double kClearance = 0.6;
 
 }  // namespace

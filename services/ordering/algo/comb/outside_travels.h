@@ -12,16 +12,18 @@ struct TravelOptions;
 
 namespace slicefarm::ordering {
 
-/// The ways from island to island of a section. They are in sight. With avoid_crossing a way from an
-/// outer wall to an outer wall that crosses a third one, or these two in other places, goes round
-/// outside of all islands if a detour that is allowed leads there; from or to anything inside an
-/// island its wall must be crossed anyway.
+/// Travels from island to island of a section. They are not hidden.
+///
+/// With avoid_crossing, a travel from one outer wall to another makes a detour outside of all
+/// islands if a permitted detour exists. It does so if it crosses a third outer wall, or crosses
+/// its own two walls away from its ends. A travel from or to a path inside an island has to cross
+/// the island's wall in any case, so that it makes no detour.
 class OutsideTravels {
  public:
-  /// `section` and `options` must outlive this; of the section, its outlines only.
+  /// Keeps references: `options` and the outlines of `section` must outlive this object.
   OutsideTravels(const FilledSection& section, const TravelOptions& options);
 
-  /// `budget`: for lines of sight.
+  /// Returns the travel from `last` to `next`. `budget`: number of lines of sight.
   Travel Between(const Path& last, const Path& next, WorkBudget& budget);
 
  private:
@@ -29,9 +31,9 @@ class OutsideTravels {
 
   const FilledSection& section_;
   const TravelOptions& options_;
-  Coord wall_radius_nm_ = 0;  ///< 0: no ways are looked for
+  Coord wall_radius_nm_ = 0;  ///< 0: detours are not searched
   EdgeStrips walls_;
-  std::optional<ClearWays> ways_;  ///< once asked for
+  std::optional<ClearWays> ways_;  ///< built on first use
 };
 
 }  // namespace slicefarm::ordering

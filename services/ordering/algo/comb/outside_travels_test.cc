@@ -9,8 +9,8 @@
 namespace slicefarm::ordering::outside_travels_test {
 namespace {
 
-/// A block from x to x + 4 mm with its outer wall, which starts at the corner at the bottom left,
-/// and a line inside.
+/// Returns a block from x to x + 4 mm. It has a line inside and an outer wall that starts at the
+/// bottom left corner.
 FilledIsland Block(double x, double bottom, double top) {
   const auto ring = [&](double d) {
     return Polygon{{FromMm(x + d), FromMm(bottom + d)},
@@ -29,7 +29,7 @@ FilledIsland Block(double x, double bottom, double top) {
   return island;
 }
 
-/// Two blocks, and a high one between them.
+/// Returns two blocks with a high one between them.
 FilledSection Blocks() {
   FilledSection section;
   section.islands = {Block(0, 0, 4), Block(10, -3, 10), Block(20, 0, 4)};

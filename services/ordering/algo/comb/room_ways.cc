@@ -7,8 +7,8 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Leads each leg of the way from `from` over `corners` to `to`, all moved by `shift`, within the
-/// room.
+/// Keeps each leg of the path `from`, `corners`, `to` within the room. All points are moved by
+/// `shift`.
 void Lead(const WaysWithin& ways, Point from, Point to, Point shift, std::vector<Point>& corners) {
   std::vector<Point> led;
   Point at = from + shift;
@@ -24,7 +24,7 @@ void Lead(const WaysWithin& ways, Point from, Point to, Point shift, std::vector
   corners = std::move(led);
 }
 
-/// The ways between the paths of a visit's block.
+/// Keeps the travels between the paths of a visit's block within the room.
 void LeadBlock(const WaysWithin& ways, Point shift, PathBlock& block) {
   if (block.spiral) return;
   for (size_t i = 1; i < block.paths.size(); ++i) {

@@ -5,9 +5,10 @@
 
 namespace slicefarm::ordering {
 
-/// Leads a layer's travel round the bed's excluded areas: between its visits and between the paths
-/// of a block, for all copies of the block alike. `room`: the bed without these areas; empty:
-/// nothing is excluded. The ways between layers are motion's. Cost: O(legs * corners of the room).
+/// Leads a layer's travels around the bed's excluded areas: the travels between visits and the
+/// travels between the paths of a block. All copies of a block share the same travels. `room`: the
+/// bed without the excluded areas; empty if nothing is excluded. The motion service does this for
+/// travels between layers. Cost: O(legs * corners of the room).
 void KeepInRoom(const MultiPolygon& room, OrderedLayer& layer);
 
 }  // namespace slicefarm::ordering

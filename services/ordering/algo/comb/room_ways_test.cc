@@ -24,7 +24,7 @@ Path Line(Point from, Point to) {
   return path;
 }
 
-/// A layer of one block of two lines, in a copy at each of `shifts`.
+/// Returns a layer with one block of two lines and a copy of it at each of `shifts`.
 OrderedLayer LayerOf(const std::vector<Point>& shifts) {
   OrderedLayer layer;
   PathBlock& block = layer.blocks.emplace_back();
@@ -34,7 +34,7 @@ OrderedLayer LayerOf(const std::vector<Point>& shifts) {
   return layer;
 }
 
-/// Whether the straight way leads there.
+/// Returns true if the straight line from a to b is free.
 bool IsFree(Point a, Point b) { return WaysWithin(kRoom).Between(a, b).empty(); }
 
 TEST(KeepInRoom, LeadsRoundAnAreaWithinABlock) {

@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// The edges, whatever way round they lie.
+/// Returns the tour's edges, independent of their direction.
 std::set<std::pair<int32_t, int32_t>> EdgesOf(const Tour& tour) {
   std::set<std::pair<int32_t, int32_t>> edges;
   for (size_t i = 0; i < tour.size(); ++i)

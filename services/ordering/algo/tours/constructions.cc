@@ -13,7 +13,7 @@ namespace {
 constexpr int64_t kFar = std::numeric_limits<int64_t>::max();
 constexpr int32_t kNone = FixedEdges::kNone;
 
-/// Pieces of a tour that grow together.
+/// Pieces of a tour that are joined step by step.
 class Pieces {
  public:
   explicit Pieces(int32_t size)
@@ -21,7 +21,7 @@ class Pieces {
 
   bool IsEnd(int32_t node) const { return links_[static_cast<size_t>(node)][1] == kNone; }
 
-  /// Joins them unless that makes a branch or a ring.
+  /// Joins two nodes unless this makes a branch or a ring.
   void Join(int32_t a, int32_t b) {
     if (!IsEnd(a) || !IsEnd(b)) return;
     if (!pieces_.Join(a, b)) return;
@@ -29,7 +29,7 @@ class Pieces {
     Link(b, a);
   }
 
-  /// The nodes of the piece, from this end to the other.
+  /// Returns the nodes of a piece, from the given end to the other end.
   Tour From(int32_t end) const {
     Tour piece = {end};
     int32_t before = kNone;
@@ -71,7 +71,8 @@ std::vector<Edge> EdgesOf(const Costs& costs, const Neighbours& neighbours) {
   return edges;
 }
 
-/// The pieces one after the other, from an end of nowhere's if there is one.
+/// Returns the pieces joined one after the other. The first piece is the one with the nowhere node,
+/// if there is one.
 Tour Chained(const Costs& costs, const Pieces& pieces) {
   std::vector<int32_t> ends;
   for (int32_t node = 0; node < costs.size(); ++node) {

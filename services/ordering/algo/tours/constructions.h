@@ -8,19 +8,20 @@
 
 namespace slicefarm::ordering {
 
-/// Tours to begin with. All are deterministic; where nothing else decides, the lower node does.
+/// Initial tours. All functions are deterministic: a tie is decided by the lower node.
 
-/// From `first` always on to the nearest node that is left. Cost: O(n^2).
+/// Returns the tour that begins at `first` and always continues to the nearest unvisited node.
+/// Cost: O(n^2).
 Tour NearestNeighbourTour(const Costs& costs, int32_t first);
 
-/// The shortest edges between neighbours that make neither a branch nor a ring, after the fixed
-/// ones; then the pieces one after the other, the nearest next. Keeps the fixed edges. Cost:
-/// O(n log n) and the square of the number of pieces.
+/// Returns a tour of the fixed edges and then the shortest edges between neighbours that make
+/// neither a branch nor a ring. The remaining pieces are joined end to end, the nearest piece next.
+/// Keeps the fixed edges. Cost: O(n log n) and the square of the number of pieces.
 Tour GreedyEdgeTour(const Costs& costs, const Neighbours& neighbours,
                     std::span<const NodePair> fixed);
 
-/// From node 0 on, the node that is farthest from the tour goes where it makes it least longer.
-/// Cost: O(n^2).
+/// Returns a tour that grows from node 0: the node farthest from the tour is inserted at the
+/// position that lengthens the tour least. Cost: O(n^2).
 Tour InsertionTour(const Costs& costs);
 
 }  // namespace slicefarm::ordering

@@ -25,12 +25,12 @@ TEST(Constructions, NearestNeighbourGoesOnToTheNearest) {
 }
 
 TEST(Constructions, GreedyTakesTheShortestEdgesFirst) {
-  // 1-2 is the shortest, then 0-1; 3 is left.
+  // The shortest edge is 1-2, the next one is 0-1. Node 3 is joined last.
   EXPECT_THAT(Greedy(OnALine({0, 4, 6, 11})), ElementsAre(0, 1, 2, 3));
 }
 
 TEST(Constructions, InsertionTakesTheFarthest) {
-  // On a line every order of insertion gives the best tour: there and back.
+  // On a line, every order of insertion gives the best tour: to the far end and back.
   const Costs costs = OnALine({0, 10, 3, -4, 7});
   EXPECT_EQ(TourLength(costs, InsertionTour(costs)), 28);
 }
@@ -68,7 +68,7 @@ TEST(Constructions, GreedyEndsOpenPathsNowhere) {
   EXPECT_EQ(TourLength(costs, tour), 9);
 }
 
-// What J. L. Bentley (1992) and D. S. Johnson, L. A. McGeoch (1997) find for such instances.
+// Results of J. L. Bentley (1992) and D. S. Johnson, L. A. McGeoch (1997) for such instances.
 TEST(Constructions, AreAsGoodAsTheyUsedToBe) {
   for (const auto& [name, optimum] :
        {std::pair("kroA100", 21282), std::pair("berlin52", 7542), std::pair("eil51", 426)}) {

@@ -9,20 +9,21 @@
 
 namespace slicefarm::ordering {
 
-/// How lengths between places are rounded to whole units. The first three are TSPLIB's EUC_2D,
-/// CEIL_2D and ATT; kTable looks them up.
+/// Rounding of lengths between places to whole units. The first three are TSPLIB's EUC_2D, CEIL_2D
+/// and ATT. kTable reads lengths from a table.
 enum class Metric : uint8_t { kNearest, kUp, kAtt, kTable };
 
-/// The symmetric lengths between nodes 0 .. size() - 1, in whole units: sums and differences of
-/// them are exact.
+/// Symmetric lengths between the nodes 0 .. size() - 1, in whole units. Sums and differences of
+/// lengths are therefore exact.
 class Costs {
  public:
-  /// REQUIRES: metric is not kTable.
+  /// Returns the lengths between places. REQUIRES: metric is not kTable.
   static Costs OfPlaces(std::vector<Vector2> places, Metric metric);
-  /// `lengths`: row by row, size * size of them, symmetric.
+  /// Returns the lengths of a table. `lengths`: size * size values, row by row, symmetric.
   static Costs OfTable(int32_t size, std::vector<int32_t> lengths);
 
-  /// One more node that is at no distance from any: where an open path ends.
+  /// Adds a node at distance 0 from every node and returns its number. An open path ends at this
+  /// node.
   int32_t AddNowhere();
 
   int32_t size() const { return size_; }
@@ -30,6 +31,7 @@ class Costs {
   bool IsNowhere(int32_t node) const { return node == nowhere_; }
   const std::vector<Vector2>& places() const { return places_; }
 
+  /// Returns the length between nodes a and b.
   int64_t operator()(int32_t a, int32_t b) const {
     if (metric_ == Metric::kTable) return Looked(a, b);
     if (a == nowhere_ || b == nowhere_) return 0;
@@ -53,7 +55,7 @@ class Costs {
   std::vector<int32_t> table_;
 };
 
-/// Of the closed tour.
+/// Returns the length of the closed tour.
 int64_t TourLength(const Costs& costs, const std::vector<int32_t>& tour);
 
 }  // namespace slicefarm::ordering

@@ -29,9 +29,9 @@ INSTANTIATE_TEST_SUITE_P(
                     RoundingCase{"HalfUp", Metric::kNearest, {2.5, 0}, 3},
                     RoundingCase{"Up", Metric::kUp, {1, 1}, 2},
                     RoundingCase{"UpOfExact", Metric::kUp, {3, 4}, 5},
-                    // sqrt(100 / 10) = 3.16: rounds to 3, which is less.
+                    // sqrt(100 / 10) = 3.16 rounds to 3, which is less, so that ATT adds 1.
                     RoundingCase{"AttAddsOne", Metric::kAtt, {10, 0}, 4},
-                    // sqrt(140 / 10) = 3.74: rounds to 4.
+                    // sqrt(140 / 10) = 3.74 rounds to 4.
                     RoundingCase{"AttRounds", Metric::kAtt, {2, 11.661903789690601}, 4}),
     [](const auto& info) { return info.param.name; });
 

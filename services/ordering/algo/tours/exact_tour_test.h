@@ -16,8 +16,8 @@
 
 namespace slicefarm::ordering {
 
-/// The length of the shortest closed tour, by dynamic programming over sets of nodes. REQUIRES: at
-/// most 13 nodes, `may_use(a, b)` says which edges there are.
+/// Returns the length of the shortest closed tour, by dynamic programming over sets of nodes.
+/// `may_use(a, b)` is true if the edge ab exists. REQUIRES: at most 13 nodes.
 template <typename MayUse>
 int64_t ShortestTour(const Costs& costs, const MayUse& may_use) {
   constexpr int64_t kFar = std::numeric_limits<int64_t>::max() / 4;
@@ -64,7 +64,7 @@ inline Costs RandomCosts(size_t count, uint32_t seed, int range = 1000) {
   return Costs::OfPlaces(RandomPlaces(count, seed, range), Metric::kNearest);
 }
 
-/// From tests/corpus.
+/// Reads an instance from tests/corpus.
 inline TspInstance CorpusInstance(const std::string& name) {
   std::string path = SLICEFARM_CORPUS;
   path.append("/tsplib/").append(name).append(".tsp");

@@ -26,7 +26,7 @@ std::vector<Neighbour> NearestOfTable(const Costs& costs, int32_t node, size_t c
   return others;
 }
 
-/// The nearest places, of any direction and of each.
+/// Search for the nearest places, in all directions together and per quadrant.
 class PlaceFinder {
  public:
   PlaceFinder(const Costs& costs, std::span<const Vector2> places) : costs_(costs), tree_(places) {}

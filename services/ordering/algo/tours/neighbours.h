@@ -8,20 +8,22 @@
 
 namespace slicefarm::ordering {
 
+/// A near node and its distance.
 struct Neighbour {
   int32_t node;
   int64_t length;
 };
 
-/// For each node some near ones, nearest first. `nowhere` is everybody's neighbour and has none
-/// itself.
+/// Near nodes of each node, nearest first. The `nowhere` node is a neighbour of every node and has
+/// no neighbours itself.
 class Neighbours {
  public:
-  /// Up to `count` of each node, besides nowhere, and between places up to `per_quadrant` in each
-  /// of the four directions: where places come in clusters, the nearest are all in one. Cost:
-  /// O(n log n) between places, O(n^2) of a table.
+  /// Finds up to `count` neighbours of each node, not counting nowhere. For places it also finds up
+  /// to `per_quadrant` neighbours in each of the four quadrants, because the nearest places of a
+  /// cluster are all in the same cluster. Cost: O(n log n) for places, O(n^2) for a table.
   Neighbours(const Costs& costs, size_t count, size_t per_quadrant);
 
+  /// Returns the neighbours of a node, nearest first.
   std::span<const Neighbour> Of(int32_t node) const {
     const uint32_t begin = begin_[static_cast<size_t>(node)];
     return std::span(all_).subspan(begin, begin_[static_cast<size_t>(node) + 1] - begin);
@@ -29,7 +31,8 @@ class Neighbours {
 
  private:
   std::vector<Neighbour> all_;
-  std::vector<uint32_t> begin_;  ///< by node, and one more
+  /// first index of each node in `all_`, and the end of the last node
+  std::vector<uint32_t> begin_;
 };
 
 }  // namespace slicefarm::ordering

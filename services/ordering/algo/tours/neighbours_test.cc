@@ -60,7 +60,7 @@ TEST(Neighbours, NowhereIsEverybodysFirst) {
   }
 }
 
-// Two clusters: without looking around, none would know of the other.
+// Two clusters: without the quadrants, no node would have a neighbour in the other cluster.
 TEST(Neighbours, OfEachQuadrant) {
   std::vector<Vector2> places = RandomPlaces(20, 3, 10);
   for (const Vector2& place : RandomPlaces(20, 4, 10))

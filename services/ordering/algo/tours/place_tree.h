@@ -11,31 +11,31 @@
 
 namespace slicefarm::ordering {
 
-/// A k-d tree over numbered places from which places can be taken out. Answers depend on the places
-/// and their numbers only, also where distances are equal. Cost: O(n log^2 n) to build; O(log n) to
-/// take out; O(log n) as a rule to ask, also for places that coincide.
+/// k-d tree over numbered places that supports removal. Results depend only on the places and their
+/// numbers, even if distances are equal. Cost: O(n log^2 n) to build; O(log n) to remove; usually
+/// O(log n) per query, even for equal places.
 class PlaceTree {
  public:
   static constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 
   explicit PlaceTree(std::span<const Vector2> places);
 
-  /// REQUIRES: `number` is in the tree.
+  /// Removes a place. REQUIRES: `number` is in the tree.
   void Remove(uint32_t number);
-  /// REQUIRES: `number` was taken out.
+  /// Adds a removed place again. REQUIRES: `number` was removed.
   void Restore(uint32_t number);
 
-  /// The nearest place that is still in the tree; kNone if there is none.
+  /// Returns the nearest place in the tree, or kNone if the tree is empty.
   uint32_t Nearest(Vector2 to) const;
 
-  /// Places on one side of a place in x and in y.
+  /// Side of a place in x and in y on which other places are.
   struct Quadrant {
     bool right;
     bool above;
   };
 
-  /// Up to `count` places still in the tree other than `except`, nearest first; with a quadrant
-  /// only those in it.
+  /// Writes up to `count` places in the tree, nearest first, without `except`, to `found`. If a
+  /// quadrant is given, only places in this quadrant are written.
   void NearestFew(Vector2 to, uint32_t except, size_t count, std::vector<uint32_t>& found,
                   std::optional<Quadrant> quadrant = {}) const;
 
@@ -44,7 +44,7 @@ class PlaceTree {
     double x;
     double y;
     uint32_t number;
-    uint32_t alive;  ///< in the subtree
+    uint32_t alive;  ///< number of places in the subtree that are not removed
     bool removed;
     bool split_x;
   };
@@ -62,13 +62,14 @@ class PlaceTree {
     uint32_t except;
     size_t count;
     std::optional<Quadrant> quadrant;
-    std::vector<Candidate> best;  ///< sorted
+    std::vector<Candidate> best;  ///< best candidates, sorted by distance
 
     bool Admits(const Node& node) const {
       if (node.removed || node.number == except) return false;
       return !quadrant || ((node.x >= x) == quadrant->right && (node.y >= y) == quadrant->above);
     }
-    /// Whether what is not wanted lies on the lower (else the upper) side of the node.
+    /// Returns true if the lower (or else the upper) side of the node contains no place in the
+    /// quadrant.
     bool Skips(const Node& node, bool lower) const {
       if (!quadrant) return false;
       const double split = node.split_x ? node.x : node.y;
@@ -84,7 +85,7 @@ class PlaceTree {
   void SearchFew(size_t first, size_t last, FewQuery& query) const;
 
   std::vector<Node> nodes_;         ///< the root of [first, last) is its middle
-  std::vector<uint32_t> position_;  ///< in nodes_, by number
+  std::vector<uint32_t> position_;  ///< index in nodes_, by place number
 };
 
 }  // namespace slicefarm::ordering

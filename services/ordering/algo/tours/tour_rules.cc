@@ -5,7 +5,8 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// The nodes from `node` on, away from `from`, to the end of the chain or back at `node`.
+/// Returns the nodes of a chain that starts at `node` and leads away from `from`. It ends at the
+/// chain's end, or before `node` if the chain is a ring.
 Tour ChainFrom(int32_t node, int32_t from, const FixedEdges& fixed) {
   Tour chain = {node};
   for (int32_t at = node;;) {
@@ -18,7 +19,7 @@ Tour ChainFrom(int32_t node, int32_t from, const FixedEdges& fixed) {
   }
 }
 
-/// The whole chain of the node, beginning with the end that is fewer edges away.
+/// Returns the whole chain of the node. It begins with the end that is fewer edges away.
 Tour ChainOf(int32_t node, const FixedEdges& fixed) {
   const auto& [one, other] = fixed.Of(node);
   if (one == FixedEdges::kNone && other == FixedEdges::kNone) return {node};

@@ -8,12 +8,12 @@ namespace slicefarm::ordering {
 namespace {
 
 constexpr int32_t kLongestShift = 3;
-/// Nodes that can be moved in memory for the price of judging one move.
+/// Number of nodes that are moved in memory in the time of judging one move.
 constexpr int32_t kNodesPerMove = 16;
-/// Below that many nodes, moves find the best by themselves.
+/// Least number of nodes for exchanges. In smaller tours, the moves alone find the best tour.
 constexpr int32_t kFewestForExchange = 8;
 constexpr int32_t kLongestExchange = 50;
-/// Links of a chain.
+/// Largest number of links in a chain.
 constexpr int kLongestChain = 6;
 
 }  // namespace
@@ -123,7 +123,7 @@ TourSearch::Found TourSearch::Search(const Way& way, int64_t gain, WorkBudget& b
   return found;
 }
 
-// The stretch up to `cut` is turned, so that the way begins with its end.
+// Reverses the section up to `cut`, so that the path begins with the section's last node.
 void TourSearch::SearchTurned(const Way& way, int32_t cut, int64_t gain, Found& found,
                               WorkBudget& budget) const {
   const int32_t head = At(way, cut);
@@ -150,7 +150,8 @@ void TourSearch::SearchTurned(const Way& way, int32_t cut, int64_t gain, Found& 
   }
 }
 
-// The stretch up to `cut` becomes a ring, which is opened where another node comes near the rest.
+// Closes the section up to `cut` to a ring. Opens the ring next to a node that is near the rest of
+// the path.
 void TourSearch::SearchSplit(const Way& way, int32_t cut, int64_t gain, Found& found,
                              WorkBudget& budget) const {
   const int32_t end = At(way, cut);
@@ -238,7 +239,7 @@ TourSearch::Way TourSearch::Turned(const Way& way, int32_t from, int32_t to, Wor
   const Turn turn = way.forward ? tour_.TurnRound(a, b) : tour_.TurnRound(b, a);
   turns_.push_back(turn);
   budget.moves -= ArrayTour::Length(turn, tour_.size()) / kNodesPerMove;
-  // If the rest was turned instead, all lies the other way round.
+  // If the rest was reversed instead, the direction in memory is the opposite one.
   const int32_t first = from == 0 ? b : way.first;
   return WayFrom(first, tour_.Next(last) == first);
 }
@@ -273,7 +274,7 @@ int32_t TourSearch::Below(int32_t limit) {
   return static_cast<int32_t>((uint64_t{random_()} * static_cast<uint64_t>(limit)) >> 32);
 }
 
-// Where an edge must stay, the next one is cut.
+// If an edge is fixed, the next edge is cut instead.
 bool TourSearch::Exchange(WorkBudget& budget, int64_t* gain) {
   const int32_t size = tour_.size();
   const int32_t longest = std::min(kLongestExchange, size / 2 - 1);

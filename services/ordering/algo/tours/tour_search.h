@@ -14,71 +14,75 @@
 
 namespace slicefarm::ordering {
 
-/// What a length does not tell of an edge.
+/// Extra cost of an edge in addition to its length.
 class Surcharge {
  public:
   virtual ~Surcharge() = default;
-  /// At least 0. REQUIRES: symmetric.
+  /// Returns the extra cost of the edge ab, at least 0. REQUIRES: symmetric.
   virtual int64_t Of(int32_t a, int32_t b) const = 0;
 };
 
+/// Kinds of moves that a search tries. Each depth includes the moves of the previous ones.
 enum class SearchDepth : uint8_t {
   kNone,
-  kTwoOptAndOrOpt,  ///< turns of a stretch, shifts of up to three nodes
-  kThreeOpt,        ///< also shifts and turns of any length
-  kChains,          ///< also chains of these whose first links do not gain (Lin-Kernighan)
+  kTwoOptAndOrOpt,  ///< reversals of a section, shifts of up to three nodes
+  kThreeOpt,        ///< in addition shifts and reversals of any length
+  /// In addition chains of these moves. The first links may bring no gain (Lin-Kernighan).
+  kChains,
 };
 
-/// A closed tour that gets shorter and keeps its rules.
+/// Local search that shortens a closed tour and keeps its rules.
 ///
-/// A move takes two or three edges out and puts the stretches between together otherwise. Only
-/// moves are tried that bring a node next to one of its near neighbours and that gain from the
-/// first edge on; a node whose edges lead to no gain is not looked at again before one of them has
-/// changed. When no move gains any more, two neighbouring short stretches change places and all
-/// begins again around them; what that does not shorten is undone.
+/// A move removes two or three edges and joins the sections between them in another order. The
+/// search tries only moves that place a node next to one of its near neighbours, and that gain from
+/// the first edge. A node without a gaining move is not tried again until one of its edges has
+/// changed. When no move gains any more, two short adjacent sections are exchanged, and the search
+/// restarts around them. An exchange that does not shorten the tour is undone.
 ///
-/// Deterministic for a seed. Cost: O(1) to judge a move, O(n) to make one, O(rules.before) to see
-/// whether it may be made. Sources: S. Lin, B. W. Kernighan, "An Effective Heuristic Algorithm for
+/// Deterministic for a seed. Cost: O(1) to judge a move, O(n) to make one, O(rules.before) to test
+/// whether it is permitted. Sources: S. Lin, B. W. Kernighan, "An Effective Heuristic Algorithm for
 /// the Traveling-Salesman Problem", Operations Research 21 (1973); J. L. Bentley, "Fast Algorithms
 /// for Geometric Traveling Salesman Problems", ORSA J. Computing 4 (1992): neighbour lists,
 /// don't-look bits; D. S. Johnson, L. A. McGeoch, "The Traveling Salesman Problem: a Case Study in
 /// Local Optimization" (1997): iterated search with local double bridges; K. Helsgaun, "An
 /// Effective Implementation of the Lin-Kernighan Traveling Salesman Heuristic", EJOR 126 (2000):
-/// chains whose links are 3-opt moves.
+/// chains of links that are 3-opt moves.
 class TourSearch {
  public:
-  /// `costs`, `neighbours` and `rules` must outlive the search. REQUIRES: the tour keeps the rules.
+  /// Prepares a search. `costs`, `neighbours` and `rules` must outlive it. REQUIRES: the tour keeps
+  /// the rules.
   TourSearch(const Costs& costs, const Neighbours& neighbours, const TourRules& rules, Tour tour,
              SearchDepth depth, uint32_t seed);
 
-  /// Makes moves from the nodes that are awake (in the beginning, all) until none gains or the
-  /// budget is spent.
+  /// Makes moves from the awake nodes until no move gains or the budget is spent. All nodes are
+  /// awake at the beginning.
   void Improve(WorkBudget& budget);
 
-  /// Exchanges and improves around them, `exchanges` times or until the budget is spent. REQUIRES:
-  /// no node is awake.
+  /// Exchanges sections and improves the tour around them, `exchanges` times or until the budget is
+  /// spent. REQUIRES: no node is awake.
   void Iterate(int64_t exchanges, WorkBudget& budget);
 
-  /// From now on, `surcharge` counts too (null: no more). It must outlive its use.
+  /// Adds `surcharge` to the cost of edges from now on; null removes it. It must outlive its use.
   void Charge(const Surcharge* surcharge) { surcharge_ = surcharge; }
+  /// Marks a node as awake, so that Improve tries moves from it.
   void Wake(int32_t node);
 
   const Tour& tour() const { return tour_.order(); }
-  int64_t gained() const { return gained_; }  ///< since the beginning
+  int64_t gained() const { return gained_; }  ///< cost saved since the beginning
 
  private:
-  /// How the first two of three stretches that make up the way from `first` are put together.
+  /// Rearrangement of the first two of three sections of the path that starts at `first`.
   enum class Join : uint8_t { kTurnFirst, kSwapTurned, kSwapTurningFirst, kSwap, kTurnBoth };
-  /// Of the way that begins at `first` and goes on all around, forward or backward in memory: the
-  /// stretches 0 .. cut1 and cut1 + 1 .. cut2.
+  /// Move on the path that begins at `first` and visits all nodes, forward or backward in memory.
+  /// Its sections are 0 .. cut1 and cut1 + 1 .. cut2.
   struct Move {
     int64_t gain = 0;
-    int64_t open_gain = 0;  ///< without the edge that closes the tour
+    int64_t open_gain = 0;  ///< gain without the edge that closes the tour
     int32_t cut1 = 0;
     int32_t cut2 = 0;
     Join join = Join::kTurnFirst;
   };
-  /// The tour as a path that begins with the node `first` and ends with the one before it.
+  /// The tour as a path from the node `first` to the node before it.
   struct Way {
     int32_t first;
     bool forward;
@@ -86,7 +90,7 @@ class TourSearch {
   };
   struct Found {
     Move gaining;
-    Move opening;  ///< the greatest open_gain
+    Move opening;  ///< move with the greatest open_gain
   };
 
   int64_t Cost(int32_t a, int32_t b) const {
@@ -122,13 +126,13 @@ class TourSearch {
   bool ShortEnough(const Move& move) const;
 
   bool Allowed(const Way& way, const Move& move) const;
-  /// Makes the move; the way that leads on from the node before `way.first` afterwards.
+  /// Makes the move and returns the new path that continues from the node before `way.first`.
   Way Make(const Way& way, const Move& move, WorkBudget& budget);
-  /// Turns the stretch from index `from` to `to` of the way round.
+  /// Reverses the section from index `from` to index `to` of the path.
   Way Turned(const Way& way, int32_t from, int32_t to, WorkBudget& budget);
   void Undo(size_t turns);
 
-  /// Lets two stretches change places: whether that was allowed.
+  /// Exchanges two sections. Returns false if the exchange is not permitted.
   bool Exchange(WorkBudget& budget, int64_t* gain);
   int32_t Below(int32_t limit);
 
@@ -141,11 +145,11 @@ class TourSearch {
   ArrayTour tour_;
   int64_t gained_ = 0;
   std::mt19937 random_;
-  std::vector<Turn> turns_;     ///< what was done since the last exchange
-  std::vector<int32_t> queue_;  ///< nodes to look at; a ring
+  std::vector<Turn> turns_;     ///< reversals since the last exchange
+  std::vector<int32_t> queue_;  ///< awake nodes, in a ring buffer
   size_t queue_head_ = 0;
   size_t queue_size_ = 0;
-  std::vector<uint8_t> queued_;  ///< by node
+  std::vector<uint8_t> queued_;  ///< 1 if a node is in the queue, indexed by node
 };
 
 }  // namespace slicefarm::ordering

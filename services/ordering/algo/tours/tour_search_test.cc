@@ -58,8 +58,8 @@ TEST_P(DepthTest, FindsTheShortestOfSmallOnes) {
   EXPECT_GE(exact, all - 2);
 }
 
-// Random fixed edges and orders, from a tour that keeps them: all depths keep them too, and come
-// near the best.
+// Random fixed edges and orders: starting from a tour that keeps them, every depth keeps them and
+// finds a tour near the best.
 TEST_P(DepthTest, KeepsTheRules) {
   int64_t lengths = 0;
   int64_t starts = 0;
@@ -100,8 +100,8 @@ INSTANTIATE_TEST_SUITE_P(TourSearch, DepthTest,
                                          SearchDepth::kChains),
                          NameOf);
 
-// On a grid of even sides the shortest tour has as many edges of length one as nodes: however it
-// is turned, mirrored, moved, numbered or scaled, that is found.
+// On a grid with even sides the shortest tour has as many edges of length one as nodes. The search
+// finds it for any rotation, mirroring, shift, numbering and scale of the grid.
 TEST(TourSearch, FindsTheSameHoweverThePlacesLie) {
   using Transform = Vector2 (*)(Vector2);
   const std::vector<Transform> transforms = {[](Vector2 p) { return p; },
@@ -131,11 +131,11 @@ TEST(TourSearch, FindsTheSameHoweverThePlacesLie) {
 }
 
 TEST(TourSearch, ShallowMovesFindWhatTheyAreNamedFor) {
-  // A stretch the wrong way round.
+  // A section in the wrong direction.
   const Costs turned = Costs::OfPlaces({{0, 0}, {20, 0}, {10, 0}, {30, 0}, {15, 30}}, Metric::kUp);
   EXPECT_EQ(ImprovedLength(turned, {.depth = SearchDepth::kTwoOptAndOrOpt, .exchanges = 0}),
             ShortestTour(turned));
-  // Nothing is done without moves.
+  // Without moves the tour does not change.
   EXPECT_EQ(ImprovedLength(turned, {.depth = SearchDepth::kNone, .exchanges = 0}),
             TourLength(turned, {0, 1, 2, 3, 4}));
 }
@@ -162,7 +162,7 @@ TEST(TourSearch, TheBudgetEnds) {
   EXPECT_GT(budget.moves, -2000);
 }
 
-/// Edges between even and odd nodes cost more.
+/// Surcharge for edges between even and odd nodes.
 class Parity : public Surcharge {
  public:
   int64_t Of(int32_t a, int32_t b) const override { return (a + b) % 2 == 0 ? 0 : 100'000; }
@@ -193,7 +193,7 @@ TEST(TourSearch, PaysSurchargesOnlyWhereItMust) {
 
 struct GapCase {
   const char* name;
-  int64_t optimum;  ///< without fixed edges' lengths
+  int64_t optimum;  ///< length without the fixed edges
   int64_t fixed_length;
   double gap;
 };

@@ -23,7 +23,7 @@ struct Word {
   size_t line;
 };
 
-/// Words and numbers in a row.
+/// Joins words and numbers to one string.
 template <typename... Parts>
 std::string Text(const Parts&... parts) {
   return (fmt::format("{}", parts) + ...);
@@ -34,7 +34,7 @@ absl::Status Malformed(size_t line, std::string_view what) {
                    Text("line ", line, ": ", what), {{"line", Text(line)}});
 }
 
-/// What a file says, before it is put together: the values of its keys, the words of its sections.
+/// Content of a file before it is interpreted: the values of its keys, the words of its sections.
 struct Specification {
   std::map<std::string_view, Word> values;
   std::map<std::string_view, std::vector<Word>> sections;
@@ -107,7 +107,7 @@ absl::StatusOr<double> NumberOf(const Word& word) {
   return *number;
 }
 
-/// A node's number, counted from 0.
+/// Returns a node's number, counted from 0.
 absl::StatusOr<int32_t> NodeOf(const Word& word, int32_t size) {
   const absl::StatusOr<double> number = NumberOf(word);
   if (!number.ok()) return number.status();
@@ -159,13 +159,13 @@ absl::StatusOr<std::vector<Vector2>> PlacesOf(const Specification& specification
   return all;
 }
 
-/// TSPLIB's degrees: DDD.MM.
+/// Converts degrees in TSPLIB's form DDD.MM to radians.
 double Radians(double degrees_minutes) {
   const double degrees = std::trunc(degrees_minutes);
   return 3.141592 * (degrees + 5.0 * (degrees_minutes - degrees) / 3.0) / 180.0;
 }
 
-/// TSPLIB's distances on the globe, in km.
+/// Returns TSPLIB's distances on the globe, in km.
 Costs OnTheGlobe(const std::vector<Vector2>& places) {
   const size_t size = places.size();
   std::vector<int32_t> table(size * size, 0);
@@ -194,10 +194,10 @@ absl::StatusOr<Costs> GeographicCosts(const Specification& specification) {
   return OnTheGlobe(*places);
 }
 
-/// The nodes a and b of each weight in turn; false at the end.
+/// Column ranges of each row of a weight table, in one of TSPLIB's formats.
 class TableWalk {
  public:
-  /// Nothing if the format is unknown.
+  /// Returns nothing if the format is unknown.
   static std::optional<TableWalk> Of(std::string_view format, size_t size) {
     if (format == "FULL_MATRIX") return TableWalk(size, true, true, 0);
     if (format == "UPPER_ROW") return TableWalk(size, true, false, 1);
@@ -206,7 +206,7 @@ class TableWalk {
     if (format == "LOWER_DIAG_ROW") return TableWalk(size, false, true, 0);
     return std::nullopt;
   }
-  /// The columns of a row: first .. last - 1.
+  /// Returns the first column of a row. The row's columns are First .. Last - 1.
   size_t First(size_t row) const { return upper_ && !lower_ ? row + skipped_ : 0; }
   size_t Last(size_t row) const { return upper_ ? size_ : row + 1 - skipped_; }
   size_t Count() const {
@@ -222,7 +222,7 @@ class TableWalk {
   size_t size_;
   bool upper_;
   bool lower_;
-  size_t skipped_;  ///< of the diagonal
+  size_t skipped_;  ///< 1 if the table has no diagonal, else 0
 };
 
 absl::StatusOr<Costs> ExplicitCosts(const Specification& specification) {
@@ -286,7 +286,8 @@ absl::StatusOr<Costs> CostsOf(const Specification& specification) {
                         "' must be EUC_2D, CEIL_2D, ATT, GEO or EXPLICIT"));
 }
 
-/// Refuses what no tour can keep: a third edge at a node, a ring of fewer than all nodes.
+/// Checks fixed edges and rejects edges that no tour can keep: a third edge at a node, or a ring of
+/// fewer than all nodes.
 class FixedEdgesReader {
  public:
   explicit FixedEdgesReader(int32_t size)

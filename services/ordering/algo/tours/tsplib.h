@@ -11,6 +11,7 @@
 
 namespace slicefarm::ordering {
 
+/// Problem of a TSPLIB file.
 struct TspInstance {
   std::string name;
   Costs costs;
@@ -18,18 +19,19 @@ struct TspInstance {
 };
 
 inline constexpr int32_t kMostPlaces = 20'000;
-inline constexpr int32_t kMostTableNodes = 5'000;  ///< a table takes n * n numbers
-inline constexpr double kGreatestWeight = 1e9;     ///< also of coordinates: sums stay exact
+inline constexpr int32_t kMostTableNodes = 5'000;  ///< a table has n * n numbers
+/// largest weight and coordinate, so that sums are exact
+inline constexpr double kGreatestWeight = 1e9;
 
-/// A symmetric instance as TSPLIB 95 writes it; node k of the file is node k - 1 here.
+/// Reads a symmetric instance in the format of TSPLIB 95. Node k of the file becomes node k - 1.
 ///
 /// EDGE_WEIGHT_TYPE: EUC_2D, CEIL_2D, ATT, GEO, or EXPLICIT as FULL_MATRIX, UPPER_ROW, LOWER_ROW,
 /// UPPER_DIAG_ROW or LOWER_DIAG_ROW; with or without FIXED_EDGES_SECTION. Errors: REQUEST_MALFORMED
-/// with the number of the line, also for what TSPLIB knows and this does not; REQUEST_TOO_LARGE
-/// past kMostPlaces or kMostTableNodes. Source: G. Reinelt, "TSPLIB 95", Heidelberg 1995.
+/// with the line number, including for unsupported TSPLIB features; REQUEST_TOO_LARGE above
+/// kMostPlaces or kMostTableNodes. Source: G. Reinelt, "TSPLIB 95", Heidelberg 1995.
 absl::StatusOr<TspInstance> ReadTsplib(std::string_view text);
 
-/// A file of TYPE TOUR.
+/// Returns the text of a TSPLIB file of TYPE TOUR.
 std::string PrintTour(const std::string& name, const Tour& tour);
 
 }  // namespace slicefarm::ordering

@@ -53,7 +53,7 @@ TEST(Tsplib, ReadsEveryMetric) {
   };
   EXPECT_THAT(lengths("CEIL_2D"), ElementsAre(3, 5, 4));
   EXPECT_THAT(lengths("ATT"), ElementsAre(1, 2, 2));
-  // 3 degrees along a meridian of the globe, and 4 across it.
+  // A distance of 3 degrees along a meridian of the globe, and of 4 degrees across it.
   EXPECT_THAT(lengths("GEO"), ElementsAre(334, 557, 445));
 }
 
@@ -77,7 +77,7 @@ TEST(Tsplib, ReadsFixedEdges) {
   EXPECT_TRUE(ReadTsplib(WithFixed("1 3\n2 3\n1 2\n-1")).ok()) << "a ring of all";
 }
 
-// TSPLIB's own checks of its distance functions are the lengths of best tours.
+// TSPLIB checks its distance functions by the lengths of best tours.
 TEST(Tsplib, UlyssesOnTheGlobe) {
   const auto instance = ReadTsplib(
       "NAME: ulysses16.tsp\nTYPE: TSP\nCOMMENT: Odyssey of Ulysses\nDIMENSION: 16\n"
@@ -195,7 +195,7 @@ TEST(Tsplib, TooLargeIsRefusedBeforeItIsRead) {
   }
 }
 
-// Whatever is cut off or spoilt: an error or an instance, no crash.
+// A truncated or damaged file gives an error or an instance, but no crash.
 TEST(Tsplib, SurvivesSpoiltFiles) {
   std::mt19937 random(1);
   const std::vector<std::string> sources = {WithFixed("1 3\n-1"), Triangle("GEO"),

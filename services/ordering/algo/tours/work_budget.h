@@ -4,8 +4,8 @@
 
 namespace slicefarm::ordering {
 
-/// Work that may still be spent on improvement, in moves judged. Counted, not timed: the result
-/// does not depend on the machine.
+/// Remaining work for improvement, in judged moves. Work is counted and not timed, so that the
+/// result does not depend on the machine.
 struct WorkBudget {
   int64_t moves = 0;
 };

@@ -10,7 +10,8 @@ namespace {
 
 constexpr size_t kNearest = 8;
 
-/// Enough for a perfect matching: each node's nearest, and the nodes in pairs as they come.
+/// Returns enough edges for a perfect matching: each node's nearest nodes, and pairs of consecutive
+/// nodes.
 std::vector<WeightedEdge> FewEdges(const Costs& costs, std::span<const int32_t> nodes) {
   std::vector<WeightedEdge> few;
   std::vector<WeightedEdge> near;
@@ -32,7 +33,8 @@ std::vector<WeightedEdge> FewEdges(const Costs& costs, std::span<const int32_t> 
   return few;
 }
 
-/// The round trip that takes each link once. REQUIRES: even degrees, all in one piece.
+/// Returns a closed trip that uses each link once. REQUIRES: all degrees are even, and the graph is
+/// connected.
 Tour RoundTrip(int32_t size, const std::vector<NodePair>& links) {
   std::vector<std::vector<size_t>> at(static_cast<size_t>(size));  // links by node
   for (size_t i = 0; i < links.size(); ++i) {

@@ -10,7 +10,7 @@
 namespace slicefarm::ordering::christofides_test {
 namespace {
 
-/// By dynamic programming over sets.
+/// Returns the least sum of lengths of pairs, by dynamic programming over sets.
 int64_t LightestPairs(const Costs& costs) {
   const auto size = static_cast<size_t>(costs.size());
   std::vector<int64_t> least(size_t{1} << size, std::numeric_limits<int64_t>::max() / 4);
@@ -43,7 +43,7 @@ TEST(Christofides, MatchingIsTheLightest) {
   }
 }
 
-// Clusters of odd size, so far apart that no node has a neighbour outside.
+// Clusters of odd size are so far apart that no node has a neighbour in another cluster.
 TEST(Christofides, MatchingLooksBeyondNeighbours) {
   std::vector<Vector2> places;
   for (const double x : {0.0, 1e5, 3e5, 3.9e5}) {
@@ -63,7 +63,7 @@ TEST(Christofides, OfNoNodes) { EXPECT_TRUE(MinimumMatching(RandomCosts(3, 1), {
 TEST(Christofides, AtMostHalfAsMuchAgainAsTheShortest) {
   for (size_t size = 1; size <= 10; ++size) {
     for (uint32_t seed = 1; seed <= 20; ++seed) {
-      // Rounding up keeps the triangle inequality.
+      // Rounding up preserves the triangle inequality.
       const Costs costs =
           Costs::OfPlaces(RandomPlaces(size, seed, seed % 3 == 0 ? 5 : 1000), Metric::kUp);
       const Tour tour = ChristofidesTour(costs);

@@ -9,13 +9,13 @@ namespace slicefarm::ordering {
 namespace {
 
 constexpr int64_t kUnreached = std::numeric_limits<int64_t>::max();
-/// Penalties in parts of a unit.
+/// Penalty units per length unit.
 constexpr int64_t kScale = 256;
-/// Without a better bound for so many iterations, steps are halved.
+/// Number of iterations without a better bound after which steps are halved.
 constexpr int kPatience = 5;
 
-/// Prim's algorithm over the nodes first .. size - 1: calls `join(node, parent, length)` for each
-/// node but the first of them.
+/// Runs Prim's algorithm over the nodes first .. size - 1. Calls `join(node, parent, length)` for
+/// each node except `first`.
 template <typename Length, typename Join>
 void GrowTree(int32_t first, int32_t size, const Length& length, const Join& join) {
   struct Outside {
@@ -45,8 +45,8 @@ void GrowTree(int32_t first, int32_t size, const Length& length, const Join& joi
   }
 }
 
-/// The lengths under penalties. Fixed edges are taken for so much shorter that trees have them;
-/// tours, which have all of them, get that back.
+/// Lengths with penalties. Fixed edges are shortened so much that every tree contains them. Every
+/// tour has all fixed edges, so that the correction adds this amount again.
 class Penalized {
  public:
   Penalized(const Costs& costs, std::span<const NodePair> fixed)
@@ -63,7 +63,7 @@ class Penalized {
     return any_fixed_ && fixed_.Has(a, b) ? length - rebate_ : length;
   }
 
-  /// What a tour's length is more than its penalized one.
+  /// Returns the difference between a tour's length and its penalized length.
   int64_t Correction() const {
     return offset_ - 2 * std::accumulate(penalty_.begin(), penalty_.end(), int64_t{0});
   }
@@ -113,7 +113,7 @@ OneTree ShortestOneTree(const Penalized& lengths, int32_t size) {
   return tree;
 }
 
-/// Sum of squares of the degrees less two: 0 of a tour.
+/// Returns the sum of (degree - 2)^2 over all nodes, which is 0 for a tour.
 int64_t Unevenness(const OneTree& tree) {
   int64_t sum = 0;
   for (const int degree : tree.degree) sum += int64_t{degree - 2} * (degree - 2);

@@ -9,25 +9,27 @@
 
 namespace slicefarm::ordering {
 
+/// Edges of a tree over all nodes, and their total length.
 struct SpanningTree {
   std::vector<NodePair> edges;
   int64_t length = 0;
 };
 
-/// The shortest tree that joins all nodes: no tour is shorter. Cost: O(n^2).
+/// Returns the shortest tree that joins all nodes. No tour is shorter than this tree. Cost: O(n^2).
 SpanningTree MinimumSpanningTree(const Costs& costs);
 
+/// Limits of the search for a lower bound.
 struct BoundOptions {
   int iterations = 100;
-  int64_t upper_bound = 0;  ///< the length of some tour
+  int64_t upper_bound = 0;  ///< length of any known tour
 };
 
-/// A length that no tour with these fixed edges is below: the greatest of 1-trees under penalties
-/// that pull each node's degree towards two. A 1-tree is a tree over all nodes but the first and
-/// that one's two shortest edges; every tour is one. Penalties and sums are whole numbers, so that
-/// the bound is sound to the last unit. Cost: O(n^2) an iteration. Source: M. Held, R. M. Karp,
-/// "The Traveling-Salesman Problem and Minimum Spanning Trees: Part II", Mathematical Programming 1
-/// (1971).
+/// Returns a lower bound of the length of tours with these fixed edges: the greatest length of
+/// 1-trees, under penalties that change each node's degree towards two. A 1-tree is a tree over all
+/// nodes except the first, plus the two shortest edges of the first node. Every tour is a 1-tree.
+/// Penalties and sums are whole numbers, so that the bound is exact to the last unit. Cost: O(n^2)
+/// per iteration. Source: M. Held, R. M. Karp, "The Traveling-Salesman Problem and Minimum Spanning
+/// Trees: Part II", Mathematical Programming 1 (1971).
 int64_t OneTreeBound(const Costs& costs, std::span<const NodePair> fixed,
                      const BoundOptions& options);
 

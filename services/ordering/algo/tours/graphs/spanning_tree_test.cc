@@ -10,7 +10,7 @@
 namespace slicefarm::ordering::spanning_tree_test {
 namespace {
 
-/// Kruskal's algorithm.
+/// Returns the length of the shortest tree, by Kruskal's algorithm.
 int64_t TreeLength(const Costs& costs) {
   std::vector<std::tuple<int64_t, int32_t, int32_t>> edges;
   for (int32_t a = 0; a < costs.size(); ++a)
@@ -40,7 +40,7 @@ TEST(SpanningTree, IsTheShortest) {
   }
 }
 
-// MST lengths measured with another program.
+// Lengths of minimum spanning trees computed by another program.
 TEST(SpanningTree, OfTsplib) {
   EXPECT_EQ(MinimumSpanningTree(CorpusInstance("att48").costs).length, 8767);
   EXPECT_EQ(MinimumSpanningTree(CorpusInstance("berlin52").costs).length, 6078);
@@ -70,7 +70,7 @@ TEST(OneTreeBound, CountsFixedEdges) {
   for (uint32_t seed = 1; seed <= 20; ++seed) {
     const Costs costs = RandomCosts(9, seed);
     const std::vector<NodePair> fixed = {{0, 8}, {3, 5}, {5, 1}};
-    // What is not next to its mate pays so much that no best tour leaves a fixed edge out.
+    // Each edge that is not fixed costs so much more that every best tour contains all fixed edges.
     const FixedEdges edges(9, fixed);
     std::vector<int32_t> table;
     constexpr int32_t kAway = 100'000;
