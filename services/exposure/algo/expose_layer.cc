@@ -16,7 +16,7 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// Outlines of an object's layers next to one, as far as skins look.
+/// Outlines of an object's layers above and below a layer, as many as the skins need.
 struct Neighbours {
   std::vector<const MultiPolygon*> above, below;
 };
@@ -26,7 +26,7 @@ Neighbours NeighboursOf(const ObjectSection& section, const ExposureOptions& opt
   Neighbours neighbours;
   for (int32_t i = 1; i <= options.upskin_layers; ++i)
     neighbours.above.push_back(outlines.Find(section.stack.id, section.layer + i));
-  // Below the object's lowest layer is the plate.
+  // The plate is below the object's lowest layer.
   for (int32_t i = 1; i <= std::min(options.downskin_layers, section.layer); ++i)
     neighbours.below.push_back(outlines.Find(section.stack.id, section.layer - i));
   return neighbours;
@@ -63,7 +63,7 @@ absl::Status AppendSection(const ObjectSection& section, int32_t layer, const Ob
   return absl::OkStatus();
 }
 
-/// Where an object's scan starts, ends and lies, by object, around its own origin.
+/// Returns start, end and middle of each object's scan, around the object's own origin.
 std::map<int32_t, ScanBlock> ObjectBlocks(const std::vector<ExposureGroup>& groups) {
   std::map<int32_t, ScanBlock> blocks;
   std::map<int32_t, Box> boxes;
@@ -78,7 +78,8 @@ std::map<int32_t, ScanBlock> ObjectBlocks(const std::vector<ExposureGroup>& grou
   return blocks;
 }
 
-/// Against the flow of gas if a region asks for it.
+/// Returns the order of the blocks: against the gas flow if a region requests it, else nearest
+/// first.
 std::vector<BlockTurn> Ordered(const std::vector<ScanBlock>& blocks,
                                std::span<const ExposureOptions> regions) {
   for (const ExposureOptions& options : regions)
@@ -87,7 +88,7 @@ std::vector<BlockTurn> Ordered(const std::vector<ScanBlock>& blocks,
   return OrderBlocks(blocks, JumpOrder::kNearest, {});
 }
 
-/// The copies of the objects that have something here, in order.
+/// Returns the copies of the objects with groups in this layer, in order.
 std::vector<ExposureVisit> Visits(const std::vector<ExposureGroup>& groups,
                                   std::span<const Copy> copies,
                                   std::span<const ExposureOptions> regions) {

@@ -16,15 +16,16 @@ struct ExposureOptions;
 
 namespace slicefarm::exposure {
 
-/// The vectors of one layer: contours, hatch or rings, skins and thin walls of each section, once
-/// for all copies of its object; and the order in which the copies are scanned.
+/// Returns the vectors of one layer: contours, hatch or rings, skins and thin walls of each
+/// section, once for all copies of its object. Also returns the order in which the copies are
+/// scanned.
 ///
 /// `objects`: the layer and ExposureOptions::Halo() layers of each object above and below, as
-/// WithHalo gives them. `regions`: by row of the job's tables. `copies`: of the whole job; those of
-/// objects that have no section here are left out.
+/// WithHalo returns them. `regions`: indexed by row of the job's tables. `copies`: the copies of
+/// the whole job; copies of objects without a section in this layer are skipped.
 ///
-/// The result depends on nothing else, so not on how a job is cut into ranges.
-/// Errors:  Cancelled, polled a few times a section; those of CheckRegions and Decompose.
+/// The result depends only on these inputs, so that the division of a job into ranges does not
+/// matter. Errors: Cancelled, polled a few times per section; errors of CheckRegions and Decompose.
 absl::StatusOr<ExposedLayer> ExposeLayer(const SlicedLayer& layer, const ObjectLayers& objects,
                                          std::span<const ExposureOptions> regions,
                                          std::span<const Copy> copies, const CancelToken& cancel);

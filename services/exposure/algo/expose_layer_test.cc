@@ -81,7 +81,7 @@ TEST(ExposeLayer, ContoursLieWhereCompensationSaysAndInOrder) {
             ExposureKind::kContour);
 }
 
-/// By a raster of points: what the spot melts, of all that it can reach.
+/// A raster of points measures the share that the spot melts of the area that it can reach.
 TEST(ExposeLayer, TheRegionIsCovered) {
   const MultiPolygon part = MakePolygonsOrDie(kPart);
   for (const ScanStrategy strategy : kStrategies) {
@@ -95,12 +95,12 @@ TEST(ExposeLayer, TheRegionIsCovered) {
   }
 }
 
-/// Where lines overlap is elsewhere in each layer: at what they end at, where cells meet, in the
+/// Lines overlap at different positions in each layer: at their ends, where cells meet, and in the
 /// corners and the middle of rings.
 TEST(ExposeLayer, NoColumnIsMeltedTwiceInMostLayers) {
   constexpr int32_t kLayers = 60;
   for (const ScanStrategy strategy : kStrategies) {
-    // Rings leave corners of small parts to none: that would open too much of them.
+    // Rings leave no corner unmelted in small parts: that would leave too large a share open.
     const MultiPolygon cube =
         MakePolygonsOrDie(IsRings(strategy) ? "(0 0, 10 0, 10 10, 0 10)" : "(0 0, 4 0, 4 4, 0 4)");
     ExposureOptions options;
@@ -120,8 +120,8 @@ TEST(ExposeLayer, NoColumnIsMeltedTwiceInMostLayers) {
   }
 }
 
-/// From one contour's width on, through those where there is room for one more line but not for
-/// two. In each layer: hatch along the wall is worst.
+/// Wall widths from one contour's width, including widths with space for one more line but not for
+/// two. Each layer is tested, because hatch along the wall is the worst case.
 TEST(ExposeLayer, WallsOfAnyWidthAreMelted) {
   for (const char* width : {"0.085", "0.12", "0.17", "0.2", "0.239", "0.25", "0.31", "0.33",
                             "0.345", "0.36", "0.4", "0.48", "0.6"}) {
@@ -145,7 +145,7 @@ TEST(ExposeLayer, WallsOfAnyWidthAreMelted) {
   }
 }
 
-/// What is measured of a layer agrees with a raster.
+/// The measured figures of a layer agree with a raster.
 TEST(ExposeLayer, TellsHowMuchIsMelted) {
   const MultiPolygon part = MakePolygonsOrDie(kPart);
   ExposureOptions options;
@@ -159,8 +159,8 @@ TEST(ExposeLayer, TellsHowMuchIsMelted) {
   EXPECT_NEAR(sum.MeanJmm2(), 0.5 * 200 / 800 / 0.08, 0.1);
 }
 
-/// Rings beside a cut keep a hatch distance apart: nothing is exposed twice but the turns' insides
-/// and the links.
+/// Rings on both sides of a cut keep a hatch distance between them: only the insides of turns and
+/// the links are exposed twice.
 TEST(ExposeLayer, RingsExposeCutsOnce) {
   const MultiPolygon part = MakePolygonsOrDie(kPart);
   for (const Coord overlap : {0, 40'000}) {
@@ -172,7 +172,7 @@ TEST(ExposeLayer, RingsExposeCutsOnce) {
     options.fill_corners = false;
     MeltedRaster raster(part, 13'000);
     const ExposedLayer layer = ExposeOrDie(part, options);
-    // A spot a little narrower than the distance, so that touching is not twice.
+    // The spot is slightly narrower than the distance, so that touching lines do not count twice.
     ForEachLineOf(layer, ExposureKind::kHatch,
                   [&](std::span<const Point> line) { raster.Add(line, 78'000); });
     EXPECT_EQ(layer.cuts.pieces, layer.groups[0].LineCount());
@@ -194,11 +194,11 @@ TEST(ExposeLayer, NothingLeavesTheCompensatedOutline) {
       options.contours = i % 3;
       options.thin_walls = false;
       const auto compensation = static_cast<double>(options.beam_compensation_nm);
-      // Between their ends, too.
+      // Points between the ends of lines are tested too.
       for (const ExposureGroup& group : ExposeOrDie(part, options, i).groups)
         group.ForEachLine([&](std::span<const Point> line) {
           for (size_t k = 1; k < line.size(); ++k) {
-            // There and back is a ring without an area.
+            // A line to and fro is a ring without an area.
             ForEachBoundaryPoint({{{line[k - 1], line[k]}, {}}}, 50'000, [&](Point p) {
               EXPECT_TRUE(Inside(p, part)) << ToText(part);
               EXPECT_GE(DistanceToBoundary(p, part), compensation - 3'000) << ToText(part);
@@ -244,12 +244,12 @@ TEST(ExposeLayer, SkinsAreWhatNeighboursDoNotCover) {
                                            LayerOf(MakePolygonsOrDie("(0 0, 4 0, 4 10, 0 10)"), 3)};
   const auto middle = Expose(layers, 2, {options});
   ASSERT_TRUE(middle.ok()) << middle.status();
-  // Above is only x < 4; two layers below only y < 7.
+  // The layer above covers only x < 4; the layer two below covers only y < 7.
   const double down = 10 * 3, up = 6 * 7, core = 4 * 7;
   EXPECT_NEAR(KindLengthMm(*middle, ExposureKind::kDownskin) * 0.08, down, 0.5);
   EXPECT_NEAR(KindLengthMm(*middle, ExposureKind::kUpskin) * 0.08, up, 0.5);
   EXPECT_NEAR(KindLengthMm(*middle, ExposureKind::kHatch) * 0.08, core, 0.5);
-  // The first layer lies on the plate; nothing is known of what is above the last one.
+  // The first layer is on the plate. The layers above the last one are unknown.
   const auto first = Expose(layers, 0, {options});
   EXPECT_EQ(KindLengthMm(*first, ExposureKind::kDownskin), 0);
   const auto last = Expose(layers, 3, {options});
@@ -257,7 +257,7 @@ TEST(ExposeLayer, SkinsAreWhatNeighboursDoNotCover) {
   EXPECT_EQ(KindLengthMm(*last, ExposureKind::kHatch), 0);
 }
 
-/// Each kind is as dense as its own distance says, by lines and by rings.
+/// The lines or rings of each kind have the density of the kind's own hatch distance.
 TEST(ExposeLayer, SkinsHaveDistancesOfTheirOwn) {
   const MultiPolygon wide = MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)");
   const std::vector<SlicedLayer> layers = {
@@ -284,7 +284,8 @@ TEST(ExposeLayer, SkinsHaveDistancesOfTheirOwn) {
   }
 }
 
-/// Rings of skins keep contour_distance from the innermost contour, whatever their own distance.
+/// Rings of skins keep contour_distance from the innermost contour, independent of their own hatch
+/// distance.
 TEST(ExposeLayer, RingsOfSkinsKeepOffTheContour) {
   ExposureOptions options;
   options.strategy = ScanStrategy::kRings;
@@ -302,7 +303,7 @@ TEST(ExposeLayer, RingsOfSkinsKeepOffTheContour) {
   }
 }
 
-/// A table of 10 x 10 mm on a leg of 2 x 10 mm from layer 3 on.
+/// A table of 10 x 10 mm on a leg of 2 x 10 mm, beginning with layer 3.
 TEST(ExposeLayer, ZCompensationLeavesOutWhatLiesOverPowder) {
   std::vector<SlicedLayer> layers;
   for (int32_t i = 0; i < 8; ++i)
@@ -319,7 +320,7 @@ TEST(ExposeLayer, ZCompensationLeavesOutWhatLiesOverPowder) {
     for (const ExposureGroup& group : layer->groups)
       right = std::max(right, Bounds(group.points).max.x);
     EXPECT_EQ(right, i < 5 ? 1'960'000 : 9'960'000) << i;
-    // What is below the downskin is what was melted below.
+    // The downskin is above the area that the layers below have melted.
     EXPECT_EQ(KindLengthMm(*layer, ExposureKind::kDownskin) > 0, i == 5) << i;
   }
 }
@@ -335,7 +336,8 @@ TEST(ExposeLayer, ContoursBeginElsewhereInEachLayer) {
       points.push_back(ExposeOrDie(square, options, index).groups[0].points[0]);
     return points;
   };
-  // The nearest two of 100 starts on 40 mm are a part of a fair share apart.
+  // The nearest two of 100 starts on 40 mm have at least a quarter of the even distance between
+  // them.
   const std::vector<Point> scattered = starts(ContourStart::kScattered);
   for (size_t i = 0; i < scattered.size(); ++i)
     for (size_t k = 0; k < i; ++k) EXPECT_GT(Distance(scattered[i], scattered[k]), 100'000);
@@ -345,8 +347,8 @@ TEST(ExposeLayer, ContoursBeginElsewhereInEachLayer) {
     EXPECT_EQ(start, (Point{40'000, 40'000}));
 }
 
-/// Gas flows to +x: copies and contours come from the right, and no hatch line has one that is
-/// scanned after it on its lee side.
+/// Gas flows to +x: copies and contours are scanned from the right. No hatch line has a line on its
+/// lee side that is scanned later.
 TEST(ExposeLayer, AgainstTheFlowOfGas) {
   ExposureOptions options;
   options.jump_order = JumpOrder::kAgainstGas;

@@ -33,7 +33,7 @@ absl::Status Strayed(const StrayVector& stray, const RegionInput& region) {
       {{"layer", fmt::format("{}", region.layer)}, {"x_mm", place(at.x)}, {"y_mm", place(at.y)}});
 }
 
-/// One region on its way from group to group.
+/// Scan of one region, which adds one group after the other.
 class RegionScan {
  public:
   RegionScan(const RegionInput& region, const ExposureOptions& options, Point from,
@@ -68,8 +68,8 @@ class RegionScan {
     groups_.push_back(std::move(group));
   }
 
-  /// Closed lines, nearest first or against the flow of gas. `share`: where they begin, if that is
-  /// scattered.
+  /// Adds closed lines, nearest first or against the gas flow. `share`: the start of each line
+  /// along its length, if starts are scattered.
   void AddRings(const MultiPolygon& area, double share, ExposureGroup& group) {
     std::vector<Polyline> rings;
     std::vector<ScanBlock> blocks;
@@ -86,7 +86,8 @@ class RegionScan {
     }
   }
 
-  /// From the innermost to the outermost, which is drawn over settled ground.
+  /// Adds contours from the innermost to the outermost, so that the outermost is drawn on solid
+  /// material.
   void AddContours() {
     ExposureGroup group = NewGroup(ExposureKind::kContour);
     group.run_nm = options_.contour_run_nm;
@@ -109,8 +110,8 @@ class RegionScan {
     return absl::OkStatus();
   }
 
-  /// Skins, and how many lines along the contour the hatch has: none where there are skins, as one
-  /// line would run through several of them.
+  /// Finds the skins and the number of hatch lines along the contour. There are no such lines if
+  /// there are skins, because one line would pass several of them.
   void FindSkins() {
     area_ = FastOffset(region_.outlines, -InsideInset(options_));
     if (!region_.neighbours.above.empty() || !region_.neighbours.below.empty())
@@ -124,7 +125,7 @@ class RegionScan {
       area_ = FastOffset(region_.outlines, -InsideInset(options_, border_lines_));
   }
 
-  /// The options with the kind's own hatch distance.
+  /// Returns the options with the kind's own hatch distance.
   ExposureOptions OptionsOf(ExposureKind kind) const {
     ExposureOptions options = options_;
     options.hatch_distance_nm = options_.HatchDistanceNm(kind);
@@ -136,7 +137,7 @@ class RegionScan {
     return inset == InsideInset(options_) ? area_ : FastOffset(region_.outlines, -inset);
   }
 
-  /// From the contour inwards.
+  /// Adds the hatch's border lines, from the contour inwards.
   void AddBorderLines() {
     ExposureGroup group = NewGroup(ExposureKind::kHatch);
     int32_t number = options_.contours;
@@ -156,7 +157,7 @@ class RegionScan {
     return status;
   }
 
-  /// An area, and what it is part of, if it is not all.
+  /// Adds an area of one kind. The region also names the whole area that it is part of.
   absl::Status AddArea(HatchRegion region, ExposureKind kind) {
     if (absl::Status status = cancel_.Check(); !status.ok()) return status;
     ExposureGroup group = NewGroup(kind);
@@ -188,10 +189,10 @@ class RegionScan {
   Point at_;
   const CancelToken& cancel_;
   CutCounts& counts_;
-  MultiPolygon area_;  ///< of rings or hatch
-  SkinAreas skins_;    ///< empty: all of the area is core
+  MultiPolygon area_;  ///< area of rings or hatch
+  SkinAreas skins_;    ///< empty if all of the area is core
   int32_t border_lines_ = 0;
-  MultiPolygon narrow_;  ///< where lines along the outline alone melt what is inside
+  MultiPolygon narrow_;  ///< parts where the lines along the outline melt the whole inside
   std::vector<ExposureGroup> groups_;
 };
 

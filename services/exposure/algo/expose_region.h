@@ -16,20 +16,20 @@ struct ExposureOptions;
 
 namespace slicefarm::exposure {
 
-/// One region of a section, and what lies around it.
+/// One region of a section, and its surroundings.
 struct RegionInput {
   const MultiPolygon& outlines;
-  const MultiPolygon& section;  ///< of all regions together
+  const MultiPolygon& section;  ///< outlines of all regions together
   SkinNeighbours neighbours;
-  int32_t layer = 0;  ///< of the job: how far the hatch has turned
+  int32_t layer = 0;  ///< layer of the job, for the rotation of the hatch
   int32_t object = 0;
   int32_t settings = 0;
-  Point shift = {};  ///< of a copy of the object: for places in errors
+  Point shift = {};  ///< shift of a copy of the object, for positions in errors
 };
 
-/// The groups of one region in the order of scanning, beginning near `from`: contours, what is
-/// inside of them, skins, thin walls. Errors: Cancelled; those of Hatch and Decompose; INTERNAL
-/// with layer and place for a vector outside of the compensated outline (scan/outline_check.h).
+/// Returns the groups of one region in the order of scanning, beginning near `from`: contours,
+/// their inside, skins, thin walls. Errors: Cancelled; errors of Hatch and Decompose; INTERNAL with
+/// layer and position for a vector outside of the compensated outline (scan/outline_check.h).
 absl::StatusOr<std::vector<ExposureGroup>> ExposeRegion(const RegionInput& region,
                                                         const ExposureOptions& options, Point from,
                                                         const CancelToken& cancel,

@@ -54,7 +54,7 @@ TEST(ExposeRegion, RingsKeepItToo) {
   const auto groups = ExposeRegion({.outlines = square, .section = square, .neighbours = {}},
                                    options, {}, {}, counts);
   ASSERT_TRUE(groups.ok());
-  // Contours at 40 and 120 um, the outermost ring 80 further on.
+  // Contours are at 40 and 120 um, the outermost ring 80 um further inside.
   EXPECT_EQ(Bounds(groups->back().points).min.x, 200'000);
   EXPECT_EQ(counts.pieces, 1);
 }

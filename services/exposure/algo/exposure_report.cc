@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMicro = 1e-6;
 
-/// Adds up lines and the jumps between them, in order.
+/// Sum of lines and of the jumps between them, in order.
 class Counter {
  public:
   explicit Counter(ExposureReport& report) : report_(report) {}

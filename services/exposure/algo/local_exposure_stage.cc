@@ -31,7 +31,7 @@ class LocalExposure : public ExposureStage {
       const StageCall& call, const Neighbourhood& neighbourhood,
       const Shared<ExposureJob>& job) const override {
     const ExposureSettings& settings = job->settings;
-    // What a layer's text says must not depend on what is known of the whole job.
+    // A layer's text must not depend on facts about the whole job.
     FileFacts facts;
     facts.regions = settings.regions;
     facts.output = settings.output;

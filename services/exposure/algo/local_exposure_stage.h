@@ -7,9 +7,10 @@
 
 namespace slicefarm::exposure {
 
-/// Scans each layer (expose_layer.h) and writes it (writers/writers.h); see README.md. Stateless.
-/// A layer's result depends on the layers that its skins reach, so not on how a job is cut into
-/// ranges. Errors: those of ExposeLayer.
+/// Returns the exposure stage that runs in this process. It scans each layer (expose_layer.h) and
+/// writes it (writers/writers.h); see README.md. Stateless. A layer's result depends only on the
+/// layers that its skins reach, so that the division of a job into ranges does not matter. Errors:
+/// the errors of ExposeLayer.
 std::unique_ptr<ExposureStage> MakeLocalExposure();
 
 }  // namespace slicefarm::exposure

@@ -25,7 +25,7 @@ class LocalExposureTest : public testing::Test {
       section.layer = i;
       section.layer_count = 12;
       section.height_nm = FromMm(0.1);
-      // A step, so that there are skins.
+      // The step in the outline creates skins.
       section.regions.push_back(
           {.outlines = MakePolygonsOrDie(i < 6 ? "(0 0, 9 0, 9 9, 0 9)" : "(2 2, 9 2, 9 9, 2 9)")});
     }

@@ -11,8 +11,8 @@
 
 namespace slicefarm::exposure {
 
-/// Translates slicefarm.v1.Exposure to an ExposureStage and back.
-/// `stage`, `gate` and `shared` must outlive the service.
+/// Returns the gRPC service slicefarm.v1.Exposure on top of an ExposureStage. `stage`, `gate` and
+/// `shared` must outlive the service.
 std::unique_ptr<grpc::Service> MakeExposureService(const ExposureStage& stage, rpc::CallGate& gate,
                                                    SharedCache& shared);
 

@@ -19,7 +19,7 @@ namespace {
 using Traits = CGAL::Partition_traits_2<CGAL::Exact_predicates_inexact_constructions_kernel>;
 using CgalPolygon = Traits::Polygon_2;
 
-constexpr double kAreaTolerance = 1e-12;  ///< areas are rounded to doubles
+constexpr double kAreaTolerance = 1e-12;  ///< relative, because areas are rounded to doubles
 
 bool IsConvex(const Polygon& ring) {
   for (size_t i = 0, n = ring.size(); i < n; ++i)
@@ -37,8 +37,8 @@ bool AreRight(const std::vector<Polygon>& pieces, const Polygon& whole) {
   return std::abs(area - expected) <= kAreaTolerance * expected;
 }
 
-/// A y-monotone part meets each horizontal line once at most, but need not be convex: each is cut
-/// once more.
+/// Returns the convex parts of the polygon's y-monotone parts. A y-monotone part crosses each
+/// horizontal line at most once but need not be convex, so that each part is cut again.
 std::list<CgalPolygon> ConvexPartsOfMonotoneOnes(const CgalPolygon& whole) {
   const Traits traits;
   std::list<CgalPolygon> monotone, parts;

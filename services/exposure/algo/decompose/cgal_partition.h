@@ -8,15 +8,16 @@
 
 namespace slicefarm::exposure {
 
-/// More corners than these take kOptimal minutes.
+/// Largest number of corners for kOptimal. With more corners, kOptimal takes minutes.
 inline constexpr size_t kMaxOptimalCorners = 300;
 
-/// The convex partition of a counter-clockwise polygon by CGAL, checked: pieces are convex and have
-/// the polygon's area. nullopt where CGAL has none to offer: for polygons that touch or cross
-/// themselves, on which it may crash; for kOptimal with over kMaxOptimalCorners; and where what it
-/// returns is wrong, as CGAL 5.5's optimal one is at times.
+/// Returns CGAL's convex partition of a counter-clockwise polygon. The result is checked: the
+/// pieces are convex and have the polygon's area. Returns nullopt in these cases:
+/// - The polygon touches or crosses itself, because CGAL may crash.
+/// - The method is kOptimal and the polygon has more than kMaxOptimalCorners corners.
+/// - CGAL's result is wrong, which happens with the optimal partition of CGAL 5.5.
 ///
-/// kYMonotone: its y-monotone parts, each cut by its approximate partition.
+/// kYMonotone: the y-monotone parts, each cut by the approximate partition.
 ///
 /// REQUIRES: method is not kBian; coordinates within +-2^52.
 std::optional<std::vector<Polygon>> CgalPartition(const Polygon& polygon, DecomposeMethod method);

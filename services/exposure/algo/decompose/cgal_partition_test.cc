@@ -14,7 +14,7 @@ TEST(CgalPartition, OfAnL) {
        {DecomposeMethod::kOptimal, DecomposeMethod::kApproximate, DecomposeMethod::kYMonotone}) {
     const auto pieces = CgalPartition(ring, method);
     ASSERT_TRUE(pieces);
-    // Monotone parts need not be the fewest.
+    // The number of monotone parts need not be the least one.
     if (method == DecomposeMethod::kYMonotone)
       EXPECT_LE(pieces->size(), 3u);
     else
@@ -25,7 +25,7 @@ TEST(CgalPartition, OfAnL) {
   }
 }
 
-/// Each tooth's tip starts a part of its own, which a partition without regard to y has no need of.
+/// The tip of each tooth begins a monotone part. A partition that ignores y needs fewer parts.
 TEST(CgalPartition, MonotonePartsOfAComb) {
   const Polygon comb =
       MakePolygonsOrDie("(0 0, 50 0, 50 30, 40 10, 30 30, 20 10, 10 30, 5 10, 0 20)")[0].outer;
@@ -39,7 +39,8 @@ TEST(CgalPartition, MonotonePartsOfAComb) {
   EXPECT_EQ(area, SignedArea(comb));
 }
 
-/// A plate whose hole was cut open: CGAL 5.5's monotone partition follows wild pointers on it.
+/// A plate with a hole that was cut open: CGAL 5.5's monotone partition follows invalid pointers on
+/// it.
 TEST(CgalPartition, HasNothingToSayOfPolygonsThatTouchThemselves) {
   const Polygon cut_open =
       MakePolygonsOrDie("(0 0, 40 0, 40 20, 0 20, 0 0, 5 5, 5 15, 15 15, 15 5, 5 5)")[0].outer;

@@ -13,14 +13,15 @@ bool IsReflex(const Polygon& ring, size_t i) {
   return CrossSign(ToVector(ring[i] - Before(ring, i)), ToVector(After(ring, i) - ring[i])) < 0;
 }
 
-/// Leaves out the point if the ring goes straight on there.
+/// Removes the point if the ring is straight there.
 void DropIfStraight(Polygon& ring, size_t i) {
   if (ring.size() > 3 &&
       CrossSign(ToVector(ring[i] - Before(ring, i)), ToVector(After(ring, i) - ring[i])) == 0)
     ring.erase(ring.begin() + static_cast<ptrdiff_t>(i));
 }
 
-/// The ring's points from `first` to `last`, both included, passing its end if need be.
+/// Returns the ring's points from `first` to `last`, both included. The range may pass the ring's
+/// end.
 Polygon Stretch(const Polygon& ring, size_t first, size_t last) {
   Polygon points;
   points.reserve(ring.size() + 2);
@@ -33,7 +34,7 @@ Polygon Stretch(const Polygon& ring, size_t first, size_t last) {
   return points;
 }
 
-/// A stretch closed by the cut from its last point to its first.
+/// Returns a range of the ring's points, closed by the cut from its last point to its first.
 Polygon ClosedStretch(const Polygon& ring, size_t first, size_t last) {
   Polygon points = Stretch(ring, first, last);
   DropIfStraight(points, points.size() - 1);
@@ -41,7 +42,7 @@ Polygon ClosedStretch(const Polygon& ring, size_t first, size_t last) {
   return points;
 }
 
-/// Whether a ring lies inside another one, of which it may touch corners.
+/// Returns true if a ring is inside another ring. The rings may touch at corners.
 bool LiesInside(const Polygon& ring, const Polygon& outer) {
   for (const Point p : ring) {
     const Side side = Locate(p, outer);
@@ -50,7 +51,8 @@ bool LiesInside(const Polygon& ring, const Polygon& outer) {
   return true;
 }
 
-/// The way round ring a from point i, over to point j of ring b, round that one, and back.
+/// Returns the ring that follows ring a from point i, crosses to point j of ring b, follows ring b,
+/// and returns.
 Polygon Joined(const Polygon& a, size_t i, const Polygon& b, size_t j) {
   Polygon ring;
   ring.reserve(a.size() + b.size() + 2);
@@ -59,7 +61,7 @@ Polygon Joined(const Polygon& a, size_t i, const Polygon& b, size_t j) {
   };
   around(a, i);
   around(b, j);
-  // From the last to the first, so that places stay what they are.
+  // Removal from the last index to the first keeps the other indices valid.
   for (const size_t place : {ring.size() - 1, a.size() + 1, a.size(), size_t{0}})
     DropIfStraight(ring, place);
   return ring;
@@ -91,7 +93,7 @@ std::vector<CutRegion> CutAlong(CutRegion region, CornerIndex a, CornerIndex b) 
   if (a.ring != b.ring) {
     Polygon joined = Joined(region.rings[a.ring], a.point, region.rings[b.ring], b.point);
     CutRegion whole;
-    // others[0] is the outer ring if neither of the two was.
+    // The outer ring is others[0] unless ring a or b is the outer ring.
     if (outer) whole.rings.push_back(std::move(joined));
     std::move(others.begin(), others.end(), std::back_inserter(whole.rings));
     if (!outer) whole.rings.push_back(std::move(joined));
@@ -107,7 +109,7 @@ std::vector<CutRegion> CutAlong(CutRegion region, CornerIndex a, CornerIndex b) 
     regions[0].rings.push_back(std::move(first));
     regions[1].rings.push_back(std::move(second));
   } else {
-    // The cut closes a bay of a hole: what it closes off is a region, the rest stays a hole.
+    // The cut closes a bay of a hole: the bay becomes a region, the rest remains a hole.
     if (SignedArea(first) < 0) std::swap(first, second);
     regions[0].rings.push_back(std::move(first));
     regions[1].rings.push_back(std::move(others[0]));

@@ -7,15 +7,17 @@
 
 namespace slicefarm::exposure {
 
-/// A connected region with its interior to the left of all rings: the first is the outer one. Where
-/// a hole is bridged to another ring, the ring that both became passes the bridge twice.
+/// Connected region. Its interior is to the left of all rings, and the first ring is the outer one.
+/// If a hole is connected to another ring by a bridge, both are one ring that passes the bridge
+/// twice.
 struct CutRegion {
   std::vector<Polygon> rings;
 
+  /// Returns the number of points of all rings.
   size_t PointCount() const;
 };
 
-/// A corner of a region.
+/// Index of a corner of a region.
 struct CornerIndex {
   size_t ring = 0;
   size_t point = 0;
@@ -23,20 +25,22 @@ struct CornerIndex {
   friend bool operator==(const CornerIndex&, const CornerIndex&) = default;
 };
 
+/// Returns the point before point i of a closed ring.
 inline Point Before(const Polygon& ring, size_t i) {
   return ring[i == 0 ? ring.size() - 1 : i - 1];
 }
+/// Returns the point after point i of a closed ring.
 inline Point After(const Polygon& ring, size_t i) { return ring[i + 1 == ring.size() ? 0 : i + 1]; }
 
-/// The first corner of more than 180 degrees, from `from` on in the order of rings; nullopt: the
-/// region is convex, and then it has no holes. Exact.
+/// Returns the first reflex corner (more than 180 degrees), searched from `from` in the order of
+/// rings. Returns nullopt if the region is convex and therefore has no holes. Exact.
 std::optional<CornerIndex> FirstReflex(const CutRegion& region, CornerIndex from = {});
 
-/// Cuts a region along the segment between two corners which see each other. Corners that become
-/// straight are left out.
+/// Cuts a region along the segment between two corners that see each other. Corners that become
+/// straight are removed.
 ///
-/// Shapes: two regions where both are corners of one ring; one where the cut joins two rings.
-/// Cost:   O(n), and O(n h) where there are h holes to share out.
+/// Shapes: two regions if both corners are on the same ring; one region if the cut joins two rings.
+/// Cost: O(n), plus O(n h) to assign h holes.
 std::vector<CutRegion> CutAlong(CutRegion region, CornerIndex a, CornerIndex b);
 
 }  // namespace slicefarm::exposure

@@ -79,7 +79,8 @@ TEST(CutAlong, JoinsTwoHolesAndKeepsTheOuterRingFirst) {
 TEST(CutAlong, SharesOutHoles) {
   CutRegion region =
       RegionOf("(0 0, 20 0, 20 10, 0 10) (2 2, 4 2, 4 8, 2 8) (14 2, 18 2, 18 8, 14 8)");
-  // From corner to corner the cut would meet the holes: the ring gets corners between them.
+  // A cut between the existing corners would cross the holes: the ring gets new corners between
+  // them.
   region.rings[0].insert(region.rings[0].begin() + 1, Point{10 * kNmPerMm, 0});
   region.rings[0].insert(region.rings[0].begin() + 4, Point{11 * kNmPerMm, 10 * kNmPerMm});
   const auto parts = CutAlong(region, At(region, 10, 0), At(region, 11, 10));
@@ -90,7 +91,7 @@ TEST(CutAlong, SharesOutHoles) {
 }
 
 TEST(CutAlong, ClosesTheBayOfAHole) {
-  // A hole like a U: the cut over its mouth parts what is in the mouth from the rest.
+  // A U-shaped hole: the cut across its mouth separates the inside of the U from the rest.
   CutRegion region =
       RegionOf("(0 0, 20 0, 20 20, 0 20) (5 5, 15 5, 15 15, 12 15, 12 8, 8 8, 8 15, 5 15)");
   const auto parts = CutAlong(region, At(region, 8, 15), At(region, 12, 15));

@@ -23,8 +23,8 @@
 namespace slicefarm::exposure {
 namespace {
 
-constexpr double kKeptArea = 2e-10;     ///< share of the area that merging corners may change
-constexpr Coord kMaxScale = 1'000'000;  ///< finer parts than of a nanometre serve nobody
+constexpr double kKeptArea = 2e-10;     ///< share of the area that merging of corners may change
+constexpr Coord kMaxScale = 1'000'000;  ///< more than 1,000,000 steps per nanometre are not useful
 
 Coord Extent(const MultiPolygon& islands) {
   Coord extent = 1;
@@ -34,7 +34,7 @@ Coord Extent(const MultiPolygon& islands) {
   return extent;
 }
 
-/// The greatest power of ten that leaves room.
+/// Returns the greatest power of ten by which the coordinates can be scaled.
 Coord ScaleFor(const MultiPolygon& islands) {
   const Coord extent = Extent(islands);
   Coord scale = 1;
@@ -65,8 +65,8 @@ absl::Status CannotCut(Point p, Coord scale) {
       {{"x_nm", std::to_string(p.x / scale)}, {"y_nm", std::to_string(p.y / scale)}});
 }
 
-/// A corner of a ring that passes a point twice: the next one from which a cut parts its two
-/// visits. nullopt: no point is passed twice.
+/// Returns a corner for a ring that passes a point twice: the next reflex corner between the two
+/// visits, from which a cut separates them. Returns nullopt if no point is passed twice.
 std::optional<CornerIndex> InsideRepeat(const CutRegion& region) {
   const Polygon& ring = region.rings[0];
   std::vector<size_t> order(ring.size());
@@ -84,7 +84,7 @@ std::optional<CornerIndex> InsideRepeat(const CutRegion& region) {
   return inside && inside->ring == 0 ? inside : FirstReflex(region);
 }
 
-/// Cuts regions until each is done.
+/// Cuts regions until each region is done.
 class Cutter {
  public:
   Cutter(const DecomposeOptions& options, const CancelToken& cancel, ConvexPieces& result)
@@ -93,7 +93,7 @@ class Cutter {
   absl::Status Cut(CutRegion island) {
     method_ = options_.method;
     if (absl::Status status = CutAll(std::move(island)); !status.ok()) return status;
-    // What the method could not do is Bian's.
+    // Bian's method cuts the regions that the requested method could not cut.
     method_ = DecomposeMethod::kBian;
     for (CutRegion& region : std::exchange(left_, {}))
       if (absl::Status status = CutAll(std::move(region)); !status.ok()) return status;
@@ -121,7 +121,7 @@ class Cutter {
     return absl::OkStatus();
   }
 
-  /// Where to cut next; nullopt: the region can be finished.
+  /// Returns the corner of the next cut, or nullopt if the region can be finished.
   std::optional<CornerIndex> NextCorner(const CutRegion& region) const {
     if (method_ == DecomposeMethod::kBian) return FirstReflex(region);
     if (region.rings.size() > 1) return FirstReflex(region, {1, 0});
@@ -163,13 +163,13 @@ class Cutter {
   const DecomposeOptions& options_;
   const CancelToken& cancel_;
   ConvexPieces& result_;
-  DecomposeMethod method_ = DecomposeMethod::kBian;  ///< of the pass
-  std::vector<CutRegion> left_;                      ///< for Bian's
+  DecomposeMethod method_ = DecomposeMethod::kBian;  ///< method of the current pass
+  std::vector<CutRegion> left_;                      ///< regions left for Bian's method
   LinkChoice choice_;
   double greatest_cosine_ = -1;
 };
 
-/// Other corners come first, by about the golden share of each ring.
+/// Rotates the rings so that other corners are first, by about the golden share of each ring.
 void TurnRings(MultiPolygon& islands, int32_t variant) {
   const auto turn = [variant](Polygon& ring) {
     const auto size = static_cast<int64_t>(ring.size());

@@ -22,7 +22,7 @@ namespace {
 
 using Wide = __int128;
 
-/// Twice the signed area, without rounding.
+/// Returns twice the signed area, without rounding.
 Wide TwiceArea(const Polygon& ring) {
   Wide area = 0;
   for (size_t i = 0; i < ring.size(); ++i) {
@@ -42,7 +42,7 @@ bool IsStrictlyConvex(const Polygon& ring) {
   if (ring.size() < 3) return false;
   for (size_t i = 0, n = ring.size(); i < n; ++i) {
     if (Orientation(ring[i], ring[(i + 1) % n], ring[(i + 2) % n]) <= 0) return false;
-    // One turn: all corners lie to the left of all edges.
+    // The ring turns once: all corners are to the left of all edges.
     for (size_t k = 0; k < n; ++k)
       if (Orientation(ring[i], ring[(i + 1) % n], ring[k]) < 0) return false;
   }
@@ -58,8 +58,9 @@ MultiPolygon Scaled(MultiPolygon islands, Coord scale) {
   return islands;
 }
 
-/// Exact: all pieces are convex, and together as large as the islands; no two overlap, as their
-/// boxes do not or an edge of one has all of the other on its right.
+/// Checks exactly that all pieces are convex, and that their total area is the area of the islands.
+/// No two pieces overlap: either their boxes are disjoint, or one piece has an edge with the whole
+/// other piece on its right.
 void ExpectPartition(const MultiPolygon& islands, const ConvexPieces& result,
                      const std::string& what, bool exact = true) {
   Wide area = 0;
@@ -124,7 +125,7 @@ TEST(Decompose, NamedShapes) {
 }
 
 TEST(Decompose, DropsACornerOfAHairsWidth) {
-  // The middle of a short side dented by a nanometre: no cut, no sliver.
+  // A short side with a dent of one nanometre in its middle gives no cut and no sliver.
   MultiPolygon islands = MakePolygonsOrDie("(49.5 0, 50.5 0, 100 50, 100 100, 0 100, 0 50)");
   islands[0].outer.insert(islands[0].outer.begin() + 1, Point{50 * kNmPerMm, 1});
   const ConvexPieces result = DecomposeOrDie(islands);
@@ -141,7 +142,7 @@ TEST(Decompose, KeepsADentThatIsMoreThanArea) {
 }
 
 TEST(Decompose, TheCutAvoidsSharpAnglesByABisector) {
-  // The only corners that the dent sees are at very flat angles: the cut goes straight up.
+  // The dent sees only corners at very flat angles, so that the cut is vertical.
   const ConvexPieces result = DecomposeOrDie(MakePolygonsOrDie("(0 0, 50 1, 100 0, 100 10, 0 10)"));
   EXPECT_EQ(result.pieces.size(), 2u);
   EXPECT_EQ(result.counts.extra_points, 1);
@@ -150,7 +151,7 @@ TEST(Decompose, TheCutAvoidsSharpAnglesByABisector) {
 }
 
 TEST(Decompose, RingsThatTouchThemselves) {
-  // Two lobes of a hole that meet in a corner; a hole that touches the outer ring; islands in
+  // Two lobes of a hole that meet in a corner; a hole that touches the outer ring; islands that
   // touch.
   for (const char* text :
        {"(0 0, 20 0, 20 20, 0 20) (5 5, 10 5, 10 10, 15 10, 15 15, 10 15, 10 10, 5 10)",
@@ -183,7 +184,7 @@ TEST(Decompose, AThousandHoles) {
   }
   const Wide whole = TwiceArea(Scaled(islands, result.scale));
   EXPECT_NEAR(static_cast<double>(area - whole) / static_cast<double>(whole), 0, 1e-11);
-  // A cut from a hole to another ring parts nothing.
+  // A cut from a hole to another ring does not divide the region.
   EXPECT_LE(result.counts.pieces, result.counts.reflex - 1024 + 1);
 }
 
@@ -195,7 +196,7 @@ TEST(Decompose, RandomIslandsAreCutExactly) {
     const ConvexPieces result = DecomposeOrDie(islands);
     ExpectPartition(islands, result, ToText(islands), false);
     EXPECT_GE(result.min_ruled_angle_deg, 29.999999);
-    // A cut does away with one reflex corner at least.
+    // Each cut removes at least one reflex corner.
     EXPECT_LE(result.counts.pieces, result.counts.reflex + static_cast<int64_t>(islands.size()));
     if (::testing::Test::HasFailure()) break;
   }
@@ -225,8 +226,8 @@ TEST(Decompose, OptimalHasNoMorePiecesThanApproximate) {
   }
 }
 
-/// Moving by whole units and turning by right angles changes nothing but places: the number of
-/// pieces stays.
+/// A shift by whole units or a rotation by right angles changes only positions, not the number of
+/// pieces.
 TEST(Decompose, MovedAndTurned) {
   std::mt19937 random(23);
   for (int i = 0; i < 200; ++i) {
@@ -279,7 +280,8 @@ TEST(Decompose, StopsWhenCancelled) {
   EXPECT_EQ(DetailOf(result.status()).reason, Reason::kCancelled);
 }
 
-/// Rectangles on few lines: corners that touch corners and edges, and many on one line.
+/// Returns rectangles with edges on few lines: corners touch corners and edges, and many are on the
+/// same line.
 MultiPolygon OnAFewLines(std::mt19937& random) {
   const auto at = [&] { return FromMm(std::floor(Uniform(random, 0, 9))); };
   std::vector<Polygon> rings;
@@ -290,7 +292,7 @@ MultiPolygon OnAFewLines(std::mt19937& random) {
   return Union(rings, FillRule::kNonZero);
 }
 
-/// A plate with square holes in rows, some of them missing.
+/// Returns a plate with square holes in rows. Some holes are missing.
 MultiPolygon PlateWithHoles(std::mt19937& random) {
   MultiPolygon plate = MakePolygonsOrDie("(0 0, 50 0, 50 50, 0 50)");
   for (int row = 0; row < 4; ++row) {
@@ -309,7 +311,7 @@ int HostileOutlines() {
   return given == nullptr ? 900 : std::atoi(given);
 }
 
-/// With SLICEFARM_DECOMPOSE_OUTLINES=100000: ctest -C nightly -L slow.
+/// The nightly run sets SLICEFARM_DECOMPOSE_OUTLINES=100000: ctest -C nightly -L slow.
 TEST(Decompose, NoMethodGivesUp) {
   std::mt19937 random(25);
   int64_t replaced = 0;

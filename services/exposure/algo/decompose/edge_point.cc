@@ -10,11 +10,13 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// The point nearest to the middle share that is not to the right of the edge.
+/// Returns the point at `share` of the edge, rounded to a point that is not to the right of the
+/// edge.
 EdgePoint Rounded(Point a, Point b, double share) {
   const Point at{a.x + std::llround(share * static_cast<double>(b.x - a.x)),
                  a.y + std::llround(share * static_cast<double>(b.y - a.y))};
-  // One step to the left, most of it across the edge.
+  // The step moves one unit to the left, along the axis that is more nearly perpendicular to the
+  // edge.
   const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
   const Point left = steep ? Point{b.y > a.y ? -1 : 1, 0} : Point{0, b.x > a.x ? 1 : -1};
   for (const Point p : {at, at + left}) {

@@ -20,7 +20,7 @@ TEST(PointOnEdge, IsExactOnScaledEdgesAndLeavesFactors) {
     const EdgePoint first = PointOnEdge(a, b, 0.40, 0.42);
     ASSERT_TRUE(first.exact);
     EXPECT_EQ(Orientation(a, b, first.point), 0);
-    // What is left of the edge can be divided again, and again.
+    // The remaining parts of the edge can be divided again and again.
     const EdgePoint second = PointOnEdge(a, first.point, 0.61, 0.63);
     ASSERT_TRUE(second.exact);
     const EdgePoint third = PointOnEdge(second.point, first.point, 0.1, 0.12);

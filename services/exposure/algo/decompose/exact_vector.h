@@ -8,17 +8,17 @@
 
 namespace slicefarm::exposure {
 
-/// Points of polygons to be decomposed keep within this, so that differences of differences of them
+/// Largest absolute coordinate of polygons for decomposition. Within it, differences of differences
 /// are exact.
 inline constexpr Coord kExactCoord = Coord{1} << 51;
 
-/// +1 if b lies to the left of a, -1 to the right, 0 along the same line. Exact, as Orientation;
-/// faster where many vectors start at one point.
+/// Returns +1 if b is to the left of a, -1 if it is to the right, 0 if both are on one line. Exact
+/// like Orientation; faster if many vectors start at the same point.
 inline int CrossSign(Vector2 a, Vector2 b) {
   const double left = a.x() * b.y();
   const double right = a.y() * b.x();
   const double cross = left - right;
-  // Three roundings of at most 2^-53 each.
+  // The bound covers three roundings of at most 2^-53 each.
   if (std::abs(cross) > 4.5e-16 * (std::abs(left) + std::abs(right))) return cross > 0 ? 1 : -1;
   const __int128 exact =
       static_cast<__int128>(static_cast<int64_t>(a.x())) * static_cast<int64_t>(b.y()) -
@@ -26,7 +26,7 @@ inline int CrossSign(Vector2 a, Vector2 b) {
   return exact > 0 ? 1 : exact < 0 ? -1 : 0;
 }
 
-/// Cosine of the angle between two vectors that are not zero.
+/// Returns the cosine of the angle between two vectors. REQUIRES: neither is zero.
 inline double CosineOf(Vector2 a, Vector2 b) { return Dot(a, b) / (Norm(a) * Norm(b)); }
 
 }  // namespace slicefarm::exposure

@@ -11,21 +11,23 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// Cuts this close to an edge part slivers off walls that are straight but for rounding; the paper
-/// has no limit between reflex corners.
+/// Cosine of the least angle between a cut and an edge at reflex corners. A smaller angle cuts
+/// slivers off walls that are straight except for rounding. The paper has no limit between reflex
+/// corners.
 constexpr double kCosine1 = 0.99984769515639127;
-/// Ranks of candidates; the last is for when nothing else is left.
+/// Ranks of candidates, best first. The last rank is used only if no other candidate is left.
 enum Rank { kBothReflex, kReflex, kConvex, kSharp };
-/// The share of A, from its first side to its other one, at which a cut without a corner to go to
-/// is tried: the bisector first.
+/// Directions of a cut without an end corner, as shares of A from its first side to its other side.
+/// They are tried in this order, the bisector first.
 constexpr std::array kShares = {0.5, 0.375, 0.625, 0.25, 0.75, 0.125, 0.875, 0.0625, 0.9375};
 constexpr int32_t kVariants = 3;
-/// Cuts of this much more weight do nearly as well.
+/// Extra weight up to which a cut counts as nearly as good as the best cut.
 constexpr double kNearlyAsGood = 0.3;
-/// How far beside it such a cut may end, as a share of A, for the sake of a rounder place.
+/// Distance from the tried direction, as a share of A, within which a cut may end at a simpler
+/// point.
 constexpr double kShareTolerance = 0.04;
 
-/// Whether the ray from a corner towards `to` starts inside the region. `in` and `out`: the
+/// Returns true if the ray from a corner towards `to` starts inside the region. `in` and `out`: the
 /// corner's edges.
 bool InCone(Vector2 in, Vector2 out, Vector2 to) {
   const bool left_of_in = CrossSign(in, to) > 0;
@@ -35,12 +37,12 @@ bool InCone(Vector2 in, Vector2 out, Vector2 to) {
 
 Vector2 Unit(const Vector2& v) { return v / Norm(v); }
 
-/// The direction that divides A, which is between `in` and -`out`, by `share`: for 1/2, the
-/// bisector. Other shares need not be those of its angle.
+/// Returns the direction that divides A, the angle between `in` and -`out`, by `share`. The share
+/// 1/2 gives the bisector. Other shares are approximate shares of the angle.
 Vector2 Between(Vector2 in, Vector2 out, double share) {
   const Vector2 first = Unit(in), straight = Unit(out);
-  // Bisectors: the sum of A's sides, and the perpendicular of P's edges; the longer is the more
-  // precise.
+  // The bisector is the sum of A's sides, and also the perpendicular of P's edges. The longer of
+  // the two vectors is more precise.
   Vector2 sum = first - straight;
   const Vector2 across = TurnedLeft(first + straight);
   if (Dot(across, across) > Dot(sum, sum)) sum = across;
@@ -100,7 +102,7 @@ void LinkChoice::Collect(const CutRegion& region, CornerIndex from) {
   }
 }
 
-/// Whether no edge crosses the way from P to `at`, and no corner lies on it.
+/// Returns true if no edge crosses the segment from P to `at`, and no corner is on it.
 bool LinkChoice::Sees(Vector2 at) {
   const double length2 = Dot(at, at);
   const auto on_way = [&](Vector2 u) {
@@ -120,14 +122,15 @@ bool LinkChoice::Sees(Vector2 at) {
   return true;
 }
 
-/// A cut that divides A by `share` and ends on the first edge in its way.
+/// Returns a cut that divides A by `share` and ends on the first edge in this direction.
 std::optional<Link> LinkChoice::LinkAlong(const CutRegion& region, double share) {
   const Vector2 way = Between(in_, out_, share);
   const Edge* hit = nullptr;
   double nearest = 0;
   for (const Edge& edge : edges_) {
     const double from = Cross(way, edge.from), to = Cross(way, edge.to);
-    // The interior is to an edge's left, so only those that pass from right to left are seen.
+    // The interior is to the left of an edge, so that only edges that pass from right to left are
+    // visible.
     if (!(from <= 0 && to > 0) || edge.origin_side <= 0) continue;
     const double t = from / (from - to);
     const double distance = Dot(way, edge.from + t * (edge.to - edge.from));
@@ -164,7 +167,7 @@ std::optional<Link> LinkChoice::LinkAlong(const CutRegion& region, double share)
 }
 
 std::optional<Link> LinkChoice::BisectorLink(const CutRegion& region, int32_t variant) {
-  // The first three are the bisector and one to either side of it.
+  // The first three directions are the bisector and one on either side of it.
   const auto first = static_cast<size_t>(variant);
   if (const std::optional<Link> link = LinkAlong(region, kShares[first])) return link;
   for (const double share : kShares)
@@ -178,8 +181,9 @@ Link LinkChoice::LinkTo(const Candidate& candidate) const {
   return link;
 }
 
-/// Beside the bisector, where there is no other corner as good: none but reflex ones are better, as
-/// their cuts save another one.
+/// Returns a cut near the bisector if the best candidate is convex and no other corner is equally
+/// good. Reflex candidates are always better than the bisector, because their cut removes another
+/// reflex corner.
 Link LinkChoice::InsteadOf(const Candidate& best, const CutRegion& region, int32_t variant) {
   if (best.rank == kConvex)
     if (const std::optional<Link> link = BisectorLink(region, variant);

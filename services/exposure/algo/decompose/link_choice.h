@@ -12,55 +12,56 @@
 
 namespace slicefarm::exposure {
 
-constexpr double kCosine30 = 0.86602540378443865;  ///< cuts at a smaller angle are sharp
+/// Cosine of 30 degrees; a cut at a smaller angle is sharp.
+constexpr double kCosine30 = 0.86602540378443865;
 
-/// Where a cut from a reflex corner ends.
+/// End of a cut from a reflex corner.
 struct Link {
-  CornerIndex end;                  ///< the corner; or the start of the edge that is divided
-  std::optional<Point> extra = {};  ///< the place on that edge
-  double cosine = 0;                ///< of the least angle of the cut with an edge, at either end
-  /// The same at its end alone, where the rule of 30 degrees has chosen it.
+  CornerIndex end;                  ///< the corner, or the start of the divided edge
+  std::optional<Point> extra = {};  ///< the point on the divided edge
+  double cosine = 0;  ///< cosine of the least angle between the cut and an edge, at either end
+  /// Cosine of the least angle at the end alone, if the rule of 30 degrees has chosen the end.
   std::optional<double> ruled_cosine = {};
 };
 
-/// Finds the best end of a cut from a reflex corner P, after Bian et al. 2005.
+/// Search for the best end of a cut from a reflex corner P, after Bian et al. 2005.
 ///
-/// Region A is what lies between the extensions of P's two edges: a cut into it leaves less than
-/// 180 degrees on both sides. Of the corners in A that P sees are preferred
-///   1. reflex ones that have P in their own region A, as one cut does for both;
-///   2. other reflex ones;
-///   3. convex ones at which the cut makes no angle below 30 degrees;
-/// among these, those on the extension of an edge at P (rings have a turn less there), the nearest
-/// first, then those of least weight |cos a - cos b|, a and b the cut's angles with the edges,
-/// summed over both ends.
-/// A cut to a reflex corner that makes an angle below 1 degree counts as none: along a wall that is
-/// straight but for rounding it would part off slivers.
-/// If there is none, the cut runs along the bisector of A to the border.
+/// Region A is the region between the extensions of P's two edges. A cut into A leaves less than
+/// 180 degrees on both sides. Corners in A that P sees are preferred in this order:
+///   1. reflex corners that have P in their own region A, because one cut serves both corners;
+///   2. other reflex corners;
+///   3. convex corners at which the cut makes no angle below 30 degrees.
+/// Among equal ranks, corners on the extension of an edge at P are first, because the ring has one
+/// turn less there, and the nearest of them is best. Then corners follow by weight |cos a - cos b|,
+/// least first. Here a and b are the cut's angles with the edges, and the weight is summed over
+/// both ends. A cut to a reflex corner with an angle below 1 degree is not used, because it would
+/// cut slivers off a wall that is straight except for rounding. If there is no corner, the cut
+/// follows the bisector of A to the border.
 ///
 /// All tests of sides are exact. A cut never passes another corner. Cost: O(n), and O(edges in A)
-/// for each candidate that is tried. Keeps its memory from call to call.
+/// for each tested candidate. Reuses its memory in each call.
 class LinkChoice {
  public:
-  /// nullopt: the corner sees no place to go to, which does not happen in regions whose rings do
-  /// not cross.
+  /// Returns the best end of the cut from corner `from`. Returns nullopt if the corner sees no
+  /// possible end, which cannot happen if the region's rings do not cross.
   ///
-  /// variant: 0 for the best one; 1, 2 for the next ones of the same rank, as long as they make no
-  /// angle below 30 degrees, for cuts beside the bisector, and for such where a convex corner is
-  /// the only one.
+  /// variant: 0 for the best end. 1 and 2 choose the next ends of the same rank that make no angle
+  /// below 30 degrees. For cuts without an end corner, or with a convex corner as the only
+  /// candidate, they choose cuts beside the bisector.
   std::optional<Link> Choose(const CutRegion& region, CornerIndex from, int32_t variant = 0);
 
  private:
   struct Edge {
-    Vector2 from = Vector2::Zero(), to = Vector2::Zero();  ///< relative to P
-    int origin_side = 0;                                   ///< on which side of the edge P lies
+    Vector2 from = Vector2::Zero(), to = Vector2::Zero();  ///< ends relative to P
+    int origin_side = 0;                                   ///< side of the edge on which P is
     CornerIndex index;
   };
   struct Candidate {
     int rank = 0;
-    bool turns = true;      ///< is not on the extension of an edge at P
-    double weight = 0;      ///< of those that turn
-    double cosine = 0;      ///< of the least angle, at either end
-    double end_cosine = 0;  ///< at its end
+    bool turns = true;      ///< false: on the extension of an edge at P
+    double weight = 0;      ///< weight of candidates that turn
+    double cosine = 0;      ///< cosine of the least angle at either end
+    double end_cosine = 0;  ///< cosine of the least angle at the candidate's end
     Vector2 at = Vector2::Zero();
     CornerIndex index;
 
@@ -77,9 +78,10 @@ class LinkChoice {
   std::optional<Link> BisectorLink(const CutRegion& region, int32_t variant);
   std::optional<Link> LinkAlong(const CutRegion& region, double share);
 
-  Point origin_;                                          ///< P
-  Vector2 in_ = Vector2::Zero(), out_ = Vector2::Zero();  ///< P's edges, towards P and away from it
-  std::vector<Edge> edges_;  ///< those that may reach into A; the last ones to block come first
+  Point origin_;                                          ///< the corner P
+  Vector2 in_ = Vector2::Zero(), out_ = Vector2::Zero();  ///< edges of P, towards P and away from P
+  /// Edges that may reach into A; edges that blocked a line recently are near the front.
+  std::vector<Edge> edges_;
   std::vector<Candidate> candidates_;
 };
 

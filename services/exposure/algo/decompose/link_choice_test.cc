@@ -23,7 +23,7 @@ CornerIndex At(const CutRegion& region, double x_mm, double y_mm) {
   return {};
 }
 
-/// The end of the cut from the corner at (x, y), in mm.
+/// Returns the end of the cut from the corner at (x, y), in mm.
 Point LinkFrom(const char* text, double x_mm, double y_mm, int32_t variant = 0) {
   const CutRegion region = RegionOf(text);
   LinkChoice choice;
@@ -40,15 +40,16 @@ TEST(LinkChoice, ReflexCornersThatSeeEachOtherGoTogether) {
 }
 
 TEST(LinkChoice, ABlockedCornerIsNotTaken) {
-  // The errata's case: (5, 6) lies in region A, all corners before it on one side, and yet edges at
-  // (3, 2.5) cross the way to it.
+  // Case of the errata: (5, 6) is in region A, and all corners before it are on one side. Still,
+  // edges at (3, 2.5) cross the line to it.
   const Point end = LinkFrom("(-5 0, 0 0, 0 -5, 10 -5, 10 10, 5 6, -2 8, 3 2.5, -5 8)", 0, 0);
   EXPECT_NE(end, Mm(5, 6));
   EXPECT_EQ(end, Mm(3, 2.5));
 }
 
 TEST(LinkChoice, AnExtensionGoesBeforeTheWeight) {
-  // Both upper corners are convex and not sharp; (10, 20) continues the notch's side.
+  // The two upper corners are convex and not sharp; (10, 20) is on the extension of the notch's
+  // side.
   EXPECT_EQ(LinkFrom("(0 0, 20 0, 20 20, 10 20, 0 18, 0 10, 10 10, 10 5, 0 5)", 10, 10),
             Mm(10, 20));
 }
@@ -71,7 +72,7 @@ TEST(LinkChoice, VariantsOfTheOnlyCornerEndBesideIt) {
 }
 
 TEST(LinkChoice, NothingBehindACornerIsSeen) {
-  // (20, 10) hides (30, 10) from (10, 10): the way would pass it.
+  // (20, 10) hides (30, 10) from (10, 10): the cut would pass it.
   EXPECT_NE(
       LinkFrom(
           "(0 0, 40 0, 40 20, 30 20, 30 10, 25 10, 25 20, 20 20, 20 10, 15 20, 10 20, 10 10, 0 10)",

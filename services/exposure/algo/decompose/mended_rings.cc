@@ -20,7 +20,7 @@ namespace {
 
 struct Edge {
   Point a, b;
-  std::vector<Point> touches = {};  ///< corners that lie on it
+  std::vector<Point> touches = {};  ///< corners on the edge
 
   Coord Left() const { return std::min(a.x, b.x); }
   Coord Right() const { return std::max(a.x, b.x); }
@@ -39,7 +39,7 @@ bool DoEdgesCross(const Edge& e, const Edge& f) {
          Orientation(f.a, f.b, e.a) * Orientation(f.a, f.b, e.b) < 0;
 }
 
-/// Notes which corners lie on which edges; fails where edges cross.
+/// Finds the corners on each edge. Returns an error if edges cross.
 absl::Status FindTouches(std::vector<Edge>& edges) {
   std::sort(edges.begin(), edges.end(),
             [](const Edge& e, const Edge& f) { return e.Left() < f.Left(); });
@@ -59,7 +59,7 @@ absl::Status FindTouches(std::vector<Edge>& edges) {
   return absl::OkStatus();
 }
 
-/// A directed edge without corners on it.
+/// Directed edge without corners on it.
 struct Way {
   Point from, to;
   bool used = false;
@@ -69,7 +69,8 @@ struct Way {
   }
 };
 
-/// Edges divided where they are touched; those that run to and fro are gone. Sorted.
+/// Divides edges where corners touch them, and removes pairs of opposite edges. Returns them
+/// sorted.
 absl::StatusOr<std::vector<Way>> Divided(std::vector<Edge> edges) {
   std::vector<Way> ways;
   for (Edge& edge : edges) {
@@ -94,7 +95,8 @@ absl::StatusOr<std::vector<Way>> Divided(std::vector<Edge> edges) {
   return left;
 }
 
-/// Whether, turning clockwise from direction `from`, `a` comes before `b`. None are equal.
+/// Returns true if a clockwise turn from direction `from` meets `a` before `b`. REQUIRES: no two
+/// directions are equal.
 bool ComesFirst(Vector2 from, Vector2 a, Vector2 b) {
   const auto half = [&](Vector2 v) {  // 0: to the right of `from`; 1: to its left, or behind
     const int side = CrossSign(from, v);
@@ -104,8 +106,8 @@ bool ComesFirst(Vector2 from, Vector2 a, Vector2 b) {
   return half_a != half_b ? half_a < half_b : CrossSign(a, b) < 0;
 }
 
-/// Follows the ways from corner to corner, each time taking the first one clockwise: nothing lies
-/// between it and the way that came.
+/// Follows the edges from corner to corner to rings. At each corner the first edge clockwise is
+/// next, so that no other edge is between it and the edge that arrives.
 absl::StatusOr<std::vector<Polygon>> Followed(std::vector<Way> ways) {
   const auto leaving = [&](Point p) {
     const auto first = std::lower_bound(ways.begin(), ways.end(), Way{p, {INT64_MIN, INT64_MIN}});
@@ -135,7 +137,8 @@ absl::StatusOr<std::vector<Polygon>> Followed(std::vector<Way> ways) {
   return rings;
 }
 
-/// The side of `outer` on which a ring lies that may touch it; nullopt: it is on it all along.
+/// Returns the side of `outer` on which a ring is. The ring may touch `outer`. Returns nullopt if
+/// all its points are on `outer`.
 std::optional<Side> SideOf(const Polygon& ring, const Polygon& outer) {
   for (const Point p : ring)
     if (const Side side = Locate(p, outer); side != Side::kBoundary) return side;
@@ -172,8 +175,8 @@ absl::Status CheckTurns(const MultiPolygon& islands) {
   return absl::OkStatus();
 }
 
-/// Whether a ring that crosses no other lies on an island: in its outer ring, but in none of its
-/// holes.
+/// Returns true if a ring is on an island: inside the outer ring, and in none of the holes.
+/// REQUIRES: the ring crosses no other ring.
 bool LiesOn(const Polygon& ring, const PolygonWithHoles& island) {
   return SideOf(ring, island.outer) == Side::kInside &&
          std::ranges::none_of(island.holes, [&](const Polygon& hole) {

@@ -5,14 +5,14 @@
 
 namespace slicefarm::exposure {
 
-/// The same region by rings of which every corner's inside is its own: where rings touch in a
-/// corner they pass it without crossing, where a corner touches an edge the edge has a corner
-/// there, and where two rings run along each other with nothing between both edges are gone. What
-/// touches nothing comes back as it was.
+/// Returns the same region as rings that may touch but never cross or overlap, so that each
+/// corner's inside is unique. Where rings touch in a corner, they pass the corner without crossing.
+/// Where a corner touches an edge, the edge gets a corner. Where two rings share an edge with no
+/// area between them, both edges are removed. A ring that touches nothing is unchanged.
 ///
-/// Errors: REQUEST_MALFORMED, with the place, if edges cross, lie on each other the same way round,
-///         a ring is turned the wrong way, or an island lies in another one. Exact.
-/// Cost:   O(n log n), and the pairs of edges that overlap in x where anything touches.
+/// Errors: REQUEST_MALFORMED, with the position, if edges cross or overlap in the same direction, a
+/// ring has the wrong direction, or an island is inside another island. Exact. Cost: O(n log n),
+/// and if anything touches the pairs of edges that overlap in x.
 absl::StatusOr<MultiPolygon> MendedRings(MultiPolygon islands);
 
 }  // namespace slicefarm::exposure

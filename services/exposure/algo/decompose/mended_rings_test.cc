@@ -25,7 +25,7 @@ TEST(MendedRings, AHoleOfTwoLobesIsPassedWithoutCrossing) {
   ForEachRing(*mended, [](const Polygon& ring) {
     for (size_t i = 0; i < ring.size(); ++i) {
       if (ring[i] != Point{10 * kNmPerMm, 10 * kNmPerMm}) continue;
-      // At the corner that both lobes share, what is inside is a quarter.
+      // At the corner shared by both lobes, the inside is a quarter of the plane.
       const Point before = ring[(i + ring.size() - 1) % ring.size()],
                   after = ring[(i + 1) % ring.size()];
       EXPECT_GT(Cross(ring[i] - before, after - ring[i]), 0);

@@ -10,7 +10,7 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// Whether p lies in the closed triangle, and is none of its corners.
+/// Returns true if p is in the closed triangle and is not one of its corners.
 bool InTriangle(Point p, Point a, Point b, Point c) {
   if (p == a || p == b || p == c) return false;
   const int ab = CrossSign(ToVector(b - a), ToVector(p - a));
@@ -53,7 +53,7 @@ class Merger {
 
   const MultiPolygon& islands_;
   const MergeLimits& limits_;
-  double area_ = 0;  ///< changed so far
+  double area_ = 0;  ///< area changed so far
 };
 
 }  // namespace

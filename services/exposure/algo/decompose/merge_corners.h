@@ -4,16 +4,16 @@
 
 namespace slicefarm::exposure {
 
-/// Which corners are as good as straight.
+/// Limits within which a corner counts as straight.
 struct MergeLimits {
   double sagitta = 0;  ///< greatest distance of a corner from its neighbours' chord
-  double area = 0;     ///< of all triangles that are cut off or filled in
+  double area = 0;     ///< total area of all triangles that are cut off or filled in
 };
 
-/// Leaves out repeated and straight points, then corners that are nearly straight: within both
-/// limits, and with no other corner in the triangle that goes. A reflex corner of a hair's width
-/// would otherwise cost a cut, and a sliver beside it. Rings of no area vanish.
-/// Cost: O(n), and O(n) for each corner left out.
+/// Removes repeated and straight points, then corners that are nearly straight. A nearly straight
+/// corner is within both limits, and the removed triangle contains no other corner. Otherwise a
+/// tiny reflex corner would cost a cut and leave a sliver beside it. Rings without area disappear.
+/// Cost: O(n), and O(n) for each removed corner.
 MultiPolygon MergeCorners(const MultiPolygon& islands, const MergeLimits& limits);
 
 }  // namespace slicefarm::exposure

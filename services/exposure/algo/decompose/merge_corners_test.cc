@@ -29,7 +29,7 @@ TEST(MergeCorners, StraightPointsAlwaysGo) {
 }
 
 TEST(MergeCorners, AFineArcKeepsItsArea) {
-  // Each corner alone is within the limit; together they would take half of the disc.
+  // Each single corner is within the limit. Together they would remove half of the disc.
   Polygon ring;
   for (int i = 0; i < 1000; ++i)
     ring.push_back({std::llround(1e7 * std::cos(i * 0.00628318)),
@@ -41,7 +41,7 @@ TEST(MergeCorners, AFineArcKeepsItsArea) {
 }
 
 TEST(MergeCorners, KeepsACornerThatAnotherRingIsIn) {
-  // The tip of a hole lies in the bulge that would be cut off.
+  // The tip of a hole is in the bulge that would be cut off.
   MultiPolygon islands = Dented(-1000);
   islands[0].holes = {
       {{50 * kNmPerMm, -500}, {40 * kNmPerMm, 50 * kNmPerMm}, {60 * kNmPerMm, 50 * kNmPerMm}}};

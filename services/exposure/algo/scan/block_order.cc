@@ -12,14 +12,14 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// A place where a block can begin.
+/// Point where a block can begin.
 struct Entry {
   Point at;
   size_t block = 0;
   bool reversed = false;
 };
 
-/// Entries in square cells, about two a cell.
+/// Entries in square cells, about two per cell.
 class EntryGrid {
  public:
   explicit EntryGrid(const std::vector<Entry>& entries) {
@@ -35,7 +35,7 @@ class EntryGrid {
       cells_[Index(Column(entry.at), Row(entry.at))].push_back(entry);
   }
 
-  /// The nearest entry of a block that is left; it and its block's other entry are gone after it.
+  /// Returns the nearest entry of a remaining block. Both entries of this block are removed later.
   template <typename IsLeft>
   std::optional<Entry> Nearest(Point from, IsLeft is_left) {
     const int64_t column = Column(from), row = Row(from);
@@ -45,7 +45,7 @@ class EntryGrid {
       return std::tuple(distance, entry.block, entry.reversed);
     };
     for (int64_t ring = 0; ring <= std::max(columns_, rows_); ++ring) {
-      // Whatever lies in this ring of cells is at least (ring - 1) cells away.
+      // All entries in this ring of cells are at least (ring - 1) cells away.
       if (best && least <= static_cast<double>(ring - 1) * cell_) break;
       ForRing(column, row, ring, [&](std::vector<Entry>& cell) {
         std::erase_if(cell, [&](const Entry& entry) { return !is_left(entry.block); });
@@ -90,7 +90,7 @@ class EntryGrid {
   std::vector<std::vector<Entry>> cells_;
 };
 
-/// Appends the blocks that `wanted` names, nearest first.
+/// Appends the blocks for which `wanted` is true, nearest first.
 template <typename Wanted>
 void AppendNearest(const std::vector<ScanBlock>& blocks, Wanted wanted, Point from,
                    std::vector<BlockTurn>& turns) {

@@ -9,14 +9,15 @@
 
 namespace slicefarm::exposure {
 
-/// What is scanned in one go: a stripe, an island, a convex piece.
+/// Part of the scan that is scanned without interruption: a stripe, an island, a convex piece.
 struct ScanBlock {
   Point start, end;
-  Point middle = {};        ///< of its box; heeded by kAgainstGas alone
-  bool reversible = false;  ///< may be scanned from its end to its start
-  bool odd = false;         ///< the other colour of the chequerboard
+  Point middle = {};        ///< middle of the block's box; used only by kAgainstGas
+  bool reversible = false;  ///< the block may be scanned from its end to its start
+  bool odd = false;         ///< the block has the other colour of the chequerboard
 };
 
+/// A block in the order of scanning, and its direction.
 struct BlockTurn {
   size_t block = 0;
   bool reversed = false;
@@ -24,17 +25,18 @@ struct BlockTurn {
   friend bool operator==(const BlockTurn&, const BlockTurn&) = default;
 };
 
-/// In which order blocks are scanned, beginning near `from`.
-///   kNearest:      always the one that begins nearest to where the last one ended;
-///   kChequerboard: all that are not odd by that rule, then all that are;
-///   kFarthest:     always the one that begins farthest from where the last one ended;
-///   kAgainstGas:   by their middles, against the direction that the gas flows to; blocks that may
-///                  be reversed begin at their end if that lies farther that way.
-/// Among equal ones the first. Cost: O(n log n) on the whole, as the first two search blocks in a
-/// grid; O(n^2) for kFarthest.
+/// Returns the order in which blocks are scanned, beginning near `from`.
+///   kNearest:      next is the block that begins nearest to the end of the last one;
+///   kChequerboard: first all blocks that are not odd by the same rule, then all odd ones;
+///   kFarthest:     next is the block that begins farthest from the end of the last one;
+///   kAgainstGas:   by the blocks' middles, against the direction of the gas flow; a reversible
+///                  block begins at its end if the end is farther along the flow.
+/// If several blocks are equal, the first one is chosen. Cost: O(n log n) in total, because the
+/// first two methods search blocks in a grid; O(n^2) for kFarthest.
 std::vector<BlockTurn> OrderBlocks(const std::vector<ScanBlock>& blocks, JumpOrder order,
                                    Point from, double gas_flow_deg = 0);
 
+/// Returns the centre of a box.
 Point MiddleOf(const Box& box);
 
 }  // namespace slicefarm::exposure

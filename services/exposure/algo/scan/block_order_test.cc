@@ -20,7 +20,7 @@ std::vector<ScanBlock> RandomBlocks(size_t count, std::mt19937_64& random, bool 
   return blocks;
 }
 
-/// By trying all that are left.
+/// Returns the nearest-first order by testing all remaining blocks.
 std::vector<BlockTurn> BruteNearest(const std::vector<ScanBlock>& blocks, Point from) {
   std::vector<BlockTurn> turns;
   std::set<size_t> left;
@@ -78,8 +78,8 @@ TEST(OrderBlocks, EachBlockOnce) {
   }
 }
 
-/// Of 50 flows: each block's middle lies as far along the flow as the next one's, or farther, and
-/// a block that may be reversed ends where the gas comes from.
+/// 50 flow directions are tested. Each block's middle is at least as far along the flow as the next
+/// one's, and a reversible block ends on the side from which the gas flows.
 TEST(OrderBlocks, AgainstGasGoesUpTheFlow) {
   std::mt19937_64 random(5);
   for (const bool reversible : {false, true}) {

@@ -7,10 +7,10 @@
 namespace slicefarm::exposure {
 namespace {
 
-constexpr int kLeastBits = 16;  ///< 65 um
+constexpr int kLeastBits = 16;  ///< 2^16 nm = 65 um
 constexpr double kSquaresPerEdge = 4;
 constexpr double kLeastSquares = 1024;
-/// What rounding may move.
+/// Largest shift by rounding, in nm.
 constexpr double kRounding = 1;
 
 double SquaredDistance(Vector2 p, Vector2 a, Vector2 b) {
@@ -27,7 +27,7 @@ bool DoCross(Vector2 a, Vector2 b, Vector2 c, Vector2 d) {
   return (ab_c < 0) != (ab_d < 0) && (cd_a < 0) != (cd_b < 0);
 }
 
-/// Whether two segments are at least that far from each other.
+/// Returns true if two segments are at least `distance` apart.
 bool AreApart(Vector2 a, Vector2 b, Vector2 c, Vector2 d, double distance) {
   const double nearest = std::min({SquaredDistance(a, c, d), SquaredDistance(b, c, d),
                                    SquaredDistance(c, a, b), SquaredDistance(d, a, b)});
@@ -36,7 +36,7 @@ bool AreApart(Vector2 a, Vector2 b, Vector2 c, Vector2 d, double distance) {
 
 using Span = std::pair<double, double>;
 
-/// Grows `span` by where a + t * way is within `distance` of the place c.
+/// Extends `span` by the values of t at which `a + t * way` is within `distance` of the point c.
 void AddCircle(Vector2 a, Vector2 way, Vector2 c, double distance, Span& span) {
   const double length2 = Dot(way, way), along = Dot(c - a, way) / length2;
   const Vector2 off{a.x() + along * way.x() - c.x(), a.y() + along * way.y() - c.y()};
@@ -46,7 +46,8 @@ void AddCircle(Vector2 a, Vector2 way, Vector2 c, double distance, Span& span) {
   span = {std::min(span.first, along - half), std::max(span.second, along + half)};
 }
 
-/// The same for the rectangle that lies within `distance` on both sides of the segment cd.
+/// Extends `span` by the values of t at which `a + t * way` is in the rectangle that reaches
+/// `distance` to both sides of the segment cd.
 void AddRectangle(Vector2 a, Vector2 way, Vector2 c, Vector2 d, double distance, Span& span) {
   const double length = Norm(d - c);
   if (!(length > 0)) return;
@@ -67,7 +68,8 @@ void AddRectangle(Vector2 a, Vector2 way, Vector2 c, Vector2 d, double distance,
   span = {std::min(span.first, low), std::max(span.second, high)};
 }
 
-/// Where a + t * way is within `distance` of the segment cd; first > second: nowhere.
+/// Returns the values of t at which `a + t * way` is within `distance` of the segment cd. If first
+/// > second, there is no such value.
 Span NearSpan(Vector2 a, Vector2 way, Vector2 c, Vector2 d, double distance) {
   Span span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   AddCircle(a, way, c, distance, span);
@@ -76,7 +78,7 @@ Span NearSpan(Vector2 a, Vector2 way, Vector2 c, Vector2 d, double distance) {
   return span;
 }
 
-/// The longest part of [0, 1] outside of all spans; sorts them.
+/// Returns the longest part of [0, 1] outside of all spans. Sorts the spans.
 Span LongestGap(std::vector<Span>& spans) {
   std::sort(spans.begin(), spans.end());
   Span best{0, 0};
@@ -90,7 +92,8 @@ Span LongestGap(std::vector<Span>& spans) {
   return best;
 }
 
-/// Whether `holds(t)` in the middle of each part of [0, 1] outside of all spans; sorts them.
+/// Returns true if `holds(t)` is true in the middle of each part of [0, 1] outside of all spans.
+/// Sorts the spans.
 template <typename Holds>
 bool AllGaps(std::vector<Span>& spans, Holds holds) {
   std::sort(spans.begin(), spans.end());
@@ -145,7 +148,7 @@ void BorderGrid::ForEachSquare(const Edge& edge, double reach_nm, Visit visit) c
   const Vector2 high = edge.a.y() < edge.b.y() ? edge.b : edge.a;
   const int32_t bottom = At({0, low.y() - reach}).row, top = At({0, high.y() + reach}).row;
   for (int32_t row = bottom; row <= top; ++row) {
-    // The part of the edge that is within reach of the row.
+    // Part of the edge within reach of the row.
     double t0 = 0, t1 = 1;
     if (high.y() > low.y()) {
       t0 = std::clamp((row * square_ - reach - low.y()) / (high.y() - low.y()), 0.0, 1.0);
@@ -173,8 +176,8 @@ void BorderGrid::SortEdges(double reach_nm) {
 }
 
 void BorderGrid::FindRoom() {
-  // Squares without border are inside if a ray to their middle from the left crosses it an odd
-  // number of times.
+  // A square without border is inside if a ray from the left to its middle crosses the border an
+  // odd number of times.
   room_.assign(static_cast<size_t>(columns_) * rows_, 0);
   for (const Edge& edge : edges_) {
     const double low = std::min(edge.a.y(), edge.b.y()), high = std::max(edge.a.y(), edge.b.y());
@@ -193,7 +196,8 @@ void BorderGrid::FindRoom() {
       room_[i] = begin_[i] == begin_[i + 1] ? odd : 0;
     }
   }
-  // How many squares of the inside lie around one, from neighbour to neighbour, there and back.
+  // Counts the squares of the inside around each square, from neighbour to neighbour, once forward
+  // and once backward over the grid.
   const auto relax = [&](int32_t column, int32_t row, int32_t step) {
     uint8_t& room = room_[IndexOf({column, row})];
     if (room == 0) return;
@@ -245,8 +249,8 @@ bool BorderGrid::Stays(Point a, Point b, double beyond_nm) const {
          IsInsideWhereFar(Local(a), Local(b), beyond_nm);
 }
 
-/// Whether an edge has all of the segment ab beside it, no farther than that: contours that lie on
-/// the outline.
+/// Returns true if an edge is beside the whole segment ab, at most `distance_nm` away. This is true
+/// for contours on the outline.
 bool BorderGrid::RunsAlongEdge(Vector2 a, Vector2 b, double distance_nm) const {
   const size_t square = IndexOf(At(a));
   const auto is_beside = [&](const Edge& edge, Vector2 p) {
@@ -278,7 +282,8 @@ bool BorderGrid::IsInsideButEnds(Vector2 a, Vector2 b, double ends_nm) const {
          IsInside({(from.x() + to.x()) / 2, (from.y() + to.y()) / 2});
 }
 
-/// What is far from the border does not cross it: it is inside if its middle is.
+/// A part of the segment far from the border does not cross it: the part is inside if its middle is
+/// inside.
 bool BorderGrid::IsInsideWhereFar(Vector2 a, Vector2 b, double distance_nm) const {
   if (RunsAlongEdge(a, b, distance_nm) || IsInsideButEnds(a, b, distance_nm)) return true;
   const Vector2 way = b - a;
@@ -301,8 +306,8 @@ bool BorderGrid::IsInsideWhereFar(Vector2 a, Vector2 b, double distance_nm) cons
   });
 }
 
-/// Calls visit(square) for those that a segment passes, until it says false; passes over what has
-/// no border near. Returns whether visit never did.
+/// Calls visit(square) for the squares that a segment passes, until visit returns false. Skips
+/// squares far from the border. Returns true if visit never returned false.
 template <typename Visit>
 bool BorderGrid::Follow(Vector2 a, Vector2 b, Visit visit) const {
   const Vector2 way = b - a;

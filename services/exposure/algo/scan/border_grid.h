@@ -13,47 +13,49 @@
 
 namespace slicefarm::exposure {
 
-/// The border of a region by the squares of a grid, to tell whether lines keep away from it. Most
-/// lines are told by one look at the square in their middle, which knows how far it is from there
-/// to the nearest square with border; the rest is followed from square to square.
+/// Border of a region in the squares of a grid, to test if lines keep a distance from the border.
+/// Most lines are decided by the square in their middle, which stores the distance to the nearest
+/// square with border. All other lines are followed from square to square.
 ///
-/// Distances are exact but for roundings of doubles, below a thousandth of a nanometre.
+/// Distances are exact except for rounding of doubles, below a thousandth of a nanometre.
 class BorderGrid {
  public:
-  /// reach_nm: the greatest distance that will be asked for, >= 0. The region is in canonical form:
-  /// its rings do not cross, as far as 2 nm. Cost: O(edges + squares).
+  /// Builds the grid. reach_nm: the greatest distance of later queries, >= 0. REQUIRES: the region
+  /// is in canonical form, so that its rings do not cross by more than 2 nm. Cost: O(edges +
+  /// squares).
   BorderGrid(const MultiPolygon& region, double reach_nm);
 
-  /// Whether all of the segment ab lies in the region, and no nearer to its border than that.
+  /// Returns true if the whole segment ab is in the region, at least `distance_nm` from its border.
   /// REQUIRES: distance_nm <= reach. Cost: O(1) far from the border.
   bool Keeps(Point a, Point b, double distance_nm) const;
 
-  /// The same where a is known to be inside: of a line, only the first piece need be asked where it
-  /// is.
+  /// Returns the same as Keeps if a is known to be inside. Only the first segment of a line needs
+  /// Keeps, the next ones can use KeepsOn.
   bool KeepsOn(Point a, Point b, double distance_nm) const;
 
-  /// Whether no point of the segment ab lies outside of the region by more than `beyond_nm`: for
-  /// lines along the border itself, where roundings decide the side.
-  /// REQUIRES: 0 < beyond_nm <= reach. Cost: O(1) far from the border.
+  /// Returns true if no point of the segment ab is outside of the region by more than `beyond_nm`.
+  /// For lines on the border itself, where rounding decides the side. REQUIRES: 0 < beyond_nm <=
+  /// reach. Cost: O(1) far from the border.
   bool Stays(Point a, Point b, double beyond_nm) const;
 
-  /// Whether the border comes nearer to p than that. REQUIRES: distance_nm <= reach.
+  /// Returns true if the border is nearer to p than `distance_nm`. REQUIRES: distance_nm <= reach.
   bool IsNear(Point p, double distance_nm) const;
 
-  /// The longest run of the segment ab that keeps away that far; nullopt: none does.
+  /// Returns the longest part of the segment ab that is at least `distance_nm` from the border, or
+  /// nullopt if there is none.
   std::optional<std::pair<Point, Point>> LongestRun(Point a, Point b, double distance_nm) const;
 
  private:
-  /// An edge of the border; the region is to its left.
+  /// Edge of the border. The region is to its left.
   struct Edge {
-    Vector2 inward = Vector2::Zero();                  ///< of length 1, at a right angle
-    double offset = 0;                                 ///< of the edge's line along it
-    Vector2 a = Vector2::Zero(), b = Vector2::Zero();  ///< from the grid's corner
+    Vector2 inward = Vector2::Zero();                  ///< unit vector perpendicular to the edge
+    double offset = 0;                                 ///< offset of the edge's line along `inward`
+    Vector2 a = Vector2::Zero(), b = Vector2::Zero();  ///< ends, relative to the grid's corner
 
-    /// How far p lies to the left of the edge's line.
+    /// Returns the distance of p to the left of the edge's line.
     double LeftOf(Vector2 p) const { return Dot(inward, p) - offset; }
-    /// Whether both places lie that far before the edge, or both behind it: a first look that
-    /// settles most.
+    /// Returns true if both points are at least `distance` before the edge's start, or both behind
+    /// its end. This fast test decides most cases.
     bool AreBeside(Vector2 p, Vector2 q, double distance) const {
       return std::max(Cross(p - a, inward), Cross(q - a, inward)) <= -distance ||
              std::min(Cross(p - b, inward), Cross(q - b, inward)) >= distance;
@@ -79,15 +81,17 @@ class BorderGrid {
     return {static_cast<double>(p.x - box_.min.x), static_cast<double>(p.y - box_.min.y)};
   }
   bool IsFarFromBorder(Point a, Point b) const;
-  /// Whether a segment keeps away; `inside`: whether it was seen where it is.
+  /// Returns true if a segment keeps the distance. `inside`: set to true if the search shows that
+  /// the segment is inside.
   bool KeepsAlong(Vector2 a, Vector2 b, double distance_nm, bool& inside) const;
   bool IsInside(Vector2 p) const;
   bool IsNearEdge(Vector2 p, double distance_nm) const;
   bool RunsAlongEdge(Vector2 a, Vector2 b, double distance_nm) const;
-  /// Whether of the segment ab all but its ends, that long, is inside; false if that takes more
-  /// than a look at the edges beside it.
+  /// Returns true if the segment ab without `ends_nm` at both ends is inside. Returns false if this
+  /// cannot be decided by the edges beside the segment.
   bool IsInsideButEnds(Vector2 a, Vector2 b, double ends_nm) const;
-  /// Whether of the segment ab all that is at least that far from the border is inside.
+  /// Returns true if all parts of the segment ab that are at least `distance_nm` from the border
+  /// are inside.
   bool IsInsideWhereFar(Vector2 a, Vector2 b, double distance_nm) const;
 
   template <typename Visit>
@@ -103,11 +107,12 @@ class BorderGrid {
   Box box_;
   int square_bits_ = 0;  ///< a square is 2^bits nm wide
   double square_ = 1;
-  double per_nm_ = 1;  ///< squares; exact, as it is a power of two
+  double per_nm_ = 1;  ///< squares per nm; exact, because it is a power of two
   int32_t columns_ = 0, rows_ = 0;
-  std::vector<int32_t> begin_;  ///< in items_, by square
-  std::vector<int32_t> items_;  ///< edges within reach of the square
-  /// By square: how many squares it is to the nearest one with border, or outside; 0: it is one.
+  std::vector<int32_t> begin_;  ///< first index of each square in items_
+  std::vector<int32_t> items_;  ///< edges within reach of each square
+  /// Number of squares to the nearest one with border or outside, per square. 0: the square itself
+  /// has border or is outside.
   std::vector<uint8_t> room_;
 };
 

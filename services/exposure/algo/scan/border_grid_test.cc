@@ -50,7 +50,8 @@ TEST(BorderGrid, TheLongestRunBesideACorner) {
   ASSERT_TRUE(run);
   EXPECT_EQ(run->first, (Point{5'000'000, 2'000'000}));
   EXPECT_EQ(run->second, (Point{5'000'000, 28'000'000}));
-  // Past a hole that is too near: the longer part, which ends where its corner is 2 mm away.
+  // The segment passes too near to a hole: its longer part ends where the hole's corner is 2 mm
+  // away.
   const auto part = border.LongestRun({9'000'000, 3'000'000}, {9'000'000, 25'000'000}, 2e6);
   ASSERT_TRUE(part);
   EXPECT_EQ(part->first, (Point{9'000'000, 3'000'000}));
@@ -95,7 +96,7 @@ bool Meets(Point a, Point b, const MultiPolygon& region) {
   return meets;
 }
 
-/// Random segments in random regions, against all edges one by one.
+/// Random segments in random regions are compared with a test of all edges.
 TEST(BorderGrid, IsWhatAllEdgesSay) {
   std::mt19937 random(7);
   int kept = 0, not_kept = 0;
@@ -129,7 +130,7 @@ TEST(BorderGrid, IsWhatAllEdgesSay) {
   EXPECT_GT(not_kept, 5000);
 }
 
-/// How far outside the farthest of many places of ab is; the way from one to the next.
+/// Returns how far the farthest of many points of ab is outside, and the step between the points.
 std::pair<double, double> FarthestOutside(Point a, Point b, const MultiPolygon& region) {
   constexpr int kSteps = 200;
   double farthest = 0;
@@ -140,7 +141,7 @@ std::pair<double, double> FarthestOutside(Point a, Point b, const MultiPolygon& 
   return {farthest, Distance(a, b) / kSteps + 2};
 }
 
-/// Random segments, many of them along an edge, against places on them.
+/// Random segments, many of them along an edge, are compared with points on them.
 TEST(BorderGrid, StaysIsWhatPlacesOnTheLineSay) {
   std::mt19937 random(8);
   int stay = 0, stray = 0;

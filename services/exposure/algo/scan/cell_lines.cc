@@ -13,16 +13,16 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// A part of a hatch line in a cell.
+/// Part of a hatch line in one cell.
 struct CellLine {
-  int32_t row = 0, column = 0;  ///< of the cell; stripes are all in row 0
+  int32_t row = 0, column = 0;  ///< indices of the cell; stripes are all in row 0
   int32_t line = 0;
   double u0 = 0, u1 = 0;
 
   auto Key() const { return std::tuple(row, column, line, u0); }
 };
 
-/// Cells that have a number in common, with half of the overlap on either side.
+/// Row of cells, each with half of the overlap on either side.
 struct CellRow {
   double width = 0;
   double half_overlap = 0;
@@ -39,12 +39,12 @@ struct CellRow {
   int32_t Index(double at) const { return static_cast<int32_t>(std::floor(at / width)); }
 };
 
-/// Cuts a piece at the cells' borders; wanted(cell) says which are taken.
+/// Cuts a piece at the cells' borders. Only cells for which wanted(cell) is true are used.
 template <typename Wanted, typename Emit>
 void CutAtCells(const ScanPiece& piece, const CellRow& cells, double least, Wanted wanted,
                 Emit emit) {
   for (int32_t cell = cells.First(piece.u0); cell <= cells.Last(piece.u1); ++cell) {
-    // What only reaches into the overlap belongs to the neighbour alone.
+    // A piece that only reaches into the overlap belongs to the neighbour cell.
     if (!wanted(cell) || !cells.Meets(cell, piece.u0, piece.u1)) continue;
     const double u0 = std::max(piece.u0, cells.Low(cell)),
                  u1 = std::min(piece.u1, cells.High(cell));
@@ -54,7 +54,7 @@ void CutAtCells(const ScanPiece& piece, const CellRow& cells, double least, Want
 
 bool IsOdd(int64_t i) { return (i & 1) != 0; }
 
-/// Lines of one family in its frame, and which of the cells it is for.
+/// Lines of one direction in their frame, for the odd or the even cells.
 struct Family {
   LineAxes frame;
   LineGrid grid;
@@ -80,7 +80,7 @@ absl::Status FillStripes(const HatchRegion& region, const ExposureOptions& optio
   return absl::OkStatus();
 }
 
-/// Rows and columns are those of the family's own frame.
+/// Adds the lines of islands. Rows and columns are in the family's own frame.
 absl::Status FillIslands(const HatchRegion& region, const ExposureOptions& options,
                          Family& family) {
   const CellRow islands{static_cast<double>(options.island_width_nm),
@@ -94,8 +94,8 @@ absl::Status FillIslands(const HatchRegion& region, const ExposureOptions& optio
     for (int32_t row = islands.First(v); row <= islands.Last(v); ++row) {
       CutAtCells(
           piece, islands, least,
-          // In the frame of the odd ones, which is turned by a right angle, column c is row -c - 1:
-          // the sum's parity is the other one.
+          // The frame of the odd family is turned by a right angle. Column c of the even family is
+          // row -c - 1 there, so that the parity of the sum is the opposite one.
           [&](int32_t column) { return !IsOdd(int64_t{row} + column); },
           [&](int32_t column, double u0, double u1) {
             family.lines.push_back({row, column, piece.line, u0, u1});
@@ -105,7 +105,7 @@ absl::Status FillIslands(const HatchRegion& region, const ExposureOptions& optio
   return absl::OkStatus();
 }
 
-/// Appends a family's cells as blocks; directions of lines alternate in each.
+/// Appends a family's cells as blocks. The directions of lines alternate in each block.
 void AppendBlocks(Family& family, bool alternate, LineBlocks& blocks) {
   std::sort(family.lines.begin(), family.lines.end(),
             [](const CellLine& a, const CellLine& b) { return a.Key() < b.Key(); });

@@ -10,7 +10,7 @@ struct ExposureOptions;
 
 namespace slicefarm::exposure {
 
-/// The hatch lines of each stripe (kStripes) or island (kIslands); see hatch.h.
+/// Returns the hatch lines of each stripe (kStripes) or island (kIslands) as blocks; see hatch.h.
 absl::StatusOr<LineBlocks> CellBlocks(const HatchRegion& region, double angle_deg,
                                       const ExposureOptions& options);
 

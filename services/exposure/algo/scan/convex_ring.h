@@ -8,10 +8,10 @@
 
 namespace slicefarm::exposure {
 
-/// Corners in nm, not rounded yet.
+/// Corners in nm, not yet rounded.
 using ConvexRing = std::vector<Vector2>;
 
-/// Coordinates of the piece are in 1 / `scale` nm.
+/// Converts a piece with coordinates in 1 / `scale` nm to a ring in nm.
 inline ConvexRing ConvexRingOf(const Polygon& piece, double scale) {
   ConvexRing ring;
   for (const Point p : piece)

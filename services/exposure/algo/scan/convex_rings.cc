@@ -12,15 +12,17 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// A spine runs along the middle if it is at least as long there, as a share.
+/// Least length of the middle line, as a share of the lower line, for the spine to be the middle
+/// line.
 constexpr double kAsLong = 0.95;
-/// Lines closer to parallel than this have no corner.
+/// Sine of the angle below which two lines count as parallel and have no corner.
 constexpr double kParallel = 1e-12;
-/// Less than this is left in the middle, as a share of the pitch: too narrow for a line.
+/// Width left in the middle, as a share of the pitch, that is too narrow for a line.
 constexpr double kFits = 0.02;
 constexpr double kDepthNm = 1'000;
 
-/// Rounded to nm, with the first point again at the end. Less than 4 points: no ring.
+/// Returns the ring rounded to nm, with the first point repeated at the end. A result of less than
+/// 4 points is no ring.
 Polyline ClosedLine(const ConvexRing& ring) {
   Polyline line;
   for (const Vector2& p : ring)
@@ -30,8 +32,8 @@ Polyline ClosedLine(const ConvexRing& ring) {
   return line;
 }
 
-/// Ring `k` of a piece with spurs, if it has its turn; `gap`: what it leaves open around it, except
-/// of the outermost.
+/// Returns ring `k` of a piece with spurs, if it is the ring's turn. `gap`: the border of the area
+/// that the ring outside of it leaves open; not used for the outermost ring.
 ConvexRing Spurred(const ConvexRing& ring, int64_t k, const ConvexRing& gap, const RingFill& fill) {
   const bool has_turn = !fill.turn || (k + fill.turn->corner) % kCornerTurns == 0;
   if (!fill.corners || !has_turn) return ring;
@@ -55,8 +57,8 @@ ConvexInsets::ConvexInsets(const Polygon& piece, double scale) {
 }
 
 ConvexRing ConvexInsets::At(double distance) {
-  // The common part of half planes in the order of their directions: a deque of those that have a
-  // side of it so far.
+  // Intersects half planes in the order of their directions. The deque holds the lines that still
+  // have a side of the intersection.
   struct Line {
     Vector2 at = Vector2::Zero(), way = Vector2::Zero();
     size_t edge = 0;
@@ -122,7 +124,8 @@ double ConvexInsets::Depth() {
     around += Norm(b - a);
   }
   if (!(around > 0)) return 0;
-  // A circle of half of the greatest depth that area and length allow fits into any convex polygon.
+  // Half of the greatest depth possible for this area and length is the lower bound: a circle of
+  // this radius fits into any convex polygon.
   double low = twice_area / around / 2, high = 2 * low;
   while (high - low > kDepthNm) {
     const double middle = (low + high) / 2;
@@ -133,13 +136,13 @@ double ConvexInsets::Depth() {
 
 namespace {
 
-/// The longest side's line, and how far the polygon reaches from it.
+/// Line of the longest side, and the polygon's extent perpendicular to it.
 struct Base {
   Vector2 at = Vector2::Zero(), way = Vector2::Zero();
   double width = std::numeric_limits<double>::infinity();
 };
 
-/// The width of a convex polygon is measured from one of its sides.
+/// Returns the longest side of a convex polygon and the polygon's width from this side.
 Base BaseOf(const ConvexRing& ring) {
   Base base;
   for (size_t i = 0; i < ring.size(); ++i) {
@@ -154,7 +157,7 @@ Base BaseOf(const ConvexRing& ring) {
   return base;
 }
 
-/// The line at `height` over the base, from border to border.
+/// Returns the line at `height` above the base, from border to border.
 Spine Chord(const ConvexRing& ring, const Base& base, double height) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (size_t i = 0; i < ring.size(); ++i) {
@@ -175,7 +178,8 @@ Spine Chord(const ConvexRing& ring, const Base& base, double height) {
 
 double LengthOf(const Spine& spine) { return Norm(spine.to - spine.from); }
 
-/// What of a spine keeps far enough from the region's border; nullopt: nothing.
+/// Returns the part of a spine that is far enough from the region's border, or nullopt if there is
+/// none.
 std::optional<std::pair<Point, Point>> Cleared(const Spine& spine, const RingFill& fill) {
   const Point from = RoundedPoint(spine.from), to = RoundedPoint(spine.to);
   if (fill.border == nullptr) return std::pair(from, to);
@@ -192,8 +196,8 @@ Spine SpineOf(const ConvexRing& ring) {
 Spine SpineOf(const ConvexRing& ring, double spot_nm) {
   const Base base = BaseOf(ring);
   const Spine middle = Chord(ring, base, base.width / 2);
-  // Down to where the spot still reaches the top, but not the base's other side; not onto the base
-  // itself, of which rounding may leave nothing.
+  // The line moves down as long as the spot still reaches the top and does not reach beyond the
+  // base. It keeps off the base itself, because rounding could leave nothing of it.
   const double least = 0.05 * base.width;
   const double height = std::clamp(base.width - spot_nm / 2, least, std::max(least, spot_nm / 2));
   const Spine low = Chord(ring, base, height);
@@ -202,15 +206,17 @@ Spine SpineOf(const ConvexRing& ring, double spot_nm) {
 
 namespace {
 
-/// From which ring on rings are nearer, and by how much.
+/// Shift of the inner rings towards the border: the first shifted ring, and the distance.
 struct Nearer {
   int64_t from = 0;
   double by_nm = 0;
-  /// Rings from here on have no spurs, which lie where all links of the middle do.
+  /// First ring without spurs. The spurs of inner rings would be at the same position as the links
+  /// in the middle.
   int64_t plain_from = std::numeric_limits<int64_t>::max();
 };
 
-/// So that the innermost ring's sides are a pitch apart, and nothing is left in the middle.
+/// Returns the shift after which the innermost ring's sides are a pitch apart and nothing is left
+/// in the middle.
 Nearer NearerOf(const Polygon& piece, double scale, const RingFill& fill) {
   if (!fill.turn) return {};
   const double depth = ConvexInsets(piece, scale).Depth() - fill.first_nm;
@@ -226,7 +232,7 @@ std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const Ring
   std::vector<Polyline> rings;
   const Nearer nearer = NearerOf(piece, scale, fill);
   ConvexInsets insets(piece, scale);
-  // Up to where the rings melt: what lies deeper has not been reached yet.
+  // Depth up to which the rings melt. Deeper areas are not melted yet.
   double reached = fill.first_nm - fill.pitch_nm / 2;
   ConvexRing gap;  // where a ring ends to melt, around the next one
   for (int64_t k = 0;; ++k) {
@@ -242,14 +248,15 @@ std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const Ring
     reached = distance + fill.pitch_nm / 2;
     if (line.size() < 4) break;
     rings.push_back(std::move(line));
-    // The next one may lie where this one has melted: nothing is open between them.
+    // The first shifted ring may be on the area that this ring has melted: no gap is open between
+    // them.
     gap = fill.corners && k + 1 != nearer.from ? insets.At(reached) : ConvexRing{};
   }
   const ConvexRing rest = insets.At(std::max(0.0, reached));
   if (rest.size() < 3) return rings;
   const Spine spine = SpineOf(rest, fill.pitch_nm);
   if (spine.width_nm < fill.least_spine * fill.pitch_nm) return rings;
-  // Where there is no ring around it, nothing keeps it off the border.
+  // A spine without a ring around it could be too near to the border.
   const auto line = rings.empty() ? Cleared(spine, fill)
                                   : std::pair(RoundedPoint(spine.from), RoundedPoint(spine.to));
   if (line && line->first != line->second) rings.push_back({line->first, line->second});

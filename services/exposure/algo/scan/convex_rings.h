@@ -13,63 +13,65 @@
 
 namespace slicefarm::exposure {
 
-/// Insets of a convex polygon by moving its edges. Edges that vanish stay so in deeper ones, so
-/// distances must not decrease from call to call. Cost: O(n) a call.
+/// Insets of a convex polygon by moving its edges. An edge that disappears is also missing in
+/// deeper insets, so that distances must not decrease from call to call. Cost: O(n) per call.
 class ConvexInsets {
  public:
-  /// REQUIRES: convex, counter-clockwise. Coordinates are in 1 / `scale` nm.
+  /// Prepares the insets of `piece`, with coordinates in 1 / `scale` nm. REQUIRES: convex,
+  /// counter-clockwise.
   ConvexInsets(const Polygon& piece, double scale);
 
-  /// Counter-clockwise; empty if nothing is left.
+  /// Returns the inset, counter-clockwise, or an empty ring if nothing is left.
   ConvexRing At(double distance_nm);
 
-  /// Of the deepest inset of which something is left, and up to a micrometre more. REQUIRES: At is
-  /// not called any more. Cost: O(n log(depth)).
+  /// Returns the distance of the deepest inset that is not empty, plus at most a micrometre.
+  /// REQUIRES: At is not called afterwards. Cost: O(n log(depth)).
   double Depth();
 
  private:
-  /// A line; the polygon is on its left.
+  /// Line with the polygon on its left.
   struct Edge {
     Vector2 at = Vector2::Zero();
-    Vector2 way = Vector2::Zero();  ///< of length 1
+    Vector2 way = Vector2::Zero();  ///< unit vector of the direction
   };
-  std::vector<Edge> edges_;  ///< by ascending direction
+  std::vector<Edge> edges_;  ///< edges sorted by direction
 };
 
-/// A line along the middle of a thin convex polygon, halfway between its longest side and what is
-/// farthest from that.
+/// Line along the middle of a thin convex polygon, halfway between its longest side and the corner
+/// farthest from this side.
 struct Spine {
   Vector2 from = Vector2::Zero(), to = Vector2::Zero();
-  double width_nm = 0;  ///< of the polygon, across
+  double width_nm = 0;  ///< width of the polygon across the line
 };
-/// REQUIRES: three corners at least.
+/// Returns the middle line. REQUIRES: at least three corners.
 Spine SpineOf(const ConvexRing& ring);
-/// The same to be melted by a spot: where the polygon tapers the line lies nearer to the longest
-/// side, where it is longer, as far as the spot still reaches what is farthest.
+/// Returns the line along which a spot melts the polygon. If the polygon tapers, the line is nearer
+/// to the longest side, where it is longer, as far as the spot still reaches the farthest corner.
 Spine SpineOf(const ConvexRing& ring, double spot_nm);
 
-/// How rings fill a piece.
+/// Parameters of the rings that fill a piece.
 struct RingFill {
   double pitch_nm = 0;
-  double first_nm = 0;  ///< from the border to the first ring
-  /// Narrower leftovers in the middle stay empty, as a share of the pitch.
+  double first_nm = 0;  ///< distance from the border to the first ring
+  /// Least width of a leftover in the middle that gets a line, as a share of the pitch.
   double least_spine = 0.05;
   bool corners = false;  ///< rings reach into corners (corner_spurs.h)
   SpurFill spurs = {};
-  /// What is melted twice lies elsewhere in each layer (layer_shift.h); nullopt: all rings reach
-  /// into corners, and the innermost overlaps itself or the line in the middle.
+  /// Positions of double melting, which differ in each layer (layer_shift.h). nullopt: all rings
+  /// reach into corners, and the innermost ring overlaps itself or the line in the middle.
   std::optional<RingTurn> turn = std::nullopt;
-  /// Of the region that was cut into pieces, with a reach of SpurReach and spine_gap_nm at least;
-  /// null: the piece is all of it.
+  /// Border of the region that was cut into pieces. Its reach is at least SpurReach and
+  /// spine_gap_nm. Null: the piece is the whole region.
   const BorderGrid* border = nullptr;
-  double spine_gap_nm = 0;  ///< from the border to spines without a ring around them
+  double spine_gap_nm = 0;  ///< distance from the border to a spine without a ring around it
 };
 
+/// Least depth of a piece, in pitches, for its inner rings to be shifted.
 inline constexpr double kTurnedRings = 4;
 
-/// Rings of a convex piece from its border inwards, at first + k * pitch, and the spine of what is
-/// left in the middle (two points). With a turn, rings from one of them on are nearer by less than
-/// a pitch, if the piece has room for kTurnedRings. Rounded to nm.
+/// Returns the rings of a convex piece from its border inwards, at first + k * pitch, and the spine
+/// of the leftover in the middle (two points). With a turn, the inner rings are shifted outwards by
+/// less than a pitch, if the piece is at least kTurnedRings deep. Rounded to nm.
 std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const RingFill& fill);
 
 }  // namespace slicefarm::exposure

@@ -54,8 +54,8 @@ TEST(ConvexInsets, Depth) {
   }
 }
 
-/// 9.05 mm are 45 rings and a quarter: from one ring on, all lie as much nearer that the innermost
-/// one's sides are a pitch apart.
+/// 9.05 mm are 45 rings and a quarter. Beginning with one ring, all rings are shifted by a distance
+/// that makes the innermost ring's sides a pitch apart.
 TEST(ConvexRings, OfATurnFitTheMiddle) {
   const Polygon block = MakePolygonsOrDie("(0 0, 9.05 0, 9.05 20, 0 20)")[0].outer;
   RingFill fill{.pitch_nm = 1e5, .first_nm = 5e4};
@@ -89,11 +89,12 @@ TEST(ConvexRings, EveryFifthOfATurnReachesIntoCorners) {
     ASSERT_EQ(rings.size(), spurred.size());
     for (size_t k = 0; k < rings.size(); ++k) spurred[k] += rings[k].size() > 5 ? 1 : 0;
   }
-  // Not the outermost, which has the region's border around it, nor the middle ones.
+  // Exceptions are the outermost ring, which has the region's border around it, and the middle
+  // rings.
   for (size_t k = 0; k < spurred.size(); ++k) EXPECT_EQ(spurred[k], k > 0 && k < 47 ? 1 : 0) << k;
 }
 
-/// Of random convex polygons, against the offset by Clipper.
+/// Insets of random convex polygons are compared with the offset by Clipper.
 TEST(ConvexInsets, AreThoseOfAnotherOffset) {
   std::mt19937 random(3);
   for (int i = 0; i < 1000; ++i) {
@@ -162,8 +163,8 @@ TEST(ConvexRings, KeepTheirDistanceFromTheBorder) {
   }
 }
 
-/// Whatever the turn, rings keep the first one's distance to a random piece's border, and tips of
-/// spurs do, too.
+/// With every turn, rings and the tips of spurs keep the first ring's distance from a random
+/// piece's border.
 TEST(ConvexRings, OfATurnStayInside) {
   std::mt19937 random(11);
   for (int i = 0; i < 400; ++i) {

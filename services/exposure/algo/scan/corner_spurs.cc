@@ -11,24 +11,28 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// Narrower tips stay open, as a share of the spot.
+/// Width below which a tip remains open, as a share of the spot.
 constexpr double kOpenTip = 0.25;
-/// Sine of half of the bluntest angle with a spur: it leaves a tenth of a spot's width open.
+/// Sine of half of the largest angle of a corner with a spur. Without a spur, a corner of this
+/// angle leaves a tenth of a spot's width open.
 constexpr double kBluntest = 0.83;
-/// Pieces lie this close to the region's border, as it is simplified before it is cut.
+/// Distance between a piece and the region's border up to which they count as touching. The border
+/// is simplified before it is cut.
 constexpr double kSpurTouchNm = 3'000;
-/// A spur along the border is as far from it as its ring, but for what rounding does; its ring may
-/// be nearer by what simplifying has moved.
+/// Tolerance of a spur along the border: it is as far from the border as its ring except for
+/// rounding. The ring itself may be nearer by the second tolerance, because simplification moves
+/// the border.
 constexpr double kRoundingNm = 500;
 constexpr double kSimplifiedNm = 2'000;
 
 struct SharpCorner {
   Vector2 at = Vector2::Zero();
-  Vector2 in = Vector2::Zero(), out = Vector2::Zero();  ///< directions of its sides, of length 1
-  Vector2 outward = Vector2::Zero();                    ///< of the bisector
-  double sine = 0, cosine = 0;                          ///< of half of its angle
+  Vector2 in = Vector2::Zero(), out = Vector2::Zero();  ///< unit vectors of its sides
+  Vector2 outward = Vector2::Zero();                    ///< unit vector of the bisector, outwards
+  double sine = 0, cosine = 0;                          ///< sine and cosine of half of its angle
 
-  /// From a tip of the same angle along the bisector to where it is too wide to stay open.
+  /// Returns the distance along the bisector from a tip of the same angle to the position that is
+  /// too wide to remain open.
   double OpenNm(const SpurFill& fill) const {
     return std::max(fill.spot_nm / 2, kOpenTip / 2 * fill.spot_nm * cosine / sine);
   }
@@ -44,7 +48,7 @@ Vector2 Along(Vector2 from, Vector2 way, double length) {
   return {from.x() + length * way.x(), from.y() + length * way.y()};
 }
 
-/// nullopt: the corner is blunt, or no corner at all.
+/// Returns the sharp corner at point i, or nullopt if the corner is blunt or not a corner at all.
 std::optional<SharpCorner> SharpCornerOf(const ConvexRing& ring, size_t i) {
   SharpCorner corner;
   corner.at = ring[i];
@@ -59,11 +63,11 @@ std::optional<SharpCorner> SharpCornerOf(const ConvexRing& ring, size_t i) {
 }
 
 struct Spur {
-  Vector2 way = Vector2::Zero();  ///< of length 1
+  Vector2 way = Vector2::Zero();  ///< unit vector of the direction
   double length = 0;
 };
 
-/// The ring with what `spur_of` says of its sharp corners.
+/// Returns the ring with the spur that `spur_of` returns for each sharp corner.
 template <typename SpurOf>
 ConvexRing Spurred(const ConvexRing& ring, const SpurFill& fill, SpurOf spur_of) {
   ConvexRing result;
@@ -80,7 +84,7 @@ ConvexRing Spurred(const ConvexRing& ring, const SpurFill& fill, SpurOf spur_of)
   return result;
 }
 
-/// How far it is from `p`, inside a convex ring, along `way` to the ring.
+/// Returns the distance from `p`, inside a convex ring, to the ring in the direction `way`.
 double DistanceTo(const ConvexRing& ring, Vector2 p, Vector2 way) {
   double nearest = std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < ring.size(); ++i) {
@@ -91,7 +95,7 @@ double DistanceTo(const ConvexRing& ring, Vector2 p, Vector2 way) {
   return nearest;
 }
 
-/// Of a convex ring at `p`, across `way`.
+/// Returns the width of a convex ring at `p`, perpendicular to `way`.
 double WidthAt(const ConvexRing& ring, Vector2 p, Vector2 way) {
   return DistanceTo(ring, p, {way.y(), -way.x()}) + DistanceTo(ring, p, {-way.y(), way.x()});
 }
@@ -102,7 +106,7 @@ ConvexRing WithSpurs(const ConvexRing& ring, const ConvexRing& around, const Spu
   return Spurred(ring, fill, [&](const SharpCorner& corner) {
     const double to_tip = DistanceTo(around, corner.at, corner.outward);
     const Spur spur{corner.outward, to_tip - fill.spot_nm / 2};
-    // Where a side of the gap has gone in the ring, the gap need not taper as the ring does.
+    // If a side of the gap has disappeared in the ring, the gap need not taper like the ring.
     const double width = WidthAt(around, Along(corner.at, spur.way, spur.length), spur.way);
     return width < kOpenTip * fill.spot_nm ? Spur{spur.way, to_tip - corner.OpenNm(fill)} : spur;
   });
@@ -115,11 +119,11 @@ double OpenShare(const ConvexRing& piece, double pitch_nm, const SpurFill& fill)
     around_nm += Norm(piece[(i + 1) % piece.size()] - piece[i]);
     const std::optional<SharpCorner> corner = SharpCornerOf(piece, i);
     if (!corner) continue;
-    // Between both sides of the tip and the spot that touches them.
+    // Area between the two sides of the tip and the spot that touches them.
     const double half = Atan2(corner->sine, corner->cosine);
     open_nm2 += radius * radius * (corner->cosine / corner->sine - std::numbers::pi / 2 + half);
   }
-  // A piece has no more than 2 * area / (length around it * pitch) rings.
+  // A piece has at most 2 * area / (perimeter * pitch) rings.
   return around_nm > 0 ? 2 * open_nm2 / (around_nm * pitch_nm) : 0;
 }
 
@@ -127,7 +131,7 @@ double SpurReach(double gap_nm) { return std::max(gap_nm, kSpurTouchNm); }
 
 ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const BorderGrid& border,
                           const SpurFill& fill) {
-  // Whether a side of the piece is the region's border: at the foot of the corner on it.
+  // A side of the piece is the region's border if the corner's foot on this side is at the border.
   const auto is_border = [&](Vector2 corner, Vector2 side) {
     return border.IsNear(RoundedPoint(Along(corner, {side.y(), -side.x()}, gap_nm)), kSpurTouchNm);
   };
@@ -140,13 +144,15 @@ ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const BorderGri
     if (in_border && out_border) return Spur{};
     Spur spur{corner.outward, gap_nm / corner.sine - corner.OpenNm(fill)};
     if (in_border || out_border) {
-      // To the cut; at a right angle half of the way, as the spur beyond the cut does the same.
+      // The spur ends at the cut. At a right angle it ends halfway, because the spur on the other
+      // side of the cut does the same.
       const double sine = 2 * corner.sine * corner.cosine;
       const Vector2 back{-corner.out.x(), -corner.out.y()};
       spur = {in_border ? corner.in : back, gap_nm / sine - gap_nm / 2 * sine};
     }
     spur.length = std::min(spur.length, kLongestSpur * gap_nm);
-    // It may come near to the border beside the cuts, on its way too.
+    // The spur may be too near to the border beside the cuts, also between its ends: it is then
+    // shortened.
     const double least = std::max(fill.least_nm, kSpurTouchNm);
     for (; spur.length > least; spur.length *= 0.7) {
       const Vector2 tip = Along(corner.at, spur.way, spur.length);

@@ -5,40 +5,42 @@
 
 namespace slicefarm::exposure {
 
-/// Rings of convex pieces reach into corners that a round spot leaves open: from a sharp corner the
-/// way goes out towards the corner of what is to be melted, and back. That melts about twice as
-/// much again as it melts first, so blunt corners, which leave next to nothing open, have none.
+/// Options for spurs: short lines by which rings of convex pieces reach into corners that a round
+/// spot leaves open. From a sharp corner the laser moves outwards to the corner of the area to be
+/// melted, and back. This melts about twice as much material again as it newly melts. Blunt corners
+/// leave almost nothing open, so that they have no spurs.
 struct SpurFill {
   double spot_nm = 0;
-  double least_nm = 0;  ///< shorter spurs are left out
+  double least_nm = 0;  ///< length below which spurs are omitted
 };
 
-/// A ring with spurs into the gap between it and what the ring around it melts: along bisectors,
-/// until the spot touches the gap's tip. Where the tip is narrower than a quarter of the spot it
-/// stays open.
+/// Returns a ring with spurs into the gap between it and the area melted by the ring around it.
+/// Spurs follow bisectors until the spot touches the gap's tip. A tip narrower than a quarter of
+/// the spot remains open.
 ///
-/// ring, around: convex, counter-clockwise; `around` is the gap's outer border, and has the ring
-/// inside. Cost: O(n), and O(n) for each spur.
+/// ring, around: convex, counter-clockwise; `around` is the gap's outer border and contains the
+/// ring. Cost: O(n), and O(n) for each spur.
 ConvexRing WithSpurs(const ConvexRing& ring, const ConvexRing& around, const SpurFill& fill);
 
-/// The outermost ring of a piece, `gap_nm` inside of it, with spurs into those corners of the piece
-/// that a cut has made: along the region's border, if one of the corner's sides is that, so that
-/// nothing comes nearer to the border; else along the bisector. Of a spur, all of its way keeps as
-/// far from the border as the ring does; it is no longer than kLongestSpur gaps.
+/// Returns the outermost ring of a piece, `gap_nm` inside of it, with spurs into the corners that a
+/// cut has made. If one of the corner's sides is the region's border, the spur follows the border,
+/// so that nothing is nearer to the border. Otherwise the spur follows the bisector. Every point of
+/// a spur keeps the ring's distance from the border. A spur is at most kLongestSpur gaps long.
 ///
-/// border: of the region; its reach is SpurReach(gap_nm) or more.
-/// Cost: O(n), and the border that is near for each sharp corner.
+/// border: the region's border, with a reach of at least SpurReach(gap_nm). Cost: O(n), and the
+/// border near each sharp corner.
 ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const BorderGrid& border,
                           const SpurFill& fill);
 
-/// What rings without spurs leave open in the corners of a piece, as a share of it, about.
-/// REQUIRES: counter-clockwise. Cost: O(n).
+/// Returns about the share of a piece that rings without spurs leave open in its corners. REQUIRES:
+/// counter-clockwise. Cost: O(n).
 double OpenShare(const ConvexRing& piece, double pitch_nm, const SpurFill& fill);
 
-/// In gaps. A corner that asks for more is sharper than 12 degrees: nothing to be seen stays open.
+/// Greatest length of a spur, in gaps. A corner that needs more is sharper than 12 degrees: its
+/// open area is too small to be visible.
 inline constexpr double kLongestSpur = 10;
 
-/// Which distances from the border WithOuterSpurs asks for.
+/// Returns the greatest distance from the border that WithOuterSpurs queries.
 double SpurReach(double gap_nm);
 
 }  // namespace slicefarm::exposure

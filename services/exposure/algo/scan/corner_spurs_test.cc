@@ -11,7 +11,7 @@ namespace {
 
 const SpurFill kSpot = {.spot_nm = 100, .least_nm = 0};
 
-/// Points that are no corners of the ring.
+/// Returns the points that are not corners of the ring.
 ConvexRing TipsOf(const ConvexRing& spurred) {
   ConvexRing tips;
   for (size_t i = 1; i + 1 < spurred.size() + 1; ++i) {
@@ -50,7 +50,8 @@ TEST(WithSpurs, ShortOnesAreLeftOut) {
 }
 
 TEST(WithSpurs, AnEndOfTheGapThatIsNoTipIsReached) {
-  // A tapering strip: the ring ends where it is two gaps wide, the gap goes on to the left.
+  // A tapering strip: the ring ends where the strip is two gaps wide, the gap continues to the
+  // left.
   const ConvexRing around = {{0, -45}, {1000, -60}, {1000, 60}, {0, 45}};
   const ConvexRing ring = {{333, 0}, {950, -9}, {950, 9}};
   const ConvexRing spurred = WithSpurs(ring, around, kSpot);
@@ -61,7 +62,7 @@ TEST(WithSpurs, AnEndOfTheGapThatIsNoTipIsReached) {
 
 BorderGrid BorderOf(const MultiPolygon& region) { return {region, SpurReach(1e6)}; }
 
-/// An L, and its lower piece as a cut along y = 10 makes it.
+/// An L-shaped region, with a lower piece made by a cut along y = 10.
 constexpr char kL[] = "(0 0, 20 0, 20 10, 10 10, 10 20, 0 20)";
 
 TEST(WithOuterSpurs, OnlyIntoCornersThatACutHasMade) {
@@ -69,8 +70,8 @@ TEST(WithOuterSpurs, OnlyIntoCornersThatACutHasMade) {
   const double gap = 1e6;
   const ConvexRing ring = {{1e6, 1e6}, {19e6, 1e6}, {19e6, 9e6}, {1e6, 9e6}};
   const ConvexRing tips = TipsOf(WithOuterSpurs(ring, gap, BorderOf(region), {.spot_nm = 2e6}));
-  // The cut is the left half of the upper side: its left end only is a corner, where the spur runs
-  // along the border to half a gap from the cut.
+  // The cut is the left half of the upper side. Only its left end is a corner, where the spur
+  // follows the border and ends half a gap from the cut.
   ASSERT_EQ(tips.size(), 1u);
   EXPECT_NEAR(tips[0].x(), 1e6, 1);
   EXPECT_NEAR(tips[0].y(), 9.5e6, 1);
@@ -79,7 +80,7 @@ TEST(WithOuterSpurs, OnlyIntoCornersThatACutHasMade) {
 TEST(WithOuterSpurs, BetweenCutsAlongTheBisectorButNotNearTheBorder) {
   const MultiPolygon region = MakePolygonsOrDie("(0 0, 100 0, 100 100, 0 100)");
   const double gap = 1e6;
-  // A piece whose corner at (50, 50) lies deep inside.
+  // The corner at (50, 50) of this piece is deep inside.
   const ConvexRing inner = {{51e6, 51e6}, {60e6, 51e6}, {51e6, 60e6}};
   const ConvexRing tips = TipsOf(WithOuterSpurs(inner, gap, BorderOf(region), {.spot_nm = 2e6}));
   ASSERT_GE(tips.size(), 1u);
@@ -87,14 +88,14 @@ TEST(WithOuterSpurs, BetweenCutsAlongTheBisectorButNotNearTheBorder) {
       tips.begin(), tips.end(), [](Vector2 a, Vector2 b) { return a.x() + a.y() < b.x() + b.y(); });
   EXPECT_NEAR(corner->x(), 50e6 + 1e6 * std::sqrt(0.5), 1);
   EXPECT_NEAR(corner->y(), corner->x(), 1);
-  // The same with the corner on the border: nothing comes nearer to that than the gap.
+  // With the corner on the border, nothing is nearer to the border than the gap.
   const ConvexRing outer = {{51e6, 1.5e6}, {60e6, 8e6}, {42e6, 8e6}};
   for (const Vector2& tip : TipsOf(WithOuterSpurs(outer, gap, BorderOf(region), {.spot_nm = 2e6})))
     EXPECT_GE(tip.y(), gap);
 }
 
 TEST(WithOuterSpurs, DoNotCrossAGap) {
-  // The spur of a very sharp corner would end in the other island, beyond the gap of 5 mm.
+  // The spur of a very sharp corner would end in the other island, beyond the space of 5 mm.
   const MultiPolygon region =
       MakePolygonsOrDie("(0 0, 30 0, 30 20, 0 20); (35 0, 90 0, 90 20, 35 20)");
   const double gap = 1e6;

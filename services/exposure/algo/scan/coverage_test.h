@@ -10,8 +10,8 @@
 
 namespace slicefarm::exposure {
 
-/// How often points on a raster are melted by lines of a round spot: an oracle that knows nothing
-/// of how the lines came about.
+/// Raster of points that counts how often lines of a round spot melt each point. It is an
+/// independent check, because it does not use the code that creates the lines.
 class MeltedRaster {
  public:
   MeltedRaster(const MultiPolygon& region, Coord step_nm) : step_(step_nm), box_(Bounds(region)) {
@@ -22,7 +22,7 @@ class MeltedRaster {
     for (size_t row = 0; row < rows_; ++row) MarkRow(region, row);
   }
 
-  /// A line melts each point once, however often it comes by.
+  /// Adds a line. A line melts each point once, even if it passes the point several times.
   void Add(std::span<const Point> line, Coord spot_nm) {
     std::vector<size_t> hit;
     for (size_t i = 0; i + 1 < line.size(); ++i) AddEdge(line[i], line[i + 1], spot_nm, hit);
@@ -31,7 +31,7 @@ class MeltedRaster {
     for (const size_t cell : hit) ++melted_[cell];
   }
 
-  /// Shares of the region's points that are melted at least `times`.
+  /// Returns the share of the region's points that are melted at least `times`.
   double Share(int times) const {
     double inside = 0, melted = 0;
     for (size_t i = 0; i < inside_.size(); ++i) {
@@ -42,7 +42,7 @@ class MeltedRaster {
     return inside > 0 ? melted / inside : 1;
   }
 
-  /// How many lines melt the region's point that most melt.
+  /// Returns the largest number of lines that melt a point of the region.
   int Most() const {
     int most = 0;
     for (size_t i = 0; i < inside_.size(); ++i)
@@ -89,7 +89,7 @@ class MeltedRaster {
     const double ex = static_cast<double>(b.x - a.x), ey = static_cast<double>(b.y - a.y);
     const double length2 = ex * ex + ey * ey, reach = static_cast<double>(spot_nm) / 2 + 2;
     for (size_t row = r0; row <= r1; ++row) {
-      // Only the part of the edge that lies within reach of the row.
+      // Only the part of the edge within reach of the row.
       const double up = Y(row) - static_cast<double>(a.y);
       const double t0 = ey != 0 ? std::clamp((up - std::copysign(reach, ey)) / ey, 0.0, 1.0) : 0;
       const double t1 = ey != 0 ? std::clamp((up + std::copysign(reach, ey)) / ey, 0.0, 1.0) : 1;

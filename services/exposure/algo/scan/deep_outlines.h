@@ -10,26 +10,28 @@
 
 namespace slicefarm::exposure {
 
-/// Outlines of objects' layers without what lies over powder: a laser that melts `depth` layers
-/// deeper than the one it draws on would melt that powder to the part (z compensation).
+/// Outlines of objects' layers without the parts above powder (z compensation). A laser that melts
+/// `depth` layers deeper than the layer it draws on would otherwise fuse this powder to the part.
 class DeepOutlines {
  public:
-  /// `objects` must outlive it, and have `depth` layers below each that is asked for.
+  /// Keeps a reference: `objects` must outlive this object, and must have `depth` layers below each
+  /// requested layer.
   explicit DeepOutlines(const ObjectLayers& objects, int32_t depth)
       : objects_(objects), depth_(depth) {}
 
-  /// What of `outlines`, which belong to the section, has the part in all of the `depth` layers
-  /// below. Below the object's lowest layer is the plate, which may be melted.
+  /// Returns the part of `outlines`, which belong to the section, that has the object in all of the
+  /// `depth` layers below. Below the object's lowest layer is the plate, which may be melted.
   MultiPolygon Of(const ObjectSection& section, MultiPolygon outlines) const;
 
-  /// The same of a whole layer of an object, made once; nullptr: there is none. The reference holds
-  /// as long as this.
+  /// Returns the deep outlines of a whole layer of an object, computed once, or nullptr if the
+  /// layer does not exist. The pointer is valid as long as this object.
   const MultiPolygon* Find(int32_t object, int32_t layer);
 
  private:
   const ObjectLayers& objects_;
   const int32_t depth_;
-  std::map<std::pair<int32_t, int32_t>, MultiPolygon> made_;  ///< by object and layer
+  /// Computed outlines, indexed by object and layer.
+  std::map<std::pair<int32_t, int32_t>, MultiPolygon> made_;
 };
 
 }  // namespace slicefarm::exposure

@@ -11,7 +11,7 @@
 namespace slicefarm::exposure::deep_outlines_test {
 namespace {
 
-/// Layers of one object, from its lowest; "" has nothing.
+/// Returns the layers of one object, beginning with the lowest. "" is an empty layer.
 std::vector<SlicedLayer> Tower(const std::vector<const char*>& outlines) {
   std::vector<SlicedLayer> layers(outlines.size());
   for (size_t i = 0; i < outlines.size(); ++i) {

@@ -11,19 +11,17 @@ struct ExposureOptions;
 
 namespace slicefarm::exposure {
 
-/// Hatch lines of a region in the order and direction of scanning: two points each.
+/// Returns the hatch lines of a region in the order and direction of scanning, two points each.
 ///
-///   kHatch    lines right through; neighbouring ones in serpentines;
-///   kStripes  lines of at most a stripe's width; in odd stripes half a distance further on;
-///   kIslands  squares, with lines along `angle_deg` in even ones and across it in odd ones.
+///   kHatch    lines through the whole region; neighbouring lines form serpentines;
+///   kStripes  lines of at most a stripe's width; in odd stripes they are shifted by half a distance;
+///   kIslands  squares with lines along `angle_deg` in even squares and across it in odd ones.
 /// Stripes and squares reach half of `overlap_nm` beyond their borders. Distances are counted from
-/// the origin, so lines of neighbouring regions, objects' layers and copies continue each other.
-/// Lines shorter than minimum_vector_nm are left out.
+/// the origin, so that the lines of neighbouring regions, layers and copies continue each other.
+/// Lines shorter than minimum_vector_nm are omitted.
 ///
-/// REQUIRES: options.strategy is one of the three; the options are such as the wire accepts
-///           (options_check.h).
-/// Errors:   REQUEST_TOO_LARGE, as CutScanLines.
-/// Cost:     O(n + k log k), k lines.
+/// REQUIRES: options.strategy is one of the three; the options pass the checks of options_check.h.
+/// Errors: REQUEST_TOO_LARGE, as CutScanLines. Cost: O(n + k log k), k lines.
 absl::StatusOr<std::vector<Point>> Hatch(const HatchRegion& region, double angle_deg,
                                          const ExposureOptions& options, Point from);
 

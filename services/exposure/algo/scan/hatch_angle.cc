@@ -8,10 +8,10 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// In [0, period).
+/// Returns the angle reduced to [0, period).
 double Remainder(double deg, double period) { return deg - period * std::floor(deg / period); }
 
-/// After it lines, either way, are the same.
+/// Returns the angle in degrees after which the set of lines is the same again, ignoring direction.
 double PeriodOf(const ExposureOptions& options) {
   return options.strategy == ScanStrategy::kIslands ? 90 : 180;
 }
@@ -26,7 +26,7 @@ double HatchAngle(const ExposureOptions& options, int32_t layer) {
     angle += period / 2;
     beside = Remainder(beside + period / 2, period);
   }
-  // From 90 to 270 degrees beside the flow is against it.
+  // Directions that differ from the flow by 90 to 270 degrees are against it.
   if (options.jump_order == JumpOrder::kAgainstGas && !options.alternate_directions)
     angle = options.gas_flow_deg + (beside < 90 ? beside + period : beside);
   return Remainder(angle, 360);

@@ -9,12 +9,12 @@ struct ExposureOptions;
 
 namespace slicefarm::exposure {
 
-/// The direction of a layer's hatch lines in degrees, in [0, 360): hatch_angle_deg, turned by
-/// layer_rotation_deg a layer. Of islands, that of the even ones.
+/// Returns the direction of a layer's hatch lines in degrees, in [0, 360): hatch_angle_deg plus
+/// layer_rotation_deg per layer. For islands, this is the direction in even islands.
 ///
-/// Lines within gas_window_deg of the flow of gas, either way, are turned to run across it: by 90
-/// degrees, or by 45 where islands have lines both ways. Lines that all run one way
-/// (alternate_directions is off) run against the flow where jump_order is kAgainstGas.
+/// Lines within gas_window_deg of the gas flow or its opposite are turned to run across the flow:
+/// by 90 degrees, or by 45 degrees for islands, which have lines in two directions. If
+/// alternate_directions is off and jump_order is kAgainstGas, all lines run against the flow.
 double HatchAngle(const ExposureOptions& options, int32_t layer);
 
 }  // namespace slicefarm::exposure

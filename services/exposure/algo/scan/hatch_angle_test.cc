@@ -10,7 +10,7 @@
 namespace slicefarm::exposure::hatch_angle_test {
 namespace {
 
-/// How far a direction is from the gas's, either way, in [0, 90].
+/// Returns the angle between a direction and the gas flow or its opposite, in [0, 90].
 double BesideGas(double deg, double gas_deg) {
   const double beside = std::fmod(std::fmod(deg - gas_deg, 180) + 180, 180);
   return std::min(beside, 180 - beside);
@@ -31,7 +31,7 @@ TEST(HatchAngle, TurnsByLayer) {
   EXPECT_DOUBLE_EQ(HatchAngle(options, 5), 20);
 }
 
-/// The directions of a layer's lines: islands have two.
+/// Returns the directions of a layer's lines. Islands have two.
 std::vector<double> Directions(const ExposureOptions& options, int32_t layer) {
   const double angle = HatchAngle(options, layer);
   if (options.strategy == ScanStrategy::kIslands) return {angle, angle + 90};
@@ -71,7 +71,7 @@ TEST(HatchAngle, LinesOfOneWayRunAgainstTheFlow) {
     for (int32_t layer = 0; layer < 200; ++layer) {
       for (const double deg : Directions(options, layer))
         EXPECT_LE(std::cos((deg - 70) * M_PI / 180), 1e-9);
-      // The same lines, either way.
+      // The lines are the same, ignoring direction.
       const double off =
           std::fmod(std::abs(HatchAngle(options, layer) - HatchAngle(free, layer)), period);
       EXPECT_LT(std::min(off, period - off), 1e-9);

@@ -49,7 +49,7 @@ double JumpMm(const std::vector<Point>& points) {
 const ScanStrategy kStrategies[] = {ScanStrategy::kHatch, ScanStrategy::kStripes,
                                     ScanStrategy::kIslands};
 
-/// Lines lie at whole (or, in odd stripes, half) multiples of the distance, to less than 2 nm.
+/// Lines are at whole multiples of the distance (in odd stripes half multiples), to less than 2 nm.
 TEST(Hatch, DistancesAreExact) {
   const MultiPolygon region = MakePolygonsOrDie("(0 0, 17 1, 15 12, 3 14) (5 5, 6 9, 9 8)");
   for (const ScanStrategy strategy : kStrategies) {
@@ -97,7 +97,7 @@ TEST(Hatch, StaysInsideAndCoversTheRegionOnce) {
         if (Inside(p, region)) continue;
         EXPECT_LE(DistanceToBoundary(p, region), 2.0);
       }
-      // Each line stands for a strip: their area is the region's.
+      // Each line represents a strip: the total area of the strips is the region's area.
       const double area = Area(region) / 1e12;
       EXPECT_NEAR(LengthMm(points) * 0.08, area, 0.03 * area + 0.15);
     }
@@ -110,7 +110,8 @@ TEST(Hatch, OverlapsAreWhatWasAskedFor) {
   options.overlap_nm = 0;
   const double none = LengthMm(HatchOrDie(square, 0, options));
   options.overlap_nm = 100'000;
-  // 6 stripes have 5 borders; each of 150 lines is longer there by half the overlap on both sides.
+  // 6 stripes have 5 borders. At each border, 150 lines are longer by half the overlap on both
+  // sides.
   EXPECT_NEAR(LengthMm(HatchOrDie(square, 0, options)) - none, 5 * 150 * 0.1, 0.3);
 }
 
@@ -121,7 +122,7 @@ TEST(Hatch, IslandsTurnByARightAngle) {
   for (size_t i = 0; i + 1 < points.size(); i += 2) {
     const Point a = points[i], b = points[i + 1];
     const Coord column = (a.x + b.x) / 2 / 1'500'000, row = (a.y + b.y) / 2 / 1'500'000;
-    // Lines on a border belong to one side of it.
+    // A line on a border belongs to one side of it.
     if ((a.x == b.x && a.x % 1'500'000 == 0) || (a.y == b.y && a.y % 1'500'000 == 0)) continue;
     EXPECT_EQ((column + row) % 2 == 0, a.y == b.y) << column << " " << row;
     EXPECT_LE(Distance(a, b), 1'500'001);
@@ -162,7 +163,7 @@ TEST(Hatch, JumpsFollowTheOrderAskedFor) {
 }
 
 TEST(Hatch, NeighbouringRegionsContinueEachOther) {
-  // Cutting a region in two changes no line but that it is cut.
+  // Cutting a region in two changes no line except that the line is cut.
   ExposureOptions options = With(ScanStrategy::kHatch);
   const double whole =
       LengthMm(HatchOrDie(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)"), 33, options));

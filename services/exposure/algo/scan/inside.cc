@@ -7,7 +7,7 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// Of the innermost contour.
+/// Returns the distance from the outline to the innermost contour.
 Coord LastContour(const ExposureOptions& options) {
   return options.beam_compensation_nm +
          std::max(options.contours - 1, 0) * options.contour_distance_nm;

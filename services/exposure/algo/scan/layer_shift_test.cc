@@ -22,7 +22,7 @@ TEST(GridShift, AllPlacesOfAPeriodComeInTurn) {
     };
     ++seen[5 * fifth(shift.y) + fifth(shift.x)];
   }
-  // Four each, if they were perfectly even.
+  // A perfectly even distribution would have four in each class.
   EXPECT_GE(*std::ranges::min_element(seen), 2);
   EXPECT_LE(*std::ranges::max_element(seen), 6);
 }

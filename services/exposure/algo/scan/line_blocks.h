@@ -11,16 +11,18 @@ struct ExposureOptions;
 
 namespace slicefarm::exposure {
 
-/// Hatch lines in blocks that are scanned in one go.
+/// Hatch lines in blocks. Each block is scanned without interruption.
 struct LineBlocks {
-  std::vector<Point> points;  ///< two a line, in order and direction, block after block
-  std::vector<size_t> begin;  ///< of each block in `points`; one more entry than blocks
-  std::vector<bool> odd;      ///< by block: the other colour of the chequerboard
+  std::vector<Point> points;  ///< two points per line, in order and direction, block after block
+  /// Index of each block's first point in `points`, plus the end of the last block.
+  std::vector<size_t> begin;
+  /// True for blocks of the other colour of the chequerboard, indexed by block.
+  std::vector<bool> odd;
 };
 
-/// The lines block by block, in the order that options.jump_order asks for. With alternating
-/// directions a block may be scanned from its end; against the flow of gas any block, where lines
-/// that all run one way keep their directions.
+/// Returns the lines block by block, in the order of options.jump_order. With alternating
+/// directions a block may be scanned from its end. Against the gas flow any block may be, and lines
+/// that all run in one direction keep their direction.
 std::vector<Point> InOrder(const LineBlocks& blocks, const ExposureOptions& options, Point from);
 
 }  // namespace slicefarm::exposure

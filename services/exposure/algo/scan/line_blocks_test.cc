@@ -16,7 +16,7 @@ LineBlocks TwoBlocks() {
 
 TEST(InOrder, TheNearestFirst) {
   const std::vector<Point> points = InOrder(TwoBlocks(), {}, {600, 0});
-  // From the far end backwards, then on from the nearer end of the other.
+  // The first block is scanned backwards from its far end, the next one from its nearer end.
   EXPECT_EQ(points[0], (Point{510, 0}));
   EXPECT_EQ(points[1], (Point{500, 0}));
   EXPECT_EQ(points.size(), 6u);
@@ -30,7 +30,8 @@ TEST(InOrder, DirectionsStayWhereTheyMust) {
   EXPECT_EQ(points[2], (Point{0, 0}));
 }
 
-/// Gas flows to +x: the block farther that way first, each from its end that way.
+/// Gas flows to +x: the block farther in this direction is first, and each block starts from its
+/// end in this direction.
 TEST(InOrder, AgainstTheFlowOfGas) {
   ExposureOptions options;
   options.jump_order = JumpOrder::kAgainstGas;
@@ -39,7 +40,7 @@ TEST(InOrder, AgainstTheFlowOfGas) {
   options.gas_flow_deg = 180;
   EXPECT_EQ(InOrder(TwoBlocks(), options, {}),
             (std::vector<Point>{{0, 0}, {10, 0}, {10, 1}, {0, 1}, {500, 0}, {510, 0}}));
-  // Lines that run one way: the last first, each as it was.
+  // Lines in one direction: the last line is first, and each line keeps its direction.
   options.gas_flow_deg = 90;
   options.alternate_directions = false;
   const LineBlocks one_way = {

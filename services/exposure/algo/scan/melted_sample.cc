@@ -15,18 +15,18 @@ namespace {
 
 constexpr int kProbes = 3;
 constexpr double kPieceMm = 1;
-/// Shorter runs tell nothing of energy by area: they meet single vectors.
+/// Shortest run for a measurement of energy per area. Shorter runs meet only single vectors.
 constexpr double kLeastPieceMm = 0.5;
 
-/// A run along a probe, from u0 to u1 in nm.
+/// Run along a probe, from u0 to u1 in nm.
 struct Run {
   double u0 = 0, u1 = 0;
-  double j_mm2 = 0;  ///< of a vector
+  double j_mm2 = 0;  ///< energy per area of a vector
 };
 
-/// Along a line parallel to the x axis, what lies within `radius` of the segment ab: that is
-/// convex, so its run is that of the discs around both ends and of the band between, from end to
-/// end.
+/// Returns the run of the points on a line parallel to the x axis that are within `radius` of the
+/// segment ab. The area around the segment is convex. Its run is therefore the union of the runs of
+/// the discs around both ends and of the band between them.
 Run RunOf(Point a, Point b, double v, double radius) {
   Run run{INFINITY, -INFINITY};
   const auto add = [&](double u0, double u1) {
@@ -49,7 +49,7 @@ Run RunOf(Point a, Point b, double v, double radius) {
   return run;
 }
 
-/// Lines of one height apart across a region.
+/// Evenly spaced lines across a region.
 class Probes {
  public:
   Probes(const MultiPolygon& outline, int32_t layer) {

@@ -12,10 +12,10 @@ struct ExposureOptions;
 
 namespace slicefarm::exposure {
 
-/// Samples a region of a layer along a few lines that lie elsewhere in each layer: how much of it a
-/// spot melts, and with how much energy by area. Each vector's spot is taken for evenly hot; half
-/// of what heat spreads to is beyond this. Cost: O(edges + vectors), and a sort of those that meet
-/// a line.
+/// Samples a region of a layer along a few lines at positions that differ in each layer. Measures
+/// how much of the region a spot melts, and with how much energy per area. The model assumes that
+/// each vector's spot is evenly hot; real heat spreads further. Cost: O(edges + vectors), and a
+/// sort of the vectors that meet a line.
 MeltedSample SampleMelted(std::span<const ExposureGroup> groups, const MultiPolygon& outline,
                           const ExposureOptions& options, int32_t layer);
 

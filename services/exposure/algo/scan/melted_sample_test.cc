@@ -11,7 +11,7 @@ namespace {
 
 const char kSquare[] = "(0 0, 10 0, 10 10, 0 10)";
 
-/// Lines along x at every `pitch` mm, from `from_mm` on.
+/// Returns lines along x at every `pitch` mm, beginning at `from_mm`.
 ExposureGroup Lines(double pitch, double from_mm, bool upright) {
   ExposureGroup group;
   for (double v = from_mm; v < 10; v += pitch) {
@@ -37,7 +37,7 @@ TEST(SampleMelted, LinesASpotApartMeltAllOnce) {
     const MeltedSample sample = Sample({Lines(0.08, 0.04, upright)});
     EXPECT_NEAR(sample.length_mm, 3 * 100 * 10, 1e-6);
     EXPECT_NEAR(sample.Melted(), 1, 1e-6);
-    // 200 W at 800 mm/s by 0.08 mm.
+    // 200 W at 800 mm/s with a distance of 0.08 mm.
     EXPECT_NEAR(sample.MeanJmm2(), 200.0 / 800 / 0.08, 0.02);
     EXPECT_EQ(sample.pieces, 3 * 100 * 10);
   }
@@ -66,7 +66,7 @@ TEST(SampleMelted, SlopingLinesHolesAndNothing) {
   slope.AddLine(std::vector<Point>{{FromMm(0), FromMm(0)}, {FromMm(10), FromMm(10)}});
   ExposureOptions options;
   options.spot_nm = FromMm(1);
-  // A band of 1 mm from corner to corner: all but two triangles.
+  // A band of 1 mm from corner to corner: the square without two triangles.
   EXPECT_NEAR(Sample({slope}, options).melted_mm / 300, (100 - 9.293 * 9.293) / 10, 0.01);
   EXPECT_NEAR(Sample({slope}, options, "(0 0, 10 0, 10 10, 0 10) (1 1, 1 9, 9 9, 9 1)").length_mm,
               300 * (0.2 * 10 + 0.8 * 2), 10);

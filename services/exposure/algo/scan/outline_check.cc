@@ -7,7 +7,8 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// Whether a piece of a line is where it may be; `is_first` of its line.
+/// Returns true if a segment of a line is at a permitted position. `is_first`: the segment is the
+/// line's first.
 bool MayLie(const BorderGrid& border, Point a, Point b, double distance_nm, bool is_first) {
   if (distance_nm < 0) return border.Stays(a, b, -distance_nm);
   return is_first ? border.Keeps(a, b, distance_nm) : border.KeepsOn(a, b, distance_nm);
@@ -29,7 +30,8 @@ std::optional<StrayVector> FindStrayOf(const ExposureGroup& group, const BorderG
 std::optional<StrayVector> FindStray(std::span<const ExposureGroup> groups,
                                      const MultiPolygon& outline, const ExposureOptions& options) {
   if (groups.empty()) return std::nullopt;
-  // Contours without compensation lie on the outline itself, to a rounding: then it is less than 0.
+  // Contours without compensation are on the outline itself except for rounding. The distance is
+  // then below 0.
   const auto kept = static_cast<double>(options.beam_compensation_nm - kStrayNm);
   const BorderGrid border(outline, std::abs(kept));
   for (const ExposureGroup& group : groups) {

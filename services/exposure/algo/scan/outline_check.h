@@ -9,22 +9,23 @@
 
 namespace slicefarm::exposure {
 
-/// A vector that lies where none may.
+/// Vector at a position that is not permitted.
 struct StrayVector {
   ExposureKind kind = ExposureKind::kHatch;
   Point from, to;
 };
 
-/// The last check of a region's vectors, which knows nothing of how they came about: thin walls lie
-/// in the outline, all others in it and beam_compensation from it. All of each vector is looked at,
-/// against the edges of the outline itself.
+/// Finds the first vector of a region at a position that is not permitted, or returns nullopt. This
+/// final check does not use the code that creates the vectors. Thin walls must be in the outline,
+/// all other vectors in the outline and beam_compensation from it. The whole of each vector is
+/// compared with the edges of the outline itself.
 ///
-/// Vectors may be kStrayNm nearer: outlines are simplified before they are cut into pieces.
-/// nullopt: all are where they may be. Cost: O(edges), and a look or two a vector; a few per cent
-/// of what scanning costs.
+/// Vectors may be kStrayNm nearer, because outlines are simplified before they are cut into pieces.
+/// Cost: O(edges), and one or two grid queries per vector; a few per cent of the cost of scanning.
 std::optional<StrayVector> FindStray(std::span<const ExposureGroup> groups,
                                      const MultiPolygon& outline, const ExposureOptions& options);
 
+/// Distance in nm by which a vector may be nearer to the outline than required.
 inline constexpr Coord kStrayNm = 3'000;
 
 }  // namespace slicefarm::exposure

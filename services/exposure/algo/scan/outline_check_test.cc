@@ -9,7 +9,7 @@
 namespace slicefarm::exposure::outline_check_test {
 namespace {
 
-/// Two squares of 10 mm, 2 mm apart.
+/// Two squares of 10 mm with 2 mm between them.
 const char kSquares[] = "(0 0, 10 0, 10 10, 0 10); (12 0, 22 0, 22 10, 12 10)";
 
 Point At(double x, double y) { return {FromMm(x), FromMm(y)}; }

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kMayBeOpen = 0.001;
 
-/// Turns a closed line so that it starts at its corner nearest to `from`. Not at the tip of a spur:
-/// that lies beyond the piece, and the way there may leave the region.
+/// Rotates a closed line so that it starts at its corner nearest to `from`. The tip of a spur is
+/// never the start: it is outside the piece, and the line to it may leave the region.
 void StartNear(Point from, Polyline& ring) {
   ring.pop_back();
   const size_t size = ring.size();
@@ -33,7 +33,8 @@ void StartNear(Point from, Polyline& ring) {
 RingFill FillOf(const ExposureOptions& options) {
   const double pitch = static_cast<double>(options.hatch_distance_nm);
   const double first = (pitch - static_cast<double>(options.ring_overlap_nm)) / 2;
-  // The region begins this much outside of where hatch would: as far from the last contour.
+  // The outermost ring is this distance inside of the last contour. A spine without a ring around
+  // it must only stay inside the last contour.
   const double offset =
       options.contours == 0 ? 0 : static_cast<double>(options.contour_distance_nm);
   return {.pitch_nm = pitch,
@@ -44,7 +45,8 @@ RingFill FillOf(const ExposureOptions& options) {
           .spine_gap_nm = std::max(0.0, first - offset)};
 }
 
-/// Rings do by turns what melts a place twice, but not where that left more than kMayBeOpen open.
+/// Returns the fill in which rings alternately do the tasks that melt an area twice, unless this
+/// would leave more than kMayBeOpen open.
 RingFill TurnedFill(const Polygon& piece, double scale, RingFill fill, int32_t layer,
                     const ExposureOptions& options) {
   const bool may = OpenShare(ConvexRingOf(piece, scale), fill.pitch_nm, fill.spurs) <= kMayBeOpen;
@@ -52,13 +54,13 @@ RingFill TurnedFill(const Polygon& piece, double scale, RingFill fill, int32_t l
   return fill;
 }
 
-/// Makes the lines of a piece begin near where the one before ended.
+/// Makes each line of a piece begin near the end of the previous line.
 void StartOneAfterAnother(std::vector<Polyline>& rings) {
   for (size_t i = 1; i < rings.size(); ++i)
     if (rings[i].size() > 2) StartNear(rings[i - 1].back(), rings[i]);
 }
 
-/// Turns open lines to where the way goes on.
+/// Reverses open lines so that they begin near the previous line or end near the next one.
 void TurnSpines(std::vector<Polyline>& rings) {
   if (rings.size() < 2) return;
   for (size_t i = 0; i < rings.size(); ++i) {
@@ -69,7 +71,7 @@ void TurnSpines(std::vector<Polyline>& rings) {
   }
 }
 
-/// The lines of one piece, in order.
+/// Returns the lines of one piece, in order.
 std::vector<Polyline> PieceLines(const Polygon& piece, double scale, const RingFill& fill,
                                  const ExposureOptions& options, int32_t layer) {
   std::vector<Polyline> rings =

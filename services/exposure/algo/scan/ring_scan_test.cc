@@ -50,7 +50,8 @@ TEST(ScanByRings, LinksAreShort) {
   EXPECT_EQ(short_edges, 49 + 4);  // between 50 rings; and the innermost ring has sides of 80 um
 }
 
-/// What a spot can melt that stays within the region: its opening by the spot.
+/// Returns the area that a spot can melt without leaving the region: the region's opening by the
+/// spot.
 MultiPolygon Reachable(const MultiPolygon& region, Coord spot_nm) {
   return OffsetTwice(region, -spot_nm / 2, spot_nm / 2,
                      {.join = Join::kRound, .arc_tolerance_nm = 100});
@@ -93,7 +94,7 @@ TEST(ScanByRings, ShortRingsAreLeftOut) {
   group.ForEachLine([](std::span<const Point> line) { EXPECT_GE(Length(line), 3e6); });
 }
 
-/// Insets of random regions, as layers are scanned: offsets leave touching rings and short edges.
+/// Insets of random regions, as in real layers: offsets leave touching rings and short edges.
 TEST(ScanByRings, TakesWhateverOffsetsLeave) {
   std::mt19937 random(13);
   for (int i = 0; i < 300; ++i) {

@@ -10,7 +10,7 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// A place of a closed line: on its edge from point `edge`.
+/// Point of a closed line, on the edge that starts at point `edge`.
 struct RingPlace {
   size_t edge = 0;
   Point at;
@@ -55,8 +55,8 @@ RingPlace NearestPlace(const Polyline& ring, Point p) {
   return place;
 }
 
-/// Where the way from `in`, inside of the ring, to `out` leaves it; the place nearest to `out`
-/// where rounding hides that.
+/// Returns the point where the line from `in`, inside of the ring, to `out` leaves the ring. If
+/// rounding hides this point, returns the point nearest to `out`.
 RingPlace CrossingPlace(const Polyline& ring, Point in, Point out) {
   std::optional<RingPlace> place;
   ForEachSide(ring, [&](size_t edge, Point a, Point b) {

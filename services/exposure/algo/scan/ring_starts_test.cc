@@ -37,7 +37,7 @@ TEST(StartAtShare, ACornerIsNotDoubled) {
 }
 
 TEST(StartAtShare, NeverOnASpur) {
-  // A long spur from the first corner: its share of the length does not count.
+  // A long spur from the first corner: it does not count in the share of the length.
   const Polyline spurred = {{0, 0}, {100, 0}, {100, 100}, {900, 900}, {100, 100}, {0, 100}, {0, 0}};
   for (double share = 0; share < 1; share += 0.05) {
     std::vector<Polyline> rings = {spurred};
@@ -68,7 +68,7 @@ TEST(StartAtShare, LinksAreShort) {
       EXPECT_NEAR(Length(rings[k]), Length(before[k]), 10);
       if (k > 0 && rings[k].size() > 3) links += Distance(rings[k - 1][0], rings[k][0]);
     }
-    // All of them lie on one way.
+    // All links are on one straight line.
     EXPECT_LE(links, 3.1e6);
   }
 }

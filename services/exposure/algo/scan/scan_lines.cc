@@ -9,10 +9,10 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// An edge of a region in the frame, from its lower end to its upper one, and the lines it meets:
-/// [first, last).
+/// Edge of a region in the frame, from its lower end to its upper end, and the lines [first, last)
+/// that it meets.
 struct FrameEdge {
-  double u = 0, v = 0;  ///< lower end
+  double u = 0, v = 0;  ///< lower end of the edge
   double slope = 0;     ///< du / dv
   int64_t first = 0, last = 0;
 };
@@ -51,7 +51,8 @@ void Trim(double trim_nm, std::vector<ScanPiece>& pieces) {
   }
 }
 
-/// What is in both, by line, then along it; so are they.
+/// Returns the intersection of two lists of pieces. All lists are sorted by line, then along the
+/// line.
 std::vector<ScanPiece> InBoth(const std::vector<ScanPiece>& some,
                               const std::vector<ScanPiece>& others) {
   std::vector<ScanPiece> both;
@@ -71,7 +72,8 @@ std::vector<ScanPiece> InBoth(const std::vector<ScanPiece>& some,
   return both;
 }
 
-/// What of the pieces is in none of the others; both by line, then along it.
+/// Returns the parts of `pieces` that are in none of `others`. Both lists are sorted by line, then
+/// along the line.
 std::vector<ScanPiece> Without(const std::vector<ScanPiece>& others,
                                const std::vector<ScanPiece>& pieces) {
   std::vector<ScanPiece> left;
@@ -108,7 +110,7 @@ absl::StatusOr<std::vector<ScanPiece>> CutScanLines(const MultiPolygon& region,
       last > INT32_MAX)
     return LimitError(Reason::kRequestTooLarge, "hatch lines of a layer", kMaxScanPieces,
                       std::max(crossings / 2, last - first));
-  // Crossings by line: counted, then put in their places.
+  // Crossings are counted per line first, then written to their positions.
   std::vector<int32_t> begin(static_cast<size_t>(last - first) + 1);
   for (const FrameEdge& edge : edges)
     for (int64_t line = edge.first; line < edge.last; ++line)

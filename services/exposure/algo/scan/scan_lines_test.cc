@@ -29,7 +29,7 @@ TEST(CutScanLines, OfASquareWithAHole) {
 }
 
 TEST(CutScanLines, LinesThroughCornersMeetARingAnEvenNumberOfTimes) {
-  // All corners lie on lines.
+  // All corners are on lines.
   const auto pieces = CutScanLines(MakePolygonsOrDie("(0 0, 3 1, 6 0, 6 4, 3 2, 0 4)"), LineAxes(0),
                                    {.pitch_nm = 1e6});
   ASSERT_TRUE(pieces.ok());
@@ -39,7 +39,7 @@ TEST(CutScanLines, LinesThroughCornersMeetARingAnEvenNumberOfTimes) {
   for (const ScanPiece& piece : *pieces) EXPECT_LT(piece.u0, piece.u1);
 }
 
-/// The middles of pieces are inside, those of gaps between them outside, at any angle.
+/// The middles of pieces are inside and the middles of gaps between them outside, at any angle.
 TEST(CutScanLines, PiecesAreWhatIsInside) {
   std::mt19937 random(9);
   for (int i = 0; i < 200; ++i) {
@@ -70,7 +70,7 @@ TEST(CutScanLines, RefusesTooMany) {
 
 using Ends = std::vector<std::pair<double, double>>;
 
-/// Of the line through the middle of the region's height, in mm.
+/// Returns the ends of the line through the middle of the region's height, in mm.
 Ends MiddleOf(const HatchRegion& region) {
   const auto pieces =
       CutTrimmedLines(region, LineAxes::OfDegrees(0), {.pitch_nm = 100e6, .phase = 0.05});

@@ -6,10 +6,10 @@
 
 namespace slicefarm::exposure {
 
-/// Convex pieces of what is to be scanned, whose border may move by 1 um: corners that change
-/// nothing to be seen would cost a cut each. Where rounding or simplifying has made rings cross,
-/// the region is united with itself; where that leaves crossings, it is opened by 1 um. Errors:
-/// those of Decompose. variant: DecomposeOptions::variant.
+/// Returns convex pieces of the region to be scanned. The border may move by 1 um, because each
+/// invisible corner would cost a cut. If rounding or simplification has made rings cross, the
+/// region is united with itself. If crossings remain, the region is opened by 1 um. Errors: the
+/// errors of Decompose. variant: DecomposeOptions::variant.
 absl::StatusOr<ConvexPieces> ScanPieces(const MultiPolygon& region, DecomposeMethod method,
                                         int32_t variant, const CancelToken& cancel);
 

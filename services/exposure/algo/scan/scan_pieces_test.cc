@@ -17,7 +17,8 @@ double AreaMm2(const ConvexPieces& pieces) {
   return nm2 / static_cast<double>(pieces.scale) / static_cast<double>(pieces.scale) * 1e-12;
 }
 
-// Rings that no offset makes, and rounding and simplifying may: they are mended, not refused.
+// An offset cannot create such rings, but rounding and simplification can: they are repaired and
+// not rejected.
 TEST(ScanPieces, CutsRingsThatCross) {
   const char* const kCases[] = {
       "(0 0, 10 0, 10 10, 5 -0.0005, 0 10)",  // a corner that reaches through an edge

@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t kNone = SIZE_MAX;
 
-/// Pieces of lines, and where each line's begin.
+/// Pieces of lines, with the index of each line's first piece.
 class PieceTable {
  public:
   explicit PieceTable(const std::vector<ScanPiece>& pieces)
@@ -29,7 +29,8 @@ class PieceTable {
   bool Used(size_t piece) const { return used_[piece]; }
   void Use(size_t piece) { used_[piece] = true; }
 
-  /// The unused piece of the next line beside this one that has an end nearest to `u`.
+  /// Returns the unused piece on the next line that is beside this piece and has an end nearest to
+  /// `u`.
   size_t NextBeside(size_t piece, double u) const {
     const size_t row = line_of_[piece] + 1;
     if (row + 1 >= begin_.size() || pieces_[begin_[row]].line != pieces_[piece].line + 1)

@@ -10,8 +10,8 @@ struct ExposureOptions;
 
 namespace slicefarm::exposure {
 
-/// Lines right through a region; from each the way goes on to the nearest one of the next line that
-/// lies beside it. A block ends where there is none left.
+/// Returns lines through the whole region. Each line continues to the nearest line beside it on the
+/// next row. A block ends if there is no such line.
 absl::StatusOr<LineBlocks> SerpentineBlocks(const HatchRegion& region, double angle_deg,
                                             const ExposureOptions& options);
 

@@ -21,7 +21,7 @@ TEST(SerpentineBlocks, AConvexRegionIsOne) {
 }
 
 TEST(SerpentineBlocks, AHolePartsThem) {
-  // Below, to the left and above the hole; to its right.
+  // One block is below, to the left and above the hole; the other is to its right.
   const LineBlocks blocks = Blocks("(0 0, 10 0, 10 10, 0 10) (4 4, 6 4, 6 6, 4 6)");
   EXPECT_EQ(blocks.odd.size(), 2u);
   EXPECT_EQ(blocks.begin.size(), 3u);

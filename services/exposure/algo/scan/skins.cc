@@ -6,7 +6,7 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// What of the outline one of the layers does not cover.
+/// Returns the part of the outline that at least one of the layers does not cover.
 MultiPolygon Uncovered(const MultiPolygon& outline, std::span<const MultiPolygon* const> layers) {
   MultiPolygon uncovered;
   for (const MultiPolygon* layer : layers) {

@@ -6,22 +6,25 @@
 
 namespace slicefarm::exposure {
 
-/// What of a section's inside has the part above and below, and what has not.
+/// Areas of a section: the core, with the part above and below, and the skins, without it.
 struct SkinAreas {
   MultiPolygon core;
   MultiPolygon upskin;
-  MultiPolygon downskin;  ///< goes before upskin where both
+  MultiPolygon downskin;  ///< has priority over upskin where both apply
 };
 
-/// Outlines of the layers next to a section's; nullptr: there is none, all of it is skin.
+/// Outlines of the layers next to a section. A nullptr is a missing layer: the whole section is
+/// skin.
 struct SkinNeighbours {
   std::span<const MultiPolygon* const> above;
   std::span<const MultiPolygon* const> below;
 };
 
-/// Parts the inside of a section with `outline`: what is not covered by all layers above is upskin,
-/// by all below downskin. Skins reach `overlap_nm` into the rest. `insides`: what each kind may
-/// fill of the section; the same, but for rings, whose distance decides where the outermost lies.
+/// Divides the inside of a section with `outline` into core and skins. An area not covered by all
+/// layers above is upskin; one not covered by all layers below is downskin. Skins reach
+/// `overlap_nm` into the rest. `insides`: the area of the section that each kind may fill. All
+/// kinds have the same area except for rings, where the kind's hatch distance sets the position of
+/// the outermost ring.
 SkinAreas PartSkins(const SkinAreas& insides, const MultiPolygon& outline,
                     const SkinNeighbours& neighbours, Coord overlap_nm);
 

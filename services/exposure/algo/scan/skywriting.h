@@ -6,7 +6,7 @@
 
 namespace slicefarm::exposure {
 
-/// The place `by_nm` beyond `to`, coming from `from`; `to` itself where both are the same.
+/// Returns the point `by_nm` beyond `to` on the line from `from`, or `to` if both points are equal.
 inline Point Beyond(Point from, Point to, Coord by_nm) {
   const double length = Distance(from, to);
   if (by_nm == 0 || length == 0) return to;

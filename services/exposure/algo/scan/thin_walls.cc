@@ -19,17 +19,17 @@ namespace slicefarm::exposure {
 namespace {
 
 constexpr Coord kRegrownNm = 1'000;
-/// Pieces may reach over the outline by what simplifying moves; their lines end before it, and so
-/// do those that join them.
+/// Distances in nm of lines, and of joints between lines, from the border. Pieces may reach over
+/// the outline because of simplification, but their lines and joints must not.
 constexpr double kKeptNm = 1'000;
 constexpr double kJoinedNm = 500;
-/// How far around narrow parts an outline is looked at, in depths.
+/// Width of the outline around narrow parts that is examined, in depths.
 constexpr Coord kAround = 3;
-/// A wall is at least this many times as long as the spot's half width.
+/// Least length of a wall, in half widths of the spot.
 constexpr double kLeastLength = 4;
 
-/// Islands of which an inset may leave out something. Where each edge just moves nothing is thin:
-/// that costs a tenth of looking.
+/// Returns the islands of which an inset may omit a part. If the inset only moves each edge,
+/// nothing is thin. This test costs a tenth of the full search.
 MultiPolygon Doubtful(const MultiPolygon& outline, Coord inset_nm) {
   MultiPolygon doubtful;
   for (const PolygonWithHoles& island : outline) {
@@ -51,8 +51,8 @@ MultiPolygon ThinParts(const MultiPolygon& islands, Coord inset_nm) {
   return thin;
 }
 
-/// Joins lines whose ends lie within `reach` of each other, nearest first, if the way between stays
-/// in the outline.
+/// Joins lines with ends within `reach` of each other, nearest first, if the joint stays in the
+/// outline.
 std::vector<Polyline> Chained(std::vector<Polyline> lines, double reach, const BorderGrid& border) {
   std::vector<Polyline> chains;
   while (!lines.empty()) {
@@ -86,7 +86,8 @@ std::vector<Polyline> Chained(std::vector<Polyline> lines, double reach, const B
   return chains;
 }
 
-/// Lines of one part that is thin all over, joined; `border`: of what may be exposed.
+/// Returns the joined lines of one part that is thin everywhere. `border`: the border of the area
+/// that may be exposed.
 absl::StatusOr<std::vector<Polyline>> LinesOfPart(const PolygonWithHoles& part, Coord inset_nm,
                                                   const BorderGrid& border,
                                                   const CancelToken& cancel) {
@@ -121,7 +122,7 @@ absl::Status AppendLevel(const MultiPolygon& outline, const LineLevel& level,
   return absl::OkStatus();
 }
 
-/// The outline around its narrow parts, so far that where it is cut nothing is narrow.
+/// Returns the outline around its narrow parts, so wide that nothing is narrow at the cuts.
 MultiPolygon Around(const MultiPolygon& narrow, const MultiPolygon& outline, Coord depth_nm) {
   return Intersection(outline, Offset(narrow, kAround * depth_nm, {.join = Join::kSquare}));
 }

@@ -10,15 +10,17 @@
 
 namespace slicefarm::exposure {
 
-/// The parts of an outline that an inset by `depth_nm` leaves nothing of, without its corners.
-/// Cost: about two offsets and a difference of the islands that have any; of others a tenth of one.
+/// Returns the parts of an outline that disappear in an inset by `depth_nm`, without its corners.
+/// Cost: about two offsets and a difference for islands with such parts, a tenth of an offset for
+/// other islands.
 MultiPolygon NarrowParts(const MultiPolygon& outline, Coord depth_nm);
 
-/// Lines along the middle of what lines along the outline leave open: what is thinner than the
-/// first contour, or lies between two contours that have no room for another, and so on. One
-/// exposure for each such wall. Corners are no walls: what is shorter than it is wide is left out.
-/// Lines that meet are one. They keep 1 um from the border of what they melt. `narrow`: the
-/// outline's NarrowParts, to the deepest level at least. Errors: those of Decompose.
+/// Returns lines along the middle of the areas that lines along the outline leave open. Examples
+/// are an area thinner than the first contour, or an area between two contours without space for a
+/// third one. Each such wall has one exposure. Corners are not walls: an area shorter than it is
+/// wide is omitted. Lines that meet are joined. They keep 1 um from the border of the area that
+/// they melt. `narrow`: the outline's NarrowParts, at least to the deepest level. Errors: the
+/// errors of Decompose.
 absl::StatusOr<std::vector<Polyline>> MiddleLines(const MultiPolygon& outline,
                                                   const MultiPolygon& narrow,
                                                   std::span<const LineLevel> levels,

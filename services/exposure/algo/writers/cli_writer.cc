@@ -26,7 +26,7 @@ int32_t IdOf(int32_t object, int32_t settings, size_t kind, const FileFacts& fac
          1;
 }
 
-/// A name as a label may have it: what CLI's commands are told by is left out.
+/// Returns a name that is valid in a label, without the characters that mark CLI's commands.
 std::string LabelName(const std::string& name) {
   constexpr size_t kMost = 80;
   std::string text = name.substr(0, kMost);
@@ -49,7 +49,7 @@ std::string Labels(const FileFacts& facts) {
   return text;
 }
 
-/// One after the other in the file's units.
+/// Writer of consecutive numbers in the file's units.
 class Numbers {
  public:
   Numbers(const FileFacts& facts, std::string& text)
@@ -65,7 +65,7 @@ class Numbers {
     text_ += ',';
     AppendDecimal(text_, Thousandths(nm), 3);
   }
-  /// The length that a reader finds, in thousandths of a unit.
+  /// Returns the length that a reader of the file gets, in thousandths of a unit.
   double Read(Coord nm) const {
     return binary_ ? 1000 * static_cast<double>(static_cast<float>(Units(nm)))
                    : static_cast<double>(Thousandths(nm));
@@ -74,7 +74,7 @@ class Numbers {
     Length(p.x);
     Length(p.y);
   }
-  /// What a command starts with; its first number follows it without a comma.
+  /// Begins a command. Its first number follows without a comma.
   void Start(Command command, std::string_view name) {
     if (binary_) return Bytes(command, 2);
     text_ += name;
@@ -97,10 +97,10 @@ class Numbers {
   bool binary_;
   double per_nm_;
   std::string& text_;
-  size_t first_ = 0;  ///< where the first number's comma is
+  size_t first_ = 0;  ///< position of the first number, before which no comma is written
 };
 
-/// As a reader finds it: rounding may turn a sliver over.
+/// Returns the direction of a line as a reader of the file gets it: rounding may reverse a sliver.
 Winding DirectionOf(std::span<const Point> line, Point shift, const Numbers& numbers) {
   if (line.size() < 4 || line.front() != line.back()) return kOpen;
   const auto x = [&](size_t i) { return numbers.Read(line[i].x + shift.x); };

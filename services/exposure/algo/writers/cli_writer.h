@@ -6,18 +6,24 @@
 
 namespace slicefarm::exposure {
 
-/// Common Layer Interface 2.0, by output.format ASCII or binary.
+/// Returns the header of a file in the Common Layer Interface 2.0, ASCII or binary by
+/// output.format.
 ///
-/// Choices where the format leaves some: coordinates are in $$UNITS, to a thousandth of one (ASCII)
-/// or as 32-bit floats (binary, long commands, little-endian, right behind $$HEADEREND, not
-/// aligned); $$DIMENSION is in mm; $$LAYER is the layer's upper side; closed lines repeat their
-/// first point and have direction 1 if they run counter-clockwise, 0 if clockwise, as the numbers
-/// in the file have it; other lines, and those without an area, have 2. The id of a line is 5 *
-/// (rows of settings * object + settings) + kind + 1, so parts can be told apart, but for copies of
-/// one; each has a $$LABEL that says its style, as CLI has no power or speed, and the part's name
-/// if there are several.
+/// Choices where the format permits several:
+/// - Coordinates are in $$UNITS, to a thousandth of a unit in ASCII. In binary files they are
+///   32-bit floats (long commands, little-endian, directly after $$HEADEREND, not aligned).
+/// - $$DIMENSION is in mm. $$LAYER is the layer's upper side.
+/// - Closed lines repeat their first point. They have direction 1 if they run counter-clockwise and
+///   0 if clockwise, by the numbers in the file. Other lines, and lines without an area, have
+///   direction 2.
+/// - The id of a line is 5 * (rows of settings * object + settings) + kind + 1. Parts can therefore
+///   be distinguished, except copies of the same part.
+/// - Each id has a $$LABEL with its style, because CLI has no power or speed. The label contains
+///   the part's name if there are several parts.
 std::string CliHeader(const FileFacts& facts);
+/// Returns the text or bytes of one layer.
 std::string CliLayer(const ExposedLayer& layer, const FileFacts& facts);
+/// Returns the end of the file.
 std::string CliFooter(const FileFacts& facts);
 
 }  // namespace slicefarm::exposure

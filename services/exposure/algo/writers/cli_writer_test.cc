@@ -15,10 +15,10 @@
 namespace slicefarm::exposure::cli_writer_test {
 namespace {
 
-/// What a file says, as a reader by the format's description finds it. Places in mm.
+/// Content of a file as a reader gets it by the format's description. Positions are in mm.
 struct ReadLine {
   int id = 0;
-  int direction = -1;  ///< -1: a hatch line
+  int direction = -1;  ///< -1 for a hatch line
   std::vector<double> mm;
 };
 struct ReadFile {
@@ -28,7 +28,7 @@ struct ReadFile {
   std::map<int, std::string> labels;
   std::vector<double> dimension;
   std::vector<double> z_mm;
-  std::vector<std::vector<ReadLine>> lines;  ///< by layer
+  std::vector<std::vector<ReadLine>> lines;  ///< lines of each layer
 };
 
 std::vector<double> Values(const std::string& text) {
@@ -46,7 +46,7 @@ void AddHatches(int id, const std::vector<double>& places, double unit, ReadFile
          {places[i] * unit, places[i + 1] * unit, places[i + 2] * unit, places[i + 3] * unit}});
 }
 
-/// A header line, or false at the end of the header.
+/// Reads a header line. Returns false at the end of the header.
 bool ReadHeaderLine(const std::string& line, ReadFile& file) {
   const size_t slash = line.find('/');
   const std::string key = line.substr(0, slash),
@@ -173,13 +173,13 @@ TEST(CliWriter, IsReadBack) {
                                static_cast<int>(expected[k].kind) + 1);
         EXPECT_TRUE(file.labels.contains(line.id));
         ASSERT_EQ(line.mm.size(), 2 * expected[k].points.size());
-        // 24 bits of 30 mm in a float; a thousandth of a unit in text.
+        // The tolerance is 24 bits of 30 mm in a float, or a thousandth of a unit in text.
         for (size_t p = 0; p < expected[k].points.size(); ++p) {
           EXPECT_NEAR(line.mm[2 * p], ToMm(static_cast<double>(expected[k].points[p].x)), 2e-6);
           EXPECT_NEAR(line.mm[2 * p + 1], ToMm(static_cast<double>(expected[k].points[p].y)), 2e-6);
         }
       }
-      // Contours: one each way round; the thin wall is open.
+      // There is one contour in each direction; the thin wall is open.
       EXPECT_EQ(file.lines[i][0].direction, 1);
       EXPECT_EQ(file.lines[i][1].direction, 0);
       EXPECT_EQ(file.lines[i][2].direction, -1);
@@ -196,7 +196,7 @@ TEST(CliWriter, APartThatIsAloneNeedsNoName) {
   EXPECT_EQ(file.labels.at(2), "hatch 200 W 1200 mm/s");
 }
 
-/// Far from the origin binary numbers are 8 nm apart: slivers may turn over, or have no area left.
+/// Far from the origin, binary numbers are 8 nm apart: slivers may be reversed or lose their area.
 TEST(CliWriter, DirectionsAreThoseOfTheNumbersInTheFile) {
   for (const OutputFormat format : {OutputFormat::kCliBinary, OutputFormat::kCliAscii}) {
     FileFacts facts = SampleFacts(format);

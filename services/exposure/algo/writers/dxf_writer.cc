@@ -11,7 +11,7 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// R12 has no blanks in names.
+/// Returns the kind's name in capitals with underscores, because R12 has no blanks in names.
 std::string LayerName(ExposureKind kind) {
   std::string name(ExposureKindName(kind));
   std::replace(name.begin(), name.end(), ' ', '_');
@@ -21,12 +21,12 @@ std::string LayerName(ExposureKind kind) {
   return name;
 }
 
-/// A group code and its value, a line each.
+/// Appends a group code and its value, each on its own line.
 void AppendPair(std::string& text, int code, std::string_view value) {
   text += fmt::format("{}\n{}\n", code, value);
 }
 
-/// x under `code`, y under code + 10, z under code + 20.
+/// Appends x with `code`, y with code + 10, z with code + 20.
 void AppendPlace(std::string& text, int code, Point p, Coord z) {
   for (const Coord value : {p.x, p.y, z}) {
     text += fmt::format("{}\n", code);

@@ -6,9 +6,12 @@
 
 namespace slicefarm::exposure {
 
-/// DXF R12 in mm of layer output.layer: LINEs and POLYLINEs on a DXF layer for each kind.
+/// Returns the header of a DXF R12 file in mm with the layer output.layer: LINEs and POLYLINEs on
+/// one DXF layer per kind.
 std::string DxfHeader(const FileFacts& facts);
+/// Returns the entities of one layer.
 std::string DxfLayer(const ExposedLayer& layer, const FileFacts& facts);
+/// Returns the end of the file.
 std::string DxfFooter(const FileFacts& facts);
 
 }  // namespace slicefarm::exposure

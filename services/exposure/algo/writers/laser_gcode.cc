@@ -15,7 +15,7 @@
 namespace slicefarm::exposure {
 namespace {
 
-constexpr int kDecimals = 4;  ///< of mm: a tenth of a micrometre
+constexpr int kDecimals = 4;  ///< decimals of mm: a tenth of a micrometre
 
 const gcode::Dialect& DialectOf(const FileFacts& facts) {
   return gcode::DialectOf(facts.output.format == OutputFormat::kMarlin ? gcode::Controller::kMarlin
@@ -30,10 +30,10 @@ const char* OffCommand(const FileFacts& facts) {
   return DialectOf(facts).inline_power ? "M5 I\n" : "M5\n";
 }
 
-/// The moves of a layer; says speed, power and focus where they change.
+/// Writer of a layer's moves. Writes speed, power and focus only when they change.
 class MoveText {
  public:
-  /// The head is at `layer_z_nm`, the laser on with S0.
+  /// Starts a layer: the head is at `layer_z_nm`, and the laser is on with S0.
   MoveText(const FileFacts& facts, Coord layer_z_nm, GcodeText& out)
       : facts_(facts),
         dialect_(DialectOf(facts)),
@@ -63,7 +63,7 @@ class MoveText {
     if (at_ != p) Move(p, 0);
   }
 
-  /// With the laser off: M4 has it so wherever the head stands still, M3 has not.
+  /// Waits with the laser off. M4 turns the laser off whenever the head does not move, M3 does not.
   void Wait(double delay_us) {
     if (!(delay_us > 0)) return;
     const bool off = !facts_.output.dynamic_power && !said_power_.Is(0);
@@ -109,7 +109,7 @@ class MoveText {
   const Coord layer_z_nm_;
   gcode::Modal<Coord> z_nm_;
   GcodeText& out_;
-  int64_t feed_ = 0, jump_feed_ = 0, power_ = 0;  ///< of the style: mm/min * 10, S * 100
+  int64_t feed_ = 0, jump_feed_ = 0, power_ = 0;  ///< values of the style: mm/min * 10, S * 100
   gcode::Modal<int64_t> said_feed_;
   gcode::Modal<int64_t> said_power_{0};
   std::optional<Point> at_;

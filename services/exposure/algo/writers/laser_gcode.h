@@ -6,23 +6,26 @@
 
 namespace slicefarm::exposure {
 
-/// G-code of lasers, for grbl 1.1 ($32=1) or Marlin 2 (inline power).
+/// Returns the header of G-code for lasers: grbl 1.1 ($32=1) or Marlin 2 (inline power).
 ///
-/// Absolute mm. Each layer's head moves to its height in Z; the layer switches the laser on with
-/// power 0 (M4: power that follows the speed; M3: constant) and off at its end (M5). G-code of the
-/// user's own stands before the words for units, around the move in Z and at the very end, always
-/// with the laser off. Ways without exposure are
-/// G0 with S0, so that no power is left on in a travel whatever the machine's mode; skywriting runs
-/// are G1 with S0. S is power / full_power_w * full_power_s.
+/// Coordinates are absolute, in mm. The head of each layer moves to the layer's height in Z. The
+/// layer turns the laser on with power 0 and off at its end (M5). M4: power that follows the speed;
+/// M3: constant power. The user's own G-code is before the commands for units, around the move in Z
+/// and at the very end, always with the laser off. Moves without exposure are G0 with S0, so that
+/// no power remains on in a travel in any mode of the machine. Skywriting runs are G1 with S0. S is
+/// power / full_power_w * full_power_s.
 ///
-/// Focus: the head goes up by it, so Z is the layer's height and the style's focus_mm. Delays: G4
-/// with the laser off, after jumps, at the ends of lines without skywriting and at their corners;
-/// in seconds for grbl, in whole ms for Marlin, rounded up. The speed of jumps is F of Marlin's G0;
-/// grbl knows but its own. There are no words for frequency and points: they stand in the header's
-/// comments alone.
+/// Focus: the head moves up by it, so that Z is the layer's height plus the style's focus_mm.
+/// Delays: G4 with the laser off, after jumps, at the ends of lines without skywriting and at their
+/// corners. Delays are in seconds for grbl, and in whole ms for Marlin, rounded up. The speed of
+/// jumps is F of Marlin's G0; grbl uses only its own speed. Frequency and points have no G-code
+/// words: they are only in the header's comments.
 std::string LaserGcodeHeader(const FileFacts& facts);
+/// Returns the move to a layer's height, with the user's G-code around it.
 std::string LaserGcodeLayerHead(const LayerFrame& layer, const LayerCode& code);
+/// Returns the moves of one layer.
 std::string LaserGcodeLayer(const ExposedLayer& layer, const FileFacts& facts);
+/// Returns the end of the file.
 std::string LaserGcodeFooter(const FileFacts& facts);
 
 }  // namespace slicefarm::exposure

@@ -14,8 +14,8 @@
 namespace slicefarm::exposure::laser_gcode_test {
 namespace {
 
-/// A strict reader of laser G-code: a word that it does not know, a word twice in a line, a travel
-/// with power on or a move before its mode fails.
+/// Strict reader of laser G-code. It fails on an unknown word, a word twice in a line, a travel
+/// with power on, or a move before its mode.
 class Machine {
  public:
   struct Exposure {
@@ -80,7 +80,7 @@ class Machine {
     x_ = x, y_ = y;
   }
 
-  /// A laser that is on while the head stands still burns a hole; M4 has it off then.
+  /// Checks a pause: a laser that is on while the head does not move burns a hole. M4 turns it off.
   void Wait(const std::map<char, double>& words, const std::string& line) {
     ASSERT_TRUE(!on || !constant_power || power_ == 0) << line;
     waits.push_back(words.at('P'));
@@ -128,7 +128,8 @@ TEST(LaserGcode, IsReadBackByAStrictMachine) {
   }
 }
 
-/// With the laser off, in absolute mm; the machine's own words come after the start's.
+/// The user's code runs with the laser off, in absolute mm. The machine's own commands follow the
+/// start code.
 TEST(LaserGcode, OwnCodeStandsAroundTheMoveInZ) {
   FileFacts facts = SampleFacts(OutputFormat::kGrbl);
   facts.start_code = "G28\n";
@@ -149,7 +150,7 @@ TEST(LaserGcode, ConstantPowerIsM3) {
   EXPECT_EQ(text.find("M4"), std::string::npos);
 }
 
-/// A hatch of two lines and a triangle: 3 jumps and ends of lines, 2 corners.
+/// Returns the text of a hatch of two lines and a triangle: 3 jumps and ends of lines, 2 corners.
 std::string WithDelays(OutputFormat format, bool dynamic_power, Coord run_nm, Machine& machine) {
   std::vector<ExposureOptions> regions(1);
   regions[0].jump = {

@@ -9,7 +9,7 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// Goes through the file.
+/// Template filler that processes the templates in the order of the file.
 class CodeFiller {
  public:
   explicit CodeFiller(const ExposureSummary& summary)

@@ -12,20 +12,20 @@ struct ExposureOutput;
 
 namespace slicefarm::exposure {
 
-/// G-code of the user's own around a layer's move in Z.
+/// The user's own G-code around a layer's move in Z.
 struct LayerCode {
   std::string before, after;
 };
 
-/// All of a job's, filled in. Each text is empty or ends a line.
+/// All of a job's own G-code, with filled templates. Each text is empty or ends with a line break.
 struct OwnCode {
   std::string start;
   std::vector<LayerCode> layers;
   std::string end;
 };
 
-/// The output's templates, in the order of the file, so that global variables of one hold in those
-/// after it. Errors: those of ParseTemplate and RunTemplate.
+/// Fills the output's templates in the order of the file, so that a global variable of one template
+/// is valid in later ones. Errors: the errors of ParseTemplate and RunTemplate.
 absl::StatusOr<OwnCode> FillIn(const ExposureOutput& output, const ExposureSummary& summary);
 
 }  // namespace slicefarm::exposure

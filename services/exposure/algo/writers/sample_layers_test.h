@@ -7,8 +7,8 @@
 
 namespace slicefarm::exposure {
 
-/// Two layers with every kind of line: hatch, a closed line either way round, an open one, two
-/// copies, two rows of settings, negative places.
+/// Returns two layers with every kind of line: hatch, closed lines in both directions, an open
+/// line, two copies, two rows of settings, negative positions.
 inline std::vector<ExposedLayer> SampleLayers() {
   std::vector<ExposedLayer> layers(2);
   for (int32_t i = 0; i < 2; ++i) {
@@ -36,7 +36,7 @@ inline std::vector<ExposedLayer> SampleLayers() {
   return layers;
 }
 
-/// Refers to a table that is there for good.
+/// Returns facts that refer to a static table.
 inline FileFacts SampleFacts(OutputFormat format) {
   static const std::vector<ExposureOptions> regions = [] {
     std::vector<ExposureOptions> rows(2);
@@ -66,7 +66,7 @@ inline std::string SampleFile(OutputFormat format) {
   return file + FileFooter(facts);
 }
 
-/// The lines of a layer as they lie on the plate, in order.
+/// Line of a layer in plate coordinates.
 struct PlateLine {
   int32_t object = 0;
   int32_t settings = 0;

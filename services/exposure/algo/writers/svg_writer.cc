@@ -9,7 +9,7 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// By ExposureKind.
+/// Colour of each ExposureKind.
 constexpr std::array<const char*, kExposureKindCount> kColours = {"#c02020", "#2050c0", "#20a040",
                                                                   "#e08020", "#802080"};
 

@@ -6,10 +6,13 @@
 
 namespace slicefarm::exposure {
 
-/// SVG in mm with a group a layer (id="layer0"), in it a path for each group of lines, of a colour
-/// for each kind and as wide as the spot. y points up, by a transform around all layers.
+/// Returns the header of an SVG in mm with one group per layer (id="layer0"). The group has a path
+/// for each group of lines, in the colour of its kind and as wide as the spot. A transform around
+/// all layers makes y point up.
 std::string SvgHeader(const FileFacts& facts);
+/// Returns the group of one layer.
 std::string SvgLayer(const ExposedLayer& layer, const FileFacts& facts);
+/// Returns the end of the file.
 std::string SvgFooter(const FileFacts& facts);
 
 }  // namespace slicefarm::exposure

@@ -13,29 +13,32 @@
 
 namespace slicefarm::exposure {
 
-/// What a file says about the whole job.
+/// Facts about the whole job that a file contains.
 struct FileFacts {
   int32_t layers = 0;
-  Box bounds;           ///< of what is exposed, on the plate; empty if nothing is
-  Coord bottom_nm = 0;  ///< the first layer's lower side
-  Coord top_nm = 0;     ///< the last layer's upper side
-  std::span<const std::string> object_names = {};  ///< by object
-  std::span<const ExposureOptions> regions = {};   ///< by row of the job's tables
+  Box bounds;           ///< bounds of the exposure on the plate; empty if nothing is exposed
+  Coord bottom_nm = 0;  ///< lower side of the first layer
+  Coord top_nm = 0;     ///< upper side of the last layer
+  std::span<const std::string> object_names = {};  ///< names, indexed by object
+  std::span<const ExposureOptions> regions = {};   ///< options, indexed by row of the job's tables
   ExposureOutput output;
-  std::string_view start_code = {}, end_code = {};  ///< OwnCode's
+  std::string_view start_code = {}, end_code = {};  ///< texts of OwnCode
 };
 
-/// Whether layers have heads of their own, and the file G-code of the user's.
+/// Returns true if layers have heads of their own and the file contains the user's G-code.
 bool HasLayerHeads(OutputFormat format);
 
-/// A file is its header, its layers, each after its head if the format has them, and its footer,
-/// one after the other. Layers are made apart from
-/// each other, in any order: each starts and ends with the laser off. A DXF has one layer: all
-/// others are empty text. Each format has a file of its own in this folder.
+/// Returns the header of a file. A file is its header, its layers and its footer, one after the
+/// other. If the format has layer heads, each layer follows its head. Layers are written
+/// independently of each other, in any order: each starts and ends with the laser off. A DXF has
+/// one layer, and the text of all other layers is empty. Each format has its own file in this
+/// folder.
 std::string FileHeader(const FileFacts& facts);
-/// Of formats that have them.
+/// Returns the head of a layer. REQUIRES: the format has layer heads.
 std::string LayerHead(const LayerFrame& layer, const LayerCode& code);
+/// Returns the text of a layer.
 std::string LayerText(const ExposedLayer& layer, const FileFacts& facts);
+/// Returns the end of a file.
 std::string FileFooter(const FileFacts& facts);
 
 }  // namespace slicefarm::exposure
