@@ -23,6 +23,7 @@ Coord OuterWallRadius(std::span<const Path> paths);
 /// Obstacles for travels within an island: the outline and the centre lines of the outer walls.
 class IslandEdges : public Barrier {
  public:
+  /// Takes the outline and the outer walls of the island.
   explicit IslandEdges(const FilledIsland& island);
 
   /// Returns true if ab leaves the island or crosses an outer wall. REQUIRES: a is in the island.

@@ -18,6 +18,7 @@ struct Turn {
 /// section is O(n). The direction of the tour in memory has no meaning.
 class ArrayTour {
  public:
+  /// Stores the nodes of `tour` in their order.
   explicit ArrayTour(Tour tour);
 
   int32_t size() const { return static_cast<int32_t>(order_.size()); }

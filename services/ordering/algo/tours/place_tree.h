@@ -18,6 +18,7 @@ class PlaceTree {
  public:
   static constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 
+  /// Builds the tree. A place's number is its index in `places`.
   explicit PlaceTree(std::span<const Vector2> places);
 
   /// Removes a place. REQUIRES: `number` is in the tree.

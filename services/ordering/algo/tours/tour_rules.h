@@ -36,6 +36,7 @@ class FixedEdges {
  public:
   static constexpr int32_t kNone = -1;
 
+  /// Indexes the edges of a graph with `size` nodes. REQUIRES: at most two edges per node.
   FixedEdges(int32_t size, std::span<const NodePair> edges);
 
   /// Returns true if ab is a fixed edge.
