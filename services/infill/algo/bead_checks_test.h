@@ -9,21 +9,21 @@
 #include "common/geometry/measure.h"
 #include "common/model/path.h"
 
-/// How beads lie beside each other and beside an edge, found by points along them: apart from how
-/// they were made.
+/// Checks of the distances between beads, and between beads and an edge, by points along the beads.
+/// They do not use the code that creates the beads.
 namespace slicefarm::infill {
 
-/// A point on a path, and which way it runs there.
+/// Point on a path, with the path's direction there.
 struct BeadPoint {
   double x = 0, y = 0;
-  double way_x = 0, way_y = 0;  ///< a unit vector
+  double way_x = 0, way_y = 0;  ///< direction as a unit vector
   size_t path = 0;
-  double along_nm = 0;  ///< from the path's start
+  double along_nm = 0;  ///< distance from the path's start
 };
 
 inline constexpr double kBeadStepNm = 50'000;
 
-/// The middles of steps of at most kBeadStepNm, and what each step stands for.
+/// Returns the middles of steps of at most kBeadStepNm, each with the length of its step.
 inline std::vector<std::pair<BeadPoint, double>> BeadPoints(const std::vector<Path>& paths) {
   std::vector<std::pair<BeadPoint, double>> points;
   for (size_t k = 0; k < paths.size(); ++k) {
@@ -47,8 +47,8 @@ inline std::vector<std::pair<BeadPoint, double>> BeadPoints(const std::vector<Pa
   return points;
 }
 
-/// Length that lies on another bead of about the same direction (16 degrees), its own path within
-/// three widths along it left out.
+/// Returns the length that is on another bead of about the same direction (16 degrees). A bead's
+/// own path within three widths along it does not count.
 inline double DoubledLength(const std::vector<Path>& paths, double width_nm) {
   const auto points = BeadPoints(paths);
   const auto square = [width_nm](const BeadPoint& p) {
@@ -77,7 +77,8 @@ inline double DoubledLength(const std::vector<Path>& paths, double width_nm) {
   return doubled;
 }
 
-/// Length of the beads whose middle lies no farther than `depth_nm` from a region's edge.
+/// Returns the length of the parts of beads with a centre line at most `depth_nm` from a region's
+/// edge.
 inline double LengthAlongEdge(const std::vector<Path>& paths, const MultiPolygon& region,
                               double depth_nm) {
   double length = 0;

@@ -10,7 +10,7 @@
 
 namespace slicefarm::infill {
 
-/// That no point of a path, nor of the middles of its segments, lies more than 2 um outside.
+/// Checks that no point of a path, and no middle of its segments, is more than 2 um outside.
 inline void ExpectInside(const std::vector<Path>& paths, const MultiPolygon& region) {
   const MultiPolygon grown = FastOffset(region, 2'000);
   for (const Path& path : paths) {

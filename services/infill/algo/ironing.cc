@@ -10,8 +10,8 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Ends farther apart along the edge than so many spacings are not joined: the nozzle would drag
-/// along it.
+/// Largest distance along the edge, in spacings, between two ends that are joined. Over a longer
+/// distance the nozzle would drag along the edge.
 constexpr double kIroningLinkSpacings = 3;
 
 }  // namespace

@@ -6,18 +6,19 @@
 
 namespace slicefarm::infill {
 
+/// Parameters of the ironing of a region.
 struct IroningFill {
-  double angle_rad = 0;      ///< of the lines that are ironed: ironing runs the same way
-  Coord width_nm = 450'000;  ///< of the beads that are ironed
+  double angle_rad = 0;      ///< direction of the ironed lines; ironing has the same direction
+  Coord width_nm = 450'000;  ///< width of the ironed beads
   Coord height_nm = 200'000;
   IroningOptions ironing = {};
 };
 
-/// Lines that go over a printed region once more, close together, with `flow` of the plastic that
-/// would fill the layer: section of a bead = flow * spacing * height. They end half a spacing
-/// before the region's edge, are joined back and forth, and keep their order; ordering prints them
-/// after all else of the island.
-/// Errors: those of CutLines. Cost: as CutLines.
+/// Returns lines that pass over a printed region again, close together, with `flow` of the plastic
+/// that would fill the layer: section of a bead = flow * spacing * height. The lines end half a
+/// spacing before the region's edge, are joined back and forth, and keep their order. The ordering
+/// service prints them after all other paths of the island. Errors: the errors of CutLines. Cost:
+/// as CutLines.
 absl::StatusOr<FillGroup> IronedLines(const MultiPolygon& region, const IroningFill& fill);
 
 }  // namespace slicefarm::infill

@@ -9,7 +9,8 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Arcs of the first line have 42 chords a turn, and keep them farther out.
+/// Extra distance of arcs of the first line, as a share of the radius: an arc has 42 chords per
+/// turn, and the chords are closer to the axis than the arc.
 constexpr double kArcShare = 1.0 / 350;
 
 }  // namespace

@@ -7,12 +7,12 @@
 
 namespace slicefarm::infill {
 
-/// The lines at `first_nm`, `first_nm` + `pitch_nm`, ... from an axis, up to `most_nm`, as closed
-/// curves: around its ends they are round, and where two branches' lines meet they have a corner.
-/// They split and merge where the axis has forks and rings.
+/// Returns the lines at `first_nm`, `first_nm` + `pitch_nm`, ... from an axis, up to `most_nm`, as
+/// closed curves. They are round around the axis' ends, and have a corner where the lines of two
+/// branches meet. They split and merge where the axis has forks and rings.
 ///
-/// Precision: 1/350 of the distance from the axis on curves. REQUIRES: first_nm > 0, pitch_nm > 0.
-/// Cost: of an offset each (OffsetLines for the first, FastOffset for the others).
+/// Precision: on curves 1/350 of the distance from the axis. REQUIRES: first_nm > 0, pitch_nm > 0.
+/// Cost: one offset per line (OffsetLines for the first line, FastOffset for all further lines).
 std::vector<Curve> AxisLevels(std::span<const Polyline> axis, double first_nm, double pitch_nm,
                               double most_nm);
 

@@ -10,7 +10,7 @@
 namespace slicefarm::infill {
 namespace {
 
-/// An axis that ends nearer to a ring than this reaches it: twice the precision of MainAxis.
+/// Distance in nm within which an axis reaches a ring: twice the precision of MainAxis.
 constexpr double kReachedNm = 40'000;
 
 /// Calls visit(a, b) for the edges of a ring.
@@ -29,8 +29,8 @@ bool Reaches(const std::vector<Polyline>& axis, const Polygon& ring) {
   return reached;
 }
 
-/// Returns the shortest line from a point of the ring to a point of the axis; none if that is no
-/// line.
+/// Returns the shortest line from a point of the ring to a point of the axis, or nothing if this
+/// line has no length.
 std::optional<Polyline> SpokeTo(const std::vector<Polyline>& axis, const Polygon& ring) {
   double shortest = std::numeric_limits<double>::infinity();
   Polyline spoke;

@@ -38,7 +38,7 @@ struct SpokeCase {
   size_t spokes;
 };
 
-// One for each ring that the axis does not reach, from the ring to the axis.
+// There is one spoke for each ring that the axis does not reach, from the ring to the axis.
 TEST(AxisSpokes, ReachTheRingsThatTheAxisDoesNot) {
   const SpokeCase cases[] = {
       {"strip", P("(0 0, 60 0, 60 10, 0 10)"), 0},

@@ -14,15 +14,16 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Of the outline, before the diagram is computed, and of the axis' curves.
+/// Tolerance in nm for simplifying the outline before the diagram is computed, and for the axis'
+/// curves.
 constexpr Coord kAxisToleranceNm = 20'000;
 constexpr double kLongestChordNm = 5e6;
-/// What stands for a point.
+/// Length in nm of a line that represents a point.
 constexpr Coord kDotNm = 1'000;
 
 double Between(Vector2 a, Vector2 b) { return Hypot(b.x() - a.x(), b.y() - a.y()); }
 
-/// The edges of a medial axis that are kept, as a graph.
+/// Edges of a medial axis that are kept, as a graph.
 class AxisTree {
  public:
   explicit AxisTree(const SkeletalGraph& graph) : graph_(graph), tips_(graph.nodes) {
@@ -41,8 +42,8 @@ class AxisTree {
       leaving_[static_cast<size_t>(next[From(static_cast<int>(half))]++)] = static_cast<int>(half);
   }
 
-  /// Removes branches from the leaves inwards, those of like depth at once, so that it does not
-  /// matter in which order they are numbered.
+  /// Removes small branches from the leaves inwards. Branches of equal depth are removed at the
+  /// same time, so that the result does not depend on the numbers of nodes.
   void Prune(const AxisOptions& options) {
     while (true) {
       std::vector<Branch> small;
@@ -56,8 +57,8 @@ class AxisTree {
     }
   }
 
-  /// Each kept edge in one line; at a node the straightest two go on into each other, then the
-  /// straightest two of the rest.
+  /// Returns lines that contain each kept edge once. At a node, the straightest pair of edges is
+  /// joined to one line, then the straightest pair of the remaining edges.
   std::vector<Polyline> Lines() const {
     const std::vector<int> mates = PairedEdges();
     std::vector<Polyline> lines;
@@ -88,7 +89,7 @@ class AxisTree {
  private:
   struct Branch {
     int leaf = 0;
-    int fork = -1;  ///< -1: it is a line without forks
+    int fork = -1;  ///< -1 for a line without forks
     std::vector<int> halves;
   };
 
@@ -100,7 +101,7 @@ class AxisTree {
     return graph_.origin + Point{std::llround(at.x()), std::llround(at.y())};
   }
 
-  /// A kept half-edge that leaves the node, other than `but`; -1: there is none.
+  /// Returns a kept half-edge that leaves the node, other than `but`, or -1 if there is none.
   int LeavingKept(int node, int but) const {
     for (int i = first_[static_cast<size_t>(node)]; i < first_[static_cast<size_t>(node) + 1];
          ++i) {
@@ -110,7 +111,7 @@ class AxisTree {
     return -1;
   }
 
-  /// From a leaf to the next fork.
+  /// Returns the branch from a leaf to the next fork.
   Branch BranchOf(int leaf) const {
     Branch branch;
     branch.leaf = leaf;
@@ -155,7 +156,8 @@ class AxisTree {
     return ((p.x() - o.x()) * (q.x() - o.x()) + (p.y() - o.y()) * (q.y() - o.y())) / lengths;
   }
 
-  /// By half-edge that leaves a node: the one with which it is one line there; -1: it ends.
+  /// Returns for each half-edge the half-edge that continues its line at the node that it leaves.
+  /// The value is -1 if the line ends there.
   std::vector<int> PairedEdges() const {
     std::vector<int> mates(leaving_.size(), -1);
     struct Pair {
@@ -182,11 +184,12 @@ class AxisTree {
   }
 
   const SkeletalGraph& graph_;
-  std::vector<SkeletalNode> tips_;  ///< by node: the farthest circle of all that was pruned there
-  std::vector<bool> kept_;          ///< by edge
+  /// Farthest circle of all branches pruned at a node, indexed by node.
+  std::vector<SkeletalNode> tips_;
+  std::vector<bool> kept_;          ///< true if an edge is kept, indexed by edge
   std::vector<int> degree_;
-  std::vector<int> first_;    ///< of each node in leaving_
-  std::vector<int> leaving_;  ///< half-edges by node
+  std::vector<int> first_;    ///< first index of each node in leaving_
+  std::vector<int> leaving_;  ///< half-edges, sorted by the node that they leave
 };
 
 std::optional<SkeletalGraph> SkeletonOf(const PolygonWithHoles& island) {

@@ -34,7 +34,7 @@ double TotalMm(const std::vector<Polyline>& lines) {
 TEST(MainAxis, OfAStripRunsAlongItAndIntoItsCorners) {
   const auto lines = MainAxis(P("(0 0, 60 0, 60 10, 0 10)"), {});
   EXPECT_NEAR(TotalMm(lines), 50 + 4 * 5 * std::numbers::sqrt2, 0.1);
-  // Two forks: five edges are three lines.
+  // The axis has two forks: its five edges are three lines.
   EXPECT_EQ(lines.size(), 3u);
 }
 

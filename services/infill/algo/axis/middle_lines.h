@@ -7,8 +7,9 @@
 
 namespace slicefarm::infill {
 
-/// Beads along the middle of each island (MainAxis) that are at least so long. They end where the
-/// widest circle inside an end of the island has its middle. Cost: that of MainAxis.
+/// Returns beads along the middle of each island (MainAxis) that are at least `least_nm` long. A
+/// bead ends at the centre of the widest circle inside an end of the island. Cost: the cost of
+/// MainAxis.
 std::vector<Path> MiddleLines(const MultiPolygon& area, Coord width_nm, double least_nm);
 
 }  // namespace slicefarm::infill

@@ -10,12 +10,12 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Lengths of edges as integers, in tiles.
+/// Unit of edge lengths as integers, in tiles.
 constexpr double kLengthUnit = 1e-9;
-/// A corner lies no farther along an edge than this share of it.
+/// Largest distance of a bend along an edge, as a share of the edge.
 constexpr double kMostOfEdge = 0.45;
 
-/// Of an edge that goes straight on from the doubled one.
+/// Slope of an edge that continues the doubled edge in a straight line.
 constexpr double kSteepest = 1e9;
 
 }  // namespace
@@ -57,7 +57,7 @@ void StrandTile::MatchVertices() {
     doubled_.push_back(matching.mate[static_cast<size_t>(edge.a)] == edge.b);
 }
 
-/// Both lines of a doubled edge stay on their side of it: left first.
+/// Creates the two lines of each doubled edge, left first. Each line stays on its side of the edge.
 void StrandTile::LayCourses() {
   for (int32_t edge = 0; edge < static_cast<int32_t>(doubled_.size()); ++edge) {
     if (!doubled_[static_cast<size_t>(edge)]) continue;
@@ -76,8 +76,8 @@ void StrandTile::LayCourses() {
   }
 }
 
-/// Two curves that share a doubled edge become one where their lines there cross: on the shortest
-/// edges that will do.
+/// Joins two curves that share a doubled edge by crossing their lines there. The shortest suitable
+/// edges are used.
 void StrandTile::JoinCourses() {
   DisjointSets curves(static_cast<int32_t>(tile_.edges.size()));  // of edges that are walked once
   const auto join = [&curves](int32_t a, int32_t b) { return curves.Join(a / 2, b / 2); };
@@ -92,7 +92,8 @@ void StrandTile::JoinCourses() {
   }
 }
 
-/// Across the edge that both of them walk, each end of a strand meets the end of another one.
+/// Links each end of a strand with the end of another strand. The two ends meet in the middle of
+/// the edge that both strands use.
 void StrandTile::LinkStrands() {
   struct End {
     size_t strand = 0;
@@ -111,7 +112,8 @@ void StrandTile::LinkStrands() {
       const End to = end_at[static_cast<size_t>(half ^ 1)];
       Strand::Next next{static_cast<int32_t>(to.strand), to.end, sign * across.step_u,
                         sign * across.step_v};
-      // A strand lies where its doubled edge's first vertex does; the second may lie aside.
+      // A strand is in the tile of its doubled edge's first vertex. The second vertex may be in
+      // another tile.
       const TileEdge& own = tile_.edges[static_cast<size_t>(courses_[i].edge)];
       const TileEdge& its = tile_.edges[static_cast<size_t>(courses_[to.strand].edge)];
       if (end == 1) next.step_u += own.step_u, next.step_v += own.step_v;

@@ -10,11 +10,11 @@
 
 namespace slicefarm::infill {
 
-/// A stretch of a curve along cells' edges: from the middle of an edge over one of the two sides of
-/// a doubled edge to the middle of another edge. Strands of a tile are repeated with it.
+/// Part of a curve along cells' edges: from the middle of an edge, along one of the two sides of a
+/// doubled edge, to the middle of another edge. The strands of a tile repeat with the tile.
 struct Strand {
   std::array<Vector2, 4> points;
-  /// Where it goes on at either end: the end of which strand, and how many tiles aside that one is.
+  /// Continuation at one end: the number and end of the next strand, and its offset in tiles.
   struct Next {
     int32_t strand = 0;
     int32_t end = 0;
@@ -24,32 +24,36 @@ struct Strand {
   std::array<Next, 2> next;
 };
 
-/// Walks the edges of a tile's cells without lifting: in each vertex three edges meet, so one of
-/// them has to be walked twice. Which ones, such that each vertex has one, is the perfect matching
-/// of least length; its two lines lie side by side, as those of the rows of `honeycomb` do. All
-/// strands of a tile are one curve: where the sides of doubled edges belong to different ones, the
-/// two cross.
+/// Walk along all edges of a tile's cells without a travel. Three edges meet in each vertex, so
+/// that one of them has to be used twice. The perfect matching of least length selects one such
+/// edge for each vertex. The two lines of a doubled edge are side by side, like the lines between
+/// the rows of `honeycomb`. All strands of a tile form one curve: if the sides of a doubled edge
+/// belong to different curves, the two lines cross.
 class StrandTile {
  public:
-  /// REQUIRES: three edges meet in each vertex, and the tile is connected.
+  /// Computes the walk. REQUIRES: three edges meet in each vertex, and the tile is connected.
   explicit StrandTile(VoronoiTile tile);
 
-  /// With the lines of a doubled edge `gap` apart, in tiles. Cost: O(n), n vertices: 10 ns each.
+  /// Returns the strands, with the two lines of a doubled edge `gap` apart, in tiles. Cost: O(n), n
+  /// vertices: 10 ns each.
   std::vector<Strand> Strands(double gap) const;
 
+  /// Returns the number of doubled edges with crossing lines.
   int Crossings() const { return crossings_; }
-  const std::vector<bool>& Doubled() const { return doubled_; }  ///< by edge
+  /// True for doubled edges, indexed by edge.
+  const std::vector<bool>& Doubled() const { return doubled_; }
 
  private:
-  /// One line of a doubled edge. Half-edge 2 e runs along edge e, 2 e + 1 against it.
+  /// One line of a doubled edge. Half-edge 2 e runs along edge e, half-edge 2 e + 1 against it.
   struct Course {
     int32_t edge = 0;
-    /// The half-edges that it comes from and goes to: one leaves the doubled edge's first vertex,
-    /// the other its second one.
+    /// Half-edges at the two ends of the line: the first leaves the doubled edge's first vertex,
+    /// the second leaves its second vertex.
     std::array<int32_t, 2> ends{};
   };
-  /// An end of a strand: a vertex, the way along the edge that leaves it, and how far along that
-  /// edge, for each unit of the gap, the line turns to run beside the doubled one.
+  /// End of a strand: a vertex, the direction of the edge that leaves it, and the distance of the
+  /// bend along this edge per unit of the gap. At the bend, the line turns to run beside the
+  /// doubled edge.
   struct Bend {
     Vector2 vertex = Vector2::Zero();
     Vector2 way = Vector2::Zero();
@@ -68,10 +72,10 @@ class StrandTile {
   void MeasureBends();
 
   VoronoiTile tile_;
-  std::vector<std::array<int32_t, 3>> leaving_;  ///< half-edges, by vertex
+  std::vector<std::array<int32_t, 3>> leaving_;  ///< half-edges that leave each vertex
   std::vector<bool> doubled_;
   std::vector<Course> courses_;  ///< two for each doubled edge, one after the other
-  std::vector<Strand> strands_;  ///< by course, without points
+  std::vector<Strand> strands_;  ///< strands without points, indexed by course
   std::vector<std::array<Bend, 2>> bends_;
   int crossings_ = 0;
 };

@@ -45,7 +45,7 @@ TEST(StrandTile, WalksEachEdgeOnceAndDoubledOnesTwice) {
   for (const Strand& strand : tile.Strands(0))
     for (size_t i = 1; i < 4; ++i) got += Between(strand.points[i - 1], strand.points[i]);
   EXPECT_NEAR(got, asked + twice, 1e-9);
-  // A third of all edges, and the shorter ones of those that would do.
+  // A third of all edges are doubled, and the matching prefers short edges.
   EXPECT_LT(twice, 0.3 * asked);
 }
 
@@ -68,7 +68,7 @@ TEST(StrandTile, IsOneCurve) {
   EXPECT_LT(tile.Crossings(), kSide * kSide / 4);
 }
 
-// The lines of a doubled edge that do not cross lie a gap apart.
+// The lines of a doubled edge are a gap apart unless they cross.
 TEST(StrandTile, DoubledLinesKeepTheirGap) {
   const StrandTile tile(RelaxedCells(kSide, 20));
   constexpr double kGap = 0.01;

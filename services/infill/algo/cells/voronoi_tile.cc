@@ -10,9 +10,9 @@
 namespace slicefarm::infill {
 namespace {
 
-/// A tile's size in the diagram's integers.
+/// Size of a tile in the diagram's integers.
 constexpr int32_t kTileUnits = 1 << 24;
-/// Copies of places reach so far around the tile, in cells: no cell is wider.
+/// Width of the margin around the tile with copies of places, in cells. No cell is wider.
 constexpr int kMarginCells = 3;
 
 using CellDiagram = boost::polygon::voronoi_diagram<double>;
@@ -22,7 +22,7 @@ struct Site {
   int32_t y = 0;
 };
 
-/// A place of the tile, or the copy of it some tiles aside.
+/// Place of the tile, or a copy of it, some tiles away.
 struct SiteCopy {
   int32_t site = 0;
   int32_t step_u = 0;
@@ -31,7 +31,7 @@ struct SiteCopy {
   bool IsOwn() const { return step_u == 0 && step_v == 0; }
 };
 
-/// splitmix64 (Steele, Lea, Flood 2014).
+/// Random numbers by splitmix64 (Steele, Lea, Flood 2014).
 class Draws {
  public:
   double Share() {
@@ -62,7 +62,7 @@ std::vector<Site> RandomSites(int side) {
   return sites;
 }
 
-/// The diagram of a tile's places and of their copies around it.
+/// Voronoi diagram of a tile's places and of their copies around it.
 struct TiledDiagram {
   std::vector<SiteCopy> copies;
   CellDiagram diagram;
@@ -89,7 +89,7 @@ struct TiledDiagram {
   }
 };
 
-/// The centroid of a cell.
+/// Returns the centroid of a cell.
 Site MiddleOf(const CellDiagram::cell_type& cell) {
   double area = 0, x = 0, y = 0;
   const auto* first = cell.incident_edge();
@@ -113,8 +113,9 @@ std::vector<Site> Relaxed(const std::vector<Site>& sites, int side) {
   return moved;
 }
 
-/// Numbers the vertices of a diagram, those that are copies of each other alike: by the three
-/// places around them. One lies as far aside as the copy of the first of these.
+/// Numbers of the vertices of a diagram. The three places around a vertex identify it, so that
+/// copies of a vertex have the same number. The offset of a vertex in tiles is the offset of its
+/// first place.
 class Vertices {
  public:
   struct Named {

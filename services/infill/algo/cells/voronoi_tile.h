@@ -8,7 +8,7 @@
 
 namespace slicefarm::infill {
 
-/// An edge between two cells. Its second vertex lies in the tile `step_u`, `step_v` tiles aside.
+/// Edge between two cells. Its second vertex is in the tile with the offset `step_u`, `step_v`.
 struct TileEdge {
   int32_t from = 0;
   int32_t to = 0;
@@ -16,19 +16,20 @@ struct TileEdge {
   int32_t step_v = 0;
 };
 
-/// The edges of cells that cover the plane, of which those of one tile of size 1 x 1 are repeated
-/// at each step of (1, 0) and (0, 1). Three edges meet in each vertex.
+/// Edges of cells that cover the plane. The edges of one tile of size 1 x 1 repeat at each step of
+/// (1, 0) and (0, 1). Three edges meet in each vertex.
 struct VoronoiTile {
-  std::vector<Vector2> vertices;  ///< each once; not all lie within the tile's square
+  std::vector<Vector2> vertices;  ///< each vertex once; some are outside of the tile's square
   std::vector<TileEdge> edges;
 };
 
-/// The Voronoi cells of `side` x `side` places in a tile, which first lie at random in a square
-/// each, and then move `rounds` times to the middle of their cells. The same on each machine.
+/// Returns the Voronoi cells of `side` x `side` places in a tile. Each place starts at random in
+/// its own square, and is moved `rounds` times to the centroid of its cell. The result is the same
+/// on each machine.
 ///
 /// Source: S. Lloyd, "Least Squares Quantization in PCM", 1982; Boost.Polygon's Voronoi diagram of
-/// points. REQUIRES: side >= 6, so that three cells meet in one vertex at most. Cost: O(rounds n
-/// log n), n places: 4 us for each in each round.
+/// points. REQUIRES: side >= 6, so that three cells meet in at most one vertex. Cost: O(rounds n
+/// log n), n places: 4 us for each place in each round.
 VoronoiTile RelaxedCells(int side, int rounds);
 
 }  // namespace slicefarm::infill

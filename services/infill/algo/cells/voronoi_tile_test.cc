@@ -45,8 +45,8 @@ TEST(RelaxedCells, NoEdgeIsLongerThanThreeCells) {
   }
 }
 
-// Hexagons have the least edge for their number: 1.861 a cell of area 1 (Hales). Cells come nearer
-// to that with each round.
+// Hexagons have the least edge length for their number: 1.861 per cell of area 1 (Hales). Each
+// round brings the cells nearer to this value.
 TEST(RelaxedCells, BecomeRounderWithEachRound) {
   constexpr int kSide = 16;
   double before = 1e9;

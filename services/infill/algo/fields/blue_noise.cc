@@ -13,13 +13,14 @@ constexpr double kSigma = 1.5;       // of the filter, in cells: Ulichney's choi
 constexpr int32_t kCellsPerStart = 10;  // one cell of so many is set at the start
 constexpr uint32_t kSeed = 20'261;
 
-/// e^-x.
+/// Returns e^-x.
 double ExpOfMinus(double x) {
   const double s = Sinh(x);
   return 1 / (s + std::sqrt(1 + s * s));
 }
 
-/// Cells that are set, and how crowded each cell is by them. The square closes on itself.
+/// Set cells, and for each cell how crowded its surroundings are. Opposite sides of the square are
+/// neighbours.
 class Pattern {
  public:
   explicit Pattern(int32_t side)
@@ -47,7 +48,7 @@ class Pattern {
     }
   }
 
-  /// The set cell that is crowded most, or the free one that is crowded least; the first of equals.
+  /// Returns the most crowded set cell. If several are equal, returns the first one.
   int32_t TightestCluster() const {
     return Best([](double a, double b) { return a > b; }, true);
   }
@@ -75,8 +76,9 @@ class Pattern {
   std::vector<double> filter_;
 };
 
-/// Cells at random, then evened out: the tightest cluster moves into the largest void until it
-/// would come back. Rounding could make it move for ever: so many moves are enough.
+/// Returns random cells that are then evened out: the cell of the tightest cluster moves to the
+/// largest void until it would move back. The number of moves is limited, because rounding could
+/// make the moves endless.
 Pattern Start(int32_t side, uint32_t seed, int32_t count) {
   Pattern pattern(side);
   for (int32_t placed = 0; placed < count;) {

@@ -5,16 +5,16 @@
 
 namespace slicefarm::infill {
 
-/// Thresholds of blue noise on a square of kBlueNoiseSide cells, which repeats: at any level, the
-/// cells below it lie evenly spread, without clusters and large voids, and each rank occurs once
-/// (void and cluster, Ulichney 1993). Always the same ones.
+/// Side of the square of blue-noise thresholds, in cells. The square repeats. At any level, the
+/// cells below the level are evenly spread, without clusters and large voids, and each rank occurs
+/// once (void and cluster, Ulichney 1993). The thresholds are always the same.
 inline constexpr int32_t kBlueNoiseSide = 32;
 
-/// In (0, 1), for cells anywhere.
+/// Returns the threshold of any cell, in (0, 1).
 double BlueNoiseAt(int64_t column, int64_t row);
 
-/// The order in which cells of a square of `side` are set, 0 first, from a random start made of
-/// `seed`. REQUIRES: side >= 4. Cost: O(side^4).
+/// Returns the order in which the cells of a square of `side` are set, 0 first, from a random start
+/// with `seed`. REQUIRES: side >= 4. Cost: O(side^4).
 std::vector<int32_t> VoidAndCluster(int32_t side, uint32_t seed);
 
 }  // namespace slicefarm::infill

@@ -26,7 +26,7 @@ TEST(BlueNoise, RepeatsOverThePlane) {
   EXPECT_EQ(BlueNoiseAt(-1, -40), BlueNoiseAt(kBlueNoiseSide - 1, 2 * kBlueNoiseSide - 40));
 }
 
-/// Mean squared error of the share of cells below a level, over all blocks of 8 x 8.
+/// Returns the mean squared error of the share of cells below a level, over all blocks of 8 x 8.
 template <class Threshold>
 double BlockError(double level, Threshold threshold) {
   double sum = 0;

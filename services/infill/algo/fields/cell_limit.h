@@ -7,13 +7,14 @@
 
 namespace slicefarm::infill {
 
-/// Cells of distances, of dithering and of streamlines' points: an object of 0.5 m by 0.5 m at the
-/// finest.
+/// Largest number of cells of distances, of dithering and of the grid for streamlines. This is an
+/// object of 0.5 m by 0.5 m with the finest cells.
 inline constexpr int64_t kMaxFieldCells = 1'200'000;
-/// Points of the streamlines of one region.
+/// Largest number of points of the streamlines of one region.
 inline constexpr int64_t kMaxStreamPoints = 10'000'000;
 
-/// REQUEST_TOO_LARGE for more than `limit`, before anything is allocated for them.
+/// Returns REQUEST_TOO_LARGE for more than `limit` cells. Callers check this before they allocate
+/// them.
 inline absl::Status CheckFieldSize(int64_t limit, double got) {
   if (got <= static_cast<double>(limit)) return absl::OkStatus();
   return LimitError(Reason::kRequestTooLarge, "cells of a field in one layer", limit,

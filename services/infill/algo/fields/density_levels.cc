@@ -10,7 +10,7 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Goes from 0 to 1 and back.
+/// Returns the threshold at a height. It rises from 0 to 1 and falls again.
 double ThresholdAt(double z_mm) {
   const double swings = z_mm / kLevelSwingMm;
   const double share = swings - std::floor(swings);
@@ -22,7 +22,8 @@ double NextLevel(double level) {
   return next < kLeastLevel ? 0 : next;
 }
 
-/// The level that a place has, the greatest one being `high`; 0: it stays empty.
+/// Returns the level of a point with this density; `high` is the greatest level. 0: the point stays
+/// empty.
 double LevelOf(double density, double high, double threshold) {
   double low = NextLevel(high);
   while (density < low) {

@@ -8,27 +8,29 @@
 
 namespace slicefarm::infill {
 
-/// A part of a region that is filled with one density.
+/// Part of a region that is filled with one density.
 struct DensityPart {
   MultiPolygon area;
   double density = 0;
 };
 
-/// Each level is so much of the next one.
+/// Ratio of each level to the next higher level.
 inline constexpr double kLevelStep = 0.70710678118654752;
-/// The lowest level is no lower; below it a place is filled with that, or not at all.
+/// Lower limit of the levels. A point with a lower density is filled with the lowest level, or not
+/// at all.
 inline constexpr double kLeastLevel = 0.01;
-/// The height over which places between two levels go from the one to the other and back.
+/// Height over which points between two levels change from one level to the other and back.
 inline constexpr double kLevelSwingMm = 4;
 
-/// Parts a region where the field falls from level to level, for patterns whose lines cannot be
-/// graded: the levels are the greatest density and kLevelStep of it, again and again.
+/// Divides a region into parts with constant density, for patterns with lines that cannot be
+/// graded. The levels are the greatest density, and this density multiplied repeatedly by
+/// kLevelStep.
 ///
-/// Places between two levels are filled with either, by a threshold that all cells of a layer
-/// share. It swings with the height, so each place has either for the share of the height that
-/// makes it as dense as the field asks for: exactly over a swing, and parts stay whole in each
-/// layer. Edges of parts are those of cells of `cell_mm`, the field's value is that in their
-/// middles.
+/// A point between two levels is filled with one of them, by a threshold that all cells of a layer
+/// share. The threshold changes with the height. Each point therefore has either level for the
+/// share of the height that gives the density of the field: exactly over a period, and parts are
+/// not split up within a layer. Edges of parts are edges of cells of `cell_mm`. A cell has the
+/// field's value in its middle.
 ///
 /// Errors: as FieldCellsOf. Cost: O(levels (n log n + cells)).
 absl::StatusOr<std::vector<DensityPart>> LevelParts(const MultiPolygon& region,

@@ -22,7 +22,7 @@ std::vector<DensityPart> PartsAt(const MultiPolygon& region, const DensityField&
   return *std::move(parts);
 }
 
-/// The mean density of a region over two swings, in layers of 0.2 mm.
+/// Returns the mean density of a region over two periods, in layers of 0.2 mm.
 double MeanOver(const MultiPolygon& region, const DensityField& density) {
   constexpr int kLayers = 40;
   double sum = 0;

@@ -8,7 +8,8 @@
 namespace slicefarm::infill {
 namespace {
 
-/// One pass of 1/4, 1/2, 1/4 along each axis; at the ends the outer node counts twice.
+/// Smooths the grid by one pass of 1/4, 1/2, 1/4 along each axis. At the ends the outer node counts
+/// twice.
 void Smooth(FieldGrid& grid) {
   int64_t stride = 1;
   for (size_t axis = 0; axis < 3; ++axis) {
@@ -38,7 +39,7 @@ void ForEachNeighbour(const FieldGrid& grid, int64_t i, const Visit& visit) {
   }
 }
 
-/// Directions as two grids of the same nodes; both 0: there is none.
+/// Directions as two grids of the same nodes. A node with 0 in both grids has no direction.
 struct Doubled {
   FieldGrid& cos2;
   FieldGrid& sin2;
@@ -48,7 +49,8 @@ struct Doubled {
     return cos2.values[at] != 0 || sin2.values[at] != 0;
   }
 
-  /// That of the nodes around, of unit length; none where they cancel each other.
+  /// Returns the mean direction of the neighbour nodes, as a unit vector, or (0, 0) if they cancel
+  /// each other.
   std::pair<double, double> Around(int64_t i) const {
     double c = 0, s = 0, count = 0;
     ForEachNeighbour(cos2, i, [&](int64_t j) {
@@ -62,7 +64,8 @@ struct Doubled {
   }
 };
 
-/// Gives nodes without a direction that of those around, wave by wave. Cost: O(nodes).
+/// Gives each node without a direction the mean direction of its neighbours, in waves. Cost:
+/// O(nodes).
 void Continue(Doubled field) {
   const int64_t count = std::ssize(field.cos2.values);
   std::vector<int64_t> wave;
@@ -103,7 +106,7 @@ DirectionField::DirectionField(const StressField& stress) : cos2_(stress.xx), si
     double &c = cos2_.values[i], &s = sin2_.values[i];
     if (greatest > 0) c /= greatest, s /= greatest;
     const double length = std::sqrt(c * c + s * s);
-    // The principal stresses are the mean and, drawn and pressed, the shear about it.
+    // The principal stresses are the mean stress plus and minus the maximum shear stress.
     const double mean = stress.xx.values[i] + stress.yy.values[i];
     const double turned = greatest > 0 && mean / greatest < -kEqualPull * length ? -1 : 1;
     const bool alike = length < kAlike;
@@ -117,7 +120,7 @@ DirectionField::DirectionField(const StressField& stress) : cos2_(stress.xx), si
 std::optional<Vector2> DirectionField::At(const PlaceMm& place_mm) const {
   const double c = cos2_.At(place_mm), s = sin2_.At(place_mm);
   if (c * c + s * s < kLeastLength * kLeastLength) return std::nullopt;
-  // Half the angle, by the formula that loses no digits on its side.
+  // Halves the angle. The formula is chosen by the sign of c, so that no digits are lost.
   const double length = std::sqrt(c * c + s * s);
   if (c >= 0) {
     const double x = std::sqrt((1 + c / length) / 2);

@@ -8,26 +8,29 @@
 
 namespace slicefarm::infill {
 
-/// The principal directions of a stress field in the plane of the layers: those of the stress that
-/// is greater by magnitude, drawn or pressed; of two that are alike to kEqualPull, those of the
-/// drawn one. The other family of directions is at right angles to them. Held as cos 2t and sin 2t,
-/// which are the same for opposite directions, smoothed and interpolated as such.
+/// Principal directions of a stress field in the plane of the layers. The main direction is the
+/// direction of the stress with the greater magnitude, tensile or compressive. If the two
+/// magnitudes differ by less than kEqualPull, the tensile one is the main direction. The other
+/// family of directions is perpendicular. The directions are stored, smoothed and interpolated as
+/// cos 2t and sin 2t, which are equal for opposite directions.
 ///
-/// A node where the stresses are alike in all directions, (sxx - syy)^2 + 4 sxy^2 below (kAlike
-/// times the greatest of the field)^2, says nothing: it goes on as the nodes around it. Degenerate
-/// are the places where directions around cancel each other: less than kLeastLength of them is
-/// left. So are those along which pull and push change places as the greater, as both directions
-/// turn by a right angle there.
+/// A node has no own direction if its stresses are nearly equal in all directions: (sxx - syy)^2 +
+/// 4 sxy^2 is below (kAlike times the greatest value of the field)^2. It gets the direction of its
+/// neighbours. A point is degenerate if the directions around it cancel each other, so that less
+/// than kLeastLength of them is left. Points at which tension and compression have equal magnitude
+/// are also degenerate, because the directions turn by a right angle there.
 class DirectionField {
  public:
   static constexpr double kAlike = 1e-3;
   static constexpr double kLeastLength = 0.15;
   static constexpr double kEqualPull = 0.01;
 
+  /// Computes the directions of all nodes.
   explicit DirectionField(const StressField& stress);
 
-  /// None: degenerate.
+  /// Returns the direction at a point, or nothing if the point is degenerate.
   std::optional<Vector2> At(const PlaceMm& place_mm) const;
+  /// Returns true if the field does not depend on the height.
   bool IsSameAtAllHeights() const { return cos2_.count[2] == 1; }
 
  private:

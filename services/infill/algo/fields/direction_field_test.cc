@@ -14,7 +14,7 @@ StressField Constant(double xx, double yy, double xy) {
   return stress;
 }
 
-/// In [0, 180).
+/// Returns the angle of a direction in [0, 180).
 double DegreesOf(Vector2 direction) {
   const double angle = std::atan2(direction.y(), direction.x()) * 180 / std::numbers::pi;
   return angle < -1e-9 ? angle + 180 : angle;
@@ -40,7 +40,7 @@ TEST(DirectionField, HasNoneWhereAllDirectionsAreAlike) {
   EXPECT_TRUE(DirectionField(Constant(1, 1, 0.01)).At({0, 0, 0}).has_value()) << "shear";
 }
 
-/// Nodes along x at 0, 1, 2, ..., with a direction each, in degrees.
+/// Returns a field with nodes along x at 0, 1, 2, ..., each with a direction in degrees.
 StressField Row(const std::vector<double>& degrees, int smoothing) {
   StressField stress;
   stress.smoothing = smoothing;
@@ -57,7 +57,7 @@ StressField Row(const std::vector<double>& degrees, int smoothing) {
   return stress;
 }
 
-// Where nothing pulls, lines go on as they come.
+// Without stress, lines continue in their direction.
 TEST(DirectionField, GoesOnWhereThereIsNoStress) {
   StressField stress = Row({30, 30, 30, 30, 30, 70}, 0);
   for (FieldGrid* grid : {&stress.xx, &stress.yy, &stress.xy})
@@ -72,7 +72,7 @@ TEST(DirectionField, GoesOnWhereThereIsNoStress) {
   }
 }
 
-// In the middle of circles there is no direction, and none is made up.
+// In the middle of circles there is no direction, and the field does not invent one.
 TEST(DirectionField, SingularPointsStay) {
   StressField stress;
   for (FieldGrid* grid : {&stress.xx, &stress.yy, &stress.xy}) {

@@ -17,8 +17,8 @@ struct Neighbour {
 constexpr std::array<Neighbour, 4> kNeighbours = {
     {{1, 0, 7.0}, {-1, 1, 3.0}, {0, 1, 5.0}, {1, 1, 1.0}}};
 
-/// What is left over at the last cells, or was too much there, is made good where the choice was
-/// closest: so many cells as that comes to.
+/// Corrects the error that remains after the last cells. It switches as many cells as the rounded
+/// error, beginning with the cells with the closest decision.
 void SettleRest(const std::vector<double>& wanted, const std::vector<double>& values,
                 const std::vector<char>& used, std::vector<char>& on) {
   double rest = 0;

@@ -24,9 +24,9 @@ TEST(FloydSteinberg, LosesNothingAtEdges) {
 }
 
 TEST(FloydSteinberg, GoesOnInTheLayoutOfItsAuthors) {
-  // A cell of 0.4 hands 7/16 of it to the right, 3, 5 and 1 / 16 to the row after.
+  // A cell of 0.4 gives 7/16 of it to the right, and 3/16, 5/16 and 1/16 to the next row.
   const auto cells = FloydSteinberg({0, 0.4, 0.33, 0, 0.3, 0.49, 0.47, 0, 0}, {}, 3, 3);
-  // 0.33 + 0.4 * 7/16 = 0.505: on, error -0.495; 0.3 + 0.4 * 3/16 stays off.
+  // 0.33 + 0.4 * 7/16 = 0.505: on, with error -0.495; 0.3 + 0.4 * 3/16 stays off.
   EXPECT_EQ(cells[1], 0);
   EXPECT_EQ(cells[2], 1);
   EXPECT_EQ(cells[3], 0);

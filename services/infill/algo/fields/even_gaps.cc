@@ -8,26 +8,26 @@ namespace slicefarm::infill {
 namespace {
 
 constexpr int kEvenRounds = 60;
-/// Passes of 1/4, 1/2, 1/4 over a line's shifts in each round.
+/// Number of passes of 1/4, 1/2, 1/4 over a line's shifts in each round.
 constexpr int kSmoothPasses = 16;
-/// How far shifts may turn lines, root of the mean square: 0.7 degrees.
+/// Limit of the angle by which shifts turn lines (root mean square): 0.7 degrees.
 constexpr double kMostTurn = 0.012;
-/// Of nodes along a line, in separations.
+/// Distance between nodes along a line, in separations.
 constexpr double kNodeStep = 0.5;
-/// Farther neighbours are none, in separations.
+/// Greatest distance of a neighbour, in separations.
 constexpr double kFarthest = 2;
-/// Cells in which neighbours are looked for are as large as lines are apart, within these: their
-/// size decides what the search costs, not what it finds.
+/// Limits of the size of the cells in which neighbours are searched. Within them, the cells are as
+/// large as the distance between lines. The size changes the cost of the search, not its result.
 constexpr double kLeastCellMm = 0.5, kMostCellMm = 5;
 constexpr double kNoPlace = 1e9;
-/// A line is no neighbour to itself within so many nodes.
+/// Number of nodes along a line within which the line is not its own neighbour.
 constexpr int64_t kOwnNodes = 6;
 
 struct Node {
-  Vector2 home = Vector2::Zero();   ///< before any shift
+  Vector2 home = Vector2::Zero();   ///< position before any shift
   Vector2 aside = Vector2::Zero();  ///< unit vector to the left
   double separation = 0;
-  size_t point = 0;  ///< of the line, where it stands
+  size_t point = 0;  ///< index of the line's point at this node
   double shift = 0;
 
   Vector2 At() const { return home + aside * shift; }
@@ -59,7 +59,7 @@ NodeLine NodesOf(const StreamLine& line, const std::function<double(Vector2)>& s
   return result;
 }
 
-/// Pieces between nodes, by square cells.
+/// Line pieces between nodes, in square cells.
 class PieceGrid {
  public:
   PieceGrid(const std::vector<NodeLine>& lines, double cell) : lines_(lines), cell_(cell) {
@@ -79,7 +79,8 @@ class PieceGrid {
     }
   }
 
-  /// How far away the next line is from a node on its left (`side` 1) or right (-1); none: 0.
+  /// Returns the distance of the next line from a node on its left (`side` 1) or right (-1), or 0
+  /// if there is none.
   double Gap(size_t line, size_t node, double side) const {
     const Node& from = lines_[line].nodes[node];
     const Vector2 at = from.At(), way = from.aside * (side * kFarthest * from.separation);
@@ -130,7 +131,7 @@ class PieceGrid {
   std::vector<std::vector<std::pair<size_t, size_t>>> cells_;
 };
 
-/// How far a node is from the middle between its neighbours, to the left.
+/// Returns the distance of a node from the middle between its neighbours, positive to the left.
 double PullOn(const Node& node, double left, double right,
               const std::function<double(Vector2)>& separation_mm) {
   if (left == 0 || right == 0) return 0;
@@ -172,7 +173,8 @@ void Relax(const std::function<double(Vector2)>& separation_mm, double cell,
   }
 }
 
-/// How far the shifts turn the lines: the tangent, root of the mean square over their length.
+/// Returns the tangent of the angle by which the shifts turn the lines, as root mean square over
+/// their length.
 double TurnOf(const std::vector<NodeLine>& lines) {
   double squares = 0, length = 0;
   for (const NodeLine& line : lines) {
@@ -188,7 +190,7 @@ double TurnOf(const std::vector<NodeLine>& lines) {
   return length == 0 ? 0 : std::sqrt(squares / length);
 }
 
-/// Moves the points between nodes as these have moved.
+/// Moves the points between nodes by the interpolated shifts of the nodes.
 void Shift(const NodeLine& nodes, StreamLine& line) {
   for (size_t k = 0; k < nodes.Pieces(); ++k) {
     const Node& a = nodes.nodes[k];

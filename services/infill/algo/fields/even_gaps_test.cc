@@ -8,7 +8,7 @@
 namespace slicefarm::infill::even_gaps_test {
 namespace {
 
-/// A line along x at a height, with points 0.4 mm apart.
+/// Returns a line along x at height y, with points 0.4 mm apart.
 StreamLine Along(double y, double from_x, double to_x) {
   StreamLine line;
   for (double x = from_x; x <= to_x + 1e-9; x += 0.4) line.points.push_back({x, y});
@@ -43,8 +43,8 @@ TEST(EvenGaps, ShareOutAGapThatIsTooWide) {
   }
 }
 
-// Where a line ends between two, these come nearer to each other, and none turns by more than
-// some degrees for it.
+// Two lines with the end of another line between them approach each other behind this end. Neither
+// turns by more than some degrees.
 TEST(EvenGaps, CloseBehindTheEndOfALine) {
   std::vector<StreamLine> lines;
   for (const double y : {0.0, 2.0, 4.0}) lines.push_back(Along(y, 0, 80));

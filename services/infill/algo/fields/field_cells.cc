@@ -12,7 +12,7 @@
 namespace slicefarm::infill {
 namespace {
 
-/// The window of cells that meet the region's box; nothing is said of them yet.
+/// Returns the window of cells that meet the region's box, without values.
 FieldCells WindowOf(const MultiPolygon& region, Coord cell_nm) {
   const Box box = Bounds(region);
   const auto index = [&](Coord at) {

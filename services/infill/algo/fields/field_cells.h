@@ -9,21 +9,22 @@
 
 namespace slicefarm::infill {
 
-/// What a field asks for in the square cells that meet a region, on a grid through the object's
+/// Density of a field in the square cells that meet a region, on a grid through the object's
 /// origin, row by row.
 struct FieldCells {
-  int64_t first_x = 0, first_y = 0;  ///< of the cells' indices
+  int64_t first_x = 0, first_y = 0;  ///< index of the first cell
   int64_t width = 0, height = 0;
   Coord cell_nm = 1;
-  std::vector<double> density;  ///< at the cells' middles
-  std::vector<char> touched;    ///< whether the cell and the region have some area in common
+  std::vector<double> density;  ///< density in the middle of each cell
+  std::vector<char> touched;    ///< not 0 if the cell and the region overlap
 };
 
-/// Errors: REQUEST_TOO_LARGE for more than kMaxFieldCells. Cost: O(n log n + cells).
+/// Returns the cells that meet the region. Errors: REQUEST_TOO_LARGE for more than kMaxFieldCells.
+/// Cost: O(n log n + cells).
 absl::StatusOr<FieldCells> FieldCellsOf(const MultiPolygon& region, const LayerField& field,
                                         double cell_mm);
 
-/// The part of the region that lies in the cells that are `on`. Cost: O(n log n + cells).
+/// Returns the part of the region in the cells that are `on`. Cost: O(n log n + cells).
 MultiPolygon PartInCells(const MultiPolygon& region, const FieldCells& cells, std::vector<char> on);
 
 }  // namespace slicefarm::infill

@@ -18,19 +18,22 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Stretches of graded lines shorter than so many spacings are not worth a start and an end.
+/// Least length of a piece of a graded line, in spacings. A shorter piece is not worth a start and
+/// an end.
 constexpr double kShortest = 4;
-/// Below this density there are no streamlines: beads would lie half a hand apart.
+/// Least density with streamlines. Below it, beads would be several centimetres apart.
 constexpr double kThinnest = 0.01;
-/// Streamlines are laid out in boxes of this grid, so that layers of like extent have the same.
+/// Grid of the boxes for streamlines, so that layers of similar extent have the same box.
 constexpr double kBoxMm = 8;
-/// Parts are cut out of their region with an error of some nanometres.
+/// Distance in nm within which a point is on a region's edge. Parts are cut out of their region
+/// with an error of some nanometres.
 constexpr Coord kOnEdgeNm = 1'000;
-/// Squares in which a region's edges are looked up.
+/// Size of the squares in which a region's edges are indexed.
 constexpr Coord kSquareNm = kNmPerMm;
 
-/// Lines move aside with the height, at 45 degrees, to one side and the other in turn: each stands
-/// on the one below, and over a few pitches of height all places have seen all ranks.
+/// Returns families that shift with the height at 45 degrees, alternately to either side. Each line
+/// is supported by the line below. Over a few pitches of height, each point has had lines of all
+/// ranks.
 std::vector<LineFamily> Leaning(std::vector<LineFamily> families, Coord z_nm) {
   double side = 1;
   for (LineFamily& family : families) {
@@ -72,7 +75,8 @@ absl::StatusOr<std::vector<Piece>> StreamPieces(const MultiPolygon& region, Coor
   return ClipCurves(region, memo.curves);
 }
 
-/// The place on a region's edge that a point lies on, or inside.
+/// Returns the edge of a region that a point is on, or a place without a ring if the point is
+/// inside.
 EdgePlace PlaceOn(const EdgeIndex& edges, Point p) {
   EdgePlace place;
   double nearest = kOnEdgeNm;
@@ -87,7 +91,8 @@ EdgePlace PlaceOn(const EdgeIndex& edges, Point p) {
   return place;
 }
 
-/// A part less what curves along its edge leave free of where it meets others.
+/// Returns a part without a margin of `free_nm` along its border with neighbour parts, so that
+/// curves along its edge keep this distance.
 MultiPolygon BesideOthers(const MultiPolygon& region, const MultiPolygon& part, double free_nm) {
   const MultiPolygon others = Difference(region, part);
   return others.empty() ? part : Difference(part, FastOffset(others, std::llround(free_nm)));

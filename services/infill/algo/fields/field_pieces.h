@@ -11,18 +11,19 @@
 
 namespace slicefarm::infill {
 
-/// Whether the field is followed in parts, each filled by itself with one density: cells that are
-/// dithered, or levels for patterns whose lines cannot be graded.
+/// Returns true if the field is followed in parts that are filled separately with one density each.
+/// These are dithered cells, or levels for patterns with lines that cannot be graded.
 bool IsInParts(FillPattern pattern, const LayerField& field);
 
-/// REQUIRES: IsInParts. Errors: those of LevelParts and DitheredRegion.
+/// Returns the parts of a region with their densities. REQUIRES: IsInParts. Errors: the errors of
+/// LevelParts and DitheredRegion.
 absl::StatusOr<std::vector<DensityPart>> PartsOfField(const MultiPolygon& region,
                                                       const LayerField& field);
 
-/// Fills a region as a field asks for: with streamlines, if it has directions; else with the lines
-/// of `pattern`, graded (GradedPieces), or in parts: lines end where their part does, and curves
-/// along the edge keep half a pitch from other parts. `place`: its pitch is not looked at.
-/// Errors: those of PartsOfField, of CutLines, Streamlines and MakePattern.
+/// Fills a region with the density of a field. A field with directions gives streamlines. Other
+/// fields use the lines of `pattern`, graded (GradedPieces) or in parts. In parts, lines end at the
+/// edge of their part, and curves along the edge keep half a pitch from other parts. The pitch of
+/// `place` is ignored. Errors: the errors of PartsOfField, CutLines, Streamlines and MakePattern.
 absl::StatusOr<std::vector<Piece>> PiecesOfField(const MultiPolygon& region, FillPattern pattern,
                                                  const PatternPlace& place,
                                                  const LayerField& field);

@@ -44,7 +44,7 @@ TEST(PiecesOfField, EveryPatternGivesTheMeanDensity) {
       for (const Path& path : *paths) plastic_mm3 += PlasticMm3(path, 200'000);
     }
     const double room_mm3 = 64.0 * 64 * 0.2 * kLayers;
-    // On top of the lines, links lie along the walls, half of the way round.
+    // Links along the walls add plastic, on half of the perimeter.
     const double links = 0.5 * 4 * 64 * 0.407 / (64 * 64 * 0.25);
     EXPECT_GE(plastic_mm3 / room_mm3 / 0.25, 0.975) << info.name;
     EXPECT_LE(plastic_mm3 / room_mm3 / 0.25, 1.025 + links) << info.name;

@@ -9,7 +9,7 @@
 
 namespace slicefarm::infill {
 
-/// A grid of `count` x `count` nodes over [0, side]^2, of any height.
+/// Returns a grid of `count` x `count` nodes over [0, side]^2 that does not depend on the height.
 inline FieldGrid GridOf(int count, double side_mm,
                         const std::function<double(double x, double y)>& value) {
   const double step = side_mm / (count - 1);
@@ -24,7 +24,7 @@ inline DensityField GridField(int count, double side_mm,
   return {.kind = DensityField::Kind::kGrid, .grid = GridOf(count, side_mm, value)};
 }
 
-/// Length of lines in each square cell of [0, side]^2, mm, by small steps.
+/// Returns the length of lines in each square cell of [0, side]^2, in mm, measured in small steps.
 inline std::vector<double> LengthByCell(std::span<const Polyline> lines, double side_mm,
                                         double cell_mm) {
   const auto count = static_cast<int>(std::round(side_mm / cell_mm));

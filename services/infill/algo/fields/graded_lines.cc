@@ -7,16 +7,17 @@
 namespace slicefarm::infill {
 namespace {
 
-/// How often a line looks at the field. The place of a change in between is found by its values.
+/// Step in mm at which the field is sampled along a line. The position of a change between two
+/// samples is interpolated from their values.
 constexpr double kLookMm = 0.25;
 
-/// A stretch of a line, by its ends.
+/// Part of a line, given by its ends.
 struct Stretch {
   double from = 0;
   double to = 0;
 };
 
-/// Where the field is above `level` between `from` and `to` on a line.
+/// Returns the parts of a line between `from` and `to` where the field is above `level`.
 std::vector<Stretch> Above(const LineAxes& frame, double v, double from, double to, double level,
                            const LayerField& field) {
   std::vector<Stretch> stretches;
@@ -42,7 +43,8 @@ std::vector<Stretch> Above(const LineAxes& frame, double v, double from, double 
   return stretches;
 }
 
-/// Gaps, then stretches that are too short go. What touches an end of the line stays.
+/// Removes gaps that are too short, then parts that are too short. A part that touches an end of
+/// the line is kept.
 std::vector<Stretch> WithoutShort(const std::vector<Stretch>& stretches, double from, double to,
                                   double min_length) {
   std::vector<Stretch> joined;

@@ -10,27 +10,28 @@
 
 namespace slicefarm::infill {
 
+/// Parameters of graded lines.
 struct GradedLines {
   double greatest = 1;  ///< density of the families with all their lines
-  double min_length_nm = 0;  ///< stretches of a line shorter than this neither begin nor end there
+  double min_length_nm = 0;  ///< least length of a piece that begins or ends inside a line
 };
 
-/// Pieces of families of parallel lines that are as dense as the field asks for at each place.
+/// Returns pieces of families of parallel lines with the local density of the field.
 ///
-/// The families have the pitch of the field's greatest density. Lines have ranks: every second one
-/// is of the lowest, of those that remain every second one of the next, and so on (van der
-/// Corput's sequence), and a line is there where density / greatest is above its rank. So lines
-/// lie evenly wherever the density is greatest / 2^k, at distances that differ by a factor of two
-/// elsewhere, and length per area is density / spacing on average over few lines. If the families
-/// move aside from layer to layer, it is so at each place.
+/// The families have the pitch of the field's greatest density. Lines have ranks: every second line
+/// has the lowest rank, every second one of the remaining lines has the next rank, and so on (van
+/// der Corput's sequence). A line exists where density / greatest is above its rank. Lines are
+/// therefore evenly spaced where the density is greatest / 2^k. Elsewhere their distances differ by
+/// a factor of two. The length per area is density / spacing on average over a few lines, and at
+/// each point if the families shift from layer to layer.
 ///
-/// Errors and cost: as StraightPieces, and a look at the field for each kLookMm of line.
+/// Errors and cost: as StraightPieces, and one sample of the field for each kLookMm of line.
 absl::StatusOr<std::vector<Piece>> GradedPieces(const MultiPolygon& region,
                                                 std::span<const LineFamily> families,
                                                 const LayerField& field, const GradedLines& lines);
 
-/// The share of lines whose rank lies below that of line `index`: in (0, 1), each binary fraction
-/// once before it is halved again.
+/// Returns the share of lines with a rank below the rank of line `index`: in (0, 1), each binary
+/// fraction once before it is halved again.
 double RankOf(int64_t index);
 
 }  // namespace slicefarm::infill

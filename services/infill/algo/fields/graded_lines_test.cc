@@ -28,8 +28,8 @@ TEST(RankOf, HalvesAgainAndAgain) {
   }
 }
 
-/// What a field gives in cells of 5 mm, on average over `layers`, relative to what it asks for
-/// there: mean of the absolute errors.
+/// Returns the mean absolute error of a field's lines in cells of 5 mm, on average over `layers`,
+/// relative to the requested density.
 double MeanError(const DensityField& density, int layers) {
   const MultiPolygon region = MakePolygonsOrDie("(-5 -5, 65 -5, 65 65, -5 65)");
   const LayerField field{.density = &density};

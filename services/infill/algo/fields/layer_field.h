@@ -9,16 +9,17 @@ namespace slicefarm::infill {
 
 struct StreamMemo;
 
-/// What fields say about one layer of an object. What it points to must outlive it.
+/// Fields of one layer of an object. All pointers must outlive this struct.
 struct LayerField {
-  const DensityField* density = nullptr;       ///< none: `plain_density` everywhere
-  const DirectionField* directions = nullptr;  ///< none: the pattern goes its own way
-  const DistanceMap* to_surface = nullptr;     ///< for densities that depend on it
-  bool across = false;                         ///< the layer follows the other family of them
-  StreamMemo* memo = nullptr;                  ///< of fields that are the same at all heights
+  const DensityField* density = nullptr;       ///< null: `plain_density` everywhere
+  const DirectionField* directions = nullptr;  ///< null: the pattern has its own directions
+  const DistanceMap* to_surface = nullptr;     ///< distances, for densities that depend on them
+  bool across = false;  ///< the layer follows the perpendicular family of directions
+  StreamMemo* memo = nullptr;  ///< cached lines of fields that do not depend on the height
   double plain_density = 0;
   double z_mm = 0;
 
+  /// Returns the density at a point of the layer.
   double DensityAt(double x_mm, double y_mm) const {
     if (density == nullptr) return plain_density;
     return density->At({x_mm, y_mm, z_mm}, to_surface == nullptr ? 0 : to_surface->At(x_mm, y_mm));

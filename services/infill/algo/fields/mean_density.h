@@ -6,9 +6,9 @@
 
 namespace slicefarm::infill {
 
-/// What a field asks for in a region on average, from places at most 2 mm apart on lines 2 mm
-/// apart. Of a region that lies between those lines: in the middle of its box. REQUIRES: the region
-/// is not empty. Errors: those of CutLines. Cost: O(n log n + places).
+/// Returns the mean density of a field in a region, sampled at points at most 2 mm apart on lines 2
+/// mm apart. If the region is between these lines, returns the density in the middle of its box.
+/// REQUIRES: the region is not empty. Errors: the errors of CutLines. Cost: O(n log n + samples).
 absl::StatusOr<double> MeanDensity(const MultiPolygon& region, const LayerField& field);
 
 }  // namespace slicefarm::infill

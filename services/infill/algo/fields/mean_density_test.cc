@@ -25,7 +25,7 @@ TEST(MeanDensity, IsTheFieldsOverTheRegion) {
     const char* region;
     double want;
   };
-  // Of a triangle with a side along y the mean is at a third of its height.
+  // The mean of a triangle with a side along y is at a third of its height.
   const Case cases[] = {{"all", "(0 0, 40 0, 40 40, 0 40)", 0.3},
                         {"left half", "(0 0, 20 0, 20 40, 0 40)", 0.2},
                         {"islands", "(0 0, 10 0, 10 10, 0 10) ; (30 0, 40 0, 40 10, 30 10)", 0.3},

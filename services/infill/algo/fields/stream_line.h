@@ -6,9 +6,9 @@
 
 namespace slicefarm::infill {
 
-/// A line along a field of directions. A closed one goes on from its last point to its first.
+/// Line along a field of directions. A closed line continues from its last point to its first.
 struct StreamLine {
-  std::deque<Vector2> points;  ///< it grows at both ends
+  std::deque<Vector2> points;  ///< the line grows at both ends
   bool closed = false;
 };
 

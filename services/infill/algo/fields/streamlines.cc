@@ -15,34 +15,36 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Steps, as shares of the separation and in mm.
+/// Length of steps, as a share of the separation and in mm.
 constexpr double kStepShare = 0.2;
 constexpr double kLongestStepMm = 1;
 constexpr double kShortestStepMm = 0.01;
-/// A new line starts where no other one is nearer than this share of the separation.
+/// Least distance of a new line's start from other lines, as a share of the separation.
 constexpr double kStartShare = 0.95;
-/// In the gaps that are left, in their middle: they are then wider than 1.5 separations.
+/// Least distance of a start in the middle of a remaining gap. Such a gap is wider than about 1.3
+/// separations.
 constexpr double kGapShare = kEndShare;
-/// Shorter lines, in separations, hold nothing.
+/// Least length of a line, in separations. A shorter line holds nothing.
 constexpr double kShortestLine = 1.5;
-/// A line does not mind itself within this many separations along it, nor its own start.
+/// Distances along a line, in separations, within which the line may be near to itself, and near to
+/// its own start.
 constexpr double kOwnNear = 2, kOwnStart = 1;
 constexpr double kCosTurn = 0.9945;      // 6 degrees
 constexpr double kCosStraight = 0.9999;  // below 1 degree: the step may grow
 constexpr double kGridStepMm = 0.5;
-constexpr double kSumStepMm = 1;  ///< on which the density that is asked for is summed
-/// How often lines are laid out, and how much nearer or farther than asked for at most.
+constexpr double kSumStepMm = 1;  ///< step of the sum of the requested density
+/// Number of layouts, and the largest factor between the requested and the used separation.
 constexpr int kMostLayouts = 3;
 constexpr double kMostScale = 1.3;
-constexpr double kTightestMm = 0.05;  ///< nearer lines are not asked for: beads are wider
+constexpr double kTightestMm = 0.05;  ///< least separation; beads are wider
 constexpr Coord kLineToleranceNm = 10'000;
-constexpr double kMostSteps = 1e6;  ///< of one line
+constexpr double kMostSteps = 1e6;  ///< largest number of steps of one line
 
-/// Lines that cross at more than 60 degrees do not mind each other: they meet where the field turns
-/// by a right angle, and the one shall be no emptier there for the other.
+/// Cosine of 60 degrees. Lines that cross at a larger angle do not limit each other. They meet
+/// where the field turns by a right angle, and the density must not be reduced there.
 constexpr double kCosBeside = 0.5;
 
-/// A point of a line, which way it goes there, and how far along it lies.
+/// Point of a line, with the line's direction there and the distance along the line.
 struct Mark {
   Vector2 at = Vector2::Zero();
   Vector2 way = Vector2::Zero();
@@ -50,7 +52,7 @@ struct Mark {
   double along = 0;
 };
 
-/// Points of lines by cell.
+/// Points of lines, indexed by cell.
 class MarkGrid {
  public:
   MarkGrid(const StreamBox& box, double cell)
@@ -61,10 +63,10 @@ class MarkGrid {
         cells_(static_cast<size_t>(columns_ * rows_)) {}
 
   void Add(const Mark& mark) { CellOf(mark.at).push_back(mark); }
-  /// Takes back the mark that was added last.
+  /// Removes the mark that was added last.
   void TakeBack(Vector2 at) { CellOf(at).pop_back(); }
 
-  /// Whether a mark for which `counts` holds lies within `distance`.
+  /// Returns true if a mark for which `counts` is true is within `distance`.
   template <class Counts>
   bool Near(Vector2 at, double distance, Counts counts) const {
     const auto [x0, y0] = Index({at.x() - distance, at.y() - distance});
@@ -105,7 +107,7 @@ class MarkGrid {
 
 class Tracer {
  public:
-  /// `scale`: of the separations that are asked for.
+  /// Prepares the tracing. `scale`: factor for the requested separations.
   Tracer(const StreamBox& box, const DirectionField& directions, const StreamOptions& options,
          double scale)
       : box_(box),
@@ -126,7 +128,7 @@ class Tracer {
     return std::move(lines_);
   }
 
-  /// Length of lines that the separations ask for.
+  /// Returns the total length of lines for the requested separations.
   double LengthAsked() const {
     double asked = 0;
     for (double y = box_.min_y_mm + kSumStepMm / 2; y < box_.max_y_mm; y += kSumStepMm) {
@@ -144,7 +146,7 @@ class Tracer {
     return asked > 0 ? scale_ * std::max(asked, kTightestMm) : 0;
   }
 
-  /// The cells of the grid are as large as lines are apart in the middle.
+  /// Returns the size of the grid's cells: the separation in the middle of the box.
   double GridCell() const {
     const double middle =
         Separation({(box_.min_x_mm + box_.max_x_mm) / 2, (box_.min_y_mm + box_.max_y_mm) / 2});
@@ -156,7 +158,7 @@ class Tracer {
            at.y() <= box_.max_y_mm;
   }
 
-  /// The direction at a place, turned to go with `along`.
+  /// Returns the direction at a point, with the sign chosen to agree with `along`.
   std::optional<Vector2> DirectionAt(Vector2 at, Vector2 along) const {
     const auto found = directions_.At({at.x(), at.y(), options_.z_mm});
     if (!found.has_value()) return std::nullopt;
@@ -166,11 +168,11 @@ class Tracer {
 
   struct Step {
     Vector2 to = Vector2::Zero();
-    Vector2 direction = Vector2::Zero();  ///< at its end
+    Vector2 direction = Vector2::Zero();  ///< direction at the end of the step
     double length = 0;
   };
 
-  /// One step of order 4. None: it meets a degenerate place.
+  /// Returns one step of order 4, or nothing if it meets a degenerate point.
   std::optional<Step> Advance(Vector2 from, Vector2 along, double& step) const {
     for (;;) {
       const auto k1 = DirectionAt(from, along);
@@ -194,7 +196,7 @@ class Tracer {
     return std::abs(Dot(mark.way, way)) > kCosBeside;
   }
 
-  /// Whether a line may go on to a place, `along` of it being behind.
+  /// Returns true if a line may continue to a point. `along`: length of the line up to this point.
   bool MayStand(Vector2 at, Vector2 way, int32_t line, double along) const {
     const double separation = Separation(at);
     if (separation <= 0) return false;
@@ -205,7 +207,8 @@ class Tracer {
     });
   }
 
-  /// Follows the field from the start of `line` on, forwards or backwards. True: it closed.
+  /// Follows the field from the start of `line`, forwards or backwards. Returns true if the line
+  /// closed.
   bool Follow(StreamLine& line, int32_t number, Vector2 start, Vector2 along, double sign,
               std::vector<Vector2>& marked) {
     const Vector2 first = along;
@@ -217,7 +220,7 @@ class Tracer {
       step = std::clamp(step, kShortestStepMm, std::min(kLongestStepMm, kStepShare * separation));
       const auto next = Advance(at, along, step);
       if (!next.has_value() || !InBox(next->to)) {
-        // The box is left on the way: its edge is none of the region's.
+        // The last point is outside of the box: the box's edge is not an edge of the region.
         if (next.has_value()) Put(line, next->to, sign);
         return false;
       }
@@ -243,7 +246,8 @@ class Tracer {
     }
   }
 
-  /// A new line from here, unless another one is too near or it comes to nothing.
+  /// Starts a new line at this point, unless another line is too near or the new line is too short.
+  /// Returns true if the line was added.
   bool Start(Vector2 at, double share) {
     if (!InBox(at)) return false;
     const double separation = Separation(at);
@@ -269,7 +273,7 @@ class Tracer {
     return true;
   }
 
-  /// Starts lines on both sides of those that are there, until there is no more room.
+  /// Starts lines on both sides of the existing lines until there is no more space.
   absl::Status Spread() {
     for (; spread_ < lines_.size(); ++spread_) {
       const std::deque<Vector2> points = lines_[spread_].points;
@@ -297,7 +301,7 @@ class Tracer {
   MarkGrid grid_;
   std::vector<StreamLine> lines_;
   size_t spread_ = 0;
-  double points_ = 0;  ///< of the lines that were spread from
+  double points_ = 0;  ///< number of points of the lines from which new lines were started
 };
 
 double LengthOf(const StreamLine& line) {
@@ -307,7 +311,7 @@ double LengthOf(const StreamLine& line) {
   return length;
 }
 
-/// Lines whose length is what the separations ask for: of several layouts, the nearest to it.
+/// Returns lines with the total length that the separations request: the best of several layouts.
 absl::StatusOr<std::vector<StreamLine>> EvenLines(const StreamBox& box,
                                                   const DirectionField& directions,
                                                   const StreamOptions& options) {

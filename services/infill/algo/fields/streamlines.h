@@ -9,6 +9,7 @@
 
 namespace slicefarm::infill {
 
+/// Box that contains streamlines, in mm.
 struct StreamBox {
   double min_x_mm = 0, min_y_mm = 0;
   double max_x_mm = 0, max_y_mm = 0;
@@ -16,37 +17,40 @@ struct StreamBox {
   friend bool operator==(const StreamBox&, const StreamBox&) = default;
 };
 
+/// Parameters of streamlines.
 struct StreamOptions {
   double z_mm = 0;
-  bool across = false;  ///< along the other family, at right angles to the directions
-  /// How far apart lines shall lie at a place, mm; 0: there are none.
+  bool across = false;  ///< follow the family of directions perpendicular to the field's directions
+  /// Returns the requested distance between lines at a point, in mm. 0: there are no lines.
   std::function<double(double x_mm, double y_mm)> separation_mm;
 };
 
-/// Evenly spaced lines along a field of directions, or across it, in a box (Jobard and Lefer,
-/// "Creating evenly-spaced streamlines of arbitrary density", 1997). Each new line starts beside
-/// one that is there, at the separation; it goes on both ways until it leaves the box, comes to a
-/// degenerate place, or to within kEndShare of the separation from another line; or until it
-/// closes. What is left open then is looked for on a grid, so that no gap of two separations stays.
-/// Where lines spread and close in, gaps go from 2/3 to 4/3 of the separation, so that they are
-/// right on average. Where all lines together are yet off by more than kMostBias, they are laid out
-/// again at a separation that differs by as much, twice at most. At last the gaps are shared out
-/// among neighbours (EvenGaps).
-///
-/// Integration: classic Runge-Kutta of order 4; each stage's direction is turned to go with the
-/// last step, as directions have no sign; the step is halved where the direction turns by more than
-/// 6 degrees within it. Points lie within 0.01 mm of the line, after smoothing out what is
-/// straight.
-///
-/// Errors: as CheckLineCount; REQUEST_TOO_LARGE past kMaxFieldCells and kMaxStreamPoints. Cost:
-/// O(length / step) field evaluations, and as many searches of a few neighbours.
+/// Least distance between two streamlines, as a share of the separation.
 inline constexpr double kEndShare = 2.0 / 3;
+/// Largest permitted relative error of the total length of streamlines.
 inline constexpr double kMostBias = 0.01;
+/// Returns evenly spaced lines in a box, along a field of directions or perpendicular to it
+/// (Jobard and Lefer, "Creating evenly-spaced streamlines of arbitrary density", 1997). Each new
+/// line starts beside an existing line, at the separation. It grows in both directions until it
+/// leaves the box, meets a degenerate point, is nearer than kEndShare of the separation to another
+/// line, or closes. Then a grid search fills remaining gaps, so that no gap of two separations is
+/// left. Where lines diverge and converge, gaps range from 2/3 to 4/3 of the separation, so that
+/// they are correct on average. If the total length is still wrong by more than kMostBias, the
+/// lines are laid out again at most twice, with the separation scaled by the error. Finally the
+/// gaps are distributed over neighbours (EvenGaps).
+///
+/// Integration: classic Runge-Kutta of order 4. Directions have no sign, so that each stage's
+/// direction is turned to agree with the last step. The step is halved if the direction turns by
+/// more than 6 degrees within it. Points are within 0.01 mm of the line, after straight parts are
+/// simplified.
+///
+/// Errors: as CheckLineCount; REQUEST_TOO_LARGE above kMaxFieldCells and kMaxStreamPoints. Cost:
+/// O(length / step) field evaluations, and as many searches of a few neighbours.
 absl::StatusOr<std::vector<Curve>> Streamlines(const StreamBox& box,
                                                const DirectionField& directions,
                                                const StreamOptions& options);
 
-/// The lines that were asked for last, for layers whose fields and boxes are the same.
+/// Result of the last call, for layers with the same fields and boxes.
 struct StreamMemo {
   StreamBox box{};
   Coord spacing_nm = 0;

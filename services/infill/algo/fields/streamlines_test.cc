@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kSide = 64;
 
-/// Stresses whose greater principal direction is (u, v), over [0, kSide]^2.
+/// Returns stresses with the greater principal direction (u, v), over [0, kSide]^2.
 StressField Along(const std::function<std::pair<double, double>(double, double)>& direction) {
   StressField stress;
   const auto part = [&](auto product) {
@@ -44,7 +44,7 @@ std::vector<Curve> Lines(const StressField& stress, double separation_mm) {
 
 struct Sample {
   Point at;
-  double dx, dy;  ///< of the line there
+  double dx, dy;  ///< direction of the line at the sample
   size_t line;
 };
 
@@ -70,7 +70,7 @@ std::vector<Sample> SamplesOf(const std::vector<Curve>& curves, double step_mm) 
   return samples;
 }
 
-/// Root of the mean square of the angle between lines and what they shall follow, degrees.
+/// Returns the root mean square of the angle between lines and the requested direction, in degrees.
 double AngleRms(const std::vector<Sample>& samples,
                 const std::function<std::pair<double, double>(double, double)>& direction,
                 const std::function<bool(double, double)>& counts) {
@@ -87,8 +87,8 @@ double AngleRms(const std::vector<Sample>& samples,
   return std::sqrt(sum / all);
 }
 
-/// Share of the length that has a neighbour on each side, away from the box's edge, at 0.8 to 1.2
-/// of the separation: by a ray across to the next line.
+/// Returns the share of the length, away from the box's edge, that has a neighbour on each side at
+/// 0.8 to 1.2 of the separation. A ray across the line finds the next line.
 double EvenShare(const std::vector<Curve>& curves, double separation_mm,
                  const std::function<bool(double, double)>& counts) {
   double even = 0, all = 0;
@@ -145,11 +145,13 @@ TEST(Streamlines, ThatBendKeepTheirDistance) {
   const auto bent = [](double x, double) { return std::pair(1.0, 0.5 * std::cos(x / 10)); };
   const auto curves = Lines(Along(bent), 2);
   EXPECT_LT(AngleRms(SamplesOf(curves, 0.5), bent, Inner), 2);
-  // Lines that are parallel along y come nearer to each other where they are steep: to 0.89.
+  // Lines that are parallel along y are nearer to each other where they are steep: 0.89 of the
+  // separation.
   EXPECT_GT(EvenShare(curves, 2, Inner), 0.95);
 }
 
-/// Stresses of a plate that is drawn along x, around a hole of `radius` in its middle (Kirsch).
+/// Returns the stresses of a plate under tension along x, around a hole of `radius` in its middle
+/// (Kirsch).
 StressField AroundHole(double radius) {
   StressField stress;
   std::array<FieldGrid*, 3> parts = {&stress.xx, &stress.yy, &stress.xy};
@@ -184,8 +186,9 @@ TEST(Streamlines, KeepTheirDistanceBesideAHole) {
   EXPECT_GT(EvenShare(curves, 2, away), 0.86);
 }
 
-/// Stresses of a beam that is held at x = 0 and pressed at its other end: drawn above its middle,
-/// pressed below, sheared most in it. The fixed solution of a slender beam.
+/// Returns the stresses of a beam that is fixed at x = 0 and loaded at its other end. It is under
+/// tension above its middle, under compression below, and has the greatest shear in the middle.
+/// This is the closed-form solution of a slender beam.
 std::array<double, 3> BeamAt(double x, double y) {
   const double half = kSide / 4, up = y - half;
   return {(kSide - x) * up, 0, -(half * half - up * up) / 2};
@@ -199,7 +202,8 @@ StressField Beam(int nodes) {
   return stress;
 }
 
-/// Which way the stress of greater magnitude goes: by power iteration, which needs no angles.
+/// Returns the direction of the stress of greater magnitude, by power iteration, which uses no
+/// angles.
 std::pair<double, double> GreatestPull(double x, double y) {
   const auto [xx, yy, xy] = BeamAt(x, y);
   double u = 0.83, v = 0.56;
@@ -211,7 +215,7 @@ std::pair<double, double> GreatestPull(double x, double y) {
   return {u, v};
 }
 
-// Both families: each layer follows one of them.
+// The test covers the two families of directions: each layer follows one of them.
 TEST(Streamlines, OfABeamFollowTheGreaterStressAndTheOther) {
   for (const int nodes : {65, 33}) {
     const DirectionField directions(Beam(nodes));
@@ -225,7 +229,7 @@ TEST(Streamlines, OfABeamFollowTheGreaterStressAndTheOther) {
           const auto [u, v] = GreatestPull(x, y);
           return across ? std::pair(-v, u) : std::pair(u, v);
         };
-        // Both directions change places in the middle, from one node of the field to the next.
+        // In the middle the two directions are exchanged, from one node of the field to the next.
         const auto counts = [&](double x, double y) {
           return x > 3 && x < kSide - 3 && y > 3 && y < kSide / 2 - 3 &&
                  std::abs(y - kSide / 4) > 2 * kSide / (nodes - 1);
@@ -258,9 +262,9 @@ TEST(Streamlines, LeaveNoGapOfTwoSeparations) {
   }
 }
 
-// No part stays hollow because nothing pulls there.
+// No part stays empty because it has no stress.
 TEST(Streamlines, GoOnWhereThereIsNoStress) {
-  // Left half along x, right half with no direction at all.
+  // The left half has the direction x, the right half has no direction at all.
   StressField stress = Along([](double, double) { return std::pair(1.0, 0.0); });
   for (size_t i = 0; i < stress.xx.values.size(); ++i)
     if (i % 65 > 40) stress.xx.values[i] = stress.yy.values[i] = 1, stress.xy.values[i] = 0;
@@ -273,7 +277,7 @@ TEST(Streamlines, GoOnWhereThereIsNoStress) {
   }
 }
 
-// Half along x, half along y: between them directions cancel.
+// One half has the direction x, one half the direction y. Between them the directions cancel.
 TEST(Streamlines, StopAtDegeneratePlaces) {
   StressField stress = Along([](double, double) { return std::pair(1.0, 0.0); });
   for (size_t i = 0; i < stress.xx.values.size(); ++i)

@@ -13,7 +13,7 @@ namespace {
 constexpr float kFar = 1e12F;
 constexpr auto kCellNm = static_cast<double>(kNmPerMm) * kDistanceCellMm;
 
-/// Marks the cells whose middles lie inside, by crossings of the rows of middles.
+/// Marks the cells with their middles inside, by crossings of the outline with the rows of middles.
 void MarkInside(const MultiPolygon& outline, int64_t first_x, int64_t first_y, int64_t width,
                 int64_t height, std::vector<float>& cells) {
   std::vector<std::vector<double>> crossings(static_cast<size_t>(height));
@@ -48,8 +48,8 @@ void MarkInside(const MultiPolygon& outline, int64_t first_x, int64_t first_y, i
   }
 }
 
-/// Squared distances along one line of cells: the lower envelope of a parabola for each (Felzenszwalb
-/// and Huttenlocher, "Distance transforms of sampled functions", 2012).
+/// Transform of squared distances along one line of cells: the lower envelope of one parabola per
+/// cell (Felzenszwalb and Huttenlocher, "Distance transforms of sampled functions", 2012).
 class LineTransform {
  public:
   void Run(float* values, int64_t count, int64_t step) {
@@ -87,7 +87,7 @@ class LineTransform {
 }  // namespace
 
 double DistanceMap::At(double x_mm, double y_mm) const {
-  // Shares are worked out before the window's corner is taken off: they do not depend on it.
+  // Shares are computed before the window's corner is subtracted, so that they do not depend on it.
   const double x = x_mm / kDistanceCellMm - 0.5, y = y_mm / kDistanceCellMm - 0.5;
   const double left = std::floor(x), low = std::floor(y);
   const double right = x - left, up = y - low;
@@ -117,7 +117,7 @@ SurfaceDistances::SurfaceDistances(std::span<const SlicedLayer> layers, int32_t 
     }
   }
   if (box.min.x > box.max.x) return;
-  // What lies farther out than the reach decides nothing.
+  // Areas farther outside than the reach have no influence.
   const Box all = box.Grown(static_cast<Coord>(reach_mm * kNmPerMm + 2 * kCellNm));
   const auto cell = [](Coord at) {
     return static_cast<int64_t>(std::floor(static_cast<double>(at) / kCellNm));
@@ -130,7 +130,7 @@ const SurfaceDistances::Squares& SurfaceDistances::Within(int32_t own_layer) {
   std::shared_ptr<const Squares>& known = within_[own_layer];
   if (known != nullptr) return *known;
   const MultiPolygon& outline = OutlineOf(*sections_.at(own_layer));
-  // In a prism the layer before is equal.
+  // In a prism, consecutive layers are equal.
   if (const auto before = within_.find(own_layer - 1);
       before != within_.end() && before->second != nullptr &&
       OutlineOf(*sections_.at(own_layer - 1)) == outline) {
@@ -154,7 +154,7 @@ absl::StatusOr<DistanceMap> SurfaceDistances::Of(int32_t own_layer) {
   const double z_mm = ToMm(own.z_nm) - ToMm(own.height_nm) / 2;
   std::vector<float> least(static_cast<size_t>(width_ * height_),
                            static_cast<float>(reach_mm_ * reach_mm_));
-  // Air begins where the last layer at hand ends, if that is within reach at all.
+  // Air begins at the end of the last available layer, if it is within reach at all.
   const auto air_below = [&](double away_mm) {
     for (float& square : least)
       square = std::min(square, static_cast<float>(away_mm * away_mm));
@@ -174,7 +174,7 @@ absl::StatusOr<DistanceMap> SurfaceDistances::Of(int32_t own_layer) {
       if (rise_mm >= reach_mm_) break;
       const Squares& squares = Within(layer);
       for (size_t i = 0; i < least.size(); ++i) {
-        // Half a cell from the middle of the nearest cell outside lies the edge.
+        // The edge is half a cell from the middle of the nearest cell outside.
         const double cells = std::max(0.0, std::sqrt(static_cast<double>(squares[i])) - 0.5);
         const double flat_mm = cells * kDistanceCellMm;
         least[i] = std::min(least[i], static_cast<float>(flat_mm * flat_mm + rise_mm * rise_mm));
@@ -183,7 +183,7 @@ absl::StatusOr<DistanceMap> SurfaceDistances::Of(int32_t own_layer) {
   }
   map.mm.reserve(least.size());
   for (const float square : least) map.mm.push_back(std::sqrt(square));
-  // Layers are asked for upwards: those far below are done with.
+  // Layers are requested in upward order: layers far below are no longer needed.
   while (!within_.empty()) {
     const ObjectSection& lowest = *sections_.at(within_.begin()->first);
     if (ToMm(lowest.z_nm) >= z_mm - reach_mm_ - 1) break;

@@ -12,32 +12,36 @@
 
 namespace slicefarm::infill {
 
-/// Distances on cells of kDistanceCellMm, which lie on the object's own grid.
+/// Distances on cells of kDistanceCellMm, on the object's own grid.
 struct DistanceMap {
-  int64_t first_x = 0, first_y = 0;  ///< of the cells' indices
+  int64_t first_x = 0, first_y = 0;  ///< index of the first cell
   int64_t width = 0, height = 0;
-  std::vector<float> mm;  ///< x running fastest; at the cells' middles
+  std::vector<float> mm;  ///< distances in the middles of cells; x changes fastest
 
-  /// Linear between middles; as at the nearest one outside.
+  /// Returns the distance at a point: linear between the middles of cells, and the nearest value
+  /// outside of the grid.
   double At(double x_mm, double y_mm) const;
 };
 
+/// Size of a cell in mm.
 inline constexpr double kDistanceCellMm = 0.5;
 
-/// How far places in an object are from its surface, in space: in their own layer and through the
-/// layers above and below, which count as slabs. What no layer has is air, and so is the bed.
+/// Distances of points in an object from its surface, in space: within their own layer, and through
+/// the layers above and below, which count as slabs. Everything outside of the layers is air,
+/// including the bed.
 ///
-/// Accuracy: half a cell and half a layer. A distance does not depend on which other layers are at
-/// hand, as long as all those are that lie within `reach_mm`; it is never more than that.
-/// Cost: O(cells) for each layer once, and O(cells) for each pair of layers within reach.
+/// Accuracy: half a cell and half a layer. A distance is at most `reach_mm`. It does not depend on
+/// which further layers are available, as long as all layers within `reach_mm` are available. Cost:
+/// O(cells) for each layer once, and O(cells) for each pair of layers within reach.
 class SurfaceDistances {
  public:
-  /// `layers` must outlive this.
+  /// Keeps a reference: `layers` must outlive this object.
   SurfaceDistances(std::span<const SlicedLayer> layers, int32_t object, double reach_mm);
 
-  /// Whether the object has such a layer here.
+  /// Returns true if the object has this layer in `layers`.
   bool Has(int32_t own_layer) const { return sections_.contains(own_layer); }
-  /// REQUIRES: Has(own_layer). Errors: REQUEST_TOO_LARGE for more than kMaxFieldCells.
+  /// Returns the distances in a layer. REQUIRES: Has(own_layer). Errors: REQUEST_TOO_LARGE for more
+  /// than kMaxFieldCells.
   absl::StatusOr<DistanceMap> Of(int32_t own_layer);
 
  private:
@@ -46,7 +50,8 @@ class SurfaceDistances {
   const Squares& Within(int32_t own_layer);
 
   double reach_mm_;
-  std::map<int32_t, const ObjectSection*> sections_;  ///< by own layer
+  /// Sections of the object, indexed by own layer.
+  std::map<int32_t, const ObjectSection*> sections_;
   int64_t first_x_ = 0, first_y_ = 0, width_ = 0, height_ = 0;
   std::map<int32_t, std::shared_ptr<const Squares>> within_;
 };

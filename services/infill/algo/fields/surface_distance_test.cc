@@ -13,7 +13,7 @@ namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
 
-/// Layers of 0.5 mm of object 3, bottom up.
+/// Returns layers of 0.5 mm of object 3, from bottom to top.
 std::vector<SlicedLayer> LayersOf(const std::vector<MultiPolygon>& outlines) {
   std::vector<SlicedLayer> layers;
   for (int i = 0; i < static_cast<int>(outlines.size()); ++i) {
